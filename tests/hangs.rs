@@ -3,9 +3,11 @@
 
 use homebody_core::event::Firing;
 use homebody_core::scenario::logger::LoggerFile;
-use homebody_core::time::Micros;
+use homebody_core::time::{RunTime, Span};
 use homebody_log::table::Batch;
-use homebody_log::{Begin, Cancel, Destination, How, LogError, Logger, Policy, RunInfo, Sink, Watermark, WhenDown};
+use homebody_log::{
+    Begin, Cancel, Destination, LogError, Logger, Policy, RunInfo, Sink, Watermark, WhenDown, WriteMode,
+};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::thread;
@@ -40,11 +42,11 @@ impl Sink for Counting {
         Ok(())
     }
 
-    fn settle(&mut self) -> Result<Watermark, LogError> {
+    fn make_durable(&mut self) -> Result<Watermark, LogError> {
         Ok(Watermark(vec![self.0.load(Ordering::SeqCst)]))
     }
 
-    fn finish(&mut self, _: Micros) -> Result<(), LogError> {
+    fn finish(&mut self, _: RunTime) -> Result<(), LogError> {
         Ok(())
     }
 }
@@ -53,7 +55,7 @@ impl Sink for Counting {
 fn open(to: Destination, run: RunInfo) -> Result<(Logger, Arc<AtomicU64>), LogError> {
     let count = Arc::new(AtomicU64::new(0));
     let beside = Destination::own("beside", Counting(count.clone()), Policy::default());
-    let logger = Logger::open(vec![to, beside], &LoggerFile::default(), &Arc::new(run), How::New)?;
+    let logger = Logger::open(vec![to, beside], &LoggerFile::default(), &Arc::new(run), WriteMode::Create)?;
     Ok((logger, count))
 }
 
@@ -61,11 +63,11 @@ fn open(to: Destination, run: RunInfo) -> Result<(Logger, Arc<AtomicU64>), LogEr
 fn live(logger: &mut Logger, firings: &[Firing], mut look: impl FnMut(u64) -> bool) -> Result<u64, LogError> {
     let mut rows = 0;
     for (number, step) in firings.chunks(STEP).enumerate() {
-        logger.store(step, step[step.len() - 1].at + 1)?;
+        logger.store(step, step[step.len() - 1].at + Span::MICROSECOND)?;
         rows += step.len() as u64;
         if number % 20 == 19 {
-            logger.wait_settled()?;
-            logger.settle()?;
+            logger.wait_durable()?;
+            logger.make_durable()?;
         }
         if look(rows) {
             break;

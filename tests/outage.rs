@@ -2,7 +2,8 @@
 
 use homebody_core::event::Firing;
 use homebody_core::scenario::logger::LoggerFile;
-use homebody_log::{Destination, How, Logger, RunInfo, WhenDown};
+use homebody_core::time::Span;
+use homebody_log::{Destination, Logger, RunInfo, WhenDown, WriteMode};
 use std::sync::Arc;
 use std::thread;
 use std::time::{Duration, Instant};
@@ -38,7 +39,7 @@ impl Outage {
         let spools = tempfile::tempdir().unwrap();
         let most_bytes = MOST_SPOOLED_BYTES_A_MINUTE * self.seconds.div_ceil(60);
         let to = to.when_down(&WhenDown::Spool(spools.path().into(), most_bytes));
-        let mut logger = Logger::open(vec![to], &LoggerFile::default(), &Arc::new(run), How::New).unwrap();
+        let mut logger = Logger::open(vec![to], &LoggerFile::default(), &Arc::new(run), WriteMode::Create).unwrap();
         let begun = Instant::now();
         let (mut is_stopped, mut is_back, mut most_aside) = (false, false, 0);
         for (number, step) in all.chunks(10).enumerate() {
@@ -52,10 +53,10 @@ impl Outage {
                 turn(true);
                 is_back = true;
             }
-            logger.store(step, step[step.len() - 1].at + 1).unwrap();
+            logger.store(step, step[step.len() - 1].at + Span::MICROSECOND).unwrap();
             if number % 100 == 99 {
                 // As a run does that goes at a pace.
-                logger.settle().unwrap();
+                logger.make_durable().unwrap();
             }
             let files = std::fs::read_dir(spools.path()).unwrap().map(|file| file.unwrap().metadata().unwrap().len());
             most_aside = most_aside.max(files.sum::<u64>());

@@ -7,6 +7,8 @@ from typing import Any
 VERSION: str
 #: The largest number of members of a cohort.
 MOST_MEMBERS: int
+#: The measures that :class:`homebody.env.DecideVisits` observes.
+OBSERVED_MEASURES: list[str]
 
 Told = Callable[[float, float], object]
 

@@ -14,7 +14,7 @@ import random
 from dataclasses import dataclass
 from typing import Any
 
-from homebody import arguments
+from homebody import _homebody, arguments
 from homebody.errors import needs
 from homebody.picture import Picture
 from homebody.scenario import Scenario, opened
@@ -138,22 +138,7 @@ class DecideVisits(gymnasium.Env[Any, Any]):
     metadata = {"render_modes": []}
 
     #: The observed measures of a day. Measures that need the whole log are left out: they would look into the future.
-    MEASURES = (
-        "time_in_bed",
-        "bedtime",
-        "rising",
-        "restlessness",
-        "bathroom_night",
-        "bathroom_day",
-        "meals",
-        "time_out",
-        "outings",
-        "room_changes",
-        "density_night",
-        "density_morning",
-        "density_afternoon",
-        "density_evening",
-    )
+    MEASURES = tuple(_homebody.OBSERVED_MEASURES)
     #: Days before the first decision.
     FIRST = 14
     #: A visit this number of days after the onset, or later, is worth nothing.

@@ -1,4 +1,4 @@
-// Made from crates/homebody-core/src/scenario/device.rs, which says what each means.
+// Made from crates/homebody-core/src/sensors/products.rs, which says what each means.
 
 export type Device = {
   /** What `preset` calls it. */

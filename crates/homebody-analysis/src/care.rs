@@ -3,9 +3,9 @@
 //! It comes from measures, alerts and summaries, in words without sensors. The usual value of a day is the mean of the complete
 //! days before it, with their standard deviation, as in alerts.
 
-use crate::alerts::{Alert, Rules, alerts, counts, usual_before};
-use crate::measures::{Day, Measure, Measures, Unit};
-use crate::summaries::{About, Sentence, summarise};
+use crate::alerts::{Alert, Rules, alerts, usual_before};
+use crate::measures::{DailyMeasure, DayMeasures, MEASURES, Measures, ValueForm};
+use crate::summaries::{SummarySentence, SummarySubject, summarise};
 use jiff::civil::Date;
 
 /// How somebody is.
@@ -18,29 +18,29 @@ pub struct Care {
     /// Whether enough days lie before the last two weeks to say what has changed.
     pub is_compared: bool,
     /// All days in order, each by what carers ask about.
-    pub days: Vec<DayTold>,
+    pub days: Vec<CareDay>,
     /// Sentences about the last two weeks: what has changed first.
-    pub sentences: Vec<Sentence>,
+    pub sentences: Vec<SummarySentence>,
     /// What was worth a visit, the latest first.
     pub alerts: Vec<Alert>,
     /// A chart for each thing that carers ask about.
-    pub charts: Vec<Chart>,
+    pub charts: Vec<MeasureChart>,
 }
 
 /// A day in words.
 #[derive(Clone, Debug, PartialEq)]
-pub struct DayTold {
+pub struct CareDay {
     /// The day.
     pub date: Date,
     /// What is known of it.
-    pub known: Known,
+    pub known: DayKnowledge,
     /// What carers ask about; nothing of a day that does not count, and of what is guessed.
-    pub told: Vec<Today>,
+    pub told: Vec<MeasureWords>,
 }
 
 /// What is known of a day.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Known {
+pub enum DayKnowledge {
     /// All of it: it counts.
     Whole,
     /// Nobody was at home for most of it.
@@ -51,7 +51,7 @@ pub enum Known {
 
 /// A measure of a day.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Today {
+pub struct MeasureWords {
     /// Its name.
     pub measure: &'static str,
     /// In words, such as `Slept for 7.2 hours, as usual`.
@@ -62,24 +62,24 @@ pub struct Today {
 
 /// A measure day by day.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Chart {
+pub struct MeasureChart {
     /// Its name.
     pub measure: &'static str,
     /// What it is called.
     pub title: &'static str,
     /// How its values are written.
-    pub unit: Unit,
+    pub unit: ValueForm,
     /// What is less than this apart is the same.
     pub little: f64,
     /// Whether it is guessed.
     pub is_guess: bool,
     /// Its days, in order.
-    pub days: Vec<Point>,
+    pub days: Vec<ChartPoint>,
 }
 
 /// A day of a chart.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Point {
+pub struct ChartPoint {
     /// The day.
     pub date: Date,
     /// The measure; `None` where it is not known, or the day does not count.
@@ -94,33 +94,24 @@ pub const LAST_DAYS: usize = 14;
 /// Standard deviations from the mean at which a day is unusual, and difference below which a day is usual in any case
 /// (our choice).
 const UNUSUAL_SD: f64 = 2.0;
-/// The measures that carers ask about, in the order of a day's account, with the least standard deviation.
-const ASKED: [(&str, f64); 11] = [
-    ("time_in_bed", 0.5),
-    ("sleep", 0.5),
-    ("bedtime", 0.4),
-    ("rising", 0.4),
-    ("bathroom_night", 0.7),
-    ("bathroom_day", 1.5),
-    ("meals", 0.6),
-    ("time_out", 0.7),
-    ("pace", 0.04),
-    ("walking_speed", 0.03),
-    ("company", 0.5),
-];
-
-/// The better of two measures of one thing: sleep needs movements in the bedroom, speed needs a home.
-const INSTEAD: [(&str, &str); 2] = [("sleep", "time_in_bed"), ("walking_speed", "pace")];
+/// The measures of the report with their least standard deviations, in the order of a day's account. The better of two measures
+/// of one thing follows the other and replaces it if it has values: sleep needs movements in the bedroom, speed needs a home.
+fn rows(measures: &Measures) -> Vec<(&'static DailyMeasure, f64)> {
+    let number = |name: &str| MEASURES.iter().position(|measure| measure.name == name);
+    let uses = || MEASURES.iter().filter_map(|measure| Some((measure, measure.care?)));
+    let has_values = |measure: &DailyMeasure| measures.days.iter().any(|day| day.value(measure.name).is_some());
+    let is_replaced = |name: &str| uses().any(|(better, care)| care.instead_of == Some(name) && has_values(better));
+    let mut rows: Vec<_> = uses().filter(|(measure, _)| !is_replaced(measure.name)).collect();
+    rows.sort_by_key(|(measure, care)| number(care.instead_of.unwrap_or(measure.name)));
+    rows.into_iter().map(|(measure, care)| (measure, care.least_sd)).collect()
+}
 
 /// How somebody is, by the measures of their days; `subject` is what sentences call them.
 pub fn care(measures: &Measures, rules: &Rules, subject: &str) -> Care {
-    let last = measures.days.iter().rposition(counts);
+    let last = measures.days.iter().rposition(DayMeasures::counts);
     let mut charts = Vec::new();
-    let mut days: Vec<DayTold> = measures.days.iter().map(nothing_told).collect();
-    let has = |measure: &str| measures.days.iter().any(|day| day.value(measure).is_some());
-    let has_better = |name: &str| INSTEAD.iter().any(|(better, of)| name == *of && has(better));
-    for (name, least_sd) in ASKED {
-        let Some(measure) = Measure::named(name).filter(|_| !has_better(name)) else { continue };
+    let mut days: Vec<CareDay> = measures.days.iter().map(nothing_told).collect();
+    for (measure, least_sd) in rows(measures) {
         let chart = chart(measure, least_sd, measures);
         if !chart.is_guess {
             let values: Vec<Option<f64>> = chart.days.iter().map(|day| day.value).collect();
@@ -133,7 +124,7 @@ pub fn care(measures: &Measures, rules: &Rules, subject: &str) -> Care {
             charts.push(chart);
         }
     }
-    let summary = summarise(measures, About { subject, last: LAST_DAYS });
+    let summary = summarise(measures, SummarySubject { subject, last: LAST_DAYS });
     let mut alerts = alerts(measures, rules).alerts;
     alerts.reverse();
     let day = last.map(|last| measures.days[last].date);
@@ -148,40 +139,39 @@ pub fn care(measures: &Measures, rules: &Rules, subject: &str) -> Care {
     }
 }
 
-fn nothing_told(day: &Day) -> DayTold {
-    let known = match (day.is_whole, counts(day)) {
-        (false, _) => Known::Partly,
-        (true, false) => Known::Away,
-        (true, true) => Known::Whole,
+fn nothing_told(day: &DayMeasures) -> CareDay {
+    let known = match (day.is_whole, day.counts()) {
+        (false, _) => DayKnowledge::Partly,
+        (true, false) => DayKnowledge::Away,
+        (true, true) => DayKnowledge::Whole,
     };
-    DayTold { date: day.date, known, told: Vec::new() }
+    CareDay { date: day.date, known, told: Vec::new() }
 }
 
-fn chart(of: &Measure, little: f64, measures: &Measures) -> Chart {
-    let value = |day: &Day| day.value(of.name).filter(|_| counts(day));
+fn chart(of: &DailyMeasure, little: f64, measures: &Measures) -> MeasureChart {
+    let value = |day: &DayMeasures| day.value(of.name).filter(|_| day.counts());
     let values: Vec<Option<f64>> = measures.days.iter().map(value).collect();
-    let point = |(number, day): (usize, &Day)| {
+    let point = |(number, day): (usize, &DayMeasures)| {
         // Nothing that is measured is below 0.
         let usual = usual_before(&values, number, little).map(|(mean, sd)| ((mean - sd).max(0.0), mean + sd));
-        Point { date: day.date, value: values[number], usual }
+        ChartPoint { date: day.date, value: values[number], usual }
     };
     let days = measures.days.iter().enumerate().map(point).collect();
     let is_guess = measures.guesses.contains(&of.name);
-    Chart { measure: of.name, title: of.title, unit: of.kind(), little, is_guess, days }
+    MeasureChart { measure: of.name, title: of.title, unit: of.unit.form, little, is_guess, days }
 }
 
 /// A measure of a day in words, beside the usual: mean and standard deviation.
-fn of_day(measure: &'static Measure, value: f64, usual: Option<(f64, f64)>) -> Today {
+fn of_day(measure: &'static DailyMeasure, value: f64, usual: Option<(f64, f64)>) -> MeasureWords {
     let beside = usual.map(|(mean, sd)| (mean, ((value - mean).abs() > UNUSUAL_SD * sd).then_some(value > mean)));
     let is_more = beside.and_then(|(_, is_more)| is_more);
-    Today { measure: measure.name, words: measure.day(value, beside), is_more }
+    MeasureWords { measure: measure.name, words: measure.day_words(value, beside), is_more }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::alerts::USUAL;
-    use crate::measures::MEASURES;
     use jiff::civil::date;
 
     fn measures(sleep: &[f64]) -> Measures {
@@ -189,7 +179,11 @@ mod tests {
         let day = |(index, &hours): (usize, &f64)| {
             let mut values = vec![None; MEASURES.len()];
             values[number] = Some(hours);
-            Day { date: date(2024, 1, 1).saturating_add(jiff::Span::new().days(index as i64)), is_whole: true, values }
+            DayMeasures {
+                date: date(2024, 1, 1).saturating_add(jiff::Span::new().days(index as i64)),
+                is_whole: true,
+                values,
+            }
         };
         let days = sleep.iter().enumerate().map(day).collect();
         let (remarks, guesses, silent) = (Vec::new(), Vec::new(), Vec::new());
@@ -219,8 +213,11 @@ mod tests {
         days.days[1].values[out] = Some(23.0);
         days.days[2].is_whole = false;
         let told = care(&days, &Rules::read(USUAL).unwrap(), "Ada").days;
-        let known: Vec<Known> = told.iter().map(|day| day.known).collect();
-        assert_eq!(known, [Known::Whole, Known::Away, Known::Partly, Known::Whole, Known::Whole]);
+        let known: Vec<DayKnowledge> = told.iter().map(|day| day.known).collect();
+        assert_eq!(
+            known,
+            [DayKnowledge::Whole, DayKnowledge::Away, DayKnowledge::Partly, DayKnowledge::Whole, DayKnowledge::Whole]
+        );
         let words: Vec<usize> = told.iter().map(|day| day.told.len()).collect();
         assert_eq!(words, [1, 0, 0, 1, 1]);
     }

@@ -1,18 +1,18 @@
 //! The messages of this crate, for lists of all messages.
 
-use crate::alerts::RuleMessage;
+use crate::alerts::AlertRuleMessage;
 use crate::dates::DateMessage;
 use crate::density::NoMap;
 use crate::falls::rules::FallRuleMessage;
 use crate::realism::NotComparable;
 use crate::windows::WindowMessage;
-use homebody_core::messages::{Catalogue, Entry};
+use homebody_core::messages::{Catalogue, CatalogueEntry};
 
 /// The messages by area.
-pub const MESSAGES: &[&[Entry]] = &[
+pub const MESSAGES: &[&[CatalogueEntry]] = &[
     NoMap::ENTRIES,
     NotComparable::ENTRIES,
-    RuleMessage::ENTRIES,
+    AlertRuleMessage::ENTRIES,
     FallRuleMessage::ENTRIES,
     DateMessage::ENTRIES,
     WindowMessage::ENTRIES,

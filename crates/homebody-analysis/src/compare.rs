@@ -19,7 +19,7 @@
 //! is no agreement to speak of.
 
 use crate::signs::{said, says};
-use homebody_core::time::{DAY, Micros, seconds};
+use homebody_core::time::{Span, WallTime};
 use homebody_log::{Activity, Log};
 use serde::Serialize;
 use std::collections::BTreeMap;
@@ -27,11 +27,11 @@ use std::fmt;
 
 /// How far log `a` agrees with log `b`, the reference.
 #[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct Comparison {
+pub struct LogComparison {
     /// Those that fired in either log, by name, numbers in it by their size.
     pub sensors: Vec<SensorComparison>,
     /// All firings.
-    pub firings: Counts,
+    pub firings: AgreementCounts,
     /// From the first row of each log to its last.
     pub span_s: [f64; 2],
     /// From the date of the first row of each to that of its last, both counted.
@@ -58,7 +58,7 @@ pub struct SensorComparison {
     /// The sensor's id in the logs.
     pub sensor: String,
     /// How often it fired in each.
-    pub firings: Counts,
+    pub firings: AgreementCounts,
     /// The distance of its own gaps, from 0 to 1; `None` where it fired less than twice in a log.
     pub gaps: Option<f64>,
 }
@@ -69,12 +69,12 @@ pub struct ActivityComparison {
     /// The activity's label.
     pub activity: String,
     /// How often anything fired meanwhile, in each log.
-    pub firings: Counts,
+    pub firings: AgreementCounts,
 }
 
 /// How often there were firings in both logs.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
-pub struct Counts {
+pub struct AgreementCounts {
     /// In the log that is compared.
     pub a: u64,
     /// In the reference.
@@ -84,19 +84,19 @@ pub struct Counts {
 }
 
 /// Compares log `a` with the reference `b`.
-pub fn compare(a: &Log, b: &Log) -> Comparison {
-    let mut by_sensor: BTreeMap<&str, [Vec<Micros>; 2]> = BTreeMap::new();
+pub fn compare(a: &Log, b: &Log) -> LogComparison {
+    let mut by_sensor: BTreeMap<&str, [Vec<WallTime>; 2]> = BTreeMap::new();
     for (which, log) in [a, b].into_iter().enumerate() {
         for event in log.events.iter().zip(said(log)).filter_map(|(event, said)| said.begins().then_some(event)) {
             by_sensor.entry(log.sensor(event)).or_default()[which].push(event.at);
         }
     }
-    let mut by_sensor: Vec<(&str, [Vec<Micros>; 2])> = by_sensor.into_iter().collect();
+    let mut by_sensor: Vec<(&str, [Vec<WallTime>; 2])> = by_sensor.into_iter().collect();
     by_sensor.sort_by_cached_key(|(sensor, _)| natural(sensor));
     let (dates, span_s) = ([a, b].map(dates), [a, b].map(span_s));
     let is_by_day = dates[0] != dates[1] && span_s.iter().any(|&span_s| span_s >= LONG_S);
     let per = if is_by_day { dates.map(|dates| dates.max(1) as f64) } else { [1.0; 2] };
-    let count = |a: u64, b: u64| Counts::of([a, b], per);
+    let count = |a: u64, b: u64| AgreementCounts::from_counts([a, b], per);
     let mut sensors = Vec::new();
     let (mut pooled, mut anywhere) = ([Vec::new(), Vec::new()], [Vec::new(), Vec::new()]);
     let mut apart = 0.0;
@@ -114,7 +114,7 @@ pub fn compare(a: &Log, b: &Log) -> Comparison {
     let activities = by_activity([a, b], per, &mut anywhere);
     let reference: f64 = activities.iter().map(|activity| activity.firings.b as f64 / per[1]).sum();
     let apart_by_activity = activities.iter().map(|activity| activity.firings.apart(per)).sum();
-    Comparison {
+    LogComparison {
         sensors_in_common: sensors.iter().filter(|sensor| sensor.firings.a > 0 && sensor.firings.b > 0).count(),
         sensors,
         firings,
@@ -132,7 +132,7 @@ pub fn compare(a: &Log, b: &Log) -> Comparison {
 /// From the first row of a log to its last; real logs are not always in order.
 fn span_s(log: &Log) -> f64 {
     let times = || log.events.iter().map(|event| event.at);
-    times().max().zip(times().min()).map_or(0.0, |(last, first)| seconds(last - first))
+    times().max().zip(times().min()).map_or(0.0, |(last, first)| (last - first).seconds())
 }
 
 /// Length below which a log is compared as a whole (our choice).
@@ -140,15 +140,14 @@ const LONG_S: f64 = 2.0 * 86_400.0;
 
 /// From the date of a log's first row to that of its last, both counted.
 fn dates(log: &Log) -> u64 {
-    let days = || log.events.iter().map(|event| event.at.div_euclid(DAY));
+    let days = || log.events.iter().map(|event| event.at.day_number());
     days().max().zip(days().min()).map_or(0, |(last, first)| (last - first + 1) as u64)
 }
 
-impl Counts {
-    /// Counts of so many days each.
-    fn of([a, b]: [u64; 2], days: [f64; 2]) -> Counts {
-        let counts = Counts { a, b, agreement: None };
-        Counts { agreement: agreement(counts.apart(days), b as f64 / days[1]), ..counts }
+impl AgreementCounts {
+    fn from_counts([a, b]: [u64; 2], days: [f64; 2]) -> AgreementCounts {
+        let counts = AgreementCounts { a, b, agreement: None };
+        AgreementCounts { agreement: agreement(counts.apart(days), b as f64 / days[1]), ..counts }
     }
 
     /// How far they are apart, in firings of so many days each.
@@ -158,19 +157,19 @@ impl Counts {
 }
 
 /// The firings during each activity; the times of each log are sorted on the way.
-fn by_activity(logs: [&Log; 2], per: [f64; 2], times: &mut [Vec<Micros>; 2]) -> Vec<ActivityComparison> {
+fn by_activity(logs: [&Log; 2], per: [f64; 2], times: &mut [Vec<WallTime>; 2]) -> Vec<ActivityComparison> {
     let mut counts: BTreeMap<&str, [u64; 2]> = BTreeMap::new();
     for which in 0..2 {
         let (own, others) = (&logs[which].activities, &logs[1 - which].activities);
         times[which].sort_unstable();
         for Activity { name, begin, end } in if own.is_empty() { others } else { own } {
-            let before = |instant: Micros| times[which].partition_point(|&at| at < instant);
+            let before = |instant: WallTime| times[which].partition_point(|&at| at < instant);
             counts.entry(name).or_default()[which] += before(*end).saturating_sub(before(*begin)) as u64;
         }
     }
     let compared = |(activity, [a, b]): (&str, [u64; 2])| ActivityComparison {
         activity: activity.into(),
-        firings: Counts::of([a, b], per),
+        firings: AgreementCounts::from_counts([a, b], per),
     };
     counts.into_iter().map(compared).collect()
 }
@@ -200,13 +199,13 @@ fn agreement(apart: f64, reference: f64) -> Option<f64> {
 }
 
 /// The times from each firing to the next; real logs are not always in order.
-fn gaps(mut times: Vec<Micros>) -> Vec<Micros> {
+fn gaps(mut times: Vec<WallTime>) -> Vec<Span> {
     times.sort_unstable();
     times.windows(2).map(|pair| pair[1] - pair[0]).collect()
 }
 
 /// The Kolmogorov-Smirnov distance of two samples; none where one is empty.
-pub(crate) fn distance(mut samples: [Vec<Micros>; 2]) -> Option<f64> {
+pub(crate) fn distance<T: Copy + Ord>(mut samples: [Vec<T>; 2]) -> Option<f64> {
     samples.iter_mut().for_each(|sample| sample.sort_unstable());
     let [a, b] = &samples;
     if a.is_empty() || b.is_empty() {
@@ -223,8 +222,7 @@ pub(crate) fn distance(mut samples: [Vec<Micros>; 2]) -> Option<f64> {
     Some(widest)
 }
 
-/// A table for people.
-impl fmt::Display for Comparison {
+impl fmt::Display for LogComparison {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
         let sensors = self.sensors.iter().map(|sensor| sensor.sensor.as_str());
         let activities = self.activities.iter().map(|activity| activity.activity.as_str());
@@ -236,7 +234,11 @@ impl fmt::Display for Comparison {
             "{:width$}  {:>9}  {:>9}  {:>9}  {:>10}",
             "sensor", "firings", "reference", "agreement", "gaps apart"
         )?;
-        let line = |f: &mut fmt::Formatter, name: &str, counts: Option<&Counts>, agreement: Option<f64>, gaps: &str| {
+        let line = |f: &mut fmt::Formatter,
+                    name: &str,
+                    counts: Option<&AgreementCounts>,
+                    agreement: Option<f64>,
+                    gaps: &str| {
             let [a, b] = [counts.map(|counts| counts.a), counts.map(|counts| counts.b)];
             let shown = |count: Option<u64>, dates: u64| match count {
                 Some(count) if self.is_by_day => format!("{:.1}", count as f64 / dates.max(1) as f64),
@@ -290,20 +292,20 @@ const ACTIVITY_BY_ACTIVITY: &str = "activity by activity";
 #[cfg(test)]
 mod tests {
     use super::*;
-    use homebody_core::time::SECOND;
+    use homebody_core::time::{DAY, MINUTE};
     use homebody_log::Event;
 
     /// A log of firings: sensor and instant; the sensor's name in capitals makes it an OFF.
-    fn log(rows: &[(&str, Micros)]) -> Log {
+    fn log(rows: &[(&str, i64)]) -> Log {
         let mut log = Log { values: vec!["ON".into(), "OFF".into()], ..Default::default() };
-        for &(name, at) in rows {
+        for &(name, micros) in rows {
             let (lower, off) = (name.to_lowercase(), name != name.to_lowercase());
             let known = log.sensors.iter().position(|sensor| *sensor == lower);
             let sensor = known.unwrap_or_else(|| {
                 log.sensors.push(lower);
                 log.sensors.len() - 1
             });
-            log.events.push(Event { at, sensor: sensor as u32, value: off.into() });
+            log.events.push(Event { at: WallTime::from_micros(micros), sensor: sensor as u32, value: off.into() });
         }
         log
     }
@@ -312,7 +314,7 @@ mod tests {
     fn a_log_agrees_with_itself() {
         let log = log(&[("a", 0), ("b", 5), ("a", 9), ("A", 10), ("b", 12)]);
         let same = compare(&log, &log);
-        assert_eq!(same.firings, Counts { a: 4, b: 4, agreement: Some(1.0) });
+        assert_eq!(same.firings, AgreementCounts { a: 4, b: 4, agreement: Some(1.0) });
         assert_eq!((same.agreement_by_sensor, same.gaps_pooled, same.gaps_anywhere), (Some(1.0), Some(0.0), Some(0.0)));
     }
 
@@ -331,7 +333,7 @@ mod tests {
     fn without_a_reference_there_is_no_agreement() {
         let some = log(&[("a", 0), ("a", 1)]);
         let compared = compare(&some, &Log::default());
-        assert_eq!(compared.firings, Counts { a: 2, b: 0, agreement: None });
+        assert_eq!(compared.firings, AgreementCounts { a: 2, b: 0, agreement: None });
         assert_eq!((compared.agreement_by_sensor, compared.gaps_pooled), (None, None));
         let compared = compare(&Log::default(), &some);
         assert_eq!(compared.firings.agreement, Some(0.0));
@@ -374,10 +376,9 @@ mod tests {
             (state >> 33) % below
         };
         for _ in 0..200 {
-            let mut sample = || -> Vec<Micros> { (0..1 + random(20)).map(|_| random(15) as Micros).collect() };
+            let mut sample = || -> Vec<u64> { (0..1 + random(20)).map(|_| random(15)).collect() };
             let samples = [sample(), sample()];
-            let share =
-                |sample: &[Micros], x| sample.iter().filter(|&&gap| gap <= x).count() as f64 / sample.len() as f64;
+            let share = |sample: &[u64], x| sample.iter().filter(|&&gap| gap <= x).count() as f64 / sample.len() as f64;
             let apart = (0..15).map(|x| (share(&samples[0], x) - share(&samples[1], x)).abs());
             assert_eq!(distance(samples.clone()), Some(apart.fold(0.0, f64::max)));
         }
@@ -385,7 +386,10 @@ mod tests {
 
     #[test]
     fn activities_are_compared_whenever_they_were_done() {
-        let during = |name: &str, begin, end| Activity { name: name.into(), begin, end };
+        let during = |name: &str, begin, end| {
+            let [begin, end] = [begin, end].map(WallTime::from_micros);
+            Activity { name: name.into(), begin, end }
+        };
         let mut a = log(&[("m", 0), ("m", 5), ("m", 9), ("m", 20)]);
         let mut b = log(&[("m", 100), ("m", 105), ("m", 120)]);
         assert!(compare(&a, &b).activities.is_empty());
@@ -393,13 +397,19 @@ mod tests {
         b.activities = vec![during("sleep", 90, 102), during("cook", 102, 130)];
         let compared = compare(&a, &b);
         let counts: Vec<_> = compared.activities.iter().map(|of| (of.activity.as_str(), of.firings)).collect();
-        assert_eq!(counts, [("cook", Counts::of([2, 2], [1.0; 2])), ("sleep", Counts::of([2, 1], [1.0; 2]))]);
+        assert_eq!(
+            counts,
+            [
+                ("cook", AgreementCounts::from_counts([2, 2], [1.0; 2])),
+                ("sleep", AgreementCounts::from_counts([2, 1], [1.0; 2]))
+            ]
+        );
         assert_eq!(compared.agreement_by_activity, Some(1.0 - 1.0 / 3.0));
         b.activities.clear();
         let compared = compare(&a, &b);
         assert_eq!(
             compared.activities[0].firings,
-            Counts::of([2, 0], [1.0; 2]),
+            AgreementCounts::from_counts([2, 0], [1.0; 2]),
             "the other's activities are taken for its own"
         );
     }
@@ -414,7 +424,7 @@ mod tests {
 
     #[test]
     fn logs_of_different_spans_and_names_say_so() {
-        let day = 86_400 * SECOND;
+        let day = DAY.micros();
         let (a, b) = (log(&[("a", 0), ("a", 7 * day)]), log(&[("b", 0), ("b", 5), ("b", day)]));
         let compared = compare(&a, &b);
         assert_eq!((compared.span_s, compared.sensors_in_common), ([604_800.0, 86_400.0], 0));
@@ -426,10 +436,10 @@ mod tests {
 
     #[test]
     fn logs_of_different_lengths_are_compared_by_day() {
-        let day = 86_400 * SECOND;
         let daily = |days: i64, a_day: i64| {
-            let rows: Vec<(&str, Micros)> =
-                (0..days).flat_map(|on| (0..a_day).map(move |which| ("a", on * day + which * 60 * SECOND))).collect();
+            let at = |on: i64, which: i64| (on * DAY + which * MINUTE).micros();
+            let rows: Vec<(&str, i64)> =
+                (0..days).flat_map(|on| (0..a_day).map(move |which| ("a", at(on, which)))).collect();
             log(&rows)
         };
         let compared = compare(&daily(90, 10), &daily(7, 10));

@@ -4,18 +4,18 @@
 //! `OPEN`, `FIRE`; it counts on the day on which it begins. Sensors that tell readings, such as temperatures, are left out.
 
 use homebody_core::activity::ActivityKind;
-use homebody_core::time::{DAY, Micros, seconds};
+use homebody_core::time::{DAY, Interval, Span, WallTime};
 use homebody_log::{Activity, Life, Log};
 use jiff::civil::Date;
 use serde::Serialize;
 use std::fmt;
 
-use crate::dates::{clock, clock_s, midnight};
+use crate::dates::{clock, clock_s};
 use crate::signs::{Kind, kinds, said, spans_until};
 
 /// What was so on one day.
 #[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct Day {
+pub struct DayRecord {
     /// What the log is called.
     pub name: String,
     /// Which day it is.
@@ -23,13 +23,13 @@ pub struct Day {
     /// How many firings there were, of all sensors but those that tell readings.
     pub firings: u64,
     /// Times of day and sensors, where there were firings.
-    pub first: Option<Firing>,
+    pub first: Option<DayFiring>,
     /// The last of them.
-    pub last: Option<Firing>,
+    pub last: Option<DayFiring>,
     /// Those whose truth is known; one without a name where the log itself notes activities.
-    pub residents: Vec<Resident>,
+    pub residents: Vec<ResidentDay>,
     /// In the order of the log.
-    pub sensors: Vec<Sensor>,
+    pub sensors: Vec<SensorDay>,
     /// How many sensors tell readings, and are left out.
     pub readings: usize,
     /// How many of its sensors are left out because they tell of no person, such as updates and automations.
@@ -38,7 +38,7 @@ pub struct Day {
 
 /// When which sensor fired.
 #[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct Firing {
+pub struct DayFiring {
     /// The time of day to the second, such as `07:12:03`.
     pub at: String,
     /// The sensor's id in the log.
@@ -47,18 +47,18 @@ pub struct Firing {
 
 /// What a resident did on the day, and where.
 #[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct Resident {
+pub struct ResidentDay {
     /// The resident's name; `None` where the log itself notes activities, which says of nobody.
     pub name: Option<String>,
     /// What they did, in the order of the log or the truth.
-    pub activities: Vec<Stretch>,
+    pub activities: Vec<DaySpan>,
     /// Where they were, by the names of rooms; empty where it is not known.
-    pub rooms: Vec<Stretch>,
+    pub rooms: Vec<DaySpan>,
 }
 
 /// A part of the day, in seconds since midnight.
 #[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct Stretch {
+pub struct DaySpan {
     /// When it begins, or the day does.
     pub begin_s: f64,
     /// When it ends, or the day does.
@@ -69,7 +69,7 @@ pub struct Stretch {
 
 /// What a sensor said on the day.
 #[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct Sensor {
+pub struct SensorDay {
     /// The sensor's id in the log.
     pub sensor: String,
     /// What it is taken for.
@@ -82,22 +82,22 @@ pub struct Sensor {
     pub spans_s: Vec<(f64, f64)>,
 }
 
-impl Day {
+impl DayRecord {
     /// A day of a log in local time; `lives` is what is known of its residents, if anything, and `ended` when its recording ended: until
     /// then goes on what no row has ended. Where that is not known, it is its last row.
-    pub fn of(name: &str, log: &Log, lives: &[Life], ended: Option<Micros>, date: Date) -> Day {
-        let begin = midnight(date);
-        let within = begin..begin + DAY;
+    pub fn from_log(name: &str, log: &Log, lives: &[Life<WallTime>], ended: Option<WallTime>, date: Date) -> DayRecord {
+        let begin = WallTime::midnight(date);
+        let within = Interval::starting(begin, DAY);
         let ended = ended.or_else(|| log.events.iter().map(|event| event.at).max());
         let mut sensors = Vec::new();
         let (mut readings, mut others) = (0, 0);
         // A state that the system restores does not count as a firing.
-        let mut restored: Vec<Vec<Micros>> = vec![Vec::new(); log.sensors.len()];
+        let mut restored: Vec<Vec<WallTime>> = vec![Vec::new(); log.sensors.len()];
         for (event, _) in log.events.iter().zip(said(log)).filter(|(_, said)| said.is_restored) {
             restored[event.sensor as usize].push(event.at);
         }
         // By instant, and the sensor's place.
-        let mut ends: Vec<(Micros, usize)> = Vec::new();
+        let mut ends: Vec<(WallTime, usize)> = Vec::new();
         let sensors_of_log = log.sensors.iter().zip(kinds(log)).zip(spans_until(log, ended)).zip(restored);
         for (((sensor, kind), spans), restored) in sensors_of_log {
             if matches!(kind, Kind::Reading | Kind::Other) {
@@ -106,28 +106,29 @@ impl Day {
                 continue;
             }
             let mut by_hour = [0; 24];
-            for &(at, _) in spans.iter().filter(|(at, _)| within.contains(at) && !restored.contains(at)) {
+            let begins = spans.iter().map(|span| span.begin);
+            for at in begins.filter(|at| within.contains(*at) && !restored.contains(at)) {
                 by_hour[((at - begin) * 24 / DAY) as usize] += 1;
                 ends.push((at, sensors.len()));
             }
             // What ends as the day begins is not of it; what begins then is.
-            let shown = spans.iter().filter(|&&(from, to)| from < within.end && (to > begin || from == begin));
-            let spans_s = shown.map(|&(from, to)| part(from, to, begin)).collect();
-            sensors.push(Sensor { sensor: sensor.clone(), kind, firings: by_hour.iter().sum(), by_hour, spans_s });
+            let shown = spans.iter().filter(|span| span.overlaps(within) || span.begin == begin);
+            let spans_s = shown.map(|&span| part(span, within)).collect();
+            sensors.push(SensorDay { sensor: sensor.clone(), kind, firings: by_hour.iter().sum(), by_hour, spans_s });
         }
         let firing =
-            |(at, sensor): &(Micros, usize)| Firing { at: clock_s(*at), sensor: sensors[*sensor].sensor.clone() };
-        let resident = |name: Option<&str>, activities: &[Activity], rooms: &[Activity]| Resident {
+            |(at, sensor): &(WallTime, usize)| DayFiring { at: clock_s(*at), sensor: sensors[*sensor].sensor.clone() };
+        let resident = |name: Option<&str>, activities: &[Activity], rooms: &[Activity]| ResidentDay {
             name: name.map(String::from),
-            activities: stretches(activities, begin),
-            rooms: stretches(rooms, begin),
+            activities: stretches(activities, within),
+            rooms: stretches(rooms, within),
         };
         let known = lives.iter().map(|life| resident(Some(&life.resident), &life.activities, &life.rooms));
-        let mut residents: Vec<Resident> = known.collect();
+        let mut residents: Vec<ResidentDay> = known.collect();
         if residents.is_empty() && !log.activities.is_empty() {
             residents.push(resident(None, &log.activities, &[]));
         }
-        Day {
+        DayRecord {
             name: name.into(),
             date,
             firings: ends.len() as u64,
@@ -141,22 +142,23 @@ impl Day {
     }
 }
 
-/// The part of a span that is in the day which begins at `begin`, in seconds since then.
-fn part(from: Micros, to: Micros, begin: Micros) -> (f64, f64) {
-    (seconds(from.max(begin) - begin), seconds(to.min(begin + DAY) - begin))
+/// The part of a span that is in a day, in seconds since its beginning.
+fn part(span: Interval<WallTime>, day: Interval<WallTime>) -> (f64, f64) {
+    let part = span.intersection(day).map(|at| (at - day.begin).seconds());
+    (part.begin, part.end)
 }
 
-fn stretches(all: &[Activity], begin: Micros) -> Vec<Stretch> {
-    let shown = all.iter().filter(|one| one.begin < begin + DAY && one.end > begin);
+fn stretches(all: &[Activity], day: Interval<WallTime>) -> Vec<DaySpan> {
+    let shown = all.iter().filter(|one| Interval::new(one.begin, one.end).overlaps(day));
     let stretch = |one: &Activity| {
-        let (begin_s, end_s) = part(one.begin, one.end, begin);
-        Stretch { begin_s, end_s, what: one.name.clone() }
+        let (begin_s, end_s) = part(Interval::new(one.begin, one.end), day);
+        DaySpan { begin_s, end_s, what: one.name.clone() }
     };
     shown.map(stretch).collect()
 }
 
 /// A day in words and tables.
-impl fmt::Display for Day {
+impl fmt::Display for DayRecord {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
         write!(f, "{}: {}", self.name, self.date.strftime("%A %F"))?;
         match self.sensors.len() {
@@ -166,7 +168,7 @@ impl fmt::Display for Day {
             sensors => writeln!(f, ", {} firings of {sensors} sensors", self.firings)?,
         }
         for (what, firing) in [("First", &self.first), ("Last", &self.last)] {
-            if let Some(Firing { at, sensor }) = firing {
+            if let Some(DayFiring { at, sensor }) = firing {
                 writeln!(f, "{:7} {at}  {sensor}", format!("{what}:"))?;
             }
         }
@@ -175,9 +177,9 @@ impl fmt::Display for Day {
             if resident.activities.is_empty() {
                 writeln!(f, "  no activity is known of this day")?;
             }
-            for Stretch { begin_s, end_s, what } in &resident.activities {
-                let time = |at_s: f64| clock((at_s * 1e6) as Micros);
-                let kind = ActivityKind::of(what).in_words();
+            for DaySpan { begin_s, end_s, what } in &resident.activities {
+                let time = |at_s: f64| clock(Span::from_micros((at_s * 1e6) as i64));
+                let kind = ActivityKind::from_name(what).in_words();
                 writeln!(f, "  {}-{}  {:24}  {kind}", time(*begin_s), time(*end_s), what.replace('_', " "))?;
             }
         }
@@ -188,7 +190,7 @@ impl fmt::Display for Day {
         let width = names.max().unwrap_or(0).max(6);
         let most = self.sensors.iter().map(|sensor| sensor.firings).max().unwrap_or(0).max(1);
         writeln!(f)?;
-        for Sensor { sensor, firings, .. } in &self.sensors {
+        for SensorDay { sensor, firings, .. } in &self.sensors {
             let line =
                 format!("  {sensor:width$} {firings:>8}  {}", "█".repeat((firings * 30).div_ceil(most) as usize));
             writeln!(f, "{}", line.trim_end())?;
@@ -208,10 +210,10 @@ impl fmt::Display for Day {
     }
 }
 
-impl Day {
+impl DayRecord {
     /// The firings by hour of all sensors that fired.
     fn by_hour(&self, f: &mut fmt::Formatter, width: usize) -> fmt::Result {
-        let fired: Vec<&Sensor> = self.sensors.iter().filter(|sensor| sensor.firings > 0).collect();
+        let fired: Vec<&SensorDay> = self.sensors.iter().filter(|sensor| sensor.firings > 0).collect();
         if fired.is_empty() {
             return Ok(());
         }
@@ -231,12 +233,12 @@ impl Day {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::sample::log;
+    use crate::sample::{at, log};
     use jiff::civil::date;
 
-    const H: Micros = 3600;
+    const H: i64 = 3600;
 
-    fn told() -> Day {
+    fn told() -> DayRecord {
         let mut log = log(&[
             (23 * H, "hall", "ON"),
             (25 * H, "hall", "OFF"),
@@ -248,16 +250,15 @@ mod tests {
             (24 * H, "door", "CLOSE"),
             (30 * H + 5, "door", "CLOSE"),
         ]);
-        let second = homebody_core::time::SECOND;
-        let activity = |from: i64, to: i64| Activity { name: "Cook".into(), begin: from * second, end: to * second };
+        let activity = |from: i64, to: i64| Activity { name: "Cook".into(), begin: at(from), end: at(to) };
         log.activities = vec![activity(0, 24 * H), activity(24 * H + 60, 25 * H), activity(40 * H, 50 * H)];
-        Day::of("log", &log, &[], None, date(1970, 1, 2))
+        DayRecord::from_log("log", &log, &[], None, date(1970, 1, 2))
     }
 
     #[test]
     fn a_day_is_cut_out_of_its_log() {
         let day = told();
-        let at = |firing: &Option<Firing>| firing.as_ref().map(|it| (it.at.clone(), it.sensor.clone()));
+        let at = |firing: &Option<DayFiring>| firing.as_ref().map(|it| (it.at.clone(), it.sensor.clone()));
         assert_eq!((day.firings, day.readings), (2, 1));
         assert_eq!(at(&day.first), Some(("06:00:00".into(), "door".into())));
         assert_eq!(at(&day.last), Some(("23:00:00".into(), "hall".into())));
@@ -273,11 +274,16 @@ mod tests {
     fn what_no_row_ends_goes_on_until_the_log_does() {
         let log =
             log(&[(20 * H, "bed", "IN"), (21 * H, "bed", "OUT"), (22 * H, "bed", "IN"), (23 * H, "hall", "FIRE")]);
-        let told = |ended, day: i8| Day::of("log", &log, &[], ended, date(1970, 1, day)).sensors[0].spans_s.clone();
+        let told = |ended, day: i8| {
+            DayRecord::from_log("log", &log, &[], ended, date(1970, 1, day)).sensors[0].spans_s.clone()
+        };
         assert_eq!(told(None, 1), [(72_000.0, 75_600.0), (79_200.0, 82_800.0)], "to its last row");
-        let ended = Some(26 * H * homebody_core::time::SECOND);
+        let ended = Some(at(26 * H));
         assert_eq!((told(ended, 1)[1], told(ended, 2)), ((79_200.0, 86_400.0), vec![(0.0, 7200.0)]));
-        assert_eq!(Day::of("log", &log, &[], ended, date(1970, 1, 1)).sensors[1].spans_s, [(82_800.0, 82_800.0)]);
+        assert_eq!(
+            DayRecord::from_log("log", &log, &[], ended, date(1970, 1, 1)).sensors[1].spans_s,
+            [(82_800.0, 82_800.0)]
+        );
     }
 
     #[test]

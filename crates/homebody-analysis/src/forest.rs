@@ -21,7 +21,7 @@ pub struct Examples<'a> {
 /// Trees that have been grown.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Forest {
-    trees: Vec<Tree>,
+    trees: Vec<DecisionTree>,
     classes: usize,
     /// What each figure took away of impurity, in all trees.
     pub importance: Vec<f64>,
@@ -43,7 +43,7 @@ impl Forest {
             }
             let mut growing = Growing { examples, nodes: Vec::new(), whole: drawn.len() as f64, stream };
             growing.branch(drawn, 0, &mut forest.importance);
-            forest.trees.push(Tree { nodes: growing.nodes });
+            forest.trees.push(DecisionTree { nodes: growing.nodes });
         }
         forest
     }
@@ -69,7 +69,7 @@ impl Forest {
 /// A tree that is being grown.
 struct Growing<'a> {
     examples: Examples<'a>,
-    nodes: Vec<Node>,
+    nodes: Vec<DecisionNode>,
     /// How many rows it was given.
     whole: f64,
     stream: &'a mut Stream,
@@ -81,7 +81,7 @@ impl Growing<'_> {
         let number = self.nodes.len();
         let mut counts = vec![0; self.examples.classes];
         rows.iter().for_each(|&row| counts[self.examples.class[row]] += 1);
-        self.nodes.push(Node::Leaf(counts.iter().map(|&of| of as f64 / rows.len().max(1) as f64).collect()));
+        self.nodes.push(DecisionNode::Leaf(counts.iter().map(|&of| of as f64 / rows.len().max(1) as f64).collect()));
         let is_pure = counts.contains(&rows.len());
         if depth == DEEPEST || rows.len() < LEAST_ROWS || is_pure {
             return number;
@@ -91,7 +91,7 @@ impl Growing<'_> {
         let (low, high) = rows.into_iter().partition(|&row| self.examples.figures[row][figure] <= threshold);
         let low = self.branch(low, depth + 1, importance);
         let high = self.branch(high, depth + 1, importance);
-        self.nodes[number] = Node::Branch { figure, threshold, low, high };
+        self.nodes[number] = DecisionNode::Branch { figure, threshold, low, high };
         number
     }
 
@@ -132,13 +132,13 @@ struct Split {
 }
 
 #[derive(Clone, Debug, PartialEq)]
-struct Tree {
+struct DecisionTree {
     /// The root first.
-    nodes: Vec<Node>,
+    nodes: Vec<DecisionNode>,
 }
 
 #[derive(Clone, Debug, PartialEq)]
-enum Node {
+enum DecisionNode {
     /// Which share of its rows is of each class.
     Leaf(Vec<f64>),
     Branch {
@@ -149,13 +149,13 @@ enum Node {
     },
 }
 
-impl Tree {
+impl DecisionTree {
     fn judge(&self, row: &[f64]) -> &[f64] {
         let mut at = 0;
         loop {
             match &self.nodes[at] {
-                Node::Leaf(shares) => return shares,
-                Node::Branch { figure, threshold, low, high } => {
+                DecisionNode::Leaf(shares) => return shares,
+                DecisionNode::Branch { figure, threshold, low, high } => {
                     at = if row[*figure] <= *threshold { *low } else { *high };
                 }
             }

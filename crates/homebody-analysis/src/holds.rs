@@ -6,70 +6,70 @@
 //! The hold time of a sensor is the second shortest of its times on so far. A single movement keeps it on for that long. With
 //! less than 10 s its `ON` says enough: those of two CASAS homes have 1.1 s. `docs/reference/devices.md` lists devices that report again after 10 s to a minute.
 
-use crate::rows::Row;
+use crate::rows::StateRow;
 use crate::signs::{Kind, Says};
-use homebody_core::time::{Micros, SECOND};
+use homebody_core::time::{MINUTE, SECOND, Span, WallTime};
 
 /// Hold time below which a sensor hides no movement (our choice).
-const SHORTEST: Micros = 10 * SECOND;
+const SHORTEST: Span = SECOND.times(10);
 
 /// Longest hold time: a sensor that is always on for longer sees movement all the time (our choice).
-pub const LONGEST: Micros = 300 * SECOND;
+pub const LONGEST: Span = MINUTE.times(5);
 
 /// A movement between the reports of a sensor.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub struct Movement {
-    /// When, in microseconds since 1970 on the clock on the wall.
-    pub at: Micros,
+pub struct HiddenMovement {
+    /// When.
+    pub at: WallTime,
     /// The sensor, by its number in the log.
     pub sensor: u32,
     /// How much earlier it may have been: 0 for the last one before an `OFF`, or else the hold time.
-    pub within: Micros,
+    pub within: Span,
 }
 
 /// The hold times of the sensors of a log, and the movements that lie between their reports.
 #[derive(Clone, Debug)]
-pub struct Holds {
-    sensors: Vec<OfSensor>,
+pub struct HoldTimes {
+    sensors: Vec<SensorHold>,
     /// The sensors that are on.
     on: Vec<u32>,
     /// No movement is known before this instant that was not returned yet.
-    due: Micros,
+    due: WallTime,
     /// Whether any of them has had a hold time.
     hides_any: bool,
 }
 
 #[derive(Clone, Copy, Debug)]
-struct OfSensor {
+struct SensorHold {
     /// Since when it is on, and its last movement so far.
-    on: Option<(Micros, Micros)>,
+    on: Option<(WallTime, WallTime)>,
     /// Its two shortest times on.
-    shortest: [Micros; 2],
+    shortest: [Span; 2],
 }
 
-impl OfSensor {
+impl SensorHold {
     /// Its hold time, unless its reports say enough.
-    fn hold(&self) -> Option<Micros> {
-        let is_known = (SHORTEST..Micros::MAX).contains(&self.shortest[1]);
+    fn hold(&self) -> Option<Span> {
+        let is_known = (SHORTEST..Span::MAX).contains(&self.shortest[1]);
         is_known.then(|| self.shortest[1].min(LONGEST))
     }
 
     /// The next movement that is certain while it is still on at `now`.
-    fn next(&self, now: Micros) -> Option<Micros> {
+    fn next(&self, now: WallTime) -> Option<WallTime> {
         let (hold, (_, last)) = (self.hold()?, self.on?);
         (last + hold <= now - hold).then_some(last + hold)
     }
 }
 
-impl Holds {
+impl HoldTimes {
     /// For so many sensors, all off.
-    pub fn new(sensors: usize) -> Holds {
-        let sensor = OfSensor { on: None, shortest: [Micros::MAX; 2] };
-        Holds { sensors: vec![sensor; sensors], on: Vec::new(), due: Micros::MAX, hides_any: false }
+    pub fn new(sensors: usize) -> HoldTimes {
+        let sensor = SensorHold { on: None, shortest: [Span::MAX; 2] };
+        HoldTimes { sensors: vec![sensor; sensors], on: Vec::new(), due: WallTime::MAX, hides_any: false }
     }
 
     /// The hold time of a sensor so far, if its reports hide movements.
-    pub fn of(&self, sensor: usize) -> Option<Micros> {
+    pub fn hold(&self, sensor: usize) -> Option<Span> {
         self.sensors.get(sensor)?.hold()
     }
 
@@ -79,7 +79,7 @@ impl Holds {
     }
 
     /// Takes a row, in the order of time. Adds the movements that are known with it: none lies more than [`LONGEST`] before it.
-    pub fn take(&mut self, row: &Row, kind: Kind, found: &mut Vec<Movement>) {
+    pub fn take(&mut self, row: &StateRow, kind: Kind, found: &mut Vec<HiddenMovement>) {
         self.pass(row.at, found);
         if kind != Kind::Motion {
             return;
@@ -102,22 +102,22 @@ impl Holds {
                 self.on.retain(|on| *on != row.sensor);
             }
         }
-        self.due = self.on.iter().filter_map(|on| self.sensors[*on as usize].due()).min().unwrap_or(Micros::MAX);
+        self.due = self.on.iter().filter_map(|on| self.sensors[*on as usize].due()).min().unwrap_or(WallTime::MAX);
     }
 
     /// Adds the movements that are known as time passes without a row.
-    pub fn pass(&mut self, now: Micros, found: &mut Vec<Movement>) {
+    pub fn pass(&mut self, now: WallTime, found: &mut Vec<HiddenMovement>) {
         if now < self.due {
             return;
         }
-        self.due = Micros::MAX;
+        self.due = WallTime::MAX;
         for &number in &self.on {
             let sensor = &mut self.sensors[number as usize];
             while let Some(at) = sensor.next(now) {
                 sensor.on = sensor.on.map(|(since, _)| (since, at));
-                found.push(Movement { at, sensor: number, within: sensor.hold().unwrap_or(0) });
+                found.push(HiddenMovement { at, sensor: number, within: sensor.hold().unwrap_or_default() });
             }
-            self.due = self.due.min(sensor.due().unwrap_or(Micros::MAX));
+            self.due = self.due.min(sensor.due().unwrap_or(WallTime::MAX));
         }
     }
 
@@ -125,19 +125,19 @@ impl Holds {
     pub fn end_all(&mut self) {
         self.sensors.iter_mut().for_each(|sensor| sensor.on = None);
         self.on.clear();
-        self.due = Micros::MAX;
+        self.due = WallTime::MAX;
     }
 }
 
-impl OfSensor {
+impl SensorHold {
     /// Until when no further movement of it is certain.
-    fn due(&self) -> Option<Micros> {
+    fn due(&self) -> Option<WallTime> {
         let (hold, (_, last)) = (self.hold()?, self.on?);
         Some(last + 2 * hold)
     }
 
     /// Learns from an `OFF`, and adds the last movement before it.
-    fn end(&mut self, row: &Row, found: &mut Vec<Movement>) {
+    fn end(&mut self, row: &StateRow, found: &mut Vec<HiddenMovement>) {
         let Some((since, last)) = self.on else { return };
         let length = row.at - since;
         if length < self.shortest[1] {
@@ -147,7 +147,7 @@ impl OfSensor {
         let Some(hold) = self.hold() else { return };
         let at = row.at - hold;
         if at > last {
-            found.push(Movement { at, sensor: row.sensor, within: 0 });
+            found.push(HiddenMovement { at, sensor: row.sensor, within: Span::ZERO });
         }
     }
 }
@@ -155,18 +155,23 @@ impl OfSensor {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::signs::Said;
+    use crate::sample::at;
+    use crate::signs::RowMeaning;
 
     /// The movements by rows of one sensor: the seconds of each `ON` and `OFF` in turn.
-    fn movements(on_off: &[(Micros, Micros)]) -> (Vec<Micros>, Option<Micros>) {
-        let (mut holds, mut found) = (Holds::new(1), Vec::new());
-        let said = |says| Said { says, unknown_from: None, is_restored: false };
+    fn movements(on_off: &[(i64, i64)]) -> (Vec<i64>, Option<i64>) {
+        let (mut holds, mut found) = (HoldTimes::new(1), Vec::new());
+        let said = |says| RowMeaning { says, unknown_from: None, is_restored: false };
         for &(on, off) in on_off {
-            for (at, says) in [(on, Says::Begins), (off, Says::Ends)] {
-                holds.take(&Row { at: at * SECOND, sensor: 0, said: said(says) }, Kind::Motion, &mut found);
+            for (s, says) in [(on, Says::Begins), (off, Says::Ends)] {
+                holds.take(&StateRow { at: at(s), sensor: 0, said: said(says) }, Kind::Motion, &mut found);
             }
         }
-        (found.iter().map(|movement| movement.at / SECOND).collect(), holds.of(0).map(|hold| hold / SECOND))
+        (seconds(&found), holds.hold(0).map(|hold| hold / SECOND))
+    }
+
+    fn seconds(found: &[HiddenMovement]) -> Vec<i64> {
+        found.iter().map(|movement| movement.at.since_zero() / SECOND).collect()
     }
 
     #[test]
@@ -185,19 +190,19 @@ mod tests {
 
     #[test]
     fn movements_of_a_sensor_that_stays_on_are_known_as_time_passes() {
-        let (mut holds, mut found) = (Holds::new(1), Vec::new());
-        let said = |says| Said { says, unknown_from: None, is_restored: false };
+        let (mut holds, mut found) = (HoldTimes::new(1), Vec::new());
+        let said = |says| RowMeaning { says, unknown_from: None, is_restored: false };
         let rows = [(0, Says::Begins), (60, Says::Ends), (100, Says::Begins), (160, Says::Ends), (300, Says::Begins)];
-        for (at, says) in rows {
-            holds.take(&Row { at: at * SECOND, sensor: 0, said: said(says) }, Kind::Motion, &mut found);
+        for (s, says) in rows {
+            holds.take(&StateRow { at: at(s), sensor: 0, said: said(says) }, Kind::Motion, &mut found);
         }
         assert!(found.is_empty());
-        holds.pass(419 * SECOND, &mut found);
+        holds.pass(at(419), &mut found);
         assert!(found.is_empty());
-        holds.pass(480 * SECOND, &mut found);
-        assert_eq!(found.iter().map(|movement| movement.at / SECOND).collect::<Vec<_>>(), [360, 420]);
+        holds.pass(at(480), &mut found);
+        assert_eq!(seconds(&found), [360, 420]);
         holds.end_all();
-        holds.pass(900 * SECOND, &mut found);
+        holds.pass(at(900), &mut found);
         assert_eq!(found.len(), 2);
     }
 }

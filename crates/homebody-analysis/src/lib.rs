@@ -24,7 +24,6 @@ pub mod rows;
 /// Motion sensors that stay on, and the movements that their reports hide.
 pub mod holds;
 
-/// What a log holds.
 pub mod look;
 
 /// Which sensor speaks after which, and how soon.
@@ -33,7 +32,7 @@ pub mod walks;
 /// How alike two logs are.
 pub mod compare;
 /// How well a log that was lived again explains the one it was taken from.
-pub mod explained;
+pub mod explanation;
 /// A log cut into windows, with what sensors said and what somebody did in each.
 pub mod windows;
 /// A random forest, which tells rows of figures apart.
@@ -49,7 +48,7 @@ pub mod density;
 /// What a person has been doing, day by day, in figures.
 pub mod measures;
 
-mod wording;
+mod phrases;
 
 /// What is different from before, and worth a visit.
 pub mod alerts;

@@ -3,35 +3,36 @@
 //! A moment has where everybody is and what they do. Between it and the one before lie the ways that they went, what they
 //! used and which sensors fired; of the first moment, as long before it as between two moments.
 
-use homebody_core::event::{Events, Fact, Firing, MotionState};
+use homebody_core::event::{Events, Fact, Firing};
 use homebody_core::geometry::Point;
-use homebody_core::scenario::path::Posture;
+use homebody_core::motion::MotionState;
+use homebody_core::posture::Posture;
 use homebody_core::stride::Stride;
-use homebody_core::time::{Micros, seconds};
+use homebody_core::time::{RunTime, Span};
 use serde::Serialize;
 use std::collections::BTreeSet;
 use std::fmt;
 
 /// Moments of a run.
 #[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct Strip {
+pub struct StoryStrip {
     /// What the scenario is called.
     pub name: String,
     /// How many seconds lie between two moments.
     pub every_s: f64,
     /// In order of time.
-    pub moments: Vec<Moment>,
+    pub moments: Vec<StripFrame>,
 }
 
 /// An instant of a run, and what happened since the one before.
 #[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct Moment {
+pub struct StripFrame {
     /// By the clock on the wall, such as `2026-01-12 18:20:10`.
     pub at: String,
     /// Seconds since the run began.
     pub at_s: f64,
     /// Everybody of the scenario, in its order.
-    pub people: Vec<Person>,
+    pub people: Vec<StripPerson>,
     /// What was used, such as `hall on`, in order of time.
     pub used: Vec<String>,
     /// The sensors that fired, by name.
@@ -40,7 +41,7 @@ pub struct Moment {
 
 /// Somebody at a moment.
 #[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct Person {
+pub struct StripPerson {
     /// What they are called.
     pub name: String,
     /// The corners of the way that they went, in metres; the last is where they are. Empty for who is out, or was not there.
@@ -66,27 +67,28 @@ pub struct RunNames<'a> {
 }
 
 /// Takes a run's events, and keeps what its strip is made of.
-pub struct Film {
-    first: Micros,
-    every: Micros,
+pub struct StripRecorder {
+    first: RunTime,
+    every: Span,
     count: usize,
     kept: Events,
     /// Up to when each body's movements have been told.
-    told: Vec<Micros>,
+    told: Vec<RunTime>,
 }
 
-impl Film {
-    /// So many moments from an instant on, of a run with so many people. Spans are in microseconds, above 0.
-    pub fn new(first: Micros, every: Micros, count: usize, people: usize) -> Film {
-        Film { first, every: every.max(1), count, kept: Events::default(), told: vec![0; people] }
+impl StripRecorder {
+    /// So many moments from an instant on, of a run with so many people.
+    pub fn new(first: RunTime, every: Span, count: usize, people: usize) -> StripRecorder {
+        let every = every.max(Span::MICROSECOND);
+        StripRecorder { first, every, count, kept: Events::default(), told: vec![RunTime::START; people] }
     }
 
-    fn begin(&self) -> Micros {
+    fn begin(&self) -> RunTime {
         self.first.saturating_sub(self.every)
     }
 
-    fn end(&self) -> Micros {
-        self.first.saturating_add(self.every.saturating_mul(self.count as Micros - 1))
+    fn end(&self) -> RunTime {
+        self.first.saturating_add(self.every.saturating_mul(self.count as i64 - 1))
     }
 
     /// Takes what has happened next, as a run tells it.
@@ -118,16 +120,16 @@ impl Film {
     }
 
     /// The strip; `clock` says what an instant is on the wall.
-    pub fn strip(&self, names: &RunNames, clock: impl Fn(Micros) -> String) -> Strip {
+    pub fn strip(&self, names: &RunNames, clock: impl Fn(RunTime) -> String) -> StoryStrip {
         let moment = |index: usize| {
-            let at = self.first + self.every * index as Micros;
+            let at = self.first + self.every * index as i64;
             self.moment(at, names, clock(at))
         };
         let moments = (0..self.count).map(moment).collect();
-        Strip { name: names.scenario.into(), every_s: seconds(self.every), moments }
+        StoryStrip { name: names.scenario.into(), every_s: self.every.seconds(), moments }
     }
 
-    fn moment(&self, at: Micros, names: &RunNames, clock: String) -> Moment {
+    fn moment(&self, at: RunTime, names: &RunNames, clock: String) -> StripFrame {
         let since = at - self.every;
         let fired = self.kept.firings.iter().filter(|firing| firing.at > since && firing.at <= at);
         let fired: BTreeSet<usize> = fired.map(|firing| firing.sensor.index()).collect();
@@ -143,16 +145,16 @@ impl Film {
             }
             _ => None,
         });
-        Moment {
+        StripFrame {
             at: clock,
-            at_s: seconds(at),
+            at_s: at.seconds(),
             people: (0..names.people.len()).map(|person| self.person(person, since, at, names)).collect(),
             used: used.collect(),
             fired: fired.into_iter().filter_map(|sensor| names.sensors.get(sensor)).map(ToString::to_string).collect(),
         }
     }
 
-    fn person(&self, person: usize, since: Micros, at: Micros, names: &RunNames) -> Person {
+    fn person(&self, person: usize, since: RunTime, at: RunTime, names: &RunNames) -> StripPerson {
         let (mut path_m, mut posture, mut activity) = (Vec::new(), None, None);
         for fact in &self.kept.facts {
             match fact {
@@ -180,17 +182,17 @@ impl Film {
             }
         }
         path_m.dedup();
-        Person { name: names.people[person].clone(), path_m, posture, activity }
+        StripPerson { name: names.people[person].clone(), path_m, posture, activity }
     }
 }
 
-impl fmt::Display for Strip {
+impl fmt::Display for StoryStrip {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
         writeln!(f, "{}: {} moments, {} s apart", self.name, self.moments.len(), self.every_s)?;
         for moment in &self.moments {
             writeln!(f, "{}", moment.at)?;
             for person in &moment.people {
-                writeln!(f, "  {}", person.told())?;
+                writeln!(f, "  {}", person.caption())?;
             }
             for (what, list) in [("used", &moment.used), ("fired", &moment.fired)] {
                 if !list.is_empty() {
@@ -202,9 +204,9 @@ impl fmt::Display for Strip {
     }
 }
 
-impl Person {
-    /// Who it is, how they are and what they do, in a few words.
-    pub fn told(&self) -> String {
+impl StripPerson {
+    /// The name, the posture and the activity in a few words.
+    pub fn caption(&self) -> String {
         let posture = match self.posture {
             Some(Posture::Standing) => "on their feet",
             Some(Posture::Sitting) => "sitting",

@@ -12,16 +12,16 @@
 //!
 //! Left out: what a sensor reaches and how much it misses. Both change how often it fires, and so does where somebody goes.
 
-use crate::signs::{Kind, Said, Says, kinds, said};
-use homebody_core::time::{Micros, SECOND, seconds};
+use crate::signs::{Kind, RowMeaning, Says, kinds, said};
+use homebody_core::time::{MINUTE, SECOND, Span, WallTime};
 use homebody_log::Log;
 use serde::Serialize;
 use std::fmt;
 
 /// Time after which a refiring depends on the person, not on the sensor (our choice).
-pub const SOON: Micros = 60 * SECOND;
+pub const SOON: Span = MINUTE;
 /// Time within which a repeated row is a duplicate (our choice).
-pub const AT_ONCE: Micros = SECOND;
+pub const AT_ONCE: Span = SECOND;
 /// Smallest number of samples for quantiles (our choice).
 const LEAST_SAMPLES: usize = 30;
 /// Largest ratio of the third to the first quartile of ON durations that are pulses (our choice).
@@ -33,7 +33,7 @@ const SHARES: Quantiles = [0.05, 0.25, 0.5, 0.75, 0.95];
 
 /// What a log tells of its motion sensors.
 #[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct Timing {
+pub struct MotionTiming {
     /// Of all together.
     pub all: SensorTiming,
     /// Of each.
@@ -60,7 +60,7 @@ pub struct SensorTiming {
 /// How the units of a log hold their ONs.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 #[serde(rename_all = "snake_case")]
-pub enum Hold {
+pub enum HoldStyle {
     /// The log has no OFFs.
     None,
     /// Each ON lasts for about this long.
@@ -71,11 +71,11 @@ pub enum Hold {
 
 impl SensorTiming {
     /// How it holds its ONs.
-    pub fn hold(&self) -> Hold {
+    pub fn hold(&self) -> HoldStyle {
         match self.on_s {
-            None => Hold::None,
-            Some([_, first, median, third, _]) if third <= PULSE * first => Hold::Pulse(median),
-            Some([shortest, ..]) => Hold::Follow(shortest),
+            None => HoldStyle::None,
+            Some([_, first, median, third, _]) if third <= PULSE * first => HoldStyle::Pulse(median),
+            Some([shortest, ..]) => HoldStyle::Follow(shortest),
         }
     }
 }
@@ -87,9 +87,9 @@ impl fmt::Display for SensorTiming {
             None => "-".into(),
         };
         let hold = match self.hold() {
-            Hold::None => "no OFFs".to_owned(),
-            Hold::Pulse(s) => format!("pulses of {s:.2} s"),
-            Hold::Follow(s) => format!("ON while movement goes on, and {s:.2} s longer"),
+            HoldStyle::None => "no OFFs".to_owned(),
+            HoldStyle::Pulse(s) => format!("pulses of {s:.2} s"),
+            HoldStyle::Follow(s) => format!("ON while movement goes on, and {s:.2} s longer"),
         };
         writeln!(f, "{} ONs: {hold}", self.firings)?;
         writeln!(f, "ON lengths, 5 25 50 75 95 %: {} s", told(self.on_s))?;
@@ -104,8 +104,8 @@ struct Samples {
     on_s: Vec<f64>,
     refire_s: Vec<f64>,
     /// The last row, and the last ON that is no repetition.
-    last: Option<(Micros, Says)>,
-    last_on: Option<Micros>,
+    last: Option<(WallTime, Says)>,
+    last_on: Option<WallTime>,
     is_on: bool,
     rows: usize,
     repeated: usize,
@@ -114,7 +114,7 @@ struct Samples {
 
 impl Samples {
     /// Takes a row. No length spans a stretch that is not known.
-    fn take(&mut self, at: Micros, Said { says: said, unknown_from, is_restored }: Said) {
+    fn take(&mut self, at: WallTime, RowMeaning { says: said, unknown_from, is_restored }: RowMeaning) {
         if unknown_from.is_some() {
             (self.last, self.last_on, self.is_on) = (None, None, false);
         }
@@ -132,14 +132,14 @@ impl Samples {
             Says::Begins => {
                 self.firings += 1;
                 self.missing += usize::from(self.is_on);
-                if let Some(before) = self.last_on.filter(|before| at - before <= SOON) {
-                    self.refire_s.push(seconds(at - before));
+                if let Some(before) = self.last_on.filter(|&before| at - before <= SOON) {
+                    self.refire_s.push((at - before).seconds());
                 }
                 (self.is_on, self.last_on) = (true, Some(at));
             }
             Says::Ends => {
                 if let Some(begin) = self.last_on.filter(|_| self.is_on) {
-                    self.on_s.push(seconds(at - begin));
+                    self.on_s.push((at - begin).seconds());
                 }
                 self.is_on = false;
             }
@@ -158,7 +158,7 @@ impl Samples {
 }
 
 /// What a log tells of its motion sensors.
-pub fn timing(log: &Log) -> Timing {
+pub fn timing(log: &Log) -> MotionTiming {
     let kinds = kinds(log);
     let said = said(log);
     let mut order: Vec<usize> = (0..log.events.len()).collect();
@@ -182,7 +182,7 @@ pub fn timing(log: &Log) -> Timing {
     let has_ends = !all.on_s.is_empty();
     let share = |of: usize, whole: usize| if whole > 0 { of as f64 / whole as f64 } else { 0.0 };
     let motion = samples.iter().zip(&log.sensors).filter(|(one, _)| one.firings > 0);
-    Timing {
+    MotionTiming {
         all: all.timing(""),
         sensors: motion.map(|(one, name)| one.timing(name)).collect(),
         repeated: share(all.repeated, all.rows),
@@ -208,9 +208,9 @@ mod tests {
     fn log(count: i64, on_s: impl Fn(i64) -> f64) -> Log {
         let mut events = Vec::new();
         for number in 0..count {
-            let at = number * 10 * SECOND;
+            let at = crate::sample::at(number * 10);
             events.push(Event { at, sensor: 0, value: 0 });
-            events.push(Event { at: at + homebody_core::time::micros(on_s(number)), sensor: 0, value: 1 });
+            events.push(Event { at: at + Span::from_seconds(on_s(number)), sensor: 0, value: 1 });
         }
         Log { sensors: vec!["hall".into()], values: vec!["ON".into(), "OFF".into()], events, ..Log::default() }
     }
@@ -218,9 +218,9 @@ mod tests {
     #[test]
     fn pulses_and_units_that_follow_are_told_apart() {
         let pulse = timing(&log(100, |number| 4.0 + (number % 3) as f64 * 0.01));
-        assert_eq!(pulse.all.hold(), Hold::Pulse(4.01));
+        assert_eq!(pulse.all.hold(), HoldStyle::Pulse(4.01));
         let follow = timing(&log(100, |number| 1.1 + (number % 5) as f64));
-        assert_eq!(follow.all.hold(), Hold::Follow(1.1));
+        assert_eq!(follow.all.hold(), HoldStyle::Follow(1.1));
         assert_eq!(pulse.all.refire_s, Some([10.0; 5]));
         assert_eq!((pulse.repeated, pulse.missing, pulse.sensors.len()), (0.0, 0.0, 1));
     }
@@ -230,13 +230,13 @@ mod tests {
         let mut log = log(100, |_| 4.0);
         log.events.retain(|event| event.value == 0);
         let timing = timing(&log);
-        assert_eq!((timing.all.hold(), timing.missing, timing.all.firings), (Hold::None, 0.0, 100));
+        assert_eq!((timing.all.hold(), timing.missing, timing.all.firings), (HoldStyle::None, 0.0, 100));
     }
 
     #[test]
     fn rows_that_come_twice_and_rows_that_are_missing_are_counted() {
         let mut log = log(100, |_| 4.0);
-        let twice = Event { at: log.events[20].at + 200_000, ..log.events[20] };
+        let twice = Event { at: log.events[20].at + Span::from_millis(200), ..log.events[20] };
         log.events.push(twice);
         // The OFF of the thirtieth ON.
         log.events.remove(59);

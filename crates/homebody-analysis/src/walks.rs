@@ -8,29 +8,29 @@
 //!
 //! A sensor speaks as movement begins, and as a door is opened or closed.
 
-use crate::signs::{Kind, Said, Says, kinds, said, spans};
-use homebody_core::time::{Micros, SECOND, seconds};
+use crate::signs::{Kind, RowMeaning, Says, kinds, said, spans};
+use homebody_core::time::{Interval, MINUTE, SECOND, Span, WallTime};
 use homebody_log::Log;
 use std::collections::BTreeMap;
 
 /// Longest walk from one sensor to the next without a firing (our choice).
-pub const SOON: Micros = 15 * SECOND;
+pub const SOON: Span = SECOND.times(15);
 
 /// Shortest silence of a person who is out, asleep or still (our choice).
-pub const SILENCE: Micros = 30 * 60 * SECOND;
+pub const SILENCE: Span = MINUTE.times(30);
 
 /// What a log tells of its sensors and of the ways between them.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct Walks {
+pub struct SensorWalks {
     /// The sensors, in the log's order.
-    pub sensors: Vec<Speaker>,
+    pub sensors: Vec<WalkSensor>,
     /// The ways between two of them, by their numbers, the lower first.
-    pub ways: Vec<Way>,
+    pub ways: Vec<SensorWay>,
 }
 
 /// What a log tells of one sensor.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Speaker {
+pub struct WalkSensor {
     /// What the log calls it.
     pub id: String,
     /// What it is taken for.
@@ -47,7 +47,7 @@ pub struct Speaker {
 
 /// A way between two sensors.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Way {
+pub struct SensorWay {
     /// The sensors' numbers, the lower first.
     pub between: [usize; 2],
     /// How often it was gone, whichever way.
@@ -57,24 +57,24 @@ pub struct Way {
 }
 
 /// What a log tells of the ways in its home.
-pub fn walks(log: &Log) -> Walks {
+pub fn walks(log: &Log) -> SensorWalks {
     let kinds = kinds(log);
-    let speaks = |sensor: usize, said: &Said| match kinds[sensor] {
+    let speaks = |sensor: usize, said: &RowMeaning| match kinds[sensor] {
         Kind::Motion | Kind::Used => said.says == Says::Begins && !said.is_restored,
         Kind::Contact => said.is_sign(),
         Kind::Reading | Kind::Other => false,
     };
     let events = log.events.iter().map(|event| (event.at, event.sensor as usize)).zip(said(log));
-    let mut spoken: Vec<(Micros, usize)> =
+    let mut spoken: Vec<(WallTime, usize)> =
         events.filter(|((_, sensor), said)| speaks(*sensor, said)).map(|(spoken, _)| spoken).collect();
     spoken.sort_unstable();
     let lengths = spans(log).into_iter().map(|spans| on_lengths(&spans));
-    let mut sensors: Vec<Speaker> = log
+    let mut sensors: Vec<WalkSensor> = log
         .sensors
         .iter()
         .zip(&kinds)
         .zip(lengths)
-        .map(|((id, &kind), on_s)| Speaker {
+        .map(|((id, &kind), on_s)| WalkSensor {
             id: id.clone(),
             kind,
             firings: 0,
@@ -85,7 +85,7 @@ pub fn walks(log: &Log) -> Walks {
         .collect();
     spoken.iter().for_each(|&(_, sensor)| sensors[sensor].firings += 1);
     note_what_was_done(log, &spoken, &mut sensors);
-    let mut ways: BTreeMap<[usize; 2], Vec<Micros>> = BTreeMap::new();
+    let mut ways: BTreeMap<[usize; 2], Vec<Span>> = BTreeMap::new();
     for pair in spoken.windows(2) {
         let [(from, a), (to, b)] = [pair[0], pair[1]];
         if to - from >= SILENCE {
@@ -97,21 +97,21 @@ pub fn walks(log: &Log) -> Walks {
     }
     let ways = ways.into_iter().map(|(between, mut times)| {
         times.sort_unstable();
-        Way { between, times: times.len() as u64, soon_s: seconds(times[times.len() / 4]) }
+        SensorWay { between, times: times.len() as u64, soon_s: times[times.len() / 4].seconds() }
     });
-    Walks { sensors, ways: ways.collect() }
+    SensorWalks { sensors, ways: ways.collect() }
 }
 
 /// The deciles of lengths; none where all are instants.
-fn on_lengths(spans: &[(Micros, Micros)]) -> Option<[f64; 3]> {
-    let mut lengths: Vec<Micros> = spans.iter().map(|(begin, end)| end - begin).filter(|&length| length > 0).collect();
+fn on_lengths(spans: &[Interval<WallTime>]) -> Option<[f64; 3]> {
+    let mut lengths: Vec<Span> = spans.iter().map(|span| span.length()).filter(|&length| length > Span::ZERO).collect();
     lengths.sort_unstable();
-    let decile = |tenth: usize| Some(seconds(*lengths.get(lengths.len() * tenth / 10)?));
+    let decile = |tenth: usize| Some(lengths.get(lengths.len() * tenth / 10)?.seconds());
     Some([decile(1)?, decile(5)?, decile(9)?])
 }
 
 /// Counts for each sensor what was done as it spoke.
-fn note_what_was_done(log: &Log, spoken: &[(Micros, usize)], sensors: &mut [Speaker]) {
+fn note_what_was_done(log: &Log, spoken: &[(WallTime, usize)], sensors: &mut [WalkSensor]) {
     let mut activities: Vec<_> = log.activities.iter().collect();
     activities.sort_by_key(|activity| activity.begin);
     let mut to_come = activities.into_iter().peekable();
@@ -130,7 +130,7 @@ fn note_what_was_done(log: &Log, spoken: &[(Micros, usize)], sensors: &mut [Spea
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::sample::log;
+    use crate::sample::{at, log};
     use homebody_log::Activity;
 
     #[test]
@@ -146,14 +146,13 @@ mod tests {
             (5000, "front door", "CLOSE"),
             (5001, "T1", "21.5"),
         ]);
-        let second = |at: i64| at * SECOND;
-        log.activities = vec![Activity { name: "Sleep".into(), begin: second(4), end: second(101) }];
+        log.activities = vec![Activity { name: "Sleep".into(), begin: at(4), end: at(101) }];
         let walks = walks(&log);
         let ids: Vec<&str> = walks.sensors.iter().map(|sensor| sensor.id.as_str()).collect();
         assert_eq!(ids, ["hall", "bed", "front door", "T1"]);
         let firings: Vec<u64> = walks.sensors.iter().map(|sensor| sensor.firings).collect();
         assert_eq!(firings, [2, 2, 2, 0]);
-        let way = |between, times, soon_s| Way { between, times, soon_s };
+        let way = |between, times, soon_s| SensorWay { between, times, soon_s };
         assert_eq!(walks.ways, [way([0, 1], 2, 2.0), way([0, 2], 1, 2.0)]);
         assert_eq!((walks.sensors[2].at_silence, walks.sensors[1].done.get("Sleep")), (2, Some(&2)));
     }

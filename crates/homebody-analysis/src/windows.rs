@@ -7,13 +7,12 @@
 //!
 //! Left out: who of several people it was that a sensor saw. That is what `label` joins, row by row.
 
-use crate::dates::{ahead, instant};
+use crate::dates::ahead;
 use crate::signs::{Meanings, Says};
-use homebody_core::time::{Micros, seconds};
-use homebody_log::source::Activity;
+use homebody_core::time::{Interval, Span, UtcTime};
+use homebody_log::Activity;
 use homebody_log::{Event, Life, Log};
 use jiff::tz::TimeZone;
-use std::ops::Range;
 
 /// Largest number of windows (our choice): those of a minute for twenty years.
 pub const MOST: i64 = 10_000_000;
@@ -24,14 +23,14 @@ pub struct Windows {
     /// The names of the sensors, in the order of `counts`.
     pub sensors: Vec<String>,
     /// In order of their beginnings, and of residents.
-    pub rows: Vec<Window>,
+    pub rows: Vec<LogWindow>,
 }
 
 /// What was said in a window, and what one resident did.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Window {
-    /// When it begins, on the log's clock.
-    pub begin: Micros,
+pub struct LogWindow {
+    /// When it begins.
+    pub begin: UtcTime,
     /// Whose activity the label is; none where nobody is known.
     pub resident: Option<usize>,
     /// The activity for most of the window.
@@ -51,8 +50,8 @@ homebody_core::messages! {
         /// A window covers a part of the log. Its length is a number of seconds, and at least a microsecond.
         NoLength {
             /// The length, in microseconds.
-            length_us: Micros,
-        } error "no-length" ("a window cannot be {seconds} s long", seconds = seconds(*length_us))
+            length_us: Span,
+        } error "no-length" ("a window cannot be {seconds} s long", seconds = length_us.seconds())
             hint ("choose a length above 0");
         /// Each window is a row of the answer. The limit of their number protects the memory.
         TooMany {
@@ -63,14 +62,19 @@ homebody_core::messages! {
     }
 }
 
-/// Cuts a log into windows of a length, from its first row to its last; `lives` are on its clock. `zone` is that of the wall that they are
-/// cut by; where the log's own clock is that on the wall, it is UTC.
+/// Cuts a log into windows of a length, from its first row to its last. `zone` is that of the wall that they are cut by; where nobody knows
+/// the zone of the log's wall, instants are those of a wall of UTC, and so is the zone.
 ///
 /// # Errors
 ///
 /// If there would be more than [`MOST`], or the length is not above 0.
-pub fn windows(log: &Log, lives: &[Life], span: Micros, zone: &TimeZone) -> Result<Windows, WindowMessage> {
-    if span <= 0 {
+pub fn windows(
+    log: &Log<UtcTime>,
+    lives: &[Life<UtcTime>],
+    span: Span,
+    zone: &TimeZone,
+) -> Result<Windows, WindowMessage> {
+    if span <= Span::ZERO {
         return Err(WindowMessage::NoLength { length_us: span });
     }
     let events = log.in_order();
@@ -78,14 +82,15 @@ pub fn windows(log: &Log, lives: &[Life], span: Micros, zone: &TimeZone) -> Resu
         return Ok(Windows { sensors: log.sensors.clone(), rows: Vec::new() });
     };
     let (first, last) = (first.at, last.at);
-    let many = last.div_euclid(span) - first.div_euclid(span) + 1;
+    let many = last.since_zero().div_euclid(span) - first.since_zero().div_euclid(span) + 1;
     if many > MOST {
         return Err(WindowMessage::TooMany { windows: many });
     }
-    let mut wall = Wall::new(zone, first);
+    let mut wall = ZoneStretch::new(zone, first);
     let mut within = wall.first(first, span);
-    let meanings = Meanings::of(log);
-    let counts_for = |event: &Event| !matches!(meanings.says(event), Says::Ends | Says::Closes | Says::Unknown);
+    let meanings = Meanings::from_log(log);
+    let counts_for =
+        |event: &Event<UtcTime>| !matches!(meanings.says(event), Says::Ends | Says::Closes | Says::Unknown);
     let nobody = [Life::default()];
     let people = if lives.is_empty() { &nobody[..] } else { lives };
     let mut rows = Vec::new();
@@ -98,11 +103,11 @@ pub fn windows(log: &Log, lives: &[Life], span: Micros, zone: &TimeZone) -> Resu
             next += 1;
         }
         for (index, life) in people.iter().enumerate() {
-            rows.push(Window {
-                begin: within.start,
+            rows.push(LogWindow {
+                begin: within.begin,
                 resident: (!lives.is_empty()).then_some(index),
-                label: longest(&life.activities, &within),
-                room: longest(&life.rooms, &within),
+                label: longest(&life.activities, within),
+                room: longest(&life.rooms, within),
                 counts: counts.clone(),
                 last: spoke,
             });
@@ -110,60 +115,59 @@ pub fn windows(log: &Log, lives: &[Life], span: Micros, zone: &TimeZone) -> Resu
         if within.end > last {
             return Ok(Windows { sensors: log.sensors.clone(), rows });
         }
-        within = within.end..wall.next(within.end, span);
+        within = Interval::new(within.end, wall.next(within.end, span));
     }
 }
 
 /// A stretch over which the clocks of a zone are not set: how far they are ahead of UTC, and when they are set next.
-struct Wall<'z> {
+struct ZoneStretch<'z> {
     zone: &'z TimeZone,
-    ahead: Micros,
-    /// `Micros::MAX` if never.
-    until: Micros,
+    ahead: Span,
+    /// `UtcTime::MAX` if never.
+    until: UtcTime,
 }
 
-impl<'z> Wall<'z> {
+impl<'z> ZoneStretch<'z> {
     /// The stretch with an instant in it.
-    fn new(zone: &'z TimeZone, at: Micros) -> Wall<'z> {
-        let at = instant(at);
-        let until = zone.following(at).next().map_or(Micros::MAX, |set| set.timestamp().as_microsecond());
-        Wall { zone, ahead: ahead(at, zone), until }
+    fn new(zone: &'z TimeZone, at: UtcTime) -> ZoneStretch<'z> {
+        let until = zone.following(at.timestamp()).next().map_or(UtcTime::MAX, |set| set.timestamp().into());
+        ZoneStretch { zone, ahead: ahead(at, zone), until }
     }
 
     /// Which multiple of a length the clock on the wall was at last.
-    fn number(&self, at: Micros, span: Micros) -> i64 {
-        at.saturating_add(self.ahead).div_euclid(span)
+    fn number(&self, at: UtcTime, span: Span) -> i64 {
+        at.saturating_add(self.ahead).since_zero().div_euclid(span)
     }
 
     /// When it shows a multiple of a length.
-    fn begin(&self, number: i64, span: Micros) -> Micros {
-        number.saturating_mul(span).saturating_sub(self.ahead)
+    fn begin(&self, number: i64, span: Span) -> UtcTime {
+        UtcTime::EPOCH.saturating_add(span.saturating_mul(number)).saturating_sub(self.ahead)
     }
 
     /// The window with an instant in it.
-    fn first(&mut self, at: Micros, span: Micros) -> Range<Micros> {
+    fn first(&mut self, at: UtcTime, span: Span) -> Interval<UtcTime> {
         let mut begin = self.begin(self.number(at, span), span);
         // As of the beginning of the day, or of what is longer, on which clocks were set before the instant.
-        let mut stretch = Wall { zone: self.zone, ..*self };
+        let mut stretch = ZoneStretch { zone: self.zone, ..*self };
         let mut seen = at;
-        while let Some(set) = self.zone.preceding(instant(seen)).next().map(|set| set.timestamp().as_microsecond())
+        while let Some(set) = self.zone.preceding(seen.timestamp()).next().map(|set| UtcTime::from(set.timestamp()))
             && set >= begin
         {
-            let before = Wall::new(self.zone, set - 1);
+            let before = ZoneStretch::new(self.zone, set - Span::MICROSECOND);
             if before.is_cut(&stretch, span) {
                 begin = set;
                 break;
             }
-            begin = before.begin(before.number(set - 1, span), span);
+            begin = before.begin(before.number(set - Span::MICROSECOND, span), span);
             (stretch, seen) = (before, set);
         }
-        begin..self.next(at, span)
+        Interval::new(begin, self.next(at, span))
     }
 
     /// When the window with an instant in it ends.
-    fn next(&mut self, at: Micros, span: Micros) -> Micros {
+    fn next(&mut self, at: UtcTime, span: Span) -> UtcTime {
         if at >= self.until {
-            *self = Wall::new(self.zone, at);
+            *self = ZoneStretch::new(self.zone, at);
         }
         let mut from = at;
         loop {
@@ -172,7 +176,7 @@ impl<'z> Wall<'z> {
                 return end;
             }
             let set = self.until;
-            let after = Wall::new(self.zone, set);
+            let after = ZoneStretch::new(self.zone, set);
             let is_cut = self.is_cut(&after, span);
             *self = after;
             if is_cut {
@@ -184,19 +188,19 @@ impl<'z> Wall<'z> {
 
     /// Whether a window ends as clocks are set from this stretch to the next: they leave its last multiple behind, or show a whole number of
     /// windows again.
-    fn is_cut(&self, next: &Wall<'_>, span: Micros) -> bool {
+    fn is_cut(&self, next: &ZoneStretch<'_>, span: Span) -> bool {
         let by = next.ahead - self.ahead;
-        let is_whole = by != 0 && by % span == 0;
-        self.number(self.until - 1, span) != next.number(self.until, span) || is_whole
+        let is_whole = by != Span::ZERO && by % span == Span::ZERO;
+        self.number(self.until - Span::MICROSECOND, span) != next.number(self.until, span) || is_whole
     }
 }
 
 /// What goes on for most of a span; of two as long, what came first.
-fn longest(spans: &[Activity], within: &Range<Micros>) -> Option<String> {
-    let first = spans.partition_point(|span| span.end <= within.start);
-    let mut best: Option<(Micros, &str)> = None;
+fn longest(spans: &[Activity<UtcTime>], within: Interval<UtcTime>) -> Option<String> {
+    let first = spans.partition_point(|span| span.end <= within.begin);
+    let mut best: Option<(Span, &str)> = None;
     for span in spans[first..].iter().take_while(|span| span.begin < within.end) {
-        let lasts = span.end.min(within.end) - span.begin.max(within.start);
+        let lasts = Interval::new(span.begin, span.end).intersection(within).length();
         if best.is_none_or(|(most, _)| lasts > most) {
             best = Some((lasts, &span.name));
         }
@@ -207,54 +211,55 @@ fn longest(spans: &[Activity], within: &Range<Micros>) -> Option<String> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use homebody_core::time::SECOND;
+    use homebody_core::time::{HOUR, MINUTE, SECOND};
     use jiff::Timestamp;
 
     #[test]
     fn a_window_counts_what_begins_and_is_labelled_by_what_lasts_longest() {
-        let event = |at_s: i64, sensor, value| Event { at: at_s * SECOND, sensor, value };
+        let at = |at_s: i64| UtcTime::EPOCH + at_s * SECOND;
+        let event = |at_s: i64, sensor, value| Event { at: at(at_s), sensor, value };
         let log = Log {
             sensors: vec!["bed".into(), "hall".into()],
             values: vec!["ON".into(), "OFF".into()],
             events: vec![event(61, 0, 0), event(62, 0, 1), event(70, 1, 0), event(185, 0, 0)],
             ..Log::default()
         };
-        let doing = |name: &str, begin_s: i64, end_s: i64| Activity {
-            name: name.into(),
-            begin: begin_s * SECOND,
-            end: end_s * SECOND,
-        };
+        let doing =
+            |name: &str, begin_s: i64, end_s: i64| Activity { name: name.into(), begin: at(begin_s), end: at(end_s) };
         let activities = vec![doing("sleeping", 0, 85), doing("walking", 85, 118)];
         let life = Life { resident: "ada".into(), activities, rooms: Vec::new() };
-        let cut = windows(&log, std::slice::from_ref(&life), 60 * SECOND, &TimeZone::UTC).unwrap();
-        let told: Vec<_> =
-            cut.rows.iter().map(|row| (row.begin / SECOND, row.counts.clone(), row.label.as_deref())).collect();
+        let cut = windows(&log, std::slice::from_ref(&life), MINUTE, &TimeZone::UTC).unwrap();
+        let told: Vec<_> = cut
+            .rows
+            .iter()
+            .map(|row| (row.begin.since_zero() / SECOND, row.counts.clone(), row.label.as_deref()))
+            .collect();
         assert_eq!(
             told,
             [(60, vec![1, 1], Some("walking")), (120, vec![0, 0], None), (180, vec![1, 0], None)],
             "33 s of walking are more than 25 s of sleep in the first"
         );
         assert_eq!(cut.rows[1].last, Some(1), "who spoke last is known on");
-        let nobody = windows(&log, &[], 60 * SECOND, &TimeZone::UTC).unwrap();
+        let nobody = windows(&log, &[], MINUTE, &TimeZone::UTC).unwrap();
         assert_eq!((nobody.rows.len(), nobody.rows[0].resident), (3, None));
-        assert!([0, 1].iter().all(|&span| windows(&log, &[], span, &TimeZone::UTC).is_err()));
+        let too_short = [Span::ZERO, Span::MICROSECOND];
+        assert!(too_short.iter().all(|&span| windows(&log, &[], span, &TimeZone::UTC).is_err()));
     }
 
     /// On the wall of a zone, the beginnings of windows of so many hours and how long each is but the last.
-    fn cut(zone: &str, begin: &str, hours: i64, span: Micros) -> Vec<(String, i64)> {
-        let (zone, begin) = (TimeZone::get(zone).unwrap(), begin.parse::<Timestamp>().unwrap().as_microsecond());
-        let event = |hour: i64| Event { at: begin + hour * 3600 * SECOND, sensor: 0, value: 0 };
+    fn cut(zone: &str, begin: &str, hours: i64, span: Span) -> Vec<(String, i64)> {
+        let (zone, begin) = (TimeZone::get(zone).unwrap(), UtcTime::from(begin.parse::<Timestamp>().unwrap()));
+        let event = |hour: i64| Event { at: begin + hour * HOUR, sensor: 0, value: 0 };
         let events = (0..=hours).map(event).collect();
         let log = Log { sensors: vec!["bed".into()], values: vec!["ON".into()], events, ..Log::default() };
         let rows = windows(&log, &[], span, &zone).unwrap().rows;
         assert_eq!(rows.iter().map(|row| i64::from(row.counts[0])).sum::<i64>(), hours + 1, "each row is in one");
-        let told = |at: Micros| instant(at).to_zoned(zone.clone()).strftime("%d %H:%M").to_string();
-        rows.windows(2).map(|pair| (told(pair[0].begin), (pair[1].begin - pair[0].begin) / (60 * SECOND))).collect()
+        let told = |at: UtcTime| at.timestamp().to_zoned(zone.clone()).strftime("%d %H:%M").to_string();
+        rows.windows(2).map(|pair| (told(pair[0].begin), (pair[1].begin - pair[0].begin) / MINUTE)).collect()
     }
 
     #[test]
     fn windows_begin_by_the_clock_on_the_wall() {
-        const HOUR: Micros = 3600 * SECOND;
         let told = |windows: &[(&str, i64)]| -> Vec<(String, i64)> {
             windows.iter().map(|&(begin, lasts)| (begin.to_owned(), lasts)).collect()
         };

@@ -2,11 +2,11 @@
 
 mod home;
 
-use homebody_analysis::coverage::{Coverage, Grid, LEAST_DEAD_ZONE_M2, STEP_M, coverage};
+use homebody_analysis::coverage::{Coverage, CoverageGrid, LEAST_DEAD_ZONE_M2, STEP_M, coverage};
 use homebody_core::geometry::{Point, point, signed_area};
-use homebody_core::home::plan::Plan;
+use homebody_core::home::form::HomeFile;
 use homebody_core::ids::SensorId;
-use homebody_core::scenario::home::HomeFile;
+use homebody_core::plan::Plan;
 use homebody_core::sensor_set::SensorSet;
 use serde_json::json;
 
@@ -130,7 +130,7 @@ fn rings_touch_but_never_cross() {
     // Holes that touch the outside and each other at corners.
     let rows = ["#########", "#.#.#.#.#", "##.###.##", "#.#.#####", "#####.#.#", "###.##.##", ".########"];
     let bounds = (Point::ZERO, Point::new(9.0, 7.0));
-    let grid = Grid::sample(bounds, 1.0, |p| {
+    let grid = CoverageGrid::sample(bounds, 1.0, |p| {
         let cell = rows[6 - p.y as usize].as_bytes()[p.x as usize];
         (cell == b'#').then(SensorSet::default)
     });

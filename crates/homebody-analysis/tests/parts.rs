@@ -3,9 +3,9 @@
 mod home;
 
 use home::two_rooms;
-use homebody_analysis::parts::{Layout, Parts, beside};
-use homebody_core::home::Build;
-use homebody_core::scenario::home::HomeFile;
+use homebody_analysis::parts::{PartsList, SensorLayout, beside};
+use homebody_core::home::form::HomeFile;
+use homebody_core::resident::Build;
 use serde_json::{Value, json};
 
 /// The living room is 5 x 4 m from the south-west corner on; walls are 10 cm thick, half of it inside.
@@ -17,7 +17,7 @@ fn with(sensors: Value) -> HomeFile {
 }
 
 fn place(sensor: Value) -> String {
-    Parts::of(&with(json!([sensor]))).parts[0].place.clone()
+    PartsList::from_home(&with(json!([sensor]))).parts[0].place.clone()
 }
 
 #[test]
@@ -49,7 +49,7 @@ fn places_are_told_by_two_walls() {
 fn aims_are_told_from_the_wall_and_by_the_compass() {
     let looks = |facing: f64| {
         let sensor = json!({ "kind": "motion", "name": "a", "at": [2.0, 3.95], "height_m": 2.4, "facing_deg": facing });
-        Parts::of(&with(json!([sensor]))).parts[0].looks.clone().unwrap()
+        PartsList::from_home(&with(json!([sensor]))).parts[0].looks.clone().unwrap()
     };
     assert_eq!(looks(270.0), "south, straight out from the wall");
     // Who stands with their back to the north wall has the east to their left.
@@ -61,7 +61,7 @@ fn aims_are_told_from_the_wall_and_by_the_compass() {
 fn devices_are_counted_and_the_table_can_be_read() {
     let of = |name: &str, preset: &str| json!({ "kind": "motion", "name": name, "at": [2.0, 3.95], "facing_deg": 270, "preset": preset });
     let home = with(json!([of("a", "hue"), of("=b, \"c\"", "fibaro"), of("d", "fibaro")]));
-    let parts = Parts::of(&home);
+    let parts = PartsList::from_home(&home);
     let counts: Vec<(&str, usize)> = parts.devices.iter().map(|count| (&*count.device, count.count)).collect();
     assert_eq!(counts, [("Fibaro FGMS-001", 2), ("Philips Hue motion sensor", 1)]);
     let csv = parts.csv();
@@ -85,7 +85,7 @@ fn two_layouts_differ_in_what_was_changed_and_in_nothing_else() {
         motion("turns", [5.05, 1.0], 30.0, "hue"),
         motion("comes", [3.0, 3.95], 270.0, "aqara")
     ]));
-    let layout = |name, home| Layout { name, home, build: Build::adult() };
+    let layout = |name, home| SensorLayout { name, home, build: Build::adult() };
     let both = beside([layout("one", &first), layout("two", &second)]);
     let differences: Vec<(&str, &str)> = both.differences.iter().map(|one| (&*one.sensor, &*one.what)).collect();
     assert_eq!(differences.iter().map(|one| one.0).collect::<Vec<_>>(), ["turns", "goes", "comes"]);

@@ -6,7 +6,7 @@ use arrow_array::{
     TimestampMicrosecondArray,
 };
 use arrow_schema::{ArrowError, DataType, Schema, SchemaRef};
-use homebody_log::clock::Clock;
+use homebody_log::table::InstantWriter;
 use homebody_log::table::{Cell, TextId, thousandths};
 use std::collections::HashMap;
 use std::sync::Arc;
@@ -58,7 +58,7 @@ impl Columns {
     }
 
     /// Adds a row; `texts` are those of the run.
-    pub fn push(&mut self, cells: &[Cell], clock: &mut Clock, texts: &[Arc<str>]) {
+    pub fn push(&mut self, cells: &[Cell], clock: &mut InstantWriter, texts: &[Arc<str>]) {
         for (column, &cell) in self.columns.iter_mut().zip(cells) {
             match (column, cell) {
                 (Values::Instants(all), Cell::Instant(at)) => all.push(Some(clock.micros(at))),

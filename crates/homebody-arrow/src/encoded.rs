@@ -15,8 +15,8 @@ use arrow_ipc::writer::{
 use arrow_ipc::{Block, CompressionType, FooterBuilder, MetadataVersion};
 use arrow_schema::{ArrowError, DataType, Field, Schema, SchemaRef};
 use flatbuffers::FlatBufferBuilder;
-use homebody_log::clock::Clock;
-use homebody_log::fresh::FreshFile;
+use homebody_log::files::fresh::FreshFile;
+use homebody_log::table::InstantWriter;
 use homebody_log::table::{Cell, Table};
 use homebody_log::{Begin, LogError};
 use parquet::arrow::ArrowWriter;
@@ -109,7 +109,7 @@ impl TableFile {
     }
 
     /// Adds a row; `texts` are those of the run.
-    pub fn push(&mut self, cells: &[Cell], clock: &mut Clock, texts: &[Arc<str>]) -> Result<(), LogError> {
+    pub fn push(&mut self, cells: &[Cell], clock: &mut InstantWriter, texts: &[Arc<str>]) -> Result<(), LogError> {
         self.columns.push(cells, clock, texts);
         self.rows += 1;
         match self.columns.rows() == self.at_once {

@@ -3,7 +3,7 @@
 use crate::messages::ColumnsMessage;
 use arrow_schema::ArrowError;
 use homebody_log::LogError;
-use homebody_log::problems::HoldMessage;
+use homebody_log::error::HoldMessage;
 use parquet::errors::ParquetError;
 use std::error::Error;
 use std::io;

@@ -5,7 +5,8 @@
 
 use arrow_schema::{DataType, Field, Schema, TimeUnit};
 use homebody_core::scenario::logger::TimeFormat;
-use homebody_log::sensor_info::{SENSOR_COLUMNS, says_more_of, sensor_cells};
+use homebody_core::time::RunTime;
+use homebody_log::log::{SENSOR_COLUMNS, says_more_of, sensor_cells};
 use homebody_log::table::{Column, ColumnKind, Table};
 use homebody_log::{Begin, SensorInfo};
 use serde_json::{Map, Value, json};
@@ -64,7 +65,7 @@ pub(crate) fn about(table: &Table, begin: &Begin) -> Map<String, Value> {
         about.insert("run".into(), run.id.into());
         // Programs that read JSON into floats would round a large one.
         about.insert("seed".into(), run.seed.to_string().into());
-        about.insert("zone".into(), run.calendar.local(0).time_zone().iana_name().into());
+        about.insert("zone".into(), run.calendar.local(RunTime::START).time_zone().iana_name().into());
     }
     about.insert("version".into(), run.version.clone().into());
     let columns = table.columns.iter().map(|column| {

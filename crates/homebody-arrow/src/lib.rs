@@ -22,14 +22,14 @@ pub use arrow_schema::SchemaRef;
 pub use frame::{Frame, Texts};
 use homebody_core::scenario::scheme::Scheme;
 use homebody_log::Policy;
-use homebody_log::elsewhere::Elsewhere;
+use homebody_log::registry::PlacePlugin;
 pub use messages::MESSAGES;
 pub use source::whole_file;
 #[cfg(feature = "cloud")]
 pub use store::Store;
 
 /// These kinds of places, for a program that wants them.
-pub const ELSEWHERE: Elsewhere = Elsewhere {
+pub const PLUGIN: PlacePlugin = PlacePlugin {
     schemes: &[Scheme::Parquet, Scheme::Arrow],
     open: sink::open,
     fleet: None,

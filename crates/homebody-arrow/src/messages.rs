@@ -86,7 +86,7 @@ homebody_core::messages! {
 }
 
 /// The messages of this crate, by area.
-pub const MESSAGES: &[&[homebody_core::messages::Entry]] = &[
+pub const MESSAGES: &[&[homebody_core::messages::CatalogueEntry]] = &[
     <ColumnsMessage as homebody_core::messages::Catalogue>::ENTRIES,
     #[cfg(feature = "cloud")]
     <StoreMessage as homebody_core::messages::Catalogue>::ENTRIES,

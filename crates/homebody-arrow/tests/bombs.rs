@@ -7,8 +7,8 @@ use arrow_ipc::CompressionType;
 use arrow_ipc::writer::{FileWriter, IpcWriteOptions};
 use arrow_schema::{Field, Schema};
 use homebody_core::scenario::logger::LoggerFile;
-use homebody_log::elsewhere::install;
-use homebody_log::{Source, read};
+use homebody_log::registry::{Registry, install};
+use homebody_log::{LogSource, read};
 use parquet::arrow::ArrowWriter;
 use parquet::arrow::arrow_writer::ArrowWriterOptions;
 use parquet::basic::{Compression, Encoding, ZstdLevel};
@@ -54,13 +54,13 @@ fn write_parquet(
 
 /// The error of reading a file.
 fn refusal(path: &Path) -> String {
-    let read = Source::recognise(path).and_then(|source| read(&source, &LoggerFile::default()));
+    let read = LogSource::recognise(path).and_then(|source| read(&source, &LoggerFile::default()));
     read.expect_err("the file is no log").to_string()
 }
 
 #[test]
 fn small_files_that_unpack_to_much_take_little_memory() {
-    install(vec![homebody_arrow::ELSEWHERE]);
+    install(Registry::new(vec![homebody_arrow::PLUGIN]));
     let folder = tempfile::tempdir().unwrap();
     let path = |name: &str| folder.path().join(name);
     // This process makes the files, too: each is made of one text of 100 MB.

@@ -7,9 +7,10 @@
 mod stage;
 
 use homebody_core::scenario::logger::LoggerFile;
-use homebody_log::elsewhere::install;
-use homebody_log::examine::{Asked, Verdict, examine};
-use homebody_log::{How, Log, LogError, Logger, Url, read};
+use homebody_core::time::{Span, WallTime};
+use homebody_log::examine::{CheckOptions, CheckVerdict, examine};
+use homebody_log::registry::{Registry, install};
+use homebody_log::{Log, LogError, Logger, Url, WriteMode, read};
 use stage::Folder;
 use std::io::{Read, Write};
 use std::net::{TcpListener, TcpStream};
@@ -19,51 +20,51 @@ use std::time::{Duration, Instant};
 /// So many rows are some weeks.
 const ROWS: u64 = 200_000;
 
-fn told(log: &Log) -> Vec<(i64, String, String)> {
+fn told(log: &Log) -> Vec<(WallTime, String, String)> {
     log.events.iter().map(|event| (event.at, log.sensor(event).to_owned(), log.value(event).to_owned())).collect()
 }
 
-fn open(url: &Url, how: How) -> Result<Logger, LogError> {
+fn open(url: &Url, how: WriteMode) -> Result<Logger, LogError> {
     stage::open_of(std::slice::from_ref(url), &LoggerFile::default(), &stage::sensors(), how)
 }
 
 /// All that is promised of a store, tried in one below this URL.
 fn tried(base: &str, folder: &Folder) {
-    install(vec![homebody_arrow::ELSEWHERE]);
+    install(Registry::new(vec![homebody_arrow::PLUGIN]));
     let at = |name: &str| format!("parquet:{base}/{name}").parse::<Url>().unwrap();
     let beside = folder.url("parquet:beside");
     let firings = stage::firings(ROWS);
-    stage::store(open(&beside, How::New).unwrap(), &firings, 900).unwrap();
+    stage::store(open(&beside, WriteMode::Create).unwrap(), &firings, 900).unwrap();
     let wanted = told(&read(&beside, &LoggerFile::default()).unwrap());
     assert_eq!(wanted.len() as u64, ROWS);
     let lives = at("lives");
-    stage::store(open(&lives, How::New).unwrap(), &firings, 900).unwrap();
+    stage::store(open(&lives, WriteMode::Create).unwrap(), &firings, 900).unwrap();
     let same =
         |url: &Url| assert!(told(&read(url, &LoggerFile::default()).unwrap()) == wanted, "{url} tells another log");
     same(&lives);
     // A run that is there is refused, and replaced where that is said; fewer days then.
-    assert!(matches!(open(&lives, How::New), Err(LogError::Exists { .. })));
-    stage::store(open(&lives, How::Replace).unwrap(), &firings[..3000], 900).unwrap();
+    assert!(matches!(open(&lives, WriteMode::Create), Err(LogError::Exists { .. })));
+    stage::store(open(&lives, WriteMode::Overwrite).unwrap(), &firings[..3000], 900).unwrap();
     assert_eq!(told(&read(&lives, &LoggerFile::default()).unwrap()), wanted[..3000]);
     // One that died has its whole days there, and is gone on with to the same rows.
     let died = at("died");
-    let mut logger = open(&died, How::New).unwrap();
+    let mut logger = open(&died, WriteMode::Create).unwrap();
     for step in firings[..150_000].chunks(900) {
-        logger.store(step, step[step.len() - 1].at + 1).unwrap();
+        logger.store(step, step[step.len() - 1].at + Span::MICROSECOND).unwrap();
     }
-    logger.settle().unwrap();
-    logger.wait_settled().unwrap();
+    logger.make_durable().unwrap();
+    logger.wait_durable().unwrap();
     drop(logger);
     let there = told(&read(&died, &LoggerFile::default()).unwrap());
     assert!(there.len() > 1000 && there[..] == wanted[..there.len()], "{} rows are there", there.len());
-    stage::store(open(&died, How::GoOn).unwrap(), &firings, 900).unwrap();
+    stage::store(open(&died, WriteMode::Resume).unwrap(), &firings, 900).unwrap();
     same(&died);
     // It is found whole, and what is not there is told.
-    let asked = Asked { mapping: &LoggerFile::default(), may_write: false };
+    let asked = CheckOptions { mapping: &LoggerFile::default(), may_write: false };
     let checks = examine(&died, &asked).unwrap();
-    assert!(!checks.is_empty() && checks.iter().all(|check| check.verdict == Verdict::Ok), "{checks:?}");
+    assert!(!checks.is_empty() && checks.iter().all(|check| check.verdict == CheckVerdict::Ok), "{checks:?}");
     let checks = examine(&at("nowhere"), &asked).unwrap();
-    assert!(checks.iter().any(|check| check.verdict == Verdict::Wrong), "{checks:?}");
+    assert!(checks.iter().any(|check| check.verdict == CheckVerdict::Wrong), "{checks:?}");
     assert!(read(&at("nowhere"), &LoggerFile::default()).is_err());
 }
 
@@ -72,7 +73,7 @@ fn a_store_in_a_folder_keeps_what_it_gets() {
     let folder = Folder::new("store");
     std::fs::create_dir(folder.path().join("bucket")).unwrap();
     tried(&format!("file://{}", folder.path().join("bucket").display()), &folder);
-    let refused = |url: &str| match open(&url.parse().unwrap(), How::New) {
+    let refused = |url: &str| match open(&url.parse().unwrap(), WriteMode::Create) {
         Err(LogError::NoPlace(why)) => why.to_string(),
         Err(error) => panic!("{url}: {error}"),
         Ok(_) => panic!("{url} is opened"),
@@ -87,17 +88,17 @@ const CHILD: &str = "HOMEBODY_TEST_STORE";
 #[test]
 fn child() {
     let Ok(what) = std::env::var(CHILD) else { return };
-    install(vec![homebody_arrow::ELSEWHERE]);
+    install(Registry::new(vec![homebody_arrow::PLUGIN]));
     match what.as_str() {
         "away" => {
             let begun = Instant::now();
-            let error = open(&"parquet:s3://bucket/lives".parse().unwrap(), How::New).err().unwrap();
+            let error = open(&"parquet:s3://bucket/lives".parse().unwrap(), WriteMode::Create).err().unwrap();
             assert_eq!(error.code(), "object-store::no-answer", "{error}");
             assert!(!error.to_string().contains("s3cr3t-canary"), "{error}");
             assert!(begun.elapsed() < Duration::from_secs(10), "{:?}", begun.elapsed());
         }
         "nobody" => {
-            let error = open(&"parquet:s3://no-such-bucket/lives".parse().unwrap(), How::New).err().unwrap();
+            let error = open(&"parquet:s3://no-such-bucket/lives".parse().unwrap(), WriteMode::Create).err().unwrap();
             assert_eq!(error.code(), "object-store::not-found", "{error}");
         }
         what => tried(what, &Folder::new("store-s3")),

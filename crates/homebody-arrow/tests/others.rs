@@ -4,8 +4,9 @@
 mod stage;
 
 use homebody_core::scenario::logger::{LoggerFile, TimeFormat};
-use homebody_log::elsewhere::install;
-use homebody_log::{How, LogError, Logger, RunInfo, Source, TruthLog, read};
+use homebody_core::time::{HOUR, Interval, RunTime, WallTime};
+use homebody_log::registry::{Registry, install};
+use homebody_log::{LogError, LogSource, Logger, RunInfo, TruthLog, WriteMode, read};
 use stage::Folder;
 use std::process::Command;
 use std::sync::Arc;
@@ -61,21 +62,24 @@ fn duckdb_and_polars_read_what_we_write_and_we_read_what_they_write() {
         println!("skipped: python3 has no duckdb and polars (pip install duckdb polars)");
         return;
     }
-    install(vec![homebody_arrow::ELSEWHERE]);
+    install(Registry::new(vec![homebody_arrow::PLUGIN]));
     let folder = Folder::new("others");
     let urls = ["parquet:lives", "parquet:log.parquet", "arrow:log.arrow"].map(|url| folder.url(url));
     let firings = stage::firings(50_000);
     let live = |id, urls: &[_]| -> Result<_, LogError> {
         let run = Arc::new(RunInfo { id, ..stage::run() });
-        let places = homebody_log::logger::destinations(urls, How::New)?;
+        let places = homebody_log::run_log::destinations(urls, WriteMode::Create)?;
         let mapping = LoggerFile { time: TimeFormat::Utc, ..LoggerFile::default() };
-        stage::store(Logger::open(places, &mapping, &run, How::New)?, &firings, 1000)
+        stage::store(Logger::open(places, &mapping, &run, WriteMode::Create)?, &firings, 1000)
     };
     live(5, &urls).unwrap();
     live(6, &urls[..1]).unwrap();
     let truth = folder.url("parquet:truth");
     let run = Arc::new(stage::run());
-    TruthLog::open(&truth, &[], &LoggerFile::default(), &run, How::New).unwrap().finish(1).unwrap();
+    TruthLog::open(&truth, &[], &LoggerFile::default(), &run, WriteMode::Create)
+        .unwrap()
+        .finish(RunTime::from_micros(1))
+        .unwrap();
     let asked = Command::new("python3")
         .args(["-c", ASKS])
         .args(urls.iter().map(|url| url.path()).chain([truth.path(), folder.path()]))
@@ -90,8 +94,8 @@ fn duckdb_and_polars_read_what_we_write_and_we_read_what_they_write() {
     assert_eq!(told["duck"][0], 100_000);
     assert_eq!((&told["duck"][1], &told["polars"]), (&2.into(), &100_000.into()));
     assert_eq!(told["duck"][3], "2009-03-08 04:00:00.000001+00:00");
-    let day = 1_236_492_000_000_000;
-    let of_day = log.events.iter().filter(|event| (day..day + 23 * 3_600_000_000).contains(&event.at)).count();
+    let day = Interval::starting(WallTime::from_micros(1_236_492_000_000_000), 23 * HOUR);
+    let of_day = log.events.iter().filter(|event| day.contains(event.at)).count();
     // The 8th had 23 hours in Chicago.
     assert_eq!(told["one_day"], serde_json::json!([of_day, of_day]));
     assert_eq!(told["types"][0], "Int64");
@@ -107,7 +111,7 @@ fn duckdb_and_polars_read_what_we_write_and_we_read_what_they_write() {
             println!("skipped: python3 has no pandas and pyarrow");
             continue;
         }
-        let back = read(Source::recognise(&path).unwrap(), &LoggerFile::default()).unwrap();
+        let back = read(LogSource::recognise(&path).unwrap(), &LoggerFile::default()).unwrap();
         assert!(back.events == log.events && back.sensors == log.sensors && back.values == log.values, "{name}");
     }
 }

@@ -8,9 +8,9 @@ use arrow_array::types::Int8Type;
 use arrow_array::*;
 use arrow_schema::{DataType, Field, Schema, TimeUnit};
 use homebody_core::scenario::logger::LoggerFile;
-use homebody_log::elsewhere::install;
-use homebody_log::source::Clock;
-use homebody_log::{Log, LogError, Source, read};
+use homebody_log::log::Clock;
+use homebody_log::registry::{Registry, install};
+use homebody_log::{Log, LogError, LogSource, read};
 use parquet::arrow::ArrowWriter;
 use stage::Folder;
 use std::fs::{self, File};
@@ -18,12 +18,12 @@ use std::path::Path;
 use std::sync::Arc;
 
 fn ready(name: &str) -> Folder {
-    install(vec![homebody_arrow::ELSEWHERE]);
+    install(Registry::new(vec![homebody_arrow::PLUGIN]));
     Folder::new(name)
 }
 
 fn read_at(path: &Path) -> Result<Log, LogError> {
-    read(Source::recognise(path)?, &LoggerFile::default())
+    read(LogSource::recognise(path)?, &LoggerFile::default())
 }
 
 /// Writes three columns as a program of somebody else's would.
@@ -95,7 +95,7 @@ fn any_types_that_pandas_and_polars_write_are_read() {
                 );
                 let log = read_at(&path).unwrap_or_else(|error| panic!("{name}: {error}"));
                 assert_eq!((log.clock, log.rows, log.skipped), (*clock, 2, 0), "{name}");
-                assert_eq!(log.events.iter().map(|event| event.at).collect::<Vec<_>>(), both, "{name}");
+                assert_eq!(log.events.iter().map(|event| event.at.micros()).collect::<Vec<_>>(), both, "{name}");
                 assert_eq!(log.sensors, ["hall", "7"]);
                 assert_eq!(log.events.iter().map(|event| log.value(event)).collect::<Vec<_>>(), told);
             }
@@ -140,7 +140,8 @@ fn labels_and_a_table_of_activities_beside_it_are_read() {
         };
         write(&path, rows());
         let log = read_at(&path).unwrap();
-        let told: Vec<_> = log.activities.iter().map(|one| (one.name.as_str(), one.begin, one.end)).collect();
+        let told: Vec<_> =
+            log.activities.iter().map(|one| (one.name.as_str(), one.begin.micros(), one.end.micros())).collect();
         assert_eq!(told, [("cooking", AT, AT + 20)]);
         let beside = folder.path().join(format!("week.activity.{ending}"));
         let spans = vec![
@@ -150,7 +151,8 @@ fn labels_and_a_table_of_activities_beside_it_are_read() {
         ];
         write(&beside, spans);
         let log = read_at(&path).unwrap();
-        let told: Vec<_> = log.activities.iter().map(|one| (one.name.as_str(), one.begin, one.end)).collect();
+        let told: Vec<_> =
+            log.activities.iter().map(|one| (one.name.as_str(), one.begin.micros(), one.end.micros())).collect();
         assert_eq!(told, [("breakfast", AT - 5, AT + 15)]);
     }
 }
@@ -182,7 +184,7 @@ fn a_damaged_file_is_refused_by_its_name() {
         let path = folder.path().join(format!("bad.{ending}"));
         let looked_at = |bytes: &[u8]| {
             fs::write(&path, bytes).unwrap();
-            Source::recognise(&path).and_then(|source| read(&source, &LoggerFile::default()))
+            LogSource::recognise(&path).and_then(|source| read(&source, &LoggerFile::default()))
         };
         let name = |error: &LogError| assert!(error.to_string().contains(&format!("bad.{ending}")), "{error}");
         for length in (8..bytes.len()).step_by(29) {

@@ -6,15 +6,16 @@ mod stage;
 use arrow_array::cast::AsArray;
 use arrow_schema::{DataType, TimeUnit};
 use homebody_core::scenario::logger::{LoggerFile, TimeFormat};
-use homebody_log::elsewhere::install;
-use homebody_log::source::Clock;
-use homebody_log::{How, Log, LogError, Source, Url, read};
+use homebody_core::time::{RunTime, WallTime};
+use homebody_log::log::Clock;
+use homebody_log::registry::{Registry, install};
+use homebody_log::{Log, LogError, LogSource, Url, WriteMode, read};
 use parquet::arrow::arrow_reader::ParquetRecordBatchReaderBuilder;
 use stage::Folder;
 use std::fs::{self, File};
 
 fn ready(name: &str) -> Folder {
-    install(vec![homebody_arrow::ELSEWHERE]);
+    install(Registry::new(vec![homebody_arrow::PLUGIN]));
     Folder::new(name)
 }
 
@@ -23,7 +24,7 @@ fn stored(url: &Url, file: &LoggerFile, firings: u64, step: usize) {
     stage::store(logger, &stage::firings(firings), step).unwrap();
 }
 
-fn told(log: &Log) -> Vec<(i64, String, String)> {
+fn told(log: &Log) -> Vec<(WallTime, String, String)> {
     log.events.iter().map(|event| (event.at, log.sensor(event).to_owned(), log.value(event).to_owned())).collect()
 }
 
@@ -41,7 +42,7 @@ fn all_kinds_of_files_tell_the_same_log() {
         assert!(told(log) == told(&logs[0]), "{place} tells another log");
         assert!(log.problems.is_empty() && log.remarks.is_empty(), "{place}");
         // By how it begins, or by the names of its folders.
-        let found = Source::recognise(place.path()).unwrap();
+        let found = LogSource::recognise(place.path()).unwrap();
         assert_eq!(found.form().name, place.to_string().split(':').next().unwrap());
     }
 }
@@ -111,17 +112,17 @@ fn a_file_has_its_name_only_once_it_is_whole_and_nothing_is_replaced_unasked() {
     let folder = ready("whole");
     for url in ["parquet:log.parquet", "arrow:log.arrow"].map(|url| folder.url(url)) {
         let open = |how| stage::open_of(std::slice::from_ref(&url), &LoggerFile::default(), &stage::sensors(), how);
-        let mut logger = open(How::New).unwrap();
-        logger.store(&stage::firings(10), i64::MAX / 2).unwrap();
-        logger.settle().unwrap();
-        logger.wait_settled().unwrap();
+        let mut logger = open(WriteMode::Create).unwrap();
+        logger.store(&stage::firings(10), RunTime::from_micros(i64::MAX / 2)).unwrap();
+        logger.make_durable().unwrap();
+        logger.wait_durable().unwrap();
         assert!(!url.path().exists());
         drop(logger);
         assert_eq!(folder.files(), Vec::<String>::new(), "what was given up leaves nothing");
-        stage::store(open(How::New).unwrap(), &stage::firings(10), 3).unwrap();
+        stage::store(open(WriteMode::Create).unwrap(), &stage::firings(10), 3).unwrap();
         let before = fs::read(url.path()).unwrap();
-        assert!(matches!(open(How::New), Err(LogError::Exists { .. })));
-        stage::store(open(How::Replace).unwrap(), &stage::firings(20), 3).unwrap();
+        assert!(matches!(open(WriteMode::Create), Err(LogError::Exists { .. })));
+        stage::store(open(WriteMode::Overwrite).unwrap(), &stage::firings(20), 3).unwrap();
         assert_ne!(fs::read(url.path()).unwrap(), before);
         fs::remove_file(url.path()).unwrap();
     }
@@ -132,15 +133,15 @@ fn tables_of_the_truth_have_files_of_their_own() {
     let folder = ready("truth-files");
     for url in ["parquet:truth.parquet", "arrow:truth.arrow"].map(|url| folder.url(url)) {
         let run = std::sync::Arc::new(stage::run());
-        let truth = homebody_log::TruthLog::open(&url, &[], &LoggerFile::default(), &run, How::New).unwrap();
-        truth.finish(1).unwrap();
+        let truth = homebody_log::TruthLog::open(&url, &[], &LoggerFile::default(), &run, WriteMode::Create).unwrap();
+        truth.finish(RunTime::from_micros(1)).unwrap();
     }
     let names = folder.files();
     assert!(names.contains(&"truth.room.parquet".to_owned()) && names.contains(&"truth.cause.arrow".to_owned()));
-    assert_eq!(names.len(), 2 * homebody_log::truth::tables().len());
+    assert_eq!(names.len(), 2 * homebody_log::table::truth::tables().len());
     // None of them is taken for a log.
     for name in names.iter().filter(|name| !name.contains(".activity.")) {
-        let read = read(Source::recognise(&folder.path().join(name)).unwrap(), &LoggerFile::default());
+        let read = read(LogSource::recognise(&folder.path().join(name)).unwrap(), &LoggerFile::default());
         assert!(matches!(read, Err(LogError::NoLog { .. })), "{name}");
     }
 }

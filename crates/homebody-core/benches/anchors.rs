@@ -15,25 +15,26 @@
 mod measure;
 mod scene;
 
-use homebody_core::drivers::MotionSegment;
+use homebody_core::calendar::Calendar;
+use homebody_core::drivers::input::{DriveKey, InputFile, KeysFile};
 use homebody_core::drivers::live::{KeyTrack, LiveDriver};
-use homebody_core::event::{Events, MotionState};
+use homebody_core::event::Events;
 use homebody_core::geometry::Point;
+use homebody_core::home::Home;
 use homebody_core::home::resolved::ResolvedHome;
-use homebody_core::home::{Build, Home};
 use homebody_core::ids::ResidentId;
-use homebody_core::naive::brute::BruteEye;
-use homebody_core::naive::paper::PaperEye;
-use homebody_core::naive::{Eye, Loop, Player, Remainder};
+use homebody_core::motion::{MotionSegment, MotionState};
+use homebody_core::posture::Posture;
+use homebody_core::resident::Build;
 use homebody_core::run::Run;
-use homebody_core::scenario::calendar::Calendar;
-use homebody_core::scenario::input::{InputFile, Key, KeysFile};
 use homebody_core::scenario::logger::LoggerFile;
-use homebody_core::scenario::path::Posture;
-use homebody_core::time::{DAY, Micros, SECOND, seconds};
+use homebody_core::time::{DAY, HOUR, Interval, RunTime, SECOND, Span};
 use homebody_core::world::World;
-use homebody_log::logger::destinations;
-use homebody_log::{How, Log, Logger, RunInfo, Url};
+use homebody_log::run_log::destinations;
+use homebody_log::{Log, Logger, RunInfo, Url, WriteMode};
+use homebody_oracle::brute::BruteEye;
+use homebody_oracle::paper::PaperEye;
+use homebody_oracle::{Eye, Loop, Player, Remainder};
 use measure::{Spread, insert, rows};
 use std::path::Path;
 use std::sync::Arc;
@@ -43,10 +44,10 @@ const ROUNDS: usize = 7;
 /// A round of live steps takes a millisecond: after the first dozens caches and clocks are warm.
 const LIVE_ROUNDS: usize = 500;
 /// How often a run into a database hands over what it has.
-const STEP: Micros = 3600 * SECOND;
+const STEP: Span = HOUR;
 /// So many excerpts, each so long, are a round of a loop.
-const EXCERPTS: usize = 40;
-const EXCERPT: Micros = SECOND / 2;
+const EXCERPTS: i64 = 40;
+const EXCERPT: Span = Span::from_millis(500);
 
 fn main() {
     let build = Build { radius_m: 0.22, height_m: 1.65 };
@@ -95,7 +96,7 @@ fn kernel(home: &Arc<Home>, schedule: &[MotionSegment]) -> f64 {
         world.advance(next.end, &mut events);
         events.clear();
     }
-    start.elapsed().as_secs_f64() / seconds(world.now())
+    start.elapsed().as_secs_f64() / world.now().seconds()
 }
 
 /// Lives the excerpts in a loop of 60 updates a second; seconds for a simulated second.
@@ -105,30 +106,31 @@ fn naive(eye: impl Eye, home: &Home, build: Build, excerpts: &[MotionSegment]) -
     let until = excerpts[excerpts.len() - 1].end;
     let start = Instant::now();
     naive.live(&mut [Player::new(excerpts, build.radius_m)], until, &mut firings);
-    start.elapsed().as_secs_f64() / seconds(until)
+    start.elapsed().as_secs_f64() / until.seconds()
 }
 
-/// Short stretches from the whole schedule, one after the other from 0 on.
+/// Short stretches from the whole schedule, one after the other from the start on.
 fn excerpts(schedule: &[MotionSegment]) -> Vec<MotionSegment> {
-    let length = schedule[schedule.len() - 1].end;
+    let end = schedule[schedule.len() - 1].end;
+    let length = end.since_zero();
     let mut excerpts = Vec::new();
-    for index in 0..EXCERPTS as Micros {
+    for index in 0..EXCERPTS {
         // Off the middle, so that the excerpts fall on all times of day.
-        let begin = (2 * index + 1) * length / (2 * EXCERPTS as Micros) + index * DAY / EXCERPTS as Micros;
-        let begin = begin.min(length - EXCERPT);
-        let shift = index * EXCERPT - begin;
-        let within = schedule.iter().filter(|piece| piece.begin < begin + EXCERPT && piece.end > begin);
-        excerpts.extend(within.map(|piece| cut(piece, begin, begin + EXCERPT, shift)));
+        let begin = RunTime::START + (2 * index + 1) * length / (2 * EXCERPTS) + index * DAY / EXCERPTS;
+        let excerpt = Interval::starting(begin.min(end - EXCERPT), EXCERPT);
+        let shift = RunTime::START + index * EXCERPT - excerpt.begin;
+        let within = schedule.iter().filter(|piece| Interval::new(piece.begin, piece.end).overlaps(excerpt));
+        excerpts.extend(within.map(|piece| cut(piece, excerpt, shift)));
     }
     excerpts
 }
 
-/// The part of a move between two instants, shifted in time.
-fn cut(piece: &MotionSegment, from: Micros, until: Micros, shift: Micros) -> MotionSegment {
-    let (begin, end) = (piece.begin.max(from), piece.end.min(until));
+/// The part of a move in an excerpt, shifted in time.
+fn cut(piece: &MotionSegment, excerpt: Interval<RunTime>, shift: Span) -> MotionSegment {
+    let Interval { begin, end } = Interval::new(piece.begin, piece.end).intersection(excerpt);
     let doing = match piece.doing {
         MotionState::Stride { from, to } => {
-            let at = |now: Micros| from.lerp(to, (now - piece.begin) as f64 / (piece.end - piece.begin) as f64);
+            let at = |now: RunTime| from.lerp(to, (now - piece.begin).ratio(piece.end - piece.begin));
             MotionState::Stride { from: at(begin), to: at(end) }
         }
         other => other,
@@ -161,11 +163,12 @@ fn run_into(path: &Path, home: &Arc<Home>, schedule: &[MotionSegment]) -> f64 {
     let log = Log { sensors, ..Log::default() };
     let info = Arc::new(RunInfo::of_log("bench", calendar, &log));
     let start = Instant::now();
-    let places = destinations(&[url], How::Replace).expect("a place that can be written");
-    let mut logger = Logger::open(places, &LoggerFile::default(), &info, How::Replace).expect("an open database");
+    let places = destinations(&[url], WriteMode::Overwrite).expect("a place that can be written");
+    let mut logger =
+        Logger::open(places, &LoggerFile::default(), &info, WriteMode::Overwrite).expect("an open database");
     let mut world = World::new(home.clone(), 1, 1);
     let mut events = Events::default();
-    let mut handed_over = 0;
+    let mut handed_over = RunTime::START;
     for next in schedule {
         world.begin(ResidentId(0), next);
         world.advance(next.end, &mut events);
@@ -182,12 +185,12 @@ fn run_into(path: &Path, home: &Arc<Home>, schedule: &[MotionSegment]) -> f64 {
 
 /// What a sixtieth of a second costs while keys move one resident about, physics and sensors together.
 fn live_step(home: Arc<Home>, build: Build) -> String {
-    const STEPS: Micros = 60 * 60;
-    let turns = [Key::Up, Key::Right, Key::Down, Key::Left];
+    const STEPS: i64 = 60 * 60;
+    let turns = [DriveKey::Up, DriveKey::Right, DriveKey::Down, DriveKey::Left];
     // Into walls and furniture, round the room and through doors.
     let keys = (0..STEPS / 40).map(|turn| {
         let held = vec![turns[turn as usize % 4], turns[(turn as usize / 3) % 4]];
-        KeysFile { at_s: seconds(turn * 40 * SECOND / 60), held, posture: Posture::Standing, uses: Vec::new() }
+        KeysFile { at_s: (turn * 40 * SECOND / 60).seconds(), held, posture: Posture::Standing, uses: Vec::new() }
     });
     let input = InputFile { schema: None, keys: keys.collect() };
     let each_us = (0..LIVE_ROUNDS).map(|_| {
@@ -199,11 +202,12 @@ fn live_step(home: Arc<Home>, build: Build) -> String {
             KeyTrack::written(&input, &home.plan),
         );
         let length = STEPS * SECOND / 60;
-        let mut run = Run::of(home.clone(), vec![build], vec![Box::new(driver)], 1, length);
+        let mut run = Run::from_drivers(home.clone(), vec![build], vec![Box::new(driver)], 1, length);
         let mut events = Events::default();
         let start = Instant::now();
         for step in 1..=STEPS {
-            run.advance(step * SECOND / 60, &mut events).expect("a driver whose answers bodies can follow");
+            run.advance(RunTime::START + step * SECOND / 60, &mut events)
+                .expect("a driver whose answers bodies can follow");
             events.clear();
         }
         start.elapsed().as_secs_f64() * 1e6 / STEPS as f64

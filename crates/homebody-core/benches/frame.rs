@@ -41,7 +41,7 @@ fn main() {
     let start = Instant::now();
     let scenery = Scenery::new(&lens, &prisms);
     println!("the scenery of twenty pieces, once a run: {:.2} ms", start.elapsed().as_secs_f64() * 1e3);
-    let lines = [("FRAME us", Noise::of(&Numbers::default())), ("FRAME without noise us", Noise::NONE)]
+    let lines = [("FRAME us", Noise::new(&Numbers::default())), ("FRAME without noise us", Noise::NONE)]
         .map(|(name, noise)| line(name, noise, &lens, &scenery));
     lines.iter().for_each(|line| println!("{line}"));
 }
@@ -58,7 +58,7 @@ fn line(name: &str, noise: Noise, lens: &Lens, scenery: &Scenery) -> String {
             let phase = frame as f64 * 0.2;
             let body = |stance: Stance, x: f64, y: f64| -> Figure {
                 let at = Point::new(x + 0.3 * phase.sin(), y);
-                person(&stature, &Joints::of(stance, stature.height_m, 0.0).at(at, phase).walking(phase, 0.7))
+                person(&stature, &Joints::new(stance, stature.height_m, 0.0).at(at, phase).walking(phase, 0.7))
             };
             let bodies =
                 [body(Stance::Standing, 2.4, 1.7), body(Stance::Sitting, 3.4, 2.7), body(Stance::Prone, 2.0, 2.9)];

@@ -1,13 +1,14 @@
 //! The bench scene: 10 x 9 m, 30 walls, 20 pieces of furniture, 12 wall sensors of 32 beams, 4 ceiling
 //! areas; and the two schedules of one resident, `walk` and `day`.
 
-use homebody_core::drivers::MotionSegment;
-use homebody_core::event::MotionState;
 use homebody_core::geometry::Point;
-use homebody_core::random::{Range, Stream};
-use homebody_core::scenario::home::{FurnitureFile, HomeFile, PlaceFile, RoomFile, SensorFile, WallFile};
-use homebody_core::scenario::path::Posture;
-use homebody_core::time::{Micros, SECOND};
+use homebody_core::home::form::HomeFile;
+use homebody_core::motion::{MotionSegment, MotionState};
+use homebody_core::plan::form::{FurnitureFile, PlaceFile, RoomFile, WallFile};
+use homebody_core::posture::Posture;
+use homebody_core::random::{SpanRange, Stream};
+use homebody_core::sensors::kinds::SensorFile;
+use homebody_core::time::{HOUR, RunTime, SECOND, Span};
 use serde_json::json;
 
 /// Three by three rooms, each door open.
@@ -107,9 +108,9 @@ fn piece(index: usize, at: [f64; 2], size_m: [f64; 2], height_m: f64) -> Furnitu
 pub type Schedule = Vec<MotionSegment>;
 
 /// Always walking, through the doors from room to room, for `length`.
-pub fn walk(length: Micros) -> Schedule {
+pub fn walk(length: Span) -> Schedule {
     let mut walker = Walker::new();
-    while walker.now < length {
+    while walker.now < RunTime::START + length {
         walker.walk();
     }
     walker.schedule
@@ -117,10 +118,10 @@ pub fn walk(length: Micros) -> Schedule {
 
 /// An ordinary day after the other: 12 hours awake with a stir of 2 s every 20 s and 4 % of the day
 /// walking, in walks of about a minute; the rest asleep.
-pub fn day(length: Micros) -> Schedule {
+pub fn day(length: Span) -> Schedule {
     let mut walker = Walker::new();
-    while walker.now < length {
-        walker.stay(12 * 3600 * SECOND, None);
+    while walker.now < RunTime::START + length {
+        walker.stay(12 * HOUR, None);
         // 48 walks of 72 s are 4 % of a day.
         for _ in 0..48 {
             let until = walker.now + 72 * SECOND;
@@ -135,7 +136,7 @@ pub fn day(length: Micros) -> Schedule {
 
 struct Walker {
     schedule: Schedule,
-    now: Micros,
+    now: RunTime,
     at: Point,
     room: (i64, i64),
     stream: Stream,
@@ -144,11 +145,11 @@ struct Walker {
 impl Walker {
     fn new() -> Walker {
         let stream = Stream::named(1, "bench/walker");
-        Walker { schedule: Vec::new(), now: 0, at: Point::new(1.75, 1.5), room: (0, 0), stream }
+        Walker { schedule: Vec::new(), now: RunTime::START, at: Point::new(1.75, 1.5), room: (0, 0), stream }
     }
 
     fn below(&mut self, count: i64) -> i64 {
-        self.stream.span(Range { least: 0, most: count - 1 })
+        self.stream.span(SpanRange { least: Span::ZERO, most: Span::from_micros(count - 1) }).micros()
     }
 
     /// To a neighbouring room: to the door, through it, and to a point inside.
@@ -175,12 +176,13 @@ impl Walker {
 
     fn stride(&mut self, to: Point) {
         let pace = 0.5 + self.below(500) as f64 / 1000.0;
-        let end = self.now + (self.at.distance(to) / pace * SECOND as f64) as Micros + 1;
+        let micros = (self.at.distance(to) / pace * SECOND.micros() as f64) as i64;
+        let end = self.now + Span::from_micros(micros + 1);
         self.push(end, MotionState::Stride { from: self.at, to }, Posture::Standing);
         self.at = to;
     }
 
-    fn stay(&mut self, span: Micros, amplitude_m: Option<f64>) {
+    fn stay(&mut self, span: Span, amplitude_m: Option<f64>) {
         let (end, at) = (self.now + span, self.at);
         if let Some(amplitude_m) = amplitude_m {
             while self.now + 20 * SECOND <= end {
@@ -193,7 +195,7 @@ impl Walker {
         }
     }
 
-    fn push(&mut self, end: Micros, doing: MotionState, posture: Posture) {
+    fn push(&mut self, end: RunTime, doing: MotionState, posture: Posture) {
         self.schedule.push(MotionSegment { begin: self.now, end, doing, posture });
         self.now = end;
     }

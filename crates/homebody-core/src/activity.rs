@@ -244,7 +244,7 @@ impl ActivityKind {
     ];
 
     /// The kind that a name is of, whoever gave it: that of the table's row, however the label is written, else by its words.
-    pub fn of(name: &str) -> ActivityKind {
+    pub fn from_name(name: &str) -> ActivityKind {
         let label = words(name).join("_");
         known(&label).map_or_else(|| ActivityKind::by_words(name), |known| known.kind)
     }
@@ -303,7 +303,7 @@ impl TimeUse {
     ];
 
     /// What the time of an activity counts as; of one that the table does not have, as something else.
-    pub fn of(label: &str) -> TimeUse {
+    pub fn from_label(label: &str) -> TimeUse {
         known(label).map_or(TimeUse::Other, |known| known.time_use)
     }
 
@@ -347,7 +347,7 @@ mod tests {
             ("strolling", Other),
             ("", Other),
         ] {
-            assert_eq!(ActivityKind::of(name), kind, "{name}");
+            assert_eq!(ActivityKind::from_name(name), kind, "{name}");
         }
     }
 
@@ -356,12 +356,12 @@ mod tests {
         for known in ACTIVITIES {
             assert_eq!(words(known.label).join("_"), known.label);
             for name in [known.label.to_owned(), known.label.to_uppercase(), known.label.replace('_', " ")] {
-                assert_eq!(ActivityKind::of(&name), known.kind, "{name}");
+                assert_eq!(ActivityKind::from_name(&name), known.kind, "{name}");
             }
         }
         // The words alone would have it in bed.
         assert_eq!(
-            (ActivityKind::of("Lying_Awake"), ActivityKind::of("Lying in bed")),
+            (ActivityKind::from_name("Lying_Awake"), ActivityKind::from_name("Lying in bed")),
             (ActivityKind::Other, ActivityKind::Sleep)
         );
     }

@@ -1,15 +1,15 @@
 //! The messages of this crate, for lists of all messages.
 
-use crate::messages::{Catalogue, Entry};
+use crate::messages::{Catalogue, CatalogueEntry};
 
 /// The messages by area.
-pub const MESSAGES: &[&[Entry]] = &[
+pub const MESSAGES: &[&[CatalogueEntry]] = &[
     crate::scenario::json::JsonMessage::ENTRIES,
     crate::scenario::shape::SchemaMessage::ENTRIES,
     crate::scenario::inside::FileMessage::ENTRIES,
     crate::scenario::check::messages::NameMessage::ENTRIES,
     crate::scenario::check::messages::RangeMessage::ENTRIES,
-    crate::scenario::calendar::TimeMessage::ENTRIES,
+    crate::calendar::TimeMessage::ENTRIES,
     crate::numbers::ParameterMessage::ENTRIES,
     crate::scenario::check::home::messages::HomeMessage::ENTRIES,
     crate::sensors::messages::SensorMessage::ENTRIES,

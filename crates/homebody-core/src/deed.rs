@@ -1,14 +1,14 @@
 //! What may be done to a home from outside, and when: plain data, in the words of a recording.
 
-use crate::time::Micros;
+use crate::time::{RunTime, Span};
 use serde::{Deserialize, Serialize};
 
 /// Something that is done from outside, and when.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct FromOutside {
-    /// When, in microseconds since the run's start.
-    pub at_us: Micros,
+    /// When.
+    pub at_us: RunTime,
     /// What is done.
     pub deed: Deed,
 }
@@ -32,14 +32,14 @@ pub enum Deed {
         failure: Failure,
         /// Until when; None for the rest of the run.
         #[serde(default, skip_serializing_if = "Option::is_none")]
-        until_us: Option<Micros>,
+        until_us: Option<RunTime>,
     },
     /// Somebody falls where they are.
     Fall {
         /// Their name.
         resident: String,
         /// How long they lie before they get up.
-        lies_us: Micros,
+        lies_us: Span,
     },
 }
 
@@ -50,13 +50,13 @@ pub enum Failure {
     /// Its battery fades for so long, and is empty then.
     Battery {
         /// How long; 0 where it is empty at once.
-        fades_us: Micros,
+        fades_us: Span,
     },
     /// It hears nothing, and repeats itself or is silent.
     Stuck {
         /// How often it says again what it said last; None where it is silent.
         #[serde(default, skip_serializing_if = "Option::is_none")]
-        every_us: Option<Micros>,
+        every_us: Option<Span>,
     },
     /// It comes off its place, and sees nothing real.
     FallsOff,

@@ -2,10 +2,10 @@
 
 use crate::camera::silhouette::Picture;
 use crate::deed::Deed;
-use crate::geometry::Point;
 use crate::ids::{ResidentId, RoomId, SensorId, ThingId};
-use crate::scenario::path::Posture;
-use crate::time::Micros;
+use crate::motion::MotionState;
+use crate::posture::Posture;
+use crate::time::RunTime;
 use std::fmt;
 
 /// One message of a sensor as it reaches the logger. Never holds ground truth.
@@ -14,7 +14,7 @@ pub struct Firing {
     /// The run's firings are numbered from 0, in order of time and, at one instant, of sensors.
     pub seq: u64,
     /// The time that the log gives it.
-    pub at: Micros,
+    pub at: RunTime,
     /// Whose message it is.
     pub sensor: SensorId,
     /// What the sensor said.
@@ -105,7 +105,7 @@ pub struct Provenance {
     /// Whose doing it was, if it was anybody's.
     pub resident: Option<ResidentId>,
     /// When what it was began to be noticed.
-    pub seen_at: Micros,
+    pub seen_at: RunTime,
     /// What kind of cause it was.
     pub trigger: Trigger,
 }
@@ -158,8 +158,8 @@ pub enum Fact {
     },
     /// What a sensor said at `at`, or should have said, that never reached the logger.
     Lost {
-        /// When it said so, or should have, in microseconds since the run's start.
-        at: Micros,
+        /// When it said so, or should have.
+        at: RunTime,
         /// Whose message it is.
         sensor: SensorId,
         /// What it said, or should have said.
@@ -174,10 +174,10 @@ pub enum Fact {
     Movement {
         /// Whose body it is.
         resident: ResidentId,
-        /// From when, in microseconds since the run's start.
-        begin: Micros,
+        /// From when.
+        begin: RunTime,
         /// Until when; the next span begins at this instant.
-        end: Micros,
+        end: RunTime,
         /// What the body did.
         doing: MotionState,
         /// How it held itself.
@@ -188,8 +188,8 @@ pub enum Fact {
     Room {
         /// Who came there.
         resident: ResidentId,
-        /// From when on, in microseconds since the run's start.
-        at: Micros,
+        /// From when on.
+        at: RunTime,
         /// The room; `None` between rooms and away.
         room: Option<RoomId>,
     },
@@ -197,8 +197,8 @@ pub enum Fact {
     Activity {
         /// Who does it.
         resident: ResidentId,
-        /// From when on, in microseconds since the run's start.
-        at: Micros,
+        /// From when on.
+        at: RunTime,
         /// Its label, such as `sleeping`; `None` where nothing in particular is done.
         name: Option<String>,
     },
@@ -206,8 +206,8 @@ pub enum Fact {
     Use {
         /// Who used it; `None` where it was nobody who lives there or visits.
         resident: Option<ResidentId>,
-        /// When, in microseconds since the run's start.
-        at: Micros,
+        /// When.
+        at: RunTime,
         /// The thing, and how it is afterwards.
         act: ThingUse,
     },
@@ -215,10 +215,10 @@ pub enum Fact {
     Need {
         /// Whose need it is.
         resident: ResidentId,
-        /// When, in microseconds since the run's start.
-        at: Micros,
+        /// When.
+        at: RunTime,
         /// What is needed.
-        need: Need,
+        need: BodilyNeed,
         /// From 0, met, to 1, pressing.
         level: f64,
     },
@@ -226,8 +226,8 @@ pub enum Fact {
     Condition {
         /// Who has it.
         resident: ResidentId,
-        /// From when on, in microseconds since the run's start.
-        at: Micros,
+        /// From when on.
+        at: RunTime,
         /// The condition, as the routine calls it.
         name: String,
         /// 1 is a moderate case, 0 none.
@@ -235,8 +235,8 @@ pub enum Fact {
     },
     /// Something was done from outside. Of who falls, no room holds that was told for an instant after this.
     Outside {
-        /// When, in microseconds since the run's start.
-        at: Micros,
+        /// When.
+        at: RunTime,
         /// What.
         deed: Deed,
     },
@@ -253,7 +253,7 @@ pub struct ThingUse {
 
 /// What builds up until something is done about it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
-pub enum Need {
+pub enum BodilyNeed {
     /// To go to the toilet.
     Toilet,
     /// To drink.
@@ -273,37 +273,11 @@ pub struct Vitals {
     pub respiration: f64,
 }
 
-/// What a body does over a span.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum MotionState {
-    /// A straight movement at constant speed.
-    Stride {
-        /// Where it begins, in metres.
-        from: Point,
-        /// Where it ends, in metres.
-        to: Point,
-    },
-    /// Movement on the spot: `amplitude_m` is how far what moves moves.
-    InPlace {
-        /// Where the body is, in metres.
-        at: Point,
-        /// How far what moves moves, in metres.
-        amplitude_m: f64,
-    },
-    /// Keeping still.
-    Rest {
-        /// Where the body is, in metres.
-        at: Point,
-    },
-    /// Out of the home.
-    Away,
-}
-
 /// A picture that a camera keeps: a silhouette in which somebody is seen.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Frame {
-    /// When it was taken, in microseconds since the run's start.
-    pub at: Micros,
+    /// When it was taken.
+    pub at: RunTime,
     /// The camera.
     pub sensor: SensorId,
     /// What it kept.

@@ -84,7 +84,6 @@ impl Fuzzy {
         Fuzzy { low: change(self.low), from: change(self.from), to: change(self.to), high: change(self.high) }
     }
 
-    /// The areas under the rise, the flat part and the fall.
     fn areas(&self) -> (f64, f64, f64) {
         ((self.from - self.low) / 2.0, self.to - self.from, (self.high - self.to) / 2.0)
     }

@@ -2,7 +2,7 @@
 //!
 //! Each is an index into a list that stays the same for a whole run: [`SensorId`] into [`Run::sensors`](crate::run::Run::sensors),
 //! [`ResidentId`] into [`Run::names`](crate::run::Run::names), [`RoomId`] and [`ThingId`] into the rooms and things of the
-//! [`Plan`](crate::home::plan::Plan).
+//! [`Plan`](crate::plan::Plan).
 
 macro_rules! id {
     ($(#[$doc:meta])* $name:ident) => {
@@ -12,7 +12,7 @@ macro_rules! id {
 
         impl $name {
             /// The id of what has this index.
-            pub fn of(index: usize) -> $name {
+            pub fn new(index: usize) -> $name {
                 $name(index as u32)
             }
 

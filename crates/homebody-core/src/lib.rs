@@ -5,7 +5,7 @@
 
 #![warn(missing_docs)]
 
-// Spans and instants in whole microseconds, plane geometry, named random streams.
+// Instants and spans of time, plane geometry, named random streams.
 pub mod time;
 pub mod geometry;
 pub mod random;
@@ -17,8 +17,13 @@ pub mod fuzzy;
 // The numbers that models are made of.
 pub mod numbers;
 
+// The known name that was probably meant, and dates of a run.
+pub mod nearest;
+pub mod calendar;
+
 // What names are made of, what furniture is for, and what activities are called.
 pub mod names;
+pub mod posture;
 pub mod role;
 pub mod vocabulary;
 pub mod sensed;
@@ -27,37 +32,41 @@ pub mod languages;
 pub mod doors;
 pub mod activity;
 
-// What the user wrote, and what is wrong with it.
-pub mod scenario;
+// What is wrong with what the user wrote.
 pub mod messages;
-pub mod catalogue;
 pub mod problem;
 pub mod problems;
 
-// The home, what its sensors are, and what they see in it.
-pub mod home;
-pub mod sensors;
+// The building, and who lives there.
+pub mod stride;
+pub mod ids;
+pub mod plan;
+pub mod motion;
+pub mod resident;
 
 // Bodies in three dimensions, and what cameras see of them.
 pub mod body;
 pub mod camera;
 
-// Movement: strides, who decides on them, the world they happen in, and the way of what its sensors say.
-pub mod stride;
-pub mod ids;
+// What sensors are, what they see in a home, who decides on movements, and the way of what sensors say.
 pub mod sensor_set;
 pub mod deed;
 pub mod event;
-mod timers;
+pub mod sensors;
+pub mod home;
 pub mod drivers;
-pub mod world;
 pub mod link;
+
+// What the user wrote: read, checked and edited.
+pub mod scenario;
+
+// A run: the world, what is done to it from outside, and what is kept of it.
+mod timers;
+pub mod world;
 pub mod outside;
 pub mod run;
 pub mod scene;
 pub mod recording;
 pub mod snapshots;
 pub mod models;
-
-// The naive way, as oracle and as baseline.
-pub mod naive;
+pub mod catalogue;

@@ -4,12 +4,13 @@
 use crate::geometry::Point;
 use crate::problem::Advice;
 pub use crate::problem::{Diagnose, Severity};
+use crate::time::{RunTime, Span, UtcTime, WallTime};
 pub use serde_json::Value;
 use std::path::{Path, PathBuf};
 
 /// One declared message, for lists of all messages.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Entry {
+pub struct CatalogueEntry {
     /// The stable code, such as `log::exists`.
     pub code: &'static str,
     /// How serious it is.
@@ -27,7 +28,7 @@ pub struct Entry {
 /// All messages that an area declares.
 pub trait Catalogue {
     /// The entries, in the order of the declaration.
-    const ENTRIES: &'static [Entry];
+    const ENTRIES: &'static [CatalogueEntry];
 }
 
 /// A value that a message carries for programs.
@@ -45,6 +46,16 @@ macro_rules! data_as_json {
 }
 
 data_as_json!(String, bool, u8, u16, u32, u64, usize, i64, f64);
+
+macro_rules! micros_as_json {
+    ($($type:ty),*) => { $(impl Datum for $type {
+        fn datum(&self) -> Value {
+            Value::from(self.micros())
+        }
+    })* };
+}
+
+micros_as_json!(Span, RunTime, UtcTime, WallTime);
 
 impl Datum for &str {
     fn datum(&self) -> Value {
@@ -165,14 +176,15 @@ macro_rules! messages {
         $vis enum $name {
             $(
                 $(#[doc = $doc])*
+                #[allow(missing_docs, reason = "the text of the message says what its data are")]
                 $variant $(($only_type))? $({ $($(#[doc = $field_doc])* $field: $type),* })?,
             )*
             $($($(#[doc = $inner_doc])* $inner($inner_type),)*)?
         }
 
         impl $crate::messages::Catalogue for $name {
-            const ENTRIES: &'static [$crate::messages::Entry] = &[$(
-                $crate::messages::Entry {
+            const ENTRIES: &'static [$crate::messages::CatalogueEntry] = &[$(
+                $crate::messages::CatalogueEntry {
                     code: concat!($prefix, "::", $code),
                     severity: $crate::messages!(@severity $severity),
                     text: $text,
@@ -191,7 +203,7 @@ macro_rules! messages {
                         Self::$variant $(($only))? $({ $($field),* })? => {
                             let mut advice: Option<$crate::problem::Advice> = None;
                             $(advice = Some($crate::problem::Advice::from(format!($hint $($hint_args)*)));)?
-                            $(advice = $crate::problem::Advice::of($advice);)?
+                            $(advice = $crate::problem::Advice::from_option($advice);)?
                             $(advice = advice.map(|advice| advice.with_fix($fix));)?
                             $crate::problem::Diagnostic::new(
                                 concat!($prefix, "::", $code),

@@ -4,13 +4,13 @@ use crate::body::track;
 use crate::camera::noise;
 use crate::numbers::Number;
 use crate::sensors::{bed, camera, light, power, stove_temperature, temperature};
-use crate::{home, link, outside, world};
+use crate::{link, outside, plan, resident, world};
 
 /// All of them: of sensors and what they see, and of the link.
 pub fn numbers() -> Vec<Number> {
     let modules = [
-        home::NUMBERS,
-        home::sun::NUMBERS,
+        resident::NUMBERS,
+        plan::sun::NUMBERS,
         world::NUMBERS,
         bed::NUMBERS,
         stove_temperature::NUMBERS,

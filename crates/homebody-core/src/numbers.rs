@@ -4,8 +4,8 @@
 //! for as `numbers.of(&SLOWEST)`: that is its own value, unless the scenario says otherwise. Whoever does something often
 //! asks once, when it is made.
 
+use crate::nearest::nearest;
 use crate::problem::Advice;
-use crate::scenario::nearest::nearest;
 use std::borrow::Cow;
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -14,48 +14,35 @@ crate::messages! {
     /// Problems with parameters of models that a scenario sets.
     pub enum ParameterMessage in "parameter" {
         /// The models have no parameter with this name. A name has an area and a word, such as `gait.slowest`.
-        Unknown {
-            /// The name.
-            name: String,
-            /// The most similar known name.
-            nearest: Option<String>,
-        } error "unknown" ("there is no parameter {name:?}")
+        Unknown { name: String, nearest: Option<String> } error "unknown" ("there is no parameter {name:?}")
             advice (Some(match nearest {
                 Some(near) => Advice::meant(near),
                 None => "list the parameters with: homebody parameters".into(),
             }));
         /// A parameter is a finite number.
         NotANumber {
-            /// The name.
             name: String,
             /// The value that the model has without a setting.
             usual: f64,
-            /// The smallest value.
             least: f64,
-            /// The largest value.
             most: f64,
         } error "not-a-number" ("{name:?} is set to a value that is not a number")
             hint ("give a value from {least} to {most}; the usual value is {usual}");
         /// The models give sensible results for a range of values only. `homebody parameters NAME` explains the parameter and its range.
         OutOfRange {
-            /// The name.
             name: String,
-            /// The value.
             value: f64,
             /// The unit, such as `m/s`; `1` for shares, factors and counts.
             unit: &'static str,
             /// The value that the model has without a setting.
             usual: f64,
-            /// The smallest value.
             least: f64,
-            /// The largest value.
             most: f64,
         } error "out-of-range" ("{name:?} must be from {least} to {most}, but is {value}{of_unit}", of_unit = shown(unit))
             hint ("give a value from {least} to {most}; the usual value is {usual}");
     }
 }
 
-/// A unit behind a value.
 fn shown(unit: &str) -> String {
     if unit == "1" { String::new() } else { format!(" {unit}") }
 }

@@ -5,14 +5,14 @@
 //! of it beforehand, and lives the same life.
 
 use crate::deed::{Deed, Failure, FromOutside};
-use crate::home::plan::Plan;
 use crate::ids::{ResidentId, SensorId, ThingId};
+use crate::nearest::{nearest, some_names, suggestion};
 use crate::numbers::Numbers;
+use crate::plan::Plan;
 use crate::problem::{Diagnose, MOST_PER_FILE, Problem, readable};
 use crate::problems::Problems;
 use crate::scenario::load::Scenario;
-use crate::scenario::nearest::{nearest, some_names, suggestion};
-use crate::time::{DAY, LONGEST, Micros, SECOND, micros};
+use crate::time::{DAY, LONGEST, RunTime, SECOND, Span};
 
 crate::numbers! {
     /// Time on the floor after a fall that a command from outside causes without a duration, as long as a routine's
@@ -22,18 +22,18 @@ crate::numbers! {
 }
 
 /// How long somebody lies who falls and of whom nobody says how long.
-pub fn usual_lie(numbers: &Numbers) -> Micros {
-    micros(numbers.of(&LIES_MIN) * 60.0)
+pub fn usual_lie(numbers: &Numbers) -> Span {
+    Span::from_seconds(numbers.of(&LIES_MIN) * 60.0)
 }
 
 /// Largest number of commands from outside in a run (our choice): a recording has all of them, and stays small.
 pub const MOST_DEEDS: usize = 10_000;
 
 /// Longest time that a person lies on the floor (our choice).
-const LONGEST_LIE: Micros = DAY;
+const LONGEST_LIE: Span = DAY;
 
 /// The least and the most between what a stuck sensor repeats.
-const REPEATS: std::ops::RangeInclusive<Micros> = SECOND / 10..=DAY;
+const REPEATS: std::ops::RangeInclusive<Span> = Span::from_millis(100)..=DAY;
 
 crate::messages! {
     /// Problems with actions from outside the home: a thing is used, a sensor fails, a resident falls.
@@ -42,57 +42,34 @@ crate::messages! {
         Unknown {
             /// The kind: `thing`, `sensor` or `resident`.
             kind: &'static str,
-            /// The name.
             name: String,
-            /// The most similar known name.
             nearest: Option<String>,
-            /// Some of the known names.
             known: Vec<String>,
         } error "unknown-name" ("there is no {kind} {name:?}")
             advice (suggestion(nearest, known));
         /// The time of an action in a recording is in microseconds since the start of the run.
-        NotInRun {
-            /// The time, in microseconds.
-            at_us: Micros,
-        } error "not-in-run" ("the time of the action, {at_us} µs, is outside the run")
+        NotInRun { at_us: RunTime } error "not-in-run" ("the time of the action, {at_us} µs, is outside the run")
             hint ("give at_us in microseconds since the start of the run");
         /// A fault of a sensor has an end after its begin, or lasts until the end of the run.
         EndsTooSoon error "fault-ends-too-soon" ("a fault must end after it begins")
             hint ("give a duration above 0, or no duration");
         /// A resident lies on the floor for a second at least and for a day at most.
-        LyingTime {
-            /// The time, in microseconds.
-            lies_us: Micros,
-        } error "lying-time" ("a resident cannot lie on the floor for {lies_us} µs")
+        LyingTime { lies_us: Span } error "lying-time" ("a resident cannot lie on the floor for {lies_us} µs")
             hint ("give a time from 1000000 µs (a second) to 86400000000 µs (a day)");
         /// The battery of a sensor fades for a time, and is empty then. With 0 it is empty at once.
-        BatteryFading {
-            /// The time, in microseconds.
-            fades_us: Micros,
-        } error "battery-fading" ("a battery cannot fade for {fades_us} µs")
+        BatteryFading { fades_us: Span } error "battery-fading" ("a battery cannot fade for {fades_us} µs")
             hint ("give a time from 0 to {LONGEST} µs, the longest run");
         /// A stuck sensor repeats its last message at intervals, or is silent.
-        RepeatInterval {
-            /// The interval, in microseconds.
-            every_us: Micros,
-        } error "repeat-interval" ("a stuck sensor cannot repeat its message every {every_us} µs")
+        RepeatInterval { every_us: Span }
+            error "repeat-interval" ("a stuck sensor cannot repeat its message every {every_us} µs")
             hint ("give an interval from 0.1 s to a day, or no interval for a silent sensor");
         /// A bad link loses a share of all messages, in millionths.
-        LostShare {
-            /// The share, in millionths.
-            lost_ppm: u32,
-        } error "lost-share" ("a link cannot lose {lost_ppm} of 1000000 messages")
+        LostShare { lost_ppm: u32 } error "lost-share" ("a link cannot lose {lost_ppm} of 1000000 messages")
             hint ("give a number from 0 to 1000000");
         /// A recording holds a limited number of actions from outside, and each costs time in a replay.
-        TooMany {
-            /// The largest number.
-            most: usize,
-        } error "too-many-actions" ("the recording has more than {most} actions from outside");
+        TooMany { most: usize } error "too-many-actions" ("the recording has more than {most} actions from outside");
         /// The thing is already in the state that the action asks for.
-        AlreadySo {
-            /// The state.
-            state: &'static str,
-        } error "already-so" ("the thing is already {state}")
+        AlreadySo { state: &'static str } error "already-so" ("the thing is already {state}")
             hint ("leave the action out");
         /// A resident falls where they are, so they have to be at home.
         NotAtHome error "not-at-home" ("the resident is not at home")
@@ -137,35 +114,35 @@ impl From<OutsideMessage> for Refusal {
 
 /// A deed with what it names found.
 #[derive(Clone, Debug, PartialEq)]
-pub(crate) enum Known {
+pub(crate) enum ResolvedDeed {
     Use { thing: ThingId, on: bool },
-    Fail { sensor: SensorId, failure: Failure, until: Option<Micros> },
-    Fall { resident: ResidentId, lies: Micros },
+    Fail { sensor: SensorId, failure: Failure, until: Option<RunTime> },
+    Fall { resident: ResidentId, lies: Span },
 }
 
-impl Known {
+impl ResolvedDeed {
     /// Finds what a deed names among what there is, and looks at its numbers.
-    pub fn of(
+    pub fn new(
         deed: &Deed,
-        at: Micros,
+        at: RunTime,
         plan: &Plan,
         sensors: &[&str],
         residents: &[&str],
-    ) -> Result<Known, OutsideMessage> {
+    ) -> Result<ResolvedDeed, OutsideMessage> {
         match deed {
             Deed::Use { thing, on } => {
                 let known = plan.things.iter().map(|thing| thing.name.as_str());
                 let index = plan.thing(thing).ok_or_else(|| OutsideMessage::unknown("thing", thing, known))?;
-                Ok(Known::Use { thing: ThingId::of(index), on: *on })
+                Ok(ResolvedDeed::Use { thing: ThingId::new(index), on: *on })
             }
             Deed::Fail { sensor, failure, until_us } => {
                 let index = sensors.iter().position(|known| known == sensor);
                 let index = index.ok_or_else(|| OutsideMessage::unknown("sensor", sensor, sensors.iter().copied()))?;
                 possible(*failure)?;
-                if until_us.is_some_and(|until| until <= at || until > 2 * LONGEST) {
+                if until_us.is_some_and(|until| until <= at || until.since_zero() > 2 * LONGEST) {
                     return Err(OutsideMessage::EndsTooSoon);
                 }
-                Ok(Known::Fail { sensor: SensorId::of(index), failure: *failure, until: *until_us })
+                Ok(ResolvedDeed::Fail { sensor: SensorId::new(index), failure: *failure, until: *until_us })
             }
             Deed::Fall { resident, lies_us } => {
                 let index = residents.iter().position(|known| known == resident);
@@ -174,7 +151,7 @@ impl Known {
                 if !(SECOND..=LONGEST_LIE).contains(lies_us) {
                     return Err(OutsideMessage::LyingTime { lies_us: *lies_us });
                 }
-                Ok(Known::Fall { resident: ResidentId::of(index), lies: *lies_us })
+                Ok(ResolvedDeed::Fall { resident: ResidentId::new(index), lies: *lies_us })
             }
         }
     }
@@ -182,7 +159,7 @@ impl Known {
 
 fn possible(failure: Failure) -> Result<(), OutsideMessage> {
     match failure {
-        Failure::Battery { fades_us } if !(0..=LONGEST).contains(&fades_us) => {
+        Failure::Battery { fades_us } if !(Span::ZERO..=LONGEST).contains(&fades_us) => {
             Err(OutsideMessage::BatteryFading { fades_us })
         }
         Failure::Stuck { every_us: Some(every_us) } if !REPEATS.contains(&every_us) => {
@@ -212,10 +189,10 @@ pub fn check(done: &[FromOutside], scenario: &Scenario, residents: &[String], fi
             let what = format!("action {} from outside: {}", number + 1, problem.what);
             problems.push(Problem::of_file(file, Problem { what, ..problem }, None));
         };
-        if !(0..=LONGEST).contains(at_us) {
+        if !(Span::ZERO..=LONGEST).contains(&at_us.since_zero()) {
             wrong(OutsideMessage::NotInRun { at_us: *at_us });
         }
-        if let Err(message) = Known::of(deed, *at_us, plan, &sensors, &residents) {
+        if let Err(message) = ResolvedDeed::new(deed, *at_us, plan, &sensors, &residents) {
             wrong(message);
         }
     }

@@ -220,7 +220,7 @@ impl Advice {
     }
 
     /// The advice of a message, which may be words alone.
-    pub fn of(advice: Option<impl Into<Advice>>) -> Option<Advice> {
+    pub fn from_option(advice: Option<impl Into<Advice>>) -> Option<Advice> {
         advice.map(Into::into)
     }
 

@@ -1,7 +1,7 @@
 //! Randomness from named streams only: a stream depends on the seed and its own name, never on what
 //! else there is, so adding a sensor or a resident changes no other's numbers.
 
-use crate::time::Micros;
+use crate::time::Span;
 use rand_chacha::ChaCha8Rng;
 use rand_core::{Rng, SeedableRng};
 use sha2::{Digest, Sha256};
@@ -20,12 +20,17 @@ impl Stream {
     /// A span between `range.least` and `range.most`, both possible, every microsecond equally likely.
     ///
     /// A range of one value draws nothing.
-    pub fn span(&mut self, range: Range) -> Micros {
+    pub fn span(&mut self, range: SpanRange) -> Span {
         if range.least == range.most {
             return range.least;
         }
-        let values = (range.most - range.least + 1) as u128;
-        range.least + ((self.0.next_u64() as u128 * values) >> 64) as Micros
+        let values = (range.most - range.least + Span::MICROSECOND).micros() as u128;
+        range.least + Span::from_micros(((self.0.next_u64() as u128 * values) >> 64) as i64)
+    }
+
+    /// A whole number below `count`, every one equally likely. Draws one value.
+    pub fn below(&mut self, count: u32) -> u32 {
+        ((u128::from(self.0.next_u64()) * u128::from(count)) >> 64) as u32
     }
 
     /// A number from 0 up to, but not including, 1, in steps of 2^-53. Draws one value.
@@ -184,17 +189,18 @@ const POISSON_BY_INVERSION: f64 = 256.0;
 
 /// A range of spans.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Range {
-    /// The shortest span, in microseconds.
-    pub least: Micros,
-    /// The longest span, in microseconds; drawn as often as any other.
-    pub most: Micros,
+pub struct SpanRange {
+    /// The shortest span.
+    pub least: Span,
+    /// The longest span; drawn as often as any other.
+    pub most: Span,
 }
 
-impl Range {
+impl SpanRange {
     /// A range as files write it, in seconds.
-    pub fn of_seconds(range: [f64; 2]) -> Range {
-        Range { least: crate::time::micros(range[0]), most: crate::time::micros(range[1]) }
+    pub fn from_seconds(range: [f64; 2]) -> SpanRange {
+        let [least, most] = range.map(Span::from_seconds);
+        SpanRange { least, most }
     }
 }
 
@@ -206,6 +212,7 @@ pub fn no_stream() -> Stream {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::time::SECOND;
 
     #[test]
     fn marks_are_spread_evenly_and_those_of_neighbours_have_nothing_in_common() {
@@ -226,8 +233,9 @@ mod tests {
     fn spans_fill_their_range_evenly_and_reach_both_ends() {
         let mut stream = Stream::named(7, "test");
         let mut counts = [0u32; 5];
+        let [least, most] = [10, 14].map(Span::from_micros);
         for _ in 0..50_000 {
-            counts[stream.span(Range { least: 10, most: 14 }) as usize - 10] += 1;
+            counts[(stream.span(SpanRange { least, most }) - least).micros() as usize] += 1;
         }
         assert!(counts.iter().all(|&count| (9_500..10_500).contains(&count)), "{counts:?}");
     }
@@ -350,7 +358,7 @@ mod tests {
 
     #[test]
     fn a_stream_depends_on_its_name_and_seed_alone() {
-        let draw = |seed, name: &str| Stream::named(seed, name).span(Range { least: 0, most: 1_000_000 });
+        let draw = |seed, name: &str| Stream::named(seed, name).span(SpanRange { least: Span::ZERO, most: SECOND });
         assert_eq!(draw(1, "sensor/a"), draw(1, "sensor/a"));
         assert_ne!(draw(1, "sensor/a"), draw(1, "sensor/b"));
         assert_ne!(draw(1, "sensor/a"), draw(2, "sensor/a"));

@@ -7,7 +7,7 @@ use crate::problem::Problems;
 use crate::run::{DriverProvider, Run};
 use crate::scenario::load::Scenario;
 pub use crate::time::LONGEST;
-use crate::time::Micros;
+use crate::time::Span;
 use serde::{Deserialize, Serialize};
 use sha2::{Digest, Sha256};
 use std::collections::BTreeMap;
@@ -24,8 +24,8 @@ pub struct Recording {
     pub files: BTreeMap<String, String>,
     /// The number that all randomness of the run comes from.
     pub seed: u64,
-    /// How long the run was, in microseconds.
-    pub length_us: Micros,
+    /// How long the run was.
+    pub length_us: Span,
     /// Conditions that the routines show, but this run does not.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub without: Vec<String>,
@@ -42,9 +42,9 @@ pub struct Recording {
     /// The id that the rows of the run have; None where it follows from the rest.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub run_id: Option<i64>,
-    /// How long it was to be, where it was stopped before, in microseconds.
+    /// How long it was to be, where it was stopped before.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub stopped_of_us: Option<Micros>,
+    pub stopped_of_us: Option<Span>,
     /// What was done to it from outside, in order of time.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub outside: Vec<FromOutside>,
@@ -64,7 +64,7 @@ fn is_false(value: &bool) -> bool {
 impl Recording {
     /// The recording of a run of a scenario that has not begun; `entry` is the name of the scenario's own file. It has all of
     /// its conditions and is no member of a cohort, unless that is said.
-    pub fn of(scenario: &Scenario, version: &str, entry: &str, seed: u64, length: Micros) -> Recording {
+    pub fn new(scenario: &Scenario, version: &str, entry: &str, seed: u64, length: Span) -> Recording {
         Recording {
             version: version.into(),
             entry: entry.into(),
@@ -156,7 +156,7 @@ impl RunDigest {
     /// Takes in further firings, in order of time.
     pub fn add(&mut self, firings: &[Firing]) {
         for firing in firings {
-            self.hash.update(firing.at.to_le_bytes());
+            self.hash.update(firing.at.micros().to_le_bytes());
             self.hash.update(firing.sensor.0.to_le_bytes());
             // Motion sensors have but one thing to say.
             if firing.value != Value::Fire {

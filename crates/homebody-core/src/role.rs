@@ -3,7 +3,7 @@
 //! The name of a piece implies its roles: a `couch` is a sofa. If `home.json` gives the piece a `role`, it has that role
 //! alone.
 
-use crate::scenario::path::Posture;
+use crate::posture::Posture;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 

@@ -6,21 +6,22 @@ use crate::drivers::error::{DriverError, DriverFault, MOST_ANSWERS, WALL_M};
 use crate::drivers::input::Input;
 use crate::drivers::live::{KeyTrack, LiveDriver};
 use crate::drivers::path::PathDriver;
-use crate::drivers::{Driver, MotionSegment, Next, Occupant, Surroundings};
-use crate::event::{Events, Fact, MotionState, ThingUse};
-use crate::home::plan::Plan;
-use crate::home::sun::Sun;
-use crate::home::{Build, Home};
+use crate::drivers::{Driver, Next, Occupant, Surroundings};
+use crate::event::{Events, Fact, ThingUse};
+use crate::home::Home;
 use crate::ids::{ResidentId, RoomId, SensorId, ThingId};
 use crate::link::{self, Link};
-use crate::outside::{Known, OutsideMessage, Refusal};
-use crate::scenario::link::Span;
+use crate::motion::{MotionSegment, MotionState};
+use crate::outside::{OutsideMessage, Refusal, ResolvedDeed};
+use crate::plan::Plan;
+use crate::plan::sun::Sun;
+use crate::resident::Build;
 use crate::scenario::load::{self, Scenario};
 use crate::scene::{Presence, Scene};
 use crate::sensor_set::SensorSet;
 use crate::sensors::Sensor;
 use crate::stride::Stride;
-use crate::time::{Micros, NEVER, SECOND};
+use crate::time::{HOUR, Interval, RunTime, Span};
 use crate::world::World;
 use std::borrow::Cow;
 use std::collections::VecDeque;
@@ -34,7 +35,7 @@ pub struct Run {
     /// By resident: who decides, what the body is doing, and what the truth knows of where it is.
     drivers: Vec<Box<dyn Driver>>,
     occupants: Vec<Occupant>,
-    told: Vec<Told>,
+    told: Vec<TruthSoFar>,
     /// By thing of the plan: who has turned it on, or opened it.
     users: Vec<Vec<ResidentId>>,
     /// By thing of the plan: whether it is on, or open, and whether that was done from outside.
@@ -42,7 +43,7 @@ pub struct Run {
     by_outside: Vec<bool>,
     /// Nothing where all that sensors say reaches the logger at once.
     link: Option<Box<Link>>,
-    length: Micros,
+    length: Span,
     seed: u64,
     /// What is still to be done from outside, in order of time.
     outside: VecDeque<FromOutside>,
@@ -52,12 +53,12 @@ pub struct Run {
 
 /// What the truth knows of a resident.
 #[derive(Clone, Debug, Default)]
-struct Told {
+struct TruthSoFar {
     room: Option<RoomId>,
     /// Whether any room was told yet.
     located: bool,
     /// Since when the body has been doing what it does: that is told when it ends. Before, all has been told.
-    since: Micros,
+    since: RunTime,
 }
 
 /// Who decides for those whose driver is not of this crate.
@@ -92,13 +93,13 @@ pub struct Guest {
 
 /// The bodies of all who live there, and then of those who come to visit.
 fn builds(scenario: &Scenario, guests: &[Guest]) -> Vec<Build> {
-    let residents = scenario.residents.iter().map(|resident| Build::of(&resident.file));
+    let residents = scenario.residents.iter().map(|resident| Build::new(&resident.file));
     residents.chain(guests.iter().map(|guest| guest.build)).collect()
 }
 
 impl Run {
     /// A run of a scenario from its start, `length` long.
-    pub fn new(scenario: &Scenario, drivers_of: &dyn DriverProvider, seed: u64, length: Micros) -> Run {
+    pub fn new(scenario: &Scenario, drivers_of: &dyn DriverProvider, seed: u64, length: Span) -> Run {
         let home = Arc::new(Run::home_of(scenario, &drivers_of.guests()));
         Run::in_home(home, scenario, drivers_of, seed, length)
     }
@@ -108,7 +109,7 @@ impl Run {
         let places = scenario.link.as_ref().map(|link| link::other_places(link, &scenario.home.sensors));
         let moved = places.map_or(Cow::Borrowed(&scenario.home), |more| Cow::Owned(scenario.home.with_sensors(more)));
         let mut home = Home::bake(&moved, &builds(scenario, guests));
-        home.sun = Sun::of(&scenario.calendar, scenario.home.latitude_deg);
+        home.sun = Sun::new(&scenario.calendar, scenario.home.latitude_deg);
         home
     }
 
@@ -118,7 +119,7 @@ impl Run {
         scenario: &Scenario,
         drivers_of: &dyn DriverProvider,
         seed: u64,
-        length: Micros,
+        length: Span,
     ) -> Run {
         let guests = drivers_of.guests();
         let builds = builds(scenario, &guests);
@@ -134,14 +135,20 @@ impl Run {
             given.or_else(own).unwrap_or_else(|| Box::new(Absent))
         });
         let drivers = drivers.collect();
-        let mut run = Run { link: link.map(Box::new), ..Run::of(home, builds, drivers, seed, length) };
+        let mut run = Run { link: link.map(Box::new), ..Run::from_drivers(home, builds, drivers, seed, length) };
         let names = scenario.residents.iter().map(|resident| resident.file.name.clone());
         run.names = names.chain(guests.into_iter().map(|guest| guest.name)).collect();
         run
     }
 
     /// A run of any drivers in a baked home.
-    pub fn of(home: Arc<Home>, builds: Vec<Build>, drivers: Vec<Box<dyn Driver>>, seed: u64, length: Micros) -> Run {
+    pub fn from_drivers(
+        home: Arc<Home>,
+        builds: Vec<Build>,
+        drivers: Vec<Box<dyn Driver>>,
+        seed: u64,
+        length: Span,
+    ) -> Run {
         let users = vec![Vec::new(); home.plan.things.len()];
         let on: Vec<bool> = home.plan.things.iter().map(|thing| thing.on).collect();
         let by_outside = vec![false; on.len()];
@@ -151,7 +158,7 @@ impl Run {
             world,
             names,
             occupants: builds.into_iter().map(Occupant::new).collect(),
-            told: vec![Told::default(); drivers.len()],
+            told: vec![TruthSoFar::default(); drivers.len()],
             drivers,
             users,
             on,
@@ -182,18 +189,22 @@ impl Run {
     }
 
     /// How far the run has come.
-    pub fn now(&self) -> Micros {
+    pub fn now(&self) -> RunTime {
         self.world.now()
     }
 
     /// The time up to which all firings have been told: how far the run has come, unless a sensor's clock is behind.
-    pub fn settled(&self) -> Micros {
+    pub fn settled(&self) -> RunTime {
         self.link.as_ref().map_or(self.now(), |link| link.settled(self.now()))
     }
 
     /// How long it is in all.
-    pub fn length(&self) -> Micros {
+    pub fn length(&self) -> Span {
         self.length
+    }
+
+    fn end(&self) -> RunTime {
+        RunTime::START + self.length
     }
 
     /// Who decides what a resident does.
@@ -211,15 +222,15 @@ impl Run {
                 room: self.told[resident.index()].room,
             })
         };
-        let all = (0..self.drivers.len()).map(ResidentId::of);
+        let all = (0..self.drivers.len()).map(ResidentId::new);
         let mut awake = SensorSet::default();
-        let sensors = (0..self.sensors().len()).map(SensorId::of);
+        let sensors = (0..self.sensors().len()).map(SensorId::new);
         sensors.filter(|&sensor| self.world.is_awake(sensor)).for_each(|sensor| awake.insert(sensor));
         Scene {
             now: self.now(),
             bodies: all.clone().map(body).collect(),
             seeing: all.fold(SensorSet::default(), |seeing, resident| seeing | self.world.seeing(resident)),
-            on: (0..self.on.len()).filter(|&thing| self.on[thing]).map(ThingId::of).collect(),
+            on: (0..self.on.len()).filter(|&thing| self.on[thing]).map(ThingId::new).collect(),
             awake,
         }
     }
@@ -252,7 +263,7 @@ impl Run {
     ///
     /// If a driver answers with what no body can do. The run has come to the instant at which it was asked, `events` has what
     /// happened before, and the run goes no further: it gives the same error from then on.
-    pub fn advance(&mut self, until: Micros, events: &mut Events) -> Result<(), DriverError> {
+    pub fn advance(&mut self, until: RunTime, events: &mut Events) -> Result<(), DriverError> {
         self.advance_within(until, usize::MAX, events)
     }
 
@@ -262,8 +273,8 @@ impl Run {
     /// # Errors
     ///
     /// As [`Run::advance`].
-    pub fn advance_within(&mut self, until: Micros, most: usize, events: &mut Events) -> Result<(), DriverError> {
-        let until = until.min(self.length);
+    pub fn advance_within(&mut self, until: RunTime, most: usize, events: &mut Events) -> Result<(), DriverError> {
+        let until = until.min(self.end());
         let mut link = self.link.take();
         let mut said = Events::default();
         while self.now() < until && self.failure.is_none() && events.len() < most {
@@ -285,7 +296,7 @@ impl Run {
             }
         }
         self.link = link;
-        if self.now() >= self.length || self.failure.is_some() {
+        if self.now() >= self.end() || self.failure.is_some() {
             events.facts.extend(self.under_way());
             let now = self.now();
             self.told.iter_mut().for_each(|told| told.since = now);
@@ -296,7 +307,7 @@ impl Run {
     /// What each resident's body has been doing until now that is not told yet, as movements that end now. At the end of the
     /// run there is none; for who stops a run before its end.
     pub fn under_way(&self) -> impl Iterator<Item = Fact> {
-        (0..self.drivers.len()).map(ResidentId::of).filter_map(|resident| self.movement(resident))
+        (0..self.drivers.len()).map(ResidentId::new).filter_map(|resident| self.movement(resident))
     }
 
     /// What a resident's body has been doing until now, unless that is told.
@@ -313,7 +324,7 @@ impl Run {
 
     /// Asks the drivers of all whose move is over what comes next.
     fn begin_due(&mut self, events: &mut Events) -> Result<(), DriverError> {
-        for resident in (0..self.drivers.len()).map(ResidentId::of) {
+        for resident in (0..self.drivers.len()).map(ResidentId::new) {
             if self.occupants[resident.index()].segment.end <= self.now() {
                 self.begin_next(resident, events).map_err(|fault| DriverError {
                     resident: self.names[resident.index()].clone(),
@@ -326,7 +337,7 @@ impl Run {
     }
 
     /// Lets the world go on until somebody's move is over, or `until`.
-    fn go_on(&mut self, until: Micros, events: &mut Events) {
+    fn go_on(&mut self, until: RunTime, events: &mut Events) {
         let next = self.occupants.iter().map(|occupant| occupant.segment.end).min();
         let done = self.outside.front().map_or(until, |first| first.at_us);
         self.world.advance(until.min(next.unwrap_or(until)).min(done), events);
@@ -342,8 +353,8 @@ impl Run {
         let mut run = Run { link: None, outside: VecDeque::new(), ..self.clone() };
         let mut moves = vec![Vec::new(); run.drivers.len()];
         let mut events = Events::default();
-        while run.now() < run.length {
-            run.advance(run.now() + 3600 * SECOND, &mut events)?;
+        while run.now() < run.end() {
+            run.advance(run.now() + HOUR, &mut events)?;
             for fact in events.facts.drain(..) {
                 if let Fact::Movement { resident, begin, end, doing, posture } = fact {
                     moves[resident.index()].push(MotionSegment { begin, end, doing, posture });
@@ -363,7 +374,7 @@ impl Run {
         let next = loop {
             let around = Surroundings::new(now, resident, &self.world.home().plan, &self.occupants, &self.on);
             let answer = self.drivers[resident.index()].next(&around);
-            DriverFault::of(&answer, now, here, things).map_or(Ok(()), Err)?;
+            DriverFault::in_answer(&answer, now, here, things).map_or(Ok(()), Err)?;
             match answer {
                 Next::Activity(name) => {
                     events.facts.push(Fact::Activity { resident, at: now, name });
@@ -404,23 +415,23 @@ impl Run {
     /// no falls.
     pub fn can_be_done(&self, deed: &Deed) -> Result<(), Refusal> {
         match self.known(self.now(), deed)? {
-            Known::Use { thing, on } if self.will_be_on(thing) == on => {
+            ResolvedDeed::Use { thing, on } if self.will_be_on(thing) == on => {
                 let state = if on { "open or on" } else { "closed or off" };
                 Err(OutsideMessage::AlreadySo { state }.into())
             }
-            Known::Fall { resident, lies } => self.can_fall(resident, lies),
+            ResolvedDeed::Fall { resident, lies } => self.can_fall(resident, lies),
             _ => Ok(()),
         }
     }
 
-    fn known(&self, at: Micros, deed: &Deed) -> Result<Known, OutsideMessage> {
+    fn known(&self, at: RunTime, deed: &Deed) -> Result<ResolvedDeed, OutsideMessage> {
         let sensors: Vec<&str> = self.sensors().iter().map(|sensor| sensor.name.as_str()).collect();
         let names = self.names();
         let names: Vec<&str> = names.iter().map(String::as_str).collect();
-        Known::of(deed, at, &self.home().plan, &sensors, &names)
+        ResolvedDeed::new(deed, at, &self.home().plan, &sensors, &names)
     }
 
-    fn can_fall(&self, resident: ResidentId, lies: Micros) -> Result<(), Refusal> {
+    fn can_fall(&self, resident: ResidentId, lies: Span) -> Result<(), Refusal> {
         let around = self.surroundings(resident);
         if around.body().is_none() {
             return Err(OutsideMessage::NotAtHome.into());
@@ -454,7 +465,7 @@ impl Run {
         let Ok(known) = self.known(now, &deed) else { return };
         events.facts.push(Fact::Outside { at: now, deed });
         match known {
-            Known::Use { thing, on } => {
+            ResolvedDeed::Use { thing, on } => {
                 // Nobody who lives there has it in use.
                 self.users[thing.index()].clear();
                 self.by_outside[thing.index()] = true;
@@ -465,13 +476,13 @@ impl Run {
                     self.world.act(None, act);
                 }
             }
-            Known::Fail { sensor, failure, until } => {
+            ResolvedDeed::Fail { sensor, failure, until } => {
                 let link = link.get_or_insert_with(|| Box::new(self.perfect_link()));
                 let name = &self.world.home().sensors[sensor.index()].name;
-                let until = until.unwrap_or(NEVER);
-                link.fails(sensor, failure, Span { begin: now, end: until }, name, self.seed);
+                let span = Interval::new(now, until.unwrap_or(RunTime::NEVER));
+                link.fails(sensor, failure, span, name, self.seed);
             }
-            Known::Fall { resident, lies } => self.fall(resident, lies, events),
+            ResolvedDeed::Fall { resident, lies } => self.fall(resident, lies, events),
         }
     }
 
@@ -483,7 +494,7 @@ impl Run {
     }
 
     /// Somebody falls where they are: what their body was doing ends now.
-    fn fall(&mut self, resident: ResidentId, lies: Micros, events: &mut Events) {
+    fn fall(&mut self, resident: ResidentId, lies: Span, events: &mut Events) {
         let now = self.now();
         let cut = self.occupants[resident.index()].segment.until(now);
         let here = cut.to();
@@ -499,7 +510,7 @@ impl Run {
 
     /// A resident uses a thing. What several have turned on goes off with the last of them; what somebody else has left on,
     /// anybody turns off.
-    fn act(&mut self, resident: ResidentId, act: ThingUse, now: Micros, events: &mut Events) {
+    fn act(&mut self, resident: ResidentId, act: ThingUse, now: RunTime, events: &mut Events) {
         let users = &mut self.users[act.thing.index()];
         let was_on = !users.is_empty();
         if act.on {
@@ -528,7 +539,7 @@ impl Run {
         &self,
         resident: ResidentId,
         next: &MotionSegment,
-    ) -> Result<Vec<(Micros, Option<usize>)>, DriverFault> {
+    ) -> Result<Vec<(RunTime, Option<usize>)>, DriverFault> {
         let plan = &self.home().plan;
         let before = self.occupants[resident.index()].segment.to();
         // Mostly the room stays the same, which needs no search.
@@ -555,11 +566,11 @@ impl Run {
     }
 
     /// Tells the truth which rooms a resident comes through.
-    fn tell_rooms(&mut self, resident: ResidentId, rooms: Vec<(Micros, Option<usize>)>, events: &mut Events) {
-        let Told { room, located, .. } = &mut self.told[resident.index()];
-        let length = self.length;
-        for (at, new) in rooms.into_iter().filter(|&(at, _)| at < length) {
-            let new = new.map(RoomId::of);
+    fn tell_rooms(&mut self, resident: ResidentId, rooms: Vec<(RunTime, Option<usize>)>, events: &mut Events) {
+        let end = self.end();
+        let TruthSoFar { room, located, .. } = &mut self.told[resident.index()];
+        for (at, new) in rooms.into_iter().filter(|&(at, _)| at < end) {
+            let new = new.map(RoomId::new);
             if !*located || *room != new {
                 (*located, *room) = (true, new);
                 events.facts.push(Fact::Room { resident, at, room: new });
@@ -569,14 +580,14 @@ impl Run {
 }
 
 /// The driver that a resident's files ask for, if this crate knows it.
-fn driver(resident: &load::Resident, plan: &Plan, start_of_day: Micros) -> Option<Box<dyn Driver>> {
+fn driver(resident: &load::Resident, plan: &Plan, start_of_day: Span) -> Option<Box<dyn Driver>> {
     let load::Resident { file, driver } = resident;
     match driver {
-        load::Driver::Path(path) => Some(Box::new(PathDriver::new(path, start_of_day))),
-        load::Driver::Live { input, start } => {
+        load::ResidentDriver::Path(path) => Some(Box::new(PathDriver::new(path, start_of_day))),
+        load::ResidentDriver::Live { input, start } => {
             let keys = KeyTrack::written(input, plan);
             Some(Box::new(LiveDriver::new(plan, *start, file.radius_m, file.pace_mps, keys)))
         }
-        load::Driver::Routine { .. } | load::Driver::Script { .. } => None,
+        load::ResidentDriver::Routine { .. } | load::ResidentDriver::Script { .. } => None,
     }
 }

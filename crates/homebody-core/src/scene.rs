@@ -2,15 +2,15 @@
 
 use crate::geometry::Point;
 use crate::ids::{RoomId, ThingId};
-use crate::scenario::path::Posture;
+use crate::posture::Posture;
 use crate::sensor_set::SensorSet;
-use crate::time::Micros;
+use crate::time::RunTime;
 
 /// A run at the instant that it has come to.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Scene {
-    /// The instant, in microseconds since the run's start.
-    pub now: Micros,
+    /// The instant.
+    pub now: RunTime,
     /// By resident; nothing for those who are out.
     pub bodies: Vec<Option<Presence>>,
     /// The sensors that see somebody move; also those of places that a sensor is moved to in the course of the run.

@@ -38,7 +38,7 @@ impl SensorSet {
 
     /// Its sensors, in the order of their ids.
     pub fn iter(&self) -> impl Iterator<Item = SensorId> {
-        let of_block = |(block, &mask)| bits(mask).map(move |number| SensorId::of(block * BLOCK + number));
+        let of_block = |(block, &mask)| bits(mask).map(move |number| SensorId::new(block * BLOCK + number));
         self.blocks.iter().enumerate().flat_map(of_block)
     }
 }

@@ -4,7 +4,7 @@
 //! beginning gives. It holds for as long as seed, scenario and the input before its instant are the same: whoever changes one
 //! of these begins with none, or forgets those after the change.
 
-use crate::time::Micros;
+use crate::time::{RunTime, Span};
 
 /// Largest number of copies (our choice): with thinning, going back costs at most an eighth of the way.
 pub const MOST: usize = 16;
@@ -13,19 +13,19 @@ pub const MOST: usize = 16;
 #[derive(Clone, Debug)]
 pub struct Snapshots<T> {
     /// In order of their instants; never more than [`MOST`].
-    kept: Vec<(Micros, T)>,
-    /// At least so far apart, in microseconds; it doubles whenever there would be too many.
-    every: Micros,
+    kept: Vec<(RunTime, T)>,
+    /// At least so far apart; it doubles whenever there would be too many.
+    every: Span,
 }
 
 impl<T> Snapshots<T> {
-    /// None yet; at first they are to be `every` microseconds apart.
-    pub fn new(every: Micros) -> Snapshots<T> {
-        Snapshots { kept: Vec::new(), every: every.max(1) }
+    /// None yet; at first they are to be `every` apart.
+    pub fn new(every: Span) -> Snapshots<T> {
+        Snapshots { kept: Vec::new(), every: every.max(Span::MICROSECOND) }
     }
 
     /// Keeps a copy of the state that has come to `at`, if it is time for one: it is made only then.
-    pub fn keep(&mut self, at: Micros, copy: impl FnOnce() -> T) {
+    pub fn keep(&mut self, at: RunTime, copy: impl FnOnce() -> T) {
         if self.kept.len() == MOST && self.is_time(at) {
             self.every = self.every.saturating_mul(2);
             let mut number = 0;
@@ -39,18 +39,18 @@ impl<T> Snapshots<T> {
         }
     }
 
-    fn is_time(&self, at: Micros) -> bool {
+    fn is_time(&self, at: RunTime) -> bool {
         self.kept.last().is_none_or(|(last, _)| at >= last.saturating_add(self.every))
     }
 
     /// The latest copy that is not after an instant; `None` if all are.
-    pub fn nearest_before(&self, at: Micros) -> Option<&T> {
+    pub fn nearest_before(&self, at: RunTime) -> Option<&T> {
         let later = self.kept.partition_point(|(kept, _)| *kept <= at);
         self.kept[..later].last().map(|(_, state)| state)
     }
 
     /// Forgets the copies after an instant, from which on all goes another way.
-    pub fn forget_after(&mut self, at: Micros) {
+    pub fn forget_after(&mut self, at: RunTime) {
         self.kept.retain(|(kept, _)| *kept <= at);
     }
 }
@@ -59,24 +59,28 @@ impl<T> Snapshots<T> {
 mod tests {
     use super::*;
 
-    fn instants(snapshots: &Snapshots<Micros>) -> Vec<Micros> {
-        snapshots.kept.iter().map(|(at, _)| *at).collect()
+    fn at(micros: i64) -> RunTime {
+        RunTime::from_micros(micros)
+    }
+
+    fn instants(snapshots: &Snapshots<i64>) -> Vec<i64> {
+        snapshots.kept.iter().map(|(at, _)| at.micros()).collect()
     }
 
     #[test]
     fn copies_are_few_and_evenly_spread_however_long_it_is() {
-        let mut snapshots = Snapshots::new(10);
+        let mut snapshots = Snapshots::new(Span::from_micros(10));
         let mut made = 0;
         for now in 0..100_000 {
-            snapshots.keep(now, || {
+            snapshots.keep(at(now), || {
                 made += 1;
                 now
             });
             let kept = instants(&snapshots);
             assert!(kept.len() <= MOST && kept[0] == 0);
-            let gaps: Vec<Micros> = kept.windows(2).map(|pair| pair[1] - pair[0]).collect();
+            let gaps: Vec<i64> = kept.windows(2).map(|pair| pair[1] - pair[0]).collect();
             assert!(gaps.iter().all(|&gap| gap == gaps[0]), "{kept:?}");
-            let behind = now - snapshots.nearest_before(now).unwrap();
+            let behind = now - snapshots.nearest_before(at(now)).unwrap();
             assert!(behind <= (now / 8).max(10), "{behind} at {now}");
         }
         assert!(made < 150, "{made} copies were made");
@@ -84,21 +88,22 @@ mod tests {
 
     #[test]
     fn the_nearest_before_is_never_after() {
-        let mut snapshots = Snapshots::new(10);
-        assert_eq!(snapshots.nearest_before(Micros::MAX), None);
+        let mut snapshots = Snapshots::new(Span::from_micros(10));
+        assert_eq!(snapshots.nearest_before(RunTime::MAX), None);
         for now in [5, 14, 15, 30] {
-            snapshots.keep(now, || now);
+            snapshots.keep(at(now), || now);
         }
         assert_eq!(instants(&snapshots), [5, 15, 30]);
-        for (at, nearest) in [(4, None), (5, Some(5)), (14, Some(5)), (15, Some(15)), (29, Some(15)), (999, Some(30))] {
-            assert_eq!(snapshots.nearest_before(at).copied(), nearest, "{at}");
+        for (when, nearest) in [(4, None), (5, Some(5)), (14, Some(5)), (15, Some(15)), (29, Some(15)), (999, Some(30))]
+        {
+            assert_eq!(snapshots.nearest_before(at(when)).copied(), nearest, "{when}");
         }
         // Who has gone back keeps nothing twice.
-        snapshots.keep(20, || 20);
+        snapshots.keep(at(20), || 20);
         assert_eq!(instants(&snapshots), [5, 15, 30]);
-        snapshots.forget_after(15);
-        snapshots.keep(25, || 26);
+        snapshots.forget_after(at(15));
+        snapshots.keep(at(25), || 26);
         assert_eq!(instants(&snapshots), [5, 15, 25]);
-        assert_eq!(snapshots.nearest_before(25), Some(&26));
+        assert_eq!(snapshots.nearest_before(at(25)), Some(&26));
     }
 }

@@ -1,7 +1,8 @@
 //! A straight movement at constant speed.
 
 use crate::geometry::Point;
-use crate::time::{Micros, SECOND};
+use crate::time::{RunTime, SECOND, Span};
+use std::ops::RangeInclusive;
 
 /// A straight movement at constant speed from one instant to another.
 ///
@@ -13,10 +14,10 @@ pub struct Stride {
     pub from: Point,
     /// Where it ends, in metres.
     pub to: Point,
-    /// When it begins, in microseconds since the run's start.
-    pub begin: Micros,
+    /// When it begins.
+    pub begin: RunTime,
     /// When it ends, later than it begins.
-    pub end: Micros,
+    pub end: RunTime,
     /// Metres per microsecond.
     pub(crate) velocity: Point,
     /// Microseconds per metre along each axis; infinite where it stays.
@@ -25,19 +26,19 @@ pub struct Stride {
 
 impl Stride {
     /// A stride; `end` is after `begin`.
-    pub fn new(from: Point, to: Point, begin: Micros, end: Micros) -> Stride {
-        let velocity = (to - from) / (end - begin) as f64;
+    pub fn new(from: Point, to: Point, begin: RunTime, end: RunTime) -> Stride {
+        let velocity = (to - from) / (end - begin).micros() as f64;
         Stride { from, to, begin, end, velocity, slowness: velocity.abs().recip() }
     }
 
     /// Where the body is at an instant of the stride.
-    pub fn position(&self, at: Micros) -> Point {
-        self.from + self.velocity * (at - self.begin) as f64
+    pub fn position(&self, at: RunTime) -> Point {
+        self.from + self.velocity * (at - self.begin).micros() as f64
     }
 
     /// Metres per second.
     pub fn speed_mps(&self) -> f64 {
-        self.velocity.length() * SECOND as f64
+        self.velocity.length() * SECOND.micros() as f64
     }
 
     /// The first instant not before `after` at which a body of this radius touches the beam; nothing
@@ -46,7 +47,7 @@ impl Stride {
     /// The body's centre against the beam is a point against a capsule: it is entered through the
     /// strip's side, or through the disc at the beam's start or end. The capsule is convex, so exactly one
     /// applies, and it is left once only.
-    pub fn first_touch(&self, beam: &Beam, radius: f64, after: Micros) -> Option<Micros> {
+    pub fn first_touch(&self, beam: &Beam, radius: f64, after: RunTime) -> Option<RunTime> {
         let radius = radius + GRAZING_M;
         if beam.is_within(self.position(after), radius) {
             return Some(after);
@@ -71,28 +72,28 @@ impl Stride {
         self.not_before(enter_disc(centre, self.velocity, radius)?, after)
     }
 
-    /// The span in which the centre is within `radius` of `point`, closed, as instants that may lie
+    /// The span in which the centre is within `radius` of `point`, as instants that may lie
     /// outside the stride.
-    pub(crate) fn span_within(&self, point: Point, radius: f64) -> Option<(Micros, Micros)> {
+    pub(crate) fn span_within(&self, point: Point, radius: f64) -> Option<RangeInclusive<RunTime>> {
         let start = self.from - point;
         let a = self.velocity.length_squared();
         let b = start.dot(self.velocity);
         let c = start.length_squared() - radius * radius;
         if a == 0.0 {
-            return (c <= 0.0).then_some((self.begin, self.end));
+            return (c <= 0.0).then_some(self.begin..=self.end);
         }
         let root = b * b - a * c;
         if root < 0.0 {
             return None;
         }
         let root = libm::sqrt(root);
-        let instant = |t: f64| self.begin.saturating_add(t as Micros);
-        Some((instant(libm::ceil((-b - root) / a)), instant(libm::floor((-b + root) / a))))
+        let instant = |t: f64| self.begin.saturating_add(Span::from_micros(t as i64));
+        Some(instant(libm::ceil((-b - root) / a))..=instant(libm::floor((-b + root) / a)))
     }
 
     /// `after_begin` microseconds as an instant, unless it lies before `after`.
-    fn not_before(&self, after_begin: f64, after: Micros) -> Option<Micros> {
-        let at = self.begin.saturating_add(libm::ceil(after_begin) as Micros);
+    fn not_before(&self, after_begin: f64, after: RunTime) -> Option<RunTime> {
+        let at = self.begin.saturating_add(Span::from_micros(libm::ceil(after_begin) as i64));
         (at >= after).then_some(at)
     }
 }
@@ -153,7 +154,7 @@ pub(crate) fn touches(beam: &Beam, p: Point, radius: f64) -> bool {
 mod tests {
     use super::*;
     use crate::geometry;
-    use crate::random::{Range, Stream};
+    use crate::random::{SpanRange, Stream};
 
     /// Along the x axis from the origin to 4.
     const BEAM: Beam = Beam { start: Point::ZERO, direction: Point::X, length: 4.0, number: 0 };
@@ -162,81 +163,84 @@ mod tests {
     /// A stride at 1 m/s from instant 0 on.
     fn stride(from: (f64, f64), to: (f64, f64)) -> Stride {
         let (from, to) = (Point::from(from), Point::from(to));
-        Stride::new(from, to, 0, crate::time::micros(from.distance(to)))
+        Stride::new(from, to, RunTime::START, RunTime::START + Span::from_seconds(from.distance(to)))
     }
 
-    fn touch(from: (f64, f64), to: (f64, f64), after: Micros) -> Option<Micros> {
-        stride(from, to).first_touch(&BEAM, RADIUS_M, after)
+    fn touch(from: (f64, f64), to: (f64, f64)) -> Option<Span> {
+        stride(from, to).first_touch(&BEAM, RADIUS_M, RunTime::START).map(RunTime::since_zero)
     }
 
     #[test]
     fn a_beam_is_entered_at_its_side() {
         // 1.25 m from the beam, a radius of 0.25: after 1 m.
-        assert_eq!(touch((2.0, -1.25), (2.0, 0.75), 0), Some(SECOND));
-        assert_eq!(touch((2.0, 1.25), (2.0, -0.75), 0), Some(SECOND));
+        assert_eq!(touch((2.0, -1.25), (2.0, 0.75)), Some(SECOND));
+        assert_eq!(touch((2.0, 1.25), (2.0, -0.75)), Some(SECOND));
         // Down at 3 in 5: 1.5 m are 0.9 m down, from 1.15 to 0.25, and 1.2 m along.
-        assert_eq!(touch((1.0, 1.15), (5.0, -1.85), 0), Some(1_500_000));
+        assert_eq!(touch((1.0, 1.15), (5.0, -1.85)), Some(Span::from_millis(1_500)));
     }
 
     #[test]
     fn a_beam_is_entered_at_its_end() {
-        assert_eq!(touch((6.25, 0.0), (0.0, 0.0), 0), Some(2 * SECOND));
+        assert_eq!(touch((6.25, 0.0), (0.0, 0.0)), Some(2 * SECOND));
         // 0.15 off the axis the disc of 0.25 begins 0.2 before its middle.
-        assert_eq!(touch((6.2, 0.15), (1.2, 0.15), 0), Some(2 * SECOND));
+        assert_eq!(touch((6.2, 0.15), (1.2, 0.15)), Some(2 * SECOND));
         // Straight at the end from 1.5 m: 1.25 m to go; the side would be reached beyond the end, at x = 4.1875.
-        assert_eq!(touch((4.9, 1.2), (4.0, 0.0), 0), Some(1_250_000));
+        assert_eq!(touch((4.9, 1.2), (4.0, 0.0)), Some(Span::from_millis(1_250)));
     }
 
     #[test]
     fn a_beam_is_entered_at_its_start() {
-        assert_eq!(touch((-1.25, 0.0), (3.0, 0.0), 0), Some(SECOND));
-        assert_eq!(touch((-1.2, -0.15), (3.8, -0.15), 0), Some(SECOND));
-        assert_eq!(touch((-0.9, -1.2), (0.0, 0.0), 0), Some(1_250_000));
+        assert_eq!(touch((-1.25, 0.0), (3.0, 0.0)), Some(SECOND));
+        assert_eq!(touch((-1.2, -0.15), (3.8, -0.15)), Some(SECOND));
+        assert_eq!(touch((-0.9, -1.2), (0.0, 0.0)), Some(Span::from_millis(1_250)));
     }
 
     #[test]
     fn a_parallel_stride_touches_within_the_strip_alone() {
-        assert_eq!(touch((6.0, 0.26), (-2.0, 0.26), 0), None);
-        assert_eq!(touch((-2.0, -0.26), (6.0, -0.26), 0), None);
+        assert_eq!(touch((6.0, 0.26), (-2.0, 0.26)), None);
+        assert_eq!(touch((-2.0, -0.26), (6.0, -0.26)), None);
         // Within, but going away.
-        assert_eq!(touch((5.0, 0.1), (7.0, 0.1), 0), None);
-        assert_eq!(touch((-1.0, 0.1), (-3.0, 0.1), 0), None);
+        assert_eq!(touch((5.0, 0.1), (7.0, 0.1)), None);
+        assert_eq!(touch((-1.0, 0.1), (-3.0, 0.1)), None);
     }
 
     #[test]
     fn grazing_is_a_touch() {
         // Within 1e-9 m of touching counts: on a circle of 0.25 m that begins sqrt(2 * 0.25 * 1e-9) = 2.2e-5 m before.
-        let graze = |touched: Option<Micros>| touched.is_some_and(|at| (SECOND - 24..=SECOND).contains(&at));
-        assert!(graze(touch((4.25, -1.0), (4.25, 1.0), 0)));
-        assert!(graze(touch((5.0, 0.25), (2.0, 0.25), 0)));
-        assert_eq!(touch((4.250_01, -1.0), (4.250_01, 1.0), 0), None);
-        assert_eq!(touch((5.0, 0.250_01), (2.0, 0.250_01), 0), None);
+        let graze =
+            |touched: Option<Span>| touched.is_some_and(|at| (SECOND - Span::from_micros(24)..=SECOND).contains(&at));
+        assert!(graze(touch((4.25, -1.0), (4.25, 1.0))));
+        assert!(graze(touch((5.0, 0.25), (2.0, 0.25))));
+        assert_eq!(touch((4.250_01, -1.0), (4.250_01, 1.0)), None);
+        assert_eq!(touch((5.0, 0.250_01), (2.0, 0.250_01)), None);
     }
 
     #[test]
     fn a_touch_is_not_before_the_instant_asked_for() {
         // Touched from 1 s, 0.25 m before the beam, to 1.5 s, 0.25 m behind it.
-        let asked = |after| touch((2.0, -1.25), (2.0, 2.75), after);
-        assert_eq!(asked(999_999), Some(SECOND));
-        assert_eq!(asked(SECOND), Some(SECOND));
+        let stride = stride((2.0, -1.25), (2.0, 2.75));
+        let asked = |after| stride.first_touch(&BEAM, RADIUS_M, RunTime::from_micros(after)).map(RunTime::micros);
+        assert_eq!(asked(999_999), Some(1_000_000));
+        assert_eq!(asked(1_000_000), Some(1_000_000));
         assert_eq!(asked(1_234_567), Some(1_234_567));
         assert_eq!(asked(1_500_000), Some(1_500_000));
         assert_eq!(asked(1_500_001), None);
-        assert_eq!(asked(3 * SECOND), None);
+        assert_eq!(asked(3_000_000), None);
     }
 
     #[test]
     fn the_end_of_a_stride_does_not_limit_the_answer() {
-        assert_eq!(touch((2.0, -1.25), (2.0, -1.0), 0), Some(SECOND));
+        assert_eq!(touch((2.0, -1.25), (2.0, -1.0)), Some(SECOND));
     }
 
     #[test]
     fn a_stride_without_length_touches_what_it_stands_on() {
+        let middle = RunTime::START + SECOND / 2;
         let still = |y| {
             let at = Point::new(2.0, y);
-            Stride::new(at, at, 0, SECOND).first_touch(&BEAM, RADIUS_M, 500_000)
+            Stride::new(at, at, RunTime::START, RunTime::START + SECOND).first_touch(&BEAM, RADIUS_M, middle)
         };
-        assert_eq!(still(0.2), Some(500_000));
+        assert_eq!(still(0.2), Some(middle));
         assert_eq!(still(0.3), None);
     }
 
@@ -247,7 +251,7 @@ mod tests {
         const WIDTH_M: f64 = 1e-12;
         let mut stream = Stream::named(1, "strides");
         let mut between = |least: f64, most: f64| {
-            least + (most - least) * stream.span(Range { least: 0, most: 1_000_000 }) as f64 / 1e6
+            least + (most - least) * stream.span(SpanRange { least: Span::ZERO, most: SECOND }).micros() as f64 / 1e6
         };
         let (mut touched, mut missed, mut at_once) = (0, 0, 0);
         for case in 0..8_000 {
@@ -264,22 +268,27 @@ mod tests {
                 number: 0,
             };
             let radius = between(0.05, 0.4);
-            let begin = between(0.0, 1e9) as Micros;
-            let end = begin + (between(0.2, 4.0) * 1e6) as Micros;
-            let after = begin + if case % 5 == 0 { ((end - begin) as f64 * between(0.0, 1.0)) as Micros } else { 0 };
+            let begin = RunTime::from_micros(between(0.0, 1e9) as i64);
+            let length = Span::from_micros((between(0.2, 4.0) * 1e6) as i64);
+            let end = begin + length;
+            let late = if case % 5 == 0 { (length.micros() as f64 * between(0.0, 1.0)) as i64 } else { 0 };
+            let after = begin + Span::from_micros(late);
             let stride = Stride::new(from, to, begin, end);
-            let away = |at: Micros| {
-                let share = (at - begin) as f64 / (end - begin) as f64;
+            let away = |at: RunTime| {
+                let share = (at - begin).ratio(length);
                 geometry::distance_to_segment(from + (to - from) * share, beam.start, beam.end()) - radius - GRAZING_M
             };
             let found = stride.first_touch(&beam, radius, after);
-            let first = (after..=end).step_by(1000).find(|&at| away(at) <= -WIDTH_M);
+            let first = (after.micros()..=end.micros())
+                .step_by(1000)
+                .map(RunTime::from_micros)
+                .find(|&at| away(at) <= -WIDTH_M);
             let what =
                 || format!("case {case}: {stride:?} {beam:?} {radius} after {after}: {found:?}, samples {first:?}");
             match found.filter(|&at| at <= end) {
                 Some(at) => {
                     assert!(away(at) <= WIDTH_M, "{}", what());
-                    assert!(at == after || away(at - 1) > -WIDTH_M, "{}", what());
+                    assert!(at == after || away(at - Span::MICROSECOND) > -WIDTH_M, "{}", what());
                     assert!(first.is_none_or(|first| at <= first), "{}", what());
                     touched += 1;
                     at_once += u32::from(at == after);
@@ -298,9 +307,10 @@ mod tests {
 
     #[test]
     fn the_span_within_a_circle_is_closed_and_in_whole_microseconds() {
+        let at = |millis| RunTime::START + Span::from_millis(millis);
         // A chord at 0.6 of a circle of 1: 0.8 to either side of x = 2.
         let stride = stride((0.0, 0.6), (1.0, 0.6));
-        assert_eq!(stride.span_within(Point::new(2.0, 0.0), 1.0), Some((1_200_000, 2_800_000)));
+        assert_eq!(stride.span_within(Point::new(2.0, 0.0), 1.0), Some(at(1_200)..=at(2_800)));
         assert_eq!(stride.span_within(Point::new(2.0, 0.0), 0.5), None);
     }
 

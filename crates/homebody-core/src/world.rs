@@ -9,24 +9,25 @@
 //! its end belongs to the next. At one instant, touching and being told come before timers.
 
 use crate::body::figure::Stature;
-use crate::drivers::MotionSegment;
-use crate::event::{Events, Fact, Firing, Frame, MotionState, Provenance, ThingUse, Trigger, Value, Vitals};
+use crate::event::{Events, Fact, Firing, Frame, Provenance, ThingUse, Trigger, Value, Vitals};
 use crate::geometry::Point;
 use crate::home::Home;
-use crate::home::field::{self, Cell, Field};
+use crate::home::field::{Field, FieldCell};
 use crate::ids::{ResidentId, SensorId};
+use crate::motion::{MotionSegment, MotionState};
+use crate::posture::Posture;
 use crate::random::{Marks, Stream};
-use crate::scenario::path::Posture;
+use crate::resident::BodySize;
 use crate::sensor_set::{BLOCK, BLOCKS, Mask, SensorSet, bit, bits, blocks};
-use crate::sensors::device::Device;
-use crate::sensors::motion::{Level, Motion};
-use crate::sensors::notice::{Chance, Look};
+use crate::sensors::kinds::SensorDevice;
+use crate::sensors::motion::{DetectionLevel, Motion};
+use crate::sensors::notice::{Glance, NoticeChance};
 use crate::sensors::outbox::{Change, DeviceModel, Outbox};
-use crate::sensors::timing::{Machine, Seen, TimerOutcome};
+use crate::sensors::timing::{Machine, Sighting, TimerOutcome};
 use crate::sensors::zones::Pulses;
-use crate::sensors::{Kind, Sensor};
+use crate::sensors::{Sensor, SensorKind};
 use crate::stride::Stride;
-use crate::time::Micros;
+use crate::time::{RunTime, Span};
 use crate::timers::Timers;
 use std::ops::RangeInclusive;
 use std::sync::Arc;
@@ -35,19 +36,18 @@ use std::sync::Arc;
 #[derive(Clone, Debug)]
 pub struct World {
     home: Arc<Home>,
-    now: Micros,
-    bodies: Vec<Body>,
+    now: RunTime,
+    bodies: Vec<TrackedBody>,
     machines: Vec<Machine>,
     /// The sensors that are told what happens, by sensor, with what they have said now and not yet sent; the others look
     /// for movement.
-    devices: Vec<Option<(Device, Outbox)>>,
+    devices: Vec<Option<(SensorDevice, Outbox)>>,
     /// The numbers of those that are told, and of those of them that want to be told what bodies do.
     told: Vec<usize>,
     feeling: Vec<usize>,
     /// Those that see bodies, however light; and by sensor, those that it wakes.
     watching: Vec<usize>,
     wakes: Vec<Vec<usize>>,
-    /// How many blocks of sensors there are.
     blocks: usize,
     /// By block: those whose machine wants to be told of movement.
     want: [Mask; BLOCKS],
@@ -55,7 +55,7 @@ pub struct World {
     /// By sensor: whether it takes any change in a beam for movement.
     plain: Vec<bool>,
     /// By sensor: its looks, if it does not notice all.
-    looks: Vec<Option<(Chance, Marks)>>,
+    looks: Vec<Option<(NoticeChance, Marks)>>,
     /// What sensors that count pulses have counted, in the order of these sensors.
     pulses: Vec<Pulses>,
     seq: u64,
@@ -75,7 +75,7 @@ crate::numbers! {
 
 /// What a body is doing; it faces the way of its last stride.
 #[derive(Clone, Debug)]
-struct Body {
+struct TrackedBody {
     posture: Posture,
     motion: BodyMotion,
     heading: Point,
@@ -101,11 +101,11 @@ enum BodyMotion {
 #[derive(Clone, Copy, Debug)]
 struct Mover {
     body: u32,
-    cell: Cell,
+    cell: FieldCell,
 }
 
 impl World {
-    /// A world at instant 0, with nobody in it until [`World::begin`] says what each resident does.
+    /// A world at the start of a run, with nobody in it until [`World::begin`] says what each resident does.
     pub fn new(home: Arc<Home>, residents: usize, seed: u64) -> World {
         let machine = |sensor: &Sensor| {
             Machine::new(sensor.timing, Stream::named(seed, &format!("sensor/{}/timing", sensor.name)))
@@ -116,13 +116,13 @@ impl World {
             want[sensor / BLOCK] |= bit(sensor);
         }
         let device = |sensor: &Sensor| match &sensor.kind {
-            Kind::Device(device) => {
+            SensorKind::Device(device) => {
                 let stream = Stream::named(seed, &format!("sensor/{}/device", sensor.name));
                 Some((device.begin(stream, home.sun, &home.numbers), Outbox::default()))
             }
-            Kind::Motion(_) | Kind::CeilingMotion(_) => None,
+            SensorKind::Motion(_) | SensorKind::CeilingMotion(_) => None,
         };
-        let devices: Vec<Option<(Device, Outbox)>> = home.sensors.iter().map(device).collect();
+        let devices: Vec<Option<(SensorDevice, Outbox)>> = home.sensors.iter().map(device).collect();
         let mut timers = Timers::new(machines.len());
         let (mut told, mut feeling, mut watching) = (Vec::new(), Vec::new(), Vec::new());
         let mut wakes = vec![Vec::new(); devices.len()];
@@ -138,17 +138,20 @@ impl World {
             }
         }
         let level = |sensor: &Sensor| match &sensor.kind {
-            Kind::Motion(motion) => Some(motion.level),
-            Kind::CeilingMotion(_) => Some(Level::Paper),
-            Kind::Device(_) => None,
+            SensorKind::Motion(motion) => Some(motion.level),
+            SensorKind::CeilingMotion(_) => Some(DetectionLevel::Paper),
+            SensorKind::Device(_) => None,
         };
-        let levels: Vec<Option<Level>> = home.sensors.iter().map(level).collect();
+        let levels: Vec<Option<DetectionLevel>> = home.sensors.iter().map(level).collect();
         let looks =
             |sensor: &Sensor| Some((sensor.chance?, Marks::named(seed, &format!("sensor/{}/notice", sensor.name))));
-        let zoned = (0..levels.len()).filter(|&sensor| matches!(levels[sensor], Some(Level::Zones { .. })));
+        let zoned = (0..levels.len()).filter(|&sensor| matches!(levels[sensor], Some(DetectionLevel::Zones { .. })));
         World {
-            now: 0,
-            bodies: vec![Body { posture: Posture::Standing, motion: BodyMotion::Away, heading: Point::X }; residents],
+            now: RunTime::START,
+            bodies: vec![
+                TrackedBody { posture: Posture::Standing, motion: BodyMotion::Away, heading: Point::X };
+                residents
+            ],
             blocks: blocks(machines.len()),
             want,
             timers,
@@ -157,7 +160,7 @@ impl World {
             feeling,
             watching,
             wakes,
-            plain: levels.iter().map(|level| matches!(level, Some(Level::Paper))).collect(),
+            plain: levels.iter().map(|level| matches!(level, Some(DetectionLevel::Paper))).collect(),
             looks: home.sensors.iter().map(looks).collect(),
             pulses: zoned.map(|sensor| Pulses::new(sensor, residents)).collect(),
             seq: 0,
@@ -171,7 +174,7 @@ impl World {
     }
 
     /// The instant up to which everything has happened.
-    pub fn now(&self) -> Micros {
+    pub fn now(&self) -> RunTime {
         self.now
     }
 
@@ -190,18 +193,18 @@ impl World {
             MotionState::Rest { at } => BodyMotion::Rest { at },
             MotionState::Away => BodyMotion::Away,
         };
-        let Body { posture: before, motion: last, mut heading } = self.bodies[resident.index()];
+        let TrackedBody { posture: before, motion: last, mut heading } = self.bodies[resident.index()];
         if let BodyMotion::Stride(stride) = motion {
             heading = (stride.to - stride.from).try_normalize().unwrap_or(heading);
         }
         let settles = before != posture || matches!(last, BodyMotion::Away);
-        self.bodies[resident.index()] = Body { posture, motion, heading };
+        self.bodies[resident.index()] = TrackedBody { posture, motion, heading };
         if settles && !self.pulses.is_empty() {
             self.settle(resident);
         }
-        let field::Size { radius_m, top_m } = self.home.field(resident.index(), Posture::Standing).size;
+        let BodySize { radius_m, top_m } = self.home.field(resident.index(), Posture::Standing).size;
         let stature = Stature { radius_m, height_m: top_m };
-        let chance = self.chances.of(begin as u64 ^ (u64::from(resident.0) << 56));
+        let chance = self.chances.of(begin.micros() as u64 ^ (u64::from(resident.0) << 56));
         let change = Change::Body { resident, stature, begin, end, doing, posture, chance };
         // A cat presses no mat, and lies beside the strip.
         if radius_m >= self.light_m {
@@ -241,9 +244,8 @@ impl World {
         }
     }
 
-    /// A message leaves its sensor.
-    fn send(&mut self, at: Micros, sensor: usize, value: Value, provenance: Provenance, events: &mut Events) {
-        events.firings.push(Firing { seq: self.seq, at, sensor: SensorId::of(sensor), value });
+    fn send(&mut self, at: RunTime, sensor: usize, value: Value, provenance: Provenance, events: &mut Events) {
+        events.firings.push(Firing { seq: self.seq, at, sensor: SensorId::new(sensor), value });
         events.facts.push(Fact::Provenance { seq: self.seq, provenance });
         self.seq += 1;
         for &woken in &self.wakes[sensor] {
@@ -287,7 +289,7 @@ impl World {
 
     /// The sensors in whose field a resident moves.
     pub fn seeing(&self, resident: ResidentId) -> SensorSet {
-        let Body { posture, motion, .. } = &self.bodies[resident.index()];
+        let TrackedBody { posture, motion, .. } = &self.bodies[resident.index()];
         let field = self.home.field(resident.index(), *posture);
         match motion {
             BodyMotion::Stride(stride) => field.seen_at(stride.position(self.now)),
@@ -302,12 +304,12 @@ impl World {
     }
 
     /// Lets everything happen that happens before `until`.
-    pub fn advance(&mut self, until: Micros, events: &mut Events) {
+    pub fn advance(&mut self, until: RunTime, events: &mut Events) {
         if self.blocks == 1 { self.go_on::<true>(until, events) } else { self.go_on::<false>(until, events) }
     }
 
     /// [`World::advance`], compiled for homes of `ONE` block of sensors, as most are, and for others.
-    fn go_on<const ONE: bool>(&mut self, until: Micros, events: &mut Events) {
+    fn go_on<const ONE: bool>(&mut self, until: RunTime, events: &mut Events) {
         while self.now < until {
             self.now = self.coast::<ONE>(until, events);
             if self.now < until {
@@ -320,7 +322,7 @@ impl World {
 
     /// Lets timers run out until a body comes to a cell where a sensor that wants to know of movement may see it;
     /// returns that instant.
-    fn coast<const ONE: bool>(&mut self, until: Micros, events: &mut Events) -> Micros {
+    fn coast<const ONE: bool>(&mut self, until: RunTime, events: &mut Events) -> RunTime {
         let mut unseen = until;
         for block in 0..self.blocks::<ONE>() {
             unseen = self.unseen_until(block, self.want[block], self.now, unseen);
@@ -348,13 +350,13 @@ impl World {
 
     /// The first instant from `now` on at which a body is in a cell where a sensor of `want`, all of one block, may see
     /// it move; `until` if there is none before.
-    fn unseen_until(&self, block: usize, want: Mask, now: Micros, until: Micros) -> Micros {
+    fn unseen_until(&self, block: usize, want: Mask, now: RunTime, until: RunTime) -> RunTime {
         if !self.pulses.is_empty() {
             // They count what they saw before they woke, too.
             return now;
         }
         let mut until = until;
-        for (body, Body { posture, motion, .. }) in self.bodies.iter().enumerate() {
+        for (body, TrackedBody { posture, motion, .. }) in self.bodies.iter().enumerate() {
             let field = self.home.field(body, *posture);
             match motion {
                 BodyMotion::Stride(stride) => until = field.unseen_until(block, stride, want, now, until),
@@ -366,11 +368,11 @@ impl World {
     }
 
     /// Finds the bodies that move in the slice that begins now, and returns the slice's end.
-    fn next_slice<const ONE: bool>(&mut self, until: Micros) -> Micros {
+    fn next_slice<const ONE: bool>(&mut self, until: RunTime) -> RunTime {
         let blocks = self.blocks::<ONE>();
         self.movers[..blocks].iter_mut().for_each(Vec::clear);
         let mut end = until;
-        for (body, Body { posture, motion, .. }) in self.bodies.iter().enumerate() {
+        for (body, TrackedBody { posture, motion, .. }) in self.bodies.iter().enumerate() {
             let (at, leaves) = match motion {
                 BodyMotion::Stride(stride) => (stride.position(self.now), Some(stride)),
                 BodyMotion::InPlace { at, .. } => (*at, None),
@@ -378,8 +380,8 @@ impl World {
             };
             let field = self.home.field(body, *posture);
             if let Some(stride) = leaves {
-                let micros = field.leaves_cell(at, stride);
-                end = end.min(self.now.saturating_add(micros as Micros).saturating_add(1));
+                let after = Span::from_micros(field.leaves_cell(at, stride) as i64);
+                end = end.min(self.now.saturating_add(after).saturating_add(Span::MICROSECOND));
             }
             for (block, movers) in self.movers[..blocks].iter_mut().enumerate() {
                 movers.push(Mover { body: body as u32, cell: *field.cell(block, at) });
@@ -389,7 +391,7 @@ impl World {
     }
 
     /// Lets everything happen that happens between now and `end`.
-    fn run_slice<const ONE: bool>(&mut self, end: Micros, events: &mut Events) {
+    fn run_slice<const ONE: bool>(&mut self, end: RunTime, events: &mut Events) {
         if !self.pulses.is_empty() {
             self.count_pulses(end);
         }
@@ -413,13 +415,13 @@ impl World {
     }
 
     /// A sensor's timer runs out; what its machine wants then is for [`World::note`].
-    fn ring(&mut self, at: Micros, sensor: usize, events: &mut Events) {
+    fn ring(&mut self, at: RunTime, sensor: usize, events: &mut Events) {
         if let Some((device, outbox)) = &mut self.devices[sensor] {
             if device.timer() <= at {
                 device.on_timer(at, outbox);
             }
             let Outbox { said, pictures } = std::mem::take(outbox);
-            let frame = |picture| Frame { at, sensor: SensorId::of(sensor), picture };
+            let frame = |picture| Frame { at, sensor: SensorId::new(sensor), picture };
             events.frames.extend(pictures.into_iter().map(frame));
             for (value, provenance) in said {
                 self.send(at, sensor, value, provenance, events);
@@ -432,9 +434,9 @@ impl World {
 
     /// Looks for the first movement from `from` on and before `end` that `sensor`'s machine wants to
     /// know of, and tells it.
-    fn look<const ONE: bool>(&mut self, sensor: usize, from: Micros, end: Micros) {
-        let last = (end - 1).min(self.machines[sensor].wants_until());
-        let mut first: Option<Seen> = None;
+    fn look<const ONE: bool>(&mut self, sensor: usize, from: RunTime, end: RunTime) {
+        let last = (end - Span::MICROSECOND).min(self.machines[sensor].wants_until());
+        let mut first: Option<Sighting> = None;
         for mover in &self.movers[block_of::<ONE>(sensor)] {
             if mover.cell.may >> (sensor % BLOCK) & 1 == 0 {
                 continue;
@@ -444,7 +446,7 @@ impl World {
                 Some((chance, marks)) => self.first_notice(mover, sensor, chance, *marks, from..=last),
             };
             if let Some(at) = at.filter(|&at| at <= last && first.is_none_or(|first| at < first.at)) {
-                first = Some(Seen { resident: ResidentId(mover.body), at });
+                first = Some(Sighting { resident: ResidentId(mover.body), at });
             }
         }
         if let Some(seen) = first {
@@ -466,21 +468,21 @@ impl World {
 
     /// The first instant from `from` on at which the sensor sees the mover move; the slice's end
     /// does not limit the answer.
-    fn first_movement(&self, mover: &Mover, sensor: usize, from: Micros) -> Option<Micros> {
-        let Body { posture, motion, .. } = &self.bodies[mover.body as usize];
+    fn first_movement(&self, mover: &Mover, sensor: usize, from: RunTime) -> Option<RunTime> {
+        let TrackedBody { posture, motion, .. } = &self.bodies[mover.body as usize];
         let field = self.home.field(mover.body as usize, *posture);
         if self.plain[sensor] {
             return first_touch(field, &mover.cell, sensor, motion, from);
         }
-        let Kind::Motion(pir) = &self.home.sensors[sensor].kind else { return None };
+        let SensorKind::Motion(pir) = &self.home.sensors[sensor].kind else { return None };
         match pir.level {
-            Level::Paper => None,
-            Level::Sensitivity { reach_per_m } => {
-                let (near, far) = span_of_notice(pir, motion, reach_per_m)?;
+            DetectionLevel::Paper => None,
+            DetectionLevel::Sensitivity { reach_per_m } => {
+                let (near, far) = span_of_notice(pir, motion, reach_per_m)?.into_inner();
                 let at = first_touch(field, &mover.cell, sensor, motion, from.max(near))?;
                 (at <= far).then_some(at)
             }
-            Level::Zones { pitch_rad, .. } => match *motion {
+            DetectionLevel::Zones { pitch_rad, .. } => match *motion {
                 BodyMotion::InPlace { at, amplitude_m } if amplitude_m >= pitch_rad * at.distance(pir.lens) => {
                     first_touch(field, &mover.cell, sensor, motion, from)
                 }
@@ -495,11 +497,11 @@ impl World {
         &self,
         mover: &Mover,
         sensor: usize,
-        chance: &Chance,
+        chance: &NoticeChance,
         marks: Marks,
-        span: RangeInclusive<Micros>,
-    ) -> Option<Micros> {
-        let Body { posture, motion, .. } = &self.bodies[mover.body as usize];
+        span: RangeInclusive<RunTime>,
+    ) -> Option<RunTime> {
+        let TrackedBody { posture, motion, .. } = &self.bodies[mover.body as usize];
         let field = self.home.field(mover.body as usize, *posture);
         let moved_m = match motion {
             BodyMotion::Stride(stride) => stride.speed_mps(),
@@ -508,21 +510,20 @@ impl World {
         };
         let kind = &self.home.sensors[sensor].kind;
         let chance_at = |at: Point| match kind {
-            Kind::Motion(pir) => {
+            SensorKind::Motion(pir) => {
                 let view = pir.view(at);
-                let is_too_small =
-                    matches!(pir.level, Level::Sensitivity { reach_per_m } if moved_m * reach_per_m < view.distance_m);
+                let is_too_small = matches!(pir.level, DetectionLevel::Sensitivity { reach_per_m } if moved_m * reach_per_m < view.distance_m);
                 if is_too_small { 0.0 } else { chance.of(view, moved_m, field.size.radius_m) }
             }
-            Kind::CeilingMotion(area) => chance.of(area.view(at), moved_m, field.size.radius_m),
-            Kind::Device(_) => 0.0,
+            SensorKind::CeilingMotion(area) => chance.of(area.view(at), moved_m, field.size.radius_m),
+            SensorKind::Device(_) => 0.0,
         };
         // Who stays is seen as well at each look.
         let (stays_at, likely) = match motion {
             BodyMotion::InPlace { at, .. } => (*at, chance_at(*at)),
             _ => (Point::ZERO, 1.0),
         };
-        let notices = |look: &Look| {
+        let notices = |look: &Glance| {
             if look.mark >= likely {
                 return false;
             }
@@ -545,12 +546,12 @@ impl World {
     }
 
     /// Lets the sensors that count pulses count those between now and `end`.
-    fn count_pulses(&mut self, end: Micros) {
+    fn count_pulses(&mut self, end: RunTime) {
         for pulses in &mut self.pulses {
             let sensor = pulses.sensor;
-            let Kind::Motion(pir) = &self.home.sensors[sensor].kind else { continue };
+            let SensorKind::Motion(pir) = &self.home.sensors[sensor].kind else { continue };
             pulses.begin_slice();
-            for (index, Body { posture, motion, .. }) in self.bodies.iter().enumerate() {
+            for (index, TrackedBody { posture, motion, .. }) in self.bodies.iter().enumerate() {
                 let mover = self.movers[sensor / BLOCK].iter().find(|mover| mover.body as usize == index);
                 let field = self.home.field(index, *posture);
                 match motion {
@@ -567,13 +568,12 @@ impl World {
     }
 }
 
-/// The block of a sensor.
 fn block_of<const ONE: bool>(sensor: usize) -> usize {
     if ONE { 0 } else { sensor / BLOCK }
 }
 
 /// The first instant from `from` on at which the body, which is in the cell, touches what the sensor sees.
-fn first_touch(field: &Field, cell: &Cell, sensor: usize, motion: &BodyMotion, from: Micros) -> Option<Micros> {
+fn first_touch(field: &Field, cell: &FieldCell, sensor: usize, motion: &BodyMotion, from: RunTime) -> Option<RunTime> {
     if cell.sure >> (sensor % BLOCK) & 1 != 0 {
         return Some(from);
     }
@@ -589,11 +589,11 @@ fn first_touch(field: &Field, cell: &Cell, sensor: usize, motion: &BodyMotion, f
 }
 
 /// Between which instants, both included, the movement is large enough as seen from the lens.
-fn span_of_notice(pir: &Motion, motion: &BodyMotion, reach_per_m: f64) -> Option<(Micros, Micros)> {
+fn span_of_notice(pir: &Motion, motion: &BodyMotion, reach_per_m: f64) -> Option<RangeInclusive<RunTime>> {
     match motion {
         BodyMotion::Stride(stride) => stride.span_within(pir.lens, stride.speed_mps() * reach_per_m),
         BodyMotion::InPlace { at, amplitude_m } => {
-            (at.distance(pir.lens) <= amplitude_m * reach_per_m).then_some((Micros::MIN, Micros::MAX))
+            (at.distance(pir.lens) <= amplitude_m * reach_per_m).then_some(RunTime::MIN..=RunTime::MAX)
         }
         BodyMotion::Rest { .. } | BodyMotion::Away => None,
     }

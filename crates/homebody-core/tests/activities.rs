@@ -9,8 +9,8 @@ mod generated;
 
 use generated::is_generated;
 use homebody_core::activity::{ACTIVITIES, ActivityKind, KIND_WORDS, KnownActivity, TimeUse, turning};
+use homebody_core::posture::Posture;
 use homebody_core::role::{ROLES, Role, RoleRow};
-use homebody_core::scenario::path::Posture;
 
 const HEAD: &str = "\
 # Activities and roles

@@ -3,11 +3,11 @@
 use homebody_core::event::{Events, Value};
 use homebody_core::run::Run;
 use homebody_core::scenario::load::Scenario;
-use homebody_core::time::{Micros, SECOND};
+use homebody_core::time::{RunTime, SECOND, Span};
 use serde_json::json;
 use std::collections::BTreeMap;
 
-const LENGTH: Micros = 120 * SECOND;
+const LENGTH: Span = SECOND.times(120);
 
 /// A room with two cameras, through which somebody walks, and falls.
 fn texts(camera: &serde_json::Value) -> BTreeMap<String, String> {
@@ -34,11 +34,11 @@ fn first(woken_by: &[&str]) -> serde_json::Value {
     json!({ "kind": "camera", "name": "first", "at": [0.15, 0.15], "facing_deg": 40, "woken_by": woken_by })
 }
 
-fn lived(step: Micros) -> Events {
+fn lived(step: Span) -> Events {
     let scenario = Scenario::load(&texts(&first(&["motion"])), "scenario.json").unwrap();
     let mut run = Run::new(&scenario, &(), 7, LENGTH);
     let mut events = Events::default();
-    while run.now() < LENGTH {
+    while run.now() < RunTime::START + LENGTH {
         run.advance(run.now() + step, &mut events).unwrap();
     }
     events
@@ -48,7 +48,7 @@ fn lived(step: Micros) -> Events {
 fn how_a_run_is_advanced_changes_no_silhouette() {
     let whole = lived(LENGTH);
     assert!(whole.frames.len() > 50, "{}", whole.frames.len());
-    for step in [1_000, 137_731, SECOND] {
+    for step in [Span::from_millis(1), Span::from_micros(137_731), SECOND] {
         let pieces = lived(step);
         assert_eq!(pieces.firings, whole.firings);
         assert!(pieces.frames == whole.frames, "in steps of {step}");
@@ -61,7 +61,7 @@ fn a_camera_wakes_with_its_sensor_and_sleeps_after_it() {
     let of = |sensor: usize, value: Value| {
         events.firings.iter().filter(move |firing| firing.sensor.index() == sensor && firing.value == value)
     };
-    let motion: Vec<Micros> = of(0, Value::Fire).map(|firing| firing.at).collect();
+    let motion: Vec<RunTime> = of(0, Value::Fire).map(|firing| firing.at).collect();
     for camera in [1, 2] {
         let (woke, slept) = (of(camera, Value::Woke).count(), of(camera, Value::Slept).count());
         assert!(woke > 0 && (slept == woke || slept + 1 == woke), "{woke} {slept}");
@@ -70,7 +70,7 @@ fn a_camera_wakes_with_its_sensor_and_sleeps_after_it() {
         }
         // A picture is taken only within ten seconds of a word of the sensor, to one period.
         for frame in events.frames.iter().filter(|frame| frame.sensor.index() == camera) {
-            assert!(motion.iter().any(|&at| (0..=10 * SECOND + SECOND / 5).contains(&(frame.at - at))));
+            assert!(motion.iter().any(|&at| (Span::ZERO..=10 * SECOND + SECOND / 5).contains(&(frame.at - at))));
         }
     }
 }

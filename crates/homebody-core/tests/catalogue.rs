@@ -6,7 +6,7 @@
 mod generated;
 
 use generated::is_generated;
-use homebody_core::scenario::device::Device;
+use homebody_core::sensors::products::Product;
 use std::fmt::Write;
 
 const HEAD: &str = "\
@@ -20,7 +20,7 @@ a device, and `homebody devices NAME` prints one with its sources.
 
 Manufacturers state few of these values. The other values are those of the sensor that Godsey & Skubic measured in 2009, or our choice.
 
-This page is made from `crates/homebody-core/src/scenario/device.rs` and `preset.rs`.
+This page is made from `crates/homebody-core/src/sensors/products.rs` and `preset.rs`.
 
 | `preset` | device | network | height, m | field, ° | reach, m | first event after, s | next event after, s |
 |---|---|---|---|---|---|---|---|
@@ -29,7 +29,7 @@ This page is made from `crates/homebody-core/src/scenario/device.rs` and `preset
 fn document() -> String {
     let range = |[least, most]: [f64; 2]| if least == most { least.to_string() } else { format!("{least} to {most}") };
     let mut text = HEAD.to_owned();
-    for device in Device::all() {
+    for device in Product::all() {
         let timing = device.preset.timing();
         let [across, down] = device.field_deg.value;
         let _ = writeln!(
@@ -45,8 +45,8 @@ fn document() -> String {
         );
     }
     text += "\n## Sources\n\n| `preset` | height | field | reach | timing |\n|---|---|---|---|---|\n";
-    for device in Device::all() {
-        let Device { height_m, field_deg, reach_m, timing, .. } = device;
+    for device in Product::all() {
+        let Product { height_m, field_deg, reach_m, timing, .. } = device;
         let key = device.key();
         let _ =
             writeln!(text, "| `{key}` | {} | {} | {} | {timing} |", height_m.source, field_deg.source, reach_m.source);

@@ -1,13 +1,14 @@
 //! The sensors that are told what happens, in a world: what each says, and when.
 
-use homebody_core::drivers::MotionSegment;
-use homebody_core::event::{Events, Fact, MotionState, ThingUse, Trigger, Value, Vitals};
+use homebody_core::event::{Events, Fact, ThingUse, Trigger, Value, Vitals};
 use homebody_core::geometry::Point;
+use homebody_core::home::Home;
 use homebody_core::home::resolved::ResolvedHome;
-use homebody_core::home::{Build, Home};
 use homebody_core::ids::{ResidentId, ThingId};
-use homebody_core::scenario::path::Posture;
-use homebody_core::time::{Micros, SECOND};
+use homebody_core::motion::{MotionSegment, MotionState};
+use homebody_core::posture::Posture;
+use homebody_core::resident::Build;
+use homebody_core::time::{RunTime, SECOND, Span};
 use homebody_core::world::World;
 use serde_json::json;
 use std::sync::Arc;
@@ -57,48 +58,48 @@ fn home(sensor: serde_json::Value) -> Home {
     Home::bake(&ResolvedHome::new(serde_json::from_value(file).unwrap()).unwrap(), &[build, build])
 }
 
-/// What the sensor says until `until`: instants in microseconds, values, and whose doing it was. Bodies do what they do
+/// What the sensor says until `until`: instants, values, and whose doing it was. Bodies do what they do
 /// until they are told to do something else; at `cuts`, in seconds, all are told again what they do.
 fn said(
     home: Home,
     happens: &[(f64, usize, Happens)],
     until: f64,
     cuts: &[f64],
-) -> Vec<(Micros, Value, Option<ResidentId>, Micros, Trigger)> {
-    let micros = |seconds: f64| (seconds * SECOND as f64).round() as Micros;
+) -> Vec<(RunTime, Value, Option<ResidentId>, RunTime, Trigger)> {
+    let instant = |seconds: f64| RunTime::START + Span::from_seconds(seconds);
     let mut world = World::new(Arc::new(home), 2, 1);
     let mut events = Events::default();
     let mut doing: [Option<MotionSegment>; 2] = [None, None];
-    let mut instants: Vec<Micros> = happens.iter().map(|(at, ..)| micros(*at)).collect();
-    instants.extend(cuts.iter().map(|&cut| micros(cut)));
-    instants.push(micros(until));
+    let mut instants: Vec<RunTime> = happens.iter().map(|(at, ..)| instant(*at)).collect();
+    instants.extend(cuts.iter().map(|&cut| instant(cut)));
+    instants.push(instant(until));
     instants.sort_unstable();
     instants.dedup();
     for at in instants {
         world.advance(at, &mut events);
-        for (_, who, what) in happens.iter().filter(|(happens, ..)| micros(*happens) == at) {
+        for (_, who, what) in happens.iter().filter(|(happens, ..)| instant(*happens) == at) {
             match what {
                 Happens::Act(name, on) => {
-                    let thing = ThingId::of(world.home().plan.thing(name).unwrap());
-                    world.act(Some(ResidentId::of(*who)), ThingUse { thing, on: *on });
+                    let thing = ThingId::new(world.home().plan.thing(name).unwrap());
+                    world.act(Some(ResidentId::new(*who)), ThingUse { thing, on: *on });
                 }
                 Feels(pulse, respiration) => {
-                    world.feel(ResidentId::of(*who), Vitals { pulse: *pulse, respiration: *respiration });
+                    world.feel(ResidentId::new(*who), Vitals { pulse: *pulse, respiration: *respiration });
                 }
                 Body(does, posture) => {
-                    let later = happens
-                        .iter()
-                        .filter(|(later, other, what)| other == who && micros(*later) > at && matches!(what, Body(..)));
-                    let end = later.map(|(later, ..)| micros(*later)).min().unwrap_or(micros(until));
+                    let later = happens.iter().filter(|(later, other, what)| {
+                        other == who && instant(*later) > at && matches!(what, Body(..))
+                    });
+                    let end = later.map(|(later, ..)| instant(*later)).min().unwrap_or(instant(until));
                     doing[*who] = Some(MotionSegment { begin: at, end, doing: *does, posture: *posture });
                 }
             }
         }
         for (who, next) in doing.iter().enumerate() {
             if let Some(next) = next
-                && (next.begin == at || cuts.iter().any(|&cut| micros(cut) == at))
+                && (next.begin == at || cuts.iter().any(|&cut| instant(cut) == at))
             {
-                world.begin(ResidentId::of(who), next);
+                world.begin(ResidentId::new(who), next);
             }
         }
     }
@@ -119,12 +120,12 @@ fn says(sensor: serde_json::Value, happens: &[(f64, usize, Happens)], until: f64
     let whole = said(home(sensor.clone()), happens, until, &[]);
     let mut cuts: Vec<f64> = (0..200).map(|cut| until * f64::from(cut) / 200.0).collect();
     for (at, _, _, seen_at, _) in &whole {
-        for around in [-1, 0, 1] {
-            cuts.extend([at + around, seen_at + around].map(|at| at.max(0) as f64 / SECOND as f64));
+        for around in [-Span::MICROSECOND, Span::ZERO, Span::MICROSECOND] {
+            cuts.extend([*at + around, *seen_at + around].map(|at| at.max(RunTime::START).seconds()));
         }
     }
     assert_eq!(whole, said(home(sensor), happens, until, &cuts), "cutting has changed something");
-    whole.into_iter().map(|(at, value, ..)| (at as f64 / SECOND as f64, value)).collect()
+    whole.into_iter().map(|(at, value, ..)| (at.seconds(), value)).collect()
 }
 
 fn bed() -> serde_json::Value {
@@ -162,7 +163,8 @@ fn a_bed_with_two_in_it_is_left_when_both_have_left() {
         (7.0, 0, AWAY),
     ];
     let whole = said(home(bed()), &happens, 20.0, &[]);
-    let whole: Vec<_> = whole.into_iter().map(|(at, value, by, ..)| (at / SECOND, value, by.map(|by| by.0))).collect();
+    let whole: Vec<_> =
+        whole.into_iter().map(|(at, value, by, ..)| (at.since_zero() / SECOND, value, by.map(|by| by.0))).collect();
     let expected =
         [(1, Value::In, Some(1)), (4, Value::Out, Some(0)), (5, Value::In, Some(1)), (7, Value::Out, Some(0))];
     assert_eq!(whole, expected);
@@ -295,10 +297,10 @@ fn a_stove_is_hot_and_cool_when_the_closed_form_says() {
     // 240 ln(158 / 135); then from 180 - 158 exp(-2.5), 1200 ln((that - 22) / 16).
     let on = 5.0 + 240.0 * libm::log(158.0 / 135.0);
     let off = 605.0 + 1200.0 * libm::log((158.0 - 158.0 * libm::exp(-2.5)) / 16.0);
-    let micros = |seconds: f64| (seconds * SECOND as f64).round() as Micros;
+    let at = |seconds: f64| RunTime::START + Span::from_seconds(seconds);
     let expected = [
-        (micros(on), Value::On, Some(ResidentId(0)), 5 * SECOND, Trigger::Use(thing)),
-        (micros(off), Value::Off, Some(ResidentId(1)), 605 * SECOND, Trigger::Use(thing)),
+        (at(on), Value::On, Some(ResidentId(0)), at(5.0), Trigger::Use(thing)),
+        (at(off), Value::Off, Some(ResidentId(1)), at(605.0), Trigger::Use(thing)),
     ];
     assert_eq!(found, expected);
     let with_readings =
@@ -335,7 +337,8 @@ fn a_mat_is_pressed_from_where_a_stride_enters_to_where_it_leaves() {
     // On a slant, to a third of a microsecond: from x = 1 to 8 in 7 s it enters at 3, but y is 2.5 only at 7 * 2.5 / 5.3.
     let slant = [(0.0, 0, stride(Point::new(1.0, 0.0), Point::new(8.0, 5.3))), (7.0, 0, AWAY)];
     let found = said(home(area.clone()), &slant, 20.0, &[]);
-    let found: Vec<_> = found.into_iter().map(|(at, value, _, seen_at, _)| (at, value, seen_at)).collect();
+    let found: Vec<_> =
+        found.into_iter().map(|(at, value, _, seen_at, _)| (at.micros(), value, seen_at.micros())).collect();
     assert_eq!(found, [(3_301_887, Value::On, 3_301_887), (4_622_642, Value::Off, 4_622_642)]);
     // Who stays on it presses it all the while, over several moves.
     let stays = [

@@ -3,19 +3,20 @@
 
 mod random_home;
 
-use homebody_core::drivers::MotionSegment;
 use homebody_core::drivers::path::{PathDriver, ResolvedPath};
-use homebody_core::event::{Events, Fact, Firing, MotionState, Provenance, Value};
+use homebody_core::event::{Events, Fact, Firing, Provenance, Value};
 use homebody_core::geometry::Point;
+use homebody_core::home::Home;
+use homebody_core::home::form::HomeFile;
 use homebody_core::home::resolved::ResolvedHome;
-use homebody_core::home::{Build, Home};
 use homebody_core::ids::{ResidentId, SensorId};
+use homebody_core::motion::{MotionSegment, MotionState};
+use homebody_core::posture::Posture;
+use homebody_core::resident::Build;
 use homebody_core::run::Run;
-use homebody_core::scenario::home::{HomeFile, SensorFile};
-use homebody_core::scenario::path::Posture;
 use homebody_core::sensor_set::SensorSet;
-use homebody_core::sensors::kinds::KINDS;
-use homebody_core::time::{Micros, SECOND};
+use homebody_core::sensors::kinds::{KINDS, SensorFile};
+use homebody_core::time::{RunTime, SECOND, Span};
 use homebody_core::world::World;
 use random_home::{Dice, Done, Model};
 use std::collections::BTreeMap;
@@ -26,8 +27,8 @@ use std::sync::Arc;
 struct Case {
     world: World,
     lives: Vec<Vec<MotionSegment>>,
-    doings: Vec<Vec<(Micros, Done)>>,
-    length: Micros,
+    doings: Vec<Vec<(RunTime, Done)>>,
+    length: Span,
 }
 
 impl Case {
@@ -44,33 +45,33 @@ impl Case {
     }
 
     /// Lives until `until`, cutting time at `cuts` as well as wherever a move ends.
-    fn live(&mut self, until: Micros, cuts: &[Micros], events: &mut Events) {
+    fn live(&mut self, until: RunTime, cuts: &[RunTime], events: &mut Events) {
         while self.world.now() < until {
             let now = self.world.now();
             let mut end = until;
             for (resident, life) in self.lives.iter().enumerate() {
                 let next = &life[life.partition_point(|next| next.end <= now)];
                 // Beginning the same move again in its middle is what cutting it means.
-                self.world.begin(ResidentId::of(resident), next);
+                self.world.begin(ResidentId::new(resident), next);
                 end = end.min(next.end);
                 let doings = &self.doings[resident];
-                let (now, later) = (at(doings, now), at(doings, now + 1));
+                let (now, later) = (at(doings, now), at(doings, now + Span::MICROSECOND));
                 for &(_, done) in &doings[now..later] {
                     match done {
-                        Done::Use(act) => self.world.act(Some(ResidentId::of(resident)), act),
-                        Done::Vitals(vitals) => self.world.feel(ResidentId::of(resident), vitals),
+                        Done::Use(act) => self.world.act(Some(ResidentId::new(resident)), act),
+                        Done::Vitals(vitals) => self.world.feel(ResidentId::new(resident), vitals),
                     }
                 }
                 end = end.min(doings.get(later).map_or(end, |&(at, _)| at));
             }
             let cut = cuts.partition_point(|&cut| cut <= now);
-            self.world.advance(end.min(cuts.get(cut).copied().unwrap_or(Micros::MAX)), events);
+            self.world.advance(end.min(cuts.get(cut).copied().unwrap_or(RunTime::MAX)), events);
         }
     }
 
-    fn events(mut self, cuts: &[Micros]) -> Events {
+    fn events(mut self, cuts: &[RunTime]) -> Events {
         let mut events = Events::default();
-        self.live(self.length, cuts, &mut events);
+        self.live(RunTime::START + self.length, cuts, &mut events);
         events
     }
 }
@@ -78,12 +79,12 @@ impl Case {
 const CASES: u64 = 300;
 
 /// How many of the doings are before an instant.
-fn at(doings: &[(Micros, Done)], at: Micros) -> usize {
+fn at(doings: &[(RunTime, Done)], at: RunTime) -> usize {
     doings.partition_point(|&(done, _)| done < at)
 }
 
 /// The firings alone, so that a failure is readable.
-fn firings(events: &Events) -> Vec<(Micros, u32, Value)> {
+fn firings(events: &Events) -> Vec<(RunTime, u32, Value)> {
     events.firings.iter().map(|firing| (firing.at, firing.sensor.0, firing.value)).collect()
 }
 
@@ -113,8 +114,8 @@ fn the_cases_have_something_to_say() {
 fn speed_changes_nothing() {
     for case in 0..CASES {
         let whole = Case::new(case).events(&[]);
-        for step in [16_667, 83_333, 1_666_667] {
-            let steps: Vec<Micros> = (0..300 * SECOND / step).map(|i| i * step).collect();
+        for step in [16_667, 83_333, 1_666_667].map(Span::from_micros) {
+            let steps: Vec<RunTime> = (0..300 * SECOND / step).map(|i| RunTime::START + i * step).collect();
             assert_eq!(whole, Case::new(case).events(&steps), "case {case}, steps of {step} microseconds");
         }
     }
@@ -126,10 +127,12 @@ fn cutting_a_stride_changes_nothing() {
         let whole = Case::new(case).events(&[]);
         // At random, and exactly where something happens, one microsecond before and one after.
         let dice = &mut Dice::new(case, "cuts");
-        let mut cuts: Vec<Micros> = (0..400).map(|_| dice.below(300 * SECOND)).collect();
+        let mut cuts: Vec<RunTime> = (0..400).map(|_| dice.instant(300 * SECOND)).collect();
         for (fact, firing) in whole.facts.iter().zip(&whole.firings) {
             let Fact::Provenance { provenance: Provenance { seen_at, .. }, .. } = fact else { continue };
-            cuts.extend([seen_at - 1, *seen_at, seen_at + 1, firing.at - 1, firing.at, firing.at + 1]);
+            cuts.extend(
+                [*seen_at, firing.at].into_iter().flat_map(|at| [at - Span::MICROSECOND, at, at + Span::MICROSECOND]),
+            );
         }
         cuts.sort_unstable();
         assert_eq!(whole, Case::new(case).events(&cuts), "case {case}");
@@ -155,10 +158,11 @@ fn looking_at_samples_does_change_something() {
 fn sample(whole: &MotionSegment) -> Vec<MotionSegment> {
     let MotionState::Stride { from, to } = whole.doing else { return vec![whole.clone()] };
     let step = SECOND / 4;
-    (whole.begin..whole.end)
-        .step_by(step as usize)
+    (whole.begin.micros()..whole.end.micros())
+        .step_by(step.micros() as usize)
         .map(|begin| {
-            let at = from + (to - from) * ((begin - whole.begin) as f64 / (whole.end - whole.begin) as f64);
+            let begin = RunTime::from_micros(begin);
+            let at = from + (to - from) * (begin - whole.begin).ratio(whole.end - whole.begin);
             MotionSegment {
                 begin,
                 end: whole.end.min(begin + step),
@@ -173,6 +177,7 @@ fn sample(whole: &MotionSegment) -> Vec<MotionSegment> {
 fn who_hardly_moves_is_seen_at_once_or_never() {
     for case in 0..CASES {
         let mut still = Case::new(case);
+        let run = RunTime::START..RunTime::START + still.length;
         for life in &mut still.lives {
             let mut strides = life.iter().filter_map(|next| match next.doing {
                 MotionState::Stride { from, .. } => Some(from),
@@ -181,14 +186,16 @@ fn who_hardly_moves_is_seen_at_once_or_never() {
             let from = strides.next_back().unwrap_or(Point::new(1.0, 1.0));
             let to = if case % 2 == 0 { from } else { Point::new(from.x.next_up(), from.y) };
             let doing = MotionState::Stride { from, to };
-            *life = vec![MotionSegment { begin: 0, end: still.length + 1, doing, posture: Posture::Standing }];
+            let end = run.end + Span::MICROSECOND;
+            *life = vec![MotionSegment { begin: run.start, end, doing, posture: Posture::Standing }];
         }
         let whole = still.clone().events(&[]);
         for fact in &whole.facts {
             let Fact::Provenance { provenance: Provenance { seen_at, .. }, .. } = fact else { continue };
-            assert!((0..still.length).contains(seen_at), "case {case}: seen at {seen_at}");
+            assert!(run.contains(seen_at), "case {case}: seen at {seen_at}");
         }
-        assert_eq!(whole, still.events(&[7, SECOND, 100 * SECOND]), "case {case}");
+        let cuts = [Span::from_micros(7), SECOND, 100 * SECOND].map(|after| RunTime::START + after);
+        assert_eq!(whole, still.events(&cuts), "case {case}");
     }
 }
 
@@ -198,16 +205,17 @@ fn the_truth_ends_with_the_run() {
     let home = Arc::new(Home::bake(&home, &[BODY]));
     let path = serde_json::json!({ "start": [1, 1], "steps": [{ "go": { "to": [[7, 1]], "in_s": 60 } }] });
     let path = ResolvedPath::new(serde_json::from_value(path).unwrap(), &home.plan, 1.0).unwrap();
-    let path = PathDriver::new(&path, 0);
+    let path = PathDriver::new(&path, Span::ZERO);
     let length = 20 * SECOND;
-    let mut run = Run::of(home.clone(), vec![BODY], vec![Box::new(path)], 1, length);
+    let mut run = Run::from_drivers(home.clone(), vec![BODY], vec![Box::new(path)], 1, length);
     let mut events = Events::default();
-    run.advance(length, &mut events).unwrap();
+    let stops = RunTime::START + length;
+    run.advance(stops, &mut events).unwrap();
     let movement = events.facts.iter().find(|fact| matches!(fact, Fact::Movement { .. }));
     let Some(Fact::Movement { end, doing: MotionState::Stride { to, .. }, .. }) = movement else { panic!("no stride") };
-    assert_eq!((*end, *to), (length, Point::new(3.0, 1.0)));
+    assert_eq!((*end, *to), (stops, Point::new(3.0, 1.0)));
     for fact in &events.facts {
-        assert!(!matches!(fact, Fact::Room { at, .. } if *at >= length), "{fact:?}");
+        assert!(!matches!(fact, Fact::Room { at, .. } if *at >= stops), "{fact:?}");
     }
 }
 
@@ -218,7 +226,7 @@ fn a_copy_of_the_world_continues_as_the_original() {
     for case in 0..CASES {
         let mut original = Case::new(case);
         let mut begun = Events::default();
-        original.live(Dice::new(case, "copy").below(300 * SECOND), &[], &mut begun);
+        original.live(Dice::new(case, "copy").instant(300 * SECOND), &[], &mut begun);
         let copy = original.clone();
         assert_eq!(copy.events(&[]), original.events(&[]), "case {case}");
     }
@@ -241,7 +249,7 @@ fn adding_a_sensor_changes_no_other() {
         *added.name_mut() = "added".into();
         more.sensors.insert(0, added);
         let after = Case::with(case, more, builds).events(&[]);
-        let others: Vec<(Micros, u32, Value)> =
+        let others: Vec<(RunTime, u32, Value)> =
             firings(&after).into_iter().filter(|&(_, sensor, _)| sensor > 0).map(|(at, s, v)| (at, s - 1, v)).collect();
         let mut before = firings(&before);
         before.sort_unstable();
@@ -280,10 +288,10 @@ fn adding_a_resident_whom_no_sensor_sees_changes_nothing() {
         let build = Build { radius_m: 0.2, height_m: 1.7 };
         let alone = Case::with(case, file.clone(), vec![build]).events(&[]);
         let mut two = Case::with(case, file, vec![build, Build { radius_m: 0.3, height_m: 1.2 }]);
-        let length = two.length;
+        let (begin, end) = (RunTime::START, RunTime::START + two.length);
         let posture = two.lives[1][0].posture;
         two.doings[1].clear();
-        two.lives[1] = vec![MotionSegment { begin: 0, end: length, doing: MotionState::Away, posture }];
+        two.lives[1] = vec![MotionSegment { begin, end, doing: MotionState::Away, posture }];
         assert_eq!(firings(&alone), firings(&two.events(&[])), "case {case}");
     }
 }
@@ -303,7 +311,7 @@ fn the_grid_changes_nothing() {
                 );
                 let on_plan = p.cmpge(least).all() && p.cmple(most).all();
                 let seen = (0..home.sensors.len()).filter(|&sensor| on_plan && field.sees(sensor, p));
-                let seen: SensorSet = seen.map(SensorId::of).collect();
+                let seen: SensorSet = seen.map(SensorId::new).collect();
                 assert!(!on_plan || field.seen_at(p) == seen, "case {case} at {p}");
             }
         }

@@ -1,10 +1,11 @@
 //! The list of kinds of sensors says what is so, and documents say what it says.
 
+use homebody_core::home::Home;
+use homebody_core::home::form::HomeFile;
 use homebody_core::home::resolved::ResolvedHome;
-use homebody_core::home::{Build, Home};
-use homebody_core::scenario::home::{HomeFile, SensorFile};
+use homebody_core::resident::Build;
 use homebody_core::sensors::form::KindRow;
-use homebody_core::sensors::kinds::KINDS;
+use homebody_core::sensors::kinds::{KINDS, SensorFile};
 use serde_json::{Value, json};
 use std::collections::BTreeSet;
 

@@ -1,22 +1,23 @@
 //! What a wall sensor takes for movement at each level, in a room 12 by 8 metres with one lens at the origin of x, in the
 //! middle of its western side. Expected instants are computed by hand.
 
-use homebody_core::drivers::MotionSegment;
-use homebody_core::event::{Events, Fact, MotionState};
+use homebody_core::event::{Events, Fact};
 use homebody_core::geometry::Point;
-use homebody_core::home::plan::Plan;
+use homebody_core::home::Home;
+use homebody_core::home::form::HomeFile;
 use homebody_core::home::resolved::ResolvedHome;
-use homebody_core::home::{Build, Home};
 use homebody_core::ids::ResidentId;
-use homebody_core::scenario::home::HomeFile;
-use homebody_core::scenario::path::Posture;
-use homebody_core::time::{Micros, SECOND};
+use homebody_core::motion::{MotionSegment, MotionState};
+use homebody_core::plan::Plan;
+use homebody_core::posture::Posture;
+use homebody_core::resident::Build;
+use homebody_core::time::{RunTime, Span};
 use homebody_core::world::World;
 use serde_json::{Value, json};
 use std::sync::Arc;
 
 /// No instants.
-const NONE: [Micros; 0] = [];
+const NONE: [i64; 0] = [];
 
 /// Somebody's moves, one after another.
 struct Life(Vec<MotionSegment>);
@@ -27,9 +28,13 @@ impl Life {
     }
 
     fn then(mut self, seconds: f64, posture: Posture, doing: MotionState) -> Life {
-        let begin = self.0.last().map_or(0, |last| last.end);
-        self.0.push(MotionSegment { begin, end: begin + homebody_core::time::micros(seconds), doing, posture });
+        let begin = self.end();
+        self.0.push(MotionSegment { begin, end: begin + Span::from_seconds(seconds), doing, posture });
         self
+    }
+
+    fn end(&self) -> RunTime {
+        self.0.last().map_or(RunTime::START, |last| last.end)
     }
 
     fn rest(self, seconds: f64, posture: Posture, at: (f64, f64)) -> Life {
@@ -46,8 +51,8 @@ impl Life {
     }
 }
 
-/// When the sensor notices movement, and whose. It looks again 10 ms after each time.
-fn noticed(sensor: &Value, furniture: &Value, lives: &[Life]) -> Vec<(Micros, u32)> {
+/// When the sensor notices movement, in microseconds, and whose. It looks again 10 ms after each time.
+fn noticed(sensor: &Value, furniture: &Value, lives: &[Life]) -> Vec<(i64, u32)> {
     let file = json!({
         "name": "home", "walls": [], "furniture": furniture,
         "rooms": [{ "name": "room", "outline": [[0, 0], [12, 0], [12, 8], [0, 8]] }],
@@ -56,7 +61,7 @@ fn noticed(sensor: &Value, furniture: &Value, lives: &[Life]) -> Vec<(Micros, u3
 }
 
 /// The same in a home of 12 by 8 metres.
-fn noticed_in(mut file: Value, sensor: &Value, lives: &[Life]) -> Vec<(Micros, u32)> {
+fn noticed_in(mut file: Value, sensor: &Value, lives: &[Life]) -> Vec<(i64, u32)> {
     // The lens stands 2 cm off the wall: at (0, 4).
     file["sensors"] = json!([{
         "name": "sensor", "kind": "motion", "at": [-0.02, 4], "facing_deg": 0,
@@ -69,28 +74,27 @@ fn noticed_in(mut file: Value, sensor: &Value, lives: &[Life]) -> Vec<(Micros, u
     let home = Home::bake(&ResolvedHome::new(file).unwrap(), &builds);
     let mut world = World::new(Arc::new(home), lives.len(), 1);
     let mut events = Events::default();
-    let end_of = |life: &Life| life.0.last().map_or(0, |last| last.end);
-    let length = lives.iter().map(end_of).min().unwrap_or(0);
-    while world.now() < length {
+    let end = lives.iter().map(Life::end).min().unwrap_or_default();
+    while world.now() < end {
         let now = world.now();
-        let mut until = length;
+        let mut until = end;
         for (resident, life) in lives.iter().enumerate() {
             let next = &life.0[life.0.partition_point(|next| next.end <= now)];
             if next.begin == now {
-                world.begin(ResidentId::of(resident), next);
+                world.begin(ResidentId::new(resident), next);
             }
             until = until.min(next.end);
         }
         world.advance(until, &mut events);
     }
     let provenance = |fact| match fact {
-        Fact::Provenance { provenance, .. } => Some((provenance.seen_at, provenance.resident?.0)),
+        Fact::Provenance { provenance, .. } => Some((provenance.seen_at.micros(), provenance.resident?.0)),
         _ => None,
     };
     events.facts.into_iter().filter_map(provenance).collect()
 }
 
-fn alone(sensor: &Value, life: Life) -> Vec<Micros> {
+fn alone(sensor: &Value, life: Life) -> Vec<i64> {
     noticed(sensor, &json!([]), &[life]).into_iter().map(|(at, _)| at).collect()
 }
 
@@ -119,9 +123,9 @@ fn behind_a_sideboard_who_stands_is_noticed_and_who_sits_is_not() {
         let life = Life::new().rest(1.0, posture, (x, 4.0)).stir(1.0, posture, (x, 4.0), 0.1);
         noticed(&beam(json!("paper")), &sideboard, &[life]).first().copied()
     };
-    assert_eq!(stir(Posture::Standing, 3.4), Some((SECOND, 0)));
+    assert_eq!(stir(Posture::Standing, 3.4), Some((1_000_000, 0)));
     assert_eq!(stir(Posture::Sitting, 3.4), None);
-    assert_eq!(stir(Posture::Sitting, 3.71), Some((SECOND, 0)));
+    assert_eq!(stir(Posture::Sitting, 3.71), Some((1_000_000, 0)));
     assert_eq!(stir(Posture::Lying, 3.71), None);
 }
 
@@ -132,12 +136,12 @@ fn a_stir_is_noticed_only_where_it_spans_the_threshold() {
         alone(sensor, life.stir(2.0, Posture::Standing, (x, 4.0), amplitude_m)).first().copied()
     };
     // 0.3 / tan 3 = 5.724 m, 0.5 / tan 3 = 9.541 m.
-    assert_eq!(stir(&sensitive(), 5.72, 0.3), Some(5 * SECOND));
+    assert_eq!(stir(&sensitive(), 5.72, 0.3), Some(5_000_000));
     assert_eq!(stir(&sensitive(), 5.73, 0.3), None);
-    assert_eq!(stir(&sensitive(), 9.54, 0.5), Some(5 * SECOND));
+    assert_eq!(stir(&sensitive(), 9.54, 0.5), Some(5_000_000));
     assert_eq!(stir(&sensitive(), 9.55, 0.5), None);
     // At the level of the paper the far one is noticed, too.
-    assert_eq!(stir(&beam(json!("paper")), 9.55, 0.3), Some(5 * SECOND));
+    assert_eq!(stir(&beam(json!("paper")), 9.55, 0.3), Some(5_000_000));
 }
 
 #[test]
@@ -214,7 +218,7 @@ fn a_stir_is_noticed_only_where_it_spans_the_pitch_of_the_zones() {
         alone(&sensor, life.stir(1.0, Posture::Sitting, (x, 4.0), 0.3)).first().copied()
     };
     // Eleven zones over 145 degrees are 14.5 degrees, 0.253073 apart: 0.3 / 0.253073 = 1.1854 m.
-    assert_eq!(stir(1.18), Some(SECOND));
+    assert_eq!(stir(1.18), Some(1_000_000));
     assert_eq!(stir(1.19), None);
 }
 
@@ -256,7 +260,7 @@ fn a_walk_across_zones_makes_the_sensor_fire_within_one_to_two_seconds() {
                 let life = Life::new().rest(1.0, Posture::Standing, from).walk(pace, from, (x, 7.0));
                 let first = alone(&sensor, life).first().copied().expect("a walk across is noticed");
                 // Half-way between 0.3 and 0.8 s after the second pulse.
-                delays_s.push((first - SECOND) as f64 / SECOND as f64 + 0.55);
+                delays_s.push((first - 1_000_000) as f64 / 1e6 + 0.55);
             }
         }
     }
@@ -281,12 +285,12 @@ fn share_seen(notice: &Value, once: impl Fn(Life) -> Life) -> f64 {
     let mut world = World::new(Arc::new(home), 1, 1);
     let (mut life, mut begins) = (Life::new(), Vec::new());
     for _ in 0..TIMES {
-        begins.push(life.0.last().map_or(0, |last| last.end));
+        begins.push(life.end());
         life = once(life).rest(60.0, Posture::Standing, (1.0, 1.0));
     }
     let mut events = Events::default();
     for next in &life.0 {
-        world.begin(ResidentId::of(0), next);
+        world.begin(ResidentId::new(0), next);
         world.advance(next.end, &mut events);
     }
     let mut seen: Vec<usize> =

@@ -6,22 +6,25 @@
 
 mod random_home;
 
-use homebody_core::drivers::MotionSegment;
-use homebody_core::event::{Events, Fact, Firing, MotionState};
+use homebody_core::event::{Events, Fact, Firing};
 use homebody_core::geometry::Point;
+use homebody_core::home::Home;
 use homebody_core::home::resolved::ResolvedHome;
-use homebody_core::home::{Build, Home};
 use homebody_core::ids::ResidentId;
-use homebody_core::naive::paper::PaperEye;
-use homebody_core::naive::{Loop, Player, Remainder, brute::BruteEye};
-use homebody_core::scenario::path::Posture;
-use homebody_core::time::{Micros, SECOND};
+use homebody_core::motion::{MotionSegment, MotionState};
+use homebody_core::posture::Posture;
+use homebody_core::resident::Build;
+use homebody_core::time::{Interval, MINUTE, RunTime, SECOND, Span, joined};
 use homebody_core::world::World;
+use homebody_oracle::paper::PaperEye;
+use homebody_oracle::{Loop, Player, Remainder, brute::BruteEye};
 use random_home::Model;
 use std::sync::Arc;
 
-const UPDATE: Micros = SECOND / 60 + 1;
-const LENGTH: Micros = 60 * SECOND;
+/// A sixtieth of a second, rounded up.
+const UPDATE: Span = Span::from_micros(SECOND.micros() / 60 + 1);
+const LENGTH: Span = MINUTE;
+const END: RunTime = RunTime::START.saturating_add(LENGTH);
 
 /// What became of all comparisons.
 #[derive(Debug, Default)]
@@ -72,7 +75,7 @@ impl Case {
         let mut events = Events::default();
         for next in &self.life {
             world.begin(ResidentId(0), next);
-            world.advance(next.end.min(LENGTH), &mut events);
+            world.advance(next.end.min(END), &mut events);
         }
         events
     }
@@ -87,16 +90,16 @@ impl Case {
         self.looped(Loop::new(eye, &self.home, self.number, 1, Remainder::Kept))
     }
 
-    fn looped<E: homebody_core::naive::Eye>(&self, mut naive: Loop<E>) -> Vec<Firing> {
+    fn looped<E: homebody_oracle::Eye>(&self, mut naive: Loop<E>) -> Vec<Firing> {
         let mut firings = Vec::new();
         let mut lives = [Player::new(&self.life, self.build.radius_m)];
-        naive.live(&mut lives, LENGTH, &mut firings);
+        naive.live(&mut lives, END, &mut firings);
         firings
     }
 
     fn compare(&self, events: &Events, naive: &[Firing], tally: &mut Tally) {
         for sensor in 0..self.home.sensors.len() {
-            let of = |firings: &[Firing]| -> Vec<Micros> {
+            let of = |firings: &[Firing]| -> Vec<RunTime> {
                 let mine = firings.iter().filter(|firing| firing.sensor.index() == sensor);
                 mine.map(|firing| firing.at).collect()
             };
@@ -104,13 +107,13 @@ impl Case {
             tally.sensors += 1;
             tally.firings += exact.len();
             let parted = (0..exact.len().max(naive.len())).find(|&i| match (exact.get(i), naive.get(i)) {
-                (Some(a), Some(b)) => (a - b).abs() > UPDATE,
+                (Some(&a), Some(&b)) => (a - b).abs() > UPDATE,
                 _ => true,
             });
             let Some(index) = parted else { continue };
-            let first = [exact.get(index), naive.get(index)].into_iter().flatten().min();
+            let first = [exact.get(index), naive.get(index)].into_iter().flatten().min().copied();
             // What is due within the last updates one of the two may not come to any more.
-            if first.is_some_and(|&at| at > LENGTH - 4 * UPDATE) {
+            if first.is_some_and(|at| at > END - 4 * UPDATE) {
                 continue;
             }
             if self.is_close_call(sensor, &exact, &naive, index) {
@@ -118,20 +121,21 @@ impl Case {
             } else if self.is_invisible(sensor, seen_at(events, sensor, index)) {
                 tally.invisible += 1;
             } else {
+                let around = first.unwrap_or_default();
                 tally.unexplained.push(format!(
                     "case {} sensor {sensor} from firing {index}: exact {:?}, naive {:?}, seen {:?}",
                     self.number,
                     &exact[index.saturating_sub(1)..exact.len().min(index + 2)],
                     &naive[index.saturating_sub(1)..naive.len().min(index + 2)],
-                    self.seen(sensor, first.unwrap_or(&0) - 4 * SECOND, first.unwrap_or(&0) + SECOND),
+                    self.seen(sensor, Interval::new(around - 4 * SECOND, around + SECOND)),
                 ));
             }
         }
     }
 
     /// Whether a detection begins or ends within an update of the decision at which two runs part.
-    fn is_close_call(&self, sensor: usize, exact: &[Micros], naive: &[Micros], index: usize) -> bool {
-        let parted = [exact.get(index), naive.get(index)].into_iter().flatten().min().copied().unwrap_or(LENGTH);
+    fn is_close_call(&self, sensor: usize, exact: &[RunTime], naive: &[RunTime], index: usize) -> bool {
+        let parted = [exact.get(index), naive.get(index)].into_iter().flatten().min().copied().unwrap_or(END);
         // The firing before may have come of different decisions at the same time: of the end of a wait in one run, and of a
         // first delay of next to nothing in the other, which draw different numbers.
         let before = index.checked_sub(1).map(|before| exact[before].min(naive[before]));
@@ -139,32 +143,33 @@ impl Case {
     }
 
     /// Whether a detection begins or ends within an update of what decided that the sensor fires, or not, at an instant.
-    fn decides_closely(&self, sensor: usize, parted: Micros) -> bool {
+    fn decides_closely(&self, sensor: usize, parted: RunTime) -> bool {
         let timing = self.home.sensors[sensor].timing;
         // Either a decision to fire again was taken then, or a first detection came up to `first_fire` before.
-        let decisions = [(parted - timing.persist, parted)];
-        let first = (parted - timing.first_fire.most - UPDATE, parted - timing.first_fire.least + UPDATE);
-        let spans =
-            self.seen(sensor, parted - timing.persist - timing.first_fire.most - 4 * UPDATE, parted + 4 * UPDATE);
-        let near = |a: Micros, b: Micros| (a - b).abs() <= 2 * UPDATE + SAMPLE;
-        spans.iter().any(|&(begin, end)| {
-            let short = end - begin <= UPDATE + SAMPLE;
-            let at_decision = decisions.iter().any(|&(from, to)| {
-                [begin, end].iter().any(|&edge| near(edge, from) || near(edge, to))
-                    || (short && begin <= to && end >= from)
-            });
-            at_decision || (short && begin <= first.1 && end >= first.0)
+        let wait = Interval::new(parted - timing.persist, parted);
+        let first = Interval {
+            begin: parted - timing.first_fire.most - UPDATE,
+            end: parted - timing.first_fire.least + UPDATE,
+        };
+        let around =
+            Interval { begin: parted - timing.persist - timing.first_fire.most - 4 * UPDATE, end: parted + 4 * UPDATE };
+        let near = |a: RunTime, b: RunTime| (a - b).abs() <= 2 * UPDATE + SAMPLE;
+        let touch = |seen: Interval<RunTime>, when: Interval<RunTime>| seen.begin <= when.end && seen.end >= when.begin;
+        self.seen(sensor, around).iter().any(|&seen| {
+            let short = seen.length() <= UPDATE + SAMPLE;
+            [seen.begin, seen.end].iter().any(|&edge| near(edge, wait.begin) || near(edge, wait.end))
+                || (short && (touch(seen, wait) || touch(seen, first)))
         })
     }
 
     /// Whether the movement that was seen at `from` shows in a ray's length for less than one of its first three
     /// updates: else the beams it touches lie wholly inside the body, or are touched less than a millimetre deep.
-    fn is_invisible(&self, sensor: usize, from: Option<Micros>) -> bool {
+    fn is_invisible(&self, sensor: usize, from: Option<RunTime>) -> bool {
         let Some(from) = from else { return false };
         let field = self.home.field(0, Posture::Standing);
         let radius = self.build.radius_m;
-        let spans = self.seen(sensor, from, from + SECOND);
-        spans.first().is_some_and(|&(begin, end)| {
+        let spans = self.seen(sensor, Interval::starting(from, SECOND));
+        spans.first().is_some_and(|&Interval { begin, end }| {
             let shows = |place: &Point| {
                 let touched = field.beams[field.range(sensor)].iter().filter(|beam| beam.distance(*place) <= radius);
                 touched.clone().any(|beam| {
@@ -172,18 +177,18 @@ impl Case {
                     !inside && beam.distance(*place) < radius - 0.001
                 })
             };
-            let places =
-                (begin..=end.min(begin + 3 * UPDATE)).step_by(SAMPLE as usize).filter_map(|at| self.moving_at(at));
-            places.filter(shows).count() as Micros * SAMPLE <= UPDATE
+            let end = end.min(begin + 3 * UPDATE) + Span::MICROSECOND;
+            let places = samples(Interval { begin, end }).filter_map(|at| self.moving_at(at));
+            places.filter(shows).count() as i64 * SAMPLE <= UPDATE
         })
     }
 
     /// Where the body is, if it moves.
-    fn moving_at(&self, at: Micros) -> Option<Point> {
+    fn moving_at(&self, at: RunTime) -> Option<Point> {
         let next = self.life.iter().find(|next| next.begin <= at && at < next.end)?;
         match next.doing {
             MotionState::Stride { from, to } => {
-                Some(from + (to - from) * ((at - next.begin) as f64 / (next.end - next.begin) as f64))
+                Some(from + (to - from) * (at - next.begin).ratio(next.end - next.begin))
             }
             MotionState::InPlace { at, .. } => Some(at),
             MotionState::Rest { .. } | MotionState::Away => None,
@@ -191,23 +196,16 @@ impl Case {
     }
 
     /// When the sensor sees the body move, between two instants, to within [`SAMPLE`].
-    fn seen(&self, sensor: usize, from: Micros, to: Micros) -> Vec<(Micros, Micros)> {
+    fn seen(&self, sensor: usize, around: Interval<RunTime>) -> Vec<Interval<RunTime>> {
         let field = self.home.field(0, Posture::Standing);
-        let mut spans: Vec<(Micros, Micros)> = Vec::new();
-        for at in (from.max(0)..to).step_by(SAMPLE as usize) {
-            if self.moving_at(at).is_some_and(|place| field.sees(sensor, place)) {
-                match spans.last_mut() {
-                    Some(last) if at - last.1 <= SAMPLE => last.1 = at,
-                    _ => spans.push((at, at)),
-                }
-            }
-        }
-        spans
+        let around = Interval { begin: around.begin.max(RunTime::START), ..around };
+        let sees = |at: &RunTime| self.moving_at(*at).is_some_and(|place| field.sees(sensor, place));
+        joined(samples(around).filter(sees).map(Interval::instant), SAMPLE)
     }
 }
 
 /// When the movement was seen that made the sensor's firing of this number.
-fn seen_at(events: &Events, sensor: usize, index: usize) -> Option<Micros> {
+fn seen_at(events: &Events, sensor: usize, index: usize) -> Option<RunTime> {
     let seq = events.firings.iter().filter(|firing| firing.sensor.index() == sensor).nth(index)?.seq;
     events.facts.iter().find_map(|fact| match fact {
         Fact::Provenance { seq: of, provenance } if *of == seq => Some(provenance.seen_at),
@@ -215,7 +213,12 @@ fn seen_at(events: &Events, sensor: usize, index: usize) -> Option<Micros> {
     })
 }
 
-const SAMPLE: Micros = 200;
+const SAMPLE: Span = Span::from_micros(200);
+
+/// Instants of an interval, one [`SAMPLE`] after the other.
+fn samples(of: Interval<RunTime>) -> impl Iterator<Item = RunTime> {
+    (of.begin.micros()..of.end.micros()).step_by(SAMPLE.micros() as usize).map(RunTime::from_micros)
+}
 
 fn naive_way_agrees(cases: std::ops::Range<u64>, more: i64, way: fn(&Case) -> Vec<Firing>) {
     let mut tally = Tally::default();

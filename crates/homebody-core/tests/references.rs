@@ -9,8 +9,8 @@
 mod generated;
 
 use generated::is_generated;
+use homebody_core::home::form::HomeFile;
 use homebody_core::home::resolved::ResolvedHome;
-use homebody_core::scenario::home::HomeFile;
 use homebody_core::scenario::logger::LoggerFile;
 use homebody_core::scenario::schema::FileKind;
 use homebody_core::scenario::scheme::Scheme;
@@ -52,7 +52,7 @@ This page lists every key of `home.json`, the file that describes a home: its ro
 `homebody check` reports errors that the tables cannot express, such as a door outside any wall, with the line and a hint. The events
 of each kind of sensor are in [sensors](sensors.md), the roles of furniture in [activities and roles](activities.md). For editors,
 `schemas/home.schema.json` has the same content as this page. Both are made from the types in
-`crates/homebody-core/src/scenario/home.rs` and `crates/homebody-core/src/sensors/`.
+`crates/homebody-core/src/home/form.rs`, `crates/homebody-core/src/plan/form.rs` and `crates/homebody-core/src/sensors/`.
 
 ```json
 {

@@ -1,88 +1,103 @@
-//! One case: done with all that is measured, and what became of it.
+//! One case: run in a folder of its own, with limits on its time and memory.
 
-use crate::memory::Memory;
-use crate::target::{Files, Target, Verdict};
-use std::fs;
+use crate::target::{CaseFiles, ReadVerdict, Target};
+use peak_alloc::PeakAlloc;
 use std::panic::{self, AssertUnwindSafe};
-use std::sync::{Mutex, PoisonError};
+use std::sync::{Mutex, Once, PoisonError};
 use std::time::{Duration, Instant};
+use std::{fs, process, thread};
 
-/// What became of a case.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub enum End {
-    /// It was read.
-    Accepted,
-    /// It was refused, in words.
-    Refused,
-    /// A panic, or an invariant that does not hold; or the process died or hung.
-    Failed(String),
-}
+#[global_allocator]
+static ALLOCATOR: PeakAlloc = PeakAlloc;
 
-/// A case that has ended.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Done {
-    /// What became of it.
-    pub end: End,
-    /// How long it took: of the processors, where the system tells, which is at most what the clock says.
-    pub took: Duration,
-    /// The most memory that it took at a time, in bytes.
-    pub peak_bytes: usize,
-}
+/// Largest time and memory of a case in an optimised build (our choice).
+const LONGEST: Duration = Duration::from_secs(1);
+const MOST_BYTES: usize = 256 << 20;
 
-/// What panics have said, of whatever thread, since somebody has asked.
+/// Memory above which the process ends at once, to protect the machine (our choice).
+const GREATEST_BYTES: usize = 1 << 30;
+
+/// The exit code of a process whose case takes too much memory.
+pub const GREEDY: i32 = 86;
+
+/// The panics of all threads during a case.
 static PANICS: Mutex<Vec<String>> = Mutex::new(Vec::new());
-
-/// From now on panics are kept, not printed.
-pub fn keep_panics() {
-    panic::set_hook(Box::new(|panic| {
-        let place = panic.location().map(|place| format!("{}:{}", place.file(), place.line())).unwrap_or_default();
-        let payload = panic.payload();
-        let text = payload.downcast_ref::<String>().map(String::as_str);
-        let what = text.or(payload.downcast_ref::<&str>().copied()).unwrap_or("something");
-        panics().push(format!("panic at {place}: {what}"));
-    }));
-}
 
 fn panics() -> std::sync::MutexGuard<'static, Vec<String>> {
     PANICS.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
-/// The time that processors have spent on this process; None where the system does not tell.
-fn processor_time() -> Option<Duration> {
-    /// What Linux counts in is a hundredth of a second for all who ask, whatever its clock.
-    const TICK: Duration = Duration::from_millis(10);
-    let stat = fs::read_to_string("/proc/self/stat").ok()?;
-    // Behind the name, in brackets, which may have blanks: the 14th and 15th figure of all.
-    let (_, figures) = stat.rsplit_once(')')?;
-    let ticks: Vec<u32> =
-        figures.split_whitespace().skip(11).take(2).filter_map(|figure| figure.parse().ok()).collect();
-    Some(TICK * ticks.iter().sum::<u32>())
+/// Runs a case. With `is_measured`, too much time or memory fails, if it recurs: other processes may have delayed the first run.
+///
+/// # Errors
+///
+/// A panic of any thread, an invariant that does not hold, or a limit that is exceeded.
+pub fn run(target: &Target, files: &CaseFiles, is_measured: bool) -> Result<ReadVerdict, String> {
+    static GUARDED: Once = Once::new();
+    GUARDED.call_once(guard);
+    let (verdict, excess) = measured(target, files)?;
+    match excess.filter(|_| is_measured) {
+        Some(_) => match measured(target, files)? {
+            (_, Some(excess)) => Err(excess),
+            (verdict, None) => Ok(verdict),
+        },
+        None => Ok(verdict),
+    }
 }
 
-/// Does a case in a folder of its own, which is gone afterwards.
-pub fn run(target: &Target, files: &Files) -> Done {
-    let folder = match tempfile::tempdir() {
-        Ok(folder) => folder,
-        Err(error) => {
-            let end = End::Failed(format!("no folder for temporary files: {error}"));
-            return Done { end, took: Duration::ZERO, peak_bytes: 0 };
+/// Records panics instead of printing them, and ends the process before its memory fills the machine.
+fn guard() {
+    panic::set_hook(Box::new(|panic| panics().push(panic.to_string())));
+    thread::spawn(|| {
+        let begin = Memory::begin();
+        while begin.bytes("VmRSS:", ALLOCATOR.current_usage()) < GREATEST_BYTES {
+            thread::sleep(Duration::from_millis(5));
         }
-    };
+        process::exit(GREEDY);
+    });
+}
+
+/// The verdict on a case, and the limit that it exceeded.
+fn measured(target: &Target, files: &CaseFiles) -> Result<(ReadVerdict, Option<String>), String> {
+    let folder = tempfile::tempdir().map_err(|error| {
+        format!("no folder for temporary files: {error}\n  hint: let TMPDIR name a folder that can be written")
+    })?;
     panics().clear();
-    let memory = Memory::begin();
-    let (begun, before) = (Instant::now(), processor_time());
+    let (memory, begun) = (Memory::begin(), Instant::now());
     let result = panic::catch_unwind(AssertUnwindSafe(|| (target.run)(files, folder.path())));
-    // On a machine that others use, a case may have waited for them: it has not taken that time.
-    let waited = begun.elapsed();
-    let took = processor_time().zip(before).map_or(waited, |(after, before)| waited.min(after.saturating_sub(before)));
-    let peak_bytes = memory.peak_bytes();
-    let panicked = panics().first().cloned();
-    let end = match (panicked, result) {
-        (Some(panic), _) => End::Failed(panic),
-        (None, Ok(Ok(Verdict::Accepted))) => End::Accepted,
-        (None, Ok(Ok(Verdict::Refused))) => End::Refused,
-        (None, Ok(Err(what))) => End::Failed(what),
-        (None, Err(_)) => End::Failed("a panic that said nothing".into()),
-    };
-    Done { end, took, peak_bytes }
+    let (took, bytes) = (begun.elapsed(), memory.bytes("VmHWM:", ALLOCATOR.peak_usage()));
+    if let Some(panic) = panics().first() {
+        return Err(panic.clone());
+    }
+    let verdict = result.unwrap_or_else(|_| Err("a panic without a message".into()))?;
+    let is_within = took <= LONGEST && bytes <= MOST_BYTES;
+    Ok((verdict, (!is_within).then(|| format!("{:.1} s, {} MiB", took.as_secs_f64(), bytes >> 20))))
+}
+
+/// The memory of the process at a moment, by its allocator and by Linux, which also counts that of C libraries.
+struct Memory {
+    allocated: usize,
+    resident: Option<usize>,
+}
+
+impl Memory {
+    fn begin() -> Memory {
+        ALLOCATOR.reset_peak_usage();
+        // On Linux, this resets the peak.
+        let _ = fs::write("/proc/self/clear_refs", "5");
+        Memory { allocated: ALLOCATOR.current_usage(), resident: status("VmRSS:") }
+    }
+
+    /// Bytes beyond those at the beginning, by a key of Linux's status or by the allocator.
+    fn bytes(&self, key: &str, allocated: usize) -> usize {
+        let resident = self.resident.zip(status(key)).map_or(0, |(before, now)| now.saturating_sub(before));
+        allocated.saturating_sub(self.allocated).max(resident)
+    }
+}
+
+/// A figure from Linux's status of this process, in bytes.
+fn status(key: &str) -> Option<usize> {
+    let status = fs::read_to_string("/proc/self/status").ok()?;
+    let line = status.lines().find_map(|line| line.strip_prefix(key))?;
+    Some(line.split_whitespace().next()?.parse::<usize>().ok()? << 10)
 }

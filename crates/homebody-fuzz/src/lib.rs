@@ -1,32 +1,17 @@
-//! Hostile inputs for all that reads what anybody may have written, without end and always the same.
+//! Hostile inputs for every reader of foreign data: the targets, their seeds, the mutators and the limits of a case.
 //!
-//! A target is something that reads, with a corpus, a mutator and what holds of it always. A case is a target, a seed and a
-//! number, which is all that it depends on. Cases are done in processes of their own, which a case may hang or kill; what
-//! each took is measured.
-//!
-//! ```sh
-//! cargo run --release -p homebody-fuzz
-//! ```
-//!
-//! This crate does not know what a home or a log means; it knows what must hold of each. Reading order:
+//! `tests/targets.rs` runs them. proptest draws, repeats and shrinks the cases, and runs them in a child process, which a
+//! case may hang or kill. This crate knows no homes and no logs, only the properties that must hold of each.
 
 #![warn(missing_docs)]
 
-/// What a target is.
-pub mod target;
-/// What is fuzzed.
-pub mod targets;
-
-mod dice;
-mod corpus;
-mod mutate;
-
-mod memory;
 /// One case, measured.
 pub mod case;
-/// The process that does cases.
-pub mod worker;
-/// The one that watches it.
-pub mod supervise;
-/// What became of all.
-pub mod table;
+/// Targets and their cases.
+pub mod target;
+/// The targets.
+pub mod targets;
+
+mod choices;
+mod mutate;
+mod seeds;

@@ -1,55 +1,139 @@
-//! Each target for some seconds, its corpus first; and that failures are found.
+//! Each target for some seconds, its seeds first, and controls in which each kind of failure is found.
 
-use homebody_fuzz::supervise::{Outcome, Plan, supervise};
+use homebody_fuzz::case;
+use homebody_fuzz::target::{CaseFiles, ReadVerdict, Target};
 use homebody_fuzz::targets::{TARGETS, named};
-use std::time::Duration;
+use proptest::collection::vec;
+use proptest::prelude::{Just, Strategy, any};
+use proptest::test_runner::{Config, RngSeed, TestCaseError, TestError, TestRunner};
+use std::path::{Path, PathBuf};
+use std::sync::OnceLock;
+use std::time::{Duration, Instant};
+use std::{env, fs};
 
-/// Always the same, so that a failure is the same everywhere (ours).
+/// The same cases in each run (our choice). `PROPTEST_RNG_SEED` and `PROPTEST_CASES` give others, and more.
 const SEED: u64 = 1;
 
-/// As long as each target is fuzzed here (ours): tests run side by side, and all together take less than two minutes.
+/// Time after which a target gets no more mutants, without `HOMEBODY_FUZZ_S` (our choice).
 const SECONDS: u64 = 10;
 
-fn plan(hangs_after_s: u64) -> Plan {
-    Plan {
-        program: env!("CARGO_BIN_EXE_homebody-fuzz").into(),
-        seed: SEED,
-        first: 0,
-        cases: u64::MAX,
-        until: Some(Duration::from_secs(SECONDS)),
-        workers: 1,
-        // A build that is not optimised is slow, and other tests run beside it.
-        hangs_after: Duration::from_secs(hangs_after_s),
-        is_measured: false,
+/// Time after which a case hangs (our choice): a build that is not optimised is slow, and other tests run beside it.
+const HANGS_AFTER_MS: u32 = if cfg!(debug_assertions) { 60_000 } else { 10_000 };
+
+/// Largest number of bytes from which a mutant is made (our choice).
+const MOST_BYTES: usize = 1024;
+
+/// The folder that a test and its child processes share.
+fn notes(test: &str) -> PathBuf {
+    Path::new(env!("CARGO_TARGET_TMPDIR")).join(test.replace("::", "-"))
+}
+
+/// Runs cases in a child process; the simplest value that fails, and why. The verdicts are noted as files.
+fn run<S: Strategy>(
+    test: &'static str,
+    config: Config,
+    values: &S,
+    case: impl Fn(S::Value) -> Result<ReadVerdict, String>,
+) -> Result<(), (String, Option<S::Value>)> {
+    let notes = notes(test);
+    let is_parent = env::var_os("_PROPTEST_FORKFILE").is_none();
+    if is_parent {
+        let _ = fs::remove_dir_all(&notes);
+        fs::create_dir_all(&notes).unwrap();
+    }
+    let seed = if let RngSeed::Random = config.rng_seed { RngSeed::Fixed(SEED) } else { config.rng_seed };
+    let config = Config {
+        fork: true,
+        test_name: Some(test),
+        failure_persistence: None,
+        rng_seed: seed,
+        max_shrink_iters: 64,
+        ..config
+    };
+    let done = TestRunner::new(config).run(values, |value| match case(value) {
+        Ok(verdict) => {
+            let note = notes.join(format!("{verdict:?}"));
+            if !note.exists() {
+                fs::write(note, "").unwrap();
+            }
+            Ok(())
+        }
+        Err(why) => {
+            fs::write(notes.join("failure"), &why).unwrap();
+            Err(TestCaseError::fail(why))
+        }
+    });
+    let why = |reason: String| fs::read_to_string(notes.join("failure")).unwrap_or(reason);
+    match done {
+        Ok(()) => Ok(()),
+        Err(TestError::Fail(reason, value)) => Err((why(reason.to_string()), Some(value))),
+        Err(TestError::Abort(reason)) => Err((why(reason.to_string()), None)),
     }
 }
 
-fn fuzzed(name: &str) -> Outcome {
+fn save(folder: &Path, files: &CaseFiles) {
+    fs::create_dir_all(folder).unwrap();
+    files.iter().for_each(|(name, bytes)| fs::write(folder.join(name), bytes).unwrap());
+}
+
+/// All seeds; with `HOMEBODY_CASE`, the files of that folder instead.
+fn seeds(target: &Target) -> Vec<CaseFiles> {
+    let Some(folder) = env::var_os("HOMEBODY_CASE") else { return (target.seeds)() };
+    let files = fs::read_dir(folder).unwrap().flatten();
+    vec![files.map(|file| (file.file_name().into_string().unwrap(), fs::read(file.path()).unwrap())).collect()]
+}
+
+fn read_seeds(test: &'static str, name: &str) {
     let target = named(name).unwrap();
-    let outcome = supervise(&target, &plan(60), &|| ()).unwrap();
-    let findings: Vec<String> = outcome
-        .findings
-        .iter()
-        .map(|found| {
-            let number = found.number;
-            format!(
-                "{}\n  cargo run --release -p homebody-fuzz -- --target {name} --seed {SEED} --case {number}",
-                found.what
-            )
-        })
-        .collect();
-    assert!(findings.is_empty(), "{}", findings.join("\n"));
-    assert!(outcome.cases >= (target.corpus)().len() as u64, "{outcome:?}");
-    outcome
+    let config = Config { cases: 1, timeout: HANGS_AFTER_MS, ..Config::default() };
+    let all = |()| {
+        let verdicts = seeds(&target).into_iter().enumerate().map(|(number, files)| {
+            case::run(&target, &files, !cfg!(debug_assertions)).map_err(|why| format!("seed {number}: {why}"))
+        });
+        verdicts.collect::<Result<Vec<_>, _>>().map(|verdicts| verdicts[0])
+    };
+    if let Err((why, _)) = run(test, config, &Just(()), all) {
+        panic!("{name}: {why}");
+    }
+}
+
+fn read_mutants(test: &'static str, name: &str) {
+    static BEGUN: OnceLock<Instant> = OnceLock::new();
+    static SEEDS: OnceLock<Vec<CaseFiles>> = OnceLock::new();
+    let target = named(name).unwrap();
+    let seconds = env::var("HOMEBODY_FUZZ_S").map_or(SECONDS, |seconds| seconds.parse().unwrap());
+    let default = Config::default();
+    let cases = if env::var_os("PROPTEST_CASES").is_some() { default.cases } else { target.cases };
+    let config = Config { cases, timeout: HANGS_AFTER_MS, ..default };
+    let mutant = |bytes: &[u8]| target.mutant(SEEDS.get_or_init(target.seeds), bytes);
+    let case = |bytes: Vec<u8>| {
+        if BEGUN.get_or_init(Instant::now).elapsed() > Duration::from_secs(seconds) {
+            return Ok(ReadVerdict::Refused);
+        }
+        case::run(&target, &mutant(&bytes), !cfg!(debug_assertions))
+    };
+    if let Err((why, bytes)) = run(test, config, &vec(any::<u8>(), 0..=MOST_BYTES), case) {
+        let folder = notes(test).join("case");
+        bytes.iter().for_each(|bytes| save(&folder, &mutant(bytes)));
+        panic!("{name}: {why}\n  hint: repeat it with HOMEBODY_CASE={} for the seeds of this target", folder.display());
+    }
+    for verdict in [ReadVerdict::Accepted, ReadVerdict::Refused] {
+        assert!(notes(test).join(format!("{verdict:?}")).exists(), "{name}: no mutant is {verdict:?}");
+    }
 }
 
 macro_rules! each {
     ($($test:ident: $target:literal,)*) => {
-        $(#[test]
-        fn $test() {
-            let outcome = fuzzed($target);
-            // The mutants reach both sides of the border.
-            assert!(outcome.accepted > 0 && outcome.refused > 0, "{outcome:?}");
+        $(mod $test {
+            #[test]
+            fn seeds() {
+                super::read_seeds(concat!(module_path!(), "::seeds"), $target);
+            }
+
+            #[test]
+            fn mutants() {
+                super::read_mutants(concat!(module_path!(), "::mutants"), $target);
+            }
         })*
 
         #[test]
@@ -79,34 +163,35 @@ each! {
     messages_of_the_page: "wire",
 }
 
-#[test]
-fn what_panics_breaks_hangs_eats_or_dies_is_found_and_the_rest_is_done() {
-    let trial = named("trial").unwrap();
-    let plan = Plan { cases: 9, until: None, is_measured: true, ..plan(2) };
-    let outcome = supervise(&trial, &plan, &|| ()).unwrap();
-    assert_eq!((outcome.cases, outcome.accepted, outcome.refused), (9, 2, 1), "{outcome:?}");
-    let said: Vec<(u64, &str)> = outcome.findings.iter().map(|found| (found.number, found.what.as_str())).collect();
-    let expected = ["a panic", "a panic of another thread", "an invariant", "hangs", "MiB", "died", "died"];
-    assert_eq!(said.len(), expected.len(), "{said:?}");
-    for ((number, what), (index, expected)) in said.iter().zip(expected.iter().enumerate()) {
-        assert!(*number == index as u64 + 2 && what.contains(expected), "case {number}: {what}");
-    }
+/// What a case of the target `trial` comes to, which fails on purpose.
+fn trial(test: &'static str, way: &str) -> Result<(), String> {
+    let target = named("trial").unwrap();
+    let files = CaseFiles::from([("way".to_owned(), way.as_bytes().to_vec())]);
+    let config = Config { cases: 1, timeout: 5_000, ..Config::default() };
+    run(test, config, &Just(()), |()| case::run(&target, &files, true)).map_err(|(why, _)| why)
 }
 
-/// The hint is followed, and works.
-#[test]
-fn without_a_folder_for_temporary_files_it_says_so() {
-    let repeat = |folder: &std::path::Path| {
-        let mut command = std::process::Command::new(env!("CARGO_BIN_EXE_homebody-fuzz"));
-        command.args(["--target", "database", "--case", "0"]).env("TMPDIR", folder).output().unwrap()
+macro_rules! controls {
+    ($($test:ident: $way:literal, $expected:literal;)*) => {
+        $(#[test]
+        fn $test() {
+            let found = trial(concat!(module_path!(), "::", stringify!($test)), $way);
+            assert!(found.as_ref().is_err_and(|why| why.contains($expected)), "{found:?}");
+        })*
     };
-    let folder = tempfile::tempdir().unwrap();
-    let done = repeat(&folder.path().join("nowhere"));
-    let said = String::from_utf8(done.stderr).unwrap();
-    assert_eq!(done.status.code(), Some(1), "{said}");
-    assert!(
-        said.starts_with("error: no folder for temporary files") && said.contains("hint: let TMPDIR name"),
-        "{said}"
-    );
-    assert_eq!(repeat(folder.path()).status.code(), Some(0));
+}
+
+controls! {
+    a_panic_is_found: "panic", "a panic";
+    a_panic_of_another_thread_is_found: "panic elsewhere", "a panic of another thread";
+    a_broken_invariant_is_found: "break", "an invariant";
+    a_hang_is_found: "hang", "other process";
+    too_much_memory_is_found: "eat", "MiB";
+    memory_that_would_fill_the_machine_is_found: "devour", "other process";
+    an_abort_is_found: "die", "other process";
+}
+
+#[test]
+fn working_readers_pass() {
+    assert_eq!(trial(concat!(module_path!(), "::working_readers_pass"), "accept"), Ok(()));
 }

@@ -2,8 +2,8 @@
 //!
 //! The entry `Home`, a dump of Java objects, is never read.
 
-use crate::error::NotImported;
-use crate::other_form;
+use crate::error::ImportError;
+use crate::file_form;
 use std::io::{Cursor, Read};
 use zip::ZipArchive;
 
@@ -28,11 +28,11 @@ const MOST_SHRUNK: u64 = 200;
 /// Size above which the compression ratio is checked (our choice).
 const SMALL_BYTES: u64 = 1 << 20;
 
-/// What the list of an archive's entries has before each of them.
+/// The signature of an entry in the directory of an archive.
 const ENTRY_SIGN: &[u8] = b"PK\x01\x02";
 
 /// The text of the plan in a file.
-pub fn home_xml(bytes: &[u8]) -> Result<String, NotImported> {
+pub fn home_xml(bytes: &[u8]) -> Result<String, ImportError> {
     let hint = "delete furniture whose models are large, in a copy";
     within("bytes", bytes.len() as u64, MOST_BYTES, hint)?;
     if is_unpacked(bytes) {
@@ -42,22 +42,22 @@ pub fn home_xml(bytes: &[u8]) -> Result<String, NotImported> {
     // The list is read as a whole when the archive is opened.
     let entries = bytes.windows(ENTRY_SIGN.len()).filter(|window| *window == ENTRY_SIGN).count();
     within("entries", entries as u64, MOST_ENTRIES, hint)?;
-    let mut archive = ZipArchive::new(Cursor::new(bytes)).map_err(|_| other_form::refused(bytes))?;
+    let mut archive = ZipArchive::new(Cursor::new(bytes)).map_err(|_| file_form::refused(bytes))?;
     if archive.index_for_name(ENTRY).is_none() {
         let is_old = archive.index_for_name(JAVA_ENTRY).is_some();
         let names = archive.file_names().filter_map(Result::ok).map(|name| name.into_owned());
-        return Err(if is_old { NotImported::OnlyJava } else { other_form::of_archive(names) });
+        return Err(if is_old { ImportError::OnlyJava } else { file_form::archive_error(names) });
     }
-    let entry = archive.by_name(ENTRY).map_err(|error| NotImported::Damaged(error.to_string()))?;
+    let entry = archive.by_name(ENTRY).map_err(|error| ImportError::Damaged(error.to_string()))?;
     let hint = SAVE_AGAIN;
     within("bytes of XML", entry.size(), MOST_XML_BYTES, hint)?;
     let packed = entry.compressed_size().max(1);
     let most = if packed > MOST_XML_BYTES { MOST_XML_BYTES } else { (packed * MOST_SHRUNK).max(SMALL_BYTES) };
     let most = most.min(MOST_XML_BYTES);
-    // What the entry says of its size may be a lie.
+    // The size in the entry may be wrong.
     let mut xml = Vec::new();
     let read = entry.take(most + 1).read_to_end(&mut xml);
-    read.map_err(|error| NotImported::Damaged(error.to_string()))?;
+    read.map_err(|error| ImportError::Damaged(error.to_string()))?;
     within("bytes of XML", xml.len() as u64, most, hint)?;
     text(xml)
 }
@@ -65,7 +65,7 @@ pub fn home_xml(bytes: &[u8]) -> Result<String, NotImported> {
 /// The hint for a plan that is larger than one of a home.
 const SAVE_AGAIN: &str = "a plan of one home is smaller: open it in Sweet Home 3D and save it again";
 
-/// Whether the bytes are the text of a plan, without an archive around it.
+/// True if the bytes are the text of a plan, without an archive around it.
 fn is_unpacked(bytes: &[u8]) -> bool {
     /// Number of bytes within which the root element begins (our choice).
     const HEAD: usize = 4_096;
@@ -76,12 +76,12 @@ fn is_unpacked(bytes: &[u8]) -> bool {
     head.starts_with('<') && has_root()
 }
 
-fn text(xml: Vec<u8>) -> Result<String, NotImported> {
-    let text = String::from_utf8(xml).map_err(|_| NotImported::NotUtf8)?;
+fn text(xml: Vec<u8>) -> Result<String, ImportError> {
+    let text = String::from_utf8(xml).map_err(|_| ImportError::NotUtf8)?;
     // A byte order mark says nothing.
     Ok(text.strip_prefix('\u{feff}').map_or_else(|| text.clone(), str::to_owned))
 }
 
-fn within(unit: &'static str, found: u64, most: u64, hint: &'static str) -> Result<(), NotImported> {
-    if found > most { Err(NotImported::TooLarge { unit, found, most, hint }) } else { Ok(()) }
+fn within(unit: &'static str, found: u64, most: u64, hint: &'static str) -> Result<(), ImportError> {
+    if found > most { Err(ImportError::TooLarge { unit, found, most, hint }) } else { Ok(()) }
 }

@@ -1,22 +1,22 @@
 //! Doors: spans of the walls that they stand in.
 
-use crate::drawing::Piece;
-use crate::error::NotImported;
+use crate::drawing::PlanPiece;
+use crate::error::ImportError;
 use crate::kinds;
-use crate::names::Names;
-use crate::outline::Room;
-use crate::walls::{DOOR_OFF_M, Wall};
+use crate::names::NamePool;
+use crate::outline::NamedRoom;
+use crate::walls::{DOOR_OFF_M, StraightWall};
 use homebody_core::geometry::{self, Point};
 use homebody_core::problem::counted;
 
 /// A door in a wall.
 #[derive(Clone, Debug)]
-pub struct Door {
+pub struct WallDoor {
     pub name: String,
     pub from: Point,
     pub to: Point,
     pub is_outside: bool,
-    /// How surely people come home by it: 2 by a front door, 0 by a window that reaches the floor.
+    /// Its preference as the way home: 2 for a front door, 0 for a window that reaches the floor.
     pub leads_home: usize,
 }
 
@@ -45,15 +45,15 @@ const MOST_BESIDE: usize = 2;
 const BEHIND_M: [f64; 5] = [0.05, 0.15, 0.25, 0.35, 0.45];
 
 /// The doors among the openings, without windows.
-pub fn only(openings: Vec<Piece>, remarks: &mut Vec<String>) -> Result<Vec<Piece>, NotImported> {
-    let (windows, doors): (Vec<Piece>, Vec<Piece>) = openings.into_iter().partition(kinds::is_window);
+pub fn only(openings: Vec<PlanPiece>, remarks: &mut Vec<String>) -> Result<Vec<PlanPiece>, ImportError> {
+    let (windows, doors): (Vec<PlanPiece>, Vec<PlanPiece>) = openings.into_iter().partition(kinds::is_window);
     if !windows.is_empty() {
         let windows = counted(windows.len(), "window, which makes", "windows, which make");
         remarks.push(format!("left out: {windows} no difference to motion sensors"));
     }
     if doors.len() > MOST_DOORS {
         let hint = "import one level of it, or a plan of one home";
-        return Err(NotImported::TooMany { what: "doors", count: doors.len(), most: MOST_DOORS, hint });
+        return Err(ImportError::TooMany { what: "doors", count: doors.len(), most: MOST_DOORS, hint });
     }
     Ok(doors)
 }
@@ -65,8 +65,8 @@ const BESIDE_GAP_M: f64 = 0.35;
 const IN_WALL_SHARE: f64 = 0.5;
 
 /// Walls for the doors that are drawn in gaps between walls: from the one end to the other.
-pub fn gaps(doors: &[Piece], walls: &[Wall], remarks: &mut Vec<String>) -> Vec<Wall> {
-    let gaps: Vec<Wall> = doors.iter().filter_map(|door| gap(door, walls)).collect();
+pub fn gaps(doors: &[PlanPiece], walls: &[StraightWall], remarks: &mut Vec<String>) -> Vec<StraightWall> {
+    let gaps: Vec<StraightWall> = doors.iter().filter_map(|door| gap(door, walls)).collect();
     if !gaps.is_empty() {
         let are = counted(gaps.len(), "door is drawn in a gap", "doors are drawn in gaps");
         remarks.push(format!(
@@ -77,9 +77,9 @@ pub fn gaps(doors: &[Piece], walls: &[Wall], remarks: &mut Vec<String>) -> Vec<W
     gaps
 }
 
-fn gap(door: &Piece, walls: &[Wall]) -> Option<Wall> {
+fn gap(door: &PlanPiece, walls: &[StraightWall]) -> Option<StraightWall> {
     let along = geometry::direction(door.turn_rad.to_degrees());
-    let in_wall_m = |wall: &Wall| {
+    let in_wall_m = |wall: &StraightWall| {
         let at = (door.at - wall.from).dot(wall.along());
         (at + door.width_m / 2.0).min(wall.length()) - (at - door.width_m / 2.0).max(0.0)
     };
@@ -88,25 +88,26 @@ fn gap(door: &Piece, walls: &[Wall]) -> Option<Wall> {
     }
     let beside = |side: f64| {
         let jamb = door.at + along * (side * door.width_m / 2.0);
-        let off_m = |wall: &Wall| geometry::distance_to_segment(jamb, wall.from, wall.to) - wall.thickness_m / 2.0;
+        let off_m =
+            |wall: &StraightWall| geometry::distance_to_segment(jamb, wall.from, wall.to) - wall.thickness_m / 2.0;
         let near = walls.iter().map(|wall| (off_m(wall), wall)).filter(|(off_m, _)| *off_m <= BESIDE_GAP_M);
         let (_, wall) = near.min_by(|a, b| a.0.total_cmp(&b.0))?;
         Some((geometry::nearest_on_segment(jamb, wall.from, wall.to), wall.thickness_m))
     };
     let ((from, thin_m), (to, thick_m)) = (beside(-1.0)?, beside(1.0)?);
-    let wall = Wall { from, to, thickness_m: thin_m.min(thick_m) };
+    let wall = StraightWall { from, to, thickness_m: thin_m.min(thick_m) };
     let is_across = wall.along().dot(along) >= IN_WALL_COSINE;
     (is_across && wall.length() >= LEAST_WIDTH_M.max(door.width_m / 2.0)).then_some(wall)
 }
 
 /// The doors in their walls; those between a room and none lead out.
 pub fn place(
-    doors: &[Piece],
-    walls: &[Wall],
-    rooms: &[Room],
-    names: &mut Names,
+    doors: &[PlanPiece],
+    walls: &[StraightWall],
+    rooms: &[NamedRoom],
+    names: &mut NamePool,
     remarks: &mut Vec<String>,
-) -> Vec<Door> {
+) -> Vec<WallDoor> {
     let mut placed = Vec::new();
     for door in doors {
         let name = names.give(&door.name, "door");
@@ -126,29 +127,29 @@ pub fn place(
             remarks.push(format!("the door {name:?} moved by {moved_m:.2} m into its wall"));
         }
         let beside = walls.iter().filter(|other| goes_through_both(door, wall, other));
-        let beside: Vec<&Wall> = beside.take(MOST_BESIDE).collect();
+        let beside: Vec<&StraightWall> = beside.take(MOST_BESIDE).collect();
         let last = beside.iter().copied().chain([wall]);
         let is_inside = |side: f64| last.clone().any(|wall| is_inside(middle, wall, rooms, side));
         let is_outside = is_inside(1.0) != is_inside(-1.0);
         let leads_home = kinds::leads_home(door);
-        placed.push(Door { name: name.clone(), from, to, is_outside, leads_home });
+        placed.push(WallDoor { name: name.clone(), from, to, is_outside, leads_home });
         for other in beside {
             let again = names.give(&name, "door");
             remarks.push(format!("the door {name:?} goes through two walls; in the other it is {again:?}"));
             let (from, to) = beside_others(&placed, &again, span(door, other), remarks);
-            placed.push(Door { name: again, from, to, is_outside, leads_home });
+            placed.push(WallDoor { name: again, from, to, is_outside, leads_home });
         }
     }
     placed
 }
 
-/// How surely somebody comes home by one of the doors: 0 where none leads out, 3 by a front door.
-pub fn way_out(doors: &[Door]) -> usize {
+/// The best preference of a door as the way home: 0 without a door that leads out, 3 for a front door.
+pub fn way_out(doors: &[WallDoor]) -> usize {
     doors.iter().filter(|door| door.is_outside).map(|door| door.leads_home + 1).max().unwrap_or(0)
 }
 
 /// The walls that a door may stand in.
-fn near<'a>(door: &Piece, walls: &'a [Wall]) -> impl Iterator<Item = &'a Wall> {
+fn near<'a>(door: &PlanPiece, walls: &'a [StraightWall]) -> impl Iterator<Item = &'a StraightWall> {
     let across = geometry::direction(door.turn_rad.to_degrees());
     walls.iter().filter(move |wall| {
         let off_m = geometry::distance_to_segment(door.at, wall.from, wall.to);
@@ -159,9 +160,9 @@ fn near<'a>(door: &Piece, walls: &'a [Wall]) -> impl Iterator<Item = &'a Wall> {
 }
 
 /// The wall that a door stands in.
-fn wall_of<'a>(door: &Piece, walls: &'a [Wall]) -> Option<&'a Wall> {
-    // Where walls meet, the one that has more of the door; of walls side by side, the nearer one.
-    let fit = |wall: &Wall| {
+fn wall_of<'a>(door: &PlanPiece, walls: &'a [StraightWall]) -> Option<&'a StraightWall> {
+    // Of walls that meet, the one with more of the door; of walls side by side, the nearer one.
+    let fit = |wall: &StraightWall| {
         let at = (door.at - wall.from).dot(wall.along());
         let shared = (at + door.width_m / 2.0).min(wall.length()) - (at - door.width_m / 2.0).max(0.0);
         shared - 2.0 * geometry::distance_to_segment(door.at, wall.from, wall.to)
@@ -169,8 +170,8 @@ fn wall_of<'a>(door: &Piece, walls: &'a [Wall]) -> Option<&'a Wall> {
     near(door, walls).max_by(|a, b| fit(a).total_cmp(&fit(b)))
 }
 
-/// Where in a wall a door stands, moved into it as far as it must, and no wider than it.
-fn span(door: &Piece, wall: &Wall) -> (Point, Point) {
+/// The span of a door in a wall, moved into it as far as it must, and no wider than it.
+fn span(door: &PlanPiece, wall: &StraightWall) -> (Point, Point) {
     let half = door.width_m.min(wall.length()) / 2.0;
     let at = (door.at - wall.from).dot(wall.along()).clamp(half, (wall.length() - half).max(half));
     (wall.from + wall.along() * (at - half), wall.from + wall.along() * (at + half))
@@ -179,7 +180,7 @@ fn span(door: &Piece, wall: &Wall) -> (Point, Point) {
 /// The part of a span that no earlier door covers. Only what overlaps by the width of a frame at most is cut, as two leaves do; of
 /// doors that overlap more the check leaves one out.
 fn beside_others(
-    placed: &[Door],
+    placed: &[WallDoor],
     name: &str,
     (mut from, mut to): (Point, Point),
     remarks: &mut Vec<String>,
@@ -209,8 +210,8 @@ fn beside_others(
     (from, to)
 }
 
-/// Whether a door also goes through a wall that stands beside its own, as where two houses meet.
-fn goes_through_both(door: &Piece, own: &Wall, other: &Wall) -> bool {
+/// True if a door also goes through a wall that stands beside its own, as where two houses meet.
+fn goes_through_both(door: &PlanPiece, own: &StraightWall, other: &StraightWall) -> bool {
     let way = other.along();
     let at = (door.at - other.from).dot(way);
     let off_m = (door.at - other.from).perp_dot(way).abs();
@@ -222,8 +223,8 @@ fn goes_through_both(door: &Piece, own: &Wall, other: &Wall) -> bool {
         && at <= other.length() - door.width_m / 2.0
 }
 
-/// Whether there is a room on one side of a place in a wall.
-fn is_inside(middle: Point, wall: &Wall, rooms: &[Room], side: f64) -> bool {
+/// True if a room is on this side of a place in a wall.
+fn is_inside(middle: Point, wall: &StraightWall, rooms: &[NamedRoom], side: f64) -> bool {
     let out = wall.along().perp() * side;
     let at = BEHIND_M.map(|behind| middle + out * (wall.thickness_m / 2.0 + behind));
     at.iter().any(|&p| rooms.iter().any(|room| geometry::contains(&room.outline, p)))

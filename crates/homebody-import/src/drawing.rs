@@ -1,4 +1,4 @@
-//! What a plan draws, in metres, with y to the north and angles counter-clockwise.
+//! The content of a plan, in metres, with y to the north and angles counter-clockwise.
 //!
 //! Sweet Home 3D writes centimetres, y to the south and radians clockwise; they are turned into ours here and nowhere
 //! else.
@@ -13,16 +13,16 @@ const GREATEST: f64 = 1e6;
 
 /// Everything in a plan that a home may be made of, on all levels.
 #[derive(Debug, Default)]
-pub struct Drawing {
-    pub levels: Vec<Level>,
-    pub walls: Vec<Wall>,
-    pub rooms: Vec<Room>,
-    pub openings: Vec<Piece>,
-    pub pieces: Vec<Piece>,
+pub struct PlanDrawing {
+    pub levels: Vec<PlanLevel>,
+    pub walls: Vec<PlanWall>,
+    pub rooms: Vec<PlanRoom>,
+    pub openings: Vec<PlanPiece>,
+    pub pieces: Vec<PlanPiece>,
     pub labels: Vec<Label>,
-    /// Where the plan's compass says that the home is.
+    /// The latitude by the plan's compass.
     pub latitude_deg: Option<f64>,
-    /// How many things had no usable place or size.
+    /// The number of things without a usable place or size.
     pub unread: usize,
 }
 
@@ -35,41 +35,40 @@ pub type LevelId = usize;
 struct LevelIds<'a>(BTreeMap<&'a str, LevelId>);
 
 impl<'a> LevelIds<'a> {
-    fn of(&mut self, text: &'a str) -> LevelId {
+    fn id(&mut self, text: &'a str) -> LevelId {
         let next = self.0.len();
         *self.0.entry(text).or_insert(next)
     }
 }
 
 #[derive(Debug)]
-pub struct Level {
+pub struct PlanLevel {
     pub id: LevelId,
     pub name: String,
     pub elevation_m: f64,
-    /// How high it is from floor to ceiling, where the plan says so.
+    /// From floor to ceiling.
     pub height_m: Option<f64>,
     /// The order of levels of one elevation.
     pub index: f64,
-    /// Whether the plan shows it.
     pub is_viewable: bool,
 }
 
 #[derive(Clone, Debug)]
-pub struct Wall {
+pub struct PlanWall {
     pub level: Option<LevelId>,
     pub from: Point,
     pub to: Point,
     pub thickness_m: f64,
-    /// How far around its circle a curved wall goes, counter-clockwise; 0 for a straight one.
+    /// The angle of a curved wall, counter-clockwise; 0 for a straight one.
     pub arc_rad: f64,
 }
 
 #[derive(Clone, Debug)]
-pub struct Room {
+pub struct PlanRoom {
     pub level: Option<LevelId>,
     pub name: String,
     pub corners: Vec<Point>,
-    /// Whether its floor is shown; some are drawn for their ceiling alone.
+    /// False for a room that is drawn for its ceiling alone.
     pub has_floor: bool,
 }
 
@@ -83,7 +82,7 @@ pub struct Label {
 
 /// A piece of furniture, or a door or window.
 #[derive(Clone, Debug)]
-pub struct Piece {
+pub struct PlanPiece {
     pub level: Option<LevelId>,
     pub name: String,
     /// The words of its name.
@@ -98,20 +97,20 @@ pub struct Piece {
     pub elevation_m: f64,
     pub height_m: f64,
     pub is_visible: bool,
-    /// Whether it cuts a hole into the floor above it.
+    /// True if it cuts a hole into the floor above.
     pub is_cut_out: bool,
 }
 
 /// Reads a plan.
-pub fn read(document: &Document) -> Drawing {
-    let mut drawing = Drawing::default();
+pub fn read(document: &Document) -> PlanDrawing {
+    let mut drawing = PlanDrawing::default();
     let mut ids = LevelIds::default();
-    // What is in groups comes after what is not.
+    // Pieces in groups come after the others.
     let mut waiting: Vec<(Node, Option<LevelId>, bool)> = vec![(document.root_element(), None, true)];
     while let Some((parent, level, is_visible)) = waiting.pop() {
         let mut groups = Vec::new();
         for node in parent.children().filter(Node::is_element) {
-            let level = node.attribute("level").map(|id| ids.of(id)).or(level);
+            let level = node.attribute("level").map(|id| ids.id(id)).or(level);
             let is_visible = is_visible && node.attribute("visible") != Some("false");
             match node.tag_name().name() {
                 "furnitureGroup" => groups.push((node, level, is_visible)),
@@ -123,7 +122,7 @@ pub fn read(document: &Document) -> Drawing {
     drawing
 }
 
-impl Drawing {
+impl PlanDrawing {
     fn add<'a>(&mut self, node: Node<'a, '_>, level: Option<LevelId>, is_visible: bool, ids: &mut LevelIds<'a>) {
         let is_read = match node.tag_name().name() {
             "level" => self::level(node, ids).map(|level| self.levels.push(level)),
@@ -150,31 +149,31 @@ impl Drawing {
     }
 }
 
-fn level<'a>(node: Node<'a, '_>, ids: &mut LevelIds<'a>) -> Option<Level> {
+fn level<'a>(node: Node<'a, '_>, ids: &mut LevelIds<'a>) -> Option<PlanLevel> {
     let id = node.attribute("id")?;
     let name = node.attribute("name").unwrap_or(id).to_owned();
     let (elevation_m, index) =
         (length(node, "elevation").unwrap_or(0.0), number(node, "elevationIndex").unwrap_or(0.0));
     let is_viewable = node.attribute("viewable") != Some("false");
-    Some(Level { id: ids.of(id), name, elevation_m, height_m: length(node, "height"), index, is_viewable })
+    Some(PlanLevel { id: ids.id(id), name, elevation_m, height_m: length(node, "height"), index, is_viewable })
 }
 
-fn wall(node: Node, level: Option<LevelId>) -> Option<Wall> {
-    /// What Sweet Home 3D gives a new wall.
+fn wall(node: Node, level: Option<LevelId>) -> Option<PlanWall> {
+    /// The thickness of a new wall in Sweet Home 3D.
     const USUAL_THICKNESS_M: f64 = 0.075;
     let from = point(node, "xStart", "yStart")?;
     let to = point(node, "xEnd", "yEnd")?;
     let thickness_m = length(node, "thickness").filter(|&thickness| thickness > 0.0).unwrap_or(USUAL_THICKNESS_M);
     let arc_rad = -number(node, "arcExtent").unwrap_or(0.0);
-    Some(Wall { level, from, to, thickness_m, arc_rad })
+    Some(PlanWall { level, from, to, thickness_m, arc_rad })
 }
 
-fn room(node: Node, level: Option<LevelId>) -> Option<Room> {
+fn room(node: Node, level: Option<LevelId>) -> Option<PlanRoom> {
     let points = node.children().filter(|child| child.has_tag_name("point"));
     let corners: Vec<Point> = points.map(|corner| point(corner, "x", "y")).collect::<Option<_>>()?;
     let name = node.attribute("name").unwrap_or_default().to_owned();
     let has_floor = node.attribute("floorVisible") != Some("false");
-    (corners.len() > 2).then_some(Room { level, name, corners, has_floor })
+    (corners.len() > 2).then_some(PlanRoom { level, name, corners, has_floor })
 }
 
 fn label(node: Node, level: Option<LevelId>) -> Option<Label> {
@@ -183,13 +182,13 @@ fn label(node: Node, level: Option<LevelId>) -> Option<Label> {
 }
 
 /// A piece, if it has all sizes; `unsaid_m` stands for a depth or height that it does not have.
-fn piece(node: Node, level: Option<LevelId>, is_visible: bool, unsaid_m: Option<f64>) -> Option<Piece> {
+fn piece(node: Node, level: Option<LevelId>, is_visible: bool, unsaid_m: Option<f64>) -> Option<PlanPiece> {
     let positive = |key| length(node, key).filter(|&size| size > 0.0);
     // A piece that leans has another size as seen from above.
     let size = |in_plan, upright| positive(in_plan).or_else(|| positive(upright));
     let name = node.attribute("name").unwrap_or_default().to_owned();
     let catalog = words(node.attribute("catalogId").unwrap_or_default());
-    Some(Piece {
+    Some(PlanPiece {
         level,
         words: words(&name),
         name,
@@ -206,7 +205,7 @@ fn piece(node: Node, level: Option<LevelId>, is_visible: bool, unsaid_m: Option<
 }
 
 /// A door or window, as wide as the hole that it makes in a wall, and where that hole is.
-fn opening(node: Node, level: Option<LevelId>, is_visible: bool) -> Option<Piece> {
+fn opening(node: Node, level: Option<LevelId>, is_visible: bool) -> Option<PlanPiece> {
     let mut piece = piece(node, level, is_visible, Some(0.0))?;
     let across = geometry::direction(piece.turn_rad.to_degrees());
     if let Some((middle, share)) = hole(node, "wallLeft", "wallWidth") {
@@ -231,7 +230,7 @@ fn hole(node: Node, begin: &str, size: &str) -> Option<(f64, f64)> {
 
 /// The compass's latitude as far as homes know days to be long and short.
 fn latitude_deg(node: Node) -> Option<f64> {
-    /// What a home takes for its latitude.
+    /// The range of latitudes of a home.
     const MOST_DEG: f64 = 65.0;
     let latitude_deg = number(node, "latitude")?.to_degrees();
     Some(((latitude_deg * 100.0).round() / 100.0).clamp(-MOST_DEG, MOST_DEG))

@@ -3,7 +3,7 @@
 homebody_core::messages! {
     /// Errors of importing a plan.
     #[derive(Clone, PartialEq, Eq)]
-    pub enum NotImported in "import" {
+    pub enum ImportError in "import" {
         /// Sweet Home 3D saves a plan as a zip archive whose name ends in `.sh3d`.
         NoArchive error "not-an-archive" ("this is not a Sweet Home 3D file: it is not a zip archive")
             hint ("name the .sh3d file that Sweet Home 3D has saved");
@@ -24,9 +24,9 @@ homebody_core::messages! {
         TooLarge {
             /// The unit, such as bytes.
             unit: &'static str,
-            /// How many there are.
+            /// Their number in the file.
             found: u64,
-            /// How many are read at most.
+            /// The largest number that is read.
             most: u64,
             /// The advice.
             hint: &'static str,
@@ -54,7 +54,7 @@ homebody_core::messages! {
             hint ("open it in Sweet Home 3D and save it again");
         /// Homebody limits how deep elements are nested.
         Nested {
-            /// How deep at most.
+            /// The largest depth.
             most: usize,
         } error "nested" ("the elements of Home.xml are nested more than {most} levels deep")
             hint ("open it in Sweet Home 3D and save it again");
@@ -69,9 +69,9 @@ homebody_core::messages! {
         TooMany {
             /// The kind of thing.
             what: &'static str,
-            /// How many it has.
+            /// Their number in the plan.
             count: usize,
-            /// How many a home can have.
+            /// The largest number in a home.
             most: usize,
             /// The advice.
             hint: &'static str,

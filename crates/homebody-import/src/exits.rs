@@ -1,12 +1,12 @@
-//! Where a floor can be left by stairs when floors are drawn beside each other: gaps for a door in its outer walls.
+//! Exits of a floor to stairs, for floors drawn beside each other: gaps for a door in its outer walls.
 
-use crate::drawing::Piece;
-use crate::floor::Floor;
-use crate::outline::Room;
-use crate::walls::Wall;
+use crate::drawing::PlanPiece;
+use crate::floor::BuiltFloor;
+use crate::outline::NamedRoom;
+use crate::walls::StraightWall;
 use homebody_core::geometry::{self, Point};
-use homebody_core::home::plan::FLAT_M;
 use homebody_core::languages::{RoomUse, room_use};
+use homebody_core::plan::FLAT_M;
 use homebody_core::role::Role;
 
 /// Width of the way through the wall, and of the flight of stairs between the centre lines of its walls (our choice).
@@ -34,13 +34,13 @@ const FREE_M: f64 = 0.75;
 
 /// A place for a door in an outer wall.
 #[derive(Clone, Copy, Debug)]
-pub struct Exit {
+pub struct WallExit {
     /// Its middle, on the middle line of the wall.
     pub at: Point,
     /// The way out, of length 1.
     pub out: Point,
     pub thickness_m: f64,
-    /// How far it is from where the stairs are drawn.
+    /// Its distance from the drawn stairs.
     pub away_m: f64,
     /// The room that it leads out of.
     pub room: usize,
@@ -48,7 +48,7 @@ pub struct Exit {
 
 /// Places for a door in outer walls: of the rooms that the stairs are drawn in, then of those around them and next to these; the
 /// nearest first.
-pub fn exits(floor: &Floor, stairs: &Piece) -> Vec<Exit> {
+pub fn exits(floor: &BuiltFloor, stairs: &PlanPiece) -> Vec<WallExit> {
     if floor.walls.len() > MOST_WALLS {
         return Vec::new();
     }
@@ -70,10 +70,10 @@ pub fn exits(floor: &Floor, stairs: &Piece) -> Vec<Exit> {
         |room: &usize| (near.contains(room) || is_next(*room)) && !within.contains(room) && !is_bathroom(*room);
     let (by_night, by_day): (Vec<usize>, Vec<usize>) =
         (0..floor.rooms.len()).filter(is_beside).partition(|&room| has(room, Role::Bed));
-    // What is worse counts as farther, so that it is taken where there is no place for the better.
+    // A worse place counts as farther, so that it is taken only without a better one.
     let of = |rooms: &[usize], worse_m: f64| {
-        let exits = rooms.iter().flat_map(|&room| of_room(floor, room, stairs.at));
-        exits.map(|exit| Exit { away_m: exit.away_m + worse_m, ..exit }).collect::<Vec<_>>()
+        let exits = rooms.iter().flat_map(|&room| room_exits(floor, room, stairs.at));
+        exits.map(|exit| WallExit { away_m: exit.away_m + worse_m, ..exit }).collect::<Vec<_>>()
     };
     let mut all = [of(&within, 0.0), of(&by_day, WORSE_M), of(&by_night, 2.0 * WORSE_M)].concat();
     all.sort_by(|a, b| a.away_m.total_cmp(&b.away_m));
@@ -82,50 +82,50 @@ pub fn exits(floor: &Floor, stairs: &Piece) -> Vec<Exit> {
 }
 
 /// The corners of a piece of a plan.
-pub fn corners(piece: &Piece) -> [Point; 4] {
+pub fn corners(piece: &PlanPiece) -> [Point; 4] {
     let along = geometry::direction(piece.turn_rad.to_degrees());
     let (x, y) = (along * (piece.width_m / 2.0), along.perp() * (piece.depth_m / 2.0));
     [x + y, y - x, -x - y, x - y].map(|corner| piece.at + corner)
 }
 
-/// Whether a room has at least a fifth of an area.
-fn shares(floor: &Floor, room: usize, area: &[Point]) -> bool {
+/// True if a room has at least a fifth of an area.
+fn shares(floor: &BuiltFloor, room: usize, area: &[Point]) -> bool {
     const SHARE: f64 = 0.2;
     let whole = geometry::signed_area(area).abs();
     geometry::overlap::area(&floor.rooms[room].outline, area) >= SHARE * whole
 }
 
-/// Whether a door leads from one room to another, or nothing is between them.
-fn are_joined(floor: &Floor, one: usize, other: usize) -> bool {
+/// True if a door or an opening joins two rooms.
+fn are_joined(floor: &BuiltFloor, one: usize, other: usize) -> bool {
     let touches = |room: usize, p: Point| geometry::distance_to_area(&floor.rooms[room].outline, p) <= 0.3;
     let middle = |(from, to): (Point, Point)| (from + to) / 2.0;
     let through_door =
         || floor.doors.iter().map(|door| middle((door.from, door.to))).any(|p| touches(one, p) && touches(other, p));
     let is_open = |p: Point| {
-        let is_walled = |wall: &Wall| geometry::distance_to_segment(p, wall.from, wall.to) <= wall.thickness_m;
+        let is_walled = |wall: &StraightWall| geometry::distance_to_segment(p, wall.from, wall.to) <= wall.thickness_m;
         geometry::distance_to_area(&floor.rooms[other].outline, p) <= 0.02 && !floor.walls.iter().any(is_walled)
     };
     through_door() || geometry::sides(&floor.rooms[one].outline).any(|(a, b)| is_open((a + b) / 2.0))
 }
 
 /// A place for a front door: in a hall if there is one, else in the largest room that has a place for it.
-pub fn front_door(floor: &Floor) -> Option<Exit> {
+pub fn front_door(floor: &BuiltFloor) -> Option<WallExit> {
     if floor.walls.is_empty() || floor.walls.len() > MOST_WALLS {
         return None;
     }
-    let is_hall = |room: &Room| room_use(&room.name) == Some(RoomUse::Hall);
+    let is_hall = |room: &NamedRoom| room_use(&room.name) == Some(RoomUse::Hall);
     let mut rooms: Vec<usize> = (0..floor.rooms.len()).collect();
     let area = |room: usize| geometry::signed_area(&floor.rooms[room].outline).abs();
     rooms.sort_by(|&a, &b| area(b).total_cmp(&area(a)));
     rooms.sort_by_key(|&room| !is_hall(&floor.rooms[room]));
     rooms.into_iter().find_map(|room| {
-        let exits = of_room(floor, room, geometry::inner_point(&floor.rooms[room].outline));
+        let exits = room_exits(floor, room, geometry::inner_point(&floor.rooms[room].outline));
         exits.into_iter().min_by(|a, b| a.away_m.total_cmp(&b.away_m))
     })
 }
 
 /// In each outer wall of a room the places that are nearest to a point. What is drawn at that very point is not in the way.
-fn of_room(floor: &Floor, room: usize, near: Point) -> Vec<Exit> {
+fn room_exits(floor: &BuiltFloor, room: usize, near: Point) -> Vec<WallExit> {
     let mut found = Vec::new();
     let outline = &floor.rooms[room].outline;
     let (least, most) = geometry::bounds(outline.iter().copied());
@@ -139,11 +139,11 @@ fn of_room(floor: &Floor, room: usize, near: Point) -> Vec<Exit> {
         let first_m = (wall.length() - steps as f64 * step_m) / 2.0;
         let places = (0..=steps).map(|step| wall.from + wall.along() * (first_m + step as f64 * step_m));
         for out in [wall.along().perp(), -wall.along().perp()] {
-            let exit = |at: Point| Exit { at, out, thickness_m: wall.thickness_m, away_m: at.distance(near), room };
+            let exit = |at: Point| WallExit { at, out, thickness_m: wall.thickness_m, away_m: at.distance(near), room };
             let fit = places.clone().map(exit).filter(|exit| is_outer(floor, exit) && is_free(floor, exit, wall, near));
-            let mut fit: Vec<Exit> = fit.collect();
+            let mut fit: Vec<WallExit> = fit.collect();
             fit.sort_by(|a, b| a.away_m.total_cmp(&b.away_m));
-            let mut taken: Vec<Exit> = Vec::new();
+            let mut taken: Vec<WallExit> = Vec::new();
             for exit in fit {
                 if taken.len() < MOST_IN_WALL && taken.iter().all(|other| other.at.distance(exit.at) >= APART_M) {
                     taken.push(exit);
@@ -156,14 +156,14 @@ fn of_room(floor: &Floor, room: usize, near: Point) -> Vec<Exit> {
 }
 
 /// The points in a grid on one side of an exit, from so far before its wall's middle to so far.
-fn grid(exit: &Exit, depths_m: [f64; 3]) -> impl Iterator<Item = Point> {
+fn grid(exit: &WallExit, depths_m: [f64; 3]) -> impl Iterator<Item = Point> {
     let along = exit.out.perp() * (DOOR_M / 2.0 - 0.05);
     let (at, out) = (exit.at, exit.out);
     depths_m.into_iter().flat_map(move |depth| [-1.0, 0.0, 1.0].map(|side| at + along * side + out * depth))
 }
 
-/// Whether one side is in the room as far as somebody needs it, and the other in none.
-fn is_outer(floor: &Floor, exit: &Exit) -> bool {
+/// True if one side is in the room, deep enough to turn there, and the other in no room.
+fn is_outer(floor: &BuiltFloor, exit: &WallExit) -> bool {
     let face_m = exit.thickness_m / 2.0;
     let outline = &floor.rooms[exit.room].outline;
     let is_in_one = |p: Point| floor.rooms.iter().any(|room| geometry::contains(&room.outline, p));
@@ -171,8 +171,8 @@ fn is_outer(floor: &Floor, exit: &Exit) -> bool {
         && !grid(exit, [face_m + 0.1, face_m + 0.4, face_m + 0.8]).any(is_in_one)
 }
 
-/// Whether there are no doors, no other walls and no furniture where the door is to be.
-fn is_free(floor: &Floor, exit: &Exit, own: &Wall, drawn_at: Point) -> bool {
+/// True without doors, other walls and furniture at the place of the door.
+fn is_free(floor: &BuiltFloor, exit: &WallExit, own: &StraightWall, drawn_at: Point) -> bool {
     let face_m = exit.thickness_m / 2.0;
     let apart_m = DOOR_M / 2.0 + 0.1;
     let has_door = floor.doors.iter().any(|door| geometry::distance_to_segment(exit.at, door.from, door.to) < apart_m);

@@ -1,47 +1,47 @@
 //! One floor: what is drawn on a level, as rooms, walls, doors and furniture that fit together.
 
-use crate::doors::Door;
-use crate::drawing::{self, Drawing, Piece};
-use crate::error::NotImported;
+use crate::doors::WallDoor;
+use crate::drawing::{self, PlanDrawing, PlanPiece};
+use crate::error::ImportError;
 use crate::furniture::Furniture;
-use crate::names::Names;
-use crate::outline::Room;
-use crate::passages::{self, Passage};
-use crate::walls::Wall;
-use crate::{doors, enclosed, furniture, kinds, outdoors, rooms, walls};
+use crate::names::NamePool;
+use crate::outline::NamedRoom;
+use crate::passages::{self, WallGap};
+use crate::walls::StraightWall;
+use crate::{doors, furniture, kinds, outdoors, rooms, spaces, walls};
 use homebody_core::geometry::Point;
+use homebody_core::home::form::GREATEST_SIZE_M;
 use homebody_core::problem::counted;
-use homebody_core::scenario::home::GREATEST_SIZE_M;
 
 /// A floor in the coordinates of its plan, or several that are joined by stairs.
 #[derive(Clone, Debug)]
-pub struct Floor {
-    pub rooms: Vec<Room>,
-    pub walls: Vec<Wall>,
-    pub doors: Vec<Door>,
+pub struct BuiltFloor {
+    pub rooms: Vec<NamedRoom>,
+    pub walls: Vec<StraightWall>,
+    pub doors: Vec<WallDoor>,
     pub furniture: Vec<Furniture>,
     /// The flights of stairs that begin here.
-    pub stairs: Vec<Piece>,
-    /// Whether it has a way out only because a room was found to lie in the open.
+    pub stairs: Vec<PlanPiece>,
+    /// True if its way out leads into a room that lies in the open.
     pub is_open: bool,
 }
 
 /// The names of a home. Rooms and furniture share theirs: paths go to either, and lamps are called after rooms.
 #[derive(Default)]
 pub struct AllNames {
-    pub spots: Names,
-    pub doors: Names,
+    pub spots: NamePool,
+    pub doors: NamePool,
 }
 
 /// The floor of what is drawn on one level.
 ///
 /// `is_home` says whether people may come home to it: then what lies in the open before its front door is outside.
 pub fn build(
-    drawing: &Drawing,
+    drawing: &PlanDrawing,
     is_home: bool,
     names: &mut AllNames,
     remarks: &mut Vec<String>,
-) -> Result<Floor, NotImported> {
+) -> Result<BuiltFloor, ImportError> {
     let openings = doors::only(drawing.openings.clone(), remarks)?;
     let drawn_rooms = rooms::named(drawing, remarks);
     let outlines = if drawing.walls.is_empty() { rooms::outlines(&drawn_rooms, &openings) } else { Vec::new() };
@@ -50,7 +50,7 @@ pub fn build(
     }
     let all_walls = [&drawing.walls[..], &outlines].concat();
     let mut walls = walls::joined(walls::straight(&all_walls, &openings, remarks)?);
-    let drawn_rooms = enclosed::parted(drawn_rooms, &walls, remarks);
+    let drawn_rooms = spaces::parted(drawn_rooms, &walls, remarks);
     let drawn = walls.len();
     walls.extend(doors::gaps(&openings, &walls, remarks));
     let in_gaps = drawn..walls.len();
@@ -58,21 +58,21 @@ pub fn build(
     let mut passages = passages::found(&walls, &at, &drawn_rooms);
     walls.extend(passages.iter().map(|passage| passage.wall.clone()));
     let mut rooms = rooms::place(&drawn_rooms, &walls, &mut names.spots, remarks)?;
-    let spaces = enclosed::without_room(&walls, &rooms);
+    let spaces = spaces::without_room(&walls, &rooms);
     if !spaces.is_empty() {
         let spaces_are =
             counted(spaces.len(), "space that walls enclose is a room", "spaces that walls enclose are rooms");
         remarks.push(format!("{spaces_are} now, which the plan does not draw"));
         let room = |corners| {
-            let mut room = drawing::Room { level: None, name: String::new(), corners, has_floor: true };
+            let mut room = drawing::PlanRoom { level: None, name: String::new(), corners, has_floor: true };
             rooms::name_by_label(&mut room, &drawing.labels);
             room
         };
-        let spaces: Vec<drawing::Room> = spaces.into_iter().map(room).collect();
+        let spaces: Vec<drawing::PlanRoom> = spaces.into_iter().map(room).collect();
         rooms.extend(rooms::place(&spaces, &walls, &mut names.spots, remarks)?);
     }
     passages::thick_enough(&mut walls[in_gaps], &rooms);
-    let Some(first) = rooms.first().map(|room| room.outline[0]) else { return Err(NotImported::NoRooms) };
+    let Some(first) = rooms.first().map(|room| room.outline[0]) else { return Err(ImportError::NoRooms) };
     let all = walls.len() + rooms.len();
     let is_near = |p: &Point| (*p - first).abs().max_element() <= GREATEST_SIZE_M;
     walls.retain(|wall| is_near(&wall.from) && is_near(&wall.to));
@@ -90,18 +90,18 @@ pub fn build(
         remarks.push(format!("{are} now, as rooms end at both of its sides"));
     }
     passages.extend(seams);
-    doors.extend(passages.into_iter().map(|Passage { from, to, .. }| {
+    doors.extend(passages.into_iter().map(|WallGap { from, to, .. }| {
         let name = names.doors.give("passage", "passage");
-        Door { name, from, to, is_outside: false, leads_home: 0 }
+        WallDoor { name, from, to, is_outside: false, leads_home: 0 }
     }));
     let is_open = is_home && outdoors::leave_out(&mut rooms, &walls, &mut doors, remarks);
     let furniture = furniture::place(drawing.pieces.clone(), &rooms, &mut names.spots, remarks)?;
     let stairs = drawing.pieces.iter().filter(|piece| piece.is_visible && kinds::is_stairs(piece)).cloned().collect();
-    Ok(Floor { rooms, walls, doors, furniture, stairs, is_open })
+    Ok(BuiltFloor { rooms, walls, doors, furniture, stairs, is_open })
 }
 
-impl Floor {
-    /// How surely somebody comes home to this floor: 0 where no door leads out of it, 3 by a front door.
+impl BuiltFloor {
+    /// The preference for this floor as the way home: 0 without a door that leads out, 3 with a front door.
     pub fn way_out(&self) -> usize {
         doors::way_out(&self.doors)
     }

@@ -1,15 +1,15 @@
 //! Furniture: rectangles on the floor of rooms, as high as they reach.
 
-use crate::drawing::Piece;
-use crate::error::NotImported;
+use crate::drawing::PlanPiece;
+use crate::error::ImportError;
 use crate::kinds;
-use crate::meaning::{self, Meaning};
-use crate::names::Names;
-use crate::outline::Room;
+use crate::meaning::{self, PieceMeaning};
+use crate::names::NamePool;
+use crate::outline::NamedRoom;
 use homebody_core::geometry::{self, Point};
+use homebody_core::home::form::REACH_OUT_M;
 use homebody_core::problem::counted;
 use homebody_core::role::Role;
-use homebody_core::scenario::home::REACH_OUT_M;
 
 /// A piece of furniture of the home.
 #[derive(Clone, Debug)]
@@ -20,28 +20,29 @@ pub struct Furniture {
     pub turn_deg: f64,
     pub height_m: f64,
     pub is_enterable: bool,
-    /// What it is for, where its name does not say so.
+    /// Its role, unless its name says so.
     pub role: Option<Role>,
 }
 
 /// Largest number of pieces of furniture of a home.
 const MOST_PIECES: usize = 1_000;
 
-/// What a home takes for widths, depths and heights.
+/// The range of widths and depths of a home.
 const SIZE_M: [f64; 2] = [0.001, 1_000.0];
 /// Greatest height of a piece.
 const MOST_HEIGHT_M: f64 = 10.0;
 
 /// The pieces that stand in rooms.
 pub fn place(
-    pieces: Vec<Piece>,
-    rooms: &[Room],
-    names: &mut Names,
+    pieces: Vec<PlanPiece>,
+    rooms: &[NamedRoom],
+    names: &mut NamePool,
     remarks: &mut Vec<String>,
-) -> Result<Vec<Furniture>, NotImported> {
-    let (visible, hidden): (Vec<Piece>, Vec<Piece>) = pieces.into_iter().partition(|piece| piece.is_visible);
-    let (overhead, standing): (Vec<Piece>, Vec<Piece>) = visible.into_iter().partition(kinds::is_overhead);
-    let (inside, outside): (Vec<Piece>, Vec<Piece>) = standing.into_iter().partition(|piece| is_in(piece, rooms));
+) -> Result<Vec<Furniture>, ImportError> {
+    let (visible, hidden): (Vec<PlanPiece>, Vec<PlanPiece>) = pieces.into_iter().partition(|piece| piece.is_visible);
+    let (overhead, standing): (Vec<PlanPiece>, Vec<PlanPiece>) = visible.into_iter().partition(kinds::is_overhead);
+    let (inside, outside): (Vec<PlanPiece>, Vec<PlanPiece>) =
+        standing.into_iter().partition(|piece| is_in(piece, rooms));
     for (left, why) in [
         (&hidden, "hidden in the plan"),
         (&overhead, "more than 1.5 m above the floor"),
@@ -54,19 +55,21 @@ pub fn place(
     }
     if inside.len() > MOST_PIECES {
         let hint = "import one level of it, or delete small things in a copy";
-        return Err(NotImported::TooMany { what: "pieces of furniture", count: inside.len(), most: MOST_PIECES, hint });
+        return Err(ImportError::TooMany { what: "pieces of furniture", count: inside.len(), most: MOST_PIECES, hint });
     }
-    let meanings: Vec<Meaning> = inside.iter().map(meaning::of).collect();
-    let is_chair = |meaning: &Meaning| meaning.role == Some(Role::DiningSeat);
+    let meanings: Vec<PieceMeaning> = inside.iter().map(meaning::piece_meaning).collect();
+    let is_chair = |meaning: &PieceMeaning| meaning.role == Some(Role::DiningSeat);
     let has_chair = meanings.iter().any(is_chair);
-    let meant = |meaning: Meaning| match meaning {
-        Meaning { is_stool: true, role: None, .. } if !has_chair => Meaning { role: Some(Role::DiningSeat), ..meaning },
+    let meant = |meaning: PieceMeaning| match meaning {
+        PieceMeaning { is_stool: true, role: None, .. } if !has_chair => {
+            PieceMeaning { role: Some(Role::DiningSeat), ..meaning }
+        }
         meaning => meaning,
     };
     Ok(inside.iter().zip(meanings).map(|(piece, meaning)| furniture(piece, meant(meaning), names)).collect())
 }
 
-fn furniture(piece: &Piece, meaning: Meaning, names: &mut Names) -> Furniture {
+fn furniture(piece: &PlanPiece, meaning: PieceMeaning, names: &mut NamePool) -> Furniture {
     let millimetres = |length: f64| (length * 1e3).round() / 1e3;
     let name = names.give(&piece.name, "piece");
     let is_said = |role: &Role| Role::of_name(&name.to_lowercase()).any(|said| said == *role);
@@ -95,14 +98,14 @@ impl Furniture {
         [x + y, y - x, -x - y, x - y].map(|corner| self.at + corner)
     }
 
-    /// Whether it fills a role, by what is said of it or by its name.
+    /// True if it has this role or is called so.
     pub fn is_for(&self, role: Role) -> bool {
         self.role.map_or_else(|| role.is_called(&self.name.to_lowercase()), |said| said == role)
     }
 }
 
-/// Whether a piece is in a room, and reaches no further out than into its walls.
-fn is_in(piece: &Piece, rooms: &[Room]) -> bool {
+/// True for a piece in a room that reaches no further than into its walls.
+fn is_in(piece: &PlanPiece, rooms: &[NamedRoom]) -> bool {
     let along = geometry::direction(piece.turn_rad.to_degrees());
     let (x, y) = (along * (piece.width_m / 2.0), along.perp() * (piece.depth_m / 2.0));
     let corners = [x + y, x - y, -x + y, -x - y].map(|corner| piece.at + corner);

@@ -1,7 +1,7 @@
 //! The levels of a plan, each with what is drawn on it.
 
-use crate::drawing::{Drawing, Level, LevelId};
-use crate::error::NotImported;
+use crate::drawing::{LevelId, PlanDrawing, PlanLevel};
+use crate::error::ImportError;
 use crate::names;
 
 /// Largest number of levels in a sentence (our choice).
@@ -18,7 +18,7 @@ const LEAST_HEIGHT_M: f64 = 1.2;
 
 /// The levels of a plan that may be imported, from below.
 #[derive(Debug)]
-pub struct Levels {
+pub struct PlanLevels {
     pub storeys: Vec<Storey>,
     /// All levels by number and name, also those that nothing is drawn on.
     named: Vec<String>,
@@ -28,18 +28,18 @@ pub struct Levels {
 /// A level with what is drawn on it.
 #[derive(Debug)]
 pub struct Storey {
-    /// What it is called; nothing where the plan has no other.
+    /// `None` in a plan with one level.
     pub name: Option<String>,
     /// Its place among all levels.
     index: usize,
     pub elevation_m: f64,
-    pub drawing: Drawing,
+    pub drawing: PlanDrawing,
 }
 
 /// The levels on which something is drawn; of those that were asked for, that one alone.
 ///
-/// What is on no level is on all of them: plans have that only where they have no levels.
-pub fn parted(mut drawing: Drawing, wanted: Option<&str>) -> Result<Levels, NotImported> {
+/// Things without a level are on all of them; only plans without levels have such things.
+pub fn parted(mut drawing: PlanDrawing, wanted: Option<&str>) -> Result<PlanLevels, ImportError> {
     let mut levels = std::mem::take(&mut drawing.levels);
     levels.sort_by(|a, b| a.elevation_m.total_cmp(&b.elevation_m).then(a.index.total_cmp(&b.index)));
     let named = (0..levels.len()).map(|index| named(&levels, index)).collect();
@@ -67,10 +67,10 @@ pub fn parted(mut drawing: Drawing, wanted: Option<&str>) -> Result<Levels, NotI
         true => vec![Storey { name: None, index: 0, elevation_m: 0.0, drawing }],
         false => chosen.into_iter().map(|index| storey(&levels, index, &drawing)).collect(),
     };
-    Ok(Levels { storeys, named, is_asked_for: wanted.is_some() })
+    Ok(PlanLevels { storeys, named, is_asked_for: wanted.is_some() })
 }
 
-impl Levels {
+impl PlanLevels {
     /// Says which levels these storeys are, why, and which are left out, if any is.
     pub fn tell(&self, taken: &[usize], why: &str, remarks: &mut Vec<String>) {
         let taken: Vec<usize> = taken.iter().map(|&storey| self.storeys[storey].index).collect();
@@ -86,10 +86,10 @@ impl Levels {
     }
 }
 
-fn storey(levels: &[Level], index: usize, all: &Drawing) -> Storey {
+fn storey(levels: &[PlanLevel], index: usize, all: &PlanDrawing) -> Storey {
     let level = &levels[index];
     let is_here = |on: Option<LevelId>| on.is_none_or(|on| on == level.id);
-    let drawing = Drawing {
+    let drawing = PlanDrawing {
         levels: Vec::new(),
         walls: all.walls.iter().filter(|wall| is_here(wall.level)).cloned().collect(),
         rooms: all.rooms.iter().filter(|room| is_here(room.level)).cloned().collect(),
@@ -104,7 +104,7 @@ fn storey(levels: &[Level], index: usize, all: &Drawing) -> Storey {
 }
 
 /// The level of a name, or of a number counted from the lowest.
-fn find(levels: &[Level], wanted: &str) -> Result<usize, NotImported> {
+fn find(levels: &[PlanLevel], wanted: &str) -> Result<usize, ImportError> {
     let folded = |name: &str| name.trim().to_lowercase();
     let by_name = || levels.iter().position(|level| folded(&level.name) == folded(wanted));
     let by_number = || wanted.trim().parse::<usize>().ok().and_then(|number| number.checked_sub(1));
@@ -113,12 +113,12 @@ fn find(levels: &[Level], wanted: &str) -> Result<usize, NotImported> {
             true => "no levels".to_owned(),
             false => listed((0..levels.len()).map(|index| named(levels, index))),
         };
-        NotImported::NoSuchLevel { wanted: names::clean(wanted), known }
+        ImportError::NoSuchLevel { wanted: names::clean(wanted), known }
     })
 }
 
 /// A level by number and name, such as `2 "First floor"`.
-fn named(levels: &[Level], index: usize) -> String {
+fn named(levels: &[PlanLevel], index: usize) -> String {
     format!("{} {:?}", index + 1, names::clean(&levels[index].name))
 }
 

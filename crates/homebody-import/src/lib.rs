@@ -6,11 +6,10 @@
 
 #![warn(missing_docs)]
 
-// What went wrong, in sentences.
 pub mod error;
 
 // From bytes to a drawing: the archive or what else the bytes are, its XML, what that draws, which level of it.
-mod other_form;
+mod file_form;
 mod archive;
 mod markup;
 mod drawing;
@@ -22,8 +21,8 @@ mod names;
 mod walls;
 mod outline;
 mod rooms;
-mod shared;
-mod enclosed;
+mod overlaps;
+mod spaces;
 mod doors;
 mod passages;
 mod outdoors;
@@ -38,17 +37,25 @@ mod places;
 
 // The text of the home, what of it has to go so that it passes the check, and what is moved so that people get to it.
 mod text;
-mod sound;
-mod reached;
+mod soundness;
+mod reachability;
 
 mod sweet_home;
 
 // From the sensors of a log to a schematic home.
 pub mod from_log;
 
-pub mod catalogue;
-
 pub use archive::MOST_BYTES;
-pub use error::NotImported;
+pub use error::ImportError;
 pub use sweet_home::{Imported, SCHEMA, sweet_home};
 pub use text::home_text;
+
+/// The messages of this crate, for lists of all messages.
+pub mod catalogue {
+    use crate::error::ImportError;
+    use crate::from_log::SchematicError;
+    use homebody_core::messages::{Catalogue, CatalogueEntry};
+
+    /// The messages by area.
+    pub const MESSAGES: &[&[CatalogueEntry]] = &[ImportError::ENTRIES, SchematicError::ENTRIES];
+}

@@ -3,7 +3,7 @@
 //! The parser counts nodes and refuses entities of its own. It compares all attributes of a tag with each other, and
 //! all namespaces in sight with those of each tag, so these are bounded before.
 
-use crate::error::NotImported;
+use crate::error::ImportError;
 use roxmltree::{Document, ParsingOptions};
 
 /// Largest number of tags, comments and the like (our choice): a large house has some ten thousand.
@@ -19,17 +19,17 @@ const MOST_ATTRIBUTES_OF_ONE: usize = 256;
 const GREATEST_DEPTH: usize = 100;
 
 /// Parses the text.
-pub fn parse(text: &str) -> Result<Document<'_>, NotImported> {
+pub fn parse(text: &str) -> Result<Document<'_>, ImportError> {
     look_over(text)?;
     let options = ParsingOptions { allow_dtd: false, nodes_limit: MOST_NODES as u32, ..ParsingOptions::default() };
-    Document::parse_with_options(text, options).map_err(|error| NotImported::Disorder(error.to_string()))
+    Document::parse_with_options(text, options).map_err(|error| ImportError::Disorder(error.to_string()))
 }
 
 /// Refuses what no plan has. What is no XML at all is left to the parser.
-fn look_over(text: &str) -> Result<(), NotImported> {
+fn look_over(text: &str) -> Result<(), ImportError> {
     let count = |wanted: u8| text.bytes().filter(|&byte| byte == wanted).count();
     if count(b'<') > MOST_NODES || count(b'=') > MOST_ATTRIBUTES {
-        return Err(NotImported::ManyParts);
+        return Err(ImportError::ManyParts);
     }
     let (mut rest, mut depth) = (text, 0_usize);
     while let Some(at) = rest.find('<') {
@@ -41,14 +41,14 @@ fn look_over(text: &str) -> Result<(), NotImported> {
         } else if rest.starts_with("<?") {
             after(rest, "<?", "?>")
         } else if rest.starts_with("<!") {
-            return Err(NotImported::DocumentType);
+            return Err(ImportError::DocumentType);
         } else {
             let Some(tag) = tag(rest) else { return Ok(()) };
             if tag.attributes > MOST_ATTRIBUTES_OF_ONE {
-                return Err(NotImported::ManyAttributes);
+                return Err(ImportError::ManyAttributes);
             }
             if tag.has_namespace {
-                return Err(NotImported::Namespace);
+                return Err(ImportError::Namespace);
             }
             match tag.kind {
                 TagKind::Open => depth += 1,
@@ -56,7 +56,7 @@ fn look_over(text: &str) -> Result<(), NotImported> {
                 TagKind::Empty => {}
             }
             if depth > GREATEST_DEPTH {
-                return Err(NotImported::Nested { most: GREATEST_DEPTH });
+                return Err(ImportError::Nested { most: GREATEST_DEPTH });
             }
             Some(tag.length)
         };

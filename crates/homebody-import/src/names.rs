@@ -7,14 +7,13 @@ const LONGEST: usize = 90;
 
 /// The names of one kind of things.
 #[derive(Default)]
-pub struct Names {
+pub struct NamePool {
     taken: BTreeSet<String>,
     /// The last number that each name was given.
     last: BTreeMap<String, usize>,
 }
 
-impl Names {
-    /// Whether nothing has the name yet.
+impl NamePool {
     pub fn is_free(&self, name: &str) -> bool {
         !self.taken.contains(&name.to_lowercase())
     }
@@ -51,7 +50,7 @@ mod tests {
 
     #[test]
     fn names_are_numbered_where_they_are_taken_or_missing() {
-        let mut names = Names::default();
+        let mut names = NamePool::default();
         let given = ["Chair", " chair", "chair 2", "", "\u{7}", "Chair"].map(|name| names.give(name, "piece"));
         assert_eq!(given, ["Chair", "chair 2", "chair 2 2", "piece 1", "piece 2", "Chair 3"]);
         assert!(names.give(&"long ".repeat(100), "piece").chars().count() <= LONGEST);

@@ -1,9 +1,9 @@
 //! Rooms that lie in the open, such as a terrace or the paving before a front door: where the way out leads into one, it is
 //! outside, and not a room of the home.
 
-use crate::doors::{self, Door};
-use crate::outline::Room;
-use crate::walls::Wall;
+use crate::doors::{self, WallDoor};
+use crate::outline::NamedRoom;
+use crate::walls::StraightWall;
 use homebody_core::geometry::{self, Point};
 
 /// Smallest share of the outline of a room in the open that has no wall or other room along it (our choice): for a
@@ -23,13 +23,18 @@ const BEFORE_M: [f64; 6] = [0.1, 0.2, 0.3, 0.4, 0.55, 0.7];
 /// Largest number of walls of a floor that is checked (our choice): each point is compared with all.
 const MOST_WALLS: usize = 400;
 
-/// How surely somebody comes home by a door, and by a front door.
+/// Preferences of a door and of a front door as the way home.
 const BY_DOOR: usize = 2;
 const BY_FRONT_DOOR: usize = 3;
 
 /// Leaves out the rooms in the open before the doors by which people come home, if no such door leads out yet: these doors lead
 /// out then. Says whether there are any.
-pub fn leave_out(rooms: &mut Vec<Room>, walls: &[Wall], doors: &mut [Door], remarks: &mut Vec<String>) -> bool {
+pub fn leave_out(
+    rooms: &mut Vec<NamedRoom>,
+    walls: &[StraightWall],
+    doors: &mut [WallDoor],
+    remarks: &mut Vec<String>,
+) -> bool {
     let now = doors::way_out(doors);
     if now == BY_FRONT_DOOR || walls.is_empty() || walls.len() > MOST_WALLS {
         return false;
@@ -51,7 +56,7 @@ pub fn leave_out(rooms: &mut Vec<Room>, walls: &[Wall], doors: &mut [Door], rema
     for (door, room) in doors.iter().zip(&to_open) {
         left.extend(room.filter(|_| door.leads_home + 1 == best));
     }
-    // What else lies in the open and is reached through these alone, such as a garden behind a porch, is outside, too.
+    // Other rooms in the open that are reached through these alone, such as a garden behind a porch, are outside, too.
     let beyond = |left: &[usize]| {
         let reached = |room: usize| between.iter().filter(move |two| two.contains(&Some(room)));
         let is_behind = |room: &usize| {
@@ -79,8 +84,8 @@ pub fn leave_out(rooms: &mut Vec<Room>, walls: &[Wall], doors: &mut [Door], rema
     true
 }
 
-/// Whether enough of a room's outline is along no wall and no other room.
-fn is_open(room: &Room, rooms: &[Room], walls: &[Wall]) -> bool {
+/// True if enough of a room's outline is along no wall and no other room.
+fn is_open(room: &NamedRoom, rooms: &[NamedRoom], walls: &[StraightWall]) -> bool {
     let length_m: f64 = geometry::sides(&room.outline).map(|(a, b)| a.distance(b)).sum();
     let step_m = STEP_M.max(length_m / MOST_STEPS);
     let (mut all, mut free) = (0_u32, 0_u32);
@@ -100,7 +105,7 @@ fn is_open(room: &Room, rooms: &[Room], walls: &[Wall]) -> bool {
 }
 
 /// The rooms on both sides of a door.
-fn sides(door: &Door, rooms: &[Room]) -> [Option<usize>; 2] {
+fn sides(door: &WallDoor, rooms: &[NamedRoom]) -> [Option<usize>; 2] {
     let middle = (door.from + door.to) / 2.0;
     let across = (door.to - door.from).normalize_or_zero().perp();
     let at = |p: Point| rooms.iter().position(|room| geometry::contains(&room.outline, p));

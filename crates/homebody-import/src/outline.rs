@@ -4,16 +4,16 @@ use homebody_core::geometry::{self, Point};
 
 /// A room with a name of its own.
 #[derive(Clone, Debug)]
-pub struct Room {
+pub struct NamedRoom {
     pub name: String,
     pub outline: Vec<Point>,
     /// The floor that it is on, in a home of several.
     pub floor: Option<String>,
 }
 
-impl Room {
-    pub fn new(name: String, outline: Vec<Point>) -> Room {
-        Room { name, outline, floor: None }
+impl NamedRoom {
+    pub fn new(name: String, outline: Vec<Point>) -> NamedRoom {
+        NamedRoom { name, outline, floor: None }
     }
 }
 
@@ -49,14 +49,14 @@ pub fn tidy(outline: &[Point]) -> Vec<Point> {
     if outline.len() > 2 { outline } else { Vec::new() }
 }
 
-/// Whether the outline can be that of a room.
+/// True for an outline that a room can have.
 pub fn is_sound(outline: &[Point]) -> bool {
     outline.len() > 2 && !geometry::crosses_itself(outline) && geometry::signed_area(outline).abs() >= LEAST_AREA_M2
 }
 
 /// The outline with its corners in an order in which no side crosses another, if there is one nearby.
 ///
-/// Where two sides cross, the way between them is gone the other way round: that makes the outline shorter, so it ends.
+/// If two sides cross, the way between them is gone the other way round: that makes the outline shorter, so it ends.
 pub fn untangled(outline: &[Point]) -> Option<Vec<Point>> {
     let mut outline = tidy(outline);
     for _ in 0..=outline.len() {

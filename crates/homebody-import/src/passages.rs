@@ -2,8 +2,8 @@
 //! rooms that nearly meet: people go through.
 
 use crate::drawing;
-use crate::outline::Room;
-use crate::walls::Wall;
+use crate::outline::NamedRoom;
+use crate::walls::StraightWall;
 use homebody_core::geometry::{self, Point};
 
 /// Smallest and largest width of such a gap (our choice): a narrower one is an error, and no one draws two rooms with a
@@ -21,15 +21,15 @@ const BEYOND_M: f64 = 0.4;
 const MOST_WALLS: usize = 400;
 
 /// A gap: a wall for it, and where in that wall people go through.
-pub struct Passage {
-    pub wall: Wall,
+pub struct WallGap {
+    pub wall: StraightWall,
     pub from: Point,
     pub to: Point,
 }
 
 /// The gaps between rooms that the plan draws, which no door fills.
-pub fn found(walls: &[Wall], doors: &[Point], rooms: &[drawing::Room]) -> Vec<Passage> {
-    let mut passages: Vec<Passage> = Vec::new();
+pub fn found(walls: &[StraightWall], doors: &[Point], rooms: &[drawing::PlanRoom]) -> Vec<WallGap> {
+    let mut passages: Vec<WallGap> = Vec::new();
     if walls.len() > MOST_WALLS {
         return passages;
     }
@@ -40,8 +40,8 @@ pub fn found(walls: &[Wall], doors: &[Point], rooms: &[drawing::Room]) -> Vec<Pa
             // A wall that goes on ends there; one across is as thick as half of it.
             let is_across = other.along().dot(out).abs() < 0.7;
             let reveal_m = if is_across { other.thickness_m / 2.0 } else { 0.0 };
-            let passage = Passage {
-                wall: Wall { from: end, to, thickness_m: wall.thickness_m },
+            let passage = WallGap {
+                wall: StraightWall { from: end, to, thickness_m: wall.thickness_m },
                 from: end,
                 to: to - out * reveal_m,
             };
@@ -56,10 +56,11 @@ pub fn found(walls: &[Wall], doors: &[Point], rooms: &[drawing::Room]) -> Vec<Pa
     passages
 }
 
-/// How far on from the end of a wall the next one is, and which.
-fn next<'a>(walls: &'a [Wall], own: &Wall, end: Point, out: Point) -> Option<(f64, &'a Wall)> {
-    let is_joined =
-        |wall: &&Wall| geometry::distance_to_segment(end, wall.from, wall.to) <= wall.thickness_m / 2.0 + ASIDE_M;
+/// The next wall beyond the end of a wall, and its distance.
+fn next<'a>(walls: &'a [StraightWall], own: &StraightWall, end: Point, out: Point) -> Option<(f64, &'a StraightWall)> {
+    let is_joined = |wall: &&StraightWall| {
+        geometry::distance_to_segment(end, wall.from, wall.to) <= wall.thickness_m / 2.0 + ASIDE_M
+    };
     if walls.iter().filter(|wall| *wall != own).any(|wall| is_joined(&wall)) {
         return None;
     }
@@ -75,8 +76,8 @@ fn next<'a>(walls: &'a [Wall], own: &Wall, end: Point, out: Point) -> Option<(f6
     ahead.filter(|(width_m, _)| (WIDE_M[0]..=WIDE_M[1]).contains(width_m))
 }
 
-/// Whether the rooms on both sides end at it, each on its own side.
-fn is_between(passage: &Passage, rooms: &[drawing::Room]) -> bool {
+/// True if the rooms on both sides end at it.
+fn is_between(passage: &WallGap, rooms: &[drawing::PlanRoom]) -> bool {
     let middle = (passage.from + passage.to) / 2.0;
     let across = (passage.to - passage.from).normalize_or_zero().perp();
     let at = |p: Point| rooms.iter().position(|room| geometry::contains(&room.corners, p));
@@ -102,12 +103,12 @@ const MOST_CORNERS: usize = 100;
 const MOST_SEAMS: usize = 100;
 
 /// The seams between rooms that nearly meet where no wall is: people go through as if they met.
-pub fn seams(walls: &[Wall], rooms: &[Room]) -> Vec<Passage> {
+pub fn seams(walls: &[StraightWall], rooms: &[NamedRoom]) -> Vec<WallGap> {
     let mut seams = Vec::new();
     if walls.len() > MOST_WALLS {
         return seams;
     }
-    let simple: Vec<&Room> = rooms.iter().filter(|room| room.outline.len() <= MOST_CORNERS).collect();
+    let simple: Vec<&NamedRoom> = rooms.iter().filter(|room| room.outline.len() <= MOST_CORNERS).collect();
     for (index, one) in simple.iter().enumerate() {
         let (least, most) = geometry::bounds(one.outline.iter().copied());
         for other in &simple[index + 1..] {
@@ -127,7 +128,7 @@ pub fn seams(walls: &[Wall], rooms: &[Room]) -> Vec<Passage> {
 }
 
 /// The parts of two sides between which nothing is.
-fn seam((a, b): (Point, Point), (c, d): (Point, Point), walls: &[Wall], rooms: &[Room]) -> Vec<Passage> {
+fn seam((a, b): (Point, Point), (c, d): (Point, Point), walls: &[StraightWall], rooms: &[NamedRoom]) -> Vec<WallGap> {
     let (along, length_m) = ((b - a).normalize_or_zero(), a.distance(b));
     let off_m = ((c + d) / 2.0 - a).perp_dot(along);
     let is_along = along.perp_dot((d - c).normalize_or_zero()).abs() <= ALONG_SINE;
@@ -139,7 +140,7 @@ fn seam((a, b): (Point, Point), (c, d): (Point, Point), walls: &[Wall], rooms: &
     let middle = |at_m: f64| a + along * at_m - along.perp() * (off_m / 2.0);
     let is_free = |p: Point| {
         let is_walled =
-            |wall: &Wall| geometry::distance_to_segment(p, wall.from, wall.to) <= wall.thickness_m / 2.0 + 0.02;
+            |wall: &StraightWall| geometry::distance_to_segment(p, wall.from, wall.to) <= wall.thickness_m / 2.0 + 0.02;
         !walls.iter().any(is_walled) && !rooms.iter().any(|room| geometry::contains(&room.outline, p))
     };
     let step_m = STEP_M.max((end_m - begin_m) / MOST_STEPS);
@@ -154,13 +155,13 @@ fn seam((a, b): (Point, Point), (c, d): (Point, Point), walls: &[Wall], rooms: &
     let passage = |[begin, end]: [f64; 2]| {
         let (from, to) = (middle(begin), middle(end));
         // A little more than the gap, so that rounding leaves none.
-        Passage { wall: Wall { from, to, thickness_m: off_m.abs() + 0.02 }, from, to }
+        WallGap { wall: StraightWall { from, to, thickness_m: off_m.abs() + 0.02 }, from, to }
     };
     runs.into_iter().filter(|[begin, end]| end - begin >= WIDE_M[0]).map(passage).collect()
 }
 
 /// Walls in gaps as thick as rooms are apart there, so that whoever goes through their doors is in a room or in the door.
-pub fn thick_enough(walls: &mut [Wall], rooms: &[Room]) {
+pub fn thick_enough(walls: &mut [StraightWall], rooms: &[NamedRoom]) {
     /// Largest distance of rooms that were meant to meet at a door (our choice).
     const MOST_M: f64 = 0.4;
     for wall in walls {

@@ -1,11 +1,11 @@
 //! Places whose names say what roles know, where only the plan's own words, or what stands there, do.
 
-use crate::floor::Floor;
+use crate::floor::BuiltFloor;
 use crate::furniture::Furniture;
-use crate::names::Names;
+use crate::names::NamePool;
 use homebody_core::geometry::{self, Point};
-use homebody_core::home::plan::FLAT_M;
 use homebody_core::languages::{RoomUse, room_use};
+use homebody_core::plan::FLAT_M;
 use homebody_core::role::Role;
 
 /// The name of a place that stands for a role, and the rooms where it is.
@@ -15,7 +15,7 @@ const CALLED: [(Role, &str, RoomUse); 3] = [
     (Role::Armchair, "living room", RoomUse::LivingRoom),
 ];
 
-/// What is in a kitchen, besides a fridge.
+/// Roles of a kitchen besides the fridge.
 const IN_KITCHENS: [Role; 2] = [Role::Stove, Role::Sink];
 
 /// Step between the places tried in a room, and smallest distance from walls and furniture (our choice).
@@ -26,7 +26,7 @@ const CLEAR_M: f64 = 0.3;
 const MOST_TRIED: f64 = 10_000.0;
 
 /// The places, by name, of what no piece of furniture and no room is under a name that roles know.
-pub fn named(floor: &Floor, names: &mut Names) -> Vec<(String, Point)> {
+pub fn named(floor: &BuiltFloor, names: &mut NamePool) -> Vec<(String, Point)> {
     let mut places = Vec::new();
     for (role, name, used_as) in CALLED {
         let is_known = floor.furniture.iter().any(|piece| piece.is_for(role))
@@ -45,8 +45,8 @@ pub fn named(floor: &Floor, names: &mut Names) -> Vec<(String, Point)> {
     places
 }
 
-/// A place in a room where somebody can stand: the nearest to a point, else the one with the most room around it.
-fn free(floor: &Floor, room: usize, near: Option<Point>) -> Option<Point> {
+/// A place in a room where a person can stand: the nearest to a point, else the one with the most room around it.
+fn free(floor: &BuiltFloor, room: usize, near: Option<Point>) -> Option<Point> {
     let outline = &floor.rooms[room].outline;
     let (least, most) = geometry::bounds(outline.iter().copied());
     let size = most - least;

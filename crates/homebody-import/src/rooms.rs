@@ -3,12 +3,12 @@
 //! Plans draw rooms between the faces of walls, and into doorways; a home's rooms meet in the middle of walls. So each
 //! side that runs along a wall moves onto its middle line, and the corners are where the moved sides meet.
 
-use crate::drawing::{self, Drawing, Label, Piece};
-use crate::error::NotImported;
-use crate::names::Names;
-use crate::outline::{Room, SAME_M, filled, is_sound, tidy, untangled};
-use crate::shared;
-use crate::walls::Wall;
+use crate::drawing::{self, Label, PlanDrawing, PlanPiece};
+use crate::error::ImportError;
+use crate::names::NamePool;
+use crate::outline::{NamedRoom, SAME_M, filled, is_sound, tidy, untangled};
+use crate::overlaps;
+use crate::walls::StraightWall;
 use homebody_core::geometry::{self, Point};
 use homebody_core::problem::counted;
 
@@ -36,13 +36,13 @@ const FARTHEST_M: f64 = 0.6;
 
 /// The rooms of a plan, in its order.
 pub fn place(
-    drawn: &[drawing::Room],
-    walls: &[Wall],
-    names: &mut Names,
+    drawn: &[drawing::PlanRoom],
+    walls: &[StraightWall],
+    names: &mut NamePool,
     remarks: &mut Vec<String>,
-) -> Result<Vec<Room>, NotImported> {
+) -> Result<Vec<NamedRoom>, ImportError> {
     let hint = "import one level of it, or a plan of one home";
-    let too_many = |what, count, most| Err(NotImported::TooMany { what, count, most, hint });
+    let too_many = |what, count, most| Err(ImportError::TooMany { what, count, most, hint });
     if drawn.len() > MOST_ROOMS {
         return too_many("rooms", drawn.len(), MOST_ROOMS);
     }
@@ -69,18 +69,18 @@ pub fn place(
         }
         let sides = with_corners(&outline, &room.corners);
         let outline = Some(to_walls(&sides, walls)).filter(|outline| is_sound(outline)).unwrap_or(outline);
-        rooms.push(Room::new(name, outline));
+        rooms.push(NamedRoom::new(name, outline));
     }
-    Ok(shared::parted(rooms, remarks))
+    Ok(overlaps::parted(rooms, remarks))
 }
 
 /// The rooms of a level that people can be in; those without a name have that of the text in them.
 ///
-/// What is drawn for its ceiling alone lies over others. Where all are, they are taken for rooms.
-pub fn named(drawing: &Drawing, remarks: &mut Vec<String>) -> Vec<drawing::Room> {
+/// A room drawn for its ceiling alone lies over others, and is left out unless all are drawn so.
+pub fn named(drawing: &PlanDrawing, remarks: &mut Vec<String>) -> Vec<drawing::PlanRoom> {
     let has_floor = drawing.rooms.iter().any(|room| room.has_floor);
     let rooms = drawing.rooms.iter().filter(|room| room.has_floor || !has_floor);
-    let mut rooms: Vec<drawing::Room> = rooms.cloned().collect();
+    let mut rooms: Vec<drawing::PlanRoom> = rooms.cloned().collect();
     if rooms.len() < drawing.rooms.len() {
         let left = counted(drawing.rooms.len() - rooms.len(), "room", "rooms");
         remarks.push(format!("left out: {left} drawn without a floor, for a ceiling alone"));
@@ -90,7 +90,7 @@ pub fn named(drawing: &Drawing, remarks: &mut Vec<String>) -> Vec<drawing::Room>
 }
 
 /// A room without a name takes the one text that stands in it.
-pub fn name_by_label(room: &mut drawing::Room, labels: &[Label]) {
+pub fn name_by_label(room: &mut drawing::PlanRoom, labels: &[Label]) {
     if room.name.trim().is_empty() && room.corners.len() <= MOST_CORNERS && labels.len() <= MOST_ROOMS {
         let mut within = labels.iter().filter(|label| geometry::contains(&room.corners, label.at));
         if let (Some(label), None) = (within.next(), within.next()) {
@@ -100,24 +100,24 @@ pub fn name_by_label(room: &mut drawing::Room, labels: &[Label]) {
 }
 
 /// Walls along the rooms in a plan that has doors but no walls: of the rooms that a door is at.
-pub fn outlines(rooms: &[drawing::Room], doors: &[Piece]) -> Vec<drawing::Wall> {
+pub fn outlines(rooms: &[drawing::PlanRoom], doors: &[PlanPiece]) -> Vec<drawing::PlanWall> {
     /// Thickness of these walls, and largest distance of a door from them (our choice).
     const THICKNESS_M: f64 = 0.1;
     const AT_DOOR_M: f64 = 0.3;
-    let mut walls: Vec<drawing::Wall> = Vec::new();
+    let mut walls: Vec<drawing::PlanWall> = Vec::new();
     if rooms.len() > MOST_ROOMS || rooms.iter().map(|room| room.corners.len()).sum::<usize>() > MOST_CORNERS {
         return walls;
     }
-    let is_at = |room: &&drawing::Room| {
+    let is_at = |room: &&drawing::PlanRoom| {
         doors.iter().any(|door| geometry::distance_to_border(&room.corners, door.at) <= AT_DOOR_M)
     };
     for (from, to) in rooms.iter().filter(is_at).flat_map(|room| geometry::sides(&room.corners)) {
-        let is_one = |wall: &drawing::Wall| {
+        let is_one = |wall: &drawing::PlanWall| {
             let are = |a: Point, b: Point| a.distance(b) < LEAST_SIDE_M / 2.0;
             are(wall.from, from) && are(wall.to, to) || are(wall.from, to) && are(wall.to, from)
         };
         if !walls.iter().any(is_one) {
-            walls.push(drawing::Wall { level: None, from, to, thickness_m: THICKNESS_M, arc_rad: 0.0 });
+            walls.push(drawing::PlanWall { level: None, from, to, thickness_m: THICKNESS_M, arc_rad: 0.0 });
         }
     }
     walls
@@ -125,18 +125,18 @@ pub fn outlines(rooms: &[drawing::Room], doors: &[Piece]) -> Vec<drawing::Wall> 
 
 /// A line through a point.
 #[derive(Clone, Copy)]
-struct Line {
+struct GuideLine {
     through: Point,
     along: Point,
 }
 
-impl Line {
+impl GuideLine {
     fn foot(&self, p: Point) -> Point {
         self.through + self.along * (p - self.through).dot(self.along)
     }
 
-    /// Where two lines meet, unless they run along each other.
-    fn meet(&self, other: &Line) -> Option<Point> {
+    /// The crossing of two lines that are not parallel.
+    fn meet(&self, other: &GuideLine) -> Option<Point> {
         let turn = self.along.perp_dot(other.along);
         let way = (other.through - self.through).perp_dot(other.along) / turn;
         (turn.abs() > ALONG_SINE).then_some(self.through + self.along * way)
@@ -164,8 +164,8 @@ fn with_corners(outline: &[Point], drawn: &[Point]) -> Vec<Point> {
 }
 
 /// The outline with its sides moved onto the middle of the walls that they run along.
-fn to_walls(outline: &[Point], walls: &[Wall]) -> Vec<Point> {
-    let lines: Vec<Line> = geometry::sides(outline).map(|(a, b)| line(a, b, walls)).collect();
+fn to_walls(outline: &[Point], walls: &[StraightWall]) -> Vec<Point> {
+    let lines: Vec<GuideLine> = geometry::sides(outline).map(|(a, b)| line(a, b, walls)).collect();
     let n = outline.len();
     let mut moved = Vec::with_capacity(2 * n);
     for (index, &corner) in outline.iter().enumerate() {
@@ -180,19 +180,19 @@ fn to_walls(outline: &[Point], walls: &[Wall]) -> Vec<Point> {
 }
 
 /// The line that a side runs along: that of the wall which has most of it, or its own.
-fn line(a: Point, b: Point, walls: &[Wall]) -> Line {
+fn line(a: Point, b: Point, walls: &[StraightWall]) -> GuideLine {
     let (length, along) = (a.distance(b), (b - a).normalize_or_zero());
     let middle = (a + b) / 2.0;
-    let own = Line { through: middle, along };
+    let own = GuideLine { through: middle, along };
     if length < LEAST_SIDE_M {
         return own;
     }
-    let shared_m = |wall: &Wall| {
+    let shared_m = |wall: &StraightWall| {
         let (from, to) = ((wall.from - a).dot(along), (wall.to - a).dot(along));
         from.max(to).min(length) - from.min(to).max(0.0)
     };
     let near = walls.iter().filter(|wall| {
-        let line = Line { through: wall.from, along: wall.along() };
+        let line = GuideLine { through: wall.from, along: wall.along() };
         let is_along = wall.along().perp_dot(along).abs() <= ALONG_SINE;
         let off_m = |p: Point| p.distance(line.foot(p));
         // The side may lie in the wall or on either of its faces.
@@ -200,11 +200,13 @@ fn line(a: Point, b: Point, walls: &[Wall]) -> Line {
         is_along && off_m(a).max(off_m(b)) <= most_m && off_m(middle) <= most_m
     });
     // Of walls side by side, the nearer one.
-    let off_m = |wall: &Wall| (middle - wall.from).perp_dot(wall.along()).abs();
-    let fit = |wall: &Wall| shared_m(wall) - 2.0 * off_m(wall);
+    let off_m = |wall: &StraightWall| (middle - wall.from).perp_dot(wall.along()).abs();
+    let fit = |wall: &StraightWall| shared_m(wall) - 2.0 * off_m(wall);
     let most = near.map(|wall| (shared_m(wall), wall)).max_by(|(_, a), (_, b)| fit(a).total_cmp(&fit(b)));
     match most {
-        Some((shared_m, wall)) if shared_m >= ALONG_SHARE * length => Line { through: wall.from, along: wall.along() },
+        Some((shared_m, wall)) if shared_m >= ALONG_SHARE * length => {
+            GuideLine { through: wall.from, along: wall.along() }
+        }
         _ => own,
     }
 }

@@ -1,12 +1,12 @@
 //! Floors that stairs join, unfolded into one plane: beside each other, with a passage between them that is as long as the stairs
 //! are to walk.
 
-use crate::doors::Door;
-use crate::drawing::Piece;
-use crate::exits::{DOOR_M, Exit, FLIGHT_M, exits};
-use crate::floor::{AllNames, Floor};
-use crate::outline::Room;
-use crate::walls::Wall;
+use crate::doors::WallDoor;
+use crate::drawing::PlanPiece;
+use crate::exits::{DOOR_M, FLIGHT_M, WallExit, exits};
+use crate::floor::{AllNames, BuiltFloor};
+use crate::outline::NamedRoom;
+use crate::walls::StraightWall;
 use homebody_core::geometry::{self, Point, overlap};
 
 /// Largest difference of length between a passage and its stairs (our choice): otherwise residents spend too much time
@@ -26,37 +26,37 @@ const LEAST_APART_M: f64 = 0.5;
 /// another angle (our choice): a plan with few turns is easier to read.
 const TURNED_M: [f64; 4] = [0.0, 2.0, 3.0, 6.0];
 
-/// How thick a passage's walls are.
+/// Thickness of the walls of a passage.
 const WALL_M: f64 = 0.1;
 
 /// A turn around the origin, and then a move.
 #[derive(Clone, Copy, Debug)]
-struct Motion {
+struct FloorMotion {
     turn: Point,
     by: Point,
 }
 
-/// What stays where it is.
-const STILL: Motion = Motion { turn: Point::X, by: Point::ZERO };
+/// No motion.
+const STILL: FloorMotion = FloorMotion { turn: Point::X, by: Point::ZERO };
 
-impl Motion {
-    fn of(&self, p: Point) -> Point {
+impl FloorMotion {
+    fn apply(&self, p: Point) -> Point {
         self.turn.rotate(p) + self.by
     }
 }
 
-/// How a floor is joined to another: where each is left, how it moves, and how long the passage is.
+/// A join of two floors: the exit, the motion of the second, and the length of the passage.
 #[derive(Clone, Copy, Debug)]
-struct Join {
-    from: Exit,
-    motion: Motion,
+struct FloorJoin {
+    from: WallExit,
+    motion: FloorMotion,
     length_m: f64,
 }
 
 /// A floor that is drawn already: which it is, how it moved, and which of its flights of stairs are passages now.
-struct Drawn {
+struct UnfoldedFloor {
     index: usize,
-    motion: Motion,
+    motion: FloorMotion,
     used: Vec<usize>,
 }
 
@@ -64,9 +64,9 @@ struct Drawn {
 /// them. Gives which they are, that one included.
 ///
 /// Floors come from below. A floor without stairs, such as a gallery, does not stop those beyond it.
-pub fn unfolded(floors: &[(f64, Floor)], first: usize, names: &mut AllNames) -> (Floor, Vec<usize>) {
+pub fn unfolded(floors: &[(f64, BuiltFloor)], first: usize, names: &mut AllNames) -> (BuiltFloor, Vec<usize>) {
     let mut all = floors[first].1.clone();
-    let mut drawn = vec![Drawn { index: first, motion: STILL, used: Vec::new() }];
+    let mut drawn = vec![UnfoldedFloor { index: first, motion: STILL, used: Vec::new() }];
     let beyond = (first + 1..floors.len()).chain((0..first).rev());
     for next in beyond {
         let is_up = next > first;
@@ -81,10 +81,10 @@ pub fn unfolded(floors: &[(f64, Floor)], first: usize, names: &mut AllNames) -> 
         let Some((at, (lower, stairs), join)) = found else { continue };
         let piece = &floors[lower].1.stairs[stairs];
         // The passage stands for them.
-        let drawn_at = if is_up { drawn[at].motion.of(piece.at) } else { join.motion.of(piece.at) };
+        let drawn_at = if is_up { drawn[at].motion.apply(piece.at) } else { join.motion.apply(piece.at) };
         all = and(and(all, flight(&join, is_up, names)), moved(&floors[next].1, join.motion));
         all.furniture.retain(|piece| piece.at != drawn_at);
-        drawn.push(Drawn { index: next, motion: join.motion, used: Vec::new() });
+        drawn.push(UnfoldedFloor { index: next, motion: join.motion, used: Vec::new() });
         let of_lower = if is_up { at } else { drawn.len() - 1 };
         drawn[of_lower].used.push(stairs);
     }
@@ -95,12 +95,12 @@ pub fn unfolded(floors: &[(f64, Floor)], first: usize, names: &mut AllNames) -> 
 
 /// The stairs between a floor that is drawn and the next, by the floor where they begin, and the best way to join both.
 fn flight_to(
-    floors: &[(f64, Floor)],
-    there: &Drawn,
+    floors: &[(f64, BuiltFloor)],
+    there: &UnfoldedFloor,
     next: usize,
     is_up: bool,
-    all: &Floor,
-) -> Option<((usize, usize), Join)> {
+    all: &BuiltFloor,
+) -> Option<((usize, usize), FloorJoin)> {
     let rise_m = (floors[next].0 - floors[there.index].0).abs();
     if rise_m < LEAST_APART_M {
         return None;
@@ -119,7 +119,7 @@ fn flight_to(
 
 /// The unused stairs of a floor that lead up to one so much higher: the highest of those that end there, else the lowest of
 /// those that lead further up.
-fn up(floor: &Floor, rise_m: f64, used: &[usize]) -> Option<usize> {
+fn up(floor: &BuiltFloor, rise_m: f64, used: &[usize]) -> Option<usize> {
     let reach_m = |stairs: usize| floor.stairs[stairs].elevation_m + floor.stairs[stairs].height_m;
     let free = (0..floor.stairs.len()).filter(|stairs| !used.contains(stairs));
     let leads_up: Vec<usize> = free.filter(|&stairs| reach_m(stairs) >= LEAST_RISE * rise_m).collect();
@@ -129,7 +129,7 @@ fn up(floor: &Floor, rise_m: f64, used: &[usize]) -> Option<usize> {
     highest.or_else(|| goes_on.into_iter().min_by(|&a, &b| reach_m(a).total_cmp(&reach_m(b))))
 }
 
-fn and(mut one: Floor, other: Floor) -> Floor {
+fn and(mut one: BuiltFloor, other: BuiltFloor) -> BuiltFloor {
     one.rooms.extend(other.rooms);
     one.walls.extend(other.walls);
     one.doors.extend(other.doors);
@@ -138,8 +138,8 @@ fn and(mut one: Floor, other: Floor) -> Floor {
 }
 
 /// One way to join them, with how little it is liked.
-fn join(there: &Floor, next: &Floor, from: Exit, to: Exit, run_m: f64) -> Option<(f64, Join)> {
-    let beyond = |floor: &Floor, exit: &Exit| {
+fn join(there: &BuiltFloor, next: &BuiltFloor, from: WallExit, to: WallExit, run_m: f64) -> Option<(f64, FloorJoin)> {
+    let beyond = |floor: &BuiltFloor, exit: &WallExit| {
         floor.points().map(|p| (p - exit.at).dot(exit.out)).fold(exit.thickness_m / 2.0, f64::max)
     };
     let (beyond_there, beyond_next) = (beyond(there, &from), beyond(next, &to));
@@ -147,7 +147,7 @@ fn join(there: &Floor, next: &Floor, from: Exit, to: Exit, run_m: f64) -> Option
     if length_m > run_m + MOST_LONGER_M || !is_clear(there, &from, beyond_there) || !is_clear(next, &to, beyond_next) {
         return None;
     }
-    // What takes the one way out to the opposite of the other.
+    // The turn from the one way out to the opposite of the other.
     let back = -from.out;
     let turn = Point::new(to.out.dot(back), to.out.perp_dot(back));
     let by = from.at + from.out * length_m - turn.rotate(to.at);
@@ -158,16 +158,17 @@ fn join(there: &Floor, next: &Floor, from: Exit, to: Exit, run_m: f64) -> Option
         _ => 3,
     };
     let disliked = length_m - run_m + from.away_m + to.away_m + TURNED_M[turned];
-    Some((disliked, Join { from, motion: Motion { turn, by }, length_m }))
+    Some((disliked, FloorJoin { from, motion: FloorMotion { turn, by }, length_m }))
 }
 
-/// Whether nothing of a floor is in the way out of it.
-fn is_clear(floor: &Floor, exit: &Exit, beyond_m: f64) -> bool {
+/// True if nothing of a floor is in the way out of it.
+fn is_clear(floor: &BuiltFloor, exit: &WallExit, beyond_m: f64) -> bool {
     let begin = exit.at + exit.out * (exit.thickness_m / 2.0 + 0.01);
     let end = exit.at + exit.out * (beyond_m + 0.02);
     let way = geometry::thick_segment(begin, end, FLIGHT_M);
-    let is_crossed =
-        |wall: &Wall| geometry::distance_between_segments((begin, end), (wall.from, wall.to)) < FLIGHT_M / 2.0 - 0.06;
+    let is_crossed = |wall: &StraightWall| {
+        geometry::distance_between_segments((begin, end), (wall.from, wall.to)) < FLIGHT_M / 2.0 - 0.06
+    };
     !floor.rooms.iter().any(|room| overlap::area(&room.outline, &way) > 0.004)
         && !floor.walls.iter().any(|wall| {
             // The wall that it leads through, and those in line with it, end where the way begins.
@@ -177,44 +178,44 @@ fn is_clear(floor: &Floor, exit: &Exit, beyond_m: f64) -> bool {
 }
 
 /// A floor somewhere else.
-fn moved(floor: &Floor, motion: Motion) -> Floor {
+fn moved(floor: &BuiltFloor, motion: FloorMotion) -> BuiltFloor {
     let turn_deg = motion.turn.y.atan2(motion.turn.x).to_degrees();
     let mut floor = floor.clone();
     let points = floor.walls.iter_mut().flat_map(|wall| [&mut wall.from, &mut wall.to]);
-    points.for_each(|p| *p = motion.of(*p));
-    floor.rooms.iter_mut().flat_map(|room| &mut room.outline).for_each(|p| *p = motion.of(*p));
-    floor.doors.iter_mut().flat_map(|door| [&mut door.from, &mut door.to]).for_each(|p| *p = motion.of(*p));
+    points.for_each(|p| *p = motion.apply(*p));
+    floor.rooms.iter_mut().flat_map(|room| &mut room.outline).for_each(|p| *p = motion.apply(*p));
+    floor.doors.iter_mut().flat_map(|door| [&mut door.from, &mut door.to]).for_each(|p| *p = motion.apply(*p));
     for piece in &mut floor.furniture {
-        piece.at = motion.of(piece.at);
+        piece.at = motion.apply(piece.at);
         piece.turn_deg = crate::furniture::turned(piece.turn_deg + turn_deg);
     }
     floor
 }
 
-fn moved_piece(piece: &Piece, motion: Motion) -> Piece {
+fn moved_piece(piece: &PlanPiece, motion: FloorMotion) -> PlanPiece {
     let turn_rad = piece.turn_rad + motion.turn.y.atan2(motion.turn.x);
-    Piece { at: motion.of(piece.at), turn_rad, ..piece.clone() }
+    PlanPiece { at: motion.apply(piece.at), turn_rad, ..piece.clone() }
 }
 
 /// The passage: a room of its own between two walls, with a door at each end.
-fn flight(join: &Join, is_up: bool, names: &mut AllNames) -> Floor {
-    let Join { from, length_m, .. } = *join;
+fn flight(join: &FloorJoin, is_up: bool, names: &mut AllNames) -> BuiltFloor {
+    let FloorJoin { from, length_m, .. } = *join;
     let (out, side) = (from.out, from.out.perp());
     let (begin, end) = (from.at, from.at + out * length_m);
-    let rail = |across: f64| Wall { from: begin + side * across, to: end + side * across, thickness_m: WALL_M };
+    let rail = |across: f64| StraightWall { from: begin + side * across, to: end + side * across, thickness_m: WALL_M };
     let (left, right) = (FLIGHT_M / 2.0, -FLIGHT_M / 2.0);
     let outline = vec![begin + side * right, end + side * right, end + side * left, begin + side * left];
     let mut door = |at: Point, name: &str| {
         let half = side * (DOOR_M / 2.0);
         let name = names.doors.give(name, "door");
-        Door { name, from: at + half, to: at - half, is_outside: false, leads_home: 0 }
+        WallDoor { name, from: at + half, to: at - half, is_outside: false, leads_home: 0 }
     };
     let mut ends = ["foot of the stairs", "head of the stairs"];
     if !is_up {
         ends.reverse();
     }
-    Floor {
-        rooms: vec![Room::new(names.spots.give("stairs", "stairs"), outline)],
+    BuiltFloor {
+        rooms: vec![NamedRoom::new(names.spots.give("stairs", "stairs"), outline)],
         walls: vec![rail(left), rail(right)],
         doors: vec![door(begin, ends[0]), door(end, ends[1])],
         furniture: Vec::new(),

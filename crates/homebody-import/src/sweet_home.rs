@@ -1,27 +1,28 @@
 //! A plan of Sweet Home 3D as a home.
 
-use crate::doors::Door;
-use crate::error::NotImported;
-use crate::floor::{self, AllNames, Floor};
+use crate::doors::WallDoor;
+use crate::error::ImportError;
+use crate::floor::{self, AllNames, BuiltFloor};
 use crate::furniture::Furniture;
-use crate::levels::{self, Levels};
-use crate::outline::{Room, rounded};
-use crate::walls::Wall;
-use crate::{archive, drawing, exits, markup, names, places, reached, sound, stairs, text};
+use crate::levels::{self, PlanLevels};
+use crate::outline::{NamedRoom, rounded};
+use crate::walls::StraightWall;
+use crate::{archive, drawing, exits, markup, names, places, reachability, soundness, stairs, text};
 use homebody_core::geometry::{self, At, Point};
+use homebody_core::home::form::{HomeFile, latitude};
+use homebody_core::plan::form::{DoorFile, FurnitureFile, PlaceFile, RoomFile, WallFile};
 use homebody_core::problem::counted;
-use homebody_core::scenario::home::{DoorFile, FurnitureFile, HomeFile, PlaceFile, RoomFile, WallFile, latitude};
 
 /// A home, and what was left out of the plan or guessed.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Imported {
     /// The text of a `home.json` that passes the check; its schemas are expected in a folder beside it.
     pub home_json: String,
-    /// What was left out or guessed, a sentence each, at most some dozens.
+    /// Omissions and guesses, a sentence each, at most some dozens.
     pub remarks: Vec<String>,
 }
 
-/// Where the schema of what is made is looked for: in a folder beside it.
+/// The path of the schema, in a folder beside the home.
 pub const SCHEMA: &str = "./schemas/home.schema.json";
 
 /// Largest number of remarks (our choice).
@@ -32,7 +33,7 @@ const MOST_REMARKS: usize = 40;
 /// `level` is the name of a level, or its number counted from the lowest. Without it, the level is taken by which people come
 /// home, and those that stairs join to it are drawn beside it. The lower left corner of the walls' middle lines is the origin,
 /// and lengths are rounded to millimetres.
-pub fn sweet_home(bytes: &[u8], name: &str, level: Option<&str>) -> Result<Imported, NotImported> {
+pub fn sweet_home(bytes: &[u8], name: &str, level: Option<&str>) -> Result<Imported, ImportError> {
     let xml = archive::home_xml(bytes)?;
     let drawing = drawing::read(&markup::parse(&xml)?);
     let (latitude_deg, unread) = (drawing.latitude_deg, drawing.unread);
@@ -47,10 +48,10 @@ pub fn sweet_home(bytes: &[u8], name: &str, level: Option<&str>) -> Result<Impor
     remarks.extend((floor.way_out() == 0).then(|| no_way_out(&floor, &mut names)));
     let name = Some(names::clean(name)).filter(|name| !name.is_empty()).unwrap_or_else(|| "home".to_owned());
     let home = home(name, about, latitude_deg, floor, names);
-    let home = sound::passing(home, &mut remarks)?;
+    let home = soundness::passing(home, &mut remarks)?;
     let (mut mended, mut told) = (home.clone(), Vec::new());
-    reached::mended(&mut mended, &mut told);
-    let home_json = match mended == home || sound::is_passing(&mended) {
+    reachability::mended(&mut mended, &mut told);
+    let home_json = match mended == home || soundness::is_passing(&mended) {
         true => {
             remarks.extend(told);
             text::home_text(&mended)
@@ -67,7 +68,7 @@ pub fn sweet_home(bytes: &[u8], name: &str, level: Option<&str>) -> Result<Impor
 
 /// The floor on which people come home, and those that stairs join to it; the names that are taken, and what the home says of
 /// itself.
-fn whole(levels: &Levels, remarks: &mut Vec<String>) -> Result<(Floor, AllNames, String), NotImported> {
+fn whole(levels: &PlanLevels, remarks: &mut Vec<String>) -> Result<(BuiltFloor, AllNames, String), ImportError> {
     let built = |index: usize, is_home: bool, names: &mut AllNames, remarks: &mut Vec<String>| {
         let storey = &levels.storeys[index];
         floor::build(&storey.drawing, is_home, names, remarks).map(|floor| (storey.elevation_m, floor))
@@ -89,17 +90,17 @@ fn whole(levels: &Levels, remarks: &mut Vec<String>) -> Result<(Floor, AllNames,
     };
     let Some(home) = sound.iter().copied().rev().max_by_key(fits) else {
         let first = alone.into_iter().find_map(Result::err);
-        return Err(first.unwrap_or(NotImported::NoRooms));
+        return Err(first.unwrap_or(ImportError::NoRooms));
     };
     let leads_out = fits(&home).is_some_and(|(way_out, ..)| way_out > 0);
     // People come home to one of them: what lies in the open before the others is no outside.
-    let again = |(index, floor): (usize, Result<(f64, Floor), NotImported>)| match floor {
+    let again = |(index, floor): (usize, Result<(f64, BuiltFloor), ImportError>)| match floor {
         Ok((_, floor)) if floor.is_open && index != home => unheard(index, false),
         floor => floor,
     };
     let floors: Vec<_> = alone.into_iter().enumerate().map(again).collect();
     let sound: Vec<usize> = (0..floors.len()).filter(|&index| floors[index].is_ok()).collect();
-    let floors: Vec<(f64, Floor)> = floors.into_iter().flatten().collect();
+    let floors: Vec<(f64, BuiltFloor)> = floors.into_iter().flatten().collect();
     let first = sound.iter().position(|&index| index == home).unwrap_or_default();
     let (_, taken) = stairs::unfolded(&floors, first, &mut AllNames::default());
     let taken: Vec<usize> = taken.into_iter().map(|floor| sound[floor]).collect();
@@ -133,8 +134,8 @@ fn whole(levels: &Levels, remarks: &mut Vec<String>) -> Result<(Floor, AllNames,
     Ok((floor, names, about(levels, &taken)))
 }
 
-/// What a home of these levels says of itself.
-fn about(levels: &Levels, taken: &[usize]) -> String {
+/// The `about` of a home of these levels.
+fn about(levels: &PlanLevels, taken: &[usize]) -> String {
     let names = listed(levels, taken);
     match taken {
         _ if names.is_empty() => "From a plan made with Sweet Home 3D.".to_owned(),
@@ -144,13 +145,13 @@ fn about(levels: &Levels, taken: &[usize]) -> String {
 }
 
 /// The names of levels in a sentence; nothing where the plan has one.
-fn listed(levels: &Levels, taken: &[usize]) -> String {
+fn listed(levels: &PlanLevels, taken: &[usize]) -> String {
     let names = taken.iter().filter_map(|&index| levels.storeys[index].name.as_ref());
     names.map(|name| format!("{name:?}")).collect::<Vec<_>>().join(", ")
 }
 
 /// Says that no door leads out, and where one could: a line for `home.json` that works as it is.
-fn no_way_out(floor: &Floor, names: &mut AllNames) -> String {
+fn no_way_out(floor: &BuiltFloor, names: &mut AllNames) -> String {
     let what = "no door leads out of the home";
     let Some(exit) = exits::front_door(floor) else {
         return format!(
@@ -166,10 +167,10 @@ fn no_way_out(floor: &Floor, names: &mut AllNames) -> String {
     )
 }
 
-fn home(name: String, about: String, latitude_deg: Option<f64>, floor: Floor, mut names: AllNames) -> HomeFile {
+fn home(name: String, about: String, latitude_deg: Option<f64>, floor: BuiltFloor, mut names: AllNames) -> HomeFile {
     let origin = origin(&floor.walls, &floor.rooms);
     let places = places::named(&floor, &mut names.spots);
-    let Floor { rooms, walls, doors, furniture, .. } = floor;
+    let BuiltFloor { rooms, walls, doors, furniture, .. } = floor;
     HomeFile {
         schema: Some(SCHEMA.to_owned()),
         name,
@@ -185,24 +186,24 @@ fn home(name: String, about: String, latitude_deg: Option<f64>, floor: Floor, mu
 }
 
 /// The lower left corner of all walls, or of all rooms where there are none.
-fn origin(walls: &[Wall], rooms: &[Room]) -> Point {
+fn origin(walls: &[StraightWall], rooms: &[NamedRoom]) -> Point {
     let ends = walls.iter().flat_map(|wall| [wall.from, wall.to]);
     let corners = rooms.iter().flat_map(|room| room.outline.iter().copied());
     let (least, _) = if walls.is_empty() { geometry::bounds(corners) } else { geometry::bounds(ends) };
     least
 }
 
-fn room_file(room: Room, origin: Point) -> RoomFile {
+fn room_file(room: NamedRoom, origin: Point) -> RoomFile {
     let outline = room.outline.into_iter().map(|corner| at(corner, origin)).collect();
     RoomFile { floor: room.floor, ..RoomFile::new(room.name, outline) }
 }
 
-fn wall_file(wall: Wall, origin: Point) -> WallFile {
+fn wall_file(wall: StraightWall, origin: Point) -> WallFile {
     let thickness_m = rounded(Point::splat(wall.thickness_m)).x;
     WallFile { from: at(wall.from, origin), to: at(wall.to, origin), thickness_m }
 }
 
-fn door_file(door: Door, origin: Point) -> DoorFile {
+fn door_file(door: WallDoor, origin: Point) -> DoorFile {
     let (from, to) = (at(door.from, origin), at(door.to, origin));
     DoorFile { name: door.name, from, to, open: !door.is_outside, shut_behind: false, outside: door.is_outside }
 }

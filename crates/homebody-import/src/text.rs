@@ -1,11 +1,13 @@
 //! The text of a home as people write it: a line for each room, wall, door and piece of furniture.
 
 use homebody_core::geometry::At;
+use homebody_core::home::form::HomeFile;
+use homebody_core::plan::form::{DoorFile, FurnitureFile, PlaceFile, RoomFile, WallFile};
 use homebody_core::role::Role;
-use homebody_core::scenario::home::{DoorFile, FurnitureFile, HomeFile, PlaceFile, RoomFile, SensorFile, WallFile};
+use homebody_core::sensors::kinds::SensorFile;
 use serde_json::Value;
 
-/// Which list of a home.
+/// A list of a home.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum List {
     Rooms,
@@ -18,11 +20,11 @@ pub enum List {
 
 /// The text of a home.
 pub fn home_text(home: &HomeFile) -> String {
-    of(home).0
+    with_elements(home).0
 }
 
 /// The text, and of which list each of its lines has which element.
-pub fn of(home: &HomeFile) -> (String, Vec<Option<(List, usize)>>) {
+pub fn with_elements(home: &HomeFile) -> (String, Vec<Option<(List, usize)>>) {
     let mut lines: Vec<(String, Option<(List, usize)>)> = vec![("{".into(), None)];
     let heads = [("$schema", home.schema.as_deref().unwrap_or_default()), ("name", &home.name), ("about", &home.about)];
     for (key, text) in heads.into_iter().filter(|(_, text)| !text.is_empty()) {

@@ -1,14 +1,14 @@
 //! Walls as a home has them: straight. Curved ones become chords, cut so that each door is in one of them.
 
-use crate::drawing::{self, Piece};
-use crate::error::NotImported;
+use crate::drawing::{self, PlanPiece};
+use crate::error::ImportError;
 use homebody_core::geometry::{self, Point};
 use homebody_core::problem::counted;
 use std::f64::consts::TAU;
 
 /// A straight wall.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Wall {
+pub struct StraightWall {
     pub from: Point,
     pub to: Point,
     pub thickness_m: f64,
@@ -37,22 +37,26 @@ pub const DOOR_OFF_M: f64 = 0.3;
 const MOST_WALLS: usize = 5_000;
 
 /// The walls as straight ones, in their order.
-pub fn straight(walls: &[drawing::Wall], doors: &[Piece], remarks: &mut Vec<String>) -> Result<Vec<Wall>, NotImported> {
+pub fn straight(
+    walls: &[drawing::PlanWall],
+    doors: &[PlanPiece],
+    remarks: &mut Vec<String>,
+) -> Result<Vec<StraightWall>, ImportError> {
     let (mut straight, mut curved) = (Vec::new(), 0);
     for wall in walls {
         let thickness_m = wall.thickness_m.clamp(THICKNESS_M[0], THICKNESS_M[1]);
-        let points = match Arc::of(wall) {
+        let points = match Arc::from_wall(wall) {
             Some(arc) => {
                 curved += 1;
                 arc.points(doors)
             }
             None => vec![wall.from, wall.to],
         };
-        straight.extend(points.windows(2).map(|ends| Wall { from: ends[0], to: ends[1], thickness_m }));
+        straight.extend(points.windows(2).map(|ends| StraightWall { from: ends[0], to: ends[1], thickness_m }));
         if straight.len() > MOST_WALLS {
             let hint = "import one level of it, or a plan of one home";
             let count = walls.len().max(straight.len());
-            return Err(NotImported::TooMany { what: "walls", count, most: MOST_WALLS, hint });
+            return Err(ImportError::TooMany { what: "walls", count, most: MOST_WALLS, hint });
         }
     }
     let all = straight.len();
@@ -78,11 +82,11 @@ const MEET_SINE: f64 = 0.26;
 const MOST_JOINED: usize = 1_000;
 
 /// The walls with those that end at the face of another, or inside of it, drawn on to its middle line: that is where rooms meet.
-pub fn joined(walls: Vec<Wall>) -> Vec<Wall> {
+pub fn joined(walls: Vec<StraightWall>) -> Vec<StraightWall> {
     if walls.len() > MOST_JOINED {
         return walls;
     }
-    let end = |wall: &Wall, end: Point, along: Point| {
+    let end = |wall: &StraightWall, end: Point, along: Point| {
         let middle_lines = walls.iter().filter(|other| *other != wall).filter_map(|other| {
             let reach_m = other.thickness_m / 2.0 + OFF_FACE_M;
             let turn = along.perp_dot(other.along());
@@ -97,15 +101,15 @@ pub fn joined(walls: Vec<Wall>) -> Vec<Wall> {
         let nearest = middle_lines.min_by(|a, b| a.0.total_cmp(&b.0));
         nearest.map_or(end, |(_, meeting)| meeting)
     };
-    let join = |wall: &Wall| {
+    let join = |wall: &StraightWall| {
         let along = wall.along();
-        Wall { from: end(wall, wall.from, -along), to: end(wall, wall.to, along), ..wall.clone() }
+        StraightWall { from: end(wall, wall.from, -along), to: end(wall, wall.to, along), ..wall.clone() }
     };
     let joined = walls.iter().map(|wall| Some(join(wall)).filter(|joined| joined.length() >= LEAST_LENGTH_M));
     joined.zip(&walls).map(|(joined, wall)| joined.unwrap_or_else(|| wall.clone())).collect()
 }
 
-impl Wall {
+impl StraightWall {
     pub fn length(&self) -> f64 {
         self.from.distance(self.to)
     }
@@ -127,7 +131,7 @@ struct Arc {
 }
 
 impl Arc {
-    fn of(wall: &drawing::Wall) -> Option<Arc> {
+    fn from_wall(wall: &drawing::PlanWall) -> Option<Arc> {
         let (half, extent_rad) = ((wall.to - wall.from) / 2.0, wall.arc_rad);
         if !(ARC_RAD[0]..=ARC_RAD[1]).contains(&extent_rad.abs()) {
             return None;
@@ -139,7 +143,7 @@ impl Arc {
     }
 
     /// The ends of its chords, from start to end.
-    fn points(&self, doors: &[Piece]) -> Vec<Point> {
+    fn points(&self, doors: &[PlanPiece]) -> Vec<Point> {
         let mut cuts = vec![(0.0, 0.0), (1.0, 1.0)];
         cuts.extend(doors.iter().filter_map(|door| self.span(door)));
         cuts.sort_by(|a, b| a.0.total_cmp(&b.0));
@@ -164,7 +168,7 @@ impl Arc {
         shares.iter().enumerate().map(place).collect()
     }
 
-    /// How many chords a share of the arc needs.
+    /// The number of chords for a share of the arc.
     fn chords(&self, share: f64) -> f64 {
         let flat = (1.0 - (CHORD_OFF_M / self.radius_m).min(1.0)).acos() * 2.0;
         (self.extent_rad.abs() * share / flat).ceil().clamp(1.0, MOST_CHORDS)
@@ -176,7 +180,7 @@ impl Arc {
     }
 
     /// From which share of the way to which one a door is, if it is in this wall as a whole.
-    fn span(&self, door: &Piece) -> Option<(f64, f64)> {
+    fn span(&self, door: &PlanPiece) -> Option<(f64, f64)> {
         let out = door.at - self.middle;
         if (out.length() - self.radius_m).abs() > self.thickness_m / 2.0 + DOOR_OFF_M {
             return None;
@@ -192,15 +196,15 @@ impl Arc {
 mod tests {
     use super::*;
 
-    fn half_circle() -> drawing::Wall {
+    fn half_circle() -> drawing::PlanWall {
         let (from, to) = (Point::new(0.0, 0.0), Point::new(4.0, 0.0));
-        drawing::Wall { level: None, from, to, thickness_m: 0.1, arc_rad: std::f64::consts::PI }
+        drawing::PlanWall { level: None, from, to, thickness_m: 0.1, arc_rad: std::f64::consts::PI }
     }
 
     #[test]
     fn an_arc_goes_around_its_middle_from_end_to_end() {
         // Counter-clockwise from the west to the east of the circle around (2, 0): through the south.
-        let arc = Arc::of(&half_circle()).unwrap();
+        let arc = Arc::from_wall(&half_circle()).unwrap();
         assert!(arc.middle.distance(Point::new(2.0, 0.0)) < 1e-12 && (arc.radius_m - 2.0).abs() < 1e-12);
         assert!(arc.at(0.5).distance(Point::new(2.0, -2.0)) < 1e-12);
         let points = arc.points(&[]);
@@ -210,12 +214,12 @@ mod tests {
             assert!((0.0..CHORD_OFF_M).contains(&off), "{off}");
         }
         // A quarter of a circle of the other turn.
-        let quarter = drawing::Wall { arc_rad: -TAU / 4.0, ..half_circle() };
-        let arc = Arc::of(&quarter).unwrap();
+        let quarter = drawing::PlanWall { arc_rad: -TAU / 4.0, ..half_circle() };
+        let arc = Arc::from_wall(&quarter).unwrap();
         assert!(arc.middle.distance(Point::new(2.0, -2.0)) < 1e-12, "{}", arc.middle);
         assert!(arc.at(0.5).distance(Point::new(2.0, 8.0_f64.sqrt() - 2.0)) < 1e-12);
         // Three quarters.
-        let most = drawing::Wall { arc_rad: TAU * 0.75, ..half_circle() };
-        assert!(Arc::of(&most).unwrap().at(0.5).distance(Point::new(2.0, -2.0 - 8.0_f64.sqrt())) < 1e-12);
+        let most = drawing::PlanWall { arc_rad: TAU * 0.75, ..half_circle() };
+        assert!(Arc::from_wall(&most).unwrap().at(0.5).distance(Point::new(2.0, -2.0 - 8.0_f64.sqrt())) < 1e-12);
     }
 }

@@ -1,7 +1,7 @@
 //! Whatever the sensors of a log are called and whoever follows whom: the home that is made of them is sound.
 
-use homebody_core::scenario::home::HomeFile;
-use homebody_import::from_log::{LogSensor, LogWay, Speaks, Unsaid, schematic};
+use homebody_core::home::form::HomeFile;
+use homebody_import::from_log::{LogSensor, LogWay, SchematicError, Speaks, schematic};
 use std::collections::BTreeSet;
 
 /// Numbers that are always the same.
@@ -80,8 +80,8 @@ fn what_is_made_of_any_log_is_sound() {
 #[test]
 fn a_home_has_no_more_rooms_than_are_arranged() {
     let sensors: Vec<LogSensor> = (0..60).map(|n| LogSensor::new(&format!("bedroom {n}"), Speaks::Motion, 9)).collect();
-    assert!(matches!(schematic("home", "", &sensors, &[]), Err(Unsaid::TooManyRooms(60))));
-    assert_eq!(schematic("home", "", &[], &[]), Err(Unsaid::NoSensors));
+    assert!(matches!(schematic("home", "", &sensors, &[]), Err(SchematicError::TooManyRooms(60))));
+    assert_eq!(schematic("home", "", &[], &[]), Err(SchematicError::NoSensors));
     let began = std::time::Instant::now();
     schematic("home", "", &sensors[..30], &[]).unwrap();
     println!("30 rooms: {:?}", began.elapsed());

@@ -1,14 +1,12 @@
-//! What is thought of two bodies at one instant, and which states of it count.
+//! Probabilities of the states of two bodies at one instant, and the choice of the states that are tracked.
 
-/// The state of being out.
 pub(crate) const OUT: u32 = 0;
 
-/// What is thought of two bodies at one instant.
 #[derive(Debug, Default, PartialEq)]
 pub(crate) struct Belief {
-    /// The states that count, of each, in order.
+    /// By body, the tracked states, ascending.
     pub states: [Vec<u32>; 2],
-    /// The chances of pairs of them, row by row: a row for each of the first.
+    /// Probabilities of pairs of states, row by row: a row for each state of the first body.
     pub chances: Vec<f32>,
 }
 
@@ -17,7 +15,6 @@ impl Clone for Belief {
         Belief { states: self.states.clone(), chances: self.chances.clone() }
     }
 
-    /// Into the memory that is there: this is done for each step of a log.
     fn clone_from(&mut self, other: &Belief) {
         self.take_states(other);
         self.chances.clone_from(&other.chances);
@@ -25,19 +22,16 @@ impl Clone for Belief {
 }
 
 impl Belief {
-    /// Of the states of another one.
     pub fn take_states(&mut self, other: &Belief) {
         self.states.iter_mut().zip(&other.states).for_each(|(own, other)| own.clone_from(other));
     }
 
-    /// The chances of one body's states, whatever the other does: by state, of those that count.
     pub fn alone(&self, body: usize) -> Vec<f32> {
         let mut sums = Vec::new();
         self.alone_into(body, &mut sums);
         sums
     }
 
-    /// The same, into memory that is there.
     pub fn alone_into(&self, body: usize, sums: &mut Vec<f32>) {
         let columns = self.states[1].len().max(1);
         sums.clear();
@@ -51,13 +45,12 @@ impl Belief {
         }
     }
 
-    /// The chance that a body is out.
     pub fn out(&self, body: usize) -> f32 {
         let of = |(chance, state): (f32, &u32)| if *state == OUT { chance } else { 0.0 };
         self.alone(body).into_iter().zip(&self.states[body]).map(of).sum()
     }
 
-    /// Makes the chances one together; the logarithm of what they were.
+    /// Scales the probabilities to a sum of 1, and returns the logarithm of the sum before.
     pub fn normalise(&mut self) -> f64 {
         let sum = sum(&self.chances);
         if sum > 0.0 && sum.is_finite() {
@@ -69,17 +62,16 @@ impl Belief {
             }
             return libm::log(f64::from(sum));
         }
-        // Nothing fits: all is possible again.
+        // No state fits, so all become equally likely.
         let even = 1.0 / self.chances.len().max(1) as f32;
         self.chances.fill(even);
         libm::log(f64::from(f32::MIN_POSITIVE))
     }
 }
 
-/// How many numbers are added and compared side by side, so that the processor can do them at once.
+/// Numbers that are added and compared side by side, so that the processor uses vector instructions.
 const PARTS: usize = 8;
 
-/// The sum of numbers.
 fn sum(all: &[f32]) -> f32 {
     let mut sums = [0.0; PARTS];
     let parts = all.chunks_exact(PARTS);
@@ -88,7 +80,6 @@ fn sum(all: &[f32]) -> f32 {
     rest + sums.iter().sum::<f32>()
 }
 
-/// The largest of what pairs of numbers come to, which is never below nothing.
 fn largest(all: &[f32], others: &[f32], of: impl Fn(f32, f32) -> f32) -> f32 {
     let larger = |most: f32, one: f32| if one > most { one } else { most };
     let mut most = [0.0; PARTS];
@@ -102,8 +93,8 @@ fn largest(all: &[f32], others: &[f32], of: impl Fn(f32, f32) -> f32) -> f32 {
     most.into_iter().fold(rest, larger)
 }
 
-/// The states that count, of chances by state: from a part of the best on, and the best of too many. Where something is said
-/// next, so often in each state, those that count then are among them.
+/// The tracked states: those above a share of the best probability, and at most a number of them. It includes the states
+/// that count after a message with these rates.
 pub(crate) fn likely(chances: &[f32], (most, part): (usize, f32), said: Option<(&[f32], f32)>, likely: &mut Vec<u32>) {
     likely.clear();
     let all = || (0..).zip(chances);
@@ -138,12 +129,11 @@ pub(crate) fn likely(chances: &[f32], (most, part): (usize, f32), said: Option<(
         }
     }
     if likely.is_empty() {
-        // Nothing fits: all is possible again.
+        // No state fits, so all are tracked.
         likely.extend(0..chances.len() as u32);
     }
 }
 
-/// Leaves the best of too many states.
 fn best(states: &mut Vec<u32>, most: usize, chance: impl Fn(u32) -> f32) {
     if states.len() > most {
         states.select_nth_unstable_by(most, |&a, &b| chance(b).total_cmp(&chance(a)));
@@ -167,7 +157,6 @@ mod tests {
         let chances = [0.5, 1e-7, 0.4, 1e-9, 0.1];
         assert_eq!(kept(&chances, (9, 1e-4), None), [0, 2, 4]);
         assert_eq!(kept(&chances, (2, 1e-4), None), [0, 2]);
-        // Only in the second something is said often: then all is likely of it, and what is likely now stays.
         let rates = [1e-6, 1.0, 1e-6, 1e-6, 1e-6];
         assert_eq!(kept(&chances, (9, 1e-4), Some((&rates, 1e-6))), [0, 1, 2, 4]);
         assert_eq!(kept(&chances, (2, 1e-4), Some((&rates, 1e-6))), [0, 2]);

@@ -1,21 +1,21 @@
-//! The exponential in single precision: of sums and products alone, so that it is the same on every machine, and quick.
+//! The exponential function in single precision from sums and products only: equal on all machines, and fast.
 
-/// `e` to the power of a number; a number so small or large that a float has no normal result counts as the nearest that has.
+/// A result outside of the normal floats becomes the nearest normal float.
 pub(crate) fn exp(exponent: f32) -> f32 {
     const LOG2_E: f32 = std::f32::consts::LOG2_E;
-    /// The logarithm of 2 in two parts, of which the first has so few digits that whole numbers times it are exact.
+    /// ln 2 in two parts. The first has so few digits that its products with whole numbers are exact.
     const LN_2_HIGH: f32 = 0.693_359_4;
     const LN_2_LOW: f32 = -2.121_944_4e-4;
-    /// A float of this size has no digits after the point: adding it rounds.
+    /// A float of this size has no fractional digits, so adding it rounds.
     const ROUNDS: f32 = 12_582_912.0;
     let exponent = exponent.clamp(-87.0, 88.0);
     let rounded = exponent * LOG2_E + ROUNDS;
     let whole = rounded - ROUNDS;
     let rest = exponent - whole * LN_2_HIGH - whole * LN_2_LOW;
-    // The series of the rest, which is at most half of the logarithm of 2 on either side of nothing.
+    // Taylor series of the rest, which is at most ln 2 / 2 in size.
     let series = [1.0 / 720.0, 1.0 / 120.0, 1.0 / 24.0, 1.0 / 6.0, 0.5, 1.0, 1.0];
     let value = series.into_iter().fold(0.0, |value, next| value * rest + next);
-    // The last bits of what is rounded are the whole number: taking them is quicker than to convert it.
+    // The last bits are the whole number; reading them is faster than a conversion.
     let whole = rounded.to_bits().wrapping_sub(ROUNDS.to_bits());
     value * f32::from_bits(whole.wrapping_add(127) << 23)
 }

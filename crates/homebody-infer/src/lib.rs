@@ -1,39 +1,38 @@
-//! Where somebody was at each instant, with how much doubt, from what the sensors of their home said.
+//! Locates the people of a home at each instant from a log, with probabilities.
 //!
-//! [`Senses::learn`] lets a body go everywhere in a home and do everything there equally often, and counts what the sensors say
-//! of it: so it knows the home, its fields, the timing of its sensors, the faults of its link, and how long walking takes, and
-//! nothing of how anybody lives. [`translate`] then asks of a log in which places a body that moves so would have made the
-//! sensors speak, and be silent, as they did.
+//! [`Senses::learn`] simulates a body that goes everywhere and does everything equally often, and counts the responses of
+//! the sensors. The result holds the home, the fields, timing and link of its sensors and the time of walks, but no habits
+//! of residents. [`translate`] then computes the places in which such a body explains the messages and silences of a log
+//! best.
 //!
-//! The model is a Markov-modulated Poisson process: in each state (a patch of floor on which one walks or stands, a seat, a
-//! bed, being out) every sensor speaks at a rate of its own. What is said and what is left unsaid both count.
+//! The model is a Markov-modulated Poisson process: in each state (walking or standing on a patch of floor, a seat, a bed,
+//! being out) every sensor sends messages at a rate of its own. Messages and silences both count.
 //!
-//! Instants are microseconds since the run's start, places metres in the plan's coordinates.
-
-#![warn(missing_docs)]
+//! Instants are run time; for a log without a known run, the wall time is taken for the run time. Places are metres in the
+//! plan's coordinates.
 
 mod belief;
 mod exponential;
-mod flow;
-mod health;
-mod learn;
-mod pair;
-mod rover;
-mod said;
-mod smooth;
-mod spells;
+mod transition_matrices;
+mod examination;
+mod senses;
+mod body_pair;
+mod random_walk;
+mod message;
+mod smoother;
+mod fault_interval;
 mod states;
-mod steps;
+mod log_step;
 mod track;
-mod turns;
+mod transition;
 mod visits;
-mod watch;
+mod sensor_day;
 
-pub use health::{Ailment, Counted, Examination, Finding, Pass, health};
-pub use learn::{NotLearnt, Senses};
-pub use said::{Message, Said};
-pub use smooth::{Chances, Follower, Guess, Instant, follow, translate};
-pub use spells::{Ill, Spell, spells};
-pub use states::{Kind, State, States};
-pub use steps::Heard;
+pub use examination::{Examination, ExaminationPass, FaultFinding, PassCounts, SensorFault, health};
+pub use fault_interval::{FaultInterval, FaultIntervalKind, spells};
+pub use log_step::MessageContent;
+pub use message::{LogMessage, MessageKind};
+pub use senses::{ResponseError, Senses};
+pub use smoother::{Chances, Follower, Guess, InstantEstimate, follow, translate};
+pub use states::{BodyState, StateKind, States};
 pub use track::Track;

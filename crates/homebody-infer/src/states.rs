@@ -1,69 +1,57 @@
-//! The states that somebody can be in: patches of floor, seats and beds, and being out.
+//! The states of a body: patches of floor, seats, beds, and being out.
 
 use homebody_core::geometry::Point;
-use homebody_core::home::plan::Plan;
-use homebody_core::scenario::path::Posture;
+use homebody_core::plan::Plan;
+use homebody_core::posture::Posture;
 use homebody_walk::Mesh;
-use homebody_walk::places::{Places, Spot};
+use homebody_walk::places::{HomePlace, HomePlaces};
 
-/// A state that somebody can be in.
 #[derive(Clone, Debug, PartialEq)]
-pub struct State {
-    /// What it is.
-    pub kind: Kind,
-    /// Where the body is, in metres; `None` while out.
+pub struct BodyState {
+    pub kind: StateKind,
+    /// In metres; `None` while out.
     pub at: Option<Point>,
     /// Index of the plan's room; `None` while out.
     pub room: Option<usize>,
-    /// How the body is held.
     pub posture: Posture,
 }
 
-/// What somebody does in a state.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Kind {
-    /// Not at home.
+pub enum StateKind {
     Out,
-    /// On the way over a patch of floor.
     Walks,
-    /// On their feet on a patch of floor.
     Stands,
-    /// At a place, and does something there.
+    /// Active at a place.
     Busy,
-    /// At a place to sit or to lie, and rests or sleeps there.
+    /// Resting or asleep at a place to sit or lie.
     Still,
-    /// At a place, and does not stir for minutes.
+    /// Without movement for minutes.
     Motionless,
 }
 
-/// All states of somebody in a home.
 #[derive(Clone, Debug)]
 pub struct States {
     /// By the number of the state; 0 is being out.
-    pub all: Vec<State>,
-    /// How many rooms the plan has.
+    pub all: Vec<BodyState>,
     rooms: usize,
-    /// Where one can stay, with the numbers of its states.
-    pub(crate) stations: Vec<Station>,
-    grid: Grid,
+    pub(crate) stations: Vec<StayPlace>,
+    grid: PatchGrid,
 }
 
-/// A place to stay at.
 #[derive(Clone, Debug)]
-pub(crate) struct Station {
-    pub spot: Spot,
+pub(crate) struct StayPlace {
+    pub spot: HomePlace,
     pub busy: usize,
     pub motionless: usize,
-    /// None where nobody rests.
+    /// `None` where resting is impossible.
     pub still: Option<usize>,
 }
 
-/// Which patch of floor is where.
 #[derive(Clone, Debug)]
-struct Grid {
+struct PatchGrid {
     corner: Point,
     columns: usize,
-    /// Row by row; the number of the nearest patch.
+    /// Row by row, the nearest patch.
     patch: Vec<Option<u32>>,
     patches: usize,
 }
@@ -80,89 +68,82 @@ const LEAST_CELLS: usize = 3;
 const SAME_M: f64 = 0.35;
 
 impl States {
-    /// The states of somebody who walks by `mesh`.
-    pub(crate) fn new(plan: &Plan, places: &Places, mesh: &Mesh) -> States {
-        let (grid, patches) = Grid::new(plan, mesh);
-        let mut all = vec![State { kind: Kind::Out, at: None, room: None, posture: Posture::Standing }];
-        for kind in [Kind::Walks, Kind::Stands] {
-            let of = |&at: &Point| State { kind, at: Some(at), room: plan.room_at(at), posture: Posture::Standing };
+    pub(crate) fn new(plan: &Plan, places: &HomePlaces, mesh: &Mesh) -> States {
+        let (grid, patches) = PatchGrid::new(plan, mesh);
+        let mut all = vec![BodyState { kind: StateKind::Out, at: None, room: None, posture: Posture::Standing }];
+        for kind in [StateKind::Walks, StateKind::Stands] {
+            let of = |&at: &Point| BodyState { kind, at: Some(at), room: plan.room_at(at), posture: Posture::Standing };
             all.extend(patches.iter().map(of));
         }
-        let mut stations: Vec<Station> = Vec::new();
+        let mut stations: Vec<StayPlace> = Vec::new();
         for spot in places.all().iter().filter(|spot| spot.is_reachable && !spot.is_room) {
             let is_known =
-                |other: &Station| other.spot.at.distance(spot.at) < SAME_M && other.spot.posture == spot.posture;
+                |other: &StayPlace| other.spot.at.distance(spot.at) < SAME_M && other.spot.posture == spot.posture;
             if stations.iter().any(is_known) {
                 continue;
             }
-            let state = |kind| State { kind, at: Some(spot.at), room: plan.room_at(spot.at), posture: spot.posture };
+            let state =
+                |kind| BodyState { kind, at: Some(spot.at), room: plan.room_at(spot.at), posture: spot.posture };
             let busy = all.len();
-            all.extend([Kind::Busy, Kind::Motionless].map(state));
+            all.extend([StateKind::Busy, StateKind::Motionless].map(state));
             let still = (spot.posture != Posture::Standing).then_some(busy + 2);
-            all.extend(still.map(|_| state(Kind::Still)));
-            stations.push(Station { spot: spot.clone(), busy, motionless: busy + 1, still });
+            all.extend(still.map(|_| state(StateKind::Still)));
+            stations.push(StayPlace { spot: spot.clone(), busy, motionless: busy + 1, still });
         }
         States { all, rooms: plan.rooms.len(), stations, grid }
     }
 
-    /// Those of nobody.
     pub(crate) fn nobody() -> States {
-        let grid = Grid { corner: Point::ZERO, columns: 1, patch: vec![None], patches: 0 };
-        let out = State { kind: Kind::Out, at: None, room: None, posture: Posture::Standing };
+        let grid = PatchGrid { corner: Point::ZERO, columns: 1, patch: vec![None], patches: 0 };
+        let out = BodyState { kind: StateKind::Out, at: None, room: None, posture: Posture::Standing };
         States { all: vec![out], rooms: 0, stations: Vec::new(), grid }
     }
 
-    /// Where somebody is in a state: 0 is out, 1 between the rooms, and all from 2 on are the rooms.
+    /// 0 is out, 1 between rooms; rooms start at 2.
     pub(crate) fn place(&self, state: u32) -> usize {
         match self.all[state as usize] {
-            State { kind: Kind::Out, .. } => 0,
-            State { room: None, .. } => 1,
-            State { room: Some(room), .. } => room + 2,
+            BodyState { kind: StateKind::Out, .. } => 0,
+            BodyState { room: None, .. } => 1,
+            BodyState { room: Some(room), .. } => room + 2,
         }
     }
 
-    /// How many places there are.
     pub(crate) fn places(&self) -> usize {
         self.rooms + 2
     }
 
-    /// How many there are.
     pub fn len(&self) -> usize {
         self.all.len()
     }
 
-    /// Never: one can always be out.
+    /// Always false: a body can be out.
     pub fn is_empty(&self) -> bool {
         self.all.is_empty()
     }
 
-    /// The number of the state of walking at a point.
     pub(crate) fn walking(&self, at: Point) -> usize {
         1 + self.grid.patch(at)
     }
 
-    /// The number of the state of standing at a point, or of being at the place that is there.
-    pub(crate) fn staying(&self, at: Point, posture: Posture, kind: Kind) -> usize {
-        let here = |station: &&Station| station.spot.posture == posture && station.spot.at.distance(at) < SAME_M;
+    pub(crate) fn staying(&self, at: Point, posture: Posture, kind: StateKind) -> usize {
+        let here = |station: &&StayPlace| station.spot.posture == posture && station.spot.at.distance(at) < SAME_M;
         match self.stations.iter().filter(here).min_by(|a, b| a.spot.at.distance(at).total_cmp(&b.spot.at.distance(at)))
         {
-            Some(station) if kind == Kind::Motionless => station.motionless,
-            Some(station) if kind == Kind::Still => station.still.unwrap_or(station.busy),
+            Some(station) if kind == StateKind::Motionless => station.motionless,
+            Some(station) if kind == StateKind::Still => station.still.unwrap_or(station.busy),
             Some(station) => station.busy,
             None => 1 + self.grid.patches + self.grid.patch(at),
         }
     }
 
-    /// The patches' states of walking, and of standing beside each.
     pub(crate) fn patches(&self) -> impl Iterator<Item = (usize, usize)> {
         let patches = self.grid.patches;
         (0..patches).map(move |patch| (1 + patch, 1 + patches + patch))
     }
 }
 
-impl Grid {
-    /// The floor that a body can be on, in patches, and the middle of each.
-    fn new(plan: &Plan, mesh: &Mesh) -> (Grid, Vec<Point>) {
+impl PatchGrid {
+    fn new(plan: &Plan, mesh: &Mesh) -> (PatchGrid, Vec<Point>) {
         let (corner, most) = plan.bounds();
         let columns = ((most.x - corner.x) / CELL_M).ceil() as usize + 1;
         let rows = ((most.y - corner.y) / CELL_M).ceil() as usize + 1;
@@ -171,7 +152,7 @@ impl Grid {
         let free: Vec<usize> = (0..columns * rows).filter(|&cell| mesh.is_free(middle(cell))).collect();
         let area_m2 = free.len() as f64 * CELL_M * CELL_M;
         let side_m = libm::sqrt(area_m2 / MOST_PATCHES).max(PATCH_M);
-        // Cells of one room and one square of the floor are a patch; rests of them go to the nearest.
+        // Cells of one room and one square form a patch; small remainders join the nearest.
         let mut squares: std::collections::BTreeMap<(usize, i64, i64), Vec<usize>> = std::collections::BTreeMap::new();
         for &cell in &free {
             let at = middle(cell);
@@ -199,7 +180,7 @@ impl Grid {
             cells.iter().for_each(|&cell| patch[cell] = Some(index as u32));
         }
         for (cell, patch) in patch.iter_mut().enumerate().filter(|(_, patch)| patch.is_none()) {
-            // In furniture and in doors: the nearest patch, of the same room where it has one.
+            // A cell within furniture or a door belongs to the nearest patch, of its own room if possible.
             let at = middle(cell);
             let room = plan.room_at(at);
             let far = |index: &usize| {
@@ -208,10 +189,9 @@ impl Grid {
             };
             *patch = (0..middles.len()).min_by(|a, b| far(a).total_cmp(&far(b))).map(|index| index as u32);
         }
-        (Grid { corner, columns, patch, patches: middles.len() }, middles)
+        (PatchGrid { corner, columns, patch, patches: middles.len() }, middles)
     }
 
-    /// The patch at a point, or at the cell of the plan that is nearest to it.
     fn patch(&self, at: Point) -> usize {
         let rows = self.patch.len() / self.columns;
         let cell = ((at - self.corner) / CELL_M).floor();

@@ -1,18 +1,17 @@
 //! The messages of this crate, for lists of all messages.
 
-use crate::error::LogError;
-use crate::{problems, reason, source, written};
-use homebody_core::messages::{Catalogue, Entry};
+use crate::error::{ENTRIES, LogError, reason};
+use crate::source::messages::{FormMessage, TableMessage};
+use homebody_core::messages::{Catalogue, CatalogueEntry};
 
 /// The messages by area.
-pub const MESSAGES: &[&[Entry]] = &{
-    let [form, table] = source::MESSAGES;
-    let [length, truth, other_run, changed, hold, output, count, thread, packed, sensor_table, mapping] =
-        problems::ENTRIES;
-    let (own, refused) = (reason::ENTRIES, written::REFUSED);
+pub const MESSAGES: &[&[CatalogueEntry]] = &{
+    let [length, truth, other_run, changed, hold, output, refused, count, thread, packed, sensor_table, mapping] =
+        ENTRIES;
+    let (form, table) = (FormMessage::ENTRIES, TableMessage::ENTRIES);
     [
         LogError::ENTRIES,
-        own,
+        reason::ENTRIES,
         form,
         table,
         length,

@@ -1,20 +1,25 @@
 //! Where rows go: a sink, and how it is treated.
 
-use crate::cancel::Cancel;
-use crate::elsewhere;
+pub(crate) mod checkpoint;
+pub(crate) mod spool;
+mod timed_sink;
+pub(crate) mod writer;
+
 use crate::error::LogError;
-use crate::meter::Meter;
-use crate::policy::Policy;
-use crate::remembered::Remembered;
-use crate::sink::{self, Begin, How, Sink, Watermark};
-use crate::spool::{BATCHES_WAITING, Spooled, WhenDown};
+use crate::files::WriteMode;
+use crate::policy::{Cancel, Policy, SinkMetrics};
+use crate::registry;
+use crate::sink::{Begin, Sink, Watermark};
 use crate::table::Batch;
-use crate::timed_sink::TimedSink;
 use crate::url::Url;
-use homebody_core::time::Micros;
+use checkpoint::CheckpointedSink;
+pub use checkpoint::{NOTES, Note};
+use homebody_core::time::RunTime;
+use spool::{BATCHES_WAITING, Spooled, WhenDown};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::time::Duration;
+use timed_sink::TimedSink;
 
 /// Where rows go, and what becomes of the run if that fails.
 pub struct Destination {
@@ -25,7 +30,7 @@ pub struct Destination {
     /// How long a failure is waited for, and whether the run ends with it.
     pub policy: Policy,
     /// What counts what it takes.
-    pub meter: Arc<Meter>,
+    pub meter: Arc<SinkMetrics>,
     /// Ends the wait for it while it is away.
     pub cancel: Cancel,
     /// How the run treats its absence, beyond the policy.
@@ -47,17 +52,17 @@ pub struct Treatment {
 
 impl Destination {
     /// A place of one of the known kinds, which the run cannot do without.
-    pub fn of(url: &Url) -> Destination {
-        Destination::with(url.to_string(), sink::open(url), elsewhere::policy(url))
+    pub fn new(url: &Url) -> Destination {
+        Destination::with(url.to_string(), registry::sink(url), registry::policy(url))
     }
 
     /// The same for a home that nobody knows when it ends: a text file has its name from its first line on.
     pub fn followed(url: &Url) -> Destination {
-        Destination { sink: sink::open_as(url, true), ..Destination::of(url) }
+        Destination { sink: registry::sink_as(url, true), ..Destination::new(url) }
     }
 
     /// The same, begun like this unless the run is resumed, whether or not the run's files are replaced.
-    pub fn begun_as(self, how: How) -> Destination {
+    pub fn begun_as(self, how: WriteMode) -> Destination {
         Destination { sink: Box::new(BegunAs { how, inner: self.sink }), ..self }
     }
 
@@ -104,7 +109,7 @@ impl Destination {
             WhenDown::Error | WhenDown::Retry(_) => Box::new(timed),
         };
         match notes {
-            Some(folder) => Box::new(Remembered::new(&place, sink, &folder)),
+            Some(folder) => Box::new(CheckpointedSink::new(&place, sink, &folder)),
             None => sink,
         }
     }
@@ -112,13 +117,13 @@ impl Destination {
 
 /// A sink that is begun otherwise than the run's files.
 struct BegunAs {
-    how: How,
+    how: WriteMode,
     inner: Box<dyn Sink>,
 }
 
 impl Sink for BegunAs {
     fn begin(&mut self, begin: &Begin) -> Result<Watermark, LogError> {
-        let how = if begin.how == How::GoOn { How::GoOn } else { self.how };
+        let how = if begin.how == WriteMode::Resume { WriteMode::Resume } else { self.how };
         self.inner.begin(&Begin { how, ..*begin })
     }
 
@@ -126,11 +131,11 @@ impl Sink for BegunAs {
         self.inner.write(batch)
     }
 
-    fn settle(&mut self) -> Result<Watermark, LogError> {
-        self.inner.settle()
+    fn make_durable(&mut self) -> Result<Watermark, LogError> {
+        self.inner.make_durable()
     }
 
-    fn finish(&mut self, end: Micros) -> Result<(), LogError> {
+    fn finish(&mut self, end: RunTime) -> Result<(), LogError> {
         self.inner.finish(end)
     }
 

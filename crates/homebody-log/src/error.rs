@@ -1,19 +1,26 @@
 //! What can go wrong with a log.
 
-use crate::problems::{CountMessage, LengthMessage, PackedMessage, ThreadMessage};
-use crate::reason::About;
-pub use crate::reason::{Failed, Reason};
-use crate::skipped::Skipped;
-use crate::written::Refused;
+pub(crate) mod messages;
+pub(crate) mod reason;
+pub(crate) mod skipped;
+
 use homebody_core::messages::Diagnose;
 use homebody_core::problem::{Diagnostic, Problems, readable};
 use homebody_core::scenario::scheme::NoPlace;
+use messages::ThreadMessage;
+pub use messages::{ChangedMessage, HoldMessage, TruthMessage};
+pub(crate) use messages::{
+    CountMessage, ENTRIES, FileRefusal, LengthMessage, MappingMessage, OtherRunMessage, OutputMessage, PackedMessage,
+    SensorTableMessage,
+};
+use reason::ReasonTopic;
+pub use reason::{DestinationError, Reason};
+pub use skipped::Skipped;
 use std::error::Error;
-use std::fmt;
 use std::fs::{File, OpenOptions};
-use std::io;
 use std::path::Path;
 use std::time::Duration;
+use std::{fmt, io};
 
 /// The message that the system gives no thread for a purpose, such as `to take commands`.
 pub fn no_thread(purpose: &str, why: impl fmt::Display) -> ThreadMessage {
@@ -127,7 +134,6 @@ homebody_core::messages! {
         Name {
             /// The kind of name: a table or a column.
             what: &'static str,
-            /// The name.
             name: String,
         } error "invalid-name" ("{name:?} is not a valid name of a {what}")
             hint ("use at most 63 characters from a-z, 0-9 and _, and do not begin with a digit");
@@ -135,7 +141,6 @@ homebody_core::messages! {
         SameName {
             /// The kind of name: a table or a column.
             what: &'static str,
-            /// The name.
             name: String,
         } error "duplicate-name" ("two {what}s have the name {name:?}")
             hint ("give each its own name");
@@ -253,7 +258,6 @@ homebody_core::messages! {
         } error "stopped-away" ("{place} was unavailable when the run stopped: {why}; the rows that it had confirmed are safe");
         /// This build of the program lacks a feature.
         NotBuiltIn {
-            /// The place.
             place: String,
             /// The text before the colon.
             name: &'static str,
@@ -280,7 +284,6 @@ homebody_core::messages! {
         LeftOut {
             /// The truth.
             place: String,
-            /// The table.
             table: String,
         } error "table-left-out" ("{place} has no table {table:?}: the ground truth of a large cohort has only some of the tables")
             hint ("replay the recording of this member: homebody replay writes all tables");
@@ -314,9 +317,9 @@ homebody_core::messages! {
             /// The form of the destination has no room for the data.
             CannotHold(Reason);
             /// A destination reports an error.
-            Destination(Failed);
+            Destination(DestinationError);
             /// The file that counts the confirmed rows of a destination is damaged.
-            Unnoted(CountMessage);
+            Checkpoint(CountMessage);
             /// The file that names the table and columns of a log is not a valid `logger.json`.
             NoMapping(Problems);
             /// A table of sensors has problems.
@@ -345,13 +348,18 @@ impl LogError {
 
     /// An error of a destination, which does not pass by itself. A text may have its hint in a second line, after `hint: `.
     pub fn destination(place: impl Into<String>, why: impl Into<Diagnostic>) -> LogError {
-        LogError::Destination(Failed { place: place.into(), why: Box::new(why.into()), passes: false, source: None })
+        LogError::Destination(DestinationError {
+            place: place.into(),
+            why: Box::new(why.into()),
+            passes: false,
+            source: None,
+        })
     }
 
     /// The same error, said to pass: the same call may succeed a little later.
     pub fn passing(self) -> LogError {
         match self {
-            LogError::Destination(failed) => LogError::Destination(Failed { passes: true, ..failed }),
+            LogError::Destination(failed) => LogError::Destination(DestinationError { passes: true, ..failed }),
             other => other,
         }
     }
@@ -359,45 +367,47 @@ impl LogError {
     /// The same error of a destination, with the error that caused it.
     pub fn caused_by(self, source: impl Into<Box<dyn Error + Send + Sync>>) -> LogError {
         match self {
-            LogError::Destination(failed) => LogError::Destination(Failed { source: Some(source.into()), ..failed }),
+            LogError::Destination(failed) => {
+                LogError::Destination(DestinationError { source: Some(source.into()), ..failed })
+            }
             other => other,
         }
     }
 
     /// A place that Homebody cannot read as a log.
     pub fn no_log(place: impl Into<String>, why: impl Into<Diagnostic>) -> LogError {
-        LogError::NoLog(Reason::new(About::Log, place, why))
+        LogError::NoLog(Reason::new(ReasonTopic::Log, place, why))
     }
 
     /// A place that does not hold the ground truth of a run.
     pub fn no_truth(place: impl Into<String>, why: impl Into<Diagnostic>) -> LogError {
-        LogError::NoTruth(Reason::new(About::Truth, place, why))
+        LogError::NoTruth(Reason::new(ReasonTopic::Truth, place, why))
     }
 
     /// The ground truth of another run.
     pub(crate) fn other_run(truth: &str, why: impl Into<Diagnostic>) -> LogError {
-        LogError::OtherRun(Reason::new(About::OtherTruth, truth, why))
+        LogError::OtherRun(Reason::new(ReasonTopic::OtherTruth, truth, why))
     }
 
     /// A destination that was changed since the run wrote it, or belongs to another run.
     pub fn changed(place: impl Into<String>, why: impl Into<Diagnostic>) -> LogError {
-        LogError::Changed(Reason::new(About::Run, place, why))
+        LogError::Changed(Reason::new(ReasonTopic::Run, place, why))
     }
 
     /// A destination whose form has no room for the data, which the text of `what` names.
     pub fn cannot_hold(place: impl Into<String>, what: impl Into<Diagnostic>) -> LogError {
-        LogError::CannotHold(Reason::new(About::Holding, place, what))
+        LogError::CannotHold(Reason::new(ReasonTopic::Holding, place, what))
     }
 
     /// Whether the same call may succeed a little later.
     pub fn passes(&self) -> bool {
-        matches!(self, LogError::Destination(Failed { passes: true, .. }) | LogError::Hangs { .. })
+        matches!(self, LogError::Destination(DestinationError { passes: true, .. }) | LogError::Hangs { .. })
     }
 
     /// The same error, of a destination that is away, where the run was stopped and does not wait for it any more.
     pub(crate) fn of_stopped_run(self) -> LogError {
         match self {
-            LogError::Destination(Failed { place, why, passes: true, .. }) => {
+            LogError::Destination(DestinationError { place, why, passes: true, .. }) => {
                 LogError::StoppedAway { place, why: why.what }
             }
             LogError::Hangs { ref place, .. } => LogError::StoppedAway { place: place.clone(), why: self.reason() },
@@ -422,11 +432,11 @@ impl LogError {
     /// What an error of a file means.
     pub fn file(path: &Path, source: io::Error) -> LogError {
         let place = place_of(path);
-        if let Some(why) = Refused::of(&source) {
-            return LogError::NotOwn(Reason::new(About::Writing, place, why));
+        if let Some(why) = FileRefusal::of(&source) {
+            return LogError::NotOwn(Reason::new(ReasonTopic::Writing, place, why));
         }
         if let Some(why) = source.get_ref().and_then(|why| why.downcast_ref::<PackedMessage>()) {
-            return LogError::Packed(Reason::new(About::Place, place, *why));
+            return LogError::Packed(Reason::new(ReasonTopic::Place, place, *why));
         }
         match source.kind() {
             io::ErrorKind::StorageFull | io::ErrorKind::QuotaExceeded => LogError::Full { place },
@@ -438,7 +448,7 @@ impl LogError {
 
     /// A line of a log with something too long.
     pub(crate) fn too_long(path: &Path, line: u64, what: LengthMessage) -> LogError {
-        LogError::TooLong(Reason::new(About::Place, format!("{}:{line}", place_of(path)), what))
+        LogError::TooLong(Reason::new(ReasonTopic::Place, format!("{}:{line}", place_of(path)), what))
     }
 
     /// What an error of reading a file means.
@@ -465,7 +475,7 @@ impl LogError {
         match source.sqlite_error_code() {
             _ if LogError::is_in_use(&source) => LogError::Locked { place },
             Some(DiskFull) => LogError::Full { place },
-            Some(TooBig) => LogError::TooLong(Reason::new(About::Place, place, LengthMessage::DatabaseRow)),
+            Some(TooBig) => LogError::TooLong(Reason::new(ReasonTopic::Place, place, LengthMessage::DatabaseRow)),
             Some(NotADatabase | DatabaseCorrupt) => LogError::Broken { place, source: said(source) },
             Some(ReadOnly | PermissionDenied) => LogError::Denied { place },
             // It does not say why; the system does.

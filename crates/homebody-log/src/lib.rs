@@ -9,97 +9,67 @@
 //! database holds is a gap-free beginning of the run, whatever killed the program. A [`Log`] is read back from
 //! all of these, and from what real homes recorded.
 //!
-//! This crate does not know how firings come about, nor what a log means. Reading order:
+//! This crate does not know how firings come about, nor what a log means. Reading order: each module needs only those before it.
 
 #![warn(missing_docs)]
 
-pub mod url;
-
 pub mod limits;
-pub mod skipped;
+pub mod text;
 pub mod error;
-pub mod catalogue;
-
-pub mod fresh;
-pub mod plain;
-pub mod written;
-pub mod lock;
-pub mod places;
 
 pub mod table;
-pub mod sensor_info;
-pub mod run_info;
-mod sensor_table;
-mod replaced;
-mod cancel;
-mod deadline;
-pub mod meter;
-mod waiting;
-mod timed;
+pub mod url;
+pub mod log;
+
+pub mod files;
 pub mod policy;
+pub mod check;
+pub mod run;
+
 pub mod sink;
-mod timed_sink;
-mod check;
-mod numbered;
-pub mod elsewhere;
+pub mod source;
+pub mod registry;
 
-pub mod clock;
-pub mod word;
-pub mod spreadsheet;
-mod mapping;
-mod messages;
-pub mod problems;
-mod reason;
-mod packed;
-pub mod spool;
-pub mod remembered;
-pub mod destination;
-mod writer;
-
-pub mod logger;
+pub mod read;
 pub mod truth;
 
-/// Fleets: many homes that tell one place.
-pub mod fleet;
+pub mod simulated;
 
+pub mod destination;
 pub mod silhouettes;
 pub mod run_log;
-pub mod rows;
+pub mod fleet;
 
-pub mod preview;
-
-pub mod source;
-pub mod examine;
-mod spans;
 pub mod transfer;
-pub mod convert;
-pub mod anonymise;
-pub mod label;
-
+pub mod examine;
+pub mod preview;
 pub mod records;
+pub mod catalogue;
 
-pub use anonymise::{Anonymised, Anonymising, anonymise};
-pub use cancel::Cancel;
-pub use convert::convert;
-pub use deadline::Deadline;
 pub use destination::Destination;
-pub use error::{Failed, LogError, Reason};
-pub use label::{Labelled, label};
-pub use logger::{Logger, RowsOfFirings, Stored};
-pub use mapping::read_mapping;
-pub use meter::Meter;
-pub use places::Places;
+pub use destination::spool::WhenDown;
+pub use error::{DestinationError, LogError, Reason};
+pub use files::WriteMode;
+pub use log::{Activity, Event, Log, SaidBy, SensorInfo, ValuePair};
 pub use policy::Policy;
-pub use rows::{RowText, Rows};
-pub use run_info::RunInfo;
+pub use policy::cancel::Cancel;
+pub use policy::deadline::Deadline;
+pub use policy::metrics::SinkMetrics;
+pub use read::{LogSource, SensorMap, ids, read, read_mapping, scale_of, stream, survey};
+pub use run::RunInfo;
+pub use run::places::RunPlaces;
 pub use run_log::RunLog;
-pub use sensor_info::{SaidBy, SensorInfo};
-pub use sink::{Begin, How, Sink, Watermark};
-pub use source::{
-    Activity, Event, Life, LifeSpan, Log, Movement, MovementKind, Movements, Pair, RunClock, SensorMap, Source,
-    SpanKind, activities, ids, life_spans, lives, read, stream, survey, truth_at, truth_beside, truth_of,
-};
-pub use spool::WhenDown;
+pub use run_log::logger::{Logger, RowsOfFirings, Stored};
+pub use run_log::truth_log::TruthLog;
+pub use simulated::SimulatedRun;
+pub use sink::{Begin, Sink, Watermark};
+pub use table::{LogRows, RowText};
 pub use transfer::Transfer;
-pub use truth::TruthLog;
+pub use transfer::anonymise::{Anonymised, Anonymising, anonymise};
+pub use transfer::convert::convert;
+pub use transfer::label::{Labelled, label};
+pub use truth::{
+    Life, LifeSpan, Movement, MovementKind, Movements, SpanKind, activities, life_spans, lives, truth_at, truth_beside,
+    truth_of,
+};
 pub use url::Url;

@@ -1,11 +1,17 @@
 //! What becomes of a run when one of its destinations fails, hangs or is slow.
 
-use crate::cancel::Cancel;
-use crate::deadline::Deadline;
-use crate::meter::Meter;
-use crate::timed::STOPS_WITHIN;
-use crate::waiting::Waiting;
+pub(crate) mod cancel;
+pub(crate) mod deadline;
+pub(crate) mod metrics;
+pub(crate) mod timed;
+pub(crate) mod waiting;
+
+pub(crate) use cancel::Cancel;
+pub(crate) use deadline::Deadline;
+pub use metrics::{MetricsReading, SinkAbsence, SinkMetrics, SinkNews, TellNews};
 use std::time::Duration;
+pub(crate) use timed::{Call, Job, STOPS_WITHIN, Timed};
+pub(crate) use waiting::RetryWait;
 
 /// How a destination is treated.
 #[derive(Clone, Debug, PartialEq)]
@@ -62,8 +68,8 @@ impl Policy {
     }
 
     /// How the destination is waited for while it is away.
-    pub(crate) fn waiting<'a>(&self, place: &'a str, meter: &'a Meter, cancel: &'a Cancel) -> Waiting<'a> {
+    pub(crate) fn waiting<'a>(&self, place: &'a str, meter: &'a SinkMetrics, cancel: &'a Cancel) -> RetryWait<'a> {
         let (retry_for, first) = (self.retry_for, self.retry_after);
-        Waiting { place, meter, cancel, retry_for, first, longest: LONGEST_WAIT }
+        RetryWait { place, meter, cancel, retry_for, first, longest: LONGEST_WAIT }
     }
 }

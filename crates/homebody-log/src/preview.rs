@@ -1,10 +1,9 @@
 //! The beginning of a log as its readers find it, and whether there can be one at a place.
 
 use crate::error::LogError;
-use crate::fresh::{Found, FreshFile};
-use crate::mapping::Columns;
-use crate::packed::unpacked;
-use crate::source::text;
+use crate::files::database::text;
+use crate::files::{ExistingFile, FreshFile, unpacked};
+use crate::table::ColumnNames;
 use crate::url::Url;
 use homebody_core::scenario::logger::LoggerFile;
 use homebody_core::scenario::scheme::Scheme;
@@ -28,7 +27,7 @@ pub fn preview(url: &Url, file: &LoggerFile, most: usize) -> Result<Preview, Log
     let path = url.file().unwrap_or(Path::new(""));
     match url.scheme() {
         Scheme::Sqlite => {
-            let table = Columns::new(file)?.table;
+            let table = ColumnNames::new(file)?.table;
             database(path, &table, most).map_err(|error| LogError::database(path, error))
         }
         Scheme::Csv => values(path, most),
@@ -44,9 +43,9 @@ pub fn preview(url: &Url, file: &LoggerFile, most: usize) -> Result<Preview, Log
 /// Makes sure that a new log can be begun at a place; nothing is left there.
 pub fn try_place(url: &Url) -> Result<(), LogError> {
     let Some(path) = url.file() else { return Ok(()) };
-    match Found::at(path, false)? {
+    match ExistingFile::at(path, false)? {
         // To open a pipe is to wait for who reads it.
-        Found::Device => Ok(()),
+        ExistingFile::Device => Ok(()),
         _ => FreshFile::create(path, false).map(drop),
     }
 }

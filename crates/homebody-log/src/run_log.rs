@@ -1,39 +1,38 @@
 //! All that a run leaves: its log, the truth apart from it, the table of its sensors, and the recording that lives it
 //! again.
 
+pub(crate) mod logger;
+pub(crate) mod truth_log;
+
 use crate::destination::{Destination, Treatment};
 use crate::error::{LogError, Reason};
-use crate::fresh::{FreshFile, remove_parts};
+use crate::files::{FileLock, FolderLock, FreshFile, WriteMode, plain, remove_parts};
 use crate::limits::LARGEST_RECORDING_BYTES;
-use crate::lock::{FileLock, FolderLock};
-use crate::logger::{Logger, RowsOfFirings, Stored, destinations};
-use crate::meter::Meter;
-use crate::places::{Places, SILHOUETTES};
-use crate::plain;
-use crate::run_info::RunInfo;
-use crate::sensor_table::{self, SensorTable};
+use crate::policy::SinkMetrics;
+use crate::run::{RunInfo, RunPlaces, SILHOUETTES, SensorTable, sensor_table};
 use crate::silhouettes::{SilhouetteLog, cameras};
-use crate::sink::How;
 use crate::sink::database::remove_database;
 use crate::sink::sqlite::can_be_replaced;
-use crate::truth::TruthLog;
 use crate::url::Url;
 use homebody_core::event::{Events, Fact};
 use homebody_core::recording::{Recording, RunDigest};
 use homebody_core::run::Run;
 use homebody_core::scenario::load::Scenario;
 use homebody_core::scenario::scheme::Scheme;
-use homebody_core::time::Micros;
+use homebody_core::time::{RunTime, Span};
+pub use logger::destinations;
+use logger::{Logger, RowsOfFirings, Stored};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::time::{Duration, Instant};
+use truth_log::TruthLog;
 
 /// Rows of log and truth after which both are made durable (our choice). This costs a database three waits for the
 /// disk, so it is not done more often.
-const SETTLE_ROWS: u64 = 200_000;
+const DURABLE_ROWS: u64 = 200_000;
 
 /// Longest time until rows are durable, as long as the run reports the time (our choice).
-const SETTLE_AFTER: Duration = Duration::from_secs(1);
+const DURABLE_AFTER: Duration = Duration::from_secs(1);
 
 /// The open places of a run that is being lived.
 pub struct RunLog {
@@ -50,7 +49,7 @@ pub struct RunLog {
     anew: Option<Anew>,
     /// The tables of sensors of logs outside a run's folder, and the run.
     names: (Vec<PathBuf>, Arc<RunInfo>),
-    how: How,
+    how: WriteMode,
     /// Why the truth was left behind, if its place was away when the run was stopped.
     away: Option<LogError>,
     /// How many rows the log and the truth had when they were asked to make sure of them, and when that was.
@@ -88,24 +87,24 @@ impl RunLog {
     /// written. The truth of a run that was stopped says what ended there and then, so it is written anew, and replaces the
     /// old one at the end.
     pub fn open(
-        places: &Places,
+        places: &RunPlaces,
         scenario: &Scenario,
         run: &Run,
         recording: &Recording,
-        how: How,
+        how: WriteMode,
     ) -> Result<RunLog, LogError> {
         RunLog::open_with(places, Vec::new(), &Treatment::default(), scenario, run, recording, how)
     }
 
     /// The same, with destinations of a caller's own, too, and a treatment of the servers among the places.
     pub fn open_with(
-        places: &Places,
+        places: &RunPlaces,
         own: Vec<Destination>,
         as_said: &Treatment,
         scenario: &Scenario,
         run: &Run,
         recording: &Recording,
-        how: How,
+        how: WriteMode,
     ) -> Result<RunLog, LogError> {
         let info = Arc::new(RunInfo::of(scenario, run, recording));
         let folder = places.sensors.as_deref().and_then(Path::parent);
@@ -118,16 +117,16 @@ impl RunLog {
             // Its sink takes it for as long as it writes. Asked here, nothing is touched if one of them is another's.
             FileLock::take(&file)?;
         }
-        if how == How::GoOn {
+        if how == WriteMode::Resume {
             for path in places.recording.iter().chain(&places.sensors) {
                 // A program that died while it wrote one of them has left a part.
                 remove_parts(path)?;
             }
         }
         let truth_on_server = places.truth.as_ref().is_some_and(|truth| truth.server().is_some());
-        let truth_how = if truth_on_server && how != How::GoOn { places.truth_on_server } else { how };
+        let truth_how = if truth_on_server && how != WriteMode::Resume { places.truth_on_server } else { how };
         let (mut truth_url, mut truth_how, mut anew) = (places.truth.clone(), truth_how, None);
-        let stopped = places.truth.as_ref().filter(|_| how == How::GoOn && was_stopped(places));
+        let stopped = places.truth.as_ref().filter(|_| how == WriteMode::Resume && was_stopped(places));
         if let Some((url, place)) = stopped.and_then(|url| Some((url, url.file()?))) {
             if url.scheme() == Scheme::Sqlite {
                 can_be_replaced(place, &info)?;
@@ -138,12 +137,12 @@ impl RunLog {
             let begun = Anew { files };
             // A program that died on its way has left some.
             begun.remove();
-            (truth_url, truth_how, anew) = (Some(beside), How::New, Some(begun));
+            (truth_url, truth_how, anew) = (Some(beside), WriteMode::Create, Some(begun));
         }
         for path in places.tables_of_sensors() {
-            SensorTable::of(path, &info)?.may_be_written(how != How::New)?;
+            SensorTable::new(path, &info)?.may_be_written(how != WriteMode::Create)?;
         }
-        if let (Some(path), false) = (&places.recording, how == How::GoOn) {
+        if let (Some(path), false) = (&places.recording, how == WriteMode::Resume) {
             // Before all else: whatever becomes of the run from now on, it can be gone on with.
             write_recording(path, recording, how)?;
         }
@@ -179,7 +178,7 @@ impl RunLog {
                 let is_folder = places.sensors.is_some();
                 let in_folder = |url: &&Url| is_folder && (url.file().is_some() || url.is_data_set());
                 let logs = places.log.iter().filter(in_folder).map(|url| url.path().to_owned()).collect();
-                let given_up = (how == How::New || !is_folder).then_some(GivenUp { beside, logs });
+                let given_up = (how == WriteMode::Create || !is_folder).then_some(GivenUp { beside, logs });
                 let (logger, digest) = (Some(logger), RunDigest::default());
                 Ok(RunLog {
                     logger,
@@ -197,7 +196,7 @@ impl RunLog {
                 })
             }
             Err(error) => {
-                if let (Some(path), How::New) = (&places.recording, how) {
+                if let (Some(path), WriteMode::Create) = (&places.recording, how) {
                     // Nothing was begun, so nothing can be gone on with.
                     let _ = std::fs::remove_file(path);
                 }
@@ -207,15 +206,15 @@ impl RunLog {
     }
 
     /// The places that are written, each with what counts what it takes.
-    pub fn meters(&self) -> Vec<(String, Arc<Meter>)> {
+    pub fn meters(&self) -> Vec<(String, Arc<SinkMetrics>)> {
         let logs = self.logger.iter().flat_map(Logger::meters);
         logs.chain(self.truth.iter().map(TruthLog::meter)).collect()
     }
 
     /// Whether the run, gone on with, is beyond all that its places had of it: from then on it may be lived otherwise.
-    pub fn is_beyond_what_was_there(&self) -> bool {
-        self.logger.as_ref().is_none_or(Logger::is_beyond_what_was_there)
-            && self.truth.as_ref().is_none_or(TruthLog::is_beyond_what_was_there)
+    pub fn is_past_replayed_part(&self) -> bool {
+        self.logger.as_ref().is_none_or(Logger::is_past_replayed_part)
+            && self.truth.as_ref().is_none_or(TruthLog::is_past_replayed_part)
     }
 
     /// Writes the recording anew, of a run to which something was done from outside: before anything of what comes of it is stored.
@@ -234,7 +233,7 @@ impl RunLog {
     }
 
     /// The same for what happened a while ago, when all firings up to `settled` had been told.
-    pub fn store_settled(&mut self, settled: Micros, events: &Events) -> Result<(), LogError> {
+    pub fn store_settled(&mut self, settled: RunTime, events: &Events) -> Result<(), LogError> {
         self.digest.add(&events.firings);
         if let Some(silhouettes) = &mut self.silhouettes {
             silhouettes.store(&events.frames)?;
@@ -245,28 +244,28 @@ impl RunLog {
             let stored = truth.store(events, joined);
             self.unless_away(stored)?;
         }
-        self.settle_if_due()
+        self.make_durable_if_due()
     }
 
     /// Has the log and the truth make sure of their rows together, now and then. Neither does so again before the other has:
     /// wherever the program dies, one of them has at most that much more than the other.
-    fn settle_if_due(&mut self) -> Result<(), LogError> {
+    fn make_durable_if_due(&mut self) -> Result<(), LogError> {
         let Some(logger) = &mut self.logger else { return Ok(()) };
         let rows = logger.rows() + self.truth.as_ref().map_or(0, TruthLog::rows);
         let (rows_before, at) = self.settled;
-        let due = rows - rows_before >= SETTLE_ROWS || rows > rows_before && at.elapsed() >= SETTLE_AFTER;
+        let due = rows - rows_before >= DURABLE_ROWS || rows > rows_before && at.elapsed() >= DURABLE_AFTER;
         if !due {
             return Ok(());
         }
-        logger.wait_settled()?;
+        logger.wait_durable()?;
         if let Some(truth) = &mut self.truth {
-            let settled = truth.wait_settled().and_then(|()| truth.settle());
+            let settled = truth.wait_durable().and_then(|()| truth.make_durable());
             self.unless_away(settled)?;
         }
         if let Some(silhouettes) = &mut self.silhouettes {
-            silhouettes.settle()?;
+            silhouettes.make_durable()?;
         }
-        self.logger.as_mut().map_or(Ok(()), Logger::settle)?;
+        self.logger.as_mut().map_or(Ok(()), Logger::make_durable)?;
         self.settled = (rows, Instant::now());
         Ok(())
     }
@@ -293,19 +292,20 @@ impl RunLog {
 
     /// The same for a run that broke and cannot be asked any more: `now` is where it had come to when it was stored last. Its
     /// length is that of `recording`.
-    pub fn give_up(self, now: Micros, recording: Recording) -> Result<(Stored, Recording), LogError> {
+    pub fn give_up(self, now: RunTime, recording: Recording) -> Result<(Stored, Recording), LogError> {
         self.complete(now, recording.length_us, Vec::new(), recording)
     }
 
     fn complete(
         mut self,
-        now: Micros,
-        length: Micros,
+        now: RunTime,
+        length: Span,
         under_way: Vec<Fact>,
         recording: Recording,
     ) -> Result<(Stored, Recording), LogError> {
         // Who stops it earlier than before has changed nothing.
-        let is_early = self.how == How::GoOn && now < length;
+        let lived = now.since_zero();
+        let is_early = self.how == WriteMode::Resume && lived < length;
         let early = |error| match error {
             LogError::Changed(Reason { place, .. }) if is_early => LogError::NotYet { place },
             error => error,
@@ -323,15 +323,15 @@ impl RunLog {
             anew.take_their_places()?;
         }
         let (tables, info) = &self.names;
-        tables.iter().try_for_each(|path| sensor_table::write(path, info, self.how != How::New))?;
+        tables.iter().try_for_each(|path| sensor_table::write(path, info, self.how != WriteMode::Create))?;
         let (firings, sha256) = (self.digest.firings(), self.digest.hex());
-        let stopped_of_us = (now < length).then_some(length);
-        let (length_us, rows) = (now, Some(stored.rows));
+        let stopped_of_us = (lived < length).then_some(length);
+        let (length_us, rows) = (lived, Some(stored.rows));
         let recording = Recording { length_us, stopped_of_us, rows, firings, sha256, ..recording };
         // One that was lived to its end, and that not all places have, stays as it was begun: what is complete is not gone on with.
-        let is_told = stored.away.is_none() && self.away.is_none() || now < length;
+        let is_told = stored.away.is_none() && self.away.is_none() || lived < length;
         if let (Some(path), true) = (&self.record, is_told) {
-            write_recording(path, &recording, How::Replace)?;
+            write_recording(path, &recording, WriteMode::Overwrite)?;
         }
         self.given_up = None;
         match stored.away.take().or(self.away.take()) {
@@ -372,7 +372,7 @@ fn beside(place: &Path) -> PathBuf {
 }
 
 /// Whether the run that left these places was stopped, and not killed.
-fn was_stopped(places: &Places) -> bool {
+fn was_stopped(places: &RunPlaces) -> bool {
     places.recording.as_deref().and_then(left_by).is_some_and(|recording| recording.is_complete())
 }
 
@@ -383,25 +383,25 @@ fn left_by(path: &Path) -> Option<Recording> {
 
 /// Writes the recording of a run that goes on over what was written of it before, in one piece.
 pub fn write_over(path: &Path, recording: &Recording) -> Result<(), LogError> {
-    write_recording(path, recording, How::Replace)
+    write_recording(path, recording, WriteMode::Overwrite)
 }
 
 /// Writes a recording in one piece.
-fn write_recording(path: &Path, recording: &Recording, how: How) -> Result<(), LogError> {
+fn write_recording(path: &Path, recording: &Recording, how: WriteMode) -> Result<(), LogError> {
     let text = serde_json::to_string_pretty(recording)? + "\n";
-    FreshFile::write_whole(path, text.as_bytes(), how != How::New)
+    FreshFile::write_whole(path, text.as_bytes(), how != WriteMode::Create)
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::log::Log;
     use crate::policy::Policy;
     use crate::sink::{Begin, Sink, Watermark};
-    use crate::source::Log;
     use crate::table::Batch;
+    use homebody_core::calendar::Calendar;
     use homebody_core::event::{Firing, Value};
     use homebody_core::ids::SensorId;
-    use homebody_core::scenario::calendar::Calendar;
     use homebody_core::scenario::logger::LoggerFile;
     use std::sync::Mutex;
     use std::thread;
@@ -428,7 +428,7 @@ mod tests {
             Ok(())
         }
 
-        fn settle(&mut self) -> Result<Watermark, LogError> {
+        fn make_durable(&mut self) -> Result<Watermark, LogError> {
             thread::sleep(self.takes);
             let mut counts = self.counts.lock().unwrap();
             counts.settled[self.which] += 1;
@@ -436,7 +436,7 @@ mod tests {
             Ok(Watermark::none())
         }
 
-        fn finish(&mut self, _: Micros) -> Result<(), LogError> {
+        fn finish(&mut self, _: RunTime) -> Result<(), LogError> {
             Ok(())
         }
     }
@@ -455,25 +455,25 @@ mod tests {
         };
         let (file, run) = (LoggerFile::default(), run());
         let mut log = RunLog {
-            logger: Some(Logger::open(vec![own(0, 10)], &file, &run, How::New).unwrap()),
-            truth: Some(TruthLog::into(own(1, 0), &file, &run, How::New).unwrap()),
+            logger: Some(Logger::open(vec![own(0, 10)], &file, &run, WriteMode::Create).unwrap()),
+            truth: Some(TruthLog::into(own(1, 0), &file, &run, WriteMode::Create).unwrap()),
             silhouettes: None,
             record: None,
             given_up: None,
             digest: RunDigest::default(),
             anew: None,
             names: (Vec::new(), run.clone()),
-            how: How::New,
+            how: WriteMode::Create,
             away: None,
             settled: (0, Instant::now()),
             _lock: (None, None),
         };
         for seq in 0..30 {
             // Long ago, so that it is due each time.
-            log.settled.1 = Instant::now() - SETTLE_AFTER;
-            let at = seq as Micros;
-            let firing = Firing { seq, at, sensor: SensorId::of(0), value: Value::Fire };
-            log.store_settled(at + 1, &Events { firings: vec![firing], ..Events::default() }).unwrap();
+            log.settled.1 = Instant::now() - DURABLE_AFTER;
+            let at = RunTime::from_micros(seq as i64);
+            let firing = Firing { seq, at, sensor: SensorId::new(0), value: Value::Fire };
+            log.store_settled(at + Span::MICROSECOND, &Events { firings: vec![firing], ..Events::default() }).unwrap();
         }
         drop(log);
         let counts = counts.lock().unwrap();

@@ -4,31 +4,29 @@
 //! A row is a picture in which somebody is seen. The table `camera` says how large pictures are, how often they are taken, and from
 //! where; `silhouette` has the picture, packed as [`Silhouette::packed`] says, and what it is like.
 
-use crate::clock::Clock;
-use crate::error::{LogError, place_of};
-use crate::problems::ChangedMessage;
-use crate::run_info::RunInfo;
-use crate::sink::How;
+use crate::error::{ChangedMessage, LogError, place_of};
+use crate::files::WriteMode;
+use crate::files::database::{connect, first_row};
+use crate::run::RunInfo;
 use crate::sink::database::Database;
 use crate::sink::sqlite::{can_go_on, tell_run};
-use crate::source::{connect, first_row};
+use crate::table::InstantWriter;
 use homebody_core::camera::silhouette::{Features, Picture, Silhouette};
 use homebody_core::event::Frame;
 use homebody_core::home::resolved::ResolvedHome;
 use homebody_core::ids::SensorId;
-use homebody_core::scenario::home::SensorFile;
 use homebody_core::scenario::logger::TimeFormat;
 use homebody_core::sensors::camera::CameraFile;
-use homebody_core::time::Micros;
+use homebody_core::sensors::kinds::SensorFile;
+use homebody_core::time::{Interval, RunTime, UtcTime};
 use rusqlite::{Connection, OptionalExtension, params};
-use std::ops::Range;
 use std::path::{Path, PathBuf};
 
 /// Rows that are inserted together (our choice): some seconds of a camera.
 const BATCH: usize = 256;
 
 /// Rows after which the database makes them durable (our choice).
-const SETTLE_ROWS: usize = 20_000;
+const DURABLE_ROWS: usize = 20_000;
 
 const CAMERA: &str = "CREATE TABLE camera (camera TEXT PRIMARY KEY, name TEXT NOT NULL, columns INTEGER NOT NULL, \
     rows INTEGER NOT NULL, frames_per_s REAL NOT NULL, x_m REAL NOT NULL, y_m REAL NOT NULL, height_m REAL NOT NULL, \
@@ -49,10 +47,10 @@ pub struct SilhouetteLog {
     database: Database,
     /// The ids of the sensors in the log.
     ids: Vec<String>,
-    /// What an instant of the run is, in microseconds of UTC.
-    start_utc_us: i64,
+    /// The run's start.
+    start: UtcTime,
     waiting: Vec<Frame>,
-    unsettled: usize,
+    not_durable: usize,
     /// How many rows the file had at the beginning; so many of those that come are not written again.
     there: u64,
 }
@@ -60,15 +58,15 @@ pub struct SilhouetteLog {
 /// The cameras of a home, each with its number among the sensors.
 pub fn cameras(home: &ResolvedHome) -> impl Iterator<Item = (SensorId, &CameraFile)> {
     home.sensors.iter().enumerate().filter_map(|(index, sensor)| match sensor {
-        SensorFile::Camera(camera) => Some((SensorId::of(index), camera)),
+        SensorFile::Camera(camera) => Some((SensorId::new(index), camera)),
         _ => None,
     })
 }
 
 impl SilhouetteLog {
     /// Begins the file of a run, or goes on with it.
-    pub fn open(path: &Path, home: &ResolvedHome, run: &RunInfo, how: How) -> Result<SilhouetteLog, LogError> {
-        let left = if how == How::GoOn { Database::reopen(path)? } else { None };
+    pub fn open(path: &Path, home: &ResolvedHome, run: &RunInfo, how: WriteMode) -> Result<SilhouetteLog, LogError> {
+        let left = if how == WriteMode::Resume { Database::reopen(path)? } else { None };
         let mut there = 0;
         let database = match left {
             Some(database) => {
@@ -80,19 +78,19 @@ impl SilhouetteLog {
                 database
             }
             None => {
-                let mut clock = Clock::new(&run.calendar, TimeFormat::default());
+                let mut clock = InstantWriter::new(&run.calendar, TimeFormat::default());
                 let begin = |connection: &Connection| {
                     tell_run(run, TimeFormat::default(), &mut clock)(connection)?;
                     cameras(home).try_for_each(|(sensor, camera)| {
                         tell_camera(connection, &run.sensors[sensor.index()].id, camera)
                     })
                 };
-                Database::create(path, how == How::Replace, &[CAMERA, SILHOUETTE], begin)?
+                Database::create(path, how == WriteMode::Overwrite, &[CAMERA, SILHOUETTE], begin)?
             }
         };
         let ids = run.sensors.iter().map(|sensor| sensor.id.clone()).collect();
-        let start_utc_us = run.calendar.timestamp(0).as_microsecond();
-        Ok(SilhouetteLog { database, ids, start_utc_us, waiting: Vec::new(), unsettled: 0, there })
+        let start = run.calendar.timestamp(RunTime::START).into();
+        Ok(SilhouetteLog { database, ids, start, waiting: Vec::new(), not_durable: 0, there })
     }
 
     /// Keeps what the cameras have kept since the last time.
@@ -111,10 +109,10 @@ impl SilhouetteLog {
     }
 
     /// Writes what waits, and makes sure of it.
-    pub fn settle(&mut self) -> Result<(), LogError> {
+    pub fn make_durable(&mut self) -> Result<(), LogError> {
         self.insert()?;
-        self.unsettled = 0;
-        self.database.settle()
+        self.not_durable = 0;
+        self.database.make_durable()
     }
 
     /// Completes the file.
@@ -128,7 +126,7 @@ impl SilhouetteLog {
     }
 
     fn insert(&mut self) -> Result<(), LogError> {
-        let (frames, ids, start) = (std::mem::take(&mut self.waiting), &self.ids, self.start_utc_us);
+        let (frames, ids, start) = (std::mem::take(&mut self.waiting), &self.ids, self.start);
         self.database.change(frames.len(), |connection| {
             let mut insert = connection.prepare_cached(INSERT)?;
             frames.iter().try_for_each(|Frame { at, sensor, picture }| {
@@ -143,7 +141,7 @@ impl SilhouetteLog {
                 let id = &ids[sensor.index()];
                 insert
                     .execute(params![
-                        start + at,
+                        (start + at.since_zero()).micros(),
                         id,
                         area_px,
                         left,
@@ -159,10 +157,10 @@ impl SilhouetteLog {
                     .map(|_| ())
             })
         })?;
-        self.unsettled += frames.len();
-        if self.unsettled >= SETTLE_ROWS {
-            self.unsettled = 0;
-            self.database.settle()?;
+        self.not_durable += frames.len();
+        if self.not_durable >= DURABLE_ROWS {
+            self.not_durable = 0;
+            self.database.make_durable()?;
         }
         Ok(())
     }
@@ -181,13 +179,13 @@ pub struct Silhouettes {
     path: PathBuf,
     connection: Connection,
     /// The cameras, in the order of their ids.
-    pub cameras: Vec<Camera>,
-    start_utc_us: i64,
+    pub cameras: Vec<SilhouetteCamera>,
+    start: UtcTime,
 }
 
 /// A camera that has kept silhouettes.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Camera {
+pub struct SilhouetteCamera {
     /// Its id in the log.
     pub id: String,
     /// Its form, as the home had it; what wakes it is not told.
@@ -196,9 +194,9 @@ pub struct Camera {
 
 /// One silhouette as it was kept.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Kept {
-    /// When it was taken, in microseconds since the run's start.
-    pub at: Micros,
+pub struct KeptSilhouettes {
+    /// When it was taken.
+    pub at: RunTime,
     /// Which of the cameras took it.
     pub camera: usize,
     /// The picture.
@@ -208,8 +206,8 @@ pub struct Kept {
 }
 
 impl Silhouettes {
-    /// Opens the file of a run whose instants count from `start_utc_us`, in microseconds of UTC.
-    pub fn open(path: &Path, start_utc_us: i64) -> Result<Silhouettes, LogError> {
+    /// Opens the file of a run that began at `start`.
+    pub fn open(path: &Path, start: UtcTime) -> Result<Silhouettes, LogError> {
         std::fs::metadata(path).map_err(|error| LogError::reading(path, error))?;
         let wrong = |error| LogError::database(path, error);
         let connection = connect(path).map_err(wrong)?;
@@ -231,30 +229,30 @@ impl Silhouettes {
                     sleeps_after_s: 0.0,
                     always: false,
                 };
-                Ok(Camera { id: row.get(0)?, file })
+                Ok(SilhouetteCamera { id: row.get(0)?, file })
             };
             rows.query_map([], camera).and_then(Iterator::collect).map_err(wrong)?
         };
-        Ok(Silhouettes { path: path.into(), connection, cameras, start_utc_us })
+        Ok(Silhouettes { path: path.into(), connection, cameras, start })
     }
 
     /// Hands over all silhouettes in order of time, one at a time.
-    pub fn for_each<E: From<LogError>>(&self, each: impl FnMut(Kept) -> Result<(), E>) -> Result<(), E> {
-        self.for_each_within(Micros::MIN..Micros::MAX, each)
+    pub fn for_each<E: From<LogError>>(&self, each: impl FnMut(KeptSilhouettes) -> Result<(), E>) -> Result<(), E> {
+        self.for_each_within(Interval::ALL, each)
     }
 
     /// The same of a span; nothing else of the file is read, but for what finds its beginning.
     pub fn for_each_within<E: From<LogError>>(
         &self,
-        span: Range<Micros>,
-        mut each: impl FnMut(Kept) -> Result<(), E>,
+        span: Interval<RunTime>,
+        mut each: impl FnMut(KeptSilhouettes) -> Result<(), E>,
     ) -> Result<(), E> {
         let wrong = |error| LogError::database(&self.path, error);
         let sql = "SELECT utc_us, camera, area_px, left_px, top_px, right_px, bottom_px, centroid_x_px, centroid_y_px, \
                    orientation_deg, elongation, packed FROM silhouette WHERE rowid >= ? ORDER BY rowid";
         let mut statement = self.connection.prepare_cached(sql).map_err(wrong)?;
-        let mut rows = statement.query([self.row_from(span.start)?]).map_err(wrong)?;
-        let mut last = Micros::MIN;
+        let mut rows = statement.query([self.row_from(span.begin)?]).map_err(wrong)?;
+        let mut last = RunTime::MIN;
         while let Some(row) = rows.next().map_err(wrong)? {
             let kept = self.kept(row)?;
             if kept.at >= span.end {
@@ -270,20 +268,20 @@ impl Silhouettes {
     }
 
     /// From when to when there are silhouettes: the instants of the first and of the last; None if there is none.
-    pub fn span(&self) -> Result<Option<(Micros, Micros)>, LogError> {
+    pub fn span(&self) -> Result<Option<Interval<RunTime>>, LogError> {
         let last = "SELECT rowid, utc_us FROM silhouette ORDER BY rowid DESC LIMIT 1";
         let Some((_, last)) = self.row(last, [])? else { return Ok(None) };
-        Ok(self.next_from(Micros::MIN)?.map(|first| (first, last)))
+        Ok(self.next_from(RunTime::MIN)?.map(|first| Interval::new(first, last)))
     }
 
     /// The instant of the first silhouette that was not taken before an instant.
-    pub fn next_from(&self, at: Micros) -> Result<Option<Micros>, LogError> {
+    pub fn next_from(&self, at: RunTime) -> Result<Option<RunTime>, LogError> {
         let row = self.row_from(at)?;
         Ok(self.row(FROM_ROW, [row])?.map(|(_, at)| at))
     }
 
     /// The instant of the last silhouette that was taken before an instant.
-    pub fn last_before(&self, at: Micros) -> Result<Option<Micros>, LogError> {
+    pub fn last_before(&self, at: RunTime) -> Result<Option<RunTime>, LogError> {
         let sql = "SELECT rowid, utc_us FROM silhouette WHERE rowid < ? ORDER BY rowid DESC LIMIT 1";
         let row = self.row_from(at)?;
         Ok(self.row(sql, [row])?.map(|(_, at)| at))
@@ -291,8 +289,8 @@ impl Silhouettes {
 
     /// The number from which on rows are of an instant or later. Rows lie in the order in which they were taken, so halving what
     /// is left finds it in some twenty looks; rows that somebody has deleted do not matter.
-    fn row_from(&self, at: Micros) -> Result<i64, LogError> {
-        if at == Micros::MIN {
+    fn row_from(&self, at: RunTime) -> Result<i64, LogError> {
+        if at == RunTime::MIN {
             return Ok(0);
         }
         let last = self.row("SELECT rowid, utc_us FROM silhouette ORDER BY rowid DESC LIMIT 1", [])?;
@@ -301,14 +299,14 @@ impl Silhouettes {
     }
 
     /// A row's number and its instant.
-    fn row<const N: usize>(&self, sql: &str, numbers: [i64; N]) -> Result<Option<(i64, Micros)>, LogError> {
+    fn row<const N: usize>(&self, sql: &str, numbers: [i64; N]) -> Result<Option<(i64, RunTime)>, LogError> {
         let wrong = |error| LogError::database(&self.path, error);
         let mut statement = self.connection.prepare_cached(sql).map_err(wrong)?;
-        let row = |row: &rusqlite::Row| Ok((row.get(0)?, row.get::<_, i64>(1)? - self.start_utc_us));
+        let row = |row: &rusqlite::Row| Ok((row.get(0)?, self.of_run(row.get(1)?)));
         statement.query_row(rusqlite::params_from_iter(numbers), row).optional().map_err(wrong)
     }
 
-    fn kept(&self, row: &rusqlite::Row) -> Result<Kept, LogError> {
+    fn kept(&self, row: &rusqlite::Row) -> Result<KeptSilhouettes, LogError> {
         let wrong = |error| LogError::database(&self.path, error);
         let id: String = row.get(1).map_err(wrong)?;
         let camera = self.cameras.iter().position(|camera| camera.id == id);
@@ -326,8 +324,12 @@ impl Silhouettes {
                 elongation: row.get(10)?,
             })
         };
-        let utc_us: i64 = row.get(0).map_err(wrong)?;
-        Ok(Kept { at: utc_us - self.start_utc_us, camera, silhouette, features: features().map_err(wrong)? })
+        let at = self.of_run(row.get(0).map_err(wrong)?);
+        Ok(KeptSilhouettes { at, camera, silhouette, features: features().map_err(wrong)? })
+    }
+
+    fn of_run(&self, utc_us: i64) -> RunTime {
+        RunTime::START + (UtcTime::from_micros(utc_us) - self.start)
     }
 
     fn no_picture(&self, reason: &str) -> LogError {
@@ -340,7 +342,11 @@ mod tests {
     use super::*;
     use homebody_core::time::SECOND;
 
-    const START_US: i64 = 1_000_000_000_000_000;
+    const START: UtcTime = UtcTime::from_micros(1_000_000_000_000_000);
+
+    fn at(second: i64) -> RunTime {
+        RunTime::START + second * SECOND
+    }
 
     /// A file with a row a second, of two cameras in turns, from which somebody has deleted some.
     fn file(path: &Path) {
@@ -354,7 +360,7 @@ mod tests {
         picture.set(3, 4, true);
         for second in 0..1000i64 {
             let id = ["C1", "C2"][second as usize % 2];
-            let at = START_US + second * SECOND;
+            let at = (START + second * SECOND).micros();
             connection.execute(INSERT, params![at, id, 1, 3, 4, 3, 4, 3.5, 4.5, 0.0, 1.0, picture.packed()]).unwrap();
         }
         connection.execute_batch("COMMIT; DELETE FROM silhouette WHERE rowid BETWEEN 301 AND 400").unwrap();
@@ -362,12 +368,13 @@ mod tests {
 
     fn seconds_within(silhouettes: &Silhouettes, from: i64, to: i64) -> Vec<i64> {
         let mut found = Vec::new();
-        let take = |kept: Kept| {
-            assert_eq!(kept.camera as i64, kept.at / SECOND % 2);
-            found.push(kept.at / SECOND);
+        let take = |kept: KeptSilhouettes| {
+            let second = kept.at.since_zero() / SECOND;
+            assert_eq!(kept.camera as i64, second % 2);
+            found.push(second);
             Ok::<(), LogError>(())
         };
-        silhouettes.for_each_within(from * SECOND..to * SECOND, take).unwrap();
+        silhouettes.for_each_within(Interval::new(at(from), at(to)), take).unwrap();
         found
     }
 
@@ -376,17 +383,17 @@ mod tests {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("silhouettes.db");
         file(&path);
-        let silhouettes = Silhouettes::open(&path, START_US).unwrap();
-        assert_eq!(silhouettes.span().unwrap(), Some((0, 999 * SECOND)));
+        let silhouettes = Silhouettes::open(&path, START).unwrap();
+        assert_eq!(silhouettes.span().unwrap(), Some(Interval::new(at(0), at(999))));
         for (from, to) in [(-5, 3), (0, 1), (7, 7), (290, 305), (299, 405), (350, 401), (998, 2000), (1000, 2000)] {
             let expected: Vec<i64> =
                 (from.max(0)..to.min(1000)).filter(|second| !(300..400).contains(second)).collect();
             assert_eq!(seconds_within(&silhouettes, from, to), expected, "{from} to {to}");
         }
-        assert_eq!(silhouettes.next_from(350 * SECOND).unwrap(), Some(400 * SECOND));
-        assert_eq!(silhouettes.last_before(350 * SECOND).unwrap(), Some(299 * SECOND));
-        assert_eq!(silhouettes.next_from(1000 * SECOND).unwrap(), None);
-        assert_eq!(silhouettes.last_before(0).unwrap(), None);
+        assert_eq!(silhouettes.next_from(at(350)).unwrap(), Some(at(400)));
+        assert_eq!(silhouettes.last_before(at(350)).unwrap(), Some(at(299)));
+        assert_eq!(silhouettes.next_from(at(1000)).unwrap(), None);
+        assert_eq!(silhouettes.last_before(at(0)).unwrap(), None);
     }
 
     #[test]
@@ -394,9 +401,9 @@ mod tests {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("silhouettes.db");
         file(&path);
-        let change = format!("UPDATE silhouette SET utc_us = {START_US} WHERE rowid = 700");
+        let change = format!("UPDATE silhouette SET utc_us = {START} WHERE rowid = 700");
         Connection::open(&path).unwrap().execute_batch(&change).unwrap();
-        let silhouettes = Silhouettes::open(&path, START_US).unwrap();
+        let silhouettes = Silhouettes::open(&path, START).unwrap();
         let read = silhouettes.for_each(|_| Ok::<(), LogError>(()));
         assert!(read.unwrap_err().to_string().contains("before the one before it"));
     }

@@ -4,8 +4,19 @@
 //! numbers; a text is a number, too, which [`Batch::text`] turns back. So a batch is cheap to hand to several
 //! destinations.
 
+pub(crate) mod instant_writer;
+pub(crate) mod log_row;
+pub(crate) mod mapping;
+pub(crate) mod rows;
+pub mod truth;
+
 use foldhash::HashMap;
-use homebody_core::time::Micros;
+use homebody_core::time::RunTime;
+pub use instant_writer::InstantWriter;
+pub(crate) use instant_writer::Stamp;
+pub(crate) use log_row::{LogRow, Messages};
+pub(crate) use mapping::{ColumnNames, ShownTexts, apart};
+pub use rows::{LogRows, RowText};
 use std::sync::Arc;
 
 /// What the rows of a log are, in words: by these a file of columns knows that it is one.
@@ -64,8 +75,8 @@ impl Table {
 pub enum Cell {
     /// Nothing: unknown, or it does not apply.
     Null,
-    /// Microseconds since the run's start.
-    Instant(Micros),
+    /// An instant of the run.
+    Instant(RunTime),
     /// A whole number.
     Integer(i64),
     /// A number with a fraction, in the column's unit.
@@ -82,12 +93,12 @@ pub struct TextId(pub u32);
 
 /// Texts and their numbers. A text keeps its number for a whole run.
 #[derive(Clone, Debug, Default)]
-pub struct Texts {
+pub struct TextPool {
     all: Arc<Vec<Arc<str>>>,
     known: HashMap<Arc<str>, TextId>,
 }
 
-impl Texts {
+impl TextPool {
     /// The number of a text, a new one if it is new.
     pub fn id(&mut self, text: &str) -> TextId {
         if let Some(&id) = self.known.get(text) {
@@ -129,7 +140,7 @@ pub struct Batch {
 
 /// One row of a batch.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Row<'a> {
+pub struct BatchRow<'a> {
     /// Index into the run's tables.
     pub table: usize,
     /// In the order of the table's columns.
@@ -157,7 +168,7 @@ impl Batch {
     }
 
     /// Makes the batch ready to be handed over: its texts are those that are known by now.
-    pub fn with(mut self, texts: &Texts) -> Batch {
+    pub fn with(mut self, texts: &TextPool) -> Batch {
         self.texts = texts.all.clone();
         self
     }
@@ -179,15 +190,15 @@ impl Batch {
     }
 
     /// One of its rows.
-    pub fn row(&self, index: usize) -> Row<'_> {
+    pub fn row(&self, index: usize) -> BatchRow<'_> {
         let (table, begin) = self.rows[index];
         let end = self.rows.get(index + 1).map_or(self.cells.len(), |&(_, next)| next as usize);
         let firing = self.firings.get(index).copied();
-        Row { table: table as usize, cells: &self.cells[begin as usize..end], firing }
+        BatchRow { table: table as usize, cells: &self.cells[begin as usize..end], firing }
     }
 
     /// Its rows, in the order in which they were made.
-    pub fn rows(&self) -> impl Iterator<Item = Row<'_>> {
+    pub fn rows(&self) -> impl Iterator<Item = BatchRow<'_>> {
         (0..self.len()).map(|index| self.row(index))
     }
 
@@ -231,7 +242,7 @@ mod tests {
 
     #[test]
     fn rows_keep_their_order_and_their_texts() {
-        let mut texts = Texts::default();
+        let mut texts = TextPool::default();
         let (hall, bath) = (texts.id("hall"), texts.id("bath"));
         assert_eq!(texts.id("hall"), hall);
         let mut batch = Batch::default();

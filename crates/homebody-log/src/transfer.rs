@@ -1,27 +1,25 @@
 //! Writes a log anew elsewhere, part by part, whatever its size: instants stay the same to the microsecond, and names and
 //! values what they were, as far as the other form can write them.
 
-use crate::cancel::Cancel;
-use crate::deadline::Deadline;
-use crate::elsewhere;
+pub(crate) mod anonymise;
+pub(crate) mod convert;
+pub(crate) mod label;
+
+use crate::destination::writer::BATCH;
 use crate::error::LogError;
-use crate::fresh::all_can_be_written;
-use crate::mapping::Columns;
-use crate::places::not_of_a_run;
-use crate::run_info::RunInfo;
-use crate::sensor_info::says_more_of;
-use crate::sensor_table::{self, SensorTable};
-use crate::sink::whole::Whole;
-use crate::sink::{self, Begin, How};
-use crate::source::{Activity, Clock, Event, Log, Source, activities_of, activities_of_set, stream};
-use crate::spans::{self, SPAN_COLUMNS};
-use crate::table::{Batch, Cell, Column, TextId, Texts};
+use crate::files::{WriteMode, all_can_be_written};
+use crate::log::{Activity, Clock, Event, Log, SPAN_COLUMNS, says_more_of, spans};
+use crate::policy::{Cancel, Deadline};
+use crate::read::{LogSource, activities_of, activities_of_set, stream};
+use crate::registry;
+use crate::run::{RunInfo, SensorTable, not_of_a_run, sensor_table};
+use crate::sink::{Begin, Whole};
+use crate::table::{Batch, Cell, Column, ColumnNames, TextId, TextPool};
 use crate::url::Url;
-use crate::writer::BATCH;
-use homebody_core::scenario::calendar::Calendar;
+use homebody_core::calendar::Calendar;
 use homebody_core::scenario::logger::{LoggerFile, TimeFormat};
 use homebody_core::scenario::scheme::Scheme;
-use homebody_core::time::Micros;
+use homebody_core::time::{RunTime, Span, UtcTime, WallTime};
 use std::path::{Path, PathBuf};
 
 /// A log that is to be written anew, under our own names of table and columns.
@@ -31,7 +29,7 @@ use std::path::{Path, PathBuf};
 #[derive(Clone, Copy, Debug)]
 pub struct Transfer<'a> {
     /// The log that is read.
-    pub from: &'a Source,
+    pub from: &'a LogSource,
     /// What its table and columns are called, where that is neither ours nor to be guessed.
     pub mapping: &'a LoggerFile,
     /// Where it is written to.
@@ -41,11 +39,11 @@ pub struct Transfer<'a> {
     /// The name of a time zone.
     pub zone: &'a str,
     /// What becomes of what is there already.
-    pub how: How,
+    pub how: WriteMode,
 }
 
 /// What a row gets besides its own cells: by its number, counted from 0, and itself.
-pub(crate) type More<'m> = dyn FnMut(u64, &Event, &Log, &mut Texts, &mut Vec<Cell>) -> Result<(), LogError> + 'm;
+pub(crate) type More<'m> = dyn FnMut(u64, &Event, &Log, &mut TextPool, &mut Vec<Cell>) -> Result<(), LogError> + 'm;
 
 /// Columns behind those of a log.
 pub(crate) struct Besides<'b> {
@@ -61,7 +59,7 @@ pub(crate) struct Besides<'b> {
 /// How rows are told otherwise than they are read; lists are in the order of the log's sensors and values.
 pub(crate) struct Rewrite<'r> {
     /// How much later.
-    pub shift: Micros,
+    pub shift: Span,
     /// What sensors are called.
     pub sensors: &'r [String],
     /// Which values stay: rows of others are left out.
@@ -92,8 +90,9 @@ impl Transfer<'_> {
         };
         let calendar =
             Calendar::new("1970-01-01T00:00:00", zone).map_err(|why| LogError::Zone { why: why.to_string() })?;
-        let start = calendar.timestamp(0).as_microsecond();
-        let columns = Columns::new(&LoggerFile::default())?;
+        // Of this calendar, the log's own clock is that of UTC.
+        let start = UtcTime::from(calendar.timestamp(RunTime::START)).on_wall_of_utc();
+        let columns = ColumnNames::new(&LoggerFile::default())?;
         let mut table = columns.log_table();
         let Besides { table: named, columns: more_columns, spans, rewrite } = besides;
         if let Some((name, told)) = named {
@@ -103,30 +102,30 @@ impl Transfer<'_> {
         let run = RunInfo::of_log(self.name, calendar, about);
         let (width, mut tables) = (table.columns.len(), vec![table]);
         let beside = self.beside(spans);
-        let names = self.names(&run).map(|path| SensorTable::of(path, &run)).transpose()?;
+        let names = self.names(&run).map(|path| SensorTable::new(path, &run)).transpose()?;
         let new_names = names.as_ref().filter(|names| !names.is_there()).map(|names| &*names.path);
         let besides = beside.as_ref().and_then(Url::file).into_iter().chain(new_names);
         let files: Vec<&Path> = self.to.file().into_iter().chain(besides).collect();
-        all_can_be_written(&files, self.how == How::Replace)?;
+        all_can_be_written(&files, self.how == WriteMode::Overwrite)?;
         if beside.is_none() && !spans.is_empty() {
             tables.push(spans::table());
         }
         let (run_column, spreadsheet_safe) = (columns.run.as_str(), self.mapping.spreadsheet_safe);
-        let deadline = &Deadline::new(elsewhere::policy(self.to).answers_within);
+        let deadline = &Deadline::new(registry::policy(self.to).answers_within);
         let (how, cancel) = (self.how, &Cancel::new());
         let is_whole = true;
         let begin =
             |tables| Begin { run: &run, tables, time, run_column, spreadsheet_safe, how, is_whole, cancel, deadline };
         let whole = Whole::begin(self.to, how)?;
-        let mut sink = sink::open(whole.part());
+        let mut sink = registry::sink(whole.part());
         sink.begin(&begin(&tables))?;
         if let Some(beside) = &beside {
-            let mut sink = sink::open(beside);
+            let mut sink = registry::sink(beside);
             sink.begin(&begin(&[spans::table()]))?;
-            sink.write(&spans_as_rows(spans, 0, start, &mut Texts::default()))?;
-            sink.finish(0)?;
+            sink.write(&spans_as_rows(spans, 0, start, &mut TextPool::default()))?;
+            sink.finish(RunTime::START)?;
         }
-        let mut texts = Texts::default();
+        let mut texts = TextPool::default();
         let (mut sensors, mut values): (Vec<TextId>, Vec<TextId>) = (Vec::new(), Vec::new());
         let (mut seq, mut last, mut cells) = (0, start, Vec::with_capacity(width));
         stream(self.from, self.mapping, &mut |part| {
@@ -137,10 +136,11 @@ impl Transfer<'_> {
                 let mut batch = Batch::with_capacity(events.len(), width);
                 let stays = |event: &&Event| rewrite.is_none_or(|rewrite| rewrite.keeps[event.value as usize]);
                 for event in events.iter().filter(stays) {
-                    let event = &Event { at: event.at + rewrite.map_or(0, |rewrite| rewrite.shift), ..*event };
+                    let event = &Event { at: event.at + rewrite.map_or(Span::ZERO, |rewrite| rewrite.shift), ..*event };
                     let sensor = Cell::Text(sensors[event.sensor as usize]);
                     let value = Cell::Text(values[event.value as usize]);
-                    cells.extend([Cell::Integer(seq as i64), Cell::Instant(event.at - start), sensor, value]);
+                    let at = Cell::Instant(RunTime::START + (event.at - start));
+                    cells.extend([Cell::Integer(seq as i64), at, sensor, value]);
                     more(seq, event, part, &mut texts, &mut cells)?;
                     batch.push(0, cells.drain(..));
                     (seq, last) = (seq + 1, event.at);
@@ -155,9 +155,9 @@ impl Transfer<'_> {
         }
         // First, so that a finished log has its sensors. The same command accepts the table that it left.
         if let Some(names) = &names {
-            names.write(how != How::New)?;
+            names.write(how != WriteMode::Create)?;
         }
-        sink.finish(last - start)?;
+        sink.finish(RunTime::START + (last - start))?;
         drop(sink);
         whole.name()?;
         Ok(seq)
@@ -184,7 +184,7 @@ impl Transfer<'_> {
 }
 
 /// Activities as rows of a table.
-fn spans_as_rows(spans: &[Activity], table: usize, start: Micros, texts: &mut Texts) -> Batch {
+fn spans_as_rows(spans: &[Activity], table: usize, start: WallTime, texts: &mut TextPool) -> Batch {
     let mut batch = Batch::with_capacity(spans.len(), SPAN_COLUMNS.len());
     for span in spans {
         let cells = spans::cells(span, start, texts);

@@ -5,11 +5,16 @@ mod stage;
 use homebody_core::time::SECOND;
 use stage::texts::{SEVEN, clock, read_as, read_text, rows, told, why};
 
+/// Seven in seconds since 1970.
+fn seven() -> i64 {
+    SEVEN.since_zero() / SECOND
+}
+
 /// A table without a heading of things that are used, five minutes apart: `row` writes one of its time in seconds since 1970, and how
 /// long it lasts.
 fn uses(row: impl Fn(i64, i64, &str) -> String) -> String {
     let things = ["couch", "kettle", "loo"];
-    (0..12_i64).map(|at| row(SEVEN / SECOND + 300 * at, 20 + at, things[at as usize % 3]) + "\n").collect()
+    (0..12_i64).map(|at| row(seven() + 300 * at, 20 + at, things[at as usize % 3]) + "\n").collect()
 }
 
 #[test]
@@ -20,7 +25,7 @@ fn intervals_of_numbers_without_a_heading_are_intervals_or_are_asked_for() {
     // A number that stays near the time for longer than a month is another one.
     let far = uses(|at, length, thing| format!("{at},{},{thing}", at + length * 86_400 * 20));
     assert_ne!(read_text(&far).unwrap().0, "pyadlml");
-    let clock = |at: i64| format!("2009-03-02 {}", stage::texts::clock(((at - SEVEN / SECOND) / 60) as usize));
+    let clock = |at: i64| format!("2009-03-02 {}", stage::texts::clock(((at - seven()) / 60) as usize));
     for (text, order) in [
         (uses(|at, length, thing| format!("{},{length},{thing}", clock(at))), "time,duration,sensor"),
         (uses(|at, length, thing| format!("{thing},{},{length}", clock(at))), "sensor,time,duration"),

@@ -3,17 +3,17 @@
 mod stage;
 
 use homebody_core::scenario::logger::LoggerFile;
-use homebody_core::time::{DAY, Micros, SECOND};
-use homebody_log::source::{ColumnRole, Form};
-use homebody_log::{Log, LogError, Source, read};
+use homebody_core::time::{DAY, Interval, MINUTE, SECOND, WallTime};
+use homebody_log::log::ColumnRole;
+use homebody_log::source::LogForm;
+use homebody_log::{Log, LogError, LogSource, read};
 use rusqlite::Connection;
 use stage::Folder;
 use std::fs;
 use std::path::Path;
 
 /// 2 March 2009, 07:00.
-const SEVEN: Micros = 1_235_977_200 * SECOND;
-const MINUTE: Micros = 60 * SECOND;
+const SEVEN: WallTime = WallTime::from_micros(1_235_977_200_000_000);
 
 fn written(folder: &Folder, name: &str, bytes: impl AsRef<[u8]>) -> std::path::PathBuf {
     let path = folder.path().join(name);
@@ -21,8 +21,8 @@ fn written(folder: &Folder, name: &str, bytes: impl AsRef<[u8]>) -> std::path::P
     path
 }
 
-fn log_of(path: &Path) -> (&'static Form, Log) {
-    let source = Source::recognise(path).unwrap_or_else(|error| panic!("{}: {error}", path.display()));
+fn log_of(path: &Path) -> (&'static LogForm, Log) {
+    let source = LogSource::recognise(path).unwrap_or_else(|error| panic!("{}: {error}", path.display()));
     (source.form(), read(&source, &LoggerFile::default()).unwrap())
 }
 
@@ -33,7 +33,7 @@ fn from_text(folder: &Folder, form: &str, name: &str, text: &str) -> Log {
 }
 
 fn refused(path: &Path) -> LogError {
-    match Source::recognise(path) {
+    match LogSource::recognise(path) {
         Ok(source) => panic!("{} is read as {source}", path.display()),
         Err(error) => error,
     }
@@ -45,7 +45,7 @@ fn told(log: &Log) -> Vec<(&str, &str)> {
 
 /// Activities in minutes since seven.
 fn done(log: &Log) -> Vec<(&str, i64, i64)> {
-    let minute = |at: Micros| (at - SEVEN).div_euclid(MINUTE);
+    let minute = |at: WallTime| (at - SEVEN).div_euclid(MINUTE);
     log.activities.iter().map(|of| (of.name.as_str(), minute(of.begin), minute(of.end))).collect()
 }
 
@@ -310,7 +310,7 @@ fn a_gap_between_rows_of_each_second_ends_what_is_on() {
         rows,
         [(0, "bed", "ON"), (0, "heat", "20.5"), (day, "bed", "ON"), (day, "heat", "20.5"), (day + 1, "heat", "20.6")]
     );
-    assert_eq!(log.gaps, [(SEVEN + 2 * SECOND, SEVEN + DAY)]);
+    assert_eq!(log.gaps, [Interval::new(SEVEN + 2 * SECOND, SEVEN + DAY)]);
     let spans: Vec<_> = log.activities.iter().map(|of| (of.end - of.begin) / SECOND).collect();
     assert_eq!((spans, log.skipped), (vec![2, 2], 0));
 }
@@ -327,14 +327,14 @@ fn a_file_a_day_is_one_log() {
     written(&folder, "README.txt", "What is in here.\n");
     let (form, log) = log_of(folder.path());
     assert_eq!(form.name, "aras");
-    let rows: Vec<_> = log.events.iter().map(|event| (event.at / SECOND, log.value(event))).collect();
+    let rows: Vec<_> = log.events.iter().map(|event| (event.at.since_zero() / SECOND, log.value(event))).collect();
     let day = DAY / SECOND;
     assert_eq!(rows, [(day - 1, "ON"), (day + 1, "OFF"), (9 * day, "ON"), (9 * day + 1, "OFF")]);
-    assert_eq!(log.gaps, [(DAY + 2 * SECOND, 9 * DAY)]);
+    assert_eq!(log.gaps, [Interval::new(WallTime::EPOCH + DAY + 2 * SECOND, WallTime::EPOCH + 9 * DAY)]);
     let first = log.activities.iter().find(|of| of.name == "R1 activity 11").unwrap();
-    assert_eq!((first.begin, first.end), (0, DAY + 2 * SECOND));
+    assert_eq!((first.begin, first.end), (WallTime::EPOCH, WallTime::EPOCH + DAY + 2 * SECOND));
     assert!(log.remarks.iter().any(|remark| remark == "it is one log in 3 files, DAY_1.txt to DAY_10.txt"), "{log:?}");
-    assert_eq!(Source::recognise(folder.path()).unwrap().files().len(), 3);
+    assert_eq!(LogSource::recognise(folder.path()).unwrap().files().len(), 3);
 
     let folder = Folder::new("dates");
     let text = |day: u8| format!("2009-03-{day:02} 07:00:00 M1 ON\n2009-03-{day:02} 23:00:00 M1 OFF\nodd\n");

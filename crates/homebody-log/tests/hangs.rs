@@ -7,9 +7,9 @@ mod stage;
 
 use hangs::{DEADLINE, SOON, ended, outlived, stopped};
 use homebody_core::scenario::logger::LoggerFile;
-use homebody_core::time::Micros;
+use homebody_core::time::{RunTime, Span};
 use homebody_log::table::{Batch, Cell};
-use homebody_log::{Begin, Destination, How, LogError, Logger, Policy, Sink, Watermark, WhenDown};
+use homebody_log::{Begin, Destination, LogError, Logger, Policy, Sink, Watermark, WhenDown, WriteMode};
 use std::sync::{Arc, Condvar, Mutex};
 use std::thread;
 use std::time::{Duration, Instant};
@@ -21,7 +21,7 @@ const ROWS: u64 = 60_000;
 enum Call {
     Begin,
     Write,
-    Settle,
+    MakeDurable,
     Finish,
 }
 
@@ -79,19 +79,21 @@ impl Sink for Server {
         Ok(())
     }
 
-    fn settle(&mut self) -> Result<Watermark, LogError> {
-        self.answers(Call::Settle)?;
+    fn make_durable(&mut self) -> Result<Watermark, LogError> {
+        self.answers(Call::MakeDurable)?;
         Ok(Watermark(vec![self.got.lock().unwrap().len() as u64]))
     }
 
-    fn finish(&mut self, _: Micros) -> Result<(), LogError> {
+    fn finish(&mut self, _: RunTime) -> Result<(), LogError> {
         self.answers(Call::Finish)
     }
 }
 
 #[test]
 fn rows_of_one_that_does_not_answer_are_put_aside_and_the_others_go_on() {
-    for (call, loses) in [(Call::Write, false), (Call::Write, true), (Call::Settle, false), (Call::Settle, true)] {
+    for (call, loses) in
+        [(Call::Write, false), (Call::Write, true), (Call::MakeDurable, false), (Call::MakeDurable, true)]
+    {
         let server = Server::new(call, loses);
         let rows = outlived(server.destination(), stage::run(), &stage::firings(ROWS), |held| server.hold(held));
         assert!(server.has(rows), "{call:?}: each row is there once, in its order");
@@ -112,8 +114,9 @@ fn one_that_does_not_answer_ends_a_run_that_does_not_wait() {
 /// The same call gets the answer, at the beginning and at the end, and no row comes twice.
 #[test]
 fn one_that_answers_late_is_waited_for_by_who_retries() {
-    for (call, loses) in
-        [Call::Begin, Call::Write, Call::Settle, Call::Finish].map(|call| [(call, false), (call, true)]).as_flattened()
+    for (call, loses) in [Call::Begin, Call::Write, Call::MakeDurable, Call::Finish]
+        .map(|call| [(call, false), (call, true)])
+        .as_flattened()
     {
         let server = Server::new(*call, *loses);
         let policy = Policy { answers_within: Duration::from_millis(200), ..Policy::of_server() };
@@ -128,10 +131,11 @@ fn one_that_answers_late_is_waited_for_by_who_retries() {
             }
             free.hold(false);
         });
-        let mut logger = Logger::open(vec![to], &LoggerFile::default(), &Arc::new(stage::run()), How::New).unwrap();
+        let mut logger =
+            Logger::open(vec![to], &LoggerFile::default(), &Arc::new(stage::run()), WriteMode::Create).unwrap();
         for step in stage::firings(10_000).chunks(1000) {
-            logger.store(step, step[step.len() - 1].at + 1).unwrap();
-            logger.settle().unwrap();
+            logger.store(step, step[step.len() - 1].at + Span::MICROSECOND).unwrap();
+            logger.make_durable().unwrap();
         }
         let stored = logger.finish().unwrap();
         freed.join().unwrap();
@@ -141,12 +145,12 @@ fn one_that_answers_late_is_waited_for_by_who_retries() {
 
 #[test]
 fn a_run_that_is_stopped_does_not_wait_for_one_that_does_not_answer() {
-    for call in [Call::Write, Call::Settle, Call::Finish] {
+    for call in [Call::Write, Call::MakeDurable, Call::Finish] {
         let server = Server::new(call, false);
         stopped(server.destination(), stage::run(), &stage::firings(ROWS), |held| server.hold(held));
     }
     // The control: one that may take its time is waited for.
-    let server = Server::new(Call::Settle, false);
+    let server = Server::new(Call::MakeDurable, false);
     let to = server.destination();
     let to = Destination { policy: Policy { stops_within: Duration::from_secs(4), ..to.policy.clone() }, ..to };
     let took = stopped(to, stage::run(), &stage::firings(ROWS), |held| server.hold(held));

@@ -5,9 +5,9 @@
 mod stage;
 
 use homebody_core::scenario::logger::LoggerFile;
-use homebody_core::time::{Micros, SECOND};
-use homebody_log::source::Clock;
-use homebody_log::{Log, SensorInfo, Source, read};
+use homebody_core::time::{Interval, SECOND, WallTime};
+use homebody_log::log::Clock;
+use homebody_log::{Log, LogSource, SensorInfo, read};
 use jiff::Timestamp;
 use rusqlite::{Connection, params};
 use stage::Folder;
@@ -104,7 +104,7 @@ fn run(database: &Connection, start: i64, end: Option<i64>, is_closed: bool) {
 }
 
 fn log_at(path: &Path) -> Log {
-    let source = Source::recognise(path).unwrap();
+    let source = LogSource::recognise(path).unwrap();
     assert_eq!(source.form().name, "home-assistant");
     read(&source, &LoggerFile::default()).unwrap()
 }
@@ -136,8 +136,11 @@ fn each_year_of_the_recorder_says_what_its_entities_are() {
         let path = folder.path().join(format!("{year:?}.db"));
         drop(database(&path, year, &ENTITIES, &STATES));
         let log = log_at(&path);
-        let rows: Vec<(i64, &str, &str)> =
-            log.events.iter().map(|event| (event.at / SECOND - SEVEN, log.sensor(event), log.value(event))).collect();
+        let rows: Vec<(i64, &str, &str)> = log
+            .events
+            .iter()
+            .map(|event| (event.at.since_zero() / SECOND - SEVEN, log.sensor(event), log.value(event)))
+            .collect();
         assert_eq!((rows, log.clock, log.skipped), (STATES.to_vec(), Clock::Utc, 0), "{year:?}");
         let hall = known(&log, "binary_sensor.hall");
         assert_eq!((&*hall.kind, &*hall.name), ("motion", "Flur Bewegung"), "{year:?}");
@@ -160,9 +163,10 @@ fn between_two_runs_of_the_recorder_is_a_gap() {
         run(&database, 300, Some(310), true);
         run(&database, 400, None, true);
         drop(database);
-        let at = |after: i64| -> Micros { (SEVEN + after) * SECOND };
+        let at = |after: i64| WallTime::EPOCH + (SEVEN + after) * SECOND;
+        let gap = |from, to| Interval::new(at(from), at(to));
         // The second run lost its power: it ended with its last row, whatever the next one has written into it.
-        assert_eq!(log_at(&path).gaps, [(at(45), at(48)), (at(60), at(300)), (at(310), at(400))], "{year:?}");
+        assert_eq!(log_at(&path).gaps, [gap(45, 48), gap(60, 300), gap(310, 400)], "{year:?}");
     }
 }
 

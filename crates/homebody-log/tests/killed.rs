@@ -3,6 +3,7 @@
 mod stage;
 
 use homebody_core::scenario::logger::LoggerFile;
+use homebody_core::time::Span;
 use rusqlite::Connection;
 use stage::Folder;
 use std::path::Path;
@@ -21,9 +22,9 @@ fn child() {
     let mut logger = stage::open(&urls, &LoggerFile::default(), false).unwrap();
     let firings = stage::firings(5_000_000);
     for (index, step) in firings.chunks(50).enumerate() {
-        logger.store(step, step[step.len() - 1].at + 1).unwrap();
+        logger.store(step, step[step.len() - 1].at + Span::MICROSECOND).unwrap();
         if index % 1000 == 999 {
-            logger.settle().unwrap();
+            logger.make_durable().unwrap();
         }
     }
     logger.finish().unwrap();

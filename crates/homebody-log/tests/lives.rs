@@ -2,51 +2,59 @@
 
 mod stage;
 
-use homebody_core::event::{Events, Fact, MotionState};
+use homebody_core::calendar::Calendar;
+use homebody_core::event::{Events, Fact};
 use homebody_core::geometry::Point;
 use homebody_core::ids::{ResidentId, RoomId};
-use homebody_core::scenario::calendar::Calendar;
+use homebody_core::motion::MotionState;
+use homebody_core::posture::Posture;
 use homebody_core::scenario::logger::{LoggerFile, TimeFormat};
-use homebody_core::scenario::path::Posture;
 use homebody_core::scenario::scheme::Scheme;
-use homebody_core::time::{Micros, SECOND};
-use homebody_log::source::Clock;
-use homebody_log::{Activity, How, Life, RowsOfFirings, RunClock, RunInfo, TruthLog, Url, lives};
+use homebody_core::time::{HOUR, MINUTE, RunTime, SECOND, Span, TimeScale};
+use homebody_log::lives;
+use homebody_log::{Activity, Life, RowsOfFirings, RunInfo, TruthLog, Url, WriteMode};
 use stage::Folder;
 use std::sync::Arc;
 
-const HOUR: Micros = 3600 * SECOND;
-const MINUTE: Micros = 60 * SECOND;
+fn at(span: Span) -> RunTime {
+    RunTime::START + span
+}
 
 #[test]
 fn each_residents_activities_and_rooms_are_told() {
-    let activity = |resident, at, name: Option<&str>| Fact::Activity { resident, at, name: name.map(String::from) };
+    let activity = |resident, after: Span, name: Option<&str>| Fact::Activity {
+        resident,
+        at: at(after),
+        name: name.map(String::from),
+    };
     let facts = vec![
-        Fact::Room { resident: ResidentId(0), at: 0, room: Some(RoomId(0)) },
-        activity(ResidentId(0), 0, Some("sleeping")),
-        Fact::Room { resident: ResidentId(1), at: 0, room: Some(RoomId(1)) },
-        Fact::Room { resident: ResidentId(0), at: HOUR, room: None },
+        Fact::Room { resident: ResidentId(0), at: at(Span::ZERO), room: Some(RoomId(0)) },
+        activity(ResidentId(0), Span::ZERO, Some("sleeping")),
+        Fact::Room { resident: ResidentId(1), at: at(Span::ZERO), room: Some(RoomId(1)) },
+        Fact::Room { resident: ResidentId(0), at: at(HOUR), room: None },
         activity(ResidentId(0), HOUR, None),
-        Fact::Room { resident: ResidentId(0), at: HOUR + SECOND, room: Some(RoomId(1)) },
+        Fact::Room { resident: ResidentId(0), at: at(HOUR + SECOND), room: Some(RoomId(1)) },
         activity(ResidentId(0), 2 * HOUR, Some("cooking")),
     ];
     // The clock on the wall, and the world's, six hours later.
-    for (time, start) in [(TimeFormat::Local, 1_236_463_200 * SECOND), (TimeFormat::EpochS, 1_236_484_800 * SECOND)] {
+    for (time, start) in [(TimeFormat::Local, 1_236_463_200), (TimeFormat::EpochS, 1_236_484_800)] {
+        let start = at(start * SECOND);
         let folder = Folder::new(&format!("lives-{time:?}"));
         let file = LoggerFile { time, ..LoggerFile::default() };
         let path = folder.path().join("truth.db");
         let mut log = stage::open_truth(&path, &[], &file).unwrap();
         log.store(&Events { facts: facts.clone(), ..Events::default() }, &RowsOfFirings::default()).unwrap();
-        log.finish(3 * HOUR).unwrap();
+        log.finish(at(3 * HOUR)).unwrap();
 
         let span = |name: &str, begin, end| Activity { name: name.into(), begin: start + begin, end: start + end };
         let ann = Life {
             resident: "margaret".into(),
-            activities: vec![span("sleeping", 0, HOUR), span("cooking", 2 * HOUR, 3 * HOUR)],
-            rooms: vec![span("bedroom", 0, HOUR), span("kitchen", HOUR + SECOND, 3 * HOUR)],
+            activities: vec![span("sleeping", Span::ZERO, HOUR), span("cooking", 2 * HOUR, 3 * HOUR)],
+            rooms: vec![span("bedroom", Span::ZERO, HOUR), span("kitchen", HOUR + SECOND, 3 * HOUR)],
         };
-        let bob = Life { resident: "walter".into(), activities: vec![], rooms: vec![span("kitchen", 0, 3 * HOUR)] };
-        assert_eq!(lives(&Url::new(Scheme::Sqlite, &path), &RunClock::as_told()).unwrap(), [ann, bob], "{time:?}");
+        let rooms = vec![span("kitchen", Span::ZERO, 3 * HOUR)];
+        let bob = Life { resident: "walter".into(), activities: vec![], rooms };
+        assert_eq!(lives(&Url::new(Scheme::Sqlite, &path), &TimeScale::one()).unwrap(), [ann, bob], "{time:?}");
     }
 }
 
@@ -55,15 +63,18 @@ fn each_residents_activities_and_rooms_are_told() {
 fn an_hour_that_is_told_twice_is_known_by_who_moves() {
     let calendar = Calendar::new("2009-11-01T00:00:00", "America/Chicago").unwrap();
     let margaret = ResidentId(0);
-    let up = 150 * MINUTE;
+    let end = at(5 * HOUR);
+    let up = at(150 * MINUTE);
     let movement =
         |begin, end, doing| Fact::Movement { resident: margaret, begin, end, doing, posture: Posture::Lying };
     let [bed, kitchen] = [Point::new(1.0, 1.0), Point::new(4.0, 1.0)];
     let activity = |at, name: Option<&str>| Fact::Activity { resident: margaret, at, name: name.map(String::from) };
-    let mut facts =
-        vec![Fact::Room { resident: margaret, at: 0, room: Some(RoomId(0)) }, activity(0, Some("sleeping"))];
+    let mut facts = vec![
+        Fact::Room { resident: margaret, at: RunTime::START, room: Some(RoomId(0)) },
+        activity(RunTime::START, Some("sleeping")),
+    ];
     // Now and then somebody turns over.
-    let turns = [0, 40, 80, 118, 140].map(|minute| minute * MINUTE);
+    let turns = [0, 40, 80, 118, 140].map(|minute| at(minute * MINUTE));
     for (index, &turn) in turns.iter().enumerate() {
         let until = turns.get(index + 1).copied().unwrap_or(up);
         facts.push(movement(turn, turn + SECOND, MotionState::InPlace { at: bed, amplitude_m: 0.1 }));
@@ -72,29 +83,29 @@ fn an_hour_that_is_told_twice_is_known_by_who_moves() {
     facts.push(activity(up, Some("drinking")));
     facts.push(Fact::Room { resident: margaret, at: up + 2 * SECOND, room: Some(RoomId(1)) });
     facts.push(movement(up, up + 3 * SECOND, MotionState::Stride { from: bed, to: kitchen }));
-    facts.push(movement(up + 3 * SECOND, 5 * HOUR, MotionState::Rest { at: kitchen }));
+    facts.push(movement(up + 3 * SECOND, end, MotionState::Rest { at: kitchen }));
 
     let span = |name: &str, begin, end| Activity { name: name.into(), begin, end };
     let lived = Life {
         resident: "margaret".into(),
-        activities: vec![span("sleeping", 0, up), span("drinking", up, 5 * HOUR)],
-        rooms: vec![span("bedroom", 0, up + 2 * SECOND), span("kitchen", up + 2 * SECOND, 5 * HOUR)],
+        activities: vec![span("sleeping", RunTime::START, up), span("drinking", up, end)],
+        rooms: vec![span("bedroom", RunTime::START, up + 2 * SECOND), span("kitchen", up + 2 * SECOND, end)],
     };
-    for (time, told_by) in [(TimeFormat::Local, Clock::Local), (TimeFormat::Utc, Clock::Utc)] {
+    let scale = calendar.scale(end.since_zero());
+    for (time, scale) in [(TimeFormat::Local, scale.clone()), (TimeFormat::Utc, scale.with_wall_of_utc())] {
         for scheme in [Scheme::Sqlite, Scheme::Csv] {
             let folder = Folder::new(&format!("turns-{time:?}-{scheme:?}"));
             let run = Arc::new(RunInfo { calendar: calendar.clone(), ..stage::run() });
             let url = Url::new(scheme, folder.path().join("truth"));
             let file = LoggerFile { time, ..LoggerFile::default() };
-            let mut log = TruthLog::open(&url, &[], &file, &run, How::New).unwrap();
+            let mut log = TruthLog::open(&url, &[], &file, &run, WriteMode::Create).unwrap();
             log.store(&Events { facts: facts.clone(), ..Events::default() }, &RowsOfFirings::default()).unwrap();
-            log.finish(5 * HOUR).unwrap();
-            let clock = RunClock::new(&calendar, 5 * HOUR, told_by);
-            assert_eq!(lives(&url, &clock).unwrap(), std::slice::from_ref(&lived), "{time:?}, {scheme:?}");
+            log.finish(end).unwrap();
+            assert_eq!(lives(&url, &scale).unwrap(), std::slice::from_ref(&lived), "{time:?}, {scheme:?}");
             // The control: what is told alone makes the night an hour shorter where clocks on the wall tell it.
-            let told = lives(&url, &RunClock::as_told()).unwrap();
+            let told = lives(&url, &TimeScale::one()).unwrap();
             let slept = told[0].activities[0].end - told[0].activities[0].begin;
-            assert_eq!(slept, if time == TimeFormat::Local { up - HOUR } else { up });
+            assert_eq!(slept, if time == TimeFormat::Local { up.since_zero() - HOUR } else { up.since_zero() });
         }
     }
 }

@@ -7,7 +7,7 @@
 mod generated;
 
 use generated::is_generated;
-use homebody_log::source::FORMS;
+use homebody_log::registry::FORMS;
 
 const HEAD: &str = "\
 # Logs that Homebody reads
@@ -16,7 +16,7 @@ This page lists the forms of logs that Homebody reads, explains how it reads the
 
 A command that takes a log accepts the folder of a run, a file, or the folder of a data set with one log in it. Homebody recognises
 the form of a file by its first lines. To name the form yourself, write it in front of the file: `casas:home.txt`. The table of forms
-comes from `crates/homebody-log/src/source/forms.rs`.
+comes from `crates/homebody-log/src/registry.rs`.
 
 ```sh
 homebody inspect kasteren

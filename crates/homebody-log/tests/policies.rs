@@ -3,10 +3,10 @@
 mod stage;
 
 use homebody_core::scenario::logger::LoggerFile;
-use homebody_core::time::Micros;
-use homebody_log::logger::destinations;
+use homebody_core::time::RunTime;
+use homebody_log::run_log::destinations;
 use homebody_log::table::{Batch, Cell};
-use homebody_log::{Begin, Cancel, Destination, How, LogError, Logger, Policy, Sink, Stored, Watermark};
+use homebody_log::{Begin, Cancel, Destination, LogError, Logger, Policy, Sink, Stored, Watermark, WriteMode};
 use stage::Folder;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Arc, Mutex};
@@ -47,11 +47,11 @@ impl Sink for Own {
         Ok(())
     }
 
-    fn settle(&mut self) -> Result<Watermark, LogError> {
+    fn make_durable(&mut self) -> Result<Watermark, LogError> {
         Ok(Watermark(vec![self.got.lock().unwrap().rows.len() as u64]))
     }
 
-    fn finish(&mut self, _: Micros) -> Result<(), LogError> {
+    fn finish(&mut self, _: RunTime) -> Result<(), LogError> {
         self.got.lock().unwrap().ended = true;
         Ok(())
     }
@@ -69,9 +69,9 @@ fn stored(name: &str, deed: Deed, policy: Policy) -> (Folder, Arc<Mutex<Got>>, R
     let folder = Folder::new(name);
     let got = Arc::new(Mutex::new(Got::default()));
     let own = Own { got: got.clone(), batches: 0, deed };
-    let mut all = destinations(&[folder.url("csv:log.csv")], How::New).unwrap();
+    let mut all = destinations(&[folder.url("csv:log.csv")], WriteMode::Create).unwrap();
     all.push(Destination::own("a broker", own, policy));
-    let logger = Logger::open(all, &LoggerFile::default(), &Arc::new(stage::run()), How::New);
+    let logger = Logger::open(all, &LoggerFile::default(), &Arc::new(stage::run()), WriteMode::Create);
     let stored = logger.and_then(|logger| stage::store(logger, &stage::firings(ROWS), 1000));
     (folder, got, stored)
 }
@@ -168,9 +168,9 @@ fn of_two_of_one_name_the_right_one_is_left_behind() {
     let all = vec![
         own(|_| Ok(()), Policy::default()),
         own(full, Policy::optional()),
-        Destination::of(&folder.url("csv:log.csv")),
+        Destination::new(&folder.url("csv:log.csv")),
     ];
-    let logger = Logger::open(all, &LoggerFile::default(), &Arc::new(stage::run()), How::New).unwrap();
+    let logger = Logger::open(all, &LoggerFile::default(), &Arc::new(stage::run()), WriteMode::Create).unwrap();
     let stored = stage::store(logger, &stage::firings(ROWS), 1000).unwrap();
     assert_eq!((stored.places.len(), stored.places[0].as_str(), stored.failed.len()), (2, "a broker", 1));
 }
@@ -223,9 +223,9 @@ fn one_that_is_away_is_not_waited_for_once_the_run_is_stopped() {
         let heard = told.clone();
         to.meter.telling(Arc::new(move |news| heard.lock().unwrap().push(news.to_string())));
         let meter = to.meter.clone();
-        let mut all = destinations(&[folder.url("csv:log.csv")], How::New).unwrap();
+        let mut all = destinations(&[folder.url("csv:log.csv")], WriteMode::Create).unwrap();
         all.insert(0, to);
-        let logger = Logger::open(all, &LoggerFile::default(), &Arc::new(stage::run()), How::New).unwrap();
+        let logger = Logger::open(all, &LoggerFile::default(), &Arc::new(stage::run()), WriteMode::Create).unwrap();
         let stops = thread::spawn(move || {
             while !meter.read().is_away {
                 thread::sleep(Duration::from_millis(5));
@@ -276,11 +276,11 @@ impl Sink for Ahead {
         Ok(())
     }
 
-    fn settle(&mut self) -> Result<Watermark, LogError> {
+    fn make_durable(&mut self) -> Result<Watermark, LogError> {
         Ok(Watermark(vec![self.0]))
     }
 
-    fn finish(&mut self, _: Micros) -> Result<(), LogError> {
+    fn finish(&mut self, _: RunTime) -> Result<(), LogError> {
         Ok(())
     }
 }
@@ -289,7 +289,8 @@ impl Sink for Ahead {
 fn a_destination_that_has_more_of_a_run_than_it_made_is_told_of() {
     let stored = |rows: u64, policy: Policy| {
         let to = Destination::own("a broker", Ahead(rows), policy);
-        let logger = Logger::open(vec![to], &LoggerFile::default(), &Arc::new(stage::run()), How::GoOn).unwrap();
+        let logger =
+            Logger::open(vec![to], &LoggerFile::default(), &Arc::new(stage::run()), WriteMode::Resume).unwrap();
         stage::store(logger, &stage::firings(1000), 100)
     };
     let error = stored(1007, Policy::default()).unwrap_err();

@@ -6,6 +6,7 @@ mod stage;
 use homebody_core::event::{Events, Fact, Firing, Provenance, Trigger};
 use homebody_core::ids::ResidentId;
 use homebody_core::scenario::logger::LoggerFile;
+use homebody_core::time::Span;
 use homebody_log::{RowsOfFirings, survey};
 use rusqlite::{Connection, params};
 use stage::Folder;
@@ -67,7 +68,7 @@ fn causes_are_written() {
             seq: firing.seq,
             provenance: Provenance {
                 resident: Some(ResidentId(0)),
-                seen_at: firing.at - 1,
+                seen_at: firing.at - Span::MICROSECOND,
                 trigger: Trigger::Movement,
             },
         };

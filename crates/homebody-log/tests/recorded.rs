@@ -6,9 +6,11 @@
 mod stage;
 
 use homebody_core::scenario::logger::LoggerFile;
-use homebody_core::time::{Micros, SECOND};
-use homebody_log::source::{Clock, FORMS};
-use homebody_log::{How, Log, LogError, Source, Transfer, convert, read, survey};
+use homebody_core::time::{DAY, MINUTE, SECOND, WallTime};
+use homebody_log::convert;
+use homebody_log::log::Clock;
+use homebody_log::registry::FORMS;
+use homebody_log::{Log, LogError, LogSource, Transfer, WriteMode, read, survey};
 use rusqlite::Connection;
 use stage::Folder;
 use std::fs;
@@ -16,11 +18,10 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 
 /// 2 March 2009, 07:00.
-const SEVEN: Micros = 1_235_977_200 * SECOND;
-const MINUTE: Micros = 60 * SECOND;
+const SEVEN: WallTime = WallTime::from_micros(1_235_977_200_000_000);
 
-fn from_file(path: &Path) -> (Source, Log) {
-    let source = Source::recognise(path).unwrap();
+fn from_file(path: &Path) -> (LogSource, Log) {
+    let source = LogSource::recognise(path).unwrap();
     let log = read(&source, &LoggerFile::default()).unwrap();
     (source, log)
 }
@@ -36,12 +37,12 @@ fn from_text(folder: &Folder, form: &str, name: &str, text: &str) -> Log {
 
 /// Rows as minutes since seven, sensor, value.
 fn told(log: &Log) -> Vec<(f64, &str, &str)> {
-    let minutes = |at: Micros| (at - SEVEN) as f64 / MINUTE as f64;
+    let minutes = |at: WallTime| (at - SEVEN).ratio(MINUTE);
     log.events.iter().map(|event| (minutes(event.at), log.sensor(event), log.value(event))).collect()
 }
 
 fn done(log: &Log) -> Vec<(&str, f64, f64)> {
-    let minutes = |at: Micros| (at - SEVEN) as f64 / MINUTE as f64;
+    let minutes = |at: WallTime| (at - SEVEN).ratio(MINUTE);
     log.activities.iter().map(|of| (of.name.as_str(), minutes(of.begin), minutes(of.end))).collect()
 }
 
@@ -151,7 +152,7 @@ fn frames_of_devices_and_activities_are_one_log() {
     let log = from_text(&folder, "pyadlml", "older.csv", older);
     assert_eq!(told(&log), [(0.0, "a", "ON"), (1.0, "b", "ON"), (2.0, "b", "OFF"), (10.0, "a", "OFF")]);
     // Which of several logs is meant, nobody knows.
-    let error = Source::recognise(folder.path()).unwrap_err().to_string();
+    let error = LogSource::recognise(folder.path()).unwrap_err().to_string();
     assert!(error.contains("name one of devices.csv, older.csv"), "{error}");
 }
 
@@ -182,7 +183,7 @@ fn rows_of_each_second_become_changes() {
     let row = |first: u8, activity: u8| format!("{first} {}{activity} 2\n", "0 ".repeat(19));
     let text = [row(0, 11), row(1, 11), "0 1\n".to_owned(), row(0, 12)].concat();
     let log = from_text(&folder, "aras", "DAY_3.txt", &text);
-    let at = |event: usize| log.events[event].at - 2 * 24 * 60 * MINUTE;
+    let at = |event: usize| log.events[event].at.since_zero() - 2 * DAY;
     assert_eq!((at(0), at(1), log.rows, log.sensors.len()), (SECOND, 3 * SECOND, 2, 1));
     let names: Vec<_> = log.activities.iter().map(|of| (of.name.as_str(), (of.end - of.begin) / SECOND)).collect();
     assert_eq!(names, [("R1 activity 11", 3), ("R2 activity 2", 4), ("R1 activity 12", 1)]);
@@ -213,9 +214,9 @@ fn an_event_log_has_activities_alone() {
     assert_eq!(done(&log), [("cook & eat", 0.0, 10.0), ("a > b", 1.0, 1.0), ("sleep", 20.0, 20.0)]);
     assert_eq!((log.rows, log.clock, log.problems[0].line, log.skipped), (0, Clock::Utc, 12, 1));
     // Where there are no rows, nothing can be noted at them; tables hold activities alone.
-    let casas = carry(&Source::recognise(&folder.path().join("log.xes")).unwrap(), &folder, "casas:log.txt");
+    let casas = carry(&LogSource::recognise(&folder.path().join("log.xes")).unwrap(), &folder, "casas:log.txt");
     assert!(casas.unwrap_err().to_string().contains("cannot hold 3 activities"));
-    carry(&Source::recognise(&folder.path().join("log.xes")).unwrap(), &folder, "csv:carried.csv").unwrap();
+    carry(&LogSource::recognise(&folder.path().join("log.xes")).unwrap(), &folder, "csv:carried.csv").unwrap();
     assert_eq!(from_file(&folder.path().join("carried.csv")).1.activities, log.activities);
 }
 
@@ -351,10 +352,11 @@ fn content(log: Log) -> Log {
     Log { columns: Vec::new(), ..log }
 }
 
-fn carry(from: &Source, folder: &Folder, to: &str) -> Result<u64, LogError> {
+fn carry(from: &LogSource, folder: &Folder, to: &str) -> Result<u64, LogError> {
     let mapping = LoggerFile::default();
     let about = survey(from, &mapping)?;
-    let transfer = Transfer { from, mapping: &mapping, to: &folder.url(to), name: "a log", zone: "UTC", how: How::New };
+    let transfer =
+        Transfer { from, mapping: &mapping, to: &folder.url(to), name: "a log", zone: "UTC", how: WriteMode::Create };
     convert(&transfer, &about, |_| ())
 }
 
@@ -367,10 +369,10 @@ fn activities_go_with_their_log_into_each_form() {
                 2009-03-02 07:04:00.000000\tM1\tON\tR1_Work end\n";
     let first = from_text(&folder, "casas", "first.txt", text);
     assert_eq!(done(&first), [("Cook", 0.0, 3.0), ("R1_Work", 2.0, 4.0)]);
-    let mut from = Source::recognise(&folder.path().join("first.txt")).unwrap();
+    let mut from = LogSource::recognise(&folder.path().join("first.txt")).unwrap();
     for to in ["csv:second.csv", "sqlite:third.db", "csv:fourth.csv", "casas:last.txt"] {
         carry(&from, &folder, to).unwrap();
-        from = Source::from(&folder.url(to));
+        from = LogSource::from(&folder.url(to));
         assert_eq!(content(read(&from, &LoggerFile::default()).unwrap()), content(first.clone()), "{to}");
     }
     assert_eq!(folder.text("last.txt"), text);
@@ -381,7 +383,7 @@ fn activities_go_with_their_log_into_each_form() {
     assert!(folder.text("second.activity.csv").starts_with(beside), "{}", folder.text("second.activity.csv"));
     // A log without activities does not get those of another that was there before.
     let plain = from_text(&folder, "casas", "plain.txt", "2009-03-02 07:00:00 M1 ON\n");
-    let from = Source::recognise(&folder.path().join("plain.txt")).unwrap();
+    let from = LogSource::recognise(&folder.path().join("plain.txt")).unwrap();
     let (about, to) = (survey(&from, &LoggerFile::default()).unwrap(), folder.url("csv:second.csv"));
     let transfer = Transfer {
         from: &from,
@@ -389,7 +391,7 @@ fn activities_go_with_their_log_into_each_form() {
         to: &to,
         name: "a log",
         zone: "UTC",
-        how: How::Replace,
+        how: WriteMode::Overwrite,
     };
     convert(&transfer, &about, |_| ()).unwrap();
     assert_eq!(content(read(&to, &LoggerFile::default()).unwrap()), content(plain));
@@ -401,17 +403,17 @@ fn a_file_without_rows_yet_is_an_empty_log_of_a_form_that_is_named() {
     for text in ["", " \n\n", "\u{feff}"] {
         let path = folder.path().join("log.txt");
         fs::write(&path, text).unwrap();
-        assert_eq!(Source::recognise(&path).unwrap_err().code(), "log-form::empty", "{text:?}");
+        assert_eq!(LogSource::recognise(&path).unwrap_err().code(), "log-form::empty", "{text:?}");
     }
     for form in &FORMS {
         let path = folder.path().join("nothing");
         fs::write(&path, "").unwrap();
-        match read(Source::new(form, &path), &LoggerFile::default()) {
+        match read(LogSource::new(form, &path), &LoggerFile::default()) {
             Ok(log) => assert_eq!((log.rows, log.activities.len()), (0, 0), "{form:?}"),
             Err(error) => assert!(error.to_string().contains("nothing"), "{form:?}: {error}"),
         }
         assert!(matches!(
-            read(Source::new(form, folder.path().join("none")), &LoggerFile::default()),
+            read(LogSource::new(form, folder.path().join("none")), &LoggerFile::default()),
             Err(LogError::Missing { .. })
         ));
     }
@@ -419,12 +421,12 @@ fn a_file_without_rows_yet_is_an_empty_log_of_a_form_that_is_named() {
 
 #[test]
 fn a_form_is_named_before_a_colon() {
-    let source: Source = "mit:activities_data.csv".parse().unwrap();
+    let source: LogSource = "mit:activities_data.csv".parse().unwrap();
     assert_eq!((source.form().name, source.to_string().as_str()), ("mit", "mit:activities_data.csv"));
     for (text, said) in
         [("mitt:a.csv", "did you mean \"mit:a.csv\"?"), ("mit:", "write mit:FILE"), ("a.csv", "openshs")]
     {
-        let error = text.parse::<Source>().unwrap_err().to_string();
+        let error = text.parse::<LogSource>().unwrap_err().to_string();
         assert!(error.contains(said), "{error}");
     }
 }
@@ -506,7 +508,7 @@ fn real_texts_have_as_many_rows_as_python_counts() {
         let folder = Folder::new(&format!("real-{form}-{}", log.rows));
         for to in ["csv:log.csv", "sqlite:log.db"] {
             carry(&source, &folder, to).unwrap();
-            let again = read(Source::from(&folder.url(to)), &LoggerFile::default()).unwrap();
+            let again = read(LogSource::from(&folder.url(to)), &LoggerFile::default()).unwrap();
             assert!(again.rows == log.rows && again.activities == log.activities, "{name} to {to}");
         }
     }

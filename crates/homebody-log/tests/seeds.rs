@@ -7,10 +7,10 @@ mod stage;
 
 use homebody_core::random::Stream;
 use homebody_core::scenario::logger::LoggerFile;
-use homebody_core::time::Micros;
-use homebody_log::logger::destinations;
+use homebody_core::time::RunTime;
+use homebody_log::run_log::destinations;
 use homebody_log::table::{Batch, Cell};
-use homebody_log::{Begin, Destination, How, LogError, Logger, Policy, Sink, Stored, Watermark, WhenDown};
+use homebody_log::{Begin, Destination, LogError, Logger, Policy, Sink, Stored, Watermark, WhenDown, WriteMode};
 use stage::Folder;
 use std::collections::BTreeMap;
 use std::sync::{Arc, Mutex};
@@ -110,11 +110,11 @@ impl Sink for Place {
         })
     }
 
-    fn settle(&mut self) -> Result<Watermark, LogError> {
+    fn make_durable(&mut self) -> Result<Watermark, LogError> {
         self.call(|got| Watermark(vec![got.rows.len() as u64]))
     }
 
-    fn finish(&mut self, _: Micros) -> Result<(), LogError> {
+    fn finish(&mut self, _: RunTime) -> Result<(), LogError> {
         self.call(|got| got.ended = true)
     }
 }
@@ -133,9 +133,9 @@ fn policy(seed: u64, folder: &Folder) -> (&'static str, Policy, WhenDown) {
 
 fn stored(seed: u64, folder: &Folder, place: &Place) -> (&'static str, Result<Stored, LogError>) {
     let (name, policy, when) = policy(seed, folder);
-    let mut all = destinations(&[folder.url("csv:log.csv")], How::New).unwrap();
+    let mut all = destinations(&[folder.url("csv:log.csv")], WriteMode::Create).unwrap();
     all.push(Destination::own("a place", place.clone(), policy).when_down(&when));
-    let logger = Logger::open(all, &LoggerFile::default(), &Arc::new(stage::run()), How::New);
+    let logger = Logger::open(all, &LoggerFile::default(), &Arc::new(stage::run()), WriteMode::Create);
     let step = 1 + (Stream::named(seed, "steps").unit() * 400.0) as usize;
     (name, logger.and_then(|logger| stage::store(logger, &stage::firings(ROWS), step)))
 }

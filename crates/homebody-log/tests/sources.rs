@@ -3,9 +3,11 @@
 mod stage;
 
 use homebody_core::scenario::logger::{LoggerFile, MessagesFile, OnOffFile, TimeFormat};
+use homebody_core::time::UtcTime;
+use homebody_log::convert;
 use homebody_log::limits::{LONGEST_ID, LONGEST_ROW_BYTES, LONGEST_VALUE, MOST_CELLS};
-use homebody_log::source::Clock;
-use homebody_log::{How, Log, LogError, Source, Transfer, Url, convert, read, stream, survey};
+use homebody_log::log::Clock;
+use homebody_log::{Log, LogError, LogSource, Transfer, Url, WriteMode, read, stream, survey};
 use rusqlite::Connection;
 use stage::Folder;
 use std::fs;
@@ -16,21 +18,21 @@ const ALL: [&str; 3] = ["sqlite:log.db", "csv:log.csv", "casas:log.txt"];
 fn from_text(folder: &Folder, url: &str, text: &str) -> Result<Log, LogError> {
     let url = folder.url(url);
     fs::write(url.file().unwrap(), text).unwrap();
-    assert_eq!(Source::recognise(url.file().unwrap()).unwrap(), Source::from(&url));
+    assert_eq!(LogSource::recognise(url.file().unwrap()).unwrap(), LogSource::from(&url));
     read(&url, &LoggerFile::default())
 }
 
 /// Writes a log anew; how many rows it has.
-fn carry(from: impl Into<Source>, to: &Url, zone: &str) -> Result<u64, LogError> {
+fn carry(from: impl Into<LogSource>, to: &Url, zone: &str) -> Result<u64, LogError> {
     let mapping = LoggerFile::default();
     let from = &from.into();
     let about = survey(from, &mapping)?;
-    convert(&Transfer { from, mapping: &mapping, to, name: "a log", zone, how: How::New }, &about, |_| ())
+    convert(&Transfer { from, mapping: &mapping, to, name: "a log", zone, how: WriteMode::Create }, &about, |_| ())
 }
 
-/// Rows as time, sensor, value.
+/// Rows as microseconds, sensor, value.
 fn told(log: &Log) -> Vec<(i64, &str, &str)> {
-    log.events.iter().map(|event| (event.at, log.sensor(event), log.value(event))).collect()
+    log.events.iter().map(|event| (event.at.micros(), log.sensor(event), log.value(event))).collect()
 }
 
 #[test]
@@ -43,7 +45,7 @@ fn what_was_logged_is_read_back() {
         let urls = ALL.map(|url| folder.url(url));
         let stored = stage::store(stage::open(&urls, &file, false).unwrap(), &firings, 100).unwrap();
         let [database, csv, casas] = urls.map(|url| {
-            assert_eq!(Source::recognise(url.file().unwrap()).unwrap(), Source::from(&url));
+            assert_eq!(LogSource::recognise(url.file().unwrap()).unwrap(), LogSource::from(&url));
             read(&url, &LoggerFile::default()).unwrap()
         });
         assert!(database.columns.is_empty() && !csv.columns.is_empty());
@@ -55,8 +57,8 @@ fn what_was_logged_is_read_back() {
         if time == TimeFormat::Local {
             assert_eq!(casas.events, database.events);
         } else {
-            let first = stage::calendar().timestamp(firings[0].at).as_microsecond();
-            assert_eq!(database.events[0].at, first);
+            let first = UtcTime::from(stage::calendar().timestamp(firings[0].at));
+            assert_eq!(database.events[0].at, first.on_wall_of_utc());
         }
     }
 }
@@ -500,7 +502,7 @@ fn reports_the_kind_of_a_file_without_text() {
     ] {
         let path = folder.path().join("log");
         fs::write(&path, bytes).unwrap();
-        let read = Source::recognise(&path).and_then(|source| read(source, &LoggerFile::default()));
+        let read = LogSource::recognise(&path).and_then(|source| read(source, &LoggerFile::default()));
         let Err(LogError::NoLog(reason)) = read else { panic!("{code}: {read:?}") };
         assert_eq!(reason.why.code, code);
     }
@@ -559,7 +561,7 @@ fn real(name: &str) -> Option<PathBuf> {
 #[test]
 fn a_real_home_s_text_is_read_whole() {
     let Some(path) = real("casas_tm000/tm000.multiday_absence.txt") else { return };
-    let from = Source::recognise(&path).unwrap();
+    let from = LogSource::recognise(&path).unwrap();
     let log = read(&from, &LoggerFile::default()).unwrap();
     assert_eq!((log.events.len(), log.sensors.len(), log.skipped), (21_968, 22, 0));
     let folder = Folder::new("real");
@@ -579,7 +581,7 @@ fn content(log: Log) -> Log {
 #[test]
 fn a_real_home_s_csv_is_read_whole() {
     let Some(path) = real("casas_hh111_week1/hh111week1.csv") else { return };
-    let url = Source::recognise(&path).unwrap();
+    let url = LogSource::recognise(&path).unwrap();
     assert_eq!(url.form().name, "csv");
     let log = read(&url, &LoggerFile::default()).unwrap();
     assert_eq!((log.events.len(), log.sensors.len(), log.skipped), (35_064, 84, 0));

@@ -3,11 +3,13 @@
 mod stage;
 
 use homebody_core::scenario::logger::LoggerFile;
-use homebody_core::time::Micros;
-use homebody_log::logger::destinations;
-use homebody_log::remembered::Note;
+use homebody_core::time::{RunTime, Span};
+use homebody_log::destination::Note;
+use homebody_log::run_log::destinations;
 use homebody_log::table::{Batch, Cell};
-use homebody_log::{Begin, Cancel, Destination, How, LogError, Logger, Policy, Sink, Stored, Watermark, WhenDown};
+use homebody_log::{
+    Begin, Cancel, Destination, LogError, Logger, Policy, Sink, Stored, Watermark, WhenDown, WriteMode,
+};
 use stage::Folder;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Arc, Mutex};
@@ -71,12 +73,12 @@ impl Sink for Server {
         Ok(())
     }
 
-    fn settle(&mut self) -> Result<Watermark, LogError> {
+    fn make_durable(&mut self) -> Result<Watermark, LogError> {
         self.answers()?;
         Ok(Watermark(vec![self.got.lock().unwrap().rows.len() as u64]))
     }
 
-    fn finish(&mut self, _: Micros) -> Result<(), LogError> {
+    fn finish(&mut self, _: RunTime) -> Result<(), LogError> {
         self.answers()?;
         self.got.lock().unwrap().ended = true;
         Ok(())
@@ -85,9 +87,9 @@ impl Sink for Server {
 
 /// Stores a run into a file and a server, with what becomes of it while the server is away.
 fn stored(folder: &Folder, server: &Server, when: &WhenDown) -> Result<Stored, LogError> {
-    let mut all = destinations(&[folder.url("csv:log.csv")], How::Replace)?;
+    let mut all = destinations(&[folder.url("csv:log.csv")], WriteMode::Overwrite)?;
     all.push(Destination::own("a server", server.clone(), Policy::default()).when_down(when));
-    let logger = Logger::open(all, &LoggerFile::default(), &Arc::new(stage::run()), How::Replace)?;
+    let logger = Logger::open(all, &LoggerFile::default(), &Arc::new(stage::run()), WriteMode::Overwrite)?;
     stage::store(logger, &stage::firings(ROWS), 1000)
 }
 
@@ -142,11 +144,11 @@ impl Sink for Forgetful {
         Ok(())
     }
 
-    fn settle(&mut self) -> Result<Watermark, LogError> {
+    fn make_durable(&mut self) -> Result<Watermark, LogError> {
         Ok(Watermark(vec![self.1.load(Ordering::Relaxed) as u64]))
     }
 
-    fn finish(&mut self, _: Micros) -> Result<(), LogError> {
+    fn finish(&mut self, _: RunTime) -> Result<(), LogError> {
         Ok(())
     }
 }
@@ -159,12 +161,12 @@ fn what_is_confirmed_is_not_given_again_to_who_forgets_it() {
         let logger = Logger::open(vec![own], &LoggerFile::default(), &Arc::new(stage::run()), how).unwrap();
         stage::store(logger, &stage::firings(rows), 1000).unwrap();
     };
-    lived(ROWS / 3, How::New);
-    lived(ROWS / 2, How::GoOn);
-    lived(ROWS, How::GoOn);
+    lived(ROWS / 3, WriteMode::Create);
+    lived(ROWS / 2, WriteMode::Resume);
+    lived(ROWS, WriteMode::Resume);
     assert!(forgetful.0.lock().unwrap().iter().copied().eq(0..ROWS as i64));
     // The control: nothing is left out for a run that begins anew.
-    lived(ROWS, How::New);
+    lived(ROWS, WriteMode::Create);
     assert_eq!(forgetful.0.lock().unwrap().len() as u64, 2 * ROWS);
 }
 
@@ -175,11 +177,12 @@ fn what_was_confirmed_stays_noted_while_a_destination_is_away() {
     let own = Destination::own("a server", server.clone(), Policy::default());
     let own = own.when_down(&spool(&folder, PLENTY_BYTES)).remembered_in(folder.path());
     let own = Destination { cancel: cancel.clone(), ..own };
-    let mut logger = Logger::open(vec![own], &LoggerFile::default(), &Arc::new(stage::run()), How::New).unwrap();
+    let mut logger =
+        Logger::open(vec![own], &LoggerFile::default(), &Arc::new(stage::run()), WriteMode::Create).unwrap();
     for step in stage::firings(10_000).chunks(1000) {
-        logger.store(step, step[step.len() - 1].at + 1).unwrap();
-        logger.settle().unwrap();
-        logger.wait_settled().unwrap();
+        logger.store(step, step[step.len() - 1].at + Span::MICROSECOND).unwrap();
+        logger.make_durable().unwrap();
+        logger.wait_durable().unwrap();
     }
     cancel.cancel();
     assert!(matches!(logger.finish().unwrap().away, Some(LogError::StoppedAway { .. })));

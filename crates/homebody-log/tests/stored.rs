@@ -2,18 +2,28 @@
 
 mod stage;
 
-use homebody_core::event::{Events, Fact, Firing, MotionState, Provenance, Trigger, Value};
+use homebody_core::event::{Events, Fact, Firing, Provenance, Trigger, Value};
 use homebody_core::geometry::Point;
 use homebody_core::ids::{ResidentId, RoomId, SensorId};
+use homebody_core::motion::MotionState;
+use homebody_core::posture::Posture;
 use homebody_core::scenario::logger::{LoggerFile, MessagesFile, OccupancyFile, OnOffFile, TimeFormat};
-use homebody_core::scenario::path::Posture;
-use homebody_core::time::SECOND;
-use homebody_log::{How, LogError, RowsOfFirings, Url, truth};
+use homebody_core::time::{MINUTE, RunTime, SECOND, Span};
+use homebody_log::table::truth;
+use homebody_log::{LogError, RowsOfFirings, Url, WriteMode};
 use rusqlite::Connection;
 use stage::Folder;
 use std::collections::BTreeSet;
 
 const ALL: [&str; 3] = ["sqlite:log.db", "csv:log.csv", "casas:log.txt"];
+
+fn at(after: Span) -> RunTime {
+    RunTime::START + after
+}
+
+fn fires(seq: u64, after: Span, sensor: u32) -> Firing {
+    Firing { seq, at: at(after), sensor: SensorId(sensor), value: Value::Fire }
+}
 
 /// All rows of a query, as text.
 fn rows(folder: &Folder, file: &str, sql: &str) -> Vec<String> {
@@ -88,7 +98,7 @@ fn a_mapping_names_everything() {
     file.ids.insert("fridge".into(), "A3".into());
     let urls = [folder.url("sqlite:log.db"), folder.url("csv:log.csv")];
     let mut logger = stage::open(&urls, &file, false).unwrap();
-    logger.store(&[Firing { seq: 0, at: SECOND, sensor: SensorId(2), value: Value::Fire }], 100 * SECOND).unwrap();
+    logger.store(&[fires(0, SECOND, 2)], at(100 * SECOND)).unwrap();
     logger.finish().unwrap();
     let stored = rows(&folder, "log.db", r#"SELECT seq, "select", typeof("select"), code, value FROM "order""#);
     assert_eq!(
@@ -106,7 +116,7 @@ fn instants_can_be_numbers() {
     let folder = Folder::new("epoch");
     let file = LoggerFile { time: TimeFormat::EpochS, ..Default::default() };
     let mut logger = stage::open(&[folder.url("sqlite:log.db")], &file, false).unwrap();
-    logger.store(&[Firing { seq: 0, at: SECOND / 4, sensor: SensorId(0), value: Value::Fire }], SECOND).unwrap();
+    logger.store(&[fires(0, SECOND / 4, 0)], at(SECOND)).unwrap();
     logger.finish().unwrap();
     let stored = rows(&folder, "log.db", "SELECT fired_at, (SELECT started_at FROM run) FROM firing");
     assert_eq!(stored, ["Real(1236484800.25) Real(1236484800.0)"]);
@@ -117,8 +127,8 @@ fn what_is_held_at_the_end_is_not_let_go() {
     let folder = Folder::new("held");
     let file = LoggerFile { messages: MessagesFile::OnOff(OnOffFile::exactly(4.0)), ..Default::default() };
     let mut logger = stage::open(&[folder.url("casas:log.txt")], &file, false).unwrap();
-    logger.store(&[Firing { seq: 0, at: 0, sensor: SensorId(0), value: Value::Fire }], 2 * SECOND).unwrap();
-    logger.store(&[Firing { seq: 1, at: 2 * SECOND, sensor: SensorId(2), value: Value::Fire }], 5 * SECOND).unwrap();
+    logger.store(&[fires(0, Span::ZERO, 0)], at(2 * SECOND)).unwrap();
+    logger.store(&[fires(1, 2 * SECOND, 2)], at(5 * SECOND)).unwrap();
     let stored = logger.finish().unwrap();
     assert_eq!(stored.by_sensor, [2, 0, 1]);
     let values: Vec<String> =
@@ -133,17 +143,15 @@ fn a_live_run_can_be_watched_and_goes_on_while_it_is() {
     let watcher = Connection::open(folder.path().join("log.db")).unwrap();
     let count = || watcher.query_row("SELECT count(*) FROM firing", [], |row| row.get::<_, i64>(0)).unwrap();
     assert_eq!(count(), 0);
-    logger.store(&stage::firings(3), SECOND * 100).unwrap();
+    logger.store(&stage::firings(3), at(SECOND * 100)).unwrap();
     let began = std::time::Instant::now();
     while count() < 3 {
         assert!(began.elapsed().as_secs() < 60, "rows reach a watcher within a second or so");
         std::thread::sleep(std::time::Duration::from_millis(50));
-        logger.store(&[], SECOND * 100).unwrap();
+        logger.store(&[], at(SECOND * 100)).unwrap();
     }
     watcher.execute_batch("BEGIN; SELECT count(*) FROM firing").unwrap();
-    logger
-        .store(&[Firing { seq: 3, at: SECOND * 100, sensor: SensorId(0), value: Value::Fire }], SECOND * 101)
-        .unwrap();
+    logger.store(&[fires(3, SECOND * 100, 0)], at(SECOND * 101)).unwrap();
     logger.finish().unwrap();
     assert_eq!(count(), 3, "a watcher's transaction stands still");
     watcher.execute_batch("COMMIT").unwrap();
@@ -159,13 +167,13 @@ fn who_reads_while_a_run_is_gone_on_with_is_in_nobodys_way() {
     let watcher = Connection::open(folder.path().join("log.db")).unwrap();
     let count = || watcher.query_row("SELECT count(*) FROM firing", [], |row| row.get::<_, i64>(0)).unwrap();
     logger.store(&firings[..20], firings[20].at).unwrap();
-    logger.settle().unwrap();
-    logger.wait_settled().unwrap();
+    logger.make_durable().unwrap();
+    logger.wait_durable().unwrap();
     assert_eq!(count(), 20);
     // It stops before its end, while the watcher reads.
     watcher.execute_batch("BEGIN; SELECT count(*) FROM firing").unwrap();
     drop(logger);
-    let logger = stage::open_of(&urls, &LoggerFile::default(), &stage::sensors(), How::GoOn).unwrap();
+    let logger = stage::open_of(&urls, &LoggerFile::default(), &stage::sensors(), WriteMode::Resume).unwrap();
     stage::store(logger, &firings, 7).unwrap();
     watcher.execute_batch("COMMIT").unwrap();
     assert_eq!(count(), 50);
@@ -180,7 +188,7 @@ fn who_reads_on_from_before_the_first_rows_is_in_nobodys_way() {
     watcher.execute_batch("BEGIN; SELECT count(*) FROM firing").unwrap();
     let begun = std::time::Instant::now();
     for firing in &firings {
-        logger.store(std::slice::from_ref(firing), firing.at + 1).unwrap();
+        logger.store(std::slice::from_ref(firing), firing.at + Span::MICROSECOND).unwrap();
     }
     logger.finish().unwrap();
     // A run that ends waits for two seconds to leave one file.
@@ -197,7 +205,7 @@ fn whoever_reads_for_seconds_ends_no_run_however_fast_rows_come() {
         let mut logger = stage::open(&[folder.url("sqlite:log.db")], &LoggerFile::default(), false).unwrap();
         let (first, rest) = firings.split_at(settled);
         if let Some(last) = first.last() {
-            logger.store(first, last.at + 1).unwrap();
+            logger.store(first, last.at + Span::MICROSECOND).unwrap();
         }
         let watcher = Connection::open(folder.path().join("log.db")).unwrap();
         watcher.busy_timeout(std::time::Duration::from_secs(10)).unwrap();
@@ -212,7 +220,7 @@ fn whoever_reads_for_seconds_ends_no_run_however_fast_rows_come() {
             watcher
         });
         for part in rest.chunks(5_000) {
-            logger.store(part, part[part.len() - 1].at + 1).unwrap();
+            logger.store(part, part[part.len() - 1].at + Span::MICROSECOND).unwrap();
         }
         logger.finish().unwrap();
         let watcher = reader.join().unwrap();
@@ -226,30 +234,35 @@ fn truth(folder: &Folder, places: &[Url], events: &Events) -> Result<(), LogErro
     let mut log = stage::open_truth(&path, places, &LoggerFile::default())?;
     // The firing of number 5 has no cause; that of number 6 is told by row 4.
     log.store(events, &RowsOfFirings { rows: vec![3, 4], offs: vec![(2, 4)] })?;
-    log.finish(60 * SECOND)
+    log.finish(at(MINUTE))
 }
 
 fn a_short_life() -> Events {
     let (bed, door) = (Point::new(1.0, 2.0), Point::new(4.0, 2.5));
-    let activity =
-        |at, name: Option<&str>| Fact::Activity { resident: ResidentId(0), at, name: name.map(String::from) };
-    let moving =
-        |begin, end, doing| Fact::Movement { resident: ResidentId(0), begin, end, doing, posture: Posture::Standing };
+    let activity = |after, name: Option<&str>| Fact::Activity {
+        resident: ResidentId(0),
+        at: at(after),
+        name: name.map(String::from),
+    };
+    let moving = |begin, end, doing| Fact::Movement {
+        resident: ResidentId(0),
+        begin: at(begin),
+        end: at(end),
+        doing,
+        posture: Posture::Standing,
+    };
     Events {
         frames: Vec::new(),
-        firings: vec![
-            Firing { seq: 5, at: 2 * SECOND, sensor: SensorId(0), value: Value::Fire },
-            Firing { seq: 6, at: 3 * SECOND, sensor: SensorId(1), value: Value::Fire },
-        ],
+        firings: vec![fires(5, 2 * SECOND, 0), fires(6, 3 * SECOND, 1)],
         facts: vec![
-            Fact::Room { resident: ResidentId(0), at: 0, room: Some(RoomId(0)) },
-            activity(0, Some("sleep")),
-            moving(0, SECOND, MotionState::InPlace { at: bed, amplitude_m: 0.2 }),
+            Fact::Room { resident: ResidentId(0), at: at(Span::ZERO), room: Some(RoomId(0)) },
+            activity(Span::ZERO, Some("sleep")),
+            moving(Span::ZERO, SECOND, MotionState::InPlace { at: bed, amplitude_m: 0.2 }),
             Fact::Provenance {
                 seq: 6,
                 provenance: Provenance {
                     resident: Some(ResidentId(0)),
-                    seen_at: 2 * SECOND,
+                    seen_at: at(2 * SECOND),
                     trigger: Trigger::Movement,
                 },
             },
@@ -257,14 +270,14 @@ fn a_short_life() -> Events {
                 seq: 9,
                 provenance: Provenance {
                     resident: Some(ResidentId(0)),
-                    seen_at: 2 * SECOND,
+                    seen_at: at(2 * SECOND),
                     trigger: Trigger::Movement,
                 },
             },
             activity(10 * SECOND, None),
             moving(SECOND, 5 * SECOND, MotionState::Stride { from: bed, to: door }),
-            moving(5 * SECOND, 60 * SECOND, MotionState::Away),
-            Fact::Room { resident: ResidentId(0), at: 5 * SECOND, room: None },
+            moving(5 * SECOND, MINUTE, MotionState::Away),
+            Fact::Room { resident: ResidentId(0), at: at(5 * SECOND), room: None },
             activity(20 * SECOND, Some("out")),
         ],
     }
@@ -328,7 +341,7 @@ fn what_a_spreadsheet_would_run_is_escaped_and_read_back_as_it_was() {
         file.ids.insert("fridge".into(), "=1+1".into());
         let urls = [folder.url("csv:log.csv"), folder.url("sqlite:log.db")];
         let mut logger = stage::open(&urls, &file, false).unwrap();
-        logger.store(&[Firing { seq: 0, at: SECOND, sensor: SensorId(2), value: Value::Fire }], 100 * SECOND).unwrap();
+        logger.store(&[fires(0, SECOND, 2)], at(100 * SECOND)).unwrap();
         logger.finish().unwrap();
         let text = std::fs::read_to_string(folder.path().join("log.csv")).unwrap();
         assert!(text.contains(&format!(",{cell},")), "{text}");

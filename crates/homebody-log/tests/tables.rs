@@ -3,8 +3,9 @@
 mod stage;
 
 use homebody_core::scenario::logger::LoggerFile;
-use homebody_core::time::SECOND;
-use homebody_log::source::{Clock, ColumnRole, DateOrder, DecimalMark, HomeColumn, TableOptions};
+use homebody_core::time::{DAY, HOUR, MINUTE, WallTime};
+use homebody_log::log::{Clock, ColumnRole};
+use homebody_log::source::{DateOrder, DecimalMark, HomeColumn, TableOptions};
 use homebody_log::{Log, LogError, read};
 use stage::texts::{SEVEN, clock, folder, read_text, read_with, rows, told, why};
 use std::fs;
@@ -102,7 +103,7 @@ fn durations_end_intervals() {
         assert_eq!(told(&log), [(0.0, "bed", "ON"), (90.0, "bed", "OFF")], "{heading}");
     }
     let (_, log) = read_text("start,end,name,index\n4.5,6.25,study,7\n20.5,22,stairs,6\n30,31,study,7\n").unwrap();
-    assert_eq!((log.rows, log.events[0].at), (6, 4_500_000));
+    assert_eq!((log.rows, log.events[0].at), (6, WallTime::from_micros(4_500_000)));
     assert!(log.remarks[0].contains("dates are not known"), "{:?}", log.remarks);
 }
 
@@ -259,7 +260,7 @@ fn dates_in_numbers_are_read_in_the_order_that_the_rows_decide() {
         format!("time,device,value\n{}", rows(60, |index, sensor, value| format!("{},{sensor},{value}", date(index))))
     };
     let first = |text: &str| read_text(text).unwrap().1.events[0].at;
-    let day = |day: i64| SEVEN + (day - 2) * 24 * 3600 * SECOND;
+    let day = |day: i64| SEVEN + (day - 2) * DAY;
     assert_eq!(first(&table(&|index| format!("26.03.2009 {}", clock(index)))), day(26));
     assert_eq!(first(&table(&|index| format!("02.03.2009 {}", clock(index)))), day(2));
     assert_eq!(first(&table(&|index| format!("27-03-2009 {}", clock(index)))), day(27));
@@ -274,7 +275,7 @@ fn dates_in_numbers_are_read_in_the_order_that_the_rows_decide() {
     for (order, month) in [(DateOrder::DayFirst, 0), (DateOrder::MonthFirst, -28)] {
         let options = TableOptions { dates: Some(order), ..TableOptions::default() };
         let (_, log) = read_with(&folder(), "log.csv", &undecided, options).unwrap();
-        assert_eq!(log.events[0].at, if month == 0 { day(2) } else { day(2) + (month + 1) * 24 * 3600 * SECOND });
+        assert_eq!(log.events[0].at, if month == 0 { day(2) } else { day(2) + (month + 1) * DAY });
     }
     // A row far down decides, too.
     let far = rows(4000, |index, sensor, value| {
@@ -311,9 +312,8 @@ fn offsets_of_instants_are_kept() {
     let text = "time,sensor,value\n2009-03-29T00:30:00+01:00,hall,ON\n2009-03-29T01:59:00+01:00,hall,OFF\n\
                 2009-03-29T03:01:00+02:00,hall,ON\n2009-03-29T04:00:00+02:00,hall,OFF\n";
     let (_, log) = read_text(text).unwrap();
-    let hour = 3600 * SECOND;
     assert_eq!((log.clock, log.rows), (Clock::Utc, 4));
-    assert_eq!(log.offsets.iter().map(|span| span.ahead).collect::<Vec<_>>(), [hour, 2 * hour]);
+    assert_eq!(log.offsets.iter().map(|span| span.ahead).collect::<Vec<_>>(), [HOUR, 2 * HOUR]);
     let (_, log) = read_text("time,sensor,value\n2009-03-29T00:30:00Z,hall,ON\n").unwrap();
     assert!(log.offsets.is_empty());
 }
@@ -401,7 +401,7 @@ fn numbers_that_name_something_are_no_instants_and_no_sensors() {
     assert_eq!((rows, &sensors[..]), (24, &["kwh".to_owned()][..]));
     // The control: numbers since 1970 under a heading of their own are the time.
     let row = |index: usize| format!("{},hall,{}", 1_235_977_200 + 60 * index, index % 2);
-    assert_eq!(sensors_of(&table("time,sensor,state", 24, row)).2.events[1].at, SEVEN + 60 * SECOND);
+    assert_eq!(sensors_of(&table("time,sensor,state", 24, row)).2.events[1].at, SEVEN + MINUTE);
 }
 
 #[test]
@@ -511,7 +511,7 @@ fn letters_of_windows_midnights_and_clocks_are_read() {
     assert_eq!(sensors_of(&midnight).2.skipped, 0);
     assert_eq!(sensors_of(&table("Date/time UTC,hall", 24, |index| format!("T,2{index}.5"))).2.clock, Clock::Utc);
     let days = table("Time,Sensor,State", 24, |index| format!("39874.{},hall,{}", 300 + index, index % 2));
-    assert_eq!(sensors_of(&days).2.events[0].at, SEVEN + 720 * SECOND);
+    assert_eq!(sensors_of(&days).2.events[0].at, SEVEN + 12 * MINUTE);
     let labels = table("Time,ItemName,Value", 24, |index| match index {
         2 => "T,label,START:Kitchen|Cooking".to_owned(),
         9 => "T,label,STOP:Kitchen|Cooking".to_owned(),

@@ -3,7 +3,9 @@
 mod stage;
 
 use homebody_core::scenario::logger::LoggerFile;
-use homebody_log::{How, LogError, Logger, Source, Transfer, Url, convert, read, survey};
+use homebody_core::time::Span;
+use homebody_log::convert;
+use homebody_log::{LogError, LogSource, Logger, Transfer, Url, WriteMode, read, survey};
 use stage::Folder;
 use std::fs;
 use std::io::Write;
@@ -18,14 +20,14 @@ fn kinds() -> Vec<(&'static str, &'static str)> {
     all.into_iter().chain(zstd.into_iter().filter(|_| cfg!(feature = "zstd"))).collect()
 }
 
-fn open(url: &Url, how: How) -> Result<Logger, LogError> {
+fn open(url: &Url, how: WriteMode) -> Result<Logger, LogError> {
     stage::open_of(std::slice::from_ref(url), &LoggerFile::default(), &stage::sensors(), how)
 }
 
-fn carry(from: impl Into<Source>, to: &Url) -> u64 {
+fn carry(from: impl Into<LogSource>, to: &Url) -> u64 {
     let (from, mapping) = (from.into(), LoggerFile::default());
     let about = survey(&from, &mapping).unwrap();
-    let transfer = Transfer { from: &from, mapping: &mapping, to, name: "test", zone: "UTC", how: How::New };
+    let transfer = Transfer { from: &from, mapping: &mapping, to, name: "test", zone: "UTC", how: WriteMode::Create };
     convert(&transfer, &about, |_| ()).unwrap()
 }
 
@@ -36,12 +38,12 @@ fn a_log_goes_through_all_texts_and_comes_back_the_same() {
     let local = LoggerFile { time: homebody_core::scenario::logger::TimeFormat::Local, ..LoggerFile::default() };
     let logger = stage::open(std::slice::from_ref(&first), &local, false).unwrap();
     stage::store(logger, &stage::firings(3_000), 100).unwrap();
-    let mut from = Source::from(&first);
+    let mut from = LogSource::from(&first);
     for (number, (kind, name)) in kinds().into_iter().enumerate() {
         let to = folder.url(&format!("{kind}:{number}-{name}"));
         assert_eq!(carry(&from, &to), 3_000, "{to}");
         // By what is in it, whatever it is called.
-        from = Source::recognise(to.path()).unwrap();
+        from = LogSource::recognise(to.path()).unwrap();
         assert_eq!(from.form().name, kind, "{to}");
         let is_packed = !name.ends_with("jsonl");
         let bytes = fs::read(to.path()).unwrap();
@@ -60,7 +62,7 @@ fn activities_go_along_with_json_lines() {
     let folder = Folder::new("texts-activities");
     let rows = "time,sensor,value,activity\n2009-03-02 07:00:00,M1,ON,cooking\n2009-03-02 07:10:00,M2,ON,\n";
     fs::write(folder.path().join("labelled.csv"), rows).unwrap();
-    let from = Source::recognise(&folder.path().join("labelled.csv")).unwrap();
+    let from = LogSource::recognise(&folder.path().join("labelled.csv")).unwrap();
     for name in ["week.jsonl", "week.jsonl.gz"] {
         let to = folder.url(&format!("jsonl:{name}"));
         carry(&from, &to);
@@ -89,18 +91,18 @@ fn json_lines_can_be_followed_and_other_texts_have_their_names_once_they_are_who
     assert_eq!(named(), Vec::<String>::new(), "nothing has come");
     let firings = stage::firings(20);
     logger.store(&firings[..10], firings[10].at).unwrap();
-    logger.settle().unwrap();
-    logger.wait_settled().unwrap();
+    logger.make_durable().unwrap();
+    logger.wait_durable().unwrap();
     assert_eq!(named(), ["log.jsonl"]);
     assert_eq!(folder.text("log.jsonl").lines().count(), 10);
     // Given up, what could be read stays, as in a database.
     drop(logger);
     assert_eq!(folder.files(), ["log.jsonl"]);
-    assert!(matches!(open(&urls[0], How::New), Err(LogError::Exists { .. })));
-    stage::store(open(&urls[0], How::GoOn).unwrap(), &firings, 3).unwrap();
+    assert!(matches!(open(&urls[0], WriteMode::Create), Err(LogError::Exists { .. })));
+    stage::store(open(&urls[0], WriteMode::Resume).unwrap(), &firings, 3).unwrap();
     assert_eq!(folder.text("log.jsonl").lines().count(), 20);
     // What is replaced stays until there is something to replace it.
-    let anew = open(&urls[0], How::Replace).unwrap();
+    let anew = open(&urls[0], WriteMode::Overwrite).unwrap();
     assert_eq!(folder.text("log.jsonl").lines().count(), 20);
     stage::store(anew, &firings[..5], 3).unwrap();
     assert_eq!(folder.text("log.jsonl").lines().count(), 5);
@@ -113,9 +115,9 @@ const CHILD: &str = "HOMEBODY_TEST_TEXTS";
 #[test]
 fn child() {
     let Ok(url) = std::env::var(CHILD) else { return };
-    let mut logger = open(&url.parse().unwrap(), How::GoOn).unwrap();
+    let mut logger = open(&url.parse().unwrap(), WriteMode::Resume).unwrap();
     for step in stage::firings(20_000).chunks(50) {
-        logger.store(step, step[step.len() - 1].at + 1).unwrap();
+        logger.store(step, step[step.len() - 1].at + Span::MICROSECOND).unwrap();
         std::thread::sleep(Duration::from_millis(1));
     }
     logger.finish().unwrap();
@@ -128,7 +130,7 @@ fn whatever_kills_a_run_its_texts_are_gone_on_with_to_the_same_bytes() {
     let firings = stage::firings(20_000);
     for (kind, name) in kinds() {
         let whole = folder.url(&format!("{kind}:whole-{name}"));
-        stage::store(open(&whole, How::New).unwrap(), &firings, 1_000).unwrap();
+        stage::store(open(&whole, WriteMode::Create).unwrap(), &firings, 1_000).unwrap();
         for kill in 0..kills {
             let url = folder.url(&format!("{kind}:{kill}-{name}"));
             let mut child = Command::new(std::env::current_exe().unwrap())
@@ -147,15 +149,15 @@ fn whatever_kills_a_run_its_texts_are_gone_on_with_to_the_same_bytes() {
                 let (left, all) = (fs::read(url.path()).unwrap(), fs::read(whole.path()).unwrap());
                 assert!(all.starts_with(&left), "what is left is a beginning");
             }
-            stage::store(open(&url, How::GoOn).unwrap(), &firings, 77).unwrap();
+            stage::store(open(&url, WriteMode::Resume).unwrap(), &firings, 77).unwrap();
             assert!(fs::read(url.path()).unwrap() == fs::read(whole.path()).unwrap(), "{url} after kill {kill}");
             // Whole, it is compared; the control: what was changed is not passed off as the run.
-            stage::store(open(&url, How::GoOn).unwrap(), &firings, 5_000).unwrap();
+            stage::store(open(&url, WriteMode::Resume).unwrap(), &firings, 5_000).unwrap();
             let mut other = firings.clone();
-            other[7].at += 1;
-            let changed = stage::store(open(&url, How::GoOn).unwrap(), &other, 5_000);
+            other[7].at += Span::MICROSECOND;
+            let changed = stage::store(open(&url, WriteMode::Resume).unwrap(), &other, 5_000);
             assert!(matches!(changed, Err(LogError::Changed { .. })), "{url}");
-            let shorter = stage::store(open(&url, How::GoOn).unwrap(), &firings[..100], 5_000);
+            let shorter = stage::store(open(&url, WriteMode::Resume).unwrap(), &firings[..100], 5_000);
             assert!(matches!(shorter, Err(LogError::Changed { .. })), "{url}");
             assert!(fs::read(url.path()).unwrap() == fs::read(whole.path()).unwrap(), "{url} stays as it was");
         }
@@ -178,11 +180,11 @@ fn a_packed_text_that_is_cut_short_or_damaged_is_refused_by_its_name() {
     let folder = Folder::new("texts-cut");
     for (kind, name) in kinds().into_iter().filter(|(_, name)| !name.ends_with("jsonl")) {
         let url = folder.url(&format!("{kind}:{name}"));
-        stage::store(open(&url, How::New).unwrap(), &stage::firings(2_000), 500).unwrap();
+        stage::store(open(&url, WriteMode::Create).unwrap(), &stage::firings(2_000), 500).unwrap();
         let whole = fs::read(url.path()).unwrap();
         for length in [whole.len() / 2, whole.len() - 5, 20] {
             fs::write(url.path(), &whole[..length]).unwrap();
-            let read = Source::recognise(url.path()).and_then(|source| read(&source, &LoggerFile::default()));
+            let read = LogSource::recognise(url.path()).and_then(|source| read(&source, &LoggerFile::default()));
             let said = read.expect_err("it is cut short").to_string();
             assert!(said.contains(name) && said.contains("damaged or cut short"), "{said}");
         }
@@ -190,7 +192,7 @@ fn a_packed_text_that_is_cut_short_or_damaged_is_refused_by_its_name() {
         let middle = damaged.len() / 2;
         damaged[middle..middle + 20].fill(0xa5);
         fs::write(url.path(), damaged).unwrap();
-        let read = Source::recognise(url.path()).and_then(|source| read(&source, &LoggerFile::default()));
+        let read = LogSource::recognise(url.path()).and_then(|source| read(&source, &LoggerFile::default()));
         assert!(read.is_err(), "{name}");
     }
 }
@@ -209,10 +211,10 @@ fn a_text_that_unpacks_to_very_much_takes_little_memory() {
     };
     let line = packed("line.csv.gz", &[b'x'; 1 << 20], 300);
     assert!(fs::metadata(&line).unwrap().len() < 400_000);
-    let said = read(Source::recognise(&line).unwrap(), &LoggerFile::default()).unwrap_err();
+    let said = read(LogSource::recognise(&line).unwrap(), &LoggerFile::default()).unwrap_err();
     assert!(matches!(said, LogError::TooLong { .. }), "{said}");
     let rows = packed("rows.csv.gz", &b"2009-03-02 07:12:03,M1,ON\n".repeat(10_000), 200);
-    let log = survey(Source::recognise(&rows).unwrap(), &LoggerFile::default()).unwrap();
+    let log = survey(LogSource::recognise(&rows).unwrap(), &LoggerFile::default()).unwrap();
     assert_eq!((log.rows, log.events.len()), (2_000_001, 0));
     #[cfg(target_os = "linux")]
     {
@@ -240,7 +242,7 @@ fn odd_lines_of_json_are_named_and_cost_no_other() {
         r#"{"time": "2009-03-02T07:12:07Z", "sensor": "h\u00e4ll", "value": {"a": [1]}}"#,
     ];
     fs::write(folder.path().join("log.jsonl"), lines.join("\n")).unwrap();
-    let log = read(Source::recognise(&folder.path().join("log.jsonl")).unwrap(), &LoggerFile::default()).unwrap();
+    let log = read(LogSource::recognise(&folder.path().join("log.jsonl")).unwrap(), &LoggerFile::default()).unwrap();
     let told: Vec<(&str, &str)> = log.events.iter().map(|event| (log.sensor(event), log.value(event))).collect();
     assert_eq!(told, [("hall", "ON"), ("hall", "21.5"), ("7", "true"), ("häll", r#"{"a":[1]}"#)]);
     let lines: Vec<u64> = log.problems.iter().map(|problem| problem.line).collect();

@@ -4,8 +4,8 @@ mod stage;
 
 use homebody_core::messages::Diagnose;
 use homebody_core::scenario::logger::LoggerFile;
-use homebody_core::time::SECOND;
-use homebody_log::{How, LogError, Logger};
+use homebody_core::time::{RunTime, SECOND, Span};
+use homebody_log::{LogError, Logger, WriteMode};
 use rusqlite::Connection;
 use stage::Folder;
 use std::fs;
@@ -77,8 +77,9 @@ fn a_folder_that_may_not_be_written_says_so() {
 fn sensors_that_become_one_word_stay_apart() {
     let folder = Folder::new("one-word");
     let sensors = ["hall motion".to_string(), "HallMotion".to_string()];
-    let open =
-        |url: &str, sensors: &[String]| stage::open_of(&[folder.url(url)], &LoggerFile::default(), sensors, How::New);
+    let open = |url: &str, sensors: &[String]| {
+        stage::open_of(&[folder.url(url)], &LoggerFile::default(), sensors, WriteMode::Create)
+    };
     assert!(open("csv:log.csv", &sensors).is_ok());
     assert!(matches!(open("casas:log.txt", &sensors), Err(LogError::SameSensor { .. })));
 }
@@ -91,7 +92,7 @@ fn a_run_given_up_leaves_no_half_files() {
     assert!(folder.files().is_empty(), "{:?}", folder.files());
 
     let mut logger = stage::open(&urls, &LoggerFile::default(), false).unwrap();
-    logger.store(&stage::firings(10_000), 1_000_000 * SECOND).unwrap();
+    logger.store(&stage::firings(10_000), RunTime::START + 1_000_000 * SECOND).unwrap();
     drop(logger);
     assert_eq!(folder.files(), ["log.db"], "a database keeps what it holds");
 }
@@ -113,7 +114,7 @@ fn fails_once(mut logger: Logger) -> LogError {
     let mut steps = firings.chunks(100);
     let error = loop {
         let step = steps.next().expect("an error before the end");
-        if let Err(error) = logger.store(step, step[step.len() - 1].at + 1) {
+        if let Err(error) = logger.store(step, step[step.len() - 1].at + Span::MICROSECOND) {
             break error;
         }
     };
@@ -163,7 +164,7 @@ fn a_committed_row_stays_when_the_database_is_locked_later() {
     let path = folder.path().join("log.db");
     let firings = stage::firings(10_000);
     let mut logger = stage::open(&[folder.url("sqlite:log.db")], &LoggerFile::default(), false).unwrap();
-    logger.store(&firings, firings[9_999].at + 1).unwrap();
+    logger.store(&firings, firings[9_999].at + Span::MICROSECOND).unwrap();
     let other = Connection::open(&path).unwrap();
     let count = || other.query_row("SELECT count(*) FROM firing", [], |row| row.get::<_, i64>(0)).unwrap();
     while count() == 0 {
@@ -171,9 +172,10 @@ fn a_committed_row_stays_when_the_database_is_locked_later() {
     }
     let kept = count();
     other.execute_batch("BEGIN IMMEDIATE").unwrap();
-    let more: Vec<_> =
-        firings.iter().map(|f| homebody_core::event::Firing { at: f.at + firings[9_999].at, ..*f }).collect();
-    let stored = logger.store(&more, 3 * firings[9_999].at).map(|_| ()).and_then(|()| logger.finish().map(|_| ()));
+    let length = firings[9_999].at.since_zero();
+    let more: Vec<_> = firings.iter().map(|f| homebody_core::event::Firing { at: f.at + length, ..*f }).collect();
+    let stored =
+        logger.store(&more, RunTime::START + 3 * length).map(|_| ()).and_then(|()| logger.finish().map(|_| ()));
     assert!(matches!(stored, Err(LogError::Locked { .. })));
     other.execute_batch("COMMIT").unwrap();
     assert_eq!(count(), kept);

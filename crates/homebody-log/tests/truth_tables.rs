@@ -7,8 +7,8 @@
 mod generated;
 
 use generated::is_generated;
+use homebody_log::table::truth::tables;
 use homebody_log::table::{Column, ColumnKind, Table};
-use homebody_log::truth::tables;
 
 const HEAD: &str = "\
 # The truth
@@ -17,7 +17,7 @@ This page lists the tables of the ground truth: each resident's position and act
 
 A run writes its truth to `truth.db`, an SQLite database in the run's folder. Pass `--truth` to choose another destination: `--truth
 csv:truth.csv` writes a file for each table, such as `truth.cause.csv`. The log contains no ground truth. This page is made from the tables
-in `crates/homebody-log/src/truth/tables.rs`.
+in `crates/homebody-log/src/table/truth.rs`.
 
 - In SQLite, each table begins with the column `run_id`, the same id as in the log's rows.
 - The table `run` has one row: its `run_id`, the `home` of a cohort's member, the `scenario`, the `seed`, the times `started_at` and

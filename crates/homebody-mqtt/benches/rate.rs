@@ -11,7 +11,7 @@ mod spread;
 mod broker;
 
 use broker::{Broker, firings, logger, store};
-use homebody_log::How;
+use homebody_log::WriteMode;
 use homebody_mqtt::MqttSink;
 use rumqttc::{Client, Event, MqttOptions, Packet, PublishOptions, QoS};
 use spread::Spread;
@@ -81,11 +81,11 @@ fn bare(broker: &Broker, messages: usize) -> f64 {
 /// The same as a log; seconds from the first row until all are durable.
 fn log(broker: &Broker, messages: usize) -> f64 {
     let firings = firings(messages as u64);
-    let mut logger = logger(MqttSink::live(&broker.url("homebody")), How::New).expect("a broker");
+    let mut logger = logger(MqttSink::live(&broker.url("homebody")), WriteMode::Create).expect("a broker");
     let start = Instant::now();
     firings.chunks(1000).for_each(|firings| store(&mut logger, firings));
-    logger.settle().expect("a broker");
-    logger.wait_settled().expect("a broker");
+    logger.make_durable().expect("a broker");
+    logger.wait_durable().expect("a broker");
     let took_s = start.elapsed().as_secs_f64();
     logger.finish().expect("a broker");
     took_s

@@ -4,7 +4,7 @@ use crate::messages::AddressMessage;
 use crate::names::is_level;
 use homebody_core::problem::{Diagnostic, Problems, readable};
 use homebody_core::scenario::scheme::Scheme;
-use homebody_log::plain::others_may_read;
+use homebody_log::files::plain::others_may_read;
 use homebody_log::url::percent_decoded;
 use homebody_log::{LogError, Url};
 use std::fs;

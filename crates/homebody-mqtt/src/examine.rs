@@ -7,7 +7,7 @@ use crate::clean::{Kept, kept, ours};
 use crate::trouble::Trouble;
 use crate::visit::{lost, visit};
 use homebody_core::problem::counted;
-use homebody_log::examine::{Asked, Check, is_this_machine};
+use homebody_log::examine::{Check, CheckOptions, is_this_machine};
 use homebody_log::{LogError, Url};
 use jiff::Timestamp;
 use rumqttc::{AsyncClient, Event, EventLoop, Packet, PubAckReason, PublishOptions, QoS};
@@ -24,7 +24,7 @@ const SOON_DAYS: i64 = 30;
 const MOST_NAMED: usize = 5;
 
 /// Looks at a broker.
-pub(crate) fn examine(url: &Url, asked: &Asked) -> Result<Vec<Check>, LogError> {
+pub(crate) fn examine(url: &Url, asked: &CheckOptions) -> Result<Vec<Check>, LogError> {
     let address = Address::of(url)?;
     let mut checks = Vec::new();
     if address.tls {

@@ -14,8 +14,9 @@ use crate::sink::not_public;
 use crate::speech::{Message, Speech};
 use crate::trouble::Trouble;
 use homebody_core::event::Value as Said;
-use homebody_log::fleet::{Fleet, FleetRow, FleetSink, Told};
-use homebody_log::{Cancel, Deadline, How, LogError, Url};
+use homebody_core::time::UtcTime;
+use homebody_log::fleet::{Fleet, FleetEvent, FleetRow, FleetSink};
+use homebody_log::{Cancel, Deadline, LogError, Url, WriteMode};
 use rumqttc::Publish;
 use serde_json::{Map, Value, json};
 use std::sync::{Arc, Mutex, PoisonError};
@@ -75,7 +76,7 @@ impl FleetSink for MqttFleet {
         if is_fast { address.may_go_fast() } else { Ok(()) }
     }
 
-    fn begin(&mut self, fleet: &Arc<Fleet>, _: How, deadline: &Deadline) -> Result<Vec<u64>, LogError> {
+    fn begin(&mut self, fleet: &Arc<Fleet>, _: WriteMode, deadline: &Deadline) -> Result<Vec<u64>, LogError> {
         let address = Address::of(&self.url)?;
         not_public(&address)?;
         let (told, instance, name) = (address.place(), instance(), own_name(fleet));
@@ -116,20 +117,20 @@ impl FleetSink for MqttFleet {
         Ok(vec![0; fleet.homes.len()])
     }
 
-    fn tell(&mut self, told: &[Told]) -> Result<(), LogError> {
+    fn tell(&mut self, told: &[FleetEvent]) -> Result<(), LogError> {
         let open = self.begun()?;
         for told in told {
             match *told {
-                Told::Row(row) => open.row(&row)?,
-                Told::Comes(home) => open.comes(home)?,
-                Told::Goes(home) => open.goes(home)?,
+                FleetEvent::Row(row) => open.row(&row)?,
+                FleetEvent::Comes(home) => open.comes(home)?,
+                FleetEvent::Goes(home) => open.goes(home)?,
             }
         }
         // It has arrived once the broker says so.
         open.line.wait(State::is_empty)
     }
 
-    fn finish(&mut self, _: i64) -> Result<(), LogError> {
+    fn finish(&mut self, _: UtcTime) -> Result<(), LogError> {
         let Some(open) = &mut self.open else { return Ok(()) };
         if !open.has_said_farewell {
             let there = open.there.lock().unwrap_or_else(PoisonError::into_inner).clone();

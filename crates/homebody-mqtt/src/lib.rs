@@ -37,15 +37,15 @@ pub use order::{Kind, Order, Reply, TakesOrders, order_of};
 pub use sink::{MqttSink, policy};
 
 use homebody_core::scenario::scheme::Scheme;
+use homebody_log::Sink;
 use homebody_log::Url;
-use homebody_log::elsewhere::{Elsewhere, OpenFleet};
-use homebody_log::sink::Sink;
+use homebody_log::registry::{OpenFleet, PlacePlugin};
 
 /// The kinds of places of this crate, for a program that installs them.
-pub fn elsewhere() -> Elsewhere {
+pub fn plugin() -> PlacePlugin {
     let open = |url: &Url| -> Box<dyn Sink> { Box::new(MqttSink::new(url)) };
     let fleet: OpenFleet = |url| Box::new(MqttFleet::new(url));
-    Elsewhere {
+    PlacePlugin {
         schemes: &[Scheme::Mqtt, Scheme::Mqtts],
         open,
         fleet: Some(fleet),

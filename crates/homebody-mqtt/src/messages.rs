@@ -158,7 +158,7 @@ homebody_core::messages! {
 }
 
 /// The messages of this crate, by area.
-pub const MESSAGES: &[&[homebody_core::messages::Entry]] = &[
+pub const MESSAGES: &[&[homebody_core::messages::CatalogueEntry]] = &[
     <AddressMessage as homebody_core::messages::Catalogue>::ENTRIES,
     <BrokerMessage as homebody_core::messages::Catalogue>::ENTRIES,
 ];

@@ -3,11 +3,11 @@
 //! Each order is answered on `command/result`, with its `id` if it has one. What is kept by the broker from before, is not
 //! understood or names what the home does not have is not obeyed.
 
+use homebody_core::nearest::nearest;
 use homebody_core::problem::readable;
-use homebody_core::scenario::nearest::nearest;
-use homebody_core::time::Micros;
+use homebody_core::time::RunTime;
 use homebody_log::RunInfo;
-use homebody_log::clock::Clock;
+use homebody_log::table::InstantWriter;
 use serde::Deserialize;
 use serde_json::{Value, json};
 
@@ -102,7 +102,7 @@ pub type TakesOrders = Box<dyn FnMut(Order, Reply) + Send>;
 pub struct Reply(Option<Box<dyn FnOnce(Outcome) + Send>>);
 
 /// What has become of an order.
-pub(crate) type Outcome = Result<Option<Micros>, (String, String)>;
+pub(crate) type Outcome = Result<Option<RunTime>, (String, String)>;
 
 impl Reply {
     pub(crate) fn new(tell: impl FnOnce(Outcome) + Send + 'static) -> Reply {
@@ -115,7 +115,7 @@ impl Reply {
     }
 
     /// It was obeyed when the run had come to this instant.
-    pub fn done_at(self, at: Micros) {
+    pub fn done_at(self, at: RunTime) {
         self.tell(Ok(Some(at)));
     }
 
@@ -154,7 +154,7 @@ pub(crate) struct Asked {
 
 impl Asked {
     /// The answer to it, as JSON; an instant is said by the clock of the run.
-    pub fn answer(self, outcome: &Outcome, clock: &mut Clock) -> String {
+    pub fn answer(self, outcome: &Outcome, clock: &mut InstantWriter) -> String {
         let mut answer = json!({ "id": self.id, "do": self.what, "ok": outcome.is_ok() });
         match outcome {
             Ok(Some(at)) => answer["sim_time"] = clock.text(*at).into(),

@@ -10,7 +10,7 @@ use crate::order::TakesOrders;
 use crate::place::Place;
 use crate::speaker::HomeSpeaker;
 use crate::speech::Speech;
-use homebody_core::time::Micros;
+use homebody_core::time::RunTime;
 use homebody_log::table::{Batch, Cell, thousandths};
 use homebody_log::{Begin, LogError, Policy, Sink, Url, Watermark};
 use std::net::{IpAddr, ToSocketAddrs};
@@ -125,14 +125,14 @@ impl Sink for MqttSink {
         Ok(())
     }
 
-    fn settle(&mut self) -> Result<Watermark, LogError> {
+    fn make_durable(&mut self) -> Result<Watermark, LogError> {
         let Some(open) = &mut self.open else { return Ok(Watermark::none()) };
         open.line.wait(State::is_empty)?;
         Ok(Watermark(vec![open.line.flight.lock().acknowledged()]))
     }
 
-    fn finish(&mut self, _end: Micros) -> Result<(), LogError> {
-        self.settle()?;
+    fn finish(&mut self, _end: RunTime) -> Result<(), LogError> {
+        self.make_durable()?;
         let Some(open) = &mut self.open else { return Ok(()) };
         if open.line.flight.lock().wish != Wish::Finish {
             let farewell = farewell(&open.farewell);

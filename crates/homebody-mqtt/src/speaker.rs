@@ -10,7 +10,7 @@ use crate::speech::Message;
 use crate::trouble::Trouble;
 use homebody_core::scenario::logger::TimeFormat;
 use homebody_log::RunInfo;
-use homebody_log::clock::Clock;
+use homebody_log::table::InstantWriter;
 use rumqttc::Publish;
 use std::sync::{Arc, Mutex, PoisonError};
 
@@ -71,7 +71,7 @@ impl HomeSpeaker {
         let topic: Arc<str> = self.place.topic("command/result").into();
         let (flight, run) = (flight.clone(), self.run.clone());
         let reply = Reply::new(move |outcome| {
-            let mut clock = Clock::new(&run.calendar, TimeFormat::LocalOffset);
+            let mut clock = InstantWriter::new(&run.calendar, TimeFormat::LocalOffset);
             let payload = asked.answer(&outcome, &mut clock).into();
             flight.change(|state| {
                 state.answer(Message { topic, payload, retain: false, then: None });

@@ -5,8 +5,8 @@ use crate::entities::{Heard, Says, Word};
 use crate::messages::BrokerMessage;
 use crate::place::{Place, Placed};
 use homebody_core::scenario::logger::TimeFormat;
-use homebody_core::time::Micros;
-use homebody_log::clock::Clock;
+use homebody_core::time::RunTime;
+use homebody_log::table::InstantWriter;
 use homebody_log::{LogError, RunInfo};
 use serde_json::{Map, Value, json};
 use std::collections::HashMap;
@@ -33,7 +33,7 @@ impl Message {
 /// Turns rows into messages.
 pub(crate) struct Speech {
     run: String,
-    clock: Clock,
+    clock: InstantWriter,
     place: Arc<Place>,
     /// Sensors by what the log calls them.
     by_id: HashMap<String, usize>,
@@ -50,7 +50,7 @@ impl Speech {
             place.sensors.iter().map(|sensor| sensor.topics.iter().map(|topic| topic.as_str().into()).collect());
         Speech {
             run: run.id.to_string(),
-            clock: Clock::new(&run.calendar, TimeFormat::LocalOffset),
+            clock: InstantWriter::new(&run.calendar, TimeFormat::LocalOffset),
             by_id: by_id.collect(),
             topics: topics.collect(),
             last: place.sensors.iter().map(|sensor| unknown(&place, sensor)).collect(),
@@ -60,7 +60,7 @@ impl Speech {
     }
 
     /// The message of a row.
-    pub fn message(&mut self, seq: i64, at: Micros, sensor: &str, said: &str) -> Result<Message, LogError> {
+    pub fn message(&mut self, seq: i64, at: RunTime, sensor: &str, said: &str) -> Result<Message, LogError> {
         let Some(&index) = self.by_id.get(sensor) else {
             let unknown = BrokerMessage::UnknownSensor { sensor: sensor.into() };
             return Err(LogError::destination(&self.place.base, unknown));
@@ -83,7 +83,7 @@ impl Speech {
     }
 
     /// The message of a sensor, by its number.
-    pub fn said(&mut self, index: usize, seq: i64, at: Micros, said: &str) -> Message {
+    pub fn said(&mut self, index: usize, seq: i64, at: RunTime, said: &str) -> Message {
         let place = self.place.clone();
         let placed = &place.sensors[index];
         let (entity, heard) = placed.device.hears(said);

@@ -1,8 +1,8 @@
 //! The coverage map: how many sensors see each place of a home, and where none does.
 
 use homebody_core::geometry::{self, Point};
-use homebody_core::home::plan::Plan;
-use homebody_core::scenario::home::HomeFile;
+use homebody_core::home::form::HomeFile;
+use homebody_core::plan::Plan;
 
 use super::label::Block;
 use super::layers;
@@ -11,12 +11,12 @@ use super::paint::{DEAD, DEAD_GROUND, DEAD_TEXT, FURNITURE_EDGE, INK, MUTED, Pai
 use super::shade;
 use super::sheet::Sheet;
 use super::svg::{Anchor, Svg, Type, polyline, rings};
-use homebody_analysis::coverage::{Coverage, Floor, Grid, LEAST_DEAD_ZONE_M2};
+use homebody_analysis::coverage::{Coverage, CoverageGrid, LEAST_DEAD_ZONE_M2, SeenFloor};
 
 /// Number of rows of a table in the legend.
 const MOST_ROWS: usize = 20;
 const HATCH: &str = "unseen";
-/// What is written on floor that one, two and more sensors see, and on pieces of what size.
+/// The numbers written on floor that one, two and more sensors see, and the smallest piece of floor with a number.
 const COUNTS: [&str; 3] = ["1", "2", "3+"];
 const NUMBERED_M2: f64 = 0.4;
 const COUNT: Type = Type { halo: true, ..Type::new(13.0, INK) };
@@ -82,8 +82,8 @@ fn shades(sheet: &mut Sheet, coverage: &Coverage) -> Vec<String> {
     dead
 }
 
-/// Zero where nobody can be, else one more than the sensors that see it, four standing for three and more.
-fn class(grid: &Grid, cell: usize) -> usize {
+/// Zero where people cannot be, else one more than the sensors that see it, four standing for three and more.
+fn class(grid: &CoverageGrid, cell: usize) -> usize {
     grid.watchers(cell).map_or(0, |watchers| 1 + watchers.min(3))
 }
 
@@ -142,7 +142,6 @@ fn legend(sheet: &mut Sheet, coverage: &Coverage, with_beams: bool) -> f64 {
     legend.end()
 }
 
-/// What the colours and lines mean.
 fn explain(svg: &mut Svg, legend: &mut Legend, coverage: &Coverage, with_beams: bool) {
     legend.heading(svg, "Walkable floor seen by");
     let hatch = format!("url(#{HATCH})");
@@ -177,7 +176,8 @@ fn tables(svg: &mut Svg, legend: &mut Legend, coverage: &Coverage) {
     let row = Type::new(12.5, INK);
     legend.heading(svg, "Rooms");
     legend.row(svg, "", &["floor m²".into(), "unseen".into()], COLUMN, head);
-    let numbers = |floor: &Floor| [format!("{:.1}", floor.floor_m2), format!("{:.1} %", 100.0 * floor.seen_by.none)];
+    let numbers =
+        |floor: &SeenFloor| [format!("{:.1}", floor.floor_m2), format!("{:.1} %", 100.0 * floor.seen_by.none)];
     for room in coverage.rooms.iter().take(MOST_ROWS) {
         legend.row(svg, &room.name, &numbers(room), COLUMN, row);
     }

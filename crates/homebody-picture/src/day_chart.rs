@@ -2,7 +2,7 @@
 //!
 //! Its input is plain data, so that a day which is only planned can be drawn as well: bands without ticks.
 
-use homebody_analysis::day::{Day, Resident, Sensor};
+use homebody_analysis::day::{DayRecord, ResidentDay, SensorDay};
 use homebody_core::activity::{AWAY, ActivityKind};
 use homebody_core::geometry::Point;
 use homebody_core::sensors::form::Colour;
@@ -16,70 +16,71 @@ use super::svg::{Anchor, Px, Svg, Type};
 /// A day to be drawn. Times are seconds since its midnight; what lies outside the day is cut off.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct DayChart {
-    /// What stands above the picture.
+    /// The title of the picture.
     pub title: String,
-    /// What residents did and where they were, from the top on.
-    pub bands: Vec<Band>,
-    /// What sensors said, below the bands, from the top on.
+    /// Activities and rooms of residents, from the top on.
+    pub bands: Vec<DayBand>,
+    /// Firings of sensors, below the bands, from the top on.
     pub ticks: Vec<Ticks>,
 }
 
-/// What a sensor said.
+/// The firings of a sensor.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Ticks {
     /// The sensor's id in the log.
     pub sensor: String,
-    /// Over which it said that something goes on; a firing is a span of no length.
+    /// The spans of its ON state; a firing has no length.
     pub spans: Vec<(f64, f64)>,
-    /// How many of them began on the day.
+    /// The number of spans that began on the day.
     pub firings: u64,
 }
 
 /// A row of labelled spans.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Band {
-    /// What stands left of the band.
+pub struct DayBand {
+    /// The text left of the band.
     pub name: String,
-    /// What its spans are labelled with.
-    pub holds: Holds,
+    /// The kind of its labels.
+    pub holds: BandContent,
     /// From, to, and what.
     pub spans: Vec<(f64, f64, String)>,
 }
 
-/// What the labels of a band are.
+/// The kind of the labels of a band.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Holds {
+pub enum BandContent {
     /// Labels of activities, which are coloured by their kind.
     Activities,
     /// Names of rooms, which all have one colour.
     Rooms,
 }
 
-/// Whether somebody is called after one of the others, as visitors are: `margaret's daughter`.
+/// True for a name of a visitor, such as `margaret's daughter`.
 fn is_visitor(name: &str, names: &[&str]) -> bool {
     names.iter().any(|host| name.strip_prefix(host).is_some_and(|rest| rest.starts_with("'s ")))
 }
 
 impl DayChart {
     /// A day of a log, or of lives, as it is drawn.
-    pub fn of(day: &Day) -> DayChart {
+    pub fn new(day: &DayRecord) -> DayChart {
         let mut bands = Vec::new();
         let names: Vec<&str> = day.residents.iter().filter_map(|resident| resident.name.as_deref()).collect();
-        for Resident { name, activities, rooms } in &day.residents {
+        for ResidentDay { name, activities, rooms } in &day.residents {
             // A visitor's day elsewhere is not of this home.
             let is_visitor = name.as_deref().is_some_and(|name| is_visitor(name, &names));
             let name = name.as_deref().unwrap_or("activities");
-            for (name, holds, stretches) in
-                [(name.to_owned(), Holds::Activities, activities), (format!("{name}: room"), Holds::Rooms, rooms)]
-            {
+            for (name, holds, stretches) in [
+                (name.to_owned(), BandContent::Activities, activities),
+                (format!("{name}: room"), BandContent::Rooms, rooms),
+            ] {
                 let here = stretches.iter().filter(|part| !is_visitor || part.what != AWAY);
                 let spans: Vec<_> = here.map(|part| (part.begin_s, part.end_s, part.what.clone())).collect();
                 if !spans.is_empty() {
-                    bands.push(Band { name, holds, spans });
+                    bands.push(DayBand { name, holds, spans });
                 }
             }
         }
-        let ticks = day.sensors.iter().map(|Sensor { sensor, spans_s, firings, .. }| Ticks {
+        let ticks = day.sensors.iter().map(|SensorDay { sensor, spans_s, firings, .. }| Ticks {
             sensor: sensor.clone(),
             spans: spans_s.clone(),
             firings: *firings,
@@ -129,7 +130,7 @@ pub fn day_chart(day: &DayChart) -> String {
 }
 
 fn in_words(day: &DayChart) -> String {
-    let activities = day.bands.iter().filter(|band| band.holds == Holds::Activities);
+    let activities = day.bands.iter().filter(|band| band.holds == BandContent::Activities);
     let activities: usize = activities.map(|band| band.spans.len()).sum();
     let firings: u64 = day.ticks.iter().map(|ticks| ticks.firings).sum();
     let counted = |count: u64, one: &str, more: &str| format!("{count} {}", if count == 1 { one } else { more });
@@ -143,9 +144,9 @@ fn in_words(day: &DayChart) -> String {
 
 /// The colours of the kinds of activities that are there.
 fn legend(svg: &mut Svg, day: &DayChart) {
-    let bands = day.bands.iter().filter(|band| band.holds == Holds::Activities);
+    let bands = day.bands.iter().filter(|band| band.holds == BandContent::Activities);
     let there: Vec<ActivityKind> =
-        bands.flat_map(|band| &band.spans).map(|(_, _, label)| ActivityKind::of(label)).collect();
+        bands.flat_map(|band| &band.spans).map(|(_, _, label)| ActivityKind::from_name(label)).collect();
     let mut x = 40.0;
     for kind in ActivityKind::ALL.into_iter().filter(|kind| there.contains(kind)) {
         svg.rectangle(Point::new(x, 94.0), Point::new(22.0, 14.0), &Paint::fill(colour(kind).0));
@@ -184,16 +185,16 @@ fn hours(svg: &mut Svg, bottom: f64) {
     }
 }
 
-fn draw_band(svg: &mut Svg, band: &Band, top: f64) {
+fn draw_band(svg: &mut Svg, band: &DayBand, top: f64) {
     let height = height(band);
     name(svg, &band.name, top + height / 2.0);
     for (begin_s, end_s, label) in &band.spans {
         let Some((from, to)) = within(*begin_s, *end_s) else { continue };
         let (fill, ink) = match band.holds {
-            Holds::Activities => colour(ActivityKind::of(label)),
-            Holds::Rooms => (FLOOR, INK),
+            BandContent::Activities => colour(ActivityKind::from_name(label)),
+            BandContent::Rooms => (FLOOR, INK),
         };
-        let edge = if band.holds == Holds::Rooms { HAIRLINE } else { WHITE };
+        let edge = if band.holds == BandContent::Rooms { HAIRLINE } else { WHITE };
         let (corner, size) = (Point::new(from, top + 3.0), Point::new((to - from).max(1.2), height - 6.0));
         // An edge would hide a span as narrow as itself.
         let paint = if size.x > 3.0 { Paint::fill(fill).outlined(edge, 0.8) } else { Paint::fill(fill) };
@@ -209,23 +210,21 @@ fn draw_band(svg: &mut Svg, band: &Band, top: f64) {
     }
 }
 
-fn height(band: &Band) -> f64 {
+fn height(band: &DayBand) -> f64 {
     let spans = band.spans.iter().filter_map(|(begin_s, end_s, label)| Some((within(*begin_s, *end_s)?, label)));
     let mut wide = spans.map(|((from, to), label)| (to - from, label.replace('_', " ")));
     if wide.any(|(room, words)| !fits(&words, room) && stands(room)) { TALL } else { BAND }
 }
 
-/// Whether a name fits into a span so wide.
 fn fits(words: &str, room: f64) -> bool {
     room > LABEL && font::width(words, LABEL) <= room - 8.0
 }
 
-/// Whether one fits that stands upright.
 fn stands(room: f64) -> bool {
     room >= LABEL + 1.0
 }
 
-/// What a sensor said, in one path; how often, to the right.
+/// The spans of a sensor in one path, and its number of firings to the right.
 fn draw_ticks(svg: &mut Svg, ticks: &Ticks, top: f64) {
     let Ticks { sensor, spans, firings } = ticks;
     name(svg, sensor, top + ROW / 2.0);
@@ -235,7 +234,7 @@ fn draw_ticks(svg: &mut Svg, ticks: &Ticks, top: f64) {
     for &(begin_s, end_s) in spans {
         let Some((from, to)) = within(begin_s, end_s) else { continue };
         let to = to.max(from + 1.0);
-        // What lies within the last tick is seen no better for being drawn again.
+        // A tick within the last one would not be seen.
         if to > drawn + 0.1 {
             let (from, low, high) = (from.max(drawn.min(to)), top + ROW - 3.0, top + 3.0);
             let _ = write!(path, "M{} {}H{}V{}H{}Z", Px(from), Px(low), Px(to), Px(high), Px(from));

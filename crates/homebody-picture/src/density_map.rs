@@ -1,13 +1,12 @@
-//! The density map: hours of the day from top to bottom, days from left to right, and how much somebody moved in each.
+//! The density map: hours of the day from top to bottom, days from left to right, and the movement in each.
 
 use homebody_core::geometry::Point;
-use homebody_core::time::DAY;
+use homebody_core::time::{DAY, WallTime};
 use std::fmt::Write;
 
 use super::paint::{DENSITY, HAIRLINE, INK, MUTED, Paint, QUIET, WHITE};
 use super::svg::{Anchor, Px, Svg, Type};
-use homebody_analysis::dates::{date_of, midnight};
-use homebody_analysis::density::{Cell, Density, Map, State, level};
+use homebody_analysis::density::{Density, DensityCell, HourState, Map, level};
 
 const WIDTH: f64 = 1200.0;
 const LEFT: f64 = 84.0;
@@ -47,7 +46,7 @@ pub fn density_map(density: &Density) -> String {
     svg.finish(WIDTH, top - BETWEEN + 78.0)
 }
 
-/// What the map comes to.
+/// The subtitle of the map.
 fn in_words(map: &Map) -> String {
     let last = map.days.last().map_or(map.from, |day| day.date);
     let density =
@@ -55,7 +54,7 @@ fn in_words(map: &Map) -> String {
     format!("{}, {} to {last}: {density}, {:.1} h a day away.", map.name, map.from, map.away_h_per_day)
 }
 
-/// What is drawn as away and is not certain, if anything.
+/// The note on hours that are drawn as away without certainty.
 fn guesses(map: &Map) -> Option<String> {
     let count = map.absences.iter().filter(|absence| absence.is_guess).count();
     let of = match map.absences.len() {
@@ -125,17 +124,17 @@ fn draw(svg: &mut Svg, map: &Map, top: f64, step_per_h: f64) {
 }
 
 /// Nothing without data, else 0 for away, 1 for none, and from 2 on the levels.
-fn class(cell: &Cell, step_per_h: f64) -> Option<usize> {
+fn class(cell: &DensityCell, step_per_h: f64) -> Option<usize> {
     match cell.state() {
-        State::NoData => None,
-        State::Away => Some(0),
-        State::Density(0.0) => Some(1),
-        State::Density(density) => Some(2 + level(density, step_per_h)),
+        HourState::NoData => None,
+        HourState::Away => Some(0),
+        HourState::Density(0.0) => Some(1),
+        HourState::Density(density) => Some(2 + level(density, step_per_h)),
     }
 }
 
 /// The outlines of the cells that belong, hours under each other as one.
-fn cells(map: &Map, top: f64, column: f64, belongs: impl Fn(&Cell) -> bool) -> String {
+fn cells(map: &Map, top: f64, column: f64, belongs: impl Fn(&DensityCell) -> bool) -> String {
     let mut path = String::new();
     for (number, day) in (0_u32..).zip(&map.cells) {
         let (left, right) = (LEFT + column * f64::from(number), LEFT + column * f64::from(number + 1));
@@ -155,7 +154,8 @@ fn cells(map: &Map, top: f64, column: f64, belongs: impl Fn(&Cell) -> bool) -> S
 /// A name below its day: all days where there is room, else Mondays, else the first of months, else of years.
 fn dates(svg: &mut Svg, map: &Map, bottom: f64, column: f64) {
     let mut free = f64::NEG_INFINITY;
-    let days: Vec<_> = (0..map.cells.len() as i64).map(|number| date_of(midnight(map.from) + number * DAY)).collect();
+    let midnight = WallTime::midnight(map.from);
+    let days: Vec<_> = (0..map.cells.len() as i64).map(|number| (midnight + number * DAY).date()).collect();
     let (format, apart, takes): (&str, f64, fn(&jiff::civil::Date) -> bool) = match column {
         70.0.. => ("%a %-d %b", 70.0, |_| true),
         9.0.. => ("%-d %b", 58.0, |day| day.weekday() == jiff::civil::Weekday::Monday),

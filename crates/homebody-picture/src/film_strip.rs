@@ -1,10 +1,10 @@
 //! A film strip: the plan at several moments side by side, with the ways that people went in between.
 
-use homebody_analysis::strip::{Moment, Person, Strip};
+use homebody_analysis::strip::{StoryStrip, StripFrame, StripPerson};
 use homebody_core::geometry::{self, Point};
-use homebody_core::home::plan::Plan;
-use homebody_core::scenario::home::HomeFile;
-use homebody_core::scenario::path::Posture;
+use homebody_core::home::form::HomeFile;
+use homebody_core::plan::Plan;
+use homebody_core::posture::Posture;
 use homebody_core::sensors::Sensor;
 
 use super::font;
@@ -31,7 +31,7 @@ const CAPTION: Type = Type::new(12.0, INK);
 const MOST_PEOPLE: usize = 6;
 
 /// Draws the moments of a run over its home, as SVG.
-pub fn film_strip(home: &HomeFile, strip: &Strip) -> String {
+pub fn film_strip(home: &HomeFile, strip: &StoryStrip) -> String {
     let plan = Plan::new(home);
     let (least, most) = plan.bounds();
     let extent = most - least;
@@ -54,7 +54,7 @@ pub fn film_strip(home: &HomeFile, strip: &Strip) -> String {
 }
 
 /// One moment: its time, the plan, and what was done.
-fn frame(mut svg: Svg, home: &HomeFile, plan: &Plan, moment: &Moment, corner: Point, high: f64) -> Svg {
+fn frame(mut svg: Svg, home: &HomeFile, plan: &Plan, moment: &StripFrame, corner: Point, high: f64) -> Svg {
     svg.text(&moment.at, corner + Point::new(0.0, 8.0), &Type::new(14.0, INK).strong());
     let mut sheet = Sheet::in_box(svg, plan.bounds(), corner + Point::new(0.0, 26.0), Point::new(WIDE, high));
     layers::floors(&mut sheet, plan);
@@ -73,7 +73,7 @@ fn frame(mut svg: Svg, home: &HomeFile, plan: &Plan, moment: &Moment, corner: Po
         y - LINE
     };
     for (person, colour) in moment.people.iter().zip(colours()).take(MOST_PEOPLE) {
-        let at = line(&mut svg, &person.told(), 16.0, CAPTION);
+        let at = line(&mut svg, &person.caption(), 16.0, CAPTION);
         svg.circle(Point::new(corner.x + 6.0, at), 4.5, &Paint::fill(colour));
     }
     for (what, list) in [("used", &moment.used), ("fired", &moment.fired)] {
@@ -101,7 +101,7 @@ fn fired(sheet: &mut Sheet, home: &HomeFile, plan: &Plan, fired: &[String]) {
     }
 }
 
-fn body(sheet: &mut Sheet, person: &Person, colour: &str) {
+fn body(sheet: &mut Sheet, person: &StripPerson, colour: &str) {
     let path: Vec<Point> = person.path_m.iter().map(|&corner| sheet.at(geometry::point(corner))).collect();
     let Some(&at) = path.last() else { return };
     sheet.svg.group("body", &person.name, |svg| {

@@ -1,8 +1,8 @@
 //! The floor plan: a home as it is built, furnished and wired.
 
-use homebody_core::home::plan::Plan;
+use homebody_core::home::form::HomeFile;
+use homebody_core::plan::Plan;
 use homebody_core::problem::counted;
-use homebody_core::scenario::home::HomeFile;
 
 use super::layers;
 use super::legend::Legend;

@@ -15,13 +15,13 @@ static FONTS: LazyLock<Arc<fontdb::Database>> = LazyLock::new(|| {
     let family = fonts.faces().next().and_then(|face| face.families.first()).map(|(name, _)| name.clone());
     if let Some(family) = family {
         fonts.set_sans_serif_family(&family);
-        // Where the names of fonts lead nowhere, the reader of SVG falls back on the serif.
+        // Without a known font, the reader of SVG falls back on the serif.
         fonts.set_serif_family(family);
     }
     Arc::new(fonts)
 });
 
-/// How an SVG is read: with our fonts only.
+/// Options for reading an SVG with our fonts only.
 pub fn options() -> usvg::Options<'static> {
     let sans_serif = FONTS.family_name(&fontdb::Family::SansSerif).to_owned();
     usvg::Options { fontdb: FONTS.clone(), font_family: sans_serif, ..usvg::Options::default() }
@@ -32,7 +32,7 @@ pub fn with_data(id: fontdb::ID, take: impl FnOnce(&[u8], u32)) {
     FONTS.with_face_data(id, |bytes, index| take(bytes, index));
 }
 
-/// How wide a line of text is at a font size, in the same unit.
+/// The width of a line of text at a font size, in the same unit.
 pub fn width(text: &str, size: f64) -> f64 {
     let mut svg = Svg::new("", "");
     // Measured large, where hinting and rounding do not count.

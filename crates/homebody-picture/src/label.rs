@@ -1,4 +1,4 @@
-//! Where texts go: each near what it names, off the walls, and off the other texts.
+//! The places of texts: each near the thing that it names, off the walls, and off the other texts.
 
 use glam::Vec2Swizzles;
 use homebody_core::geometry::{self, Point};
@@ -12,12 +12,12 @@ pub struct Labels {
     /// Never covered: walls, doors and sensors, in pixels.
     pub solid: Vec<Vec<Point>>,
     pub rooms: Vec<Vec<Point>>,
-    /// What separates a mark from a text that would be about it.
+    /// Walls, which separate a mark from a text on their other side.
     pub walls: Vec<Vec<Point>>,
     /// Covered only by what finds no other place: furniture.
     pub soft: Vec<Vec<Point>>,
     taken: Vec<Block>,
-    placed: Vec<Placed>,
+    placed: Vec<PlacedText>,
 }
 
 /// An upright rectangle in pixels.
@@ -27,16 +27,16 @@ pub struct Block {
     pub most: Point,
 }
 
-struct Placed {
+struct PlacedText {
     lines: Vec<String>,
     middle: Point,
     set: Type,
-    /// What a text too far away is tied to.
+    /// The mark to which a line leads from a distant text.
     leader: Option<Point>,
 }
 
 /// A place beside a mark, and how bad it is.
-struct Beside {
+struct TextSpot {
     cost: f64,
     lines: Vec<String>,
     spot: Point,
@@ -128,15 +128,15 @@ impl Labels {
         }
     }
 
-    fn tie(&mut self, found: Beside, mark: Point, set: Type) {
+    fn tie(&mut self, found: TextSpot, mark: Point, set: Type) {
         let leader = (found.distance > LEADER).then_some(mark);
         self.place(found.lines, found.spot, set, leader);
     }
 
-    fn best_beside(&self, name: &str, mark: Point, facing_deg: f64, set: Type) -> Option<Beside> {
+    fn best_beside(&self, name: &str, mark: Point, facing_deg: f64, set: Type) -> Option<TextSpot> {
         let ahead = |turn_deg: f64| geometry::direction(facing_deg + turn_deg) * Point::new(1.0, -1.0);
         let front = mark + ahead(0.0) * CLEARANCE;
-        let mut best: Option<Beside> = None;
+        let mut best: Option<TextSpot> = None;
         for lines in breakings(name) {
             let half = extent(&lines, set.size) / 2.0 + Point::splat(1.0);
             for distance in [CLEARANCE, 25.0, 40.0, 55.0] {
@@ -152,7 +152,7 @@ impl Labels {
                         + 0.3 * aside_deg.abs()
                         + 15.0 * (lines.len() - 1) as f64;
                     if best.as_ref().is_none_or(|best| cost < best.cost) {
-                        best = Some(Beside { cost, lines: lines.clone(), spot, distance });
+                        best = Some(TextSpot { cost, lines: lines.clone(), spot, distance });
                     }
                 }
             }
@@ -160,7 +160,7 @@ impl Labels {
         best
     }
 
-    /// How misleading a text is on the other side of a wall: more so in a room that it is not about.
+    /// The cost of a text on the other side of a wall: more so in a room that it is not about.
     fn astray(&self, front: Point, spot: Point) -> f64 {
         let through_wall = self.walls.iter().any(|wall| crosses(wall, front, spot));
         let in_room = || self.rooms.iter().any(|room| geometry::contains(room, spot));
@@ -171,7 +171,7 @@ impl Labels {
         }
     }
 
-    /// How bad it is to draw a line over other texts.
+    /// The cost of a line over other texts.
     fn crossed(&self, mark: Point, spot: Point) -> f64 {
         let texts = self.taken.iter().filter(|taken| crosses(&taken.corners(), mark, spot)).count();
         80.0 * texts as f64
@@ -198,7 +198,7 @@ impl Labels {
     fn place(&mut self, lines: Vec<String>, middle: Point, set: Type, leader: Option<Point>) {
         let extent = extent(&lines, set.size);
         self.take(Block::around(middle, if set.upright { extent.yx() } else { extent }));
-        self.placed.push(Placed { lines, middle, set, leader });
+        self.placed.push(PlacedText { lines, middle, set, leader });
     }
 
     fn is_free(&self, block: &Block, soft_counts: bool) -> bool {
@@ -208,7 +208,7 @@ impl Labels {
         !covers
     }
 
-    /// How bad it is to cover what lies under a block: texts worst, furniture hardly.
+    /// The cost of covering the things under a block: texts most, furniture least.
     fn covered(&self, block: &Block) -> f64 {
         let texts = self.taken.iter().filter(|taken| block.meets(taken)).count();
         let solids = self.solid.iter().filter(|solid| block.meets_outline(solid)).count();

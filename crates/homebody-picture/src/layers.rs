@@ -1,16 +1,18 @@
-//! What plans are made of, layer by layer: floors, furniture, walls, doors, sensors and their names.
+//! The layers of plans: floors, furniture, walls, doors, sensors and their names.
 
 use homebody_core::geometry::{self, Point};
-use homebody_core::home::plan::{Floor, Origin, Plan, floors as floors_of, furniture_outline, span_on_wall};
-use homebody_core::scenario::home::{DoorFile, HomeFile, SensorFile};
+use homebody_core::home::form::HomeFile;
+use homebody_core::plan::form::DoorFile;
+use homebody_core::plan::{Floor, Origin, Plan, floors as floors_of, furniture_outline, span_on_wall};
 use homebody_core::sensors::Sensor;
+use homebody_core::sensors::kinds::SensorFile;
 
 use super::font;
 use super::paint::{FLOOR, FURNITURE_EDGE, INK, MUTED, Paint, SENSOR, WALL, WHITE};
 use super::sheet::Sheet;
 use super::svg::{Type, polyline, rings};
 
-/// How large marks are, in pixels.
+/// Sizes of marks, in pixels.
 const SENSOR_SIZE: f64 = 15.0;
 /// An opening wider than this has no door leaf, in metres.
 const WIDEST_LEAF_M: f64 = 1.3;
@@ -34,13 +36,13 @@ pub fn floors(sheet: &mut Sheet, plan: &Plan) {
     }
 }
 
-/// How far a floor's frame is from the rooms in it, in metres: walls stay inside.
+/// Distance of a floor's frame from its rooms, in metres: walls stay inside.
 const FRAME_M: f64 = 0.35;
 const FLOOR_NAME: Type = Type { halo: true, ..Type::new(15.0, MUTED).strong() };
 
 /// A frame around each floor of a home that has several, and its name above it.
 pub fn frames(sheet: &mut Sheet, home: &HomeFile) {
-    for Floor { name, bounds: (least, most) } in floors_of(home) {
+    for Floor { name, bounds: (least, most) } in floors_of(&home.rooms) {
         let (low, high) = (sheet.at(least - FRAME_M), sheet.at(most + FRAME_M));
         let (corner, size) = (Point::new(low.x, high.y), Point::new(high.x - low.x, low.y - high.y));
         sheet.svg.rectangle(corner, size, &Paint::line(MUTED, 1.2).dashed("10 5"));
@@ -75,7 +77,7 @@ pub fn walls(sheet: &mut Sheet, home: &HomeFile, plan: &Plan) {
     sheet.labels.solid.extend(outlines);
 }
 
-/// Where two walls end at one point, each stops at its middle line and leaves a notch outside the
+/// Of two walls that end at one point, each stops at its middle line and leaves a notch outside the
 /// corner: posts that fill it, as a builder would.
 fn corner_posts(home: &HomeFile) -> Vec<Vec<Point>> {
     let ends = home.walls.iter().flat_map(|wall| [(wall.from, wall.to, wall), (wall.to, wall.from, wall)]);
@@ -97,7 +99,7 @@ fn corner_posts(home: &HomeFile) -> Vec<Vec<Point>> {
     posts
 }
 
-/// Whether people come in from the west only, so that the dimensions had better stand in the east.
+/// True if all ways in are in the west, so that the dimensions stand in the east.
 pub fn ways_in_on_west(home: &HomeFile, plan: &Plan) -> bool {
     let (least, most) = plan.bounds();
     let ways_in = || home.doors.iter().filter(|door| door.outside).map(|door| door.from[0]);
@@ -158,7 +160,7 @@ fn swing(sheet: &mut Sheet, hinge: Point, jamb: Point, towards: Point, thickness
     sheet.labels.solid.push(bulk);
 }
 
-/// How much stands where a door would swing; being out of the home counts most.
+/// The area that a swinging door would cover; being out of the home counts most.
 fn swing_cost(plan: &Plan, hinge: Point, jamb: Point, towards: Point) -> usize {
     let width = hinge.distance(jamb);
     let spots = (1..=9).flat_map(|angle| (1..=4).map(move |part| (f64::from(angle) * 10.0, f64::from(part) / 4.0)));
@@ -239,7 +241,7 @@ pub fn sensors(sheet: &mut Sheet, home: &HomeFile, plan: &Plan) {
     }
 }
 
-/// What is written on the plan, the least movable first.
+/// The names on the plan, the least movable first.
 pub fn names(sheet: &mut Sheet, home: &HomeFile, plan: &Plan, furniture: Type) {
     for piece in &home.furniture {
         let outline = furniture_outline(piece);

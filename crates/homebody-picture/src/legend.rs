@@ -21,7 +21,7 @@ impl Legend {
         Legend { y: sheet::TOP + 8.0 }
     }
 
-    /// Where the legend ends so far.
+    /// The lower end of the legend so far.
     pub fn end(&self) -> f64 {
         self.y
     }

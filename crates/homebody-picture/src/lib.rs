@@ -9,9 +9,6 @@
 
 #![warn(missing_docs)]
 
-/// The messages of this crate.
-pub mod catalogue;
-
 mod chart;
 mod coverage_map;
 mod day_chart;
@@ -19,7 +16,7 @@ mod density_map;
 mod film_strip;
 mod floor_plan;
 mod font;
-mod installing;
+mod install_sheet;
 mod label;
 mod layers;
 mod legend;
@@ -28,7 +25,6 @@ mod measures_picture;
 mod page;
 mod paint;
 mod pdf;
-mod realism_page;
 mod shade;
 mod sheet;
 mod silhouettes;
@@ -37,19 +33,19 @@ mod svg;
 use resvg::{tiny_skia, usvg};
 
 pub use chart::{
-    Activity, Hours, Lane, Measured, Panel, Reference, TotalsLine, firing_chart, hour_chart, range_chart, span_chart,
-    totals_chart,
+    FiringLane, HourShares, Lane, Panel, RangeFigure, Reference, TotalsLine, firing_chart, hour_chart, range_chart,
+    span_chart, totals_chart,
 };
 pub use coverage_map::coverage_map;
-pub use day_chart::{Band, DayChart, Holds, Ticks, day_chart};
+pub use day_chart::{BandContent, DayBand, DayChart, Ticks, day_chart};
 pub use density_map::density_map;
 pub use film_strip::film_strip;
 pub use floor_plan::floor_plan;
-pub use installing::installing;
+pub use install_sheet::installing;
 pub use look_map::{look_map, look_page};
 pub use measures_picture::measures_picture;
+pub use page::{realism_chart, realism_page};
 pub use pdf::{PdfError, pdf};
-pub use realism_page::{realism_chart, realism_page};
 pub use silhouettes::{FilmFrame, SilhouetteStrip, StripMoment, silhouette_film, silhouette_png, silhouette_strip};
 
 homebody_core::messages! {
@@ -74,6 +70,15 @@ impl From<usvg::Error> for PngError {
     fn from(error: usvg::Error) -> PngError {
         PngError::Svg(error.to_string())
     }
+}
+
+/// The messages of this crate, for lists of all messages.
+pub mod catalogue {
+    use crate::{PdfError, PngError};
+    use homebody_core::messages::{Catalogue, CatalogueEntry};
+
+    /// The messages by area.
+    pub const MESSAGES: &[&[CatalogueEntry]] = &[PngError::ENTRIES, PdfError::ENTRIES];
 }
 
 /// Largest number of pixels on a side of a picture (our choice): more would take too much memory.

@@ -1,9 +1,9 @@
-//! What a log holds, as a map: a row for each sensor, a column for each day, shaded by how many rows the log has of it there.
+//! A log as a map: a row for each sensor, a column for each day, shaded by how many rows the log has of it there.
 
 use super::page::{begun, table};
 use super::paint::{DENSITY, HAIRLINE, INK, MUTED, Paint, QUIET};
 use super::svg::{Anchor, Px, Svg, Type, escaped};
-use homebody_analysis::look::{Look, SensorLook};
+use homebody_analysis::look::{LogOverview, SensorLook};
 use homebody_core::geometry::Point;
 use std::fmt::Write;
 
@@ -28,7 +28,7 @@ const MOST_SENSORS: usize = 400;
 const LONGEST_NAME: usize = 30;
 
 /// Draws the map of a log.
-pub fn look_map(look: &Look) -> String {
+pub fn look_map(look: &LogOverview) -> String {
     let span = match (&look.first, &look.last) {
         (Some(first), Some(last)) => format!("{first} to {last}"),
         _ => "without a row".into(),
@@ -56,7 +56,7 @@ pub fn look_map(look: &Look) -> String {
 }
 
 /// The sensors with the most rows, in their order.
-fn drawn(look: &Look) -> Vec<&SensorLook> {
+fn drawn(look: &LogOverview) -> Vec<&SensorLook> {
     let mut rows: Vec<u64> = look.sensors.iter().map(|sensor| sensor.rows).collect();
     rows.sort_unstable_by(|a, b| b.cmp(a));
     let least = rows.get(MOST_SENSORS).map_or(0, |next| next + 1);
@@ -88,7 +88,7 @@ fn level(count: u32) -> Option<usize> {
     STEPS.iter().rposition(|&from| count >= from)
 }
 
-fn map(svg: &mut Svg, look: &Look, drawn: &[&SensorLook], bottom: f64) {
+fn map(svg: &mut Svg, look: &LogOverview, drawn: &[&SensorLook], bottom: f64) {
     let column = (RIGHT - LEFT) / look.days.len() as f64;
     let x = |days: f64| (LEFT + column * days).clamp(LEFT, RIGHT);
     let top = TOP + LINE;
@@ -117,7 +117,7 @@ fn map(svg: &mut Svg, look: &Look, drawn: &[&SensorLook], bottom: f64) {
         let name = sensor.name.as_ref().unwrap_or(&sensor.id);
         let is_cut = name.chars().count() > LONGEST_NAME;
         let name: String = name.chars().take(LONGEST_NAME).chain(is_cut.then_some('…')).collect();
-        // What is the matter is told by a sign, too.
+        // A sign shows the problem, too.
         let sign = if sensor.trouble.is_some() { "! " } else { "" };
         svg.text(&format!("{sign}{name}"), Point::new(LEFT - 8.0, middle), &Type::new(12.0, INK).anchored(Anchor::End));
     }
@@ -143,7 +143,7 @@ fn runs(list: &[bool]) -> Vec<std::ops::Range<usize>> {
 }
 
 /// A date below every so many days.
-fn dates(svg: &mut Svg, look: &Look, column: f64, bottom: f64) {
+fn dates(svg: &mut Svg, look: &LogOverview, column: f64, bottom: f64) {
     let apart = (90.0 / column).ceil().max(1.0) as usize;
     for (number, date) in look.days.iter().enumerate().step_by(apart) {
         let x = LEFT + column * number as f64;
@@ -155,7 +155,7 @@ fn dates(svg: &mut Svg, look: &Look, column: f64, bottom: f64) {
 }
 
 /// One HTML page with what a log holds: its words, its map, and its density where that is known.
-pub fn look_page(look: &Look, density: Option<&str>) -> String {
+pub fn look_page(look: &LogOverview, density: Option<&str>) -> String {
     let mut page = begun(&format!("What {} holds", look.name));
     for svg in std::iter::once(look_map(look).as_str()).chain(density) {
         let _ = writeln!(page, "<figure>{svg}</figure>");

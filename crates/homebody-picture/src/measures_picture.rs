@@ -72,7 +72,7 @@ fn draw_row(svg: &mut Svg, measures: &Measures, number: usize, top: f64) {
     let mut known = measures.known(number);
     known.sort_by(f64::total_cmp);
     let at = |share: f64| quantile(&known, share).unwrap_or_default();
-    let scale = Scale::of(&known);
+    let scale = ColourScale::from_sorted(&known);
     let (middle, bottom) = (top + (ROW - GAP) / 2.0, top + ROW - GAP);
     let column = (RIGHT - LEFT) / measures.days.len() as f64;
     svg.rectangle(Point::new(LEFT, top), Point::new(RIGHT - LEFT, bottom - top), &Paint::fill(QUIET));
@@ -100,26 +100,26 @@ fn draw_row(svg: &mut Svg, measures: &Measures, number: usize, top: f64) {
     for (share, right) in [0.0, 0.5, 1.0].into_iter().zip(FIGURES) {
         svg.text(&format!("{:.decimals$}", at(share)), Point::new(right, middle), &AXIS.anchored(Anchor::End));
     }
-    svg.text(measure.unit, Point::new(FIGURES[2] + 8.0, middle), &AXIS);
+    svg.text(measure.unit.name, Point::new(FIGURES[2] + 8.0, middle), &AXIS);
 }
 
-/// Which colour a value of a measure has.
-struct Scale {
+/// The colours of the values of a measure.
+struct ColourScale {
     /// The different values, in their order.
     values: Vec<f64>,
-    /// Whether few values far from all others would give these one colour: then their order tells the colour.
+    /// True if a few distant values would leave one colour to all others: then the order gives the colour.
     is_by_order: bool,
 }
 
-impl Scale {
+impl ColourScale {
     /// The scale from the lowest to the highest of values in their order.
-    fn of(sorted: &[f64]) -> Scale {
+    fn from_sorted(sorted: &[f64]) -> ColourScale {
         let mut values = sorted.to_vec();
         values.dedup();
-        let scale = Scale { values, is_by_order: false };
+        let scale = ColourScale { values, is_by_order: false };
         // Most of the different values would share the palest two colours. This is our choice.
         let pale = scale.values.iter().filter(|&&value| scale.level(value) < 2).count();
-        Scale { is_by_order: scale.values.len() > 2 && 2 * pale > scale.values.len(), ..scale }
+        ColourScale { is_by_order: scale.values.len() > 2 && 2 * pale > scale.values.len(), ..scale }
     }
 
     /// The colour of one of the values. Nothing at all has a colour of its own.
@@ -145,7 +145,7 @@ mod tests {
     fn levels(values: &[f64]) -> Vec<usize> {
         let mut sorted = values.to_vec();
         sorted.sort_by(f64::total_cmp);
-        let scale = Scale::of(&sorted);
+        let scale = ColourScale::from_sorted(&sorted);
         values.iter().map(|&value| scale.level(value)).collect()
     }
 

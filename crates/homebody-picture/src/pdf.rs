@@ -5,13 +5,10 @@
 //! Left out: gradients, images, masks and filters, which our pictures do not have; a picture that has one is refused.
 
 mod fonts;
-mod packing;
 
 use super::font;
-pub use packing::PdfError;
 
 use fonts::Fonts;
-use packing::packed;
 use pdf_writer::types::{LineCapStyle, LineJoinStyle, PaintType, TextRenderingMode, TilingType};
 use pdf_writer::{Content, Filter, Finish, Name, Pdf, Rect, Ref, Str, TextStr};
 use resvg::usvg::tiny_skia_path::{Path as Outline, PathSegment, Transform};
@@ -33,23 +30,42 @@ pub fn pdf(title: &str, pages: &[String]) -> Result<Vec<u8>, PdfError> {
     book.finish(title, &all)
 }
 
-/// A file on its way.
+homebody_core::messages! {
+    /// Reasons why pictures do not become a PDF.
+    pub enum PdfError in "pdf" {
+        /// Homebody draws pages as SVG, and makes PDF from them. A program that uses the library can pass SVG of its own, which must be
+        /// valid.
+        Svg(why: String) error "invalid-svg" ("cannot draw this SVG: {why}");
+        /// Pages of a PDF have paths, patterns and letters. The SVG has something else.
+        Unknown(what: &'static str) error "not-supported" ("Homebody does not write {what} into a PDF");
+        /// A PDF contains the letters of its fonts. They could not be taken out of the font.
+        Font(why: String) error "font" ("cannot put a font into the PDF: {why}");
+    }
+}
+
+impl From<usvg::Error> for PdfError {
+    fn from(error: usvg::Error) -> PdfError {
+        PdfError::Svg(error.to_string())
+    }
+}
+
+/// A PDF that is being written.
 struct Book {
     pdf: Pdf,
     next: i32,
     fonts: Fonts,
-    /// What can be seen through by how much: for fills and for strokes, in thousandths.
+    /// Opacities of fills and strokes, in thousandths.
     alphas: Vec<(u16, u16)>,
     patterns: Vec<Ref>,
 }
 
 /// A page that was drawn.
-struct Drawn {
+struct PageContent {
     content: Ref,
     size: [f32; 2],
 }
 
-/// What is drawn into: the numbers of the operators, where its origin lies on the page, and how much can be seen through it.
+/// The content that is drawn into, with its place on the page and its opacity.
 struct Canvas {
     content: Content,
     at: Transform,
@@ -67,7 +83,7 @@ impl Book {
         fresh
     }
 
-    fn page(&mut self, tree: &Tree) -> Result<Drawn, PdfError> {
+    fn page(&mut self, tree: &Tree) -> Result<PageContent, PdfError> {
         let picture = [tree.size().width(), tree.size().height()];
         let scale =
             |sheet: [f32; 2]| f32::min((sheet[0] - 2.0 * MARGIN) / picture[0], (sheet[1] - 2.0 * MARGIN) / picture[1]);
@@ -84,7 +100,7 @@ impl Book {
         canvas.content.restore_state();
         let content = self.fresh();
         self.stream(content, &canvas.content.finish());
-        Ok(Drawn { content, size })
+        Ok(PageContent { content, size })
     }
 
     fn stream(&mut self, id: Ref, bytes: &[u8]) {
@@ -254,7 +270,7 @@ impl Book {
         Ok(())
     }
 
-    fn finish(mut self, title: &str, pages: &[Drawn]) -> Result<Vec<u8>, PdfError> {
+    fn finish(mut self, title: &str, pages: &[PageContent]) -> Result<Vec<u8>, PdfError> {
         let [catalog, tree, resources, info] = [(); 4].map(|()| self.fresh());
         let fonts = std::mem::take(&mut self.fonts).write(&mut self.pdf, &mut self.next)?;
         let alphas: Vec<Ref> = self.alphas.clone().iter().map(|_| self.fresh()).collect();
@@ -280,7 +296,7 @@ impl Book {
         named.finish();
         all.finish();
         let kids: Vec<Ref> = pages.iter().map(|_| self.fresh()).collect();
-        for (id, Drawn { content, size: [width, height] }) in kids.iter().zip(pages) {
+        for (id, PageContent { content, size: [width, height] }) in kids.iter().zip(pages) {
             let mut page = self.pdf.page(*id);
             page.parent(tree).media_box(Rect::new(0.0, 0.0, *width, *height)).contents(*content);
             page.pair(Name(b"Resources"), resources);
@@ -329,4 +345,11 @@ fn matrix(t: Transform) -> [f32; 6] {
 
 fn parts(colour: &usvg::Color) -> [f32; 3] {
     [colour.red, colour.green, colour.blue].map(|part| f32::from(part) / 255.0)
+}
+
+/// Bytes as a stream that is inflated has them.
+pub fn packed(bytes: &[u8]) -> Vec<u8> {
+    /// As zlib has it where nothing else is said.
+    const LEVEL: u8 = 6;
+    miniz_oxide::deflate::compress_to_vec_zlib(bytes, LEVEL)
 }

@@ -2,22 +2,22 @@
 
 use homebody_core::geometry::{self, Point};
 
-use homebody_analysis::coverage::{Corner, Grid, Region};
+use homebody_analysis::coverage::{CellCorner, CoverageGrid, Region};
 
 /// So many straight cells to both sides of a turn make it a corner of the floor, not a stair of a slant.
 const STRAIGHT: usize = 4;
 /// Rounds of averaging with both neighbours, which takes the stairs off a slanting border.
 const ROUNDS: usize = 4;
-/// How far the last simplification may move a border, in cells.
+/// Largest move of a border by the last simplification, in cells.
 const TOLERANCE: f64 = 0.25;
 
 /// A region's rings in metres, the outer one first. `class` says which shape a cell belongs to; the
 /// points where three shapes meet stay where they are.
-pub fn smooth(grid: &Grid, region: &Region, class: &dyn Fn(usize) -> usize) -> Vec<Vec<Point>> {
+pub fn smooth(grid: &CoverageGrid, region: &Region, class: &dyn Fn(usize) -> usize) -> Vec<Vec<Point>> {
     region.rings.iter().map(|ring| smooth_ring(grid, ring, class)).filter(|ring| ring.len() > 2).collect()
 }
 
-fn smooth_ring(grid: &Grid, ring: &[Corner], class: &dyn Fn(usize) -> usize) -> Vec<Point> {
+fn smooth_ring(grid: &CoverageGrid, ring: &[CellCorner], class: &dyn Fn(usize) -> usize) -> Vec<Point> {
     let junction: Vec<bool> = ring.iter().map(|&corner| is_junction(grid, corner, class)).collect();
     let mut pins: Vec<usize> = (0..ring.len()).filter(|&i| junction[i] || is_sharp(ring, &junction, i)).collect();
     if pins.is_empty() {
@@ -26,7 +26,7 @@ fn smooth_ring(grid: &Grid, ring: &[Corner], class: &dyn Fn(usize) -> usize) -> 
     let mut smooth = Vec::new();
     for (k, &from) in pins.iter().enumerate() {
         let to = pins.get(k + 1).copied().unwrap_or(pins[0] + ring.len());
-        let mut arc: Vec<Corner> = (from..=to).map(|i| ring[i % ring.len()]).collect();
+        let mut arc: Vec<CellCorner> = (from..=to).map(|i| ring[i % ring.len()]).collect();
         // Both shapes beside an arc walk it, in opposite directions; it must come out the same.
         let turned = (arc.last(), arc.get(arc.len() - 2)) < (arc.first(), arc.get(1));
         if turned {
@@ -43,7 +43,7 @@ fn smooth_ring(grid: &Grid, ring: &[Corner], class: &dyn Fn(usize) -> usize) -> 
 }
 
 /// An arc through the middles of its cell sides, its ends where they were.
-fn smooth_arc(grid: &Grid, arc: &[Corner]) -> Vec<Point> {
+fn smooth_arc(grid: &CoverageGrid, arc: &[CellCorner]) -> Vec<Point> {
     let mut line = vec![grid.corner(arc[0])];
     line.extend(arc.windows(2).map(|side| (grid.corner(side[0]) + grid.corner(side[1])) / 2.0));
     line.push(grid.corner(arc[arc.len() - 1]));
@@ -56,19 +56,19 @@ fn smooth_arc(grid: &Grid, arc: &[Corner]) -> Vec<Point> {
     kept
 }
 
-/// Whether more than two shapes meet at a corner, or two touch there only with their corners.
-fn is_junction(grid: &Grid, corner: Corner, class: &dyn Fn(usize) -> usize) -> bool {
+/// True if more than two shapes meet at a corner, or two touch there only with their corners.
+fn is_junction(grid: &CoverageGrid, corner: CellCorner, class: &dyn Fn(usize) -> usize) -> bool {
     let around = grid.around(corner).map(|cell| cell.map_or(0, class));
     let changes = (0..4).filter(|&i| around[i] != around[(i + 1) % 4]).count();
     changes > 2
 }
 
-/// Whether the ring turns here after a straight piece and before another. Looks no farther than the
+/// True if the ring turns here after a straight piece and before another. Looks no farther than the
 /// next junctions, beyond which the shapes on both sides go different ways.
-fn is_sharp(ring: &[Corner], junction: &[bool], i: usize) -> bool {
+fn is_sharp(ring: &[CellCorner], junction: &[bool], i: usize) -> bool {
     let n = ring.len();
     let at = |i: usize| ring[i % n];
-    let step = |from: Corner, to: Corner| [to[0] - from[0], to[1] - from[1]];
+    let step = |from: CellCorner, to: CellCorner| [to[0] - from[0], to[1] - from[1]];
     let straight = |towards: fn(usize, usize) -> usize| {
         let first = step(at(i), at(towards(i + n, 1)));
         (1..STRAIGHT).all(|k| {
@@ -106,7 +106,7 @@ mod tests {
         let bounds = (Point::ZERO, Point::new(6.0, 4.0));
         let rings = [(2.1, 1.9, 1.6), (3.3, 2.2, 1.4), (4.4, 1.2, 0.7), (1.0, 3.2, 0.4)];
         let near = |p: Point, (x, y, r): (f64, f64, f64)| p.distance(Point::new(x, y)) < r;
-        let grid = Grid::sample(bounds, 0.05, |p| {
+        let grid = CoverageGrid::sample(bounds, 0.05, |p| {
             Some((0..).map(SensorId).zip(rings).filter(|&(_, ring)| near(p, ring)).map(|(sensor, _)| sensor).collect())
         });
         let class = |cell: usize| 1 + grid.watchers(cell).unwrap_or(0);
@@ -124,7 +124,7 @@ mod tests {
     #[test]
     fn corners_of_rooms_stay_sharp() {
         let bounds = (Point::ZERO, Point::new(3.0, 2.0));
-        let grid = Grid::sample(bounds, 0.05, |p| (p.x > 1.0 && p.y > 0.5).then(SensorSet::default));
+        let grid = CoverageGrid::sample(bounds, 0.05, |p| (p.x > 1.0 && p.y > 0.5).then(SensorSet::default));
         let class = |cell: usize| usize::from(grid.cells[cell].is_some());
         let regions = grid.regions(|cell| class(cell) == 1);
         let ring = &smooth(&grid, &regions[0], &class)[0];

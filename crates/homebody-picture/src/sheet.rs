@@ -9,7 +9,7 @@ use super::svg::{Anchor, Px, Svg, Type};
 
 /// The width of every sheet, in pixels.
 pub const WIDTH: f64 = 1200.0;
-/// Where the legend begins, and how wide it is.
+/// The left edge and the width of the legend.
 pub const LEGEND: (f64, f64) = (WIDTH - 290.0, 250.0);
 /// Below the title.
 pub const TOP: f64 = 112.0;
@@ -27,7 +27,7 @@ pub struct Sheet {
     pub px_per_m: f64,
     /// The plan's least and greatest corner, in metres.
     bounds: (Point, Point),
-    /// Where the north-west corner of `bounds` lies.
+    /// The pixel of the north-west corner of `bounds`.
     corner: Point,
 }
 
@@ -62,7 +62,7 @@ impl Sheet {
         Sheet { svg, labels: Labels::default(), px_per_m, bounds, corner }
     }
 
-    /// Where a point of the plan lies on the sheet.
+    /// The pixel of a point of the plan.
     pub fn at(&self, p: Point) -> Point {
         self.corner + Point::new(p.x - self.bounds.0.x, self.bounds.1.y - p.y) * self.px_per_m
     }

@@ -1,6 +1,6 @@
 //! Silhouettes of cameras: one as a PNG, many as an animated PNG, moments side by side as a film strip.
 //!
-//! A body is white on dark ground. A camera without a picture slept, or nobody was before it: a film has it darker, a strip says so.
+//! A body is white on dark ground. A camera without a picture slept, or saw no body: a film has it darker, a strip says so.
 
 use homebody_core::camera::silhouette::Silhouette;
 use homebody_core::geometry::Point;
@@ -51,16 +51,16 @@ pub fn silhouette_png(picture: &Silhouette, scale: u32) -> Result<Vec<u8>, PngEr
     Ok(bytes)
 }
 
-/// What all cameras of a film saw at an instant.
+/// The pictures of all cameras at an instant.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FilmFrame {
     /// By camera; None for one that has no picture of this instant.
     pub silhouettes: Vec<Option<Silhouette>>,
-    /// How long it is shown, in milliseconds.
+    /// The time for which it is shown, in milliseconds.
     pub lasts_ms: u16,
 }
 
-/// Draws a film as an animated PNG that goes on for ever: pictures of cameras of these sizes, in columns and rows, side by side; each of
+/// Draws a film as an animated PNG that repeats for ever: pictures of cameras of these sizes, in columns and rows, side by side; each of
 /// their pixels is `scale` wide and high.
 ///
 /// # Errors
@@ -131,7 +131,7 @@ fn unencoded(error: png::EncodingError) -> PngError {
 /// Moments of several cameras.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SilhouetteStrip {
-    /// What the run is called.
+    /// The name of the run.
     pub name: String,
     /// Each with its columns and rows.
     pub cameras: Vec<(String, [u32; 2])>,
@@ -139,7 +139,7 @@ pub struct SilhouetteStrip {
     pub moments: Vec<StripMoment>,
 }
 
-/// What all cameras saw at a moment.
+/// The pictures of all cameras at a moment.
 #[derive(Clone, Debug, PartialEq)]
 pub struct StripMoment {
     /// The time on the wall.
@@ -230,7 +230,7 @@ fn runs(picture: &Silhouette, corner: Point, pixel: f64) -> String {
     path
 }
 
-/// Where a camera has no picture.
+/// The sign of a missing picture.
 fn empty(svg: &mut Svg, corner: Point, extent: Point) {
     svg.rectangle(corner, extent, &Paint::fill(WHITE).outlined(HAIRLINE, 1.0));
     let set = Type { anchor: Anchor::Middle, ..Type::new(11.0, MUTED) };

@@ -6,7 +6,7 @@ use homebody_core::geometry::Point;
 
 use super::paint::{Paint, WHITE};
 
-/// What an SVG asks for. A reader without the first takes a similar one; labels leave room for that.
+/// The fonts of an SVG. A reader without the first takes a similar one; labels leave room for that.
 const FAMILY: &str = "Ubuntu, 'Helvetica Neue', Arial, sans-serif";
 
 /// A picture being drawn. Points are pixels from the top left; later shapes cover earlier ones.
@@ -16,7 +16,7 @@ pub struct Svg {
     body: String,
 }
 
-/// How a text is set.
+/// The setting of a text.
 #[derive(Clone, Copy)]
 pub struct Type {
     pub size: f64,
@@ -30,7 +30,7 @@ pub struct Type {
     pub upright: bool,
 }
 
-/// Which part of a text lies at its point.
+/// The part of a text that lies at its point.
 #[derive(Clone, Copy, PartialEq)]
 pub enum Anchor {
     Start,

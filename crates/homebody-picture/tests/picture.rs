@@ -4,17 +4,19 @@
 mod home;
 
 use homebody_analysis::coverage::{STEP_M, coverage, of_home};
-use homebody_analysis::day::Day;
-use homebody_analysis::density::{Asked, density};
-use homebody_analysis::parts::Parts;
+use homebody_analysis::day::DayRecord;
+use homebody_analysis::density::{DensityOptions, density};
+use homebody_analysis::parts::PartsList;
 use homebody_core::geometry::{Point, direction, point};
-use homebody_core::home::Build;
-use homebody_core::home::plan::Plan;
-use homebody_core::scenario::home::{HomeFile, SensorFile};
+use homebody_core::home::form::HomeFile;
+use homebody_core::plan::Plan;
+use homebody_core::resident::Build;
+use homebody_core::sensors::kinds::SensorFile;
+use homebody_core::time::{HOUR, WallTime};
 use homebody_log::{Event, Log};
 use homebody_picture::{
-    Activity, Band, DayChart, Holds, Lane, Panel, PngError, Reference, Ticks, TotalsLine, coverage_map, day_chart,
-    density_map, firing_chart, floor_plan, installing, pdf, png, span_chart, totals_chart,
+    BandContent, DayBand, DayChart, FiringLane, Lane, Panel, PngError, Reference, Ticks, TotalsLine, coverage_map,
+    day_chart, density_map, firing_chart, floor_plan, installing, pdf, png, span_chart, totals_chart,
 };
 use resvg::usvg;
 use serde_json::json;
@@ -26,8 +28,8 @@ fn map(file: &HomeFile) -> String {
     coverage_map(file, &seen, &beams(file, &plan))
 }
 
-fn activities() -> Vec<Activity> {
-    let activity = |(index, portion): (usize, char)| Activity {
+fn activities() -> Vec<FiringLane> {
+    let activity = |(index, portion): (usize, char)| FiringLane {
         label: format!("{} feet & more", 5 + 5 * (index % 2)),
         portion,
         firings_s: (0..30 + index).map(|firing| firing as f64 * 8.0).collect(),
@@ -54,13 +56,13 @@ fn spans() -> String {
 
 /// A log of a sensor that fires every ten minutes, for so many days.
 fn steady(days: i64) -> Log {
-    const TEN_MINUTES: i64 = 600_000_000;
-    let events = (0..days * 144).map(|number| Event { at: number * TEN_MINUTES, sensor: 0, value: 0 });
+    let at = |number: i64| WallTime::EPOCH + number * (HOUR / 6);
+    let events = (0..days * 144).map(|number| Event { at: at(number), sensor: 0, value: 0 });
     Log { sensors: vec!["hall <&>".into()], values: vec!["ON".into()], events: events.collect(), ..Log::default() }
 }
 
 fn days_map(days: i64) -> String {
-    let (log, asked) = (steady(days), Asked::default());
+    let (log, asked) = (steady(days), DensityOptions::default());
     density_map(&density(("a & <b>", &log, &asked), Some(("other", &log, &asked))).expect("a map"))
 }
 
@@ -68,8 +70,8 @@ fn planned_day() -> DayChart {
     let spans = vec![(0.0, 25_000.0, "sleeping".to_owned()), (25_000.0, 25_060.0, "taking <pills>".to_owned())];
     let rooms = vec![(0.0, 99_999.0, "bedroom".to_owned())];
     let bands = vec![
-        Band { name: "Ann & Bob".to_owned(), holds: Holds::Activities, spans },
-        Band { name: "rooms".to_owned(), holds: Holds::Rooms, spans: rooms },
+        DayBand { name: "Ann & Bob".to_owned(), holds: BandContent::Activities, spans },
+        DayBand { name: "rooms".to_owned(), holds: BandContent::Rooms, spans: rooms },
     ];
     DayChart { title: "A plan".to_owned(), bands, ticks: Vec::new() }
 }
@@ -134,8 +136,8 @@ fn a_day_is_drawn_with_firings_or_without() {
 
 #[test]
 fn the_chart_of_a_log_has_its_activities_and_firings() {
-    const HOUR: i64 = 3_600_000_000;
-    let event = |hour: i64, sensor, value| Event { at: hour * HOUR, sensor, value };
+    let at = |hour: i64| WallTime::EPOCH + hour * HOUR;
+    let event = |hour: i64, sensor, value| Event { at: at(hour), sensor, value };
     let log = Log {
         sensors: vec!["hall".into(), "door".into()],
         values: vec!["ON".into(), "OFF".into(), "OPEN".into(), "CLOSE".into()],
@@ -150,10 +152,10 @@ fn the_chart_of_a_log_has_its_activities_and_firings() {
             event(47, 0, 0),
             event(49, 0, 1),
         ],
-        activities: vec![homebody_log::Activity { name: "Cook".into(), begin: 40 * HOUR, end: 50 * HOUR }],
+        activities: vec![homebody_log::Activity { name: "Cook".into(), begin: at(40), end: at(50) }],
         ..Log::default()
     };
-    let chart = DayChart::of(&Day::of("log", &log, &[], None, jiff::civil::date(1970, 1, 2)));
+    let chart = DayChart::new(&DayRecord::from_log("log", &log, &[], None, jiff::civil::date(1970, 1, 2)));
     assert_eq!(chart.title, "log: Friday 2 January 1970");
     assert_eq!((chart.bands.len(), chart.ticks.len()), (1, 2));
     // As many as are told, though three of them are seen.
@@ -267,7 +269,7 @@ fn each_firing_is_a_tick() {
 #[test]
 fn charts_bear_having_nothing_to_show() {
     well_formed(&firing_chart("none", &[], 300.0));
-    let silent = Activity { label: "silent".to_owned(), portion: 'A', firings_s: Vec::new() };
+    let silent = FiringLane { label: "silent".to_owned(), portion: 'A', firings_s: Vec::new() };
     well_formed(&firing_chart("silent", &[silent], 0.0));
     well_formed(&totals_chart("none", ["x", "y"], &[], None));
     let one = TotalsLine { label: "one".to_owned(), points: vec![(4.0, 230.0)] };
@@ -316,7 +318,7 @@ fn rows_left_out_of_a_table_are_told_before_its_sum() {
 #[test]
 fn sheets_are_pages_of_a_pdf_with_words_that_can_be_copied() {
     let file = home::furnished();
-    let parts = Parts::of(&file);
+    let parts = PartsList::from_home(&file);
     let pages = installing(&file, &of_home(&file, Build::adult(), STEP_M), &parts);
     let whole = pdf(&file.name, &pages).unwrap();
     assert!(whole.starts_with(b"%PDF-1.7") && whole.trim_ascii_end().ends_with(b"%%EOF"));
@@ -347,7 +349,7 @@ fn a_long_list_goes_over_sheets_and_a_long_name_stays_on_its_own() {
     };
     let file = home::two_rooms(json!([]), (0..60).map(sensor).collect());
     let seen = of_home(&file, Build::adult(), STEP_M);
-    let pages = installing(&file, &seen, &Parts::of(&file));
+    let pages = installing(&file, &seen, &PartsList::from_home(&file));
     assert!(pages.len() > 4, "{}", pages.len());
     let all: String = pages[2..].concat();
     assert!((0..60).all(|number| number == 7 || all.contains(&format!(">sensor {number}</text>"))));

@@ -11,8 +11,9 @@ mod stage;
 
 use homebody_core::event::Value;
 use homebody_core::scenario::logger::TimeFormat;
-use homebody_log::table::{Batch, Cell, Column, ColumnKind, Table, Texts};
-use homebody_log::{Begin, Cancel, How, Sink};
+use homebody_core::time::RunTime;
+use homebody_log::table::{Batch, Cell, Column, ColumnKind, Table, TextPool};
+use homebody_log::{Begin, Cancel, Sink, WriteMode};
 use homebody_postgres::Postgres;
 use spread::Spread;
 use stage::{Server, life};
@@ -87,13 +88,13 @@ fn bare_rows() -> Vec<Bare> {
     let row = |firing: &homebody_core::event::Firing| {
         let sensor = ["bedroom motion", "kitchen motion", "thermometer"][firing.sensor.index()];
         let value = if firing.value == Value::Fire { "ON".to_owned() } else { firing.value.to_string() };
-        (firing.seq as i64, start + Duration::from_micros(firing.at as u64), sensor, value)
+        (firing.seq as i64, start + firing.at.since_zero().to_duration(), sensor, value)
     };
     life::firings(ROWS).iter().map(row).collect()
 }
 
 fn batches() -> Vec<Batch> {
-    let mut texts = Texts::default();
+    let mut texts = TextPool::default();
     let sensors = texts.ids(&["bedroom motion", "kitchen motion", "thermometer"].map(String::from));
     let on = Cell::Text(texts.id("ON"));
     let batch = |firings: &[homebody_core::event::Firing]| {
@@ -157,7 +158,7 @@ fn sink(server: &Server, batches: &[Batch]) -> f64 {
         time: TimeFormat::Utc,
         run_column: "run_id",
         spreadsheet_safe: false,
-        how: How::New,
+        how: WriteMode::Create,
         is_whole: false,
         cancel: &Cancel::new(),
         deadline: &homebody_log::Deadline::default(),
@@ -166,7 +167,7 @@ fn sink(server: &Server, batches: &[Batch]) -> f64 {
     for batch in batches {
         sink.write(batch).expect("taken rows");
     }
-    sink.finish(0).expect("a finished run");
+    sink.finish(RunTime::START).expect("a finished run");
     start.elapsed().as_secs_f64()
 }
 

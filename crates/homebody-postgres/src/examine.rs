@@ -7,7 +7,7 @@ use crate::schema::{RUNS, TRUTH_SCHEMA, look, quoted, usual};
 use crate::server::{Host, Server};
 use homebody_core::problem::Problem;
 use homebody_core::scenario::logger::LoggerFile;
-use homebody_log::examine::{Asked, Check, is_this_machine, log_table, truth_tables};
+use homebody_log::examine::{Check, CheckOptions, is_this_machine, log_table, truth_tables};
 use homebody_log::table::Table;
 use homebody_log::{LogError, Url};
 
@@ -15,7 +15,7 @@ use homebody_log::{LogError, Url};
 const OLDEST: i32 = 120_000;
 
 /// Looks at a database.
-pub(crate) fn examine(url: &Url, asked: &Asked) -> Result<Vec<Check>, LogError> {
+pub(crate) fn examine(url: &Url, asked: &CheckOptions) -> Result<Vec<Check>, LogError> {
     let server = Server::parse(&url.to_string())?;
     let (log, run_column) = log_table(asked.mapping)?;
     let connection = match Connection::to_read(&server) {

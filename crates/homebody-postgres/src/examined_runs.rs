@@ -7,7 +7,7 @@ use crate::schema::{RUNS, ident, quoted};
 use crate::source::columns_of;
 use homebody_core::problem::counted;
 use homebody_log::LogError;
-use homebody_log::examine::{Check, Verdict, found_of};
+use homebody_log::examine::{Check, CheckVerdict, found_of};
 use homebody_log::table::Table;
 use std::collections::BTreeMap;
 
@@ -176,7 +176,7 @@ fn numbers(
         let known = told.iter().find(|told| told.run == id);
         let check = found_of(&format!("run {id}"), rows, (missing, first_missing), (rows - distinct, None));
         match check.verdict {
-            Verdict::Ok => found.well("rows", check.says, rows),
+            CheckVerdict::Ok => found.well("rows", check.says, rows),
             _ if known.is_some_and(|told| told.is_of_fleet) && rows == distinct => found.lacks(missing),
             _ => found.not_well.push(check),
         }

@@ -14,9 +14,10 @@ use crate::server::Server;
 use crate::trouble::{changed, unheld, wrong};
 use futures_util::SinkExt;
 use homebody_core::event::Value;
-use homebody_log::fleet::{Fleet, FleetRow, FleetSink, Told};
-use homebody_log::table::{Batch, Cell, Texts};
-use homebody_log::{Begin, Cancel, Deadline, How, LogError, Url};
+use homebody_core::time::UtcTime;
+use homebody_log::fleet::{Fleet, FleetEvent, FleetRow, FleetSink};
+use homebody_log::table::{Batch, Cell, TextPool};
+use homebody_log::{Begin, Cancel, Deadline, LogError, Url, WriteMode};
 use std::collections::BTreeMap;
 use std::sync::Arc;
 use std::time::Instant;
@@ -47,9 +48,9 @@ struct Open {
 struct Kind {
     table: InTable,
     encoder: Encoder,
-    texts: Texts,
-    /// When runs start, in microseconds since 1970.
-    start: i64,
+    texts: TextPool,
+    /// When runs start.
+    start: UtcTime,
 }
 
 /// How far the database holds a home.
@@ -81,7 +82,7 @@ impl FleetSink for PostgresFleet {
         }
     }
 
-    fn begin(&mut self, fleet: &Arc<Fleet>, how: How, deadline: &Deadline) -> Result<Vec<u64>, LogError> {
+    fn begin(&mut self, fleet: &Arc<Fleet>, how: WriteMode, deadline: &Deadline) -> Result<Vec<u64>, LogError> {
         let server = Server::parse(&self.url)?;
         let connection = Connection::open(&server, deadline)?;
         let (mut kinds, mut all) = (Vec::new(), None);
@@ -93,7 +94,7 @@ impl FleetSink for PostgresFleet {
                 time: layout.time,
                 run_column: &layout.run_column,
                 spreadsheet_safe: false,
-                how: How::GoOn,
+                how: WriteMode::Resume,
                 is_whole: false,
                 cancel: &Cancel::new(),
                 deadline,
@@ -101,12 +102,12 @@ impl FleetSink for PostgresFleet {
             let schema = Schema::make(&connection, &server, &begin)?;
             let start = runs::start_of(&layout.run);
             let encoder = Encoder::new(0, start, layout.time);
-            kinds.push(Kind { table: schema.tables[0].clone(), encoder, texts: Texts::default(), start });
+            kinds.push(Kind { table: schema.tables[0].clone(), encoder, texts: TextPool::default(), start });
             all = Some(schema);
         }
         let none = || wrong(&server, ServerMessage::NoHomes);
         let schema = all.ok_or_else(none)?;
-        if how == How::Replace {
+        if how == WriteMode::Overwrite {
             fleet_runs::forget(&connection, &schema, &kinds_of(fleet, &kinds))?;
         }
         fleet_runs::add(&connection, &schema, fleet)?;
@@ -129,10 +130,10 @@ impl FleetSink for PostgresFleet {
         Ok(there)
     }
 
-    fn tell(&mut self, told: &[Told]) -> Result<(), LogError> {
+    fn tell(&mut self, told: &[FleetEvent]) -> Result<(), LogError> {
         let open = self.begun()?;
         let rows: Vec<FleetRow> =
-            told.iter().filter_map(|told| if let Told::Row(row) = told { Some(*row) } else { None }).collect();
+            told.iter().filter_map(|told| if let FleetEvent::Row(row) = told { Some(*row) } else { None }).collect();
         if rows.is_empty() {
             return Ok(());
         }
@@ -148,7 +149,7 @@ impl FleetSink for PostgresFleet {
         .inspect_err(|_| open.connection = None)
     }
 
-    fn finish(&mut self, end: i64) -> Result<(), LogError> {
+    fn finish(&mut self, end: UtcTime) -> Result<(), LogError> {
         let open = self.begun()?;
         let ids: Vec<i64> = open.fleet.homes.iter().map(|home| home.run).collect();
         let sql =

@@ -33,7 +33,7 @@ mod examined_runs;
 pub use fleet::PostgresFleet;
 use homebody_core::scenario::scheme::Scheme;
 use homebody_log::Policy;
-use homebody_log::elsewhere::Elsewhere;
+use homebody_log::registry::PlacePlugin;
 pub use messages::MESSAGES;
 pub use sink::Postgres;
 pub use source::FORM;
@@ -48,7 +48,7 @@ pub fn understood(url: &str) -> Result<(), homebody_log::LogError> {
 }
 
 /// PostgreSQL as a kind of place.
-pub const POSTGRESQL: Elsewhere = Elsewhere {
+pub const POSTGRESQL: PlacePlugin = PlacePlugin {
     schemes: &[Scheme::Postgresql],
     open: |url| Box::new(Postgres::new(url)),
     fleet: Some(|url| Box::new(PostgresFleet::new(url))),

@@ -231,7 +231,7 @@ homebody_core::messages! {
 }
 
 /// The messages of this crate, by area.
-pub const MESSAGES: &[&[homebody_core::messages::Entry]] = &[
+pub const MESSAGES: &[&[homebody_core::messages::CatalogueEntry]] = &[
     <ServerUrlMessage as homebody_core::messages::Catalogue>::ENTRIES,
     <ServerMessage as homebody_core::messages::Catalogue>::ENTRIES,
     <ContinueMessage as homebody_core::messages::Catalogue>::ENTRIES,

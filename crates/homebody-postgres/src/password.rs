@@ -1,7 +1,7 @@
 //! Where passwords come from, as for libpq: `PGPASSWORD`, else a file of passwords that nobody else may read.
 
 use crate::server::{Host, Server};
-use homebody_log::plain::others_may_read;
+use homebody_log::files::plain::others_may_read;
 use std::fs;
 use std::path::{Path, PathBuf};
 

@@ -6,12 +6,12 @@
 use crate::schema::InTable;
 use bytes::{BufMut, Bytes, BytesMut};
 use homebody_core::scenario::logger::TimeFormat;
-use homebody_core::time::Micros;
+use homebody_core::time::{Span, UtcTime};
 use homebody_log::table::{Batch, Cell, TextId, thousandths};
 use std::sync::Arc;
 
-/// What the server's own count of microseconds begins with, 2000-01-01, in microseconds since 1970.
-pub(crate) const EPOCH_2000: i64 = 946_684_800_000_000;
+/// From 1970 to 2000-01-01, with which the server's own count of microseconds begins.
+pub(crate) const EPOCH_2000: Span = Span::from_micros(946_684_800_000_000);
 
 /// What stands before the rows: the signature, no flags, no extension.
 const HEADER: &[u8] = b"PGCOPY\n\xff\r\n\0\0\0\0\0\0\0\0\0";
@@ -25,8 +25,8 @@ const CHUNK_BYTES: usize = 1 << 16;
 /// How cells become bytes.
 pub(crate) struct Encoder {
     run: i64,
-    /// The run's start, in microseconds since 1970.
-    start: i64,
+    /// The run's start.
+    start: UtcTime,
     time: TimeFormat,
     texts: Vec<Arc<str>>,
     buffer: String,
@@ -41,7 +41,7 @@ pub(crate) struct Rows {
 }
 
 impl Encoder {
-    pub fn new(run: i64, start: i64, time: TimeFormat) -> Encoder {
+    pub fn new(run: i64, start: UtcTime, time: TimeFormat) -> Encoder {
         Encoder { run, start, time, texts: Vec::new(), buffer: String::new() }
     }
 
@@ -57,7 +57,7 @@ impl Encoder {
     }
 
     /// From now on rows are of this run, which starts then.
-    pub fn of_run(&mut self, run: i64, start: i64) {
+    pub fn of_run(&mut self, run: i64, start: UtcTime) {
         (self.run, self.start) = (run, start);
     }
 
@@ -90,11 +90,14 @@ impl Encoder {
             }
             Cell::Instant(at) => {
                 out.put_i32(8);
-                let epoch = self.start + at;
+                let epoch = self.start + at.since_zero();
                 match self.time {
-                    TimeFormat::Local | TimeFormat::LocalOffset | TimeFormat::Utc => out.put_i64(epoch - EPOCH_2000),
-                    TimeFormat::EpochS => out.put_f64(seconds(epoch)),
-                    TimeFormat::EpochMs => out.put_i64(epoch.div_euclid(1000)),
+                    TimeFormat::Local | TimeFormat::LocalOffset | TimeFormat::Utc => {
+                        out.put_i64((epoch - EPOCH_2000).micros());
+                    }
+                    // As SQLite keeps it, too.
+                    TimeFormat::EpochS => out.put_f64(epoch.since_zero().seconds()),
+                    TimeFormat::EpochMs => out.put_i64(epoch.micros().div_euclid(1000)),
                 }
             }
             Cell::Text(TextId(id)) => text(&self.texts[id as usize], out),
@@ -104,11 +107,6 @@ impl Encoder {
             }
         }
     }
-}
-
-/// An instant as SQLite keeps it, too.
-fn seconds(epoch: Micros) -> f64 {
-    epoch as f64 / 1e6
 }
 
 fn text(text: &str, out: &mut BytesMut) {
@@ -144,18 +142,22 @@ pub(crate) fn copy_into(table: &InTable) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use homebody_log::table::Texts;
+    use homebody_core::time::RunTime;
+    use homebody_log::table::TextPool;
 
     #[test]
     fn a_row_is_what_the_server_reads() {
-        let mut texts = Texts::default();
+        let mut texts = TextPool::default();
         let mut batch = Batch::default();
         batch.push(0, [Cell::Text(texts.id("hall"))]);
         let batch = batch.with(&texts);
-        let mut encoder = Encoder::new(7, EPOCH_2000, TimeFormat::Utc);
+        let mut encoder = Encoder::new(7, UtcTime::EPOCH + EPOCH_2000, TimeFormat::Utc);
         encoder.learn(&batch).unwrap();
         let mut rows = Rows::default();
-        encoder.row(&[Cell::Null, Cell::Instant(5), Cell::Text(TextId(0)), Cell::Thousandths(-1500)], &mut rows);
+        encoder.row(
+            &[Cell::Null, Cell::Instant(RunTime::from_micros(5)), Cell::Text(TextId(0)), Cell::Thousandths(-1500)],
+            &mut rows,
+        );
         let expected = [
             HEADER,
             &5_i16.to_be_bytes(),
@@ -172,9 +174,9 @@ mod tests {
 
     #[test]
     fn a_text_that_no_server_takes_is_found() {
-        let mut texts = Texts::default();
+        let mut texts = TextPool::default();
         let mut batch = Batch::default();
         batch.push(0, [Cell::Text(texts.id("a\0b"))]);
-        assert!(Encoder::new(1, 0, TimeFormat::Utc).learn(&batch.with(&texts)).is_err());
+        assert!(Encoder::new(1, UtcTime::EPOCH, TimeFormat::Utc).learn(&batch.with(&texts)).is_err());
     }
 }

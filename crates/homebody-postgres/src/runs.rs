@@ -5,7 +5,8 @@ use crate::connection::Connection;
 use crate::rows::EPOCH_2000;
 use crate::schema::Schema;
 use bytes::BytesMut;
-use homebody_core::time::Micros;
+use homebody_core::time::{RunTime, Span, UtcTime, WallTime};
+use homebody_log::source::LogInstant;
 use homebody_log::{LogError, RunInfo};
 use std::error::Error;
 use tokio_postgres::types::{FromSql, IsNull, ToSql, Type, to_sql_checked};
@@ -93,7 +94,7 @@ pub(crate) fn mark(
     schema: &Schema,
     run: &RunInfo,
     rows: &[i64],
-    end: Option<Micros>,
+    end: Option<RunTime>,
 ) -> Result<(), LogError> {
     let sql = format!(
         "UPDATE {} SET rows = $2, commits = commits + 1, ended_at = $3, home = $4, scenario = $5, seed = $6, version = $7, \
@@ -102,7 +103,7 @@ pub(crate) fn mark(
     );
     let tables: Vec<&str> = schema.tables.iter().map(|table| table.name.as_str()).collect();
     let (seed, zone, start) = (run.seed.to_string(), zone(run), At(start_of(run)));
-    let end = end.map(|end| At(start.0 + end));
+    let end = end.map(|end| At(start.0 + end.since_zero()));
     let values: [&(dyn ToSql + Sync); 10] =
         [&run.id, &rows, &end, &run.home, &run.scenario, &seed, &run.version, &zone, &start, &tables];
     connection.wait(connection.client.execute(&sql, &values)).map(|_| ())
@@ -116,22 +117,22 @@ pub(crate) fn forget(connection: &Connection, schema: &Schema, run: i64) -> Resu
     connection.wait_for(LONGEST, connection.client.execute(&sql, &[&run])).map(|_| ())
 }
 
-/// The run's start, in microseconds since 1970.
-pub(crate) fn start_of(run: &RunInfo) -> i64 {
-    run.calendar.timestamp(0).as_microsecond()
+/// The run's start.
+pub(crate) fn start_of(run: &RunInfo) -> UtcTime {
+    run.calendar.timestamp(RunTime::START).into()
 }
 
 pub(crate) fn zone(run: &RunInfo) -> String {
-    run.calendar.local(0).time_zone().iana_name().unwrap_or("UTC").to_owned()
+    run.calendar.local(RunTime::START).time_zone().iana_name().unwrap_or("UTC").to_owned()
 }
 
-/// An instant as the server keeps it, in microseconds since 1970.
+/// An instant as the server keeps it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) struct At(pub i64);
+pub(crate) struct At(pub UtcTime);
 
 impl ToSql for At {
     fn to_sql(&self, kind: &Type, out: &mut BytesMut) -> Result<IsNull, Box<dyn Error + Sync + Send>> {
-        (self.0 - EPOCH_2000).to_sql(kind, out)
+        (self.0 - EPOCH_2000).micros().to_sql(kind, out)
     }
 
     fn accepts(kind: &Type) -> bool {
@@ -141,10 +142,18 @@ impl ToSql for At {
     to_sql_checked!();
 }
 
-impl<'a> FromSql<'a> for At {
-    fn from_sql(kind: &Type, raw: &'a [u8]) -> Result<At, Box<dyn Error + Sync + Send>> {
+/// An instant as a column of the server tells it: by the world's clock, or by one on some wall.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Told(pub LogInstant);
+
+impl<'a> FromSql<'a> for Told {
+    fn from_sql(kind: &Type, raw: &'a [u8]) -> Result<Told, Box<dyn Error + Sync + Send>> {
         // What never was and what never will be stay what they are.
-        Ok(At(i64::from_sql(kind, raw)?.saturating_add(EPOCH_2000)))
+        let since_1970 = Span::from_micros(i64::from_sql(kind, raw)?).saturating_add(EPOCH_2000);
+        Ok(Told(match *kind {
+            Type::TIMESTAMPTZ => LogInstant::Utc(UtcTime::EPOCH + since_1970),
+            _ => LogInstant::Local(WallTime::EPOCH + since_1970),
+        }))
     }
 
     fn accepts(kind: &Type) -> bool {

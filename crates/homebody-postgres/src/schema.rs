@@ -7,7 +7,7 @@ use crate::trouble::wrong;
 use homebody_core::problem::{Problem, readable};
 use homebody_core::scenario::logger::TimeFormat;
 use homebody_log::table::{Column, ColumnKind, Table};
-use homebody_log::{Begin, How, LogError};
+use homebody_log::{Begin, LogError, WriteMode};
 use std::collections::BTreeMap;
 use tokio_postgres::Row;
 
@@ -139,7 +139,7 @@ pub(crate) fn look(
     let wanted: Vec<Wanted> =
         tables.iter().map(|table| Wanted::of(table, time, run_column)).chain([Wanted::runs()]).collect();
     let found = Found::look(connection, schema, &wanted)?;
-    let problems = found.problems(schema, &wanted, How::New);
+    let problems = found.problems(schema, &wanted, WriteMode::Create);
     Ok((found.tables.into_keys().collect(), problems))
 }
 
@@ -297,7 +297,7 @@ impl Found {
     }
 
     /// All that is wrong: what, and what to do.
-    fn problems(&self, schema: &str, wanted: &[Wanted], how: How) -> Vec<Problem> {
+    fn problems(&self, schema: &str, wanted: &[Wanted], how: WriteMode) -> Vec<Problem> {
         let mut problems = Vec::new();
         let user = &self.user;
         if self.is_read_only {
@@ -330,12 +330,12 @@ impl Found {
     }
 
     /// The rights that the user lacks, in one problem: it is one role that lacks them.
-    fn rights(&self, schema: &str, wanted: &[Wanted], how: How) -> Option<Problem> {
+    fn rights(&self, schema: &str, wanted: &[Wanted], how: WriteMode) -> Option<Problem> {
         let lacks = |right: usize| -> Vec<&str> {
             let is_lacking = |wanted: &&Wanted| {
                 let needed = match (wanted.is_runs, how) {
                     (true, _) => [true, true, true, false],
-                    (false, how) => [true, true, false, how == How::Replace],
+                    (false, how) => [true, true, false, how == WriteMode::Overwrite],
                 };
                 needed[right] && self.tables.get(&wanted.name).is_some_and(|table| table.is_table && !table.may[right])
             };

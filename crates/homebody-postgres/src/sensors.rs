@@ -2,7 +2,7 @@
 
 use crate::connection::Connection;
 use crate::schema::{SENSORS, Schema, quoted};
-use homebody_log::sensor_info::{says_more_of, sensor_cells};
+use homebody_log::log::{says_more_of, sensor_cells};
 use homebody_log::{LogError, SensorInfo};
 use tokio_postgres::Row;
 use tokio_postgres::types::ToSql;

@@ -4,8 +4,8 @@
 //! `PGSSLROOTCERT`. A password in a URL is refused: it would end up in histories, in lists of processes and in messages.
 
 use crate::messages::ServerUrlMessage;
+use homebody_core::nearest::nearest;
 use homebody_core::problem::{Problem, readable};
-use homebody_core::scenario::nearest::nearest;
 use homebody_log::LogError;
 use homebody_log::url::percent_decoded;
 use std::path::{Path, PathBuf};

@@ -16,9 +16,9 @@ use crate::trouble::{changed, unheld, wrong};
 use bytes::Bytes;
 use futures_util::SinkExt;
 use homebody_core::scenario::logger::TimeFormat;
-use homebody_core::time::Micros;
+use homebody_core::time::RunTime;
 use homebody_log::table::{Batch, ColumnKind};
-use homebody_log::{Begin, Deadline, How, LogError, RunInfo, Sink, Url, Watermark};
+use homebody_log::{Begin, Deadline, LogError, RunInfo, Sink, Url, Watermark, WriteMode};
 use std::pin::Pin;
 use std::time::Instant;
 use tokio_postgres::CopyInSink;
@@ -75,7 +75,7 @@ struct Sealed {
     rows: Vec<Rows>,
     /// How many rows of each table there are then.
     then: Vec<i64>,
-    end: Option<Micros>,
+    end: Option<RunTime>,
     /// Whether the server was asked to end the transaction.
     is_in_doubt: bool,
 }
@@ -114,14 +114,15 @@ impl Sink for Postgres {
         }
         let known = runs::find(&connection, &schema, run.id, false)?;
         let is_ours = self.has_tried && known.as_ref().is_some_and(|known| known.commits == 0);
-        let has_rows = known.is_none() && begin.how != How::GoOn && runs::has_rows(&connection, &schema, run.id)?;
-        if begin.how == How::New && (known.is_some() && !is_ours || has_rows) {
+        let has_rows =
+            known.is_none() && begin.how != WriteMode::Resume && runs::has_rows(&connection, &schema, run.id)?;
+        if begin.how == WriteMode::Create && (known.is_some() && !is_ours || has_rows) {
             return Err(already(&server, &schema, &run));
         }
-        let mut replaces = begin.how == How::Replace && (known.is_some() || has_rows);
+        let mut replaces = begin.how == WriteMode::Overwrite && (known.is_some() || has_rows);
         let nothing = vec![0; schema.tables.len()];
         let (commits, durable) = match known {
-            Some(known) if begin.how == How::GoOn => {
+            Some(known) if begin.how == WriteMode::Resume => {
                 can_go_on(&server, &schema, &known)?;
                 // What residents were doing as the run was stopped is said to end there and then.
                 replaces = schema.is_truth && known.is_ended;
@@ -136,14 +137,14 @@ impl Sink for Postgres {
                 (0, nothing)
             }
         };
-        if begin.how == How::Replace {
+        if begin.how == WriteMode::Overwrite {
             sensors::forget(&connection, &schema, &[run.id])?;
         }
         sensors::tell(&connection, &schema, &[(run.id, &run.sensors)])?;
         let encoder = Encoder::new(run.id, runs::start_of(&run), begin.time);
         let waiting = vec![Rows::default(); schema.tables.len()];
         let connection = Some(connection);
-        let goes_on = begin.how == How::GoOn && !schema.is_truth && durable[0] > 0;
+        let goes_on = begin.how == WriteMode::Resume && !schema.is_truth && durable[0] > 0;
         let instants = begin.tables[0].columns.iter().find(|column| column.kind == ColumnKind::Instant);
         let goes_on_by = instants.filter(|_| goes_on).map(|column| (ident(&column.name), begin.time));
         let (sealed, ahead) = (None, None);
@@ -184,13 +185,13 @@ impl Sink for Postgres {
         Ok(())
     }
 
-    fn settle(&mut self) -> Result<Watermark, LogError> {
+    fn make_durable(&mut self) -> Result<Watermark, LogError> {
         let open = self.begun()?;
         open.commit(None)?;
         Ok(open.watermark())
     }
 
-    fn finish(&mut self, end: Micros) -> Result<(), LogError> {
+    fn finish(&mut self, end: RunTime) -> Result<(), LogError> {
         let open = self.begun()?;
         open.has_come_as_far(end)?;
         open.commit(Some(end))?;
@@ -219,13 +220,13 @@ impl Open {
     }
 
     /// Refuses the end of a run that is gone on with and was stopped before it had come as far as before.
-    fn has_come_as_far(&mut self, end: Micros) -> Result<(), LogError> {
+    fn has_come_as_far(&mut self, end: RunTime) -> Result<(), LogError> {
         // Where new rows have come, it has.
         let has_new = self.sealed.is_some() || self.waiting.iter().any(|rows| rows.count > 0);
         let Some((column, time)) = self.goes_on_by.take().filter(|_| !has_new) else { return Ok(()) };
         let Open { server, connection: Some(connection), schema, run, .. } = self else { return Ok(()) };
-        let end = runs::start_of(run) + end;
-        let (seconds, milliseconds) = (end as f64 / 1e6, end.div_euclid(1000));
+        let end = runs::start_of(run) + end.since_zero();
+        let (seconds, milliseconds) = (end.since_zero().seconds(), end.micros().div_euclid(1000));
         let end: &(dyn ToSql + Sync) = match time {
             TimeFormat::Local | TimeFormat::LocalOffset | TimeFormat::Utc => &At(end),
             TimeFormat::EpochS => &seconds,
@@ -240,7 +241,7 @@ impl Open {
     }
 
     /// Makes sure of all rows that have come, and of the run's end if that has come.
-    fn commit(&mut self, end: Option<Micros>) -> Result<(), LogError> {
+    fn commit(&mut self, end: Option<RunTime>) -> Result<(), LogError> {
         // What an earlier call has left undone comes first, as it was.
         while self.sealed.is_some() || end.is_some() || self.waiting.iter().any(|rows| rows.count > 0) {
             let sealed = self.sealed.get_or_insert_with(|| {

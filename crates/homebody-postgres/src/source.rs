@@ -3,21 +3,22 @@
 
 use crate::connection::Connection;
 use crate::messages::ServerMessage;
-use crate::runs::At;
+use crate::runs::Told;
 use crate::schema::{RUNS, ident, quoted, usual};
 use crate::sensors;
 use crate::server::Server;
 use crate::trouble::{told, wrong};
+use homebody_core::nearest::nearest;
 use homebody_core::scenario::logger::{ColumnsFile, LoggerFile};
-use homebody_core::scenario::nearest::nearest;
 use homebody_log::LogError;
-use homebody_log::source::{Form, Instant, Reading, SPAN_COLUMNS, SPANS, Shows};
+use homebody_log::log::{SPAN_COLUMNS, SPANS};
+use homebody_log::source::{LogForm, LogInstant, LogReading, Shows};
 use std::path::Path;
 use tokio_postgres::Row;
 use tokio_postgres::types::ToSql;
 
 /// Logs in databases of PostgreSQL.
-pub const FORM: Form = Form {
+pub const FORM: LogForm = LogForm {
     name: "postgresql",
     what: "a table of a database of PostgreSQL that has a time, a sensor and a value, by the names of logger.json or ours",
     shows: |_| Shows::Nothing,
@@ -33,7 +34,7 @@ pub(crate) const BEGIN: &str = "BEGIN READ ONLY; SET LOCAL idle_in_transaction_s
 /// Largest number of runs, tables or columns in an error (our choice).
 const MOST_NAMED: usize = 20;
 
-fn read(path: &Path, file: &LoggerFile, reading: &mut Reading<'_>) -> Result<(), LogError> {
+fn read(path: &Path, file: &LoggerFile, reading: &mut LogReading<'_>) -> Result<(), LogError> {
     let server = Server::parse(&path.to_string_lossy())?;
     let connection = Connection::to_read(&server)?;
     let table = Found::find(&connection, &server, file)?;
@@ -71,7 +72,7 @@ fn spans(
     server: &Server,
     log: &Found,
     run: Option<&str>,
-    reading: &mut Reading<'_>,
+    reading: &mut LogReading<'_>,
 ) -> Result<bool, LogError> {
     let columns = columns_of(connection, &log.schema, SPANS)?;
     let [begin, end, activity] = SPAN_COLUMNS;
@@ -103,11 +104,10 @@ fn spans(
         let rows = connection.wait(connection.client.query(&next, &[]))?;
         for row in &rows {
             line += 1;
-            let mut at = |place: usize| -> Result<Option<Instant>, tokio_postgres::Error> {
+            let mut at = |place: usize| -> Result<Option<LogInstant>, tokio_postgres::Error> {
                 Ok(match clocks[place] {
                     Time::Text => row.try_get::<_, Option<&str>>(place)?.and_then(|text| reading.instant(text)),
-                    Time::Utc => row.try_get::<_, Option<At>>(place)?.map(|At(at)| Instant::Utc(at)),
-                    Time::Local => row.try_get::<_, Option<At>>(place)?.map(|At(at)| Instant::Local(at)),
+                    Time::Stamp => row.try_get::<_, Option<Told>>(place)?.map(|Told(at)| at),
                 })
             };
             let (begin, end) = (at(0).map_err(failed)?, at(1).map_err(failed)?);
@@ -132,8 +132,7 @@ fn told_of(server: &Server, error: &tokio_postgres::Error) -> LogError {
 /// What a column of this type says of instants.
 fn clock_of(is: &str) -> Time {
     match is {
-        "timestamp with time zone" => Time::Utc,
-        "timestamp without time zone" => Time::Local,
+        "timestamp with time zone" | "timestamp without time zone" => Time::Stamp,
         _ => Time::Text,
     }
 }
@@ -157,10 +156,8 @@ struct Found {
 /// What a column of instants says.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Time {
-    /// Instants of the world's clock.
-    Utc,
-    /// Those of a clock on some wall.
-    Local,
+    /// Instants, of the world's clock or of one on some wall.
+    Stamp,
     /// A text or a number, as files have them.
     Text,
 }
@@ -291,20 +288,17 @@ impl Found {
     }
 
     /// Hands a row over.
-    fn take(&self, line: u64, row: &Row, reading: &mut Reading) -> Result<(), Failed> {
+    fn take(&self, line: u64, row: &Row, reading: &mut LogReading) -> Result<(), Failed> {
         let [sensor, value] = [1, 2].map(|column| row.try_get::<_, Option<&str>>(column));
         let (sensor, value) = (sensor?.unwrap_or_default(), value?.unwrap_or_default());
         let is_row = match self.clock {
             Time::Text => reading.row(line, row.try_get::<_, Option<&str>>(0)?.unwrap_or_default(), sensor, value)?,
-            clock => match row.try_get::<_, Option<At>>(0)? {
+            Time::Stamp => match row.try_get::<_, Option<Told>>(0)? {
                 None => {
                     reading.skip(line, "there is no time".into());
                     false
                 }
-                Some(At(at)) => {
-                    let instant = if clock == Time::Utc { Instant::Utc(at) } else { Instant::Local(at) };
-                    reading.event(line, instant, sensor, value)?
-                }
+                Some(Told(instant)) => reading.event(line, instant, sensor, value)?,
             },
         };
         if is_row && self.label.is_some() {

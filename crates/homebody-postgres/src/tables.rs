@@ -2,20 +2,20 @@
 
 use crate::connection::Connection;
 use crate::messages::ServerMessage;
-use crate::runs::At;
+use crate::runs::Told;
 use crate::schema::{RUNS, TRUTH_SCHEMA, ident, quoted};
 use crate::server::Server;
 use crate::source::{BEGIN, ROWS_AT_ONCE, columns_of, listed};
 use crate::trouble::{told, wrong};
-use homebody_log::problems::TruthMessage;
-use homebody_log::source::{Instant, TakeRow, Value};
+use homebody_log::error::TruthMessage;
+use homebody_log::source::{TakeTruthRow, TruthValue};
 use homebody_log::table::{Column, ColumnKind, Table};
 use homebody_log::{LogError, Url};
 use tokio_postgres::Row;
 use tokio_postgres::types::ToSql;
 
 /// Reads tables of a truth.
-pub(crate) fn read(url: &Url, wanted: &[&Table], take: &mut TakeRow<'_>) -> Result<(), LogError> {
+pub(crate) fn read(url: &Url, wanted: &[&Table], take: &mut TakeTruthRow<'_>) -> Result<(), LogError> {
     let server = Server::parse(&url.to_string())?;
     let connection = Connection::to_read(&server)?;
     let schema = server.schema.clone().unwrap_or_else(|| TRUTH_SCHEMA.into());
@@ -93,8 +93,7 @@ struct Found {
 /// What a column hands over.
 #[derive(Clone, Copy, PartialEq)]
 enum Cell {
-    Utc,
-    Local,
+    Stamp,
     Integer,
     Real,
     Text,
@@ -124,7 +123,7 @@ impl Found {
             |column: &Column| there.iter().find(|(name, _)| *name == column.name).map_or("", |(_, is)| is.as_str());
         let cells: Vec<Cell> = table.columns.iter().map(|column| cell(column.kind, is(column))).collect();
         let told = |(column, cell): (&Column, &Cell)| match cell {
-            Cell::Utc | Cell::Local => ident(&column.name),
+            Cell::Stamp => ident(&column.name),
             Cell::Integer => format!("{}::bigint", ident(&column.name)),
             Cell::Real => format!("{}::double precision", ident(&column.name)),
             Cell::Text => format!("{}::text", ident(&column.name)),
@@ -145,7 +144,7 @@ impl Found {
         connection: &Connection,
         server: &Server,
         run: i64,
-        take: &mut dyn FnMut(&[Value<'_>]) -> Result<(), LogError>,
+        take: &mut dyn FnMut(&[TruthValue<'_>]) -> Result<(), LogError>,
     ) -> Result<(), LogError> {
         let client = &connection.client;
         let declared = format!("DECLARE rows NO SCROLL CURSOR FOR {}", self.sql);
@@ -164,16 +163,15 @@ impl Found {
         }
     }
 
-    fn values<'r>(&self, row: &'r Row) -> Result<Vec<Value<'r>>, tokio_postgres::Error> {
+    fn values<'r>(&self, row: &'r Row) -> Result<Vec<TruthValue<'r>>, tokio_postgres::Error> {
         let value = |(place, cell): (usize, &Cell)| {
             Ok(match cell {
-                Cell::Utc => row.try_get::<_, Option<At>>(place)?.map(|At(at)| Value::Instant(Instant::Utc(at))),
-                Cell::Local => row.try_get::<_, Option<At>>(place)?.map(|At(at)| Value::Instant(Instant::Local(at))),
-                Cell::Integer => row.try_get::<_, Option<i64>>(place)?.map(Value::Integer),
-                Cell::Real => row.try_get::<_, Option<f64>>(place)?.map(Value::Real),
-                Cell::Text => row.try_get::<_, Option<&str>>(place)?.map(Value::Text),
+                Cell::Stamp => row.try_get::<_, Option<Told>>(place)?.map(|Told(at)| TruthValue::Instant(at)),
+                Cell::Integer => row.try_get::<_, Option<i64>>(place)?.map(TruthValue::Integer),
+                Cell::Real => row.try_get::<_, Option<f64>>(place)?.map(TruthValue::Real),
+                Cell::Text => row.try_get::<_, Option<&str>>(place)?.map(TruthValue::Text),
             }
-            .unwrap_or(Value::Null))
+            .unwrap_or(TruthValue::Null))
         };
         self.cells.iter().enumerate().map(value).collect()
     }
@@ -181,8 +179,7 @@ impl Found {
 
 fn cell(kind: ColumnKind, is: &str) -> Cell {
     match (kind, is) {
-        (ColumnKind::Instant, "timestamp with time zone") => Cell::Utc,
-        (ColumnKind::Instant, "timestamp without time zone") => Cell::Local,
+        (ColumnKind::Instant, "timestamp with time zone" | "timestamp without time zone") => Cell::Stamp,
         (ColumnKind::Integer, _) => Cell::Integer,
         (ColumnKind::Real, _) => Cell::Real,
         // Of other kinds of instants the server says the numbers.

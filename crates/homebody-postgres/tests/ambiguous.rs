@@ -2,7 +2,7 @@
 
 mod stage;
 
-use homebody_log::{How, Policy};
+use homebody_log::{Policy, WriteMode};
 use stage::life::{Life, patient};
 use stage::proxy::Proxy;
 use stage::{Server, kills};
@@ -66,7 +66,7 @@ fn a_replaced_run_whose_end_nobody_hears_of_is_replaced_once() {
     let through = format!("postgresql://postgres@127.0.0.1:{}/{database}?sslmode=disable", proxy.port);
     // All rows go in one transaction, so that old and new count alike.
     for _ in 0..12 {
-        Life { how: How::Replace, ..once }.live(&through, Some(&through), patient(30)).unwrap();
+        Life { how: WriteMode::Overwrite, ..once }.live(&through, Some(&through), patient(30)).unwrap();
         let after = ["public", "truth"].map(|schema| server.dump(&database, schema, 7));
         assert_eq!(after, before);
     }
@@ -90,6 +90,6 @@ fn who_writes_again_what_was_not_heard_of_doubles_rows_and_that_is_seen() {
     assert!(!again("SELECT 1"), "with its key the table refuses what it has");
     assert!(again("ALTER TABLE firing DROP CONSTRAINT firing_pkey"), "without it nothing does");
     assert_ne!(server.dump(&database, "public", 1), sound, "the dump tells of rows that are there twice");
-    let error = Life { how: How::GoOn, ..Life::new(1, 500) }.live(&url, None, Policy::default()).unwrap_err();
+    let error = Life { how: WriteMode::Resume, ..Life::new(1, 500) }.live(&url, None, Policy::default()).unwrap_err();
     assert!(error.to_string().contains("has no key (run_id, seq)"), "{error}");
 }

@@ -3,8 +3,9 @@
 mod stage;
 
 use homebody_core::scenario::logger::LoggerFile;
-use homebody_log::fleet::{Fleet, FleetHome, FleetRow, FleetSink, Layout, Told};
-use homebody_log::{How, LogError, Policy, Url};
+use homebody_core::time::UtcTime;
+use homebody_log::fleet::{Fleet, FleetEvent, FleetHome, FleetLayout, FleetRow, FleetSink};
+use homebody_log::{LogError, Policy, Url, WriteMode};
 use homebody_postgres::PostgresFleet;
 use stage::life::{Life, firings, run};
 use stage::{Server, kills};
@@ -15,7 +16,7 @@ const HOMES: u32 = 7;
 /// A fleet of two kinds of homes, which have tables of their own.
 fn fleet() -> Arc<Fleet> {
     let other = LoggerFile { table: Some("message".into()), ..LoggerFile::default() };
-    let layouts = [LoggerFile::default(), other].map(|file| Layout::new(run(0), &file).unwrap()).into();
+    let layouts = [LoggerFile::default(), other].map(|file| FleetLayout::new(run(0), &file).unwrap()).into();
     let home = |number: u32| FleetHome {
         name: format!("home{number:05}"),
         layout: number as usize % 2,
@@ -26,17 +27,17 @@ fn fleet() -> Arc<Fleet> {
 }
 
 /// Rows of all homes, one after the other.
-fn rows(numbers: std::ops::Range<u64>) -> Vec<Told> {
+fn rows(numbers: std::ops::Range<u64>) -> Vec<FleetEvent> {
     let firings = firings(numbers.end);
     let row = |home: u32, number: u64| {
         let firing = &firings[number as usize];
         let (seq, at, sensor, value) = (firing.seq, firing.at, firing.sensor, firing.value);
-        Told::Row(FleetRow { seq, at, due: 0, home, sensor, value })
+        FleetEvent::Row(FleetRow { seq, at, due: UtcTime::EPOCH, home, sensor, value })
     };
     numbers.flat_map(|number| (0..HOMES).map(move |home| (home, number))).map(|(h, n)| row(h, n)).collect()
 }
 
-fn begun(url: &str, how: How) -> Result<(PostgresFleet, Vec<u64>), LogError> {
+fn begun(url: &str, how: WriteMode) -> Result<(PostgresFleet, Vec<u64>), LogError> {
     let mut sink = PostgresFleet::new(&url.parse::<Url>().unwrap());
     sink.check(true)?;
     let there = sink.begin(&fleet(), how, &homebody_log::Deadline::default())?;
@@ -59,7 +60,7 @@ fn rows_of_many_homes_are_there_once_whatever_kills_the_server() {
     let Some(mut server) = Server::start() else { return };
     let database = server.database("fleet");
     let url = server.url("postgres", &database, "");
-    let (mut sink, there) = begun(&url, How::New).unwrap();
+    let (mut sink, there) = begun(&url, WriteMode::Create).unwrap();
     assert_eq!(there, vec![0; HOMES as usize]);
     let mut told = 0;
     for kill in 0..kills(3) as u64 {
@@ -81,10 +82,10 @@ fn rows_of_many_homes_are_there_once_whatever_kills_the_server() {
     }
     // Another program, after this one has died, is told how far each home is.
     drop(sink);
-    let (mut sink, there) = begun(&url, How::New).unwrap();
+    let (mut sink, there) = begun(&url, WriteMode::Create).unwrap();
     assert_eq!(there, vec![told; HOMES as usize]);
     sink.tell(&rows(told..told + 5)).unwrap();
-    sink.finish(1_236_500_000_000_000).unwrap();
+    sink.finish(UtcTime::from_micros(1_236_500_000_000_000)).unwrap();
     assert_eq!(stored(&server, &database), all_have(told + 5));
     let ended = "SELECT count(*) FROM homebody_run WHERE ended_at = '2009-03-08 08:13:20+00'";
     assert_eq!(server.psql(&database, ended).trim(), HOMES.to_string());
@@ -101,7 +102,7 @@ fn rows_of_many_homes_are_there_once_whatever_kills_the_server() {
     };
     assert_eq!(differs(502), "0");
     // Replaced, it begins anew.
-    let (_, there) = begun(&url, How::Replace).unwrap();
+    let (_, there) = begun(&url, WriteMode::Overwrite).unwrap();
     assert_eq!(there, vec![0; HOMES as usize]);
     assert_eq!(stored(&server, &database), Vec::<String>::new());
 }
@@ -112,13 +113,13 @@ fn two_programs_never_live_one_home() {
     let Some(server) = Server::shared() else { return };
     let database = server.database("twice");
     let url = server.url("postgres", &database, "");
-    let (mut one, _) = begun(&url, How::New).unwrap();
-    let (mut other, _) = begun(&url, How::New).unwrap();
+    let (mut one, _) = begun(&url, WriteMode::Create).unwrap();
+    let (mut other, _) = begun(&url, WriteMode::Create).unwrap();
     one.tell(&rows(0..10)).unwrap();
     let error = other.tell(&rows(0..10)).unwrap_err();
     assert!(!error.passes() && error.code() == "postgresql-resume::other-program", "{error}");
     one.tell(&rows(10..20)).unwrap();
     assert_eq!(stored(server, &database), all_have(20));
-    let error = begun(&server.url("postgres", &database, "&run=7"), How::New).err().unwrap();
+    let error = begun(&server.url("postgres", &database, "&run=7"), WriteMode::Create).err().unwrap();
     assert_eq!(error.code(), "postgresql-url::fleet-run", "{error}");
 }

@@ -4,7 +4,7 @@
 
 mod stage;
 
-use homebody_log::{How, Policy};
+use homebody_log::{Policy, WriteMode};
 use stage::life::{Life, patient};
 use stage::{Chance, Server, kills};
 use std::process::{Child, Command, Stdio};
@@ -18,7 +18,7 @@ const FIRINGS: u64 = 12_000;
 /// The id of the run that nobody disturbs.
 const UNDISTURBED: i64 = 1_000_000;
 
-fn life(run: i64, how: How) -> Life {
+fn life(run: i64, how: WriteMode) -> Life {
     Life { settles: 4, rests: Duration::from_millis(2), how, ..Life::new(run, FIRINGS) }
 }
 
@@ -27,7 +27,7 @@ fn life(run: i64, how: How) -> Life {
 fn child() {
     let Ok(said) = std::env::var(CHILD) else { return };
     let [run, how, url] = said.splitn(3, ' ').collect::<Vec<_>>().try_into().unwrap();
-    let how = if how == "new" { How::New } else { How::GoOn };
+    let how = if how == "new" { WriteMode::Create } else { WriteMode::Resume };
     life(run.parse().unwrap(), how).live(url, Some(url), Policy::default()).unwrap();
 }
 
@@ -138,7 +138,7 @@ fn whatever_kills_the_server_nothing_is_lost_or_doubled() {
         run += 1;
         let url = url.clone();
         // In every other life thousands of rows are on their way before a transaction ends.
-        let life = Life { settles: if run % 2 == 1 { 60 } else { 4 }, ..life(run, How::New) };
+        let life = Life { settles: if run % 2 == 1 { 60 } else { 4 }, ..life(run, WriteMode::Create) };
         let life = std::thread::spawn(move || life.live(&url, Some(&url), patient(60)));
         while killed < wanted && !life.is_finished() {
             std::thread::sleep(Duration::from_millis(30 + chance.below(400)));
@@ -154,7 +154,7 @@ fn whatever_kills_the_server_nothing_is_lost_or_doubled() {
 
 /// Lives the run once in peace: the dumps of its log and its truth.
 fn undisturbed(server: &Server, database: &str, url: &str) -> [String; 2] {
-    let life = Life { rests: Duration::ZERO, ..life(UNDISTURBED, How::New) };
+    let life = Life { rests: Duration::ZERO, ..life(UNDISTURBED, WriteMode::Create) };
     life.live(url, Some(url), Policy::default()).unwrap();
     dumps(server, database, UNDISTURBED)
 }

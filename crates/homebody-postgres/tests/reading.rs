@@ -3,7 +3,9 @@
 mod stage;
 
 use homebody_core::scenario::logger::{LoggerFile, TimeFormat};
-use homebody_log::source::{Clock, Source};
+use homebody_core::time::WallTime;
+use homebody_log::LogSource;
+use homebody_log::log::Clock;
 use homebody_log::{Log, LogError, Policy, Url, read, stream};
 use homebody_postgres::POSTGRESQL;
 use stage::Server;
@@ -11,11 +13,11 @@ use stage::life::Life;
 
 /// Reads a log in a database.
 fn log(url: &str, file: &LoggerFile) -> Result<Log, LogError> {
-    homebody_log::elsewhere::install(vec![POSTGRESQL]);
+    homebody_log::registry::install(homebody_log::registry::Registry::new(vec![POSTGRESQL]));
     read(&url.parse::<Url>().unwrap(), file)
 }
 
-fn texts(log: &Log) -> Vec<(i64, &str, &str)> {
+fn texts(log: &Log) -> Vec<(WallTime, &str, &str)> {
     log.events.iter().map(|event| (event.at, log.sensor(event), log.value(event))).collect()
 }
 
@@ -31,7 +33,7 @@ fn a_log_is_read_as_sqlite_has_it() {
         Life::new(5, 30_000).live_as(&url, None, Policy::default(), &file).unwrap();
         let beside: Url = format!("sqlite:{}/{number}.db", folder.path().display()).parse().unwrap();
         let run = std::sync::Arc::new(stage::life::run(5));
-        let places = homebody_log::logger::destinations(std::slice::from_ref(&beside), Default::default()).unwrap();
+        let places = homebody_log::run_log::destinations(std::slice::from_ref(&beside), Default::default()).unwrap();
         let mut logger = homebody_log::Logger::open(places, &file, &run, Default::default()).unwrap();
         let firings = stage::life::firings(30_000);
         logger.store(&firings, firings[29_999].at).unwrap();
@@ -39,7 +41,7 @@ fn a_log_is_read_as_sqlite_has_it() {
         let (here, there) = (log(&url, &file).unwrap(), read(&beside, &file).unwrap());
         assert_eq!((here.rows, here.skipped, here.clock), (30_000, 0, Clock::Utc));
         assert_eq!(texts(&here), texts(&there), "{time:?}");
-        let named: Source = url.parse().unwrap();
+        let named: LogSource = url.parse().unwrap();
         let mut parts = 0;
         let streamed = stream(&named, &file, &mut |part| {
             parts += 1;

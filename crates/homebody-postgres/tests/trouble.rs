@@ -3,7 +3,7 @@
 mod stage;
 
 use homebody_core::scenario::logger::LoggerFile;
-use homebody_log::{How, LogError, Policy, Sink, Url};
+use homebody_log::{LogError, Policy, Sink, Url, WriteMode};
 use homebody_postgres::Postgres;
 use stage::Server;
 use stage::life::{Life, patient};
@@ -14,12 +14,12 @@ use std::time::{Duration, Instant};
 /// What must be nowhere.
 const CANARY: &str = "s3cr3t-canary";
 
-fn live(url: &str, how: How) -> Result<(), LogError> {
+fn live(url: &str, how: WriteMode) -> Result<(), LogError> {
     Life { how, ..Life::new(1, 200) }.live(url, None, Policy::default())
 }
 
 /// The error of a life, which tells all of this.
-fn refused(url: &str, how: How, told: &[&str]) -> LogError {
+fn refused(url: &str, how: WriteMode, told: &[&str]) -> LogError {
     let error = live(url, how).expect_err(url);
     let text = error.to_string();
     for told in told {
@@ -42,7 +42,7 @@ fn no_server_is_told_soon_and_may_pass() {
         ("postgresql://ann@/homes?host=/nowhere".to_owned(), ["no server answers", "start the server"]),
     ] {
         let began = Instant::now();
-        let error = refused(&url, How::New, &[told[0], told[1], &url]);
+        let error = refused(&url, WriteMode::Create, &[told[0], told[1], &url]);
         assert!(error.passes() && began.elapsed() < Duration::from_secs(30), "{:?}", began.elapsed());
     }
 }
@@ -60,18 +60,30 @@ fn a_wrong_user_password_or_database_is_told_and_no_password_is_shown() {
         server.url("ann", &database, &format!("&passfile={}", file.display()))
     };
     let right = format!("*:*:*:ann:{CANARY}");
-    refused(&with(&right, 0o644), How::New, &["wants a password", "is ignored: others may read it", "chmod 600"]);
-    refused(&with("*:*:*:bob:x", 0o600), How::New, &["wants a password", "~/.pgpass", "PGPASSWORD"]);
-    refused(&with(&format!("*:*:*:ann:{CANARY}x"), 0o600), How::New, &["password authentication failed", "~/.pgpass"]);
-    live(&with(&right, 0o600), How::New).unwrap();
+    refused(
+        &with(&right, 0o644),
+        WriteMode::Create,
+        &["wants a password", "is ignored: others may read it", "chmod 600"],
+    );
+    refused(&with("*:*:*:bob:x", 0o600), WriteMode::Create, &["wants a password", "~/.pgpass", "PGPASSWORD"]);
+    refused(
+        &with(&format!("*:*:*:ann:{CANARY}x"), 0o600),
+        WriteMode::Create,
+        &["password authentication failed", "~/.pgpass"],
+    );
+    live(&with(&right, 0o600), WriteMode::Create).unwrap();
     let open: Url = with(&right, 0o600).parse().unwrap();
     assert!(!format!("{open:?} {open}").contains(CANARY));
-    refused(&server.url("nobody", &database, ""), How::New, &["\"nobody\" does not exist"]);
-    refused(&server.url("postgres", "nowhere", ""), How::New, &["\"nowhere\" does not exist", "createdb nowhere"]);
+    refused(&server.url("nobody", &database, ""), WriteMode::Create, &["\"nobody\" does not exist"]);
+    refused(
+        &server.url("postgres", "nowhere", ""),
+        WriteMode::Create,
+        &["\"nowhere\" does not exist", "createdb nowhere"],
+    );
     let url = format!("postgresql://ann:{CANARY}@host/homes");
     assert!(!url.parse::<Url>().unwrap_err().to_string().contains(CANARY));
     let own = Url::new(homebody_core::scenario::scheme::Scheme::Postgresql, format!("ann:{CANARY}@host/homes"));
-    let calendar = homebody_core::scenario::calendar::Calendar::new("2009-03-02T00:00:00", "UTC").unwrap();
+    let calendar = homebody_core::calendar::Calendar::new("2009-03-02T00:00:00", "UTC").unwrap();
     let run = homebody_log::RunInfo::of_log("flat", calendar, &homebody_log::Log::default());
     let begin = homebody_log::Begin {
         run: &run,
@@ -79,7 +91,7 @@ fn a_wrong_user_password_or_database_is_told_and_no_password_is_shown() {
         time: Default::default(),
         run_column: "run_id",
         spreadsheet_safe: false,
-        how: How::New,
+        how: WriteMode::Create,
         is_whole: false,
         cancel: &homebody_log::Cancel::new(),
         deadline: &homebody_log::Deadline::default(),
@@ -99,7 +111,7 @@ fn tables_that_do_not_fit_are_told_with_all_that_is_wrong() {
     let url = server.url("postgres", &database, "");
     refused(
         &url,
-        How::New,
+        WriteMode::Create,
         &[
             "the column \"fired_at\" of \"firing\" is timestamp without time zone, and not timestamp with time zone",
             "the column \"sensor\" of \"firing\" is integer, and not text",
@@ -110,7 +122,7 @@ fn tables_that_do_not_fit_are_told_with_all_that_is_wrong() {
         ],
     );
     server.psql(&database, "DROP TABLE firing; CREATE VIEW firing AS SELECT 1 AS seq");
-    refused(&url, How::New, &["\"firing\" is not a table"]);
+    refused(&url, WriteMode::Create, &["\"firing\" is not a table"]);
     let truth = Life::new(1, 20).live(
         &server.url("postgres", &database, "&schema=one"),
         Some(&server.url("postgres", &database, "&schema=one")),
@@ -124,14 +136,14 @@ fn tables_that_do_not_fit_are_told_with_all_that_is_wrong() {
         Policy::default(),
     )
     .unwrap();
-    refused(&server.url("postgres", &database, "&schema=three"), How::New, &["has truths"]);
+    refused(&server.url("postgres", &database, "&schema=three"), WriteMode::Create, &["has truths"]);
 }
 
 #[test]
 fn who_may_not_write_is_told_with_what_is_lacking() {
     let Some(server) = Server::shared() else { return };
     let database = server.database("rights");
-    live(&server.url("postgres", &database, ""), How::New).unwrap();
+    live(&server.url("postgres", &database, ""), WriteMode::Create).unwrap();
     server.psql(
         &database,
         "CREATE ROLE reader LOGIN; GRANT SELECT ON firing, homebody_run TO reader; CREATE ROLE bare LOGIN",
@@ -140,26 +152,26 @@ fn who_may_not_write_is_told_with_what_is_lacking() {
     let url = |user: &str, more: &str| server.url(user, &database, more);
     refused(
         &url("reader", ""),
-        How::New,
+        WriteMode::Create,
         &[
             "no right to INSERT in \"firing\", \"homebody_run\", and to UPDATE in \"homebody_run\"",
             "GRANT INSERT ON public.firing, public.homebody_run TO reader; GRANT UPDATE ON public.homebody_run TO reader",
         ],
     );
-    refused(&url("reader", ""), How::Replace, &["and to DELETE in \"firing\""]);
+    refused(&url("reader", ""), WriteMode::Overwrite, &["and to DELETE in \"firing\""]);
     refused(
         &url("bare", "&schema=home9"),
-        How::New,
+        WriteMode::Create,
         &["no schema \"home9\"", "\"bare\" may not create one", "CREATE SCHEMA home9"],
     );
     server.psql(&database, "CREATE SCHEMA shut; CREATE SCHEMA seen; GRANT USAGE ON SCHEMA seen TO bare");
-    refused(&url("bare", "&schema=shut"), How::New, &["may not use the schema \"shut\""]);
+    refused(&url("bare", "&schema=shut"), WriteMode::Create, &["may not use the schema \"shut\""]);
     refused(
         &url("bare", "&schema=seen"),
-        How::New,
+        WriteMode::Create,
         &["lacks \"firing\", \"homebody_run\"", "may not create tables", "GRANT CREATE ON SCHEMA seen TO bare"],
     );
-    refused(&url("idle", ""), How::New, &["takes no changes", "default_transaction_read_only"]);
+    refused(&url("idle", ""), WriteMode::Create, &["takes no changes", "default_transaction_read_only"]);
 }
 
 #[test]
@@ -182,7 +194,7 @@ fn names_that_are_sql_never_reach_the_server() {
             assert!(matches!(refused, Err(LogError::Name { .. })), "{name:?}: {refused:?}");
         }
         let schema = format!("{url}&schema={}", name.replace(' ', "%20"));
-        assert!(name == "sqlite_x" || live(&schema, How::New).is_err(), "{name:?}");
+        assert!(name == "sqlite_x" || live(&schema, WriteMode::Create).is_err(), "{name:?}");
     }
     let file = LoggerFile { table: Some("homebody_run".into()), ..Default::default() };
     assert!(matches!(Life::new(1, 10).live_as(&url, None, Policy::default(), &file), Err(LogError::SameName { .. })));
@@ -201,11 +213,11 @@ fn a_run_that_is_there_is_refused_replaced_or_gone_on_with() {
     let Some(server) = Server::shared() else { return };
     let database = server.database("again");
     let url = server.url("postgres", &database, "");
-    live(&url, How::New).unwrap();
+    live(&url, WriteMode::Create).unwrap();
     let sound = server.dump(&database, "public", 1);
     refused(
         &url,
-        How::New,
+        WriteMode::Create,
         &["the run 1 of \"a quiet night\" is already in the schema \"public\"", "--replace-rows", "--resume"],
     );
     server.psql(
@@ -213,15 +225,15 @@ fn a_run_that_is_there_is_refused_replaced_or_gone_on_with() {
         "UPDATE firing SET value = 'changed' WHERE seq < 50; INSERT INTO firing VALUES (2, 0, now(), 'x', 'y')",
     );
     assert_ne!(server.dump(&database, "public", 1), sound);
-    live(&url, How::GoOn).unwrap();
+    live(&url, WriteMode::Resume).unwrap();
     assert_ne!(server.dump(&database, "public", 1), sound, "what is there is not written again");
-    live(&url, How::Replace).unwrap();
+    live(&url, WriteMode::Overwrite).unwrap();
     assert_eq!(server.dump(&database, "public", 1), sound);
     assert_eq!(server.psql(&database, "SELECT count(*) FROM firing WHERE run_id = 2"), "1", "others stay");
     server.psql(&database, "DELETE FROM homebody_run");
-    refused(&url, How::New, &["already"]);
-    refused(&format!("{url}&run=x"), How::New, &["run=x is not a whole number"]);
-    live(&format!("{url}&run=8"), How::New).unwrap();
+    refused(&url, WriteMode::Create, &["already"]);
+    refused(&format!("{url}&run=x"), WriteMode::Create, &["run=x is not a whole number"]);
+    live(&format!("{url}&run=8"), WriteMode::Create).unwrap();
     assert_eq!(server.psql(&database, "SELECT count(*) FROM firing WHERE run_id = 8"), "200");
     // A run that could not begin leaves nothing that would be in the way.
     let truth = server.url("postgres", &database, "&schema=public");
@@ -239,10 +251,10 @@ fn a_longer_life_goes_on_behind_one_that_was_stopped_and_a_shorter_one_does_not(
     whole.live(&url, Some(&url), Policy::default()).unwrap();
     let wanted = ["public", "truth"].map(|schema| server.dump(&database, schema, 1));
     Life::new(2, 400).live(&url, Some(&url), Policy::default()).unwrap();
-    let long = Life { how: How::GoOn, ..Life::new(2, 900) };
+    let long = Life { how: WriteMode::Resume, ..Life::new(2, 900) };
     long.live(&url, Some(&url), Policy::default()).unwrap();
     assert_eq!(["public", "truth"].map(|schema| server.dump(&database, schema, 2)), wanted);
-    let short = Life { how: How::GoOn, ..Life::new(2, 300) }.live(&url, None, Policy::default());
+    let short = Life { how: WriteMode::Resume, ..Life::new(2, 300) }.live(&url, None, Policy::default());
     assert!(matches!(short, Err(LogError::Changed { .. })), "{short:?}");
     assert_eq!(server.dump(&database, "public", 2), wanted[0]);
 }
@@ -266,6 +278,6 @@ fn a_server_that_dies_in_the_middle_is_an_error_that_passes() {
     let error = going.join().unwrap().unwrap_err();
     assert!(error.passes(), "{error}");
     server.restart();
-    Life { how: How::GoOn, ..Life::new(1, 50_000) }.live(&url, None, patient(10)).unwrap();
+    Life { how: WriteMode::Resume, ..Life::new(1, 50_000) }.live(&url, None, patient(10)).unwrap();
     assert_eq!(server.psql("postgres", "SELECT count(*), max(seq) FROM firing"), "50000|49999");
 }

@@ -4,14 +4,14 @@ use crate::fault::{json, named, raised};
 use crate::scenario::Scenario;
 use crate::work::Watched;
 use homebody_core::problem::Problem;
-use homebody_kit::{CohortLayout, Error, LivedCohort, MemberLived, TruthKept, Url};
+use homebody_simulation::{CohortLayout, CohortSummary, MemberSummary, RunProgress, SimulationError, TruthKept, Url};
 use pyo3::prelude::*;
 use std::path::PathBuf;
 
 /// Many lives of one scenario, that are to be lived into one folder.
-#[pyclass(frozen, module = "homebody._homebody")]
-pub struct Cohort {
-    cohort: homebody_kit::Cohort,
+#[pyclass(frozen, name = "Cohort", module = "homebody._homebody")]
+pub struct PythonCohort {
+    cohort: homebody_simulation::Cohort,
     /// What is right in what was asked, and hardly meant.
     remarks: Vec<Problem>,
 }
@@ -39,20 +39,20 @@ pub struct Wanted {
 }
 
 #[pymethods]
-impl Cohort {
+impl PythonCohort {
     /// As it is wanted, of a scenario.
     #[new]
-    fn new(py: Python<'_>, scenario: &Scenario, wanted: Wanted) -> PyResult<Cohort> {
+    fn new(py: Python<'_>, scenario: &Scenario, wanted: Wanted) -> PyResult<PythonCohort> {
         let place: Url = format!("{}:cohort", wanted.form).parse().map_err(|why| named("ScenarioError", why))?;
-        let layout = CohortLayout::of(&place).map_err(|why| named("ScenarioError", why))?;
+        let layout = CohortLayout::at(&place).map_err(|why| named("ScenarioError", why))?;
         let opened = &scenario.opened;
-        let made = py.detach(|| -> Result<_, Error> {
+        let made = py.detach(|| -> Result<_, SimulationError> {
             let file = &opened.scenario().file;
             let length = opened.scenario().calendar.span_of_days(wanted.days.unwrap_or(file.days));
             let mut remarks = opened.remarks(length);
             let setup = match (&wanted.profiles, wanted.residents) {
                 (Some((name, text)), _) => {
-                    let profiles = opened.profiles_of(name, text, &wanted.without)?;
+                    let profiles = opened.profiles_from_table(name, text, &wanted.without)?;
                     remarks.extend(opened.remarks_on(name, &profiles, length)?);
                     opened.cohort_of(profiles)
                 }
@@ -68,16 +68,16 @@ impl Cohort {
             if let Some(kept) = &wanted.truth {
                 setup = setup.truth(if kept == "brief" { TruthKept::Brief } else { TruthKept::All });
             }
-            Ok(Cohort { cohort: setup.start()?, remarks })
+            Ok(PythonCohort { cohort: setup.start()?, remarks })
         });
         made.map_err(raised)
     }
 
     /// The one that was begun in a folder.
     #[staticmethod]
-    fn left_in(py: Python<'_>, folder: PathBuf) -> PyResult<Cohort> {
-        py.detach(|| homebody_kit::Cohort::left_in(&folder))
-            .map(|(cohort, _)| Cohort { cohort, remarks: Vec::new() })
+    fn left_in(py: Python<'_>, folder: PathBuf) -> PyResult<PythonCohort> {
+        py.detach(|| homebody_simulation::Cohort::left_in(&folder))
+            .map(|(cohort, _)| PythonCohort { cohort, remarks: Vec::new() })
             .map_err(raised)
     }
 
@@ -102,21 +102,21 @@ impl Cohort {
 
     /// Writes down in a folder what it is to be.
     fn begin(&self, py: Python<'_>, folder: PathBuf) -> PyResult<()> {
-        py.detach(|| self.cohort.begin(&folder)).map_err(raised)
+        py.detach(|| self.cohort.create(&folder)).map_err(raised)
     }
 
     /// Lives one member into the folder; what became of them, as JSON.
     fn live_one(&self, py: Python<'_>, folder: PathBuf, index: usize) -> PyResult<String> {
         self.name_of(index)?;
-        py.detach(|| json(&self.cohort.live_one(&folder, index, |_| ()).map_err(raised)?))
+        py.detach(|| json(&self.cohort.run_member(&folder, index, |_| ()).map_err(raised)?))
     }
 
     /// Completes the list by what became of all members, in their order.
     fn end(&self, py: Python<'_>, folder: PathBuf, lived: Vec<String>) -> PyResult<()> {
         py.detach(|| {
-            let lived: Result<Vec<MemberLived>, _> = lived.iter().map(|lived| serde_json::from_str(lived)).collect();
+            let lived: Result<Vec<MemberSummary>, _> = lived.iter().map(|lived| serde_json::from_str(lived)).collect();
             let lived = lived.map_err(|error| named("HomebodyError", error))?;
-            self.cohort.end(&folder, lived).map(|_| ()).map_err(raised)
+            self.cohort.finish(&folder, lived).map(|_| ()).map_err(raised)
         })
     }
 
@@ -124,13 +124,14 @@ impl Cohort {
     fn go_on(&self, py: Python<'_>, folder: PathBuf, told: Option<Py<PyAny>>) -> PyResult<bool> {
         let watched = Watched::new(told);
         let result = py.detach(|| {
-            let unfinished = match homebody_kit::UnfinishedCohort::open(&folder) {
-                Err(Error::Complete { .. }) => return Ok(false),
+            let unfinished = match homebody_simulation::IncompleteCohort::open(&folder) {
+                Err(SimulationError::Complete { .. }) => return Ok(false),
                 opened => opened.map_err(raised)?,
             };
-            let progress = |lived: homebody_kit::Progress| watched.tell(lived.lived as f64, lived.length as f64);
-            let lived = watched.beside(|| unfinished.cancel(&watched.cancel).go_on(progress)).map_err(raised)?;
-            Ok(LivedCohort::is_stopped(&lived))
+            let progress =
+                |now: RunProgress| watched.tell(now.done.micros() as f64, now.length.micros() as f64);
+            let lived = watched.beside(|| unfinished.cancel(&watched.cancel).resume(progress)).map_err(raised)?;
+            Ok(CohortSummary::is_stopped(&lived))
         });
         watched.over(result)
     }
@@ -139,11 +140,11 @@ impl Cohort {
 /// The text of the list of the cohort in a folder or a store.
 #[pyfunction]
 pub fn list_of_cohort(py: Python<'_>, folder: PathBuf) -> PyResult<String> {
-    py.detach(|| homebody_kit::list_of_cohort(&folder)).map_err(raised)
+    py.detach(|| homebody_simulation::list_of_cohort(&folder)).map_err(raised)
 }
 
 /// Copies a member's files into another folder.
 #[pyfunction]
 pub fn bring_member(py: Python<'_>, folder: PathBuf, form: &str, name: &str, to: PathBuf) -> PyResult<()> {
-    py.detach(|| homebody_kit::bring_member(&folder, form, name, &to)).map_err(raised)
+    py.detach(|| homebody_simulation::bring_member(&folder, form, name, &to)).map_err(raised)
 }

@@ -3,14 +3,15 @@
 //! `homebody.driver` turns what Python answers into the plain tuples that are read here, and the surroundings into a view of its own.
 
 use crate::fault::raised;
-use homebody_core::drivers::{Body, Driver, MotionSegment, Next, Surroundings};
-use homebody_core::event::{MotionState, ThingUse};
+use homebody_core::drivers::{Driver, Next, PlacedBody, Surroundings};
+use homebody_core::event::ThingUse;
 use homebody_core::geometry::{Point, point};
 use homebody_core::home::Home;
 use homebody_core::ids::ThingId;
-use homebody_core::scenario::path::Posture;
-use homebody_core::time::{Micros, NEVER, SECOND};
-use homebody_kit::Error;
+use homebody_core::motion::{MotionSegment, MotionState};
+use homebody_core::posture::Posture;
+use homebody_core::time::{RunTime, Span};
+use homebody_simulation::SimulationError;
 use pyo3::exceptions::{PyTypeError, PyValueError};
 use pyo3::prelude::*;
 use std::fmt;
@@ -20,7 +21,7 @@ use std::sync::{Arc, Mutex, PoisonError};
 pub type Raised = Arc<Mutex<Option<PyErr>>>;
 
 /// What a driver has raised, else the error that came of it.
-pub fn or_raised(error: Error, by_driver: &Raised) -> PyErr {
+pub fn or_raised(error: SimulationError, by_driver: &Raised) -> PyErr {
     by_driver.lock().unwrap_or_else(PoisonError::into_inner).take().unwrap_or_else(|| raised(error))
 }
 
@@ -60,13 +61,13 @@ impl Driver for PythonDriver {
         let Some(asked) = &self.asked else { return Next::Failed("it could not be made".into()) };
         let answer = Python::attach(|py| {
             let plan = around.plan();
-            let body = |body: Body| (body.resident.index(), xy(body.at), xy(body.to), body.posture.name());
+            let body = |body: PlacedBody| (body.resident.index(), xy(body.at), xy(body.to), body.posture.name());
             let own = around.body();
             let room = own.and_then(|own| around.room_at(own.at)).map(|room| plan.rooms[room.index()].name.clone());
             let others: Vec<_> = around.others().map(body).collect();
-            let on = (0..plan.things.len()).filter(|&thing| around.is_on(ThingId::of(thing)));
+            let on = (0..plan.things.len()).filter(|&thing| around.is_on(ThingId::new(thing)));
             let on: Vec<&str> = on.map(|thing| plan.things[thing].name.as_str()).collect();
-            let answer = asked.call1(py, (around.now(), own.map(body), room, others, on))?;
+            let answer = asked.call1(py, (around.now().micros(), own.map(body), room, others, on))?;
             next(answer.bind(py), around, &self.home)
         });
         answer.unwrap_or_else(|error| {
@@ -101,8 +102,8 @@ fn next(answer: &Bound<'_, PyAny>, around: &Surroundings, home: &Home) -> PyResu
         .map_err(|_| PyTypeError::new_err("next must answer with Stride, Rest, Stir, Away, Use or Doing"))?;
     let begin = around.now();
     let end = |lasts_s: f64| match lasts_s {
-        lasts if lasts.is_infinite() && lasts > 0.0 => NEVER,
-        lasts => begin.saturating_add((lasts * SECOND as f64).round() as Micros),
+        lasts if lasts.is_infinite() && lasts > 0.0 => RunTime::NEVER,
+        lasts => begin.saturating_add(Span::from_seconds(lasts)),
     };
     let here = |at: Option<(f64, f64)>| {
         let known = at.map(|(x, y)| point([x, y])).or(around.body().map(|body| body.at));
@@ -132,7 +133,7 @@ fn next(answer: &Bound<'_, PyAny>, around: &Surroundings, home: &Home) -> PyResu
                 wrong(format!("there is no thing {thing:?}; there are {}", names.join(", ")))
             })?;
             let _ = home;
-            Next::Use(ThingUse { thing: ThingId::of(index), on })
+            Next::Use(ThingUse { thing: ThingId::new(index), on })
         }
         "doing" => Next::Activity(of.extract()?),
         other => return Err(wrong(format!("{other:?} is no answer"))),

@@ -2,7 +2,9 @@
 
 use homebody_core::messages::Diagnose;
 use homebody_core::problem::{Diagnostic, Problems};
-use homebody_kit::Error;
+use homebody_query::QueryError;
+use homebody_simulation::SimulationError;
+use homebody_tracking::TrackingError;
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyList};
 use serde::Serialize;
@@ -11,10 +13,16 @@ use std::fmt::Display;
 /// The module of the exceptions.
 const ERRORS: &str = "homebody.errors";
 
+/// An error of the library.
+pub trait LibraryError: Diagnose {
+    /// The exception without its message.
+    fn exception(self) -> PyErr;
+}
+
 /// An error of the library, as Python raises it.
-pub fn raised(error: Error) -> PyErr {
+pub fn raised(error: impl LibraryError) -> PyErr {
     let message = error.diagnostic();
-    let raised = of_class(error);
+    let raised = error.exception();
     Python::attach(|py| match with_message(py, &raised, &message) {
         Ok(()) => raised,
         Err(error) => error,
@@ -35,29 +43,50 @@ fn loaded<'py>(py: Python<'py>, value: &impl Serialize) -> PyResult<Bound<'py, P
     py.import("json")?.call_method1("loads", (json(value)?,))
 }
 
-fn of_class(error: Error) -> PyErr {
-    match error {
-        Error::Problems(problems) => with_problems(&problems),
-        Error::TimeZone { .. }
-        | Error::Length { .. }
-        | Error::Members { .. }
-        | Error::Resident { .. }
-        | Error::Template { .. } => named("ScenarioError", error),
-        Error::Driver { .. } => named("DriverError", error),
-        Error::Exists { .. } | Error::NotEmpty { .. } => named("Exists", error),
-        Error::Cancelled => named("Stopped", error),
-        Error::File { .. }
-        | Error::Unreadable(_)
-        | Error::Log(_)
-        | Error::StoppedAway { .. }
-        | Error::NoLog { .. }
-        | Error::NoSilhouettes { .. }
-        | Error::NoRecording { .. }
-        | Error::OwnDrivers { .. }
-        | Error::NotFolder { .. }
-        | Error::IsCohort { .. }
-        | Error::NoRows { .. } => named("LogError", error),
-        error => named("HomebodyError", error),
+impl LibraryError for SimulationError {
+    fn exception(self) -> PyErr {
+        match self {
+            SimulationError::Problems(problems) => with_problems(&problems),
+            SimulationError::Length { .. }
+            | SimulationError::Members { .. }
+            | SimulationError::Resident { .. }
+            | SimulationError::Template { .. } => named("ScenarioError", self),
+            SimulationError::Driver { .. } => named("DriverError", self),
+            SimulationError::Exists { .. } | SimulationError::NotEmpty { .. } => named("Exists", self),
+            SimulationError::Cancelled => named("Stopped", self),
+            SimulationError::File { .. }
+            | SimulationError::Unreadable(_)
+            | SimulationError::Log(_)
+            | SimulationError::StoppedAway { .. }
+            | SimulationError::NoRecording { .. }
+            | SimulationError::OwnDrivers { .. }
+            | SimulationError::NotFolder { .. } => named("LogError", self),
+            error => named("HomebodyError", error),
+        }
+    }
+}
+
+impl LibraryError for QueryError {
+    fn exception(self) -> PyErr {
+        match self {
+            QueryError::Simulation(error) => error.exception(),
+            QueryError::TimeZone { .. } => named("ScenarioError", self),
+            QueryError::NoLog { .. }
+            | QueryError::NoSilhouettes { .. }
+            | QueryError::IsCohort { .. }
+            | QueryError::NoRows { .. } => named("LogError", self),
+            error => named("HomebodyError", error),
+        }
+    }
+}
+
+impl LibraryError for TrackingError {
+    fn exception(self) -> PyErr {
+        match self {
+            TrackingError::Simulation(error) => error.exception(),
+            TrackingError::Query(error) => error.exception(),
+            error => named("HomebodyError", error),
+        }
     }
 }
 

@@ -16,6 +16,7 @@ mod log;
 mod stepped;
 mod cohort;
 
+use homebody_analysis::measures::MEASURES;
 use pyo3::prelude::*;
 use std::ffi::OsString;
 
@@ -27,14 +28,16 @@ fn command(words: Vec<OsString>) {
 
 #[pymodule]
 fn _homebody(module: &Bound<'_, PyModule>) -> PyResult<()> {
-    homebody_kit::elsewhere::install_all();
-    module.add("VERSION", homebody_kit::VERSION)?;
-    module.add("MOST_MEMBERS", homebody_kit::MOST_MEMBERS)?;
+    homebody_simulation::install_sinks();
+    module.add("VERSION", homebody_simulation::VERSION)?;
+    module.add("MOST_MEMBERS", homebody_simulation::MOST_MEMBERS)?;
+    let observed = MEASURES.iter().filter(|measure| measure.is_observed).map(|measure| measure.name);
+    module.add("OBSERVED_MEASURES", observed.collect::<Vec<_>>())?;
     module.add_class::<table::Stream>()?;
     module.add_class::<scenario::Scenario>()?;
     module.add_class::<log::Log>()?;
     module.add_class::<stepped::LiveRun>()?;
-    module.add_class::<cohort::Cohort>()?;
+    module.add_class::<cohort::PythonCohort>()?;
     for function in [
         wrap_pyfunction!(command, module)?,
         wrap_pyfunction!(scenario::templates, module)?,

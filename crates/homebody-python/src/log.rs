@@ -1,23 +1,24 @@
 //! Logs, and what the truth beside them tells: read, cut into windows, labelled, drawn, compared.
 
+use arrow_array::{ArrayRef, RecordBatch};
 use crate::fault::{json, named, raised};
 use crate::scenario::Scenario;
 use crate::table::Stream;
 use crate::work::Watched;
-use arrow_array::{ArrayRef, RecordBatch};
-use homebody_analysis::dates::{Asked, date_of};
-use homebody_analysis::day::Day;
+use homebody_analysis::dates::DayChoice;
+use homebody_analysis::day::DayRecord;
 use homebody_analysis::density::density;
 use homebody_analysis::windows::windows;
 use homebody_arrow::{Frame, Texts, Unshaped, whole_file};
-use homebody_core::time::{Micros, SECOND};
-use homebody_kit::walked::walk_into;
-use homebody_kit::{Error, Instants, LogWithRun, NamedLog};
-use homebody_log::source::{Clock, Value};
+use homebody_core::time::{DAY, Interval, Span, UtcTime, WallTime};
+use homebody_log::log::Clock;
+use homebody_log::source::TruthValue;
 use homebody_log::table::ColumnKind;
-use homebody_log::truth::tables;
-use homebody_log::{How, Transfer, Url, label};
+use homebody_log::table::truth::tables;
+use homebody_log::{Activity, Transfer, Url, WriteMode, label};
 use homebody_picture::{DayChart, day_chart, density_map, measures_picture};
+use homebody_query::{LoadedLog, LogRef, QueryError, UtcLog};
+use homebody_tracking::located_folder::locate_into;
 use jiff::tz::TimeZone;
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
@@ -33,16 +34,16 @@ const LABELS: [&str; 5] = ["resident", "room", "activity", "cause", "thing"];
 pub struct Log {
     text: String,
     zone: Option<String>,
-    instants: OnceLock<Instants>,
-    on_the_wall: OnceLock<LogWithRun>,
+    instants: OnceLock<UtcLog>,
+    on_the_wall: OnceLock<LoadedLog>,
 }
 
 impl Log {
-    fn named(&self) -> Result<NamedLog, Error> {
-        NamedLog::find(&self.text)
+    fn named(&self) -> Result<LogRef, QueryError> {
+        LogRef::find(&self.text)
     }
 
-    fn instants(&self) -> PyResult<&Instants> {
+    fn instants(&self) -> PyResult<&UtcLog> {
         if let Some(read) = self.instants.get() {
             return Ok(read);
         }
@@ -50,19 +51,19 @@ impl Log {
         Ok(self.instants.get_or_init(|| read))
     }
 
-    fn on_the_wall(&self) -> PyResult<&LogWithRun> {
+    fn on_the_wall(&self) -> PyResult<&LoadedLog> {
         if let Some(read) = self.on_the_wall.get() {
             return Ok(read);
         }
-        let read = LogWithRun::read(&self.text, self.zone.as_deref()).map_err(raised)?;
+        let read = LoadedLog::read(&self.text, self.zone.as_deref()).map_err(raised)?;
         Ok(self.on_the_wall.get_or_init(|| read))
     }
 
     /// Some of its rows: time, device, value.
     fn event_batch(&self, rows: Range<usize>) -> PyResult<Result<RecordBatch, Unshaped>> {
-        let Instants { log, zone, .. } = self.instants()?;
+        let UtcLog { log, zone, .. } = self.instants()?;
         let events = log.events.get(rows).ok_or_else(|| named("LogError", "its rows have changed meanwhile"))?;
-        let times = events.iter().map(|event| Some(event.at)).collect();
+        let times = events.iter().map(|event| Some(event.at.micros())).collect();
         let (mut devices, mut values) = (Texts::of(log.sensors.clone()), Texts::of(log.values.clone()));
         for event in events {
             devices.push_place(Some(event.sensor));
@@ -80,14 +81,14 @@ impl Log {
         Ok(names.zip(batch.columns()).map(|(name, column)| (name, column.clone(), true)).collect())
     }
 
-    fn labelled_into(&self, to: &Path) -> Result<(), Error> {
+    fn labelled_into(&self, to: &Path) -> Result<(), QueryError> {
         let named = self.named()?;
         let truth = named.truth_that_is_there()?;
         let about = named.survey()?;
         let to: Url = Url::new(homebody_core::scenario::scheme::Scheme::Arrow, to);
         let zone = self.zone.as_deref().unwrap_or("UTC");
         let (from, mapping, name) = (&named.place, &named.mapping, self.text.as_str());
-        let transfer = Transfer { from, mapping, to: &to, name, zone, how: How::Replace };
+        let transfer = Transfer { from, mapping, to: &to, name, zone, how: WriteMode::Overwrite };
         label(&transfer, &about, &truth, &named.clock_beside(&truth), |_| ())?;
         Ok(())
     }
@@ -150,19 +151,21 @@ impl Log {
     /// What residents did: start_time, end_time, activity, resident; or where they were, with `room` for the activity.
     fn spans(&self, py: Python<'_>, are_rooms: bool) -> PyResult<Stream> {
         py.detach(|| {
-            let Instants { lives, zone, .. } = self.instants()?;
-            let mut spans: Vec<(Micros, Micros, &str, &str)> = Vec::new();
+            let UtcLog { lives, zone, .. } = self.instants()?;
+            let mut spans: Vec<(Interval<UtcTime>, &str, &str)> = Vec::new();
             for life in lives {
                 let of = if are_rooms { &life.rooms } else { &life.activities };
-                spans.extend(of.iter().map(|span| (span.begin, span.end, span.name.as_str(), life.resident.as_str())));
+                let within = |span: &Activity<UtcTime>| Interval::new(span.begin, span.end);
+                spans.extend(of.iter().map(|span| (within(span), span.name.as_str(), life.resident.as_str())));
             }
             spans.sort();
             let (mut names, mut residents) = (Texts::default(), Texts::default());
-            for (_, _, name, resident) in &spans {
+            for (_, name, resident) in &spans {
                 names.push(Some(name));
                 residents.push(Some(resident).filter(|name| !name.is_empty()).copied());
             }
-            let (begins, ends) = spans.iter().map(|span| (Some(span.0), Some(span.1))).unzip();
+            let (begins, ends) =
+                spans.iter().map(|(span, ..)| (Some(span.begin.micros()), Some(span.end.micros()))).unzip();
             let frame = Frame::default().instants("start_time", begins, zone.as_deref());
             let frame = frame.instants("end_time", ends, zone.as_deref());
             let frame = frame.texts(if are_rooms { "room" } else { "activity" }, names);
@@ -177,7 +180,7 @@ impl Log {
             let all = tables();
             let columns = all.iter().find(|known| known.name == table).map_or(&[][..], |table| &table.columns);
             let mut cells: Vec<Cells> = columns.iter().map(|column| Cells::of(column.kind)).collect();
-            let mut take = |row: &[Value<'_>]| cells.iter_mut().zip(row).for_each(|(cells, cell)| cells.push(*cell));
+            let mut take = |row: &[TruthValue<'_>]| cells.iter_mut().zip(row).for_each(|(cells, cell)| cells.push(*cell));
             self.named().and_then(|named| named.truth_rows(table, &mut take)).map_err(raised)?;
             let mut frame = Ok(Frame::default());
             for (column, cells) in columns.iter().zip(cells) {
@@ -190,9 +193,9 @@ impl Log {
     /// Windows of so many seconds: time, resident, label, room, hour, weekday, last, and a count for each sensor.
     fn windows(&self, py: Python<'_>, span_s: f64) -> PyResult<Stream> {
         py.detach(|| {
-            let Instants { log, lives, zone } = self.instants()?;
+            let UtcLog { log, lives, zone } = self.instants()?;
             let wall = zone.as_deref().and_then(|zone| TimeZone::get(zone).ok()).unwrap_or(TimeZone::UTC);
-            let cut = windows(log, lives, (span_s * SECOND as f64).round() as Micros, &wall);
+            let cut = windows(log, lives, Span::from_seconds(span_s), &wall);
             let cut = cut.map_err(|why| PyValueError::new_err(format!("span is {span_s} s: {why}")))?;
             let (mut residents, mut labels, mut rooms) = (Texts::default(), Texts::default(), Texts::default());
             let mut last = Texts::of(cut.sensors.clone());
@@ -204,8 +207,8 @@ impl Log {
                 labels.push(row.label.as_deref());
                 rooms.push(row.room.as_deref());
                 last.push_place(row.last);
-                times.push(Some(row.begin));
-                let at = jiff::Timestamp::from_microsecond(row.begin).unwrap_or_default().to_zoned(wall.clone());
+                times.push(Some(row.begin.micros()));
+                let at = row.begin.timestamp().to_zoned(wall.clone());
                 hours.push(Some(f64::from(at.hour()) + f64::from(at.minute()) / 60.0));
                 weekdays.push(Some(i64::from(at.weekday().to_monday_zero_offset())));
                 counts.iter_mut().zip(&row.counts).for_each(|(all, &count)| all.push(Some(count.into())));
@@ -247,7 +250,7 @@ impl Log {
     /// The first and the last of its dates.
     #[getter]
     fn dates(&self, py: Python<'_>) -> PyResult<Option<(String, String)>> {
-        let dates = py.detach(|| self.on_the_wall().map(LogWithRun::dates))?;
+        let dates = py.detach(|| self.on_the_wall().map(LoadedLog::dates))?;
         Ok(dates.map(|(first, last)| (first.to_string(), last.to_string())))
     }
 
@@ -259,18 +262,17 @@ impl Log {
             let (first, last) = there;
             let date = match day.parse::<i64>() {
                 Ok(number) => {
-                    let begin = homebody_analysis::dates::midnight(first);
-                    let date = date_of(begin + number.saturating_mul(86_400 * SECOND));
+                    let date = (WallTime::midnight(first) + DAY.saturating_mul(number)).date();
                     (first..=last).contains(&date).then_some(date)
                 }
                 Err(_) => {
                     let wrong = |why| PyValueError::new_err(format!("day is {day:?}: {why}"));
-                    day.parse::<Asked>().map_err(wrong)?.within(there)
+                    day.parse::<DayChoice>().map_err(wrong)?.within(there)
                 }
             };
             let no_day = || PyValueError::new_err(format!("day is {day}: the log goes from {first} to {last}"));
-            let day = Day::of(&read.name, &read.log, &read.lives, read.ended(), date.ok_or_else(no_day)?);
-            Ok((json(&day)?, day_chart(&DayChart::of(&day))))
+            let day = DayRecord::from_log(&read.name, &read.log, &read.lives, read.ended(), date.ok_or_else(no_day)?);
+            Ok((json(&day)?, day_chart(&DayChart::new(&day))))
         })
     }
 
@@ -311,14 +313,14 @@ impl Cells {
         }
     }
 
-    fn push(&mut self, cell: Value<'_>) {
-        let whole = |cell| if let Value::Integer(number) = cell { Some(number) } else { None };
+    fn push(&mut self, cell: TruthValue<'_>) {
+        let whole = |cell| if let TruthValue::Integer(number) = cell { Some(number) } else { None };
         match self {
             Cells::Instants(all) | Cells::Integers(all) => all.push(whole(cell)),
-            Cells::Reals(all) => all.push(if let Value::Real(number) = cell { Some(number) } else { None }),
+            Cells::Reals(all) => all.push(if let TruthValue::Real(number) = cell { Some(number) } else { None }),
             Cells::Texts(all) => match cell {
-                Value::Integer(number) => all.push(Some(&number.to_string())),
-                Value::Text(text) => all.push(Some(text)),
+                TruthValue::Integer(number) => all.push(Some(&number.to_string())),
+                TruthValue::Text(text) => all.push(Some(text)),
                 _ => all.push(None),
             },
         }
@@ -340,11 +342,11 @@ impl Cells {
 #[pyfunction]
 pub fn compare(py: Python<'_>, a: (String, Option<String>), b: (String, Option<String>)) -> PyResult<(String, String)> {
     py.detach(|| {
-        let find = |text: &str| NamedLog::find(text).map_err(raised);
+        let find = |text: &str| LogRef::find(text).map_err(raised);
         let found = [find(&a.0)?, find(&b.0)?];
         // A run knows what its own log's ids mean, and those of a copy of it.
         let name = |id: &str| found.iter().find_map(|named| named.name_of(id)).unwrap_or(id).to_owned();
-        let read = |named: &NamedLog, zone: &Option<String>| {
+        let read = |named: &LogRef, zone: &Option<String>| {
             let mut log = named.with_activities(zone.as_deref()).map_err(raised)?;
             log.sensors.iter_mut().for_each(|sensor| *sensor = name(sensor));
             Ok::<_, PyErr>(log)
@@ -369,9 +371,9 @@ pub fn translate(
     let result = py.detach(|| {
         let scenario = home.opened.scenario();
         let zone = zone.unwrap_or(&scenario.file.time_zone);
-        let read = LogWithRun::read(text, Some(zone)).map_err(raised)?;
+        let read = LoadedLog::read(text, Some(zone)).map_err(raised)?;
         let progress = |share: f64| watched.tell(share, 1.0);
-        json(&walk_into(&to, (text, &read), scenario, &watched.cancel, progress).map_err(raised)?)
+        json(&locate_into(&to, (text, &read), scenario, &watched.cancel, progress).map_err(raised)?)
     });
     watched.over(result)
 }

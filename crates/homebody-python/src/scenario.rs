@@ -6,11 +6,11 @@ use crate::lived::lived;
 use crate::stepped::LiveRun;
 use crate::work::Watched;
 use homebody_analysis::coverage::{self, STEP_M};
-use homebody_core::home::Build;
 use homebody_core::problem::{Problem, Problems};
+use homebody_core::resident::Build;
 use homebody_core::scenario::load::NoText;
-use homebody_kit::{Destinations, Error, OpenScenario, RunSetup, Source, Template};
 use homebody_picture::{coverage_map, floor_plan};
+use homebody_simulation::{Destinations, OpenScenario, RunSetup, ScenarioSource, SimulationError, Template};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use std::collections::BTreeMap;
@@ -54,7 +54,7 @@ impl Scenario {
         let Some(start) = start else { return Ok(self.opened.clone()) };
         self.opened.starting(start).map_err(|error| match error {
             // Of a scenario that is right, it is the start that is not.
-            Error::Problems(Problems(problems)) => {
+            SimulationError::Problems(Problems(problems)) => {
                 let told = problems.iter().map(|Problem { what, hint, .. }| {
                     hint.as_ref().map_or_else(|| what.clone(), |hint| format!("{what}\n  hint: {hint}"))
                 });
@@ -96,7 +96,7 @@ impl Scenario {
     #[staticmethod]
     fn at(py: Python<'_>, path: PathBuf, trusted: bool) -> PyResult<Scenario> {
         py.detach(|| {
-            let source = Source::at(path)?;
+            let source = ScenarioSource::at(path)?;
             if trusted { source.trusted().open() } else { source.open() }
         })
         .map(|opened| Scenario { opened })
@@ -106,13 +106,13 @@ impl Scenario {
     /// One that came with the program.
     #[staticmethod]
     fn template(py: Python<'_>, name: &str) -> PyResult<Scenario> {
-        py.detach(|| homebody_kit::template(name)).map(|opened| Scenario { opened }).map_err(raised)
+        py.detach(|| homebody_simulation::template(name)).map(|opened| Scenario { opened }).map_err(raised)
     }
 
     /// Of texts by the names of their files.
     #[staticmethod]
     fn of_texts(py: Python<'_>, texts: BTreeMap<String, String>, entry: String) -> PyResult<Scenario> {
-        py.detach(|| Source::of_texts(texts, entry).open()).map(|opened| Scenario { opened }).map_err(raised)
+        py.detach(|| ScenarioSource::from_texts(texts, entry).open()).map(|opened| Scenario { opened }).map_err(raised)
     }
 
     #[getter]
@@ -219,7 +219,7 @@ impl Scenario {
     fn coverage(&self, py: Python<'_>) -> PyResult<(String, String)> {
         let scenario = self.opened.scenario();
         py.detach(|| {
-            let build = scenario.residents.first().map_or_else(Build::adult, |resident| Build::of(&resident.file));
+            let build = scenario.residents.first().map_or_else(Build::adult, |resident| Build::new(&resident.file));
             let seen = coverage::of_home(&scenario.home, build, STEP_M);
             Ok((json(&seen.coverage)?, coverage_map(&seen.home, &seen.coverage, &seen.beams())))
         })
@@ -232,7 +232,7 @@ impl Scenario {
         let result = py.detach(|| {
             let run = setup.cancel(&watched.cancel).start().map_err(|error| or_raised(error, &by_driver))?;
             let stored = run.store(&Destinations::new_folder_in(runs), |progress| {
-                watched.tell(progress.lived as f64, progress.length as f64);
+                watched.tell(progress.done.micros() as f64, progress.length.micros() as f64);
             });
             lived(&stored.map_err(|error| or_raised(error, &by_driver))?)
         });

@@ -4,7 +4,7 @@ use crate::driver::{Raised, or_raised};
 use crate::fault::{json, named};
 use crate::table::Stream;
 use homebody_arrow::{Frame, Texts};
-use homebody_core::time::{SECOND, seconds};
+use homebody_core::time::{RunTime, SECOND};
 use pyo3::prelude::*;
 use serde_json::json;
 use std::sync::{Mutex, MutexGuard};
@@ -12,16 +12,16 @@ use std::sync::{Mutex, MutexGuard};
 /// A run under way.
 #[pyclass(frozen, module = "homebody._homebody")]
 pub struct LiveRun {
-    run: Mutex<homebody_kit::LiveRun>,
+    run: Mutex<homebody_simulation::Simulation>,
     by_driver: Raised,
 }
 
 impl LiveRun {
-    pub fn new(run: homebody_kit::LiveRun, by_driver: Raised) -> LiveRun {
+    pub fn new(run: homebody_simulation::Simulation, by_driver: Raised) -> LiveRun {
         LiveRun { run: Mutex::new(run), by_driver }
     }
 
-    fn lock(&self) -> PyResult<MutexGuard<'_, homebody_kit::LiveRun>> {
+    fn lock(&self) -> PyResult<MutexGuard<'_, homebody_simulation::Simulation>> {
         // A panic in a step has left nothing to go on with.
         self.run.lock().map_err(|_| named("HomebodyError", "an earlier step of this run has failed"))
     }
@@ -38,15 +38,15 @@ impl LiveRun {
             let mut run = self.lock()?;
             let sensors: Vec<String> = run.sensors().map(str::to_owned).collect();
             let calendar = run.calendar().clone();
-            let until = run.progress().lived.saturating_add((lasts_s * SECOND as f64) as i64);
-            let batch = run.live_until(until).map_err(|error| or_raised(error, &self.by_driver))?;
+            let until = RunTime::START + run.progress().done.saturating_add(SECOND.share(lasts_s));
+            let batch = run.advance_to(until).map_err(|error| or_raised(error, &self.by_driver))?;
             let (mut times, mut devices, mut values) = (Vec::new(), Texts::of(sensors), Texts::default());
             for firing in batch.firings {
                 times.push(Some(calendar.timestamp(firing.at).as_microsecond()));
                 devices.push_place(Some(firing.sensor.0));
                 values.push(Some(&firing.value.to_string()));
             }
-            let zone = calendar.local(0).time_zone().iana_name().unwrap_or("UTC").to_owned();
+            let zone = calendar.local(RunTime::START).time_zone().iana_name().unwrap_or("UTC").to_owned();
             let frame = Frame::default().instants("time", times, Some(&zone));
             let frame = frame.texts("device", devices).and_then(|frame| frame.texts("value", values));
             Stream::of(frame.and_then(Frame::batch))
@@ -58,7 +58,8 @@ impl LiveRun {
     fn progress(&self) -> PyResult<(f64, f64, String)> {
         let run = self.lock()?;
         let progress = run.progress();
-        Ok((seconds(progress.lived), seconds(progress.length), run.calendar().wall_clock(progress.lived)))
+        let now = run.calendar().wall_clock(RunTime::START + progress.done);
+        Ok((progress.done.seconds(), progress.length.seconds(), now))
     }
 
     /// What it looks like now, as JSON.

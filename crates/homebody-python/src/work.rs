@@ -1,6 +1,6 @@
 //! Work that takes long: without Python's lock, with a callable that is told how far it is, until Python is interrupted.
 
-use homebody_kit::Cancel;
+use homebody_simulation::Cancel;
 use pyo3::prelude::*;
 use std::sync::mpsc::{self, RecvTimeoutError};
 use std::sync::{Mutex, PoisonError};

@@ -9,12 +9,12 @@
 mod home;
 
 use home::{home, short};
-use homebody_routine::language::{Known, routine};
+use homebody_routine::language::{KnownNames, routine};
 use homebody_routine::routine::{Activity, Routine};
 use serde_json::{Value, json};
 
 fn main() {
-    let known = Known { usual: Activity::OWN_WAYS.to_vec(), ..home() };
+    let known = KnownNames { usual: Activity::OWN_WAYS.to_vec(), ..home() };
     let (mut lived, mut remarks, mut hinted, mut unhinted) = (0, 0, 0, 0);
     for file in std::env::args().skip(1) {
         let text = std::fs::read_to_string(&file).unwrap_or_else(|fault| panic!("{file}: {fault}"));

@@ -1,16 +1,18 @@
-//! The messages of this crate and of scripts, for lists of all messages.
+//! The messages of this crate and of scripts, by area.
 
-use crate::language::messages::{CheckMessage, LexiconMessage, RuleMessage, SentenceMessage, TimeMessage, WordMessage};
+use crate::language::messages::{
+    CheckMessage, LexiconMessage, RuleSentenceMessage, SentenceMessage, TimeSentenceMessage, WordMessage,
+};
 use crate::messages::{HouseholdMessage, NeedMessage};
-use homebody_core::messages::{Catalogue, Entry};
+use homebody_core::messages::{Catalogue, CatalogueEntry};
 use homebody_script::ScriptMessage;
 
 /// The messages by area.
-pub const MESSAGES: &[&[Entry]] = &[
+pub const MESSAGES: &[&[CatalogueEntry]] = &[
     WordMessage::ENTRIES,
-    TimeMessage::ENTRIES,
+    TimeSentenceMessage::ENTRIES,
     SentenceMessage::ENTRIES,
-    RuleMessage::ENTRIES,
+    RuleSentenceMessage::ENTRIES,
     CheckMessage::ENTRIES,
     LexiconMessage::ENTRIES,
     HouseholdMessage::ENTRIES,

@@ -1,33 +1,32 @@
-//! What may be written in a routine, for editors that complete what somebody begins to write. It is a choice of the usual ways,
-//! not all that is understood; a test shows that each of them is.
+//! Suggestions for editors that complete a routine: the usual forms, each of which the language understands.
 
 use crate::language::activities::usual_phrases;
-use crate::language::{Known, severities};
+use crate::language::{KnownNames, severities};
 
-/// Something that may be written.
+/// A suggestion.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Word {
+pub struct Completion {
     pub text: String,
-    pub kind: WordKind,
-    /// What it says, in a few words.
+    pub kind: CompletionKind,
+    /// A short description.
     pub about: String,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum WordKind {
-    /// A whole sentence, with its full stop.
+pub enum CompletionKind {
+    /// With its full stop.
     Sentence,
-    /// What somebody does, after who it is.
+    /// An activity, after the person.
     Activity,
-    /// When, how long or how often, beside what is done.
+    /// A time, length or frequency.
     Time,
-    /// A room, or where in it something can be done.
+    /// A room, or a place in it.
     Place,
-    /// A condition and how severe it is.
+    /// A condition with a severity.
     Condition,
 }
 
-/// Sentences of each form, about `she`, who is called `NAME`.
+/// Sentences of each form, about `she`, called `NAME`.
 const SENTENCES: [(&str, &str); 26] = [
     ("NAME is 82.", "who it is about, and how old"),
     ("She walks at about 0.65 m/s.", "how fast"),
@@ -57,7 +56,6 @@ const SENTENCES: [(&str, &str); 26] = [
     ("She wanders rarely at first, often by week 20.", "more often as time goes by"),
 ];
 
-/// When, how long and how often.
 const TIMES: [(&str, &str); 33] = [
     ("in the morning", "part of the day"),
     ("at noon", "part of the day"),
@@ -94,44 +92,41 @@ const TIMES: [(&str, &str); 33] = [
     ("from 1 May 2026", "from a date on"),
 ];
 
-/// What may be written in a routine that so far is `text`, in a home with these names.
-pub fn words(known: &Known, text: &str) -> Vec<Word> {
+pub fn words(known: &KnownNames, text: &str) -> Vec<Completion> {
     let name = known.person.as_deref().map(capital);
     let is_he = is_about_him(text);
     let adapted = |said: &str| {
         let said = name.as_ref().map_or_else(|| said.replace("NAME", "She"), |name| said.replace("NAME", name));
         if is_he { about_him(&said) } else { said }
     };
-    let word = |text: String, kind: WordKind, about: &str| Word { text, kind, about: about.to_owned() };
-    let sentences = SENTENCES.iter().map(|(said, about)| word(adapted(said), WordKind::Sentence, about));
-    let activities = usual_phrases(&known.lexicon).map(|phrase| word(phrase, WordKind::Activity, "activity"));
-    let times = TIMES.iter().map(|(said, about)| word(adapted(said), WordKind::Time, about));
+    let word = |text: String, kind: CompletionKind, about: &str| Completion { text, kind, about: about.to_owned() };
+    let sentences = SENTENCES.iter().map(|(said, about)| word(adapted(said), CompletionKind::Sentence, about));
+    let activities = usual_phrases(&known.lexicon).map(|phrase| word(phrase, CompletionKind::Activity, "activity"));
+    let times = TIMES.iter().map(|(said, about)| word(adapted(said), CompletionKind::Time, about));
     let mut places: Vec<(&String, &str)> = known.rooms.iter().map(|room| (room, "room")).collect();
     places.extend(known.places.iter().map(|place| (place, "place")));
     places.extend(known.things.iter().map(|thing| (thing, "thing")));
-    // A wardrobe is a place and a thing: once is enough.
+    // A wardrobe is a place and a thing.
     let mut seen: Vec<String> = Vec::new();
     places.retain(|(place, _)| {
         let is_new = !seen.contains(&place.to_lowercase());
         seen.push(place.to_lowercase());
         is_new
     });
-    let places = places.into_iter().map(|(place, about)| word(place.clone(), WordKind::Place, about));
+    let places = places.into_iter().map(|(place, about)| word(place.clone(), CompletionKind::Place, about));
     let severe = |condition: &String| {
         let condition = condition.replace('-', " ");
         let severe = usual_severities().map(move |severe| format!("{severe} {condition}"));
-        severe.map(|shown| word(shown, WordKind::Condition, "condition")).collect::<Vec<_>>()
+        severe.map(|shown| word(shown, CompletionKind::Condition, "condition")).collect::<Vec<_>>()
     };
     let conditions = known.conditions.iter().flat_map(severe);
     sentences.chain(activities).chain(times).chain(places).chain(conditions).collect()
 }
 
-/// The usual word for each severity: of those that mean the same, the first.
 fn usual_severities() -> impl Iterator<Item = &'static str> {
     severities().filter(|word| ["mild", "moderate", "severe"].contains(word))
 }
 
-/// Whether a text says "he" rather than "she".
 fn is_about_him(text: &str) -> bool {
     let count = |wanted: &str| {
         let words = text.split(|c: char| !c.is_alphanumeric());
@@ -140,7 +135,6 @@ fn is_about_him(text: &str) -> bool {
     count("he") > count("she")
 }
 
-/// A sentence about her, about him.
 fn about_him(said: &str) -> String {
     let word = |word: &str| match word {
         "She" => "He".to_owned(),
@@ -164,9 +158,9 @@ mod tests {
     use crate::language;
     use crate::routine::USUAL;
 
-    fn home() -> Known {
+    fn home() -> KnownNames {
         let names = |names: &[&str]| names.iter().map(|&name| name.to_owned()).collect::<Vec<_>>();
-        Known {
+        KnownNames {
             person: Some("margaret".into()),
             places: names(&["armchair", "wardrobe"]),
             things: names(&["stove", "fridge", "wardrobe"]),
@@ -174,7 +168,7 @@ mod tests {
             conditions: CONDITIONS.iter().map(|(name, _)| (*name).to_owned()).collect(),
             first_date: Some((2026, 3, 2)),
             usual: USUAL.to_vec(),
-            ..Known::default()
+            ..KnownNames::default()
         }
     }
 
@@ -182,14 +176,14 @@ mod tests {
     fn whatever_is_offered_is_understood() {
         let mut wrong = Vec::new();
         for text in ["She reads.", "He reads."] {
-            for Word { text, kind, .. } in words(&home(), text) {
+            for Completion { text, kind, .. } in words(&home(), text) {
                 let said = match kind {
-                    WordKind::Sentence => text,
-                    WordKind::Activity if text == "visits" => continue,
-                    WordKind::Activity => format!("She {text}."),
-                    WordKind::Time => format!("She reads {text}."),
-                    WordKind::Place => format!("She dusts in the {text} for 10 minutes."),
-                    WordKind::Condition => format!("She shows {text}."),
+                    CompletionKind::Sentence => text,
+                    CompletionKind::Activity if text == "visits" => continue,
+                    CompletionKind::Activity => format!("She {text}."),
+                    CompletionKind::Time => format!("She reads {text}."),
+                    CompletionKind::Place => format!("She dusts in the {text} for 10 minutes."),
+                    CompletionKind::Condition => format!("She shows {text}."),
                 };
                 let (_, problems) = language::routine("a.routine", &said, &home());
                 wrong.extend(problems.iter().map(|problem| format!("{said} {problem}")));

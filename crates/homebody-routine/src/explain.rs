@@ -1,10 +1,10 @@
-//! What was understood of a routine, sentence by sentence: as numbers, and in words.
+//! The meaning of a routine, sentence by sentence, in numbers and in words.
 
 use crate::language::LAST_WEEK;
 use crate::language::activities::phrase;
 use crate::routine::{
-    Activity, Chance, Change, DayKind, Days, Effect, Habit, Moment, PartOfDay, Person, Phase, Quote, Response, Routine,
-    Rule, Shy, USUAL_SHARE, When,
+    Activity, DayKind, DaySelection, Effect, Habit, HabitChance, HabitTime, PartOfDay, Phase, PhaseDay, Quote,
+    Response, Routine, RoutineChange, RoutinePerson, RoutineRule, Shy, USUAL_SHARE,
 };
 use homebody_core::fuzzy::Fuzzy;
 use serde::Serialize;
@@ -13,27 +13,27 @@ use words::{clock, join, lasts_words, number, numbers, sentence, span_words};
 mod rules;
 pub(crate) mod words;
 
-/// A routine, explained in the order of its file.
+/// In the order of the file.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Explanation {
     pub file: String,
-    pub sentences: Vec<Row>,
-    /// The rules as layers, the upper before the lower; empty where there are none.
+    pub sentences: Vec<ExplanationRow>,
+    /// The rules as layers, the upper before the lower; empty without rules.
     pub layers: String,
 }
 
-/// One thing that was understood.
+/// The meaning of one sentence or part of one.
 #[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct Row {
+pub struct ExplanationRow {
     pub line: u32,
-    /// The words it was understood from.
+    /// The words of the routine.
     pub said: String,
-    pub kind: Kind,
-    /// Who does what, or what changes.
+    pub kind: ExplanationKind,
+    /// The person with the activity, or the change.
     pub what: String,
     #[serde(skip_serializing_if = "Option::is_none")]
     pub place: Option<String>,
-    /// On which days, and how likely on each.
+    /// Days, and the probability on each.
     pub days: String,
     #[serde(skip_serializing_if = "Option::is_none")]
     pub probability: Option<f64>,
@@ -41,21 +41,20 @@ pub struct Row {
     /// Seconds since midnight.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub start: Option<Spread>,
-    /// For how long something has to have been so before a rule holds, in seconds.
+    /// Seconds that a trigger must last before the rule holds.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub waits: Option<Spread>,
-    /// How long it is done, in seconds.
+    /// Duration in seconds.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub lasts: Option<Spread>,
-    /// From when on, until when.
     pub phase: String,
-    /// All of it as one sentence.
+    /// The meaning as one sentence.
     pub in_words: String,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "snake_case")]
-pub enum Kind {
+pub enum ExplanationKind {
     Person,
     Habit,
     Rule,
@@ -63,26 +62,26 @@ pub enum Kind {
     Remark,
 }
 
-/// What a fuzzy number comes to when it is drawn from.
+/// The distribution of a fuzzy number.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Spread {
     pub least: f64,
-    /// One in twenty is less.
+    /// The 5th percentile.
     pub p5: f64,
     pub mean: f64,
-    /// One in twenty is more.
+    /// The 95th percentile.
     pub p95: f64,
     pub most: f64,
 }
 
 impl Spread {
-    fn of(fuzzy: &Fuzzy) -> Spread {
+    fn from_fuzzy(fuzzy: &Fuzzy) -> Spread {
         Spread { least: fuzzy.low, p5: fuzzy.at(0.05), mean: fuzzy.mean(), p95: fuzzy.at(0.95), most: fuzzy.high }
     }
 }
 
 pub fn explain(routine: &Routine) -> Explanation {
-    let mut rows: Vec<(u32, Row)> = Vec::new();
+    let mut rows: Vec<(u32, ExplanationRow)> = Vec::new();
     rows.extend(routine.person.iter().map(|person| (person.said.column, of_person(person))));
     rows.extend(routine.habits.iter().map(|habit| (habit.said.column, of_habit(habit))));
     rows.extend(routine.rules.iter().map(|rule| (rule.said.column, of_rule(rule))));
@@ -94,12 +93,13 @@ pub fn explain(routine: &Routine) -> Explanation {
 }
 
 impl Explanation {
-    /// A table, then every sentence in words.
+    /// A table, then all sentences in words.
     pub fn to_text(&self) -> String {
         let head = ["line", "what", "on", "when", "lasts", "from"].map(str::to_owned);
-        let lasts =
-            |row: &Row| row.lasts.as_ref().map_or_else(String::new, |lasts| span_words(lasts.least, lasts.most));
-        let cells = |row: &Row| {
+        let lasts = |row: &ExplanationRow| {
+            row.lasts.as_ref().map_or_else(String::new, |lasts| span_words(lasts.least, lasts.most))
+        };
+        let cells = |row: &ExplanationRow| {
             let what = row.place.as_ref().map_or(row.what.clone(), |place| format!("{} ({place})", row.what));
             [row.line.to_string(), what, row.days.clone(), row.when.clone(), lasts(row), row.phase.clone()]
         };
@@ -122,26 +122,26 @@ impl Explanation {
     }
 }
 
-fn of_person(person: &Person) -> Row {
+fn of_person(person: &RoutinePerson) -> ExplanationRow {
     let mut facts = Vec::new();
     if let Some(age) = person.age_years {
         facts.push(format!("{} years old", number(age)));
     }
     match person.kind {
-        crate::routine::Kind::Cat => facts.push("a cat".into()),
-        crate::routine::Kind::Dog => facts.push("a dog".into()),
-        crate::routine::Kind::Person => {}
+        crate::routine::ResidentKind::Cat => facts.push("a cat".into()),
+        crate::routine::ResidentKind::Dog => facts.push("a dog".into()),
+        crate::routine::ResidentKind::Person => {}
     }
     if let Some(pace) = person.pace_mps {
         facts.push(format!("walks at {} m/s", numbers(pace.low, pace.high)));
     }
     let facts = facts.join(", ");
     let in_words = format!("{}: {facts}.", person.name);
-    Row { in_words, ..row(person.said.line, &person.said.text, Kind::Person, facts) }
+    ExplanationRow { in_words, ..row(person.said.line, &person.said.text, ExplanationKind::Person, facts) }
 }
 
-fn row(line: u32, said: &str, kind: Kind, what: String) -> Row {
-    Row {
+fn row(line: u32, said: &str, kind: ExplanationKind, what: String) -> ExplanationRow {
+    ExplanationRow {
         line,
         said: said.split_whitespace().collect::<Vec<_>>().join(" "),
         kind,
@@ -158,7 +158,7 @@ fn row(line: u32, said: &str, kind: Kind, what: String) -> Row {
     }
 }
 
-fn of_habit(habit: &Habit) -> Row {
+fn of_habit(habit: &Habit) -> ExplanationRow {
     let who = habit.visitor.as_deref().unwrap_or("the person");
     let doing = match habit.falling.map(|falling| falling.words()).filter(|words| !words.is_empty()) {
         Some(words) => format!("{}: {words}", phrase(&habit.activity)),
@@ -169,10 +169,10 @@ fn of_habit(habit: &Habit) -> Row {
         None => doing.clone(),
     };
     let start = match &habit.when {
-        When::At(at) => Some(Spread::of(at)),
+        HabitTime::At(at) => Some(Spread::from_fuzzy(at)),
         _ => None,
     };
-    let lasts = habit.lasts.as_ref().map(Spread::of);
+    let lasts = habit.lasts.as_ref().map(Spread::from_fuzzy);
     let times = match habit.times {
         (1, 1) => String::new(),
         (least, most) if least == most => format!("{least} times"),
@@ -181,7 +181,7 @@ fn of_habit(habit: &Habit) -> Row {
     let mostly = habit.falling.and_then(|falling| falling.mostly);
     let when = match mostly {
         Some(part) => {
-            let when = when_words(&When::Within(part), &habit.activity);
+            let when = when_words(&HabitTime::Within(part), &habit.activity);
             format!("{} times out of 4 {}, else at another time", 4.0 * USUAL_SHARE, when.trim_start_matches("start "))
         }
         None => when_words(&habit.when, &habit.activity),
@@ -200,7 +200,7 @@ fn of_habit(habit: &Habit) -> Row {
     ];
     let short_mostly = mostly.map_or_else(|| short_when(&habit.when), |part| format!("mostly {}", part.word()));
     let short_when = [times, short_mostly, until.unwrap_or_default()];
-    Row {
+    ExplanationRow {
         place: habit.place.clone(),
         days: short_days(&habit.days, &habit.chance),
         probability: Some(habit.chance.probability),
@@ -209,46 +209,45 @@ fn of_habit(habit: &Habit) -> Row {
         lasts,
         phase: phase_words(&habit.phase),
         in_words: sentence(said.into_iter().flatten()),
-        ..row(habit.said.line, &habit.said.text, Kind::Habit, what)
+        ..row(habit.said.line, &habit.said.text, ExplanationKind::Habit, what)
     }
 }
 
-fn of_rule(rule: &Rule) -> Row {
+fn of_rule(rule: &RoutineRule) -> ExplanationRow {
     let whenever = rules::whenever(rule);
     let response = rules::answers(rule);
     let lasts = match &rule.response {
-        Response::Do { lasts, .. } => lasts.as_ref().map(Spread::of),
+        Response::Do { lasts, .. } => lasts.as_ref().map(Spread::from_fuzzy),
         Response::Turn { .. } => None,
     };
     let chance = format!("with probability {}", number(rule.probability));
     let said = [format!("{whenever}, {chance} the person {response}"), phase_words(&rule.phase)];
-    Row {
+    ExplanationRow {
         probability: Some(rule.probability),
         when: whenever,
-        waits: Some(Spread::of(&rule.lasts)),
+        waits: Some(Spread::from_fuzzy(&rule.lasts)),
         lasts,
         days: format!("p {}", number(rule.probability)),
         phase: phase_words(&rule.phase),
         in_words: sentence(said.into_iter()),
-        ..row(rule.said.line, &rule.said.text, Kind::Rule, response)
+        ..row(rule.said.line, &rule.said.text, ExplanationKind::Rule, response)
     }
 }
 
-/// What somebody is or likes, which changes nothing.
-fn of_remark(remark: &Quote) -> Row {
+fn of_remark(remark: &Quote) -> ExplanationRow {
     let in_words = format!("Remark, not lived: {}.", remark.text.trim());
-    Row { in_words, ..row(remark.line, &remark.text, Kind::Remark, "remark: not lived".into()) }
+    ExplanationRow { in_words, ..row(remark.line, &remark.text, ExplanationKind::Remark, "remark: not lived".into()) }
 }
 
-fn of_change(change: &Change) -> Row {
+fn of_change(change: &RoutineChange) -> ExplanationRow {
     let what = effect_words(&change.effect);
     let phase = phase_words(&change.phase);
-    let on = if change.days == Days::ALL { String::new() } else { which_days(&change.days) };
-    Row {
+    let on = if change.days == DaySelection::ALL { String::new() } else { which_days(&change.days) };
+    ExplanationRow {
         in_words: sentence([what.clone(), on.clone(), phase.clone()].into_iter()),
         days: on,
         phase,
-        ..row(change.said.line, &change.said.text, Kind::Change, what)
+        ..row(change.said.line, &change.said.text, ExplanationKind::Change, what)
     }
 }
 
@@ -329,15 +328,15 @@ const MONTHS: [&str; 12] = [
     "December",
 ];
 
-/// The names whose bits are set, or nothing if all are.
+/// `None` if all are set.
 fn named(bits: u16, names: &[&str]) -> Option<String> {
     let all = (1_u32 << names.len()) - 1;
     let set: Vec<&str> = names.iter().enumerate().filter(|(i, _)| bits & 1 << i != 0).map(|(_, name)| *name).collect();
     (u32::from(bits) & all != all).then(|| set.join(", "))
 }
 
-/// On which days, without how likely.
-fn which_days(days: &Days) -> String {
+/// Without probability.
+fn which_days(days: &DaySelection) -> String {
     let every = match days.every {
         0 | 1 => "on each day".into(),
         2 => "on every other day".into(),
@@ -353,7 +352,7 @@ fn which_days(days: &Days) -> String {
     }
     match days.of_month {
         LAST_WEEK => words += ", in the last 7 days of the month,",
-        (first, last) if days.of_month != Days::ALL.of_month => {
+        (first, last) if days.of_month != DaySelection::ALL.of_month => {
             words += &format!(", from day {first} to {last} of the month,")
         }
         _ => {}
@@ -365,7 +364,7 @@ fn which_days(days: &Days) -> String {
 }
 
 impl DayKind {
-    /// As it is said of a day.
+    /// As an adjective.
     pub(crate) fn word(self) -> &'static str {
         match self {
             DayKind::Quiet => "quiet",
@@ -374,7 +373,7 @@ impl DayKind {
     }
 }
 
-fn days_words(days: &Days, chance: &Chance) -> String {
+fn days_words(days: &DaySelection, chance: &HabitChance) -> String {
     let mut words = which_days(days);
     words += &format!(" with probability {}", number(chance.probability));
     if let Some((becomes, by)) = chance.becomes {
@@ -383,12 +382,12 @@ fn days_words(days: &Days, chance: &Chance) -> String {
     words + ","
 }
 
-fn short_days(days: &Days, chance: &Chance) -> String {
+fn short_days(days: &DaySelection, chance: &HabitChance) -> String {
     let short = |names: String| names.split(", ").map(|name| &name[..3]).collect::<Vec<_>>().join(" ");
     let every = if days.every > 1 { format!("every {} days", days.every) } else { String::new() };
     let of_month = match days.of_month {
         LAST_WEEK => "last week".to_owned(),
-        days if days == Days::ALL.of_month => String::new(),
+        days if days == DaySelection::ALL.of_month => String::new(),
         (first, last) => format!("{first}.-{last}."),
     };
     let becomes = chance.becomes.map_or_else(String::new, |(becomes, _)| format!(" to {}", number(becomes)));
@@ -403,41 +402,41 @@ fn short_days(days: &Days, chance: &Chance) -> String {
     join(parts.into_iter(), " ")
 }
 
-fn when_words(when: &When, of: &Activity) -> String {
+fn when_words(when: &HabitTime, of: &Activity) -> String {
     let gap = |gap: &Option<Fuzzy>, word: &str| match gap {
         Some(gap) => format!("{} {word}", lasts_words(gap)),
         None => format!("right {word}"),
     };
     match when {
-        When::AnyTime => "whenever it fits".into(),
-        When::At(at) => format!("start {}", clock_words(at)),
-        When::Within(PartOfDay::Night) if of.is_of_the_night() => "at any time of the night, while in bed".into(),
-        When::Within(PartOfDay::Night) => "in the hours before bed".into(),
-        When::Within(part) => {
+        HabitTime::AnyTime => "whenever it fits".into(),
+        HabitTime::At(at) => format!("start {}", clock_words(at)),
+        HabitTime::Within(PartOfDay::Night) if of.is_of_the_night() => "at any time of the night, while in bed".into(),
+        HabitTime::Within(PartOfDay::Night) => "in the hours before bed".into(),
+        HabitTime::Within(part) => {
             let (from, to) = part.hours();
             format!("start at any time from {} to {}", clock(from), clock(to))
         }
-        When::After(activity, by) => format!("{} after the person {}", gap(by, "").trim(), phrase(activity)),
-        When::Before(activity, by) => format!("{} before the person {}", gap(by, "").trim(), phrase(activity)),
-        When::With(activity) => format!("as the person begins: {}", phrase(activity)),
-        When::Then => "once the one before is done, and only then".into(),
+        HabitTime::After(activity, by) => format!("{} after the person {}", gap(by, "").trim(), phrase(activity)),
+        HabitTime::Before(activity, by) => format!("{} before the person {}", gap(by, "").trim(), phrase(activity)),
+        HabitTime::With(activity) => format!("as the person begins: {}", phrase(activity)),
+        HabitTime::Then => "once the one before is done, and only then".into(),
     }
 }
 
-fn short_when(when: &When) -> String {
+fn short_when(when: &HabitTime) -> String {
     match when {
-        When::AnyTime => String::new(),
-        When::At(at) => format!("{}-{}", clock(at.low), clock(at.high)),
-        When::Within(part) => part.word().into(),
-        When::After(activity, _) => format!("after: {}", phrase(activity)),
-        When::Before(activity, _) => format!("before: {}", phrase(activity)),
-        When::With(activity) => format!("with: {}", phrase(activity)),
-        When::Then => "then".into(),
+        HabitTime::AnyTime => String::new(),
+        HabitTime::At(at) => format!("{}-{}", clock(at.low), clock(at.high)),
+        HabitTime::Within(part) => part.word().into(),
+        HabitTime::After(activity, _) => format!("after: {}", phrase(activity)),
+        HabitTime::Before(activity, _) => format!("before: {}", phrase(activity)),
+        HabitTime::With(activity) => format!("with: {}", phrase(activity)),
+        HabitTime::Then => "then".into(),
     }
 }
 
 fn clock_words(at: &Fuzzy) -> String {
-    let spread = Spread::of(at);
+    let spread = Spread::from_fuzzy(at);
     let most_often = match at.from == at.to {
         true => format!("{}, ", clock(at.from)),
         false => String::new(),
@@ -456,9 +455,9 @@ fn phase_words(phase: &Phase) -> String {
     join([from, over, until, fading].into_iter().flatten(), ", ")
 }
 
-fn moment_words(moment: Moment) -> String {
+fn moment_words(moment: PhaseDay) -> String {
     match moment {
-        Moment::Day(day) => format!("day {}", i64::from(day) + 1),
-        Moment::Date(year, month, day) => format!("{year:04}-{month:02}-{day:02}"),
+        PhaseDay::Day(day) => format!("day {}", i64::from(day) + 1),
+        PhaseDay::Date(year, month, day) => format!("{year:04}-{month:02}-{day:02}"),
     }
 }

@@ -7,9 +7,7 @@ homebody_core::messages! {
     pub enum HouseholdMessage in "condition" {
         /// `--without` names a condition that no resident shows, so that it removes nothing.
         NotShown {
-            /// The name asked for.
             condition: String,
-            /// The conditions of the routines.
             known: Vec<String>,
         } error "not-shown" ("no resident shows {condition:?}")
             advice (Some(match known.is_empty() {
@@ -18,31 +16,24 @@ homebody_core::messages! {
             }));
         /// A condition can show another condition. These conditions show each other, so that reading them would never end.
         Circle {
-            /// The names of the conditions.
             conditions: Vec<String>,
         } error "circle" ("the conditions {conditions} show each other", conditions = conditions.join(" and "))
             hint ("remove the sentence that shows the other condition from one of the files");
         /// The routines of a scenario read a limited number of files with conditions. The limit is our choice.
         TooMany {
-            /// The file that is one too many.
             file: String,
-            /// The limit.
             most: usize,
         } error "too-many" ("a scenario has at most {most} conditions, and {file:?} is one more")
             hint ("remove conditions from the routines");
         /// A file with a condition has a limit, which is our choice.
         TooLong {
-            /// The file.
             file: String,
-            /// The reason.
             why: String,
         } error "too-long" ("{file:?} is too long: {why}")
             hint ("shorten the file, or remove it");
         /// The scenario has a file with this condition, so Homebody does not use its own condition instead.
         Unreadable {
-            /// The file.
             file: String,
-            /// The reason.
             why: String,
         } error "unreadable" ("cannot read {file:?}: {why}")
             hint ("replace the file with a readable text file, or remove it");
@@ -54,28 +45,24 @@ homebody_core::messages! {
     pub enum NeedMessage in "need" {
         /// Every resident with a routine sleeps at night.
         NoBed {
-            /// A piece of furniture with a free position, or the reason against one.
             example: Advice,
         } error "no-bed" ("the home has no place to sleep")
             hint ("add an enterable piece of furniture with the name or the role \"bed\"{example}")
             fix (example.fix.clone());
         /// Every resident with a routine uses a toilet.
         NoToilet {
-            /// A piece of furniture with a free position, or the reason against one.
             example: Advice,
         } error "no-toilet" ("the home has no toilet")
             hint ("add a place \"toilet\", or a piece of furniture with the name or the role \"toilet\"{example}")
             fix (example.fix.clone());
         /// Every resident with a routine rests in a seat between activities.
         NoSeat {
-            /// A piece of furniture with a free position, or the reason against one.
             example: Advice,
         } error "no-seat" ("the home has no place to sit")
             hint ("add an enterable piece of furniture with the name or the role \"armchair\"{example}")
             fix (example.fix.clone());
         /// Every resident with a routine prepares meals.
         NoKitchen {
-            /// A piece of furniture with a free position, or the reason against one.
             example: Advice,
         } error "no-kitchen" ("the home has no kitchen")
             hint
@@ -83,23 +70,16 @@ homebody_core::messages! {
             fix (example.fix.clone());
         /// A body of this size finds no way out of the bed, so it cannot do anything else.
         BoxedIn {
-            /// The resident.
             resident: String,
-            /// The bed.
             from: String,
-            /// The hint.
             help: Advice,
         } error "boxed-in" ("{resident} cannot get from {from:?} to the rest of the home")
             advice (Some(help.clone()));
         /// The routine uses this place, and a body of this size finds no way to it.
         NoWay {
-            /// The resident.
             resident: String,
-            /// The bed, where the way begins.
             from: String,
-            /// The place.
             to: String,
-            /// The hint.
             help: Advice,
         } error "no-way" ("{resident} cannot get from {from:?} to {to:?}")
             advice (Some(help.clone()));
@@ -108,7 +88,6 @@ homebody_core::messages! {
             hint ("write \"outside\": true at a door, or add a place \"front door\"");
         /// The routine lets a fallen resident wait for a person, and no person ever comes.
         Unfound {
-            /// The resident.
             resident: String,
         } error "unfound" ("no person can find {resident} after a fall: the home has no other resident and no visitor")
             hint

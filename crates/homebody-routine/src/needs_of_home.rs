@@ -1,23 +1,24 @@
-//! What a routine needs of the home: somewhere to sleep and sit, a way out, and a way to all that its activities use.
+//! The furniture, doors and routes that a routine needs in a home.
 
-use crate::living::places::{Places, Spot};
-use crate::living::script::ACTED_ON;
+use crate::behaviour::places::{HomePlace, HomePlaces};
+use crate::behaviour::script::ACTED_ON;
 use crate::messages::NeedMessage;
-use crate::room_for::{self, Lacking, NEEDS};
-use crate::routine::{Activity, FallEnds, Habit, Quote, Response, Routine, Rule, USUAL, shows};
+use crate::room_for::{self, MissingFurniture, NEEDS};
+use crate::routine::{Activity, FallEnds, Habit, Quote, Response, Routine, RoutineRule, USUAL, shows};
 use homebody_core::geometry;
-use homebody_core::home::plan::{self, Plan};
+use homebody_core::home::form::HomeFile;
 use homebody_core::numbers::Numbers;
+use homebody_core::plan::form::FurnitureFile;
+use homebody_core::plan::{self, Plan};
 use homebody_core::problem::{Advice, Problem};
+use homebody_core::resident::ResidentFile;
 use homebody_core::role::Role;
-use homebody_core::scenario::home::{FurnitureFile, HomeFile};
 use homebody_core::scenario::load::Scenario;
-use homebody_core::scenario::resident::ResidentFile;
 use homebody_walk::Mesh;
 use std::collections::{BTreeMap, BTreeSet};
 
-/// What is missing, and what there is no way to, for one resident and the conditions that their routine shows. So many other people live
-/// there.
+/// Reports missing and unreachable places for one resident, with the conditions of the routine. `others` is the number of
+/// other people in the home.
 pub fn check(
     scenario: &Scenario,
     resident: &ResidentFile,
@@ -26,16 +27,16 @@ pub fn check(
     others: usize,
 ) -> Vec<Problem> {
     let plan = scenario.home.plan();
-    let places = Places::new(&scenario.home, plan, &mesh(plan, resident, scenario.home.numbers()), &resident.name);
+    let places = HomePlaces::new(&scenario.home, plan, &mesh(plan, resident, scenario.home.numbers()), &resident.name);
     let texts = with_conditions(routine, conditions);
-    let mut check = Check {
+    let mut check = NeedsCheck {
         home: &scenario.home,
         numbers: scenario.home.numbers(),
         resident,
         others,
         file: &routine.file,
         bed: String::new(),
-        lacking: Lacking::default(),
+        lacking: MissingFurniture::default(),
         told: BTreeSet::new(),
         problems: Vec::new(),
     };
@@ -43,8 +44,8 @@ pub fn check(
     check.problems
 }
 
-/// The pieces that the routine of a resident needs and the home lacks, each in a free place. With all of them added, the home meets
-/// the needs of all residents. `None` if the resident can reach everything.
+/// The furniture that a routine needs and the home lacks, each piece in a free place. With all pieces, the home meets the
+/// needs of all residents. `None` if the resident can reach everything.
 pub fn additions(
     scenario: &Scenario,
     resident: &ResidentFile,
@@ -52,29 +53,28 @@ pub fn additions(
     conditions: &BTreeMap<String, Routine>,
 ) -> Vec<FurnitureFile> {
     let (home, plan, numbers) = (&scenario.home, scenario.home.plan(), scenario.home.numbers());
-    let places = Places::new(home, plan, &mesh(plan, resident, numbers), &resident.name);
+    let places = HomePlaces::new(home, plan, &mesh(plan, resident, numbers), &resident.name);
     let lacking = lacking(home, resident, numbers, &places, &with_conditions(routine, conditions));
     lacking.pieces.into_iter().filter_map(|(_, piece)| piece).collect()
 }
 
-/// The pieces for all that everybody needs or that a routine uses, and that is out of reach.
 fn lacking(
     home: &HomeFile,
     resident: &ResidentFile,
     numbers: &Numbers,
-    places: &Places,
+    places: &HomePlaces,
     texts: &[&Routine],
-) -> Lacking {
+) -> MissingFurniture {
     let is_there = |role: &Role| places.of(*role).is_some_and(|spot| spot.is_reachable);
     let used = used_roles(places, texts).into_iter().map(|(role, _)| role);
     let unreached: Vec<Role> = used.filter(|&role| places.out_of_reach(role).is_some()).collect();
     if NEEDS.iter().all(is_there) && unreached.is_empty() {
-        return Lacking::default();
+        return MissingFurniture::default();
     }
     room_for::lacking(home, &unreached, resident, numbers)
 }
 
-/// The things of a home that a resident uses, by their names in small letters: opens, turns on, lets water run.
+/// Names, in lower case, of the things that a resident opens, turns on or lets run.
 pub fn used_things(
     home: &HomeFile,
     plan: &Plan,
@@ -82,17 +82,17 @@ pub fn used_things(
     routine: &Routine,
     conditions: &BTreeMap<String, Routine>,
 ) -> BTreeSet<String> {
-    let places = Places::new(home, plan, &mesh(plan, resident, &Numbers::default()), &resident.name);
+    let places = HomePlaces::new(home, plan, &mesh(plan, resident, &Numbers::default()), &resident.name);
     let texts = with_conditions(routine, conditions);
     let roles = used_roles(&places, &texts).into_iter().map(|(role, _)| role).filter(|role| ACTED_ON.contains(role));
-    // The mail is fetched by somebody, and the television stands before the seat from which it is watched.
+    // Visitors fetch the mail too, and the television stands before the seat from which it is watched.
     let things = roles.chain([Role::FrontDoor, Role::Television]).filter_map(|role| places.thing(role));
     let things = things.map(|thing| places.thing_name(thing).to_owned());
-    // Of these, all are used in turn.
+    // All of these are used in turn.
     let warmers = places.anybodys(Role::FoodWarmer).into_iter().map(|spot| spot.name.clone());
     let opened = places.stations().iter().filter(|station| station.opened.is_some());
     let opened = opened.map(|station| station.spot.name.clone());
-    let answers = texts.iter().flat_map(|text| &text.rules).flat_map(Rule::answers);
+    let answers = texts.iter().flat_map(|text| &text.rules).flat_map(RoutineRule::answers);
     let turned = answers.filter_map(|answer| match answer {
         Response::Turn { thing, .. } => Some(thing.to_lowercase()),
         Response::Do { .. } => None,
@@ -100,7 +100,7 @@ pub fn used_things(
     things.chain(warmers).chain(opened).chain(turned).collect()
 }
 
-/// A routine and the conditions that it shows, and those that they show.
+/// Including the conditions of conditions.
 fn with_conditions<'t>(routine: &'t Routine, conditions: &'t BTreeMap<String, Routine>) -> Vec<&'t Routine> {
     let mut texts = vec![routine];
     let mut next = 0;
@@ -114,7 +114,6 @@ fn with_conditions<'t>(routine: &'t Routine, conditions: &'t BTreeMap<String, Ro
     texts
 }
 
-/// What a resident walks by in a home of this plan.
 fn mesh(plan: &Plan, resident: &ResidentFile, numbers: &Numbers) -> Mesh {
     Mesh::with_numbers(plan, resident.radius_m, numbers)
 }
@@ -125,35 +124,33 @@ const MOST_EXPLAINED: usize = 3;
 /// Number of pieces of furniture that are tried for each (our choice).
 const MOST_PIECES: usize = 12;
 
-/// A place that everybody needs, with the message about a home without it.
-type Need = (Role, fn(Advice) -> NeedMessage);
+/// A role that all residents need, with the message about its absence.
+type BasicNeed = (Role, fn(Advice) -> NeedMessage);
 
-const BASIC_NEEDS: [Need; 4] = [
+const BASIC_NEEDS: [BasicNeed; 4] = [
     (Role::Bed, |example| NeedMessage::NoBed { example }),
     (Role::Toilet, |example| NeedMessage::NoToilet { example }),
     (Role::Armchair, |example| NeedMessage::NoSeat { example }),
     (Role::Fridge, |example| NeedMessage::NoKitchen { example }),
 ];
 
-struct Check<'a> {
+struct NeedsCheck<'a> {
     home: &'a HomeFile,
     numbers: &'a Numbers,
     resident: &'a ResidentFile,
-    /// How many other people live there.
     others: usize,
     /// The routine's file.
     file: &'a str,
-    /// Where the resident sleeps.
     bed: String,
-    /// The pieces that are out of reach, with a place for each.
-    lacking: Lacking,
-    /// The places that were told.
+    /// Unreachable roles, with a place for each.
+    lacking: MissingFurniture,
+    /// Places already reported.
     told: BTreeSet<String>,
     problems: Vec<Problem>,
 }
 
-impl Check<'_> {
-    fn all(&mut self, places: &Places, texts: &[&Routine], is_person: bool) {
+impl NeedsCheck<'_> {
+    fn all(&mut self, places: &HomePlaces, texts: &[&Routine], is_person: bool) {
         let anybodys = || places.anybodys(Role::Bed).into_iter().next().filter(|_| !is_person);
         if is_person {
             self.lacking = lacking(self.home, self.resident, self.numbers, places, texts);
@@ -166,7 +163,7 @@ impl Check<'_> {
             return;
         };
         self.bed = bed.name.clone();
-        // Who cannot get out of bed gets nowhere.
+        // A resident who cannot leave the bed reaches nothing.
         let boxed_in = places.out_of_reach(Role::Bed).filter(|_| is_person);
         if let Some(bed) = boxed_in {
             let help = self.instead(Role::Bed).after(&self.what_to_do(bed));
@@ -182,7 +179,7 @@ impl Check<'_> {
         }
         for (place, said) in texts.iter().flat_map(|text| named_places(text)) {
             if let Some(spot) = places.named(place).filter(|spot| !spot.is_reachable) {
-                self.no_way(&Spot { name: place.to_owned(), ..spot.clone() }, Some(said), Advice::from(""));
+                self.no_way(&HomePlace { name: place.to_owned(), ..spot.clone() }, Some(said), Advice::from(""));
             }
         }
         let goes_out = |activity: &Activity| matches!(activity, Activity::Leave | Activity::Visit);
@@ -193,7 +190,7 @@ impl Check<'_> {
         self.unfound(texts);
     }
 
-    /// Nobody is there, or comes, to find who lies on the floor until they are found.
+    /// A resident waits on the floor for help, and no other person lives there or visits.
     fn unfound(&mut self, texts: &[&Routine]) {
         let habits = || texts.iter().flat_map(|text| text.habits.iter().map(move |habit| (text.file.as_str(), habit)));
         if self.others > 0 || habits().any(|(_, habit)| habit.visitor.is_some()) {
@@ -206,9 +203,8 @@ impl Check<'_> {
         }
     }
 
-    /// Reports each thing that everybody needs and the home does not have, with a place for it. With all of them added,
-    /// each routine can run.
-    fn missing(&mut self, places: &Places) {
+    /// Reports each missing basic piece with a place for it. With all of them, each routine can run.
+    fn missing(&mut self, places: &HomePlaces) {
         for (role, message) in BASIC_NEEDS {
             if places.of(role).is_none() {
                 let piece = self.lacking.piece(role);
@@ -218,13 +214,13 @@ impl Check<'_> {
         }
     }
 
-    /// Another piece for a role whose own is out of reach, where there is room for one.
+    /// Another piece for an unreachable role, if there is room.
     fn instead(&self, role: Role) -> Advice {
         let example = self.lacking.piece(role).map(|piece| self.example(piece));
         example.map_or_else(|| Advice::from(""), |example| example.after(", or another such piece; "))
     }
 
-    /// A piece as it is written into a home, and in which room that is.
+    /// As an entry of `home.json`, with its room.
     fn example(&self, piece: &FurnitureFile) -> Advice {
         let outline = plan::furniture_outline(piece);
         let room = Plan::new(self.home).room_at(geometry::inner_point(&outline));
@@ -232,7 +228,6 @@ impl Check<'_> {
         Advice::addition(serde_json::to_value(piece).unwrap_or_default(), room)
     }
 
-    /// Why no place is named for a piece.
     fn no_room(&self) -> String {
         /// Largest number of names in one message (our choice).
         const NAMED: usize = 6;
@@ -245,8 +240,8 @@ impl Check<'_> {
         }
     }
 
-    /// Reports once that no way leads to a place.
-    fn no_way(&mut self, spot: &Spot, said: Option<(&str, &Quote)>, instead: Advice) {
+    /// Reports each place once.
+    fn no_way(&mut self, spot: &HomePlace, said: Option<(&str, &Quote)>, instead: Advice) {
         if self.told.insert(spot.name.to_lowercase()) {
             let help = instead.after(&self.what_to_do(spot));
             let (resident, from, to) = (self.resident.name.clone(), self.bed.clone(), spot.name.clone());
@@ -262,8 +257,8 @@ impl Check<'_> {
         self.problems.push(problem);
     }
 
-    /// Which doors to open or pieces to move so that there is a way, each by itself; else what stands around it.
-    fn what_to_do(&self, to: &Spot) -> String {
+    /// Single doors to open or pieces to move that would make a route; else the surrounding pieces.
+    fn what_to_do(&self, to: &HomePlace) -> String {
         let mut ways: Vec<String> = Vec::new();
         if self.told.len() <= MOST_EXPLAINED {
             for (index, door) in self.home.doors.iter().enumerate().filter(|(_, door)| !door.open && !door.outside) {
@@ -293,14 +288,14 @@ impl Check<'_> {
         hint
     }
 
-    fn is_reachable_in(&self, home: &HomeFile, to: &Spot) -> bool {
+    fn is_reachable_in(&self, home: &HomeFile, to: &HomePlace) -> bool {
         let plan = Plan::new(home);
-        let places = Places::new(home, &plan, &mesh(&plan, self.resident, self.numbers), &self.resident.name);
+        let places = HomePlaces::new(home, &plan, &mesh(&plan, self.resident, self.numbers), &self.resident.name);
         places.named(&to.name).is_some_and(|spot| spot.is_reachable)
     }
 
-    /// The pieces that are no farther from a place than this, without what it is the place of, the nearest first.
-    fn nearest_pieces(&self, to: &Spot, most_m: f64) -> Vec<usize> {
+    /// Pieces within a distance of a place, without the place itself, the nearest first.
+    fn nearest_pieces(&self, to: &HomePlace, most_m: f64) -> Vec<usize> {
         let others = self
             .home
             .furniture
@@ -315,8 +310,8 @@ impl Check<'_> {
     }
 }
 
-/// The roles that somebody's activities use, each with the sentence that says the first of them, if one does.
-fn used_roles<'t>(places: &Places, texts: &[&'t Routine]) -> Vec<(Role, Option<(&'t str, &'t Quote)>)> {
+/// Each with the first sentence that uses it, if any.
+fn used_roles<'t>(places: &HomePlaces, texts: &[&'t Routine]) -> Vec<(Role, Option<(&'t str, &'t Quote)>)> {
     let mut used: Vec<(Activity, Option<(&str, &Quote)>)> = Vec::new();
     for text in texts {
         let done = text.habits.iter().filter(|habit| {
@@ -331,7 +326,7 @@ fn used_roles<'t>(places: &Places, texts: &[&'t Routine]) -> Vec<(Role, Option<(
             }
         }
     }
-    // What is done without being said.
+    // Usual activities that the text does not mention.
     let is_mentioned = |activity: &Activity| texts[0].habits.iter().any(|habit| habit.activity == *activity);
     let unsaid = USUAL.iter().chain(&[Activity::Relax, Activity::Nap]).filter(|activity| !is_mentioned(activity));
     used.extend(unsaid.cloned().map(|activity| (activity, None)));
@@ -352,7 +347,7 @@ fn used_roles<'t>(places: &Places, texts: &[&'t Routine]) -> Vec<(Role, Option<(
     all
 }
 
-/// The places that a text names to do something at, or to turn something on or off at, each with its sentence.
+/// Places of activities and switched things, each with its sentence.
 fn named_places(text: &Routine) -> Vec<(&str, (&str, &Quote))> {
     let file = text.file.as_str();
     let habits = text.habits.iter().filter_map(|habit| Some((habit.place.as_deref()?, (file, &habit.said))));

@@ -1,44 +1,41 @@
-//! A diary written as a routine: sentences with the times, the lengths and the frequencies of what somebody did.
+//! A diary as a routine: sentences with times, lengths and frequencies.
 //!
-//! A day goes from one rising to the next. When somebody gets up and goes to bed is a triangle whose standard deviation is that of
-//! the diary. What is done soon after rising on most days is said by how long after. Of what takes long, such as outings, the first,
-//! the second and so on of a day each have a time of day, and so has each meal; of what is soon done, such as washing, and of what
-//! has no name of its own, such as sitting somewhere, it is said how many times a day it is, and of visits to the toilet how many
-//! times a night. Lengths and counts are those of four in five cases, from the first tenth to the last; where a few last much longer
-//! than most, these are said apart.
+//! A day lasts from one rising to the next. The times of rising and of going to bed are triangles with the standard
+//! deviation of the diary. An activity that mostly follows soon after rising is given by its delay. Long activities, such
+//! as outings, have a time for the first, second and so on of a day, and so has each meal. Short activities, such as
+//! washing, and unnamed ones, such as sitting, have a number per day, and visits to the toilet a number per night. Lengths
+//! and counts cover the middle four fifths; if a few last much longer than most, they become a sentence of their own.
 //!
-//! We assume that a night is the only sleep of three hours and more, in which one may have been up for an hour and a half, and
-//! that what a diary could note and never does is not done.
+//! We assume that a night is the only sleep of three hours or more, with up to an hour and a half awake in it, and that an
+//! activity which a diary could note and never does is not done.
 //!
-//! Left out: weekdays, whether one day is like the one before, and what follows what but for rising, and for eating what was
-//! prepared.
+//! Left out: weekdays, similarity of successive days, and sequences other than after rising and from cooking to eating.
 
 use crate::explain::words::number;
 use crate::language::activities::phrase;
 use crate::routine::{Activity, Meal};
 use homebody_core::statistics;
-use homebody_core::time::{DAY, Micros, SECOND, seconds};
-use std::ops::Range;
+use homebody_core::time::{HOUR, Interval, MINUTE, Span, WallTime, joined};
 
-/// What a diary notes; instants are microseconds since a midnight on the clock on the wall.
+/// An entry of a diary.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Noted {
-    /// What was done; a night is [`Activity::GoToBed`].
+pub struct DiaryEntry {
+    /// The activity; a night is [`Activity::GoToBed`].
     pub what: Activity,
-    /// From when.
-    pub begin: Micros,
-    /// Until when.
-    pub end: Micros,
+    /// Start.
+    pub begin: WallTime,
+    /// End.
+    pub end: WallTime,
 }
 
 /// Longest time awake of a person who sleeps again and was not up for the day (our choice).
-const UP_AT_NIGHT: Micros = 90 * 60 * SECOND;
+const UP_AT_NIGHT: Span = MINUTE.times(90);
 /// Length below which a sleep is a nap (our choice).
-const SHORTEST_NIGHT: Micros = 3 * 3600 * SECOND;
+const SHORTEST_NIGHT: Span = HOUR.times(3);
 /// Time after rising within which an activity, on at least half of the days, follows from it (our choice).
-const AFTER_RISING: Micros = 2 * 3600 * SECOND;
+const AFTER_RISING: Span = HOUR.times(2);
 /// Shortest activity with a time of day (our choice).
-const LONG: Micros = 10 * 60 * SECOND;
+const LONG: Span = MINUTE.times(10);
 /// Ratio of the longest tenth to the median above which few activities last much longer than most (our choice).
 const SKEWED: f64 = 3.0;
 /// Share of days below which an activity is left out (our choice).
@@ -46,16 +43,16 @@ const RARE: f64 = 0.1;
 /// Smallest and largest tolerance of a clock time, in minutes (our choice).
 const GIVE_OR_TAKE_MIN: [f64; 2] = [5.0, 480.0];
 
-/// The sentences of a diary. `noted` is in order; `known` are the activities that it would note: of those that it never does,
-/// the sentences say so.
-pub fn sentences(noted: &[Noted], known: &[Activity]) -> Vec<String> {
+/// The sentences of a diary. `noted` is in order of time; `known` are the activities that the diary would note, so that the
+/// sentences exclude those that it never does.
+pub fn sentences(noted: &[DiaryEntry], known: &[Activity]) -> Vec<String> {
     let days = days(noted);
     let mut said = nights(&days);
     let mut whats: Vec<&Activity> = known.iter().filter(|what| **what != Activity::GoToBed).collect();
     whats.sort();
     whats.dedup();
     for what in whats {
-        let of: Vec<Vec<&Noted>> = days.iter().map(|day| day.of(what)).collect();
+        let of: Vec<Vec<&DiaryEntry>> = days.iter().map(|day| day.entries(what)).collect();
         if of.iter().all(Vec::is_empty) {
             said.push(format!("She never {}.", phrase(what)));
         } else if !is_eaten_after_cooking(what, &days) {
@@ -65,59 +62,54 @@ pub fn sentences(noted: &[Noted], known: &[Activity]) -> Vec<String> {
     said
 }
 
-/// What was done from one rising to the next.
-struct Day<'a> {
-    /// When one rose, and when one went to bed.
-    up: Micros,
-    bed: Option<Micros>,
-    noted: Vec<&'a Noted>,
-    /// In the night before.
-    at_night: Vec<&'a Noted>,
+/// From one rising to the next.
+struct DiaryDay<'a> {
+    /// Rising, and going to bed.
+    up: WallTime,
+    bed: Option<WallTime>,
+    noted: Vec<&'a DiaryEntry>,
+    /// During the night before.
+    at_night: Vec<&'a DiaryEntry>,
 }
 
-impl<'a> Day<'a> {
-    fn of(&self, what: &Activity) -> Vec<&'a Noted> {
+impl<'a> DiaryDay<'a> {
+    fn entries(&self, what: &Activity) -> Vec<&'a DiaryEntry> {
         self.noted.iter().filter(|noted| noted.what == *what).copied().collect()
     }
 
-    /// The midnight before one rose.
-    fn midnight(&self) -> Micros {
-        self.up.div_euclid(DAY) * DAY
+    /// The midnight before rising.
+    fn midnight(&self) -> WallTime {
+        self.up - self.up.time_of_day()
     }
 }
 
-fn days(noted: &[Noted]) -> Vec<Day<'_>> {
-    let mut nights: Vec<Range<Micros>> = Vec::new();
-    for sleep in noted.iter().filter(|one| one.what == Activity::GoToBed) {
-        match nights.last_mut().filter(|night| sleep.begin - night.end <= UP_AT_NIGHT) {
-            Some(night) => night.end = night.end.max(sleep.end),
-            None => nights.push(sleep.begin..sleep.end),
-        }
-    }
-    nights.retain(|night| night.end - night.start >= SHORTEST_NIGHT);
-    let within = |span: Range<Micros>| noted.iter().filter(move |one| span.contains(&one.begin)).collect();
-    let day = |(index, night): (usize, &Range<Micros>)| {
-        let bed = nights.get(index + 1).map(|next| next.start);
-        let (day, night) = (night.end..bed.unwrap_or(Micros::MAX), night.clone());
-        Day { up: night.end, bed, noted: within(day), at_night: within(night) }
+fn days(noted: &[DiaryEntry]) -> Vec<DiaryDay<'_>> {
+    let sleeps = noted.iter().filter(|one| one.what == Activity::GoToBed);
+    let mut nights = joined(sleeps.map(|sleep| Interval::new(sleep.begin, sleep.end)), UP_AT_NIGHT);
+    nights.retain(|night| night.length() >= SHORTEST_NIGHT);
+    let within = |time: Interval<WallTime>| noted.iter().filter(move |one| time.contains(one.begin)).collect();
+    let day = |(index, night): (usize, &Interval<WallTime>)| {
+        let bed = nights.get(index + 1).map(|next| next.begin);
+        let day = Interval::new(night.end, bed.unwrap_or(WallTime::MAX));
+        DiaryDay { up: night.end, bed, noted: within(day), at_night: within(*night) }
     };
     nights.iter().enumerate().map(day).collect()
 }
 
-fn nights(days: &[Day]) -> Vec<String> {
+fn nights(days: &[DiaryDay]) -> Vec<String> {
     let mut said = Vec::new();
-    let up: Vec<f64> = days.iter().map(|day| seconds(day.up - day.midnight())).collect();
-    let bed: Vec<f64> = days.iter().filter_map(|day| Some(seconds(day.bed? - day.midnight()))).collect();
+    let up: Vec<f64> = days.iter().map(|day| day.up.time_of_day().seconds()).collect();
+    let bed: Vec<f64> = days.iter().filter_map(|day| Some((day.bed? - day.midnight()).seconds())).collect();
     for (what, times) in [("gets up", up), ("goes to bed", bed)] {
         if !times.is_empty() {
             said.push(format!("She {what} {}.", clock(&times)));
         }
     }
-    let visits = |day: &Day| day.at_night.iter().filter(|one| one.what == Activity::UseBathroom).count() as f64;
+    let visits = |day: &DiaryDay| day.at_night.iter().filter(|one| one.what == Activity::UseBathroom).count() as f64;
     let visits: Vec<f64> = days.iter().map(visits).filter(|&count| count > 0.0).collect();
     let share = visits.len() as f64 / days.len().max(1) as f64;
     if share >= RARE {
-        // "On 10 % of nights" says already that it is by night.
+        // "On 10 % of nights" already implies the night.
         let a_night = if (share * 100.0).round() < 100.0 { "" } else { " a night" };
         let on = on(share, "nights");
         said.push(format!("{on} {} {}{a_night}.", phrase(&Activity::UseBathroom), times(&visits)));
@@ -125,13 +117,11 @@ fn nights(days: &[Day]) -> Vec<String> {
     said
 }
 
-/// On which share of days or nights she does something.
 fn on(share: f64, what: &str) -> String {
     let percent = (share * 100.0).round();
     if percent < 100.0 { format!("On {} % of {what} she", number(percent)) } else { "She".into() }
 }
 
-/// How many times, in words.
 fn times(counts: &[f64]) -> String {
     let [least, most] = [0.1, 0.9].map(|share| quantile(counts, share).round());
     match (least, most) {
@@ -141,34 +131,34 @@ fn times(counts: &[f64]) -> String {
     }
 }
 
-/// Whether it is a meal whose preparation is noted, too, and says it.
-fn is_eaten_after_cooking(what: &Activity, days: &[Day]) -> bool {
+/// For a meal whose preparation is noted too, that sentence gives the time.
+fn is_eaten_after_cooking(what: &Activity, days: &[DiaryDay]) -> bool {
     let Activity::Eat(meal) = what else { return false };
-    days.iter().any(|day| !day.of(&Activity::Prepare(*meal)).is_empty())
+    days.iter().any(|day| !day.entries(&Activity::Prepare(*meal)).is_empty())
 }
 
-fn of_activity(what: &Activity, days: &[Day], mut of: Vec<Vec<&Noted>>) -> Vec<String> {
+fn of_activity(what: &Activity, days: &[DiaryDay], mut of: Vec<Vec<&DiaryEntry>>) -> Vec<String> {
     let mut said = Vec::new();
     let all = days.len() as f64;
     let soon: Vec<usize> = (0..days.len())
         .filter(|&day| of[day].first().is_some_and(|first| first.begin - days[day].up < AFTER_RISING))
         .collect();
     if soon.len() as f64 >= all / 2.0 && *what != Activity::Leave {
-        let firsts: Vec<&Noted> = soon.iter().map(|&day| of[day].remove(0)).collect();
+        let firsts: Vec<&DiaryEntry> = soon.iter().map(|&day| of[day].remove(0)).collect();
         let after: Vec<f64> =
-            soon.iter().zip(&firsts).map(|(&day, first)| seconds(first.begin - days[day].up)).collect();
+            soon.iter().zip(&firsts).map(|(&day, first)| (first.begin - days[day].up).seconds()).collect();
         let minutes = (mean(&after) / 60.0).round().max(1.0);
         let when = format!(" {} after she gets up", counted(minutes, "minute"));
         said.extend(sentence(what, soon.len() as f64 / all, &when, &firsts, days));
     }
     if let Activity::Prepare(_) | Activity::Eat(_) = what {
-        // A meal has one time of the day: two would contradict each other.
+        // A meal has one time of day: two would contradict each other.
         of.iter_mut().for_each(|of| of.truncate(1));
         return if said.is_empty() { at_their_times(what, days, &of) } else { said };
     }
-    let lengths: Vec<f64> = of.iter().flatten().map(|one| seconds(one.end - one.begin)).collect();
-    // What has no name of its own, such as sitting, is done again and again.
-    let is_often = lengths.is_empty() || matches!(what, Activity::Other(_)) || quantile(&lengths, 0.5) < seconds(LONG);
+    let lengths: Vec<f64> = of.iter().flatten().map(|one| (one.end - one.begin).seconds()).collect();
+    // Unnamed activities, such as sitting, repeat throughout the day.
+    let is_often = lengths.is_empty() || matches!(what, Activity::Other(_)) || quantile(&lengths, 0.5) < LONG.seconds();
     match is_often {
         true => said.extend(shorter_and_longer(of).iter().filter_map(|of| times_a_day(what, days, of))),
         false => said.extend(at_their_times(what, days, &of)),
@@ -176,63 +166,62 @@ fn of_activity(what: &Activity, days: &[Day], mut of: Vec<Vec<&Noted>>) -> Vec<S
     said
 }
 
-/// The same twice where few last much longer than most: once the shorter, once the longer, so that each has lengths of its own.
-fn shorter_and_longer(of: Vec<Vec<&Noted>>) -> Vec<Vec<Vec<&Noted>>> {
-    let length = |one: &Noted| seconds(one.end - one.begin);
+/// Splits into shorter and longer ones if a few last much longer than most.
+fn shorter_and_longer(of: Vec<Vec<&DiaryEntry>>) -> Vec<Vec<Vec<&DiaryEntry>>> {
+    let length = |one: &DiaryEntry| (one.end - one.begin).seconds();
     let mut lengths: Vec<f64> = of.iter().flatten().map(|one| length(one)).collect();
     lengths.sort_by(f64::total_cmp);
     if lengths.is_empty() || quantile(&lengths, 0.9) <= SKEWED * quantile(&lengths, 0.5) {
         return vec![of];
     }
-    // Where two neighbours are the furthest apart, in times as long, among those that are longer than most.
+    // Cuts at the largest ratio between neighbours above the median.
     let pairs = lengths[lengths.len() / 2..].windows(2);
     let widest = pairs.max_by(|a, b| (a[1] / a[0].max(1.0)).total_cmp(&(b[1] / b[0].max(1.0))));
     let Some(&[_, longer]) = widest else { return vec![of] };
-    let part = |is_longer: bool| -> Vec<Vec<&Noted>> {
-        let fits = |one: &&Noted| (length(one) >= longer) == is_longer;
+    let part = |is_longer: bool| -> Vec<Vec<&DiaryEntry>> {
+        let fits = |one: &&DiaryEntry| (length(one) >= longer) == is_longer;
         of.iter().map(|of| of.iter().copied().filter(fits).collect()).collect()
     };
     vec![part(false), part(true)]
 }
 
-/// Of what is soon done: how many times on such a day.
-fn times_a_day(what: &Activity, days: &[Day], of: &[Vec<&Noted>]) -> Option<String> {
+/// For short activities.
+fn times_a_day(what: &Activity, days: &[DiaryDay], of: &[Vec<&DiaryEntry>]) -> Option<String> {
     let counts: Vec<f64> = of.iter().map(|of| of.len() as f64).filter(|&count| count > 0.0).collect();
     if counts.is_empty() {
         return None;
     }
-    // "On 40 % of days" says already that it is once.
+    // "On 40 % of days" already implies once.
     let when = match times(&counts).as_str() {
         "once" => String::new(),
         times => format!(" {times} a day"),
     };
-    let all: Vec<&Noted> = of.iter().flatten().copied().collect();
+    let all: Vec<&DiaryEntry> = of.iter().flatten().copied().collect();
     sentence(what, counts.len() as f64 / days.len() as f64, &when, &all, days)
 }
 
-/// Of what takes long: when the first, the second and so on of a day is.
-fn at_their_times(what: &Activity, days: &[Day], of: &[Vec<&Noted>]) -> Vec<String> {
+/// For long activities: times of the first, second and so on of a day.
+fn at_their_times(what: &Activity, days: &[DiaryDay], of: &[Vec<&DiaryEntry>]) -> Vec<String> {
     let most = of.iter().map(Vec::len).max().unwrap_or(0);
     let nth = |nth: usize| {
         let on: Vec<usize> = (0..days.len()).filter(|&day| of[day].len() > nth).collect();
-        let times: Vec<f64> = on.iter().map(|&day| seconds(of[day][nth].begin - days[day].midnight())).collect();
-        let done: Vec<&Noted> = on.iter().map(|&day| of[day][nth]).collect();
+        let times: Vec<f64> = on.iter().map(|&day| (of[day][nth].begin - days[day].midnight()).seconds()).collect();
+        let done: Vec<&DiaryEntry> = on.iter().map(|&day| of[day][nth]).collect();
         sentence(what, on.len() as f64 / days.len() as f64, &format!(" {}", clock(&times)), &done, days)
     };
     (0..most).filter_map(nth).collect()
 }
 
-/// One sentence: on which share of days, what, when, for how long.
-fn sentence(what: &Activity, share: f64, when: &str, done: &[&Noted], days: &[Day]) -> Option<String> {
+fn sentence(what: &Activity, share: f64, when: &str, done: &[&DiaryEntry], days: &[DiaryDay]) -> Option<String> {
     if share < RARE {
         return None;
     }
-    let lasts = |done: &[&Noted]| {
-        let lengths: Vec<f64> = done.iter().map(|one| seconds(one.end - one.begin)).collect();
+    let lasts = |done: &[&DiaryEntry]| {
+        let lengths: Vec<f64> = done.iter().map(|one| (one.end - one.begin).seconds()).collect();
         span([0.1, 0.9].map(|share| quantile(&lengths, share)))
     };
     let eats = |meal: Meal| {
-        let eaten: Vec<&Noted> = days.iter().flat_map(|day| day.of(&Activity::Eat(meal))).collect();
+        let eaten: Vec<&DiaryEntry> = days.iter().flat_map(|day| day.entries(&Activity::Eat(meal))).collect();
         if eaten.is_empty() { String::new() } else { format!(", then eats {}", lasts(&eaten)) }
     };
     let then = if let Activity::Prepare(meal) = what { eats(*meal) } else { String::new() };
@@ -240,23 +229,21 @@ fn sentence(what: &Activity, share: f64, when: &str, done: &[&Noted], days: &[Da
     Some(format!("{on} {}{when} {}{then}.", phrase(what), lasts(done)))
 }
 
-/// Seconds since midnight as a time of day, with a triangle of their spread.
 fn clock(times_s: &[f64]) -> String {
     let minutes = (mean(times_s) / 60.0).round() as i64;
     let [least, most] = GIVE_OR_TAKE_MIN;
-    // The standard deviation of a triangle is its half width over the root of six.
+    // The standard deviation of a triangle is its half width divided by the root of six.
     let give_or_take = (spread(times_s) * 6.0_f64.sqrt() / 60.0).round().clamp(least, most);
     let (hour, minute) = (minutes.div_euclid(60).rem_euclid(24), minutes.rem_euclid(60));
     format!("at about {hour:02}:{minute:02}, give or take {}", counted(give_or_take, "minute"))
 }
 
-/// From so many seconds to so many.
 fn span([from, to]: [f64; 2]) -> String {
     let (unit, of_unit) = if to < 180.0 { ("second", 1.0) } else { ("minute", 60.0) };
     let [from, to] = [from, to].map(|s| s / of_unit);
     let [from, to] = match unit {
         "second" => [from, to].map(|value| value.round().max(1.0)),
-        // A tenth of a minute where minutes would be nothing.
+        // In tenths of a minute if it would round to nothing.
         _ => [from, to].map(|value| ((value * 10.0).round() / 10.0).max(0.1)),
     };
     if from == to {
@@ -275,7 +262,7 @@ fn mean(values: &[f64]) -> f64 {
     statistics::mean(values).unwrap_or(0.0)
 }
 
-/// The standard deviation; of one value nothing.
+/// The standard deviation; 0 for a single value.
 fn spread(values: &[f64]) -> f64 {
     statistics::sd(values).unwrap_or(0.0)
 }

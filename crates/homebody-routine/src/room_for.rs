@@ -1,17 +1,18 @@
-//! Where a piece of furniture that a home lacks could stand, so that people get to it and still to all else.
+//! Free places for missing furniture, which people can reach without blocking other places.
 
-use crate::living::places::{Places, Spot};
+use crate::behaviour::places::{HomePlace, HomePlaces};
 use homebody_core::geometry::{self, Point, overlap};
-use homebody_core::home::plan::{Origin, Plan, Solid, furniture_outline};
+use homebody_core::home::form::HomeFile;
 use homebody_core::languages::{self, RoomUse};
 use homebody_core::numbers::Numbers;
+use homebody_core::plan::form::FurnitureFile;
+use homebody_core::plan::{Origin, Plan, Solid, furniture_outline};
+use homebody_core::posture::Posture;
+use homebody_core::resident::ResidentFile;
 use homebody_core::role::Role;
-use homebody_core::scenario::home::{FurnitureFile, HomeFile};
-use homebody_core::scenario::path::Posture;
-use homebody_core::scenario::resident::ResidentFile;
 use homebody_walk::Mesh;
 
-/// A piece that a life needs: its width, its depth and its height in metres, and the rooms where it usually is, the usual first.
+/// A kind of furniture: size in metres, and its usual rooms, the most usual first.
 struct Needed {
     role: Role,
     size_m: [f64; 2],
@@ -20,7 +21,7 @@ struct Needed {
     rooms: &'static [RoomUse],
 }
 
-/// Usual sizes of these things (ours).
+/// Usual sizes (our choice).
 const NEEDED: [Needed; 8] = [
     Needed {
         role: Role::Bed,
@@ -56,7 +57,6 @@ const NEEDED: [Needed; 8] = [
     Needed { role: Role::Shower, size_m: [0.8, 0.8], height_m: 0.05, is_enterable: true, rooms: &[RoomUse::Bathroom] },
 ];
 
-/// The rooms for food.
 const KITCHEN: &[RoomUse] = &[RoomUse::Kitchen, RoomUse::LivingRoom];
 
 /// Step between the places tried, gap to a wall or to another piece, and distance from doors (our choice).
@@ -80,46 +80,44 @@ const MOST_WALKED_IN_ROOM: usize = 3;
 const MOST_WALKED: usize = 18;
 const MOST_WALKED_IN_ALL: usize = 60;
 
-/// Largest number of parts of a home that are tried. No way leads from one part to another.
+/// Largest number of separate parts of a home that are tried.
 const MOST_PARTS: usize = 4;
 
-/// The roles that everybody needs.
 pub const NEEDS: [Role; 4] = [Role::Bed, Role::Toilet, Role::Armchair, Role::Fridge];
 
-/// The pieces that a home lacks.
 #[derive(Clone, Debug, Default)]
-pub struct Lacking {
+pub struct MissingFurniture {
     /// By role, a new piece that fits next to those before it; `None` if none fits.
     pub pieces: Vec<(Role, Option<FurnitureFile>)>,
-    /// The names of the rooms for that life.
+    /// The rooms of the chosen part.
     pub rooms: Vec<String>,
 }
 
-impl Lacking {
-    /// The piece for a role.
+impl MissingFurniture {
     pub fn piece(&self, role: Role) -> Option<&FurnitureFile> {
         self.pieces.iter().find(|(of, _)| *of == role)?.1.as_ref()
     }
 }
 
-/// The pieces that a home lacks, with a place for each in the part of the home where a life is best: for each need, and for the
-/// given roles, that is out of reach there.
 ///
-/// That part is the one with most of it, or with room for it; of several the one with the way out, then the largest.
-pub fn lacking(home: &HomeFile, unreached: &[Role], resident: &ResidentFile, numbers: &Numbers) -> Lacking {
+/// The missing furniture, with a place for each piece in the best part of the home, for basic needs and the given roles
+/// that are unreachable there.
+///
+/// The best part has, or has room for, most of the needs; then the one with the front door; then the largest.
+pub fn lacking(home: &HomeFile, unreached: &[Role], resident: &ResidentFile, numbers: &Numbers) -> MissingFurniture {
     let plan = Plan::new(home);
     let mesh = Mesh::with_numbers(&plan, resident.radius_m, numbers);
     let parts = parts(home, &plan, &mesh);
     let has_name = |role: &&Role| NEEDED.iter().any(|needed| needed.role == **role) && !NEEDS.contains(role);
     let roles: Vec<Role> = NEEDS.iter().chain(unreached.iter().filter(has_name)).copied().collect();
-    let mut best: Option<(usize, Lacking)> = None;
+    let mut best: Option<(usize, MissingFurniture)> = None;
     let mut left_to_walk = MOST_WALKED_IN_ALL;
     for part in parts.into_iter().take(MOST_PARTS) {
         let mut furnished = home.clone();
-        let places = Places::from_hub(home, &plan, &mesh, &resident.name, Some(part.at));
+        let places = HomePlaces::from_hub(home, &plan, &mesh, &resident.name, Some(part.at));
         let is_there = |role: Role| {
-            // Nobody sleeps on their feet, such as where the living room is.
-            let fits = |spot: &Spot| role != Role::Bed || spot.is_of(role) || spot.posture != Posture::Standing;
+            // Sleeping needs a place to lie or sit.
+            let fits = |spot: &HomePlace| role != Role::Bed || spot.is_of(role) || spot.posture != Posture::Standing;
             places.of(role).is_some_and(|spot| spot.is_reachable && fits(spot)) && places.out_of_reach(role).is_none()
         };
         let missing: Vec<Role> = roles.iter().copied().filter(|&role| !is_there(role)).collect();
@@ -132,7 +130,7 @@ pub fn lacking(home: &HomeFile, unreached: &[Role], resident: &ResidentFile, num
         let left = pieces.iter().filter(|(_, piece)| piece.is_none()).count();
         if best.as_ref().is_none_or(|(least, _)| left < *least) {
             let rooms = part.rooms.iter().map(|&room| home.rooms[room].name.clone()).collect();
-            best = Some((left, Lacking { pieces, rooms }));
+            best = Some((left, MissingFurniture { pieces, rooms }));
         }
         if left == 0 {
             break;
@@ -141,15 +139,15 @@ pub fn lacking(home: &HomeFile, unreached: &[Role], resident: &ResidentFile, num
     best.map(|(_, lacking)| lacking).unwrap_or_default()
 }
 
-/// Rooms between which there are ways, and a place in them.
-struct Part {
+/// Rooms with routes between them, and a point in one.
+struct ConnectedRooms {
     at: Point,
     rooms: Vec<usize>,
 }
 
-/// The parts of a home, that with the way out first, then the largest.
-fn parts(home: &HomeFile, plan: &Plan, mesh: &Mesh) -> Vec<Part> {
-    let mut parts: Vec<Part> = Vec::new();
+/// The part with the front door first, then the largest.
+fn parts(home: &HomeFile, plan: &Plan, mesh: &Mesh) -> Vec<ConnectedRooms> {
+    let mut parts: Vec<ConnectedRooms> = Vec::new();
     for room in 0..plan.rooms.len() {
         let outline = &plan.rooms[room].outline;
         // A table may stand in the middle.
@@ -157,26 +155,27 @@ fn parts(home: &HomeFile, plan: &Plan, mesh: &Mesh) -> Vec<Part> {
         let Some(at) = mesh.approach(geometry::inner_point(outline)).or_else(beside) else { continue };
         match parts.iter_mut().find(|part| mesh.can_reach(part.at, at)) {
             Some(part) => part.rooms.push(room),
-            None => parts.push(Part { at, rooms: vec![room] }),
+            None => parts.push(ConnectedRooms { at, rooms: vec![room] }),
         }
     }
     let outside = home.doors.iter().zip(&plan.things).filter(|(door, _)| door.outside).map(|(_, thing)| thing.at);
     let ways_out: Vec<Point> = outside.filter_map(|door| mesh.inside_of(door)).collect();
-    let has_way_out = |part: &Part| ways_out.iter().any(|&at| mesh.can_reach(part.at, at));
-    let area = |part: &Part| -> f64 {
+    let has_way_out = |part: &ConnectedRooms| ways_out.iter().any(|&at| mesh.can_reach(part.at, at));
+    let area = |part: &ConnectedRooms| -> f64 {
         part.rooms.iter().map(|&room| geometry::signed_area(&plan.rooms[room].outline).abs()).sum()
     };
     parts.sort_by(|a, b| has_way_out(b).cmp(&has_way_out(a)).then(area(b).total_cmp(&area(a))));
     parts
 }
 
-/// A piece of furniture for a role, in a free place in a part of a home. `None` if nothing is free, or the role has no piece.
 ///
-/// People of this radius get to it, and to all that they got to before.
+/// A piece for a role in a free place of a part. `None` if nothing is free, or the role has no piece.
+///
+/// People of this radius reach it, and all that they reached before.
 fn piece(
     home: &HomeFile,
     role: Role,
-    part: &Part,
+    part: &ConnectedRooms,
     resident: &ResidentFile,
     numbers: &Numbers,
     left_to_walk: &mut usize,
@@ -194,7 +193,7 @@ fn piece(
         outline: None,
         height_m: needed.height_m,
         enterable: needed.is_enterable,
-        // A name with a number, or in another language, says nothing by itself.
+        // A name with a number, or in another language, implies no role.
         role: (!role.is_called(&name.to_lowercase())).then_some(role),
     };
     let before = reached(home, &plan, part.at, resident, numbers);
@@ -207,7 +206,7 @@ fn piece(
         }
         fit.sort_by(|a, b| a.0.total_cmp(&b.0));
         let (at_walls, others) = fit.split_at(fit.partition_point(|(away_m, _)| *away_m < AT_WALL_M));
-        // Those side by side are blocked by the same: of a few all over the room one is free.
+        // Adjacent places share their obstacles, so a few all over the room are tried.
         let spread = |places: &[(f64, FurnitureFile)]| -> Vec<FurnitureFile> {
             let step = places.len().div_ceil(MOST_WALKED_IN_ROOM).max(1);
             places.iter().step_by(step).map(|(_, piece)| piece.clone()).collect()
@@ -229,16 +228,15 @@ fn piece(
     None
 }
 
-/// The names of all that there is a way to from a place.
+/// Names of the places that can be reached.
 fn reached(home: &HomeFile, plan: &Plan, from: Point, resident: &ResidentFile, numbers: &Numbers) -> Vec<String> {
     let mesh = Mesh::with_numbers(plan, resident.radius_m, numbers);
-    // A piece may stand where it is.
+    // A piece may stand on the point.
     let from = mesh.approach(from);
-    let places = Places::from_hub(home, plan, &mesh, &resident.name, from);
+    let places = HomePlaces::from_hub(home, plan, &mesh, &resident.name, from);
     places.all().iter().filter(|spot| spot.is_reachable).map(|spot| spot.name.clone()).collect()
 }
 
-/// A name that begins so and that nothing in the home has.
 fn free_name(home: &HomeFile, wanted: &str) -> String {
     let furniture = home.furniture.iter().map(|piece| &piece.name);
     let others = home.rooms.iter().map(|room| &room.name).chain(home.places.iter().map(|place| &place.name));
@@ -247,9 +245,9 @@ fn free_name(home: &HomeFile, wanted: &str) -> String {
     names.into_iter().find(|name| !taken.contains(name)).unwrap_or_default()
 }
 
-/// The rooms of a part, in the order of the tries for a piece. Its usual rooms come first, then rooms of unknown use,
-/// for a toilet from the smallest, else from the largest. Halls, garages and other side rooms come last.
-fn in_order(home: &HomeFile, plan: &Plan, needed: &Needed, part: &Part) -> Vec<usize> {
+/// Usual rooms first, then rooms of unknown use, the smallest first for a toilet, else the largest. Halls, garages and
+/// other side rooms come last.
+fn in_order(home: &HomeFile, plan: &Plan, needed: &Needed, part: &ConnectedRooms) -> Vec<usize> {
     let area = |room: usize| geometry::signed_area(&plan.rooms[room].outline).abs();
     let rank = |room: usize| match languages::room_use(&home.rooms[room].name) {
         None => 1,
@@ -269,7 +267,6 @@ fn in_order(home: &HomeFile, plan: &Plan, needed: &Needed, part: &Part) -> Vec<u
     rooms
 }
 
-/// Points all over a room.
 fn grid(plan: &Plan, room: usize) -> impl Iterator<Item = Point> {
     let (least, most) = geometry::bounds(plan.rooms[room].outline.iter().copied());
     let size = most - least;
@@ -279,8 +276,8 @@ fn grid(plan: &Plan, room: usize) -> impl Iterator<Item = Point> {
     (0..columns * rows).map(move |index| least + (at(index) + 0.5) * step_m)
 }
 
-/// How far the back of a piece is from a wall, and by how much more it is out of place where its front is blocked. None: it
-/// does not fit, for it is not in the room, overlaps something, or stands in a doorway.
+/// Distance of the back of a piece from a wall, with a penalty for a blocked front. `None` if the piece leaves the room,
+/// overlaps something or stands in a doorway.
 fn out_of_place_m(plan: &Plan, room: usize, doors: &[Point], piece: &FurnitureFile) -> Option<f64> {
     let outline = furniture_outline(piece);
     let around = &plan.rooms[room].outline;
@@ -289,7 +286,7 @@ fn out_of_place_m(plan: &Plan, room: usize, doors: &[Point], piece: &FurnitureFi
             .all(|(a, b)| [0.0, 0.25, 0.5, 0.75].iter().all(|&share| geometry::contains(around, a + (b - a) * share)))
     };
     let is_free = |outline: &[Point]| {
-        // Boxes that do not meet spare most of the geometry.
+        // A cheap test of bounding boxes, before the exact geometry.
         let (least, most) = geometry::bounds(outline.iter().copied());
         let may_meet = |solid: &&Solid| {
             let (low, high) = geometry::bounds(solid.outline.iter().copied());
@@ -305,7 +302,6 @@ fn out_of_place_m(plan: &Plan, room: usize, doors: &[Point], piece: &FurnitureFi
     if !(is_within(&outline) && is_clear() && is_free(&box_around)) {
         return None;
     }
-    // Unturned, its back is above.
     let [front_left, front_right, back_right, back_left] = outline[..] else { return None };
     let walls = plan.solids.iter().filter(|solid| matches!(solid.origin, Origin::Wall(_)));
     let back = (back_left + back_right) / 2.0;

@@ -1,9 +1,8 @@
-//! A routine, understood: where the language and the living meet.
+//! The meaning of a routine: the output of the language, and the input of the driver.
 //!
-//! The language makes it from text; the living asks it what to do. It holds what was said, no more: what
-//! nobody said, such as how long a breakfast takes, is for the living to fill in.
+//! It holds only what the text states; defaults, such as the length of a breakfast, come later.
 
-pub use days::{DayKind, Days, Moment, PartOfDay, Phase};
+pub use days::{DayKind, DaySelection, PartOfDay, Phase, PhaseDay};
 pub use falling::{FallEnds, Falling, FallsFrom, USUAL_SHARE};
 use homebody_core::activity::{self, UsualLength};
 use homebody_core::fuzzy::{Fuzzy, Quantifier};
@@ -13,82 +12,82 @@ use serde::Serialize;
 mod days;
 mod falling;
 
-/// A routine file, or a condition file, which is about nobody in particular.
+/// A routine file, or a condition file, which names no person.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct Routine {
     /// The file's name.
     pub file: String,
-    /// Whom it is about; nobody in a condition.
-    pub person: Option<Person>,
+    /// `None` in a condition.
+    pub person: Option<RoutinePerson>,
     /// In the order of the file.
     pub habits: Vec<Habit>,
-    pub rules: Vec<Rule>,
-    pub changes: Vec<Change>,
-    /// What somebody is, has or likes: kept, told by `explain`, and not lived.
+    pub rules: Vec<RoutineRule>,
+    pub changes: Vec<RoutineChange>,
+    /// Facts without effect on behaviour, which `explain` lists.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub remarks: Vec<Quote>,
 }
 
-/// Whom a routine is about.
+/// The person of a routine.
 #[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct Person {
-    /// The first sentence about them.
+pub struct RoutinePerson {
+    /// The first sentence about the person.
     pub said: Quote,
     pub name: String,
-    pub kind: Kind,
+    pub kind: ResidentKind,
     pub age_years: Option<f64>,
     /// Usual walking speed in metres a second.
     pub pace_mps: Option<Fuzzy>,
-    /// The sentences that say age and pace.
+    /// The sentences with age and pace.
     pub age_said: Option<Quote>,
     pub pace_said: Option<Quote>,
 }
 
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "snake_case")]
-pub enum Kind {
+pub enum ResidentKind {
     #[default]
     Person,
     Cat,
     Dog,
 }
 
-/// The words that something was understood from.
+/// The sentence that something was read from.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize)]
 pub struct Quote {
     /// Counted from 1.
     pub line: u32,
     /// Counted from 1, in characters.
     pub column: u32,
-    /// The sentence as it stands in the file.
+    /// As in the file.
     pub text: String,
 }
 
-/// Something that is done.
+/// An activity with its times.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Habit {
     pub said: Quote,
-    /// Who does it: nothing for the person themself, else the name of who visits, such as `daughter`.
+    /// `None` for the person, else the visitor's name, such as `daughter`.
     pub visitor: Option<String>,
     pub activity: Activity,
-    /// Where, if it was said: the name of a place, a piece of furniture or a room.
+    /// The name of a place, a piece of furniture or a room, if stated.
     pub place: Option<String>,
-    pub chance: Chance,
-    pub days: Days,
+    pub chance: HabitChance,
+    pub days: DaySelection,
     pub phase: Phase,
-    pub when: When,
-    /// How long, in seconds, if it was said.
+    pub when: HabitTime,
+    /// Duration in seconds, if stated.
     pub lasts: Option<Fuzzy>,
-    /// Until what time of day, in seconds since midnight, if it was said.
+    /// End in seconds since midnight, if stated.
     pub until: Option<Fuzzy>,
-    /// How many times in each span that `when` names: the least and the most.
+    /// The least and the most repetitions in each span that `when` names.
     pub times: (u32, u32),
-    /// How somebody falls, if more is said than that they do.
+    /// Details of a fall, if stated.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub falling: Option<Falling>,
 }
 
-/// What can be done. Most are done at a place that the home names after them.
+/// Most are done at the places that the home names for them.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Activity {
@@ -109,7 +108,7 @@ pub enum Activity {
     Housework,
     Leave,
     ComeHome,
-    /// Somebody who does not live there comes and stays a while.
+    /// A visitor comes and stays a while.
     Visit,
     GoToBed,
     /// Coffee, tea or water.
@@ -117,23 +116,19 @@ pub enum Activity {
     Snack,
     Exercise,
     UseComputer,
-    /// Sitting and doing nothing in particular.
+    /// Sitting without another activity.
     Relax,
-    /// Walking without a goal.
     Wander,
-    /// Walking to and fro.
     Pace,
-    /// Walking round and round.
     Lap,
-    /// Lying awake in bed.
     LieAwake,
-    /// Losing one's footing, and lying on the floor for a while.
+    /// With a time on the floor.
     Fall,
-    /// Losing one's footing, and not falling.
+    /// Without a fall.
     Stumble,
-    /// Something that needs no acting out of its own: the label of its row in the table of activities.
+    /// An activity without own steps: its label in the table of activities.
     Everyday(&'static str),
-    /// What the user names, by place and duration, such as `knits`.
+    /// An activity of the user's lexicon, such as `knits`.
     Other(String),
 }
 
@@ -145,68 +140,67 @@ pub enum Meal {
     Dinner,
 }
 
-/// How likely something is on each day, night or occasion that it is meant for.
+/// The probability of a habit on each day, night or occasion.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
-pub struct Chance {
-    /// The word it was understood from, if it was a quantifier.
+pub struct HabitChance {
+    /// The quantifier of the sentence, if any.
     pub quantifier: Option<Quantifier>,
     pub probability: f64,
-    /// Where it goes, and on which day it gets there, if it changes: "rarely at first, often by day 160".
-    pub becomes: Option<(f64, Moment)>,
-    /// On exactly so many days of each week, whatever the probability.
+    /// A later probability, and its day: "rarely at first, often by day 160".
+    pub becomes: Option<(f64, PhaseDay)>,
+    /// Exactly this number of days of each week, whatever the probability.
     pub days_a_week: Option<u8>,
 }
 
-/// When on such a day. Times of day are seconds since local midnight; later than 86,400 is after midnight.
+/// The time of a habit. Times of day are seconds since local midnight; above 86,400 is after midnight.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[serde(rename_all = "snake_case")]
-pub enum When {
-    /// Whenever it fits.
+pub enum HabitTime {
     AnyTime,
     At(Fuzzy),
-    /// At some time between.
+    /// At some time of the part.
     Within(PartOfDay),
-    /// So many seconds after the end of something, at once where it is not said.
+    /// Seconds after the end of an activity; at once if `None`.
     After(Activity, Option<Fuzzy>),
     Before(Activity, Option<Fuzzy>),
-    /// Together with something: at its beginning.
+    /// At the beginning of an activity.
     With(Activity),
-    /// Once the habit before it in the file is done; it is done only if that one is.
+    /// After the previous habit in the file, and only if that is done.
     Then,
 }
 
-/// Something that interrupts whatever is done.
+/// A reaction that interrupts other activities.
 #[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct Rule {
+pub struct RoutineRule {
     pub said: Quote,
-    pub whenever: Trigger,
-    /// How long it has to last, in seconds.
+    pub whenever: RuleTrigger,
+    /// Seconds that the trigger must last.
     pub lasts: Fuzzy,
-    /// What else has to be so as it becomes due.
+    /// Further conditions when it is due.
     pub only_if: Vec<Circumstance>,
     pub probability: f64,
     pub phase: Phase,
     pub response: Response,
-    /// What is done after that.
+    /// Responses after the first.
     pub then: Vec<Response>,
     pub lapse: Option<Lapse>,
 }
 
-impl Rule {
-    /// What is done, one after the other.
+impl RoutineRule {
+    /// All responses, in order.
     pub fn answers(&self) -> impl Iterator<Item = &Response> {
         std::iter::once(&self.response).chain(&self.then)
     }
 }
 
-/// Something that has to be so, or must not be.
+/// A state that has to hold, or must not.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Circumstance {
     pub holds: bool,
-    pub state: Trigger,
+    pub state: RuleTrigger,
 }
 
-/// How often what a rule asks for is forgotten, and how much later, in seconds, it is done then; never, if that was not said.
+/// The probability of forgetting the response, and the delay in seconds until it is remembered; never if `None`.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Lapse {
     pub probability: f64,
@@ -215,46 +209,42 @@ pub struct Lapse {
 
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[serde(rename_all = "snake_case")]
-pub enum Trigger {
-    /// A thing is on, or open.
+pub enum RuleTrigger {
+    /// A thing is on or open.
     On(String),
-    /// The person is there: a place, a piece of furniture or a room.
+    /// The person is at a place, a piece of furniture or in a room.
     At(String),
-    /// The person is out.
     Away,
-    /// The person is in bed.
     InBed,
-    /// Anybody has turned a thing on, such as a door bell.
+    /// Anyone has turned a thing on, such as a doorbell.
     Rings(String),
-    /// It is dark out of doors; of a room, there too, with its lamp off.
+    /// Outdoors; in a room, its lamp is off as well.
     Dark(Option<String>),
-    /// Somebody else is at home: anybody, or a visitor by name.
+    /// Another person is at home: anyone, or a visitor by name.
     Company(Option<String>),
-    /// Nobody else is at home.
     Alone,
-    /// The person sits.
     Sitting,
-    /// The person does this.
+    /// The person does the activity.
     Doing(Activity),
-    /// The person has done this: it is over.
+    /// The person has finished the activity.
     Done(Activity),
-    /// It is between these times of day, in seconds since midnight.
+    /// In seconds since midnight.
     Between(f64, f64),
-    /// The rule before it in the text has been answered.
+    /// The previous rule in the text has been answered.
     Follows,
 }
 
-impl Trigger {
-    /// Whether it is looked out for: it begins and ends with what others do, or with the light.
+impl RuleTrigger {
+    /// Whether it must be polled, because others or the light decide it.
     pub fn is_looked_for(&self) -> bool {
         matches!(
             self,
-            Trigger::Rings(_)
-                | Trigger::Dark(_)
-                | Trigger::Company(_)
-                | Trigger::Alone
-                | Trigger::Sitting
-                | Trigger::Between(..)
+            RuleTrigger::Rings(_)
+                | RuleTrigger::Dark(_)
+                | RuleTrigger::Company(_)
+                | RuleTrigger::Alone
+                | RuleTrigger::Sitting
+                | RuleTrigger::Between(..)
         )
     }
 }
@@ -262,83 +252,82 @@ impl Trigger {
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Response {
-    /// Goes there and turns it on or opens it (true), or turns it off or closes it (false).
+    /// On or open if true; off or closed if false.
     Turn { thing: String, on: bool },
-    /// Does this, there if it was said, for so many seconds if it was said.
+    /// At a place and for seconds, if stated.
     Do { activity: Activity, place: Option<String>, lasts: Option<Fuzzy> },
 }
 
-/// A change of how things are done.
+/// A change of behaviour.
 #[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct Change {
+pub struct RoutineChange {
     pub said: Quote,
-    /// On which days it is so.
-    pub days: Days,
+    pub days: DaySelection,
     pub phase: Phase,
     pub effect: Effect,
 }
 
-/// What changes, at full strength. A factor of 1 changes nothing.
+/// The effect of a change at full strength. A factor of 1 has no effect.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Effect {
-    /// The changes of a condition file; a severity of 1 is a moderate case.
+    /// The changes of a condition file; 1 is a moderate severity.
     Shows { condition: String, severity: f64 },
-    /// So many times the walking speed.
+    /// Factor on the walking speed.
     Pace(Fuzzy),
-    /// So many metres a second are added to the walking speed for every week that the phase has lasted.
+    /// Metres per second added to the walking speed per week of the phase.
     PaceEachWeek(Fuzzy),
-    /// So many seconds later; earlier where negative.
+    /// Seconds later; earlier if negative.
     Later { activity: Activity, by: Fuzzy },
-    /// So many times as long.
+    /// Factor on durations.
     Longer { activity: Activity, factor: Fuzzy },
-    /// So many seconds longer; shorter where negative.
+    /// Seconds added to durations; shorter if negative.
     LongerBy { activity: Activity, by: Fuzzy },
-    /// So many times as often.
+    /// Factor on frequency.
     Oftener { activity: Activity, part: Option<PartOfDay>, factor: Fuzzy },
-    /// The chance that it is left out on a day.
+    /// Probability of skipping it on a day.
     Skips { activity: Activity, chance: f64 },
-    /// So many times as much variation of times and durations from day to day.
+    /// Factor on the variation of times and durations between days.
     Irregular(Fuzzy),
-    /// So many times the movement while awake and at home, in a part of the day if it was said.
+    /// Factor on movement while awake and at home, in a part of the day if stated.
     Active { part: Option<PartOfDay>, factor: Fuzzy },
-    /// So many times as much variation of how lively days are.
+    /// Factor on the variation of activity levels between days.
     DaysDiffer(Fuzzy),
-    /// Days of this kind, with how likely each is one; the quiet of very quiet days is that of quiet days, twice.
-    DaysAre { kind: DayKind, very: bool, chance: Chance },
-    /// Who goes to bed late gets up as much later.
+    /// Days of this kind, with their probability; `very` squares the factor of the kind.
+    DaysAre { kind: DayKind, very: bool, chance: HabitChance },
+    /// A late bedtime delays rising by as much.
     SleepsIn,
-    /// So many times as much turning in bed.
+    /// Factor on movements in bed.
     Restless(Fuzzy),
-    /// The chance that a thing is left on, or open, after each use.
+    /// Probability that a thing stays on or open after each use.
     Forgets { thing: String, chance: f64 },
-    /// So many beats a minute more.
+    /// Beats per minute added.
     Pulse(Fuzzy),
-    /// So many breaths a minute more.
+    /// Breaths per minute added.
     Respiration(Fuzzy),
-    /// A motor schema steers whoever wanders: by so much beside a goal of 1, or so many times a minute.
+    /// The gain of a motor schema while wandering, relative to a goal of 1, or pauses per minute.
     Shy { of: Shy, gain: f64 },
 }
 
-/// What a wanderer shies away from.
+/// Aversions of a person who wanders.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Shy {
-    /// Open floor: they keep close to the walls.
+    /// The person keeps close to walls.
     OpenFloor,
-    /// Other people: they keep away from them.
+    /// The person keeps away from other people.
     People,
-    /// Going on: they stop now and then.
+    /// The person stops now and then.
     GoingOn,
 }
 
 impl Routine {
-    /// Whether it is that of a person, and not of an animal.
+    /// As opposed to an animal.
     pub fn is_of_person(&self) -> bool {
-        self.person.as_ref().is_none_or(|person| person.kind == Kind::Person)
+        self.person.as_ref().is_none_or(|person| person.kind == ResidentKind::Person)
     }
 
-    /// Where somebody sleeps at night, if it is said.
+    /// The place of sleep at night, if stated.
     pub fn sleeps_at(&self) -> Option<&str> {
         let beds = self.habits.iter().filter(|habit| habit.activity == Activity::GoToBed && habit.visitor.is_none());
         beds.filter_map(|habit| habit.place.as_deref()).next()
@@ -346,7 +335,7 @@ impl Routine {
 }
 
 impl Activity {
-    /// Those that are acted out in a way of their own.
+    /// Activities with steps of their own.
     pub const OWN_WAYS: [Activity; 34] = {
         use Meal::{Breakfast, Dinner, Lunch};
         [
@@ -387,20 +376,19 @@ impl Activity {
         ]
     };
 
-    /// The activities without ways of their own, by their rows: all that a routine can say but these. What has no usual length
-    /// only the living tells of.
+    /// Activities without own steps that a routine can name. Those without a usual length only appear in the ground truth.
     pub fn everyday() -> impl Iterator<Item = Activity> {
         let is_own = |label: &str| Activity::OWN_WAYS.iter().any(|own| own.label() == label);
         let rows = activity::ACTIVITIES.iter().filter(|known| known.usual.is_some()).map(|known| known.label);
         rows.filter(move |label| !is_own(label)).map(Activity::Everyday)
     }
 
-    /// The activity of a label, if a routine can say it.
+    /// `None` for a label that no routine can name.
     pub fn of_label(label: &str) -> Option<Activity> {
         Activity::OWN_WAYS.into_iter().chain(Activity::everyday()).find(|activity| activity.label() == label)
     }
 
-    /// What the truth calls it: `watching_television`; what the user named, as the user named it.
+    /// The label in the ground truth, such as `watching_television`; for the user's activities, the user's name.
     pub fn label(&self) -> &str {
         match self {
             Activity::GetUp => activity::GETTING_UP,
@@ -442,9 +430,9 @@ impl Activity {
         }
     }
 
-    /// How long it usually takes where nothing is said.
+    /// Without a stated duration.
     pub fn usual_length(&self) -> UsualLength {
-        /// Of what the user names (ours).
+        /// For the user's activities (our choice).
         const OWN: UsualLength = UsualLength { median_min: 30.0, sigma: 0.4 };
         match self {
             Activity::Other(_) => OWN,
@@ -452,10 +440,10 @@ impl Activity {
         }
     }
 
-    /// Where it takes somebody, but for rounds and walks that go anywhere.
+    /// The roles of its places; empty for activities that go anywhere.
     pub fn roles(&self) -> &'static [Role] {
         match self {
-            // Where it is said, else on a seat.
+            // Without a stated place.
             Activity::Other(_) => &[Role::Armchair],
             _ => activity::known(self.label()).map_or(&[], |known| known.roles),
         }
@@ -463,29 +451,29 @@ impl Activity {
 }
 
 impl Habit {
-    /// Whether it says how often in a day, or in a night, something is done; a time of its own, or what it comes after, says of
-    /// one time that there is.
+    /// Whether it states the frequency of an activity by day or by night. A time, or a preceding activity, only describes
+    /// one occasion.
     pub fn is_how_often(&self, activity: &Activity, at_night: bool) -> bool {
         let span = match self.when {
-            When::AnyTime | When::Within(PartOfDay::Day) => Some(false),
-            When::Within(PartOfDay::Night) => Some(true),
+            HabitTime::AnyTime | HabitTime::Within(PartOfDay::Day) => Some(false),
+            HabitTime::Within(PartOfDay::Night) => Some(true),
             _ => None,
         };
         self.activity == *activity && self.visitor.is_none() && span == Some(at_night)
     }
 
-    /// Whether it says what a usual habit would fill in: the same, and after the same where that is what tells them apart.
+    /// Whether it replaces a usual habit: the same activity, and after the same one if several differ by that.
     pub(crate) fn stands_for(&self, usual: &Habit) -> bool {
-        // Who is in hospital for a week goes out as usual before and after.
+        // A week in hospital does not replace usual outings.
         let is_long = self.lasts.is_some_and(|lasts| lasts.low >= 86_400.0);
         let is_after_another = match (&self.when, &usual.when) {
-            (When::After(of, _), When::After(after, _)) => usual.activity == Activity::WashUp && of != after,
+            (HabitTime::After(of, _), HabitTime::After(after, _)) => usual.activity == Activity::WashUp && of != after,
             _ => false,
         };
         self.activity == usual.activity && self.visitor.is_none() && !is_long && !is_after_another
     }
 
-    /// Whether it is of what everybody does every day: what is said of Sunday then leaves the other days as they are.
+    /// Whether all people do it daily: a sentence about Sundays then leaves the usual habit on other days.
     pub(crate) fn is_of_every_day(&self) -> bool {
         use Activity::{Dress, Eat, GetUp, GoToBed, Prepare, Wash};
         matches!(self.activity, GetUp | GoToBed | Dress | Wash | Prepare(_) | Eat(_))
@@ -493,7 +481,7 @@ impl Habit {
 }
 
 impl Effect {
-    /// Whether both change the same: the later one then replaces the other.
+    /// Whether both change the same, so that the later one replaces the other.
     pub(crate) fn is_of_the_same(&self, other: &Effect) -> bool {
         use Effect::{Active, DaysAre, Forgets, Later, Longer, LongerBy, Oftener, Shows, Skips};
         match (self, other) {
@@ -517,12 +505,17 @@ impl Meal {
     pub const ALL: [Meal; 3] = [Meal::Breakfast, Meal::Lunch, Meal::Dinner];
 }
 
-impl Chance {
-    pub const ALWAYS: Chance =
-        Chance { quantifier: Some(Quantifier::Every), probability: 1.0, becomes: None, days_a_week: None };
+impl HabitChance {
+    pub const ALWAYS: HabitChance =
+        HabitChance { quantifier: Some(Quantifier::Every), probability: 1.0, becomes: None, days_a_week: None };
 
-    pub fn of(quantifier: Quantifier) -> Chance {
-        Chance { quantifier: Some(quantifier), probability: quantifier.probability(), becomes: None, days_a_week: None }
+    pub fn from_quantifier(quantifier: Quantifier) -> HabitChance {
+        HabitChance {
+            quantifier: Some(quantifier),
+            probability: quantifier.probability(),
+            becomes: None,
+            days_a_week: None,
+        }
     }
 }
 
@@ -535,7 +528,7 @@ const NIGHT_H: (f64, f64) = (23.5, 29.5);
 const DAY_H: (f64, f64) = (9.0, 20.0);
 
 impl PartOfDay {
-    /// From when to when, in seconds since midnight.
+    /// Start and end in seconds since midnight.
     pub fn hours(self) -> (f64, f64) {
         let (from, to) = match self {
             PartOfDay::Morning => MORNING_H,
@@ -560,7 +553,7 @@ impl PartOfDay {
     }
 }
 
-/// What everybody does without its being said: what `ordinary.routine` says, what needs drive to, and what fills the time.
+/// Usual activities that need no sentence: those of `ordinary.routine`, of needs and of spare time.
 pub(crate) const USUAL: [Activity; 19] = [
     Activity::GetUp,
     Activity::Dress,
@@ -583,7 +576,6 @@ pub(crate) const USUAL: [Activity; 19] = [
     Activity::Read,
 ];
 
-/// The conditions that a routine shows.
 pub(crate) fn shows(routine: &Routine) -> impl Iterator<Item = &str> {
     routine.changes.iter().filter_map(|change| match &change.effect {
         Effect::Shows { condition, .. } => Some(condition.as_str()),

@@ -1,6 +1,6 @@
-//! Sentences of care plans, as they are written there, beside the sentences of this language that mean the same.
+//! Sentences of care plans in their own words, compared with equivalent sentences of the language.
 //!
-//! `carers.jsonl` has one a line: what is said, and what it means. "remark": it is kept and not lived. "refused": it is refused,
+//! `carers.jsonl` has one per line: the sentence, and its meaning. "remark": it has no effect. "refused": it is rejected
 //! with a hint.
 
 #![allow(clippy::disallowed_methods, reason = "a test may read files; the crate may not")]
@@ -9,12 +9,12 @@ mod home;
 
 use home::{home, short};
 use homebody_core::problem::{Problem, Problems};
-use homebody_routine::language::{Known, routine};
+use homebody_routine::language::{KnownNames, routine};
 use homebody_routine::routine::{Activity, Routine};
 use serde_json::Value;
 
-fn known() -> Known {
-    Known { usual: Activity::OWN_WAYS.to_vec(), ..home() }
+fn known() -> KnownNames {
+    KnownNames { usual: Activity::OWN_WAYS.to_vec(), ..home() }
 }
 
 fn read(text: &str) -> (Routine, Vec<Problem>) {
@@ -31,7 +31,7 @@ fn lines() -> Vec<(String, String)> {
         .collect()
 }
 
-/// What is lived of what is understood, without what is only kept.
+/// The habits of a meaning, without remarks.
 fn lived(shown: &str) -> Vec<&str> {
     shown.split(" & ").filter(|one| *one != "remark").collect()
 }

@@ -1,11 +1,11 @@
-//! What was understood is said again in numbers and in words.
+//! The explanation of a routine, in numbers and in words.
 
 mod home;
 
 use home::understood;
-use homebody_routine::explain::{Row, explain};
+use homebody_routine::explain::{ExplanationRow, explain};
 
-fn row(sentence: &str) -> Row {
+fn row(sentence: &str) -> ExplanationRow {
     explain(&understood(sentence)).sentences.remove(0)
 }
 

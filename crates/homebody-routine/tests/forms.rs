@@ -1,6 +1,6 @@
-//! Every form of sentence beside what is understood of it.
+//! Every form of sentence with its meaning.
 //!
-//! `forms.txt` holds sentences, each with the routine in short below it. `HOMEBODY_REWRITE=1` writes it anew.
+//! `forms.txt` holds sentences, each with the routine in short below it. `HOMEBODY_REWRITE=1` regenerates it.
 
 #![allow(clippy::disallowed_methods, reason = "a test may read and write files; the crate may not")]
 
@@ -22,7 +22,7 @@ fn every_form_of_sentence_means_what_is_written_beside_it() {
         found += line;
         found += "\n";
         if !line.is_empty() && !line.starts_with('#') {
-            // What other sentences refer to is not what this one is about.
+            // The meaning of accompanying sentences is left out.
             let text = line.replace(" | ", "\n");
             found += &format!("    {}\n", understood_alone(&text));
         }
@@ -30,7 +30,7 @@ fn every_form_of_sentence_means_what_is_written_beside_it() {
     is_generated("crates/homebody-routine/tests/forms.txt", &found);
 }
 
-/// Sentences that refer to others get those beside them.
+/// Adds the sentences that a sentence refers to.
 fn understood_alone(text: &str) -> String {
     const OTHERS: &str = "\
 she gets up at 06:45

@@ -1,4 +1,4 @@
-//! Any text at all: no panic, no problem outside the text, and never long.
+//! Mutated texts cause no panic, no problem outside of the text, and no long run time.
 
 #![allow(
     clippy::disallowed_methods,
@@ -9,19 +9,19 @@
 mod home;
 
 use home::home;
-use homebody_core::random::{Range, Stream};
+use homebody_core::random::Stream;
 use homebody_routine::explain::explain;
 use homebody_routine::language::{condition, routine};
 use std::time::{Duration, Instant};
 
-/// Split over so many tests, which run side by side.
+/// Split over several tests, which run in parallel.
 const MUTANTS: u32 = 10_000;
 const PARTS: u32 = 2;
 
-/// Far more than any of these texts takes, for machines that are busy with other things.
+/// Far more than needed, for busy machines.
 const LONGEST: Duration = Duration::from_secs(5);
 
-/// What gets put into texts: what parsers stumble over.
+/// Insertions that are difficult for parsers.
 const SPICE: [&str; 40] = [
     "\0",
     "\u{feff}",
@@ -65,7 +65,7 @@ const SPICE: [&str; 40] = [
     "e\u{301}",
 ];
 
-/// Routines to begin from, a few sentences each: all forms that are understood.
+/// All forms of sentences.
 fn seeds() -> Vec<String> {
     const SENTENCES: usize = 6;
     let lines = include_str!("forms.txt").lines().filter(|line| !line.starts_with("    ") && !line.is_empty());
@@ -75,7 +75,7 @@ fn seeds() -> Vec<String> {
 }
 
 fn below(stream: &mut Stream, bound: usize) -> usize {
-    stream.span(Range { least: 0, most: bound.max(1) as i64 - 1 }) as usize
+    if bound > 1 { stream.below(bound as u32) as usize } else { 0 }
 }
 
 fn mutate(text: &str, other: &str, stream: &mut Stream) -> String {
@@ -103,7 +103,7 @@ fn mutate(text: &str, other: &str, stream: &mut Stream) -> String {
     String::from_utf8_lossy(&bytes).into_owned()
 }
 
-/// Reads it as both kinds of text, looks at all that comes out, and says how long the reading took.
+/// Reads the text as a routine and as a condition; returns the run time.
 fn read(text: &str) -> Duration {
     let known = home();
     let start = Instant::now();
@@ -122,7 +122,7 @@ fn read(text: &str) -> Duration {
     took
 }
 
-/// What was understood without a problem can be lived.
+/// A routine without problems can run.
 fn sane(routine: &homebody_routine::routine::Routine, is_right: bool) {
     for habit in routine.habits.iter().filter(|_| is_right) {
         assert!((0.0..=1.0).contains(&habit.chance.probability), "{habit:?}");
@@ -134,7 +134,7 @@ fn sane(routine: &homebody_routine::routine::Routine, is_right: bool) {
     }
 }
 
-/// Reads a part of all mutants, each part by a seed of its own.
+/// A part of all mutants, with a seed of its own.
 fn read_or_refused(seed: u64) {
     let (seeds, mut stream) = (seeds(), Stream::named(seed, "mutations"));
     let mut longest = (Duration::ZERO, String::new());

@@ -1,4 +1,4 @@
-//! The page that explains the language: what it shows is understood, what it says is refused is, its numbers are ours.
+//! The page about the language: its examples, its rejected sentences, and its figures.
 
 mod home;
 
@@ -12,13 +12,12 @@ use homebody_routine::routine::PartOfDay;
 
 const PAGE: &str = include_str!("../../../docs/reference/routine-language.md");
 
-/// The fenced blocks of this kind.
 fn blocks(kind: &str) -> Vec<&'static str> {
     let fence = format!("```{kind}\n");
     PAGE.split(fence.as_str()).skip(1).map(|rest| rest.split("```").next().unwrap()).collect()
 }
 
-/// The cells of all tables, row by row.
+/// Cells of all tables, by row.
 fn rows() -> Vec<Vec<&'static str>> {
     let rows = PAGE.lines().filter(|line| line.starts_with('|'));
     rows.map(|row| row.trim_matches('|').split('|').map(str::trim).collect()).collect()
@@ -50,7 +49,7 @@ fn every_way_of_saying_an_activity_is_understood() {
     let table = PAGE.split("| activity | ways of saying it |").nth(1).unwrap().split("\n\n").next().unwrap();
     for row in table.lines().filter(|line| line.starts_with("| ") && !line.contains("meals |")) {
         let ways = row.split('|').nth(2).unwrap().split([',', ';']).map(str::trim);
-        // Nouns alone go with the verb before them.
+        // A noun alone needs the verb before it.
         for way in ways.filter(|way| {
             way.split(' ').next().unwrap().ends_with('s') && !way.starts_with("tablets") && !way.starts_with("pills")
         }) {

@@ -1,23 +1,22 @@
-//! Places that nobody can get to: said before a run where they are needed, done without where there is something as good, and
-//! given up where somebody finds no way.
+//! Unreachable places: reported before a run where they are needed, replaced where possible, and given up during a run.
 
 mod stage;
 
-use homebody_core::event::MotionState;
 use homebody_core::geometry::Point;
+use homebody_core::motion::MotionState;
 use homebody_core::run::Run;
-use homebody_core::time::{DAY, Micros};
-use stage::{HOUR, ORDINARY, activities, events, files, household};
+use homebody_core::time::{DAY, HOUR, RunTime, Span};
+use stage::{ORDINARY, activities, events, files, hour, household};
 use std::collections::BTreeMap;
 
-/// A piece of furniture: its name, where it is in the way, where it is not, and its size in metres.
+/// Name, position in the way, position elsewhere, and size in metres.
 type Piece = (&'static str, [f64; 2], [f64; 2], [f64; 2]);
 
-/// Tables around the dining chair, whose other sides are a wall and the dining table, and where they stand otherwise.
+/// Tables around the dining chair, whose other sides are a wall and the dining table.
 const TABLES: [Piece; 2] =
     [("west table", [7.48, 3.25], [6.2, 3.9], [0.4, 1.0]), ("north table", [7.85, 3.9], [5.0, 3.9], [1.2, 0.5])];
 
-/// Screens around the place before the stove, and where they stand otherwise.
+/// Screens around the place before the stove.
 const SCREENS: [Piece; 3] = [
     ("west screen", [7.1, 1.2], [0.5, 6.3], [0.1, 0.98]),
     ("east screen", [7.9, 1.2], [0.8, 6.2], [0.1, 0.98]),
@@ -26,7 +25,7 @@ const SCREENS: [Piece; 3] = [
 
 type Pieces<'a> = &'a [Piece];
 
-/// The scenario with these pieces in the way, or elsewhere, and these besides.
+/// The scenario with these pieces in the way or elsewhere, and additional ones.
 fn with_pieces(pieces: Pieces, in_the_way: bool, besides: &str) -> BTreeMap<String, String> {
     let piece = |(name, here, there, size): &(&str, [f64; 2], [f64; 2], [f64; 2])| {
         let at = if in_the_way { here } else { there };
@@ -48,7 +47,7 @@ fn with_bathroom_door(open: bool) -> BTreeMap<String, String> {
     files
 }
 
-/// What is said of these files, where anything is.
+/// The problems of these files.
 fn said(files: &BTreeMap<String, String>) -> String {
     household(files, &[]).err().unwrap_or_default()
 }
@@ -92,12 +91,12 @@ fn a_place_that_a_rule_names_is_said_with_its_line() {
     assert_eq!(said.matches("cannot get").count(), 1, "{said}");
 }
 
-/// How many hours a day each activity takes, and how often a day it is begun.
+/// Hours per day and beginnings per day of each activity.
 fn days_of(run: Run, days: i64) -> BTreeMap<String, (f64, f64)> {
     let mut of: BTreeMap<String, (f64, f64)> = BTreeMap::new();
-    for (from, to, name) in activities(&events(run, DAY), 0, days * DAY) {
+    for (time, name) in activities(&events(run, DAY), 0, days * DAY) {
         let (hours, times) = of.entry(name).or_default();
-        *hours += (to - from) as f64 / HOUR as f64 / days as f64;
+        *hours += time.length().ratio(HOUR) / days as f64;
         *times += 1.0 / days as f64;
     }
     of
@@ -120,17 +119,17 @@ fn with_another_chair_life_goes_on_with_that_one() {
     let (scenario, household) = household(&files, &[]).unwrap();
     let run = || Run::new(&scenario, &household, 3, 4 * DAY);
     assert_is_a_life(&days_of(run(), 4));
-    let rests_at = |at: Point| -> Micros {
+    let rests_at = |at: Point| -> Span {
         let moves = run().moves().unwrap().swap_remove(0);
         let rests =
             moves.iter().filter(|next| matches!(next.doing, MotionState::Rest { at: here } if here.distance(at) < 0.1));
         rests.map(|next| next.end - next.begin).sum()
     };
     assert!(rests_at(Point::new(6.6, 3.9)) > 3 * HOUR);
-    assert_eq!(rests_at(Point::new(7.98, 3.25)), 0);
+    assert_eq!(rests_at(Point::new(7.98, 3.25)), Span::ZERO);
 }
 
-/// A home in which something has been put in the way since the routine was held against it.
+/// A home in which a way was blocked after the check.
 #[test]
 fn what_cannot_be_reached_does_not_take_the_day() {
     let shown = |pieces, file: fn(Pieces, bool) -> BTreeMap<String, String>| {
@@ -152,7 +151,7 @@ fn what_cannot_be_reached_does_not_take_the_day() {
         assert_is_a_life(&shut);
         assert_ne!(free, shut);
         if pieces.is_empty() {
-            // It is tried, and given up after a minute.
+            // It is given up after a minute.
             let (hours, times) = shut["using_bathroom"];
             assert!(times >= 2.0 && hours / times < 0.05, "{shut:?}");
             assert!(
@@ -163,17 +162,17 @@ fn what_cannot_be_reached_does_not_take_the_day() {
     }
 }
 
-/// How many hours a night somebody rests where the armchair of the example is.
+/// Hours per night of rest at the example's armchair.
 fn asleep_in_the_armchair_h(sentence: &str) -> f64 {
     let (scenario, household) = household(&files(&format!("{ORDINARY}\n{sentence}\n"), &[]), &[]).unwrap();
     let run = || Run::new(&scenario, &household, 3, 3 * DAY);
     let armchair = scenario.home.plan().places.iter().find(|(name, _)| name == "armchair").unwrap().1;
     let moves = run().moves().unwrap().swap_remove(0);
-    let is_night = |at: Micros| (0..5).contains(&(at / HOUR % 24));
+    let is_night = |at: RunTime| (0.0..5.0).contains(&hour(at));
     let rests = moves.iter().filter(|next| {
         is_night(next.begin) && matches!(next.doing, MotionState::Rest { at } if at.distance(armchair) < 0.3)
     });
-    rests.map(|next| next.end - next.begin).sum::<Micros>() as f64 / (3 * HOUR) as f64
+    rests.map(|next| next.end - next.begin).sum::<Span>().ratio(3 * HOUR)
 }
 
 #[test]

@@ -1,18 +1,17 @@
-//! What furniture is for where the home says so, whatever it is called.
+//! Roles of furniture that a home states, whatever its name.
 
 mod stage;
 
-use homebody_core::event::MotionState;
 use homebody_core::geometry::Point;
+use homebody_core::motion::MotionState;
+use homebody_core::posture::Posture;
 use homebody_core::run::Run;
-use homebody_core::scenario::path::Posture;
-use homebody_core::time::{DAY, Micros};
-use stage::{HOUR, ORDINARY, files, household};
+use homebody_core::time::{DAY, HOUR, Span};
+use stage::{ORDINARY, files, household};
 
-/// Where the bed of the example is.
 const BED: Point = Point::new(1.1, 5.1);
 
-/// Hours a night that the resident lies where the bed of the example is, called and described so instead.
+/// Hours per night of lying at the example's bed under another name.
 fn lies_h(name: &str, more: &str) -> f64 {
     let mut files = files(ORDINARY, &[]);
     let mut home = files["home.json"].clone();
@@ -29,7 +28,7 @@ fn lies_h(name: &str, more: &str) -> f64 {
     let lies = moves.iter().filter(|next| {
         next.posture == Posture::Lying && matches!(next.doing, MotionState::Rest { at } if at.distance(BED) < 0.3)
     });
-    lies.map(|next| next.end - next.begin).sum::<Micros>() as f64 / (3 * HOUR) as f64
+    lies.map(|next| next.end - next.begin).sum::<Span>().ratio(3 * HOUR)
 }
 
 #[test]

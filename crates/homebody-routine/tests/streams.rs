@@ -6,10 +6,10 @@ mod stage;
 use homebody_core::event::Events;
 use homebody_core::run::Run;
 use homebody_core::scenario::load::Scenario;
-use homebody_core::time::DAY;
+use homebody_core::time::{DAY, RunTime};
+use homebody_routine::behaviour::agenda::Agenda;
+use homebody_routine::behaviour::item::Item;
 use homebody_routine::household::{CONDITIONS, Household};
-use homebody_routine::living::agenda::Agenda;
-use homebody_routine::living::item::Item;
 use homebody_routine::routine::Activity;
 use stage::{ORDINARY, events, files, household};
 use std::collections::{BTreeMap, BTreeSet};
@@ -18,7 +18,7 @@ use std::path::{Path, PathBuf};
 
 const SCENARIOS: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../scenarios");
 
-/// The files of a folder by their path from it.
+/// By path within the folder.
 fn folder(path: &Path) -> BTreeMap<String, String> {
     let mut files = BTreeMap::new();
     let mut open = vec![PathBuf::new()];
@@ -36,7 +36,7 @@ fn folder(path: &Path) -> BTreeMap<String, String> {
     files
 }
 
-/// All shipped scenarios in which somebody lives by a routine, by name, with the conditions of the program as files.
+/// All scenarios with routines, by name, with the built-in conditions as files.
 fn shipped() -> Vec<(String, BTreeMap<String, String>)> {
     let mut all = Vec::new();
     for entry in fs::read_dir(SCENARIOS).unwrap() {
@@ -51,7 +51,7 @@ fn shipped() -> Vec<(String, BTreeMap<String, String>)> {
     all
 }
 
-/// The same files with each line of each routine and condition changed.
+/// Changes each line of each routine and condition.
 fn with_lines(files: &BTreeMap<String, String>, change: impl Fn(&str) -> String) -> BTreeMap<String, String> {
     let mut files = files.clone();
     for (_, text) in files.iter_mut().filter(|(name, _)| name.ends_with(".routine")) {
@@ -60,7 +60,7 @@ fn with_lines(files: &BTreeMap<String, String>, change: impl Fn(&str) -> String)
     files
 }
 
-/// What is planned for every fortieth day of two years, and what happens on the first.
+/// The plan of every fortieth day of two years, and the events of the first.
 fn lived(files: &BTreeMap<String, String>) -> (Vec<Agenda>, Events) {
     let (scenario, household) = household(files, &[]).unwrap();
     (plans(&scenario, &household), events(Run::new(&scenario, &household, scenario.file.seed, DAY), DAY))
@@ -68,7 +68,7 @@ fn lived(files: &BTreeMap<String, String>) -> (Vec<Agenda>, Events) {
 
 fn plans(scenario: &Scenario, household: &Household) -> Vec<Agenda> {
     let lives = (0..scenario.residents.len()).filter_map(|resident| household.life(resident, scenario.file.seed));
-    let plans = |life| (0..19).map(move |day| Agenda::of(&life, day * 40, &life.parameters(day * 40)));
+    let plans = |life| (0..19).map(move |day| Agenda::new(&life, day * 40, &life.parameters(day * 40)));
     lives.flat_map(plans).collect()
 }
 
@@ -98,7 +98,7 @@ fn a_blank_line_changes_nothing() {
         }
         let changed = ways.iter().map(|(way, change)| (*way, with_lines(&files, change)));
         for (way, changed) in changed.chain([("a comment at the top", at_the_top)]) {
-            // Not every routine has something to indent.
+            // Some routines have no lines to indent.
             if files == changed {
                 continue;
             }
@@ -114,11 +114,11 @@ fn a_blank_line_changes_nothing() {
     assert_eq!(told_apart.len(), ways.len() + 1, "each way changed the text of some routine: {told_apart:?}");
 }
 
-/// The life of the apartment by a routine: what is planned.
+/// The plans of the apartment's resident.
 fn planned(routine: &str) -> Vec<Agenda> {
     let (scenario, household) = household(&files(routine, &[]), &[]).unwrap();
     let mut plans = plans(&scenario, &household);
-    // The place of its sentence among the others is no number of its own.
+    // Without the position of the sentence.
     for plan in &mut plans {
         plan.items.iter_mut().chain(&mut plan.breaks).for_each(|item| (item.of, item.follows) = (None, None));
     }
@@ -144,7 +144,7 @@ fn another_sentence_leaves_the_numbers_of_the_others() {
             let after = planned(&routine);
             for (day, item) in items(&before) {
                 let same = items(&after).any(|(of, other)| of == day && other == item);
-                // How often it is said to be done, and with it how many times, may be another.
+                // Only the frequency of the bathroom may change.
                 let is_touched = said.contains("bathroom") && item.activity == Activity::UseBathroom;
                 assert!(same || is_touched, "{said} changes {item:?}");
             }
@@ -167,7 +167,7 @@ fn what_says_the_same_is_told_apart_by_its_order() {
     };
     let (one, two, twice) = (reading(one), reading(&two), reading(&twice));
     assert!(!one.is_empty() && two.len() > one.len() && twice.len() == 2 * one.len());
-    // Other words for the same are the same; of two, the second has numbers of its own.
+    // Synonyms have equal numbers; a repeated sentence has numbers of its own.
     for (day, item) in &one {
         assert!(two.contains(&(*day, item.clone())) && twice.contains(&(*day, item.clone())));
         let other = twice.iter().find(|(of, other)| of == day && other.key != item.key).unwrap();
@@ -175,13 +175,13 @@ fn what_says_the_same_is_told_apart_by_its_order() {
     }
 }
 
-/// The negative control of both: what is said otherwise has other numbers.
+/// The negative control of both.
 #[test]
 fn a_changed_sentence_changes_its_own_numbers() {
     let changed = ORDINARY.replace("in the afternoon for about 40 minutes", "in the afternoon for about 41 minutes");
     assert_ne!(changed, ORDINARY);
     let (before, after) = (planned(ORDINARY), planned(&changed));
-    let of = |plans: &[Agenda], name: &str| -> Vec<(i32, i64)> {
+    let of = |plans: &[Agenda], name: &str| -> Vec<(i32, RunTime)> {
         items(plans).filter(|(_, item)| item.activity.label() == name).map(|(day, item)| (day, item.start)).collect()
     };
     assert_ne!(of(&before, "reading"), of(&after, "reading"));

@@ -1,24 +1,23 @@
-//! What is wrong with a script before anybody lives by it: names, functions and values that it writes out.
+//! The check of a script before a run: names, functions and literal values.
 
 use crate::engine::standard_functions;
 use crate::messages::ScriptMessage;
 use crate::moment::{type_name, unknown_manner, unknown_name};
-use crate::names::{ASKED, Names};
-use crate::vocabulary::{self, Kind, QUESTIONS, SEEN, Word};
+use crate::names::{ASKED, ScriptNames};
+use crate::vocabulary::{self, ArgumentKind, QUESTIONS, SEEN, ScriptWord};
+use homebody_core::nearest::nearest;
 use homebody_core::problem::{Problem, counted};
-use homebody_core::scenario::nearest::nearest;
 use homebody_walk::manner::Manner;
 use rhai::{AST, ASTFlags, ASTNode, Dynamic, Expr, FnCallExpr, Position, Stmt};
 use std::collections::BTreeMap;
 
-/// What scripts call what they are asked with.
 const AROUND: &str = "around";
 
-/// Makes a problem of a place, a number of characters to underline, and a message.
-pub type Report<'a> = &'a mut dyn FnMut(Position, usize, ScriptMessage) -> Problem;
+/// Makes a problem of a position, a number of characters to underline, and a message.
+pub type ProblemReporter<'a> = &'a mut dyn FnMut(Position, usize, ScriptMessage) -> Problem;
 
-/// What stands beside the functions of a script, and is no constant.
-pub fn stray(ast: &AST, report: Report) -> Vec<Problem> {
+/// Statements outside of functions that define no constant.
+pub fn stray(ast: &AST, report: ProblemReporter) -> Vec<Problem> {
     let is_constant = |stmt: &Stmt| matches!(stmt, Stmt::Var(_, flags, _) if flags.intersects(ASTFlags::CONSTANT));
     let wrong = ast.statements().iter().filter(|stmt| !is_constant(stmt) && !matches!(stmt, Stmt::Noop(_)));
     let mut problems: Vec<Problem> =
@@ -34,10 +33,14 @@ pub fn stray(ast: &AST, report: Report) -> Vec<Problem> {
     problems
 }
 
-/// All problems of a script whose constants are these.
-pub fn check(ast: &AST, constants: &BTreeMap<String, Dynamic>, names: &Names, report: Report) -> Vec<Problem> {
+pub fn check(
+    ast: &AST,
+    constants: &BTreeMap<String, Dynamic>,
+    names: &ScriptNames,
+    report: ProblemReporter,
+) -> Vec<Problem> {
     let functions = ast.iter_functions().map(|function| (function.name.to_owned(), function.params.len()));
-    let mut check = Check { functions: functions.collect(), constants, names, report, problems: Vec::new() };
+    let mut check = ScriptCheck { functions: functions.collect(), constants, names, report, problems: Vec::new() };
     check.asked();
     ast.walk(&mut |path: &[ASTNode]| {
         match path.last() {
@@ -50,22 +53,21 @@ pub fn check(ast: &AST, constants: &BTreeMap<String, Dynamic>, names: &Names, re
     check.problems
 }
 
-struct Check<'a> {
-    /// Those of the script, with how many values they want.
+struct ScriptCheck<'a> {
+    /// The script's functions, with their numbers of parameters.
     functions: Vec<(String, usize)>,
     constants: &'a BTreeMap<String, Dynamic>,
-    names: &'a Names,
-    report: Report<'a>,
+    names: &'a ScriptNames,
+    report: ProblemReporter<'a>,
     problems: Vec<Problem>,
 }
 
-impl Check<'_> {
+impl ScriptCheck<'_> {
     fn say(&mut self, position: Position, width: usize, message: ScriptMessage) {
         let problem = (self.report)(position, width, message);
         self.problems.push(problem);
     }
 
-    /// Whether the functions are there that a script is asked by.
     fn asked(&mut self) {
         for (name, wanted) in ASKED {
             let form = format!("fn {name}({})", if wanted == 1 { AROUND } else { "" });
@@ -130,7 +132,7 @@ impl Check<'_> {
         if self.functions.iter().any(|(known, count)| known == name && *count == call.args.len()) {
             return;
         }
-        let words: Vec<&Word> = said().filter(|word| word.name == name).collect();
+        let words: Vec<&ScriptWord> = free_words().filter(|word| word.name == name).collect();
         if !words.is_empty() {
             return self.word(&words, call, position);
         }
@@ -141,7 +143,7 @@ impl Check<'_> {
         } else if QUESTIONS.iter().any(|word| word.name == name) {
             format!("write around.{name}(..)")
         } else {
-            let known = said().map(|word| word.name).chain(self.functions.iter().map(|(name, _)| name.as_str()));
+            let known = free_words().map(|word| word.name).chain(self.functions.iter().map(|(name, _)| name.as_str()));
             let known: Vec<&str> = known.chain(standard_functions().iter().map(String::as_str)).collect();
             nearest(name, known).map_or_else(
                 || "docs/reference/scripts.md lists the functions".to_owned(),
@@ -154,13 +156,13 @@ impl Check<'_> {
 
     fn method(&mut self, call: &FnCallExpr, position: Position) {
         let name = call.name.as_str();
-        let words: Vec<&Word> = QUESTIONS.iter().filter(|word| word.name == name).collect();
+        let words: Vec<&ScriptWord> = QUESTIONS.iter().filter(|word| word.name == name).collect();
         if !words.is_empty() {
             return self.word(&words, call, position);
         }
         let is_known = self.functions.iter().any(|(known, _)| known == name)
             || standard_functions().contains(name)
-            || said().any(|word| word.name == name);
+            || free_words().any(|word| word.name == name);
         if is_known {
             return;
         }
@@ -174,10 +176,9 @@ impl Check<'_> {
         self.say(position, name.chars().count(), message);
     }
 
-    /// A word of ours, which may have several forms.
-    fn word(&mut self, forms: &[&Word], call: &FnCallExpr, position: Position) {
+    fn word(&mut self, forms: &[&ScriptWord], call: &FnCallExpr, position: Position) {
         let Some(word) = forms.iter().find(|word| word.wants.len() == call.args.len()) else {
-            let form = |word: &&Word| {
+            let form = |word: &&ScriptWord| {
                 let wants: Vec<&str> = word.wants.iter().map(|(name, _)| *name).collect();
                 format!("{}({})", word.name, wants.join(", "))
             };
@@ -190,22 +191,21 @@ impl Check<'_> {
         }
     }
 
-    /// A value that a word is said with, as far as it is written out.
-    fn value(&mut self, word: &str, name: &str, kind: Kind, expr: &Expr) {
+    fn value(&mut self, word: &str, name: &str, kind: ArgumentKind, expr: &Expr) {
         let constant = match expr {
             Expr::Variable(of, None, _) if of.0.is_none() => self.constants.get(of.1.as_str()).cloned(),
             _ => expr.get_literal_value(None),
         };
         let Some(value) = constant else { return };
         let wanted = match kind {
-            Kind::Seconds | Kind::Number => "a number",
-            Kind::List => "a list",
+            ArgumentKind::Seconds | ArgumentKind::Number => "a number",
+            ArgumentKind::List => "a list",
             _ => "a text",
         };
         let number = value.as_float().or_else(|_| value.as_int().map(|whole| whole as f64)).ok();
         let fits = match kind {
-            Kind::Seconds | Kind::Number => number.is_some(),
-            Kind::List => value.is_array(),
+            ArgumentKind::Seconds | ArgumentKind::Number => number.is_some(),
+            ArgumentKind::List => value.is_array(),
             _ => value.is_string(),
         };
         let position = expr.position();
@@ -214,22 +214,21 @@ impl Check<'_> {
                 [word, name, wanted, type_name(value.type_name())].map(str::to_owned);
             return self.say(position, 1, ScriptMessage::ValueType { word, parameter, wanted, found });
         }
-        if let Some(number) = number.filter(|number| kind == Kind::Seconds && *number <= 0.0) {
+        if let Some(number) = number.filter(|number| kind == ArgumentKind::Seconds && *number <= 0.0) {
             return self.say(position, 1, ScriptMessage::Duration { duration_s: number });
         }
         let Ok(text) = value.into_string() else { return };
         self.name(kind, &text, position);
     }
 
-    /// A name that is written out.
-    fn name(&mut self, kind: Kind, text: &str, position: Position) {
+    fn name(&mut self, kind: ArgumentKind, text: &str, position: Position) {
         let width = text.chars().count() + 2;
         let (noun, known): (&str, &[String]) = match kind {
-            Kind::Place => ("place", &self.names.places),
-            Kind::Seat => ("seat", &self.names.seats),
-            Kind::Thing => ("thing", &self.names.things),
-            Kind::Room => ("room", &self.names.rooms),
-            Kind::Manner if Manner::named(text).is_none() => {
+            ArgumentKind::Place => ("place", &self.names.places),
+            ArgumentKind::Seat => ("seat", &self.names.seats),
+            ArgumentKind::Thing => ("thing", &self.names.things),
+            ArgumentKind::Room => ("room", &self.names.rooms),
+            ArgumentKind::Manner if Manner::named(text).is_none() => {
                 return self.say(position, width, unknown_manner(text));
             }
             _ => return,
@@ -241,7 +240,6 @@ impl Check<'_> {
     }
 }
 
-/// The words that are said by themselves.
-fn said() -> impl Iterator<Item = &'static Word> {
+fn free_words() -> impl Iterator<Item = &'static ScriptWord> {
     vocabulary::STEPS.iter().chain(&vocabulary::CHANCE)
 }

@@ -1,29 +1,30 @@
-//! Lives by a script: asks it what comes next, and lets the body do it.
+//! The driver that asks a script what to do.
 //!
-//! Two layers decide. `next` is asked whenever the body is free, and says what is to be done. `notice` is asked whenever
-//! something around has changed while that is done: what it answers comes first, and what was interrupted goes on
-//! afterwards. What takes no time, such as turning on a lamp, breaks no walk.
+//! Two layers decide. `next` is asked whenever the body is free. `notice` is asked whenever something around has changed:
+//! its answer comes first, and the interrupted steps continue afterwards. Steps without duration, such as turning on a
+//! lamp, interrupt no walk.
 //!
-//! We assume that somebody sees and hears what happens in the whole home, half a second later at most while they walk, and
-//! a second while they stay. Left out: waiting for others who are in the way.
+//! We assume that a resident notices changes in the whole home, within half a second while walking, and a second while
+//! staying. Left out: waiting for others who are in the way.
 
 use crate::cast::Cast;
 use crate::engine::{counted, to_step};
 use crate::messages::ScriptMessage;
-use crate::moment::{Around, Moment, Other, Streams};
+use crate::moment::{Around, OtherResident, ScriptMoment, Streams};
 use crate::program::Program;
-use crate::step::Step;
-use homebody_core::drivers::{Driver, MotionSegment, Next, Surroundings};
-use homebody_core::event::{MotionState, ThingUse};
+use crate::step::ScriptStep;
+use homebody_core::drivers::{Driver, Next, Surroundings};
+use homebody_core::event::ThingUse;
 use homebody_core::geometry::{self, Point};
 use homebody_core::ids::ThingId;
+use homebody_core::motion::{MotionSegment, MotionState};
+use homebody_core::posture::Posture;
 use homebody_core::random::Stream;
 use homebody_core::role::Role;
-use homebody_core::scenario::path::Posture;
-use homebody_core::time::{Micros, SECOND, micros};
+use homebody_core::time::{HOUR, RunTime, SECOND, Span};
 use homebody_walk::Wanderers;
-use homebody_walk::body::Body;
-use homebody_walk::places::Spot;
+use homebody_walk::body::WalkingBody;
+use homebody_walk::places::HomePlace;
 use rhai::Dynamic;
 use std::collections::VecDeque;
 use std::sync::Arc;
@@ -41,74 +42,71 @@ const OPERATIONS_OF_ASKING: u64 = 100;
 /// Largest number of steps that may wait (our choice).
 const MOST_STEPS: usize = 500;
 
-const HOUR: Micros = 3_600 * SECOND;
-
 /// Interval at which a walking person looks around, and at which a staying one does (our choice).
-const LOOKS_WALKING: Micros = SECOND / 2;
-const LOOKS_STAYING: Micros = SECOND;
+const LOOKS_WALKING: Span = Span::from_millis(500);
+const LOOKS_STAYING: Span = SECOND;
 
 /// Time that a person who finds no way, or has an obstacle before them, stands still, so that an attempt takes time
 /// (our choice).
-const AT_A_LOSS: Micros = SECOND;
+const AT_A_LOSS: Span = SECOND;
 
 /// Shortest step, in metres (our choice).
 const SHORTEST_STEP_M: f64 = 0.02;
 
 /// Time at the open front door, as in routines (our choice).
-const AT_THE_DOOR: Micros = 5 * SECOND;
+const AT_THE_DOOR: Span = SECOND.times(5);
 
-/// A resident who lives by a script. A copy has the same memory and draws the same numbers.
+/// A resident with a script. A copy has the same memory and draws the same numbers.
 #[derive(Clone, Debug)]
 pub struct ScriptDriver {
     program: Arc<Program>,
     cast: Arc<Cast>,
-    body: Body,
-    whereabouts: Whereabouts,
-    /// What the script remembers: its `this`. `None` before it was asked for the first time.
+    body: WalkingBody,
+    whereabouts: BodyWhereabouts,
+    /// The script's `this`; `None` before the first question.
     memory: Option<Dynamic>,
     streams: Streams,
-    /// For how fast one walks and how often one stirs.
+    /// Draws the pace and the movements on the spot.
     own: Stream,
-    /// What is to be done, the next step first.
-    steps: VecDeque<Step>,
-    /// The step that is being done, as far as `moves` do not have it.
-    under_way: Option<Step>,
+    /// The next step first.
+    steps: VecDeque<ScriptStep>,
+    /// The current step, as far as it is not yet in `moves`.
+    under_way: Option<ScriptStep>,
     moves: VecDeque<MotionSegment>,
-    /// What comes before them, and takes no time.
+    /// Answers without duration, which come before `moves`.
     at_once: VecDeque<Next>,
-    /// What is done is called so, and as it was told last.
+    /// The current activity, and the one in the ground truth.
     activity: Option<String>,
     told: Option<String>,
-    /// How often in a row the script has decided on nothing that takes time.
+    /// Decisions in a row without duration.
     idle: u32,
-    /// An hour of the run, and the operations that it has taken.
-    spent: (Micros, u64),
-    seen: Option<Seen>,
+    /// Hour of the run, and operations in it.
+    spent: (i64, u64),
+    seen: Option<NoticedState>,
 }
 
-/// Where a body is.
 #[derive(Clone, Copy, Debug, PartialEq)]
-enum Whereabouts {
-    /// The run has just begun.
+enum BodyWhereabouts {
+    /// Before the first step.
     Nowhere,
     Home,
     Out,
 }
 
-/// What may change around somebody, and is noticed.
+/// A change of any of these is noticed.
 #[derive(Clone, Debug, PartialEq)]
-struct Seen {
+struct NoticedState {
     on: Vec<bool>,
     own: (Option<usize>, Option<Posture>),
     others: Vec<(usize, Option<usize>, Posture)>,
     is_dark: bool,
 }
 
-impl Seen {
-    fn of(moment: &Moment) -> Seen {
+impl NoticedState {
+    fn from_moment(moment: &ScriptMoment) -> NoticedState {
         let plan = &moment.cast.home.plan;
-        let other = |other: &Other| (other.index, plan.room_at(other.at), other.posture);
-        Seen {
+        let other = |other: &OtherResident| (other.index, plan.room_at(other.at), other.posture);
+        NoticedState {
             on: moment.on.clone(),
             own: (moment.body.and_then(|(at, _)| plan.room_at(at)), moment.body.map(|(_, posture)| posture)),
             others: moment.others.iter().map(other).collect(),
@@ -118,15 +116,15 @@ impl Seen {
 }
 
 impl ScriptDriver {
-    /// A resident at the beginning of a run. Where the first step leads, they are already.
+    /// The body starts where the first step leads.
     pub fn new(program: Arc<Program>, cast: Cast) -> ScriptDriver {
-        let body = Body::new(cast.home.clone(), cast.mesh.clone(), cast.pace_mps);
+        let body = WalkingBody::new(cast.home.clone(), cast.mesh.clone(), cast.pace_mps);
         let own = Stream::named(cast.seed, &format!("script body/{}", cast.name));
         ScriptDriver {
             program,
             cast: Arc::new(cast),
             body,
-            whereabouts: Whereabouts::Nowhere,
+            whereabouts: BodyWhereabouts::Nowhere,
             memory: None,
             streams: Streams::new(),
             own,
@@ -142,17 +140,19 @@ impl ScriptDriver {
         }
     }
 
-    /// What comes next, or why there is nothing.
     fn decide(&mut self, around: &Surroundings) -> Result<Next, String> {
         let now = around.now();
         loop {
-            if self.whereabouts == Whereabouts::Home && self.is_busy() && self.program.notices() {
+            if self.whereabouts == BodyWhereabouts::Home && self.is_busy() && self.program.notices() {
                 self.notice(around)?;
             }
             if let Some(next) = self.next_answer(now) {
                 return Ok(next);
             }
-            let goes_on = self.under_way.take().filter(|step| matches!(step, Step::Wait { left, .. } if *left > 0));
+            let goes_on = self
+                .under_way
+                .take()
+                .filter(|step| matches!(step, ScriptStep::Wait { left, .. } if *left > Span::ZERO));
             if let Some(step) = goes_on.or_else(|| self.steps.pop_front()) {
                 self.take(step, now)?;
                 continue;
@@ -163,13 +163,12 @@ impl ScriptDriver {
         }
     }
 
-    /// Whether anything is to be done.
     fn is_busy(&self) -> bool {
         !(self.moves.is_empty() && self.at_once.is_empty() && self.steps.is_empty() && self.under_way.is_none())
     }
 
-    /// The next answer of those that are ready; what is done is named first.
-    fn next_answer(&mut self, now: Micros) -> Option<Next> {
+    /// The next answer that is ready, preceded by its activity.
+    fn next_answer(&mut self, now: RunTime) -> Option<Next> {
         if self.at_once.is_empty() && self.moves.is_empty() {
             return None;
         }
@@ -197,7 +196,7 @@ impl ScriptDriver {
         Some(Next::Segment(next))
     }
 
-    /// Asks the script, which may have no more of operations than an hour has.
+    /// Asks the script within the operations left in this hour.
     fn ask(
         &mut self,
         around: &Surroundings,
@@ -209,7 +208,8 @@ impl ScriptDriver {
         }
         let place = self.body.spot().filter(|spot| self.is_at(spot)).map_or("", |spot| spot.name.as_str());
         let streams = std::mem::take(&mut self.streams);
-        let moment = Around::new(Moment::new(self.cast.clone(), self.program.constants(), around, place, streams));
+        let moment =
+            Around::new(ScriptMoment::new(self.cast.clone(), self.program.constants(), around, place, streams));
         let program = self.program.clone();
         let mut memory = match self.memory.take() {
             Some(memory) => memory,
@@ -218,7 +218,7 @@ impl ScriptDriver {
         let (answer, operations) = counted(|| question(&program, &moment, &mut memory));
         self.memory = Some(memory);
         self.streams = std::mem::take(&mut moment.moment().streams);
-        let hour = around.now().div_euclid(HOUR);
+        let hour = around.now().since_zero().div_euclid(HOUR);
         if self.spent.0 != hour {
             self.spent = (hour, 0);
         }
@@ -229,13 +229,18 @@ impl ScriptDriver {
         answer
     }
 
-    fn is_at(&self, spot: &Spot) -> bool {
-        self.whereabouts == Whereabouts::Home && self.body.at().distance(spot.at) < 0.01
+    fn is_at(&self, spot: &HomePlace) -> bool {
+        self.whereabouts == BodyWhereabouts::Home && self.body.at().distance(spot.at) < 0.01
     }
 
-    /// Asks whether something is to be done at once, where anything has changed.
     fn notice(&mut self, around: &Surroundings) -> Result<(), String> {
-        let seen = Seen::of(&Moment::new(self.cast.clone(), self.program.constants(), around, "", Streams::new()));
+        let seen = NoticedState::from_moment(&ScriptMoment::new(
+            self.cast.clone(),
+            self.program.constants(),
+            around,
+            "",
+            Streams::new(),
+        ));
         if self.seen.as_ref() == Some(&seen) {
             return Ok(());
         }
@@ -259,12 +264,11 @@ impl ScriptDriver {
         self.not_too_many()
     }
 
-    /// What takes no time, before what is under way goes on.
-    fn do_at_once(&mut self, step: Step) {
+    fn do_at_once(&mut self, step: ScriptStep) {
         match step {
-            Step::All(steps) => steps.into_iter().for_each(|step| self.do_at_once(step)),
-            Step::Use { thing, on } => self.use_thing(thing, on),
-            Step::Activity(label) => self.activity = label,
+            ScriptStep::All(steps) => steps.into_iter().for_each(|step| self.do_at_once(step)),
+            ScriptStep::Use { thing, on } => self.use_thing(thing, on),
+            ScriptStep::Activity(label) => self.activity = label,
             _ => {}
         }
     }
@@ -273,37 +277,38 @@ impl ScriptDriver {
         self.at_once.push_back(Next::Use(ThingUse { thing: ThingId(thing), on }));
     }
 
-    /// What is under way is broken off, to go on later where it was.
-    fn interrupt(&mut self, now: Micros) {
-        let still = self.moves.back().map_or(0, |last| last.end - now);
+    /// Interrupts the current step, so that it can continue later.
+    fn interrupt(&mut self, now: RunTime) {
+        let still = self.moves.back().map_or(Span::ZERO, |last| last.end - now);
         self.moves.clear();
         let resumed = match self.under_way.take() {
-            Some(Step::Wait { left, manner, .. }) => Some(Step::wait(left + still, manner)),
-            Some(Step::Rest { .. }) => Some(Step::Rest { left: still }),
-            Some(Step::Wander { kind, .. }) => Some(Step::Wander { kind, left: still }),
-            Some(step @ (Step::Go(_) | Step::GoTo(_))) => Some(step),
+            Some(ScriptStep::Wait { left, manner, .. }) => Some(ScriptStep::wait(left + still, manner)),
+            Some(ScriptStep::Rest { .. }) => Some(ScriptStep::Rest { left: still }),
+            Some(ScriptStep::Wander { kind, .. }) => Some(ScriptStep::Wander { kind, left: still }),
+            Some(step @ (ScriptStep::Go(_) | ScriptStep::GoTo(_))) => Some(step),
             _ => None,
         };
-        let Some(step) = resumed.filter(|step| still > 0 || matches!(step, Step::Wait { left, .. } if *left > 0))
+        let Some(step) = resumed
+            .filter(|step| still > Span::ZERO || matches!(step, ScriptStep::Wait { left, .. } if *left > Span::ZERO))
         else {
             return;
         };
-        let stays = matches!(step, Step::Wait { .. } | Step::Rest { .. });
+        let stays = matches!(step, ScriptStep::Wait { .. } | ScriptStep::Rest { .. });
         self.steps.push_front(step);
         if stays {
             let there = self.body.spot().filter(|spot| self.is_at(spot));
-            let back =
-                |spot: &Spot| Step::Go(Spot { at: self.body.at(), posture: self.body.posture(), ..spot.clone() });
-            self.steps.push_front(there.map_or(Step::GoTo(self.body.at()), back));
+            let back = |spot: &HomePlace| {
+                ScriptStep::Go(HomePlace { at: self.body.at(), posture: self.body.posture(), ..spot.clone() })
+            };
+            self.steps.push_front(there.map_or(ScriptStep::GoTo(self.body.at()), back));
         }
-        self.steps.push_front(Step::Activity(self.activity.clone()));
+        self.steps.push_front(ScriptStep::Activity(self.activity.clone()));
     }
 
-    /// Adds what a script answered to what is to be done.
-    fn plan(&mut self, step: Step) -> Result<(), String> {
+    fn plan(&mut self, step: ScriptStep) -> Result<(), String> {
         match step {
-            Step::All(steps) => steps.into_iter().try_for_each(|step| self.plan(step)),
-            Step::Instead => {
+            ScriptStep::All(steps) => steps.into_iter().try_for_each(|step| self.plan(step)),
+            ScriptStep::Instead => {
                 self.steps.clear();
                 Ok(())
             }
@@ -321,51 +326,60 @@ impl ScriptDriver {
         Err(self.program.at_next(ScriptMessage::TooManySteps { most: MOST_STEPS }))
     }
 
-    /// Begins a step.
-    fn take(&mut self, step: Step, now: Micros) -> Result<(), String> {
+    fn take(&mut self, step: ScriptStep, now: RunTime) -> Result<(), String> {
         if self.begins_elsewhere(&step)? {
             return Ok(());
         }
         match step {
-            Step::Go(_) | Step::GoTo(_) | Step::Stand | Step::Straight { .. } | Step::Wander { .. } => {
+            ScriptStep::Go(_)
+            | ScriptStep::GoTo(_)
+            | ScriptStep::Stand
+            | ScriptStep::Straight { .. }
+            | ScriptStep::Wander { .. } => {
                 self.walk(step, now)?;
             }
-            Step::Wait { left, manner, stirs } => self.wait(left, manner, stirs, now),
-            Step::Rest { left } => {
+            ScriptStep::Wait { left, manner, stirs } => self.wait(left, manner, stirs, now),
+            ScriptStep::Rest { left } => {
                 self.stay(MotionState::Rest { at: self.body.at() }, left, now);
                 self.under_way = Some(step);
             }
-            Step::Use { thing, on } => self.use_thing(thing, on),
-            Step::Activity(label) => self.activity = label,
-            Step::LeaveHome if self.whereabouts == Whereabouts::Home => {
+            ScriptStep::Use { thing, on } => self.use_thing(thing, on),
+            ScriptStep::Activity(label) => self.activity = label,
+            ScriptStep::LeaveHome if self.whereabouts == BodyWhereabouts::Home => {
                 let door = self.front_door()?;
                 let at_the_door = self.through_the_door();
-                self.steps.push_front(Step::Outside);
+                self.steps.push_front(ScriptStep::Outside);
                 at_the_door.into_iter().rev().for_each(|step| self.steps.push_front(step));
-                self.steps.push_front(Step::Go(door));
+                self.steps.push_front(ScriptStep::Go(door));
             }
-            Step::Outside => self.whereabouts = Whereabouts::Out,
-            // Who is at home comes from nowhere, and what a list has stands among the steps.
-            Step::LeaveHome | Step::ComeHome | Step::Instead | Step::All(_) => {}
+            ScriptStep::Outside => self.whereabouts = BodyWhereabouts::Out,
+            // At home there is nowhere to come from, and a list was expanded before.
+            ScriptStep::LeaveHome | ScriptStep::ComeHome | ScriptStep::Instead | ScriptStep::All(_) => {}
         }
         Ok(())
     }
 
-    /// Lets a body that is nowhere yet, or out, be where the step can begin; true where that was the whole of it.
-    fn begins_elsewhere(&mut self, step: &Step) -> Result<bool, String> {
-        let needs_body =
-            !matches!(step, Step::Activity(_) | Step::Use { .. } | Step::LeaveHome | Step::Outside | Step::Instead);
+    /// Places a body that has no place yet, or is out, at the start of the step; true if that completes the step.
+    fn begins_elsewhere(&mut self, step: &ScriptStep) -> Result<bool, String> {
+        let needs_body = !matches!(
+            step,
+            ScriptStep::Activity(_)
+                | ScriptStep::Use { .. }
+                | ScriptStep::LeaveHome
+                | ScriptStep::Outside
+                | ScriptStep::Instead
+        );
         match self.whereabouts {
-            Whereabouts::Nowhere if matches!(step, Step::LeaveHome) => {
-                self.whereabouts = Whereabouts::Out;
+            BodyWhereabouts::Nowhere if matches!(step, ScriptStep::LeaveHome) => {
+                self.whereabouts = BodyWhereabouts::Out;
                 Ok(true)
             }
-            Whereabouts::Nowhere if needs_body => {
-                let is_there = matches!(step, Step::Go(_) | Step::ComeHome);
+            BodyWhereabouts::Nowhere if needs_body => {
+                let is_there = matches!(step, ScriptStep::Go(_) | ScriptStep::ComeHome);
                 let spot = match step {
-                    Step::Go(spot) => spot.clone(),
-                    Step::ComeHome => self.front_door()?,
-                    Step::GoTo(at) if self.cast.mesh.is_free(*at) => Spot::to_stand(*at, 0),
+                    ScriptStep::Go(spot) => spot.clone(),
+                    ScriptStep::ComeHome => self.front_door()?,
+                    ScriptStep::GoTo(at) if self.cast.mesh.is_free(*at) => HomePlace::to_stand(*at, 0),
                     _ => self
                         .cast
                         .places
@@ -375,52 +389,53 @@ impl ScriptDriver {
                 };
                 let posture = spot.posture;
                 self.body.place(spot, posture);
-                self.whereabouts = Whereabouts::Home;
+                self.whereabouts = BodyWhereabouts::Home;
                 Ok(is_there)
             }
-            Whereabouts::Out if matches!(step, Step::ComeHome) => {
+            BodyWhereabouts::Out if matches!(step, ScriptStep::ComeHome) => {
                 let door = self.front_door()?;
                 self.body.place(door, Posture::Standing);
-                self.whereabouts = Whereabouts::Home;
+                self.whereabouts = BodyWhereabouts::Home;
                 let at_the_door = self.through_the_door();
                 at_the_door.into_iter().rev().for_each(|step| self.steps.push_front(step));
                 Ok(true)
             }
-            Whereabouts::Out if needs_body && !matches!(step, Step::Wait { .. } | Step::Rest { .. }) => {
+            BodyWhereabouts::Out
+                if needs_body && !matches!(step, ScriptStep::Wait { .. } | ScriptStep::Rest { .. }) =>
+            {
                 self.steps.push_front(step.clone());
-                self.steps.push_front(Step::ComeHome);
+                self.steps.push_front(ScriptStep::ComeHome);
                 Ok(true)
             }
             _ => Ok(false),
         }
     }
 
-    fn front_door(&self) -> Result<Spot, String> {
+    fn front_door(&self) -> Result<HomePlace, String> {
         let door = self.cast.places.of(Role::FrontDoor).cloned();
         door.ok_or_else(|| self.program.at_next(ScriptMessage::NoFrontDoor))
     }
 
-    /// What is done at the front door by who goes in or out.
-    fn through_the_door(&self) -> Vec<Step> {
-        let act = |on| self.cast.places.thing(Role::FrontDoor).map(|thing| Step::Use { thing, on });
-        let stands = Some(Step::wait(AT_THE_DOOR, None));
+    /// The steps at the front door.
+    fn through_the_door(&self) -> Vec<ScriptStep> {
+        let act = |on| self.cast.places.thing(Role::FrontDoor).map(|thing| ScriptStep::Use { thing, on });
+        let stands = Some(ScriptStep::wait(AT_THE_DOOR, None));
         [act(true), stands, act(false)].into_iter().flatten().collect()
     }
 
-    /// A step on one's feet.
-    fn walk(&mut self, step: Step, now: Micros) -> Result<(), String> {
+    fn walk(&mut self, step: ScriptStep, now: RunTime) -> Result<(), String> {
         let hour = self.cast.hour(now);
         let moves = match &step {
-            Step::Go(spot) => self
+            ScriptStep::Go(spot) => self
                 .go(spot, hour, now)
                 .ok_or_else(|| self.program.at_next(ScriptMessage::NoWay { place: spot.name.clone() }))?,
-            Step::GoTo(at) => {
+            ScriptStep::GoTo(at) => {
                 let room = self.cast.home.plan.room_at(*at);
-                let moves = room.and_then(|room| self.go(&Spot::to_stand(*at, room), hour, now));
+                let moves = room.and_then(|room| self.go(&HomePlace::to_stand(*at, room), hour, now));
                 moves.unwrap_or_else(|| vec![self.at_a_loss(now)])
             }
-            Step::Stand => self.body.get_up(now, hour, 1.0, &mut self.own),
-            Step::Wander { kind, left } => self.body.wander(
+            ScriptStep::Stand => self.body.get_up(now, hour, 1.0, &mut self.own),
+            ScriptStep::Wander { kind, left } => self.body.wander(
                 *kind,
                 *left,
                 now,
@@ -429,7 +444,7 @@ impl ScriptDriver {
                 Wanderers { gains: self.cast.gains, others: &[] },
                 &mut self.own,
             ),
-            Step::Straight { degrees, metres } => {
+            ScriptStep::Straight { degrees, metres } => {
                 let stands = self.body.posture() == Posture::Standing && self.cast.mesh.is_free(self.body.at());
                 let first = if stands { Vec::new() } else { self.body.get_up(now, hour, 1.0, &mut self.own) };
                 if first.is_empty() {
@@ -446,40 +461,42 @@ impl ScriptDriver {
         Ok(())
     }
 
-    /// The moves to a place, whatever the posture there; `None` where no way leads.
-    fn go(&mut self, spot: &Spot, hour: f64, now: Micros) -> Option<Vec<MotionSegment>> {
+    /// `None` without a route.
+    fn go(&mut self, spot: &HomePlace, hour: f64, now: RunTime) -> Option<Vec<MotionSegment>> {
         if !self.is_at(spot) || self.body.posture() == spot.posture {
             return self.body.go(spot, now, hour, 1.0, &mut self.own);
         }
         Some(match spot.posture {
             Posture::Standing => self.body.get_up(now, hour, 1.0, &mut self.own),
-            posture => vec![self.body.settle(posture, now, 1.0, &mut self.own)],
+            posture => vec![self.body.sit_down(posture, now, 1.0, &mut self.own)],
         })
     }
 
-    /// Straight ahead as far as it is free, at one's usual pace.
-    fn straight(&mut self, degrees: f64, metres: f64, now: Micros) -> MotionSegment {
+    /// As far as the floor is free, at the usual pace.
+    fn straight(&mut self, degrees: f64, metres: f64, now: RunTime) -> MotionSegment {
         let from = self.body.at();
         let free = self.cast.mesh.free_way(from, degrees, metres);
         if free < SHORTEST_STEP_M {
             return self.at_a_loss(now);
         }
         let to: Point = from + geometry::direction(degrees) * free;
-        let end = now + micros(free / self.cast.pace_mps).max(1);
+        let end = now + Span::from_seconds(free / self.cast.pace_mps).max(Span::MICROSECOND);
         MotionSegment { begin: now, end, doing: MotionState::Stride { from, to }, posture: Posture::Standing }
     }
 
-    fn at_a_loss(&self, now: Micros) -> MotionSegment {
+    fn at_a_loss(&self, now: RunTime) -> MotionSegment {
         let doing = MotionState::Rest { at: self.body.at() };
         MotionSegment { begin: now, end: now + AT_A_LOSS, doing, posture: self.body.posture() }
     }
 
-    /// Stays, and stirs now and then: one pause or movement of it.
-    fn wait(&mut self, left: Micros, manner: Option<homebody_walk::manner::Manner>, stirs: bool, now: Micros) {
-        if self.whereabouts == Whereabouts::Out {
+    /// One pause or movement of a stay.
+    fn wait(&mut self, left: Span, manner: Option<homebody_walk::manner::Manner>, stirs: bool, now: RunTime) {
+        if self.whereabouts == BodyWhereabouts::Out {
             return self.stay(MotionState::Away, left, now);
         }
-        let usual = manner.unwrap_or_else(|| Step::usual_manner(self.body.posture())).by(&self.cast.home.numbers);
+        let usual = manner
+            .unwrap_or_else(|| ScriptStep::usual_manner(self.body.posture()))
+            .with_numbers(&self.cast.home.numbers);
         let at = self.body.at();
         let (span, doing) = match stirs {
             true => (usual.bout(&mut self.own), MotionState::InPlace { at, amplitude_m: usual.amplitude_m }),
@@ -487,11 +504,11 @@ impl ScriptDriver {
         };
         let span = span.min(left);
         self.stay(doing, span, now);
-        self.under_way = Some(Step::Wait { left: left - span, manner, stirs: !stirs });
+        self.under_way = Some(ScriptStep::Wait { left: left - span, manner, stirs: !stirs });
     }
 
-    fn stay(&mut self, doing: MotionState, lasts: Micros, now: Micros) {
-        let doing = if self.whereabouts == Whereabouts::Out { MotionState::Away } else { doing };
+    fn stay(&mut self, doing: MotionState, lasts: Span, now: RunTime) {
+        let doing = if self.whereabouts == BodyWhereabouts::Out { MotionState::Away } else { doing };
         let posture = if doing == MotionState::Away { Posture::Standing } else { self.body.posture() };
         self.moves.push_back(MotionSegment { begin: now, end: now + lasts, doing, posture });
     }

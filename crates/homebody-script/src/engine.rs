@@ -1,15 +1,16 @@
-//! The engine that all scripts run on: the language, the words, and what no script may do.
+//! The engine of all scripts: the language, the words and the limits.
 //!
-//! It has no clock, no files, no other scripts and no chance but that of named streams. Sines and powers of the platform are
-//! left out, since machines differ in their last digits. All that a script can fill or spend has an end.
+//! Scripts have no clock, no files, no other scripts and only named streams as a source of chance. Sines and powers of the
+//! platform are left out, because machines differ in their last digits. Everything that a script can fill or spend is
+//! limited.
 
 use crate::messages::ScriptMessage;
-use crate::moment::{Around, Moment, Wrong, manner, number, span, type_name, wrong};
-use crate::step::Step;
+use crate::moment::{Around, ScriptError, ScriptMoment, manner, number, span, type_name, wrong};
+use crate::step::ScriptStep;
 use crate::vocabulary;
 use homebody_core::geometry::Point;
-use homebody_core::scenario::path::Posture;
-use homebody_walk::Wandering;
+use homebody_core::posture::Posture;
+use homebody_walk::WanderStyle;
 use rhai::packages::{
     ArithmeticPackage, BasicArrayPackage, BasicFnPackage, BasicIteratorPackage, BasicMapPackage, BasicStringPackage,
     LogicPackage, MoreStringPackage, Package,
@@ -31,28 +32,28 @@ const LARGEST_MAP: usize = 1_000;
 const MOST_FUNCTIONS: usize = 500;
 const MOST_VARIABLES: usize = 500;
 
-/// Words that Rhai keeps for itself, and that are ours.
+/// Keywords of Rhai that are words of scripts.
 const FREED: [&str; 2] = ["go", "use"];
 
-/// What would reach beyond the script, or differ from machine to machine.
+/// Functions that reach beyond the script, or differ between machines.
 const FORBIDDEN: [&str; 2] = ["eval", "**"];
 
 thread_local! {
-    /// How many operations the script has taken that this thread is asking.
+    /// Operations of the script that this thread asks.
     static SPENT: Cell<u64> = const { Cell::new(0) };
 }
 
-/// Asks a script something, and says how many operations that has taken.
+/// Returns the number of operations, too.
 pub fn counted<T>(ask: impl FnOnce() -> T) -> (T, u64) {
     SPENT.set(0);
     let answer = ask();
     (answer, SPENT.get())
 }
 
-/// The one engine. It knows no script and no home.
+/// It holds no script and no home.
 pub static ENGINE: LazyLock<Engine> = LazyLock::new(engine);
 
-/// The functions of the language that are there besides our own words, by name.
+/// Functions of Rhai that scripts can use, by name.
 pub fn standard_functions() -> &'static BTreeSet<String> {
     static NAMES: LazyLock<BTreeSet<String>> = LazyLock::new(|| {
         let signatures = ENGINE.gen_fn_signatures(true);
@@ -110,7 +111,7 @@ fn engine() -> Engine {
         let is_constant = name.starts_with(|c: char| c.is_ascii_uppercase());
         Ok(is_constant.then(|| around(context.tag()).ok()?.moment().constants.get(name).cloned()).flatten())
     });
-    engine.register_type_with_name::<Step>("step").register_type_with_name::<Around>("around");
+    engine.register_type_with_name::<ScriptStep>("step").register_type_with_name::<Around>("around");
     steps_of_places(&mut engine);
     steps_of_time(&mut engine);
     chance(&mut engine);
@@ -120,119 +121,120 @@ fn engine() -> Engine {
     engine
 }
 
-/// The moment that a script is asked at.
-fn around(tag: &Dynamic) -> Result<Around, Wrong> {
+fn around(tag: &Dynamic) -> Result<Around, ScriptError> {
     tag.clone().try_cast::<Around>().ok_or_else(|| wrong(ScriptMessage::NotAsked))
 }
 
-/// Does something with the moment of a call.
-fn with<T>(context: &NativeCallContext, act: impl FnOnce(&mut Moment) -> Result<T, Wrong>) -> Result<T, Wrong> {
+fn with<T>(
+    context: &NativeCallContext,
+    act: impl FnOnce(&mut ScriptMoment) -> Result<T, ScriptError>,
+) -> Result<T, ScriptError> {
     let tag = context.tag().ok_or_else(|| wrong(ScriptMessage::NotAsked))?;
     act(&mut around(tag)?.moment())
 }
 
-/// A step as a script said it.
-type Said = Result<Step, Wrong>;
+type StepResult = Result<ScriptStep, ScriptError>;
 
 fn steps_of_places(engine: &mut Engine) {
     engine
-        .register_fn("go", |context: NativeCallContext, place: &str| -> Said {
-            with(&context, |moment| Ok(Step::Go(moment.spot(place)?)))
+        .register_fn("go", |context: NativeCallContext, place: &str| -> StepResult {
+            with(&context, |moment| Ok(ScriptStep::Go(moment.spot(place)?)))
         })
-        .register_fn("go_to", |x: Dynamic, y: Dynamic| -> Said {
-            Ok(Step::GoTo(Point::new(number(&x, "x")?, number(&y, "y")?)))
+        .register_fn("go_to", |x: Dynamic, y: Dynamic| -> StepResult {
+            Ok(ScriptStep::GoTo(Point::new(number(&x, "x")?, number(&y, "y")?)))
         })
-        .register_fn("sit", |context: NativeCallContext, seat: &str| -> Said {
+        .register_fn("sit", |context: NativeCallContext, seat: &str| -> StepResult {
             with(&context, |moment| moment.seat(seat, Posture::Sitting))
         })
-        .register_fn("lie", |context: NativeCallContext, seat: &str| -> Said {
+        .register_fn("lie", |context: NativeCallContext, seat: &str| -> StepResult {
             with(&context, |moment| moment.seat(seat, Posture::Lying))
         })
-        .register_fn("stand", || Step::Stand)
-        .register_fn("step", |degrees: Dynamic, metres: Dynamic| -> Said {
+        .register_fn("stand", || ScriptStep::Stand)
+        .register_fn("step", |degrees: Dynamic, metres: Dynamic| -> StepResult {
             let (degrees, metres) = (number(&degrees, "the direction")?, number(&metres, "the distance")?);
             if metres <= 0.0 {
                 return Err(wrong(ScriptMessage::NegativeStep { distance_m: metres }));
             }
-            Ok(Step::Straight { degrees, metres: metres.min(crate::moment::LOOKS_M) })
+            Ok(ScriptStep::Straight { degrees, metres: metres.min(crate::moment::LOOKS_M) })
         });
     let turn = |on| {
-        move |context: NativeCallContext, thing: &str| -> Said {
-            with(&context, |moment| Ok(Step::Use { thing: moment.thing(thing)?, on }))
+        move |context: NativeCallContext, thing: &str| -> StepResult {
+            with(&context, |moment| Ok(ScriptStep::Use { thing: moment.thing(thing)?, on }))
         }
     };
     engine.register_fn("turn_on", turn(true)).register_fn("open", turn(true));
     engine.register_fn("turn_off", turn(false)).register_fn("close", turn(false));
-    engine.register_fn("use", |context: NativeCallContext, thing: &str, seconds: Dynamic| -> Said {
+    engine.register_fn("use", |context: NativeCallContext, thing: &str, seconds: Dynamic| -> StepResult {
         let left = span(&seconds)?;
         with(&context, |moment| {
             let (spot, thing) = (moment.spot(thing)?, moment.thing(thing)?);
-            let [on, off] = [true, false].map(|on| Step::Use { thing, on });
-            Ok(Step::All(vec![Step::Go(spot), on, Step::wait(left, None), off]))
+            let [on, off] = [true, false].map(|on| ScriptStep::Use { thing, on });
+            Ok(ScriptStep::All(vec![ScriptStep::Go(spot), on, ScriptStep::wait(left, None), off]))
         })
     });
-    engine.register_fn("leave_home", || Step::LeaveHome).register_fn("come_home", || Step::ComeHome);
+    engine.register_fn("leave_home", || ScriptStep::LeaveHome).register_fn("come_home", || ScriptStep::ComeHome);
 }
 
 fn steps_of_time(engine: &mut Engine) {
-    let wander = |kind| move |seconds: Dynamic| -> Said { Ok(Step::Wander { kind, left: span(&seconds)? }) };
+    let wander =
+        |kind| move |seconds: Dynamic| -> StepResult { Ok(ScriptStep::Wander { kind, left: span(&seconds)? }) };
     engine
-        .register_fn("wander", wander(Wandering::Random))
-        .register_fn("pace", wander(Wandering::Pacing))
-        .register_fn("lap", wander(Wandering::Lapping))
-        .register_fn("wait", |seconds: Dynamic| -> Said { Ok(Step::wait(span(&seconds)?, None)) })
-        .register_fn("wait", |seconds: Dynamic, name: &str| -> Said {
-            Ok(Step::wait(span(&seconds)?, Some(manner(name)?)))
+        .register_fn("wander", wander(WanderStyle::Random))
+        .register_fn("pace", wander(WanderStyle::Pacing))
+        .register_fn("lap", wander(WanderStyle::Lapping))
+        .register_fn("wait", |seconds: Dynamic| -> StepResult { Ok(ScriptStep::wait(span(&seconds)?, None)) })
+        .register_fn("wait", |seconds: Dynamic, name: &str| -> StepResult {
+            Ok(ScriptStep::wait(span(&seconds)?, Some(manner(name)?)))
         })
-        .register_fn("rest", |seconds: Dynamic| -> Said { Ok(Step::Rest { left: span(&seconds)? }) })
+        .register_fn("rest", |seconds: Dynamic| -> StepResult { Ok(ScriptStep::Rest { left: span(&seconds)? }) })
         .register_fn("activity", |label: &str| {
             let label = label.trim();
-            Step::Activity((!label.is_empty()).then(|| label.chars().take(LONGEST_LABEL).collect()))
+            ScriptStep::Activity((!label.is_empty()).then(|| label.chars().take(LONGEST_LABEL).collect()))
         })
-        .register_fn("instead", |list: Array| -> Said {
-            let mut steps = vec![Step::Instead];
+        .register_fn("instead", |list: Array| -> StepResult {
+            let mut steps = vec![ScriptStep::Instead];
             for step in list {
                 steps.push(to_step(step)?);
             }
-            Ok(Step::All(steps))
+            Ok(ScriptStep::All(steps))
         });
 }
 
 /// Largest number of characters of an activity's name (our choice).
 const LONGEST_LABEL: usize = 100;
 
-/// What a script answered as a step; a list is all of its steps.
-pub fn to_step(answer: Dynamic) -> Said {
+/// A list becomes one step.
+pub fn to_step(answer: Dynamic) -> StepResult {
     let of = answer.type_name();
-    if let Some(step) = answer.clone().try_cast::<Step>() {
+    if let Some(step) = answer.clone().try_cast::<ScriptStep>() {
         return Ok(step);
     }
     if let Ok(list) = answer.into_array() {
-        return Ok(Step::All(list.into_iter().map(to_step).collect::<Result<_, _>>()?));
+        return Ok(ScriptStep::All(list.into_iter().map(to_step).collect::<Result<_, _>>()?));
     }
     Err(wrong(ScriptMessage::NotAStep { found: type_name(of).to_owned() }))
 }
 
 fn chance(engine: &mut Engine) {
     engine
-        .register_fn("random", |context: NativeCallContext, stream: &str| -> Result<f64, Wrong> {
+        .register_fn("random", |context: NativeCallContext, stream: &str| -> Result<f64, ScriptError> {
             with(&context, |moment| Ok(moment.stream(stream)?.unit()))
         })
         .register_fn(
             "random",
-            |context: NativeCallContext, stream: &str, least: Dynamic, most: Dynamic| -> Result<f64, Wrong> {
+            |context: NativeCallContext, stream: &str, least: Dynamic, most: Dynamic| -> Result<f64, ScriptError> {
                 let (least, most) = (number(&least, "the lower limit")?, number(&most, "the upper limit")?);
                 with(&context, |moment| Ok(moment.stream(stream)?.between(least, most)))
             },
         )
         .register_fn(
             "chance",
-            |context: NativeCallContext, stream: &str, probability: Dynamic| -> Result<bool, Wrong> {
+            |context: NativeCallContext, stream: &str, probability: Dynamic| -> Result<bool, ScriptError> {
                 let probability = number(&probability, "the probability")?;
                 with(&context, |moment| Ok(moment.stream(stream)?.chance(probability)))
             },
         )
-        .register_fn("pick", |context: NativeCallContext, stream: &str, list: Array| -> Result<Dynamic, Wrong> {
+        .register_fn("pick", |context: NativeCallContext, stream: &str, list: Array| -> Result<Dynamic, ScriptError> {
             if list.is_empty() {
                 return Err(wrong(ScriptMessage::EmptyList));
             }
@@ -241,13 +243,13 @@ fn chance(engine: &mut Engine) {
         });
 }
 
-/// With libm, whose sines are the same everywhere.
+/// With libm, whose sines are equal on all machines.
 fn numbers(engine: &mut Engine) {
     let of = |function: fn(f64) -> f64| {
-        move |value: Dynamic| -> Result<f64, Wrong> { Ok(function(number(&value, "the value")?)) }
+        move |value: Dynamic| -> Result<f64, ScriptError> { Ok(function(number(&value, "the value")?)) }
     };
     let whole = |function: fn(f64) -> f64| {
-        move |value: Dynamic| -> Result<i64, Wrong> { Ok(function(number(&value, "the value")?) as i64) }
+        move |value: Dynamic| -> Result<i64, ScriptError> { Ok(function(number(&value, "the value")?) as i64) }
     };
     engine
         .register_fn("sin", of(|degrees| libm::sin(degrees.to_radians())))
@@ -285,13 +287,13 @@ fn questions(engine: &mut Engine) {
         .register_fn("distance", |around: &mut Around, place: &str| around.moment().distance(place))
         .register_fn("can_reach", |around: &mut Around, place: &str| around.moment().can_reach(place))
         .register_fn("toward", |around: &mut Around, place: &str| around.moment().toward(place))
-        .register_fn("free", |around: &mut Around, degrees: Dynamic| -> Result<f64, Wrong> {
+        .register_fn("free", |around: &mut Around, degrees: Dynamic| -> Result<f64, ScriptError> {
             let degrees = number(&degrees, "the direction")?;
             Ok(around.moment().free(degrees))
         });
 }
 
-/// The signatures of the words that are ours, as the engine has them.
+/// The signatures of all words, as the engine registers them.
 pub fn known_words() -> Vec<String> {
     ENGINE.gen_fn_signatures(false)
 }

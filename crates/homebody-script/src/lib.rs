@@ -1,19 +1,15 @@
-//! Residents whose driver is a script in the scenario's folder, for what the language of routines cannot say.
+//! Residents whose driver is a script in the scenario's folder, for decisions that routines cannot express.
 //!
-//! A script is asked what comes next whenever the body is free. It answers in the words of [`vocabulary`]: go, sit, use,
-//! wait. What it sees is what every driver sees; what it draws, it draws from named streams of the run's seed. It reads no
-//! clock and no file, and what it remembers is copied with the driver. One that runs away is stopped with a message.
+//! A script is asked for the next steps whenever the body is free, and answers in the words of [`vocabulary`]: go, sit,
+//! use, wait. It sees the same surroundings as every driver and draws from named streams of the run's seed. It reads no
+//! clock and no file, and its memory is copied with the driver. A script that does not end is stopped with a message.
 //!
-//! The language is [Rhai](https://rhai.rs). [`Program::read`] checks a text as far as that can be done before a run, and
-//! [`ScriptDriver`] lives by it. This crate knows no sensors, logs or files.
+//! The language is [Rhai](https://rhai.rs). [`Program::read`] checks a text as far as possible before a run, and
+//! [`ScriptDriver`] drives a resident by it. This crate knows no sensors, logs or files.
 
-#![warn(missing_docs)]
-
-// What can be said, and what each word wants.
 pub mod vocabulary;
 mod step;
 
-// What a script is asked with, and how it is read and asked.
 mod cast;
 mod names;
 mod moment;
@@ -22,12 +18,11 @@ mod check;
 mod messages;
 mod program;
 
-// Who lives by it.
 mod driver;
 
 pub use cast::Cast;
 pub use driver::ScriptDriver;
 pub use engine::{known_words, standard_functions};
 pub use messages::ScriptMessage;
-pub use names::Names;
+pub use names::ScriptNames;
 pub use program::Program;

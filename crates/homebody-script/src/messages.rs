@@ -1,5 +1,3 @@
-//! The messages about scripts.
-
 use homebody_core::problem::{Advice, counted};
 
 homebody_core::messages! {
@@ -7,9 +5,7 @@ homebody_core::messages! {
     pub enum ScriptMessage in "script" {
         /// The text does not follow the syntax of Rhai, the language of scripts.
         Syntax {
-            /// The message of the parser.
             what: String,
-            /// The hint.
             help: Option<String>,
         } error "syntax" ("the script has a syntax error: {what}")
             advice (help.clone());
@@ -22,31 +18,24 @@ homebody_core::messages! {
             hint ("move it into fn next(around); a script has functions and constants only");
         /// Functions see the constants of a script only if their names begin with a capital letter.
         ConstantName {
-            /// The name.
             name: String,
         } error "constant-name" ("the constant {name} does not begin with a capital letter")
             hint ("write the name in capital letters");
         /// Homebody calls `next` whenever the resident has nothing left to do. Every script needs it.
         NoNext {
-            /// The beginning of the function.
             form: String,
         } error "no-next" ("the script has no function next")
             hint ("write {form} {{ .. }}, which returns a step such as wait(60)");
         /// Homebody calls this function with a fixed number of values.
         Parameters {
-            /// The name of the function.
             function: String,
-            /// The parameters that it has.
             parameters: usize,
-            /// The beginning of the function.
             form: String,
         } error "parameters" ("the function {function} cannot have {parameters}", parameters = counted(*parameters, "parameter", "parameters"))
             hint ("write {form}");
         /// A variable ends with its function. `this` keeps values from one decision to the next.
         UnknownVariable {
-            /// The name.
             name: String,
-            /// The nearest known name.
             near: Option<String>,
         } error "unknown-variable" ("there is no variable {name}")
             advice (Some(match near {
@@ -55,102 +44,76 @@ homebody_core::messages! {
             }));
         /// `around` is what the resident sees at the moment of a decision. The reference of scripts lists its properties.
         UnknownProperty {
-            /// The name.
             name: String,
-            /// The hint.
             help: String,
         } error "unknown-property" ("there is no property around.{name}")
             hint ("{help}");
         /// The name is not a function of the script, of Homebody or of Rhai. Some functions of Rhai, such as `eval`, are left out.
         UnknownFunction {
-            /// The name, or its signature.
             name: String,
-            /// The hint.
             help: Option<String>,
         } error "unknown-function" ("there is no function {name}")
             advice (help.clone());
         /// This word of Homebody has another number of values.
         ValueCount {
-            /// The word.
             word: String,
-            /// The values that are given.
             values: usize,
-            /// The ways to write it.
             forms: Vec<String>,
         } error "value-count" ("{word} does not take {values}", values = counted(*values, "value", "values"))
             hint ("write {forms}", forms = forms.join(" or "));
         /// A constant or a literal value has a type that this word does not take.
         ValueType {
-            /// The word.
             word: String,
-            /// The name of the value in the reference.
             parameter: String,
-            /// The type that it needs.
             wanted: String,
-            /// The type that it has.
             found: String,
         } error "value-type" ("{word} needs {wanted} as {parameter}, and this is {found}");
         /// Steps take time, so that the simulation can continue.
         Duration {
-            /// The duration in seconds.
             duration_s: f64,
         } error "duration" ("a step cannot last {duration_s} seconds")
             hint ("write a number of seconds above 0");
         /// Scripts name places, furniture, things and rooms as `home.json` does.
         UnknownName {
-            /// `place`, `seat`, `thing` or `room`.
             noun: String,
-            /// The name.
             name: String,
-            /// The hint.
             help: Advice,
         } error "unknown-name" ("the home has no {noun} {name:?}")
             advice (Some(help.clone()));
         /// The manner decides how much a resident moves while waiting. The reference of scripts lists the manners.
         UnknownManner {
-            /// The name.
             name: String,
-            /// The hint.
             help: Advice,
         } error "unknown-manner" ("there is no manner {name:?}")
             advice (Some(help.clone()));
         /// Only pieces of furniture that a resident can get on or into have a place to sit or lie.
         NotASeat {
-            /// `sit` or `lie`.
             verb: String,
-            /// The name of the place.
             place: String,
         } error "not-a-seat" ("a resident cannot {verb} at {place:?}")
             hint ("name a piece of furniture that is \"enterable\", or use go(..) to stand next to this one");
         /// Each name of a stream is a new source of random numbers. The limit is our choice.
         TooManyStreams {
-            /// The limit.
             most: usize,
         } error "too-many-streams" ("the script draws random numbers from more than {most} streams")
             hint ("name streams by their purpose, not by numbers");
         /// This word takes numbers only.
         NotANumber {
-            /// The meaning of the value.
             value: String,
-            /// The type that it has.
             found: String,
         } error "not-a-number" ("{value} must be a number, and this is {found}");
         /// A division by zero and similar calculations have no finite result.
         NotFinite {
-            /// The meaning of the value.
             value: String,
-            /// The result.
             number: String,
         } error "not-finite" ("{value} must be finite, and this is {number}");
         /// `step(degrees, metres)` goes forward in a direction.
         NegativeStep {
-            /// The distance in metres.
             distance_m: f64,
         } error "negative-step" ("step(..) cannot go {distance_m} metres")
             hint ("turn round instead: add 180 degrees");
         /// Homebody asks the script for the next step, and the script returned another value.
         NotAStep {
-            /// The type that it has.
             found: String,
         } error "not-a-step" ("the script returned {found}, but Homebody expects a step")
             hint ("return a step, such as wait(60), or a list of steps");
@@ -161,19 +124,16 @@ homebody_core::messages! {
         NotAsked error "not-asked" ("this word works only in functions that Homebody calls");
         /// The script decides again and again, and none of its steps takes time, so the run would not continue.
         NoTime {
-            /// The limit.
             most: u32,
         } error "no-time" ("the script made {most} decisions in a row that take no time")
             hint ("return a step that takes time, such as wait(60)");
         /// All decisions of an hour together have a limit, so that one script cannot hold up a run. The limit is our choice.
         SlowHour {
-            /// The limit.
             most: u64,
         } error "slow-hour" ("the script takes more than {most} operations in one hour of the run")
             hint ("let the script decide less often, or do less work for each decision");
         /// A single decision has a limit, so that an endless loop ends with a message. The limit is our choice.
         SlowDecision {
-            /// The limit.
             most: u64,
         } error "slow-decision" ("the script takes more than {most} operations for one decision")
             hint ("end the loop, or spread the work over several decisions");
@@ -182,7 +142,6 @@ homebody_core::messages! {
             hint ("check that each function that calls itself stops after some calls");
         /// Homebody takes the steps of a script one after the other. The limit of waiting steps is our choice.
         TooManySteps {
-            /// The limit.
             most: usize,
         } error "too-many-steps" ("the script has returned too many steps: more than {most} are waiting")
             hint ("return the next steps only; decide on the rest later");
@@ -191,7 +150,6 @@ homebody_core::messages! {
             hint ("write \"outside\": true for one of the doors in home.json");
         /// Furniture or a closed door blocks every way to this place.
         NoWay {
-            /// The name of the place.
             place: String,
         } error "no-way" ("there is no way to {place:?}")
             hint ("check the way first, with around.can_reach(..)");
@@ -203,19 +161,16 @@ homebody_core::messages! {
             hint ("return a map, such as #{{ rounds: 0 }}");
         /// A value was read from `this` before the script stored it there.
         NotRemembered {
-            /// The name.
             name: String,
         } error "not-remembered" ("the script reads this.{name}, but has stored no value there")
             hint ("give it a value in fn begin(), such as #{{ rounds: 0 }}");
         /// An operation got the empty value `()`, usually because nothing was remembered under a name yet.
         MissingValue {
-            /// The operation with the types of its values.
             signature: String,
         } error "missing-value" ("a value is missing in {signature}, where () stands for the empty value")
             hint ("give the remembered value a first value in fn begin(), such as #{{ rounds: 0 }}");
         /// The script ended itself with `throw`, or Rhai stopped it for the given reason.
         Failed {
-            /// The text that was thrown, or the message of Rhai.
             what: String,
         } error "failed" ("the script failed: {what}");
     }

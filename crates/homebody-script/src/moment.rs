@@ -1,23 +1,22 @@
-//! What a script is asked with: its surroundings at an instant, and the streams that it draws from.
+//! The input of a script: the surroundings at an instant, and its random streams.
 
 use crate::cast::Cast;
 use crate::messages::ScriptMessage;
-use crate::step::Step;
+use crate::step::ScriptStep;
 use homebody_core::drivers::Surroundings;
 use homebody_core::geometry::Point;
-use homebody_core::home::plan::Plan;
+use homebody_core::nearest::nearest;
+use homebody_core::plan::Plan;
+use homebody_core::posture::Posture;
 use homebody_core::problem::{Advice, Diagnostic};
 use homebody_core::random::Stream;
-use homebody_core::scenario::nearest::nearest;
-use homebody_core::scenario::path::Posture;
-use homebody_core::time::{Micros, micros, seconds};
+use homebody_core::time::{RunTime, Span};
 use homebody_walk::manner::Manner;
-use homebody_walk::places::Spot;
+use homebody_walk::places::HomePlace;
 use rhai::{Dynamic, EvalAltResult, Map, Position};
 use std::collections::BTreeMap;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
-/// The streams that a script has drawn from, by name.
 pub type Streams = BTreeMap<String, Stream>;
 
 /// Largest number of streams of a resident's script (our choice).
@@ -32,65 +31,68 @@ pub const SHORTEST_S: f64 = 0.1;
 /// Distance that a script can look ahead for obstacles, in metres (our choice).
 pub const LOOKS_M: f64 = 5.0;
 
-/// The constants of a script, by name.
 pub type Constants = Arc<BTreeMap<String, Dynamic>>;
 
-/// A message of ours, raised where the script called.
-pub type Wrong = Box<EvalAltResult>;
+/// A message of Homebody, raised at the call.
+pub type ScriptError = Box<EvalAltResult>;
 
-/// An error of Rhai that carries a message; the place of the call is added later.
-pub fn wrong(message: ScriptMessage) -> Wrong {
+/// The position is added later.
+pub fn wrong(message: ScriptMessage) -> ScriptError {
     EvalAltResult::ErrorRuntime(Dynamic::from(Diagnostic::from(message)), Position::NONE).into()
 }
 
-/// `around` as scripts have it. Copies are the same moment, which is over once the script has decided.
+/// `around` of scripts. Copies share the moment, which ends once the script has decided.
 #[derive(Clone)]
-pub struct Around(Arc<Mutex<Moment>>);
+pub struct Around(Arc<Mutex<ScriptMoment>>);
 
-/// An instant as one resident sees it.
-pub struct Moment {
+/// The surroundings of one resident at an instant.
+pub struct ScriptMoment {
     pub cast: Arc<Cast>,
-    /// Of the script.
     pub constants: Constants,
-    pub now: Micros,
-    /// The own body; `None` while one is out.
+    pub now: RunTime,
+    /// `None` while the resident is out.
     pub body: Option<(Point, Posture)>,
-    /// The place that one went to last.
+    /// The last destination.
     pub place: String,
-    /// Who else is at home.
-    pub others: Vec<Other>,
+    /// At home.
+    pub others: Vec<OtherResident>,
     /// By thing of the plan.
     pub on: Vec<bool>,
     pub streams: Streams,
 }
 
-/// Somebody else.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Other {
+pub struct OtherResident {
     pub index: usize,
     pub at: Point,
     pub posture: Posture,
 }
 
 impl Around {
-    pub fn new(moment: Moment) -> Around {
+    pub fn new(moment: ScriptMoment) -> Around {
         Around(Arc::new(Mutex::new(moment)))
     }
 
-    pub fn moment(&self) -> MutexGuard<'_, Moment> {
+    pub fn moment(&self) -> MutexGuard<'_, ScriptMoment> {
         self.0.lock().unwrap_or_else(PoisonError::into_inner)
     }
 }
 
-impl Moment {
-    pub fn new(cast: Arc<Cast>, constants: Constants, around: &Surroundings, place: &str, streams: Streams) -> Moment {
+impl ScriptMoment {
+    pub fn new(
+        cast: Arc<Cast>,
+        constants: Constants,
+        around: &Surroundings,
+        place: &str,
+        streams: Streams,
+    ) -> ScriptMoment {
         let others = around.others();
-        let other = |body: homebody_core::drivers::Body| Other {
+        let other = |body: homebody_core::drivers::PlacedBody| OtherResident {
             index: body.resident.index(),
             at: body.at,
             posture: body.posture,
         };
-        Moment {
+        ScriptMoment {
             now: around.now(),
             body: around.body().map(|body| (body.at, body.posture)),
             place: place.into(),
@@ -138,16 +140,16 @@ impl Moment {
     }
 
     pub fn now_s(&self) -> f64 {
-        seconds(self.now)
+        self.now.seconds()
     }
 
-    /// Where one is; the middle of nothing while one is out.
+    /// The origin while the resident is out.
     pub fn at(&self) -> Point {
         self.body.map_or(Point::ZERO, |(at, _)| at)
     }
 
     pub fn others(&self) -> Vec<Dynamic> {
-        let other = |other: &Other| {
+        let other = |other: &OtherResident| {
             let name = self.cast.names.get(other.index).cloned().unwrap_or_default();
             let map: Map = [
                 ("name", Dynamic::from(name)),
@@ -165,33 +167,33 @@ impl Moment {
         self.others.iter().map(other).collect()
     }
 
-    pub fn who(&self, room: &str) -> Result<Vec<Dynamic>, Wrong> {
+    pub fn who(&self, room: &str) -> Result<Vec<Dynamic>, ScriptError> {
         let room = self.room_named(room)?;
         let there = self.others.iter().filter(|other| self.plan().room_at(other.at) == Some(room));
         Ok(there.map(|other| Dynamic::from(self.cast.names.get(other.index).cloned().unwrap_or_default())).collect())
     }
 
-    fn room_named(&self, name: &str) -> Result<usize, Wrong> {
+    fn room_named(&self, name: &str) -> Result<usize, ScriptError> {
         let rooms = || self.plan().rooms.iter();
         let room = rooms().position(|room| room.name.eq_ignore_ascii_case(name));
         room.ok_or_else(|| unknown("room", name, rooms().map(|room| room.name.as_str())))
     }
 
-    pub fn thing(&self, name: &str) -> Result<u32, Wrong> {
+    pub fn thing(&self, name: &str) -> Result<u32, ScriptError> {
         let thing = self.cast.places.thing_named(name);
         thing.ok_or_else(|| unknown("thing", name, self.plan().things.iter().map(|thing| thing.name.as_str())))
     }
 
-    pub fn is_on(&self, name: &str) -> Result<bool, Wrong> {
+    pub fn is_on(&self, name: &str) -> Result<bool, ScriptError> {
         Ok(self.on[self.thing(name)? as usize])
     }
 
-    pub fn is_light(&self, room: &str) -> Result<bool, Wrong> {
+    pub fn is_light(&self, room: &str) -> Result<bool, ScriptError> {
         let room = self.room_named(room)?;
         Ok(!self.is_dark() || self.on[self.cast.places.lamp(room) as usize])
     }
 
-    pub fn spot(&self, name: &str) -> Result<Spot, Wrong> {
+    pub fn spot(&self, name: &str) -> Result<HomePlace, ScriptError> {
         if let Some(spot) = self.cast.places.named(name) {
             return Ok(spot.clone());
         }
@@ -201,25 +203,24 @@ impl Moment {
         Err(unknown("place", name, known.chain(things).chain(rooms)))
     }
 
-    /// A place at which one sits or lies.
-    pub fn seat(&self, name: &str, posture: Posture) -> Result<Step, Wrong> {
+    pub fn seat(&self, name: &str, posture: Posture) -> Result<ScriptStep, ScriptError> {
         let spot = self.spot(name)?;
         if spot.posture == Posture::Standing {
             return Err(wrong(ScriptMessage::NotASeat { verb: verb(posture).to_owned(), place: name.to_owned() }));
         }
-        Ok(Step::Go(Spot { posture, ..spot }))
+        Ok(ScriptStep::Go(HomePlace { posture, ..spot }))
     }
 
-    pub fn distance(&self, place: &str) -> Result<f64, Wrong> {
+    pub fn distance(&self, place: &str) -> Result<f64, ScriptError> {
         Ok(self.spot(place)?.at.distance(self.at()))
     }
 
-    pub fn can_reach(&self, place: &str) -> Result<bool, Wrong> {
+    pub fn can_reach(&self, place: &str) -> Result<bool, ScriptError> {
         let to = self.spot(place)?.at;
         Ok(self.body.is_some_and(|(at, _)| self.cast.mesh.can_reach(at, to)))
     }
 
-    pub fn toward(&self, place: &str) -> Result<f64, Wrong> {
+    pub fn toward(&self, place: &str) -> Result<f64, ScriptError> {
         let (at, to) = (self.at(), self.spot(place)?.at);
         let path = self.body.and_then(|_| self.cast.mesh.path(at, to)).unwrap_or_default();
         let corner = path.into_iter().find(|corner| corner.distance(at) > 0.05).unwrap_or(to);
@@ -231,8 +232,8 @@ impl Moment {
         self.body.map_or(0.0, |(at, _)| self.cast.mesh.free_way(at, degrees, LOOKS_M))
     }
 
-    /// A stream of the script's own, which no other resident and no sensor draws from.
-    pub fn stream(&mut self, name: &str) -> Result<&mut Stream, Wrong> {
+    /// A stream of this script alone.
+    pub fn stream(&mut self, name: &str) -> Result<&mut Stream, ScriptError> {
         if self.streams.len() >= MOST_STREAMS && !self.streams.contains_key(name) {
             return Err(wrong(ScriptMessage::TooManyStreams { most: MOST_STREAMS }));
         }
@@ -245,12 +246,10 @@ fn verb(posture: Posture) -> &'static str {
     if posture == Posture::Lying { "lie" } else { "sit" }
 }
 
-/// What is said of a name that there is none of.
-pub fn unknown<'a>(noun: &str, name: &str, known: impl Iterator<Item = &'a str>) -> Wrong {
+pub fn unknown<'a>(noun: &str, name: &str, known: impl Iterator<Item = &'a str>) -> ScriptError {
     wrong(unknown_name(noun, name, known))
 }
 
-/// The same as a message.
 pub fn unknown_name<'a>(noun: &str, name: &str, known: impl Iterator<Item = &'a str>) -> ScriptMessage {
     ScriptMessage::UnknownName { noun: noun.to_owned(), name: name.to_owned(), help: nearest_or_all(name, known) }
 }
@@ -269,8 +268,7 @@ fn nearest_or_all<'a>(name: &str, known: impl Iterator<Item = &'a str>) -> Advic
     }
 }
 
-/// A number as a script wrote it, whole or not.
-pub fn number(value: &Dynamic, what: &str) -> Result<f64, Wrong> {
+pub fn number(value: &Dynamic, what: &str) -> Result<f64, ScriptError> {
     let number = value.as_float().or_else(|_| value.as_int().map(|whole| whole as f64));
     let value = || what.to_owned();
     let number =
@@ -281,26 +279,22 @@ pub fn number(value: &Dynamic, what: &str) -> Result<f64, Wrong> {
     }
 }
 
-/// A span as a script wrote it, in seconds.
-pub fn span(value: &Dynamic) -> Result<Micros, Wrong> {
+pub fn span(value: &Dynamic) -> Result<Span, ScriptError> {
     let seconds = number(value, "the duration")?;
     if seconds <= 0.0 {
         return Err(wrong(ScriptMessage::Duration { duration_s: seconds }));
     }
-    Ok(micros(seconds.clamp(SHORTEST_S, LONGEST_S)))
+    Ok(Span::from_seconds(seconds.clamp(SHORTEST_S, LONGEST_S)))
 }
 
-/// The manner of a name.
-pub fn manner(name: &str) -> Result<Manner, Wrong> {
+pub fn manner(name: &str) -> Result<Manner, ScriptError> {
     Manner::named(name).ok_or_else(|| wrong(unknown_manner(name)))
 }
 
-/// The message about a manner with an unknown name.
 pub fn unknown_manner(name: &str) -> ScriptMessage {
     ScriptMessage::UnknownManner { name: name.to_owned(), help: nearest_or_all(name, Manner::names()) }
 }
 
-/// What people call a type of Rhai.
 pub fn type_name(of: &str) -> &str {
     match of {
         "string" | "&str" => "text",

@@ -1,10 +1,8 @@
-//! A script that was read and checked, and what becomes of it when it is asked.
-
 use crate::check;
 use crate::engine::ENGINE;
 use crate::messages::ScriptMessage;
 use crate::moment::{Around, Constants};
-use crate::names::{BEGIN, NEXT, NOTICE, Names};
+use crate::names::{BEGIN, NEXT, NOTICE, ScriptNames};
 use homebody_core::problem::{Diagnostic, Excerpt, Problem, readable};
 use rhai::{AST, CallFnOptions, Dynamic, EvalAltResult, Map, ParseErrorType, Position, Scope};
 use std::collections::BTreeMap;
@@ -21,12 +19,13 @@ pub struct Program {
 }
 
 impl Program {
-    /// Reads a script, and says all that can be known to be wrong with it before a run.
+    ///
+    /// Reads and checks a script.
     ///
     /// # Errors
     ///
-    /// The problems of the text, each with its place.
-    pub fn read(file: &str, text: &str, names: &Names) -> Result<Program, Vec<Problem>> {
+    /// The problems of the text, each with its position.
+    pub fn read(file: &str, text: &str, names: &ScriptNames) -> Result<Program, Vec<Problem>> {
         let at = |position, message: Diagnostic| problem(file, text, position, 1, message);
         let ast = match ENGINE.compile(text) {
             Ok(ast) => ast,
@@ -42,7 +41,7 @@ impl Program {
         let constants = match constants(&ast) {
             Ok(constants) => constants,
             Err(error) => {
-                let (position, message) = told(*error);
+                let (position, message) = diagnostic(*error);
                 return Err(vec![at(position, message)]);
             }
         };
@@ -55,17 +54,14 @@ impl Program {
         Ok(Program { file: file.into(), text: text.into(), ast, constants: Arc::new(constants), notices })
     }
 
-    /// Whether it is to be asked when something has changed.
     pub fn notices(&self) -> bool {
         self.notices
     }
 
-    /// The constants of the script.
     pub(crate) fn constants(&self) -> Constants {
         self.constants.clone()
     }
 
-    /// What is remembered at the beginning.
     pub(crate) fn begin(&self, around: &Around) -> Result<Dynamic, String> {
         if !has(&self.ast, BEGIN) {
             return Ok(Dynamic::from(Map::new()));
@@ -76,12 +72,10 @@ impl Program {
         if memory.is_map() { Ok(memory) } else { Err(self.at_function(BEGIN, ScriptMessage::NotAMap)) }
     }
 
-    /// The answer to what comes next.
     pub(crate) fn next(&self, around: &Around, memory: &mut Dynamic) -> Result<Dynamic, String> {
         self.ask(NEXT, around, memory)
     }
 
-    /// The answer to what has changed.
     pub(crate) fn notice(&self, around: &Around, memory: &mut Dynamic) -> Result<Dynamic, String> {
         self.ask(NOTICE, around, memory)
     }
@@ -93,20 +87,19 @@ impl Program {
         answer.map_err(|error| self.why(*error))
     }
 
-    /// An error of a run, in words with its place.
+    /// The text of an error, with its position.
     pub(crate) fn why(&self, error: EvalAltResult) -> String {
-        let (position, message) = told(error);
+        let (position, message) = diagnostic(error);
         let position = if position.is_none() { self.function(NEXT) } else { position };
         shown(&problem(&self.file, &self.text, position, 1, message))
     }
 
-    /// What is wrong with the answer of `next`.
     pub(crate) fn answered(&self, error: EvalAltResult) -> String {
-        let (_, message) = told(error);
+        let (_, message) = diagnostic(error);
         shown(&problem(&self.file, &self.text, self.function(NEXT), 1, message))
     }
 
-    /// What is wrong with all of the decisions rather than with a line.
+    /// A problem of all decisions, and not of a line.
     pub(crate) fn at_next(&self, message: ScriptMessage) -> String {
         self.at_function(NEXT, message)
     }
@@ -115,7 +108,6 @@ impl Program {
         shown(&problem(&self.file, &self.text, self.function(name), 1, message.into()))
     }
 
-    /// Where a function of the script begins.
     fn function(&self, name: &str) -> Position {
         let line = self.text.lines().position(|line| {
             let rest = line.trim_start().strip_prefix("fn ").map(str::trim_start);
@@ -129,14 +121,13 @@ fn has(ast: &AST, name: &str) -> bool {
     ast.iter_functions().any(|function| function.name == name)
 }
 
-/// The constants of a script, which are what it has besides functions.
+/// All variables that remain after evaluation.
 fn constants(ast: &AST) -> Result<BTreeMap<String, Dynamic>, Box<EvalAltResult>> {
     let mut scope = Scope::new();
     ENGINE.run_ast_with_scope(&mut scope, ast)?;
     Ok(scope.iter().map(|(name, _, value)| (name.to_owned(), value)).collect())
 }
 
-/// A problem at a place of a script.
 fn problem(file: &str, text: &str, position: Position, width: usize, message: Diagnostic) -> Problem {
     let problem = Problem::of_file(file, message, None);
     let Some(line) = position.line() else { return problem };
@@ -147,7 +138,7 @@ fn problem(file: &str, text: &str, position: Position, width: usize, message: Di
     Problem { line: line as u32, column: column as u32, excerpt, ..problem }
 }
 
-/// A problem in the middle of a run as text: its place, its code, its words and its hint.
+/// As text: position, code, message and hint.
 fn shown(problem: &Problem) -> String {
     let place = match problem.line {
         0 => problem.file.clone(),
@@ -156,7 +147,6 @@ fn shown(problem: &Problem) -> String {
     readable(format!("{place}: {}{}", problem.label(), problem.text()))
 }
 
-/// The message about a text with a syntax error.
 fn misspelt(error: &ParseErrorType) -> ScriptMessage {
     let text = error.to_string();
     let help = match () {
@@ -169,13 +159,12 @@ fn misspelt(error: &ParseErrorType) -> ScriptMessage {
     ScriptMessage::Syntax { what: format!("{first}{}", letters.as_str()), help }
 }
 
-/// The place of an error, and its message.
-fn told(error: EvalAltResult) -> (Position, Diagnostic) {
+fn diagnostic(error: EvalAltResult) -> (Position, Diagnostic) {
     use EvalAltResult as Raised;
     let position = error.position();
     let message = match error {
         Raised::ErrorInFunctionCall(_, _, inner, at) => {
-            let (position, message) = told(*inner);
+            let (position, message) = diagnostic(*inner);
             return (if position.is_none() { at } else { position }, message);
         }
         Raised::ErrorRuntime(value, _) => {

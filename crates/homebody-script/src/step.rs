@@ -1,70 +1,79 @@
-//! What a script says is to be done.
+//! The steps of scripts.
 
 use homebody_core::geometry::Point;
-use homebody_core::scenario::path::Posture;
-use homebody_core::time::Micros;
-use homebody_walk::Wandering;
+use homebody_core::posture::Posture;
+use homebody_core::time::Span;
+use homebody_walk::WanderStyle;
 use homebody_walk::manner::Manner;
-use homebody_walk::places::Spot;
+use homebody_walk::places::HomePlace;
 
-/// One step. Names are resolved as it is said.
+/// Names are resolved when the script calls the word.
 #[derive(Clone, Debug)]
-pub enum Step {
-    /// To a place, and to be there so.
-    Go(Spot),
-    /// To a point that anybody may have computed: where no way leads there, one stays.
+pub enum ScriptStep {
+    Go(HomePlace),
+    /// Without a route, the body stays.
     GoTo(Point),
-    /// Up, and out of the seat.
+    /// Rises, and leaves the seat.
     Stand,
-    /// Straight ahead.
-    Straight { degrees: f64, metres: f64 },
-    /// Without a goal.
-    Wander { kind: Wandering, left: Micros },
-    /// Staying, with movements; those of the posture where no manner was said.
-    Wait { left: Micros, manner: Option<Manner>, stirs: bool },
-    /// Staying without a movement.
-    Rest { left: Micros },
-    /// A thing is turned on or opened, or off or closed.
-    Use { thing: u32, on: bool },
-    /// What follows is called so.
+    Straight {
+        degrees: f64,
+        metres: f64,
+    },
+    Wander {
+        kind: WanderStyle,
+        left: Span,
+    },
+    /// Stays with movements; without a manner, those of the posture.
+    Wait {
+        left: Span,
+        manner: Option<Manner>,
+        stirs: bool,
+    },
+    /// Stays without movements.
+    Rest {
+        left: Span,
+    },
+    /// Turns on or opens, or turns off or closes.
+    Use {
+        thing: u32,
+        on: bool,
+    },
+    /// Sets the label of what follows.
     Activity(Option<String>),
-    /// Out of the home by its front door.
+    /// Out by the front door.
     LeaveHome,
-    /// What is left of that behind the door.
+    /// The rest of that, behind the door.
     Outside,
     /// In by the front door.
     ComeHome,
-    /// What was to be done is dropped.
+    /// Drops all waiting steps.
     Instead,
-    /// Several, one after the other.
-    All(Vec<Step>),
+    All(Vec<ScriptStep>),
 }
 
-impl Step {
-    /// Waiting from an instant on at which one does not move.
-    pub fn wait(left: Micros, manner: Option<Manner>) -> Step {
-        Step::Wait { left, manner, stirs: false }
+impl ScriptStep {
+    /// Begins with a pause.
+    pub fn wait(left: Span, manner: Option<Manner>) -> ScriptStep {
+        ScriptStep::Wait { left, manner, stirs: false }
     }
 
-    /// Whether it takes no time wherever the body is.
+    /// In any place of the body.
     pub fn is_instant(&self) -> bool {
         match self {
-            Step::Use { .. } | Step::Activity(_) => true,
-            Step::All(steps) => steps.iter().all(Step::is_instant),
+            ScriptStep::Use { .. } | ScriptStep::Activity(_) => true,
+            ScriptStep::All(steps) => steps.iter().all(ScriptStep::is_instant),
             _ => false,
         }
     }
 
-    /// Whether what was still to be done is dropped for it.
     pub fn drops_the_rest(&self) -> bool {
         match self {
-            Step::Instead => true,
-            Step::All(steps) => steps.iter().any(Step::drops_the_rest),
+            ScriptStep::Instead => true,
+            ScriptStep::All(steps) => steps.iter().any(ScriptStep::drops_the_rest),
             _ => false,
         }
     }
 
-    /// How one stirs where nothing is said of it.
     pub fn usual_manner(posture: Posture) -> Manner {
         match posture {
             Posture::Standing | Posture::Bending | Posture::Kneeling => Manner::BUSY,

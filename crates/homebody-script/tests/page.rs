@@ -1,7 +1,7 @@
 //! The tables of the page about scripts come from the vocabulary.
 
-use homebody_script::vocabulary::{CHANCE, QUESTIONS, SEEN, STEPS, Word};
-use homebody_script::{Names, Program, standard_functions};
+use homebody_script::vocabulary::{CHANCE, QUESTIONS, SEEN, STEPS, ScriptWord};
+use homebody_script::{Program, ScriptNames, standard_functions};
 use std::fmt::Write;
 use std::path::PathBuf;
 
@@ -12,7 +12,7 @@ fn path() -> PathBuf {
     PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../../docs/reference/scripts.md")
 }
 
-fn table(text: &mut String, heading: &str, before: &str, words: &[Word]) {
+fn table(text: &mut String, heading: &str, before: &str, words: &[ScriptWord]) {
     let _ = write!(text, "### {heading}\n\n| word | effect |\n|---|---|\n");
     for word in words {
         let wants: Vec<&str> = word.wants.iter().map(|(name, _)| *name).collect();
@@ -84,7 +84,7 @@ fn values(list: &str) -> usize {
 fn every_script_on_the_page_can_be_read() {
     let page = std::fs::read_to_string(path()).unwrap();
     let names = |list: &str| list.split(", ").map(String::from).collect::<Vec<_>>();
-    let home = Names {
+    let home = ScriptNames {
         places: names("kitchen, hall, armchair, bed, front door, stove"),
         seats: names("armchair, bed"),
         things: names("hall, stove, front door, door bell"),

@@ -1,31 +1,29 @@
-//! The body of somebody who lives in a home: where it is, how it gets from place to place.
+//! A resident's body: its place, and its movements between places.
 
 use crate::gait::{Gait, rise, sit, walk};
 use crate::mesh::Mesh;
-use crate::places::Spot;
+use crate::places::HomePlace;
 use crate::routes::Routes;
-use crate::schemas::{Wanderers, Wandering, wander};
-use homebody_core::drivers::MotionSegment;
-use homebody_core::event::MotionState;
+use crate::schemas::{WanderStyle, Wanderers, wander};
 use homebody_core::geometry::Point;
 use homebody_core::home::Home;
+use homebody_core::motion::{MotionSegment, MotionState};
+use homebody_core::posture::Posture;
 use homebody_core::random::Stream;
-use homebody_core::scenario::path::Posture;
-use homebody_core::time::{Micros, SECOND, micros};
+use homebody_core::time::{RunTime, SECOND, Span};
 use std::sync::Arc;
 
-/// Where a body is, and what it walks by.
 #[derive(Clone, Debug)]
-pub struct Body {
+pub struct WalkingBody {
     home: Arc<Home>,
     routes: Routes,
     pace_mps: f64,
     at: Point,
     posture: Posture,
-    spot: Option<Spot>,
+    spot: Option<HomePlace>,
 }
 
-/// Nearer than this is there.
+/// Distance within which a body is already at a place.
 pub const THERE_M: f64 = 0.01;
 
 homebody_core::numbers! {
@@ -40,23 +38,30 @@ homebody_core::numbers! {
     static SITTING_UP_AMPLITUDE_M = "body.sitting_up_amplitude": 0.4, "m", [0.0, 1.0];
 }
 
-impl Body {
-    /// A body that is nowhere yet, of somebody who usually walks so fast.
-    pub fn new(home: Arc<Home>, mesh: Arc<Mesh>, pace_mps: f64) -> Body {
-        Body { home, routes: Routes::new(mesh), pace_mps, at: Point::ZERO, posture: Posture::Standing, spot: None }
+impl WalkingBody {
+    /// The body has no place yet; `pace_mps` is the person's usual speed.
+    pub fn new(home: Arc<Home>, mesh: Arc<Mesh>, pace_mps: f64) -> WalkingBody {
+        WalkingBody {
+            home,
+            routes: Routes::new(mesh),
+            pace_mps,
+            at: Point::ZERO,
+            posture: Posture::Standing,
+            spot: None,
+        }
     }
 
-    /// The same body, which remembers so many ways at most.
-    pub fn remembering(self, ways: usize) -> Body {
-        Body { routes: self.routes.at_most(ways), ..self }
+    /// Limits the number of remembered routes.
+    pub fn remembering(self, ways: usize) -> WalkingBody {
+        WalkingBody { routes: self.routes.at_most(ways), ..self }
     }
 
-    /// Puts the body somewhere, at the beginning of a run or behind the door.
-    pub fn place(&mut self, spot: Spot, posture: Posture) {
+    /// Sets the place at the start of a run or behind the door.
+    pub fn place(&mut self, spot: HomePlace, posture: Posture) {
         (self.at, self.posture, self.spot) = (spot.at, posture, Some(spot));
     }
 
-    /// The body has begun a move: where it will be.
+    /// Moves the body to the end of a segment that has begun.
     pub fn follow(&mut self, next: &MotionSegment) {
         match next.doing {
             MotionState::Stride { to, .. } => self.at = to,
@@ -66,36 +71,31 @@ impl Body {
         self.posture = next.posture;
     }
 
-    /// Where it is, in metres.
     pub fn at(&self) -> Point {
         self.at
     }
 
-    /// How it is.
     pub fn posture(&self) -> Posture {
         self.posture
     }
 
-    /// What it walks by.
     pub fn mesh(&self) -> &Arc<Mesh> {
         self.routes.mesh()
     }
 
-    /// The place that it went to last.
-    pub fn spot(&self) -> Option<&Spot> {
+    pub fn spot(&self) -> Option<&HomePlace> {
         self.spot.as_ref()
     }
 
-    /// Index of the plan's room in which it is.
     pub fn room(&self) -> Option<usize> {
         self.home.plan.room_at(self.at)
     }
 
-    /// The moves that take it to a place: rising, walking, sitting or lying down; nothing if there is no way.
+    /// The segments that lead to a place: rising, walking, sitting or lying down. `None` if no route leads there.
     pub fn go(
         &mut self,
-        spot: &Spot,
-        now: Micros,
+        spot: &HomePlace,
+        now: RunTime,
         hour: f64,
         pace: f64,
         stream: &mut Stream,
@@ -117,13 +117,12 @@ impl Body {
         Some(moves)
     }
 
-    /// The moves of a walk without a goal.
     #[expect(clippy::too_many_arguments, reason = "they are the whole of what wandering depends on")]
     pub fn wander(
         &mut self,
-        kind: Wandering,
-        lasts: Micros,
-        now: Micros,
+        kind: WanderStyle,
+        lasts: Span,
+        now: RunTime,
         hour: f64,
         pace: f64,
         who: Wanderers,
@@ -150,8 +149,8 @@ impl Body {
         moves
     }
 
-    /// The moves of getting up, and out of the bed or the chair; none for who stands on free floor.
-    pub fn get_up(&mut self, now: Micros, hour: f64, pace: f64, stream: &mut Stream) -> Vec<MotionSegment> {
+    /// The segments of rising and stepping out of a bed or chair; empty for a body that stands on free floor.
+    pub fn get_up(&mut self, now: RunTime, hour: f64, pace: f64, stream: &mut Stream) -> Vec<MotionSegment> {
         let mut moves = self.stand_up(now, pace, stream);
         let gait = Gait::of_walk(self.pace_mps * pace, hour, 0.0, &self.home.numbers, stream);
         self.step_out(now, &gait, &mut moves);
@@ -159,13 +158,11 @@ impl Body {
         moves
     }
 
-    /// Sitting or lying down where the body is already.
-    pub fn settle(&self, posture: Posture, now: Micros, pace: f64, stream: &mut Stream) -> MotionSegment {
+    pub fn sit_down(&self, posture: Posture, now: RunTime, pace: f64, stream: &mut Stream) -> MotionSegment {
         sit(self.at, now, self.frailty(pace), posture, &self.home.numbers, stream)
     }
 
-    /// Adds the step out of a bed or a chair to the moves; where it leads.
-    fn step_out(&self, now: Micros, gait: &Gait, moves: &mut Vec<MotionSegment>) -> Point {
+    fn step_out(&self, now: RunTime, gait: &Gait, moves: &mut Vec<MotionSegment>) -> Point {
         let beside = self.routes.mesh().approach(self.at).filter(|beside| beside.distance(self.at) > THERE_M);
         let Some(beside) = beside else { return self.at };
         let begin = moves.last().map_or(now, |last| last.end);
@@ -173,12 +170,12 @@ impl Body {
         beside
     }
 
-    /// Sitting up and rising, if it does not stand.
-    fn stand_up(&self, now: Micros, pace: f64, stream: &mut Stream) -> Vec<MotionSegment> {
+    fn stand_up(&self, now: RunTime, pace: f64, stream: &mut Stream) -> Vec<MotionSegment> {
         let numbers = &self.home.numbers;
         let mut moves = Vec::new();
         if self.posture == Posture::Lying {
-            let end = now + micros(stream.lognormal(numbers.of(&SITTING_UP_S), numbers.of(&SITTING_UP_SPREAD)));
+            let end =
+                now + Span::from_seconds(stream.lognormal(numbers.of(&SITTING_UP_S), numbers.of(&SITTING_UP_SPREAD)));
             let amplitude_m = numbers.of(&SITTING_UP_AMPLITUDE_M);
             let doing = MotionState::InPlace { at: self.at, amplitude_m };
             moves.push(MotionSegment { begin: now, end, doing, posture: Posture::Sitting });

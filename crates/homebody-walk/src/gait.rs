@@ -14,13 +14,12 @@
 //! Left out: the sway of the trunk, 2 to 5 cm to each side at every other step, which is smaller than what a motion sensor
 //! tells apart; single steps; slower walking in gentle bends; the turn before the first step.
 
-use homebody_core::drivers::MotionSegment;
-use homebody_core::event::MotionState;
 use homebody_core::geometry::Point;
+use homebody_core::motion::{MotionSegment, MotionState};
 use homebody_core::numbers::Numbers;
+use homebody_core::posture::Posture;
 use homebody_core::random::Stream;
-use homebody_core::scenario::path::Posture;
-use homebody_core::time::{Micros, micros};
+use homebody_core::time::{RunTime, Span};
 use std::f64::consts::PI;
 
 homebody_core::numbers! {
@@ -73,24 +72,19 @@ const USUAL_PACE_MPS: f64 = 0.65;
 /// happen at it (our choice).
 const SHORT_M: f64 = 0.05;
 
-/// How somebody walks, this time.
+/// The parameters of one walk; all are above 0.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Gait {
-    /// The speed once it is reached, in metres a second. Above 0, as the others.
     pub speed_mps: f64,
-    /// How fast it is reached, and lost again, in metres a second, each second.
+    /// Of setting off and of stopping.
     pub acceleration_mps2: f64,
-    /// What a turn by 180 degrees on the spot takes, in seconds.
     pub half_turn_s: f64,
-    /// Turns sharper than this are made on the spot, in radians.
     pub sharp_turn_rad: f64,
-    /// How far moves what moves in them, in metres.
     pub turn_amplitude_m: f64,
 }
 
 impl Gait {
-    /// The gait of one walk of a person of this pace in metres a second, at this hour of the day (0 to 24), who is not frail
-    /// (0), frail (1) or something in between. Draws two values.
+    /// Draws two values. `pace_mps` is the person's usual speed, `hour_of_day` 0 to 24, `frailty` 0 to 1.
     pub fn of_walk(pace_mps: f64, hour_of_day: f64, frailty: f64, numbers: &Numbers, stream: &mut Stream) -> Gait {
         let frailty = frailty.clamp(0.0, 1.0);
         let time_of_day = match hour_of_day {
@@ -114,9 +108,9 @@ impl Gait {
     }
 }
 
-/// The strides of a walk along a path, and its turns, from an instant on. The path is the corners after `from`, as
-/// [`Mesh::path`](crate::Mesh::path) gives them, in metres; one that leads nowhere takes no time.
-pub fn walk(path: &[Point], from: Point, begin: Micros, gait: &Gait) -> Vec<MotionSegment> {
+/// Strides and turns along a path: the corners after `from`, as [`Mesh::path`](crate::Mesh::path) gives them. An empty path
+/// takes no time.
+pub fn walk(path: &[Point], from: Point, begin: RunTime, gait: &Gait) -> Vec<MotionSegment> {
     let mut legs = Vec::new();
     let mut at = from;
     for &to in path.iter().filter(|to| to.is_finite()) {
@@ -125,7 +119,7 @@ pub fn walk(path: &[Point], from: Point, begin: Micros, gait: &Gait) -> Vec<Moti
             at = to;
         }
     }
-    let mut walk = Walk { moves: Vec::new(), begin, now: begin, passed_s: 0.0 };
+    let mut walk = WalkBuilder { moves: Vec::new(), begin, now: begin, passed_s: 0.0 };
     let mut first = 0;
     for last in 0..legs.len() {
         let turn = legs.get(last + 1).map_or(0.0, |next| turn(legs[last], *next));
@@ -141,16 +135,15 @@ pub fn walk(path: &[Point], from: Point, begin: Micros, gait: &Gait) -> Vec<Moti
     walk.moves
 }
 
-/// Getting up from an instant on, at the place where one sat or lay: 2 to 3 s, or up to 5 s for a frailty of 1, unless the
-/// numbers say otherwise. Draws one value.
-pub fn rise(at: Point, begin: Micros, frailty: f64, numbers: &Numbers, stream: &mut Stream) -> MotionSegment {
+/// Rising where the body sat or lay: 2 to 3 s, up to 5 s at a frailty of 1, unless the parameters differ. Draws one value.
+pub fn rise(at: Point, begin: RunTime, frailty: f64, numbers: &Numbers, stream: &mut Stream) -> MotionSegment {
     transfer(at, begin, frailty, Posture::Standing, numbers, stream)
 }
 
-/// Sitting or lying down from an instant on, at the place where one will sit or lie: as long as getting up. Draws one value.
+/// Sitting or lying down, as long as rising. Draws one value.
 pub fn sit(
     at: Point,
-    begin: Micros,
+    begin: RunTime,
     frailty: f64,
     posture: Posture,
     numbers: &Numbers,
@@ -161,7 +154,7 @@ pub fn sit(
 
 fn transfer(
     at: Point,
-    begin: Micros,
+    begin: RunTime,
     frailty: f64,
     posture: Posture,
     numbers: &Numbers,
@@ -172,24 +165,22 @@ fn transfer(
     let least_s = of(&TRANSFER_LEAST_S, &FRAIL_TRANSFER_LEAST_S);
     let span_s = stream.between(least_s, of(&TRANSFER_MOST_S, &FRAIL_TRANSFER_MOST_S));
     let doing = MotionState::InPlace { at, amplitude_m: numbers.of(&TRANSFER_AMPLITUDE_M) };
-    MotionSegment { begin, end: begin.saturating_add(micros(span_s)), doing, posture }
+    MotionSegment { begin, end: begin.saturating_add(Span::from_seconds(span_s)), doing, posture }
 }
 
-/// A walk in the making.
-struct Walk {
+struct WalkBuilder {
     moves: Vec<MotionSegment>,
-    begin: Micros,
-    now: Micros,
-    /// Since the beginning, not rounded.
+    begin: RunTime,
+    now: RunTime,
+    /// Not rounded, so that errors do not add up.
     passed_s: f64,
 }
 
-impl Walk {
-    /// Goes along legs from standing to standing.
+impl WalkBuilder {
     fn stretch(&mut self, legs: &[(Point, Point)], gait: &Gait) {
         let length: f64 = legs.iter().map(|(a, b)| a.distance(*b)).sum();
         let starting_m = gait.speed_mps * gait.speed_mps / (2.0 * gait.acceleration_mps2);
-        // Too short to reach the speed: up and down again, whose mean is half the greatest speed reached.
+        // Too short to reach the speed: it accelerates and brakes, at half the greatest speed on average.
         if length <= 2.0 * starting_m + SHORT_M {
             let speed = gait.speed_mps.min((gait.acceleration_mps2 * length).sqrt()) / 2.0;
             for &(from, to) in legs {
@@ -226,13 +217,13 @@ impl Walk {
 
     fn add(&mut self, doing: MotionState, span_s: f64) {
         self.passed_s += span_s;
-        let end = self.begin.saturating_add(micros(self.passed_s)).max(self.now + 1);
+        let end = self.begin.saturating_add(Span::from_seconds(self.passed_s)).max(self.now + Span::MICROSECOND);
         self.moves.push(MotionSegment { begin: self.now, end, doing, posture: Posture::Standing });
         self.now = end;
     }
 }
 
-/// By how much one turns from a leg to the next, in radians.
+/// In radians.
 fn turn(leg: (Point, Point), next: (Point, Point)) -> f64 {
     let (before, after) = (leg.1 - leg.0, next.1 - next.0);
     if before.length() < SHORT_M || after.length() < SHORT_M {
@@ -241,7 +232,7 @@ fn turn(leg: (Point, Point), next: (Point, Point)) -> f64 {
     libm::atan2(before.perp_dot(after), before.dot(after)).abs()
 }
 
-/// What lies between two values, for frailties from 0 to 1.
+/// Interpolates by frailty, 0 to 1.
 fn between([hale, frail]: [f64; 2], frailty: f64) -> f64 {
     hale + (frail - hale) * frailty
 }
@@ -249,7 +240,7 @@ fn between([hale, frail]: [f64; 2], frailty: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use homebody_core::time::{SECOND, seconds};
+    use homebody_core::time::SECOND;
 
     const GAIT: Gait = Gait {
         speed_mps: 1.0,
@@ -263,8 +254,7 @@ mod tests {
         Point::new(x, y)
     }
 
-    /// The moves, checked to follow each other in time and place.
-    fn walked(path: &[Point], begin: Micros, gait: &Gait) -> Vec<MotionSegment> {
+    fn walked(path: &[Point], begin: RunTime, gait: &Gait) -> Vec<MotionSegment> {
         let moves = walk(path, Point::ZERO, begin, gait);
         let (mut now, mut at) = (begin, Point::ZERO);
         for step in &moves {
@@ -284,32 +274,30 @@ mod tests {
     }
 
     fn spans(moves: &[MotionSegment]) -> Vec<f64> {
-        moves.iter().map(|step| seconds(step.end - step.begin)).collect()
+        moves.iter().map(|step| (step.end - step.begin).seconds()).collect()
     }
 
     #[test]
     fn a_walk_sets_off_goes_and_stops() {
-        // 1 / 2 = 0.5 m of setting off and of stopping, each in 1 s, and 3 m at 1 m/s.
-        let moves = walked(&[p(4.0, 0.0)], 5 * SECOND, &GAIT);
+        // 0.5 m of setting off and of stopping, each in 1 s, and 3 m at 1 m/s.
+        let moves = walked(&[p(4.0, 0.0)], RunTime::START + 5 * SECOND, &GAIT);
         assert_eq!(spans(&moves), [1.0, 3.0, 1.0]);
         assert_eq!(moves[0].doing, MotionState::Stride { from: Point::ZERO, to: p(0.5, 0.0) });
     }
 
     #[test]
     fn a_short_walk_does_not_reach_the_speed() {
-        // Up to sqrt(0.25) = 0.5 m/s.
-        assert_eq!(spans(&walked(&[p(0.25, 0.0)], 0, &GAIT)), [1.0]);
-        assert_eq!(walked(&[], 0, &GAIT).len(), 0);
-        assert_eq!(walked(&[Point::ZERO], 0, &GAIT).len(), 0);
-        assert_eq!(walked(&[p(1e-9, 0.0)], 0, &GAIT).len(), 1);
+        assert_eq!(spans(&walked(&[p(0.25, 0.0)], RunTime::START, &GAIT)), [1.0]);
+        assert_eq!(walked(&[], RunTime::START, &GAIT).len(), 0);
+        assert_eq!(walked(&[Point::ZERO], RunTime::START, &GAIT).len(), 0);
+        assert_eq!(walked(&[p(1e-9, 0.0)], RunTime::START, &GAIT).len(), 1);
     }
 
     #[test]
     fn gentle_bends_cost_one_stride_each_and_sharp_turns_a_stop() {
-        let gentle = walked(&[p(2.0, 0.0), p(4.0, 1.0), p(6.0, 1.0)], 0, &GAIT);
+        let gentle = walked(&[p(2.0, 0.0), p(4.0, 1.0), p(6.0, 1.0)], RunTime::START, &GAIT);
         assert_eq!(gentle.len(), 5);
-        let sharp = walked(&[p(2.0, 0.0), p(2.0, 2.0)], 0, &GAIT);
-        // 1 m at 1 m/s between setting off and stopping, and a quarter turn.
+        let sharp = walked(&[p(2.0, 0.0), p(2.0, 2.0)], RunTime::START, &GAIT);
         assert_eq!(spans(&sharp), [1.0; 7]);
         assert!(matches!(sharp[3].doing, MotionState::InPlace { .. }));
     }
@@ -321,7 +309,7 @@ mod tests {
             let path: Vec<Point> =
                 (0..1 + stream.poisson(4.0)).map(|_| p(stream.between(-5.0, 5.0), stream.between(-5.0, 5.0))).collect();
             let gait = Gait::of_walk(0.65, stream.between(0.0, 24.0), stream.unit(), &Numbers::default(), &mut stream);
-            let moves = walked(&path, 77, &gait);
+            let moves = walked(&path, RunTime::from_micros(77), &gait);
             let stops = moves.iter().filter(|step| matches!(step.doing, MotionState::InPlace { .. })).count();
             assert!(moves.len() <= path.len() + 2 + 3 * stops, "{} moves for {}", moves.len(), path.len());
             let length: f64 = [Point::ZERO].iter().chain(&path).zip(&path).map(|(a, b)| a.distance(*b)).sum();
@@ -331,7 +319,7 @@ mod tests {
             });
             assert!((strides.sum::<f64>() - length).abs() < 1e-9);
             let fastest = moves.iter().map(|step| match step.doing {
-                MotionState::Stride { from, to } => from.distance(to) / seconds(step.end - step.begin),
+                MotionState::Stride { from, to } => from.distance(to) / (step.end - step.begin).seconds(),
                 _ => 0.0,
             });
             assert!(fastest.fold(0.0, f64::max) <= gait.speed_mps * 1.001);
@@ -362,10 +350,11 @@ mod tests {
     fn getting_up_takes_seconds_and_longer_if_frail() {
         let mut stream = Stream::named(1, "chair");
         for _ in 0..200 {
-            let hale = rise(p(1.0, 2.0), SECOND, 0.0, &Numbers::default(), &mut stream);
-            let frail = sit(p(1.0, 2.0), SECOND, 1.0, Posture::Sitting, &Numbers::default(), &mut stream);
-            assert!((2.0..=3.0).contains(&seconds(hale.end - hale.begin)) && hale.posture == Posture::Standing);
-            assert!((3.0..=5.0).contains(&seconds(frail.end - frail.begin)) && frail.posture == Posture::Sitting);
+            let hale = rise(p(1.0, 2.0), RunTime::START + SECOND, 0.0, &Numbers::default(), &mut stream);
+            let frail =
+                sit(p(1.0, 2.0), RunTime::START + SECOND, 1.0, Posture::Sitting, &Numbers::default(), &mut stream);
+            assert!((2.0..=3.0).contains(&(hale.end - hale.begin).seconds()) && hale.posture == Posture::Standing);
+            assert!((3.0..=5.0).contains(&(frail.end - frail.begin).seconds()) && frail.posture == Posture::Sitting);
         }
     }
 }

@@ -1,9 +1,9 @@
-//! Homes to walk in, for the tests of this crate.
+//! Homes for the tests of this crate.
 
 use homebody_core::geometry::point;
-use homebody_core::home::plan::Plan;
+use homebody_core::home::form::HomeFile;
+use homebody_core::plan::Plan;
 use homebody_core::random::Stream;
-use homebody_core::scenario::home::HomeFile;
 use serde_json::{Value, json};
 
 pub const TIGERPLACE: &str = include_str!("../../../scenarios/tigerplace/home.json");
@@ -20,8 +20,7 @@ pub fn plan(text: &str) -> Plan {
     Plan::new(&serde_json::from_str::<HomeFile>(text).unwrap())
 }
 
-/// A rectangle cut into three rooms with doors of 0.8 m, some of them closed, some leading out, and furniture
-/// anywhere.
+/// A rectangle with three rooms, doors of 0.8 m, some closed, some outer, and furniture anywhere.
 pub fn random_home(case: u64) -> Plan {
     let stream = &mut Stream::named(case, "home");
     let (width, depth) = (stream.between(5.0, 12.0), stream.between(4.0, 9.0));
@@ -39,7 +38,6 @@ pub fn random_home(case: u64) -> Plan {
         json!({ "from": [x, 0], "to": [x, y], "thickness_m": stream.between(0.05, 0.3) }),
         json!({ "from": [0, y], "to": [width, y] }),
     ];
-    // Without this wall the home ends where the rooms do.
     if stream.chance(0.7) {
         walls.push(json!({ "from": [width, depth], "to": [0, depth] }));
     }
@@ -66,7 +64,7 @@ pub fn random_home(case: u64) -> Plan {
     plan(&home.to_string())
 }
 
-/// A home of one room that walls and furniture cross at all angles, many of them nearly in one line, or nearly touching.
+/// Walls and furniture cross at all angles, many nearly in line or nearly touching.
 pub fn tangled_home(case: u64, walls: usize, pieces: usize) -> String {
     let stream = &mut Stream::named(case, "tangle");
     let size = [4.0, 8.0, 15.0, 40.0, 95.0][stream.between(0.0, 5.0) as usize];

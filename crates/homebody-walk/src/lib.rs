@@ -4,15 +4,16 @@
 //! [`walk`] makes a way into strides and turns of a [`Gait`], [`rise`] and [`sit`] lead out of seats and into them. [`wander`]
 //! needs no goal. What comes out is [`MotionSegment`]s that follow each other in time and place, which a driver hands on.
 //!
-//! Lengths are metres in the plane of the home, instants whole microseconds since the start of the run. Nothing here fails:
+//! Lengths are metres in the plane of the home, instants those of the run. Nothing here fails:
 //! where no way leads, there is `None`. It is as pure as the core: the same home, ends and stream give the same walk on every
 //! machine. It does not know who walks, why, or what sees it.
 //!
 //! ```
 //! use homebody_core::geometry::Point;
-//! use homebody_core::home::plan::Plan;
+//! use homebody_core::plan::Plan;
 //! use homebody_core::numbers::Numbers;
 //! use homebody_core::random::Stream;
+//! use homebody_core::time::RunTime;
 //! use homebody_walk::{Gait, Mesh, walk};
 //!
 //! let home = r#"{
@@ -27,29 +28,23 @@
 //! assert!(path.len() > 1, "around the table");
 //!
 //! let gait = Gait::of_walk(0.65, 9.0, 0.0, &Numbers::default(), &mut Stream::named(1, "gait"));
-//! let segments = walk(&path, from, 0, &gait);
+//! let segments = walk(&path, from, RunTime::START, &gait);
 //! assert!(segments.windows(2).all(|pair| pair[0].end == pair[1].begin));
 //!
 //! assert_eq!(mesh.path(from, Point::new(9.0, 9.0)), None, "out of doors");
 //! # Ok::<(), serde_json::Error>(())
 //! ```
 //!
-//! [`MotionSegment`]: homebody_core::drivers::MotionSegment
+//! [`MotionSegment`]: homebody_core::motion::MotionSegment
 
-#![warn(missing_docs)]
-
-// Where a body can walk, the shortest ways, and those found before.
 mod mesh;
 mod routes;
 
-// What a way becomes when somebody walks it, or wanders without one.
 mod gait;
 mod schemas;
 
-// What kind of travel it is.
 mod pattern;
 
-// Where things are done in a home, how a body that stays there stirs, and how it gets from one place to the next.
 pub mod places;
 pub mod stations;
 mod standing;
@@ -65,9 +60,8 @@ pub use gait::{Gait, rise, sit, walk};
 pub use mesh::Mesh;
 pub use pattern::{Pattern, pattern_of};
 pub use routes::Routes;
-pub use schemas::{Gains, Wanderers, Wandering, wander};
+pub use schemas::{Gains, WanderStyle, Wanderers, wander};
 
-/// The numbers that walking is made of, each with its unit and its range.
 pub fn numbers() -> Vec<Number> {
     let own = [gait::NUMBERS, schemas::NUMBERS, mesh::NUMBERS, body::NUMBERS].concat().into_iter().cloned();
     own.chain(manner::Manner::numbers()).collect()

@@ -6,7 +6,7 @@
 //! Movements come in clusters: after a movement another follows soon, with a chance for each manner of staying, or a long
 //! gap. We assume that gaps of both kinds and bouts are lognormal, with a set of numbers for each manner. Their numbers are ours,
 //! set so that a day of a generated older adult has about as many firings, and gaps as long, as the CASAS homes of single
-//! older adults; `homebody experiment daily-life` and `homebody experiment realism` say how near they come.
+//! older adults; `homebody-lab daily-life` and `homebody-lab realism` say how near they come.
 //!
 //! A gap and a bout are drawn one after the other; a factor for activity shortens the long gaps. What shows of a movement in bed is
 //! what a blanket leaves of it: sleepers turn by 0.3 m, of which a quarter shows (ours).
@@ -16,24 +16,22 @@
 use homebody_core::activity::{FALLEN, READING, WASHING};
 use homebody_core::numbers::{Number, Numbers};
 use homebody_core::random::Stream;
-use homebody_core::time::{Micros, SECOND, micros};
+use homebody_core::time::{SECOND, Span};
 
-/// How a body that stays somewhere stirs.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Manner {
-    /// What its numbers are called after.
     name: &'static str,
-    /// The median gap between two clusters of movements, in seconds.
+    /// Median gap between clusters of movements.
     pub gap_s: f64,
-    /// The spread of these gaps: the standard deviation of their logarithm.
+    /// Standard deviation of the logarithm of these gaps.
     pub sigma: f64,
-    /// The chance that another movement follows soon.
+    /// Probability that another movement follows soon.
     pub more: f64,
-    /// The median gap between the movements of a cluster, in seconds.
+    /// Median gap between the movements of a cluster.
     pub soon_s: f64,
-    /// The median length of a movement, in seconds.
+    /// Median duration of a movement.
     pub bout_s: f64,
-    /// How far what moves moves, in metres.
+    /// Distance of a movement.
     pub amplitude_m: f64,
 }
 
@@ -49,7 +47,6 @@ const fn manner(
 /// Standard deviation of the logarithm of the gaps in a cluster (our choice).
 const SOON_SPREAD: f64 = 0.6;
 
-/// The table that the numbers of these are of.
 const TABLE: &str = "stay";
 
 impl Manner {
@@ -93,8 +90,8 @@ impl Manner {
         Manner::CURLED_UP,
     ];
 
-    /// The same as the scenario's numbers have it.
-    pub fn by(&self, numbers: &Numbers) -> Manner {
+    /// With the parameters of the scenario.
+    pub fn with_numbers(&self, numbers: &Numbers) -> Manner {
         let of = |column: &str, value| numbers.of_table([TABLE, self.name, column], value);
         Manner {
             name: self.name,
@@ -107,22 +104,19 @@ impl Manner {
         }
     }
 
-    /// What the manners are called.
     pub fn names() -> impl Iterator<Item = &'static str> {
         Manner::ALL.into_iter().map(|manner| manner.name)
     }
 
-    /// The manner of a name.
     pub fn named(name: &str) -> Option<Manner> {
         Manner::ALL.into_iter().find(|manner| manner.name == name)
     }
 
-    /// Whether one stirs so in bed, where being restless counts.
+    /// Only in these does restlessness count.
     pub fn is_of_bed(&self) -> bool {
         [Manner::ASLEEP.name, Manner::AWAKE_IN_BED.name].contains(&self.name)
     }
 
-    /// The numbers of all of them.
     pub fn numbers() -> Vec<Number> {
         let of = |manner: &Manner| {
             let name = manner.name;
@@ -166,30 +160,27 @@ impl Manner {
         Manner::ALL.iter().flat_map(of).collect()
     }
 
-    /// The next gap; `activity` 2 is twice as many clusters of movements.
-    pub fn gap(&self, activity: f64, stream: &mut Stream) -> Micros {
+    /// `activity` 2 doubles the number of clusters.
+    pub fn gap(&self, activity: f64, stream: &mut Stream) -> Span {
         let gap_s = match stream.chance(self.more) {
             true => stream.lognormal(self.soon_s, SOON_SPREAD),
             false => stream.lognormal(self.gap_s, self.sigma) / activity.max(0.05),
         };
-        micros(gap_s.clamp(0.5, 6.0 * 3600.0))
+        Span::from_seconds(gap_s.clamp(0.5, 6.0 * 3600.0))
     }
 
-    /// The next movement.
-    pub fn bout(&self, stream: &mut Stream) -> Micros {
-        micros(stream.lognormal(self.bout_s, 0.5).clamp(0.5, 30.0)).max(SECOND / 2)
+    pub fn bout(&self, stream: &mut Stream) -> Span {
+        Span::from_seconds(stream.lognormal(self.bout_s, 0.5).clamp(0.5, 30.0)).max(SECOND / 2)
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use homebody_core::time::seconds;
 
-    /// 20,000 gaps of a manner, in seconds.
     fn gaps(manner: Manner, activity: f64) -> Vec<f64> {
         let stream = &mut Stream::named(1, "gaps");
-        (0..20_000).map(|_| seconds(manner.gap(activity, stream))).collect()
+        (0..20_000).map(|_| manner.gap(activity, stream).seconds()).collect()
     }
 
     #[test]

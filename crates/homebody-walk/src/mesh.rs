@@ -19,10 +19,10 @@ mod ground;
 #[cfg(test)]
 mod tests;
 
-use ground::{Footing, Ground};
+use ground::{GroundPoint, WalkableGround};
 use homebody_core::geometry::{self, Point};
-use homebody_core::home::plan::{Origin, Plan, Solid};
 use homebody_core::numbers::Numbers;
+use homebody_core::plan::{Origin, Plan, Solid};
 use homebody_core::random::Stream;
 
 homebody_core::numbers! {
@@ -41,18 +41,17 @@ homebody_core::numbers! {
 /// Number of tries for a random point before the room's own point is used (our choice).
 const TRIES: u32 = 32;
 
-/// The floor of a home for a body of one radius. All points are metres in the plane of the home.
+/// The floor of a home for a body of one radius, in metres in the plane of the home.
 #[derive(Clone, Debug)]
 pub struct Mesh {
     plan: Plan,
     obstacles: Vec<Obstacle>,
-    /// Pieces of the home's border: what is beyond is no home.
+    /// Pieces of the outer border.
     borders: Vec<(Point, Point)>,
-    /// For the whole body, and for it turned sideways a little, and wholly.
-    grounds: Vec<Ground>,
-    /// For each room of the plan, a free point to go to, and the area it is of.
+    /// For the whole radius, then for the two narrower ones.
+    grounds: Vec<WalkableGround>,
+    /// By room of the plan, a free point to go to, and its connected area.
     rooms: Vec<(Point, Option<usize>)>,
-    /// How long the step into a seat may be, and to another place that is too near to things.
     into_seat_m: f64,
     to_place_m: f64,
 }
@@ -61,13 +60,12 @@ pub struct Mesh {
 struct Obstacle {
     outline: Vec<Point>,
     is_seat: bool,
-    /// The corners of the box around it.
     least: Point,
     most: Point,
 }
 
 impl Obstacle {
-    /// Whether it may be nearer than that to a box: a look at the boxes spares most of the geometry.
+    /// A cheap test of bounding boxes, before the exact geometry.
     fn may_be_near(&self, least: Point, most: Point, distance_m: f64) -> bool {
         let reach = Point::splat(distance_m);
         (self.least - reach).cmple(most).all() && (self.most + reach).cmpge(least).all()
@@ -78,27 +76,26 @@ impl Obstacle {
         p.distance(p.clamp(self.least, self.most))
     }
 
-    /// Whether it is a seat, and somebody at the point is in it.
+    /// A seat contains a person at the point.
     fn holds(&self, p: Point) -> bool {
         self.is_seat && geometry::contains(&self.outline, p)
     }
 
-    /// Whether it is between two points, by more than a touch.
+    /// By more than a touch.
     fn cuts(&self, a: Point, b: Point) -> bool {
         geometry::segment_inside_convex(&self.outline, a, b).is_some_and(|(enter, leave)| leave - enter > 1e-9)
     }
 }
 
 impl Mesh {
-    /// The mesh of a home for a body of this radius, which is above 0. It is some milliseconds of work.
+    /// `radius_m` is above 0. Takes some milliseconds.
     pub fn new(plan: &Plan, radius_m: f64) -> Mesh {
         Mesh::with_numbers(plan, radius_m, &Numbers::default())
     }
 
-    /// The same with what is set of the numbers that a mesh is made by.
     pub fn with_numbers(plan: &Plan, radius_m: f64, numbers: &Numbers) -> Mesh {
         let rug_m = numbers.of(&RUG_M);
-        // Whoever goes through a door that is shut behind them opens it.
+        // A closed door within the home can be opened.
         let is_furniture = |solid: &Solid| matches!(solid.origin, Origin::Furniture(_));
         let obstacles: Vec<Obstacle> = plan
             .solids
@@ -112,7 +109,7 @@ impl Mesh {
         let borders = borders(plan);
         let outlines: Vec<&[Point]> = obstacles.iter().map(|obstacle| &obstacle.outline[..]).collect();
         let ground =
-            |part: f64| Ground::new(plan.bounds(), &outlines, &borders, radius_m * part, |p| plan.is_inside(p));
+            |part: f64| WalkableGround::new(plan.bounds(), &outlines, &borders, radius_m * part, |p| plan.is_inside(p));
         let grounds = [1.0, numbers.of(&SIDEWAYS_A_LITTLE), numbers.of(&SIDEWAYS)].map(ground).into();
         let (into_seat_m, to_place_m) = (numbers.of(&INTO_SEAT_M), numbers.of(&TO_PLACE_M));
         let rooms = Vec::new();
@@ -121,13 +118,12 @@ impl Mesh {
         mesh
     }
 
-    /// Whether the body can stand there with its whole radius.
     pub fn is_free(&self, p: Point) -> bool {
         self.grounds.first().is_some_and(|ground| self.is_free_for(p, ground.clearance_m))
     }
 
-    /// The free point from which one straight step leads to `to`: `to` itself where that is free, otherwise the
-    /// nearest, if possible one from which most of the home can be reached. `None`: there is none.
+    /// The free point from which one straight step leads to `to`: `to` itself if it is free, else the nearest, preferably
+    /// in the largest area. `None` without one.
     pub fn approach(&self, to: Point) -> Option<Point> {
         if self.is_free(to) {
             return Some(to);
@@ -138,8 +134,8 @@ impl Mesh {
         largest.map(|footing| footing.at)
     }
 
-    /// The corners of the way after `from`, and `to`; `None` if no way leads there. Who is there already has no corners to go
-    /// to, and who stays in one seat moves straight.
+    /// The corners after `from`, and `to`; `None` without a route. Empty if the body is already there; straight within one
+    /// seat.
     pub fn path(&self, from: Point, to: Point) -> Option<Vec<Point>> {
         if from == to {
             return Some(Vec::new());
@@ -151,14 +147,12 @@ impl Mesh {
         self.grounds.iter().find_map(|ground| self.path_over(ground, from, to))
     }
 
-    /// Whether there is a way.
     pub fn can_reach(&self, from: Point, to: Point) -> bool {
         self.path(from, to).is_some()
     }
 
-    /// The free point just inside a door that leads out, open or closed: where who goes away is last seen.
-    ///
-    /// `door` is the middle of its opening. `None`: the body cannot stand within 1.5 m of it.
+    /// The free point just inside an outer door, open or closed, whose opening has its middle at `door`. `None` if the body
+    /// cannot stand within 1.5 m of it.
     pub fn inside_of(&self, door: Point) -> Option<Point> {
         let ground = self.grounds.first()?;
         let stands_in_opening = |p| self.plan.openings.iter().any(|opening| geometry::contains(&opening.outline, p));
@@ -177,8 +171,8 @@ impl Mesh {
         })
     }
 
-    /// A random free point of a room, which is an index into the plan's, by at most 64 values of the stream: every one equally likely, of those from
-    /// which the room's own point can be reached. A room that is too full for the tries has its own point.
+    /// A free point of a room of the plan, uniform over those from which the room's own point can be reached. Draws at most
+    /// 64 values; if all tries fail, it is the room's own point.
     pub fn free_point(&self, room: usize, stream: &mut Stream) -> Point {
         let (own, area) = self.rooms[room];
         let room = &self.plan.rooms[room].outline;
@@ -193,8 +187,8 @@ impl Mesh {
         own
     }
 
-    /// How far the body can go straight from a free point in a direction (degrees, 0 to the east, 90 to the north), to the
-    /// centimetre: no further than `most_m` metres. 0 where the point is not free.
+    /// The free distance from a point in a direction (degrees, 0 east, 90 north), to the centimetre and at most `most_m`. 0
+    /// if the point is not free.
     pub fn free_way(&self, from: Point, towards_deg: f64, most_m: f64) -> f64 {
         let ahead = geometry::direction(towards_deg);
         let is_clear = |metres: f64| self.is_clear_way(from, from + ahead * metres);
@@ -209,7 +203,6 @@ impl Mesh {
         clear
     }
 
-    /// Whether a straight line keeps that far away from everything, and stays in the home.
     fn is_clear(&self, from: Point, to: Point, clearance_m: f64) -> bool {
         let (least, most) = (from.min(to), from.max(to));
         let is_near = |obstacle: &Obstacle| {
@@ -222,7 +215,6 @@ impl Mesh {
             && !self.meets_border(from, to)
     }
 
-    /// Whether the home ends somewhere on a straight line.
     fn meets_border(&self, from: Point, to: Point) -> bool {
         let (least, most) = (from.min(to), from.max(to));
         self.borders.iter().any(|&(a, b)| {
@@ -231,7 +223,6 @@ impl Mesh {
         })
     }
 
-    /// The sides of everything that stops the body, as far as they may be within reach.
     pub(super) fn sides_near(&self, p: Point, reach_m: f64) -> Vec<(Point, Point)> {
         let is_near = |&(a, b): &(Point, Point)| p.distance(p.clamp(a.min(b), a.max(b))) <= reach_m;
         let obstacles = self.obstacles.iter().filter(|obstacle| obstacle.away(p) <= reach_m);
@@ -239,12 +230,11 @@ impl Mesh {
         sides.chain(self.borders.iter().copied()).filter(is_near).collect()
     }
 
-    /// Whether the body can go straight from one free point to the other with its whole radius.
     pub(super) fn is_clear_way(&self, from: Point, to: Point) -> bool {
         self.grounds.first().is_some_and(|ground| self.is_clear(from, to, ground.clearance_m))
     }
 
-    fn path_over(&self, ground: &Ground, from: Point, to: Point) -> Option<Vec<Point>> {
+    fn path_over(&self, ground: &WalkableGround, from: Point, to: Point) -> Option<Vec<Point>> {
         let (starts, ends) = (self.footings(ground, from), self.footings(ground, to));
         let pairs = starts.iter().flat_map(|start| ends.iter().map(move |end| (start, end)));
         let (start, end) = pairs
@@ -261,7 +251,7 @@ impl Mesh {
         Some(path)
     }
 
-    /// Makes one corner of two where a way bends twice within a step, if there is room: who walks turns once.
+    /// Joins two corners within a step into one if there is room, because people turn once.
     fn straighten(&self, way: &mut Vec<Point>, clearance_m: f64) {
         let mut first = 1;
         while first + 2 < way.len() {
@@ -279,20 +269,20 @@ impl Mesh {
         }
     }
 
-    /// Of each connected area, the point from which one straight step leads to `p`.
-    fn footings(&self, ground: &Ground, p: Point) -> Vec<Footing> {
+    /// By connected area, the point from which one straight step leads to `p`.
+    fn footings(&self, ground: &WalkableGround, p: Point) -> Vec<GroundPoint> {
         if let Some(area) = ground.area_at(p) {
-            return vec![Footing { at: p, area, away_m: 0.0 }];
+            return vec![GroundPoint { at: p, area, away_m: 0.0 }];
         }
         let is_seat = self.obstacles.iter().any(|obstacle| obstacle.holds(p));
         let reach_m = if is_seat { self.into_seat_m } else { self.to_place_m };
-        // The step keeps off things as far as the place itself does, or as the narrowest way.
+        // The step keeps the distance of the place itself, or of the narrowest route.
         let narrowest_m = self.grounds.last().map_or(0.0, |ground| ground.clearance_m);
         let keeps_m = if is_seat { 0.0 } else { narrowest_m.min(self.room_around(p) - 1e-6) };
         let keeps_off = |at: Point| keeps_m <= 0.0 || self.is_clear(p, at, keeps_m);
         let around = ground.around(p, reach_m);
-        let mut footings: Vec<Footing> = Vec::new();
-        // Nobody climbs over a chair to get into bed, unless there is no other way in.
+        let mut footings: Vec<GroundPoint> = Vec::new();
+        // Routes into bed avoid chairs unless there is no other.
         for climbs in [false, true] {
             for footing in &around {
                 let counts =
@@ -306,13 +296,12 @@ impl Mesh {
         footings
     }
 
-    /// Whether an obstacle that counts, or the border of the home, is between two points.
     fn blocks(&self, a: Point, b: Point, counts: impl Fn(&Obstacle) -> bool) -> bool {
         self.obstacles.iter().any(|obstacle| counts(obstacle) && obstacle.cuts(a, b)) || self.meets_border(a, b)
     }
 
-    /// A free point of the room to go to, and the area it is of; where the whole radius does not fit in, what is nearest to
-    /// the room's middle, or that.
+    /// A free point of the room, and its area; if the whole radius does not fit, the free point nearest to the middle, or
+    /// the middle.
     fn room_point(&self, room: &[Point]) -> (Point, Option<usize>) {
         let middle = geometry::inner_point(room);
         let Some(ground) = self.grounds.first() else { return (middle, None) };
@@ -331,7 +320,6 @@ impl Mesh {
         self.plan.is_inside(p) && self.room_around(p) >= clearance_m
     }
 
-    /// The distance to the nearest obstacle.
     fn room_around(&self, p: Point) -> f64 {
         self.obstacles.iter().fold(f64::INFINITY, |least, obstacle| match obstacle.away(p) <= least {
             true => least.min(geometry::distance_to_area(&obstacle.outline, p)),
@@ -340,10 +328,9 @@ impl Mesh {
     }
 }
 
-/// How far beside a border we look for the home to go on.
+/// Distance beside a border at which the home is looked up.
 const BESIDE_M: f64 = 1e-3;
 
-/// The pieces of the rooms' and openings' sides that have the home on one side only.
 fn borders(plan: &Plan) -> Vec<(Point, Point)> {
     let openings = || plan.openings.iter().map(|opening| &opening.outline);
     let parts = || plan.rooms.iter().map(|room| &room.outline).chain(openings());
@@ -370,7 +357,7 @@ fn borders(plan: &Plan) -> Vec<(Point, Point)> {
     borders
 }
 
-/// Where the first and the last leg of a way with two corners would meet, if that is near to both corners.
+/// The intersection of the first and last leg of a route with two corners, if it is near to both.
 fn corner_of([before, first, second, after]: [Point; 4]) -> Option<Point> {
     let (come, go) = (first - before, after - second);
     let turn = come.perp_dot(go);
@@ -384,7 +371,6 @@ fn corner_of([before, first, second, after]: [Point; 4]) -> Option<Point> {
 /// Distance from the meeting point of corners within which they become one (our choice).
 const ONE_CORNER_M: f64 = 0.25;
 
-/// The distance between a straight line and a convex area.
 fn distance_of_segment(outline: &[Point], from: Point, to: Point) -> f64 {
     if geometry::segment_inside_convex(outline, from, to).is_some() {
         return 0.0;

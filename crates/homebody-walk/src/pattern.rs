@@ -1,27 +1,27 @@
-//! What kind of travel a sequence of places is: the four patterns of Martino-Saltzman et al. (1991).
+//! Classification of travel into the four patterns of Martino-Saltzman et al. (1991).
 
-/// How somebody travels.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Pattern {
-    /// From place to place, none of them twice.
+    /// No place repeats.
     Direct,
-    /// Here and there in no order.
+    /// Places repeat in no order.
     Random,
-    /// In circles over three places or more.
+    /// Circles over three or more places.
     Lapping,
-    /// To and fro between two places.
+    /// Between two places.
     Pacing,
 }
 
 /// Number of places after which a return is not a lap (our choice).
 pub(super) const LAP_PLACES: usize = 6;
 
-/// The pattern of a sequence of places or rooms.
+///
+/// Classifies a sequence of places or rooms.
 ///
 /// Without a repetition it is direct. Otherwise it is cut into cycles, each from the last time in a place to the return
-/// there: of two places (A-B-A) they are pacing, of three to six lapping. What remains between them is direct where
-/// nothing in it repeats, else random. The whole is what is most frequent of random, lapping and pacing; of those equally
-/// frequent, the first in this order. Staying in a place is no repetition.
+/// there: of two places (A-B-A) they are pacing, of three to six lapping. The remainder is direct if nothing in it repeats,
+/// else random. The result is the most frequent of random, lapping and pacing, the first in this order if equal. Staying in
+/// a place is no repetition.
 pub fn pattern_of(rooms_or_places: &[usize]) -> Pattern {
     let mut places = rooms_or_places.to_vec();
     places.dedup();
@@ -39,7 +39,7 @@ pub fn pattern_of(rooms_or_places: &[usize]) -> Pattern {
         } else {
             lapping += 1
         }
-        // The place that closes a cycle may open the next one, but is no part of what remains.
+        // The place that closes a cycle may open the next one, but is no part of the remainder.
         (open_from, remaining_from) = (at, at + 1);
     }
     random += usize::from(places.get(remaining_from..).is_some_and(repeats));
@@ -71,7 +71,7 @@ mod tests {
     #[test]
     fn to_and_fro_is_pacing() {
         assert_eq!([of("ABA"), of("ABABAB"), of("AABBAA"), of("CDABABAB")], [Pattern::Pacing; 4]);
-        // Between two rooms on one hall.
+        // Two rooms on one hall.
         assert_eq!(of("AHBHAHBHA"), Pattern::Pacing);
     }
 
@@ -87,7 +87,7 @@ mod tests {
 
     #[test]
     fn the_most_frequent_counts() {
-        // Two laps, one to and fro; the other way round; one of each.
+        // Two laps and one pacing; the reverse; one of each.
         assert_eq!(
             [of("ABCABCADED"), of("ABABAXYZX"), of("ABCADED")],
             [Pattern::Lapping, Pattern::Pacing, Pattern::Lapping]

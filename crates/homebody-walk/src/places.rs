@@ -1,44 +1,50 @@
-//! Where things are done in this home: the places, seats and things that it names after them.
+//! The places, seats and things of a home, by name and role.
 
 use super::standing::{around_in_room, beside, just_inside, sides_of};
 use super::stations::{chore, is_opened};
 use crate::mesh::Mesh;
 use homebody_core::geometry::{self, Point};
-use homebody_core::home::plan::{Origin, Plan};
+use homebody_core::home::form::HomeFile;
+use homebody_core::plan::{Origin, Plan};
+use homebody_core::posture::Posture;
 use homebody_core::role::{ROLES, Role};
-use homebody_core::scenario::home::HomeFile;
-use homebody_core::scenario::path::Posture;
 use std::collections::BTreeMap;
 
-/// A place to be, and how the body is there.
+/// A place, with the posture of a body there.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Spot {
-    /// In small letters; empty for anywhere in a room.
+pub struct HomePlace {
+    /// In lower case; empty for anywhere in a room.
     pub name: String,
-    /// Metres, in the plan's coordinates.
     pub at: Point,
-    /// How the body is there.
     pub posture: Posture,
     /// Index of the plan's room.
     pub room: Option<usize>,
-    /// Whether it is the room itself, where nothing in it is called so.
+    /// The room itself.
     pub is_room: bool,
-    /// Whether there is a way to it from most of the home.
+    /// From most of the home.
     pub is_reachable: bool,
-    /// The role that the home says of it, which is then its only one.
+    /// The role that the home states, which is then its only one.
     pub said: Option<Role>,
-    /// The places of those who share it, where several have room: the sides of a bed, the seats of a sofa.
+    /// Places of several people: the sides of a bed, the seats of a sofa.
     pub sides: Vec<Point>,
 }
 
-impl Spot {
-    /// Anywhere in a room.
-    pub fn to_stand(at: Point, room: usize) -> Spot {
+impl HomePlace {
+    pub fn to_stand(at: Point, room: usize) -> HomePlace {
         let (name, posture) = (String::new(), Posture::Standing);
-        Spot { name, at, posture, room: Some(room), is_room: true, is_reachable: true, said: None, sides: Vec::new() }
+        HomePlace {
+            name,
+            at,
+            posture,
+            room: Some(room),
+            is_room: true,
+            is_reachable: true,
+            said: None,
+            sides: Vec::new(),
+        }
     }
 
-    /// Where somebody is in it, the best place first: its middle for who has it to themself, else one's own side.
+    /// The best place first: the middle if it is not shared, else the side of this rank.
     pub fn sides_for(&self, rank: usize, is_shared: bool) -> impl Iterator<Item = Point> {
         let has_own = is_shared && !self.sides.is_empty() && !is_somebodys(&self.name);
         let middle = (!has_own).then_some(self.at);
@@ -46,49 +52,46 @@ impl Spot {
         middle.into_iter().chain((0..count).map(move |index| self.sides[(index + rank) % count]))
     }
 
-    /// Whether it fills the role, whosever it is.
     pub fn is_of(&self, role: Role) -> bool {
         self.said.map_or_else(|| role.is_called(&self.name), |said| said == role)
     }
 }
 
-/// A place that somebody rises for.
+/// A place of small chores.
 #[derive(Clone, Debug)]
-pub struct Station {
-    /// Where it is.
-    pub spot: Spot,
-    /// What is done there, as the truth calls it.
+pub struct ChoreStation {
+    pub spot: HomePlace,
+    /// The activity there, a label of the ground truth.
     pub chore: &'static str,
-    /// What is opened there.
+    /// The thing to open there.
     pub opened: Option<u32>,
 }
 
-/// The places of a home as one resident uses them: what is called after them is theirs before what is anybody's.
+/// The places of a home for one resident, whose named places take precedence over shared ones.
 #[derive(Clone, Debug)]
-pub struct Places {
-    spots: Vec<Spot>,
-    /// The resident's name in small letters, with an s: `margaret's`.
+pub struct HomePlaces {
+    spots: Vec<HomePlace>,
+    /// The resident's name in lower case, with an s: `margaret's`.
     whose: String,
-    /// The way out, inside the door, and the door.
-    door: Option<(Spot, Option<usize>)>,
-    /// The names of the plan's things, in small letters, each with the role that the home says of it.
+    /// Just inside the front door, and the door.
+    door: Option<(HomePlace, Option<usize>)>,
+    /// In lower case, with the role that the home states.
     things: Vec<(String, Option<Role>)>,
-    /// Where the lamps begin among them.
+    /// Index of the first lamp.
     lamps: usize,
-    /// What to look at or dust on a round through the home: the places that it names, and whatever can be opened.
-    stations: Vec<Station>,
-    /// By role, where it is filled and the thing that fills it: lives ask for them all day.
-    of_role: Vec<(Option<Spot>, Option<u32>)>,
+    /// Places that the home names, and all that can be opened.
+    stations: Vec<ChoreStation>,
+    /// By role, its place and its thing; cached, because they are looked up all day.
+    of_role: Vec<(Option<HomePlace>, Option<u32>)>,
 }
 
-impl Places {
-    /// The places of a home for a resident who walks by `mesh`.
-    pub fn new(home: &HomeFile, plan: &Plan, mesh: &Mesh, resident: &str) -> Places {
-        Places::from_hub(home, plan, mesh, resident, None)
+impl HomePlaces {
+    pub fn new(home: &HomeFile, plan: &Plan, mesh: &Mesh, resident: &str) -> HomePlaces {
+        HomePlaces::from_hub(home, plan, mesh, resident, None)
     }
 
-    /// The same, with ways from one place; without it, from where there is a way to most others.
-    pub fn from_hub(home: &HomeFile, plan: &Plan, mesh: &Mesh, resident: &str, from: Option<Point>) -> Places {
+    /// `hub` is the place that others must be reachable from; by default, the place with routes to most others.
+    pub fn from_hub(home: &HomeFile, plan: &Plan, mesh: &Mesh, resident: &str, from: Option<Point>) -> HomePlaces {
         let seats = plan.solids.iter().filter_map(|solid| match solid.origin {
             Origin::Furniture(index) if home.furniture[index].enterable => Some(&home.furniture[index].name),
             _ => None,
@@ -100,7 +103,16 @@ impl Places {
             let name = name.to_lowercase();
             let is_room = home.rooms.iter().any(|room| room.name.to_lowercase() == name);
             let said = said.get(&name).copied().filter(|_| !is_room);
-            Spot { name, at, posture, room: plan.room_at(at), is_room, is_reachable: true, said, sides: Vec::new() }
+            HomePlace {
+                name,
+                at,
+                posture,
+                room: plan.room_at(at),
+                is_room,
+                is_reachable: true,
+                said,
+                sides: Vec::new(),
+            }
         };
         let place = |(name, at): &(String, Point)| {
             let lower = name.to_lowercase();
@@ -113,8 +125,8 @@ impl Places {
             };
             spot(name, *at, posture)
         };
-        let mut spots: Vec<Spot> = plan.places.iter().map(place).collect();
-        // What nobody can be in, people stand beside, on any side that there is a way to.
+        let mut spots: Vec<HomePlace> = plan.places.iter().map(place).collect();
+        // Furniture that is not entered is used from any reachable side.
         let mut sides: Vec<(usize, Vec<Point>)> = Vec::new();
         for (index, piece) in home.furniture.iter().enumerate() {
             let name = piece.name.to_lowercase();
@@ -140,7 +152,7 @@ impl Places {
         let roles = home.doors.iter().map(|_| None).chain(home.furniture.iter().map(|piece| piece.role));
         let roles = roles.chain(std::iter::repeat(None));
         let things = plan.things.iter().map(|thing| thing.name.to_lowercase()).zip(roles).collect();
-        let mut places = Places {
+        let mut places = HomePlaces {
             spots,
             whose: format!("{}'s", resident.to_lowercase()),
             door: None,
@@ -159,36 +171,33 @@ impl Places {
         places
     }
 
-    /// All of them: places, furniture and rooms.
-    pub fn all(&self) -> &[Spot] {
+    pub fn all(&self) -> &[HomePlace] {
         &self.spots
     }
 
-    /// The rooms without a way in, as indices into the plan's rooms.
     pub fn closed_rooms(&self) -> impl Iterator<Item = usize> + '_ {
         self.spots.iter().filter(|spot| spot.is_room && !spot.is_reachable).filter_map(|spot| spot.room)
     }
 
-    /// The spot of a name that the user wrote: a place, a piece of furniture, or a room.
-    pub fn named(&self, name: &str) -> Option<&Spot> {
+    pub fn named(&self, name: &str) -> Option<&HomePlace> {
         let name = name.to_lowercase();
         self.own_spot(&name).or_else(|| self.spot(&name))
     }
 
-    /// The same for who sleeps elsewhere at night than in a bed.
-    pub fn sleeping_at(mut self, name: Option<&str>) -> Places {
+    /// Sets the place of sleep at night.
+    pub fn sleeping_at(mut self, name: Option<&str>) -> HomePlaces {
         if let Some(spot) = name.and_then(|name| self.named(name)).cloned() {
             self.of_role[Role::Bed as usize].0 = Some(spot);
         }
         self
     }
 
-    /// Where the role is filled, if anything in the home will do: the best that there is a way to, else the best.
-    pub fn of(&self, role: Role) -> Option<&Spot> {
+    /// The best reachable place for the role, or a substitute; else an unreachable one.
+    pub fn of(&self, role: Role) -> Option<&HomePlace> {
         self.of_role[role as usize].0.as_ref()
     }
 
-    fn find(&self, role: Role) -> Option<&Spot> {
+    fn find(&self, role: Role) -> Option<&HomePlace> {
         if role == Role::FrontDoor
             && let Some((spot, _)) = &self.door
         {
@@ -198,9 +207,8 @@ impl Places {
         all().find(|spot| spot.is_reachable).or_else(|| all().next())
     }
 
-    /// What fills the role itself, the best first: what is called after the resident before what is anybody's, and of each
-    /// what the home says it of before what is only called so.
-    fn own(&self, role: Role) -> impl Iterator<Item = &Spot> {
+    /// Places of the role, best first: the resident's own before shared ones, stated roles before those of names.
+    fn own(&self, role: Role) -> impl Iterator<Item = &HomePlace> {
         let names = role.row().names;
         let said = || self.spots.iter().filter(move |spot| spot.said == Some(role));
         let own = said().filter(|spot| self.own_name(&spot.name).is_some());
@@ -209,50 +217,49 @@ impl Places {
             .chain(names.iter().filter_map(|name| self.called(|spot| spot == *name)))
     }
 
-    /// The first spot of a name by which its role is known.
-    fn called(&self, fits: impl Fn(&str) -> bool) -> Option<&Spot> {
+    fn called(&self, fits: impl Fn(&str) -> bool) -> Option<&HomePlace> {
         self.spots.iter().find(|spot| spot.said.is_none() && fits(&spot.name))
     }
 
-    /// What will do where nothing fills the role itself.
-    fn instead(&self, role: Role) -> impl Iterator<Item = &Spot> {
+    /// Places of substitute roles.
+    fn instead(&self, role: Role) -> impl Iterator<Item = &HomePlace> {
         role.row().instead.iter().flat_map(|&role| self.own(role))
     }
 
-    /// What would fill the role if there were a way to it: nothing where there is one to something as good. Standing is not as
-    /// good as sitting, nor a room as what stands in it.
-    pub fn out_of_reach(&self, role: Role) -> Option<&Spot> {
+    /// The place that would serve the role if it were reachable; `None` if one as good is. A seat is better than standing,
+    /// and furniture better than a room.
+    pub fn out_of_reach(&self, role: Role) -> Option<&HomePlace> {
         let door = self.door.as_ref().map(|(spot, _)| spot).filter(|_| role == Role::FrontDoor);
-        let mut all: Vec<&Spot> = door.map_or_else(|| self.own(role).collect(), |door| vec![door]);
+        let mut all: Vec<&HomePlace> = door.map_or_else(|| self.own(role).collect(), |door| vec![door]);
         if all.is_empty() {
             all = self.instead(role).collect();
         }
         let best = *all.first()?;
         let is_as_good =
-            |spot: &&Spot| spot.is_reachable && spot.posture == best.posture && (best.is_room || !spot.is_room);
+            |spot: &&HomePlace| spot.is_reachable && spot.posture == best.posture && (best.is_room || !spot.is_room);
         (!all.iter().any(is_as_good)).then_some(best)
     }
 
-    /// Whether the home has it itself, and not only something that will do.
+    /// Without substitutes.
     pub fn has(&self, role: Role) -> bool {
         self.spots.iter().any(|spot| spot.is_of(role))
     }
 
-    /// Of several toilets or washbasins that there is a way to the nearest as the crow flies, else as [`Places::of`].
-    pub fn nearest(&self, role: Role, at: Point) -> Option<&Spot> {
+    /// The nearest reachable toilet or washbasin in a straight line; for other roles, [`HomePlaces::of`].
+    pub fn nearest(&self, role: Role, at: Point) -> Option<&HomePlace> {
         let best = role.row().names[0];
-        let is_of = |spot: &&Spot| spot.said.map_or_else(|| spot.name.ends_with(best), |said| said == role);
+        let is_of = |spot: &&HomePlace| spot.said.map_or_else(|| spot.name.ends_with(best), |said| said == role);
         let several = self.spots.iter().filter(|spot| spot.is_reachable && !spot.name.contains('\'')).filter(is_of);
         let nearest = several.min_by(|a, b| a.at.distance(at).total_cmp(&b.at.distance(at)));
         let is_own = self.of(role).is_some_and(|spot| spot.name.starts_with(&self.whose));
         if is_own { self.of(role) } else { nearest.or_else(|| self.of(role)) }
     }
 
-    /// What will do where somebody has a spot: others of its role, and of seats any other that is nobody else's, the nearest
-    /// first.
-    pub fn instead_of(&self, spot: &Spot) -> Vec<&Spot> {
-        let is_mine = |other: &&Spot| !is_somebodys(&other.name) || self.own_name(&other.name).is_some();
-        let is_alike = |other: &&Spot| {
+    /// Substitutes for an occupied place: others of its role and, for a seat, any seat that belongs to no other person, the
+    /// nearest first.
+    pub fn instead_of(&self, spot: &HomePlace) -> Vec<&HomePlace> {
+        let is_mine = |other: &&HomePlace| !is_somebodys(&other.name) || self.own_name(&other.name).is_some();
+        let is_alike = |other: &&HomePlace| {
             let shares_role = || ROLES.iter().any(|row| spot.is_of(row.role) && other.is_of(row.role));
             match spot.posture {
                 Posture::Sitting => {
@@ -262,18 +269,17 @@ impl Places {
             }
         };
         let others = self.spots.iter().filter(|other| other.name != spot.name && other.is_reachable);
-        let mut others: Vec<&Spot> =
+        let mut others: Vec<&HomePlace> =
             others.filter(|other| other.posture == spot.posture).filter(is_mine).filter(is_alike).collect();
         others.sort_by(|a, b| a.at.distance(spot.at).total_cmp(&b.at.distance(spot.at)));
         others
     }
 
-    /// All that fill the role and that there is a way to, whosever they are: a pet asks nobody.
-    pub fn anybodys(&self, role: Role) -> Vec<&Spot> {
+    /// All reachable places of a role, including those of other residents, because pets use all.
+    pub fn anybodys(&self, role: Role) -> Vec<&HomePlace> {
         self.spots.iter().filter(|spot| spot.is_reachable && spot.is_of(role)).collect()
     }
 
-    /// The thing of a role, to turn on or open.
     pub fn thing(&self, role: Role) -> Option<u32> {
         self.of_role[role as usize].1
     }
@@ -285,7 +291,7 @@ impl Places {
             return thing.map(|thing| thing as u32);
         }
         let names = role.row().names;
-        // The lamp of the kitchen is no stove.
+        // A kitchen's lamp is no stove.
         let things = &self.things[..self.lamps];
         let said =
             |fits: &dyn Fn(&str) -> bool| things.iter().position(|(thing, said)| *said == Some(role) && fits(thing));
@@ -300,52 +306,46 @@ impl Places {
         thing.map(|thing| thing as u32)
     }
 
-    /// The thing of a name that the user wrote; the name of a room is its lamp.
     pub fn thing_named(&self, name: &str) -> Option<u32> {
         let name = name.to_lowercase();
         self.things.iter().position(|(thing, _)| *thing == name).map(|index| index as u32)
     }
 
-    /// The lamp of a room.
     pub fn lamp(&self, room: usize) -> u32 {
         (self.lamps + room) as u32
     }
 
-    /// The name of a thing, in small letters.
     pub fn thing_name(&self, thing: u32) -> &str {
         &self.things[thing as usize].0
     }
 
-    /// What to look at on a round through the home.
-    pub fn stations(&self) -> &[Station] {
+    pub fn stations(&self) -> &[ChoreStation] {
         &self.stations
     }
 
-    /// Whether a room is a bathroom: it has a toilet or a shower.
+    /// A room with a toilet or a shower.
     pub fn is_bathroom(&self, room: usize) -> bool {
         let has = |role| self.spots.iter().any(|spot| spot.room == Some(room) && !spot.is_room && spot.is_of(role));
         has(Role::Toilet) || has(Role::Shower)
     }
 
-    /// What is called so after the resident.
-    fn own_spot(&self, name: &str) -> Option<&Spot> {
+    fn own_spot(&self, name: &str) -> Option<&HomePlace> {
         self.spots.iter().find(|spot| self.own_name(&spot.name) == Some(name))
     }
 
-    /// What a name says besides whose it is, if that is the resident.
+    /// The name without the resident's, if it begins with it.
     fn own_name<'a>(&self, name: &'a str) -> Option<&'a str> {
         name.strip_prefix(&self.whose)?.strip_prefix(' ')
     }
 
-    fn spot(&self, name: &str) -> Option<&Spot> {
+    fn spot(&self, name: &str) -> Option<&HomePlace> {
         self.spots.iter().find(|spot| spot.name == name)
     }
 
-    /// The way out, and its door: the one that the home calls so, else where a place of that name is.
-    fn find_door(&self, home: &HomeFile, plan: &Plan) -> Option<(Spot, Option<usize>)> {
+    fn find_door(&self, home: &HomeFile, plan: &Plan) -> Option<(HomePlace, Option<usize>)> {
         let names = Role::FrontDoor.row().names;
         let outside = home.doors.iter().position(|door| door.outside);
-        let is_place = |spot: &&Spot| home.places.iter().any(|place| place.name.to_lowercase() == spot.name);
+        let is_place = |spot: &&HomePlace| home.places.iter().any(|place| place.name.to_lowercase() == spot.name);
         let place = names.iter().find_map(|name| self.spot(name).filter(is_place)).cloned();
         let room = names.iter().find_map(|name| self.called(|spot| spot == *name)).cloned();
         let thing =
@@ -354,7 +354,7 @@ impl Places {
             let door = &plan.things[outside?];
             let at = just_inside(plan, door.at);
             let (name, room) = (door.name.to_lowercase(), plan.room_at(at));
-            Some(Spot {
+            Some(HomePlace {
                 name,
                 at,
                 posture: Posture::Standing,
@@ -368,34 +368,39 @@ impl Places {
         place.or_else(at_door).or(room).map(|spot| (spot, thing))
     }
 
-    /// Places to stand at that there is a way to, of all rooms; beds, seats and doors aside.
-    fn find_stations(&self, home: &HomeFile) -> Vec<Station> {
+    /// Reachable places to stand, without beds, seats and doors.
+    fn find_stations(&self, home: &HomeFile) -> Vec<ChoreStation> {
         let named = home.places.iter().map(|place| place.name.to_lowercase());
         let door = self.door.as_ref().map(|(spot, _)| spot.name.clone());
         let named: Vec<String> = named.filter(|name| Some(name) != door.as_ref()).collect();
         let reachable = || self.spots.iter().filter(|spot| spot.is_reachable);
-        let is_used = |spot: &&Spot| named.contains(&spot.name) || !spot.is_room && is_opened(&spot.name);
+        let is_used = |spot: &&HomePlace| named.contains(&spot.name) || !spot.is_room && is_opened(&spot.name);
         let standing = reachable().filter(|spot| spot.posture == Posture::Standing).filter(is_used);
-        let stations: Vec<Station> = standing.map(|spot| self.station(spot)).collect();
+        let stations: Vec<ChoreStation> = standing.map(|spot| self.station(spot)).collect();
         if !stations.is_empty() {
             return stations;
         }
         reachable().filter(|spot| spot.is_room).map(|spot| self.station(spot)).collect()
     }
 
-    fn station(&self, spot: &Spot) -> Station {
+    fn station(&self, spot: &HomePlace) -> ChoreStation {
         let opened = self.thing_named(&spot.name).filter(|_| is_opened(&spot.name));
-        Station { spot: spot.clone(), chore: chore(&spot.name), opened }
+        ChoreStation { spot: spot.clone(), chore: chore(&spot.name), opened }
     }
 }
 
-/// Marks the spots that there is a way to. What has places around it is reached by the first of them that there is a way to, and a
-/// room in whose middle something stands beside that.
-fn find_ways(plan: &Plan, spots: &mut [Spot], sides: Vec<(usize, Vec<Point>)>, is_reachable: impl Fn(Point) -> bool) {
+/// Marks reachable places. A place with sides uses the first reachable side; a room whose middle is blocked uses a point
+/// beside it.
+fn find_ways(
+    plan: &Plan,
+    spots: &mut [HomePlace],
+    sides: Vec<(usize, Vec<Point>)>,
+    is_reachable: impl Fn(Point) -> bool,
+) {
     /// Number of places of such a room that are tried (our choice): each costs a search for a way.
     const MOST_TRIED: usize = 20;
     spots.iter_mut().for_each(|spot| spot.is_reachable = is_reachable(spot.at));
-    let around_middle = |(index, spot): (usize, &Spot)| {
+    let around_middle = |(index, spot): (usize, &HomePlace)| {
         let room = spot.room.filter(|_| spot.is_room && !spot.is_reachable)?;
         Some((index, around_in_room(plan, room, spot.at).into_iter().take(MOST_TRIED).collect()))
     };
@@ -404,13 +409,13 @@ fn find_ways(plan: &Plan, spots: &mut [Spot], sides: Vec<(usize, Vec<Point>)>, i
     for (index, around) in around {
         let spot = &mut spots[index];
         if let Some(at) = around.into_iter().find(|&at| !spot.is_reachable && is_reachable(at)) {
-            *spot = Spot { at, room: plan.room_at(at), is_reachable: true, ..spot.clone() };
+            *spot = HomePlace { at, room: plan.room_at(at), is_reachable: true, ..spot.clone() };
         }
     }
 }
 
-/// A place from which there is a way to most of the others; nothing where there is no place to stand at all.
-fn hub(spots: &[Spot], mesh: &Mesh) -> Option<Point> {
+/// The place with routes to most others; `None` without a place to stand.
+fn hub(spots: &[HomePlace], mesh: &Mesh) -> Option<Point> {
     let mut parts: Vec<(Point, usize)> = Vec::new();
     for spot in spots.iter().filter(|spot| mesh.approach(spot.at).is_some()) {
         match parts.iter_mut().find(|(of, _)| mesh.can_reach(*of, spot.at)) {
@@ -421,16 +426,16 @@ fn hub(spots: &[Spot], mesh: &Mesh) -> Option<Point> {
     parts.into_iter().reduce(|a, b| if b.1 > a.1 { b } else { a }).map(|(of, _)| of)
 }
 
-/// Whether it is called after somebody, such as `ruth's bed`.
+/// Such as `ruth's bed`.
 fn is_somebodys(name: &str) -> bool {
     name.contains("'s ")
 }
 
-fn is_toilet(spot: &Spot) -> bool {
+fn is_toilet(spot: &HomePlace) -> bool {
     spot.is_of(Role::Toilet)
 }
 
-/// What people stand in although they can enter it.
+/// Enterable places in which people stand.
 fn is_stood_in(name: &str) -> bool {
     words(name).any(|word| ["shower", "rug", "mat", "carpet"].iter().any(|end| word.ends_with(end)))
 }
@@ -444,8 +449,7 @@ mod tests {
     use super::*;
     use serde_json::json;
 
-    /// One room with these pieces of furniture, all of them enterable but for the desk.
-    fn places(names: &[&str], resident: &str) -> Places {
+    fn places(names: &[&str], resident: &str) -> HomePlaces {
         let piece = |(index, name): (usize, &&str)| {
             let at = [1.0 + 1.5 * index as f64, 1.0];
             json!({ "name": name, "at": at, "size_m": [0.8, 0.8], "height_m": 0.6, "enterable": *name != "desk" })
@@ -457,10 +461,10 @@ mod tests {
         });
         let home: HomeFile = serde_json::from_value(home).unwrap();
         let plan = Plan::new(&home);
-        Places::new(&home, &plan, &Mesh::new(&plan, 0.22), resident)
+        HomePlaces::new(&home, &plan, &Mesh::new(&plan, 0.22), resident)
     }
 
-    fn names(spots: &[&Spot]) -> Vec<String> {
+    fn names(spots: &[&HomePlace]) -> Vec<String> {
         spots.iter().map(|spot| spot.name.clone()).collect()
     }
 
@@ -470,7 +474,6 @@ mod tests {
         let name = |resident, role| places(&all, resident).of(role).unwrap().name.clone();
         assert_eq!(name("henry", Role::Bed), "henry's bed");
         assert_eq!(name("Ruth", Role::Bed), "ruth's bed");
-        // Nobody else's bed, even where there is no other.
         assert_eq!(name("anna", Role::Bed), "armchair");
         assert_eq!(places(&all, "ruth").named("bed").unwrap().name, "ruth's bed");
     }
@@ -495,7 +498,7 @@ mod tests {
             });
             let home: HomeFile = serde_json::from_value(home).unwrap();
             let plan = Plan::new(&home);
-            let places = Places::new(&home, &plan, &Mesh::new(&plan, 0.22), "anna");
+            let places = HomePlaces::new(&home, &plan, &Mesh::new(&plan, 0.22), "anna");
             let (way_out, _) = places.door.clone().unwrap();
             assert!(way_out.is_reachable, "{thickness_m}");
             assert!(
@@ -517,7 +520,7 @@ mod tests {
         });
         let home: HomeFile = serde_json::from_value(home).unwrap();
         let plan = Plan::new(&home);
-        let places = Places::new(&home, &plan, &Mesh::new(&plan, 0.22), "anna");
+        let places = HomePlaces::new(&home, &plan, &Mesh::new(&plan, 0.22), "anna");
         let kitchen = places.named("kitchen").unwrap();
         assert!(kitchen.is_room && kitchen.is_reachable && plan.is_walkable(kitchen.at, 0.22), "{}", kitchen.at);
         assert!(kitchen.at.distance(Point::new(3.0, 2.0)) < 1.2, "{}", kitchen.at);
@@ -558,12 +561,10 @@ mod tests {
             });
             let home: HomeFile = serde_json::from_value(home).unwrap();
             let plan = Plan::new(&home);
-            Places::new(&home, &plan, &Mesh::new(&plan, 0.22), "anna").of(Role::Washbasin).unwrap().is_reachable
+            HomePlaces::new(&home, &plan, &Mesh::new(&plan, 0.22), "anna").of(Role::Washbasin).unwrap().is_reachable
         };
-        // A table before it, and two that leave half a metre beside it.
         let before = [1.05, 2.0, 0.7, 0.6];
         assert!(is_reached(&[before, [0.9, 3.0, 0.6, 1.1], [0.9, 1.0, 0.6, 1.1]]));
-        // There is no way to the gap.
         let around = [[0.5, 3.0, 1.0, 1.1], [0.5, 1.0, 1.0, 1.1]];
         assert!(!is_reached(&[before, around[0], around[1]]));
     }

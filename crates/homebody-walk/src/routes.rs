@@ -1,4 +1,4 @@
-//! Ways that were found before. A life walks the same few again and again.
+//! A cache of routes, because residents repeat the same few.
 
 use crate::mesh::Mesh;
 use homebody_core::geometry::Point;
@@ -8,7 +8,7 @@ use std::sync::Arc;
 /// Number of ways that are remembered (our choice): a home of 60 places has 3,540, and a person walks few of them.
 const MOST: usize = 4096;
 
-/// A mesh that remembers the ways it was asked for. What it answers does not depend on what it remembers.
+/// A mesh with a cache, which does not change its results.
 #[derive(Clone, Debug)]
 pub struct Routes {
     mesh: Arc<Mesh>,
@@ -17,22 +17,19 @@ pub struct Routes {
 }
 
 impl Routes {
-    /// A mesh of which no way is known yet.
     pub fn new(mesh: Arc<Mesh>) -> Routes {
         Routes { mesh, known: BTreeMap::new(), most: MOST }
     }
 
-    /// The same, which remembers so many ways at most: where thousands of bodies are lived at once, memory is dearer than time.
+    /// Limits the cache: with thousands of bodies at once, memory matters more than time.
     pub fn at_most(self, most: usize) -> Routes {
         Routes { most, ..self }
     }
 
-    /// The mesh that is asked.
     pub fn mesh(&self) -> &Arc<Mesh> {
         &self.mesh
     }
 
-    /// As [`Mesh::path`].
     pub fn path(&mut self, from: Point, to: Point) -> Option<Arc<[Point]>> {
         let key = [from.x, from.y, to.x, to.y].map(f64::to_bits);
         if let Some(known) = self.known.get(&key) {

@@ -21,34 +21,32 @@
 use crate::gait::Gait;
 use crate::mesh::Mesh;
 use crate::pattern::LAP_PLACES;
-use homebody_core::drivers::MotionSegment;
-use homebody_core::event::MotionState;
 use homebody_core::geometry::{self, Point};
-use homebody_core::home::plan::Plan;
+use homebody_core::motion::{MotionSegment, MotionState};
 use homebody_core::numbers::Numbers;
+use homebody_core::plan::Plan;
+use homebody_core::posture::Posture;
 use homebody_core::random::Stream;
-use homebody_core::scenario::path::Posture;
-use homebody_core::time::{Micros, micros};
+use homebody_core::time::{RunTime, Span};
 
-/// How much of each schema is in somebody's wandering: times the usual gain, but where a gain is usually 0.
+/// The strength of each schema, as a factor of its usual gain; those whose usual gain is 0 are absolute.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Gains {
-    /// Toward the goal.
+    /// Towards the goal.
     pub goal: f64,
-    /// Away from what is in the way.
+    /// Away from obstacles.
     pub walls: f64,
-    /// Into random directions.
+    /// In random directions.
     pub noise: f64,
-    /// Away from other people, beside a goal of 1; usually 0.
+    /// Away from other people, relative to a goal of 1; usually 0.
     pub people: f64,
-    /// Back toward the nearest wall, beside a goal of 1; usually 0.
+    /// Towards the nearest wall, relative to a goal of 1; usually 0.
     pub open_floor: f64,
-    /// How many times a minute one stands still; usually 0.
+    /// Pauses per minute; usually 0.
     pub pauses: f64,
 }
 
 impl Gains {
-    /// What is usual.
     pub const USUAL: Gains = Gains { goal: 1.0, walls: 1.0, noise: 1.0, people: 0.0, open_floor: 0.0, pauses: 0.0 };
 }
 
@@ -58,23 +56,17 @@ impl Default for Gains {
     }
 }
 
-/// Whose wandering it is, and who else is there.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Wanderers<'a> {
-    /// The wanderer's gains.
     pub gains: Gains,
-    /// Where the others are, in metres.
+    /// In metres.
     pub others: &'a [Point],
 }
 
-/// How somebody wanders.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Wandering {
-    /// Here and there in no order.
+pub enum WanderStyle {
     Random,
-    /// The same circuit of places again and again.
     Lapping,
-    /// To and fro between two places.
     Pacing,
 }
 
@@ -127,17 +119,18 @@ const STEERINGS: u32 = 5;
 /// Number of points that are tried as places to wander between (our choice).
 const TRIES: usize = 24;
 
-/// Wanders for about `lasting` microseconds: until they are over and the body is in a free place, which is at most one leg more.
 ///
-/// The moves follow each other from `begin` on. Where there is nowhere to go, it is movement on the spot.
+/// Wanders for about `lasting`: until then, and on to a free place, at most one leg more.
+///
+/// The segments continue each other from `begin`. Without a goal, the body moves on the spot.
 #[expect(clippy::too_many_arguments, reason = "they are the whole of what wandering depends on")]
 pub fn wander(
-    kind: Wandering,
+    kind: WanderStyle,
     mesh: &Mesh,
     plan: &Plan,
     from: Point,
-    begin: Micros,
-    lasting: Micros,
+    begin: RunTime,
+    lasting: Span,
     gait: &Gait,
     numbers: &Numbers,
     who: Wanderers,
@@ -147,15 +140,15 @@ pub fn wander(
     between(kind, mesh, &goals, from, begin, lasting, gait, numbers, who, stream).0
 }
 
-/// Wanders between goals; also, which of them it has come to, in order.
+/// Returns the goals in the order in which they were reached, too.
 #[expect(clippy::too_many_arguments, reason = "they are the whole of what wandering depends on")]
 fn between(
-    kind: Wandering,
+    kind: WanderStyle,
     mesh: &Mesh,
     goals: &[Point],
     from: Point,
-    begin: Micros,
-    lasting: Micros,
+    begin: RunTime,
+    lasting: Span,
     gait: &Gait,
     numbers: &Numbers,
     who: Wanderers,
@@ -163,12 +156,12 @@ fn between(
 ) -> (Vec<MotionSegment>, Vec<usize>) {
     if goals.len() < 2 {
         let doing = MotionState::InPlace { at: from, amplitude_m: numbers.of(&LOST_AMPLITUDE_M) };
-        let end = begin.saturating_add(lasting.max(1));
+        let end = begin.saturating_add(lasting.max(Span::MICROSECOND));
         return (vec![MotionSegment { begin, end, doing, posture: Posture::Standing }], Vec::new());
     }
     let noise_gain = match kind {
-        Wandering::Random => [&RANDOM_NOISE_LEAST, &RANDOM_NOISE_MOST],
-        Wandering::Lapping | Wandering::Pacing => [&NOISE_LEAST, &NOISE_MOST],
+        WanderStyle::Random => [&RANDOM_NOISE_LEAST, &RANDOM_NOISE_MOST],
+        WanderStyle::Lapping | WanderStyle::Pacing => [&NOISE_LEAST, &NOISE_MOST],
     };
     let step_s = numbers.of(&STEP_S);
     let mut wanderer = Wanderer {
@@ -202,7 +195,7 @@ fn between(
     let mut visited: Vec<usize> = Vec::new();
     while !wanderer.is_over() {
         let next = match kind {
-            Wandering::Random => unvisited(&visited, goals.len(), stream),
+            WanderStyle::Random => unvisited(&visited, goals.len(), stream),
             _ => visited.last().map_or(0, |last| (last + 1) % goals.len()),
         };
         if !wanderer.leg(goals[next], stream) {
@@ -213,14 +206,20 @@ fn between(
     (wanderer.moves, visited)
 }
 
-/// The places to wander between, all of which can be reached: two for pacing, three to five for laps, and for random
-/// wandering so many that there is always one that was not among the last ones.
-fn goals(kind: Wandering, mesh: &Mesh, plan: &Plan, from: Point, numbers: &Numbers, stream: &mut Stream) -> Vec<Point> {
+/// Reachable places: two for pacing, three to five for laps, and enough for random wandering that one is always unvisited.
+fn goals(
+    kind: WanderStyle,
+    mesh: &Mesh,
+    plan: &Plan,
+    from: Point,
+    numbers: &Numbers,
+    stream: &mut Stream,
+) -> Vec<Point> {
     let [apart_m, around_m, reached_m] = [&APART_M, &ROOM_AROUND_M, &REACHED_M].map(|number| numbers.of(number));
     let count = match kind {
-        Wandering::Random => LAP_PLACES + 2,
-        Wandering::Lapping => 3 + stream.pick(&[1.0; 3]),
-        Wandering::Pacing => 2,
+        WanderStyle::Random => LAP_PLACES + 2,
+        WanderStyle::Lapping => 3 + stream.pick(&[1.0; 3]),
+        WanderStyle::Pacing => 2,
     };
     let sizes: Vec<f64> = plan.rooms.iter().map(|room| geometry::signed_area(&room.outline).abs()).collect();
     let mut goals: Vec<Point> = Vec::new();
@@ -243,8 +242,8 @@ fn goals(kind: Wandering, mesh: &Mesh, plan: &Plan, from: Point, numbers: &Numbe
             goals.push(p);
         }
     }
-    if kind == Wandering::Lapping {
-        // Around their middle, so that nobody comes by one on the way between two others, if it can be helped.
+    if kind == WanderStyle::Lapping {
+        // In order around their middle, so that no goal lies on the way between two others if possible.
         let middle = goals.iter().sum::<Point>() / goals.len().max(1) as f64;
         let bearing = |goal: &Point| libm::atan2(goal.y - middle.y, goal.x - middle.x);
         goals.sort_by(|a, b| bearing(a).total_cmp(&bearing(b)));
@@ -252,7 +251,7 @@ fn goals(kind: Wandering, mesh: &Mesh, plan: &Plan, from: Point, numbers: &Numbe
     goals
 }
 
-/// A place that was not among the last ones, so that the way has no order.
+/// A place that was not among the last ones.
 fn unvisited(visited: &[usize], places: usize, stream: &mut Stream) -> usize {
     let recent = visited.iter().rev().take(LAP_PLACES.min(places.saturating_sub(1)));
     let mut weights = vec![1.0; places];
@@ -262,7 +261,6 @@ fn unvisited(visited: &[usize], places: usize, stream: &mut Stream) -> usize {
     stream.pick(&weights)
 }
 
-/// What the schemas are made by, asked for once for a walk.
 struct Schemas {
     goal_gain: f64,
     avoid_gain: f64,
@@ -285,15 +283,15 @@ struct Wanderer<'a> {
     schemas: Schemas,
     reached_m: f64,
     patience: f64,
-    /// At each step.
+    /// Per step.
     pause_chance: f64,
     pause_s: f64,
     noise: Point,
-    /// For so many steps more the noise stays as it is.
+    /// Steps until the noise changes.
     noise_steps: u32,
     at: Point,
-    now: Micros,
-    until: Micros,
+    now: RunTime,
+    until: RunTime,
     moves: Vec<MotionSegment>,
 }
 
@@ -302,7 +300,7 @@ impl Wanderer<'_> {
         self.now >= self.until && self.mesh.is_free(self.at)
     }
 
-    /// Goes to a goal, or as far as the time allows; false if no way leads there.
+    /// Goes to a goal, or as far as the time allows; false without a route.
     fn leg(&mut self, goal: Point, stream: &mut Stream) -> bool {
         let Some(mut way) = self.mesh.path(self.at, goal) else { return false };
         let length: f64 = [self.at].iter().chain(&way).zip(&way).map(|(a, b)| a.distance(*b)).sum();
@@ -331,7 +329,7 @@ impl Wanderer<'_> {
         true
     }
 
-    /// Where the schemas lead to within a step; nothing if the body does not fit there or in between.
+    /// The target of the next step; `None` if the body does not fit there or on the way.
     fn steer(&mut self, corner: Point, stream: &mut Stream) -> Option<Point> {
         if self.noise_steps == 0 {
             let Schemas { noise_gain: [least, most], noise_lasts: [shortest, longest], .. } = self.schemas;
@@ -351,7 +349,7 @@ impl Wanderer<'_> {
         (to != self.at && self.mesh.is_clear_way(self.at, to)).then_some(to)
     }
 
-    /// Takes one step along a way, around its corners, and removes those that are behind; true once it is over.
+    /// Takes one step around the corners of a route and removes those behind; true at its end.
     fn follow(&mut self, way: &mut Vec<Point>) -> bool {
         let mut left = self.step_m;
         while let Some(&corner) = way.first() {
@@ -372,13 +370,12 @@ impl Wanderer<'_> {
         way.is_empty()
     }
 
-    /// Stands still for a while, now and then.
     fn pause(&mut self, stream: &mut Stream) {
         const SPREAD: f64 = 0.6;
         if self.pause_chance <= 0.0 || !stream.chance(self.pause_chance) {
             return;
         }
-        let end = self.now + micros(stream.lognormal(self.pause_s, SPREAD)).max(1);
+        let end = self.now + Span::from_seconds(stream.lognormal(self.pause_s, SPREAD)).max(Span::MICROSECOND);
         let doing = MotionState::Rest { at: self.at };
         self.moves.push(MotionSegment { begin: self.now, end, doing, posture: Posture::Standing });
         self.now = end;
@@ -388,9 +385,8 @@ impl Wanderer<'_> {
         self.step_within(to, self.step_m);
     }
 
-    /// A stride of this length, in its share of a step's time.
     fn step_within(&mut self, to: Point, length_m: f64) {
-        let end = self.now + micros(length_m / self.step_m * self.step_s).max(1);
+        let end = self.now + Span::from_seconds(length_m / self.step_m * self.step_s).max(Span::MICROSECOND);
         let doing = MotionState::Stride { from: self.at, to };
         self.moves.push(MotionSegment { begin: self.now, end, doing, posture: Posture::Standing });
         (self.at, self.now) = (to, end);
@@ -398,14 +394,12 @@ impl Wanderer<'_> {
 }
 
 impl Schemas {
-    /// Away from the nearest of the sides of obstacles.
     fn push(&self, sides: &[(Point, Point)], at: Point) -> Point {
         let Some(obstacle) = nearest(sides, at) else { return Point::ZERO };
         let nearness = (self.avoid_from_m - at.distance(obstacle)) / (self.avoid_from_m - self.avoid_most_m);
         (at - obstacle).normalize_or_zero() * (self.avoid_gain * nearness.clamp(0.0, 1.0))
     }
 
-    /// Back to the nearest wall over open floor, and away from other people.
     fn shy(&self, sides: &[(Point, Point)], at: Point) -> Point {
         let mut sum = Point::ZERO;
         if self.open_gain > 0.0
@@ -425,7 +419,6 @@ impl Schemas {
     }
 }
 
-/// The nearest point of any of the sides.
 fn nearest(sides: &[(Point, Point)], p: Point) -> Option<Point> {
     let nearest = sides.iter().map(|&(a, b)| geometry::nearest_on_segment(p, a, b));
     nearest.min_by(|a, b| a.distance(p).total_cmp(&b.distance(p)))

@@ -1,11 +1,10 @@
-//! Where somebody can be at a thing of a home: inside a door, around what is in the middle of a room, at a piece of furniture, side by side
-//! in it.
+//! Points to stand, sit or lie at the things of a home.
 
 use homebody_core::geometry::{self, Point};
-use homebody_core::home::plan::Plan;
-use homebody_core::scenario::path::Posture;
+use homebody_core::plan::Plan;
+use homebody_core::posture::Posture;
 
-/// A point in a room half a metre or so from a door in its wall; farther where that is thick.
+/// A point in a room half a metre or so from a door; farther in a thick wall.
 pub fn just_inside(plan: &Plan, door: Point) -> Point {
     /// Distances from it at which places are tried, in metres (our choice).
     const FROM_DOOR_M: [f64; 4] = [0.5, 0.75, 1.0, 1.25];
@@ -14,7 +13,7 @@ pub fn just_inside(plan: &Plan, door: Point) -> Point {
     let is_free = |at: &Point| plan.room_at(*at).is_some() && plan.is_walkable(*at, 0.25);
     let nearest = FROM_DOOR_M.into_iter().find(|&from_door_m| around(from_door_m).any(|at| is_free(&at)));
     let free = nearest.into_iter().flat_map(around).filter(is_free);
-    // The farther from walls the better: straight ahead.
+    // The farther from walls, the better: straight ahead.
     let room = |at: &Point| {
         let solids = plan.solids.iter().filter(|solid| solid.stops_bodies);
         solids.map(|solid| geometry::distance_to_area(&solid.outline, *at)).fold(f64::INFINITY, f64::min)
@@ -22,7 +21,7 @@ pub fn just_inside(plan: &Plan, door: Point) -> Point {
     free.max_by(|a, b| room(a).total_cmp(&room(b))).unwrap_or(door)
 }
 
-/// Where somebody can stand in a room in whose middle something stands, such as a kitchen island: the nearest to the middle first.
+/// Points in a room whose middle is blocked, such as by a kitchen island; the nearest to the middle first.
 pub fn around_in_room(plan: &Plan, room: usize, middle: Point) -> Vec<Point> {
     /// Number of parts of a side of the room (our choice).
     const STEPS: u32 = 20;
@@ -37,8 +36,7 @@ pub fn around_in_room(plan: &Plan, room: usize, middle: Point) -> Vec<Point> {
     free
 }
 
-/// Where somebody can stand at a piece of furniture: before the middles of its sides where there is room, the nearest to its
-/// middle first.
+/// Points before the middles of the sides of furniture with enough room, the nearest to its middle first.
 pub fn beside(plan: &Plan, outline: &[Point]) -> Vec<Point> {
     /// Distance from its edge, in metres (our choice): a body and a hand's breadth.
     const OFF_M: f64 = 0.32;
@@ -54,13 +52,12 @@ pub fn beside(plan: &Plan, outline: &[Point]) -> Vec<Point> {
     free
 }
 
-/// Where somebody can stand who reaches over: off the middle of a side, and farther from it, with no room to spare. In small
-/// bathrooms there is nothing better.
+/// Points for a person who reaches over from the edge, with no room to spare, as in small bathrooms.
 fn reaching(plan: &Plan, outline: &[Point]) -> Vec<Point> {
     /// Distances from the edge, and room for a body, in metres (our choice): an arm's length at most.
     const OFF_M: [f64; 3] = [0.32, 0.45, 0.6];
     const BODY_M: f64 = 0.23;
-    /// Where along the side, as a share of its length.
+    /// As a share of the side.
     const ALONG: [f64; 3] = [0.5, 0.25, 0.75];
     let spots = OFF_M.into_iter().flat_map(|off_m| {
         geometry::sides(outline).flat_map(move |(a, b)| {
@@ -71,7 +68,7 @@ fn reaching(plan: &Plan, outline: &[Point]) -> Vec<Point> {
     spots.filter(|&at| plan.is_walkable(at, BODY_M)).collect()
 }
 
-/// Where people lie side by side in a bed, or sit in a row on a sofa; none where there is room for one.
+/// Places side by side in a bed or on a sofa; empty for one person.
 pub fn sides_of(outline: &[Point], posture: Posture) -> Vec<Point> {
     /// Width below which a bed is for one person, and width that a sitting person takes on a sofa (our choice).
     const BED_M: f64 = 1.1;

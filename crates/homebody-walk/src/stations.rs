@@ -1,10 +1,9 @@
-//! What is done at the places that somebody rises for, and what is opened there: their names tell.
+//! Chores at places, and what can be opened, by the words in their names.
 
 use homebody_core::activity::{AIRING, FETCHING_MAIL, FRESHENING_UP, PUTTING_CLOTHES_AWAY, SEEING_TO_KITCHEN, TIDYING};
 use homebody_core::names::words;
 
-/// What somebody rises for, by the words in the names of the places where it is done; the first that fits counts. The lists are
-/// ours.
+/// Chores by words in the names of places; the first match counts (our choice).
 const CHORES: [(&str, &[&str]); 5] = [
     (AIRING, &["window", "balcony"]),
     (FETCHING_MAIL, &["mailbox", "letterbox", "mail"]),
@@ -38,7 +37,7 @@ const CHORES: [(&str, &[&str]); 5] = [
     ),
 ];
 
-/// The last words of the names of what is opened to get at what is in it, or for air (ours).
+/// Last words of the names of things that are opened for their contents or for air (our choice).
 const OPENED: [&str; 17] = [
     "fridge",
     "refrigerator",
@@ -59,12 +58,10 @@ const OPENED: [&str; 17] = [
     "dishwasher",
 ];
 
-/// Whether what has this name is opened to get at what is in it, or for air.
 pub fn is_opened(name: &str) -> bool {
     words(name).last().is_some_and(|word| OPENED.contains(&word.as_str()))
 }
 
-/// What is done at a place of this name.
 pub fn chore(name: &str) -> &'static str {
     let words = words(name);
     let fits = |(_, known): &&(&str, &[&str])| words.iter().any(|word| known.contains(&word.as_str()));

@@ -3,10 +3,10 @@
 use crate::kept_address::Unkept;
 use crate::messages::{DeskMessage, LibraryMessage, PageMessage, StageMessage};
 use crate::server::ServeError;
-use homebody_core::messages::{Catalogue, Entry};
+use homebody_core::messages::{Catalogue, CatalogueEntry};
 
 /// The messages by area.
-pub const MESSAGES: &[&[Entry]] = &[
+pub const MESSAGES: &[&[CatalogueEntry]] = &[
     ServeError::ENTRIES,
     Unkept::ENTRIES,
     PageMessage::ENTRIES,

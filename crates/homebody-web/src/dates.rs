@@ -1,30 +1,30 @@
 //! Days by the clock on the wall, as the page counts them, and the nights between them.
 
-use crate::wire::DateView;
-use homebody_core::scenario::calendar::Calendar;
-use homebody_core::time::{Micros, SECOND};
-use homebody_log::RunClock;
-use homebody_log::source::Clock;
+use crate::wire::{DateView, PlaybackView};
+use homebody_core::calendar::Calendar;
+use homebody_core::time::{ClockChange, Interval, MINUTE, RunTime, Span};
+use homebody_query::search::SearchDay;
 use std::ops::Range;
 
 /// All days of a run of this length.
-pub fn all(calendar: &Calendar, length: Micros) -> Vec<DateView> {
+pub fn all(calendar: &Calendar, length: Span) -> Vec<DateView> {
     some(calendar, length, 0..last(calendar, length) + 1)
 }
 
 /// Some days of a run of this length, counted from 0.
-pub fn some(calendar: &Calendar, length: Micros, days: Range<u32>) -> Vec<DateView> {
-    let turns = turns(calendar, length);
+pub fn some(calendar: &Calendar, length: Span, days: Range<u32>) -> Vec<DateView> {
+    let turns: Vec<ClockChange<RunTime>> = calendar.scale(length).run_changes().collect();
     let day = |day: u32| {
         let number = day as i32;
-        let begin = calendar.instant(number, 0).max(0);
-        let end = calendar.instant(number + 1, 0).min(length);
+        let begin = calendar.instant(number, Span::ZERO).max(RunTime::START);
+        let end = calendar.instant(number + 1, Span::ZERO).min(RunTime::START + length);
+        let turn = turns.iter().find(|turn| Interval::new(begin, end).contains(turn.at));
         DateView {
             date: date(calendar, day),
-            begin_us: begin,
-            end_us: end,
-            clock_us: if day == 0 { calendar.start_of_day() } else { 0 },
-            turn: turns.iter().copied().find(|turn| (begin..end).contains(&turn.0)),
+            begin_us: begin.micros(),
+            end_us: end.micros(),
+            clock_us: if day == 0 { calendar.start_of_day().micros() } else { 0 },
+            turn: turn.map(|turn| (turn.at.micros(), turn.by.micros())),
         }
     };
     days.map(day).collect()
@@ -37,66 +37,91 @@ pub fn date(calendar: &Calendar, day: u32) -> String {
 }
 
 /// The number of a run's last day.
-pub fn last(calendar: &Calendar, length: Micros) -> u32 {
-    u32::try_from(calendar.day((length - 1).max(0))).unwrap_or(0)
-}
-
-/// When clocks are set within a run, and by how much.
-pub fn turns(calendar: &Calendar, length: Micros) -> Vec<(Micros, Micros)> {
-    RunClock::new(calendar, length, Clock::Utc).turns().collect()
+pub fn last(calendar: &Calendar, length: Span) -> u32 {
+    let at = RunTime::START + (length - Span::MICROSECOND).max(Span::ZERO);
+    u32::try_from(calendar.day(at)).unwrap_or(0)
 }
 
 /// The hour on the clock on the wall.
-pub fn hour(calendar: &Calendar, at: Micros) -> usize {
+pub fn hour(calendar: &Calendar, at: RunTime) -> usize {
     usize::try_from(calendar.local(at).hour()).unwrap_or(0)
 }
 
 /// Interval of the computed positions of the sun (our choice). Sunrise and sunset are interpolated between them.
-const STEP: Micros = 600 * SECOND;
+const STEP: Span = MINUTE.times(10);
 
 /// From when to when the sun is down, in order, over a run of this length, by the sine of its height.
-pub fn nights(height: impl Fn(Micros) -> f64, length: Micros) -> Vec<(i64, i64)> {
-    let mut nights: Vec<(i64, i64)> = Vec::new();
-    let mut before = height(0);
-    let mut since = (before < 0.0).then_some(0);
-    let mut at = 0;
-    while at < length {
-        let next = (at + STEP).min(length);
+pub fn nights(height: impl Fn(RunTime) -> f64, length: Span) -> Vec<(i64, i64)> {
+    let mut nights: Vec<Interval<RunTime>> = Vec::new();
+    let last = RunTime::START + length;
+    let mut at = RunTime::START;
+    let mut before = height(at);
+    let mut since = (before < 0.0).then_some(at);
+    while at < last {
+        let next = (at + STEP).min(last);
         let now = height(next);
-        let turn = || at + ((next - at) as f64 * before / (before - now)) as Micros;
+        let turn = || at + Span::from_micros(((next - at).micros() as f64 * before / (before - now)) as i64);
         match (since, now < 0.0) {
             (None, true) => since = Some(turn()),
             (Some(begin), false) => {
-                nights.push((begin, turn()));
+                nights.push(Interval::new(begin, turn()));
                 since = None;
             }
             _ => {}
         }
         (at, before) = (next, now);
     }
-    nights.extend(since.map(|begin| (begin, length)));
-    nights
+    nights.extend(since.map(|begin| Interval::new(begin, last)));
+    nights.into_iter().map(|night| (night.begin.micros(), night.end.micros())).collect()
+}
+
+/// An interval and what it is of, as the page is told them.
+pub fn told<T: Copy>(&(Interval { begin, end }, what): &(Interval<RunTime>, T)) -> (i64, i64, T) {
+    (begin.micros(), end.micros(), what)
+}
+
+impl DateView {
+    /// From when to when it is.
+    pub fn interval(&self) -> Interval<RunTime> {
+        Interval::new(RunTime::from_micros(self.begin_us), RunTime::from_micros(self.end_us))
+    }
+
+    /// What the clock on the wall shows in it.
+    pub fn clock(&self) -> SearchDay<RunTime> {
+        let Interval { begin, end } = self.interval();
+        let turn = self.turn.map(|(at, by)| ClockChange { at: RunTime::from_micros(at), by: Span::from_micros(by) });
+        SearchDay { begin, end, clock: Span::from_micros(self.clock_us), turn }
+    }
+}
+
+impl PlaybackView {
+    /// How long the run is.
+    pub fn length(&self) -> Span {
+        Span::from_micros(self.length_us)
+    }
+
+    /// From when to when it is.
+    pub fn interval(&self) -> Interval<RunTime> {
+        Interval::starting(RunTime::START, self.length())
+    }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use homebody_core::time::DAY;
-
-    const HOUR: Micros = 3600 * SECOND;
+    use homebody_core::time::{DAY, HOUR, SECOND};
 
     #[test]
     fn nights_are_while_the_sun_is_down_and_end_with_the_run() {
         // It rises at six and sets at eighteen.
-        let height = |at: Micros| -(at as f64 / DAY as f64 * std::f64::consts::TAU).cos();
-        let near = |(begin, end): (i64, i64), from: Micros, to: Micros| {
-            (begin - from).abs() < 5 * SECOND && (end - to).abs() < 5 * SECOND
-        };
+        let height = |at: RunTime| -(at.since_zero().ratio(DAY) * std::f64::consts::TAU).cos();
+        let is_near = |us: i64, to: Span| (Span::from_micros(us) - to).abs() < 5 * SECOND;
+        let near = |(begin, end): (i64, i64), from: Span, to: Span| is_near(begin, from) && is_near(end, to);
         let all = nights(height, 2 * DAY - HOUR);
         assert_eq!(all.len(), 3);
-        assert!(near(all[0], 0, 6 * HOUR) && near(all[1], 18 * HOUR, 30 * HOUR), "{all:?}");
+        assert!(near(all[0], Span::ZERO, 6 * HOUR) && near(all[1], 18 * HOUR, 30 * HOUR), "{all:?}");
         assert!(near(all[2], 42 * HOUR, 47 * HOUR), "{all:?}");
         assert_eq!(nights(|_| 1.0, DAY), []);
-        assert_eq!(nights(|_| -1.0, DAY), [(0, DAY)]);
+        assert_eq!(nights(|_| -1.0, DAY), [(0, DAY.micros())]);
     }
 }

@@ -13,13 +13,11 @@ mod suggesting;
 use crate::messages::DeskMessage;
 use crate::shelf::Shelf;
 use crate::turns::Turns;
-use crate::wire::{
-    CheckView, Draft, FileView, FilesView, FixView, LivesView, ProblemView, Save, SaveFile, SavedView, UnderlayView,
-};
+use crate::wire::{CheckView, Draft, FileView, FilesView, FixView, LivesView, ProblemView, Save, SaveFile, SavedView, UnderlayView};
 use homebody_core::problem::{Diagnose, Diagnostic, Fix, Problem, readable};
 use homebody_core::scenario::load::{Files, Overlay, Scenario};
 use homebody_core::scenario::remarks;
-use homebody_log::fresh::FreshFile;
+use homebody_log::files::fresh::FreshFile;
 use homebody_routine::household::Household;
 use serde_json::Value;
 use sha2::{Digest, Sha256};
@@ -146,7 +144,7 @@ impl Desk {
         match self.lives(&self.with(draft), &[]) {
             Ok((scenario, _)) => {
                 let length = scenario.calendar.span_of_days(scenario.file.days);
-                CheckView { problems: Vec::new(), warnings: problems(&remarks::of(&scenario, length)) }
+                CheckView { problems: Vec::new(), warnings: problems(&remarks::scenario_remarks(&scenario, length)) }
             }
             Err(wrong) => CheckView { problems: problems(&wrong), warnings: Vec::new() },
         }

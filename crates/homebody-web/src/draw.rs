@@ -1,19 +1,18 @@
 //! A home and what is in it, in the words of the wire.
 
-use crate::wire::{
-    At, BodyView, CameraView, DoorView, HomeView, Posture, RoomView, SensorView, SolidKind, SolidView, ThingKind,
-    ThingView,
-};
+use crate::wire::{At, BodyView, CameraView, DoorView, HomeView, Posture, RoomView, SensorView, SolidKind, SolidView, ThingKind, ThingView};
 use homebody_analysis::coverage::cameras::CameraFloor;
 use homebody_core::geometry::{self, Point};
 use homebody_core::home::bake;
-use homebody_core::home::plan::{Origin, Plan};
+use homebody_core::home::form::HomeFile;
+use homebody_core::plan::form::FurnitureFile;
+use homebody_core::plan::{Origin, Plan};
+use homebody_core::posture;
 use homebody_core::role::Role;
-use homebody_core::scenario::home::{FurnitureFile, HomeFile, SensorFile};
-use homebody_core::scenario::path;
 use homebody_core::sensors::camera::CameraFile;
 use homebody_core::sensors::form::{Bearer, Mount};
-use homebody_core::sensors::{Kind, Sensor};
+use homebody_core::sensors::kinds::SensorFile;
+use homebody_core::sensors::{Sensor, SensorKind};
 
 /// How high the body reaches for which beams are drawn: an adult who stands.
 const BODY_M: f64 = 1.65;
@@ -102,12 +101,12 @@ fn verbs(kind: ThingKind, piece: Option<&FurnitureFile>) -> [String; 2] {
 
 fn sensor(sensor: &Sensor, file: &SensorFile, plan: &Plan) -> SensorView {
     let beams = match sensor.kind {
-        Kind::Motion(_) => bake::beams(sensor, plan, BODY_M),
-        Kind::CeilingMotion(_) | Kind::Device(_) => Vec::new(),
+        SensorKind::Motion(_) => bake::beams(sensor, plan, BODY_M),
+        SensorKind::CeilingMotion(_) | SensorKind::Device(_) => Vec::new(),
     };
     let on = file.on().and_then(|thing| plan.piece(thing)).map(|piece| outline(&piece.outline));
     let area = match (&sensor.kind, file) {
-        (Kind::CeilingMotion(ceiling), _) => Some(outline(&ceiling.outline)),
+        (SensorKind::CeilingMotion(ceiling), _) => Some(outline(&ceiling.outline)),
         _ if file.row().mount == Mount::Thing(&[Bearer::Enterable]) => file.area().map(<[_]>::to_vec).or(on),
         _ => None,
     };
@@ -131,8 +130,8 @@ fn sensor(sensor: &Sensor, file: &SensorFile, plan: &Plan) -> SensorView {
 }
 
 fn camera(file: &CameraFile, plan: &Plan) -> CameraView {
-    let CameraFloor { seen, hidden } = CameraFloor::of(plan, &file.lens());
-    CameraView { pixels: file.pixels, period_us: file.period(), always: file.always, seen, hidden }
+    let CameraFloor { seen, hidden } = CameraFloor::from_lens(plan, &file.lens());
+    CameraView { pixels: file.pixels, period_us: file.period().micros(), always: file.always, seen, hidden }
 }
 
 /// A body and its activity.
@@ -146,11 +145,11 @@ pub fn body(seen: &homebody_core::scene::Presence, activity: Option<String>) -> 
     }
 }
 
-pub fn posture(posture: path::Posture) -> Posture {
+pub fn posture(posture: posture::Posture) -> Posture {
     match posture {
-        path::Posture::Standing | path::Posture::Bending => Posture::Standing,
-        path::Posture::Sitting | path::Posture::Kneeling => Posture::Sitting,
-        path::Posture::Lying | path::Posture::Down => Posture::Lying,
+        posture::Posture::Standing | posture::Posture::Bending => Posture::Standing,
+        posture::Posture::Sitting | posture::Posture::Kneeling => Posture::Sitting,
+        posture::Posture::Lying | posture::Posture::Down => Posture::Lying,
     }
 }
 

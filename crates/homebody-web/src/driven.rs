@@ -1,10 +1,10 @@
 //! A scenario in which somebody is moved by keys.
 
 use crate::messages::StageMessage;
+use homebody_core::drivers::input::{InputFile, KeysFile};
 use homebody_core::geometry::Point;
-use homebody_core::home::plan::Plan;
+use homebody_core::plan::Plan;
 use homebody_core::scenario::edit::ScenarioEdit;
-use homebody_core::scenario::input::{InputFile, KeysFile};
 use homebody_core::scenario::load::Scenario;
 
 /// Makes a resident one who is moved by keys; returns also the name of the file that holds them.

@@ -3,8 +3,8 @@
 use homebody_core::drivers::error::DriverError;
 use homebody_core::event::Events;
 use homebody_core::run::Run;
-use homebody_core::time::{DAY, Micros};
-use homebody_kit::{Cancel, Stretch};
+use homebody_core::time::{DAY, RunTime, Span};
+use homebody_simulation::{AdaptiveStep, Cancel};
 use std::time::{Duration, Instant};
 
 /// Time of simulation without a check for other work (our choice).
@@ -20,18 +20,18 @@ const MOST_TOLD: usize = 200_000;
 
 /// How much is lived for one answer.
 pub struct Effort<'c> {
-    stretch: Stretch,
+    step: AdaptiveStep,
     cancel: &'c Cancel,
     begun: Instant,
-    /// How much has been lived, in microseconds.
-    lived: Micros,
+    /// How much has been lived.
+    lived: Span,
 }
 
 impl Effort<'_> {
-    /// No longer than somebody waits for it, and at most `longest` microseconds at once.
-    pub fn new(cancel: &Cancel, longest: Micros) -> Effort<'_> {
-        let stretch = Stretch::new(longest).within(AT_ONCE);
-        Effort { stretch, cancel, begun: Instant::now(), lived: 0 }
+    /// No longer than somebody waits for it, and at most `longest` at once.
+    pub fn new(cancel: &Cancel, longest: Span) -> Effort<'_> {
+        let step = AdaptiveStep::new(longest).within(AT_ONCE);
+        Effort { step, cancel, begun: Instant::now(), lived: Span::ZERO }
     }
 
     /// Whether more is lived; or why not, in a sentence. `told` is how much the answer tells already.
@@ -49,10 +49,10 @@ impl Effort<'_> {
         }
     }
 
-    /// Lives a stretch, at most until `until`, and adds to `events` what happens in it.
-    pub fn live(&mut self, run: &mut Run, until: Micros, events: &mut Events) -> Result<(), DriverError> {
+    /// Lives a step, at most until `until`, and adds to `events` what happens in it.
+    pub fn live(&mut self, run: &mut Run, until: RunTime, events: &mut Events) -> Result<(), DriverError> {
         let begin = run.now();
-        let lived = self.stretch.live(run, until, events);
+        let lived = self.step.advance(run, until, events);
         self.lived += run.now() - begin;
         lived
     }

@@ -6,15 +6,16 @@ use crate::draw;
 use crate::refusal::{Refusal, damaged};
 use crate::wire::{FilmView, MomentView, PersonView, PictureView, PlaybackView};
 use homebody_analysis::falls::rules::FallRules;
-use homebody_analysis::falls::scenes::{Person, Scenes, Seen};
+use homebody_analysis::falls::scenes::{CameraPicture, Scenes, SeenPerson};
 use homebody_analysis::falls::voxels::EDGE_M;
 use homebody_core::body::figure::Point3;
 use homebody_core::scenario::load::Scenario;
-use homebody_core::time::Micros;
-use homebody_kit::find::Stay;
-use homebody_kit::{Cancel, LogWithSilhouettes};
+use homebody_core::time::{Interval, RunTime, Span};
 use homebody_log::LogError;
-use homebody_log::silhouettes::{Kept, Silhouettes};
+use homebody_log::silhouettes::{KeptSilhouettes, Silhouettes};
+use homebody_query::RunSilhouettes;
+use homebody_query::search::KnownStay;
+use homebody_simulation::Cancel;
 use std::borrow::Cow;
 use std::collections::HashSet;
 use std::path::PathBuf;
@@ -35,7 +36,7 @@ pub struct Film {
     sensors: Vec<String>,
     open: Mutex<Option<OpenFilm>>,
     /// What the cameras take for falls, once somebody has looked for them.
-    falls: OnceLock<Vec<Stay<'static>>>,
+    falls: OnceLock<Vec<KnownStay<'static, RunTime>>>,
 }
 
 /// Once somebody has looked at it.
@@ -65,51 +66,56 @@ impl Film {
     }
 
     /// The silhouettes of a span, as many as there is time for: all, or those of instants so far apart.
-    pub fn part(&self, (from, to): (Micros, Micros), every: Micros, longest: Duration) -> Result<FilmView, Refusal> {
+    pub fn part(&self, span: Interval<RunTime>, every: Span, longest: Duration) -> Result<FilmView, Refusal> {
         let mut open = self.open.lock().unwrap_or_else(PoisonError::into_inner);
         let open: &OpenFilm = match &mut *open {
             Some(open) => open,
             closed => closed.insert(self.opened()?),
         };
         let corner = self.scenario.home.plan().bounds().0;
-        let mut view =
-            FilmView { until_us: to.max(from), corner: draw::at(corner), edge_m: EDGE_M, moments: Vec::new() };
-        let (begun, mut now): (_, Vec<Seen>) = (Instant::now(), Vec::new());
-        let tell = |now: &mut Vec<Seen>, view: &mut FilmView| {
+        let until_us = span.end.max(span.begin).micros();
+        let mut view = FilmView { until_us, corner: draw::at(corner), edge_m: EDGE_M, moments: Vec::new() };
+        let (begun, mut now): (_, Vec<CameraPicture>) = (Instant::now(), Vec::new());
+        let tell = |now: &mut Vec<CameraPicture>, view: &mut FilmView| {
             let Some(first) = now.first() else { return };
             let persons: Vec<PersonView> =
                 open.scenes.persons(now).iter().map(|person| told(person, corner.extend(0.0))).collect();
             let picture =
-                |seen: &Seen| PictureView { sensor: open.numbers[seen.camera], packed: seen.silhouette.packed() };
-            view.moments.push(MomentView { at_us: first.at, pictures: now.iter().map(picture).collect(), persons });
+                |seen: &CameraPicture| PictureView { sensor: open.numbers[seen.camera], packed: seen.silhouette.packed() };
+            view.moments.push(MomentView {
+                at_us: first.at.micros(),
+                pictures: now.iter().map(picture).collect(),
+                persons,
+            });
             now.clear();
         };
         let is_enough = |view: &FilmView| view.moments.len() >= MOST_MOMENTS || begun.elapsed() >= longest;
-        let mut next = from;
-        while let Some(at) = open.silhouettes.next_from(next).map_err(damaged)?.filter(|at| *at < to) {
-            let end = if every > 0 { at + 1 } else { to };
-            let read = open.silhouettes.for_each_within(at..end, |Kept { at, camera, silhouette, .. }| {
-                if now.first().is_some_and(|seen| seen.at != at) {
-                    tell(&mut now, &mut view);
-                    if is_enough(&view) {
-                        view.until_us = at;
-                        return Err(Ends::Full);
+        let mut next = span.begin;
+        while let Some(at) = open.silhouettes.next_from(next).map_err(damaged)?.filter(|at| *at < span.end) {
+            let end = if every > Span::ZERO { at + Span::MICROSECOND } else { span.end };
+            let read =
+                open.silhouettes.for_each_within(Interval::new(at, end), |KeptSilhouettes { at, camera, silhouette, .. }| {
+                    if now.first().is_some_and(|seen| seen.at != at) {
+                        tell(&mut now, &mut view);
+                        if is_enough(&view) {
+                            view.until_us = at.micros();
+                            return Err(Ends::Full);
+                        }
                     }
-                }
-                now.push(Seen { at, camera, silhouette });
-                Ok(())
-            });
+                    now.push(CameraPicture { at, camera, silhouette });
+                    Ok(())
+                });
             match read {
                 Ok(()) => tell(&mut now, &mut view),
                 Err(Ends::Full) => return Ok(view),
                 Err(Ends::Log(error)) => return Err(damaged(error)),
             }
-            if every <= 0 {
+            if every <= Span::ZERO {
                 break;
             }
             next = at + every;
             if is_enough(&view) {
-                view.until_us = next.min(to);
+                view.until_us = next.min(span.end).micros();
                 break;
             }
         }
@@ -117,7 +123,7 @@ impl Film {
     }
 
     fn opened(&self) -> Result<OpenFilm, Refusal> {
-        let kept = LogWithSilhouettes::of(&self.path, &self.scenario).map_err(damaged)?;
+        let kept = RunSilhouettes::open(&self.path, &self.scenario).map_err(damaged)?;
         let scenes = Scenes::new(self.scenario.home.plan(), &kept.lenses(), &RULES);
         let number =
             |name: &str| self.sensors.iter().position(|sensor| sensor == name).map_or(u32::MAX, |at| at as u32);
@@ -126,13 +132,13 @@ impl Film {
     }
 
     /// Looks through all of it once, which takes a while; others can look at parts of it meanwhile.
-    pub fn falls(&self, cancel: &Cancel) -> Result<&Vec<Stay<'static>>, Refusal> {
+    pub fn falls(&self, cancel: &Cancel) -> Result<&Vec<KnownStay<'static, RunTime>>, Refusal> {
         if let Some(known) = self.falls.get() {
             return Ok(known);
         }
-        let kept = LogWithSilhouettes::of(&self.path, &self.scenario).map_err(damaged)?;
+        let kept = RunSilhouettes::open(&self.path, &self.scenario).map_err(damaged)?;
         let looked = kept.falls(&RULES, |_| !cancel.is_cancelled()).map_err(damaged)?;
-        let stay = |fall: &homebody_analysis::falls::watch::Fall| Stay {
+        let stay = |fall: &homebody_analysis::falls::watch::Fall| KnownStay {
             begin: fall.at,
             end: fall.alarm_at,
             who: None,
@@ -145,7 +151,7 @@ impl Film {
 }
 
 /// Somebody as the page draws them: of the cubes only those that are not all around by others.
-fn told(person: &Person, corner: Point3) -> PersonView {
+fn told(person: &SeenPerson, corner: Point3) -> PersonView {
     let steps = |cube: &Point3| {
         let from = (*cube - corner) / EDGE_M - Point3::splat(0.5);
         [from.x.round() as i32, from.y.round() as i32, from.z.round() as i32]

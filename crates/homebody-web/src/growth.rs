@@ -2,12 +2,9 @@
 
 use crate::dates;
 use crate::wire::GrowthView;
+use homebody_core::calendar::Calendar;
 use homebody_core::event::Firing;
-use homebody_core::scenario::calendar::Calendar;
-use homebody_core::time::{Micros, SECOND};
-use std::ops::Range;
-
-const HOUR: Micros = 3600 * SECOND;
+use homebody_core::time::{HOUR, Interval, MINUTE, RunTime, SECOND, Span};
 
 /// Number of firings of a day that are stored one by one (our choice).
 const MOST_TODAY: usize = 100_000;
@@ -17,35 +14,35 @@ const MOST_TODAY: usize = 100_000;
 pub struct Growth {
     calendar: Calendar,
     /// When clocks are set.
-    turns: Vec<Micros>,
+    turns: Vec<RunTime>,
     is_motion: Vec<bool>,
     hours: Vec<Vec<u32>>,
     /// No more than [`MOST_TODAY`].
-    today: Vec<(Micros, u32)>,
+    today: Vec<(RunTime, u32)>,
     /// How many firings of the day are not in `today`.
     left_out: u64,
     /// An hour on the clock: from when to when, of which day, and which.
-    now: (Range<Micros>, usize, usize),
+    now: (Interval<RunTime>, usize, usize),
 }
 
 impl Growth {
     /// Of a run of this length, before it begins; which of its sensors look for movement.
-    pub fn new(calendar: &Calendar, length: Micros, is_motion: Vec<bool>) -> Growth {
+    pub fn new(calendar: &Calendar, length: Span, is_motion: Vec<bool>) -> Growth {
         let mut growth = Growth {
             calendar: calendar.clone(),
-            turns: dates::turns(calendar, length).into_iter().map(|(at, _)| at).collect(),
+            turns: calendar.scale(length).run_changes().map(|turn| turn.at).collect(),
             is_motion,
             hours: vec![vec![0; 24]],
             today: Vec::new(),
             left_out: 0,
-            now: (0..0, 0, 0),
+            now: (Interval::default(), 0, 0),
         };
-        growth.come_to(0);
+        growth.come_to(RunTime::START);
         growth
     }
 
     /// Counts what was fired before `until`.
-    pub fn add(&mut self, firings: &[Firing], until: Micros) {
+    pub fn add(&mut self, firings: &[Firing], until: RunTime) {
         for firing in firings {
             self.come_to(firing.at);
             let (_, day, hour) = self.now;
@@ -61,22 +58,23 @@ impl Growth {
             }
         }
         // Midnight itself is of a day that has not begun.
-        self.come_to((until - 1).max(0));
+        self.come_to((until - Span::MICROSECOND).max(RunTime::START));
     }
 
     pub fn view(&self) -> GrowthView {
-        GrowthView { hours: self.hours.clone(), today: self.today.clone(), left_out: self.left_out }
+        let today = self.today.iter().map(|&(at, sensor)| (at.micros(), sensor)).collect();
+        GrowthView { hours: self.hours.clone(), today, left_out: self.left_out }
     }
 
     /// Finds the hour of an instant, where it is another than that of the one before.
-    fn come_to(&mut self, at: Micros) {
-        if self.now.0.contains(&at) {
+    fn come_to(&mut self, at: RunTime) {
+        if self.now.0.contains(at) {
             return;
         }
         let local = self.calendar.local(at);
-        let since = Micros::from(local.minute()) * 60 * SECOND
-            + Micros::from(local.second()) * SECOND
-            + Micros::from(local.subsec_nanosecond()) / 1000;
+        let since = i64::from(local.minute()) * MINUTE
+            + i64::from(local.second()) * SECOND
+            + Span::from_micros(i64::from(local.subsec_nanosecond()) / 1000);
         let day = usize::try_from(self.calendar.day(at)).unwrap_or(0);
         if day >= self.hours.len() {
             self.hours.resize(day + 1, vec![0; 24]);
@@ -85,9 +83,9 @@ impl Growth {
         }
         // An hour in which clocks are set is cut short there.
         let turned = self.turns.partition_point(|&turn| turn <= at);
-        let begin = (at - since).max(turned.checked_sub(1).map_or(Micros::MIN, |last| self.turns[last]));
-        let end = (at - since + HOUR).min(self.turns.get(turned).copied().unwrap_or(Micros::MAX));
-        self.now = (begin..end, day, dates::hour(&self.calendar, at));
+        let begin = (at - since).max(turned.checked_sub(1).map_or(RunTime::MIN, |last| self.turns[last]));
+        let end = (at - since + HOUR).min(self.turns.get(turned).copied().unwrap_or(RunTime::MAX));
+        self.now = (Interval::new(begin, end), day, dates::hour(&self.calendar, at));
     }
 }
 
@@ -96,6 +94,7 @@ mod tests {
     use super::*;
     use homebody_core::event::Value;
     use homebody_core::ids::SensorId;
+    use homebody_core::time::DAY;
 
     /// Each firing counts for the day and the hour that a clock on the wall shows, whenever clocks are set.
     #[test]
@@ -110,16 +109,16 @@ mod tests {
             ("2009-03-07T12:00:00", "America/Chicago"),
         ] {
             let calendar = Calendar::new(start, zone).unwrap();
-            let length = 3 * 24 * HOUR;
+            let length = 3 * DAY;
             let mut growth = Growth::new(&calendar, length, vec![true]);
             let mut wanted = vec![vec![0_u32; 24]; dates::last(&calendar, length) as usize + 1];
-            for seq in 0..length / (7 * 60 * SECOND) {
-                let at = seq * 7 * 60 * SECOND;
+            for seq in 0..length / (7 * MINUTE) {
+                let at = RunTime::START + seq * 7 * MINUTE;
                 let firing = Firing { seq: seq as u64, at, sensor: SensorId(0), value: Value::Fire };
                 growth.add(&[firing], at + SECOND);
                 wanted[calendar.day(at) as usize][dates::hour(&calendar, at)] += 1;
             }
-            growth.add(&[], length);
+            growth.add(&[], RunTime::START + length);
             assert_eq!(growth.view().hours, wanted, "{start} {zone}");
         }
     }

@@ -1,23 +1,5 @@
 //! An opened home: what its page asks, and who answers.
 
-use crate::answers::{Refused, found, found_while_waited_for, json, packed, plan_of, received, refused, told_length};
-use crate::desk::Desk;
-use crate::guard::{Guard, SOCKET};
-use crate::keeping;
-use crate::messages::PageMessage;
-use crate::notes::{Notes, Unnoted};
-use crate::page;
-use crate::playback::Playback;
-use crate::refusal::Refusal;
-use crate::shelf::Shelf;
-use crate::socket;
-use crate::stage::Stage;
-use crate::told::{Logs, Which};
-use crate::visit::Visit;
-use crate::walks::{HomeOf, LARGEST_LOG_BYTES, Unwalked, Walks};
-use crate::wire::{
-    Connect, Draft, Explain, Find, Forget, Layouts, Month, NoteIt, Rename, RunAbout, Save, Suggest, WalkingView,
-};
 use axum::body::Body;
 use axum::extract::ws::{WebSocket, WebSocketUpgrade};
 use axum::extract::{DefaultBodyLimit, Path, State};
@@ -25,10 +7,25 @@ use axum::http::{HeaderMap, StatusCode, header};
 use axum::response::{IntoResponse, Response};
 use axum::routing::{get, post};
 use axum::{Extension, Json, Router};
+use crate::answers::{Refused, found, found_while_waited_for, json, packed, plan_of, received, refused, told_length};
+use crate::desk::Desk;
+use crate::guard::{Guard, SOCKET};
+use crate::messages::PageMessage;
+use crate::notes::{Notes, Unnoted};
+use crate::playback::Playback;
+use crate::refusal::Refusal;
+use crate::shelf::Shelf;
+use crate::stage::Stage;
+use crate::told::{Logs, Which};
+use crate::visit::Visit;
+use crate::walks::{HomeOf, LARGEST_LOG_BYTES, Unwalked, Walks};
+use crate::wire::{Connect, Draft, Explain, Find, Forget, Layouts, Month, NoteIt, Rename, RunAbout, Save, Suggest, WalkingView};
+use crate::{keeping, page, socket};
 use futures_util::stream::{Stream, try_unfold};
 use homebody_core::problem::{Diagnose, Diagnostic};
-use homebody_kit::Cancel;
-use homebody_log::places::RECORDING;
+use homebody_core::time::{Interval, RunTime, Span};
+use homebody_log::run::places::RECORDING;
+use homebody_simulation::Cancel;
 use std::io;
 use std::path::PathBuf;
 use std::sync::Arc;
@@ -276,7 +273,7 @@ async fn stored_day(State(house): State<House>, Path((run, day)): Path<(String, 
 
 /// What a day's answer had no time for: movements from an instant on.
 async fn rest_of_day(State(house): State<House>, Path((run, day, from)): Path<(String, String, String)>) -> Response {
-    let (Ok(day), Ok(from)) = (day.parse(), from.parse()) else {
+    let (Ok(day), Ok(from)) = (day.parse(), from.parse().map(RunTime::from_micros)) else {
         return Refused::of(StatusCode::NOT_FOUND, PageMessage::Number).into_response();
     };
     packed(found(move || house.playback.rest_of_day(&run, day, from)).await.and_then(|day| day.map_err(refused)))
@@ -295,10 +292,12 @@ async fn silhouettes(
     State(house): State<House>,
     Path((run, from, to, every)): Path<(String, String, String, String)>,
 ) -> Response {
-    let (Ok(from), Ok(to), Ok(every)) = (from.parse(), to.parse(), every.parse()) else {
+    let instant = |text: &str| text.parse().map(RunTime::from_micros);
+    let (Ok(from), Ok(to), Ok(every)) = (instant(&from), instant(&to), every.parse().map(Span::from_micros)) else {
         return Refused::of(StatusCode::NOT_FOUND, PageMessage::Number).into_response();
     };
-    packed(found(move || house.playback.film(&run, (from, to), every)).await.and_then(|film| film.map_err(refused)))
+    let span = Interval::new(from, to);
+    packed(found(move || house.playback.film(&run, span, every)).await.and_then(|film| film.map_err(refused)))
 }
 
 /// How far the log of a stored run is read.

@@ -9,9 +9,9 @@ use crate::shelf::Shelf;
 use crate::wire::{PutAside, RunAbout};
 use homebody_core::problem::readable;
 use homebody_core::scenario::inside::ABOUT;
-use homebody_kit::walked::RELIVED;
-use homebody_log::fresh::FreshFile;
-use homebody_log::plain;
+use homebody_log::files::fresh::FreshFile;
+use homebody_log::files::plain;
+use homebody_tracking::located_folder::SIMULATED_RUN;
 use std::io;
 use std::path::{Path, PathBuf};
 
@@ -55,7 +55,7 @@ pub fn call(shelf: &Shelf, run: &str, about: RunAbout) -> Result<RunAbout, Refus
 /// Puts a run aside; of a log that was walked back all that was made of it.
 pub fn put_aside(shelf: &Shelf, run: &str) -> Result<PutAside, Refusal> {
     let name =
-        shelf.run(run).map(|_| run.strip_suffix(RELIVED).and_then(|folder| folder.strip_suffix('/')).unwrap_or(run));
+        shelf.run(run).map(|_| run.strip_suffix(SIMULATED_RUN).and_then(|folder| folder.strip_suffix('/')).unwrap_or(run));
     let name = name.ok_or_else(|| no_run(run))?;
     let key = aside::put(&shelf.runs, name);
     let undeleted = |error: io::Error| damaged(PageMessage::NotDeleted { name: name.into(), why: error.to_string() });
@@ -74,7 +74,7 @@ pub fn fetch_back(shelf: &Shelf, key: &str) -> Result<String, Refusal> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use homebody_log::places::RECORDING;
+    use homebody_log::run::places::RECORDING;
     use std::fs;
 
     fn shelf(runs: &[&str]) -> (tempfile::TempDir, Shelf) {

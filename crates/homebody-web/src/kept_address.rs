@@ -1,7 +1,7 @@
 //! An address that outlives the server: a file keeps its port and its token, and only its owner may read it.
 
 use crate::guard::TOKEN_BYTES;
-use homebody_log::plain;
+use homebody_log::files::plain;
 use std::fs;
 use std::io::{self, ErrorKind, Write};
 use std::path::{Path, PathBuf};
@@ -74,7 +74,7 @@ fn not_own(found: &fs::Metadata) -> Option<&'static str> {
     #[cfg(unix)]
     {
         use std::os::unix::fs::MetadataExt;
-        if homebody_log::written::owner_of_new_files().is_some_and(|own| own != found.uid()) {
+        if homebody_log::files::open::owner_of_new_files().is_some_and(|own| own != found.uid()) {
             return Some("owned by another user");
         }
         if found.is_file() && found.nlink() > 1 {

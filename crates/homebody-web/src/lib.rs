@@ -22,7 +22,6 @@ mod dates;
 mod draw;
 mod growth;
 mod driven;
-mod input_keeper;
 mod effort;
 mod looks;
 

@@ -16,19 +16,19 @@ use crate::wire::{AsideView, CardView, HomeEntryView, LibraryView, MadeView, New
 use homebody_core::problem::{Diagnose, Diagnostic, is_unseen, readable};
 use homebody_core::scenario::load::Files;
 use homebody_import::sweet_home;
-use homebody_kit::begun::{self, Begun, GivenLog, Texts};
-use homebody_kit::{Error, LogWithRun, Template};
-use homebody_log::fresh::FreshFile;
-use homebody_log::places::RUNS;
+use homebody_log::files::fresh::FreshFile;
+use homebody_log::run::places::RUNS;
+use homebody_query::LoadedLog;
 use homebody_routine::household::Household;
+use homebody_scaffold::{GivenLog, NewScenario, ScaffoldError, ScenarioTexts};
+use homebody_simulation::Template;
 use serde_json::{Value, json};
 use std::collections::{BTreeMap, HashMap};
 use std::fmt::Display;
-use std::fs;
-use std::io;
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex, PoisonError};
 use std::time::SystemTime;
+use std::{fs, io};
 use tempfile::TempDir;
 
 /// What a scenario's own file is called in a library.
@@ -136,7 +136,7 @@ impl Library {
         let shelf = self.home(name)?;
         let no_run = || unknown(PageMessage::NoRun { run: readable(run.to_owned()) });
         let folder = shelf.run(run).ok_or_else(no_run)?;
-        let written = fs::metadata(folder.join(homebody_log::places::RECORDING)).and_then(|meta| meta.modified()).ok();
+        let written = fs::metadata(folder.join(homebody_log::run::places::RECORDING)).and_then(|meta| meta.modified()).ok();
         let key = (name.to_owned(), run.to_owned());
         // Held while one is drawn: a page of many homes asks for one after the other.
         let mut pictures = self.pictures.lock().unwrap_or_else(PoisonError::into_inner);
@@ -160,12 +160,12 @@ impl Library {
     /// Begins a home: empty, or from a template.
     pub fn begin(&self, name: &str, from: &NewHome) -> Result<MadeView, Refusal> {
         let texts = match from {
-            NewHome::Empty => begun::empty(name),
+            NewHome::Empty => homebody_scaffold::empty(name),
             NewHome::Template { name: template } => {
-                begun::of_template(Template::named(template).map_err(unknown)?, name)
+                homebody_scaffold::from_template(Template::named(template).map_err(unknown)?, name)
             }
         };
-        self.make(name, |folder| begun::write(folder, &texts))?;
+        self.make(name, |folder| homebody_scaffold::write(folder, &texts))?;
         Ok(MadeView { name: name.to_owned(), remarks: Vec::new() })
     }
 
@@ -173,34 +173,34 @@ impl Library {
     pub fn import(&self, name: &str, bytes: &[u8]) -> Result<MadeView, Refusal> {
         self.is_free(name)?;
         let imported = sweet_home(bytes, name, None).map_err(damaged)?;
-        let week = Begun::week(name, imported.home_json);
-        let lack = begun::lack(&week);
+        let week = NewScenario::week(name, imported.home_json);
+        let lack = homebody_scaffold::lack(&week);
         // What it lacks the page lists among its problems, and puts there by a button: its hints are for people with files.
         let lack = lack.iter().filter_map(|lack| lack.lines().next()).map(str::to_owned).collect();
-        self.write_lived(name, &begun::lived_in(&week), imported.remarks, lack)
+        self.write_lived(name, &homebody_scaffold::inhabited_texts(&week), imported.remarks, lack)
     }
 
     /// Begins a schematic home from a log, whose file is called so.
     pub fn from_log(&self, name: &str, file: &str, log: &Path) -> Result<MadeView, Refusal> {
         self.is_free(name)?;
         // Where the log lies meanwhile tells nobody anything.
-        let told =
-            |error: Error| damaged(without_options(replaced(error.diagnostic(), &log.display().to_string(), file)));
-        let read = LogWithRun::read(&log.to_string_lossy(), None).map_err(told)?;
+        let log_path = log.display().to_string();
+        let told = |error: Diagnostic| damaged(without_options(replaced(error, &log_path, file)));
+        let read = LoadedLog::read(&log.to_string_lossy(), None).map_err(|error| told(error.diagnostic()))?;
         let table = BTreeMap::new();
         let given = GivenLog { named: file, file, read: &read, time_zone: None, table, picture: None };
-        let made = begun::of_log(name, &given).map_err(told)?;
-        self.write_lived(name, &made.lived.texts, made.remarks, made.lived.lack)
+        let made = homebody_scaffold::from_log(name, &given).map_err(|error| told(error.diagnostic()))?;
+        self.write_lived(name, &made.scenario.texts, made.remarks, made.scenario.lack)
     }
 
     fn write_lived(
         &self,
         name: &str,
-        texts: &Texts,
+        texts: &ScenarioTexts,
         mut remarks: Vec<String>,
         lack: Vec<String>,
     ) -> Result<MadeView, Refusal> {
-        self.make(name, |folder| begun::write(folder, texts))?;
+        self.make(name, |folder| homebody_scaffold::write(folder, texts))?;
         remarks.extend(lack.iter().map(|lack| format!("The home is not ready for a resident yet: {lack}")));
         Ok(MadeView { name: name.to_owned(), remarks })
     }
@@ -261,11 +261,11 @@ impl Library {
     }
 
     /// Makes a home of a name: it is there whole, or not at all.
-    fn make(&self, name: &str, write: impl FnOnce(&Path) -> Result<(), Error>) -> Result<(), Refusal> {
+    fn make(&self, name: &str, write: impl FnOnce(&Path) -> Result<(), ScaffoldError>) -> Result<(), Refusal> {
         self.is_free(name)?;
         let hidden = self.hidden()?;
         let fresh = hidden.path().join(name);
-        begun::begin(&fresh, |part, _| write(part)).map_err(damaged)?;
+        homebody_scaffold::create(&fresh, |part, _| write(part)).map_err(damaged)?;
         self.take_name(&fresh, name)
     }
 

@@ -5,7 +5,7 @@ use homebody_core::event::Frame;
 use homebody_core::home::resolved::ResolvedHome;
 use homebody_core::ids::SensorId;
 use homebody_core::sensor_set::SensorSet;
-use homebody_core::time::Micros;
+use homebody_core::time::{RunTime, Span};
 use homebody_log::silhouettes::cameras;
 
 /// The cameras of a home.
@@ -13,9 +13,9 @@ pub struct Looks(Vec<Look>);
 
 struct Look {
     sensor: SensorId,
-    period: Micros,
+    period: Span,
     /// When it saw somebody last, and its silhouette, packed.
-    last: Option<(Micros, Vec<u8>)>,
+    last: Option<(RunTime, Vec<u8>)>,
 }
 
 impl Looks {
@@ -40,9 +40,9 @@ impl Looks {
 
     /// What they see at an instant at which these sensors are awake. A picture is the latest until the next is due: of an empty
     /// room none is kept.
-    pub fn at(&self, now: Micros, awake: &SensorSet) -> Vec<LookView> {
+    pub fn at(&self, now: RunTime, awake: &SensorSet) -> Vec<LookView> {
         let look = |look: &Look| {
-            let is_latest = |(at, _): &&(Micros, Vec<u8>)| *at <= now && now - at <= look.period;
+            let is_latest = |(at, _): &&(RunTime, Vec<u8>)| *at <= now && now - *at <= look.period;
             let awake = awake.contains(look.sensor);
             let packed = look.last.as_ref().filter(is_latest).filter(|_| awake).map(|(_, packed)| packed.clone());
             LookView { sensor: look.sensor.0, awake, packed: packed.unwrap_or_default() }

@@ -1,7 +1,7 @@
 //! The messages of the server. Each is the reason for a refused request, and the page shows it as a sentence.
 
 use homebody_core::problem::counted;
-use homebody_log::places::RUNS;
+use homebody_log::run::places::RUNS;
 
 homebody_core::messages! {
     /// Reasons why the server refuses a request about runs, logs or notes.

@@ -10,8 +10,8 @@ use crate::turns::Turns;
 use crate::wire::{NoteIt, NoteView};
 use homebody_core::problem::readable;
 use homebody_core::scenario::inside::NOTES;
-use homebody_log::fresh::FreshFile;
-use homebody_log::plain;
+use homebody_log::files::fresh::FreshFile;
+use homebody_log::files::plain;
 use serde::{Deserialize, Serialize};
 use std::path::{Path, PathBuf};
 
@@ -121,7 +121,7 @@ fn write(place: &Path, notes: &[NoteView]) -> Result<(), Refusal> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use homebody_log::places::RECORDING;
+    use homebody_log::run::places::RECORDING;
     use std::fs;
 
     fn notes() -> (tempfile::TempDir, Notes) {

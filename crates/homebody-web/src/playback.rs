@@ -19,20 +19,20 @@ pub use crate::refusal::Refusal;
 use crate::refusal::{damaged, failed, sentence, unknown};
 use crate::shelf::Shelf;
 use crate::stored_log::StoredRows;
-use crate::walked::{Walked, chances_of, reported};
+use crate::walked::{KnownChance, Walked, chances_of, reported};
 use crate::wire::{
-    Chance, DateView, DayView, LifeView, MotionState, MovementView, PlaybackView, ReadingView, ResidentView, StoredView,
+    DateView, DayView, LifeView, MotionState, MovementView, PlaybackView, ReadingView, ResidentView, StoredView,
 };
 use coming::Grows;
+use homebody_core::posture::Posture;
 use homebody_core::problem::{Diagnose, Diagnostic, readable};
 use homebody_core::run::Run;
 use homebody_core::scenario::load::Scenario;
-use homebody_core::scenario::path::Posture;
 use homebody_core::scenario::scheme::{self, Scheme};
-use homebody_core::time::{Micros, SECOND};
-use homebody_kit::find::Stay;
-use homebody_log::places::{RECORDING, SILHOUETTES};
-use homebody_log::{LogError, Movement, MovementKind, Movements, RunClock, Url};
+use homebody_core::time::{HOUR, Interval, MINUTE, RunTime, Span, TimeScale};
+use homebody_query::search::KnownStay;
+use homebody_log::run::places::{RECORDING, SILHOUETTES};
+use homebody_log::{LogError, Movement, MovementKind, Movements, Url, scale_of};
 use homebody_routine::household::Household;
 use lived::{Lived, Lives, Spans};
 use reading::Reading;
@@ -56,9 +56,7 @@ const OPENS_WITHIN: Duration = Duration::from_millis(800);
 const MOST_SPANS: usize = 6000;
 
 /// Gap within which the same activity counts as one (our choice).
-const PAUSE: Micros = 60 * SECOND;
-
-const HOUR: Micros = 3600 * SECOND;
+const PAUSE: Span = MINUTE;
 
 /// Time after which an answer about a day is sent, in addition to an hour's reading (our choice). The page requests the
 /// rest next.
@@ -113,11 +111,11 @@ struct Opened {
     lives: OnceLock<Arc<Lives>>,
     movements: Option<Mutex<Movements>>,
     /// By resident; none but of a log that was walked back.
-    chances: Vec<Vec<Chance>>,
+    chances: Vec<Vec<KnownChance>>,
     truth: Option<Url>,
-    clock: RunClock,
+    scale: TimeScale,
     /// The messages that never reached the logger, once somebody has looked for them.
-    lost: OnceLock<Vec<Stay<'static>>>,
+    lost: OnceLock<Vec<KnownStay<'static, RunTime>>>,
     /// What its cameras have kept.
     film: Option<Film>,
 }
@@ -193,7 +191,7 @@ impl Playback {
         let recorded = self.shelf.recording(name).and_then(|recording| {
             let scenario = recording.scenario().map_err(|problems| problems.diagnostic())?;
             Ok(Recorded {
-                start: scenario.calendar.wall_clock(0),
+                start: scenario.calendar.wall_clock(RunTime::START),
                 days: dates::last(&scenario.calendar, recording.length_us) + 1,
                 seed: recording.seed,
                 without: recording.without,
@@ -215,39 +213,40 @@ impl Playback {
 
     /// How far the log of a run is read.
     pub fn reading(&self, name: &str) -> Result<ReadingView, Refusal> {
-        Ok(ReadingView { read_us: self.open(name)?.read_us()? })
+        Ok(ReadingView { read_us: self.open(name)?.read_us()?.map(RunTime::micros) })
     }
 
     /// A day of a run, the first being 0.
     pub fn day(&self, name: &str, day: usize) -> Result<DayView, Refusal> {
         let run = self.open(name)?;
-        let DateView { begin_us, end_us, .. } = run.view.days.get(day).cloned().ok_or_else(|| run.no_day())?;
+        let interval = run.view.days.get(day).map(DateView::interval).ok_or_else(|| run.no_day())?;
         let rows = match &run.reading {
-            Some(reading) => reading.until(end_us)?.of(day)?,
+            Some(reading) => reading.until(interval.end)?.of(day)?,
             None => Vec::new(),
         };
         let mut lives = run.nobody_yet();
-        let until_us = run.moved(begin_us, end_us, &mut lives)?;
+        let until = run.moved(interval, &mut lives)?;
         if let Some(lived) = &run.lived {
-            let known = lived.coming().until(end_us)?;
+            let known = lived.coming().until(interval.end)?;
             for (index, life) in lives.iter_mut().enumerate() {
-                life.rooms = overlapping(&known.lives().rooms[index], begin_us, end_us);
-                life.activities = overlapping(&known.lives().activities[index], begin_us, end_us);
+                life.rooms = overlapping(&known.lives().rooms[index], interval);
+                life.activities = overlapping(&known.lives().activities[index], interval);
             }
         }
         for (index, life) in lives.iter_mut().enumerate() {
-            life.chances = run.chances.get(index).map_or(Vec::new(), |all| chances_of(all, begin_us, end_us));
+            life.chances = run.chances.get(index).map_or(Vec::new(), |all| chances_of(all, interval));
         }
-        Ok(DayView { rows: rows.iter().map(|row| (row.at, row.sensor, row.value)).collect(), lives, until_us })
+        let rows = rows.iter().map(|row| (row.at.micros(), row.sensor, row.value)).collect();
+        Ok(DayView { rows, lives, until_us: until.micros() })
     }
 
     /// Of a day whose movements are too many for one answer those from an instant on, again as many as there is time for.
-    pub fn rest_of_day(&self, name: &str, day: usize, from: Micros) -> Result<DayView, Refusal> {
+    pub fn rest_of_day(&self, name: &str, day: usize, from: RunTime) -> Result<DayView, Refusal> {
         let run = self.open(name)?;
-        let DateView { begin_us, end_us, .. } = run.view.days.get(day).cloned().ok_or_else(|| run.no_day())?;
+        let Interval { begin, end } = run.view.days.get(day).map(DateView::interval).ok_or_else(|| run.no_day())?;
         let mut lives = run.nobody_yet();
-        let until_us = run.moved(from.clamp(begin_us, end_us), end_us, &mut lives)?;
-        Ok(DayView { rows: Vec::new(), lives, until_us })
+        let until = run.moved(Interval::new(from.clamp(begin, end), end), &mut lives)?;
+        Ok(DayView { rows: Vec::new(), lives, until_us: until.micros() })
     }
 
     /// The run in memory, read anew where its files have changed.
@@ -297,7 +296,7 @@ impl Playback {
             }
             (None, Some(url)) => {
                 let beside = &self.shelf.runs;
-                let rows = StoredRows::new(beside, &view, &scenario.calendar, Micros::MAX).map_err(failed)?;
+                let rows = StoredRows::new(beside, &view, &scenario.calendar, RunTime::MAX).map_err(failed)?;
                 let reading = Reading::begin(url, &scenario, recording.is_complete(), &view, rows)?;
                 Some(reading)
             }
@@ -319,7 +318,7 @@ impl Playback {
             movements: None,
             chances: Vec::new(),
             truth: truth.as_deref().map(|truth| Url::new(Scheme::Sqlite, truth)),
-            clock: RunClock::of(&scenario, length),
+            scale: scale_of(&scenario, length),
             lost: OnceLock::new(),
             film: None,
         };
@@ -342,10 +341,10 @@ impl Playback {
         run.view = view;
         let left = || OPENS_WITHIN.saturating_sub(begun.elapsed());
         if let Some(reading) = &run.reading {
-            reading.wait(Micros::MAX, left()).read_us()?;
+            reading.wait(RunTime::MAX, left()).read_us()?;
         }
         if let Some(lived) = &run.lived {
-            lived.coming().wait(Micros::MAX, left()).read_us()?;
+            lived.coming().wait(RunTime::MAX, left()).read_us()?;
         }
         Ok(run)
     }
@@ -381,7 +380,7 @@ impl Opened {
     }
 
     /// Up to when log and truth are read; `None` once all of both is. Or why they cannot be.
-    fn read_us(&self) -> Result<Option<Micros>, Refusal> {
+    fn read_us(&self) -> Result<Option<RunTime>, Refusal> {
         let log = self.reading.as_ref().map_or(Ok(None), |reading| reading.known().read_us())?;
         let truth = self.lived.as_ref().map_or(Ok(None), |lived| lived.coming().known().read_us())?;
         Ok(log.into_iter().chain(truth).min())
@@ -393,7 +392,7 @@ impl Opened {
             return Ok(whole.clone());
         }
         let mut view = self.view.clone();
-        view.read_us = self.read_us()?;
+        view.read_us = self.read_us()?.map(RunTime::micros);
         match &self.reading {
             Some(reading) => {
                 let known = reading.known();
@@ -420,7 +419,7 @@ impl Opened {
     /// What is known once all is read.
     fn whole(&self) -> Result<Arc<PlaybackView>, Refusal> {
         if let Some(reading) = &self.reading {
-            drop(reading.until(Micros::MAX)?);
+            drop(reading.until(RunTime::MAX)?);
         }
         self.lives()?;
         self.known()
@@ -444,15 +443,15 @@ impl Opened {
     }
 
     /// Tells lives what bodies did in a span, hour by hour, as long as there is time for an answer. Returns up to when.
-    fn moved(&self, begin: Micros, end: Micros, lives: &mut [LifeView]) -> Result<Micros, Refusal> {
-        let Some(movements) = &self.movements else { return Ok(end) };
+    fn moved(&self, span: Interval<RunTime>, lives: &mut [LifeView]) -> Result<RunTime, Refusal> {
+        let Some(movements) = &self.movements else { return Ok(span.end) };
         let mut movements = movements.lock().unwrap_or_else(PoisonError::into_inner);
         let begun = Instant::now();
-        let mut until = begin;
+        let mut until = span.begin;
         let mut last: Vec<Option<Movement>> = vec![None; lives.len()];
         loop {
-            let next = (until - until.rem_euclid(HOUR) + HOUR).min(end);
-            let of = movements.of(until, next).map_err(damaged)?;
+            let next = (until - until.since_zero().rem_euclid(HOUR) + HOUR).min(span.end);
+            let of = movements.of(Interval::new(until, next)).map_err(damaged)?;
             for ((life, of), last) in lives.iter_mut().zip(of).zip(&mut last) {
                 for movement in of {
                     match last {
@@ -461,7 +460,7 @@ impl Opened {
                         Some(before) if goes_on(before, &movement) => {
                             before.end = movement.end;
                             if let Some(told) = life.movements.last_mut() {
-                                told.1 = movement.end;
+                                told.1 = movement.end.micros();
                             }
                         }
                         _ => {
@@ -473,7 +472,7 @@ impl Opened {
             }
             until = next;
             let told: usize = lives.iter().map(|life| life.movements.len()).sum();
-            if until >= end || begun.elapsed() >= PIECE || told > MOST_MOVEMENTS {
+            if until >= span.end || begun.elapsed() >= PIECE || told > MOST_MOVEMENTS {
                 return Ok(until);
             }
         }
@@ -484,8 +483,8 @@ impl Opened {
         let names: Vec<String> = self.view.residents.iter().map(|resident| resident.name.clone()).collect();
         let rooms: Vec<String> = self.view.home.rooms.iter().map(|room| room.name.clone()).collect();
         let truth = Url::new(Scheme::Sqlite, truth);
-        self.movements = Some(Mutex::new(Movements::open(&truth, &names, self.clock.clone())?));
-        Ok(Lived::begin(truth, self.clock.clone(), names, &rooms))
+        self.movements = Some(Mutex::new(Movements::open(&truth, &names, self.scale.clone())?));
+        Ok(Lived::begin(truth, self.scale.clone(), names, &rooms))
     }
 }
 
@@ -518,9 +517,9 @@ fn whole(name: &str, run: &Run, scenario: &Scenario) -> PlaybackView {
         scenario: scenario.file.name.clone(),
         home: draw::home(&scenario.home, &run.home().plan, run.sensors()),
         residents: residents.map(|(index, name)| ResidentView { name, radius_m: radius(index) }).collect(),
-        start: scenario.calendar.wall_clock(0),
+        start: scenario.calendar.wall_clock(RunTime::START),
         zone: scenario.file.time_zone.clone(),
-        length_us: run.length(),
+        length_us: run.length().micros(),
         sensors: Vec::new(),
         values: Vec::new(),
         days: Vec::new(),
@@ -537,30 +536,30 @@ fn whole(name: &str, run: &Run, scenario: &Scenario) -> PlaybackView {
 }
 
 /// Spans of activities, no more than [`MOST_SPANS`] in all: what goes on after a pause is one, and the shortest are left out.
-fn few(activities: &[Spans]) -> Vec<Spans> {
+fn few(activities: &[Spans]) -> Vec<Vec<(i64, i64, u32)>> {
     let mut few: Vec<Spans> = Vec::new();
     for all in activities {
         let mut merged = Spans::new();
-        for &(begin, end, name) in all {
+        for &(span, name) in all {
             match merged.last_mut() {
-                Some(last) if last.2 == name && begin - last.1 <= PAUSE => last.1 = last.1.max(end),
-                _ => merged.push((begin, end, name)),
+                Some((last, of)) if *of == name && span.begin - last.end <= PAUSE => last.end = last.end.max(span.end),
+                _ => merged.push((span, name)),
             }
         }
         few.push(merged);
     }
-    let mut lengths: Vec<i64> = few.iter().flatten().map(|span| span.1 - span.0).collect();
+    let mut lengths: Vec<Span> = few.iter().flatten().map(|(span, _)| span.length()).collect();
     if lengths.len() > MOST_SPANS {
         lengths.sort_unstable_by(|a, b| b.cmp(a));
         let least = lengths[MOST_SPANS];
-        few.iter_mut().for_each(|spans| spans.retain(|span| span.1 - span.0 > least));
+        few.iter_mut().for_each(|spans| spans.retain(|(span, _)| span.length() > least));
     }
-    few
+    few.iter().map(|spans| spans.iter().map(dates::told).collect()).collect()
 }
 
 /// Spans in the order of time that are not over before a span and begin in it.
-fn overlapping(spans: &[(i64, i64, u32)], begin: Micros, end: Micros) -> Vec<(i64, i64, u32)> {
-    spans.iter().copied().filter(|span| span.0 < end && span.1 > begin).collect()
+fn overlapping(spans: &[(Interval<RunTime>, u32)], of: Interval<RunTime>) -> Vec<(i64, i64, u32)> {
+    spans.iter().filter(|(span, _)| span.overlaps(of)).map(dates::told).collect()
 }
 
 fn told(movement: &Movement) -> MovementView {
@@ -571,5 +570,5 @@ fn told(movement: &Movement) -> MovementView {
         MovementKind::Away => MotionState::Away,
     };
     let (from, to) = (movement.from.map(draw::at), movement.to.map(draw::at));
-    (movement.begin, movement.end, doing, draw::posture(movement.posture), from, to)
+    (movement.begin.micros(), movement.end.micros(), doing, draw::posture(movement.posture), from, to)
 }

@@ -7,15 +7,14 @@ use crate::messages::PageMessage;
 use homebody_core::problem::{Diagnose, Diagnostic, readable};
 use homebody_core::recording::Recording;
 use homebody_core::scenario::load::{Files, NoText};
-use homebody_kit::Folder;
-use homebody_kit::walked::{GIVEN, RELIVED, REPORT, ROOMS};
-use homebody_log::places::RECORDING;
-use homebody_log::plain;
+use homebody_log::files::plain;
+use homebody_log::run::places::RECORDING;
 use homebody_routine::language::lexicon::OWN_FILE;
-use std::fs;
-use std::io;
+use homebody_simulation::ScenarioFolder;
+use homebody_tracking::located_folder::{GIVEN, REPORT, ROOMS, SIMULATED_RUN};
 use std::path::{Component, Path, PathBuf};
 use std::time::SystemTime;
+use std::{fs, io};
 
 /// Where scenario and runs are.
 #[derive(Clone, Debug)]
@@ -31,8 +30,8 @@ pub struct Shelf {
 }
 
 impl Shelf {
-    fn files(&self) -> Folder {
-        Folder::new(&self.scenario, self.is_trusted)
+    fn files(&self) -> ScenarioFolder {
+        ScenarioFolder::new(&self.scenario, self.is_trusted)
     }
 
     /// The names of the files that can be written in the page: those of the scenario's folder and of its folder of
@@ -86,7 +85,7 @@ impl Shelf {
 
     /// The folder of a log that was walked back, if that is the run in which its path is lived again.
     pub fn walked(&self, run: &str) -> Option<PathBuf> {
-        let folder = run.strip_suffix(RELIVED)?.strip_suffix('/')?;
+        let folder = run.strip_suffix(SIMULATED_RUN)?.strip_suffix('/')?;
         let folder = self.run(run)?.parent().filter(|parent| parent.ends_with(folder))?.to_owned();
         let is_file = |name: &str| plain_file(&folder, Path::new(name)).is_some();
         let given = plain::within(&folder, Path::new(GIVEN)).filter(|given| given.is_dir());
@@ -107,7 +106,7 @@ impl Shelf {
         let folder = self.runs.join(name);
         let is_there = |name: &str| folder.join(name).symlink_metadata().is_ok();
         let given = plain::within(&folder, Path::new(GIVEN)).filter(|given| given.is_dir());
-        (given.is_some() && !is_there(RELIVED) && !is_there(RECORDING)).then_some(folder)
+        (given.is_some() && !is_there(SIMULATED_RUN) && !is_there(RECORDING)).then_some(folder)
     }
 
     /// A plain file of a run's folder.
@@ -125,7 +124,7 @@ impl Shelf {
     pub fn recording(&self, run: &str) -> Result<Recording, Diagnostic> {
         let no_run = || PageMessage::NoRun { run: readable(run.to_owned()) };
         let path = self.file_of_run(run, RECORDING).ok_or_else(no_run)?;
-        homebody_kit::recording(&path).map_err(|error| error.diagnostic())
+        homebody_simulation::recording(&path).map_err(|error| error.diagnostic())
     }
 }
 

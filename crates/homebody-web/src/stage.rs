@@ -13,8 +13,8 @@ use crate::shelf::Shelf;
 use crate::staged_run::{StagedRun, Start, Unbegun};
 use crate::wire::{FiringView, Frame, GrowthView, RunView, Say, State, Tell};
 use homebody_core::problem::{Diagnose, Diagnostic};
-use homebody_core::time::{Micros, micros};
-use homebody_kit::pace::{Pace, Speed};
+use homebody_core::time::{RunTime, Span};
+use homebody_simulation::{pace::Pace, pace::Speed};
 use homebody_log::error::no_thread;
 use std::any::Any;
 use std::collections::VecDeque;
@@ -277,8 +277,8 @@ impl Director {
         self.show();
     }
 
-    fn now(&self) -> Micros {
-        self.act.as_ref().map_or(0, StagedRun::now)
+    fn now(&self) -> RunTime {
+        self.act.as_ref().map_or(RunTime::START, StagedRun::now)
     }
 
     /// Whether there is a run that has not come to its end.
@@ -325,14 +325,14 @@ impl Director {
                 let act = caught(|| StagedRun::new(&self.shelf, &self.shelf.entry, start));
                 if self.change_act(act) && is_driven {
                     // At any other speed a key that is held for a moment is a walk through the home.
-                    self.pace.set_speed(0, Speed::Times(1.0));
+                    self.pace.set_speed(RunTime::START, Speed::Times(1.0));
                 }
             }
             Say::Replay { run } => {
                 let recording = self.shelf.recording(&run);
                 let act = caught(|| StagedRun::again(recording?));
                 if self.change_act(act) {
-                    self.pace.resume(0);
+                    self.pace.resume(RunTime::START);
                 }
             }
             say => self.obey_in_run(say),
@@ -350,7 +350,7 @@ impl Director {
             Say::Play => self.pace.resume(now),
             Say::Pause => self.pace.pause(now),
             Say::Step { seconds } if seconds.is_finite() && (0.0..=86_400.0).contains(&seconds) => {
-                self.pace.jump(now, now + micros(seconds), true);
+                self.pace.jump(now, now + Span::from_seconds(seconds), true);
             }
             Say::Step { .. } => self.warn(&StageMessage::Step.diagnostic()),
             Say::Speed { times: None } => self.pace.set_speed(now, Speed::Max),
@@ -359,7 +359,7 @@ impl Director {
                 None => self.warn(&StageMessage::Speed.diagnostic()),
             },
             Say::Jump { to_us } => {
-                let to = to_us.clamp(0, act.length());
+                let to = RunTime::from_micros(to_us).clamp(RunTime::START, act.end());
                 self.jump(to);
             }
             Say::Hold { keys } => act.hold(&keys),
@@ -371,7 +371,7 @@ impl Director {
     }
 
     /// Forward as fast as it goes; back by living it again from a moment that was kept, or from the start with the same input.
-    fn jump(&mut self, to: Micros) {
+    fn jump(&mut self, to: RunTime) {
         let was_paused = self.is_paused();
         let Some(act) = &mut self.act else { return };
         if to < act.now() {
@@ -470,9 +470,9 @@ impl Director {
         if self.is_paused() || !self.is_under_way() {
             return;
         }
-        let Some(length) = self.act.as_ref().map(StagedRun::length) else { return };
+        let Some(end) = self.act.as_ref().map(StagedRun::end) else { return };
         let begun = Instant::now();
-        let due = self.pace.due().min(length);
+        let due = self.pace.due().min(end);
         while self.now() < due && !self.is_paused() {
             match self.act.as_mut().map(|act| act.advance(due, &self.shelf)) {
                 Some(Ok(true)) => self.tell_run_again(),
@@ -484,7 +484,7 @@ impl Director {
             }
         }
         self.pace.arrive(self.now());
-        if self.now() >= length {
+        if self.now() >= end {
             self.finish();
         }
     }

@@ -1,36 +1,31 @@
 //! One run on the stage: the scenario that it is of, who is driven in it, and the files that it leaves.
 
-use crate::dates;
-use crate::desk;
-use crate::draw;
 use crate::driven::drive;
 use crate::effort::AT_ONCE;
 use crate::growth::Growth;
-use crate::input_keeper::{InputKeeper, input_text};
 use crate::looks::Looks;
 use crate::messages::StageMessage;
 use crate::refusal::sentence;
 use crate::shelf::Shelf;
 use crate::wire::{FiringView, Frame, Key, Posture, ResidentView, RunView, State, Tell};
-use homebody_core::drivers::input::Input;
-use homebody_core::event::{Events, Fact};
+use crate::{dates, desk, draw};
+use homebody_core::drivers::input::{self, KeysFile, UseFile};
+use homebody_core::event::Fact;
 use homebody_core::ids::ResidentId;
+use homebody_core::posture;
 use homebody_core::problem::{Diagnose, Diagnostic, Problem, Problems};
-use homebody_core::recording::{Recording, RunDigest};
+use homebody_core::recording::Recording;
 use homebody_core::run::Run;
-use homebody_core::scenario::input::{self, KeysFile, UseFile};
 use homebody_core::scenario::load::{Files, Scenario};
-use homebody_core::scenario::path;
-use homebody_core::scene::Scene;
 use homebody_core::sensors::Sensor;
 use homebody_core::snapshots::Snapshots;
-use homebody_core::time::{DAY, Micros, SECOND, micros, seconds};
-use homebody_kit::Stretch;
-use homebody_log::{How, LogError, Places, RowText, Rows, RunLog, Stored};
+use homebody_core::time::{DAY, HOUR, MINUTE, RunTime, Span};
+use homebody_log::{LogError, LogRows, RowText, RunPlaces, Stored, WriteMode};
 use homebody_routine::household::Household;
-use std::collections::{BTreeMap, VecDeque};
+use homebody_simulation::{AdaptiveStep, Simulation, StepError, VERSION};
+use std::collections::BTreeMap;
 use std::path::Path;
-use std::sync::{Arc, Mutex, PoisonError};
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 /// What a run is begun with.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -94,128 +89,54 @@ impl Unbegun {
     }
 }
 
-/// A run that is being lived, with everything that belongs to it.
+/// The run on the stage, with the state that pages see of it.
 pub struct StagedRun {
-    pub start: Start,
-    scenario: Scenario,
-    /// The conditions that its residents show.
+    start: Start,
+    /// The conditions of its residents.
     conditions: Vec<String>,
-    run: Run,
-    recording: Recording,
-    /// The file that the keys are recorded into, if somebody is driven.
+    simulation: Simulation,
+    /// The file of keys, if a resident is moved by hand.
     keys: Option<String>,
-    /// How much of what is done at the keys was in the scenario when the run began.
-    known_input: usize,
     /// The keys that are held.
     held: KeysFile,
-    files: Option<Written>,
-    /// Whether it is a recording lived again, which leaves no files.
-    is_replay: bool,
-    /// Of a replay: the files of any other run have their own.
-    digest: RunDigest,
-    rows: Rows,
     growth: Arc<Mutex<Growth>>,
-    /// What the log has got that nobody has taken to show yet.
+    /// The rows of the log that no page has got yet.
     fresh: Vec<FiringView>,
-    /// How many rows it has got of each sensor.
-    counts: Vec<u64>,
     looks: Looks,
-    activities: Vec<Option<String>>,
+    shown: Shown,
     /// Its files are complete.
     is_over: bool,
-    events: Events,
-    /// How much is lived at once where it goes as fast as it can, before the clock is looked at again.
-    stretch: Stretch,
-    /// What it was like every few days. Nobody is driven in it.
-    moments: Snapshots<Moment>,
-    /// Who has gone back looks at what is stored already: how far the run had come before.
-    furthest: Option<Run>,
+    /// The state at the snapshots of the simulation.
+    moments: Snapshots<(Shown, Growth)>,
 }
 
-/// What a run was like at an instant, to go back to.
+/// The state that pages see besides the simulation.
 #[derive(Clone)]
-struct Moment {
-    run: Run,
-    digest: RunDigest,
-    rows: Rows,
-    growth: Growth,
+struct Shown {
+    rows: LogRows,
+    /// The number of rows of each sensor.
     counts: Vec<u64>,
     activities: Vec<Option<String>>,
 }
 
-/// Initial distance between saved moments (our choice): a simulation between them takes some milliseconds.
-const MOMENTS: Micros = 4 * DAY;
+/// Initial distance between snapshots (our choice): a simulation between them takes some milliseconds.
+const MOMENTS: Span = DAY.times(4);
 
-/// Longest stretch that is simulated at once (our choice).
-const LONGEST_STRETCH: Micros = 60 * SECOND;
+/// Longest step (our choice).
+const LONGEST_STEP: Span = MINUTE;
 
 /// Time before the chosen moment that is simulated, too, for the rows that are shown (our choice).
-const SHOWN_BEFORE: Micros = 6 * 3600 * SECOND;
-
-struct Written {
-    places: Places,
-    /// Until they are complete.
-    log: Option<RunLog>,
-    /// Until then, if somebody is driven.
-    input: Option<InputKeeper>,
-    /// What has happened and waits to be stored until the recording has the input that caused it.
-    waiting: VecDeque<Waiting>,
-    /// Up to here all is stored.
-    stored_to: Micros,
-}
-
-/// What has happened in a part of a run.
-struct Waiting {
-    /// How many lines of input there were.
-    lines: usize,
-    now: Micros,
-    settled: Micros,
-    events: Events,
-}
-
-impl Written {
-    /// Takes what has happened by now, and stores all of which the recording has the input.
-    fn store(&mut self, run: &Run, events: &Events, input: &[KeysFile]) -> Result<(), LogError> {
-        let Some(log) = &mut self.log else { return Ok(()) };
-        let Some(keeper) = &mut self.input else {
-            log.store(run, events)?;
-            self.stored_to = run.now();
-            return Ok(());
-        };
-        if !events.is_empty() || run.now() > self.waiting.back().map_or(self.stored_to, |last| last.now) {
-            let (now, settled) = (run.now(), run.settled());
-            self.waiting.push_back(Waiting { lines: input.len(), now, settled, events: events.clone() });
-        }
-        let kept = keeper.keep(input)?;
-        while let Some(first) = self.waiting.front().filter(|first| first.lines <= kept) {
-            log.store_settled(first.settled, &first.events)?;
-            self.stored_to = first.now;
-            self.waiting.pop_front();
-        }
-        Ok(())
-    }
-
-    /// Stores all that has waited: the recording is completed next. Returns the log, and up to when it is stored.
-    fn end(&mut self) -> Result<Option<(RunLog, Micros)>, LogError> {
-        self.input = None;
-        let Some(mut log) = self.log.take() else { return Ok(None) };
-        for Waiting { now, settled, events, .. } in self.waiting.drain(..) {
-            log.store_settled(settled, &events)?;
-            self.stored_to = now;
-        }
-        Ok(Some((log, self.stored_to)))
-    }
-}
+const SHOWN_BEFORE: Span = HOUR.times(6);
 
 impl StagedRun {
-    /// A run of the scenario of these files, from its start. It leaves files from when it is first advanced.
+    /// A run of the scenario of these files, from its start. It writes files from the first step on.
     pub fn new(files: &dyn Files, entry: &str, start: Start) -> Result<StagedRun, Unbegun> {
         let load = |files: &dyn Files| Household::load(files, entry, &start.without);
         let mut keys = None;
         let (scenario, household) = match start.driven {
             None => load(files)?,
             Some(driven) => {
-                // Who is moved by keys lives by no routine: it need not be understood.
+                // A resident who is moved by keys has no routine, so it need not be valid.
                 let first = Scenario::load(files, entry)?;
                 let (edit, name) = drive(&first, driven as usize, &start.input)?;
                 keys = Some(name);
@@ -224,74 +145,63 @@ impl StagedRun {
         };
         let seed = start.seed.unwrap_or(scenario.file.seed);
         let length = scenario.calendar.span_of_days(scenario.file.days);
-        let recording = Recording::of(&scenario, homebody_kit::VERSION, entry, seed, length);
+        let recording = Recording::new(&scenario, VERSION, entry, seed, length);
         let recording = Recording { without: start.without.clone(), ..recording }.begun();
-        let mut run = Run::new(&scenario, &household, seed, recording.length_us);
-        if let Some(driven) = start.driven {
-            run.open_input(ResidentId(driven));
-        }
-        Ok(StagedRun::of(scenario, &household, run, recording, keys, start, false)?)
+        let run = Run::new(&scenario, &household, seed, recording.length_us);
+        let simulation = Simulation::from_parts(Arc::new(scenario), run, recording, Vec::new());
+        let simulation = match (start.driven, &keys) {
+            (Some(driven), Some(keys)) => {
+                simulation.moved_by_keys(ResidentId(driven), keys.clone(), start.input.clone())
+            }
+            _ => simulation.with_snapshots(MOMENTS),
+        };
+        Ok(StagedRun::stage(simulation, &household, keys, start)?)
     }
 
-    /// A recording, to be lived again.
+    /// A recording, to replay.
     pub fn again(recording: Recording) -> Result<StagedRun, Unbegun> {
         if !recording.lives_again() {
             return Err(StageMessage::OwnDrivers { residents: recording.own_drivers }.into());
         }
         let (scenario, household) = Household::recorded(&recording)?;
-        let run = recording.run(&scenario, &household);
         let start = Start { without: recording.without.clone(), ..Start::default() };
-        Ok(StagedRun::of(scenario, &household, run, recording, None, start, true)?)
+        let simulation = Simulation::replay(recording, Arc::new(scenario), &household, Vec::new());
+        Ok(StagedRun::stage(simulation.with_snapshots(MOMENTS), &household, None, start)?)
     }
 
-    fn of(
-        scenario: Scenario,
+    fn stage(
+        simulation: Simulation,
         household: &Household,
-        run: Run,
-        recording: Recording,
         keys: Option<String>,
         start: Start,
-        is_replay: bool,
     ) -> Result<StagedRun, LogError> {
-        let sensors: Vec<String> = run.sensors().iter().map(|sensor| sensor.name.clone()).collect();
-        let rows = Rows::new(&scenario.logger, recording.seed, &sensors, &scenario.calendar)?;
-        let bodies = run.names().len();
-        let held = start.input.last().cloned().unwrap_or_else(nothing_held);
-        let conditions = household.conditions().keys().chain(&start.without).cloned().collect();
-        let is_motion = run.sensors().iter().map(Sensor::senses_motion).collect();
-        let growth = Growth::new(&scenario.calendar, run.length(), is_motion);
+        let scenario = simulation.scenario();
+        let sensors: Vec<String> = simulation.sensors().map(str::to_owned).collect();
+        let rows = LogRows::new(&scenario.logger, simulation.seed(), &sensors, &scenario.calendar)?;
+        let is_motion = simulation.placed_sensors().iter().map(Sensor::senses_motion).collect();
+        let growth = Growth::new(&scenario.calendar, simulation.progress().length, is_motion);
+        let (counts, activities) = (vec![0; sensors.len()], vec![None; simulation.residents().len()]);
         Ok(StagedRun {
             growth: Arc::new(Mutex::new(growth)),
-            known_input: start.input.len(),
             looks: Looks::of(&scenario.home),
+            held: start.input.last().cloned().unwrap_or_else(nothing_held),
+            conditions: household.conditions().keys().chain(&start.without).cloned().collect(),
             start,
-            scenario,
-            conditions,
-            run,
-            recording,
+            simulation: simulation.stepping(AdaptiveStep::new(LONGEST_STEP).within(AT_ONCE)),
             keys,
-            held,
-            files: None,
-            is_replay,
-            digest: RunDigest::default(),
-            rows,
             fresh: Vec::new(),
-            counts: vec![0; sensors.len()],
-            activities: vec![None; bodies],
+            shown: Shown { rows, counts, activities },
             is_over: false,
-            events: Events::default(),
-            stretch: Stretch::new(LONGEST_STRETCH).within(AT_ONCE),
             moments: Snapshots::new(MOMENTS),
-            furthest: None,
         })
     }
 
-    pub fn now(&self) -> Micros {
-        self.run.now()
+    pub fn now(&self) -> RunTime {
+        self.simulation.now()
     }
 
-    pub fn length(&self) -> Micros {
-        self.run.length()
+    pub fn end(&self) -> RunTime {
+        self.simulation.end()
     }
 
     pub fn is_over(&self) -> bool {
@@ -300,27 +210,29 @@ impl StagedRun {
 
     /// Where its files go, once it has some.
     fn folder(&self) -> Option<&Path> {
-        self.files.as_ref()?.places.recording.as_ref()?.parent()
+        self.simulation.places()?.recording.as_ref()?.parent()
     }
 
     /// The run as it is told to the pages.
     pub fn view(&self) -> RunView {
-        let names = self.run.names().into_iter();
-        let radius = |index: usize| self.run.home().field(index, path::Posture::Standing).size.radius_m;
+        let (simulation, scenario) = (&self.simulation, self.simulation.scenario());
+        let (home, length) = (simulation.home(), simulation.progress().length);
+        let names = simulation.residents().into_iter();
+        let radius = |index: usize| home.field(index, posture::Posture::Standing).size.radius_m;
         RunView {
             id: self.folder().and_then(|folder| Some(folder.file_name()?.to_string_lossy().into_owned())),
-            scenario: self.scenario.file.name.clone(),
-            home: draw::home(&self.scenario.home, &self.run.home().plan, self.run.sensors()),
+            scenario: scenario.file.name.clone(),
+            home: draw::home(&scenario.home, &home.plan, simulation.placed_sensors()),
             residents: names.enumerate().map(|(index, name)| ResidentView { name, radius_m: radius(index) }).collect(),
             driven: self.start.driven,
             conditions: self.conditions.clone(),
             without: self.start.without.clone(),
-            days: dates::all(&self.scenario.calendar, self.run.length()),
-            nights: dates::nights(|at| self.run.home().sun.elevation_sine(at), self.run.length()),
-            length_us: self.run.length(),
-            seed: self.recording.seed,
-            log: self.files.iter().flat_map(|files| &files.places.log).map(ToString::to_string).collect(),
-            replay: self.is_replay,
+            days: dates::all(&scenario.calendar, length),
+            nights: dates::nights(|at| home.sun.elevation_sine(at), length),
+            length_us: length.micros(),
+            seed: simulation.seed(),
+            log: simulation.places().iter().flat_map(|places| &places.log).map(ToString::to_string).collect(),
+            replay: simulation.is_replay(),
             files: self.versions(),
         }
     }
@@ -328,111 +240,73 @@ impl StagedRun {
     /// The versions of the files that it goes by, as the desk has them.
     fn versions(&self) -> BTreeMap<String, String> {
         let made = |name: &String| Some(name) == self.keys.as_ref();
-        let files = self.recording.files.iter().filter(|(name, _)| !self.is_replay && !made(name));
-        // Who is driven lives by another driver than their file says.
+        let (is_replay, residents) = (self.simulation.is_replay(), &self.simulation.scenario().file.residents);
+        let files = self.simulation.recording().files.iter().filter(|(name, _)| !is_replay && !made(name));
+        // The file of a resident who is moved by hand is not in use, so its version does not count.
         let files = files.filter(|(name, _)| {
-            self.start.driven.is_none_or(|who| self.scenario.file.residents.get(who as usize) != Some(name))
+            self.start.driven.is_none_or(|who| residents.get(who as usize) != Some(name))
         });
         files.map(|(name, text)| (name.clone(), desk::version(text))).collect()
     }
 
-    /// The name of the folder into which it is being recorded, until its files are complete.
+    /// The name of the folder into which it is recorded, until its files are complete.
     pub fn goes_on_in(&self) -> Option<String> {
-        let is_open = self.files.as_ref().is_some_and(|files| files.log.is_some());
-        self.folder().filter(|_| is_open).and_then(|folder| Some(folder.file_name()?.to_string_lossy().into_owned()))
+        let folder = self.folder().filter(|_| self.simulation.is_recording())?;
+        Some(folder.file_name()?.to_string_lossy().into_owned())
     }
 
-    /// Lives a stretch: at most until `until`, and at most as far as it had come before somebody went back. True if files have
-    /// been begun for it, so that its view is another.
-    pub fn advance(&mut self, until: Micros, shelf: &Shelf) -> Result<bool, Diagnostic> {
-        let until = until.min(self.run.length());
-        if until <= self.run.now() || self.is_over {
+    /// Simulates a step at most until an instant. True if files were opened for it, so that its view has changed.
+    pub fn advance(&mut self, until: RunTime, shelf: &Shelf) -> Result<bool, Diagnostic> {
+        let until = until.min(self.end());
+        if until <= self.now() || self.is_over {
             return Ok(false);
         }
-        let begins = self.files.is_none() && !self.is_replay;
-        if begins {
-            self.files = Some(self.open(shelf)?);
+        let opens = self.simulation.places().is_none() && !self.simulation.is_replay();
+        if opens {
+            let places = RunPlaces::run(&shelf.runs, self.simulation.scenario())?;
+            self.simulation.open_output(places, WriteMode::Create)?;
         }
         if self.start.driven.is_none() {
-            let mut moments = std::mem::replace(&mut self.moments, Snapshots::new(MOMENTS));
-            moments.keep(self.run.now(), || self.moment());
-            self.moments = moments;
+            self.moments.keep(self.simulation.now(), || (self.shown.clone(), locked(&self.growth).clone()));
         }
-        let stored = self.furthest.as_ref().map(Run::now);
-        let lived = self.stretch.live(&mut self.run, stored.unwrap_or(until).min(until), &mut self.events);
-        if self.is_replay {
-            self.digest.add(&self.events.firings);
+        let step = self.simulation.step(until);
+        if let Err(StepError::Log(error)) = step {
+            return Err(error.diagnostic());
         }
-        if let Some(files) = self.files.as_mut().filter(|_| stored.is_none()) {
-            files.store(&self.run, &self.events, &self.start.input)?;
-        }
-        self.furthest.take_if(|furthest| furthest.now() <= self.run.now());
-        self.growth.lock().unwrap_or_else(PoisonError::into_inner).add(&self.events.firings, self.run.now());
-        self.looks.take(&self.events.frames);
-        for fact in &self.events.facts {
+        self.show_step();
+        step.map(|()| opens).map_err(|error| error.diagnostic())
+    }
+
+    /// Takes the events of the last step into the state that pages see.
+    fn show_step(&mut self) {
+        let events = self.simulation.events();
+        locked(&self.growth).add(&events.firings, self.simulation.now());
+        self.looks.take(&events.frames);
+        for fact in &events.facts {
             if let Fact::Activity { resident, name, .. } = fact {
-                self.activities[resident.index()].clone_from(name);
+                self.shown.activities[resident.index()].clone_from(name);
             }
         }
-        for row in self.rows.of(&self.events.firings, self.run.settled()) {
-            self.counts[row.sensor.index()] += 1;
+        for row in self.shown.rows.of(&events.firings, self.simulation.settled()) {
+            self.shown.counts[row.sensor.index()] += 1;
             self.fresh.push(firing_view(row));
         }
-        self.events.clear();
-        lived.map(|()| begins).map_err(|error| error.diagnostic())
     }
 
-    fn moment(&self) -> Moment {
-        Moment {
-            run: self.run.clone(),
-            digest: self.digest.clone(),
-            rows: self.rows.clone(),
-            growth: self.growth.lock().unwrap_or_else(PoisonError::into_inner).clone(),
-            counts: self.counts.clone(),
-            activities: self.activities.clone(),
-        }
-    }
-
-    /// Goes back to a moment before `to`, from which it continues as it did: what its log has already is not stored again.
-    /// False if the run must be lived anew: in one in which somebody is driven all may go another way from then on, and one
-    /// that was stopped has no log any more that could go on.
-    pub fn go_back(&mut self, to: Micros) -> bool {
-        let came_to = self.furthest.as_ref().unwrap_or(&self.run).now();
-        let has_log = self.files.as_ref().is_some_and(|files| files.log.is_some());
-        if !(self.is_replay || has_log || came_to == self.run.length()) {
-            return false;
-        }
-        let Some(moment) = self.moments.nearest_before((to - SHOWN_BEFORE).max(0)).cloned() else { return false };
-        let before = std::mem::replace(&mut self.run, moment.run);
-        if !self.is_replay {
-            self.furthest.get_or_insert(before);
-        }
-        (self.digest, self.rows, self.counts) = (moment.digest, moment.rows, moment.counts);
-        self.activities = moment.activities;
-        self.growth = Arc::new(Mutex::new(moment.growth));
+    /// Goes back to a snapshot before an instant, from where it continues as before. False if a new run is needed: with a resident who is
+    /// moved by hand everything may change from there on, and a stopped run has no open files.
+    pub fn go_back(&mut self, to: RunTime) -> bool {
+        let Some(now) = self.simulation.rewind((to - SHOWN_BEFORE).max(RunTime::START)) else { return false };
+        let Some((shown, growth)) = self.moments.nearest_before(now).cloned() else { return false };
+        (self.shown, self.growth) = (shown, Arc::new(Mutex::new(growth)));
         self.fresh.clear();
         self.is_over = false;
         true
     }
 
-    fn open(&self, shelf: &Shelf) -> Result<Written, LogError> {
-        let places = Places::run(&shelf.runs, &self.scenario)?;
-        let log = RunLog::open(&places, &self.scenario, &self.run, &self.recording, How::New)?;
-        let input = match (&places.recording, &self.keys) {
-            (Some(place), Some(keys)) => {
-                let unmade = |source| LogError::File { place: place.display().to_string(), source };
-                let keeper = InputKeeper::new(place.clone(), self.recording.clone(), keys.clone(), self.known_input);
-                Some(keeper.map_err(unmade)?)
-            }
-            _ => None,
-        };
-        Ok(Written { places, log: Some(log), input, waiting: VecDeque::new(), stored_to: 0 })
-    }
-
-    /// Has what was done at the keys written, also while the run is paused.
+    /// Writes the keys, also while the run is paused.
     pub fn keep_input(&mut self) -> Result<(), Diagnostic> {
-        let Some(files) = self.files.as_mut().filter(|files| files.input.is_some()) else { return Ok(()) };
-        Ok(files.store(&self.run, &Events::default(), &self.start.input)?)
+        Ok(self.simulation.keep_input()?)
     }
 
     /// From now on these keys are held.
@@ -444,109 +318,90 @@ impl StagedRun {
     /// Who is driven is so from now on.
     pub fn be(&mut self, posture: Posture) {
         self.held.posture = match posture {
-            Posture::Standing => path::Posture::Standing,
-            Posture::Sitting => path::Posture::Sitting,
-            Posture::Lying => path::Posture::Lying,
+            Posture::Standing => posture::Posture::Standing,
+            Posture::Sitting => posture::Posture::Sitting,
+            Posture::Lying => posture::Posture::Lying,
         };
         self.input(Vec::new());
     }
 
     /// Who is driven uses a thing.
     pub fn use_thing(&mut self, thing: u32, on: bool) {
-        if let Some(known) = self.run.home().plan.things.get(thing as usize) {
+        if let Some(known) = self.simulation.home().plan.things.get(thing as usize) {
             let thing = known.name.clone();
             self.input(vec![UseFile { thing, on }]);
         }
     }
 
-    /// What is done at the keys happens in the run, and is kept for the recording.
+    /// Applies input now.
     fn input(&mut self, uses: Vec<UseFile>) {
-        let Some(driven) = self.start.driven.filter(|_| !self.is_over && !self.is_replay) else { return };
-        let line = KeysFile { at_s: seconds(self.run.now()), uses, ..self.held.clone() };
-        self.run.input(ResidentId(driven), Input::written(&line, &self.run.home().plan));
-        self.start.input.push(line);
+        if !self.is_over {
+            let at_s = self.simulation.now().seconds();
+            self.simulation.apply_input(KeysFile { at_s, uses, ..self.held.clone() });
+        }
     }
 
     /// The same run from its start, whatever its files have become since, with what was done at the keys before an instant;
     /// from then on no key is held.
-    pub fn anew(&self, until: Micros) -> Result<StagedRun, Unbegun> {
-        if self.is_replay {
-            return StagedRun::again(self.recording.clone());
+    pub fn anew(&self, until: RunTime) -> Result<StagedRun, Unbegun> {
+        let recording = self.simulation.recording();
+        if self.simulation.is_replay() {
+            return StagedRun::again(recording.clone());
         }
-        let mut input: Vec<KeysFile> =
-            self.start.input.iter().filter(|line| micros(line.at_s) < until).cloned().collect();
+        let is_before = |line: &&KeysFile| RunTime::START + Span::from_seconds(line.at_s) < until;
+        let mut input: Vec<KeysFile> = self.simulation.input_lines().iter().filter(is_before).cloned().collect();
         if let Some(last) = input.last().filter(|line| !line.held.is_empty()) {
-            input.push(KeysFile { at_s: seconds(until), held: Vec::new(), uses: Vec::new(), ..last.clone() });
+            input.push(KeysFile { at_s: until.seconds(), held: Vec::new(), uses: Vec::new(), ..last.clone() });
         }
-        StagedRun::new(&self.recording.files, &self.recording.entry, Start { input, ..self.start.clone() })
+        StagedRun::new(&recording.files, &recording.entry, Start { input, ..self.start.clone() })
     }
 
-    /// Completes all files; what is said about it.
+    /// Completes all files. Returns the note about it.
     pub fn finish(&mut self) -> Result<Option<String>, Diagnostic> {
         if std::mem::replace(&mut self.is_over, true) {
             return Ok(None);
         }
-        if self.is_replay {
-            let is_whole = self.run.now() == self.run.length();
-            let is_same = self.digest.firings() == self.recording.firings && self.digest.hex() == self.recording.sha256;
-            return match (is_whole, is_same) {
-                (false, _) => Ok(None),
-                (true, true) => Ok(Some("The replay matches the recording, event by event.".into())),
-                (true, false) => Err(StageMessage::Differs.diagnostic()),
+        if self.simulation.is_replay() {
+            return match self.simulation.matches_recording() {
+                None => Ok(None),
+                Some(true) => Ok(Some("The replay matches the recording, event by event.".into())),
+                Some(false) => Err(StageMessage::Differs.diagnostic()),
             };
         }
-        self.complete(|log, _, recording, run| log.finish(run, recording))
+        let stored = self.simulation.finish()?;
+        Ok(self.note(stored))
     }
 
-    /// Ends a run that broke: nothing is asked of it any more, and what it has stored is completed as far as it came.
+    /// Ends a run that failed, and completes its files as far as everything is stored.
     pub fn give_up(&mut self) -> Result<Option<String>, Diagnostic> {
-        (self.is_over, self.furthest) = (true, None);
-        self.events.clear();
-        self.complete(|log, now, recording, _| log.give_up(now, recording))
+        self.is_over = true;
+        let stored = self.simulation.give_up()?;
+        Ok(self.note(stored))
     }
 
-    fn complete(
-        &mut self,
-        end: impl FnOnce(RunLog, Micros, Recording, &Run) -> Result<(Stored, Recording), LogError>,
-    ) -> Result<Option<String>, Diagnostic> {
-        let Some(files) = &mut self.files else { return Ok(None) };
-        let Some((log, now)) = files.end()? else { return Ok(None) };
-        let mut recording = self.recording.clone();
-        if let Some(keys) = &self.keys {
-            recording.files.insert(keys.clone(), input_text(&self.start.input));
-        }
-        let furthest = self.furthest.as_ref().unwrap_or(&self.run);
-        let (stored, recording) = end(log, now, recording, furthest)?;
-        self.recording = recording;
-        let folder = self.folder().map(|folder| folder.display().to_string());
-        Ok(Some(format!("Stored {} rows in {}.", stored.rows, folder.unwrap_or_default())))
+    fn note(&self, stored: Option<Stored>) -> Option<String> {
+        let folder = self.folder().map(|folder| folder.display().to_string()).unwrap_or_default();
+        stored.map(|stored| format!("Stored {} rows in {folder}.", stored.rows))
     }
 
     /// What the run looks like now; rows are apart.
     pub fn frame(&mut self, state: State, speed: Option<f64>) -> Frame {
-        let mut scene = self.run.scene();
-        if scene.now == 0 {
-            // Where everybody is as it begins, the first instant tells.
-            let mut first = self.run.clone();
-            // What is wrong with it, it says when it is lived.
-            let _ = first.advance(1, &mut Events::default());
-            scene = Scene { now: 0, ..first.scene() };
-        }
+        let scene = self.simulation.opening_scene();
         let body = |(index, seen): (usize, &Option<_>)| {
-            seen.as_ref().map(|seen| draw::body(seen, self.activities[index].clone()))
+            seen.as_ref().map(|seen| draw::body(seen, self.shown.activities[index].clone()))
         };
-        let sensors = self.run.sensors().len();
+        let sensors = self.shown.counts.len();
         Frame {
-            now_us: scene.now,
-            clock: self.scenario.calendar.wall_clock(scene.now),
+            now_us: scene.now.micros(),
+            clock: self.simulation.calendar().wall_clock(scene.now),
             state: if self.is_over { State::Over } else { state },
             speed,
             bodies: scene.bodies.iter().enumerate().map(body).collect(),
             seeing: scene.seeing.iter().filter(|sensor| sensor.index() < sensors).map(|sensor| sensor.0).collect(),
             on: scene.on.iter().map(|thing| thing.0).collect(),
-            sun: self.run.home().sun.elevation_sine(scene.now),
-            told: self.counts.iter().sum(),
-            counts: self.counts.clone(),
+            sun: self.simulation.home().sun.elevation_sine(scene.now),
+            told: self.shown.counts.iter().sum(),
+            counts: self.shown.counts.clone(),
             firings: Vec::new(),
             looks: self.looks.at(scene.now, &scene.awake),
         }
@@ -567,27 +422,32 @@ impl StagedRun {
 impl StagedRun {
     /// The same with other drivers.
     pub fn driven_by(mut self, drivers: &dyn homebody_core::run::DriverProvider) -> StagedRun {
-        self.run = Run::new(&self.scenario, drivers, self.recording.seed, self.recording.length_us);
+        self.simulation = self.simulation.driven_by(drivers);
         self
     }
 }
 
+/// What a panic leaves in it is whole.
+fn locked<T>(held: &Mutex<T>) -> MutexGuard<'_, T> {
+    held.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
 fn firing_view(row: RowText) -> FiringView {
     let RowText { seq, at, sensor, time, id, value } = row;
-    FiringView { seq, at_us: at, sensor: sensor.0, value: value.clone(), row: Some([time, id, value]) }
+    FiringView { seq, at_us: at.micros(), sensor: sensor.0, value: value.clone(), row: Some([time, id, value]) }
 }
 
 fn nothing_held() -> KeysFile {
-    KeysFile { at_s: 0.0, held: Vec::new(), posture: path::Posture::Standing, uses: Vec::new() }
+    KeysFile { at_s: 0.0, held: Vec::new(), posture: posture::Posture::Standing, uses: Vec::new() }
 }
 
-fn key_of(key: Key) -> input::Key {
+fn key_of(key: Key) -> input::DriveKey {
     match key {
-        Key::Up => input::Key::Up,
-        Key::Down => input::Key::Down,
-        Key::Left => input::Key::Left,
-        Key::Right => input::Key::Right,
-        Key::Fast => input::Key::Fast,
-        Key::Slow => input::Key::Slow,
+        Key::Up => input::DriveKey::Up,
+        Key::Down => input::DriveKey::Down,
+        Key::Left => input::DriveKey::Left,
+        Key::Right => input::DriveKey::Right,
+        Key::Fast => input::DriveKey::Fast,
+        Key::Slow => input::DriveKey::Slow,
     }
 }

@@ -10,13 +10,15 @@ use homebody_analysis::alerts::{Rules, USUAL};
 use homebody_analysis::care::care;
 use homebody_analysis::density::density;
 use homebody_analysis::look::{HomeSensor, Looker, looked};
-use homebody_analysis::realism::{NotComparable, Told, realism};
+use homebody_analysis::realism::{ComparedLog, NotComparable, realism};
 use homebody_core::problem::{Diagnose, Diagnostic, readable};
 use homebody_core::scenario::load::Scenario;
-use homebody_kit::walked::GIVEN;
-use homebody_kit::{LogWithRun, NamedLog, home_sensors, sensors_of_home};
-use homebody_log::places::TRUTH;
+use homebody_core::time::RunTime;
+use homebody_log::run::places::TRUTH;
 use homebody_picture::{density_map, look_page, realism_page};
+use homebody_query::{LoadedLog, LogRef, QueryError, home_sensors};
+use homebody_tracking::located_folder::GIVEN;
+use homebody_tracking::sensors_of_home;
 use std::sync::{Arc, Mutex, PoisonError};
 
 /// Largest number of rows of a log that are analysed (our choice): some years of a home's. They are in memory
@@ -60,7 +62,7 @@ impl Logs {
     pub fn look(&self, run: &str) -> Result<String, Refusal> {
         let _reading = self.reading.lock().unwrap_or_else(PoisonError::into_inner);
         let (named, scenario) = self.find(run, Which::Given)?;
-        let looker = Looker::new(Some(scenario.calendar.local(0).time_zone().clone()));
+        let looker = Looker::new(Some(scenario.calendar.local(RunTime::START).time_zone().clone()));
         let (looker, about) = looked(looker, &mut |take| named.stream(take)).map_err(|error| self.wrong(&error))?;
         let sensors = home_sensors(&scenario);
         let home: (&str, &[HomeSensor]) = (&scenario.file.name, &sensors);
@@ -84,7 +86,7 @@ impl Logs {
             return Ok(known.care.clone());
         }
         let zone = scenario.as_ref().map(|scenario| scenario.file.time_zone.as_str());
-        let mut read = LogWithRun::alone(named, zone, MOST_ROWS).map_err(|error| self.wrong(&error))?;
+        let mut read = LoadedLog::alone(named, zone, MOST_ROWS).map_err(|error| self.wrong(&error))?;
         if read.log.rows > MOST_ROWS as u64 {
             return Err(too_long(run, read.log.rows));
         }
@@ -133,14 +135,14 @@ impl Logs {
     }
 
     /// A log in memory, by the home's own names of its sensors.
-    fn read(&self, (run, which): (&str, Which)) -> Result<LogWithRun, Refusal> {
+    fn read(&self, (run, which): (&str, Which)) -> Result<LoadedLog, Refusal> {
         let (named, scenario) = self.find(run, which)?;
         let rows = named.survey().map_err(|error| self.wrong(&error))?.rows;
         if rows > MOST_ROWS as u64 {
             return Err(too_long(&named.name, rows));
         }
         let zone = scenario.file.time_zone.as_str();
-        let mut read = LogWithRun::of(named, Some(zone)).map_err(|error| self.wrong(&error))?;
+        let mut read = LoadedLog::from_ref(named, Some(zone)).map_err(|error| self.wrong(&error))?;
         let known = sensors_of_home(&read.log, &scenario);
         for (id, number) in read.log.sensors.iter_mut().zip(known) {
             number.into_iter().for_each(|number| id.clone_from(&scenario.home.placed_sensors()[number].name));
@@ -149,7 +151,7 @@ impl Logs {
     }
 
     /// A log, and the scenario of its home.
-    fn find(&self, run: &str, which: Which) -> Result<(NamedLog, Scenario), Refusal> {
+    fn find(&self, run: &str, which: Which) -> Result<(LogRef, Scenario), Refusal> {
         let no_run = || unknown(PageMessage::NoRun { run: readable(run.to_owned()) });
         let folder = self.shelf.run(run).ok_or_else(no_run)?;
         let recording = self.shelf.recording(run).map_err(damaged)?;
@@ -158,7 +160,7 @@ impl Logs {
         let named = match walked.as_deref().filter(|_| which == Which::Given) {
             Some(walked) => given(walked)?,
             None => {
-                let mut found = NamedLog::find(&folder.to_string_lossy()).map_err(|error| self.wrong(&error))?;
+                let mut found = LogRef::find(&folder.to_string_lossy()).map_err(|error| self.wrong(&error))?;
                 found.name = if walked.is_some() { "the run simulated from it" } else { run }.to_owned();
                 found
             }
@@ -167,14 +169,14 @@ impl Logs {
     }
 
     /// What is wrong, without where the runs are.
-    fn wrong(&self, error: &homebody_kit::Error) -> Refusal {
+    fn wrong(&self, error: &QueryError) -> Refusal {
         damaged(without(&self.shelf.runs, error.diagnostic()))
     }
 }
 
 /// The map of a log's density, where it has motion sensors, and days that are not too many.
-fn density_of(named: NamedLog, zone: &str) -> Option<String> {
-    let log = LogWithRun::of(named, Some(zone)).ok()?;
+fn density_of(named: LogRef, zone: &str) -> Option<String> {
+    let log = LoadedLog::from_ref(named, Some(zone)).ok()?;
     let asked = log.density_asked();
     density((&log.name, &log.log, &asked), None).ok().map(|density| density_map(&density))
 }
@@ -200,6 +202,6 @@ fn together(problems: &[NotComparable]) -> Diagnostic {
     Diagnostic { what, hint: (!hint.is_empty()).then_some(hint), ..all.into_iter().next().unwrap_or_default() }
 }
 
-fn told(log: &LogWithRun) -> Told<'_> {
-    Told { name: &log.name, log: &log.log, recorded: log.recorded.as_ref() }
+fn told(log: &LoadedLog) -> ComparedLog<'_> {
+    ComparedLog { name: &log.name, log: &log.log, recorded: log.recorded }
 }

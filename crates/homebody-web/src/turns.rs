@@ -1,7 +1,7 @@
 //! Turns at a file: one page at a time reads it, compares it and writes it anew, of this server and of any other of the same folder.
 
 use homebody_log::LogError;
-use homebody_log::lock::FileLock;
+use homebody_log::files::lock::FileLock;
 use std::path::Path;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 

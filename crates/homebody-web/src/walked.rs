@@ -1,36 +1,40 @@
 //! A log that was walked back, as playback shows it: its rows as they were, and how likely everybody was in each room.
 
+use crate::dates;
 use crate::refusal::{Refusal, damaged, failed, shortened, without};
 use crate::stored_log::{MOST_ROWS, StoredRows, stranger, told_of};
 use crate::wire::{BETWEEN, Chance, OUT, PlaybackView, WalkView};
 use homebody_core::problem::Diagnose;
 use homebody_core::scenario::load::Scenario;
-use homebody_core::time::{Micros, SECOND};
-use homebody_kit::walked::{GIVEN, REPORT, ROOMS, Reported, doubts};
-use homebody_kit::{Doubt, NamedLog, Place, sensors_of_home};
+use homebody_core::time::{Interval, RunTime, SECOND, Span};
+use homebody_log::files::plain;
 use homebody_log::limits::LARGEST_RECORDING_BYTES;
-use homebody_log::source::Clock;
-use homebody_log::{RunClock, plain};
+use homebody_query::LogRef;
+use homebody_tracking::located_folder::{GIVEN, LocatingSummary, REPORT, ROOMS, doubts};
+use homebody_tracking::{PlaceChance, PossiblePlace, sensors_of_home};
 use std::path::{Path, PathBuf};
 
 /// Stay below which a room is not a destination (our choice).
-const LEAST_STAY: Micros = 10 * SECOND;
+const LEAST_STAY: Span = SECOND.times(10);
+
+/// An instant, a place, and how likely somebody is there from then on, as [`Chance`] has them.
+pub type KnownChance = (RunTime, i32, f32);
 
 /// The folder of a log that was walked back.
 pub struct Walked {
     folder: PathBuf,
-    given: NamedLog,
-    reported: Reported,
+    given: LogRef,
+    reported: LocatingSummary,
 }
 
 /// What the report in such a folder says, as far as it can be read.
-pub fn reported(folder: &Path) -> Reported {
+pub fn reported(folder: &Path) -> LocatingSummary {
     let text = plain::read_text(&folder.join(REPORT), LARGEST_RECORDING_BYTES);
     text.ok().and_then(|text| serde_json::from_str(&text).ok()).unwrap_or_default()
 }
 
 /// The log that was given, in such a folder: the one file in there, or what the files come to together.
-pub fn given(folder: &Path) -> Result<NamedLog, Refusal> {
+pub fn given(folder: &Path) -> Result<LogRef, Refusal> {
     let given = folder.join(GIVEN);
     let entries = given.read_dir().into_iter().flatten().flatten();
     // A link may lead to what its author was never to see.
@@ -40,7 +44,7 @@ pub fn given(folder: &Path) -> Result<NamedLog, Refusal> {
         [one] => one,
         _ => &given,
     };
-    NamedLog::find(&found.to_string_lossy()).map_err(|error| damaged(without(folder, error.diagnostic())))
+    LogRef::find(&found.to_string_lossy()).map_err(|error| damaged(without(folder, error.diagnostic())))
 }
 
 impl Walked {
@@ -57,7 +61,7 @@ impl Walked {
     pub fn rows(&self, scenario: &Scenario, view: &mut PlaybackView, beside: &Path) -> Result<StoredRows, Refusal> {
         view.sensors = view.home.sensors.iter().map(|sensor| sensor.name.clone()).collect();
         // Of a way that is too long for a path only the first days are there.
-        let mut rows = StoredRows::new(beside, view, &scenario.calendar, view.length_us).map_err(failed)?;
+        let mut rows = StoredRows::new(beside, view, &scenario.calendar, view.interval().end).map_err(failed)?;
         let log = rows.read(self.given.place.clone(), &self.given.mapping, MOST_ROWS);
         let log = log.map_err(|error| damaged(without(&self.folder, error.diagnostic())))?;
         let known = sensors_of_home(&log, scenario).into_iter().zip(&log.sensors);
@@ -71,33 +75,34 @@ impl Walked {
     }
 
     /// How likely everybody was where, by resident of the view, which is told of it.
-    pub fn chances(&self, scenario: &Scenario, view: &mut PlaybackView) -> Result<Vec<Vec<Chance>>, Refusal> {
-        let clock = RunClock::new(&scenario.calendar, view.length_us, Clock::Local);
+    pub fn chances(&self, scenario: &Scenario, view: &mut PlaybackView) -> Result<Vec<Vec<KnownChance>>, Refusal> {
+        let scale = scenario.calendar.scale(view.length());
         let table = self.folder.join(ROOMS);
-        let all = doubts(&table, &self.reported.people, scenario.home.plan(), &clock);
+        let all = doubts(&table, &self.reported.people, scenario.home.plan(), &scale);
         let all = all.map_err(|error| damaged(without(&self.folder, error.diagnostic())))?;
         // The guest is the last, and told of although nobody ever came.
+        let end = view.interval().end;
         let mut chances = vec![Vec::new(); view.residents.len()];
-        for Doubt { at, who, place, chance } in all.into_iter().filter(|doubt| doubt.at <= view.length_us) {
+        for PlaceChance { at, who, place, chance } in all.into_iter().filter(|doubt| doubt.at <= end) {
             let place = match place {
-                Place::Out => OUT,
-                Place::Between => BETWEEN,
-                Place::Room(room) => room as i32,
+                PossiblePlace::Out => OUT,
+                PossiblePlace::Between => BETWEEN,
+                PossiblePlace::Room(room) => room as i32,
             };
             let of = chances.get_mut(who);
-            of.into_iter().for_each(|all: &mut Vec<Chance>| all.push((at, place, chance)));
+            of.into_iter().for_each(|all: &mut Vec<KnownChance>| all.push((at, place, chance)));
         }
         let places = view.home.rooms.len() + 2;
-        let stays = chances.iter().map(|of| stays(of, places, view.length_us)).collect();
+        let stays = chances.iter().map(|of| stays(of, places, end).iter().map(dates::told).collect()).collect();
         view.walk = Some(WalkView { log: self.reported.log.clone(), stays });
         Ok(chances)
     }
 }
 
 /// Where somebody most likely was, and from when to when.
-fn stays(chances: &[Chance], places: usize, end: Micros) -> Vec<(i64, i64, i32)> {
+fn stays(chances: &[KnownChance], places: usize, end: RunTime) -> Vec<(Interval<RunTime>, i32)> {
     let mut now = Known::new(places);
-    let mut all: Vec<(i64, i64, i32)> = Vec::new();
+    let mut all: Vec<(Interval<RunTime>, i32)> = Vec::new();
     for (index, &(at, place, chance)) in chances.iter().enumerate() {
         now.set(place, chance);
         // What changes at one instant is one change.
@@ -106,27 +111,28 @@ fn stays(chances: &[Chance], places: usize, end: Micros) -> Vec<(i64, i64, i32)>
         }
         let best = now.best();
         match all.last_mut() {
-            Some(last) if last.2 == best => last.1 = end,
-            Some(last) => {
-                last.1 = at;
-                all.push((at, end, best));
+            Some((last, place)) if *place == best => last.end = end,
+            Some((last, _)) => {
+                last.end = at;
+                all.push((Interval::new(at, end), best));
             }
-            None => all.push((at, end, best)),
+            None => all.push((Interval::new(at, end), best)),
         }
     }
-    all.retain(|stay| stay.2 != BETWEEN && stay.1 - stay.0 >= LEAST_STAY);
+    all.retain(|(stay, place)| *place != BETWEEN && stay.length() >= LEAST_STAY);
     all
 }
 
 /// The chances of a span: first those that hold when it begins, then what changes in it.
-pub fn chances_of(chances: &[Chance], begin: Micros, end: Micros) -> Vec<Chance> {
-    let first = chances.partition_point(|chance| chance.0 <= begin);
-    let last = chances.partition_point(|chance| chance.0 < end).max(first);
+pub fn chances_of(chances: &[KnownChance], span: Interval<RunTime>) -> Vec<Chance> {
+    let first = chances.partition_point(|chance| chance.0 <= span.begin);
+    let last = chances.partition_point(|chance| chance.0 < span.end).max(first);
     let most = chances[..first].iter().map(|chance| chance.1).max().unwrap_or(0);
     let mut now = Known::new(usize::try_from(most).unwrap_or(0) + 3);
     chances[..first].iter().for_each(|&(_, place, chance)| now.set(place, chance));
-    let known = now.all().filter(|(_, chance)| *chance > 0.0).map(|(place, chance)| (begin, place, chance));
-    known.chain(chances[first..last].iter().copied()).collect()
+    let known = now.all().filter(|(_, chance)| *chance > 0.0).map(|(place, chance)| (span.begin, place, chance));
+    let all = known.chain(chances[first..last].iter().copied());
+    all.map(|(at, place, chance)| (at.micros(), place, chance)).collect()
 }
 
 /// The chances that hold at an instant.
@@ -154,31 +160,35 @@ impl Known {
 mod tests {
     use super::*;
 
-    const CHANCES: [Chance; 7] = [
-        (0, 1, 1.0),
-        (20 * SECOND, 1, 0.5),
-        (20 * SECOND, 0, 0.5),
-        (30 * SECOND, 1, 0.1),
-        (30 * SECOND, 0, 0.9),
-        (32 * SECOND, OUT, 1.0),
-        (32 * SECOND, 0, 0.0),
+    const CHANCES: [KnownChance; 7] = [
+        (second(0), 1, 1.0),
+        (second(20), 1, 0.5),
+        (second(20), 0, 0.5),
+        (second(30), 1, 0.1),
+        (second(30), 0, 0.9),
+        (second(32), OUT, 1.0),
+        (second(32), 0, 0.0),
     ];
+
+    const fn second(second: i64) -> RunTime {
+        RunTime::START.saturating_add(SECOND.times(second))
+    }
 
     #[test]
     fn a_span_begins_with_what_holds_then() {
-        let at = 25 * SECOND;
-        let of = chances_of(&CHANCES, at, 31 * SECOND);
-        assert_eq!(of, [(at, 0, 0.5), (at, 1, 0.5), (30 * SECOND, 1, 0.1), (30 * SECOND, 0, 0.9)]);
-        assert_eq!(chances_of(&CHANCES, -5, 0), []);
-        assert_eq!(chances_of(&[], 0, 1), []);
+        let of = chances_of(&CHANCES, Interval::new(second(25), second(31)));
+        let (at, later) = (second(25).micros(), second(30).micros());
+        assert_eq!(of, [(at, 0, 0.5), (at, 1, 0.5), (later, 1, 0.1), (later, 0, 0.9)]);
+        assert_eq!(chances_of(&CHANCES, Interval::new(second(-5), second(0))), []);
+        assert_eq!(chances_of(&[], Interval::new(second(0), second(1))), []);
     }
 
     #[test]
     fn stays_are_where_somebody_most_likely_was_and_short_ones_are_none() {
-        let end = 100 * SECOND;
+        let end = second(100);
         let all = stays(&CHANCES, 4, end);
-        assert_eq!(all.first().map(|stay| stay.2), Some(1));
-        assert_eq!(all.last(), Some(&(32 * SECOND, end, OUT)));
-        assert!(all.iter().all(|stay| stay.1 - stay.0 >= LEAST_STAY), "{all:?}");
+        assert_eq!(all.first().map(|stay| stay.1), Some(1));
+        assert_eq!(all.last(), Some(&(Interval::new(second(32), end), OUT)));
+        assert!(all.iter().all(|(stay, _)| stay.length() >= LEAST_STAY), "{all:?}");
     }
 }

@@ -9,17 +9,17 @@ use crate::shelf::Shelf;
 use crate::wire::{WalkState, WalkingView};
 use homebody_core::problem::Diagnose;
 use homebody_core::scenario::load::Scenario;
-use homebody_core::time::DAY;
-use homebody_kit::walked::{GIVEN, walk_into};
-use homebody_kit::{Cancel, Error, LogWithRun, NamedLog};
+use homebody_core::time::{DAY, Span};
+use homebody_query::{LoadedLog, LogRef};
 use homebody_routine::household::Household;
-use std::fs;
-use std::io;
+use homebody_simulation::{Cancel, SimulationError};
+use homebody_tracking::TrackingError;
+use homebody_tracking::located_folder::{GIVEN, locate_into};
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
-use std::thread;
 use std::time::{Duration, Instant};
+use std::{fs, io, thread};
 use tempfile::TempDir;
 
 /// Largest log that the page opens, in bytes (our choice).
@@ -133,10 +133,10 @@ impl Walks {
         }
     }
 
-    fn end(&self, ended: Result<String, Error>, hidden: &Path) {
+    fn end(&self, ended: Result<String, TrackingError>, hidden: &Path) {
         self.tell(|view| match ended {
             Ok(run) => (view.state, view.share, view.run) = (WalkState::Done, 1.0, Some(run)),
-            Err(Error::Cancelled) => view.state = WalkState::Stopped,
+            Err(TrackingError::Simulation(SimulationError::Cancelled)) => view.state = WalkState::Stopped,
             Err(error) => {
                 // The folder of the log is gone by now.
                 let problem = without(hidden, error.diagnostic());
@@ -182,7 +182,7 @@ impl Coming {
         thread::spawn(move || {
             let hidden = folder.path().to_owned();
             let walk = || walks.make(&hidden, &log, &home, &cancel);
-            let broken = || Error::Translation(PageMessage::LocatingBroke.into());
+            let broken = || TrackingError::Translation(PageMessage::LocatingBroke.into());
             let ended = catch_unwind(AssertUnwindSafe(walk)).unwrap_or_else(|_| Err(broken()));
             // First all is tidy, then it is told.
             drop(folder);
@@ -197,8 +197,8 @@ impl Drop for Coming {
             let hidden = folder.path().to_owned();
             drop(folder);
             let why = match self.cancel.is_cancelled() {
-                true => Error::Cancelled,
-                false => Error::Translation(PageMessage::LogIncomplete.into()),
+                true => SimulationError::Cancelled.into(),
+                false => TrackingError::Translation(PageMessage::LogIncomplete.into()),
             };
             self.walks.end(Err(why), &hidden);
         }
@@ -207,7 +207,7 @@ impl Drop for Coming {
 
 impl Walks {
     /// What the log in a hidden folder comes to, by its name among the runs.
-    fn make(&self, hidden: &Path, log: &str, home: &HomeOf, cancel: &Cancel) -> Result<String, Error> {
+    fn make(&self, hidden: &Path, log: &str, home: &HomeOf, cancel: &Cancel) -> Result<String, TrackingError> {
         match home {
             HomeOf::Nobody => self.keep(hidden, log),
             HomeOf::Scenario => self.walk((hidden, log), None, cancel),
@@ -216,9 +216,9 @@ impl Walks {
     }
 
     /// Keeps the log as it is, if it can be read.
-    fn keep(&self, hidden: &Path, log: &str) -> Result<String, Error> {
-        small_enough(&LogWithRun::of(NamedLog::find(&hidden.join(log).to_string_lossy())?, None)?)?;
-        let failed = |error: io::Error| Error::File { path: log.into(), why: error.to_string(), source: None };
+    fn keep(&self, hidden: &Path, log: &str) -> Result<String, TrackingError> {
+        small_enough(&LoadedLog::from_ref(LogRef::find(&hidden.join(log).to_string_lossy())?, None)?)?;
+        let failed = |error: io::Error| SimulationError::file(Path::new(log), error.to_string());
         let to = hidden.join("kept");
         fs::create_dir_all(to.join(GIVEN)).map_err(failed)?;
         fs::rename(hidden.join(log), to.join(GIVEN).join(log)).map_err(failed)?;
@@ -228,24 +228,24 @@ impl Walks {
     }
 
     /// Walks it back; the name of the run that came of it.
-    fn walk(&self, (hidden, log): (&Path, &str), home: Option<&str>, cancel: &Cancel) -> Result<String, Error> {
+    fn walk(&self, (hidden, log): (&Path, &str), home: Option<&str>, cancel: &Cancel) -> Result<String, TrackingError> {
         let scenario = self.home(home)?;
-        let named = NamedLog::find(&hidden.join(log).to_string_lossy())?;
-        let read = LogWithRun::of(named, Some(&scenario.file.time_zone))?;
+        let named = LogRef::find(&hidden.join(log).to_string_lossy())?;
+        let read = LoadedLog::from_ref(named, Some(&scenario.file.time_zone))?;
         small_enough(&read)?;
         let to = hidden.join("walked");
-        walk_into(&to, (log, &read), &scenario, cancel, |share| self.tell(|view| view.share = share))?;
-        let failed = |error: io::Error| Error::File { path: log.into(), why: error.to_string(), source: None };
+        locate_into(&to, (log, &read), &scenario, cancel, |share| self.tell(|view| view.share = share))?;
+        let failed = |error: io::Error| SimulationError::file(Path::new(log), error.to_string());
         let name = self.free_name(log, "walked");
         fs::rename(&to, self.shelf.runs.join(&name)).map_err(failed)?;
-        Ok(format!("{name}/{}", homebody_kit::walked::RELIVED))
+        Ok(format!("{name}/{}", homebody_tracking::located_folder::SIMULATED_RUN))
     }
 
     /// The scenario whose home the log is of.
-    fn home(&self, run: Option<&str>) -> Result<Scenario, Error> {
+    fn home(&self, run: Option<&str>) -> Result<Scenario, TrackingError> {
         let loaded = match run {
             None => Household::load(&self.shelf, &self.shelf.entry, &[]),
-            Some(run) => Household::recorded(&self.shelf.recording(run).map_err(Error::Translation)?),
+            Some(run) => Household::recorded(&self.shelf.recording(run).map_err(TrackingError::Translation)?),
         };
         Ok(loaded?.0)
     }
@@ -259,16 +259,16 @@ impl Walks {
     }
 }
 
-fn small_enough(read: &LogWithRun) -> Result<(), Error> {
+fn small_enough(read: &LoadedLog) -> Result<(), TrackingError> {
     let rows = read.log.events.len();
     if rows > MOST_ROWS {
-        return Err(Error::Translation(PageMessage::TooManyRows { rows, limit: MOST_ROWS }.into()));
+        return Err(TrackingError::Translation(PageMessage::TooManyRows { rows, limit: MOST_ROWS }.into()));
     }
     let times = || read.log.events.iter().map(|event| event.at);
-    let span = times().max().zip(times().min()).map_or(0, |(last, first)| last.saturating_sub(first));
+    let span = times().max().zip(times().min()).map_or(Span::ZERO, |(last, first)| last.saturating_since(first));
     if span > MOST_DAYS * DAY {
         let days = (span / DAY) as usize;
-        return Err(Error::Translation(PageMessage::TooManyDays { days, limit: MOST_DAYS }.into()));
+        return Err(TrackingError::Translation(PageMessage::TooManyDays { days, limit: MOST_DAYS }.into()));
     }
     Ok(())
 }

@@ -9,15 +9,15 @@ mod served;
 
 use homebody_core::event::Events;
 use homebody_core::recording::{Recording, RunDigest};
+use homebody_core::time::RunTime;
 use homebody_routine::household::Household;
 use served::Served;
-use std::fs;
 use std::io::{Read, Write};
 use std::net::TcpStream;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
-use std::thread;
 use std::time::{Duration, Instant};
+use std::{fs, thread};
 
 /// The greatest growth that is taken for none.
 const MOST_KB: u64 = 16 << 10;
@@ -222,7 +222,7 @@ fn stuck_browsers() {
     let (scenario, household) = Household::recorded(&recording).unwrap();
     let mut alone = recording.run(&scenario, &household);
     let (mut events, mut digest) = (Events::default(), RunDigest::default());
-    alone.advance(recording.length_us, &mut events).unwrap();
+    alone.advance(RunTime::START + recording.length_us, &mut events).unwrap();
     digest.add(&events.firings);
     assert_eq!((digest.firings(), digest.hex()), (recording.firings, recording.sha256));
     let log = rusqlite::Connection::open(run.join("log.db")).unwrap();

@@ -1,18 +1,16 @@
 //! Stored runs are played back as they were stored.
 
-use homebody_core::time::{DAY, Micros, SECOND};
-use homebody_kit::Cancel;
+use homebody_core::time::{DAY, HOUR, Interval, RunTime, SECOND, Span};
+use homebody_simulation::Cancel;
 use homebody_web::playback::{Playback, Refusal};
 use homebody_web::shelf::Shelf;
 use homebody_web::staged_run::{StagedRun, Start};
-use homebody_web::wire::{DayView, Find, FindWhat, FoundView, MotionState, PlaybackView, State};
+use homebody_web::wire::{DayView, FilmView, Find, FindWhat, FoundView, MotionState, PlaybackView, State};
 use rusqlite::Connection;
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use tempfile::TempDir;
-
-const HOUR: Micros = 3600 * SECOND;
 
 /// A folder with runs in it, and what plays them back.
 struct Stored {
@@ -22,9 +20,9 @@ struct Stored {
 
 impl Stored {
     /// A scenario, changed, lived for some time.
-    fn lived(scenario: &str, length: Micros, change: impl Fn(&str, String) -> String) -> Stored {
+    fn lived(scenario: &str, length: Span, change: impl Fn(&str, String) -> String) -> Stored {
         let (stored, mut act, shelf) = Stored::begun(scenario, change);
-        live(&mut act, length, &shelf);
+        live(&mut act, RunTime::START + length, &shelf);
         act.finish().unwrap();
         stored
     }
@@ -53,6 +51,11 @@ impl Stored {
         self.playback.run(&self.name()).unwrap()
     }
 
+    fn film(&self, from_us: i64, to_us: i64, every: Span) -> Result<FilmView, Refusal> {
+        let span = Interval::new(RunTime::from_micros(from_us), RunTime::from_micros(to_us));
+        self.playback.film(&self.name(), span, every)
+    }
+
     fn days(&self) -> Vec<DayView> {
         let name = self.name();
         (0..self.view().days.len()).map(|day| self.playback.day(&name, day).unwrap()).collect()
@@ -60,8 +63,8 @@ impl Stored {
 }
 
 /// Lives until an instant, or to the end.
-fn live(act: &mut StagedRun, until: Micros, shelf: &Shelf) {
-    let until = until.min(act.length());
+fn live(act: &mut StagedRun, until: RunTime, shelf: &Shelf) {
+    let until = until.min(act.end());
     while act.now() < until {
         act.advance(until, shelf).unwrap();
     }
@@ -97,7 +100,7 @@ fn the_days_rows_are_the_logs() {
     let stored = Stored::lived("tigerplace", 30 * HOUR, as_it_is);
     let (view, days) = (stored.view(), stored.days());
     assert_eq!((view.days.len(), view.start.as_str(), view.has_truth), (2, "2009-03-02 00:00:00", true));
-    assert_eq!(view.days[1].end_us, 30 * HOUR);
+    assert_eq!(view.days[1].end_us, 30 * HOUR.micros());
 
     let connection = Connection::open(stored.file("log.db")).unwrap();
     let mut statement = connection.prepare("SELECT ts_local, sensor_id, event_code FROM event ORDER BY seq").unwrap();
@@ -106,14 +109,14 @@ fn the_days_rows_are_the_logs() {
     assert!(rows.len() > 1000);
     assert_eq!(words(&view, &days), rows.iter().map(|row| (row.1.clone(), row.2.clone())).collect::<Vec<_>>());
     for (row, told) in days.iter().flat_map(|day| &day.rows).zip(&rows) {
-        let (second, micros) = (row.0 / SECOND, row.0 % SECOND);
+        let (second, micros) = (row.0 / SECOND.micros(), row.0 % SECOND.micros());
         let (hour, minute, second) = (second / 3600, second / 60 % 60, second % 60);
         let day = 2 + hour / 24;
         assert_eq!(format!("2009-03-{day:02} {:02}:{minute:02}:{second:02}.{micros:06}", hour % 24), told.0);
     }
     let told: u32 = view.hours.iter().flatten().sum();
     assert_eq!(told as usize, rows.len());
-    assert_eq!(view.hours[0][7], days[0].rows.iter().filter(|row| row.0 / HOUR == 7).count() as u32);
+    assert_eq!(view.hours[0][7], days[0].rows.iter().filter(|row| row.0 / HOUR.micros() == 7).count() as u32);
 }
 
 #[test]
@@ -158,7 +161,7 @@ fn rooms_and_activities_are_the_truths() {
     let connection = Connection::open(stored.file("truth.db")).unwrap();
     let count = |sql: &str| connection.query_row(sql, [], |row| row.get::<_, i64>(0)).unwrap() as usize;
     let all: Vec<_> = days.iter().flat_map(|day| &day.lives[0].activities).collect();
-    let across = days[0].lives[0].activities.iter().filter(|span| span.1 > DAY).count();
+    let across = days[0].lives[0].activities.iter().filter(|span| span.1 > DAY.micros()).count();
     assert_eq!(all.len() - across, count("SELECT count(*) FROM activity WHERE resident = 'margaret'"));
     assert_eq!(view.activities[all[0].2 as usize], "sleeping");
     let (begin, end, room) = days[0].lives[0].rooms[0];
@@ -177,7 +180,7 @@ fn every_kind_of_log_tells_the_same_instants() {
         let change = move |name: &str, text: String| change(name, text).replace("2009-03-02T", "2009-03-07T");
         let stored = Stored::lived("tigerplace", 30 * HOUR, change);
         let days = stored.days();
-        assert_eq!(stored.view().days[1].turn, Some((26 * HOUR, HOUR)));
+        assert_eq!(stored.view().days[1].turn, Some((26 * HOUR.micros(), HOUR.micros())));
         let rows: Vec<_> = days.iter().flat_map(|day| &day.rows).map(|row| (row.0 / 1000, row.1)).collect();
         let moved: Vec<_> = days[1].lives[0].movements.iter().map(|one| one.0 / 1000).collect();
         assert!(rows.len() > 1000 && !moved.is_empty());
@@ -295,20 +298,21 @@ fn members_of_a_cohort_are_played_back_by_their_folders() {
 /// A run that goes back and forth leaves what an undisturbed one leaves.
 #[test]
 fn going_back_is_going_on_from_there_as_it_was() {
-    let stored = |back: &[Micros], stop: Micros| {
+    let at = |since: Span| RunTime::START + since;
+    let stored = |back: &[Span], stop: Span| {
         let folder = TempDir::new().unwrap();
         let own = folder.path().join("scenario");
         copy(&scenarios().join("tigerplace"), &own, &as_it_is);
         let shelf =
             Shelf { scenario: own, entry: "scenario.json".into(), is_trusted: false, runs: folder.path().join("runs") };
         let mut act = StagedRun::new(&shelf, &shelf.entry, Start::default()).unwrap();
-        live(&mut act, 12 * DAY + 5 * HOUR, &shelf);
-        for &to in back {
+        live(&mut act, at(12 * DAY + 5 * HOUR), &shelf);
+        for to in back.iter().map(|&to| at(to)) {
             assert!(act.go_back(to));
             assert!(act.now() <= to && act.now() >= to - 5 * DAY, "{} is far from {to}", act.now());
             live(&mut act, to, &shelf);
         }
-        live(&mut act, stop, &shelf);
+        live(&mut act, at(stop), &shelf);
         let frame = act.frame(State::Paused, None);
         let growth = act.growth().lock().unwrap().view();
         act.finish().unwrap();
@@ -331,7 +335,7 @@ fn going_back_is_going_on_from_there_as_it_was() {
     };
     let undisturbed = stored(&[], 15 * DAY);
     assert!(undisturbed.0.0.len() > 1000 && undisturbed.0.1.iter().all(|rows| rows.len() > 100));
-    let back = stored(&[3 * DAY, 11 * DAY, HOUR, 6 * DAY + 7], 15 * DAY);
+    let back = stored(&[3 * DAY, 11 * DAY, HOUR, 6 * DAY + Span::from_micros(7)], 15 * DAY);
     assert_eq!(back.1.now_us, undisturbed.1.now_us);
     assert_eq!(
         (&back.1.counts, &back.1.on, back.1.told),
@@ -341,8 +345,8 @@ fn going_back_is_going_on_from_there_as_it_was() {
     assert!(back.0 == undisturbed.0, "log, truth or recording differ");
     // Who stops where they look leaves all that was lived.
     let (stopped, frame, _) = stored(&[3 * DAY], 4 * DAY);
-    assert_eq!(frame.now_us, 4 * DAY);
-    assert!(stopped == stored(&[], 0).0, "who stops leaves something else");
+    assert_eq!(frame.now_us, 4 * DAY.micros());
+    assert!(stopped == stored(&[], Span::ZERO).0, "who stops leaves something else");
     // The control: one that was lived further is another.
     assert!(stopped != stored(&[], 13 * DAY).0 && stopped != undisturbed.0);
 }
@@ -357,9 +361,10 @@ fn who_is_driven_does_not_go_back_to_a_moment() {
         Shelf { scenario: own, entry: "scenario.json".into(), is_trusted: false, runs: folder.path().join("runs") };
     let start = Start { driven: Some(0), ..Start::default() };
     let mut act = StagedRun::new(&shelf, &shelf.entry, start).unwrap();
-    live(&mut act, 10 * SECOND, &shelf);
-    assert!(!act.go_back(SECOND));
-    assert_eq!((act.now(), act.anew(SECOND).unwrap().now()), (10 * SECOND, 0));
+    let at = |since: Span| RunTime::START + since;
+    live(&mut act, at(10 * SECOND), &shelf);
+    assert!(!act.go_back(at(SECOND)));
+    assert_eq!((act.now(), act.anew(at(SECOND)).unwrap().now()), (at(10 * SECOND), RunTime::START));
 }
 
 /// What is asked of a run, and what is found.
@@ -378,21 +383,21 @@ fn what_is_looked_for_over_a_run_is_what_log_and_truth_say() {
     let visits = find(&stored, FindWhat::Room, "bathroom", night, 0.0);
     let told = "SELECT count(*) FROM room WHERE room = 'bathroom' AND resident = 'margaret' AND time(at) < '06:00'";
     assert!(visits.all > 3 && visits.all <= count(told), "{} of {}", visits.all, count(told));
-    assert!(visits.hits.iter().all(|hit| hit.begin_us % DAY < 6 * HOUR && hit.words == "margaret"));
+    assert!(visits.hits.iter().all(|hit| hit.begin_us % DAY.micros() < 6 * HOUR.micros() && hit.words == "margaret"));
     assert!(visits.hits.is_sorted_by_key(|hit| hit.begin_us));
     let long = find(&stored, FindWhat::Room, "bathroom", night, 300.0);
-    assert!(long.all < visits.all && long.hits.iter().all(|hit| hit.end_us - hit.begin_us >= 300 * SECOND));
+    assert!(long.all < visits.all && long.hits.iter().all(|hit| hit.end_us - hit.begin_us >= 300 * SECOND.micros()));
     // By day alone there is no night.
     assert_eq!(find(&stored, FindWhat::Doing, "sleeping", Some((600, 720)), 0.0).all, 0);
     assert_eq!(find(&stored, FindWhat::Fall, "", None, 0.0), FoundView { hits: vec![], all: 0, remarks: vec![] });
 
     let view = stored.view();
-    let rows: Vec<Micros> = stored.days().iter().flat_map(|day| &day.rows).map(|row| row.0).collect();
+    let rows: Vec<i64> = stored.days().iter().flat_map(|day| &day.rows).map(|row| row.0).collect();
     // Readings, such as how restless somebody lies, are no signs of anybody.
     let on = view.values.iter().position(|value| value == "ON").unwrap();
     let days = stored.days();
     let signs = days.iter().flat_map(|day| &day.rows).filter(|row| row.2 as usize == on).map(|row| row.0);
-    let signs: Vec<Micros> = signs.collect();
+    let signs: Vec<i64> = signs.collect();
     let still = find(&stored, FindWhat::Still, "", None, 1800.0);
     assert!(still.all > 0);
     for hit in &still.hits {
@@ -464,10 +469,10 @@ fn silhouettes_come_in_parts_that_are_those_of_the_file() {
     let mut statement = connection.prepare(sql).unwrap();
     let row = |row: &rusqlite::Row| Ok((row.get::<_, i64>(0)? - start, row.get(1)?, row.get(2)?));
     let file: Vec<(i64, String, Vec<u8>)> = statement.query_map([], row).unwrap().map(Result::unwrap).collect();
-    let (begin, end) = (4 * SECOND, 64 * SECOND);
+    let (begin, end) = (4 * SECOND.micros(), 64 * SECOND.micros());
     let (mut told, mut from, mut parts) = (Vec::new(), begin, 0);
     while from < end {
-        let film = stored.playback.film(&stored.name(), (from, end), 0).unwrap();
+        let film = stored.film(from, end, Span::ZERO).unwrap();
         assert!(film.until_us > from, "it comes on");
         for moment in &film.moments {
             let name = |sensor: u32| view.home.sensors[sensor as usize].name.clone();
@@ -478,28 +483,30 @@ fn silhouettes_come_in_parts_that_are_those_of_the_file() {
     let expected: Vec<_> = file.iter().filter(|(at, ..)| (begin..end).contains(at)).cloned().collect();
     assert!(expected.len() > 500 && told == expected, "{} of {} in {parts} parts", told.len(), expected.len());
     // Of instants that are five seconds apart nothing else is told.
-    let film = stored.playback.film(&stored.name(), (0, 60 * SECOND), 5 * SECOND).unwrap();
-    assert!(film.moments.windows(2).all(|two| two[1].at_us - two[0].at_us >= 5 * SECOND) && film.moments.len() > 1);
+    let film = stored.film(0, 60 * SECOND.micros(), 5 * SECOND).unwrap();
+    assert!(
+        film.moments.windows(2).all(|two| two[1].at_us - two[0].at_us >= 5 * SECOND.micros()) && film.moments.len() > 1
+    );
     // Beyond the run there is nothing, and of a run without cameras nobody knows any.
-    let beyond = stored.playback.film(&stored.name(), (i64::MAX - 1, i64::MAX), 0).unwrap();
+    let beyond = stored.film(i64::MAX - 1, i64::MAX, Span::ZERO).unwrap();
     assert!(beyond.moments.is_empty());
     let without = Stored::lived("studio", HOUR, as_it_is);
     assert!(!without.view().has_silhouettes);
-    assert!(matches!(without.playback.film(&without.name(), (0, HOUR), 0), Err(Refusal::Unknown(_))));
+    assert!(matches!(without.film(0, HOUR.micros(), Span::ZERO), Err(Refusal::Unknown(_))));
 }
 
 /// The instant of UTC at which the run begins.
 fn stored_start(connection: &Connection) -> i64 {
     let first: i64 = connection.query_row("SELECT min(utc_us) FROM silhouette", [], |row| row.get(0)).unwrap();
     // It begins on a whole hour, and cameras that never sleep see who is there at once.
-    first - first.rem_euclid(HOUR)
+    first - first.rem_euclid(HOUR.micros())
 }
 
 #[test]
 fn the_voxel_person_stands_and_lies_where_the_body_does() {
     let stored = postures();
-    let person = |at: Micros| {
-        let film = stored.playback.film(&stored.name(), (at, at + SECOND / 5), 0).unwrap();
+    let person = |since: Span| {
+        let film = stored.film(since.micros(), (since + SECOND / 5).micros(), Span::ZERO).unwrap();
         (film.moments[0].persons[0].clone(), film.corner, film.edge_m)
     };
     let (standing, corner, edge_m) = person(5 * SECOND);
@@ -527,7 +534,10 @@ fn what_cameras_take_for_falls_is_found_and_nobody_who_has_gone_keeps_it_looking
     let found = stored.playback.find(&stored.name(), &asked, &Cancel::new(), || Ok(Vec::new())).unwrap();
     let fall = found.hits.iter().find(|hit| hit.words.contains("very likely a fall, room")).unwrap();
     // Sam falls after 66 s.
-    assert!((66 * SECOND..72 * SECOND).contains(&fall.begin_us) && fall.end_us > fall.begin_us, "{found:?}");
+    assert!(
+        (66 * SECOND.micros()..72 * SECOND.micros()).contains(&fall.begin_us) && fall.end_us > fall.begin_us,
+        "{found:?}"
+    );
 }
 
 #[test]
@@ -542,7 +552,7 @@ fn cameras_of_a_run_that_is_lived_are_dark_while_they_sleep_and_else_show_what_t
     assert!(looks.iter().all(|look| !look.awake && look.packed.is_empty()), "{looks:?}");
     let mut seen = Vec::new();
     for step in 0..300 {
-        live(&mut act, 8 * HOUR + step * 17 * SECOND, &shelf);
+        live(&mut act, RunTime::START + 8 * HOUR + step * 17 * SECOND, &shelf);
         for look in act.frame(State::Playing, None).looks {
             assert!(look.awake || look.packed.is_empty(), "{look:?}");
             seen.push((act.now(), look));
@@ -560,7 +570,7 @@ fn cameras_of_a_run_that_is_lived_are_dark_while_they_sleep_and_else_show_what_t
                ORDER BY silhouette.rowid DESC LIMIT 1";
     for (now, look) in shown {
         let name = &view.home.sensors[look.sensor as usize].name;
-        let kept: Vec<u8> = connection.query_row(sql, (name, start + now), |row| row.get(0)).unwrap();
+        let kept: Vec<u8> = connection.query_row(sql, (name, start + now.micros()), |row| row.get(0)).unwrap();
         assert_eq!(look.packed, kept, "{name} at {now}");
     }
 }

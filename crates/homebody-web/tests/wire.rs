@@ -4,10 +4,11 @@
 mod generated;
 
 use generated::is_generated;
+use homebody_analysis::measures::MEASURES;
 use homebody_core::activity::{ACTIVITIES, AWAY, ActivityKind, KIND_WORDS};
-use homebody_core::scenario::device::Device;
 use homebody_core::sensors::form::{Colour, KindRow, Mount};
 use homebody_core::sensors::kinds::KINDS;
+use homebody_core::sensors::products::Product;
 use homebody_web::wire;
 use serde_json::json;
 use ts_rs::{Config, TS};
@@ -177,7 +178,7 @@ fn the_page_knows_our_sensors() {
 
 #[test]
 fn the_page_knows_our_devices() {
-    let row = |device: Device| {
+    let row = |device: Product| {
         let [across, down] = device.field_deg.value;
         let timing = device.preset.timing();
         format!(
@@ -194,15 +195,15 @@ fn the_page_knows_our_devices() {
             }),
         )
     };
-    let rows: String = Device::all().map(row).collect();
+    let rows: String = Product::all().map(row).collect();
     is_generated(
         "web/src/devices.ts",
         &format!(
-            "// Made from crates/homebody-core/src/scenario/device.rs, which says what each means.\n\n\
-         export type Device = {{\n  /** What `preset` calls it. */\n  key: string;\n  name: string;\n  network: string;\n  \
+            "// Made from crates/homebody-core/src/sensors/products.rs, which says what each means.\n\n\
+         export type Product = {{\n  /** What `preset` calls it. */\n  key: string;\n  name: string;\n  network: string;\n  \
          height_m: number;\n  field_deg: [number, number];\n  reach_m: number;\n  refire_s: [number, number];\n  \
          /** Where each is from. */\n  sources: {{ height: string; field: string; reach: string; timing: string }};\n}};\n\n\
-         export const DEVICES: readonly Device[] = [\n{rows}];\n"
+         export const DEVICES: readonly Product[] = [\n{rows}];\n"
         ),
     );
 }
@@ -230,4 +231,21 @@ fn the_page_knows_our_activities() {
     }
     text += &format!("];\n\n/** What the truth says of who is out of the home. */\nexport const AWAY = '{AWAY}';\n");
     is_generated("web/src/activities.ts", &text);
+}
+
+#[test]
+fn the_page_has_the_rows_of_measures() {
+    let mut text = "// Made from the table in crates/homebody-analysis/src/measures/registry.rs, which has the definitions.\n\n\
+         /** Measures of the night before the day, but for parts of the day. */\nexport const OF_NIGHT: ReadonlySet<string> = new Set(["
+        .to_owned();
+    let of_night = MEASURES.iter().filter(|measure| measure.occasion == "night" && measure.first_hour.is_none());
+    text += &of_night.map(|measure| format!("'{}'", measure.name)).collect::<Vec<_>>().join(", ");
+    text += "]);\n\n/** Measures of a part of the day, with its first hour. */\nexport const FIRST_HOURS: Readonly<Record<string, number>> = {";
+    let parts = MEASURES.iter().filter_map(|measure| Some(format!(" {}: {}", measure.name, measure.first_hour?)));
+    text += &parts.collect::<Vec<_>>().join(",");
+    text += " };\n\n/** Measures that the page offers as goals of suggested sensors. */\nexport const MEASURE_GOALS = [\n";
+    for (name, goal) in MEASURES.iter().filter_map(|measure| Some((measure.name, measure.goal?))) {
+        text += &format!("  {{ id: '{name}', title: '{goal}' }},\n");
+    }
+    is_generated("web/src/measures.ts", &(text + "];\n"));
 }

@@ -9,22 +9,23 @@
 #[path = "../../homebody-core/benches/measure/mod.rs"]
 mod measure;
 
-use homebody_core::drivers::MotionSegment;
 use homebody_core::event::Events;
+use homebody_core::home::Home;
+use homebody_core::home::form::HomeFile;
 use homebody_core::home::resolved::ResolvedHome;
-use homebody_core::home::{Build, Home};
 use homebody_core::ids::ResidentId;
+use homebody_core::link::form::{LinkFile, Network};
+use homebody_core::motion::MotionSegment;
 use homebody_core::recording::Recording;
+use homebody_core::resident::Build;
 use homebody_core::run::Run;
-use homebody_core::scenario::home::HomeFile;
-use homebody_core::scenario::link::{LinkFile, Network};
 use homebody_core::scenario::load::{Files, NoText, Overlay, Scenario};
-use homebody_core::time::{DAY, Micros, SECOND, seconds};
+use homebody_core::time::{DAY, HOUR, RunTime, Span};
 use homebody_core::world::World;
-use homebody_log::logger::destinations;
-use homebody_log::places::SILHOUETTES;
+use homebody_log::run::places::SILHOUETTES;
+use homebody_log::run_log::destinations;
 use homebody_log::silhouettes::{SilhouetteLog, cameras};
-use homebody_log::{How, Logger, RunInfo, Url};
+use homebody_log::{WriteMode, Logger, RunInfo, Url};
 use homebody_routine::household::Household;
 use measure::{Spread, insert, rows};
 use std::fs;
@@ -34,9 +35,9 @@ use std::sync::Arc;
 use std::time::Instant;
 
 const ROUNDS: usize = 7;
-const YEAR: Micros = 365 * DAY;
+const YEAR: Span = DAY.times(365);
 /// How often a run hands over what it has.
-const STEP: Micros = 6 * 3600 * SECOND;
+const STEP: Span = HOUR.times(6);
 /// Members of the cohort, and how long each lives.
 const MEMBERS: usize = 16;
 const MEMBERS_DAYS: usize = 60;
@@ -48,7 +49,7 @@ type Figure<'a> = &'a dyn Fn(&str) -> String;
 
 fn main() {
     let zigbee = || LinkFile { preset: Network::Zigbee, ..LinkFile::default() };
-    homebody_kit::elsewhere::install_all();
+    homebody_simulation::install_sinks();
     let figures: [(&str, Figure); 8] = [
         ("life_vs_kernel", &|name| against_kernel(name, None, 90 * DAY)),
         ("life_with_link_vs_kernel", &|name| against_kernel(name, Some(zigbee()), 90 * DAY)),
@@ -82,21 +83,21 @@ impl Files for Folder {
 
 /// The whole model (routine, needs, paths, all sensors, and the link if there is one) against the bare kernel on the same
 /// movement.
-fn against_kernel(name: &str, link: Option<LinkFile>, length: Micros) -> String {
+fn against_kernel(name: &str, link: Option<LinkFile>, length: Span) -> String {
     let (mut scenario, household) = scenario("tigerplace");
     scenario.link = link;
     let moves = Run::new(&scenario, &household, scenario.file.seed, length).moves().expect(SOUND);
     let mut bare = HomeFile::clone(&scenario.home);
     bare.sensors.retain(|sensor| sensor.on().is_none());
     let builds: Vec<Build> = (0..moves.len())
-        .map(|body| scenario.residents.get(body).map_or(Build::adult(), |resident| Build::of(&resident.file)))
+        .map(|body| scenario.residents.get(body).map_or(Build::adult(), |resident| Build::new(&resident.file)))
         .collect();
     let home = Arc::new(Home::bake(&ResolvedHome::new(bare).expect("a home"), &builds));
     let mut ratios = Vec::new();
     for _ in 0..ROUNDS {
         let life_s = live(&scenario, &household, length);
         let kernel_s = kernel(&home, &moves, length);
-        let days = seconds(length) / 86_400.0;
+        let days = length.ratio(DAY);
         println!("a day: whole model {:.0} us, bare kernel {:.0} us", life_s / days * 1e6, kernel_s / days * 1e6);
         ratios.push(kernel_s / life_s);
     }
@@ -104,11 +105,11 @@ fn against_kernel(name: &str, link: Option<LinkFile>, length: Micros) -> String 
 }
 
 /// Lives the scenario and forgets what happens; seconds, with the making of the run.
-fn live(scenario: &Scenario, household: &Household, length: Micros) -> f64 {
+fn live(scenario: &Scenario, household: &Household, length: Span) -> f64 {
     let start = Instant::now();
     let mut run = Run::new(scenario, household, scenario.file.seed, length);
     let mut events = Events::default();
-    while run.now() < length {
+    while run.now() < RunTime::START + length {
         run.advance(run.now() + STEP, &mut events).expect(SOUND);
         events.clear();
     }
@@ -116,19 +117,20 @@ fn live(scenario: &Scenario, household: &Household, length: Micros) -> f64 {
 }
 
 /// Gives the kernel the moves of all bodies in their order; seconds.
-fn kernel(home: &Arc<Home>, moves: &[Vec<MotionSegment>], length: Micros) -> f64 {
+fn kernel(home: &Arc<Home>, moves: &[Vec<MotionSegment>], length: Span) -> f64 {
     let mut world = World::new(home.clone(), moves.len(), 1);
     let mut events = Events::default();
     let mut next = vec![0; moves.len()];
     let start = Instant::now();
-    while world.now() < length {
-        let mut until = length;
+    let end = RunTime::START + length;
+    while world.now() < end {
+        let mut until = end;
         for (body, moves) in moves.iter().enumerate() {
             if let Some(due) = moves.get(next[body]).filter(|due| due.begin <= world.now()) {
-                world.begin(ResidentId::of(body), due);
+                world.begin(ResidentId::new(body), due);
                 next[body] += 1;
             }
-            until = until.min(moves.get(next[body]).map_or(length, |due| due.begin));
+            until = until.min(moves.get(next[body]).map_or(end, |due| due.begin));
         }
         world.advance(until, &mut events);
         events.clear();
@@ -154,7 +156,7 @@ fn script_against_life(name: &str) -> String {
     for _ in 0..ROUNDS {
         let [deciding_s, resting_s, life_s] =
             [&deciding, &resting, &usual].map(|(scenario, household)| live(scenario, household, length));
-        let per_day = [deciding_s - resting_s, life_s].map(|all_s| all_s / (seconds(length) / 86_400.0) * 1e6);
+        let per_day = [deciding_s - resting_s, life_s].map(|all_s| all_s / length.ratio(DAY) * 1e6);
         println!("a day: a thousand decisions {:.0} us, a life by a routine {:.0} us", per_day[0], per_day[1]);
         ratios.push((deciding_s - resting_s) / life_s);
     }
@@ -206,7 +208,7 @@ fn with_script(script: &str) -> (Scenario, Household) {
 }
 
 /// A resident-year into SQLite against a bare loop that inserts the same rows: how many times as long it takes.
-fn against_inserts(name: &str, length: Micros) -> String {
+fn against_inserts(name: &str, length: Span) -> String {
     let folder = tempfile::tempdir().expect("a folder");
     let (run, bare) = (folder.path().join("run.db"), folder.path().join("bare.db"));
     let (scenario, household) = scenario("tigerplace");
@@ -224,7 +226,7 @@ fn against_inserts(name: &str, length: Micros) -> String {
 
 /// A resident-year without any place for its log against the same into Parquet, one file and a data set: the share of the rate that
 /// stays. Only a build with the feature has Parquet.
-fn against_no_place(name: &str, length: Micros) -> String {
+fn against_no_place(name: &str, length: Span) -> String {
     if !cfg!(feature = "parquet") {
         return format!("{name}: --features parquet measures it");
     }
@@ -249,7 +251,7 @@ fn decline(name: &str) -> String {
     let folder = tempfile::tempdir().expect("a folder");
     let run = folder.path().join("run.db");
     let (scenario, household) = scenario("tigerplace-decline");
-    let length = homebody_core::time::micros(scenario.file.days * 86_400.0);
+    let length = Span::from_days(scenario.file.days);
     let each_s: Vec<f64> = (0..3).map(|_| live_into_database(&run, &scenario, &household, length)).collect();
     let rows = rows(&run);
     let bare_s = insert(&folder.path().join("bare.db"), &rows);
@@ -259,27 +261,27 @@ fn decline(name: &str) -> String {
 }
 
 /// Lives the scenario into a database; seconds.
-fn live_into_database(path: &Path, scenario: &Scenario, household: &Household, length: Micros) -> f64 {
+fn live_into_database(path: &Path, scenario: &Scenario, household: &Household, length: Span) -> f64 {
     let url: Url = format!("sqlite:{}", path.display()).parse().expect("a URL");
     live_into(&[url], scenario, household, length)
 }
 
 /// Lives the scenario into these places, as a log is always made; seconds.
-fn live_into(urls: &[Url], scenario: &Scenario, household: &Household, length: Micros) -> f64 {
+fn live_into(urls: &[Url], scenario: &Scenario, household: &Household, length: Span) -> f64 {
     let start = Instant::now();
     let mut run = Run::new(scenario, household, scenario.file.seed, length);
-    let recording = Recording::of(scenario, "bench", "scenario.json", scenario.file.seed, length);
+    let recording = Recording::new(scenario, "bench", "scenario.json", scenario.file.seed, length);
     let info = Arc::new(RunInfo::of(scenario, &run, &recording));
-    let places = destinations(urls, How::Replace).expect("a place that can be written");
-    let mut logger = Logger::open(places, &Default::default(), &info, How::Replace).expect("an open database");
+    let places = destinations(urls, WriteMode::Overwrite).expect("a place that can be written");
+    let mut logger = Logger::open(places, &Default::default(), &info, WriteMode::Overwrite).expect("an open database");
     // Beside the log, as a run's folder has them.
     let beside = urls.first().map(|url| url.path().with_file_name(SILHOUETTES));
     let mut silhouettes = beside.filter(|_| cameras(&scenario.home).next().is_some()).map(|path| {
         let _ = fs::remove_file(&path);
-        SilhouetteLog::open(&path, &scenario.home, &info, How::Replace).expect("an open database")
+        SilhouetteLog::open(&path, &scenario.home, &info, WriteMode::Overwrite).expect("an open database")
     });
     let mut events = Events::default();
-    while run.now() < length {
+    while run.now() < RunTime::START + length {
         run.advance(run.now() + STEP, &mut events).expect(SOUND);
         logger.store(&events.firings, run.now()).expect("stored firings");
         if let Some(silhouettes) = &mut silhouettes {

@@ -3,9 +3,13 @@
 use homebody_core::drivers::error::DriverError;
 use homebody_core::messages::Diagnose;
 use homebody_core::problem::{Diagnostic, Problems};
-use homebody_experiment::people::NotLived;
-use homebody_kit::Error;
+use homebody_fleet::FleetError;
 use homebody_log::LogError;
+use homebody_placement::people::PeopleError;
+use homebody_query::QueryError;
+use homebody_scaffold::ScaffoldError;
+use homebody_simulation::SimulationError;
+use homebody_tracking::TrackingError;
 use std::fmt::Display;
 
 /// The exit codes of every command.
@@ -33,6 +37,14 @@ impl Failure {
         match &problems[..] {
             [only] if only.file.is_empty() => Failure::Coded(Box::new(only.clone()), 2),
             _ => Failure::Problems(Problems(problems)),
+        }
+    }
+
+    /// Problems with arguments: a single one is printed like any other message.
+    fn of_arguments(mut problems: Problems) -> Failure {
+        match problems.0.pop() {
+            Some(only) if problems.0.is_empty() => Failure::asked(only),
+            last => Failure::Problems(Problems(problems.0.into_iter().chain(last).collect())),
         }
     }
 
@@ -81,13 +93,13 @@ impl From<Problems> for Failure {
     }
 }
 
-impl From<NotLived> for Failure {
-    fn from(error: NotLived) -> Failure {
+impl From<PeopleError> for Failure {
+    fn from(error: PeopleError) -> Failure {
         match error {
-            NotLived::Problems(problems) => Failure::Problems(problems),
-            NotLived::NoRoutine => Failure::asked(SimulationMessage::NoRoutine),
-            NotLived::NotMeasured(error) => Failure::not_measured(error),
-            NotLived::Stopped => Failure::file(SimulationMessage::Stopped),
+            PeopleError::Problems(problems) => Failure::Problems(problems),
+            PeopleError::NoRoutine => Failure::asked(SimulationMessage::NoRoutine),
+            PeopleError::Simulation(error) => Failure::not_measured(error),
+            PeopleError::Stopped => Failure::file(SimulationMessage::Stopped),
         }
     }
 }
@@ -119,29 +131,60 @@ impl From<LogError> for Failure {
     }
 }
 
-impl From<Error> for Failure {
-    fn from(error: Error) -> Failure {
+impl From<SimulationError> for Failure {
+    fn from(error: SimulationError) -> Failure {
         match error {
-            Error::Problems(problems) => Failure::Problems(problems),
-            Error::Unbeginnable(mut problems) | Error::Fleet(mut problems) => match problems.0.pop() {
-                Some(only) if problems.0.is_empty() => Failure::asked(only),
-                last => Failure::Problems(Problems(problems.0.into_iter().chain(last).collect())),
-            },
-            Error::Log(error) => match error.0.downcast::<LogError>() {
-                Ok(error) => (*error).into(),
-                Err(error) => Failure::file(Error::Sink { source: error }),
-            },
-            Error::NoRows { .. }
-            | Error::File { .. }
-            | Error::Unreadable(_)
-            | Error::Exists { .. }
-            | Error::StoppedAway { .. }
-            | Error::NoLog { .. }
-            | Error::NoRecording { .. }
-            | Error::NotBegun { .. }
-            | Error::NotFolder { .. }
-            | Error::NotEmpty { .. }
-            | Error::Threads { .. } => Failure::file(error),
+            SimulationError::Problems(problems) => Failure::Problems(problems),
+            SimulationError::Log(error) => error.into(),
+            SimulationError::File { .. }
+            | SimulationError::Unreadable(_)
+            | SimulationError::Exists { .. }
+            | SimulationError::StoppedAway { .. }
+            | SimulationError::NoRecording { .. }
+            | SimulationError::NotBegun { .. }
+            | SimulationError::NotFolder { .. }
+            | SimulationError::NotEmpty { .. }
+            | SimulationError::Threads { .. } => Failure::file(error),
+            error => Failure::asked(error),
+        }
+    }
+}
+
+impl From<QueryError> for Failure {
+    fn from(error: QueryError) -> Failure {
+        match error {
+            QueryError::Simulation(error) => error.into(),
+            QueryError::NoRows { .. } | QueryError::NoLog { .. } => Failure::file(error),
+            error => Failure::asked(error),
+        }
+    }
+}
+
+impl From<TrackingError> for Failure {
+    fn from(error: TrackingError) -> Failure {
+        match error {
+            TrackingError::Simulation(error) => error.into(),
+            TrackingError::Query(error) => error.into(),
+            error => Failure::asked(error),
+        }
+    }
+}
+
+impl From<FleetError> for Failure {
+    fn from(error: FleetError) -> Failure {
+        match error {
+            FleetError::Simulation(error) => error.into(),
+            FleetError::Setup(problems) => Failure::of_arguments(problems),
+            error => Failure::asked(error),
+        }
+    }
+}
+
+impl From<ScaffoldError> for Failure {
+    fn from(error: ScaffoldError) -> Failure {
+        match error {
+            ScaffoldError::Simulation(error) => error.into(),
+            ScaffoldError::Source(problems) => Failure::of_arguments(problems),
             error => Failure::asked(error),
         }
     }

@@ -1,8 +1,9 @@
 //! What is wrong with the program where it is installed: what it was built with, and what the machine gives it.
 
-use homebody_core::scenario::calendar::Calendar;
+use homebody_core::calendar::Calendar;
 use homebody_core::scenario::scheme::SCHEMES;
-use homebody_kit::{Check, VERSION};
+use homebody_query::Check;
+use homebody_simulation::VERSION;
 use homebody_log::examine::sqlite_version;
 use homebody_web::has_page;
 use jiff::Timestamp;
@@ -146,14 +147,14 @@ fn terminal() -> Check {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use homebody_kit::Verdict;
+    use homebody_query::CheckVerdict;
 
     #[test]
     fn a_clock_that_was_never_set_is_told() {
         let at = |year: i64| Timestamp::from_second((year - 1970) * 31_557_600).unwrap();
-        assert_eq!(clock(at(2027)).verdict, Verdict::Ok);
+        assert_eq!(clock(at(2027)).verdict, CheckVerdict::Ok);
         for year in [1971, 2000, 2200] {
-            assert_eq!(clock(at(year)).verdict, Verdict::Wrong, "{year}");
+            assert_eq!(clock(at(year)).verdict, CheckVerdict::Wrong, "{year}");
         }
     }
 }

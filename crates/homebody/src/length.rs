@@ -1,20 +1,19 @@
 //! Lengths of time as people ask for them: days by the calendar, hours and less by the clock.
 
-use homebody_core::recording::LONGEST;
-use homebody_core::scenario::calendar::Calendar;
-use homebody_core::time::{Micros, micros};
+use homebody_core::calendar::Calendar;
+use homebody_core::time::{LONGEST, Span};
 
 /// How long a run is to last.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Length {
     /// Days of the home's own time: one on which clocks change has 23 or 25 hours.
     Days(f64),
-    Time(Micros),
+    Time(Span),
 }
 
 impl Length {
     /// How long that is from the start of a run, by its calendar.
-    pub fn by(self, calendar: &Calendar) -> Micros {
+    pub fn by(self, calendar: &Calendar) -> Span {
         match self {
             Length::Time(span) => span,
             Length::Days(days) => calendar.span_of_days(days),
@@ -33,7 +32,7 @@ pub fn length(text: &str) -> Result<Length, String> {
 }
 
 /// A span of time as people write it, in which all days have 24 hours.
-pub fn span(text: &str) -> Result<Micros, String> {
+pub fn span(text: &str) -> Result<Span, String> {
     let (number, unit) = parts(text)?;
     let unit = match unit {
         "s" => 1.0,
@@ -42,8 +41,8 @@ pub fn span(text: &str) -> Result<Micros, String> {
         "d" => 86_400.0,
         _ => 604_800.0,
     };
-    let span = micros(number * unit);
-    let is_span = span > 0 && span <= LONGEST;
+    let span = Span::from_seconds(number * unit);
+    let is_span = span > Span::ZERO && span <= LONGEST;
     is_span.then_some(span).ok_or_else(|| "a duration is longer than 0 and at most 100 years".into())
 }
 
@@ -60,15 +59,13 @@ fn parts(text: &str) -> Result<(f64, &str), String> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use homebody_core::time::{DAY, SECOND};
-
-    const HOUR: Micros = 3600 * SECOND;
+    use homebody_core::time::{DAY, HOUR, RunTime, SECOND};
 
     #[test]
     fn spans_are_read_as_people_write_them() {
-        assert_eq!(span("90s"), Ok(90_000_000));
-        assert_eq!(span("1.5h"), Ok(5_400_000_000));
-        assert_eq!(span("7d"), Ok(604_800_000_000));
+        assert_eq!(span("90s"), Ok(90 * SECOND));
+        assert_eq!(span("1.5h"), Ok(3 * HOUR / 2));
+        assert_eq!(span("7d"), Ok(7 * DAY));
         assert_eq!(length("7d"), Ok(Length::Days(7.0)));
         assert_eq!(length("1.5w"), Ok(Length::Days(10.5)));
         assert_eq!(length("48h"), Ok(Length::Time(2 * DAY)));
@@ -92,18 +89,19 @@ mod tests {
         ] {
             let calendar = Calendar::new(start, zone).unwrap();
             let length = Length::Days(days).by(&calendar);
+            let end = RunTime::START + length;
             assert_eq!(length, hours * HOUR, "{days} days from {start} in {zone}");
-            assert_eq!(calendar.local(length).time(), calendar.local(0).time());
-            assert_eq!(calendar.days_lived(length), days);
-            assert_eq!(Length::Time(days as Micros * DAY).by(&calendar), days as Micros * DAY);
+            assert_eq!(calendar.local(end).time(), calendar.local(RunTime::START).time());
+            assert_eq!(calendar.days_lived(end), days);
+            assert_eq!(Length::Time(Span::from_days(days)).by(&calendar), Span::from_days(days));
         }
     }
 
     #[test]
     fn a_day_whose_end_the_clock_skips_or_shows_twice_ends_once() {
         let skipped = Calendar::new("2009-03-07T02:30:00", "America/Chicago").unwrap();
-        let length = Length::Days(1.0).by(&skipped);
-        assert_eq!(skipped.local(length).to_string(), "2009-03-08T03:30:00-05:00[America/Chicago]");
+        let end = RunTime::START + Length::Days(1.0).by(&skipped);
+        assert_eq!(skipped.local(end).to_string(), "2009-03-08T03:30:00-05:00[America/Chicago]");
         let twice = Calendar::new("2009-10-31T01:30:00", "America/Chicago").unwrap();
         assert_eq!(Length::Days(1.0).by(&twice), 24 * HOUR);
         assert_eq!(Length::Days(2.0).by(&twice), 49 * HOUR);
@@ -115,11 +113,11 @@ mod tests {
         assert_eq!(Length::Days(0.5).by(&calendar), 12 * HOUR);
         assert_eq!(Length::Days(1.5).by(&calendar), 24 * HOUR + 23 * HOUR / 2);
         for days in [0.0, 0.01, 0.5, 1.0, 1.5, 2.25, 239.75] {
-            let lived = calendar.days_lived(Length::Days(days).by(&calendar));
+            let lived = calendar.days_lived(RunTime::START + Length::Days(days).by(&calendar));
             assert!((lived - days).abs() < 1e-9, "{days} but {lived}");
         }
         let noon = Calendar::new("2009-03-07T12:00:00", "America/Chicago").unwrap();
-        assert_eq!(noon.days_lived(6 * HOUR), 6.0 / 23.0);
-        assert_eq!(noon.days_lived(13 * HOUR), 13.0 / 23.0);
+        assert_eq!(noon.days_lived(RunTime::START + 6 * HOUR), 6.0 / 23.0);
+        assert_eq!(noon.days_lived(RunTime::START + 13 * HOUR), 13.0 / 23.0);
     }
 }

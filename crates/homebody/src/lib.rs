@@ -16,6 +16,23 @@ mod suggestions;
 mod prometheus;
 mod watched;
 
+/// The parts of commands that the program `homebody-lab` uses, too.
+pub mod shared {
+    pub use crate::commands::alerts::rules as alert_rules;
+    pub use crate::commands::answer::{Answer, Figures};
+    pub use crate::commands::explain::explain;
+    pub use crate::commands::measures::within;
+    pub use crate::commands::messages::{not_comparable, not_measurable};
+    pub use crate::commands::read_log::{HowRead, read_log};
+    pub use crate::commands::scenario::Trust;
+    pub use crate::failure::Failure;
+    pub use crate::print::{
+        LogFormat, json_text, print_json, print_text, tell_as as write_messages_as, write_file,
+    };
+    pub use crate::progress::bar;
+    pub use crate::{exit_code, prepare};
+}
+
 pub use commands::groups::GROUPS as COMMAND_GROUPS;
 
 use clap::error::{ContextKind, ContextValue};
@@ -24,7 +41,7 @@ use commands::{Command, groups};
 use failure::{EXIT_CODES, Failure};
 use homebody_core::problem::counted;
 use homebody_core::scenario::scheme::without_password;
-use homebody_kit::{TRUST, VERSION};
+use homebody_simulation::{TRUST, VERSION};
 use print::{LogFormat, tell, tell_as, tell_message, tell_problems};
 use std::ffi::OsString;
 
@@ -72,24 +89,34 @@ fn parse<'a>(
 
 /// Runs the command of a command line, whose first word is the program's name. Returns the exit code. No thread may run before.
 pub fn run(words: Vec<OsString>) -> u8 {
-    signals::outlive_full_files();
-    homebody_kit::elsewhere::install_all();
+    prepare();
     let words = without_help_of_help(words);
     let whole = command();
     let notes = old_names::notes(&whole, &words);
     let arguments = match parse(whole, &words) {
         Ok(arguments) => arguments,
         Err(error) => {
+            if let Some(gone) = old_names::gone(&words) {
+                return exit_code(Err(gone));
+            }
             notes.iter().for_each(tell);
             return refuse(&with_meant(error, &words), &words);
         }
     };
     tell_as(arguments.log_format);
     notes.iter().for_each(tell);
-    match arguments.command.run(command) {
-        Ok(()) => 0,
-        Err(failure) => report(&failure),
-    }
+    exit_code(arguments.command.run(command))
+}
+
+/// Prepares the process: full files and destinations. No thread may run before.
+pub fn prepare() {
+    signals::outlive_full_files();
+    homebody_simulation::install_sinks();
+}
+
+/// The exit code of a command; a failure is printed.
+pub fn exit_code(result: Result<(), Failure>) -> u8 {
+    result.map_or_else(|failure| report(&failure), |()| 0)
 }
 
 /// `help --help` and `help run --help` are `help` and `help run`: clap knows no help of its command `help`.

@@ -2,22 +2,32 @@
 
 use crate::commands::catalogue;
 use crate::failure::SimulationMessage;
+use crate::old_names::GoneMessage;
 use crate::pace::ControlMessage;
 use crate::print::ResultMessage;
 use crate::watched::MetricsMessage;
-use homebody_core::messages::{Catalogue, Entry};
+use homebody_core::messages::{Catalogue, CatalogueEntry};
 
 /// The messages of all crates, by area.
-pub fn all() -> impl Iterator<Item = &'static Entry> + Clone {
+pub fn all() -> impl Iterator<Item = &'static CatalogueEntry> + Clone {
     [
         homebody_core::catalogue::MESSAGES,
         homebody_log::catalogue::MESSAGES,
         homebody_routine::catalogue::MESSAGES,
         homebody_import::catalogue::MESSAGES,
-        homebody_kit::catalogue::MESSAGES,
+        &[
+            homebody_simulation::catalogue::ERRORS,
+            homebody_query::catalogue::ERRORS,
+            homebody_scaffold::catalogue::ERRORS,
+        ],
+        homebody_query::catalogue::MESSAGES,
+        homebody_simulation::catalogue::MESSAGES,
+        homebody_fleet::catalogue::MESSAGES,
+        homebody_scaffold::catalogue::MESSAGES,
+        homebody_tracking::catalogue::MESSAGES,
         homebody_analysis::catalogue::MESSAGES,
         homebody_picture::catalogue::MESSAGES,
-        homebody_experiment::catalogue::MESSAGES,
+        homebody_placement::catalogue::MESSAGES,
         homebody_web::catalogue::MESSAGES,
         catalogue::MESSAGES,
         &[
@@ -26,10 +36,11 @@ pub fn all() -> impl Iterator<Item = &'static Entry> + Clone {
             ResultMessage::ENTRIES,
             SimulationMessage::ENTRIES,
             ExplainMessage::ENTRIES,
+            GoneMessage::ENTRIES,
         ],
     ]
     .into_iter()
-    .chain(homebody_kit::catalogue::ELSEWHERE.iter().copied())
+    .chain(homebody_simulation::catalogue::EXTENSIONS.iter().copied())
     .flatten()
     .copied()
     .flatten()

@@ -1,13 +1,15 @@
 //! Commands and flags that were renamed: their old names work as hidden aliases for one release, with a note.
 
-use clap::Command;
+use crate::failure::Failure;
+use crate::print::LogFormat;
+use clap::{Command, ValueEnum};
 use std::ffi::OsString;
 
 /// The release that drops the old names.
 const GONE_IN: &str = "0.2.0";
 
 /// Commands: the old name, the new one, and the command that has it. The empty command is the whole program.
-const COMMANDS: [(&str, &str, &str); 13] = [
+const COMMANDS: [(&str, &str, &str); 11] = [
     ("calibrate", "fit", ""),
     ("health", "sensor-faults", ""),
     ("look", "inspect", ""),
@@ -19,8 +21,6 @@ const COMMANDS: [(&str, &str, &str); 13] = [
     ("summarise", "summary", ""),
     ("summarize", "summary", ""),
     ("translate", "locate", ""),
-    ("walk-back", "locate", "experiment"),
-    ("sensor-health", "sensor-faults", "experiment"),
 ];
 
 /// Flags: the old name, the new one, and the commands that have it. The empty command is the whole program.
@@ -97,6 +97,43 @@ pub fn notes(whole: &Command, words: &[OsString]) -> Vec<String> {
     notes
 }
 
+homebody_core::messages! {
+    /// Commands that left the program.
+    pub enum GoneMessage in "command" {
+        /// The experiments judge the claims of Homebody. They are no part of the installed program; the program `homebody-lab` in the
+        /// repository runs them:
+        ///
+        /// ```sh
+        /// cargo run --release --package homebody-lab -- realism --data casas
+        /// ```
+        Experiments {
+            /// The name of an experiment.
+            name: String,
+        } error "experiments-gone" ("the experiments are no part of this program any more")
+            hint ("in a clone of the repository, run `cargo run --release --package homebody-lab -- {name}`");
+    }
+}
+
+/// The failure of a command line whose command left the program. The first word is the program's name.
+pub fn gone(words: &[OsString]) -> Option<Failure> {
+    let words = words.iter().skip(1).map(|word| word.to_string_lossy().into_owned());
+    let mut names = words.filter(|word| !word.starts_with('-')).skip_while(|word| word == "help" || is_form(word));
+    if names.next()? != "experiment" {
+        return None;
+    }
+    let name = match names.next() {
+        Some(name) if name == "walk-back" => "locate".to_owned(),
+        Some(name) if name == "sensor-health" => "sensor-faults".to_owned(),
+        name => name.unwrap_or_else(|| "--help".to_owned()),
+    };
+    Some(Failure::asked(GoneMessage::Experiments { name }))
+}
+
+/// Whether a word is a value of `--log-format`, which may come before the command.
+fn is_form(word: &str) -> bool {
+    LogFormat::from_str(word, false).is_ok()
+}
+
 fn note(old: &str, new: &str) -> String {
     format!("note: `{old}` is now `{new}`; the old name goes in {GONE_IN}")
 }
@@ -139,8 +176,23 @@ mod tests {
         assert_eq!(noted("homebody --log json fleet a --storm x --every 5s").len(), 3);
         assert_eq!(noted("homebody mqtt clean mqtt://host/a --look"), [flag("look", "dry-run")]);
         assert_eq!(noted("homebody translate a --home b --to c").len(), 2);
-        let nested = format!("note: `experiment walk-back` is now `experiment locate`; {gone}");
-        assert_eq!(noted("homebody experiment walk-back --homes 5"), [nested]);
+    }
+
+    #[test]
+    fn the_command_experiment_names_the_program_that_has_it() {
+        let hint = |line: &str| match gone(&line.split(' ').map(OsString::from).collect::<Vec<_>>()) {
+            Some(Failure::Coded(message, 2)) => message.hint,
+            _ => None,
+        };
+        let run = "in a clone of the repository, run `cargo run --release --package homebody-lab -- ";
+        for (line, name) in [
+            ("homebody experiment realism --data casas", "realism"),
+            ("homebody --log-format json experiment walk-back", "locate"),
+            ("homebody help experiment", "--help"),
+        ] {
+            assert_eq!(hint(line), Some(format!("{run}{name}`")), "{line}");
+        }
+        assert_eq!(hint("homebody run experiment"), None);
     }
 
     #[test]

@@ -4,7 +4,7 @@ use crate::failure::Failure;
 use crate::print::tell_message;
 use homebody_core::messages::Diagnose;
 use homebody_core::problem::Diagnostic;
-use homebody_kit::pace::{Command, Pace, Speed};
+use homebody_simulation::{pace::Pace, pace::RunCommand, pace::Speed};
 use homebody_log::error::no_thread;
 use std::io::{self, BufRead, Read};
 use std::sync::mpsc::{Receiver, sync_channel};
@@ -55,7 +55,7 @@ impl Asked {
     }
 
     /// The commands that come by lines, if any may.
-    pub fn commands(&self) -> Result<Option<Receiver<Command>>, Failure> {
+    pub fn commands(&self) -> Result<Option<Receiver<RunCommand>>, Failure> {
         if !self.control {
             return Ok(None);
         }
@@ -77,8 +77,8 @@ impl Asked {
 }
 
 /// The command of a line.
-fn command(line: Result<String, ControlMessage>) -> Result<Command, Diagnostic> {
-    line.map_err(|message| message.diagnostic())?.parse::<Command>().map_err(Diagnostic::from)
+fn command(line: Result<String, ControlMessage>) -> Result<RunCommand, Diagnostic> {
+    line.map_err(|message| message.diagnostic())?.parse::<RunCommand>().map_err(Diagnostic::from)
 }
 
 /// The next line, or its problem; None at the end. Stores only the beginning of a line that is too long.

@@ -4,7 +4,7 @@ use crate::failure::Failure;
 use homebody_core::messages::Diagnose;
 use homebody_core::problem::{Diagnostic, is_unseen};
 use homebody_log::LogError;
-use homebody_log::fresh::FreshFile;
+use homebody_log::files::fresh::FreshFile;
 use jiff::Timestamp;
 use std::borrow::Cow;
 use std::path::Path;

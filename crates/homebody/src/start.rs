@@ -1,7 +1,8 @@
 //! When a run is asked to begin.
 
 use crate::failure::Failure;
-use homebody_kit::OpenScenario;
+use homebody_core::time::RunTime;
+use homebody_simulation::OpenScenario;
 use jiff::Timestamp;
 use jiff::civil::{Date, DateTime, Time};
 use jiff::tz::TimeZone;
@@ -39,7 +40,7 @@ impl FromStr for Start {
 impl Start {
     /// The scenario, begun then.
     pub fn of(self, scenario: &OpenScenario) -> Result<OpenScenario, Failure> {
-        let zone = scenario.scenario().calendar.local(0).time_zone().clone();
+        let zone = scenario.scenario().calendar.local(RunTime::START).time_zone().clone();
         Ok(scenario.starting(self.on_clock(&zone))?)
     }
 

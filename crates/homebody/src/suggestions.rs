@@ -3,7 +3,7 @@
 use clap::builder::StyledStr;
 use clap::error::{ContextKind, ContextValue, ErrorKind};
 use clap::{Command, Error};
-use homebody_core::scenario::nearest::nearest;
+use homebody_core::nearest::nearest;
 
 /// Names that other programs use, each with the command that does it here.
 const GUESSES: [(&[&str], &str); 7] = [

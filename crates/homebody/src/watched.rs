@@ -4,9 +4,9 @@ use crate::commands::fleet::told::{Look, numbers};
 use crate::failure::Failure;
 use crate::print::{tell, warn};
 use crate::prometheus::{Numbers, label};
-use homebody_core::time::SECOND;
-use homebody_kit::{Meters, Seen};
-use homebody_log::meter::Reading;
+use homebody_core::time::UtcTime;
+use homebody_simulation::{RunMetrics, RunReading};
+use homebody_log::policy::MetricsReading;
 use homebody_web::serve_metrics;
 use jiff::Timestamp;
 use std::net::{Ipv4Addr, SocketAddr};
@@ -46,10 +46,10 @@ impl Watched {
 
     /// Begins to serve the metrics of a run, if the command asks for them. Reports each unavailable destination, unless the command is
     /// quiet.
-    pub fn begin(&self, scenario: &str, is_quiet: bool) -> Result<Meters, Failure> {
-        let meters = if is_quiet { Meters::default() } else { Meters::telling(|news| tell(news)) };
+    pub fn begin(&self, scenario: &str, is_quiet: bool) -> Result<RunMetrics, Failure> {
+        let meters = if is_quiet { RunMetrics::default() } else { RunMetrics::telling(|news| tell(news)) };
         let (seen, name) = (meters.clone(), scenario.to_owned());
-        self.serve(move || text(&name, &seen.look(), Timestamp::now()))?;
+        self.serve(move || text(&name, &seen.read(), Timestamp::now()))?;
         Ok(meters)
     }
 
@@ -73,7 +73,7 @@ impl Watched {
 }
 
 /// A family of numbers: its name, its type, its help and the number of each destination.
-type Family = (&'static str, &'static str, &'static str, fn(&Reading) -> u64);
+type Family = (&'static str, &'static str, &'static str, fn(&MetricsReading) -> u64);
 
 const OF_DESTINATIONS: [Family; 5] = [
     ("homebody_rows_total", "counter", "Rows that a destination has accepted, or that are spooled for it.", |r| r.rows),
@@ -84,12 +84,11 @@ const OF_DESTINATIONS: [Family; 5] = [
 ];
 
 /// The numbers as text.
-fn text(scenario: &str, seen: &Seen, now: Timestamp) -> String {
-    let behind = seen.now.map(|at| (now.as_microsecond() - at.as_microsecond()) as f64 / SECOND as f64);
-    let lived = seen.lived as f64 / SECOND as f64;
+fn text(scenario: &str, seen: &RunReading, now: Timestamp) -> String {
+    let behind = seen.now.map(|at| (UtcTime::from(now) - UtcTime::from(at)).seconds());
     let mut numbers = Numbers::of(scenario);
     let help = "Simulated time of the run.";
-    numbers.add("homebody_simulated_seconds_total", "counter", help, [(String::new(), lived)]);
+    numbers.add("homebody_simulated_seconds_total", "counter", help, [(String::new(), seen.done.seconds())]);
     if let Some(behind) = behind {
         let help = "Lag of the run behind real time; negative if it is ahead.";
         numbers.add("homebody_lag_seconds", "gauge", help, [(String::new(), behind)]);
@@ -104,14 +103,16 @@ fn text(scenario: &str, seen: &Seen, now: Timestamp) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use homebody_core::time::{RunTime, SECOND};
 
     #[test]
     fn numbers_are_told_as_prometheus_reads_them() {
-        let reading = Reading { rows: 12, durable: 10, retries: 1, spooled_bytes: 99, is_away: true, last: 0 };
+        let reading =
+            MetricsReading { rows: 12, durable: 10, retries: 1, spooled_bytes: 99, is_away: true, last: RunTime::START };
         let now = Timestamp::from_second(1000).unwrap();
-        let seen = Seen {
+        let seen = RunReading {
             now: Timestamp::from_second(998).ok(),
-            lived: 3 * SECOND / 2,
+            done: 3 * SECOND / 2,
             destinations: vec![("csv:\"a\".csv".into(), reading)],
         };
         let text = text("studio", &seen, now);

@@ -1,6 +1,6 @@
 //! Rules for alerts, as a file has them.
 
-use crate::measures::{MEASURES, Measure};
+use crate::measures::{DailyMeasure, MEASURES};
 use homebody_core::problem::{Problem, Problems};
 use serde::Deserialize;
 
@@ -12,7 +12,7 @@ pub const USUAL: &str = include_str!("rules.json");
 #[serde(deny_unknown_fields, expecting = "an object with \"rules\", a list of rules")]
 pub struct Rules {
     /// One measure each.
-    pub rules: Vec<Rule>,
+    pub rules: Vec<AlertRule>,
     /// Several measures at once; without it nothing is said of these.
     pub several: Option<Several>,
 }
@@ -20,16 +20,16 @@ pub struct Rules {
 /// When a measure is worth an alert.
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields, expecting = "a rule: an object with name, measure and when")]
-pub struct Rule {
+pub struct AlertRule {
     /// What the alert is called.
     pub name: String,
     /// The measure's name.
     pub measure: String,
     /// Whether it is one if there is more than usual, less, or either.
-    pub when: When,
+    pub when: AlertDirection,
     /// How a day is held against those before.
     #[serde(default)]
-    pub method: Method,
+    pub method: AlertMethod,
     /// How many standard deviations from the mean.
     #[serde(default = "three")]
     pub k_sd: f64,
@@ -66,7 +66,7 @@ pub struct Several {
 /// Which difference counts.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
 #[serde(rename_all = "snake_case")]
-pub enum When {
+pub enum AlertDirection {
     /// More than usual.
     More,
     /// Less than usual.
@@ -78,7 +78,7 @@ pub enum When {
 /// How a day is held against those before.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize)]
 #[serde(rename_all = "snake_case")]
-pub enum Method {
+pub enum AlertMethod {
     /// Against mean and standard deviation of the days before, as in US patents 10188295 and 11147451.
     #[default]
     Deviation,
@@ -119,7 +119,7 @@ fn fifth() -> f64 {
 homebody_core::messages! {
     /// Problems with rules of alerts.
     #[derive(Clone, PartialEq, Eq)]
-    pub enum RuleMessage in "alert-rule" {
+    pub enum AlertRuleMessage in "alert-rule" {
         /// A file of rules is JSON with a list of rules:
         ///
         /// ```json
@@ -178,13 +178,14 @@ impl Rules {
     ///
     /// All problems of the text.
     pub fn read(text: &str) -> Result<Rules, Problems> {
-        let unread = |error: serde_json::Error| Problems(vec![RuleMessage::Form { why: error.to_string() }.into()]);
+        let unread =
+            |error: serde_json::Error| Problems(vec![AlertRuleMessage::Form { why: error.to_string() }.into()]);
         let rules: Rules = serde_json::from_str(text).map_err(unread)?;
-        let mut problems: Vec<RuleMessage> = rules.rules.iter().flat_map(Rule::problems).collect();
+        let mut problems: Vec<AlertRuleMessage> = rules.rules.iter().flat_map(AlertRule::problems).collect();
         let twice = rules.rules.iter().enumerate().filter(|(number, rule)| {
             rules.rules[..*number].iter().filter(|other| other.name == rule.name).count() == 1
         });
-        problems.extend(twice.map(|(_, rule)| RuleMessage::SameName { rule: rule.name.clone() }));
+        problems.extend(twice.map(|(_, rule)| AlertRuleMessage::SameName { rule: rule.name.clone() }));
         problems.extend(rules.several.iter().flat_map(Several::problems));
         match problems.is_empty() {
             true => Ok(rules),
@@ -194,28 +195,28 @@ impl Rules {
 }
 
 impl Several {
-    fn problems(&self) -> Vec<RuleMessage> {
+    fn problems(&self) -> Vec<AlertRuleMessage> {
         let mut problems = Vec::new();
         if self.at_least < 2 {
-            problems.push(RuleMessage::Several { key: "at_least", allowed: "2 or more", example: "3" });
+            problems.push(AlertRuleMessage::Several { key: "at_least", allowed: "2 or more", example: "3" });
         }
         if !(self.k_sd > 0.0 && self.k_sd <= 100.0) {
-            problems.push(RuleMessage::Several { key: "k_sd", allowed: "above 0 and at most 100", example: "2" });
+            problems.push(AlertRuleMessage::Several { key: "k_sd", allowed: "above 0 and at most 100", example: "2" });
         }
         problems
     }
 }
 
-impl Rule {
+impl AlertRule {
     /// The measure that it is about.
-    pub fn measure(&self) -> Option<(usize, &'static Measure)> {
+    pub fn measure(&self) -> Option<(usize, &'static DailyMeasure)> {
         MEASURES.iter().enumerate().find(|(_, measure)| measure.name == self.measure)
     }
 
-    fn problems(&self) -> Vec<RuleMessage> {
+    fn problems(&self) -> Vec<AlertRuleMessage> {
         let mut problems = Vec::new();
         if self.measure().is_none() {
-            problems.push(RuleMessage::UnknownMeasure {
+            problems.push(AlertRuleMessage::UnknownMeasure {
                 rule: self.name.clone(),
                 measure: self.measure.clone(),
                 known: MEASURES.iter().map(|measure| measure.name.to_owned()).collect(),
@@ -223,7 +224,7 @@ impl Rule {
         }
         let mut range = |is_right: bool, key, allowed, example| {
             if !is_right {
-                problems.push(RuleMessage::Range { rule: self.name.clone(), key, allowed, example });
+                problems.push(AlertRuleMessage::Range { rule: self.name.clone(), key, allowed, example });
             }
         };
         range(self.k_sd > 0.0 && self.k_sd <= 100.0, "k_sd", "above 0 and at most 100", "3");

@@ -1,7 +1,7 @@
 //! Alerts over days that are made up.
 
 use super::*;
-use crate::measures::{MEASURES, Silent};
+use crate::measures::{MEASURES, SilentSensor};
 use jiff::civil::date;
 
 /// Days with these values of a measure, and nothing else.
@@ -10,7 +10,7 @@ fn days_of(name: &str, values: &[Option<f64>]) -> Measures {
     let day = |(day, value): (usize, &Option<f64>)| {
         let mut of_day = vec![None; MEASURES.len()];
         of_day[number] = *value;
-        Day {
+        DayMeasures {
             date: date(2024, 1, 1).saturating_add(jiff::Span::new().days(day as i64)),
             is_whole: true,
             values: of_day,
@@ -108,7 +108,7 @@ fn a_change_is_found_with_the_day_since_when_it_is_so() {
 #[test]
 fn a_silent_sensor_is_told_of() {
     let mut measures = days_of("meals", &then(&[2.0; 5]));
-    measures.silent.push(Silent {
+    measures.silent.push(SilentSensor {
         sensor: "kitchen motion".into(),
         since: date(2024, 1, 15),
         told: date(2024, 1, 17),

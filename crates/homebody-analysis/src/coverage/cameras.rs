@@ -8,10 +8,10 @@
 //! Left out: floor further off than [`FAR_M`], on which a body is some pixels high.
 
 use homebody_core::camera::lens::Lens;
+use homebody_core::camera::outlook::Outlook;
 use homebody_core::camera::scenery::Prism;
 use homebody_core::geometry::Point;
-use homebody_core::home::outlook::outlook;
-use homebody_core::home::plan::Plan;
+use homebody_core::plan::Plan;
 
 /// Side of a cell, in metres (our choice).
 pub const STEP_M: f64 = 0.1;
@@ -35,18 +35,18 @@ pub struct CameraFloor {
 }
 
 #[derive(Clone, Copy, PartialEq)]
-enum Cell {
+enum FloorCell {
     Seen,
     Hidden,
 }
 
 impl CameraFloor {
     /// The floor of a home before a camera.
-    pub fn of(plan: &Plan, lens: &Lens) -> CameraFloor {
-        let outlook = outlook(plan);
+    pub fn from_lens(plan: &Plan, lens: &Lens) -> CameraFloor {
+        let outlook = Outlook::new(plan);
         let (walls, pieces): (Vec<Prism>, Vec<Prism>) =
             outlook.prisms.into_iter().partition(|prism| prism.height_m.is_infinite());
-        let cell = |at: Point| -> Option<Cell> {
+        let cell = |at: Point| -> Option<FloorCell> {
             if at.distance(lens.at.truncate()) > FAR_M || plan.room_at(at).is_none() {
                 return None;
             }
@@ -58,14 +58,14 @@ impl CameraFloor {
             if !is_in || walls.iter().any(hides) {
                 return None;
             }
-            Some(if pieces.iter().any(hides) { Cell::Hidden } else { Cell::Seen })
+            Some(if pieces.iter().any(hides) { FloorCell::Hidden } else { FloorCell::Seen })
         };
         let (least, most) = plan.bounds();
         let [columns, rows] = [most.x - least.x, most.y - least.y].map(|long| (long / STEP_M).ceil().max(0.0) as usize);
         let mut floor = CameraFloor::default();
         for row in 0..rows {
             let y = least.y + row as f64 * STEP_M;
-            let mut run: Option<(Cell, usize)> = None;
+            let mut run: Option<(FloorCell, usize)> = None;
             for column in 0..=columns {
                 let middle = Point::new(least.x + (column as f64 + 0.5) * STEP_M, y + STEP_M / 2.0);
                 let here = if column < columns { cell(middle) } else { None };
@@ -83,10 +83,10 @@ impl CameraFloor {
     }
 
     /// Adds a run of cells of a row; one that is as wide as what lies below it is joined to that.
-    fn add(&mut self, cell: Cell, next: Rectangle) {
+    fn add(&mut self, cell: FloorCell, next: Rectangle) {
         let of = match cell {
-            Cell::Seen => &mut self.seen,
-            Cell::Hidden => &mut self.hidden,
+            FloorCell::Seen => &mut self.seen,
+            FloorCell::Hidden => &mut self.hidden,
         };
         let is_below = |last: &&mut Rectangle| {
             last[0] == next[0] && last[2] == next[2] && (last[3] - next[1]).abs() < STEP_M / 2.0
@@ -102,7 +102,7 @@ impl CameraFloor {
 mod tests {
     use super::*;
     use homebody_core::body::figure::Point3;
-    use homebody_core::scenario::home::HomeFile;
+    use homebody_core::home::form::HomeFile;
     use serde_json::json;
 
     fn plan(furniture: serde_json::Value) -> Plan {
@@ -131,11 +131,11 @@ mod tests {
     fn the_shadow_of_a_block_is_as_long_as_similar_triangles_say() {
         // A block of 1 m, 2.0 to 2.4 m before a lens at 2 m: what lies up to 4.75 m off is hidden.
         let block = json!([{ "name": "box", "at": [2.2, 2.0], "size_m": [0.4, 0.8], "height_m": 1.0 }]);
-        let floor = CameraFloor::of(&plan(block), &lens());
+        let floor = CameraFloor::from_lens(&plan(block), &lens());
         for (x, is_seen) in [(1.9, true), (2.2, false), (3.0, false), (4.6, false), (4.85, true)] {
             assert_eq!((holds(&floor.seen, x, 2.02), holds(&floor.hidden, x, 2.02)), (is_seen, !is_seen), "{x}");
         }
-        let empty = CameraFloor::of(&plan(json!([])), &lens());
+        let empty = CameraFloor::from_lens(&plan(json!([])), &lens());
         assert_eq!(empty.hidden, Vec::<Rectangle>::new());
         // What furniture hides, and what is left, is all that there was.
         let all = square_m(&floor.seen) + square_m(&floor.hidden);
@@ -148,13 +148,13 @@ mod tests {
     fn the_top_of_a_bed_is_seen_and_the_floor_behind_it_is_not() {
         let bed =
             json!([{ "name": "bed", "at": [3.0, 2.0], "size_m": [0.9, 2.0], "height_m": 0.5, "enterable": true }]);
-        let floor = CameraFloor::of(&plan(bed), &lens());
+        let floor = CameraFloor::from_lens(&plan(bed), &lens());
         assert!(holds(&floor.seen, 3.0, 2.0) && holds(&floor.hidden, 3.6, 2.0) && holds(&floor.seen, 4.85, 2.0));
     }
 
     #[test]
     fn floor_beyond_the_edges_of_the_picture_is_neither_seen_nor_hidden() {
-        let floor = CameraFloor::of(&plan(json!([])), &lens());
+        let floor = CameraFloor::from_lens(&plan(json!([])), &lens());
         // The nearest that it sees is where the lowest row meets the floor.
         let lens = lens();
         let way = lens.ray_through(80.0, 120.0);

@@ -13,7 +13,7 @@ use homebody_core::sensor_set::SensorSet;
 /// Square cells over a home. Their corners lie at whole multiples of the step, so that walls that
 /// do the same cut no cell in two, and layouts of one home can be compared cell by cell.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Grid {
+pub struct CoverageGrid {
     /// The side of a cell, in metres.
     pub step_m: f64,
     /// How many cells there are from west to east.
@@ -23,11 +23,11 @@ pub struct Grid {
     /// Row by row from the south-west: nothing where no body can stand, else the sensors that see it.
     pub cells: Vec<Option<SensorSet>>,
     /// The south-west corner, in steps.
-    least: Corner,
+    least: CellCorner,
 }
 
 /// A corner of cells, in steps east and north of the home's origin.
-pub type Corner = [i64; 2];
+pub type CellCorner = [i64; 2];
 
 /// Cells that hang together by their sides.
 #[derive(Clone, Debug, PartialEq)]
@@ -36,17 +36,17 @@ pub struct Region {
     pub cells: Vec<usize>,
     /// The border in unit steps: the outer ring, counter-clockwise, then the holes, clockwise.
     /// Rings may touch at a corner, but no ring touches itself.
-    pub rings: Vec<Vec<Corner>>,
+    pub rings: Vec<Vec<CellCorner>>,
 }
 
-impl Grid {
+impl CoverageGrid {
     /// Looks at the middle of every cell between the corners of `bounds`.
-    pub fn sample(bounds: (Point, Point), step_m: f64, look: impl Fn(Point) -> Option<SensorSet>) -> Grid {
+    pub fn sample(bounds: (Point, Point), step_m: f64, look: impl Fn(Point) -> Option<SensorSet>) -> CoverageGrid {
         assert!(step_m > 0.0, "the cells of a grid need a size");
         let (least, most) = ((bounds.0 / step_m).floor(), (bounds.1 / step_m).ceil());
         let (columns, rows) = ((most.x - least.x) as usize, (most.y - least.y) as usize);
         let least = [least.x as i64, least.y as i64];
-        let mut grid = Grid { step_m, columns, rows, cells: Vec::new(), least };
+        let mut grid = CoverageGrid { step_m, columns, rows, cells: Vec::new(), least };
         grid.cells = (0..columns * rows).map(|cell| look(grid.middle(cell))).collect();
         grid
     }
@@ -63,7 +63,7 @@ impl Grid {
     }
 
     /// A corner in metres.
-    pub fn corner(&self, [x, y]: Corner) -> Point {
+    pub fn corner(&self, [x, y]: CellCorner) -> Point {
         // Divided, not multiplied, where the step is one over a whole number: 3 * 0.05 is not 0.15.
         let per_metre = (1.0 / self.step_m).round();
         if (per_metre * self.step_m - 1.0).abs() < 1e-12 {
@@ -74,7 +74,7 @@ impl Grid {
     }
 
     /// The cells around a corner, counter-clockwise from the south-west one; nothing beyond the edge.
-    pub fn around(&self, [x, y]: Corner) -> [Option<usize>; 4] {
+    pub fn around(&self, [x, y]: CellCorner) -> [Option<usize>; 4] {
         [[x - 1, y - 1], [x, y - 1], [x, y], [x - 1, y]].map(|[x, y]| {
             let column = usize::try_from(x - self.least[0]).ok().filter(|&column| column < self.columns)?;
             let row = usize::try_from(y - self.least[1]).ok().filter(|&row| row < self.rows)?;
@@ -166,8 +166,8 @@ impl Grid {
     }
 
     /// Joins the sides between a region and the rest into rings, with the region on the left.
-    fn trace(&self, cells: &[usize], belongs: impl Fn(usize) -> bool) -> Vec<Vec<Corner>> {
-        let mut sides: BTreeMap<Corner, Vec<Corner>> = BTreeMap::new();
+    fn trace(&self, cells: &[usize], belongs: impl Fn(usize) -> bool) -> Vec<Vec<CellCorner>> {
+        let mut sides: BTreeMap<CellCorner, Vec<CellCorner>> = BTreeMap::new();
         for &cell in cells {
             let [x, y] = self.south_west(cell);
             let around = [[x, y], [x + 1, y], [x + 1, y + 1], [x, y + 1]];
@@ -209,30 +209,30 @@ impl Grid {
         ]
     }
 
-    fn south_west(&self, cell: usize) -> Corner {
+    fn south_west(&self, cell: usize) -> CellCorner {
         [self.least[0] + (cell % self.columns) as i64, self.least[1] + (cell / self.columns) as i64]
     }
 }
 
 /// Whether a walk that comes back to its start over `from -> to` closes there, or passes through: two
 /// sides leave a corner where cells touch, and the walk closes only if it would take its first side again.
-fn turns_to(from: Corner, to: Corner, first: Corner, others: Option<&Vec<Corner>>) -> bool {
+fn turns_to(from: CellCorner, to: CellCorner, first: CellCorner, others: Option<&Vec<CellCorner>>) -> bool {
     let others = others.map_or(&[][..], |others| others);
     others.iter().all(|&other| turn(from, to, first) < turn(from, to, other))
 }
 
 /// Of the sides that leave `to`, the one most to the right: it keeps holes that touch the outer ring
 /// or each other at a corner rings of their own.
-fn rightmost(from: Corner, to: Corner, ends: &[Corner]) -> Corner {
+fn rightmost(from: CellCorner, to: CellCorner, ends: &[CellCorner]) -> CellCorner {
     *ends.iter().min_by_key(|&&end| turn(from, to, end)).expect("every side of a border is followed by another")
 }
 
 /// Positive to the left, negative to the right.
-fn turn(from: Corner, to: Corner, end: Corner) -> i64 {
+fn turn(from: CellCorner, to: CellCorner, end: CellCorner) -> i64 {
     (to[0] - from[0]) * (end[1] - to[1]) - (to[1] - from[1]) * (end[0] - to[0])
 }
 
-fn remove(sides: &mut BTreeMap<Corner, Vec<Corner>>, from: Corner, to: Corner) {
+fn remove(sides: &mut BTreeMap<CellCorner, Vec<CellCorner>>, from: CellCorner, to: CellCorner) {
     if let Some(ends) = sides.get_mut(&from) {
         ends.retain(|&end| end != to);
         if ends.is_empty() {
@@ -241,13 +241,13 @@ fn remove(sides: &mut BTreeMap<Corner, Vec<Corner>>, from: Corner, to: Corner) {
     }
 }
 
-fn doubled_area(ring: &[Corner]) -> i64 {
+fn doubled_area(ring: &[CellCorner]) -> i64 {
     let next = |i: usize| ring[(i + 1) % ring.len()];
     ring.iter().enumerate().map(|(i, a)| a[0] * next(i)[1] - a[1] * next(i)[0]).sum()
 }
 
 /// A ring without the corners at which it goes straight on.
-pub fn straightened(ring: &[Corner]) -> Vec<Corner> {
+pub fn straightened(ring: &[CellCorner]) -> Vec<CellCorner> {
     let n = ring.len();
     let bends = |&i: &usize| turn(ring[(i + n - 1) % n], ring[i], ring[(i + 1) % n]) != 0;
     (0..n).filter(bends).map(|i| ring[i]).collect()

@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use super::{Coverage, Floor, LEAST_DEAD_ZONE_M2};
+use super::{Coverage, LEAST_DEAD_ZONE_M2, SeenFloor};
 
 impl fmt::Display for Coverage {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
@@ -49,7 +49,7 @@ impl fmt::Display for Coverage {
 
 impl Coverage {
     /// Every row of the table of floors: the rooms, the doorways if they count apart, and all.
-    pub fn floors(&self) -> impl Iterator<Item = &Floor> {
+    pub fn floors(&self) -> impl Iterator<Item = &SeenFloor> {
         self.rooms.iter().chain(&self.doorways).chain([&self.whole])
     }
 }

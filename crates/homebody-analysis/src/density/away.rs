@@ -22,35 +22,35 @@
 //! Left out: more residents than one, of whom one leaves; visitors; whoever leaves through a door without a sensor; absences
 //! that go on when the log begins. No map has an absence that lasts when the log ends; a day's measures count it until the day ends.
 
-use homebody_core::time::{Micros, SECOND, seconds};
+use homebody_core::time::{HOUR, Interval, MINUTE, Span, WallTime};
 use serde::{Serialize, Serializer};
 
 /// Firings farther apart than this belong to different bouts.
-const BOUT: Micros = 120 * SECOND;
+const BOUT: Span = MINUTE.times(2);
 /// A bed or a chair that is taken for longer has somebody in it; a motion sensor of that name only blinks.
-pub const SEATED: Micros = 300 * SECOND;
+pub const SEATED: Span = MINUTE.times(5);
 /// A bout of fewer firings is stray, if they are of motion sensors alone.
 const LEAST_FIRINGS: usize = 3;
 /// Number of stray firings, beyond one for each such time, above which a person is at home. A small share of the usual
 /// firings is stray in any case.
 const MOST_STRAY: usize = 2;
-const STRAY_EVERY: Micros = 3600 * SECOND;
+const STRAY_EVERY: Span = HOUR;
 const QUIET: f64 = 0.2;
 /// How near to a bout's end the entrance has to fire.
-const EDGE: Micros = 60 * SECOND;
+const EDGE: Span = MINUTE;
 
 /// The least absence that is looked for unless asked otherwise: the upper end of Wang & Skubic's 10 to 30 minutes.
-pub const LEAST: Micros = 30 * 60 * SECOND;
+pub const LEAST: Span = MINUTE.times(30);
 
 /// A time when nobody was at home.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
-pub struct Absence {
+pub struct HomeAbsence {
     /// The last sign of somebody who leaves, on the clock on the wall.
-    #[serde(serialize_with = "told")]
-    pub begin: Micros,
+    #[serde(serialize_with = "as_text")]
+    pub begin: WallTime,
     /// The first sign of somebody who comes home.
-    #[serde(serialize_with = "told")]
-    pub end: Micros,
+    #[serde(serialize_with = "as_text")]
+    pub end: WallTime,
     /// Firings meanwhile, in the empty home.
     pub stray: usize,
     /// Whether no door was seen to open as it began and as it ended: that somebody was at the entrance and then nowhere
@@ -60,9 +60,9 @@ pub struct Absence {
 
 /// A sign of somebody: when, and whether it is at the entrance.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Sign {
-    /// When, in microseconds since 1970 on the clock on the wall.
-    pub at: Micros,
+pub struct PresenceSign {
+    /// When.
+    pub at: WallTime,
     /// Whether a sensor at the entrance tells it.
     pub at_entrance: bool,
     /// Whether it is a door there that is opened.
@@ -72,9 +72,9 @@ pub struct Sign {
 }
 
 /// The absences longer than `least`; signs in order, and the spans over which a bed or a chair is taken, in any order.
-pub fn absences(signs: &[Sign], taken: &[(Micros, Micros)], least: Micros) -> Vec<Absence> {
+pub fn absences(signs: &[PresenceSign], taken: &[Interval<WallTime>], least: Span) -> Vec<HomeAbsence> {
     let mut leaving = Leaving::new(least);
-    let mut found: Vec<Absence> = signs.iter().filter_map(|sign| leaving.take(sign)).collect();
+    let mut found: Vec<HomeAbsence> = signs.iter().filter_map(|sign| leaving.take(sign)).collect();
     found.extend(leaving.last());
     found.retain(|absence| !absence.is_taken(taken));
     found
@@ -83,35 +83,34 @@ pub fn absences(signs: &[Sign], taken: &[(Micros, Micros)], least: Micros) -> Ve
 /// Looks for absences while signs come, in the order of time. It does not know of beds and chairs.
 #[derive(Clone, Debug)]
 pub struct Leaving {
-    least: Micros,
+    least: Span,
     /// The last bout that ended and was not stray.
     before: Option<Bout>,
     /// The firings of stray bouts since then.
     stray: usize,
-    /// The current bout.
     bout: Option<Bout>,
     /// All signs so far, and the first and the last of them.
     firings: usize,
-    span: Option<(Micros, Micros)>,
+    span: Option<Interval<WallTime>>,
 }
 
 /// A bout of signs: whether the resident leaves after it, or comes with it.
 #[derive(Clone, Copy, Debug)]
 struct Bout {
-    begin: Micros,
-    end: Micros,
+    begin: WallTime,
+    end: WallTime,
     firings: usize,
     is_use: bool,
     /// Whether the entrance speaks, and a door there is opened, near its beginning.
     comes: bool,
     comes_by_door: bool,
     /// When the entrance spoke last, and when a door there was opened last.
-    entrance: Option<Micros>,
-    door: Option<Micros>,
+    entrance: Option<WallTime>,
+    door: Option<WallTime>,
 }
 
 impl Bout {
-    fn new(at: Micros) -> Bout {
+    fn new(at: WallTime) -> Bout {
         Bout {
             begin: at,
             end: at,
@@ -124,7 +123,7 @@ impl Bout {
         }
     }
 
-    fn add(&mut self, sign: &Sign) {
+    fn add(&mut self, sign: &PresenceSign) {
         self.end = self.end.max(sign.at);
         self.firings += 1;
         self.is_use |= sign.is_use;
@@ -154,14 +153,14 @@ impl Bout {
 
 impl Leaving {
     /// Before the first sign.
-    pub fn new(least: Micros) -> Leaving {
+    pub fn new(least: Span) -> Leaving {
         Leaving { least, before: None, stray: 0, bout: None, firings: 0, span: None }
     }
 
     /// Takes a sign; the absence that ended with the bout before it, if there is one.
-    pub fn take(&mut self, sign: &Sign) -> Option<Absence> {
+    pub fn take(&mut self, sign: &PresenceSign) -> Option<HomeAbsence> {
         self.firings += 1;
-        self.span = Some((self.span.map_or(sign.at, |span| span.0), sign.at));
+        self.span = Some(Interval::new(self.span.map_or(sign.at, |span| span.begin), sign.at));
         if let Some(bout) = self.bout.as_mut().filter(|bout| sign.at - bout.end <= BOUT) {
             bout.add(sign);
             return None;
@@ -180,24 +179,24 @@ impl Leaving {
     }
 
     /// The absence that ended with the last bout, if no further sign comes.
-    pub fn last(&self) -> Option<Absence> {
+    pub fn last(&self) -> Option<HomeAbsence> {
         let (before, bout) = self.before.zip(self.bout.filter(Bout::is_somebodys))?;
         let (begin, end) = (before.end, bout.begin);
         let is_guess = !before.leaves_by_door() || !bout.comes_by_door;
         let is_one =
             before.leaves() && bout.comes && end - begin > self.least && self.is_empty(self.stray, end - begin);
-        is_one.then_some(Absence { begin, end, stray: self.stray, is_guess })
+        is_one.then_some(HomeAbsence { begin, end, stray: self.stray, is_guess })
     }
 
     /// The absence that has not ended by `now`: the resident left, and all later bouts are stray. If the entrance has a contact
     /// (`has_door`), it was opened.
-    pub fn open(&self, now: Micros, has_door: bool) -> Option<Absence> {
+    pub fn open(&self, now: WallTime, has_door: bool) -> Option<HomeAbsence> {
         let is_somebodys = self.bout.is_some_and(|bout| bout.is_somebodys());
         let stray = if is_somebodys { 0 } else { self.stray + self.bout.map_or(0, |bout| bout.firings) };
         let last = if is_somebodys { self.bout } else { self.before }?;
         let leaves = last.leaves() && (last.leaves_by_door() || !has_door) && now - last.end > self.least;
         let leaves = leaves && self.is_empty(stray, now - last.end);
-        leaves.then_some(Absence { begin: last.end, end: now, stray, is_guess: true })
+        leaves.then_some(HomeAbsence { begin: last.end, end: now, stray, is_guess: true })
     }
 
     /// Begins anew after a gap.
@@ -206,44 +205,53 @@ impl Leaving {
     }
 
     /// Whether the home may have been empty for so long with so many stray firings.
-    fn is_empty(&self, stray: usize, length: Micros) -> bool {
-        let usual = self.span.map_or(0.0, |(first, last)| self.firings as f64 / (last - first).max(1) as f64);
-        stray <= MOST_STRAY + (length / STRAY_EVERY) as usize || stray as f64 <= QUIET * usual * length as f64
+    fn is_empty(&self, stray: usize, length: Span) -> bool {
+        let all = self.span.map(|span| span.length().max(Span::MICROSECOND));
+        let usual = all.map_or(0.0, |all| self.firings as f64 / all.micros() as f64);
+        stray <= MOST_STRAY + (length / STRAY_EVERY) as usize || stray as f64 <= QUIET * usual * length.micros() as f64
     }
 }
 
-impl Absence {
+impl HomeAbsence {
     /// Whether a bed or a chair is taken meanwhile, by the spans over which one is.
-    pub fn is_taken(&self, taken: &[(Micros, Micros)]) -> bool {
-        taken.iter().any(|&(from, to)| to.min(self.end) - from.max(self.begin) > SEATED)
+    pub fn is_taken(&self, taken: &[Interval<WallTime>]) -> bool {
+        taken.iter().any(|span| span.overlap(self.interval()) > SEATED)
+    }
+
+    /// From when to when it lasts.
+    pub fn interval(&self) -> Interval<WallTime> {
+        Interval::new(self.begin, self.end)
     }
 
     /// How long it is, in hours.
     pub fn hours(&self) -> f64 {
-        seconds(self.end - self.begin) / 3600.0
+        self.interval().length().seconds() / 3600.0
     }
 }
 
-fn told<S: Serializer>(at: &Micros, serializer: S) -> Result<S::Ok, S::Error> {
-    serializer.collect_str(&format_args!("{} {}", crate::dates::date_of(*at), crate::dates::clock_s(*at)))
+fn as_text<S: Serializer>(at: &WallTime, serializer: S) -> Result<S::Ok, S::Error> {
+    serializer.collect_str(&format_args!("{} {}", at.date(), crate::dates::clock_s(*at)))
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    const MINUTE: Micros = 60 * SECOND;
+    use crate::sample::{at, span};
+    use homebody_core::time::SECOND;
 
     /// Signs by their seconds; those at the entrance are negative.
-    fn signs(at_s: &[Micros]) -> Vec<Sign> {
-        at_s.iter()
-            .map(|&at| Sign { at: at.abs() * SECOND, at_entrance: at < 0, opens_door: false, is_use: false })
-            .collect()
+    fn signs(at_s: &[i64]) -> Vec<PresenceSign> {
+        let sign = |&s: &i64| PresenceSign { at: at(s.abs()), at_entrance: s < 0, opens_door: false, is_use: false };
+        at_s.iter().map(sign).collect()
     }
 
-    fn found(at_s: &[Micros], taken: &[(Micros, Micros)]) -> Vec<(Micros, Micros, usize)> {
+    fn seconds(at: WallTime) -> i64 {
+        at.since_zero() / SECOND
+    }
+
+    fn found(at_s: &[i64], taken: &[Interval<WallTime>]) -> Vec<(i64, i64, usize)> {
         let found = absences(&signs(at_s), taken, LEAST);
-        found.iter().map(|absence| (absence.begin / SECOND, absence.end / SECOND, absence.stray)).collect()
+        found.iter().map(|absence| (seconds(absence.begin), seconds(absence.end), absence.stray)).collect()
     }
 
     #[test]
@@ -276,10 +284,10 @@ mod tests {
     #[test]
     fn where_the_bed_is_taken_somebody_is_there() {
         let day = [10, 20, -30, -30_000, 30_010, 30_020];
-        assert_eq!(found(&day, &[(100 * SECOND, 20_000 * SECOND)]), []);
+        assert_eq!(found(&day, &[span(100, 20_000)]), []);
         // Not for as long as a motion sensor of that name blinks, and not before or after.
-        assert_eq!(found(&day, &[(100 * SECOND, 102 * SECOND)]).len(), 1);
-        assert_eq!(found(&day, &[(0, 30 * SECOND), (30_000 * SECOND, 90_000 * SECOND)]).len(), 1);
+        assert_eq!(found(&day, &[span(100, 102)]).len(), 1);
+        assert_eq!(found(&day, &[span(0, 30), span(30_000, 90_000)]).len(), 1);
     }
 
     #[test]
@@ -294,12 +302,12 @@ mod tests {
 
     #[test]
     fn who_left_and_has_not_come_is_away_until_now() {
-        let open = |at_s: &[Micros], now_s: Micros, has_door: bool| {
+        let open = |at_s: &[i64], now_s: i64, has_door: bool| {
             let mut leaving = Leaving::new(LEAST);
             for sign in signs(at_s) {
                 leaving.take(&sign);
             }
-            leaving.open(now_s * SECOND, has_door).map(|absence| (absence.begin / SECOND, absence.stray))
+            leaving.open(at(now_s), has_door).map(|absence| (seconds(absence.begin), absence.stray))
         };
         assert_eq!(open(&[10, 20, -30], 4000, false), Some((30, 0)));
         assert_eq!(open(&[10, 20, -30, 3000], 4000, false), Some((30, 1)), "a stray firing ends nothing");

@@ -11,7 +11,7 @@ pub const LEAST_RECORDED_H: f64 = 1.0 / 4.0;
 
 /// What some cells come to.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
-pub struct Sum {
+pub struct CellSum {
     /// How many motion events they have.
     pub events: u64,
     /// For how many of their hours there is data.
@@ -24,7 +24,7 @@ pub struct Sum {
 
 /// An hour of a day.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Cell {
+pub struct DensityCell {
     /// How many motion events it has.
     pub events: u64,
     /// For how much of the hour there is data, in hours.
@@ -35,7 +35,7 @@ pub struct Cell {
 
 /// What is known of an hour.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum State {
+pub enum HourState {
     /// Too little of the hour was recorded, less than a quarter.
     NoData,
     /// Somebody was at home for less than ten minutes of it.
@@ -44,31 +44,31 @@ pub enum State {
     Density(f64),
 }
 
-impl Cell {
+impl DensityCell {
     /// For how much of the hour there is data and somebody was at home, in hours.
     pub fn at_home_h(&self) -> f64 {
         (self.recorded_h - self.away_h).max(0.0)
     }
 
     /// What is known of the hour.
-    pub fn state(&self) -> State {
+    pub fn state(&self) -> HourState {
         match () {
-            () if self.recorded_h < LEAST_RECORDED_H => State::NoData,
-            () if self.at_home_h() < LEAST_AT_HOME_H => State::Away,
-            () => State::Density(self.events as f64 / self.at_home_h()),
+            () if self.recorded_h < LEAST_RECORDED_H => HourState::NoData,
+            () if self.at_home_h() < LEAST_AT_HOME_H => HourState::Away,
+            () => HourState::Density(self.events as f64 / self.at_home_h()),
         }
     }
 
     /// Firings an hour at home, if somebody was.
     pub fn density(&self) -> Option<f64> {
-        if let State::Density(density) = self.state() { Some(density) } else { None }
+        if let HourState::Density(density) = self.state() { Some(density) } else { None }
     }
 }
 
-impl Sum {
+impl CellSum {
     /// The sum of some cells, with the density of those of them in which somebody was at home.
-    pub fn of<'a>(cells: impl IntoIterator<Item = &'a Cell>) -> Sum {
-        let mut sum = Sum::default();
+    pub fn from_cells<'a>(cells: impl IntoIterator<Item = &'a DensityCell>) -> CellSum {
+        let mut sum = CellSum::default();
         let (mut events, mut at_home_h) = (0, 0.0);
         for cell in cells {
             sum.events += cell.events;

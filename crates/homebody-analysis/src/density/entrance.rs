@@ -12,13 +12,13 @@ pub struct Entrance {
     /// Their ids in the log.
     pub sensors: Vec<String>,
     /// Why they are taken for that.
-    pub chosen: Chosen,
+    pub chosen: EntranceSource,
 }
 
 /// Why they are taken for that.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "snake_case")]
-pub enum Chosen {
+pub enum EntranceSource {
     /// Somebody says so.
     Asked,
     /// Their names speak of an entrance, or are those of bare doors.
@@ -37,9 +37,9 @@ impl Entrance {
             let taken = ids.iter().enumerate().filter(|(sensor, _)| takes(*sensor)).map(|(_, id)| id.clone());
             Some(Entrance { sensors: taken.collect(), chosen }).filter(|entrance| !entrance.sensors.is_empty())
         };
-        let none = Entrance { sensors: Vec::new(), chosen: Chosen::None };
+        let none = Entrance { sensors: Vec::new(), chosen: EntranceSource::None };
         if !asked.is_empty() {
-            return with(Chosen::Asked, &|sensor| asked.contains(&ids[sensor])).unwrap_or(none);
+            return with(EntranceSource::Asked, &|sensor| asked.contains(&ids[sensor])).unwrap_or(none);
         }
         let leads: Vec<Leads> = sensors.called.iter().map(|name| leads(name)).collect();
         let is = |sensor: usize, kind| sensors.kinds[sensor] == kind;
@@ -51,8 +51,8 @@ impl Entrance {
             Leads::Inside => false,
             _ => is(sensor, Kind::Contact) || is(sensor, Kind::Motion) && speaks(&sensors.called[sensor], &WAYS),
         };
-        with(Chosen::Known, &|sensor| leads_out(sensor) || is_bare_door(sensor))
-            .or_else(|| with(Chosen::Guessed, &is_way))
+        with(EntranceSource::Known, &|sensor| leads_out(sensor) || is_bare_door(sensor))
+            .or_else(|| with(EntranceSource::Guessed, &is_way))
             .unwrap_or(none)
     }
 }
@@ -68,7 +68,7 @@ fn speaks(name: &str, of: &[&str]) -> bool {
 mod tests {
     use super::*;
 
-    fn found(sensors: &[(&str, Kind)], asked: &[&str]) -> (Vec<String>, Chosen) {
+    fn found(sensors: &[(&str, Kind)], asked: &[&str]) -> (Vec<String>, EntranceSource) {
         let asked: Vec<String> = asked.iter().map(|name| (*name).into()).collect();
         let (called, kinds): (Vec<String>, Vec<Kind>) =
             sensors.iter().map(|&(called, kind)| (called.to_owned(), kind)).unzip();
@@ -81,12 +81,12 @@ mod tests {
         use Kind::{Contact, Motion, Reading};
         let names = |names: &[&str]| names.iter().map(|name| String::from(*name)).collect::<Vec<_>>();
         let home = [("MainEntryway", Motion), ("BedroomADoor", Motion), ("HallwayA", Motion), ("front T", Reading)];
-        assert_eq!(found(&home, &[]), (names(&["MainEntryway"]), Chosen::Known));
-        assert_eq!(found(&home[1..], &[]), (names(&["HallwayA"]), Chosen::Guessed));
-        assert_eq!(found(&home[1..2], &[]), (names(&[]), Chosen::None));
-        assert_eq!(found(&home, &["BedroomADoor"]), (names(&["BedroomADoor"]), Chosen::Asked));
+        assert_eq!(found(&home, &[]), (names(&["MainEntryway"]), EntranceSource::Known));
+        assert_eq!(found(&home[1..], &[]), (names(&["HallwayA"]), EntranceSource::Guessed));
+        assert_eq!(found(&home[1..2], &[]), (names(&[]), EntranceSource::None));
+        assert_eq!(found(&home, &["BedroomADoor"]), (names(&["BedroomADoor"]), EntranceSource::Asked));
         let contacts = [("D002", Contact), ("kitchen drawer", Contact), ("M001", Motion)];
-        assert_eq!(found(&contacts, &[]), (names(&["D002"]), Chosen::Known));
+        assert_eq!(found(&contacts, &[]), (names(&["D002"]), EntranceSource::Known));
     }
 
     #[test]
@@ -95,9 +95,9 @@ mod tests {
         let names = |names: &[&str]| names.iter().map(|name| String::from(*name)).collect::<Vec<_>>();
         let home =
             [("haustuer", Contact), ("Kühlschrank", Contact), ("Schlafzimmer Fenster", Contact), ("Flur", Motion)];
-        assert_eq!(found(&home, &[]), (names(&["haustuer"]), Chosen::Known));
+        assert_eq!(found(&home, &[]), (names(&["haustuer"]), EntranceSource::Known));
         let home = [("Eingang", Motion), ("Küche Tür", Motion)];
-        assert_eq!(found(&home, &[]), (names(&["Eingang"]), Chosen::Known));
+        assert_eq!(found(&home, &[]), (names(&["Eingang"]), EntranceSource::Known));
     }
 
     #[test]
@@ -108,16 +108,16 @@ mod tests {
         {
             assert_eq!(
                 found(&[("Wohnzimmer", Motion), (inside, Contact)], &[]),
-                (names(&[]), Chosen::None),
+                (names(&[]), EntranceSource::None),
                 "{inside}"
             );
         }
         let doors = [("Haustür", Contact), ("D002", Contact), ("Anna door", Contact)];
-        assert_eq!(found(&doors, &[]), (names(&["Haustür"]), Chosen::Known));
-        assert_eq!(found(&doors[1..], &[]), (names(&["D002"]), Chosen::Known));
-        assert_eq!(found(&doors[2..], &[]), (names(&["Anna door"]), Chosen::Guessed));
+        assert_eq!(found(&doors, &[]), (names(&["Haustür"]), EntranceSource::Known));
+        assert_eq!(found(&doors[1..], &[]), (names(&["D002"]), EntranceSource::Known));
+        assert_eq!(found(&doors[2..], &[]), (names(&["Anna door"]), EntranceSource::Guessed));
         // A motion sensor at the entrance does not stand for a door.
         let home = [("Entry", Motion), ("D002", Contact)];
-        assert_eq!(found(&home, &[]), (names(&["Entry", "D002"]), Chosen::Known));
+        assert_eq!(found(&home, &[]), (names(&["Entry", "D002"]), EntranceSource::Known));
     }
 }

@@ -1,34 +1,32 @@
 //! A log as a map: its hours, day by day.
 
-use homebody_core::time::{DAY, Micros, SECOND, seconds};
+use homebody_core::time::{ClockChange, DAY, HOUR, Interval, MINUTE, Span, TimeScale, UtcTime, WallTime, without};
 use homebody_log::{Event, Log};
 use jiff::civil::Date;
 use jiff::tz::TimeZone;
 use serde::Serialize;
 use std::collections::BTreeMap;
-use std::ops::Range;
 
-use super::{Absence, Cell, Entrance, LEAST, Leaving, SEATED, Sign, State, Sum};
-use crate::dates::{ClockSet, MOST_DAYS, clocks_set, date_of, midnight, written};
-use crate::holds::{Holds, LONGEST, Movement};
-use crate::rows::{Ongoing, Row, Span, Tallies};
-use crate::signs::{Kind, LogSensors, OwnWords, Says, UnknownStates, is_seat, without};
+use super::{CellSum, DensityCell, Entrance, HomeAbsence, HourState, LEAST, Leaving, PresenceSign, SEATED};
+use crate::dates::{MOST_DAYS, written};
+use crate::holds::{HiddenMovement, HoldTimes, LONGEST};
+use crate::rows::{Ongoing, StateRow, Tallies};
+use crate::signs::{Kind, LogSensors, OwnWords, Says, UnknownStates, is_seat};
 
-const HOUR: Micros = 3600 * SECOND;
 /// A longer silence of all sensors is no recording.
-pub const SILENCE: Micros = DAY;
+pub const SILENCE: Span = DAY;
 /// In a longer stretch that is not known the resident may have come home and left again.
-const UNSEEN: Micros = 10 * 60 * SECOND;
+const UNSEEN: Span = MINUTE.times(10);
 
 /// What somebody wants to know of a log.
 #[derive(Clone, Debug)]
-pub struct Asked {
+pub struct DensityOptions {
     /// The sensors at the entrance; none to have them found by their names.
     pub doors: Vec<String>,
     /// The least absence.
-    pub away_after: Micros,
+    pub away_after: Span,
     /// From when to when the log was recorded, if that is known.
-    pub recorded: Option<Range<Micros>>,
+    pub recorded: Option<Interval<WallTime>>,
     /// The zone on whose wall the log is, if that is known: on a day on which clocks are set, it says how long its hours are.
     pub zone: Option<TimeZone>,
     /// The first day; `None`: the first of the log.
@@ -37,9 +35,9 @@ pub struct Asked {
     pub days: Option<usize>,
 }
 
-impl Default for Asked {
-    fn default() -> Asked {
-        Asked { doors: Vec::new(), away_after: LEAST, recorded: None, zone: None, from: None, days: None }
+impl Default for DensityOptions {
+    fn default() -> DensityOptions {
+        DensityOptions { doors: Vec::new(), away_after: LEAST, recorded: None, zone: None, from: None, days: None }
     }
 }
 
@@ -77,9 +75,9 @@ homebody_core::messages! {
         /// Homebody sorts a log that fits into the memory. This log is longer, so its rows must be in the order of time.
         Disorder {
             /// The time of the row, in microseconds.
-            at: Micros,
+            at: WallTime,
             /// The time of an earlier row of the file, in microseconds.
-            before: Micros,
+            before: WallTime,
         } error "out-of-order" (
             "the log is too long to sort in memory, and its rows are out of order: {row} comes after {earlier}",
             row = written(*at),
@@ -92,7 +90,7 @@ homebody_core::messages! {
 impl NoMap {
     /// The reason for a log without a sensor that tells of motion.
     pub(crate) fn no_motion(log: &Log) -> NoMap {
-        match OwnWords::of(log).not_understood() {
+        match OwnWords::from_log(log).not_understood() {
             [] => NoMap::NoMotion,
             remarks => NoMap::NotUnderstood(remarks.to_vec()),
         }
@@ -123,24 +121,24 @@ pub struct Map {
     /// Hours away a day recorded.
     pub away_h_per_day: f64,
     /// What each day comes to.
-    pub days: Vec<Day>,
+    pub days: Vec<MapDay>,
     /// The 24 hours of the day over all days.
     pub hours: Vec<Hour>,
     /// All of which at least a part lies in these days.
-    pub absences: Vec<Absence>,
+    pub absences: Vec<HomeAbsence>,
     /// By day and hour.
     #[serde(skip)]
-    pub cells: Vec<[Cell; 24]>,
+    pub cells: Vec<[DensityCell; 24]>,
 }
 
 /// One day of a map.
 #[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct Day {
+pub struct MapDay {
     /// Which day it is.
     pub date: Date,
     /// What its hours come to.
     #[serde(flatten)]
-    pub sum: Sum,
+    pub sum: CellSum,
 }
 
 /// One hour of the day over all days of a map.
@@ -150,24 +148,24 @@ pub struct Hour {
     pub hour: usize,
     /// What it comes to over all days.
     #[serde(flatten)]
-    pub sum: Sum,
+    pub sum: CellSum,
 }
 
 impl Map {
     /// The map of the days that are asked for.
-    pub fn of(name: &str, log: &Log, asked: &Asked) -> Result<Map, NoMap> {
-        let mut mapping = Mapping::new(log, LogSensors::of(log), asked);
+    pub fn from_log(name: &str, log: &Log, asked: &DensityOptions) -> Result<Map, NoMap> {
+        let mut mapping = Mapping::new(log, LogSensors::from_log(log), asked);
         log.in_order().into_iter().for_each(|event| mapping.take(event));
         mapping.end(name)
     }
 
-    /// Sums the cells up.
-    fn sum(name: &str, from: Date, cells: Vec<[Cell; 24]>, found: Found) -> Map {
-        let first = midnight(from);
+    fn sum(name: &str, from: Date, cells: Vec<[DensityCell; 24]>, found: MapContext) -> Map {
+        let first = WallTime::midnight(from);
         let days = cells.iter().zip(0..);
-        let days = days.map(|(day, number)| Day { date: date_of(first + number * DAY), sum: Sum::of(day) });
-        let hours = (0..24).map(|hour| Hour { hour, sum: Sum::of(cells.iter().map(|day| &day[hour])) });
-        let all = Sum::of(cells.iter().flatten());
+        let days =
+            days.map(|(day, number)| MapDay { date: (first + number * DAY).date(), sum: CellSum::from_cells(day) });
+        let hours = (0..24).map(|hour| Hour { hour, sum: CellSum::from_cells(cells.iter().map(|day| &day[hour])) });
+        let all = CellSum::from_cells(cells.iter().flatten());
         let recorded_days = all.recorded_h / 24.0;
         Map {
             name: name.into(),
@@ -194,9 +192,9 @@ impl Map {
         for (day, cells) in self.days.iter().zip(&self.cells) {
             for (hour, cell) in cells.iter().enumerate() {
                 let [at_home, density] = match cell.state() {
-                    State::NoData => [String::new(), String::new()],
-                    State::Away => [format!("{:.4}", cell.at_home_h()), String::new()],
-                    State::Density(density) => [format!("{:.4}", cell.at_home_h()), format!("{density:.4}")],
+                    HourState::NoData => [String::new(), String::new()],
+                    HourState::Away => [format!("{:.4}", cell.at_home_h()), String::new()],
+                    HourState::Density(density) => [format!("{:.4}", cell.at_home_h()), format!("{density:.4}")],
                 };
                 text += &format!("{},{hour},{},{at_home},{density}\n", day.date, cell.events);
             }
@@ -219,18 +217,18 @@ impl Signs {
     }
 
     /// The sign that a row is, if it is one.
-    pub fn of(&self, row: &Row) -> Option<Sign> {
+    pub fn sign(&self, row: &StateRow) -> Option<PresenceSign> {
         let sensor = row.sensor as usize;
         let (kind, at_entrance) = (self.kinds[sensor], self.at_entrance[sensor]);
         let is_use = matches!(kind, Kind::Contact | Kind::Used) && row.said.begins();
         let opens_door = self.is_door(row);
-        (is_use || self.is_motion(row)).then_some(Sign { at: row.at, at_entrance, opens_door, is_use })
+        (is_use || self.is_motion(row)).then_some(PresenceSign { at: row.at, at_entrance, opens_door, is_use })
     }
 
     /// The sign that a movement between reports is.
-    pub fn of_movement(&self, movement: &Movement) -> Sign {
+    pub fn of_movement(&self, movement: &HiddenMovement) -> PresenceSign {
         let at_entrance = self.at_entrance[movement.sensor as usize];
-        Sign { at: movement.at, at_entrance, opens_door: false, is_use: false }
+        PresenceSign { at: movement.at, at_entrance, opens_door: false, is_use: false }
     }
 
     /// The kind of a sensor.
@@ -239,12 +237,12 @@ impl Signs {
     }
 
     /// Whether a movement is seen.
-    pub fn is_motion(&self, row: &Row) -> bool {
+    pub fn is_motion(&self, row: &StateRow) -> bool {
         self.kinds[row.sensor as usize] == Kind::Motion && row.said.says == Says::Begins && row.said.begins()
     }
 
     /// Whether a door at the entrance is opened or closed.
-    pub fn is_door(&self, row: &Row) -> bool {
+    pub fn is_door(&self, row: &StateRow) -> bool {
         let sensor = row.sensor as usize;
         self.kinds[sensor] == Kind::Contact && self.at_entrance[sensor]
     }
@@ -258,7 +256,7 @@ impl Signs {
 /// A map under construction. It takes the rows of its log in the order of time, and keeps none of them.
 pub struct Mapping<'a> {
     log: &'a Log,
-    asked: &'a Asked,
+    asked: &'a DensityOptions,
     sensors: LogSensors,
     entrance: Entrance,
     signs: Signs,
@@ -267,18 +265,18 @@ pub struct Mapping<'a> {
     /// The spans over which a bed or a chair is taken for long.
     taken: Ongoing,
     leaving: Leaving,
-    holds: Holds,
+    holds: HoldTimes,
     /// Signs that wait until all before them are known, by their instants.
-    waiting: BTreeMap<(Micros, u64), Sign>,
+    waiting: BTreeMap<(WallTime, u64), PresenceSign>,
     /// The number of signs so far.
     count: u64,
-    absences: Vec<Absence>,
+    absences: Vec<HomeAbsence>,
     /// Events of motion by their hour since 1970, of the days that may be in the map.
     events: BTreeMap<i64, u64>,
     has_signs: bool,
     /// The first row and the last, and between which two rows all sensors were silent for long.
-    span: Option<(Micros, Micros)>,
-    silences: Vec<Span>,
+    span: Option<(WallTime, WallTime)>,
+    silences: Vec<Interval<WallTime>>,
     /// How many gaps of the log have begun.
     gaps: usize,
     unknown: UnknownStates,
@@ -286,7 +284,7 @@ pub struct Mapping<'a> {
 
 impl<'a> Mapping<'a> {
     /// Of a log, whose own rows it does not look at.
-    pub fn new(log: &'a Log, sensors: LogSensors, asked: &'a Asked) -> Mapping<'a> {
+    pub fn new(log: &'a Log, sensors: LogSensors, asked: &'a DensityOptions) -> Mapping<'a> {
         let entrance = Entrance::find(&log.sensors, &sensors, &asked.doors);
         Mapping {
             log,
@@ -296,7 +294,7 @@ impl<'a> Mapping<'a> {
             is_seat: sensors.called.iter().map(|name| is_seat(name)).collect(),
             taken: Ongoing::new(log.sensors.len(), SEATED),
             leaving: Leaving::new(asked.away_after),
-            holds: Holds::new(log.sensors.len()),
+            holds: HoldTimes::new(log.sensors.len()),
             waiting: BTreeMap::new(),
             count: 0,
             absences: Vec::new(),
@@ -313,9 +311,9 @@ impl<'a> Mapping<'a> {
 
     /// Takes the next row.
     pub fn take(&mut self, event: &Event) {
-        while let Some(&(begin, _)) = self.log.gaps.get(self.gaps).filter(|gap| gap.0 <= event.at) {
-            self.taken.end_all(begin);
-            self.leave_until(Micros::MAX);
+        while let Some(gap) = self.log.gaps.get(self.gaps).filter(|gap| gap.begin <= event.at) {
+            self.taken.end_all(gap.begin);
+            self.leave_until(WallTime::MAX);
             self.holds.end_all();
             self.absences.extend(self.leaving.last());
             self.leaving.forget();
@@ -323,7 +321,7 @@ impl<'a> Mapping<'a> {
         }
         let (first, last) = self.span.unwrap_or((event.at, event.at));
         if event.at - last > SILENCE {
-            self.silences.push((last, event.at));
+            self.silences.push(Interval::new(last, event.at));
         }
         self.span = Some((first, event.at));
         let row = self.rows.take(event);
@@ -336,30 +334,30 @@ impl<'a> Mapping<'a> {
         let mut movements = Vec::new();
         self.holds.take(&row, self.signs.kind(row.sensor), &mut movements);
         movements.iter().for_each(|movement| self.wait(self.signs.of_movement(movement)));
-        if let Some(sign) = self.signs.of(&row) {
+        if let Some(sign) = self.signs.sign(&row) {
             self.has_signs = true;
             self.wait(sign);
         }
         // The signs of other logs need not wait.
-        let waits = if self.holds.hide_any() { LONGEST } else { 0 };
+        let waits = if self.holds.hide_any() { LONGEST } else { Span::ZERO };
         self.leave_until(row.at - waits);
         if self.signs.is_motion(&row) {
             // No map is longer.
-            let from = self.asked.from.map_or(first, midnight).div_euclid(HOUR);
-            let hour = row.at.div_euclid(HOUR);
+            let hour_of = |at: WallTime| at.since_zero().div_euclid(HOUR);
+            let (from, hour) = (hour_of(self.asked.from.map_or(first, WallTime::midnight)), hour_of(row.at));
             if (from - 24..from + MOST_DAYS as i64 * 24).contains(&hour) {
                 *self.events.entry(hour).or_default() += 1;
             }
         }
     }
 
-    fn wait(&mut self, sign: Sign) {
+    fn wait(&mut self, sign: PresenceSign) {
         self.waiting.insert((sign.at, self.count), sign);
         self.count += 1;
     }
 
     /// Looks for absences in the signs up to an instant.
-    fn leave_until(&mut self, until: Micros) {
+    fn leave_until(&mut self, until: WallTime) {
         while let Some(first) = self.waiting.first_entry().filter(|first| first.key().0 <= until) {
             self.absences.extend(self.leaving.take(&first.remove()));
         }
@@ -371,7 +369,7 @@ impl<'a> Mapping<'a> {
     ///
     /// Those that [`NoMap`] lists.
     pub fn end(mut self, name: &str) -> Result<Map, NoMap> {
-        self.leave_until(Micros::MAX);
+        self.leave_until(WallTime::MAX);
         let (first, last) = self.span.ok_or(NoMap::Empty)?;
         let kinds = &self.sensors.kinds;
         let motion_sensors = kinds.iter().filter(|kind| **kind == Kind::Motion).count();
@@ -379,92 +377,86 @@ impl<'a> Mapping<'a> {
             return Err(NoMap::no_motion(self.log));
         }
         self.absences.extend(self.leaving.last());
-        let taken: Vec<Span> = (0..kinds.len()).flat_map(|sensor| self.taken.spans(sensor, None)).collect();
+        let taken: Vec<Interval<WallTime>> =
+            (0..kinds.len()).flat_map(|sensor| self.taken.spans(sensor, None)).collect();
         // An hour is not known while no motion sensor is in a state that is known.
         let unknown = self.unknown.of_all(&self.log.gaps, &|sensor| kinds[sensor] == Kind::Motion);
-        let is_seen = |absence: &Absence| {
-            let within = |&(begin, end): &Span| end.min(absence.end) - begin.max(absence.begin) > UNSEEN;
-            !unknown.iter().any(within)
-        };
-        let is_one = |absence: &&Absence| !absence.is_taken(&taken) && is_seen(absence);
-        let absences: Vec<Absence> = self.absences.iter().filter(is_one).copied().collect();
-        let recorded: Vec<Span> = match &self.asked.recorded {
-            Some(span) => vec![(span.start.min(first), span.end.max(last + 1))],
-            None => without_silences((first, last), &self.silences, &absences),
+        let is_seen = |absence: &HomeAbsence| unknown.iter().all(|span| span.overlap(absence.interval()) <= UNSEEN);
+        let is_one = |absence: &&HomeAbsence| !absence.is_taken(&taken) && is_seen(absence);
+        let absences: Vec<HomeAbsence> = self.absences.iter().filter(is_one).copied().collect();
+        let rows = Interval::new(first, last + Span::MICROSECOND);
+        let recorded = match self.asked.recorded {
+            Some(span) => vec![span.hull(rows)],
+            None => without_silences(rows, &self.silences, &absences),
         };
         let recorded = without(&recorded, &unknown);
-        let (&[(start, _), ..], &[.., (_, end)]) = (&recorded[..], &recorded[..]) else {
-            return Err(NoMap::Unknown);
-        };
-        let days = days(self.asked, first.min(start), end.max(last + 1))?;
-        let mut cells = vec![[Cell::default(); 24]; days.count];
+        let known = recorded.iter().copied().reduce(Interval::hull).ok_or(NoMap::Unknown)?;
+        let days = days(self.asked, rows.hull(known))?;
+        let mut cells = vec![[DensityCell::default(); 24]; days.count];
         for (&hour, &events) in &self.events {
-            if let Some(cell) = days.cell(&mut cells, hour * HOUR) {
+            if let Some(cell) = days.cell(&mut cells, WallTime::EPOCH + hour * HOUR) {
                 cell.events += events;
             }
         }
-        let set = self.asked.zone.as_ref().map_or_else(Vec::new, |zone| clocks_set(&days.span(), zone));
-        for (begin, end) in recorded {
-            days.add_lived(&mut cells, &(begin..end), &set, |cell, hours| cell.recorded_h += hours);
+        let set = self.asked.zone.as_ref().map_or_else(Vec::new, |zone| clocks_set(days.interval(), zone));
+        for span in recorded {
+            days.add_lived(&mut cells, span, &set, |cell, hours| cell.recorded_h += hours);
         }
         for absence in &absences {
-            days.add_lived(&mut cells, &(absence.begin..absence.end), &set, |cell, hours| cell.away_h += hours);
+            days.add_lived(&mut cells, absence.interval(), &set, |cell, hours| cell.away_h += hours);
         }
-        let shown = |absence: &&Absence| absence.begin < days.span().end && absence.end > days.span().start;
+        let shown = |absence: &&HomeAbsence| absence.interval().overlaps(days.interval());
         let left_out = self.log.sensors.iter().zip(kinds).filter(|(_, kind)| **kind != Kind::Motion);
         let left_out = left_out.map(|(name, _)| name.clone()).collect();
         let absences = absences.iter().filter(shown).copied().collect();
-        let found = Found { motion_sensors, left_out, entrance: self.entrance, absences };
+        let found = MapContext { motion_sensors, left_out, entrance: self.entrance, absences };
         Ok(Map::sum(name, days.first, cells, found))
     }
 }
 
 /// What of a log is no matter of its cells.
-struct Found {
+struct MapContext {
     motion_sensors: usize,
     left_out: Vec<String>,
     entrance: Entrance,
-    absences: Vec<Absence>,
+    absences: Vec<HomeAbsence>,
 }
 
 /// The days of a map.
-struct Days {
+struct DayColumns {
     first: Date,
     count: usize,
 }
 
-fn days(asked: &Asked, begin: Micros, end: Micros) -> Result<Days, NoMap> {
-    let (first, last) = (date_of(begin), date_of(end - 1));
+fn days(asked: &DensityOptions, span: Interval<WallTime>) -> Result<DayColumns, NoMap> {
+    let (first, last) = (span.begin.date(), (span.end - Span::MICROSECOND).date());
     let from = asked.from.unwrap_or(first);
     if !(first..=last).contains(&from) {
         return Err(NoMap::NoDay { date: from, first, last });
     }
-    let there = ((midnight(last) - midnight(from)) / DAY + 1) as usize;
+    let there = ((WallTime::midnight(last) - WallTime::midnight(from)) / DAY + 1) as usize;
     let count = asked.days.unwrap_or(there).min(there);
-    if count > MOST_DAYS { Err(NoMap::TooLong(count)) } else { Ok(Days { first: from, count }) }
+    if count > MOST_DAYS { Err(NoMap::TooLong(count)) } else { Ok(DayColumns { first: from, count }) }
 }
 
-impl Days {
-    fn span(&self) -> Range<Micros> {
-        let begin = midnight(self.first);
-        begin..begin + self.count as Micros * DAY
+impl DayColumns {
+    fn interval(&self) -> Interval<WallTime> {
+        Interval::starting(WallTime::midnight(self.first), self.count as i64 * DAY)
     }
 
-    fn cell<'c>(&self, cells: &'c mut [[Cell; 24]], at: Micros) -> Option<&'c mut Cell> {
-        let hours = (at - self.span().start).div_euclid(HOUR);
+    fn cell<'c>(&self, cells: &'c mut [[DensityCell; 24]], at: WallTime) -> Option<&'c mut DensityCell> {
+        let hours = (at - self.interval().begin).div_euclid(HOUR);
         let hour = usize::try_from(hours).ok()?;
         cells.get_mut(hour / 24).map(|day| &mut day[hour % 24])
     }
 
     /// Gives each hour its part of a span, in hours.
-    fn add(&self, cells: &mut [[Cell; 24]], span: Range<Micros>, add: impl Fn(&mut Cell, f64)) {
-        let all = self.span();
-        let mut at = span.start.max(all.start);
-        let end = span.end.min(all.end);
+    fn add(&self, cells: &mut [[DensityCell; 24]], span: Interval<WallTime>, add: impl Fn(&mut DensityCell, f64)) {
+        let Interval { begin: mut at, end } = span.intersection(self.interval());
         while at < end {
-            let next = ((at.div_euclid(HOUR) + 1) * HOUR).min(end);
+            let next = (at - at.since_zero().rem_euclid(HOUR) + HOUR).min(end);
             if let Some(cell) = self.cell(cells, at) {
-                add(cell, seconds(next - at) / 3600.0);
+                add(cell, (next - at).seconds() / 3600.0);
             }
             at = next;
         }
@@ -473,30 +465,48 @@ impl Days {
     /// The same as it was lived: what the clock on the wall leaves out is none of the span, and what it shows again is in it twice.
     fn add_lived(
         &self,
-        cells: &mut [[Cell; 24]],
-        span: &Range<Micros>,
-        set: &[ClockSet],
-        add: impl Fn(&mut Cell, f64),
+        cells: &mut [[DensityCell; 24]],
+        span: Interval<WallTime>,
+        set: &[ClockChange<WallTime>],
+        add: impl Fn(&mut DensityCell, f64),
     ) {
-        self.add(cells, span.clone(), &add);
-        for ClockSet { wall, is_again } in set {
-            let part = span.start.max(wall.start)..span.end.min(wall.end);
-            self.add(cells, part, |cell, hours| add(cell, if *is_again { hours } else { -hours }));
+        self.add(cells, span, &add);
+        for change in set {
+            let lasts = Interval::new(change.at, change.at + change.by.abs());
+            self.add(cells, span.intersection(lasts), |cell, hours| {
+                add(cell, if change.is_back() { hours } else { -hours });
+            });
         }
     }
 }
 
+/// Where the clocks of a zone are set during a span on its wall: the first time that they leave out, or show again.
+fn clocks_set(span: Interval<WallTime>, zone: &TimeZone) -> Vec<ClockChange<WallTime>> {
+    // The wall is never further than a day from UTC.
+    let range = Interval::new(span.begin - DAY, span.end + DAY).map(WallTime::as_of_utc);
+    let scale = TimeScale::new(UtcTime::EPOCH, zone, range);
+    let on_wall = |set: ClockChange<UtcTime>| {
+        let after = scale.to_wall(set.at);
+        ClockChange { at: after.min(after - set.by), by: set.by }
+    };
+    scale.changes().map(on_wall).collect()
+}
+
 /// From the first row to the last, but for silences that no absence explains.
-fn without_silences((first, last): Span, silences: &[Span], absences: &[Absence]) -> Vec<Span> {
+fn without_silences(
+    rows: Interval<WallTime>,
+    silences: &[Interval<WallTime>],
+    absences: &[HomeAbsence],
+) -> Vec<Interval<WallTime>> {
     let mut recorded = Vec::new();
-    let mut begin = first;
-    for &(from, to) in silences {
-        let is_away = absences.iter().any(|absence| absence.begin <= from && to <= absence.end);
+    let mut begin = rows.begin;
+    for silence in silences {
+        let is_away = absences.iter().any(|absence| absence.begin <= silence.begin && silence.end <= absence.end);
         if !is_away {
-            recorded.push((begin, from + 1));
-            begin = to;
+            recorded.push(Interval::new(begin, silence.begin + Span::MICROSECOND));
+            begin = silence.end;
         }
     }
-    recorded.push((begin, last + 1));
+    recorded.push(Interval::new(begin, rows.end));
     recorded
 }

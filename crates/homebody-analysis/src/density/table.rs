@@ -2,10 +2,10 @@
 
 use std::fmt;
 
-use super::{Absence, Chosen, Day, Density, LEVELS, Map, Measured, Sum, Texture};
-use crate::dates::{clock, date_of};
+use super::{CellSum, Density, EntranceSource, HomeAbsence, LEVELS, Map, MapDay, Texture, TexturedMap};
+use crate::dates::clock;
 use homebody_core::problem::counted;
-use homebody_core::time::DAY;
+use homebody_core::time::WallTime;
 
 /// Largest numbers of days, and of absences, that are listed one by one. For more, weeks are listed.
 const MOST_DAYS: usize = 31;
@@ -15,7 +15,7 @@ const MOST_LEFT_OUT: usize = 12;
 
 impl fmt::Display for Density {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
-        let maps: Vec<&Measured> =
+        let maps: Vec<&TexturedMap> =
             [&self.of].into_iter().chain(self.against.iter().map(|against| &against.of)).collect();
         for (index, measured) in maps.iter().enumerate() {
             if index > 0 {
@@ -31,7 +31,7 @@ impl fmt::Display for Density {
         )?;
         let width = maps.iter().map(|measured| measured.map.name.chars().count()).max().unwrap_or(0).max(3);
         writeln!(f, "{:width$}  {:>11}  {:>8}  {:>7}", "log", "homogeneity", "contrast", "entropy")?;
-        for Measured { map, texture } in maps {
+        for TexturedMap { map, texture } in maps {
             let features = texture.as_ref().map(|of: &Texture| [of.homogeneity, of.contrast, of.entropy]);
             let features = features.map(|features| features.map(|feature| format!("{feature:.3}")));
             let [homogeneity, contrast, entropy] = features.unwrap_or_else(|| ["-"; 3].map(String::from));
@@ -73,10 +73,10 @@ fn tell(f: &mut fmt::Formatter, map: &Map) -> fmt::Result {
     writeln!(f, "Away:     {} a day; {:.1} h in all", hours_and_minutes(map.away_h_per_day), map.away_h)?;
     let names = map.entrance.sensors.join(", ");
     match map.entrance.chosen {
-        Chosen::Asked => writeln!(f, "Entrance: {names}, as asked")?,
-        Chosen::Known => writeln!(f, "Entrance: {names}, by name or as a door's contact")?,
-        Chosen::Guessed => writeln!(f, "Entrance: {names}, a guess by name")?,
-        Chosen::None => {
+        EntranceSource::Asked => writeln!(f, "Entrance: {names}, as asked")?,
+        EntranceSource::Known => writeln!(f, "Entrance: {names}, by name or as a door's contact")?,
+        EntranceSource::Guessed => writeln!(f, "Entrance: {names}, a guess by name")?,
+        EntranceSource::None => {
             writeln!(f, "Entrance: no sensor's name speaks of one, so nobody is ever away")?;
         }
     }
@@ -87,18 +87,18 @@ fn tell(f: &mut fmt::Formatter, map: &Map) -> fmt::Result {
     writeln!(f, "\n{what:10}  {:>8}  {:>10}  {:>6}  {:>18}", "firings", "recorded h", "away h", "firings/h at home")?;
     for (days, cells) in map.days.chunks(if is_long { 7 } else { 1 }).zip(map.cells.chunks(if is_long { 7 } else { 1 }))
     {
-        let Some(Day { date, .. }) = days.first() else { continue };
-        row(f, &date.to_string(), 10, &Sum::of(cells.iter().flatten()))?;
+        let Some(MapDay { date, .. }) = days.first() else { continue };
+        row(f, &date.to_string(), 10, &CellSum::from_cells(cells.iter().flatten()))?;
     }
     Ok(())
 }
 
-fn absences(f: &mut fmt::Formatter, absences: &[Absence]) -> fmt::Result {
+fn absences(f: &mut fmt::Formatter, absences: &[HomeAbsence]) -> fmt::Result {
     if absences.is_empty() {
         return Ok(());
     }
     writeln!(f, "\n{:16}  {:16}  {:>6}  {:>14}", "away from", "to", "h", "stray firings")?;
-    let told = |at| format!("{} {}", date_of(at), clock(at.rem_euclid(DAY)));
+    let told = |at: WallTime| format!("{} {}", at.date(), clock(at.time_of_day()));
     for absence in absences.iter().take(MOST_ABSENCES) {
         let (begin, end) = (told(absence.begin), told(absence.end));
         let guess = if absence.is_guess { "  estimated" } else { "" };
@@ -129,7 +129,7 @@ fn by_hour(f: &mut fmt::Formatter, map: &Map) -> fmt::Result {
             hour.sum.density_per_h.filter(|_| most > 0.0).map_or(0, |density| (density / most * 24.0).ceil() as usize);
         let name = format!("{:02}-{:02}", hour.hour, hour.hour + 1);
         let density = hour.sum.density_per_h.map_or("-".into(), |density| format!("{density:.1}"));
-        let Sum { events, recorded_h, away_h, .. } = hour.sum;
+        let CellSum { events, recorded_h, away_h, .. } = hour.sum;
         let line =
             format!("{name:10}  {events:>8}  {recorded_h:>10.1}  {away_h:>6.1}  {density:>18}  {}", "█".repeat(bar));
         writeln!(f, "{}", line.trim_end())?;
@@ -137,9 +137,9 @@ fn by_hour(f: &mut fmt::Formatter, map: &Map) -> fmt::Result {
     Ok(())
 }
 
-fn row(f: &mut fmt::Formatter, name: &str, width: usize, sum: &Sum) -> fmt::Result {
+fn row(f: &mut fmt::Formatter, name: &str, width: usize, sum: &CellSum) -> fmt::Result {
     let density = sum.density_per_h.map_or("-".into(), |density| format!("{density:.1}"));
-    let Sum { events, recorded_h, away_h, .. } = sum;
+    let CellSum { events, recorded_h, away_h, .. } = sum;
     writeln!(f, "{name:width$}  {events:>8}  {recorded_h:>10.1}  {away_h:>6.1}  {density:>18}")
 }
 

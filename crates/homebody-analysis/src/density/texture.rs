@@ -40,7 +40,7 @@ pub fn level(density: f64, step_per_h: f64) -> usize {
 
 impl Texture {
     /// Of levels by day and hour; none where no two neighbours are known.
-    pub fn of<Row: AsRef<[Option<usize>]>>(days: &[Row]) -> Option<Texture> {
+    pub fn from_levels<Row: AsRef<[Option<usize>]>>(days: &[Row]) -> Option<Texture> {
         let hours = days.iter().flat_map(|day| day.as_ref().windows(2).map(|pair| (pair[0], pair[1])));
         let next_days =
             days.windows(2).flat_map(|pair| pair[0].as_ref().iter().copied().zip(pair[1].as_ref().iter().copied()));
@@ -76,7 +76,7 @@ mod tests {
     #[test]
     fn three_days_of_three_hours() {
         let days = [[0, 0, 1], [0, 2, 1], [2, 2, 1]].map(|day| day.map(Some));
-        let texture = Texture::of(&days).unwrap();
+        let texture = Texture::from_levels(&days).unwrap();
         assert_eq!(texture.pairs, 12);
         close(texture.homogeneity, (6.0 + 3.0 / 2.0 + 3.0 / 3.0) / 12.0);
         close(texture.contrast, (3.0 + 3.0 * 4.0) / 12.0);
@@ -86,16 +86,16 @@ mod tests {
 
     #[test]
     fn all_alike_has_no_texture() {
-        let texture = Texture::of(&[[Some(3); 24]; 5]).unwrap();
+        let texture = Texture::from_levels(&[[Some(3); 24]; 5]).unwrap();
         assert_eq!((texture.homogeneity, texture.contrast, texture.entropy), (1.0, 0.0, 0.0));
         assert_eq!(texture.pairs, 5 * 23 + 4 * 24);
     }
 
     #[test]
     fn what_is_not_known_is_nobodys_neighbour() {
-        assert_eq!(Texture::of(&[[Some(1), None, Some(5)]]), None);
-        assert_eq!(Texture::of::<[Option<usize>; 24]>(&[]), None);
-        let texture = Texture::of(&[[Some(1), Some(1)], [None, Some(2)]]).unwrap();
+        assert_eq!(Texture::from_levels(&[[Some(1), None, Some(5)]]), None);
+        assert_eq!(Texture::from_levels::<[Option<usize>; 24]>(&[]), None);
+        let texture = Texture::from_levels(&[[Some(1), Some(1)], [None, Some(2)]]).unwrap();
         assert_eq!((texture.pairs, texture.contrast), (2, 0.5));
     }
 

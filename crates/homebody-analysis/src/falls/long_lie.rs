@@ -8,8 +8,8 @@
 //!
 //! Left out: learning how long somebody keeps still at which hour and in which room.
 
-use super::heard::{Heard, HeardAt};
-use homebody_core::time::{Micros, micros};
+use super::passive::{PassiveMeaning, PassiveMessage};
+use homebody_core::time::{RunTime, Span};
 use serde::{Deserialize, Serialize};
 
 /// When a lie is long.
@@ -34,25 +34,25 @@ impl Default for LongLieRule {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct LongLie {
     /// The last movement.
-    pub since: Micros,
+    pub since: RunTime,
     /// When it had been quiet for long enough.
-    pub alarm_at: Micros,
+    pub alarm_at: RunTime,
 }
 
 /// The long lies in messages that are in order of time, until an instant.
-pub fn long_lies(rule: &LongLieRule, heard: &[HeardAt], until: Micros) -> Vec<LongLie> {
-    let (quiet, leaves) = (micros(rule.quiet_s), micros(rule.leaves_s));
+pub fn long_lies(rule: &LongLieRule, heard: &[PassiveMessage], until: RunTime) -> Vec<LongLie> {
+    let [quiet, leaves] = [rule.quiet_s, rule.leaves_s].map(Span::from_seconds);
     let mut lies = Vec::new();
-    let (mut rests_since, mut is_felt) = (None::<Micros>, false);
-    for (index, &HeardAt { at, heard: message }) in heard.iter().enumerate() {
+    let (mut rests_since, mut is_felt) = (None::<RunTime>, false);
+    for (index, &PassiveMessage { at, heard: message }) in heard.iter().enumerate() {
         match message {
-            Heard::Rests => is_felt = true,
-            Heard::Rises => is_felt = false,
-            Heard::Moved { at_rest: false } if rests_since.is_none_or(|since| at - since >= leaves) => {
+            PassiveMeaning::Rests => is_felt = true,
+            PassiveMeaning::Rises => is_felt = false,
+            PassiveMeaning::Moved { at_rest: false } if rests_since.is_none_or(|since| at - since >= leaves) => {
                 rests_since = None
             }
-            Heard::Moved { at_rest: false } => {}
-            Heard::Moved { at_rest: true } | Heard::Door => rests_since = Some(at),
+            PassiveMeaning::Moved { at_rest: false } => {}
+            PassiveMeaning::Moved { at_rest: true } | PassiveMeaning::Door => rests_since = Some(at),
         }
         let next = heard.get(index + 1).map_or(until, |next| next.at.min(until));
         if rests_since.is_none() && !is_felt && next - at >= quiet {
@@ -69,13 +69,14 @@ mod tests {
 
     const NEVER: [i64; 0] = [];
 
-    const MOVED: Heard = Heard::Moved { at_rest: false };
-    const STIRRED: Heard = Heard::Moved { at_rest: true };
+    const MOVED: PassiveMeaning = PassiveMeaning::Moved { at_rest: false };
+    const STIRRED: PassiveMeaning = PassiveMeaning::Moved { at_rest: true };
 
-    fn alarms(heard: &[(i64, Heard)], until_s: i64) -> Vec<i64> {
-        let heard: Vec<HeardAt> = heard.iter().map(|&(at, heard)| HeardAt { at: at * SECOND, heard }).collect();
-        let lies = long_lies(&LongLieRule::default(), &heard, until_s * SECOND);
-        lies.into_iter().map(|lie| lie.alarm_at / SECOND).collect()
+    fn alarms(heard: &[(i64, PassiveMeaning)], until_s: i64) -> Vec<i64> {
+        let at = |seconds: i64| RunTime::START + seconds * SECOND;
+        let heard: Vec<PassiveMessage> = heard.iter().map(|&(s, heard)| PassiveMessage { at: at(s), heard }).collect();
+        let lies = long_lies(&LongLieRule::default(), &heard, at(until_s));
+        lies.into_iter().map(|lie| lie.alarm_at.since_zero() / SECOND).collect()
     }
 
     #[test]
@@ -91,8 +92,8 @@ mod tests {
         // The room's sensor sees who stirs on the seat.
         assert_eq!(alarms(&[(0, MOVED), (8, STIRRED), (9, MOVED)], 3600), NEVER);
         assert_eq!(alarms(&[(0, STIRRED), (20, MOVED)], 3600), [1220]);
-        assert_eq!(alarms(&[(0, MOVED), (8, Heard::Door)], 3600), NEVER);
-        assert_eq!(alarms(&[(0, MOVED), (8, Heard::Rests)], 3600), NEVER);
-        assert_eq!(alarms(&[(0, Heard::Rests), (8, Heard::Rises)], 3600), [1208]);
+        assert_eq!(alarms(&[(0, MOVED), (8, PassiveMeaning::Door)], 3600), NEVER);
+        assert_eq!(alarms(&[(0, MOVED), (8, PassiveMeaning::Rests)], 3600), NEVER);
+        assert_eq!(alarms(&[(0, PassiveMeaning::Rests), (8, PassiveMeaning::Rises)], 3600), [1208]);
     }
 }

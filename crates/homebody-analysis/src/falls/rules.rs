@@ -2,7 +2,7 @@
 //!
 //! The numbers are ours. Those of Anderson et al. 2009 were made with nurses and are not published whole.
 
-use super::Shape;
+use super::BodyShape;
 use homebody_core::fuzzy::Fuzzy;
 use homebody_core::problem::{Problem, Problems};
 use serde::{Deserialize, Serialize};
@@ -11,7 +11,7 @@ use std::collections::BTreeMap;
 /// How somebody is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
-pub enum State {
+pub enum FallState {
     /// On the feet.
     Upright,
     /// Sitting, kneeling, bending, or lying on a bed.
@@ -33,19 +33,19 @@ pub struct Memberships {
 
 impl Memberships {
     /// How far somebody is in a state.
-    pub fn of(&self, state: State) -> f64 {
+    pub fn membership(&self, state: FallState) -> f64 {
         match state {
-            State::Upright => self.upright,
-            State::InBetween => self.in_between,
-            State::OnTheGround => self.on_the_ground,
+            FallState::Upright => self.upright,
+            FallState::InBetween => self.in_between,
+            FallState::OnTheGround => self.on_the_ground,
         }
     }
 
-    fn of_mut(&mut self, state: State) -> &mut f64 {
+    fn of_mut(&mut self, state: FallState) -> &mut f64 {
         match state {
-            State::Upright => &mut self.upright,
-            State::InBetween => &mut self.in_between,
-            State::OnTheGround => &mut self.on_the_ground,
+            FallState::Upright => &mut self.upright,
+            FallState::InBetween => &mut self.in_between,
+            FallState::OnTheGround => &mut self.on_the_ground,
         }
     }
 }
@@ -70,7 +70,7 @@ impl Feature {
         serde_json::to_value(self).ok().and_then(|name| name.as_str().map(str::to_owned)).unwrap_or_default()
     }
 
-    fn of(self, shape: &Shape) -> f64 {
+    fn value(self, shape: &BodyShape) -> f64 {
         match self {
             Feature::CentroidUpM => shape.centroid_up_m,
             Feature::HeightM => shape.height_m,
@@ -85,7 +85,7 @@ impl Feature {
 #[serde(deny_unknown_fields)]
 pub struct StateRule {
     /// The state that follows.
-    pub state: State,
+    pub state: FallState,
     /// What has to be so: of each feature, one of its terms. The least of them is how far the rule holds.
     #[serde(rename = "if")]
     pub conditions: BTreeMap<Feature, String>,
@@ -111,7 +111,7 @@ pub struct FallRule {
 #[serde(deny_unknown_fields)]
 pub struct Before {
     /// The state.
-    pub state: State,
+    pub state: FallState,
     /// How many seconds earlier at most.
     pub within_s: f64,
 }
@@ -250,12 +250,12 @@ impl FallRules {
     }
 
     /// How far somebody of this shape is in each state.
-    pub fn memberships(&self, shape: &Shape) -> Memberships {
+    pub fn memberships(&self, shape: &BodyShape) -> Memberships {
         let mut memberships = Memberships::default();
         for rule in &self.states {
             let holds = |(feature, term): (&Feature, &String)| {
                 let [low, from, to, high] = self.terms[feature][term];
-                Fuzzy { low, from, to, high }.agreement(feature.of(shape))
+                Fuzzy { low, from, to, high }.agreement(feature.value(shape))
             };
             let least = rule.conditions.iter().map(holds).fold(1.0, f64::min);
             let state = memberships.of_mut(rule.state);
@@ -270,8 +270,8 @@ mod tests {
     use super::*;
     use serde_json::json;
 
-    fn shape(centroid_up_m: f64, height_m: f64, tilt_deg: f64, volume_l: f64) -> Shape {
-        Shape { centroid_up_m, height_m, tilt_deg, volume_l, at_m: [0.0, 0.0] }
+    fn shape(centroid_up_m: f64, height_m: f64, tilt_deg: f64, volume_l: f64) -> BodyShape {
+        BodyShape { centroid_up_m, height_m, tilt_deg, volume_l, at_m: [0.0, 0.0] }
     }
 
     #[test]

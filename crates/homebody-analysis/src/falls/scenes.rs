@@ -4,24 +4,24 @@
 //!
 //! Where two cameras agree on somebody the voxel person counts; otherwise the first camera that sees somebody tells of them alone.
 
-use super::rules::{FallRules, Memberships, State};
+use super::rules::{FallRules, FallState, Memberships};
 use super::voxels::VoxelSpace;
-use super::watch::{Fall, Watch};
-use super::{Shape, ShapeAt, single};
+use super::watch::{Fall, FallWatch};
+use super::{BodyShape, ShapeAt, single};
 use homebody_core::body::figure::Point3;
 use homebody_core::body::ground::Ground;
 use homebody_core::camera::lens::Lens;
+use homebody_core::camera::outlook::Outlook;
 use homebody_core::camera::silhouette::Silhouette;
-use homebody_core::home::outlook::outlook;
-use homebody_core::home::plan::Plan;
-use homebody_core::time::Micros;
+use homebody_core::plan::Plan;
+use homebody_core::time::RunTime;
 use std::sync::Arc;
 
 /// A picture of one of the cameras.
 #[derive(Clone, Debug)]
-pub struct Seen {
+pub struct CameraPicture {
     /// When it was taken.
-    pub at: Micros,
+    pub at: RunTime,
     /// Which camera took it.
     pub camera: usize,
     /// The picture.
@@ -31,17 +31,17 @@ pub struct Seen {
 /// Pixels below which a part of a silhouette is noise (our choice).
 const SPECK_PX: usize = 6;
 
-impl Seen {
-    fn without_specks(&self) -> Seen {
-        Seen { at: self.at, camera: self.camera, silhouette: self.silhouette.without_specks(SPECK_PX) }
+impl CameraPicture {
+    fn without_specks(&self) -> CameraPicture {
+        CameraPicture { at: self.at, camera: self.camera, silhouette: self.silhouette.without_specks(SPECK_PX) }
     }
 }
 
 /// Somebody in a room, as the pictures of an instant tell it.
 #[derive(Clone, Debug)]
-pub struct Person {
+pub struct SeenPerson {
     /// What their body is like.
-    pub shape: Shape,
+    pub shape: BodyShape,
     /// How far they are upright, in between and on the ground.
     pub memberships: Memberships,
     /// The middles of the cubes that two cameras or more agree on; none where one camera alone tells of them.
@@ -52,35 +52,35 @@ pub struct Person {
 #[derive(Clone)]
 pub struct Scenes<'r> {
     rules: &'r FallRules,
-    scenes: Vec<Scene<'r>>,
-    at: Micros,
+    scenes: Vec<RoomScene<'r>>,
+    at: RunTime,
     /// How many instants two cameras or more agreed on.
     pub voxel_persons: u64,
 }
 
 /// Somebody was seen.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Sighting {
+pub struct CameraSighting {
     /// When.
-    pub at: Micros,
+    pub at: RunTime,
     /// How they were held to be.
-    pub state: State,
+    pub state: FallState,
 }
 
 /// The cameras of one room.
 #[derive(Clone)]
-struct Scene<'r> {
+struct RoomScene<'r> {
     /// Their numbers among all cameras.
     cameras: Vec<usize>,
     lenses: Vec<Lens>,
     /// The same in all copies.
     space: Arc<VoxelSpace>,
     ground: Arc<Ground>,
-    watch: Watch<'r>,
+    watch: FallWatch<'r>,
     /// Pictures of the present instant, by camera of the scene.
-    now: Vec<Option<Seen>>,
+    now: Vec<Option<CameraPicture>>,
     /// When somebody was last seen.
-    seen_at: Micros,
+    seen_at: RunTime,
 }
 
 impl<'r> Scenes<'r> {
@@ -94,25 +94,25 @@ impl<'r> Scenes<'r> {
                 None => groups.push(vec![camera]),
             }
         }
-        let ground = Arc::new(outlook(plan).ground);
+        let ground = Arc::new(Outlook::new(plan).ground);
         let scene = |cameras: Vec<usize>| {
             let lenses: Vec<Lens> = cameras.iter().map(|&camera| lenses[camera]).collect();
             let space = Arc::new(VoxelSpace::new(plan, &lenses));
-            Scene {
+            RoomScene {
                 ground: ground.clone(),
                 now: vec![None; cameras.len()],
                 cameras,
                 lenses,
                 space,
-                watch: Watch::new(rules),
-                seen_at: Micros::MIN,
+                watch: FallWatch::new(rules),
+                seen_at: RunTime::MIN,
             }
         };
-        Scenes { rules, scenes: groups.into_iter().map(scene).collect(), at: Micros::MIN, voxel_persons: 0 }
+        Scenes { rules, scenes: groups.into_iter().map(scene).collect(), at: RunTime::MIN, voxel_persons: 0 }
     }
 
     /// The next picture; what was found in those of the instant before it.
-    pub fn next(&mut self, seen: Seen) -> Vec<Fall> {
+    pub fn next(&mut self, seen: CameraPicture) -> Vec<Fall> {
         let seen = seen.without_specks();
         let found = if seen.at == self.at { Vec::new() } else { self.look() };
         self.at = seen.at;
@@ -126,19 +126,19 @@ impl<'r> Scenes<'r> {
     }
 
     /// When somebody was seen last, by the cameras of whichever room, and how they are held to be.
-    pub fn last_sighting(&self) -> Option<Sighting> {
+    pub fn last_sighting(&self) -> Option<CameraSighting> {
         let scene = self.scenes.iter().max_by_key(|scene| scene.seen_at)?;
-        Some(Sighting { at: scene.seen_at, state: scene.watch.state()? })
+        Some(CameraSighting { at: scene.seen_at, state: scene.watch.state()? })
     }
 
     /// Who is in which room by the pictures of one instant, looked at by themselves: what was before is not asked.
-    pub fn persons(&self, seen: &[Seen]) -> Vec<Person> {
-        let seen: Vec<Seen> = seen.iter().map(Seen::without_specks).collect();
-        let person = |scene: &Scene| {
+    pub fn persons(&self, seen: &[CameraPicture]) -> Vec<SeenPerson> {
+        let seen: Vec<CameraPicture> = seen.iter().map(CameraPicture::without_specks).collect();
+        let person = |scene: &RoomScene| {
             let of_camera = |camera: &usize| seen.iter().find(|seen| seen.camera == *camera);
-            let now: Vec<Option<&Seen>> = scene.cameras.iter().map(of_camera).collect();
+            let now: Vec<Option<&CameraPicture>> = scene.cameras.iter().map(of_camera).collect();
             let (shape, cubes) = scene.shape(&now)?;
-            Some(Person { shape, memberships: self.rules.memberships(&shape), cubes })
+            Some(SeenPerson { shape, memberships: self.rules.memberships(&shape), cubes })
         };
         self.scenes.iter().filter_map(person).collect()
     }
@@ -150,11 +150,11 @@ impl<'r> Scenes<'r> {
     }
 }
 
-impl Scene<'_> {
+impl RoomScene<'_> {
     /// Looks at the pictures of an instant, and forgets them.
     fn look(&mut self, persons: &mut u64) -> Option<Fall> {
         let at = self.now.iter().flatten().next()?.at;
-        let now: Vec<Option<&Seen>> = self.now.iter().map(Option::as_ref).collect();
+        let now: Vec<Option<&CameraPicture>> = self.now.iter().map(Option::as_ref).collect();
         let found = self.shape(&now);
         self.now.iter_mut().for_each(|seen| *seen = None);
         let (shape, cubes) = found?;
@@ -164,7 +164,7 @@ impl Scene<'_> {
     }
 
     /// What somebody's body is like by the pictures of an instant, and the cubes that this was told by.
-    fn shape(&self, now: &[Option<&Seen>]) -> Option<(Shape, Vec<Point3>)> {
+    fn shape(&self, now: &[Option<&CameraPicture>]) -> Option<(BodyShape, Vec<Point3>)> {
         let pictures: Vec<_> = now.iter().map(|seen| seen.map(|seen| &seen.silhouette)).collect();
         if let Some(person) = self.space.person(&pictures) {
             return Some(person);

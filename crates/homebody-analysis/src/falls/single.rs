@@ -11,7 +11,7 @@
 //!
 //! Nobody lies on the floor where a seat or a bed is. Left out: how high those are who sit or lie there.
 
-use super::Shape;
+use super::BodyShape;
 use homebody_core::body::figure::Point3;
 use homebody_core::body::ground::{Ground, HIGHEST_SUPPORT_M};
 use homebody_core::camera::lens::Lens;
@@ -35,7 +35,7 @@ const SHORT_M: Fuzzy = Fuzzy { low: 0.0, from: 0.0, to: 1.9, high: 2.4 };
 const LYING_M: f64 = 0.3;
 
 /// What somebody's body is like by one silhouette; None where nobody is seen, or they stand beyond the horizon.
-pub fn shape(lens: &Lens, silhouette: &Silhouette, ground: &Ground) -> Option<Shape> {
+pub fn shape(lens: &Lens, silhouette: &Silhouette, ground: &Ground) -> Option<BodyShape> {
     let features = silhouette.features()?;
     let [left, top, right, bottom] = features.box_px.map(f64::from);
     let middle = features.centroid_px[0];
@@ -66,7 +66,7 @@ pub fn shape(lens: &Lens, silhouette: &Silhouette, ground: &Ground) -> Option<Sh
     let centroid_up_m = between(height_of(features.centroid_px[1]), LYING_M / 2.0);
     let area_m2 = f64::from(features.area_px) * scale * scale;
     let volume_l = area_m2 * DEEP * wide_m.min(0.5) * 1000.0;
-    (distance_m > 0.0).then_some(Shape { centroid_up_m, height_m, tilt_deg, volume_l, at_m: [foot.x, foot.y] })
+    (distance_m > 0.0).then_some(BodyShape { centroid_up_m, height_m, tilt_deg, volume_l, at_m: [foot.x, foot.y] })
 }
 
 /// The angle in the picture between the longest extent and what is upright above a place, in degrees: 0 upright, 90 across.
@@ -124,7 +124,7 @@ mod tests {
         let lens = Lens::new(Point3::new(0.0, 0.0, 2.3), 0.0, 0.5, 1.3, [160, 120]);
         let build = Stature { radius_m: 0.2, height_m: 1.65 };
         let seen = |stance| {
-            let joints = Joints::of(stance, build.height_m, 0.0).at(Point::new(3.0, 0.4), 1.6);
+            let joints = Joints::new(stance, build.height_m, 0.0).at(Point::new(3.0, 0.4), 1.6);
             let mut picture = Silhouette::new(160, 120);
             paint(&person(&build, &joints), &lens, &Scenery::new(&lens, &[]), &mut picture);
             shape(&lens, &picture, &Ground::floor()).unwrap()
@@ -145,7 +145,7 @@ mod tests {
         let build = Stature { radius_m: 0.2, height_m: 1.65 };
         for lens in [near, far] {
             let low = |stance, facing: f64| {
-                let joints = Joints::of(stance, build.height_m, 0.0).at(Point::new(1.1, 1.1), facing);
+                let joints = Joints::new(stance, build.height_m, 0.0).at(Point::new(1.1, 1.1), facing);
                 let mut picture = Silhouette::new(160, 120);
                 paint(&person(&build, &joints), &lens, &Scenery::new(&lens, &[]), &mut picture);
                 shape(&lens, &picture, &Ground::floor()).unwrap().height_m < 0.7
@@ -166,7 +166,7 @@ mod tests {
         let (at, half) = (Point::new(2.2, 2.0), Point::new(1.0, 0.45));
         let outline = [(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)].map(|(x, y)| at + Point::new(x, y) * half);
         let bed = Ground::floor().and_support(outline.to_vec(), 0.5);
-        let joints = Joints::of(Stance::Lying, 1.65, 0.5).at(at, 0.0);
+        let joints = Joints::new(Stance::Lying, 1.65, 0.5).at(at, 0.0);
         let mut picture = Silhouette::new(160, 120);
         paint(
             &person(&Stature { radius_m: 0.2, height_m: 1.65 }, &joints),

@@ -7,14 +7,14 @@
 //!
 //! Left out: carving by cubes that are in part a body's.
 
-use super::Shape;
+use super::BodyShape;
 use homebody_core::body::figure::Point3;
 use homebody_core::camera::lens::Lens;
+use homebody_core::camera::outlook::Outlook;
 use homebody_core::camera::scenery::{Prism, Scenery};
 use homebody_core::camera::silhouette::Silhouette;
 use homebody_core::geometry::Point;
-use homebody_core::home::outlook::outlook;
-use homebody_core::home::plan::Plan;
+use homebody_core::plan::Plan;
 
 /// Side of a cube, in metres (our choice). Anderson et al. had an inch, which takes eight times as long and shows no
 /// more in 160 by 120 pixels.
@@ -48,7 +48,7 @@ pub struct VoxelSpace {
 impl VoxelSpace {
     /// The cubes in the rooms of a home that two of these cameras see.
     pub fn new(plan: &Plan, lenses: &[Lens]) -> VoxelSpace {
-        let prisms: Vec<Prism> = outlook(plan).prisms;
+        let prisms: Vec<Prism> = Outlook::new(plan).prisms;
         let sceneries: Vec<Scenery> = lenses.iter().map(|lens| Scenery::new(lens, &prisms)).collect();
         let (least, most) = plan.bounds();
         let count = |from: f64, to: f64| ((to - from) / EDGE_M).ceil() as usize;
@@ -154,7 +154,7 @@ impl VoxelSpace {
 
     /// What somebody's body is like, and the middles of its cubes; None where fewer than two cameras have a picture, or their
     /// pictures agree on nobody.
-    pub fn person(&self, pictures: &[Option<&Silhouette>]) -> Option<(Shape, Vec<Point3>)> {
+    pub fn person(&self, pictures: &[Option<&Silhouette>]) -> Option<(BodyShape, Vec<Point3>)> {
         if pictures.iter().flatten().count() < 2 {
             return None;
         }
@@ -175,7 +175,7 @@ fn pixel(lens: &Lens, scenery: &Scenery, point: Point3) -> u32 {
 }
 
 /// What a set of cubes is like; None where they are too few to be somebody.
-fn shape(cubes: &[Point3]) -> Option<Shape> {
+fn shape(cubes: &[Point3]) -> Option<BodyShape> {
     if cubes.len() < LEAST {
         return None;
     }
@@ -194,7 +194,7 @@ fn shape(cubes: &[Point3]) -> Option<Shape> {
     let mut heights: Vec<f64> = cubes.iter().map(|cube| cube.z).collect();
     heights.sort_by(f64::total_cmp);
     let top = heights[((n * BELOW_TOP) as usize).min(cubes.len() - 1)] + EDGE_M / 2.0;
-    Some(Shape {
+    Some(BodyShape {
         centroid_up_m: middle.z,
         height_m: top,
         tilt_deg: axis.z.abs().min(1.0).acos().to_degrees(),
@@ -222,7 +222,7 @@ mod tests {
     use homebody_core::body::figure::{Figure, Stature, person};
     use homebody_core::body::joints::{Joints, Stance};
     use homebody_core::camera::painter::paint;
-    use homebody_core::scenario::home::HomeFile;
+    use homebody_core::home::form::HomeFile;
     use serde_json::json;
 
     const ADULT: Stature = Stature { radius_m: 0.2, height_m: 1.65 };
@@ -240,16 +240,16 @@ mod tests {
         vec![corner(0.1, 0.1, 40.0), corner(4.9, 0.1, 140.0)]
     }
 
-    fn seen(stance: Stance, support_m: f64) -> Shape {
+    fn seen(stance: Stance, support_m: f64) -> BodyShape {
         let figure: Figure =
-            person(&ADULT, &Joints::of(stance, ADULT.height_m, support_m).at(Point::new(2.5, 2.0), 0.9));
+            person(&ADULT, &Joints::new(stance, ADULT.height_m, support_m).at(Point::new(2.5, 2.0), 0.9));
         let (plan, lenses) = (room(), lenses());
         let space = VoxelSpace::new(&plan, &lenses);
         let pictures: Vec<Silhouette> = lenses
             .iter()
             .map(|lens| {
                 let mut picture = Silhouette::new(160, 120);
-                paint(&figure, lens, &Scenery::new(lens, &outlook(&plan).prisms), &mut picture);
+                paint(&figure, lens, &Scenery::new(lens, &Outlook::new(&plan).prisms), &mut picture);
                 picture
             })
             .collect();

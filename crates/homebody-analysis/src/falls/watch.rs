@@ -6,28 +6,28 @@
 //! We assume that nothing changes for two seconds without a picture, and that nothing is known after longer.
 
 use super::ShapeAt;
-use super::rules::{FallRule, FallRules, Memberships, State};
-use homebody_core::time::{Micros, SECOND, micros, seconds};
+use super::rules::{FallRule, FallRules, FallState, Memberships};
+use homebody_core::time::{RunTime, SECOND, Span};
 use serde::Serialize;
 
 /// A state holds from here on.
 const HOLDS: f64 = 0.5;
 
 /// Longest disagreement of pictures about a person on the ground that is ignored (our choice).
-const LAPSE: Micros = SECOND;
+const LAPSE: Span = SECOND;
 
 /// Time without a picture after which the previous state is unknown (our choice).
-const GAP: Micros = 2 * SECOND;
+const GAP: Span = SECOND.times(2);
 
-const STATES: [State; 3] = [State::Upright, State::InBetween, State::OnTheGround];
+const STATES: [FallState; 3] = [FallState::Upright, FallState::InBetween, FallState::OnTheGround];
 
 /// A fall that was found.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Fall {
-    /// Since when somebody has been on the ground, in microseconds since the run's start.
-    pub at: Micros,
+    /// Since when somebody has been on the ground.
+    pub at: RunTime,
     /// When that was enough for the rule.
-    pub alarm_at: Micros,
+    pub alarm_at: RunTime,
     /// Where, in metres.
     pub at_m: [f64; 2],
     /// The rule.
@@ -50,39 +50,37 @@ impl Fall {
 
 /// Watches states as they come.
 #[derive(Clone, Debug)]
-pub struct Watch<'r> {
+pub struct FallWatch<'r> {
     rules: &'r FallRules,
-    last: Option<Micros>,
+    last: Option<RunTime>,
     /// When another state held last, by state.
-    upright_at: Option<Micros>,
-    in_between_at: Option<Micros>,
+    upright_at: Option<RunTime>,
+    in_between_at: Option<RunTime>,
     ground: Option<Lying>,
-    state: Option<State>,
+    state: Option<FallState>,
 }
 
-/// Somebody on the ground.
 #[derive(Clone, Debug)]
 struct Lying {
-    since: Micros,
-    last: Micros,
-    /// Means over its pictures.
+    since: RunTime,
+    last: RunTime,
     sum: f64,
     pictures: u32,
     /// How long before they were upright, and in between; None for not, or nobody knows.
-    upright_before: Option<Micros>,
-    in_between_before: Option<Micros>,
+    upright_before: Option<Span>,
+    in_between_before: Option<Span>,
     /// The confidence of what has been told.
     told: f64,
 }
 
-impl<'r> Watch<'r> {
+impl<'r> FallWatch<'r> {
     /// A watch by these rules.
-    pub fn new(rules: &'r FallRules) -> Watch<'r> {
-        Watch { rules, last: None, upright_at: None, in_between_at: None, ground: None, state: None }
+    pub fn new(rules: &'r FallRules) -> FallWatch<'r> {
+        FallWatch { rules, last: None, upright_at: None, in_between_at: None, ground: None, state: None }
     }
 
     /// How somebody was held to be last; None before anything was sure.
-    pub fn state(&self) -> Option<State> {
+    pub fn state(&self) -> Option<FallState> {
         self.state
     }
 
@@ -94,22 +92,23 @@ impl<'r> Watch<'r> {
             (self.upright_at, self.in_between_at, self.ground) = (None, None, None);
         }
         self.last = Some(at);
-        let holds = |state: State| memberships.of(state) >= HOLDS;
-        let surest = STATES.into_iter().max_by(|&a, &b| memberships.of(a).total_cmp(&memberships.of(b)));
+        let holds = |state: FallState| memberships.membership(state) >= HOLDS;
+        let surest =
+            STATES.into_iter().max_by(|&a, &b| memberships.membership(a).total_cmp(&memberships.membership(b)));
         self.state = surest.filter(|&state| holds(state)).or(self.state);
-        if holds(State::Upright) {
+        if holds(FallState::Upright) {
             self.upright_at = Some(at);
         }
-        if holds(State::InBetween) {
+        if holds(FallState::InBetween) {
             self.in_between_at = Some(at);
         }
-        if !holds(State::OnTheGround) {
+        if !holds(FallState::OnTheGround) {
             if self.ground.as_ref().is_some_and(|lying| at - lying.last > LAPSE) {
                 self.ground = None;
             }
             return None;
         }
-        let before = |then: Option<Micros>| then.map(|then| at - then);
+        let before = |then: Option<RunTime>| then.map(|then| at - then);
         let (upright_before, in_between_before) = (before(self.upright_at), before(self.in_between_at));
         let lying = self.ground.get_or_insert(Lying {
             since: at,
@@ -128,13 +127,13 @@ impl<'r> Watch<'r> {
         let applies = |rule: &&FallRule| {
             let was = rule.before.is_none_or(|before| {
                 let then = match before.state {
-                    State::Upright => lying.upright_before,
-                    State::InBetween => lying.in_between_before,
-                    State::OnTheGround => Some(0),
+                    FallState::Upright => lying.upright_before,
+                    FallState::InBetween => lying.in_between_before,
+                    FallState::OnTheGround => Some(Span::ZERO),
                 };
-                then.is_some_and(|then| then <= micros(before.within_s))
+                then.is_some_and(|then| then <= Span::from_seconds(before.within_s))
             });
-            was && seconds(lies) >= rule.lies_s
+            was && lies.seconds() >= rule.lies_s
         };
         let surest = self.rules.falls.iter().filter(applies).max_by(|a, b| a.confidence.total_cmp(&b.confidence))?;
         let confidence = surest.confidence * mean;
@@ -149,18 +148,18 @@ impl<'r> Watch<'r> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::Shape;
+    use super::super::BodyShape;
     use super::*;
 
-    fn shape(height_m: f64) -> Shape {
+    fn shape(height_m: f64) -> BodyShape {
         let (centroid_up_m, tilt_deg) = (height_m * 0.55, if height_m < 0.6 { 80.0 } else { 5.0 });
-        Shape { centroid_up_m, height_m, tilt_deg, volume_l: 100.0, at_m: [1.0, 2.0] }
+        BodyShape { centroid_up_m, height_m, tilt_deg, volume_l: 100.0, at_m: [1.0, 2.0] }
     }
 
     /// Falls that are found as a body's height goes through these numbers, five pictures a second.
     fn found(heights: &[(f64, u32)]) -> Vec<Fall> {
         let rules = FallRules::default();
-        let (mut watch, mut at, mut found) = (Watch::new(&rules), 0, Vec::new());
+        let (mut watch, mut at, mut found) = (FallWatch::new(&rules), RunTime::START, Vec::new());
         for &(height_m, pictures) in heights {
             for _ in 0..pictures {
                 found.extend(watch.next(&ShapeAt { at, shape: shape(height_m) }));
@@ -175,7 +174,8 @@ mod tests {
         let falls = found(&[(1.65, 20), (1.0, 3), (0.3, 60)]);
         assert_eq!(falls.len(), 1, "{falls:?}");
         assert_eq!((falls[0].rule.as_str(), falls[0].words()), ("sudden", "very likely a fall"));
-        assert_eq!((falls[0].at, falls[0].alarm_at), (23 * SECOND / 5, 43 * SECOND / 5));
+        let [at, alarm_at] = [23, 43].map(|pictures| RunTime::START + pictures * SECOND / 5);
+        assert_eq!((falls[0].at, falls[0].alarm_at), (at, alarm_at));
     }
 
     #[test]

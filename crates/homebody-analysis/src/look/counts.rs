@@ -1,7 +1,7 @@
 //! How many rows each sensor has on each date.
 
-use crate::dates::{MOST_DAYS, date_of};
-use homebody_core::time::{DAY, Micros};
+use crate::dates::MOST_DAYS;
+use homebody_core::time::{DAY, WallTime};
 use jiff::civil::Date;
 use std::collections::BTreeMap;
 
@@ -21,8 +21,8 @@ pub(super) struct DayCounts {
 }
 
 impl DayCounts {
-    pub fn take(&mut self, sensor: u32, at: Micros) {
-        let day = at.div_euclid(DAY);
+    pub fn take(&mut self, sensor: u32, at: WallTime) {
+        let day = at.day_number();
         if day != self.day {
             self.keep();
             self.day = day;
@@ -63,6 +63,6 @@ impl DayCounts {
         for ((day, sensor), count) in self.all {
             by_sensor[sensor as usize][(day - first) as usize] = count;
         }
-        ((first..first + days).map(|day| date_of(day * DAY)).collect(), by_sensor)
+        ((first..first + days).map(|day| (WallTime::EPOCH + day * DAY).date()).collect(), by_sensor)
     }
 }

@@ -1,6 +1,6 @@
 //! How the sensors of a log fit those of a home.
 
-use super::held::{HomeSensor, Misfit, OfHome, SensorLook, Unknown};
+use super::overview::{HomeSensor, Misfit, OfHome, SensorLook, UnlistedSensor};
 
 /// Holds the sensors of a log, which has so many rows, against those of a home.
 pub(super) fn of_home(name: &str, home: &[HomeSensor], sensors: &[SensorLook], rows: u64) -> OfHome {
@@ -23,7 +23,7 @@ pub(super) fn of_home(name: &str, home: &[HomeSensor], sensors: &[SensorLook], r
     for sensor in sensors {
         let Some(found) = find(sensor) else {
             let (id, share) = (sensor.id.clone(), sensor.rows as f64 / rows.max(1) as f64);
-            of_home.unknown.push(Unknown { id, rows: sensor.rows, share });
+            of_home.unknown.push(UnlistedSensor { id, rows: sensor.rows, share });
             continue;
         };
         heard.push(&found.name);

@@ -1,36 +1,35 @@
 //! A log that is looked at, row by row.
 
 use super::counts::DayCounts;
-use super::held::{ActivityLook, HomeSensor, Look, SensorLook, Silence};
 use super::home::of_home;
-use super::order::{MOST_WAITING, Order, Orders, Waiting};
-use super::sensor::{Course, Recorder};
+use super::order::{MOST_WAITING, OrderCounts, RowBuffer, RowOrder};
+use super::overview::{ActivityLook, HomeSensor, LogOverview, LogSilence, SensorLook};
+use super::sensor::{Recorder, SensorHistory};
 use crate::compare::natural;
-use crate::dates::{midnight, on_wall, zone_of};
-use crate::signs::{Beforehand, OwnWords, Says, Tally, is_number, says};
+use crate::dates::{on_wall, zone_of};
+use crate::signs::{Beforehand, OwnWords, Says, SensorTally, is_number, says};
 use homebody_core::sensed::domain_of;
-use homebody_core::time::{DAY, Micros, SECOND, seconds};
-use homebody_log::source::Clock;
+use homebody_core::time::{DAY, HOUR, Interval, Span, WallTime};
+use homebody_log::log::Clock;
 use homebody_log::{Activity, Event, Log};
-use jiff::Timestamp;
 use jiff::tz::TimeZone;
 use std::collections::BTreeMap;
 
 /// Shortest silence of a log (our choice).
-const SILENCE: Micros = 12 * 3600 * SECOND;
+const SILENCE: Span = HOUR.times(12);
 
 /// So many silences are listed, and so many gaps.
 const LISTED: usize = 100;
 
 /// A source of rows: hands each part of a log to a function, and returns the log without its rows.
-pub type Stream<'s, E> = dyn FnMut(&mut dyn FnMut(&Log)) -> Result<Log, E> + 's;
+pub type RowStream<'s, E> = dyn FnMut(&mut dyn FnMut(&Log)) -> Result<Log, E> + 's;
 
 /// Looks at the rows of a log, which come part by part; a second time where that shows more. Returns the log without its rows, too.
 ///
 /// # Errors
 ///
 /// Those of the stream.
-pub fn looked<E>(mut looker: Looker, stream: &mut Stream<'_, E>) -> Result<(Looker, Log), E> {
+pub fn looked<E>(mut looker: Looker, stream: &mut RowStream<'_, E>) -> Result<(Looker, Log), E> {
     let mut about = stream(&mut |part| looker.take(part))?;
     if let Some(again) = looker.again(&about) {
         looker = again;
@@ -45,19 +44,19 @@ pub struct Looker {
     is_by_own_zone: bool,
     /// By value: what it says, and the number that it is.
     values: Vec<(Says, Option<f64>)>,
-    sensors: Vec<Course>,
+    sensors: Vec<SensorHistory>,
     by_day: DayCounts,
-    first: Micros,
-    latest: Micros,
-    before: Option<Micros>,
-    orders: Orders,
+    first: WallTime,
+    latest: WallTime,
+    before: Option<WallTime>,
+    orders: OrderCounts,
     /// The rows that wait, where they are looked at in the order of time.
-    waiting: Option<Waiting>,
+    waiting: Option<RowBuffer>,
     clock: Clock,
     own: OwnWords,
-    silences: (Vec<(Micros, Micros)>, u64),
+    silences: (Vec<Interval<WallTime>>, u64),
     /// The gaps of the recorder, on the clock of the instants.
-    gaps: Vec<(Micros, Micros)>,
+    gaps: Vec<Interval<WallTime>>,
     /// Whether the recorder is one that stores states as it starts.
     restores: bool,
 }
@@ -71,10 +70,10 @@ impl Looker {
             values: Vec::new(),
             sensors: Vec::new(),
             by_day: DayCounts::default(),
-            first: Micros::MAX,
-            latest: Micros::MIN,
+            first: WallTime::MAX,
+            latest: WallTime::MIN,
             before: None,
-            orders: Orders::default(),
+            orders: OrderCounts::default(),
             waiting: None,
             clock: Clock::Local,
             own: OwnWords::default(),
@@ -94,18 +93,18 @@ impl Looker {
     fn again(&self, about: &Log) -> Option<Looker> {
         let own_zone = zone_of(about).filter(|_| self.is_by_own_zone);
         let zone = own_zone.or_else(|| self.zone.clone());
-        let own = OwnWords::of(about);
+        let own = OwnWords::from_log(about);
         let is_sorted = self.waiting.is_some() || !self.is_to_sort(about);
         if is_sorted && zone == self.zone && own.is_empty() {
             return None;
         }
-        let waiting = self.is_to_sort(about).then(Waiting::default);
+        let waiting = self.is_to_sort(about).then(RowBuffer::default);
         Some(Looker { waiting, own, ..Looker::new(zone) })
     }
 
     /// Whether its rows are out of order, and few enough to be put right.
     fn is_to_sort(&self, about: &Log) -> bool {
-        self.orders.of(about.sensors.len()) != Order::OfTime && about.rows <= MOST_WAITING
+        self.orders.order(about.sensors.len()) != RowOrder::OfTime && about.rows <= MOST_WAITING
     }
 
     /// Takes the rows of a part; its sensors and values are all that have come so far.
@@ -117,7 +116,7 @@ impl Looker {
         self.values.extend(part.values[self.values.len()..].iter().map(|value| (says(value), number(value))));
         // Home Assistant is such a recorder: its ids begin with their domain.
         self.restores |= part.sensors[self.sensors.len()..].iter().any(|id| domain_of(id).is_some());
-        self.sensors.resize(part.sensors.len(), Course::default());
+        self.sensors.resize(part.sensors.len(), SensorHistory::default());
         self.take_gaps(part);
         self.clock = part.clock;
         for event in &part.events {
@@ -135,12 +134,11 @@ impl Looker {
 
     fn take_gaps(&mut self, part: &Log) {
         let new = part.gaps[self.gaps.len()..].iter();
-        let new: Vec<(Micros, Micros)> =
-            new.map(|&(begin, end)| (self.told(begin, part.clock), self.told(end, part.clock))).collect();
+        let new: Vec<Interval<WallTime>> = new.map(|gap| gap.map(|at| self.on_wall(at, part.clock))).collect();
         self.gaps.extend(new);
     }
 
-    fn told(&self, at: Micros, clock: Clock) -> Micros {
+    fn on_wall(&self, at: WallTime, clock: Clock) -> WallTime {
         match &self.zone {
             Some(zone) if clock == Clock::Utc => on_wall(at, zone),
             _ => at,
@@ -148,11 +146,13 @@ impl Looker {
     }
 
     fn row(&mut self, event: &Event) {
-        let at = self.told(event.at, self.clock);
-        if let Some(before) = self.before.filter(|&before| at - before >= SILENCE && !self.has_gap(before, at)) {
+        let at = self.on_wall(event.at, self.clock);
+        if let Some(before) =
+            self.before.filter(|&before| at - before >= SILENCE && !self.has_gap(Interval::new(before, at)))
+        {
             self.silences.1 += 1;
             if self.silences.0.len() < LISTED {
-                self.silences.0.push((before, at));
+                self.silences.0.push(Interval::new(before, at));
             }
         }
         self.before = Some(at);
@@ -166,10 +166,10 @@ impl Looker {
     }
 
     /// Whether the recorder did not run for most of the time between two instants.
-    fn has_gap(&self, from: Micros, to: Micros) -> bool {
-        let gaps = &self.gaps[self.gaps.partition_point(|gap| gap.1 <= from)..];
-        let gaps = gaps.iter().take_while(|gap| gap.0 < to);
-        2 * gaps.map(|gap| gap.1.min(to) - gap.0.max(from)).sum::<Micros>() > to - from
+    fn has_gap(&self, span: Interval<WallTime>) -> bool {
+        let gaps = &self.gaps[self.gaps.partition_point(|gap| gap.end <= span.begin)..];
+        let gaps = gaps.iter().take_while(|gap| gap.begin < span.end);
+        2 * gaps.map(|gap| gap.overlap(span)).sum::<Span>() > span.length()
     }
 
     /// What the log holds. `about` is what is left of it once all rows have been taken; `named` finds another name of a sensor.
@@ -180,14 +180,14 @@ impl Looker {
         about: &Log,
         named: &dyn Fn(&str) -> Option<String>,
         home: Option<(&str, &[HomeSensor])>,
-    ) -> Look {
+    ) -> LogOverview {
         // A gap after the last row comes with no part.
         self.take_gaps(about);
-        while let Some(event) = self.waiting.as_mut().and_then(Waiting::first) {
+        while let Some(event) = self.waiting.as_mut().and_then(RowBuffer::first) {
             self.row(&event);
         }
         let clock = if self.zone.is_some() { Clock::Local } else { about.clock };
-        let text = |at: Micros| told(at, clock);
+        let text = |at: WallTime| instant_text(at, clock);
         let (first, last) = match about.rows {
             // The end of a label is behind the row that it is of.
             0 => self.of_activities(about),
@@ -195,8 +195,8 @@ impl Looker {
         };
         let (days, by_day) = std::mem::take(&mut self.by_day).finish(about.sensors.len());
         let mut sensors: Vec<SensorLook> = Vec::new();
-        let tallies: Vec<&Tally> = self.sensors.iter().map(|course| &course.tally).collect();
-        let taken = Beforehand::of(about).taken(&tallies);
+        let tallies: Vec<&SensorTally> = self.sensors.iter().map(|course| &course.tally).collect();
+        let taken = Beforehand::from_log(about).taken(&tallies);
         for (index, ((id, course), taken)) in about.sensors.iter().zip(&self.sensors).zip(taken).enumerate() {
             let by_day = by_day.get(index).cloned().unwrap_or_default();
             sensors.push(course.look((id, taken), named(id), &about.values, by_day, self.latest, &text));
@@ -205,29 +205,29 @@ impl Looker {
         sensors.sort_by_cached_key(|sensor| {
             natural(&sensor.id).into_iter().map(|(size, part)| (size, part.to_owned())).collect::<Vec<_>>()
         });
-        let order = self.orders.of(about.sensors.len());
+        let order = self.orders.order(about.sensors.len());
         let of_order = order.remark(self.waiting.is_some());
         let (set_back, set_back_most) = match order {
-            Order::NewestFirst | Order::BySensor => (0, 0),
-            Order::OfTime | Order::Another => self.orders.set_back(),
+            RowOrder::NewestFirst | RowOrder::BySensor => (0, Span::ZERO),
+            RowOrder::OfTime | RowOrder::Another => self.orders.set_back(),
         };
-        let own = OwnWords::of(about);
+        let own = OwnWords::from_log(about);
         let not_understood = own.not_understood().iter().cloned();
         let sum = |of: fn(&SensorLook) -> u64| sensors.iter().map(of).sum();
-        let first_midnight = days.first().map_or(0, |day| midnight(*day));
-        let in_days = |at: Micros| (at - first_midnight) as f64 / DAY as f64;
-        let silence = |&(from, to): &(Micros, Micros)| Silence {
-            from: text(from),
-            to: text(to),
-            hours: seconds(to - from) / 3600.0,
-            at_days: [in_days(from), in_days(to)],
+        let first_midnight = days.first().map_or(WallTime::EPOCH, |day| WallTime::midnight(*day));
+        let in_days = |at: WallTime| (at - first_midnight).ratio(DAY);
+        let silence = |silence: &Interval<WallTime>| LogSilence {
+            from: text(silence.begin),
+            to: text(silence.end),
+            hours: silence.length().seconds() / 3600.0,
+            at_days: [in_days(silence.begin), in_days(silence.end)],
         };
-        Look {
+        LogOverview {
             name: name.to_owned(),
             form: form.to_owned(),
             rows: about.rows,
-            first: first.filter(|&at| at != Micros::MAX).map(text),
-            last: last.filter(|&at| at != Micros::MIN).map(text),
+            first: first.filter(|&at| at != WallTime::MAX).map(text),
+            last: last.filter(|&at| at != WallTime::MIN).map(text),
             clock,
             days,
             columns: about.columns.clone(),
@@ -237,7 +237,7 @@ impl Looker {
             sensors,
             activities: activities(&about.activities),
             set_back,
-            set_back_most_s: seconds(set_back_most),
+            set_back_most_s: set_back_most.seconds(),
             silences: self.silences.0.iter().map(silence).collect(),
             silences_in_all: self.silences.1,
             gaps: self.gaps.iter().take(LISTED).map(silence).collect(),
@@ -252,31 +252,29 @@ impl Looker {
 }
 
 impl Looker {
-    /// From when to when there are activities.
-    fn of_activities(&self, about: &Log) -> (Option<Micros>, Option<Micros>) {
-        let told = |at: Micros| self.told(at, about.clock);
+    fn of_activities(&self, about: &Log) -> (Option<WallTime>, Option<WallTime>) {
+        let told = |at: WallTime| self.on_wall(at, about.clock);
         let begins = about.activities.iter().map(|of| told(of.begin));
         (begins.min(), about.activities.iter().map(|of| told(of.end)).max())
     }
 }
 
 /// An instant as people read it: `2009-03-02 07:12:03`, with a fraction where it has one, and a Z in UTC.
-fn told(at: Micros, clock: Clock) -> String {
-    let at = Timestamp::from_microsecond(at).unwrap_or(if at < 0 { Timestamp::MIN } else { Timestamp::MAX });
+fn instant_text(at: WallTime, clock: Clock) -> String {
     let zone = if clock == Clock::Utc { "Z" } else { "" };
-    at.strftime("%Y-%m-%d %H:%M:%S%.f").to_string() + zone
+    at.as_of_utc().timestamp().strftime("%Y-%m-%d %H:%M:%S%.f").to_string() + zone
 }
 
 fn activities(all: &[Activity]) -> Vec<ActivityLook> {
-    let mut by_label: BTreeMap<&str, (u64, Micros)> = BTreeMap::new();
+    let mut by_label: BTreeMap<&str, (u64, Span)> = BTreeMap::new();
     for Activity { name, begin, end } in all {
         let (times, length) = by_label.entry(name).or_default();
-        (*times, *length) = (*times + 1, length.saturating_add(end - begin));
+        (*times, *length) = (*times + 1, length.saturating_add(*end - *begin));
     }
-    let look = |(label, (times, length)): (&str, (u64, Micros))| ActivityLook {
+    let look = |(label, (times, length)): (&str, (u64, Span))| ActivityLook {
         label: label.to_owned(),
         times,
-        hours: seconds(length) / 3600.0,
+        hours: length.seconds() / 3600.0,
     };
     by_label.into_iter().map(look).collect()
 }

@@ -1,19 +1,19 @@
 //! The order of a log's rows: that of time, the newest first, or sensor by sensor.
 
-use homebody_core::time::{Micros, SECOND};
+use homebody_core::time::{HOUR, Span, WallTime};
 use homebody_log::Event;
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 
 /// Largest change of a clock that is set back (our choice).
-const SET_BACK: Micros = 3 * 3600 * SECOND;
+const SET_BACK: Span = HOUR.times(3);
 
 /// Largest number of rows that are put into order (our choice): they take 24 MB.
 pub(super) const MOST_WAITING: u64 = 1 << 20;
 
 /// The order of rows.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Order {
+pub(super) enum RowOrder {
     /// That of time, but for clocks that were set back.
     OfTime,
     NewestFirst,
@@ -22,14 +22,14 @@ pub(super) enum Order {
     Another,
 }
 
-impl Order {
+impl RowOrder {
     /// A sentence on a log that has this order, and whether it was put into that of time.
     pub fn remark(self, is_put_right: bool) -> Option<String> {
         let order = match self {
-            Order::OfTime => return None,
-            Order::NewestFirst => "its newest rows come first",
-            Order::BySensor => "its rows come sensor by sensor",
-            Order::Another => "its rows are out of the order of time",
+            RowOrder::OfTime => return None,
+            RowOrder::NewestFirst => "its newest rows come first",
+            RowOrder::BySensor => "its rows come sensor by sensor",
+            RowOrder::Another => "its rows are out of the order of time",
         };
         Some(match is_put_right {
             true => format!("{order}: silences, missing rows and what is stuck are found in the order of time"),
@@ -42,21 +42,21 @@ impl Order {
 
 /// Counts that show the order, taken row by row.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Orders {
-    last: Option<(Micros, u32)>,
-    first: Micros,
+pub(super) struct OrderCounts {
+    last: Option<(WallTime, u32)>,
+    first: WallTime,
     forward: u64,
     back: u64,
     /// How often a row is earlier than the one before it, which is of the same sensor.
     back_within: u64,
     /// The most that a row is earlier than the one before it.
-    most: Micros,
+    most: Span,
     /// How many times rows of one sensor follow rows of another.
     turns: u64,
 }
 
-impl Orders {
-    pub fn take(&mut self, at: Micros, sensor: u32) {
+impl OrderCounts {
+    pub fn take(&mut self, at: WallTime, sensor: u32) {
         if let Some((before, of)) = self.last {
             self.forward += u64::from(at > before);
             self.back += u64::from(at < before);
@@ -75,31 +75,31 @@ impl Orders {
     }
 
     /// How often a row was earlier than the one before it, and by how much at most.
-    pub fn set_back(&self) -> (u64, Micros) {
+    pub fn set_back(&self) -> (u64, Span) {
         (self.back, self.most)
     }
 
     /// The order of rows of so many sensors.
-    pub fn of(&self, sensors: usize) -> Order {
+    pub fn order(&self, sensors: usize) -> RowOrder {
         let has_passed = self.last.is_some_and(|(last, _)| last >= self.first);
         match () {
-            () if self.back == 0 => Order::OfTime,
-            () if self.back > self.forward && !has_passed => Order::NewestFirst,
-            () if self.back_within == 0 && self.turns + 1 == sensors as u64 => Order::BySensor,
-            () if self.most > SET_BACK => Order::Another,
-            () => Order::OfTime,
+            () if self.back == 0 => RowOrder::OfTime,
+            () if self.back > self.forward && !has_passed => RowOrder::NewestFirst,
+            () if self.back_within == 0 && self.turns + 1 == sensors as u64 => RowOrder::BySensor,
+            () if self.most > SET_BACK => RowOrder::Another,
+            () => RowOrder::OfTime,
         }
     }
 }
 
 /// Rows that wait to be put into the order of time; those of one instant stay as they come.
 #[derive(Default)]
-pub(super) struct Waiting {
-    rows: BinaryHeap<Reverse<(Micros, u64, u32, u32)>>,
+pub(super) struct RowBuffer {
+    rows: BinaryHeap<Reverse<(WallTime, u64, u32, u32)>>,
     come: u64,
 }
 
-impl Waiting {
+impl RowBuffer {
     /// Takes a row; returns the earliest one if too many wait.
     pub fn take(&mut self, event: &Event) -> Option<Event> {
         self.rows.push(Reverse((event.at, self.come, event.sensor, event.value)));

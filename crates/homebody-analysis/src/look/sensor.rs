@@ -1,20 +1,20 @@
 //! The course of one sensor through a log.
 
-use super::held::{SensorLook, Trouble};
-use crate::signs::{Kind, Says, Taken, Tally};
-use homebody_core::time::{DAY, Micros, SECOND, seconds};
+use super::overview::{SensorLook, SensorTrouble};
+use crate::signs::{Classification, Kind, Says, SensorTally};
+use homebody_core::time::{DAY, HOUR, Interval, Span, WallTime};
 
 /// A dead sensor sends nothing for this long before the end of the log, and for this many times its longest silence
 /// (our choice).
-const DEAD: Micros = 2 * DAY;
-const DEAD_TIMES: Micros = 3;
+const DEAD: Span = DAY.times(2);
+const DEAD_TIMES: i64 = 3;
 
 /// Time on after which a motion sensor is stuck (our choice).
-const STUCK: Micros = 6 * 3600 * SECOND;
+const STUCK: Span = HOUR.times(6);
 
 /// Number of equal readings, and the time that they span, of a stuck sensor (our choice).
 const STUCK_READINGS: u64 = 50;
-const STUCK_FOR: Micros = DAY;
+const STUCK_FOR: Span = DAY;
 
 /// Largest number of values that are counted for a sensor (our choice).
 const VALUES: usize = 8;
@@ -22,27 +22,27 @@ const VALUES: usize = 8;
 /// The recorder of the log, as far as the log has been taken.
 pub(super) struct Recorder<'a> {
     /// When it did not run.
-    pub gaps: &'a [(Micros, Micros)],
+    pub gaps: &'a [Interval<WallTime>],
     /// Whether it stores states as it starts, so that the first row of a sensor may be what was so before.
     pub restores: bool,
 }
 
 /// What a sensor has said so far.
 #[derive(Clone, Default)]
-pub(super) struct Course {
-    pub tally: Tally,
+pub(super) struct SensorHistory {
+    pub tally: SensorTally,
     rows: u64,
     days: u64,
     day: i64,
-    first: Micros,
-    latest: Micros,
-    last: Option<(Micros, u32)>,
+    first: WallTime,
+    latest: WallTime,
+    last: Option<(WallTime, u32)>,
     /// The longest time without a row.
-    quiet: Micros,
+    quiet: Span,
     is_on: bool,
-    on_since: Micros,
+    on_since: WallTime,
     /// The longest time that it was on, and since when.
-    on_longest: (Micros, Micros),
+    on_longest: (Span, WallTime),
     on_after_on: u64,
     off_without_on: u64,
     ends: u64,
@@ -56,9 +56,9 @@ pub(super) struct Course {
     range: Option<[f64; 2]>,
 }
 
-impl Course {
+impl SensorHistory {
     /// Takes a row: when, its value, and what that says.
-    pub fn take(&mut self, (at, value): (Micros, u32), (says, number): (Says, Option<f64>), recorder: &Recorder) {
+    pub fn take(&mut self, (at, value): (WallTime, u32), (says, number): (Says, Option<f64>), recorder: &Recorder) {
         let said = self.tally.take(at, says, number.is_some(), recorder.gaps);
         let is_first = self.rows == 0 && recorder.restores;
         match self.last {
@@ -66,7 +66,7 @@ impl Course {
             Some((last, _)) => self.quiet = self.quiet.max(at - last),
             None => (self.first, self.latest) = (at, at),
         }
-        let day = at.div_euclid(DAY);
+        let day = at.day_number();
         if self.rows == 0 || day != self.day {
             (self.days, self.day) = (self.days + 1, day);
         }
@@ -103,7 +103,7 @@ impl Course {
         }
     }
 
-    fn goes_off(&mut self, at: Micros) {
+    fn goes_off(&mut self, at: WallTime) {
         self.is_on = false;
         if at - self.on_since > self.on_longest.0 {
             self.on_longest = (at - self.on_since, self.on_since);
@@ -112,12 +112,12 @@ impl Course {
 
     pub fn look(
         &self,
-        (id, taken): (&str, Taken),
+        (id, taken): (&str, Classification),
         name: Option<String>,
         values: &[String],
         by_day: Vec<u32>,
-        end: Micros,
-        text: &dyn Fn(Micros) -> String,
+        end: WallTime,
+        text: &dyn Fn(WallTime) -> String,
     ) -> SensorLook {
         // One that never says that something ends only begins things, and numbers do neither.
         let is_of_two = self.ends > 0 && self.numbers == 0 && taken.kind != Kind::Other;
@@ -158,25 +158,25 @@ impl Course {
         kind: Kind,
         is_of_two: bool,
         values: &[String],
-        end: Micros,
-        text: &dyn Fn(Micros) -> String,
-    ) -> Option<Trouble> {
+        end: WallTime,
+        text: &dyn Fn(WallTime) -> String,
+    ) -> Option<SensorTrouble> {
         let mut longest = self.on_longest;
         if self.is_on && end - self.on_since > longest.0 {
             longest = (end - self.on_since, self.on_since);
         }
         if kind == Kind::Motion && is_of_two && longest.0 >= STUCK {
-            return Some(Trouble::StuckOn { since: text(longest.1), hours: seconds(longest.0) / 3600.0 });
+            return Some(SensorTrouble::StuckOn { since: text(longest.1), hours: longest.0.seconds() / 3600.0 });
         }
         if let [(value, times)] = self.values[..]
             && kind == Kind::Reading
             && times >= STUCK_READINGS
             && self.latest - self.first >= STUCK_FOR
         {
-            return Some(Trouble::StuckAt { value: values[value as usize].clone() });
+            return Some(SensorTrouble::StuckAt { value: values[value as usize].clone() });
         }
         let silent = end - self.latest;
         let is_dead = self.rows > 1 && silent >= DEAD && silent / DEAD_TIMES >= self.quiet;
-        is_dead.then(|| Trouble::Dead { since: text(self.latest) })
+        is_dead.then(|| SensorTrouble::Dead { since: text(self.latest) })
     }
 }

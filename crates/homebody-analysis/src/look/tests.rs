@@ -1,14 +1,14 @@
 use super::*;
-use crate::sample::log;
+use crate::sample::{log, span};
 use crate::signs::Kind;
-use homebody_core::time::Micros;
+use homebody_core::time::Span;
 use homebody_log::Log;
-use homebody_log::source::Clock;
+use homebody_log::log::Clock;
 use jiff::tz::TimeZone;
 
-const H: Micros = 3600;
+const H: i64 = 3600;
 
-fn look_of(rows: &[(Micros, &str, &str)], home: Option<(&str, &[HomeSensor])>) -> Look {
+fn look_of(rows: &[(i64, &str, &str)], home: Option<(&str, &[HomeSensor])>) -> LogOverview {
     let mut log = log(rows);
     log.rows = log.events.len() as u64;
     let mut looker = Looker::new(None);
@@ -16,7 +16,7 @@ fn look_of(rows: &[(Micros, &str, &str)], home: Option<(&str, &[HomeSensor])>) -
     looker.look("a log", "csv", &log, &|_| None, home)
 }
 
-fn sensor<'l>(look: &'l Look, id: &str) -> &'l SensorLook {
+fn sensor<'l>(look: &'l LogOverview, id: &str) -> &'l SensorLook {
     look.sensors.iter().find(|sensor| sensor.id == id).unwrap()
 }
 
@@ -24,7 +24,7 @@ fn sensor<'l>(look: &'l Look, id: &str) -> &'l SensorLook {
 fn first_and_last_instants_are_those_of_rows() {
     let mut log = log(&[(10, "M1", "ON"), (20, "M1", "OFF")]);
     log.rows = 2;
-    let (begin, end) = (log.events[0].at - 5, log.events[1].at + 1);
+    let (begin, end) = (log.events[0].at - 5 * Span::MICROSECOND, log.events[1].at + Span::MICROSECOND);
     log.activities.push(homebody_log::Activity { name: "sleep".into(), begin, end });
     let look = |log: &homebody_log::Log| {
         let mut looker = Looker::new(None);
@@ -95,12 +95,12 @@ fn silence_and_dead_and_stuck_sensors_are_found() {
     assert_eq!((look.days.len(), look.is_silent(5), look.is_silent(4)), (10, true, false));
     assert_eq!(sensor(&look, "M1").by_day, [48, 48, 48, 48, 48, 0, 48, 48, 48, 48]);
     assert_eq!((sensor(&look, "M1").days, sensor(&look, "M1").trouble.clone()), (9, None));
-    assert_eq!(sensor(&look, "M2").trouble, Some(Trouble::Dead { since: "1970-01-03 23:00:09".into() }));
+    assert_eq!(sensor(&look, "M2").trouble, Some(SensorTrouble::Dead { since: "1970-01-03 23:00:09".into() }));
     assert_eq!(
         sensor(&look, "M3").trouble,
-        Some(Trouble::StuckOn { since: "1970-01-02 06:00:00".into(), hours: 10.0 })
+        Some(SensorTrouble::StuckOn { since: "1970-01-02 06:00:00".into(), hours: 10.0 })
     );
-    assert_eq!(sensor(&look, "B1").trouble, Some(Trouble::StuckAt { value: "3100".into() }));
+    assert_eq!(sensor(&look, "B1").trouble, Some(SensorTrouble::StuckAt { value: "3100".into() }));
 }
 
 #[test]
@@ -110,7 +110,7 @@ fn a_home_says_what_does_not_fit() {
     let rows = [(0, "M1", "ON"), (1, "M1", "OFF"), (2, "D1", "OPEN"), (3, "X", "ON")];
     let of_home = look_of(&rows, Some(("flat", &home))).home.unwrap();
     assert_eq!((of_home.known, of_home.known_share), (2, Some(0.75)));
-    assert_eq!(of_home.unknown, [Unknown { id: "X".into(), rows: 1, share: 0.25 }]);
+    assert_eq!(of_home.unknown, [UnlistedSensor { id: "X".into(), rows: 1, share: 0.25 }]);
     assert_eq!(of_home.unheard, ["bed"]);
     assert_eq!(of_home.misfits.len(), 1);
     assert_eq!(of_home.misfits[0].id, "D1");
@@ -135,7 +135,7 @@ fn utc_is_told_on_the_wall_where_that_is_known() {
         looker.look("a", "csv", &log, &|_| None, None).first.unwrap()
     };
     assert_eq!(told(None), "2009-03-08 08:00:00Z");
-    let zone = homebody_core::scenario::calendar::Calendar::zone("America/Chicago").unwrap();
+    let zone = homebody_core::calendar::Calendar::zone("America/Chicago").unwrap();
     assert_eq!(told(Some(zone.clone())), "2009-03-08 03:00:00");
     // A log may name its own zone, as a run in a database does.
     let log = Log { zone: Some(zone), ..log.clone() };
@@ -165,7 +165,7 @@ fn what_is_not_known_is_neither_stuck_nor_missing() {
     assert_eq!((hall.unknown, hall.restored), (1, 1));
     // The same where it says off only after eight hours.
     let rows: Vec<_> = rows.into_iter().filter(|row| row.2 != "unavailable").collect();
-    assert!(matches!(sensor(&look_of(&rows, None), "kitchen motion").trouble, Some(Trouble::StuckOn { .. })));
+    assert!(matches!(sensor(&look_of(&rows, None), "kitchen motion").trouble, Some(SensorTrouble::StuckOn { .. })));
 }
 
 #[test]
@@ -186,8 +186,7 @@ fn gaps_of_the_recorder_are_listed_and_are_no_silences() {
     };
     let without = look(&log);
     assert_eq!((without.silences_in_all, without.gaps_in_all, without.missing), (1, 0, 1));
-    let second = homebody_core::time::SECOND;
-    log.gaps = vec![(60 * second, 19 * H * second), (20 * H * second + 3600 * second, 23 * H * second)];
+    log.gaps = vec![span(60, 19 * H), span(21 * H, 23 * H)];
     let with = look(&log);
     assert_eq!((with.silences_in_all, with.gaps_in_all, with.missing), (0, 2, 0));
     assert_eq!(with.gaps[0].to, "1970-01-01 19:00:00");
@@ -215,7 +214,7 @@ fn the_order_of_rows_changes_no_count() {
             rows.extend([(at, name, "ON"), (at + 60, name, "OFF")]);
         }
     }
-    let looked = |rows: &[(Micros, &str, &str)]| {
+    let looked = |rows: &[(i64, &str, &str)]| {
         let mut log = log(rows);
         log.rows = log.events.len() as u64;
         let (looker, _) = looked(Looker::new(None), &mut |take| {
@@ -233,7 +232,7 @@ fn the_order_of_rows_changes_no_count() {
     for (rows, remark) in [(newest_first, "newest rows come first"), (by_sensor, "sensor by sensor")] {
         let look = looked(&rows);
         assert!(look.remarks.len() == 1 && look.remarks[0].contains(remark), "{:?}", look.remarks);
-        let other = Look { remarks: Vec::new(), ..look };
+        let other = LogOverview { remarks: Vec::new(), ..look };
         assert_eq!(other.to_string(), sorted.to_string());
         // Taken as they come, they would tell of other silences, and of clocks.
         assert_ne!(look_of(&rows, None).to_string(), sorted.to_string());
@@ -252,8 +251,8 @@ fn the_hour_that_a_clock_on_the_wall_tells_twice_sets_no_clock_back() {
     let rows: Vec<_> = (-60..60_i64)
         .map(|minute| (set_back + 60 * minute, "M1", ["ON", "OFF"][minute.rem_euclid(2) as usize]))
         .collect();
-    let berlin = homebody_core::scenario::calendar::Calendar::zone("Europe/Berlin").unwrap();
-    let looked = |clock: Clock, rows: &[(Micros, &str, &str)]| {
+    let berlin = homebody_core::calendar::Calendar::zone("Europe/Berlin").unwrap();
+    let looked = |clock: Clock, rows: &[(i64, &str, &str)]| {
         let mut log = log(rows);
         (log.clock, log.rows) = (clock, rows.len() as u64);
         let mut looker = Looker::new(Some(berlin.clone()));

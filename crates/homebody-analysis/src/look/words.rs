@@ -1,9 +1,9 @@
 //! What a log holds, for people.
 
-use super::held::{Look, OfHome, SensorLook, Trouble};
+use super::overview::{LogOverview, OfHome, SensorLook, SensorTrouble};
 use crate::signs::Evidence;
 use homebody_core::problem::counted;
-use homebody_log::source::{Clock, ColumnRole, ColumnUse};
+use homebody_log::log::{Clock, ColumnRole, ColumnUse};
 use std::fmt;
 
 /// Largest number of silences, refused lines and unknown sensors in a report (our choice).
@@ -12,7 +12,7 @@ const TOLD: usize = 10;
 /// Largest number of characters of a column's name in a table: a wider table cannot be printed.
 const LONGEST_NAME: usize = 80;
 
-impl fmt::Display for Look {
+impl fmt::Display for LogOverview {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
         let clock = if self.clock == Clock::Utc { "UTC" } else { "local time" };
         writeln!(f, "{}, in the form {}", self.name, self.form)?;
@@ -66,7 +66,7 @@ impl fmt::Display for Look {
     }
 }
 
-impl Look {
+impl LogOverview {
     /// Whether nothing says anything on a date, by its number in the list.
     pub fn is_silent(&self, day: usize) -> bool {
         self.sensors.iter().all(|sensor| sensor.by_day.get(day).is_none_or(|&count| count == 0))
@@ -170,17 +170,17 @@ impl SensorLook {
             (self.restored, "restored"),
         ];
         parts.extend(counts.into_iter().filter(|(count, _)| *count > 0).map(|(count, what)| format!("{count} {what}")));
-        parts.extend(self.trouble.as_ref().map(Trouble::to_string));
+        parts.extend(self.trouble.as_ref().map(SensorTrouble::to_string));
         parts.join(", ")
     }
 }
 
-impl fmt::Display for Trouble {
+impl fmt::Display for SensorTrouble {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
         match self {
-            Trouble::Dead { since } => write!(f, "dead since {since}"),
-            Trouble::StuckOn { since, hours } => write!(f, "stuck: on for {hours:.1} h since {since}"),
-            Trouble::StuckAt { value } => write!(f, "stuck at {value}"),
+            SensorTrouble::Dead { since } => write!(f, "dead since {since}"),
+            SensorTrouble::StuckOn { since, hours } => write!(f, "stuck: on for {hours:.1} h since {since}"),
+            SensorTrouble::StuckAt { value } => write!(f, "stuck at {value}"),
         }
     }
 }

@@ -12,46 +12,49 @@
 //!
 //! Left out: guests whom the resident fetches or sees home, guests who come or go as the resident does, and how many guests there are.
 
-use super::signs::Sign;
-use crate::rows::Span;
-use homebody_core::time::{DAY, Micros, SECOND};
+use super::signs::RoomSign;
+use homebody_core::time::{HOUR, Interval, MINUTE, Span, WallTime};
 use std::collections::{BTreeSet, VecDeque};
 
 /// Number of days below which the usual amount of movement is unknown (our choice).
 const LEAST_DAYS: usize = 7;
 /// Largest number of days, up to the day itself, in the usual amount.
 const MOST_DAYS: usize = 28;
-const HOUR: Micros = 3600 * SECOND;
 /// Longest time between messages of a door that belong to one use of it (our choice).
-const ONE_USE: Micros = 120 * SECOND;
+const ONE_USE: Span = MINUTE.times(2);
 /// Time before and after a use of the door whose firings are those of the person who uses it, even if the home is empty
 /// (our choice).
-const AT_THE_DOOR: Micros = 60 * SECOND;
+const AT_THE_DOOR: Span = MINUTE;
 /// Number of firings below which a home counts as empty (our choice).
 const LEAST_SIGNS: usize = 3;
 /// Shortest and longest visit (our choice).
-const SHORTEST: Micros = 10 * 60 * SECOND;
-const LONGEST: Micros = 5 * HOUR;
+const SHORTEST: Span = MINUTE.times(10);
+const LONGEST: Span = HOUR.times(5);
 /// Smallest ratio of firings during a visit to the usual ones (our choice).
 const LIVELY: f64 = 1.3;
 
 /// When there was company up to `now`; `None` where no door tells it, or there were too few days to tell what is usual. `door` are
 /// the instants at which a door out was opened or closed, in order.
-pub fn company(signs: &[Sign], door: &[Micros], usual: &Usual, now: Micros) -> Option<Vec<Span>> {
+pub fn company(
+    signs: &[RoomSign],
+    door: &[WallTime],
+    usual: &UsualSigns,
+    now: WallTime,
+) -> Option<Vec<Interval<WallTime>>> {
     let usual = usual.hours().filter(|_| usual.has_door)?;
-    let uses: Vec<Span> =
-        door.chunk_by(|a, b| b - a <= ONE_USE).map(|of_use| (of_use[0], of_use[of_use.len() - 1])).collect();
-    let between: Vec<Span> = uses.windows(2).map(|pair| (pair[0].1, pair[1].0)).collect();
-    let after = uses.last().map(|last| (last.1, now)).filter(|(last, now)| now - last >= SHORTEST);
-    let is_lived_in: Vec<bool> = between.iter().chain(&after).map(|span| is_lived_in(signs, span)).collect();
+    let uses = door.chunk_by(|&a, &b| b - a <= ONE_USE);
+    let uses: Vec<Interval<WallTime>> = uses.map(|of_use| Interval::new(of_use[0], of_use[of_use.len() - 1])).collect();
+    let between: Vec<Interval<WallTime>> =
+        uses.windows(2).map(|pair| Interval::new(pair[0].end, pair[1].begin)).collect();
+    let after = uses.last().map(|last| Interval::new(last.end, now)).filter(|after| after.length() >= SHORTEST);
+    let is_lived_in: Vec<bool> = between.iter().chain(&after).map(|span| is_lived_in(signs, *span)).collect();
     // Before the first use, and soon after the last, it is taken to be so.
     let is_lived_in = |number: Option<usize>| number.and_then(|number| is_lived_in.get(number)).is_none_or(|is| *is);
     let mut lively: Vec<(f64, usize)> = Vec::new();
-    for (number, span) in between.iter().enumerate() {
+    for (number, &span) in between.iter().enumerate() {
         let neighbours = [number.checked_sub(1), Some(number), Some(number + 1)];
-        let lasts = span.1 - span.0;
-        if (SHORTEST..=LONGEST).contains(&lasts) && neighbours.into_iter().all(is_lived_in) {
-            let times = count(signs, span.0, span.1) as f64 / usual_signs(&usual, span);
+        if (SHORTEST..=LONGEST).contains(&span.length()) && neighbours.into_iter().all(is_lived_in) {
+            let times = count(signs, span) as f64 / usual_signs(&usual, span);
             lively.extend((times >= LIVELY).then_some((times, number)));
         }
     }
@@ -66,32 +69,32 @@ pub fn company(signs: &[Sign], door: &[Micros], usual: &Usual, now: Micros) -> O
 }
 
 /// Whether somebody was at home between two uses of the door.
-fn is_lived_in(signs: &[Sign], span: &Span) -> bool {
-    count(signs, span.0 + AT_THE_DOOR, span.1 - AT_THE_DOOR) >= LEAST_SIGNS
+fn is_lived_in(signs: &[RoomSign], span: Interval<WallTime>) -> bool {
+    count(signs, Interval::new(span.begin + AT_THE_DOOR, span.end - AT_THE_DOOR)) >= LEAST_SIGNS
 }
 
-fn count(signs: &[Sign], begin: Micros, end: Micros) -> usize {
-    let before = |at: Micros| signs.partition_point(|sign| sign.at < at);
-    before(end).saturating_sub(before(begin))
+fn count(signs: &[RoomSign], span: Interval<WallTime>) -> usize {
+    let before = span.map(|at| signs.partition_point(|sign| sign.at < at));
+    before.end.saturating_sub(before.begin)
 }
 
 /// How many signs there were in each hour of the last days that had any.
 #[derive(Default)]
-pub struct Usual {
+pub struct UsualSigns {
     days: VecDeque<[u32; 24]>,
     /// Whether a door out has been used.
     has_door: bool,
 }
 
-impl Usual {
+impl UsualSigns {
     /// Takes a day: its signs, and whether a door out was used on it.
-    pub fn add(&mut self, signs: &[Sign], has_door: bool) {
+    pub fn add(&mut self, signs: &[RoomSign], has_door: bool) {
         self.has_door |= has_door;
         if signs.is_empty() {
             return;
         }
         let mut hours = [0; 24];
-        signs.iter().for_each(|sign| hours[(sign.at.rem_euclid(DAY) / HOUR) as usize] += 1);
+        signs.iter().for_each(|sign| hours[(sign.at.time_of_day() / HOUR) as usize] += 1);
         self.days.push_back(hours);
         if self.days.len() > MOST_DAYS {
             self.days.pop_front();
@@ -114,52 +117,53 @@ impl Usual {
 }
 
 /// How many signs are usual in a span; one at least.
-fn usual_signs(usual: &[f64; 24], span: &Span) -> f64 {
-    let (first, last) = (span.0.div_euclid(HOUR), span.1.div_euclid(HOUR));
-    let in_hour = |hour: Micros| {
-        let lasts = (span.1.min((hour + 1) * HOUR) - span.0.max(hour * HOUR)) as f64 / HOUR as f64;
-        lasts * usual[hour.rem_euclid(24) as usize]
+fn usual_signs(usual: &[f64; 24], span: Interval<WallTime>) -> f64 {
+    let hours = span.map(|at| at.since_zero().div_euclid(HOUR));
+    let in_hour = |hour: i64| {
+        let lasts = Interval::starting(WallTime::EPOCH + hour * HOUR, HOUR).overlap(span);
+        lasts.ratio(HOUR) * usual[hour.rem_euclid(24) as usize]
     };
-    (first..=last).map(in_hour).sum::<f64>().max(1.0)
+    (hours.begin..=hours.end).map(in_hour).sum::<f64>().max(1.0)
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use homebody_core::time::DAY;
 
     /// Ten days with a sign every five minutes from 08:00 to 22:00, but for when nobody is there, and every minute in the
     /// lively hours of the eighth.
-    fn signs(out: &[(i64, i64)], lively: &[(i64, i64)]) -> Vec<Sign> {
+    fn signs(out: &[(i64, i64)], lively: &[(i64, i64)]) -> Vec<RoomSign> {
         let minutes = (0..10).flat_map(|day| (8 * 60..22 * 60).map(move |minute| (day, minute)));
         let is_in = |spans: &[(i64, i64)], day: i64, minute: i64| {
             day == 8 && spans.iter().any(|span| (span.0..span.1).contains(&minute))
         };
         minutes
             .filter(|&(day, minute)| !is_in(out, day, minute) && (minute % 5 == 0 || is_in(lively, day, minute)))
-            .map(|(day, minute)| Sign { at: at(day, minute), room: 0, sensor: 0, is_seen: true, is_held: false })
+            .map(|(day, minute)| RoomSign { at: at(day, minute), room: 0, sensor: 0, is_seen: true, is_held: false })
             .collect()
     }
 
-    fn at(day: i64, minute: i64) -> Micros {
-        day * DAY + minute * 60 * SECOND
+    fn at(day: i64, minute: i64) -> WallTime {
+        WallTime::EPOCH + day * DAY + minute * MINUTE
     }
 
-    fn told(signs: &[Sign], door: &[Micros]) -> Option<Vec<Span>> {
-        let mut usual = Usual::default();
-        signs.chunk_by(|a, b| a.at / DAY == b.at / DAY).for_each(|day| usual.add(day, !door.is_empty()));
-        company(signs, door, &usual, 10 * DAY)
+    fn told(signs: &[RoomSign], door: &[WallTime]) -> Option<Vec<Interval<WallTime>>> {
+        let mut usual = UsualSigns::default();
+        signs.chunk_by(|a, b| a.at.date() == b.at.date()).for_each(|day| usual.add(day, !door.is_empty()));
+        company(signs, door, &usual, at(10, 0))
     }
 
-    fn found(out: &[(i64, i64)], lively: &[(i64, i64)], door: &[i64]) -> Vec<Span> {
-        let door: Vec<Micros> = door.iter().map(|minute| at(8, *minute)).collect();
+    fn found(out: &[(i64, i64)], lively: &[(i64, i64)], door: &[i64]) -> Vec<Interval<WallTime>> {
+        let door: Vec<WallTime> = door.iter().map(|minute| at(8, *minute)).collect();
         told(&signs(out, lively), &door).unwrap()
     }
 
     #[test]
     fn who_comes_and_goes_while_somebody_is_at_home_and_makes_it_lively_is_a_guest() {
-        assert_eq!(found(&[], &[(900, 1000)], &[900, 1000]), [(at(8, 900), at(8, 1000))]);
+        assert_eq!(found(&[], &[(900, 1000)], &[900, 1000]), [Interval::new(at(8, 900), at(8, 1000))]);
         // The post comes at 11:00, and nothing is lively between it and the guest.
-        assert_eq!(found(&[], &[(900, 1000)], &[660, 900, 1000]), [(at(8, 900), at(8, 1000))]);
+        assert_eq!(found(&[], &[(900, 1000)], &[660, 900, 1000]), [Interval::new(at(8, 900), at(8, 1000))]);
         assert_eq!(found(&[], &[], &[900, 1000]), [], "nothing was livelier");
         assert_eq!(found(&[], &[(700, 1100)], &[700, 1100]), [], "no visit is so long");
     }
@@ -173,7 +177,7 @@ mod tests {
     #[test]
     fn a_few_days_or_a_door_without_a_contact_tell_of_nobody() {
         assert_eq!(told(&signs(&[], &[(900, 1000)]), &[]), None);
-        let few: Vec<Sign> = signs(&[], &[]).into_iter().filter(|sign| sign.at < 5 * DAY).collect();
+        let few: Vec<RoomSign> = signs(&[], &[]).into_iter().filter(|sign| sign.at < at(5, 0)).collect();
         assert_eq!(told(&few, &[at(3, 900), at(3, 1000)]), None);
     }
 }

@@ -3,78 +3,78 @@
 //! Only rows of the last days are kept. Of earlier rows these things carry over: the kinds of sensors, how long ways usually take,
 //! how lively hours usually are, the height of a level of density, absences, and spans that are open.
 
-use super::company::{Usual, company};
-use super::heard::{Heard, Named};
-use super::held::{Day, Silent};
-use super::kinds::{MEASURES, Measure};
-use super::known::Known;
+use super::company::{UsualSigns, company};
 use super::known_time::{KnownDay, KnownTime};
-use super::of_day::{Common, OfDay, UNKNOWN_H};
-use super::rooms::Rooms;
-use super::signs::{Sign, gives_signs, signs, with_movements};
-use super::silent::Listening;
-use super::timeline::{Timeline, within_h};
+use super::log_timeline::{LogExcerpt, NamedSensors};
+use super::measure::DailyMeasure;
+use super::measured_day::{DayContext, MeasuredDay, UNKNOWN_H};
+use super::registry::MEASURES;
+use super::rooms::SensorRooms;
+use super::signs::{RoomSign, gives_signs, signs, with_movements};
+use super::silences::Listening;
+use super::timeline::{MeasureTimeline, within_h};
+use super::values::{DayMeasures, SilentSensor};
 use super::walking::Paces;
-use crate::dates::{MOST_DAYS, date_of};
-use crate::density::{Absence, Asked, Cell, Chosen, Entrance, Leaving, NoMap, SEATED, Signs, apart};
-use crate::holds::{Holds, Movement};
-use crate::rows::{Ongoing, Row, Span, Tallies};
+use super::ways::HomeKnowledge;
+use crate::dates::MOST_DAYS;
+use crate::density::{
+    DensityCell, DensityOptions, Entrance, EntranceSource, HomeAbsence, Leaving, NoMap, SEATED, Signs, distance,
+};
+use crate::holds::{HiddenMovement, HoldTimes};
+use crate::rows::{Ongoing, StateRow, Tallies};
 use crate::signs::{Kind, LogSensors, is_seat};
-use homebody_core::time::{DAY, Micros, SECOND};
+use homebody_core::time::{DAY, HOUR, Interval, Span, WallTime};
 use homebody_log::{Event, Log};
 use std::collections::VecDeque;
-use std::ops::Range;
 
 /// Rows of so many days before are read again with a day, as much begins before midnight.
-const DAYS_BEFORE: Micros = 2;
+const DAYS_BEFORE: i64 = 2;
 /// Two weeks: so many days are compared, and the first so many whole days give the height of a level of density.
 const WEEKS: usize = 14;
 /// Largest number of rows of a home on a day. Further rows are ignored, and the day has no measures.
 const MOST_ROWS: usize = 250_000;
 /// Absences are kept for so long: in an empty home no sensor is silent.
-const ABSENCES_KEPT: Micros = 70 * DAY;
-const HOUR: Micros = 3600 * SECOND;
+const ABSENCES_KEPT: Span = DAY.times(70);
 
 /// Measures a log row by row, in the order of time.
 pub struct Measuring<'a> {
     pub(super) log: &'a Log,
-    pub(super) known: Known<'a>,
-    asked: Asked,
+    pub(super) known: HomeKnowledge<'a>,
+    asked: DensityOptions,
     called: Vec<String>,
-    named: Named,
-    all_rooms: Rooms,
+    named: NamedSensors,
+    all_rooms: SensorRooms,
     rows: Tallies,
     /// The midnight at which the current day began; `None` before the first row.
-    day: Option<Micros>,
+    day: Option<WallTime>,
     /// The rows of the last days, without numbers; and how many of them are of days before the current one.
-    window: Vec<Row>,
+    window: Vec<StateRow>,
     of_days_before: usize,
     /// Whether more rows came on the day than are kept.
     is_full: bool,
     /// By sensor, the first and the last of the day's numbers and other words.
-    other: Vec<Option<Span>>,
+    other: Vec<Option<Interval<WallTime>>>,
     so_far: SoFar,
-    days: Vec<Day>,
+    days: Vec<DayMeasures>,
 }
 
 /// The measures of a whole log.
-pub struct Measured {
-    /// The days.
-    pub days: Vec<Day>,
+pub struct MeasuredLog {
+    pub days: Vec<DayMeasures>,
     /// The sensors that fell silent.
-    pub silent: Vec<Silent>,
+    pub silent: Vec<SilentSensor>,
     /// The sensors at the way out.
     pub entrance: Entrance,
     /// Whether silence alone shows some absences.
     pub guesses_absences: bool,
     /// The rooms of all sensors, of thermometers too.
-    pub all_rooms: Rooms,
+    pub all_rooms: SensorRooms,
     /// On how many days there were more rows than are looked at.
     pub crowded: usize,
     /// Whether any sensor looks for movement.
     pub has_motion: bool,
     /// The timeline of the last day.
-    pub timeline: Timeline,
+    pub timeline: MeasureTimeline,
 }
 
 /// Knowledge that carries over from day to day.
@@ -86,7 +86,7 @@ struct SoFar {
     knows_entrance: bool,
     /// Whether a contact is at the entrance.
     has_door: bool,
-    rooms: Rooms,
+    rooms: SensorRooms,
     has_spoken: Vec<bool>,
     has_bed: bool,
     /// How many signs there were in rooms that are known, and how many of them are movements that were seen.
@@ -96,22 +96,22 @@ struct SoFar {
     /// The spans over which a bed or a chair is taken for long.
     taken: Ongoing,
     leaving: Leaving,
-    holds: Holds,
+    holds: HoldTimes,
     /// The movements of the last days that lie between reports.
-    movements: Vec<Movement>,
+    movements: Vec<HiddenMovement>,
     /// The absences of the last weeks that are over, and whether any ever was a guess.
-    absences: Vec<Absence>,
+    absences: Vec<HomeAbsence>,
     guesses_absences: bool,
     listening: Listening,
     paces: Paces,
-    usual: Usual,
+    usual: UsualSigns,
     /// The last days: for how long each hour is known, and what it holds.
-    history: VecDeque<([f64; 24], [Cell; 24])>,
+    history: VecDeque<([f64; 24], [DensityCell; 24])>,
     /// The cells of the first days that are whole, until they are enough.
-    first_cells: Vec<[Cell; 24]>,
+    first_cells: Vec<[DensityCell; 24]>,
     step_per_h: Option<f64>,
     /// The timeline of the last day.
-    last: Timeline,
+    last: MeasureTimeline,
     /// Whether any sensor looks for movement, and whether there was any sign of the resident.
     has_motion: bool,
     has_signs: bool,
@@ -121,34 +121,34 @@ struct SoFar {
 
 impl<'a> Measuring<'a> {
     /// For a log, whose rows come by `take`. `known` describes its home.
-    pub fn new(log: &'a Log, known: Known<'a>, asked: &Asked) -> Measuring<'a> {
+    pub fn new(log: &'a Log, known: HomeKnowledge<'a>, asked: &DensityOptions) -> Measuring<'a> {
         let called = log.called();
         let count = log.sensors.len();
         let so_far = SoFar {
-            time: KnownTime::new(asked.recorded.clone(), &log.gaps),
+            time: KnownTime::new(asked.recorded, &log.gaps),
             kinds: vec![Kind::Reading; count],
-            entrance: Entrance { sensors: Vec::new(), chosen: Chosen::None },
+            entrance: Entrance { sensors: Vec::new(), chosen: EntranceSource::None },
             knows_entrance: false,
             has_door: false,
-            rooms: Rooms::default(),
+            rooms: SensorRooms::default(),
             has_spoken: vec![false; count],
             has_bed: false,
             signs: [0; 2],
-            ongoing: Ongoing::new(count, 0),
+            ongoing: Ongoing::new(count, Span::ZERO),
             is_seat: called.iter().map(|name| is_seat(name)).collect(),
             taken: Ongoing::new(count, SEATED),
             leaving: Leaving::new(asked.away_after),
-            holds: Holds::new(count),
+            holds: HoldTimes::new(count),
             movements: Vec::new(),
             absences: Vec::new(),
             guesses_absences: false,
             listening: Listening::new(count),
             paces: Paces::default(),
-            usual: Usual::default(),
+            usual: UsualSigns::default(),
             history: VecDeque::new(),
             first_cells: Vec::new(),
             step_per_h: None,
-            last: Timeline::default(),
+            last: MeasureTimeline::default(),
             has_motion: false,
             has_signs: false,
             crowded: 0,
@@ -157,8 +157,8 @@ impl<'a> Measuring<'a> {
             log,
             known,
             asked: asked.clone(),
-            named: Named::of(&called),
-            all_rooms: Rooms::of(&log.sensors, known.rooms),
+            named: NamedSensors::from_names(&called),
+            all_rooms: SensorRooms::from_sensors(&log.sensors, known.rooms),
             rows: Tallies::new(log),
             day: None,
             window: Vec::new(),
@@ -177,11 +177,11 @@ impl<'a> Measuring<'a> {
     ///
     /// [`NoMap::TooLong`] where the days are too many.
     pub fn take(&mut self, event: &Event) -> Result<(), NoMap> {
-        let date = event.at - event.at.rem_euclid(DAY);
-        let began = self.asked.recorded.as_ref().map_or(event.at, |recorded| recorded.start.min(event.at));
-        let day = *self.day.get_or_insert(began - began.rem_euclid(DAY));
-        let days = self.days.len() as Micros + (date - day) / DAY;
-        if days >= MOST_DAYS as Micros {
+        let date = event.at - event.at.time_of_day();
+        let began = self.asked.recorded.map_or(event.at, |recorded| recorded.begin.min(event.at));
+        let day = *self.day.get_or_insert(began - began.time_of_day());
+        let days = self.days.len() as i64 + (date - day) / DAY;
+        if days >= MOST_DAYS as i64 {
             return Err(NoMap::TooLong(days as usize + 1));
         }
         while self.day.is_some_and(|day| day < date) {
@@ -196,7 +196,7 @@ impl<'a> Measuring<'a> {
             Some(_) => self.is_full = true,
             None => {
                 if let Some(other) = self.other.get_mut(event.sensor as usize) {
-                    *other = Some((other.map_or(event.at, |other| other.0), event.at));
+                    *other = Some(Interval::new(other.map_or(event.at, |other| other.begin), event.at));
                 }
             }
         }
@@ -204,9 +204,9 @@ impl<'a> Measuring<'a> {
     }
 
     /// The span of the recording so far, if there is any.
-    pub(super) fn recorded(&self) -> Option<Range<Micros>> {
+    pub(super) fn recorded(&self) -> Option<Interval<WallTime>> {
         let time = &self.so_far.time;
-        self.asked.recorded.clone().or_else(|| Some(time.first()?..time.last()? + 1))
+        self.asked.recorded.or_else(|| Some(Interval::new(time.first()?, time.last()? + Span::MICROSECOND)))
     }
 
     /// Ends the log, and returns its days.
@@ -214,10 +214,10 @@ impl<'a> Measuring<'a> {
     /// # Errors
     ///
     /// Those that [`NoMap`] lists.
-    pub fn end(mut self) -> Result<Measured, NoMap> {
+    pub fn end(mut self) -> Result<MeasuredLog, NoMap> {
         let mut last = self.so_far.time.last().ok_or(NoMap::Empty)?;
-        last = self.asked.recorded.as_ref().map_or(last, |recorded| last.max(recorded.end - 1));
-        let first = self.day.map_or(last, |day| day - self.days.len() as Micros * DAY);
+        last = self.asked.recorded.map_or(last, |recorded| last.max(recorded.end - Span::MICROSECOND));
+        let first = self.day.map_or(last, |day| day - self.days.len() as i64 * DAY);
         let days = ((last - first) / DAY) as usize + 1;
         if days > MOST_DAYS {
             return Err(NoMap::TooLong(days));
@@ -229,9 +229,9 @@ impl<'a> Measuring<'a> {
         if !so_far.has_signs {
             return Err(NoMap::no_motion(self.log));
         }
-        let away = so_far.away(last + 1);
-        let silent = so_far.listening.told(&self.log.sensors, &so_far.kinds, &away, last);
-        Ok(Measured {
+        let away = so_far.away(last + Span::MICROSECOND);
+        let silent = so_far.listening.silent_sensors(&self.log.sensors, &so_far.kinds, &away, last);
+        Ok(MeasuredLog {
             days: self.days,
             silent,
             entrance: so_far.entrance,
@@ -244,38 +244,39 @@ impl<'a> Measuring<'a> {
     }
 
     /// Ends a day and measures it; `next` is the instant of the next row.
-    fn end_day(&mut self, next: Option<Micros>) {
+    fn end_day(&mut self, next: Option<WallTime>) {
         let Some(begin) = self.day else { return };
-        let (end, from) = (begin + DAY, self.of_days_before);
+        let (today, from) = (Interval::starting(begin, DAY), self.of_days_before);
+        let end = today.end;
         self.window[from..].sort_by_key(|row| row.at);
         if self.window.len() > from {
             self.know_sensors(from);
         }
-        self.go_through(from, (begin, end));
-        let recorded = self.asked.recorded.as_ref().map(|recorded| recorded.end);
+        self.go_through(from, today);
+        let recorded = self.asked.recorded.map(|recorded| recorded.end);
         let is_over = next.is_some() || recorded.is_some_and(|until| until >= end);
-        let now =
-            if is_over { end } else { recorded.max(self.so_far.time.last()).map_or(end, |last| end.min(last + 1)) };
+        let last = recorded.max(self.so_far.time.last()).filter(|_| !is_over);
+        let now = last.map_or(end, |last| end.min(last + Span::MICROSECOND));
         let away = self.so_far.away(now);
         self.listen(from, &away);
         if std::mem::take(&mut self.is_full) {
             self.so_far.crowded += 1;
-            self.so_far.time.forget((begin, end));
+            self.so_far.time.forget(today);
         }
-        let known = self.so_far.time.end_day(begin, next, &away);
+        let known = self.so_far.time.end_day(today, next, &away);
         let timeline = self.timeline(begin, &away, &known);
         let number = timeline.days() - 1;
-        let common = Common::of(&timeline, self.so_far.step_per_h);
-        let day = OfDay::new(&common, number, is_over);
-        let lacking = self.so_far.listening.on_day((begin, now), &self.so_far.kinds, &away);
+        let common = DayContext::new(&timeline, self.so_far.step_per_h);
+        let day = MeasuredDay::new(&common, number, is_over);
+        let lacking = self.so_far.listening.on_day(Interval::new(begin, now), &self.so_far.kinds, &away);
         let sensors = &self.so_far.entrance.sensors;
         let at_entrance = |sensor: usize| sensors.contains(&self.log.sensors[sensor]);
-        let value = |measure: &Measure| {
+        let value = |measure: &DailyMeasure| {
             let is_hindered = lacking.hinders(measure, &timeline.rooms, &at_entrance);
             (measure.of)(&day).filter(|_| !is_hindered)
         };
         let values = MEASURES.iter().map(value).collect();
-        self.days.push(Day { date: date_of(begin), is_whole: day.is_known(), values });
+        self.days.push(DayMeasures { date: begin.date(), is_whole: day.is_known(), values });
         self.so_far.remember(timeline, begin);
         let keeps = end - DAYS_BEFORE * DAY;
         self.window.retain(|row| row.at >= keeps);
@@ -306,10 +307,10 @@ impl<'a> Measuring<'a> {
     }
 
     /// Takes the rows of a day for open spans and for absences.
-    fn go_through(&mut self, from: usize, (begin, end): Span) {
+    fn go_through(&mut self, from: usize, day: Interval<WallTime>) {
         let so_far = &mut self.so_far;
         let signs = Signs::new(&self.log.sensors, &so_far.kinds, &so_far.entrance);
-        let all_breaks = so_far.time.breaks((begin, end));
+        let all_breaks = so_far.time.breaks(day);
         let mut breaks = all_breaks.iter().copied().peekable();
         let mut movements = Vec::new();
         for row in &self.window[from..] {
@@ -323,25 +324,25 @@ impl<'a> Measuring<'a> {
             so_far.holds.take(row, so_far.kinds[row.sensor as usize], &mut movements);
         }
         breaks.for_each(|at| so_far.break_off(at));
-        so_far.holds.pass(end, &mut movements);
-        let of_rows = self.window[from..].iter().filter_map(|row| signs.of(row));
+        so_far.holds.pass(day.end, &mut movements);
+        let of_rows = self.window[from..].iter().filter_map(|row| signs.sign(row));
         let mut all: Vec<_> = of_rows.collect();
         so_far.has_signs |= !all.is_empty();
-        all.extend(movements.iter().filter(|movement| movement.at >= begin).map(|of| signs.of_movement(of)));
+        all.extend(movements.iter().filter(|movement| movement.at >= day.begin).map(|of| signs.of_movement(of)));
         all.sort_by_key(|sign| sign.at);
-        so_far.leave(&all, &all_breaks, end);
+        so_far.leave(&all, &all_breaks, day.end);
         so_far.movements.extend(movements);
         let is_bed = |sensor: usize| self.named.is_bed(sensor, so_far.kinds[sensor]);
-        let lies = |sensor: usize| so_far.ongoing.spans(sensor, Some(end)).iter().any(|span| span.1 > span.0);
+        let lies = |sensor: usize| so_far.ongoing.spans(sensor, Some(day.end)).iter().any(|span| !span.is_empty());
         so_far.has_bed |= (0..so_far.kinds.len()).any(|sensor| is_bed(sensor) && lies(sensor));
     }
 
     /// Takes the times at which sensors reported on a day.
-    fn listen(&mut self, from: usize, away: &[Span]) {
-        let mut spoken: Vec<(Micros, usize)> =
+    fn listen(&mut self, from: usize, away: &[Interval<WallTime>]) {
+        let mut spoken: Vec<(WallTime, usize)> =
             self.window[from..].iter().map(|row| (row.at, row.sensor as usize)).collect();
         for (sensor, other) in self.other.iter().enumerate() {
-            spoken.extend(other.iter().flat_map(|&(first, last)| [(first, sensor), (last, sensor)]));
+            spoken.extend(other.iter().flat_map(|other| [(other.begin, sensor), (other.end, sensor)]));
         }
         // The rows are in order of time already, which this kind of sorting makes use of.
         spoken.sort();
@@ -351,15 +352,15 @@ impl<'a> Measuring<'a> {
     }
 
     /// The timeline of the last days, when one of them ends.
-    fn timeline(&mut self, begin: Micros, away: &[Span], known: &KnownDay) -> Timeline {
+    fn timeline(&mut self, begin: WallTime, away: &[Interval<WallTime>], known: &KnownDay) -> MeasureTimeline {
         let so_far = &mut self.so_far;
         let signs = signs(&self.window, &so_far.kinds, &so_far.rooms, &so_far.holds);
         let today = &signs[signs.partition_point(|sign| sign.at < begin)..];
-        let seen: Vec<Sign> = today.iter().filter(|sign| sign.is_seen).copied().collect();
+        let seen: Vec<RoomSign> = today.iter().filter(|sign| sign.is_seen).copied().collect();
         so_far.signs[0] += today.len() as u64;
         so_far.signs[1] += seen.len() as u64;
         let at_entrance = Signs::new(&self.log.sensors, &so_far.kinds, &so_far.entrance);
-        let door: Vec<Micros> = self.window.iter().filter(|row| at_entrance.is_door(row)).map(|row| row.at).collect();
+        let door: Vec<WallTime> = self.window.iter().filter(|row| at_entrance.is_door(row)).map(|row| row.at).collect();
         so_far.usual.add(today, door.last().is_some_and(|last| *last >= begin));
         let passages = so_far.paces.of_day(&seen);
         let mut cells = known.cells();
@@ -368,14 +369,15 @@ impl<'a> Measuring<'a> {
         }
         for &span in away {
             for (hour, cell) in (0..).zip(&mut cells) {
-                cell.away_h += within_h(&[span], (begin + hour * HOUR, begin + (hour + 1) * HOUR));
+                cell.away_h += within_h(&[span], Interval::starting(begin + hour * HOUR, HOUR));
             }
         }
         so_far.keep_cells(known.hours, cells);
         let history = so_far.history.iter();
-        let mut timeline = Timeline {
-            first: date_of(begin - (so_far.history.len() as Micros - 1) * DAY),
-            begin: begin - (so_far.history.len() as Micros - 1) * DAY,
+        let first = begin - (so_far.history.len() as i64 - 1) * DAY;
+        let mut timeline = MeasureTimeline {
+            first: first.date(),
+            begin: first,
             recorded_h: history.clone().map(|day| day.0).collect(),
             cells: so_far.has_motion.then(|| history.map(|day| day.1).collect()),
             rooms: so_far.rooms.clone(),
@@ -384,9 +386,9 @@ impl<'a> Measuring<'a> {
             away: (!so_far.entrance.sensors.is_empty()).then(|| away.to_vec()),
             passages: so_far.paces.is_known().then_some(passages),
             company: company(&signs, &door, &so_far.usual, known.until),
-            ..Timeline::default()
+            ..MeasureTimeline::default()
         };
-        let heard = Heard {
+        let heard = LogExcerpt {
             ids: &self.log.sensors,
             kinds: &so_far.kinds,
             spans: &|sensor| so_far.ongoing.spans(sensor, Some(known.until)),
@@ -404,18 +406,18 @@ impl<'a> Measuring<'a> {
 
 impl SoFar {
     /// The absences, as known at an instant.
-    fn away(&self, now: Micros) -> Vec<Span> {
+    fn away(&self, now: WallTime) -> Vec<Interval<WallTime>> {
         let last = self.leaving.last().into_iter().chain(self.leaving.open(now, self.has_door));
         let taken = self.taken_until(now);
         let last = last.filter(|absence| !absence.is_taken(&taken));
-        self.absences.iter().copied().chain(last).map(|absence| (absence.begin, absence.end)).collect()
+        self.absences.iter().copied().chain(last).map(|absence| absence.interval()).collect()
     }
 
-    fn taken_until(&self, now: Micros) -> Vec<Span> {
+    fn taken_until(&self, now: WallTime) -> Vec<Interval<WallTime>> {
         (0..self.is_seat.len()).flat_map(|sensor| self.taken.spans(sensor, Some(now))).collect()
     }
 
-    fn add_absence(&mut self, absence: Absence, now: Micros) {
+    fn add_absence(&mut self, absence: HomeAbsence, now: WallTime) {
         if !absence.is_taken(&self.taken_until(now)) {
             self.guesses_absences |= absence.is_guess;
             self.absences.push(absence);
@@ -423,7 +425,7 @@ impl SoFar {
     }
 
     /// Ends open spans where an unknown time begins.
-    fn break_off(&mut self, at: Micros) {
+    fn break_off(&mut self, at: WallTime) {
         self.ongoing.end_all(at);
         self.taken.end_all(at);
         self.holds.end_all();
@@ -431,7 +433,7 @@ impl SoFar {
     }
 
     /// Looks for absences in the signs of a day. A resident who left before a gap may have come back in it.
-    fn leave(&mut self, signs: &[crate::density::Sign], breaks: &[Micros], end: Micros) {
+    fn leave(&mut self, signs: &[crate::density::PresenceSign], breaks: &[WallTime], end: WallTime) {
         let mut gaps = breaks.iter().copied().filter(|at| self.time.is_gap(*at)).collect::<VecDeque<_>>();
         for sign in signs {
             while gaps.front().is_some_and(|at| *at <= sign.at) {
@@ -444,7 +446,7 @@ impl SoFar {
         gaps.into_iter().for_each(|at| self.leave_before(at));
     }
 
-    fn leave_before(&mut self, gap: Micros) {
+    fn leave_before(&mut self, gap: WallTime) {
         if let Some(absence) = self.leaving.last() {
             self.add_absence(absence, gap);
         }
@@ -452,7 +454,7 @@ impl SoFar {
     }
 
     /// Keeps the hours of a day with those of the last two weeks. The first whole days give the height of a level of density.
-    fn keep_cells(&mut self, hours: [f64; 24], cells: [Cell; 24]) {
+    fn keep_cells(&mut self, hours: [f64; 24], cells: [DensityCell; 24]) {
         self.history.push_back((hours, cells));
         if self.history.len() > WEEKS {
             self.history.pop_front();
@@ -460,17 +462,17 @@ impl SoFar {
         if self.step_per_h.is_none() && hours.iter().sum::<f64>() > 24.0 - UNKNOWN_H {
             self.first_cells.push(cells);
             if self.first_cells.len() == WEEKS {
-                self.step_per_h = Some(apart::step_per_h(&std::mem::take(&mut self.first_cells)));
+                self.step_per_h = Some(distance::step_per_h(&std::mem::take(&mut self.first_cells)));
             }
         }
     }
 
     /// Keeps what later days need of a day, and drops the rest.
-    fn remember(&mut self, timeline: Timeline, begin: Micros) {
+    fn remember(&mut self, timeline: MeasureTimeline, begin: WallTime) {
         self.last = timeline;
-        self.ongoing.retain(|span| span.1 >= begin - (DAYS_BEFORE - 1) * DAY);
+        self.ongoing.retain(|span| span.end >= begin - (DAYS_BEFORE - 1) * DAY);
         self.movements.retain(|movement| movement.at >= begin - (DAYS_BEFORE - 1) * DAY);
-        self.taken.retain(|span| span.1 >= begin - ABSENCES_KEPT);
+        self.taken.retain(|span| span.end >= begin - ABSENCES_KEPT);
         self.absences.retain(|absence| absence.end >= begin - ABSENCES_KEPT);
     }
 }

@@ -3,8 +3,8 @@
 //! Codes are our own, under [`SYSTEM`], as no terminology has most of these measures; units are UCUM's. A day is an
 //! `effectivePeriod` by dates, as a clock on the wall has no zone; times of day are a `valueTime`. An estimate has a note.
 
-use super::held::{Day, Measures};
-use super::kinds::Measure;
+use super::measure::{DailyMeasure, MeasureUnit};
+use super::values::{DayMeasures, Measures};
 use crate::dates::clock_of_hours;
 use serde_json::{Value, json};
 
@@ -14,7 +14,7 @@ pub const SYSTEM: &str = "urn:homebody:measure";
 impl Measures {
     /// A bundle of the type `collection`; `patient` is what the patient is called, and no identifier.
     pub fn fhir(&self, patient: &str) -> Value {
-        let of_day = |day: &Day| -> Vec<Value> {
+        let of_day = |day: &DayMeasures| -> Vec<Value> {
             let known = self.measures.iter().zip(&day.values).filter_map(|(measure, value)| Some((measure, (*value)?)));
             known
                 .map(|(measure, value)| json!({ "resource": self.observation(patient, day, measure, value) }))
@@ -29,7 +29,7 @@ impl Measures {
         bundle
     }
 
-    fn observation(&self, patient: &str, day: &Day, measure: &Measure, value: f64) -> Value {
+    fn observation(&self, patient: &str, day: &DayMeasures, measure: &DailyMeasure, value: f64) -> Value {
         let date = day.date.to_string();
         let mut observation = json!({
             "resourceType": "Observation",
@@ -49,9 +49,9 @@ impl Measures {
         if measure.is_clock() {
             observation["valueTime"] = format!("{}:00", clock_of_hours(value)).into();
         } else {
-            let (unit, code) = ucum(measure.unit);
+            let MeasureUnit { name, ucum, .. } = measure.unit;
             observation["valueQuantity"] =
-                json!({ "value": value, "unit": unit, "system": "http://unitsofmeasure.org", "code": code });
+                json!({ "value": value, "unit": name, "system": "http://unitsofmeasure.org", "code": ucum });
         }
         if self.guesses.contains(&measure.name) {
             observation["note"] = json!([{ "text": "Estimated: no sensor of the home measures it directly." }]);
@@ -60,22 +60,9 @@ impl Measures {
     }
 }
 
-/// A unit as people read it, and its code in UCUM.
-fn ucum(unit: &str) -> (&str, &str) {
-    match unit {
-        "h" => ("h", "h"),
-        "visits" => ("visits", "{visits}"),
-        "times" => ("times", "{times}"),
-        "bouts/h" => ("bouts/h", "{bouts}/h"),
-        "m/s" => ("m/s", "m/s"),
-        "firings/h" => ("firings/h", "{firings}/h"),
-        other => (other, "1"),
-    }
-}
-
 #[cfg(test)]
 mod tests {
-    use super::super::kinds::MEASURES;
+    use super::super::registry::MEASURES;
     use super::*;
     use jiff::civil::date;
     use std::path::Path;
@@ -84,7 +71,7 @@ mod tests {
     #[test]
     fn a_bundle_is_the_example() {
         let values = MEASURES.iter().enumerate().map(|(number, _)| (number != 3).then_some(1.5)).collect();
-        let day = Day { date: date(2024, 2, 29), is_whole: true, values };
+        let day = DayMeasures { date: date(2024, 2, 29), is_whole: true, values };
         let measures = Measures {
             name: "log".into(),
             measures: MEASURES,

@@ -2,20 +2,18 @@
 
 use super::*;
 use crate::alerts::{Rules, SENSOR, USUAL, alerts};
-use crate::dates::date_of;
-use homebody_core::scenario::home::HomeFile;
-use homebody_core::time::{DAY, Micros, SECOND};
+use homebody_core::home::form::HomeFile;
+use homebody_core::time::{DAY, MINUTE, SECOND};
 use homebody_log::Event;
 use jiff::civil::Date;
 use std::collections::BTreeMap;
 
-const MINUTE: Micros = 60 * SECOND;
 const DAYS: usize = 40;
 
 /// Numbers that look random, the same each time.
-struct Numbers(u64);
+struct TestRandom(u64);
 
-impl Numbers {
+impl TestRandom {
     fn below(&mut self, below: i64) -> i64 {
         self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
         ((self.0 >> 33) % below as u64) as i64
@@ -25,28 +23,28 @@ impl Numbers {
 /// A log that is written row by row, in any order.
 struct Writing {
     log: Log,
-    numbers: Numbers,
+    numbers: TestRandom,
 }
 
 impl Writing {
     fn new(sensors: &[&str], seed: u64) -> Writing {
         let values = ["ON", "OFF", "OPEN", "CLOSE"].map(String::from).into();
         let sensors = sensors.iter().map(|name| (*name).to_owned()).collect();
-        Writing { log: Log { sensors, values, ..Log::default() }, numbers: Numbers(seed) }
+        Writing { log: Log { sensors, values, ..Log::default() }, numbers: TestRandom(seed) }
     }
 
-    fn say(&mut self, at: Micros, sensor: usize, value: u32) {
+    fn say(&mut self, at: WallTime, sensor: usize, value: u32) {
         self.log.events.push(Event { at, sensor: sensor as u32, value });
     }
 
     /// A sensor is on for some seconds.
-    fn on(&mut self, at: Micros, sensor: usize, seconds: i64) {
+    fn on(&mut self, at: WallTime, sensor: usize, seconds: i64) {
         self.say(at, sensor, 0);
         self.say(at + seconds * SECOND, sensor, 1);
     }
 
     /// The resident walks past these sensors, one after the other.
-    fn walk(&mut self, mut at: Micros, sensors: &[usize], pace: i64) -> Micros {
+    fn walk(&mut self, mut at: WallTime, sensors: &[usize], pace: i64) -> WallTime {
         for &sensor in sensors {
             self.on(at, sensor, 2);
             at += (3 + pace + self.numbers.below(3)) * SECOND;
@@ -55,7 +53,7 @@ impl Writing {
     }
 
     /// The resident is in the view of a sensor for some minutes.
-    fn stay(&mut self, from: Micros, sensor: usize, minutes: i64, every_s: i64) {
+    fn stay(&mut self, from: WallTime, sensor: usize, minutes: i64, every_s: i64) {
         let mut at = from;
         while at < from + minutes * MINUTE {
             self.on(at, sensor, 2);
@@ -86,7 +84,8 @@ fn of_motion(seed: u64) -> Log {
     let mut writing = Writing::new(&MOTION, seed);
     for day in 0..DAYS as i64 {
         let at = |writing: &mut Writing, minute: i64| {
-            (day * 1440 + minute + writing.numbers.below(20)) * MINUTE + writing.numbers.below(60) * SECOND
+            let minute = WallTime::EPOCH + (day * 1440 + minute + writing.numbers.below(20)) * MINUTE;
+            minute + writing.numbers.below(60) * SECOND
         };
         let pace = day / 15;
         let out_by_night = day == 17;
@@ -156,7 +155,9 @@ fn of_contacts(seed: u64) -> Log {
     let names = ["bed pressure", "Hall-Toilet door", "ToiletFlush", "Fridge", "Microwave", "Frontdoor", "shower water"];
     let mut writing = Writing::new(&names, seed);
     for day in 0..DAYS as i64 {
-        let at = |writing: &mut Writing, minute: i64| (day * 1440 + minute + writing.numbers.below(30)) * MINUTE;
+        let at = |writing: &mut Writing, minute: i64| {
+            WallTime::EPOCH + (day * 1440 + minute + writing.numbers.below(30)) * MINUTE
+        };
         let lain = at(&mut writing, 1350);
         writing.on(lain, 0, 3600 * (7 + day % 3));
         for (minute, sensor, seconds) in
@@ -189,16 +190,16 @@ fn ways() -> Ways {
         sensors.join(", ")
     ))
     .unwrap();
-    Ways::of(&home, &|_, to| Some(vec![to]), &|_| Vec::new())
+    Ways::from_home(&home, &|_, to| Some(vec![to]), &|_| Vec::new())
 }
 
 /// The measures of the first days of a log.
 fn of_first(log: &Log, days: usize, ways: Option<&Ways>) -> Measures {
-    let until = days as Micros * DAY;
-    let events = log.events.iter().filter(|event| event.at < until).copied().collect();
+    let recorded = Interval::starting(WallTime::EPOCH, days as i64 * DAY);
+    let events = log.events.iter().filter(|event| event.at < recorded.end).copied().collect();
     let part = Log { events, ..log.clone() };
-    let asked = Asked { recorded: Some(0..until), ..Asked::default() };
-    Measures::heard("log", &part, &Known { rooms: &BTreeMap::new(), ways }, &asked).unwrap()
+    let asked = DensityOptions { recorded: Some(recorded), ..DensityOptions::default() };
+    Measures::from_log("log", &part, &HomeKnowledge { rooms: &BTreeMap::new(), ways }, &asked).unwrap()
 }
 
 /// The differences between the days of a shorter log and the same days of a longer one.
@@ -240,7 +241,8 @@ fn a_day_is_the_same_whatever_comes_after_it() {
 fn an_alert_comes_on_its_day_whatever_comes_after_it() {
     // The sensor of the kitchen dies on day 25, and the resident goes to bed ever later.
     let mut log = of_motion(4);
-    log.events.retain(|event| event.at < 25 * DAY || ![3, 8].contains(&event.sensor));
+    let dies = WallTime::EPOCH + 25 * DAY;
+    log.events.retain(|event| event.at < dies || ![3, 8].contains(&event.sensor));
     let rules = Rules::read(USUAL).unwrap();
     let told = |days: usize| -> Vec<(Date, String)> {
         let alerts = alerts(&of_first(&log, days, None), &rules).alerts;
@@ -249,7 +251,7 @@ fn an_alert_comes_on_its_day_whatever_comes_after_it() {
     let all = told(DAYS);
     assert!(all.iter().any(|(_, rule)| rule == SENSOR) && all.len() > 1, "{all:?}");
     for days in 1..DAYS {
-        let end = date_of(days as Micros * DAY);
+        let end = (WallTime::EPOCH + days as i64 * DAY).date();
         let until: Vec<_> = all.iter().filter(|(date, _)| *date < end).cloned().collect();
         assert_eq!(told(days), until, "after {days} days");
     }
@@ -273,7 +275,7 @@ fn a_measure_that_is_scaled_by_the_whole_run_is_caught() {
 #[test]
 fn lives_that_part_are_alike_until_they_do() {
     let (well, mut ill) = (of_motion(5), of_motion(5));
-    let parts = 25 * DAY;
+    let parts = WallTime::EPOCH + 25 * DAY;
     // From that day on half of the rows are missing.
     let mut number = 0;
     ill.events.retain(|event| {

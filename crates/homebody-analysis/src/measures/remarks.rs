@@ -1,27 +1,25 @@
 //! Sentences on the limits of a log: unknown measures, and guesses.
 
-use super::day_by_day::Measured;
-use super::known::Known;
+use super::day_by_day::MeasuredLog;
 use super::rooms::Purpose;
-use crate::density::Chosen;
+use super::ways::HomeKnowledge;
+use crate::density::EntranceSource;
+use crate::phrases::listed;
 use crate::signs::OwnWords;
-use crate::wording::listed;
 use homebody_core::problem::counted;
 use homebody_log::Log;
 
 /// The sentences, and the names of measures that are guessed.
 pub struct Remarks {
-    /// A sentence each.
     pub remarks: Vec<String>,
-    /// The measures.
     pub guesses: Vec<&'static str>,
 }
 
 impl Remarks {
     /// Of a log that has been measured.
-    pub fn of(log: &Log, known: &Known, measured: &Measured) -> Remarks {
+    pub fn from_log(log: &Log, known: &HomeKnowledge, measured: &MeasuredLog) -> Remarks {
         let mut told = Remarks { remarks: Vec::new(), guesses: Vec::new() };
-        told.remarks.extend_from_slice(OwnWords::of(log).not_understood());
+        told.remarks.extend_from_slice(OwnWords::from_log(log).not_understood());
         if !measured.has_motion {
             told.remark("The log has no motion sensor; the measures rely on doors and on sensors of use");
         }
@@ -76,7 +74,7 @@ impl Remarks {
     }
 
     /// Remarks on rooms, and on measures that need a room without a sensor.
-    fn rooms(&mut self, log: &Log, known: &Known, measured: &Measured) {
+    fn rooms(&mut self, log: &Log, known: &HomeKnowledge, measured: &MeasuredLog) {
         let (rooms, telling) = (&measured.all_rooms, &measured.timeline.rooms);
         // A door out is in no room.
         let of_sensors = log.sensors.iter().zip(&rooms.of_sensors);
@@ -107,16 +105,16 @@ impl Remarks {
         }
     }
 
-    fn outings(&mut self, measured: &Measured) {
+    fn outings(&mut self, measured: &MeasuredLog) {
         match measured.entrance.chosen {
-            Chosen::None => self.remark("Outings are unknown: no sensor is at an entrance"),
-            Chosen::Guessed => {
+            EntranceSource::None => self.remark("Outings are unknown: no sensor is at an entrance"),
+            EntranceSource::Guessed => {
                 self.guess(&["time_out", "outings"]);
                 let sensors = listed(&measured.entrance.sensors);
                 self.remark(&format!("Outings are estimated, with the entrance taken to be at {sensors}"));
             }
-            Chosen::Asked | Chosen::Known if !measured.guesses_absences => {}
-            Chosen::Asked | Chosen::Known => {
+            EntranceSource::Asked | EntranceSource::Known if !measured.guesses_absences => {}
+            EntranceSource::Asked | EntranceSource::Known => {
                 self.remark("Some outings are estimated: movement at the entrance, then no movement at home");
             }
         }

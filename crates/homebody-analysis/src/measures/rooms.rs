@@ -18,7 +18,7 @@ pub enum Purpose {
 
 /// The rooms of a log, and in which of them its sensors are.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct Rooms {
+pub struct SensorRooms {
     /// By number: what it is called, and what it is for.
     pub rooms: Vec<(String, Purpose)>,
     /// By sensor of the log.
@@ -28,7 +28,7 @@ pub struct Rooms {
 /// A room as names of sensors tell it: what it is called here, what it is for, and the words that tell it (ours). Of two, the
 /// word that stands first in a name decides: a `KitchenDoor` is the kitchen's. The hall comes last, for a `hall-bathroom door` and a
 /// `front bedroom` are of the other.
-const TOLD: [(&str, Purpose, &[&str]); 7] = [
+const ROOM_WORDS: [(&str, Purpose, &[&str]); 7] = [
     ("bedroom", Purpose::Bedroom, &["bedroom", "bed", "bedside", "mattress"]),
     (
         "bathroom",
@@ -62,9 +62,9 @@ const TOLD: [(&str, Purpose, &[&str]); 7] = [
 ];
 
 /// The room that a name speaks of.
-fn told(name: &str) -> Option<(&'static str, Purpose)> {
+fn named_room(name: &str) -> Option<(&'static str, Purpose)> {
     let said = words(name);
-    let (hall, others) = TOLD.split_last()?;
+    let (hall, others) = ROOM_WORDS.split_last()?;
     let tells = |of: &[(&'static str, Purpose, &[&str])]| {
         said.iter().find_map(|word| {
             let told = of.iter().find(|(.., words)| words.contains(&word.as_str()))?;
@@ -76,16 +76,16 @@ fn told(name: &str) -> Option<(&'static str, Purpose)> {
 
 /// What a room of this name is for.
 pub fn purpose(room: &str) -> Purpose {
-    told(room).map_or(Purpose::Other, |(_, purpose)| purpose)
+    named_room(room).map_or(Purpose::Other, |(_, purpose)| purpose)
 }
 
-impl Rooms {
+impl SensorRooms {
     /// Of these sensors; `known` says which of them are in which rooms. Where it says nothing of any, names decide.
-    pub fn of(sensors: &[String], known: &BTreeMap<String, String>) -> Rooms {
-        let mut rooms = Rooms::default();
+    pub fn from_sensors(sensors: &[String], known: &BTreeMap<String, String>) -> SensorRooms {
+        let mut rooms = SensorRooms::default();
         for sensor in sensors {
             let room = match known.is_empty() {
-                true => told(sensor).map(|(name, purpose)| (name.to_owned(), purpose)),
+                true => named_room(sensor).map(|(name, purpose)| (name.to_owned(), purpose)),
                 false => known.get(sensor).map(|room| (room.clone(), purpose(room))),
             };
             let number = room.map(|room| rooms.number(room));
@@ -95,8 +95,8 @@ impl Rooms {
     }
 
     /// The rooms of some of the sensors. The other sensors are in no room.
-    pub fn among(&self, takes: &dyn Fn(usize) -> bool) -> Rooms {
-        let mut rooms = Rooms::default();
+    pub fn among(&self, takes: &dyn Fn(usize) -> bool) -> SensorRooms {
+        let mut rooms = SensorRooms::default();
         for (sensor, room) in self.of_sensors.iter().enumerate() {
             let room = room.filter(|_| takes(sensor)).map(|room| self.rooms[room].clone());
             let number = room.map(|room| rooms.number(room));
@@ -137,15 +137,15 @@ mod tests {
     fn rooms_are_those_of_the_home_or_else_of_names() {
         let sensors: Vec<String> =
             ["BedroomABed", "KitchenADoor", "M003", "shower motion", "MainDoor"].map(String::from).into();
-        let rooms = Rooms::of(&sensors, &BTreeMap::new());
-        let of = |rooms: &Rooms, sensor: usize| rooms.of_sensors[sensor].map(|room| rooms.rooms[room].0.clone());
+        let rooms = SensorRooms::from_sensors(&sensors, &BTreeMap::new());
+        let of = |rooms: &SensorRooms, sensor: usize| rooms.of_sensors[sensor].map(|room| rooms.rooms[room].0.clone());
         let found: Vec<Option<String>> = (0..5).map(|sensor| of(&rooms, sensor)).collect();
         assert_eq!(
             found,
             [Some("bedroom"), Some("kitchen"), None, Some("bathroom"), Some("hall")].map(|room| room.map(String::from))
         );
         let known = BTreeMap::from([("M003".to_owned(), "guest bedroom".to_owned())]);
-        let rooms = Rooms::of(&sensors, &known);
+        let rooms = SensorRooms::from_sensors(&sensors, &known);
         assert_eq!((of(&rooms, 0), of(&rooms, 2)), (None, Some("guest bedroom".to_owned())));
         assert!(rooms.has(Purpose::Bedroom) && !rooms.has(Purpose::Kitchen));
         let none = rooms.among(&|sensor| sensor != 2);

@@ -2,20 +2,19 @@
 //!
 //! Whatever is used, opened and closed is a sign as much as a movement that is seen: many real homes have hardly a motion sensor.
 
-use super::rooms::Rooms;
-use crate::holds::{Holds, Movement};
-use crate::rows::Row;
-use crate::signs::{Kind, Said, Says};
-use homebody_core::time::{Micros, SECOND};
+use super::rooms::SensorRooms;
+use crate::holds::{HiddenMovement, HoldTimes};
+use crate::rows::StateRow;
+use crate::signs::{Kind, RowMeaning, Says};
+use homebody_core::time::{SECOND, Span, WallTime};
 
 /// Time within which sensors see the same movement (our choice).
-const TOGETHER: Micros = 2 * SECOND;
+const TOGETHER: Span = SECOND.times(2);
 
 /// A sign of somebody: when, where, and by which sensor.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Sign {
-    /// When, in microseconds since 1970 on the clock on the wall.
-    pub at: Micros,
+pub struct RoomSign {
+    pub at: WallTime,
     /// The room, by its number.
     pub room: usize,
     /// The sensor, by its number in the log.
@@ -28,16 +27,16 @@ pub struct Sign {
 
 /// The signs of the resident in known rooms, by rows in order of time. A movement is one sign. Things in use give one as they begin, and
 /// one as they end.
-pub fn signs(rows: &[Row], kinds: &[Kind], rooms: &Rooms, holds: &Holds) -> Vec<Sign> {
-    let sign = |row: &Row| {
+pub fn signs(rows: &[StateRow], kinds: &[Kind], rooms: &SensorRooms, holds: &HoldTimes) -> Vec<RoomSign> {
+    let sign = |row: &StateRow| {
         let sensor = row.sensor as usize;
         let room = rooms.of_sensors[sensor]?;
-        gives_signs(kinds[sensor], &row.said).then_some(Sign {
+        gives_signs(kinds[sensor], &row.said).then_some(RoomSign {
             at: row.at,
             room,
             sensor,
             is_seen: kinds[sensor] == Kind::Motion,
-            is_held: holds.of(sensor).is_some(),
+            is_held: holds.hold(sensor).is_some(),
         })
     };
     let mut signs = Vec::with_capacity(rows.len());
@@ -47,25 +46,25 @@ pub fn signs(rows: &[Row], kinds: &[Kind], rooms: &Rooms, holds: &Holds) -> Vec<
 
 /// The same signs and those of movements between reports, in the order of time. A movement that may have been before the last sign of
 /// another room is left out.
-pub fn with_movements(signs: &[Sign], movements: &[Movement], rooms: &Rooms) -> Vec<Sign> {
-    let of_rows = signs.iter().map(|sign| (*sign, 0));
+pub fn with_movements(signs: &[RoomSign], movements: &[HiddenMovement], rooms: &SensorRooms) -> Vec<RoomSign> {
+    let of_rows = signs.iter().map(|sign| (*sign, Span::ZERO));
     let of_movements = movements.iter().filter_map(|movement| {
         let sensor = movement.sensor as usize;
-        let sign = Sign { at: movement.at, room: rooms.of_sensors[sensor]?, sensor, is_seen: false, is_held: true };
+        let sign = RoomSign { at: movement.at, room: rooms.of_sensors[sensor]?, sensor, is_seen: false, is_held: true };
         Some((sign, movement.within))
     });
-    let mut all: Vec<(Sign, Micros)> = of_rows.chain(of_movements).collect();
+    let mut all: Vec<(RoomSign, Span)> = of_rows.chain(of_movements).collect();
     all.sort_by_key(|(sign, _)| sign.at);
     let is_sure = |index: &usize| {
         let (sign, within) = all[*index];
         let before = all[..*index].iter().rev().map(|(other, _)| other).take_while(|other| other.at > sign.at - within);
-        within == 0 || before.into_iter().all(|other| other.room == sign.room)
+        within == Span::ZERO || before.into_iter().all(|other| other.room == sign.room)
     };
     (0..all.len()).filter(is_sure).map(|index| all[index].0).collect()
 }
 
 /// Whether such a row of a sensor of this kind is a sign of the resident.
-pub fn gives_signs(kind: Kind, said: &Said) -> bool {
+pub fn gives_signs(kind: Kind, said: &RowMeaning) -> bool {
     match kind {
         Kind::Motion => said.says == Says::Begins && said.is_sign(),
         Kind::Contact | Kind::Used => said.is_sign(),
@@ -76,7 +75,7 @@ pub fn gives_signs(kind: Kind, said: &Said) -> bool {
 /// The signs, each in the room where most of the sensors are that speak with it: a sensor that sees through an open door into
 /// the next room speaks together with those in there, and one that sees who passes the door, with those out here. Of as many, it
 /// is the sensor's own room.
-pub fn agreed(signs: &[Sign]) -> Vec<Sign> {
+pub fn agreed(signs: &[RoomSign]) -> Vec<RoomSign> {
     let (mut from, mut to) = (0, 0);
     // The signs of one room around the current one.
     let mut of_room = 0..0;
@@ -112,7 +111,7 @@ pub fn agreed(signs: &[Sign]) -> Vec<Sign> {
         }
         let rank = |&(room, count): &(usize, usize)| (count, room == sign.room);
         let most = speaking.iter().reduce(|most, other| if rank(other) > rank(most) { other } else { most });
-        agreed.push(Sign { room: most.map_or(sign.room, |(room, _)| *room), ..*sign });
+        agreed.push(RoomSign { room: most.map_or(sign.room, |(room, _)| *room), ..*sign });
     }
     agreed
 }
@@ -125,14 +124,13 @@ mod tests {
     const BATHROOM: usize = 1;
 
     /// Signs by their seconds, rooms and sensors.
-    fn at(signs: &[(Micros, usize, usize)]) -> Vec<Sign> {
-        signs
-            .iter()
-            .map(|&(at, room, sensor)| Sign { at: at * SECOND, room, sensor, is_seen: true, is_held: false })
-            .collect()
+    fn at(signs: &[(i64, usize, usize)]) -> Vec<RoomSign> {
+        let at = crate::sample::at;
+        let sign = |&(s, room, sensor)| RoomSign { at: at(s), room, sensor, is_seen: true, is_held: false };
+        signs.iter().map(sign).collect()
     }
 
-    fn rooms(signs: &[(Micros, usize, usize)]) -> Vec<usize> {
+    fn rooms(signs: &[(i64, usize, usize)]) -> Vec<usize> {
         agreed(&at(signs)).iter().map(|sign| sign.room).collect()
     }
 

@@ -1,7 +1,7 @@
 //! Measures as tables, for people and for programs.
 
-use super::held::{Measures, Silent};
-use super::kinds::MEASURES;
+use super::registry::MEASURES;
+use super::values::{Measures, SilentSensor};
 use homebody_core::problem::counted;
 use homebody_core::statistics::quantile;
 use std::fmt;
@@ -57,7 +57,7 @@ impl fmt::Display for Measures {
             }
             writeln!(f, "   {}", recent.join("  "))?;
         }
-        for (_, words) in Silent::told(&self.silent) {
+        for (_, words) in SilentSensor::sentences(&self.silent) {
             writeln!(f, "\n{words}; measures that need it have no value for that time.")?;
         }
         for (number, noted) in self.noted.iter().enumerate() {

@@ -1,12 +1,11 @@
 //! Measures and alerts of logs that are short, have gaps, or are of days that are unlike others.
 
 use super::*;
-use crate::alerts::{Alerts, Rules, SENSOR, USUAL, alerts};
-use homebody_core::time::{DAY, Micros, SECOND};
+use crate::alerts::{LogAlerts, Rules, SENSOR, USUAL, alerts};
+use homebody_core::time::{DAY, MINUTE, SECOND, Span};
 use homebody_log::{Event, Log};
 use std::collections::BTreeMap;
 
-const MINUTE: Micros = 60 * SECOND;
 const SENSORS: [&str; 5] =
     ["bedroom motion", "bathroom motion", "kitchen motion", "living room motion", "entrance motion"];
 const BEDROOM: u32 = 0;
@@ -16,7 +15,7 @@ const LIVING: u32 = 3;
 const ENTRANCE: u32 = 4;
 
 /// What is said on an ordinary day: from which minute to which, so many minutes apart, by which sensor.
-const ORDINARY: [(Micros, Micros, Micros, u32); 11] = [
+const ORDINARY: [(i64, i64, i64, u32); 11] = [
     (0, 1, 1, BEDROOM),
     (200, 206, 2, BATHROOM),
     (207, 209, 1, BEDROOM),
@@ -30,8 +29,11 @@ const ORDINARY: [(Micros, Micros, Micros, u32); 11] = [
     (1121, 1375, 5, LIVING),
 ];
 
-/// A log of so many days, of which some are otherwise.
-fn log_of(days: Micros, otherwise: &dyn Fn(Micros, Micros, u32) -> bool) -> Log {
+fn at(day: i64, minute: i64) -> WallTime {
+    WallTime::EPOCH + (day * 1440 + minute) * MINUTE
+}
+
+fn log_of(days: i64, otherwise: &dyn Fn(i64, i64, u32) -> bool) -> Log {
     let mut log = Log { sensors: SENSORS.map(String::from).into(), values: vec!["ON".into()], ..Log::default() };
     for day in 0..days {
         let to_bed = [(1376, 1380, 1, BEDROOM)];
@@ -39,7 +41,7 @@ fn log_of(days: Micros, otherwise: &dyn Fn(Micros, Micros, u32) -> bool) -> Log 
             let mut minute = from;
             while minute < to {
                 // Not to the second, as no day is like another.
-                let at = (day * 1440 + minute) * MINUTE + (day * 7 + minute * 13) % 50 * SECOND;
+                let at = at(day, minute) + (day * 7 + minute * 13) % 50 * SECOND;
                 if otherwise(day, minute, sensor) {
                     log.events.push(Event { at, sensor, value: 0 });
                 }
@@ -50,9 +52,14 @@ fn log_of(days: Micros, otherwise: &dyn Fn(Micros, Micros, u32) -> bool) -> Log 
     log
 }
 
-fn measured(log: &Log) -> (Measures, Alerts) {
-    let measures =
-        Measures::heard("log", log, &Known { rooms: &BTreeMap::new(), ways: None }, &Asked::default()).unwrap();
+fn measured(log: &Log) -> (Measures, LogAlerts) {
+    let measures = Measures::from_log(
+        "log",
+        log,
+        &HomeKnowledge { rooms: &BTreeMap::new(), ways: None },
+        &DensityOptions::default(),
+    )
+    .unwrap();
     let told = alerts(&measures, &Rules::read(USUAL).unwrap());
     (measures, told)
 }
@@ -72,14 +79,15 @@ fn ordinary_days_are_measured_and_nothing_is_alarming() {
 }
 
 /// The same log by sensors that stay on for so many seconds after a movement.
-fn held(log: &Log, hold_s: Micros) -> Log {
+fn held(log: &Log, hold: Span) -> Log {
     let values = vec!["ON".to_owned(), "OFF".to_owned()];
     let mut held = Log { sensors: log.sensors.clone(), values, ..Log::default() };
     for sensor in 0..log.sensors.len() as u32 {
-        let at: Vec<Micros> = log.events.iter().filter(|event| event.sensor == sensor).map(|event| event.at).collect();
-        for on in at.chunk_by(|a, b| b - a <= hold_s * SECOND) {
+        let of_sensor = log.events.iter().filter(|event| event.sensor == sensor);
+        let at: Vec<WallTime> = of_sensor.map(|event| event.at).collect();
+        for on in at.chunk_by(|&a, &b| b - a <= hold) {
             held.events.push(Event { at: on[0], sensor, value: 0 });
-            held.events.push(Event { at: on[on.len() - 1] + hold_s * SECOND, sensor, value: 1 });
+            held.events.push(Event { at: on[on.len() - 1] + hold, sensor, value: 1 });
         }
     }
     held.events.sort_by_key(|event| event.at);
@@ -91,7 +99,7 @@ fn sensors_that_stay_on_hide_no_stays() {
     let log = log_of(20, &|_, _, _| true);
     let (plain, _) = measured(&log);
     // A movement a minute: with a hold time of 90 s only the first of each stay is reported.
-    let reported = held(&log, 90);
+    let reported = held(&log, 90 * SECOND);
     assert!(3 * reported.events.len() < 4 * log.events.len());
     let (held, _) = measured(&reported);
     for name in ["bathroom_night", "bathroom_day", "meals", "time_out", "outings"] {
@@ -132,8 +140,8 @@ fn what_no_sensor_can_tell_is_not_zero() {
         let mut log = Log { values: vec!["ON".into(), "OPEN".into(), "CLOSE".into()], ..two.clone() };
         log.sensors[KITCHEN as usize] = name.into();
         for minute in [500, 700, 1900, 2100, 3400] {
-            for (at, value) in [(minute, 1), (minute + 3, 2)] {
-                log.events.push(Event { at: at * MINUTE, sensor: KITCHEN, value });
+            for (minute, value) in [(minute, 1), (minute + 3, 2)] {
+                log.events.push(Event { at: at(0, minute), sensor: KITCHEN, value });
             }
         }
         log.events.sort_by_key(|event| event.at);
@@ -181,15 +189,12 @@ fn of_a_sensor_that_dies_it_is_told_that_it_does_and_not_that_nobody_eats() {
 
 #[test]
 fn a_night_away_is_no_sleepless_night() {
-    let away = |day: Micros, minute: Micros, _: u32| !(day == 30 && minute > 1110 || day == 31 && minute < 600);
+    let away = |day: i64, minute: i64, _: u32| !(day == 30 && minute > 1110 || day == 31 && minute < 600);
     let mut log = log_of(40, &away);
     // Out by the door in the evening, and home in the morning.
-    for at in [30 * 1440 + 1110, 31 * 1440 + 600] {
-        log.events.extend((0..4).map(|sign| Event {
-            at: at * MINUTE + sign * 20 * SECOND,
-            sensor: ENTRANCE,
-            value: 0,
-        }));
+    for at in [at(30, 1110), at(31, 600)] {
+        let sign = |sign: i64| Event { at: at + sign * 20 * SECOND, sensor: ENTRANCE, value: 0 };
+        log.events.extend((0..4).map(sign));
     }
     let (measures, told) = measured(&log);
     assert_eq!(values(&measures, "time_in_bed")[31], None);
@@ -203,7 +208,7 @@ fn a_night_away_is_no_sleepless_night() {
 #[test]
 fn furniture_that_is_moved_is_told_of_for_a_while_and_becomes_usual() {
     // The armchair stands where the sensor of the living room no longer sees it: it tells a third of what it did.
-    let moved = |day: Micros, minute: Micros, sensor: u32| day < 40 || sensor != LIVING || (minute / 5) % 3 == 0;
+    let moved = |day: i64, minute: i64, sensor: u32| day < 40 || sensor != LIVING || (minute / 5) % 3 == 0;
     let (measures, _) = measured(&log_of(100, &moved));
     let day = |number: usize| measures.days[number].date;
     for method in ["deviation", "ewma", "cusum"] {
@@ -220,11 +225,11 @@ fn furniture_that_is_moved_is_told_of_for_a_while_and_becomes_usual() {
 #[test]
 fn a_night_on_which_clocks_change_is_whole_and_alarms_nobody() {
     // In spring no clock tells 02:00 to 03:00, and in autumn it is told twice.
-    for hour in [|minute: Micros| !(120..180).contains(&minute), |_: Micros| true] {
+    for hour in [|minute: i64| !(120..180).contains(&minute), |_: i64| true] {
         let mut log = log_of(40, &|day, minute, _| day != 30 || hour(minute));
         if hour(150) {
-            log.events.push(Event { at: (30 * 1440 + 150) * MINUTE, sensor: BEDROOM, value: 0 });
-            log.events.push(Event { at: (30 * 1440 + 150) * MINUTE, sensor: BEDROOM, value: 0 });
+            log.events.push(Event { at: at(30, 150), sensor: BEDROOM, value: 0 });
+            log.events.push(Event { at: at(30, 150), sensor: BEDROOM, value: 0 });
         }
         let (measures, told) = measured(&log);
         assert!(measures.days[30].is_whole && values(&measures, "time_in_bed")[30].is_some());
@@ -233,7 +238,7 @@ fn a_night_on_which_clocks_change_is_whole_and_alarms_nobody() {
 }
 
 /// What a home of contacts says on a day: the minute, the sensor, and for how many minutes it is on.
-const OF_CONTACTS: [(Micros, &str, Micros); 14] = [
+const OF_CONTACTS: [(i64, &str, i64); 14] = [
     (0, "bed pressure", 420),
     (422, "Hall-Toilet door", 1),
     (424, "ToiletFlush", 1),
@@ -250,14 +255,14 @@ const OF_CONTACTS: [(Micros, &str, Micros); 14] = [
     (1380, "bed pressure", 60),
 ];
 
-fn of_contacts(days: Micros) -> Log {
+fn of_contacts(days: i64) -> Log {
     let mut log = Log { values: vec!["ON".into(), "OFF".into()], ..Log::default() };
     for (day, &(minute, name, lasts)) in (0..days).flat_map(|day| OF_CONTACTS.iter().map(move |row| (day, row))) {
         let sensor = log.sensors.iter().position(|known| known == name).unwrap_or_else(|| {
             log.sensors.push(name.to_owned());
             log.sensors.len() - 1
         });
-        let at = (day * 1440 + minute) * MINUTE;
+        let at = at(day, minute);
         // A door and a fridge are open for seconds.
         let end = if lasts == 1 { at + 8 * SECOND } else { at + lasts * MINUTE };
         log.events.extend([(at, 0), (end, 1)].map(|(at, value)| Event { at, sensor: sensor as u32, value }));
@@ -298,17 +303,17 @@ fn of_half_minutes(has_gaps: bool) -> Log {
     let sensors = ["bed pressure", "kitchen lamp", "bathroom motion"].map(String::from).into();
     let mut log = Log { sensors, values: vec!["ON".into(), "OFF".into()], ..Log::default() };
     let first = [(470, 0), (475, 1)];
-    log.events.extend(first.map(|(minute, value)| Event { at: minute * MINUTE, sensor: 0, value }));
+    log.events.extend(first.map(|(minute, value)| Event { at: at(0, minute), sensor: 0, value }));
     for day in 0..5 {
-        let at = day * DAY + 480 * MINUTE;
+        let at = at(day, 480);
         let rows = [(0, 0, 0), (0, 1, 0), (10, 1, 1), (20, 2, 0), (30, 2, 1)];
         log.events.extend(rows.map(|(second, sensor, value)| Event { at: at + second * SECOND, sensor, value }));
         if has_gaps && day < 4 {
-            log.gaps.push((at + 31 * SECOND, at + DAY));
+            log.gaps.push(Interval::new(at + 31 * SECOND, at + DAY));
         }
     }
     let last = [(481, 0), (600, 1)];
-    log.events.extend(last.map(|(minute, sensor)| Event { at: 4 * DAY + minute * MINUTE, sensor, value: 1 }));
+    log.events.extend(last.map(|(minute, sensor)| Event { at: at(4, minute), sensor, value: 1 }));
     log
 }
 
@@ -334,11 +339,9 @@ fn a_bed_that_stays_taken_gives_no_impossible_hours() {
 #[test]
 fn a_gap_by_night_ends_the_time_in_bed() {
     // From two in the morning to five nothing is recorded on day 20; for five minutes on day 25.
-    let silent = |day: Micros, minute: Micros, _: u32| !(day == 20 && (120..300).contains(&minute));
+    let silent = |day: i64, minute: i64, _: u32| !(day == 20 && (120..300).contains(&minute));
     let mut log = log_of(30, &silent);
-    log.gaps = [(20, 120, 300), (25, 120, 125)]
-        .map(|(day, from, to)| ((day * 1440 + from) * MINUTE, (day * 1440 + to) * MINUTE))
-        .into();
+    log.gaps = [(20, 120, 300), (25, 120, 125)].map(|(day, from, to)| Interval::new(at(day, from), at(day, to))).into();
     let (measures, _) = measured(&log);
     let in_bed = values(&measures, "time_in_bed");
     assert_eq!((in_bed[20], values(&measures, "sleep")[20], values(&measures, "meals")[20]), (None, None, None));

@@ -4,23 +4,23 @@
 //! Metres a second need three sensors and more that speak one after the other on one way: the first tells from where somebody comes
 //! into the view of the second, and the last is where the walk ends. A stop on the way looks like a slow walk, so the slowest tenth tells of stops, too.
 
-use super::signs::Sign;
-use super::timeline::{Passage, Walk};
+use super::signs::RoomSign;
+use super::timeline::{SensorPassage, TimedWalk};
 use super::ways::Ways;
-use homebody_core::time::{Micros, SECOND, seconds};
+use homebody_core::time::{SECOND, Span, WallTime};
 use std::collections::BTreeMap;
 
 /// A way from one sensor to another takes no longer.
-const PASSES_WITHIN: Micros = 15 * SECOND;
+const PASSES_WITHIN: Span = SECOND.times(15);
 /// The usual time of a way is known after so many times, and by so many of the first times at most.
 const PASSES_KNOWN: usize = 20;
 const PASSES_KEPT: usize = 100;
 /// Largest number of pairs of sensors with a way between them.
 const MOST_PAIRS: usize = 20_000;
 /// Silence after which a firing of a sensor means that a person has entered its view (our choice).
-const COMES_AFTER: Micros = 15 * SECOND;
+const COMES_AFTER: Span = SECOND.times(15);
 /// Time within which a walking person is seen again, and largest number of firings on one way (our choice).
-const GOES_ON: Micros = 8 * SECOND;
+const GOES_ON: Span = SECOND.times(8);
 const MOST_SIGNS: usize = 16;
 /// Length of a way below which the position within the sensors' fields makes the distance too uncertain (our choice).
 const LEAST_WALK_M: f64 = 3.0;
@@ -30,15 +30,15 @@ const SPEEDS_M_S: std::ops::RangeInclusive<f64> = 0.1..=2.0;
 /// The pace of ways between sensors in different rooms, relative to their first times.
 #[derive(Default)]
 pub struct Paces {
-    before: Option<Sign>,
-    pairs: BTreeMap<(usize, usize), Pair>,
+    before: Option<RoomSign>,
+    pairs: BTreeMap<(usize, usize), WayTimes>,
 }
 
 /// The way between two sensors: the seconds of the first times that it was gone, the shortest first.
 #[derive(Default)]
-struct Pair(Vec<f64>);
+struct WayTimes(Vec<f64>);
 
-impl Pair {
+impl WayTimes {
     /// The seconds that the way usually takes, once it has been gone often enough.
     fn usual(&self) -> Option<f64> {
         (self.0.len() >= PASSES_KNOWN).then(|| self.0[self.0.len() / 2])
@@ -54,20 +54,20 @@ impl Pair {
 
 impl Paces {
     /// Takes the signs of a day, in order, and returns the passages of ways whose usual time was known before.
-    pub fn of_day(&mut self, signs: &[Sign]) -> Vec<Passage> {
+    pub fn of_day(&mut self, signs: &[RoomSign]) -> Vec<SensorPassage> {
         let mut passages = Vec::new();
         for sign in signs {
             let Some(before) = self.before.replace(*sign) else { continue };
             let took = sign.at - before.at;
-            if before.room == sign.room || took <= 0 || took > PASSES_WITHIN {
+            if before.room == sign.room || took <= Span::ZERO || took > PASSES_WITHIN {
                 continue;
             }
-            let (of, took) = ((before.sensor, sign.sensor), seconds(took));
+            let (of, took) = ((before.sensor, sign.sensor), took.seconds());
             if self.pairs.len() >= MOST_PAIRS && !self.pairs.contains_key(&of) {
                 continue;
             }
             let pair = self.pairs.entry(of).or_default();
-            passages.extend(pair.usual().map(|usual| Passage { at: sign.at, of_usual: usual / took }));
+            passages.extend(pair.usual().map(|usual| SensorPassage { at: sign.at, of_usual: usual / took }));
             pair.add(took);
         }
         passages
@@ -85,11 +85,11 @@ impl Paces {
 }
 
 /// How fast somebody walked, by the ways of their home.
-pub fn walks(signs: &[Sign], sensors: &[String], ways: &Ways) -> Vec<Walk> {
+pub fn walks(signs: &[RoomSign], sensors: &[String], ways: &Ways) -> Vec<TimedWalk> {
     let numbers: Vec<Option<usize>> = sensors.iter().map(|sensor| ways.number(sensor)).collect();
-    let mut before: Vec<Option<Micros>> = vec![None; sensors.len()];
+    let mut before: Vec<Option<WallTime>> = vec![None; sensors.len()];
     // Each sign with its sensor's number in the home, and whether somebody has just come into its view.
-    let coming: Vec<(Micros, Option<usize>, bool)> = (signs.iter())
+    let coming: Vec<(WallTime, Option<usize>, bool)> = (signs.iter())
         .map(|sign| {
             let was = before[sign.sensor].replace(sign.at);
             (sign.at, numbers[sign.sensor], was.is_none_or(|was| sign.at - was >= COMES_AFTER))
@@ -112,7 +112,7 @@ pub fn walks(signs: &[Sign], sensors: &[String], ways: &Ways) -> Vec<Walk> {
 }
 
 /// The longest walk along one way that begins with the first of some signs: the number of the sign with which it ends.
-fn longest(signs: &[(Micros, Option<usize>, bool)], ways: &Ways) -> Option<(usize, Option<Walk>)> {
+fn longest(signs: &[(WallTime, Option<usize>, bool)], ways: &Ways) -> Option<(usize, Option<TimedWalk>)> {
     let (_, Some(first), _) = signs[0] else { return None };
     let (began, Some(from), true) = signs[1] else { return None };
     let on_the_way = |last: usize| {
@@ -122,8 +122,8 @@ fn longest(signs: &[(Micros, Option<usize>, bool)], ways: &Ways) -> Option<(usiz
             sensor.is_some_and(|sensor| sensor == first || metres(sensor).is_some_and(|metres| metres >= 0.0))
         });
         let metres = metres(from).filter(|metres| passed && *metres >= LEAST_WALK_M)?;
-        let speed_m_s = metres / seconds(ended - began);
-        Some((last, SPEEDS_M_S.contains(&speed_m_s).then_some(Walk { at: ended, speed_m_s })))
+        let speed_m_s = metres / (ended - began).seconds();
+        Some((last, SPEEDS_M_S.contains(&speed_m_s).then_some(TimedWalk { at: ended, speed_m_s })))
     };
     (2..signs.len().min(MOST_SIGNS)).rev().find_map(on_the_way)
 }
@@ -136,10 +136,10 @@ mod tests {
     fn a_pace_is_held_against_the_first_times_that_a_way_was_gone() {
         let mut paces = Paces::default();
         // A day of ways from one room to another, each of so many seconds, ten minutes apart.
-        let day = |count: i64, took: i64| -> Vec<Sign> {
+        let day = |count: i64, took: i64| -> Vec<RoomSign> {
             let way = |number: i64| {
-                [(0, 0), (took, 1)].map(|(off, sensor)| Sign {
-                    at: (number * 600 + off) * SECOND,
+                [(0, 0), (took, 1)].map(|(off, sensor)| RoomSign {
+                    at: crate::sample::at(number * 600 + off),
                     room: sensor,
                     sensor,
                     is_seen: true,

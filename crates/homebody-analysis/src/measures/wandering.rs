@@ -1,28 +1,28 @@
 //! Aimless ways, after Martino-Saltzman et al. 1991: pacing, which goes back and forth between two places, and lapping, which
 //! goes round by three and more.
 
-use super::timeline::Stay;
-use homebody_core::time::{Micros, SECOND};
+use super::timeline::RoomStay;
+use homebody_core::time::{MINUTE, Span, WallTime};
 
 /// Stay after which a person does not wander (our choice).
-const PASSING: Micros = 60 * SECOND;
+const PASSING: Span = MINUTE;
 
 /// Smallest number of returns to the start of a way that is pacing or lapping (our choice).
 const ROUNDS: usize = 3;
 
 /// When somebody paces, and when they lap.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct Wandering {
+pub struct WanderingStarts {
     /// The beginnings of ways back and forth.
-    pub pacing: Vec<Micros>,
+    pub pacing: Vec<WallTime>,
     /// The beginnings of ways round.
-    pub lapping: Vec<Micros>,
+    pub lapping: Vec<WallTime>,
 }
 
 /// The aimless ways among stays in rooms.
-pub fn wandering(stays: &[Stay]) -> Wandering {
-    let mut found = Wandering::default();
-    for way in stays.split(|stay| stay.lasts() > PASSING) {
+pub fn wandering(stays: &[RoomStay]) -> WanderingStarts {
+    let mut found = WanderingStarts::default();
+    for way in stays.split(|stay| stay.interval().length() > PASSING) {
         let rooms: Vec<usize> = way.iter().map(|stay| stay.room).collect();
         let mut at = 0;
         while at < rooms.len() {
@@ -54,27 +54,26 @@ fn round_at(rooms: &[usize]) -> Option<(usize, usize)> {
 mod tests {
     use super::*;
 
-    fn stays(rooms: &[usize], each: Micros) -> Vec<Stay> {
-        let stay = |(index, &room): (usize, &usize)| Stay {
-            room,
-            begin: index as Micros * each,
-            end: (index as Micros + 1) * each,
+    fn stays(rooms: &[usize], each: Span) -> Vec<RoomStay> {
+        let stay = |(index, &room): (i64, &usize)| {
+            let begin = WallTime::EPOCH + index * each;
+            RoomStay { room, begin, end: begin + each }
         };
-        rooms.iter().enumerate().map(stay).collect()
+        (0..).zip(rooms).map(stay).collect()
     }
 
     #[test]
     fn ways_back_and_forth_and_round_are_told_apart() {
         let told = |rooms: &[usize]| {
-            let found = wandering(&stays(rooms, 10 * SECOND));
+            let found = wandering(&stays(rooms, MINUTE / 6));
             (found.pacing.len(), found.lapping.len())
         };
         assert_eq!(told(&[0, 1, 0, 1, 0, 1, 0]), (1, 0));
         assert_eq!(told(&[0, 1, 2, 0, 1, 2, 0, 1, 2, 0]), (0, 1));
         assert_eq!(told(&[0, 1, 0, 1, 0, 2, 3, 4]), (0, 0));
         // Who sits down in between had somewhere to go.
-        let mut slow = stays(&[0, 1, 0, 1, 0, 1, 0], 10 * SECOND);
-        slow[3].end += 600 * SECOND;
-        assert_eq!(wandering(&slow), Wandering::default());
+        let mut slow = stays(&[0, 1, 0, 1, 0, 1, 0], MINUTE / 6);
+        slow[3].end += 10 * MINUTE;
+        assert_eq!(wandering(&slow), WanderingStarts::default());
     }
 }

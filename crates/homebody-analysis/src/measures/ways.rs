@@ -5,31 +5,39 @@
 
 use crate::coverage;
 use homebody_core::geometry::Point;
-use homebody_core::home::Build;
+use homebody_core::home::form::HomeFile;
 use homebody_core::ids::SensorId;
-use homebody_core::scenario::home::HomeFile;
+use homebody_core::resident::Build;
 use std::collections::BTreeMap;
 
 /// Side of a cell of the sensors' fields, and step along a way, in metres (our choice).
 const CELL_M: f64 = 0.1;
 const STEP_M: f64 = 0.05;
 
+/// The known facts about the home of a log.
+#[derive(Clone, Copy, Debug)]
+pub struct HomeKnowledge<'a> {
+    /// The rooms of sensors; empty if only names tell them.
+    pub rooms: &'a BTreeMap<String, String>,
+    /// The ways between sensors, if they are known.
+    pub ways: Option<&'a Ways>,
+}
+
 /// The ways between the motion sensors of a home.
 #[derive(Clone, Debug, Default)]
 pub struct Ways {
     /// By all names that a sensor may have in a log: its number here.
     numbers: BTreeMap<String, usize>,
-    /// From each to each.
-    ways: Vec<Vec<Option<Way>>>,
+    ways: Vec<Vec<Option<ViewEntries>>>,
 }
 
 /// A way from one sensor to another: where somebody comes into the view of which sensor, in metres from the beginning.
-type Way = Vec<(usize, f64)>;
+type ViewEntries = Vec<(usize, f64)>;
 
 impl Ways {
     /// Of a home. `path` finds the corners of a way, without its beginning; `called` says what a sensor is called in logs
     /// besides its name.
-    pub fn of(
+    pub fn from_home(
         home: &HomeFile,
         path: &dyn Fn(Point, Point) -> Option<Vec<Point>>,
         called: &dyn Fn(&str) -> Vec<String>,
@@ -39,7 +47,7 @@ impl Ways {
         let middles: Vec<Option<Point>> = (0..seen.sensors.len())
             .map(|sensor| {
                 let sees =
-                    |cell: &usize| grid.cells[*cell].as_ref().is_some_and(|seen| seen.contains(SensorId::of(sensor)));
+                    |cell: &usize| grid.cells[*cell].as_ref().is_some_and(|seen| seen.contains(SensorId::new(sensor)));
                 let cells: Vec<Point> = (0..grid.cells.len()).filter(sees).map(|cell| grid.middle(cell)).collect();
                 let middle = cells.iter().fold(Point::ZERO, |sum, cell| sum + *cell) / cells.len().max(1) as f64;
                 cells.into_iter().min_by(|a, b| a.distance(middle).total_cmp(&b.distance(middle)))
@@ -73,7 +81,7 @@ impl Ways {
     }
 }
 
-fn along(begin: Point, corners: &[Point], sensors: usize, sees: &dyn Fn(usize, Point) -> bool) -> Way {
+fn along(begin: Point, corners: &[Point], sensors: usize, sees: &dyn Fn(usize, Point) -> bool) -> ViewEntries {
     let mut comes_m = Vec::new();
     let mut was_seen: Vec<bool> = (0..sensors).map(|sensor| sees(sensor, begin)).collect();
     let (mut gone, mut at) = (0.0, begin);
@@ -111,7 +119,7 @@ mod tests {
                  ] }"#,
         )
         .unwrap();
-        Ways::of(&home, &|_, to| Some(vec![to]), &|name| vec![format!("M{name}")])
+        Ways::from_home(&home, &|_, to| Some(vec![to]), &|name| vec![format!("M{name}")])
     }
 
     #[test]

@@ -1,7 +1,7 @@
 //! Places and directions in the words of who puts sensors up.
 
 use homebody_core::geometry::{self, Point};
-use homebody_core::home::plan::{Origin, Plan};
+use homebody_core::plan::{Origin, Plan};
 use std::cmp::Ordering;
 
 /// Distance from a wall within which a sensor hangs on it, in metres (our choice).
@@ -12,13 +12,13 @@ const SHORTEST_M: f64 = 0.3;
 const STRAIGHT_DEG: f64 = 3.0;
 
 /// A wall as seen from a point in a room.
-struct Wall {
+struct FacingWall {
     /// Straight into the wall.
     towards: Point,
     distance_m: f64,
 }
 
-impl Wall {
+impl FacingWall {
     fn name(&self) -> &'static str {
         geometry::compass(self.towards)
     }
@@ -66,7 +66,7 @@ pub fn looks(plan: &Plan, at: Point, facing_deg: f64) -> String {
 }
 
 /// The nearest wall, and the nearest of those that stand across it.
-fn two_walls(plan: &Plan, at: Point) -> Vec<Wall> {
+fn two_walls(plan: &Plan, at: Point) -> Vec<FacingWall> {
     let Some(room) = plan.room_at(at) else { return Vec::new() };
     let outline = &plan.rooms[room].outline;
     let inward = if geometry::signed_area(outline) > 0.0 { 1.0 } else { -1.0 };
@@ -79,10 +79,10 @@ fn two_walls(plan: &Plan, at: Point) -> Vec<Wall> {
         }
         let towards = -along.perp() * inward;
         let border = (a - at).dot(towards);
-        (border >= 0.0).then(|| Wall { towards, distance_m: face(plan, at, towards, border) })
+        (border >= 0.0).then(|| FacingWall { towards, distance_m: face(plan, at, towards, border) })
     });
-    let mut walls: Vec<Wall> = opposite.collect();
-    let nearer = |a: &Wall, b: &Wall| a.distance_m.partial_cmp(&b.distance_m).unwrap_or(Ordering::Equal);
+    let mut walls: Vec<FacingWall> = opposite.collect();
+    let nearer = |a: &FacingWall, b: &FacingWall| a.distance_m.partial_cmp(&b.distance_m).unwrap_or(Ordering::Equal);
     walls.sort_by(nearer);
     let mut walls = walls.into_iter();
     let Some(nearest) = walls.next() else { return Vec::new() };

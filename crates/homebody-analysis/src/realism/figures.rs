@@ -1,10 +1,9 @@
 //! Figures of a span of a log, from which a forest tells whose it is.
 
-use super::heard::{HOUR, Heard};
+use super::firings::MotionFirings;
 use super::measures::{TOGETHER, is_together, quantile};
-use homebody_core::time::{DAY, Micros, SECOND, seconds};
+use homebody_core::time::{HOUR, Interval, MINUTE, Span, WallTime};
 use std::collections::BTreeSet;
-use std::ops::Range;
 
 /// What stands in for what cannot be told, such as the gaps of an hour without firings.
 const UNKNOWN: f64 = -1.0;
@@ -13,10 +12,10 @@ const UNKNOWN: f64 = -1.0;
 const MOST_SENSORS: usize = 24;
 
 /// A silence longer than this ends a burst.
-const BURST: Micros = 60 * SECOND;
+const BURST: Span = MINUTE;
 
 /// Which figures there are: they are the same for both logs.
-pub struct Figures {
+pub struct DayFigures {
     /// The sensors whose shares count, by name.
     sensors: Vec<String>,
     /// Whether both logs tell how long an ON lasts.
@@ -24,18 +23,17 @@ pub struct Figures {
     of_days: bool,
 }
 
-impl Figures {
+impl DayFigures {
     /// The figures by which days, or else hours, of two logs can be told apart.
-    pub fn of(logs: [&Heard; 2], of_days: bool) -> Figures {
-        let counts = logs.map(Heard::counts);
+    pub fn from_firings(logs: [&MotionFirings; 2], of_days: bool) -> DayFigures {
+        let counts = logs.map(MotionFirings::counts);
         let both = counts[0].iter().filter_map(|(name, a)| Some((a + counts[1].get(name)?, (*name).to_owned())));
         let mut sensors: Vec<(f64, String)> = both.collect();
         sensors.sort_by(|a, b| b.0.total_cmp(&a.0).then_with(|| a.1.cmp(&b.1)));
         let sensors = sensors.into_iter().take(MOST_SENSORS).map(|(_, name)| name).collect();
-        Figures { sensors, with_on: logs.iter().all(|log| !log.on.is_empty()), of_days }
+        DayFigures { sensors, with_on: logs.iter().all(|log| !log.on.is_empty()), of_days }
     }
 
-    /// What they are called.
     pub fn names(&self) -> Vec<String> {
         let mut names: Vec<String> = [
             "firings",
@@ -69,40 +67,40 @@ impl Figures {
     }
 
     /// The figures of a span, in the order of their names.
-    pub fn row(&self, log: &Heard, span: &Range<Micros>) -> Vec<f64> {
+    pub fn row(&self, log: &MotionFirings, span: Interval<WallTime>) -> Vec<f64> {
         let firings = log.firings_in(span);
         let mut row = vec![firings.len() as f64];
-        let gaps = sorted(firings.windows(2).map(|pair| seconds(pair[1].0 - pair[0].0)));
+        let gaps = sorted(firings.windows(2).map(|pair| (pair[1].0 - pair[0].0).seconds()));
         row.extend([0.1, 0.5, 0.9].map(|share| quantile(&gaps, share).unwrap_or(UNKNOWN)));
-        let ends = [span.start].into_iter().chain(firings.iter().map(|firing| firing.0)).chain([span.end]);
-        let ends: Vec<Micros> = ends.collect();
-        row.push(ends.windows(2).map(|pair| seconds(pair[1] - pair[0])).fold(0.0, f64::max));
+        let ends = [span.begin].into_iter().chain(firings.iter().map(|firing| firing.0)).chain([span.end]);
+        let ends: Vec<WallTime> = ends.collect();
+        row.push(ends.windows(2).map(|pair| (pair[1] - pair[0]).seconds()).fold(0.0, f64::max));
         row.push(firings.iter().map(|firing| firing.1).collect::<BTreeSet<_>>().len() as f64);
         let pairs = firings.len().saturating_sub(1);
         row.push(share(firings.windows(2).filter(|pair| pair[0].1 == pair[1].1).count(), pairs));
         let beside = (0..firings.len()).filter(|&index| is_together(firings, index, TOGETHER)).count();
         row.push(share(beside, firings.len()));
         let mut last = vec![None; log.sensors.len()];
-        let again = firings.iter().filter_map(|&(at, sensor)| Some(seconds(at - last[sensor].replace(at)?)));
+        let again = firings.iter().filter_map(|&(at, sensor)| Some((at - last[sensor].replace(at)?).seconds()));
         row.push(quantile(&sorted(again), 0.5).unwrap_or(UNKNOWN));
         let bursts = firings.windows(2).filter(|pair| pair[1].0 - pair[0].0 > BURST).count();
         let bursts = bursts + usize::from(!firings.is_empty());
         row.extend([bursts as f64, share(firings.len(), bursts)]);
         if self.with_on {
             let on = log.on_in(span);
-            let lengths = sorted(on.iter().map(|(on, _)| seconds(on.end - on.start)));
+            let lengths = sorted(on.iter().map(|(on, _)| on.length().seconds()));
             row.extend([0.1, 0.5, 0.9].map(|share| quantile(&lengths, share).unwrap_or(UNKNOWN)));
             row.push(shared(on));
         }
         if self.of_days {
-            let block = |block: Micros| span.start + block * 3 * HOUR..span.start + (block + 1) * 3 * HOUR;
-            row.extend((0..8).map(|number| log.firings_in(&block(number)).len() as f64));
-            let hour = |hour: Micros| span.start + hour * HOUR..span.start + (hour + 1) * HOUR;
-            let counts: Vec<f64> = (0..24).map(|number| log.firings_in(&hour(number)).len() as f64).collect();
+            let block = |number: i64| Interval::starting(span.begin + number * 3 * HOUR, 3 * HOUR);
+            row.extend((0..8).map(|number| log.firings_in(block(number)).len() as f64));
+            let hour = |number: i64| Interval::starting(span.begin + number * HOUR, HOUR);
+            let counts: Vec<f64> = (0..24).map(|number| log.firings_in(hour(number)).len() as f64).collect();
             row.push(counts.iter().filter(|&&count| count == 0.0).count() as f64);
             row.push(super::measures::spread(&counts).unwrap_or(UNKNOWN));
         } else {
-            row.push((span.start.rem_euclid(DAY) / HOUR) as f64);
+            row.push((span.begin.time_of_day() / HOUR) as f64);
         }
         let of = |name: &String| firings.iter().filter(|firing| log.sensors[firing.1] == *name).count();
         row.extend(self.sensors.iter().map(|name| share(of(name), firings.len())));
@@ -111,7 +109,7 @@ impl Figures {
 }
 
 /// The share of the time with a sensor ON in which another is, too.
-fn shared(on: &[(Range<Micros>, usize)]) -> f64 {
+fn shared(on: &[(Interval<WallTime>, usize)]) -> f64 {
     let [one, two, more] = super::measures::at_once(on);
     let whole = one + two + more;
     if whole > 0.0 { (two + more) / whole } else { UNKNOWN }

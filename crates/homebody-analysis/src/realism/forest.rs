@@ -10,7 +10,7 @@ use crate::forest::{Examples, Forest};
 use homebody_core::random::Stream;
 
 /// Rows of figures, each of one of two logs.
-pub struct Rows {
+pub struct FigureRows {
     /// Each as long as the others.
     pub figures: Vec<Vec<f64>>,
     /// Whether a row is of the second log.
@@ -21,7 +21,7 @@ pub struct Rows {
 
 /// How well they are told apart.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Told {
+pub struct Separation {
     /// The area under the curve, from 0 to 1.
     pub auc: f64,
     /// What each figure adds to it; together 1, or 0 where there is nothing to tell.
@@ -33,9 +33,9 @@ const TURNS: usize = 5;
 /// Largest number of rows used from each log.
 const MOST_ROWS: usize = 1_500;
 
-impl Rows {
+impl FigureRows {
     /// How well a forest tells them apart; nothing where a log has rows of less than `least` days.
-    pub fn told_apart(&self, least: usize) -> Option<Told> {
+    pub fn told_apart(&self, least: usize) -> Option<Separation> {
         let days = [false, true].map(|which| {
             let mut days: Vec<usize> = self.of(which).map(|row| self.day[row]).collect();
             days.sort_unstable();
@@ -70,7 +70,7 @@ impl Rows {
         }
         let whole: f64 = importance.iter().sum();
         let importance = importance.iter().map(|one| if whole > 0.0 { one / whole } else { 0.0 }).collect();
-        Some(Told { auc: area_under_curve(judged)?, importance })
+        Some(Separation { auc: area_under_curve(judged)?, importance })
     }
 
     fn of(&self, is_second: bool) -> impl Iterator<Item = usize> {
@@ -143,9 +143,9 @@ mod tests {
     }
 
     /// 40 days of 4 rows in each log; the second figure is `apart` larger in the second log.
-    fn rows(apart: f64) -> Rows {
+    fn rows(apart: f64) -> FigureRows {
         let stream = &mut Stream::named(4, "rows");
-        let mut rows = Rows { figures: Vec::new(), is_second: Vec::new(), day: Vec::new() };
+        let mut rows = FigureRows { figures: Vec::new(), is_second: Vec::new(), day: Vec::new() };
         for row in 0..320 {
             let is_second = row % 2 == 1;
             let shift = if is_second { apart } else { 0.0 };

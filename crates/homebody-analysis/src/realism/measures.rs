@@ -1,61 +1,59 @@
 //! The measures by themselves: distances of two logs, and figures of one.
 
-use super::heard::Heard;
+use super::firings::MotionFirings;
 use crate::compare::distance;
-use homebody_core::time::{Micros, SECOND, seconds};
+use homebody_core::time::{HOUR, Interval, MINUTE, SECOND, Span, WallTime};
 use std::collections::BTreeMap;
-use std::ops::Range;
 
 /// Two sensors fire together within this span.
-pub const TOGETHER: Micros = 3 * SECOND;
+pub const TOGETHER: Span = SECOND.times(3);
 
 /// From one sensor to another within this span is a way from the one to the other.
-const ON_THE_WAY: Micros = 60 * SECOND;
+const ON_THE_WAY: Span = MINUTE;
 
 /// The times from each firing in the home to the next.
-pub fn gaps(log: &Heard) -> Vec<Micros> {
+pub fn gaps(log: &MotionFirings) -> Vec<Span> {
     log.firings.windows(2).map(|pair| pair[1].0 - pair[0].0).collect()
 }
 
 /// The times from each firing of a sensor to its next.
-pub fn refires(log: &Heard) -> Vec<Micros> {
+pub fn refires(log: &MotionFirings) -> Vec<Span> {
     let mut last = vec![None; log.sensors.len()];
     log.firings.iter().filter_map(|&(at, sensor)| Some(at - last[sensor].replace(at)?)).collect()
 }
 
 /// How long each ON lasts.
-pub fn on_lengths(log: &Heard) -> Vec<Micros> {
-    log.on.iter().map(|(on, _)| on.end - on.start).collect()
+pub fn on_lengths(log: &MotionFirings) -> Vec<Span> {
+    log.on.iter().map(|(on, _)| on.length()).collect()
 }
 
-/// The firings of each day.
-pub fn firings_a_day(log: &Heard) -> Vec<Micros> {
-    log.each_day().map(|day| log.firings_in(&day).len() as Micros).collect()
+pub fn firings_a_day(log: &MotionFirings) -> Vec<usize> {
+    log.each_day().map(|day| log.firings_in(day).len()).collect()
 }
 
 /// The Kolmogorov-Smirnov distance of a sample of each of two logs.
-pub fn ks(of: fn(&Heard) -> Vec<Micros>, logs: [&Heard; 2]) -> Option<f64> {
+pub fn ks<T: Copy + Ord>(of: fn(&MotionFirings) -> Vec<T>, logs: [&MotionFirings; 2]) -> Option<f64> {
     distance(logs.map(of))
 }
 
 /// How the firings are spread over the hours of the day, in firings an hour.
-pub fn profile(log: &Heard) -> [f64; 24] {
+pub fn profile(log: &MotionFirings) -> [f64; 24] {
     let mut hours = [0.0; 24];
     for (index, hour) in log.each_hour().enumerate() {
-        hours[index % 24] += log.firings_in(&hour).len() as f64 / log.days_count() as f64;
+        hours[index % 24] += log.firings_in(hour).len() as f64 / log.days_count() as f64;
     }
     hours
 }
 
 /// The distance of two profiles of the day.
-pub fn hours_apart(logs: [&Heard; 2]) -> Option<f64> {
+pub fn hours_apart(logs: [&MotionFirings; 2]) -> Option<f64> {
     let [a, b] = logs.map(profile);
     jensen_shannon(a.into_iter().zip(b))
 }
 
 /// Whether sensors of the same name fire at least half of the time in both logs, so that their names can be compared.
-pub fn names_agree(logs: [&Heard; 2]) -> bool {
-    let counts = logs.map(Heard::counts);
+pub fn names_agree(logs: [&MotionFirings; 2]) -> bool {
+    let counts = logs.map(MotionFirings::counts);
     let agrees = |which: usize| {
         let own = &counts[which];
         let known: f64 = own.iter().filter(|(name, _)| counts[1 - which].contains_key(*name)).map(|(_, n)| n).sum();
@@ -65,17 +63,17 @@ pub fn names_agree(logs: [&Heard; 2]) -> bool {
 }
 
 /// The distance of the shares that the sensors have in the firings.
-pub fn shares_apart(logs: [&Heard; 2]) -> Option<f64> {
-    names_agree(logs).then(|| jensen_shannon_of(&logs.map(Heard::counts)))?
+pub fn shares_apart(logs: [&MotionFirings; 2]) -> Option<f64> {
+    names_agree(logs).then(|| jensen_shannon_of(&logs.map(MotionFirings::counts)))?
 }
 
 /// The distance of the shares that each way from sensor to sensor has in all ways.
-pub fn ways_apart(logs: [&Heard; 2]) -> Option<f64> {
+pub fn ways_apart(logs: [&MotionFirings; 2]) -> Option<f64> {
     names_agree(logs).then(|| jensen_shannon_of(&logs.map(ways)))?
 }
 
 /// How often which sensor is followed by which other.
-fn ways(log: &Heard) -> BTreeMap<(&str, &str), f64> {
+fn ways(log: &MotionFirings) -> BTreeMap<(&str, &str), f64> {
     let mut ways = BTreeMap::new();
     for pair in log.firings.windows(2) {
         if pair[0].1 != pair[1].1 && pair[1].0 - pair[0].0 <= ON_THE_WAY {
@@ -86,19 +84,19 @@ fn ways(log: &Heard) -> BTreeMap<(&str, &str), f64> {
 }
 
 /// The distance of how long one, two, and three and more sensors are ON at once.
-pub fn at_once_apart(logs: [&Heard; 2]) -> Option<f64> {
+pub fn at_once_apart(logs: [&MotionFirings; 2]) -> Option<f64> {
     let [a, b] = logs.map(|log| at_once(&log.on));
     jensen_shannon(a.into_iter().zip(b))
 }
 
 /// For how many seconds exactly one, exactly two, and three and more sensors are ON.
-pub fn at_once(on: &[(Range<Micros>, usize)]) -> [f64; 3] {
-    let mut turns: Vec<(Micros, i32)> = on.iter().flat_map(|(on, _)| [(on.start, 1), (on.end, -1)]).collect();
+pub fn at_once(on: &[(Interval<WallTime>, usize)]) -> [f64; 3] {
+    let mut turns: Vec<(WallTime, i32)> = on.iter().flat_map(|(on, _)| [(on.begin, 1), (on.end, -1)]).collect();
     turns.sort_unstable();
-    let (mut spans, mut count, mut since) = ([0.0; 3], 0_i32, 0);
+    let (mut spans, mut count, mut since) = ([0.0; 3], 0_i32, WallTime::EPOCH);
     for (at, change) in turns {
         if count > 0 {
-            spans[(count as usize - 1).min(2)] += seconds(at - since);
+            spans[(count as usize - 1).min(2)] += (at - since).seconds();
         }
         (count, since) = (count + change, at);
     }
@@ -106,7 +104,7 @@ pub fn at_once(on: &[(Range<Micros>, usize)]) -> [f64; 3] {
 }
 
 /// Whether another sensor fires within `span` of a firing.
-pub fn is_together(firings: &[(Micros, usize)], index: usize, span: Micros) -> bool {
+pub fn is_together(firings: &[(WallTime, usize)], index: usize, span: Span) -> bool {
     let (at, sensor) = firings[index];
     let before = firings[..index].iter().rev().take_while(|firing| at - firing.0 <= span);
     let after = firings[index + 1..].iter().take_while(|firing| firing.0 - at <= span);
@@ -114,34 +112,34 @@ pub fn is_together(firings: &[(Micros, usize)], index: usize, span: Micros) -> b
 }
 
 /// The share of firings beside which another sensor fires.
-pub fn together(log: &Heard) -> Option<f64> {
+pub fn together(log: &MotionFirings) -> Option<f64> {
     let beside = (0..log.firings.len()).filter(|&index| is_together(&log.firings, index, TOGETHER)).count();
     (!log.firings.is_empty()).then(|| beside as f64 / log.firings.len() as f64)
 }
 
 /// The share of hours in which nothing fires.
-pub fn empty_hours(log: &Heard) -> Option<f64> {
-    let empty = log.each_hour().filter(|hour| log.firings_in(hour).is_empty()).count();
+pub fn empty_hours(log: &MotionFirings) -> Option<f64> {
+    let empty = log.each_hour().filter(|hour| log.firings_in(*hour).is_empty()).count();
     (log.days_count() > 0).then(|| empty as f64 / (24 * log.days_count()) as f64)
 }
 
 /// By day the firings an hour, of hours in which anything fires; nothing of a day on which nothing does.
-fn liveliness(log: &Heard) -> Vec<Option<f64>> {
-    let of = |day: Range<Micros>| {
-        let hours = (0..24).map(|hour| day.start + hour * super::heard::HOUR);
-        let lively = hours.filter(|&hour| !log.firings_in(&(hour..hour + super::heard::HOUR)).is_empty()).count();
-        (lively > 0).then(|| log.firings_in(&day).len() as f64 / lively as f64)
+fn liveliness(log: &MotionFirings) -> Vec<Option<f64>> {
+    let of = |day: Interval<WallTime>| {
+        let hours = (0..24).map(|hour| Interval::starting(day.begin + hour * HOUR, HOUR));
+        let lively = hours.filter(|&hour| !log.firings_in(hour).is_empty()).count();
+        (lively > 0).then(|| log.firings_in(day).len() as f64 / lively as f64)
     };
     log.each_day().map(of).collect()
 }
 
 /// How much days differ: the standard deviation of their liveliness over its mean.
-pub fn days_differ(log: &Heard) -> Option<f64> {
+pub fn days_differ(log: &MotionFirings) -> Option<f64> {
     spread(&liveliness(log).into_iter().flatten().collect::<Vec<f64>>())
 }
 
 /// How much days are like the day before: the correlation of their liveliness, of four pairs or more.
-pub fn days_follow(log: &Heard) -> Option<f64> {
+pub fn days_follow(log: &MotionFirings) -> Option<f64> {
     let pairs: Vec<(f64, f64)> = liveliness(log).windows(2).filter_map(|pair| pair[0].zip(pair[1])).collect();
     if pairs.len() < 4 {
         return None;

@@ -1,11 +1,11 @@
 //! The measures for people.
 
-use super::{Realism, Sign, Summary};
+use super::{LogSummary, Realism, TellingFigure};
 use std::fmt;
 
 impl fmt::Display for Realism {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
-        for (letter, Summary { name, days, motion_sensors, firings_a_day, .. }) in [("A", &self.a), ("B", &self.b)] {
+        for (letter, LogSummary { name, days, motion_sensors, firings_a_day, .. }) in [("A", &self.a), ("B", &self.b)] {
             writeln!(
                 f,
                 "{letter}  {name}: {days} days, {motion_sensors} motion sensors, {firings_a_day:.0} firings a day"
@@ -27,12 +27,12 @@ impl fmt::Display for Realism {
     }
 }
 
-fn told_by(f: &mut fmt::Formatter, what: &str, signs: &[Sign]) -> fmt::Result {
+fn told_by(f: &mut fmt::Formatter, what: &str, signs: &[TellingFigure]) -> fmt::Result {
     if signs.is_empty() {
         return Ok(());
     }
     writeln!(f, "\n{what} are told apart by  (part, median of A, of B)")?;
-    for Sign { figure, part, medians: [a, b] } in signs {
+    for TellingFigure { figure, part, medians: [a, b] } in signs {
         writeln!(f, "  {:>4.1} %  {a:>9.2}  {b:>9.2}  {figure}", part * 100.0)?;
     }
     Ok(())

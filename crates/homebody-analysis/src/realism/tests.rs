@@ -1,29 +1,27 @@
 //! The measures against figures worked by hand.
 
-use super::heard::{HOUR, Heard};
+use super::firings::MotionFirings;
 use super::measures::*;
 use super::*;
-use crate::sample::log;
+use crate::sample::{at, log, span};
 use homebody_core::random::Stream;
 use homebody_core::time::SECOND;
-
-const S: Micros = SECOND;
 
 fn close(found: Option<f64>, expected: f64) {
     assert!(found.is_some_and(|found| (found - expected).abs() < 1e-9), "{found:?} is not {expected}");
 }
 
 /// Sensors `a` and `b`, which fire at these seconds, for whole days.
-fn heard(days: Micros, firings: &[(Micros, usize)]) -> Heard {
-    let firings = firings.iter().map(|&(at, sensor)| (at * S, sensor)).collect();
-    Heard { sensors: vec!["a".into(), "b".into()], firings, on: Vec::new(), days: 0..days }
+fn heard(days: i64, firings: &[(i64, usize)]) -> MotionFirings {
+    let firings = firings.iter().map(|&(s, sensor)| (at(s), sensor)).collect();
+    MotionFirings { sensors: vec!["a".into(), "b".into()], firings, on: Vec::new(), days: 0..days }
 }
 
 #[test]
 fn gaps_are_of_any_sensor_and_refires_of_each() {
     let log = heard(1, &[(0, 0), (5, 1), (7, 0), (20, 1)]);
-    assert_eq!(gaps(&log), [5 * S, 2 * S, 13 * S]);
-    assert_eq!(refires(&log), [7 * S, 15 * S]);
+    assert_eq!(gaps(&log), [5, 2, 13].map(|s| s * SECOND));
+    assert_eq!(refires(&log), [7, 15].map(|s| s * SECOND));
     // Of the gaps 2, 5, 13 one is 2 or less, of 5, 5 none: a third; all of the second are 5 or less, and two thirds of the
     // first: a third again.
     close(ks(gaps, [&log, &heard(1, &[(0, 0), (5, 0), (10, 0)])]), 1.0 / 3.0);
@@ -43,7 +41,7 @@ fn the_jensen_shannon_distance_is_the_root_of_the_divergence_in_bits() {
 #[test]
 fn sensors_at_once_are_counted_by_the_second() {
     // Alone from 0 to 4, both to 6, alone to 10; then three at 20 to 21.
-    let on = [(0..6 * S, 0), (4 * S..10 * S, 1), (20 * S..21 * S, 0), (20 * S..21 * S, 1), (20 * S..21 * S, 2)];
+    let on = [(span(0, 6), 0), (span(4, 10), 1), (span(20, 21), 0), (span(20, 21), 1), (span(20, 21), 2)];
     assert_eq!(at_once(&on), [8.0, 2.0, 1.0]);
 }
 
@@ -67,9 +65,9 @@ fn shares_and_ways_are_compared_where_names_agree() {
 
 #[test]
 fn days_differ_follow_and_have_empty_hours() {
-    const DAY_S: Micros = 24 * 3600;
+    const DAY_S: i64 = 24 * 3600;
     // 2, 4, 6, 8 and 10 firings in one hour each of five days, of which the next is empty.
-    let firings: Vec<(Micros, usize)> =
+    let firings: Vec<(i64, usize)> =
         (0..5).flat_map(|day| (0..2 * (day + 1)).map(move |second| (day * DAY_S + second, 0))).collect();
     let log = heard(6, &firings);
     close(days_differ(&log), 10.0_f64.sqrt() / 6.0);
@@ -87,24 +85,24 @@ fn halves_have_half_of_the_days_each() {
     assert_eq!((first.days, second.days), (0..2, 2..4));
     assert_eq!((first.firings.len(), second.firings.len()), (2, 1));
     assert_eq!(log.each_hour().count(), 96);
-    assert_eq!(log.firings_in(&(0..HOUR)).len(), 1);
+    assert_eq!(log.firings_in(span(0, 3600)).len(), 1);
 }
 
 /// A log of so many days in which a firing follows the other after about `gap_s`.
-fn lived(seed: u64, days: Micros, gap_s: f64, hold: Micros) -> Log {
+fn lived(seed: u64, days: i64, gap_s: f64, hold: i64) -> Log {
     let stream = &mut Stream::named(seed, "lived");
     let (mut rows, mut at) = (Vec::new(), 0);
     while at < days * 86_400 {
         let sensor = if stream.chance(0.3) { "kitchen" } else { "hall" };
         rows.push((at, sensor, "ON"));
         rows.push((at + hold, sensor, "OFF"));
-        at += hold + 1 + stream.lognormal(gap_s, 1.0) as Micros;
+        at += hold + 1 + stream.lognormal(gap_s, 1.0) as i64;
     }
     log(&rows)
 }
 
 fn against(a: &Log, b: &Log) -> Realism {
-    let told = |name, log| Told { name, log, recorded: None };
+    let told = |name, log| ComparedLog { name, log, recorded: None };
     realism(told("A", a), told("B", b)).expect("two logs")
 }
 
@@ -135,7 +133,7 @@ fn json_has_a_value_and_a_floor_of_each() {
 #[test]
 fn all_that_is_wrong_is_told_at_once() {
     let (door, short) = (log(&[(0, "door", "OPEN")]), log(&[(0, "hall", "ON"), (60, "hall", "OFF")]));
-    let told = |name, log| Told { name, log, recorded: None };
+    let told = |name, log| ComparedLog { name, log, recorded: None };
     let problems = realism(told("A", &door), told("B", &short)).unwrap_err();
     assert_eq!(problems, [NotComparable::NoMotion("A".into()), NotComparable::NoDay("B".into())]);
 }
@@ -157,7 +155,7 @@ fn rejects_logs_that_span_more_than_ten_years() {
     let day = 24 * 3600;
     let of_years = |years: i64| log(&[(0, "M1", "ON"), (5, "M1", "OFF"), (years * 366 * day, "M1", "ON")]);
     let (short, long) = (of_years(1), of_years(11));
-    let named = |name, log| Told { name, log, recorded: None };
+    let named = |name, log| ComparedLog { name, log, recorded: None };
     let problems = realism(named("short", &short), named("long", &long)).unwrap_err();
     assert!(matches!(&problems[..], [NotComparable::TooLong { log, .. }] if log == "long"), "{problems:?}");
     assert!(realism(named("short", &short), named("short", &short)).is_ok());

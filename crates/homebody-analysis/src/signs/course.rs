@@ -2,21 +2,21 @@
 
 use super::meanings::Meanings;
 use homebody_core::states::Says;
-use homebody_core::time::Micros;
+use homebody_core::time::{Instant, Interval, WallTime};
 use homebody_log::Log;
 
 /// The meaning of a row after the rows of its sensor before it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Said {
+pub struct RowMeaning<T = WallTime> {
     /// The meaning of its value.
     pub says: Says,
     /// From when on the state was not known before this row, or is not known now; `None` where it was known all along.
-    pub unknown_from: Option<Micros>,
+    pub unknown_from: Option<T>,
     /// Whether it repeats the state from before a stretch that is not known: the system restored it, and nothing happened.
     pub is_restored: bool,
 }
 
-impl Said {
+impl<T> RowMeaning<T> {
     /// Whether something begins or is opened at this row.
     pub fn begins(&self) -> bool {
         self.says.is_on() && !self.is_restored
@@ -30,49 +30,49 @@ impl Said {
 
 /// The state of one sensor by its rows so far.
 #[derive(Clone, Copy, Debug, Default)]
-pub struct Course {
+pub struct SensorCourse<T = WallTime> {
     /// The last state that was known.
     state: Option<Says>,
     /// The last row.
-    at: Option<Micros>,
+    at: Option<T>,
     /// From when on the state is not known.
-    unknown_from: Option<Micros>,
+    unknown_from: Option<T>,
 }
 
-impl Course {
+impl<T: Instant> SensorCourse<T> {
     /// Takes a row. `gaps` are those of the recorder, in the order of time.
-    pub fn take(&mut self, at: Micros, says: Says, gaps: &[(Micros, Micros)]) -> Said {
+    pub fn take(&mut self, at: T, says: Says, gaps: &[Interval<T>]) -> RowMeaning<T> {
         let gap = self.at.and_then(|before| gap_between(gaps, before, at));
         let before = self.unknown_from.or(gap);
         self.at = Some(at);
         match says {
             Says::Else => {
                 self.unknown_from = before;
-                Said { says, unknown_from: before, is_restored: false }
+                RowMeaning { says, unknown_from: before, is_restored: false }
             }
             Says::Unknown => {
                 self.unknown_from = before.or(Some(at));
-                Said { says, unknown_from: self.unknown_from, is_restored: false }
+                RowMeaning { says, unknown_from: self.unknown_from, is_restored: false }
             }
             known => {
                 let is_restored = before.is_some() && self.state == Some(known);
                 (self.state, self.unknown_from) = (Some(known), None);
-                Said { says, unknown_from: before, is_restored }
+                RowMeaning { says, unknown_from: before, is_restored }
             }
         }
     }
 }
 
 /// When the first gap begins that lies between two rows.
-fn gap_between(gaps: &[(Micros, Micros)], before: Micros, at: Micros) -> Option<Micros> {
-    let next = gaps.get(gaps.partition_point(|&(begin, _)| begin < before))?;
-    (next.0 < at).then_some(next.0)
+fn gap_between<T: Instant>(gaps: &[Interval<T>], before: T, at: T) -> Option<T> {
+    let next = gaps.get(gaps.partition_point(|gap| gap.begin < before))?;
+    (next.begin < at).then_some(next.begin)
 }
 
 /// The meaning of each row of a log, in the order of its rows.
-pub fn said(log: &Log) -> Vec<Said> {
-    let meanings = Meanings::of(log);
-    let mut courses = vec![Course::default(); log.sensors.len()];
+pub fn said<T: Instant + Default>(log: &Log<T>) -> Vec<RowMeaning<T>> {
+    let meanings = Meanings::from_log(log);
+    let mut courses = vec![SensorCourse::default(); log.sensors.len()];
     let mut take = |number: usize| {
         let event = &log.events[number];
         courses[event.sensor as usize].take(event.at, meanings.says(event), &log.gaps)
@@ -82,7 +82,7 @@ pub fn said(log: &Log) -> Vec<Said> {
     }
     let mut order: Vec<usize> = (0..log.events.len()).collect();
     order.sort_by_key(|&number| log.events[number].at);
-    let mut all = vec![Said { says: Says::Else, unknown_from: None, is_restored: false }; log.events.len()];
+    let mut all = vec![RowMeaning { says: Says::Else, unknown_from: None, is_restored: false }; log.events.len()];
     for number in order {
         all[number] = take(number);
     }

@@ -23,7 +23,7 @@ pub enum Evidence {
 
 /// The kind that a sensor is taken for, and the evidence.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Taken {
+pub struct Classification {
     /// The kind.
     pub kind: Kind,
     /// By which evidence.
@@ -32,9 +32,8 @@ pub struct Taken {
     pub because: String,
 }
 
-impl Taken {
-    /// A kind, by evidence.
-    pub(super) fn new(kind: Kind, by: Evidence, because: impl Into<String>) -> Taken {
-        Taken { kind, by, because: because.into() }
+impl Classification {
+    pub(super) fn new(kind: Kind, by: Evidence, because: impl Into<String>) -> Classification {
+        Classification { kind, by, because: because.into() }
     }
 }

@@ -3,15 +3,15 @@
 //! A sensor that is named as one of motion, a contact or a bed may say two texts in turn that no table has. Then it is a guess which of
 //! them begins something: the opposite of a word that is known, the one that the other negates, or the one that holds for less of the time.
 
-use super::named::{Named, is_seat, known_and_named};
+use super::names::{NamedKind, is_seat, known_and_named};
 use homebody_core::names::words;
 use homebody_core::sensed::{Kind, Meaning, meaning};
 use homebody_core::states::{Says, says};
-use homebody_core::time::Micros;
-use homebody_log::{Event, Log, Pair};
+use homebody_core::time::Span;
+use homebody_log::{Event, Log, ValuePair};
 
 /// Ratio of the times of two texts at which the shorter one is rare (our choice).
-const LESS: Micros = 2;
+const LESS: i64 = 2;
 
 /// The meanings of the values of a log, each looked up once.
 pub struct Meanings {
@@ -22,19 +22,19 @@ pub struct Meanings {
 
 impl Meanings {
     /// Those of a log that has been read.
-    pub fn of(log: &Log) -> Meanings {
+    pub fn from_log<T>(log: &Log<T>) -> Meanings {
         let values = log.values.iter().map(|value| (says(value), is_number(value))).collect();
-        Meanings { values, own: OwnWords::of(log) }
+        Meanings { values, own: OwnWords::from_log(log) }
     }
 
     /// The meaning of a row, and whether its value is a number; `None` for a row that was added after the log was read.
-    pub fn said(&self, event: &Event) -> Option<(Says, bool)> {
+    pub fn said<T>(&self, event: &Event<T>) -> Option<(Says, bool)> {
         let known = self.values.get(event.value as usize).copied()?;
         Some(self.own.says(event).map_or(known, |says| (says, false)))
     }
 
     /// The meaning of a row of the log.
-    pub fn says(&self, event: &Event) -> Says {
+    pub fn says<T>(&self, event: &Event<T>) -> Says {
         self.said(event).map_or(Says::Else, |(says, _)| says)
     }
 }
@@ -58,7 +58,7 @@ struct TwoWords {
 
 impl OwnWords {
     /// Those of a log that has been read.
-    pub fn of(log: &Log) -> OwnWords {
+    pub fn from_log<T>(log: &Log<T>) -> OwnWords {
         let mut own = OwnWords::default();
         for pair in &log.pairs {
             let (sensor, id) = (pair.sensor as usize, &log.sensors[pair.sensor as usize]);
@@ -85,7 +85,7 @@ impl OwnWords {
     }
 
     /// The meaning of a row whose sensor has words of its own.
-    pub fn says(&self, event: &Event) -> Option<Says> {
+    pub fn says<T>(&self, event: &Event<T>) -> Option<Says> {
         let words = self.of_sensors.get(event.sensor as usize)?.as_ref()?;
         let (begins, ends) = if words.is_contact { (Says::Opens, Says::Closes) } else { (Says::Begins, Says::Ends) };
         match event.value {
@@ -112,7 +112,7 @@ impl OwnWords {
 }
 
 /// The kind of a sensor that its source or its name takes for one of motion, a contact or a place to sit or lie.
-fn kind_of_states(log: &Log, id: &str) -> Option<Kind> {
+fn kind_of_states<T>(log: &Log<T>, id: &str) -> Option<Kind> {
     let (known, named) = known_and_named(log, id);
     // An id such as that of `input_select.motion_mode` says what its entity is, whatever follows.
     if meaning("", id) == Some(Meaning::Is(Kind::Other)) {
@@ -125,15 +125,15 @@ fn kind_of_states(log: &Log, id: &str) -> Option<Kind> {
         _ => {}
     }
     match named {
-        Some((Named::Motion, _)) => Some(Kind::Motion),
-        Some((Named::Contact | Named::Door, _)) => Some(Kind::Contact),
-        Some((Named::Device, _)) => None,
+        Some((NamedKind::Motion, _)) => Some(Kind::Motion),
+        Some((NamedKind::Contact | NamedKind::Door, _)) => Some(Kind::Contact),
+        Some((NamedKind::Device, _)) => None,
         _ => is_seat.then_some(Kind::Used),
     }
 }
 
 /// Which of two texts begins something, and why; `None` where nothing tells.
-fn which_begins(pair: &Pair, texts: [&str; 2]) -> Option<(usize, String)> {
+fn which_begins(pair: &ValuePair, texts: [&str; 2]) -> Option<(usize, String)> {
     let said = texts.map(says);
     for (one, other) in [(0, 1), (1, 0)] {
         if said[one].is_sign() {
@@ -149,8 +149,8 @@ fn which_begins(pair: &Pair, texts: [&str; 2]) -> Option<(usize, String)> {
     }
     let [first, second] = pair.held;
     match pair.takes_turns {
-        true if first > 0 && first.saturating_mul(LESS) <= second => Some((0, LESS_TIME.to_owned())),
-        true if second > 0 && second.saturating_mul(LESS) <= first => Some((1, LESS_TIME.to_owned())),
+        true if first > Span::ZERO && first.saturating_mul(LESS) <= second => Some((0, LESS_TIME.to_owned())),
+        true if second > Span::ZERO && second.saturating_mul(LESS) <= first => Some((1, LESS_TIME.to_owned())),
         _ => None,
     }
 }

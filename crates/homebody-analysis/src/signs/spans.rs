@@ -1,49 +1,48 @@
 //! The spans over which sensors are on, and over which their state is not known.
 
-use super::course::Course;
+use super::course::SensorCourse;
 use super::meanings::Meanings;
 use homebody_core::states::Says;
-use homebody_core::time::Micros;
+use homebody_core::time::{Interval, WallTime, intersection, union};
 use homebody_log::Log;
-
-/// Beginnings and ends.
-pub type Spans = Vec<(Micros, Micros)>;
 
 /// The spans over which each sensor is on, in order. A span is an instant if the
 /// sensor never says that it ends, or if the log ends first. A span ends if the state of its sensor stops being known.
-pub fn spans(log: &Log) -> Vec<Spans> {
+pub fn spans(log: &Log) -> Vec<Vec<Interval<WallTime>>> {
     spans_until(log, None)
 }
 
 /// The same, but what has not ended when the log does ends at an instant, where one is given.
-pub fn spans_until(log: &Log, end: Option<Micros>) -> Vec<Spans> {
-    let meanings = Meanings::of(log);
+pub fn spans_until(log: &Log, end: Option<WallTime>) -> Vec<Vec<Interval<WallTime>>> {
+    let meanings = Meanings::from_log(log);
     let mut ends = vec![false; log.sensors.len()];
     for event in &log.events {
         ends[event.sensor as usize] |= meanings.says(event).is_off();
     }
     let mut spans = vec![Vec::new(); log.sensors.len()];
-    let mut since: Vec<Option<Micros>> = vec![None; log.sensors.len()];
-    let mut courses = vec![Course::default(); log.sensors.len()];
+    let mut since: Vec<Option<WallTime>> = vec![None; log.sensors.len()];
+    let mut courses = vec![SensorCourse::default(); log.sensors.len()];
     for event in log.in_order() {
         let sensor = event.sensor as usize;
         let said = courses[sensor].take(event.at, meanings.says(event), &log.gaps);
         if let Some(unknown) = said.unknown_from {
-            spans[sensor].extend(since[sensor].take().map(|begin| (begin, unknown.max(begin))));
+            spans[sensor].extend(since[sensor].take().map(|begin| Interval::new(begin, unknown.max(begin))));
         }
         match said.says {
             says if says.is_on() && ends[sensor] => since[sensor] = since[sensor].or(Some(event.at)),
-            says if says.is_on() && !said.is_restored => spans[sensor].push((event.at, event.at)),
-            Says::Ends | Says::Closes => spans[sensor].extend(since[sensor].take().map(|begin| (begin, event.at))),
+            says if says.is_on() && !said.is_restored => spans[sensor].push(Interval::instant(event.at)),
+            Says::Ends | Says::Closes => {
+                spans[sensor].extend(since[sensor].take().map(|begin| Interval::new(begin, event.at)));
+            }
             _ => {}
         }
     }
     for (spans, since) in spans.iter_mut().zip(since) {
         let Some(begin) = since else { continue };
         // A gap at the end of the log has no row after it.
-        let gap = log.gaps.iter().map(|gap| gap.0).find(|&gap| gap >= begin);
+        let gap = log.gaps.iter().map(|gap| gap.begin).find(|&gap| gap >= begin);
         let known = end.map(|end| end.min(gap.unwrap_or(end)));
-        spans.push((begin, known.map_or(begin, |end| end.max(begin))));
+        spans.push(Interval::new(begin, known.map_or(begin, |end| end.max(begin))));
     }
     spans
 }
@@ -52,17 +51,17 @@ pub fn spans_until(log: &Log, end: Option<Micros>) -> Vec<Spans> {
 #[derive(Clone, Debug, Default)]
 pub struct UnknownStates {
     sensors: Vec<UnknownState>,
-    last: Option<Micros>,
+    last: Option<WallTime>,
 }
 
 /// The same of one sensor.
 #[derive(Clone, Debug, Default)]
 struct UnknownState {
     /// Its first row.
-    first: Option<Micros>,
+    first: Option<WallTime>,
     /// Since when its state is not known.
-    since: Option<Micros>,
-    spans: Spans,
+    since: Option<WallTime>,
+    spans: Vec<Interval<WallTime>>,
 }
 
 impl UnknownStates {
@@ -72,8 +71,8 @@ impl UnknownStates {
     }
 
     /// Of all rows of a log.
-    pub fn of(log: &Log) -> UnknownStates {
-        let meanings = Meanings::of(log);
+    pub fn from_log(log: &Log) -> UnknownStates {
+        let meanings = Meanings::from_log(log);
         let mut states = UnknownStates::new(log.sensors.len());
         for event in log.in_order() {
             states.take(event.at, event.sensor as usize, meanings.says(event) == Says::Unknown);
@@ -82,79 +81,37 @@ impl UnknownStates {
     }
 
     /// Takes a row.
-    pub fn take(&mut self, at: Micros, sensor: usize, is_unknown: bool) {
+    pub fn take(&mut self, at: WallTime, sensor: usize, is_unknown: bool) {
         let of = &mut self.sensors[sensor];
         of.first = of.first.or(Some(at));
         match is_unknown {
             true => of.since = of.since.or(Some(at)),
-            false => of.spans.extend(of.since.take().map(|begin| (begin, at))),
+            false => of.spans.extend(of.since.take().map(|begin| Interval::new(begin, at))),
         }
         self.last = Some(at);
     }
 
     /// The spans of each sensor, in order: from a row that says so to the next that says something else, and over the gaps of the
     /// recorder.
-    pub fn spans(self, gaps: &[(Micros, Micros)]) -> Vec<Spans> {
+    pub fn spans(self, gaps: &[Interval<WallTime>]) -> Vec<Vec<Interval<WallTime>>> {
         let last = self.last;
-        let all = self.sensors.into_iter().map(|UnknownState { since, mut spans, .. }| {
-            spans.extend(since.zip(last));
-            spans.extend(gaps);
-            spans.sort_unstable();
-            merged(&spans)
+        let all = self.sensors.into_iter().map(|UnknownState { since, spans, .. }| {
+            let open = since.zip(last).map(|(since, last)| Interval::new(since, last));
+            union(spans.into_iter().chain(open).chain(gaps.iter().copied()))
         });
         all.collect()
     }
 
     /// When nothing is known of any of some sensors, in order. Before its first row a sensor cannot say that anything is known.
-    pub fn of_all(self, gaps: &[(Micros, Micros)], asks: &dyn Fn(usize) -> bool) -> Spans {
-        let first: Vec<Option<Micros>> = self.sensors.iter().map(|sensor| sensor.first).collect();
+    pub fn of_all(self, gaps: &[Interval<WallTime>], asks: &dyn Fn(usize) -> bool) -> Vec<Interval<WallTime>> {
+        let first: Vec<Option<WallTime>> = self.sensors.iter().map(|sensor| sensor.first).collect();
         let asked = self.spans(gaps).into_iter().zip(first).enumerate().filter(|(sensor, _)| asks(*sensor));
-        let asked: Vec<(Spans, Micros)> = asked.filter_map(|(_, (spans, first))| Some((spans, first?))).collect();
-        let mut said: Spans = asked.iter().flat_map(|(spans, _)| spans).chain(gaps).copied().collect();
-        said.sort_unstable();
-        asked.into_iter().fold(merged(&said), |all, (mut spans, first)| {
-            spans.insert(0, (Micros::MIN, first));
-            common(&all, &merged(&spans))
+        let asked: Vec<(Vec<Interval<WallTime>>, WallTime)> =
+            asked.filter_map(|(_, (spans, first))| Some((spans, first?))).collect();
+        let said = union(asked.iter().flat_map(|(spans, _)| spans).chain(gaps).copied());
+        asked.into_iter().fold(said, |all, (spans, first)| {
+            let before = Interval::new(WallTime::MIN, first);
+            intersection(&all, &union(spans.into_iter().chain([before])))
         })
     }
-}
-
-/// Spans in order; those that touch become one.
-fn merged(spans: &[(Micros, Micros)]) -> Spans {
-    let mut merged: Spans = Vec::with_capacity(spans.len());
-    for &(begin, end) in spans {
-        match merged.last_mut().filter(|last| begin <= last.1) {
-            Some(last) => last.1 = last.1.max(end),
-            None => merged.push((begin, end)),
-        }
-    }
-    merged
-}
-
-/// The parts that two lists of spans in order have in common.
-fn common(some: &[(Micros, Micros)], others: &[(Micros, Micros)]) -> Spans {
-    let outside = without(some, others);
-    without(some, &outside)
-}
-
-/// The parts of spans that lie outside others; both in order of time.
-pub fn without(spans: &[(Micros, Micros)], others: &[(Micros, Micros)]) -> Spans {
-    let mut left = Vec::new();
-    let mut first = 0;
-    for &(begin, end) in spans {
-        while others.get(first).is_some_and(|other| other.1 <= begin) {
-            first += 1;
-        }
-        let mut from = begin;
-        for other in others[first..].iter().take_while(|other| other.0 < end) {
-            if other.0 > from {
-                left.push((from, other.0));
-            }
-            from = from.max(other.1);
-        }
-        if from < end {
-            left.push((from, end));
-        }
-    }
-    left
 }

@@ -1,39 +1,37 @@
 //! Counts over the rows of one sensor, which show what it may be.
 
-use super::course::{Course, Said};
+use super::course::{RowMeaning, SensorCourse};
 use homebody_core::states::Says;
-use homebody_core::time::{Micros, SECOND};
+use homebody_core::time::{Interval, SECOND, Span, WallTime};
 
 /// At least half of the spans of a sensor that is brief are shorter. A bed or a stove is used for longer.
-const BRIEF: Micros = 20 * SECOND;
+const BRIEF: Span = SECOND.times(20);
 
 /// At least half of the spans of a sensor that blinks are shorter. A door that people walk through is open for longer.
-const BLINK: Micros = 5 * SECOND;
+const BLINK: Span = SECOND.times(5);
 
 /// Counts over the rows of one sensor, taken one by one in the order of time.
 #[derive(Clone, Debug, Default)]
-pub struct Tally {
+pub struct SensorTally {
     motion: u64,
     contact: u64,
-    /// Other words.
     words: u64,
     reading: u64,
     /// Those of them that say 1 or 0: where a sensor tells other numbers, too, these are numbers as well.
     ones: u64,
-    course: Course,
+    course: SensorCourse,
     /// Whether it ever says that something ends or is closed.
     ends: bool,
-    /// Since when it is on.
-    since: Option<Micros>,
+    since: Option<WallTime>,
     /// How often it was on for any time, and how often of these for seconds, and for a moment.
     spans: u64,
     brief: u64,
     blinks: u64,
 }
 
-impl Tally {
+impl SensorTally {
     /// Takes a row; what it says after those before it.
-    pub fn take(&mut self, at: Micros, says: Says, is_number: bool, gaps: &[(Micros, Micros)]) -> Said {
+    pub fn take(&mut self, at: WallTime, says: Says, is_number: bool, gaps: &[Interval<WallTime>]) -> RowMeaning {
         let said = self.course.take(at, says, gaps);
         match says {
             Says::Begins | Says::Ends => self.motion += 1,
@@ -51,7 +49,7 @@ impl Tally {
         match says {
             Says::Begins | Says::Opens => self.since = self.since.or(Some(at)),
             Says::Ends | Says::Closes => {
-                if let Some(length) = self.since.take().map(|since| at - since).filter(|&length| length > 0) {
+                if let Some(length) = self.since.take().map(|since| at - since).filter(|&length| length > Span::ZERO) {
                     self.spans += 1;
                     self.brief += u64::from(length < BRIEF);
                     self.blinks += u64::from(length < BLINK);

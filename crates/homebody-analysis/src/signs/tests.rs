@@ -1,7 +1,7 @@
 use super::*;
-use crate::sample::log;
-use homebody_core::time::{Micros, SECOND};
-use homebody_log::{Log, Pair, SaidBy, SensorInfo};
+use crate::sample::{at, log, span};
+use homebody_core::time::{HOUR, SECOND, WallTime};
+use homebody_log::{Log, SaidBy, SensorInfo, ValuePair};
 
 #[test]
 fn sensors_are_taken_for_what_most_of_their_rows_look_like() {
@@ -87,8 +87,7 @@ fn what_is_on_goes_on_until_it_is_off() {
         (3, "hall", "FIRE"),
         (6, "hall", "FIRE"),
     ]);
-    const S: Micros = SECOND;
-    assert_eq!(spans(&log), [vec![(0, 9 * S), (20 * S, 20 * S)], vec![(3 * S, 3 * S), (6 * S, 6 * S)]]);
+    assert_eq!(spans(&log), [vec![span(0, 9), span(20, 20)], vec![span(3, 3), span(6, 6)]]);
 }
 
 /// A sensor with a kind from its source.
@@ -190,8 +189,6 @@ fn motion_sensors_by_their_names_stay_so_however_often_they_speak() {
     assert_eq!(kinds(&crate::sample::log(&rows(&sensors))), [Kind::Used, Kind::Used, Kind::Contact]);
 }
 
-const H: Micros = 3600 * SECOND;
-
 #[test]
 fn what_was_on_ends_where_its_state_is_not_known() {
     let log = log(&[
@@ -205,14 +202,13 @@ fn what_was_on_ends_where_its_state_is_not_known() {
         (7500, "bed", "on"),
         (7600, "bed", "off"),
     ]);
-    let s = |from: i64, to: i64| (from * SECOND, to * SECOND);
-    assert_eq!(spans(&log), [vec![s(0, 20), s(7200, 7260)], vec![s(7300, 7400), s(7500, 7600)]]);
-    assert_eq!(UnknownStates::of(&log).spans(&log.gaps), [vec![s(20, 3600)], vec![s(7400, 7500)]]);
+    assert_eq!(spans(&log), [vec![span(0, 20), span(7200, 7260)], vec![span(7300, 7400), span(7500, 7600)]]);
+    assert_eq!(UnknownStates::from_log(&log).spans(&log.gaps), [vec![span(20, 3600)], vec![span(7400, 7500)]]);
     let said = said(&log);
     // The bed keeps its state: it does not fire. The OFF of the sensor is new.
     assert_eq!(said.iter().filter(|said| said.is_restored).count(), 1);
     assert!(said[7].is_restored && !said[7].begins() && said[5].begins() && !said[2].is_restored);
-    assert_eq!(said[2].unknown_from, Some(20 * SECOND));
+    assert_eq!(said[2].unknown_from, Some(at(20)));
 }
 
 #[test]
@@ -225,14 +221,15 @@ fn nothing_goes_on_across_a_gap_of_the_recorder() {
         (86_430, "bed", "off"),
     ]);
     let whole = spans(&log);
-    assert_eq!(whole[0], [(0, 86_430 * SECOND)], "without a word of a gap");
-    log.gaps = vec![(30 * SECOND, 24 * H)];
-    assert_eq!(spans(&log)[0], [(0, 30 * SECOND), (24 * H, 24 * H + 30 * SECOND)]);
+    assert_eq!(whole[0], [span(0, 86_430)], "without a word of a gap");
+    log.gaps = vec![span(30, 86_400)];
+    assert_eq!(spans(&log)[0], [span(0, 30), span(86_400, 86_430)]);
     assert!(said(&log)[3].is_restored);
     // One at the end of the log, too.
-    log.gaps.push((86_425 * SECOND, 30 * H));
+    log.gaps.push(span(86_425, 108_000));
     log.events.pop();
-    assert_eq!(spans_until(&log, Some(30 * H))[0].last(), Some(&(24 * H, 24 * H + 25 * SECOND)));
+    let end = WallTime::EPOCH + 30 * HOUR;
+    assert_eq!(spans_until(&log, Some(end))[0].last(), Some(&span(86_400, 86_425)));
 }
 
 #[test]
@@ -246,13 +243,13 @@ fn nothing_is_known_where_no_sensor_is() {
         (40, "M2", "off"),
         (50, "T1", "21"),
     ]);
-    let of = |asks: &dyn Fn(usize) -> bool| UnknownStates::of(&log).of_all(&log.gaps, asks);
-    assert_eq!(of(&|sensor| sensor < 2), [(20 * SECOND, 30 * SECOND)]);
-    assert_eq!(of(&|sensor| sensor == 0), [(10 * SECOND, 30 * SECOND)]);
-    assert_eq!(of(&|_| true), [(20 * SECOND, 30 * SECOND)], "the temperature is not known before its first row");
+    let of = |asks: &dyn Fn(usize) -> bool| UnknownStates::from_log(&log).of_all(&log.gaps, asks);
+    assert_eq!(of(&|sensor| sensor < 2), [span(20, 30)]);
+    assert_eq!(of(&|sensor| sensor == 0), [span(10, 30)]);
+    assert_eq!(of(&|_| true), [span(20, 30)], "the temperature is not known before its first row");
     // Without a word that a state is not known, all is known.
     let plain = crate::sample::log(&[(0, "T1", "21"), (500, "M1", "on"), (510, "M1", "off")]);
-    assert_eq!(UnknownStates::of(&plain).of_all(&plain.gaps, &|sensor| sensor == 1), []);
+    assert_eq!(UnknownStates::from_log(&plain).of_all(&plain.gaps, &|sensor| sensor == 1), []);
 }
 
 /// A log of one sensor that says two words in turn, the first for `on` seconds and the second for `off`.
@@ -260,7 +257,7 @@ fn in_turn(sensor: &str, words: [&str; 2], [on, off]: [i64; 2]) -> Log {
     let row = |time: i64| [(time * (on + off), sensor, words[0]), (time * (on + off) + on, sensor, words[1])];
     let mut log = log(&(0..10).flat_map(row).collect::<Vec<_>>());
     let held = [on, off].map(|length| 10 * length * SECOND);
-    log.pairs = vec![Pair { sensor: 0, values: [0, 1], held, takes_turns: true }];
+    log.pairs = vec![ValuePair { sensor: 0, values: [0, 1], held, takes_turns: true }];
     log
 }
 
@@ -289,11 +286,11 @@ fn two_words_of_a_sensor_that_no_table_has_are_a_guess_by_its_name() {
 #[test]
 fn words_that_tell_nothing_are_named_and_those_of_other_sensors_are_left() {
     let log = in_turn("hall pir", ["zing", "zang"], [20, 30]);
-    let own = OwnWords::of(&log);
+    let own = OwnWords::from_log(&log);
     assert_eq!((own.is_empty(), own.not_understood().len(), kinds(&log)), (true, 1, vec![Kind::Reading]));
     assert!(own.not_understood()[0].contains("hall pir sends \"zing\" and \"zang\""), "{:?}", own.not_understood());
     let other = in_turn("boiler", ["eco", "comfort"], [20, 500]);
-    let own = OwnWords::of(&other);
+    let own = OwnWords::from_log(&other);
     assert!(own.is_empty() && own.not_understood().is_empty());
 }
 
@@ -353,5 +350,5 @@ fn an_entity_whose_name_tells_of_no_room_and_no_movement_is_of_no_person() {
 #[test]
 fn a_setting_is_not_said_to_be_a_reading_whatever_its_name_says() {
     let log = in_turn("input_select.motion_mode", ["zing", "zang"], [20, 30]);
-    assert_eq!((OwnWords::of(&log).not_understood().len(), kinds(&log)), (0, vec![Kind::Other]));
+    assert_eq!((OwnWords::from_log(&log).not_understood().len(), kinds(&log)), (0, vec![Kind::Other]));
 }

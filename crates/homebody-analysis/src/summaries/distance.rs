@@ -1,6 +1,6 @@
 //! How far summaries are apart, after Wilbik & Keller (2012): by what they mean, how true they are, and how many days they are from.
 
-use super::sentence::{Sentence, Summary};
+use super::sentence::{SummarySentence, VerbalSummary};
 use super::set::Set;
 use homebody_core::fuzzy::Fuzzy;
 
@@ -8,7 +8,7 @@ use homebody_core::fuzzy::Fuzzy;
 ///
 /// Fuzzy sets are as far apart as what they share is less than both together (Jaccard). Sentences about different measures, or
 /// about a level and a change, are 1 apart.
-pub fn between(a: &Sentence, b: &Sentence) -> f64 {
+pub fn between(a: &SummarySentence, b: &SummarySentence) -> f64 {
     if a.measure != b.measure || a.is_more != b.is_more {
         return 1.0;
     }
@@ -22,8 +22,10 @@ pub fn between(a: &Sentence, b: &Sentence) -> f64 {
 }
 
 /// How far two summaries are apart: the mean over all sentences of both of how far the nearest of the other is; 0 if neither has any.
-pub fn of_summaries(a: &Summary, b: &Summary) -> f64 {
-    let nearest = |of: &Sentence, among: &[Sentence]| among.iter().map(|other| between(of, other)).fold(1.0, f64::min);
+pub fn of_summaries(a: &VerbalSummary, b: &VerbalSummary) -> f64 {
+    let nearest = |of: &SummarySentence, among: &[SummarySentence]| {
+        among.iter().map(|other| between(of, other)).fold(1.0, f64::min)
+    };
     let of_a = a.sentences.iter().map(|sentence| nearest(sentence, &b.sentences));
     let of_b = b.sentences.iter().map(|sentence| nearest(sentence, &a.sentences));
     let all: Vec<f64> = of_a.chain(of_b).collect();

@@ -1,13 +1,22 @@
 //! What can be said of a measure, how true each of it is, and which says most.
 
-use super::sentence::{About, Sentence, TRUE_ENOUGH};
+use super::sentence::{SummarySentence, SummarySubject, TRUE_ENOUGH};
 use super::set::{BORDER, Set};
-use super::topics::Topic;
-use crate::measures::Unit;
-use crate::wording::{Earlier, joined};
+use crate::measures::{DailyMeasure, Earlier, MEASURES, SummaryUse, ValueForm};
+use crate::phrases::joined;
 use homebody_core::fuzzy::Quantifier;
 use homebody_core::names::capitalised;
 use jiff::civil::Date;
+
+/// A measure with its place in summaries.
+type Topic = (&'static DailyMeasure, SummaryUse);
+
+/// The measures of summaries, in order of rank.
+pub(super) fn topics() -> Vec<Topic> {
+    let mut topics: Vec<Topic> = MEASURES.iter().filter_map(|measure| Some((measure, measure.summary?))).collect();
+    topics.sort_by_key(|(_, summary)| summary.rank);
+    topics
+}
 
 /// Largest number in a set of counts.
 const MOST_TIMES: u32 = 8;
@@ -29,7 +38,7 @@ const STRICT: [(Quantifier, f64); 6] = [
 const OF_CHANGES: usize = 4;
 
 /// What was found to say.
-pub(super) struct Found {
+pub(super) struct Protoform {
     quantifier: Quantifier,
     set: Set,
     truth: f64,
@@ -49,10 +58,10 @@ pub fn truth(quantifier: Quantifier, set: Set, values: impl Iterator<Item = f64>
 }
 
 /// How a measure is, if anything says it.
-pub(super) fn level(topic: &Topic, values: &[(Date, f64)]) -> Option<Found> {
-    let mut best: Option<Found> = None;
-    let range = topic.range?;
-    for set in sets(topic.measure.kind(), range) {
+pub(super) fn level((measure, summary): Topic, values: &[(Date, f64)]) -> Option<Protoform> {
+    let mut best: Option<Protoform> = None;
+    let range = summary.range?;
+    for set in sets(measure.unit.form, range) {
         // How narrow it is beside all that the measure can be.
         let narrow = 1.0 - covers(set, range);
         for (quantifier, strict) in STRICT {
@@ -63,7 +72,7 @@ pub(super) fn level(topic: &Topic, values: &[(Date, f64)]) -> Option<Found> {
             let (_, truth) = truth(quantifier, set, values.iter().map(|(_, value)| *value));
             let says = truth * strict * narrow;
             if truth >= TRUE_ENOUGH && best.as_ref().is_none_or(|best| says > best.says) {
-                best = Some(Found { quantifier, set, truth, says, before: None });
+                best = Some(Protoform { quantifier, set, truth, says, before: None });
             }
         }
     }
@@ -71,9 +80,9 @@ pub(super) fn level(topic: &Topic, values: &[(Date, f64)]) -> Option<Found> {
 }
 
 /// The sets that may tell how a measure is.
-fn sets(unit: Unit, (low, high): (f64, f64)) -> Vec<Set> {
+fn sets(unit: ValueForm, (low, high): (f64, f64)) -> Vec<Set> {
     match unit {
-        Unit::Times => {
+        ValueForm::Times => {
             let most = MOST_TIMES.min(high as u32);
             (0..=most).map(Set::Exactly).chain((1..=most).map(Set::AtLeast)).collect()
         }
@@ -97,11 +106,11 @@ fn covers(set: Set, (low, high): (f64, f64)) -> f64 {
 }
 
 /// What has changed, if anything has.
-pub(super) fn change(topic: &Topic, values: &[(Date, f64)], past: &[(Date, f64)]) -> Option<Found> {
+pub(super) fn change((_, summary): Topic, values: &[(Date, f64)], past: &[(Date, f64)]) -> Option<Protoform> {
     let count = past.len() as f64;
     let mean = past.iter().map(|(_, value)| value).sum::<f64>() / count;
     let square = past.iter().map(|(_, value)| (value - mean) * (value - mean)).sum::<f64>() / count;
-    let sd = square.sqrt().max(topic.least_sd);
+    let sd = square.sqrt().max(summary.least_sd);
     let now = values.iter().map(|(_, value)| value).sum::<f64>() / values.len() as f64;
     let set = Set::Beyond { mean, sd, is_more: now > mean };
     let told = STRICT[..OF_CHANGES].iter().find_map(|&(quantifier, strict)| {
@@ -110,23 +119,27 @@ pub(super) fn change(topic: &Topic, values: &[(Date, f64)], past: &[(Date, f64)]
     });
     let (quantifier, strict, truth) = told?;
     let apart = (now - mean).abs() / sd;
-    Some(Found { quantifier, set, truth, says: truth * strict * (apart / (1.0 + apart)), before: Some(mean) })
+    Some(Protoform { quantifier, set, truth, says: truth * strict * (apart / (1.0 + apart)), before: Some(mean) })
 }
 
-impl Found {
-    /// As a sentence.
-    pub(super) fn told(self, topic: &Topic, values: &[(Date, f64)], days: usize, about: About) -> Sentence {
-        let Found { quantifier, set, truth, says, before } = self;
+impl Protoform {
+    pub(super) fn sentence(
+        self,
+        (measure, _): Topic,
+        values: &[(Date, f64)],
+        days: usize,
+        about: SummarySubject,
+    ) -> SummarySentence {
+        let Protoform { quantifier, set, truth, says, before } = self;
         let fuzzy = set.fuzzy();
         let count = values.len() as f64;
         let share = values.iter().map(|(_, value)| fuzzy.agreement(*value)).sum::<f64>() / count;
         let is_so = values.iter().filter(|(_, value)| fuzzy.agreement(*value) >= 0.5);
         let shown_by: Vec<Date> = is_so.map(|(date, _)| *date).collect();
         let mean = values.iter().map(|(_, value)| value).sum::<f64>() / count;
-        let measure = topic.measure;
-        let words = measure.summary(quantifier, set, about, days);
+        let words = measure.summary_words(quantifier, set, about, days);
         let (so, known) = (shown_by.len(), values.len());
-        let exactly = |value| measure.told(value, 2);
+        let exactly = |value| measure.with_unit(value, 2);
         let earlier = before.map_or(String::new(), |before| format!(", previously {}", exactly(before)));
         let on = format!("on {so} of {known} {}s", measure.occasion);
         let expert = format!("{words} (truth {truth:.2}; {on}; mean {}{earlier}).", exactly(mean));
@@ -139,7 +152,7 @@ impl Found {
             _ => None,
         };
         let focus = count / days.max(1) as f64;
-        Sentence {
+        SummarySentence {
             plain,
             expert,
             numbers,

@@ -10,7 +10,7 @@ use std::fmt;
 pub const TRUE_ENOUGH: f64 = 0.8;
 /// The days of a log in words.
 #[derive(Clone, Debug, Serialize)]
-pub struct Summary {
+pub struct VerbalSummary {
     /// What the log is called.
     pub name: String,
     /// The first of the days that it is about.
@@ -24,12 +24,12 @@ pub struct Summary {
     /// What cannot be said, in sentences.
     pub remarks: Vec<String>,
     /// The sentences, those that say most first.
-    pub sentences: Vec<Sentence>,
+    pub sentences: Vec<SummarySentence>,
 }
 
 /// A sentence about a measure.
 #[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct Sentence {
+pub struct SummarySentence {
     /// For carers.
     pub plain: String,
     /// The same with numbers.
@@ -63,14 +63,14 @@ pub struct Sentence {
 
 /// Whom sentences are about.
 #[derive(Clone, Copy, Debug)]
-pub struct About<'a> {
+pub struct SummarySubject<'a> {
     /// What they are called: `Margaret`, or `The resident`.
     pub subject: &'a str,
     /// So many of the last days.
     pub last: usize,
 }
 
-impl Summary {
+impl VerbalSummary {
     /// Writes the sentences, for experts with truth values, and the remarks after them.
     ///
     /// # Errors
@@ -87,7 +87,7 @@ impl Summary {
     }
 }
 
-impl fmt::Display for Summary {
+impl fmt::Display for VerbalSummary {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
         self.write(f, false)
     }

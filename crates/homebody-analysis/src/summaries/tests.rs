@@ -9,13 +9,17 @@ fn days(visits: &[f64], bedtimes: &[f64]) -> Measures {
     let day = |(index, (&visits, &bedtime)): (usize, (&f64, &f64))| {
         let mut values = vec![None; MEASURES.len()];
         (values[visited], values[to_bed]) = (Some(visits), Some(bedtime));
-        Day { date: date(2024, 1, 1).saturating_add(jiff::Span::new().days(index as i64)), is_whole: true, values }
+        DayMeasures {
+            date: date(2024, 1, 1).saturating_add(jiff::Span::new().days(index as i64)),
+            is_whole: true,
+            values,
+        }
     };
     let days = visits.iter().zip(bedtimes).enumerate().map(day).collect();
     Measures { name: "log".into(), measures: MEASURES, days, ..Measures::default() }
 }
 
-const ADA: About = About { subject: "Ada", last: 14 };
+const ADA: SummarySubject = SummarySubject { subject: "Ada", last: 14 };
 
 #[test]
 fn what_is_told_is_true_and_says_most() {
@@ -61,7 +65,7 @@ fn too_few_days_say_nothing() {
 fn distance_is_a_metric() {
     let of = |visits: f64, bedtime: f64| summarise(&days(&[visits; 14], &[bedtime; 14]), ADA);
     let all = [of(1.0, 22.6), of(2.0, 22.6), of(2.0, 23.9), of(5.0, 21.0)];
-    let sentences: Vec<&Sentence> = all.iter().flat_map(|summary| &summary.sentences).collect();
+    let sentences: Vec<&SummarySentence> = all.iter().flat_map(|summary| &summary.sentences).collect();
     for a in &sentences {
         assert_eq!(between(a, a), 0.0);
         for b in &sentences {

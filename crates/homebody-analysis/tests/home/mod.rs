@@ -1,10 +1,11 @@
 //! A home to draw and to measure: two rooms, a door between them, furniture, three sensors.
 
 use homebody_core::geometry::{Point, direction, point};
-use homebody_core::home::plan::Plan;
+use homebody_core::home::form::HomeFile;
 use homebody_core::ids::SensorId;
-use homebody_core::scenario::home::{HomeFile, SensorFile};
+use homebody_core::plan::Plan;
 use homebody_core::sensor_set::SensorSet;
+use homebody_core::sensors::kinds::SensorFile;
 use serde_json::{Value, json};
 
 /// The home, with the given furniture and sensors.
@@ -65,7 +66,7 @@ pub fn sees(home: &HomeFile, plan: &Plan, p: Point) -> SensorSet {
         }
         _ => false,
     });
-    seen.map(|(index, _)| SensorId::of(index)).collect()
+    seen.map(|(index, _)| SensorId::new(index)).collect()
 }
 
 /// Where a beam from `a` to `b` ends at something tall.

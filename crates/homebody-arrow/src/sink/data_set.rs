@@ -8,11 +8,11 @@
 use super::days::{Days, parquet_files, remove};
 use crate::encoded::{Format, Layout};
 use crate::messages::ColumnsMessage;
-use homebody_core::time::Micros;
-use homebody_log::clock::Clock;
-use homebody_log::lock::FileLock;
+use homebody_core::time::RunTime;
+use homebody_log::files::lock::FileLock;
+use homebody_log::table::InstantWriter;
 use homebody_log::table::{Batch, Table};
-use homebody_log::{Begin, How, LogError, Sink, Watermark};
+use homebody_log::{Begin, LogError, Sink, Watermark, WriteMode};
 use std::fs;
 use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
@@ -28,13 +28,13 @@ struct Open {
     tables: Vec<Days>,
     /// The folders of the files until all rows are in them; empty for files that are written in place.
     hidden: Vec<Hidden>,
-    clock: Clock,
+    clock: InstantWriter,
     texts: Vec<Arc<str>>,
     /// Files that are replaced: they go when the first new one is whole.
     replaced: Vec<PathBuf>,
     /// Those that go when all new ones are whole.
     replaced_last: Vec<PathBuf>,
-    how: How,
+    how: WriteMode,
     /// Given back last.
     _lock: FileLock,
 }
@@ -119,10 +119,10 @@ impl Sink for DataSet {
             }
             let there = parquet_files(&partition)?;
             match begin.how {
-                How::New if !there.is_empty() => {
+                WriteMode::Create if !there.is_empty() => {
                     return Err(LogError::Exists { place: partition.display().to_string() });
                 }
-                How::Replace => replaced.extend(there),
+                WriteMode::Overwrite => replaced.extend(there),
                 _ => {}
             }
             let layout = Layout::new(Format::Parquet, table, begin, false);
@@ -149,18 +149,18 @@ impl Sink for DataSet {
     }
 
     /// What is in whole days is sure.
-    fn settle(&mut self) -> Result<Watermark, LogError> {
+    fn make_durable(&mut self) -> Result<Watermark, LogError> {
         let tables = self.open.iter().flat_map(|open| &open.tables);
         Ok(Watermark(tables.map(Days::durable).collect()))
     }
 
-    fn finish(&mut self, _end: Micros) -> Result<(), LogError> {
+    fn finish(&mut self, _end: RunTime) -> Result<(), LogError> {
         let Some(Open { tables, hidden, mut replaced, replaced_last, how, _lock, .. }) = self.open.take() else {
             return Ok(());
         };
         for table in tables {
             let (partition, named) = table.end(&mut replaced)?;
-            if how == How::GoOn
+            if how == WriteMode::Resume
                 && let Some(more) = parquet_files(&partition)?.iter().find(|file| !named.contains(*file))
             {
                 return Err(LogError::changed(more.display().to_string(), ColumnsMessage::ExtraFile));

@@ -8,13 +8,11 @@ use super::named::name;
 use crate::encoded::{Layout, TableFile};
 use crate::messages::ColumnsMessage;
 use homebody_core::scenario::logger::TimeFormat;
-use homebody_core::time::DAY;
-use homebody_log::clock::Clock;
-use homebody_log::fresh::{FreshFile, remove_parts};
+use homebody_core::time::{DAY, RunTime, WallTime};
+use homebody_log::files::fresh::{FreshFile, remove_parts};
+use homebody_log::table::InstantWriter;
 use homebody_log::table::{Cell, ColumnKind, Table};
-use homebody_log::{Begin, How, LogError};
-use jiff::civil::date;
-use jiff::{Span, civil::Date};
+use homebody_log::{Begin, LogError, WriteMode};
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::io::ErrorKind;
@@ -34,7 +32,7 @@ pub(super) struct Days {
     /// The column whose instant says the day; None for a table without instants.
     by: Option<usize>,
     /// Tells the day of an instant.
-    wall: Clock,
+    wall: InstantWriter,
     /// How many days before the latest stay open.
     stays_open: i64,
     /// By day since 1970; one of a table without instants is 0.
@@ -47,7 +45,7 @@ pub(super) struct Days {
     named: BTreeSet<PathBuf>,
     /// How many rows have come.
     come: u64,
-    how: How,
+    how: WriteMode,
 }
 
 struct Open {
@@ -60,7 +58,7 @@ struct Open {
 
 impl Days {
     pub fn new(partition: PathBuf, layout: Layout, table: &Table, begin: &Begin) -> Days {
-        let mut wall = Clock::new(&begin.run.calendar, TimeFormat::Local);
+        let mut wall = InstantWriter::new(&begin.run.calendar, TimeFormat::Local);
         Days {
             partition,
             layout,
@@ -68,7 +66,7 @@ impl Days {
             stays_open: i64::from(begin.tables.len() > 1),
             open: BTreeMap::new(),
             latest: None,
-            first_day: wall.micros(0).div_euclid(DAY),
+            first_day: wall.wall(RunTime::START).day_number(),
             wall,
             parts: BTreeMap::new(),
             named: BTreeSet::new(),
@@ -81,12 +79,12 @@ impl Days {
     pub fn push(
         &mut self,
         cells: &[Cell],
-        clock: &mut Clock,
+        clock: &mut InstantWriter,
         texts: &[Arc<str>],
         replaced: &mut Vec<PathBuf>,
     ) -> Result<(), LogError> {
         let day = match self.by.and_then(|by| cells.get(by)) {
-            Some(&Cell::Instant(at)) => self.wall.micros(at).div_euclid(DAY),
+            Some(&Cell::Instant(at)) => self.wall.wall(at).day_number(),
             Some(_) => self.latest.unwrap_or(self.first_day),
             None => 0,
         };
@@ -122,7 +120,7 @@ impl Days {
             return Err(LogError::cannot_hold(self.partition.display().to_string(), ColumnsMessage::Disorder));
         }
         let folder = match self.by {
-            Some(_) => self.partition.join(format!("day={}", date_of(day))),
+            Some(_) => self.partition.join(format!("day={}", (WallTime::EPOCH + day * DAY).date())),
             None => self.partition.clone(),
         };
         match fs::create_dir(&folder) {
@@ -133,7 +131,7 @@ impl Days {
         let path = folder.join(format!("part-{number}.parquet"));
         // A program that died on its way has left some.
         remove_parts(&path)?;
-        let file = FreshFile::create_hidden(&path, self.how != How::New)?;
+        let file = FreshFile::create_hidden(&path, self.how != WriteMode::Create)?;
         let file = TableFile::begin(file, &self.layout, self.come)?;
         self.open.insert(day, Open { file, rows_before: self.come, used: self.come });
         Ok(())
@@ -179,10 +177,6 @@ impl Drop for Days {
             let _ = fs::remove_dir(folder);
         }
     }
-}
-
-fn date_of(day: i64) -> Date {
-    date(1970, 1, 1).saturating_add(Span::new().days(day))
 }
 
 /// Removes a file, and its folder if nothing else is in it.

@@ -4,9 +4,9 @@
 use super::data_set::DataSet;
 use crate::fault::unwritten;
 use crate::store::Store;
-use homebody_core::time::Micros;
+use homebody_core::time::RunTime;
 use homebody_log::table::Batch;
-use homebody_log::{Begin, How, LogError, Sink, Watermark};
+use homebody_log::{Begin, LogError, Sink, Watermark, WriteMode};
 use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -59,20 +59,20 @@ impl Sink for InStore {
             folder,
         };
         let how = match begin.how {
-            How::New if !there.is_empty() => {
+            WriteMode::Create if !there.is_empty() => {
                 return Err(LogError::Exists { place: format!("parquet:{}/{}", self.url.display(), there[0]) });
             }
-            How::GoOn => {
+            WriteMode::Resume => {
                 for name in there {
                     let file = open.folder.path().join(&name);
                     open.store.get(&name, &file)?;
                     open.sent.insert(name, looks(&file));
                 }
-                How::GoOn
+                WriteMode::Resume
             }
-            How::New | How::Replace => {
+            WriteMode::Create | WriteMode::Overwrite => {
                 open.replaced = there;
-                How::New
+                WriteMode::Create
             }
         };
         let watermark = open.inner.begin(&Begin { how, ..*begin })?;
@@ -84,14 +84,14 @@ impl Sink for InStore {
         self.begun()?.inner.write(batch)
     }
 
-    fn settle(&mut self) -> Result<Watermark, LogError> {
+    fn make_durable(&mut self) -> Result<Watermark, LogError> {
         let open = self.begun()?;
-        let watermark = open.inner.settle()?;
+        let watermark = open.inner.make_durable()?;
         open.send()?;
         Ok(watermark)
     }
 
-    fn finish(&mut self, end: Micros) -> Result<(), LogError> {
+    fn finish(&mut self, end: RunTime) -> Result<(), LogError> {
         let open = self.begun()?;
         open.inner.finish(end)?;
         open.send()?;

@@ -5,18 +5,18 @@ use crate::messages::ColumnsMessage;
 use crate::source::Batches;
 use arrow_array::RecordBatch;
 use homebody_core::problem::Diagnostic;
-use homebody_log::fresh::FreshFile;
-use homebody_log::problems::ChangedMessage;
-use homebody_log::{How, LogError};
+use homebody_log::error::ChangedMessage;
+use homebody_log::files::fresh::FreshFile;
+use homebody_log::{LogError, WriteMode};
 use std::fs::{self, File};
 use std::io::{self, BufRead, BufReader};
 use std::path::Path;
 
 /// Gives a whole file its name.
-pub(crate) fn name(file: FreshFile, how: How) -> Result<(), LogError> {
+pub(crate) fn name(file: FreshFile, how: WriteMode) -> Result<(), LogError> {
     let path = file.path().to_owned();
     let written = file.part().map(Path::to_owned);
-    if let (How::GoOn, Some(written)) = (how, written)
+    if let (WriteMode::Resume, Some(written)) = (how, written)
         && path.is_file()
     {
         let same = are_same(&path, &written).map_err(|error| LogError::reading(&path, error))?;

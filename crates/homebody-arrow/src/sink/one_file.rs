@@ -3,12 +3,12 @@
 
 use super::named::name;
 use crate::encoded::{Format, Layout, TableFile};
-use homebody_core::time::Micros;
-use homebody_log::clock::Clock;
-use homebody_log::fresh::{FreshFile, remove_parts};
-use homebody_log::lock::FileLock;
+use homebody_core::time::RunTime;
+use homebody_log::files::fresh::{FreshFile, remove_parts};
+use homebody_log::files::lock::FileLock;
 use homebody_log::table::Batch;
-use homebody_log::{Begin, How, LogError, Sink, Url, Watermark};
+use homebody_log::table::InstantWriter;
+use homebody_log::{Begin, LogError, Sink, Url, Watermark, WriteMode};
 use std::sync::Arc;
 
 /// A file of Parquet or Arrow IPC, or one for each table.
@@ -20,9 +20,9 @@ pub(crate) struct OneFile {
 
 struct Open {
     files: Vec<TableFile>,
-    clock: Clock,
+    clock: InstantWriter,
     texts: Vec<Arc<str>>,
-    how: How,
+    how: WriteMode,
     /// Given back last, once the files have their names or their parts are gone.
     _locks: Vec<FileLock>,
 }
@@ -38,10 +38,10 @@ impl Sink for OneFile {
         let (mut files, mut locks) = (Vec::new(), Vec::new());
         for (table, path) in begin.tables.iter().zip(self.url.files(begin.tables)) {
             locks.push(FileLock::take(&path)?);
-            if begin.how == How::GoOn {
+            if begin.how == WriteMode::Resume {
                 remove_parts(&path)?;
             }
-            let file = FreshFile::create(&path, begin.how != How::New)?;
+            let file = FreshFile::create(&path, begin.how != WriteMode::Create)?;
             files.push(TableFile::begin(file, &Layout::new(self.format, table, begin, true), 0)?);
         }
         self.open = Some(Open { files, clock: begin.clock(), texts: Vec::new(), how: begin.how, _locks: locks });
@@ -56,11 +56,11 @@ impl Sink for OneFile {
     }
 
     /// Nothing is sure before the end.
-    fn settle(&mut self) -> Result<Watermark, LogError> {
+    fn make_durable(&mut self) -> Result<Watermark, LogError> {
         Ok(Watermark::none())
     }
 
-    fn finish(&mut self, _end: Micros) -> Result<(), LogError> {
+    fn finish(&mut self, _end: RunTime) -> Result<(), LogError> {
         let Some(Open { files, how, _locks, .. }) = self.open.take() else { return Ok(()) };
         files.into_iter().try_for_each(|file| name(file.end()?, how))
     }

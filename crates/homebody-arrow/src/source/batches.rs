@@ -8,7 +8,8 @@ use crate::layout::ABOUT;
 use crate::messages::ColumnsMessage;
 use arrow_array::RecordBatch;
 use arrow_schema::{DataType, Field, Schema, SchemaRef};
-use homebody_log::{LogError, plain};
+use homebody_log::LogError;
+use homebody_log::files::plain;
 use parquet::arrow::ProjectionMask;
 use parquet::arrow::arrow_reader::{
     ArrowReaderMetadata, ArrowReaderOptions, ParquetRecordBatchReader, ParquetRecordBatchReaderBuilder,

@@ -4,8 +4,8 @@ use arrow_array::cast::AsArray;
 use arrow_array::types::*;
 use arrow_array::{Array, ArrayRef};
 use arrow_schema::{DataType, TimeUnit};
-use homebody_core::time::{DAY, Micros, SECOND};
-use homebody_log::source::{Instant, since_1970};
+use homebody_core::time::{DAY, SECOND, Span, UtcTime, WallTime};
+use homebody_log::source::{LogInstant, since_1970};
 
 /// A column whose cells are texts, or numbers that are told as texts.
 pub(super) struct Texts<'a> {
@@ -109,7 +109,7 @@ fn numbers(array: &ArrayRef) -> Option<Told<'_>> {
 
 /// What a cell of time says.
 pub(super) enum Time<'t> {
-    At(Instant),
+    At(LogInstant),
     /// A number that is no instant.
     OutOfRange,
     /// As a text has it.
@@ -126,7 +126,7 @@ pub(super) enum Times<'a> {
 
 #[derive(Clone, Copy)]
 pub(super) enum Unit {
-    Micros(i64),
+    Micros(Span),
     OfAMicro(i64),
 }
 
@@ -148,12 +148,16 @@ impl<'a> Times<'a> {
         Some(match array.data_type() {
             DataType::Timestamp(unit, zone) => match unit {
                 TimeUnit::Second => stamps!(TimestampSecondType, Unit::Micros(SECOND), zone.is_some()),
-                TimeUnit::Millisecond => stamps!(TimestampMillisecondType, Unit::Micros(1000), zone.is_some()),
-                TimeUnit::Microsecond => stamps!(TimestampMicrosecondType, Unit::Micros(1), zone.is_some()),
+                TimeUnit::Millisecond => {
+                    stamps!(TimestampMillisecondType, Unit::Micros(Span::from_millis(1)), zone.is_some())
+                }
+                TimeUnit::Microsecond => {
+                    stamps!(TimestampMicrosecondType, Unit::Micros(Span::MICROSECOND), zone.is_some())
+                }
                 TimeUnit::Nanosecond => stamps!(TimestampNanosecondType, Unit::OfAMicro(1000), zone.is_some()),
             },
             DataType::Date32 => stamps!(Date32Type, Unit::Micros(DAY), false),
-            DataType::Date64 => stamps!(Date64Type, Unit::Micros(1000), false),
+            DataType::Date64 => stamps!(Date64Type, Unit::Micros(Span::from_millis(1)), false),
             DataType::Int32 => numbers!(Int32Type),
             DataType::UInt32 => numbers!(UInt32Type),
             DataType::Int64 => numbers!(Int64Type),
@@ -173,11 +177,14 @@ impl<'a> Times<'a> {
     pub fn get<'b>(&'b self, row: usize, buffer: &'b mut String) -> Time<'b> {
         match self {
             Times::Stamps(stamp, unit, is_utc) => {
-                let at: Micros = match unit {
-                    Unit::Micros(micros) => stamp(row).saturating_mul(*micros),
-                    Unit::OfAMicro(parts) => stamp(row).div_euclid(*parts),
+                let since_1970 = match unit {
+                    Unit::Micros(micros) => micros.saturating_mul(stamp(row)),
+                    Unit::OfAMicro(parts) => Span::from_micros(stamp(row).div_euclid(*parts)),
                 };
-                Time::At(if *is_utc { Instant::Utc(at) } else { Instant::Local(at) })
+                Time::At(match *is_utc {
+                    true => LogInstant::Utc(UtcTime::EPOCH + since_1970),
+                    false => LogInstant::Local(WallTime::EPOCH + since_1970),
+                })
             }
             Times::Numbers(number) => since_1970(number(row)).map_or(Time::OutOfRange, Time::At),
             Times::Texts(texts) => Time::Text(texts.get(row, buffer)),

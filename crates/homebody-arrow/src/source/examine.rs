@@ -8,13 +8,13 @@ use crate::layout::ROWS_BEFORE;
 use arrow_array::cast::AsArray;
 use arrow_array::types::Int64Type;
 use homebody_core::problem::counted;
-use homebody_log::examine::{Asked, Check, Numbers, log_table, truth_tables};
+use homebody_log::examine::{Check, CheckOptions, RowNumbers, log_table, truth_tables};
 use homebody_log::{LogError, Url};
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
 /// Looks at a file or a data set.
-pub(crate) fn examine(url: &Url, asked: &Asked) -> Result<Vec<Check>, LogError> {
+pub(crate) fn examine(url: &Url, asked: &CheckOptions) -> Result<Vec<Check>, LogError> {
     let (log, _) = log_table(asked.mapping)?;
     let (_kept, path) = match here(url.path()) {
         Ok(here) => here,
@@ -91,7 +91,7 @@ fn table(name: &str, files: &[PathBuf], seq: &str, checks: &mut Vec<Check>) {
     } else if files.is_empty() {
         checks.push(Check::warning("files", told, "a run that has just begun has no rows yet"));
     }
-    let mut numbers = Numbers::default();
+    let mut numbers = RowNumbers::default();
     let mut before = 0;
     for ((told, file), found) in &in_order {
         if let Some(told) = told.filter(|told| *told != before && is_whole) {

@@ -10,7 +10,8 @@ use arrow_array::{Array, ArrayRef, RecordBatch};
 use arrow_schema::{DataType, Schema};
 use homebody_core::scenario::logger::LoggerFile;
 use homebody_log::LogError;
-use homebody_log::source::{Instant, Places, Reading, SPAN_COLUMNS};
+use homebody_log::log::SPAN_COLUMNS;
+use homebody_log::source::{ColumnPlaces, LogInstant, LogReading};
 use homebody_log::table::LOG;
 use serde_json::Value;
 use std::path::Path;
@@ -19,7 +20,7 @@ use std::path::Path;
 const LONGEST_TOLD: usize = 200;
 
 /// Reads a file, or a folder of files, row by row.
-pub(super) fn read(path: &Path, mapping: &LoggerFile, reading: &mut Reading<'_>) -> Result<(), LogError> {
+pub(super) fn read(path: &Path, mapping: &LoggerFile, reading: &mut LogReading<'_>) -> Result<(), LogError> {
     let (_kept, folder) = here(path)?;
     let mut line = 0;
     for file in files(&folder).map_err(|error| of_place(path, error))? {
@@ -46,13 +47,13 @@ fn names(schema: &Schema) -> Vec<String> {
 fn spans(schema: &Schema) -> Option<[usize; 3]> {
     let place = |wanted: &str| schema.fields().iter().position(|field| field.name() == wanted);
     let [begin, end, activity] = SPAN_COLUMNS.map(place);
-    let is_log = Places::by_name(&names(schema), &LoggerFile::default()).is_some();
+    let is_log = ColumnPlaces::by_name(&names(schema), &LoggerFile::default()).is_some();
     Some([begin?, end?, activity?]).filter(|_| !is_log)
 }
 
 /// Where no name says anything: the first column of instants is the time, and the two right behind it are sensor and value, if they are
 /// texts. So are our own logs under the names of a network. Of our own files only logs are, and no tables of a truth.
-fn by_types(opened: &Opened) -> Option<Places> {
+fn by_types(opened: &Opened) -> Option<ColumnPlaces> {
     let about = |told: &String| serde_json::from_str::<Value>(told).ok()?.get("about")?.as_str().map(|it| it == LOG);
     if opened.about.as_ref().is_some_and(|told| about(told) == Some(false)) {
         return None;
@@ -61,7 +62,7 @@ fn by_types(opened: &Opened) -> Option<Places> {
     let count = opened.schema.fields().len();
     let time = (0..count).find(|&place| matches!(is(place), Some(DataType::Timestamp(..))))?;
     let are_texts = [time + 1, time + 2].iter().all(|&place| is(place).is_some_and(Texts::are_texts));
-    are_texts.then_some(Places { time, sensor: time + 1, value: time + 2, label: None, is_mapped: false })
+    are_texts.then_some(ColumnPlaces { time, sensor: time + 1, value: time + 2, label: None, is_mapped: false })
 }
 
 /// Takes so many rows of some columns.
@@ -91,12 +92,12 @@ fn read_rows(
     opened: Opened,
     mapping: &LoggerFile,
     line: &mut u64,
-    reading: &mut Reading<'_>,
+    reading: &mut LogReading<'_>,
 ) -> Result<(), LogError> {
     let schema = opened.schema.clone();
     let names = names(&schema);
     let no_log = |why: ColumnsMessage| LogError::no_log(path.display().to_string(), why);
-    let Some(places) = Places::by_name(&names, mapping).or_else(|| by_types(&opened)) else {
+    let Some(places) = ColumnPlaces::by_name(&names, mapping).or_else(|| by_types(&opened)) else {
         let told: String = names.join(", ").chars().take(LONGEST_TOLD).collect();
         return Err(no_log(ColumnsMessage::NoColumns { columns: told }));
     };
@@ -148,7 +149,7 @@ fn read_spans(
     opened: Opened,
     columns: &[usize; 3],
     line: &mut u64,
-    reading: &mut Reading<'_>,
+    reading: &mut LogReading<'_>,
 ) -> Result<(), LogError> {
     let mut buffer = String::new();
     each_batch(path, opened, columns, &mut |rows, arrays| {
@@ -157,7 +158,7 @@ fn read_spans(
         let activities = Texts::of(&arrays[2]).ok_or_else(typed)?;
         for row in 0..rows {
             *line += 1;
-            let mut at = |times: &Times, array: &ArrayRef| -> Option<Instant> {
+            let mut at = |times: &Times, array: &ArrayRef| -> Option<LogInstant> {
                 match times.get(row, &mut buffer) {
                     _ if array.is_null(row) => None,
                     Time::At(at) => Some(at),

@@ -9,8 +9,8 @@ use arrow_array::cast::AsArray;
 use arrow_array::types::{Float64Type, Int64Type};
 use arrow_array::{Array, ArrayRef, Float64Array, Int64Array};
 use arrow_schema::Schema;
-use homebody_log::problems::TruthMessage;
-use homebody_log::source::{TakeRow, Value};
+use homebody_log::error::TruthMessage;
+use homebody_log::source::{TakeTruthRow, TruthValue};
 use homebody_log::table::{Column, ColumnKind, Table};
 use homebody_log::url::table_file;
 use homebody_log::{LogError, Url};
@@ -18,7 +18,7 @@ use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
 
 /// Reads tables of a truth.
-pub(crate) fn read_tables(url: &Url, wanted: &[&Table], take: &mut TakeRow<'_>) -> Result<(), LogError> {
+pub(crate) fn read_tables(url: &Url, wanted: &[&Table], take: &mut TakeTruthRow<'_>) -> Result<(), LogError> {
     let (_kept, folder) = here(url.path())?;
     let named = url;
     let url = &Url::new(url.scheme(), folder);
@@ -55,7 +55,7 @@ fn place(url: &Url, table: &Table) -> PathBuf {
 fn read_file(
     path: &Path,
     table: &Table,
-    take: &mut dyn FnMut(&[Value<'_>]) -> Result<(), LogError>,
+    take: &mut dyn FnMut(&[TruthValue<'_>]) -> Result<(), LogError>,
 ) -> Result<(), LogError> {
     let opened = Opened::open(path)?;
     let no_truth = |why: TruthMessage| LogError::no_truth(path.display().to_string(), why);
@@ -69,7 +69,7 @@ fn read_file(
         // What is put together for a row, such as a number that is told as a text.
         let mut buffers = vec![String::new(); columns.len()];
         for row in 0..rows {
-            let values: Option<Vec<Value>> =
+            let values: Option<Vec<TruthValue>> =
                 columns.iter().zip(&mut buffers).map(|(cells, buffer)| cells.get(row, buffer)).collect();
             take(&values.ok_or_else(|| no_truth(TruthMessage::InstantOutOfRange))?)?;
         }
@@ -107,22 +107,22 @@ impl<'a> Cells<'a> {
     }
 
     /// The cell of a row; None where it is no instant that there is.
-    fn get<'b>(&'b self, row: usize, buffer: &'b mut String) -> Option<Value<'b>> {
+    fn get<'b>(&'b self, row: usize, buffer: &'b mut String) -> Option<TruthValue<'b>> {
         let is_null = match self {
             Cells::Instants(array, _) | Cells::Texts(array, _) => array.is_null(row),
             Cells::Integers(array) => array.is_null(row),
             Cells::Reals(array) => array.is_null(row),
         };
         if is_null {
-            return Some(Value::Null);
+            return Some(TruthValue::Null);
         }
         Some(match self {
-            Cells::Integers(array) => Value::Integer(array.value(row)),
-            Cells::Reals(array) => Value::Real(array.value(row)),
-            Cells::Texts(_, texts) => Value::Text(texts.get(row, buffer)),
+            Cells::Integers(array) => TruthValue::Integer(array.value(row)),
+            Cells::Reals(array) => TruthValue::Real(array.value(row)),
+            Cells::Texts(_, texts) => TruthValue::Text(texts.get(row, buffer)),
             Cells::Instants(_, times) => match times.get(row, buffer) {
-                Time::At(at) => Value::Instant(at),
-                Time::Text(text) => Value::Text(text),
+                Time::At(at) => TruthValue::Instant(at),
+                Time::Text(text) => TruthValue::Text(text),
                 Time::OutOfRange => return None,
             },
         })

@@ -148,7 +148,7 @@ mod tests {
     fn who_stands_is_as_tall_as_the_build_says_and_has_both_feet_on_the_floor() {
         for height_m in [1.5, 1.65, 1.9] {
             let stature = Stature { radius_m: 0.2, height_m };
-            let joints = Joints::of(Stance::Standing, height_m, 0.0).at(Point::new(2.0, 1.0), 0.7);
+            let joints = Joints::new(Stance::Standing, height_m, 0.0).at(Point::new(2.0, 1.0), 0.7);
             let (least, most) = bounds(&person(&stature, &joints));
             assert!((most.z - height_m).abs() < 1e-9, "{most}");
             assert!(least.z > -0.02 && least.z < 0.03, "{least}");
@@ -163,7 +163,7 @@ mod tests {
         let stature = Stature { radius_m: 0.2, height_m: 1.65 };
         // Head to the east: who lies on the left side looks south, on the right side north.
         for (stance, is_left_below, south) in [(Stance::OnLeftSide, true, -1.0), (Stance::OnRightSide, false, 1.0)] {
-            let figure = person(&stature, &Joints::of(stance, stature.height_m, 0.0));
+            let figure = person(&stature, &Joints::new(stance, stature.height_m, 0.0));
             let (left_knee, right_knee) = (figure[4].to, figure[9].to);
             assert_eq!(left_knee.z < right_knee.z, is_left_below, "{left_knee} {right_knee}");
             assert!(left_knee.y * south > 0.1 && right_knee.y * south > 0.1, "{left_knee} {right_knee}");
@@ -176,7 +176,7 @@ mod tests {
         let stature = Stature { radius_m: 0.2, height_m: 1.65 };
         for stance in [Stance::Prone, Stance::Lying, Stance::OnLeftSide, Stance::OnRightSide] {
             for far in [[1.0; 4], [1.0, 0.0, 0.5, 1.0], [0.0; 4]] {
-                let (least, most) = bounds(&person(&stature, &Joints::of(stance, 1.65, 0.0).sprawled(far)));
+                let (least, most) = bounds(&person(&stature, &Joints::new(stance, 1.65, 0.0).sprawled(far)));
                 assert!(least.z > -0.03 && most.z < 0.6, "{stance:?} {far:?}: {least} {most}");
             }
         }
@@ -187,7 +187,7 @@ mod tests {
         let stature = Stature { radius_m: 0.2, height_m: 1.65 };
         let height = stature.height_m;
         let top = |stance: Stance, support_m: f64| {
-            let figure = person(&stature, &Joints::of(stance, height, support_m));
+            let figure = person(&stature, &Joints::new(stance, height, support_m));
             let (least, most) = bounds(&figure);
             assert!(least.z >= support_m.min(0.0) - 0.03, "{stance:?} is in the floor: {least}");
             most.z / height

@@ -89,7 +89,6 @@ impl Ground {
     }
 }
 
-/// The direction of an outline's longest side.
 fn longest_side_rad(outline: &[Point]) -> f64 {
     let longest = geometry::sides(outline).map(|(a, b)| b - a).fold(Point::ZERO, |longest, side| {
         if side.length_squared() > longest.length_squared() { side } else { longest }

@@ -87,7 +87,7 @@ pub const SEAT_M: f64 = 0.45;
 impl Joints {
     /// The joints of a stance at the origin, facing east, of a person of this height above a support, which is the floor at 0,
     /// a seat or a mattress.
-    pub fn of(stance: Stance, height_m: f64, support_m: f64) -> Joints {
+    pub fn new(stance: Stance, height_m: f64, support_m: f64) -> Joints {
         let side = |thigh: f64, shank: f64, arm: f64, forearm: f64| Side {
             thigh_rad: thigh,
             shank_rad: shank,
@@ -224,7 +224,7 @@ mod tests {
 
     #[test]
     fn both_legs_take_turns_and_after_two_steps_all_is_as_before() {
-        let still = Joints::of(Stance::Standing, 1.65, 0.0);
+        let still = Joints::new(Stance::Standing, 1.65, 0.0);
         let (begin, half, whole) =
             (still.walking(1.0, 1.0), still.walking(1.0 + PI, 1.0), still.walking(1.0 + TAU, 1.0));
         assert!((begin.left.thigh_rad - half.right.thigh_rad).abs() < 1e-12);

@@ -12,14 +12,14 @@ use super::figure::{Figure, Stature, person};
 use super::ground::Ground;
 use super::joints::{Joints, Stance, turn};
 use super::quadruped::{LOWEST_PERSON_M, animal};
-use crate::event::MotionState;
 use crate::geometry::Point;
 use crate::ids::ResidentId;
+use crate::motion::MotionState;
 use crate::numbers::Numbers;
+use crate::posture::Posture;
 use crate::random::DrawnValue;
-use crate::scenario::path::Posture;
 use crate::stride::Stride;
-use crate::time::{Micros, SECOND, micros};
+use crate::time::{RunTime, SECOND, Span};
 use std::f64::consts::{FRAC_PI_2, PI};
 
 crate::numbers! {
@@ -45,7 +45,7 @@ crate::numbers! {
 const USUAL_MPS: f64 = 1.2;
 
 /// Duration of a turn, or of a small shift without a stride (our choice).
-const SHIFTS: Micros = SECOND / 2;
+const SHIFTS: Span = Span::from_millis(500);
 
 /// Distance above which a change of position without a stride is a shift, in metres (our choice).
 const SHIFT_M: f64 = 0.02;
@@ -69,19 +69,19 @@ const CRAWL_STEP: f64 = 0.16;
 /// How long changes take.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Durations {
-    sits_down: Micros,
+    sits_down: Span,
     rises_s: f64,
-    lies_down: Micros,
-    bends: Micros,
-    falls: Micros,
+    lies_down: Span,
+    bends: Span,
+    falls: Span,
     gets_up_s: f64,
     step: f64,
 }
 
 impl Durations {
     /// As the scenario has them.
-    pub fn of(numbers: &Numbers) -> Durations {
-        let of = |number| micros(numbers.of(number));
+    pub fn new(numbers: &Numbers) -> Durations {
+        let of = |number| Span::from_seconds(numbers.of(number));
         Durations {
             sits_down: of(&SITS_DOWN_S),
             rises_s: numbers.of(&RISES_S),
@@ -94,17 +94,17 @@ impl Durations {
     }
 
     /// From one posture to another, of somebody who walks at this speed.
-    fn between(&self, from: Posture, to: Posture, walks_mps: f64) -> Micros {
+    fn between(&self, from: Posture, to: Posture, walks_mps: f64) -> Span {
         use Posture::{Bending, Down, Kneeling, Lying, Sitting, Standing};
         let slower = (USUAL_MPS / walks_mps.max(0.1)).clamp(1.0, 2.0);
         match (from, to) {
             (_, Down) => self.falls,
-            (Down, _) => micros(self.gets_up_s * slower),
+            (Down, _) => Span::from_seconds(self.gets_up_s * slower),
             (Sitting, Lying) | (Lying, Sitting) => self.lies_down,
             (Standing, Sitting) => self.sits_down,
-            (Sitting, Standing) => micros(self.rises_s * slower),
+            (Sitting, Standing) => Span::from_seconds(self.rises_s * slower),
             (_, Lying) => self.sits_down + self.lies_down,
-            (Lying, _) => self.lies_down + micros(self.rises_s * slower),
+            (Lying, _) => self.lies_down + Span::from_seconds(self.rises_s * slower),
             (Bending | Kneeling, _) | (_, Bending | Kneeling) => self.bends,
             (Standing, Standing) | (Sitting, Sitting) => SHIFTS,
         }
@@ -114,10 +114,10 @@ impl Durations {
 /// What a body does over a span, as the world tells it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Segment {
-    /// When it begins, in microseconds since the run's start.
-    pub begin: Micros,
+    /// When it begins.
+    pub begin: RunTime,
     /// When it ends, later than it begins.
-    pub end: Micros,
+    pub end: RunTime,
     /// What the body does.
     pub doing: MotionState,
     /// How it holds itself.
@@ -144,8 +144,8 @@ pub struct BodyTrack {
     segment: Option<Segment>,
     /// What it changes from, since when, and for how long.
     from: Joints,
-    changed_at: Micros,
-    takes: Micros,
+    changed_at: RunTime,
+    takes: Span,
     by_way_of: Option<ByWayOf>,
     /// Where it faces once it is there.
     facing_rad: f64,
@@ -166,9 +166,9 @@ impl BodyTrack {
             stature,
             durations,
             segment: None,
-            from: Joints::of(Stance::Standing, stature.height_m, 0.0),
-            changed_at: 0,
-            takes: 0,
+            from: Joints::new(Stance::Standing, stature.height_m, 0.0),
+            changed_at: RunTime::START,
+            takes: Span::ZERO,
             by_way_of: None,
             facing_rad: 0.0,
             stance: Stance::Standing,
@@ -180,7 +180,7 @@ impl BodyTrack {
     }
 
     /// From `now` on the body does this. Being told again what it does already changes nothing.
-    pub fn begin(&mut self, now: Micros, next: &Segment, ground: &Ground) {
+    pub fn begin(&mut self, now: RunTime, next: &Segment, ground: &Ground) {
         let before = self.segment;
         if before.is_some_and(|before| is_same(&before, next)) {
             self.segment = Some(*next);
@@ -206,16 +206,18 @@ impl BodyTrack {
         let Some(was) = was else {
             // It comes through the door as it is.
             self.take_stance(next, at, before.map(|before| before.posture), ground);
-            (self.changed_at, self.takes) = (next.begin.min(now), 0);
+            (self.changed_at, self.takes) = (next.begin.min(now), Span::ZERO);
             return;
         };
         let posture_before = before.map_or(Posture::Standing, |before| before.posture);
-        let left_over = (self.changed_at + self.takes - now).max(0);
+        let left_over = (self.changed_at + self.takes - now).max(Span::ZERO);
         let crawled = before.as_ref().is_some_and(crawls);
         let begins_to_crawl = crawls(next) && !crawled;
-        let is_on_knees = was.hips.up_m >= Joints::of(Stance::Kneeling, self.stature.height_m, 0.0).hips.up_m;
-        let goes_on_up =
-            self.by_way_of == Some(ByWayOf::Knees) && left_over > 0 && posture_before == next.posture && !is_on_knees;
+        let is_on_knees = was.hips.up_m >= Joints::new(Stance::Kneeling, self.stature.height_m, 0.0).hips.up_m;
+        let goes_on_up = self.by_way_of == Some(ByWayOf::Knees)
+            && left_over > Span::ZERO
+            && posture_before == next.posture
+            && !is_on_knees;
         let gets_up = posture_before == Posture::Down && matches!(next.posture, Posture::Standing | Posture::Sitting);
         self.by_way_of = if begins_to_crawl {
             Some(ByWayOf::HandsAndKnees)
@@ -228,7 +230,7 @@ impl BodyTrack {
             self.take_stance(next, at, Some(posture_before), ground);
         }
         let takes = if begins_to_crawl {
-            self.durations.bends + micros(turn(was.facing_rad, self.facing_rad).abs() / CRAWLER_TURNS_RADPS)
+            self.durations.bends + Span::from_seconds(turn(was.facing_rad, self.facing_rad).abs() / CRAWLER_TURNS_RADPS)
         } else if posture_before != next.posture {
             self.durations.between(posture_before, next.posture, self.walks_mps)
         } else if crawled != crawls(next) {
@@ -272,11 +274,11 @@ impl BodyTrack {
     }
 
     /// The joints at an instant from the last change on; None while it is away.
-    pub fn joints_at(&self, now: Micros) -> Option<Joints> {
+    pub fn joints_at(&self, now: RunTime) -> Option<Joints> {
         let segment = self.segment.as_ref()?;
         let at = place(segment, now)?;
         let height_m = self.stature.height_m;
-        let stance = Joints::of(self.stance, height_m, self.support_m).at(at, self.facing_rad);
+        let stance = Joints::new(self.stance, height_m, self.support_m).at(at, self.facing_rad);
         let mut target = stance.sprawled(self.sprawl);
         match segment.doing {
             MotionState::Stride { .. } => {
@@ -290,7 +292,7 @@ impl BodyTrack {
         if passed >= self.takes {
             return Some(target);
         }
-        let share = passed as f64 / self.takes as f64;
+        let share = passed.ratio(self.takes);
         let eased = match segment.posture {
             // It is gravity that hurries.
             Posture::Down => share * share,
@@ -298,9 +300,9 @@ impl BodyTrack {
         };
         let between = match self.by_way_of {
             None => return Some(self.from.towards(&target, eased)),
-            Some(ByWayOf::Knees) => Joints::of(Stance::Kneeling, height_m, 0.0).at(target.hips.at, target.facing_rad),
+            Some(ByWayOf::Knees) => Joints::new(Stance::Kneeling, height_m, 0.0).at(target.hips.at, target.facing_rad),
             Some(ByWayOf::HandsAndKnees) => {
-                Joints::of(Stance::Crawling, height_m, 0.0).at(target.hips.at, self.from.facing_rad)
+                Joints::new(Stance::Crawling, height_m, 0.0).at(target.hips.at, self.from.facing_rad)
             }
         };
         Some(match eased < 0.5 {
@@ -310,7 +312,7 @@ impl BodyTrack {
     }
 
     /// The body as capsules at an instant; None while it is away.
-    pub fn figure_at(&self, now: Micros) -> Option<Figure> {
+    pub fn figure_at(&self, now: RunTime) -> Option<Figure> {
         let joints = self.joints_at(now)?;
         if self.stature.height_m >= LOWEST_PERSON_M {
             return Some(person(&self.stature, &joints));
@@ -335,12 +337,12 @@ impl BodyTrack {
     }
 
     /// Where the body is seen from above; None while it is away.
-    pub fn place_at(&self, now: Micros) -> Option<Point> {
+    pub fn place_at(&self, now: RunTime) -> Option<Point> {
         place(self.segment.as_ref()?, now)
     }
 
     /// Where in a step a stride is, and how far the limbs swing: less where somebody is slow or crawls.
-    fn step_at(&self, segment: &Segment, now: Micros) -> (f64, f64) {
+    fn step_at(&self, segment: &Segment, now: RunTime) -> (f64, f64) {
         let MotionState::Stride { from, to } = segment.doing else { return (0.0, 0.0) };
         let stride = Stride::new(from, to, segment.begin, segment.end);
         let walked_m = self.walked_m + stride.position(now).distance(from);
@@ -353,7 +355,6 @@ impl BodyTrack {
     }
 }
 
-/// Whether a body moves along the floor, on hands and knees.
 fn crawls(segment: &Segment) -> bool {
     let is_low = matches!(segment.posture, Posture::Down | Posture::Lying | Posture::Kneeling);
     is_low && matches!(segment.doing, MotionState::Stride { .. })
@@ -364,8 +365,7 @@ fn is_same(before: &Segment, next: &Segment) -> bool {
     before.posture == next.posture && before.begin == next.begin && before.doing == next.doing
 }
 
-/// Where a body is at an instant of its segment.
-fn place(segment: &Segment, now: Micros) -> Option<Point> {
+fn place(segment: &Segment, now: RunTime) -> Option<Point> {
     match segment.doing {
         MotionState::Stride { from, to } => {
             Some(Stride::new(from, to, segment.begin, segment.end).position(now.clamp(segment.begin, segment.end)))
@@ -376,8 +376,8 @@ fn place(segment: &Segment, now: Micros) -> Option<Point> {
 }
 
 /// Arms and trunk of who does something on the spot: as far as what moves moves, about once in two seconds.
-fn sway(joints: &mut Joints, now: Micros, amplitude_m: f64) {
-    let phase = (now % (2 * SECOND)) as f64 / (2 * SECOND) as f64 * 2.0 * PI;
+fn sway(joints: &mut Joints, now: RunTime, amplitude_m: f64) {
+    let phase = (now.since_zero() % (2 * SECOND)).ratio(2 * SECOND) * 2.0 * PI;
     let far = (amplitude_m / 0.3).clamp(0.0, 2.0);
     joints.trunk_rad += 0.06 * far * libm::sin(phase);
     joints.left.arm_rad += 0.5 * far * (1.0 + libm::sin(phase)) / 2.0;
@@ -403,8 +403,13 @@ mod tests {
 
     const BUILD: Stature = Stature { radius_m: 0.2, height_m: 1.65 };
 
-    fn rests(begin: Micros, end: Micros, x: f64, posture: Posture) -> Segment {
-        Segment { begin, end, doing: MotionState::Rest { at: Point::new(x, 2.0) }, posture, chance: chance(0) }
+    fn at(seconds: i64) -> RunTime {
+        RunTime::START + seconds * SECOND
+    }
+
+    fn rests(begin: i64, end: i64, x: f64, posture: Posture) -> Segment {
+        let doing = MotionState::Rest { at: Point::new(x, 2.0) };
+        Segment { begin: at(begin), end: at(end), doing, posture, chance: chance(0) }
     }
 
     fn chance(number: u64) -> DrawnValue {
@@ -412,20 +417,21 @@ mod tests {
     }
 
     /// Falls, crawls two metres, lies there, and gets up.
-    fn figures() -> Vec<(Micros, Figure)> {
+    fn figures() -> Vec<(RunTime, Figure)> {
         let crawl = MotionState::Stride { from: Point::new(1.0, 2.0), to: Point::new(3.0, 2.0) };
         let segments = [
-            rests(0, 5 * SECOND, 1.0, Posture::Standing),
-            rests(5 * SECOND, 10 * SECOND, 1.0, Posture::Down),
-            Segment { begin: 10 * SECOND, end: 20 * SECOND, doing: crawl, posture: Posture::Down, chance: chance(0) },
-            rests(20 * SECOND, 30 * SECOND, 3.0, Posture::Down),
-            rests(30 * SECOND, 60 * SECOND, 3.0, Posture::Standing),
+            rests(0, 5, 1.0, Posture::Standing),
+            rests(5, 10, 1.0, Posture::Down),
+            Segment { begin: at(10), end: at(20), doing: crawl, posture: Posture::Down, chance: chance(0) },
+            rests(20, 30, 3.0, Posture::Down),
+            rests(30, 60, 3.0, Posture::Standing),
         ];
-        let mut track = BodyTrack::new(ResidentId(0), BUILD, Durations::of(&Numbers::default()));
+        let mut track = BodyTrack::new(ResidentId(0), BUILD, Durations::new(&Numbers::default()));
         let mut figures = Vec::new();
         for segment in segments {
             track.begin(segment.begin, &segment, &Ground::floor());
-            let instants = (segment.begin..segment.end).step_by(SECOND as usize / 50);
+            let count = (segment.end - segment.begin) / (SECOND / 50);
+            let instants = (0..count).map(|index| segment.begin + index * (SECOND / 50));
             figures.extend(instants.map(|at| (at, track.figure_at(at).unwrap())));
         }
         figures
@@ -446,16 +452,16 @@ mod tests {
     fn who_gets_up_goes_over_their_knees() {
         let all = figures();
         let top = |figure: &Figure| figure.iter().map(|capsule| capsule.from.z.max(capsule.to.z)).fold(0.0, f64::max);
-        let upright: Vec<f64> = all.iter().filter(|(at, _)| *at > 45 * SECOND).map(|(_, figure)| top(figure)).collect();
+        let upright: Vec<f64> = all.iter().filter(|(now, _)| *now > at(45)).map(|(_, figure)| top(figure)).collect();
         assert!(upright.iter().all(|top| *top > 1.5));
         // On the way the head is as high as that of who kneels, for longer than it takes to pass.
-        let kneels = all.iter().filter(|(at, figure)| *at > 30 * SECOND && (1.0..1.35).contains(&top(figure))).count();
+        let kneels = all.iter().filter(|(now, figure)| *now > at(30) && (1.0..1.35).contains(&top(figure))).count();
         assert!(kneels > 10, "{kneels} fiftieths of a second");
     }
 
     #[test]
     fn who_crawls_goes_head_first() {
-        let crawling = figures().into_iter().filter(|(at, _)| (14 * SECOND..20 * SECOND).contains(at));
+        let crawling = figures().into_iter().filter(|(now, _)| (at(14)..at(20)).contains(now));
         for (at, figure) in crawling {
             let (head, left_foot, right_foot) = (figure[0].to, figure[6].to, figure[11].to);
             assert!(head.x > left_foot.x + 0.5 && head.x > right_foot.x + 0.5, "at {at} the head is at {head}");
@@ -465,16 +471,16 @@ mod tests {
     #[test]
     fn falls_end_in_different_ways() {
         let lies = |number: u64| {
-            let mut track = BodyTrack::new(ResidentId(0), BUILD, Durations::of(&Numbers::default()));
-            let falls = Segment { chance: chance(number), ..rests(5 * SECOND, 20 * SECOND, 1.0, Posture::Down) };
-            for segment in [rests(0, 5 * SECOND, 1.0, Posture::Sitting), falls] {
+            let mut track = BodyTrack::new(ResidentId(0), BUILD, Durations::new(&Numbers::default()));
+            let falls = Segment { chance: chance(number), ..rests(5, 20, 1.0, Posture::Down) };
+            for segment in [rests(0, 5, 1.0, Posture::Sitting), falls] {
                 track.begin(segment.begin, &segment, &Ground::floor());
             }
-            track.joints_at(15 * SECOND).unwrap()
+            track.joints_at(at(15)).unwrap()
         };
         let all: Vec<Joints> = (0..100).map(lies).collect();
         for stance in [Stance::Prone, Stance::Lying, Stance::OnLeftSide, Stance::OnRightSide] {
-            let of = Joints::of(stance, BUILD.height_m, 0.0);
+            let of = Joints::new(stance, BUILD.height_m, 0.0);
             let ends_so = |joints: &&Joints| joints.roll_rad == of.roll_rad && joints.trunk_rad == of.trunk_rad;
             assert!((10..45).contains(&all.iter().filter(ends_so).count()), "{stance:?}");
         }

@@ -55,7 +55,7 @@ const SHADOW_M: [f64; 2] = [0.6, 0.12];
 
 impl Noise {
     /// As the scenario has it.
-    pub fn of(numbers: &Numbers) -> Noise {
+    pub fn new(numbers: &Numbers) -> Noise {
         let of = |number| numbers.of(number);
         Noise { flicker: of(&FLICKER), holes: of(&HOLES), shadow: of(&SHADOW), specks: of(&SPECKS), light: of(&LIGHT) }
     }

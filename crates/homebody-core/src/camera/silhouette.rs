@@ -77,7 +77,6 @@ impl Silhouette {
         self.words.iter().map(|word| word.count_ones()).sum()
     }
 
-    /// The words of a row.
     fn row(&self, row: usize) -> &[u64] {
         let words = self.columns.div_ceil(WORD);
         &self.words[row * words..(row + 1) * words]

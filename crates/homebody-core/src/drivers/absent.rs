@@ -1,9 +1,9 @@
 //! Nobody decides: the resident is out for the whole run.
 
-use super::{Driver, MotionSegment, Next, Surroundings};
-use crate::event::MotionState;
-use crate::scenario::path::Posture;
-use crate::time::NEVER;
+use crate::drivers::{Driver, Next, Surroundings};
+use crate::motion::{MotionSegment, MotionState};
+use crate::posture::Posture;
+use crate::time::RunTime;
 
 /// The driver of a resident for whom there is none.
 #[derive(Clone, Copy, Debug)]
@@ -11,7 +11,7 @@ pub struct Absent;
 
 impl Driver for Absent {
     fn next(&mut self, around: &Surroundings) -> Next {
-        let (begin, end) = (around.now(), NEVER);
+        let (begin, end) = (around.now(), RunTime::NEVER);
         Next::Segment(MotionSegment { begin, end, doing: MotionState::Away, posture: Posture::Standing })
     }
 

@@ -1,12 +1,12 @@
 //! What is wrong with a driver's answer. Drivers may be anybody's, so no answer is taken on trust.
 
-use super::{MotionSegment, Next};
-use crate::event::MotionState;
+use crate::drivers::Next;
 use crate::geometry::Point;
 use crate::ids::ThingId;
 use crate::messages::{Datum, Value};
+use crate::motion::{MotionSegment, MotionState};
 use crate::problem::{Diagnose, Diagnostic};
-use crate::time::{Micros, seconds};
+use crate::time::RunTime;
 use std::fmt;
 
 /// A driver has answered with what no body can do. The run ends at that instant.
@@ -14,27 +14,23 @@ use std::fmt;
 pub struct DriverError {
     /// The name of the resident whose driver it is.
     pub resident: String,
-    /// When it was asked: microseconds since the start of the run.
-    pub at: Micros,
+    /// When it was asked.
+    pub at: RunTime,
     /// What is wrong with the answer.
     pub fault: DriverFault,
 }
 
 crate::messages! {
-    /// A problem with an answer. Instants are in microseconds since the start of the run, places in metres.
+    /// A problem with an answer. Places are in metres.
     #[derive(Clone, PartialEq)]
     pub enum DriverFault in "driver" {
         /// A driver answers at an instant with the segment of movement that begins then.
-        BeginsElsewhen {
-            /// The begin of the segment.
-            begin: Micros,
-        } error "wrong-begin" ("its segment of movement begins at {begin_s} s, not at the time of the question", begin_s = seconds(*begin))
+        BeginsElsewhen { begin: RunTime }
+            error "wrong-begin" ("its segment of movement begins at {begin_s} s, not at the time of the question", begin_s = begin.seconds())
             hint ("begin a segment at the time of the question: `around.now()`");
         /// A segment of movement takes time: its end is after its begin.
-        EndsTooSoon {
-            /// The end of the segment.
-            end: Micros,
-        } error "wrong-end" ("its segment ends at {end_s} s, which is not after its begin", end_s = seconds(*end))
+        EndsTooSoon { end: RunTime }
+            error "wrong-end" ("its segment ends at {end_s} s, which is not after its begin", end_s = end.seconds())
             hint ("let a segment last at least a microsecond");
         /// A number is infinite, not a number (NaN), or negative where that is impossible.
         NoNumber {
@@ -43,32 +39,18 @@ crate::messages! {
         } error "invalid-number" ("it gave an invalid number for {what}")
             hint ("give finite numbers, and an amplitude of at least 0");
         /// A body does not jump: each segment begins where the one before it ended.
-        Jump {
-            /// The place of the body.
-            from: Point,
-            /// The begin of the segment.
-            to: Point,
-        } error "jump" ("its segment of movement begins at {to:.2}, but the body is at {from:.2}")
+        Jump { from: Point, to: Point }
+            error "jump" ("its segment of movement begins at {to:.2}, but the body is at {from:.2}")
             hint ("let the body walk there, or leave the home and come back");
         /// The place is more than half a metre from every room and every opening of a door.
-        Outside {
-            /// The place.
-            at: Point,
-        } error "outside-home" ("it gave a place outside the home, {at:.2}")
+        Outside { at: Point } error "outside-home" ("it gave a place outside the home, {at:.2}")
             hint ("use `MotionState::Away` for a resident who leaves the home");
         /// A thing has a number from 0 on. The home does not have so many things.
-        NoSuchThing {
-            /// The number of the thing.
-            thing: ThingId,
-            /// The number of things in the home.
-            things: usize,
-        } error "unknown-thing" ("it uses the thing {number}, but the home has {things} things, numbered from 0", number = thing.0)
+        NoSuchThing { thing: ThingId, things: usize }
+            error "unknown-thing" ("it uses the thing {number}, but the home has {things} things, numbered from 0", number = thing.0)
             hint ("find a thing by its name with `Plan::thing`");
         /// The driver was asked again and again at one instant, and gave only answers that take no time.
-        NoEnd {
-            /// The number of answers.
-            answers: usize,
-        } error "no-progress" ("it gave {answers} answers in a row that take no time")
+        NoEnd { answers: usize } error "no-progress" ("it gave {answers} answers in a row that take no time")
             hint ("answer with a segment, which takes time");
         /// The driver reports that it cannot continue, for example because a script has failed.
         Failed {
@@ -97,7 +79,7 @@ impl DriverFault {
     /// What is wrong with an answer that was asked for at `now`, of a body that is at `here` (`None` while it is away) in a
     /// home of so many things. Whether its place is in the home is not looked at.
     #[inline]
-    pub(crate) fn of(answer: &Next, now: Micros, here: Option<Point>, things: usize) -> Option<DriverFault> {
+    pub(crate) fn in_answer(answer: &Next, now: RunTime, here: Option<Point>, things: usize) -> Option<DriverFault> {
         let no_number = |what| Some(DriverFault::NoNumber { what });
         match answer {
             Next::Segment(segment) => DriverFault::of_segment(segment, now, here),
@@ -115,7 +97,7 @@ impl DriverFault {
     }
 
     #[inline]
-    fn of_segment(segment: &MotionSegment, now: Micros, here: Option<Point>) -> Option<DriverFault> {
+    fn of_segment(segment: &MotionSegment, now: RunTime, here: Option<Point>) -> Option<DriverFault> {
         let &MotionSegment { begin, end, doing, .. } = segment;
         if begin != now {
             return Some(DriverFault::BeginsElsewhen { begin });
@@ -142,7 +124,7 @@ impl Diagnose for DriverError {
     fn diagnostic(&self) -> Diagnostic {
         let DriverError { resident, at, fault } = self;
         let mut problem = fault.diagnostic();
-        problem.what = format!("the driver of {resident:?} failed at {} s: {}", seconds(*at), problem.what);
+        problem.what = format!("the driver of {resident:?} failed at {} s: {}", at.seconds(), problem.what);
         problem.data.insert("resident".into(), resident.datum());
         problem.data.insert("at_us".into(), at.datum());
         problem

@@ -17,20 +17,20 @@
 
 mod obstacles;
 
-use super::input::Input;
-use super::{Driver, MotionSegment, Next, Surroundings};
-use crate::event::{MotionState, ThingUse};
+use crate::drivers::input::{Input, InputFile, KeysFile};
+use crate::drivers::{Driver, Next, Surroundings};
+use crate::event::ThingUse;
 use crate::geometry::Point;
-use crate::home::plan::{Origin, Plan};
 use crate::ids::ThingId;
-use crate::scenario::input::InputFile;
-use crate::scenario::path::Posture;
-use crate::time::{Micros, NEVER, SECOND, micros, seconds};
+use crate::motion::{MotionSegment, MotionState};
+use crate::plan::{Origin, Plan};
+use crate::posture::Posture;
+use crate::time::{RunTime, SECOND, Span};
 use obstacles::Obstacles;
 use std::collections::VecDeque;
 
 /// As the paper's game engine: sixty updates a second.
-const STEPS_PER_SECOND: Micros = 60;
+const STEPS_PER_SECOND: i64 = 60;
 
 /// Less than this in a step is the noise of the engine's `f32`, not movement: a body that pushes
 /// against a wall keeps still.
@@ -66,9 +66,9 @@ impl Driver for LiveDriver {
         let velocity =
             if posture == Posture::Standing { held.direction() * (self.pace_mps * held.haste()) } else { Point::ZERO };
         let end = if velocity != Point::ZERO || self.keys.open {
-            step_from(now.saturating_add(1))
+            step_from(now.saturating_add(Span::MICROSECOND))
         } else {
-            self.keys.next_change().map_or(NEVER, step_from)
+            self.keys.next_change().map_or(RunTime::NEVER, step_from)
         };
         if let Some(exit) = self.out {
             let comes = velocity.dot(exit.outward) < 0.0 && around.is_on(exit.door);
@@ -85,7 +85,7 @@ impl Driver for LiveDriver {
         let mut doing = MotionState::Rest { at: self.at };
         if velocity != Point::ZERO {
             self.obstacles.set_doors(self.at, |door| around.is_on(door));
-            let way = velocity * seconds(end - now);
+            let way = velocity * (end - now).seconds();
             let (from, to) = (self.at, self.obstacles.slide(self.at, way, around.others()));
             if from.distance(to) >= STILL_M {
                 self.at = to;
@@ -110,7 +110,7 @@ impl Driver for LiveDriver {
     }
 
     /// Whatever else was to come is forgotten. Who rests until the next line of a file is not asked before.
-    fn input(&mut self, at: Micros, input: Input) {
+    fn input(&mut self, at: RunTime, input: Input) {
         self.keys.input(at, input);
     }
 }
@@ -145,7 +145,7 @@ impl Exit {
             // One side of it is in the home.
             let (is_near, is_far) = (plan.is_inside(near - across * radius_m), plan.is_inside(far + across * radius_m));
             let (from, to, outward) = if is_near { (a, b, across) } else { (c, d, -across) };
-            (is_near != is_far).then_some(Exit { door: ThingId::of(door), from, to, outward, radius_m })
+            (is_near != is_far).then_some(Exit { door: ThingId::new(door), from, to, outward, radius_m })
         };
         shut.chain(open).filter_map(exit).collect()
     }
@@ -161,9 +161,9 @@ impl Exit {
 }
 
 /// The first end of a step at or after an instant.
-fn step_from(at: Micros) -> Micros {
-    let within = at % SECOND;
-    let steps = (within * STEPS_PER_SECOND + SECOND - 1) / SECOND;
+fn step_from(at: RunTime) -> RunTime {
+    let within = at.since_zero() % SECOND;
+    let steps = (within * STEPS_PER_SECOND + SECOND - Span::MICROSECOND) / SECOND;
     (at - within).saturating_add(steps * SECOND / STEPS_PER_SECOND)
 }
 
@@ -173,8 +173,7 @@ pub struct KeyTrack {
     now: Input,
     /// What has been used, but is not told yet.
     uses: VecDeque<ThingUse>,
-    /// The changes to come, in order of time.
-    coming: VecDeque<(Micros, Input)>,
+    coming: VecDeque<(RunTime, Input)>,
     /// Whether changes that are not known yet may come: then no rest is longer than a step.
     open: bool,
 }
@@ -182,8 +181,8 @@ pub struct KeyTrack {
 impl KeyTrack {
     /// The input of a file; nothing comes after its last line.
     pub fn written(input: &InputFile, plan: &Plan) -> KeyTrack {
-        let mut coming: Vec<_> =
-            input.keys.iter().map(|line| (micros(line.at_s), Input::written(line, plan))).collect();
+        let at = |line: &KeysFile| RunTime::START + Span::from_seconds(line.at_s);
+        let mut coming: Vec<_> = input.keys.iter().map(|line| (at(line), Input::written(line, plan))).collect();
         coming.sort_by_key(|&(at, _)| at);
         KeyTrack { coming: coming.into(), open: false, ..KeyTrack::live() }
     }
@@ -193,14 +192,14 @@ impl KeyTrack {
         KeyTrack { now: Input::default(), uses: VecDeque::new(), coming: VecDeque::new(), open: true }
     }
 
-    fn input(&mut self, at: Micros, input: Input) {
+    fn input(&mut self, at: RunTime, input: Input) {
         while self.coming.back().is_some_and(|&(later, _)| later > at) {
             self.coming.pop_back();
         }
         self.coming.push_back((at, input));
     }
 
-    fn at(&mut self, now: Micros) -> &Input {
+    fn at(&mut self, now: RunTime) -> &Input {
         while let Some((at, _)) = self.coming.front()
             && *at <= now
             && let Some((_, input)) = self.coming.pop_front()
@@ -211,7 +210,7 @@ impl KeyTrack {
         &self.now
     }
 
-    fn next_change(&self) -> Option<Micros> {
+    fn next_change(&self) -> Option<RunTime> {
         self.coming.front().map(|&(at, _)| at)
     }
 }
@@ -220,11 +219,11 @@ impl KeyTrack {
 mod tests {
     use super::*;
     use crate::drivers::Occupant;
-    use crate::drivers::input::Held;
+    use crate::drivers::input::{DriveKey, HeldKeys};
     use crate::geometry::{self, point};
-    use crate::home::Build;
     use crate::ids::ResidentId;
-    use crate::scenario::input::Key;
+    use crate::resident::Build;
+    use crate::time::{HOUR, LONGEST};
     use rand_chacha::ChaCha8Rng;
     use rand_core::{Rng, SeedableRng};
     use serde_json::json;
@@ -271,7 +270,8 @@ mod tests {
     fn bodies(others: &[(Point, f64)]) -> Vec<Occupant> {
         let occupant = |&(at, radius_m): &(Point, f64)| {
             let doing = MotionState::Rest { at };
-            let segment = MotionSegment { begin: 0, end: NEVER, doing, posture: Posture::Standing };
+            let segment =
+                MotionSegment { begin: RunTime::START, end: RunTime::NEVER, doing, posture: Posture::Standing };
             Occupant { build: Build { radius_m, ..Build::adult() }, segment }
         };
         [Occupant::new(Build::adult())].into_iter().chain(others.iter().map(occupant)).collect()
@@ -281,8 +281,7 @@ mod tests {
         plan().things.iter().map(|thing| thing.on).collect()
     }
 
-    /// What the driver does next.
-    fn ask(driver: &mut LiveDriver, now: Micros, others: &[(Point, f64)], on: &[bool]) -> Next {
+    fn ask(driver: &mut LiveDriver, now: RunTime, others: &[(Point, f64)], on: &[bool]) -> Next {
         driver.next(&Surroundings::new(now, ResidentId(0), plan(), &bodies(others), on))
     }
 
@@ -290,16 +289,20 @@ mod tests {
         LiveDriver::new(plan(), Point::new(x, y), RADIUS_M, PACE_MPS, KeyTrack::live())
     }
 
-    fn holding(keys: &[Key]) -> Input {
+    fn holding(keys: &[DriveKey]) -> Input {
         Input { held: keys.iter().copied().collect(), ..Input::default() }
+    }
+
+    fn second(seconds: i64) -> RunTime {
+        RunTime::START + seconds * SECOND
     }
 
     /// Holds the keys for a time, and returns what the body did.
     fn walk(
         driver: &mut LiveDriver,
-        keys: &[Key],
-        from: Micros,
-        to: Micros,
+        keys: &[DriveKey],
+        from: RunTime,
+        to: RunTime,
         others: &[(Point, f64)],
     ) -> Vec<MotionSegment> {
         driver.input(from, holding(keys));
@@ -318,11 +321,12 @@ mod tests {
     /// Steps with keys changed at random every now and then.
     fn wander(driver: &mut LiveDriver, seed: u64, steps: usize, mut each: impl FnMut(&MotionSegment)) {
         let mut random = ChaCha8Rng::seed_from_u64(seed);
-        let mut now = 0;
+        let mut now = RunTime::START;
         for _ in 0..steps {
             if random.next_u32() % 25 == 0 {
                 let bits = random.next_u32();
-                let keys = [Key::Up, Key::Down, Key::Left, Key::Right, Key::Fast, Key::Slow];
+                let keys =
+                    [DriveKey::Up, DriveKey::Down, DriveKey::Left, DriveKey::Right, DriveKey::Fast, DriveKey::Slow];
                 let held = keys.into_iter().filter(|&key| bits >> key as u32 & 1 == 1).collect();
                 driver.input(now, Input { held, ..Input::default() });
             }
@@ -336,29 +340,31 @@ mod tests {
 
     #[test]
     fn steps_do_not_drift() {
-        let spans = walk(&mut standing_at(1.0, 1.0), &[Key::Up], 0, SECOND, &[]);
+        let spans = walk(&mut standing_at(1.0, 1.0), &[DriveKey::Up], second(0), second(1), &[]);
         assert_eq!(spans.len(), 60);
-        assert_eq!([spans[0].end, spans[1].end, spans[2].end, spans[59].end], [16_666, 33_333, 50_000, SECOND]);
-        let a_century = 36_525 * 86_400 * SECOND;
-        assert_eq!([step_from(a_century), step_from(a_century + 1)], [a_century, a_century + 16_666]);
-        assert_eq!(step_from(Micros::MAX), Micros::MAX);
+        assert_eq!([0, 1, 2, 59].map(|step: usize| spans[step].end.micros()), [16_666, 33_333, 50_000, 1_000_000]);
+        let a_century = RunTime::START + LONGEST;
+        let (little, step) = (Span::MICROSECOND, Span::from_micros(16_666));
+        assert_eq!([step_from(a_century), step_from(a_century + little)], [a_century, a_century + step]);
+        assert_eq!(step_from(RunTime::MAX), RunTime::MAX);
     }
 
     #[test]
     fn keys_set_the_way_and_the_pace() {
-        let moved_in_a_second = |keys: &[Key]| {
+        let moved_in_a_second = |keys: &[DriveKey]| {
             let mut driver = standing_at(1.0, 2.0);
-            walk(&mut driver, keys, 0, SECOND, &[]);
+            walk(&mut driver, keys, second(0), second(1), &[]);
             driver.at - point([1.0, 2.0])
         };
-        let close = |keys: &[Key], x: f64, y: f64| assert!(moved_in_a_second(keys).distance(Point::new(x, y)) < 1e-5);
-        close(&[Key::Up], 0.0, 0.6);
-        close(&[Key::Up, Key::Fast], 0.0, 1.2);
-        close(&[Key::Down, Key::Slow], 0.0, -0.3);
-        close(&[Key::Down, Key::Slow, Key::Fast], 0.0, -0.6);
-        close(&[Key::Left, Key::Up], -0.6 / 2_f64.sqrt(), 0.6 / 2_f64.sqrt());
-        close(&[Key::Left, Key::Right], 0.0, 0.0);
-        close(&[Key::Fast], 0.0, 0.0);
+        let close =
+            |keys: &[DriveKey], x: f64, y: f64| assert!(moved_in_a_second(keys).distance(Point::new(x, y)) < 1e-5);
+        close(&[DriveKey::Up], 0.0, 0.6);
+        close(&[DriveKey::Up, DriveKey::Fast], 0.0, 1.2);
+        close(&[DriveKey::Down, DriveKey::Slow], 0.0, -0.3);
+        close(&[DriveKey::Down, DriveKey::Slow, DriveKey::Fast], 0.0, -0.6);
+        close(&[DriveKey::Left, DriveKey::Up], -0.6 / 2_f64.sqrt(), 0.6 / 2_f64.sqrt());
+        close(&[DriveKey::Left, DriveKey::Right], 0.0, 0.0);
+        close(&[DriveKey::Fast], 0.0, 0.0);
     }
 
     #[test]
@@ -369,9 +375,9 @@ mod tests {
         ] });
         let keys = KeyTrack::written(&serde_json::from_value(input).unwrap(), plan());
         let mut driver = LiveDriver::new(plan(), point([1.0, 1.0]), RADIUS_M, PACE_MPS, keys);
-        let (mut now, mut rests, mut strides) = (0, Vec::new(), 0);
+        let (mut now, mut rests, mut strides) = (RunTime::START, Vec::new(), 0);
         while let Next::Segment(span) = ask(&mut driver, now, &[], &doors_as_planned())
-            && span.end < NEVER
+            && span.end < RunTime::NEVER
         {
             now = span.end;
             match span.doing {
@@ -379,8 +385,9 @@ mod tests {
                 _ => strides += 1,
             }
         }
-        let hour = 3600 * SECOND;
-        assert_eq!(rests, [(0, 516_666), (566_666, hour)]);
+        let hour = RunTime::START + HOUR;
+        let [rests_at, rests_again] = [516_666, 566_666].map(RunTime::from_micros);
+        assert_eq!(rests, [(RunTime::START, rests_at), (rests_again, hour)]);
         assert_eq!((strides, now), (3 + 6, hour + SECOND / 10), "opposite keys end the movement for good");
     }
 
@@ -406,7 +413,7 @@ mod tests {
     #[test]
     fn a_body_slides_along_a_wall() {
         let mut driver = standing_at(1.0, 0.4);
-        walk(&mut driver, &[Key::Down, Key::Right], 0, 2 * SECOND, &[]);
+        walk(&mut driver, &[DriveKey::Down, DriveKey::Right], second(0), second(2), &[]);
         let at = driver.at;
         assert!((at.y - (0.05 + RADIUS_M)).abs() < 0.01);
         assert!((at.x - (1.0 + 2.0 * PACE_MPS / 2_f64.sqrt())).abs() < 0.01, "{at}");
@@ -414,11 +421,16 @@ mod tests {
 
     #[test]
     fn whoever_pushes_against_a_wall_or_into_a_corner_rests() {
-        let corner = [Key::Down, Key::Left, Key::Fast];
-        for keys in [&[Key::Down][..], &[Key::Left, Key::Fast], &corner, &[Key::Down, Key::Left, Key::Slow]] {
+        let corner = [DriveKey::Down, DriveKey::Left, DriveKey::Fast];
+        for keys in [
+            &[DriveKey::Down][..],
+            &[DriveKey::Left, DriveKey::Fast],
+            &corner,
+            &[DriveKey::Down, DriveKey::Left, DriveKey::Slow],
+        ] {
             let mut driver = standing_at(0.4, 0.4);
-            walk(&mut driver, keys, 0, 2 * SECOND, &[]);
-            let pushes = walk(&mut driver, keys, 2 * SECOND, 10 * SECOND, &[]);
+            walk(&mut driver, keys, second(0), second(2), &[]);
+            let pushes = walk(&mut driver, keys, second(2), second(10), &[]);
             assert!(pushes.iter().all(|span| matches!(span.doing, MotionState::Rest { .. })), "{keys:?}");
         }
     }
@@ -426,11 +438,11 @@ mod tests {
     #[test]
     fn closed_doors_stop_a_body_and_open_ones_do_not() {
         let mut at_closed = standing_at(4.5, 1.95);
-        walk(&mut at_closed, &[Key::Right], 0, 5 * SECOND, &[]);
+        walk(&mut at_closed, &[DriveKey::Right], second(0), second(5), &[]);
         assert!((at_closed.at.x - (4.95 - RADIUS_M)).abs() < 0.01);
 
         let mut at_open = standing_at(2.45, 3.5);
-        walk(&mut at_open, &[Key::Up], 0, 3 * SECOND, &[]);
+        walk(&mut at_open, &[DriveKey::Up], second(0), second(3), &[]);
         assert!((at_open.at.y - 5.3).abs() < 0.01);
     }
 
@@ -439,7 +451,7 @@ mod tests {
     fn who_pushes_through_the_open_front_door_is_away_until_the_keys_point_back() {
         let mut open = doors_as_planned();
         open[plan().thing("front door").unwrap()] = true;
-        let hold = |driver: &mut LiveDriver, keys: &[Key], from: Micros, to: Micros, on: &[bool]| {
+        let hold = |driver: &mut LiveDriver, keys: &[DriveKey], from: RunTime, to: RunTime, on: &[bool]| {
             driver.input(from, holding(keys));
             let (mut now, mut spans) = (from, Vec::new());
             while now < to {
@@ -452,20 +464,20 @@ mod tests {
         let is_away = |span: &MotionSegment| span.doing == MotionState::Away;
         let shut = doors_as_planned();
         let mut stays = standing_at(1.0, 5.05);
-        assert!(!hold(&mut stays, &[Key::Left], 0, 5 * SECOND, &shut).iter().any(is_away));
+        assert!(!hold(&mut stays, &[DriveKey::Left], second(0), second(5), &shut).iter().any(is_away));
         let mut at_front = standing_at(1.0, 5.05);
-        assert!(hold(&mut at_front, &[Key::Left], 0, 5 * SECOND, &open).last().is_some_and(is_away));
-        let out = hold(&mut at_front, &[], 5 * SECOND, 6 * SECOND, &open);
-        assert!(out.iter().all(|span| is_away(span) && span.end - span.begin <= SECOND / 60 + 1));
+        assert!(hold(&mut at_front, &[DriveKey::Left], second(0), second(5), &open).last().is_some_and(is_away));
+        let out = hold(&mut at_front, &[], second(5), second(6), &open);
+        assert!(out.iter().all(|span| is_away(span) && span.end - span.begin <= SECOND / 60 + Span::MICROSECOND));
         // Somebody has shut it meanwhile.
         let mut copy = at_front.clone();
-        assert!(hold(&mut copy, &[Key::Right], 6 * SECOND, 7 * SECOND, &shut).iter().all(is_away));
-        let back = hold(&mut at_front, &[Key::Right], 6 * SECOND, 8 * SECOND, &open);
+        assert!(hold(&mut copy, &[DriveKey::Right], second(6), second(7), &shut).iter().all(is_away));
+        let back = hold(&mut at_front, &[DriveKey::Right], second(6), second(8), &open);
         assert!(matches!(back.last().map(|span| &span.doing), Some(MotionState::Stride { .. })));
         assert!(at_front.at.x > 1.0, "{}", at_front.at);
         // Beside the door there is a wall.
         let mut beside = standing_at(1.0, 4.3);
-        assert!(!hold(&mut beside, &[Key::Left], 0, 5 * SECOND, &open).iter().any(is_away));
+        assert!(!hold(&mut beside, &[DriveKey::Left], second(0), second(5), &open).iter().any(is_away));
     }
 
     #[test]
@@ -476,24 +488,24 @@ mod tests {
             on[door(name)] = open;
             on
         };
-        let end = |mut driver: LiveDriver, key: Key, on: &[bool]| {
-            driver.input(0, holding(&[key]));
-            let mut now = 0;
-            while now < 3 * SECOND {
+        let end = |mut driver: LiveDriver, key: DriveKey, on: &[bool]| {
+            driver.input(second(0), holding(&[key]));
+            let mut now = second(0);
+            while now < second(3) {
                 let Next::Segment(span) = ask(&mut driver, now, &[], on) else { panic!("live movement has ended") };
                 now = span.end;
             }
             driver.at
         };
-        let opened = end(standing_at(4.5, 1.95), Key::Right, &set("closed door", true));
+        let opened = end(standing_at(4.5, 1.95), DriveKey::Right, &set("closed door", true));
         assert!(opened.x > 6.0, "{opened}");
-        let shut = end(standing_at(2.45, 3.5), Key::Up, &set("living room door", false));
+        let shut = end(standing_at(2.45, 3.5), DriveKey::Up, &set("living room door", false));
         assert!((shut.y - (3.95 - RADIUS_M)).abs() < 0.01, "{shut}");
         // Who stands in it is let out.
-        let let_out = end(standing_at(2.45, 4.0), Key::Up, &set("living room door", false));
+        let let_out = end(standing_at(2.45, 4.0), DriveKey::Up, &set("living room door", false));
         assert!(let_out.y > 5.0, "{let_out}");
         for open in [true, false] {
-            let inside = end(standing_at(1.0, 5.05), Key::Left, &set("front door", open));
+            let inside = end(standing_at(1.0, 5.05), DriveKey::Left, &set("front door", open));
             assert!((inside.x - (0.05 + RADIUS_M)).abs() < 0.01, "{inside}");
         }
     }
@@ -502,12 +514,12 @@ mod tests {
     fn others_are_run_into_and_slid_round() {
         let other = (point([2.0, 5.0]), 0.25);
         let mut head_on = standing_at(1.0, 5.0);
-        walk(&mut head_on, &[Key::Right], 0, 5 * SECOND, &[other]);
+        walk(&mut head_on, &[DriveKey::Right], second(0), second(5), &[other]);
         let gap = head_on.at.distance(other.0) - RADIUS_M - other.1;
         assert!((0.0..0.01).contains(&gap), "{gap}");
 
         let mut aside = standing_at(1.0, 5.1);
-        let spans = walk(&mut aside, &[Key::Right], 0, 5 * SECOND, &[other]);
+        let spans = walk(&mut aside, &[DriveKey::Right], second(0), second(5), &[other]);
         let nearest = spans.iter().filter_map(|span| match span.doing {
             MotionState::Stride { to, .. } => Some(to.distance(other.0)),
             _ => None,
@@ -516,7 +528,7 @@ mod tests {
         assert!(aside.at.x > 2.6, "{}", aside.at);
 
         let mut alone = head_on.clone();
-        walk(&mut alone, &[Key::Right], 5 * SECOND, 6 * SECOND, &[]);
+        walk(&mut alone, &[DriveKey::Right], second(5), second(6), &[]);
         assert!(alone.at.x > head_on.at.x + 0.5, "who has left is in nobody's way");
     }
 
@@ -545,25 +557,28 @@ mod tests {
     #[test]
     fn later_keys_replace_what_was_to_come() {
         let mut driver = standing_at(1.0, 1.0);
-        driver.input(10 * SECOND, holding(&[Key::Up]));
-        driver.input(SECOND, holding(&[Key::Right]));
-        assert_eq!((driver.keys.at(0).held, driver.keys.next_change()), (Held::default(), Some(SECOND)));
+        driver.input(second(10), holding(&[DriveKey::Up]));
+        driver.input(second(1), holding(&[DriveKey::Right]));
+        assert_eq!((driver.keys.at(second(0)).held, driver.keys.next_change()), (HeldKeys::default(), Some(second(1))));
         assert_eq!(
-            (driver.keys.at(20 * SECOND).held, driver.keys.next_change()),
-            (Held::from_iter([Key::Right]), None)
+            (driver.keys.at(second(20)).held, driver.keys.next_change()),
+            (HeldKeys::from_iter([DriveKey::Right]), None)
         );
     }
 
     #[test]
     fn who_sits_does_not_walk_and_uses_things() {
         let mut driver = standing_at(1.0, 1.0);
-        let lamp = ThingUse { thing: ThingId::of(plan().thing("hall").unwrap()), on: true };
-        driver.input(0, Input { posture: Posture::Sitting, uses: vec![lamp, lamp], ..holding(&[Key::Right]) });
+        let lamp = ThingUse { thing: ThingId::new(plan().thing("hall").unwrap()), on: true };
+        driver.input(
+            second(0),
+            Input { posture: Posture::Sitting, uses: vec![lamp, lamp], ..holding(&[DriveKey::Right]) },
+        );
         let mut asked = |now| ask(&mut driver, now, &[], &doors_as_planned());
-        assert_eq!([asked(0), asked(0)], [Next::Use(lamp), Next::Use(lamp)]);
-        let Next::Segment(sat) = asked(0) else { panic!("no move") };
+        assert_eq!([asked(second(0)), asked(second(0))], [Next::Use(lamp), Next::Use(lamp)]);
+        let Next::Segment(sat) = asked(second(0)) else { panic!("no move") };
         assert_eq!((sat.doing, sat.posture), (MotionState::Rest { at: Point::new(1.0, 1.0) }, Posture::Sitting));
-        driver.input(sat.end, holding(&[Key::Right]));
+        driver.input(sat.end, holding(&[DriveKey::Right]));
         let Next::Segment(walked) = ask(&mut driver, sat.end, &[], &doors_as_planned()) else { panic!("no move") };
         assert!(matches!(walked.doing, MotionState::Stride { .. }) && walked.posture == Posture::Standing);
     }
@@ -575,6 +590,6 @@ mod tests {
         let mut home = plan().clone();
         home.solids.iter_mut().for_each(|solid| solid.outline = tiny.to_vec());
         let mut driver = LiveDriver::new(&home, Point::new(1.0, 2.0), RADIUS_M, PACE_MPS, KeyTrack::live());
-        assert!(!walk(&mut driver, &[Key::Up], 0, SECOND, &[]).is_empty());
+        assert!(!walk(&mut driver, &[DriveKey::Up], second(0), second(1), &[]).is_empty());
     }
 }

@@ -12,13 +12,16 @@
 //!
 //! What is left out: walls and other people. A path goes where it says.
 
-use super::{Driver, MotionSegment, Next, Surroundings};
-use crate::event::MotionState;
+pub mod form;
+
+use crate::calendar::time_of_day;
+use crate::drivers::{Driver, Next, Surroundings};
 use crate::geometry::Point;
-use crate::home::plan::Plan;
-use crate::scenario::calendar::time_of_day;
-use crate::scenario::path::{self as file, PathFile, Posture};
-use crate::time::{DAY, Micros, NEVER, micros, seconds};
+use crate::motion::{MotionSegment, MotionState};
+use crate::plan::Plan;
+use crate::posture::Posture;
+use crate::time::{DAY, RunTime, Span};
+use form::{PathFile, PathStep};
 use std::ops::Deref;
 use std::sync::Arc;
 
@@ -29,27 +32,27 @@ pub(crate) const GREATEST_SPEED_MPS: f64 = 10.0;
 #[derive(Clone, Debug)]
 pub struct PathDriver {
     /// Shared, so that a copy of a run does not copy the path.
-    steps: Arc<[Step]>,
-    /// Microseconds from local midnight to the scenario's start.
-    start_of_day: Micros,
+    steps: Arc<[FlatStep]>,
+    /// From local midnight to the scenario's start.
+    start_of_day: Span,
     /// The step that is being done; past the end once all is done.
     step: usize,
     /// How far that step has come; nothing before it begins.
     under_way: Option<UnderWay>,
     /// The repeats that are open, outermost first.
-    passes: Vec<Pass>,
+    passes: Vec<RepeatPass>,
     at: Point,
     posture: Posture,
 }
 
 #[derive(Clone, Debug, PartialEq)]
-enum Step {
+enum FlatStep {
     Go {
         to: Vec<Point>,
         tempo: Tempo,
     },
     Stay {
-        span: Span,
+        lasts: Lasts,
         pastime: Pastime,
     },
     Activity(Option<String>),
@@ -68,45 +71,42 @@ enum Tempo {
     /// Metres a second.
     Pace(f64),
     /// The whole walk takes this long.
-    Within(Span),
+    Within(Lasts),
 }
 
 #[derive(Clone, Copy, Debug, PartialEq)]
-enum Span {
-    For(Micros),
-    /// Up to the next such time of day, in microseconds since midnight.
-    Until(Micros),
+enum Lasts {
+    For(Span),
+    /// Up to the next such time of day, since midnight.
+    Until(Span),
 }
 
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Pastime {
     Still(Posture),
-    Stirring { posture: Posture, every: Micros, lasting: Micros, amplitude_m: f64 },
+    Stirring { posture: Posture, every: Span, lasting: Span, amplitude_m: f64 },
     Away,
 }
 
 /// How far a step has come.
 #[derive(Clone, Copy, Debug)]
 enum UnderWay {
-    Walk(Walk),
-    Stay { begin: Micros, end: Micros, pastime: Pastime },
+    Walk(LegWalk),
+    Stay { begin: RunTime, end: RunTime, pastime: Pastime },
 }
 
 #[derive(Clone, Copy, Debug)]
-struct Walk {
-    begin: Micros,
-    end: Micros,
+struct LegWalk {
+    begin: RunTime,
+    end: RunTime,
     speed_mps: f64,
-    /// The waypoint that comes next.
     waypoint: usize,
-    /// Length of the walk so far.
     covered_m: f64,
 }
 
-/// One time through a repeat.
 #[derive(Clone, Copy, Debug)]
-struct Pass {
-    began: Micros,
+struct RepeatPass {
+    began: RunTime,
     /// Passes to do, this one included; nothing where they never end.
     left: Option<u32>,
 }
@@ -116,7 +116,7 @@ struct Pass {
 #[derive(Clone, Debug, PartialEq)]
 pub struct ResolvedPath {
     file: PathFile,
-    steps: Arc<[Step]>,
+    steps: Arc<[FlatStep]>,
     start: Point,
 }
 
@@ -141,8 +141,8 @@ impl Deref for ResolvedPath {
 }
 
 impl PathDriver {
-    /// The driver of a path; `start_of_day` are the microseconds from local midnight to the scenario's start.
-    pub fn new(path: &ResolvedPath, start_of_day: Micros) -> PathDriver {
+    /// The driver of a path; `start_of_day` is the time from local midnight to the scenario's start.
+    pub fn new(path: &ResolvedPath, start_of_day: Span) -> PathDriver {
         PathDriver {
             steps: path.steps.clone(),
             start_of_day,
@@ -155,25 +155,27 @@ impl PathDriver {
     }
 
     /// What the resident does from `now` on; once all is done, it rests for ever.
-    fn after(&mut self, now: Micros) -> Next {
+    fn after(&mut self, now: RunTime) -> Next {
         let steps = Arc::clone(&self.steps);
         while let Some(step) = steps.get(self.step) {
             let (under_way, waypoints) = match step {
-                Step::Go { to, tempo } => (self.under_way.unwrap_or_else(|| self.set_out(to, *tempo, now)), &to[..]),
-                Step::Stay { span, pastime } => {
-                    let stay = || UnderWay::Stay { begin: now, end: self.end_of(*span, now), pastime: *pastime };
+                FlatStep::Go { to, tempo } => {
+                    (self.under_way.unwrap_or_else(|| self.set_out(to, *tempo, now)), &to[..])
+                }
+                FlatStep::Stay { lasts, pastime } => {
+                    let stay = || UnderWay::Stay { begin: now, end: self.end_of(*lasts, now), pastime: *pastime };
                     (self.under_way.unwrap_or_else(stay), &[][..])
                 }
-                Step::Activity(name) => {
+                FlatStep::Activity(name) => {
                     self.step += 1;
                     return Next::Activity(name.clone());
                 }
-                Step::Repeat { times } => {
-                    self.passes.push(Pass { began: now, left: *times });
+                FlatStep::Repeat { times } => {
+                    self.passes.push(RepeatPass { began: now, left: *times });
                     self.step += 1;
                     continue;
                 }
-                Step::Again { first } => {
+                FlatStep::Again { first } => {
                     self.step = self.after_pass(*first, now);
                     continue;
                 }
@@ -192,12 +194,12 @@ impl PathDriver {
             self.step += 1;
         }
         let doing = MotionState::Rest { at: self.at };
-        Next::Segment(MotionSegment { begin: now, end: NEVER, doing, posture: self.posture })
+        Next::Segment(MotionSegment { begin: now, end: RunTime::NEVER, doing, posture: self.posture })
     }
 
     /// Begins a walk. One to where the resident already is takes no time, unless the file says when
     /// it ends: then the resident stands there until then.
-    fn set_out(&self, waypoints: &[Point], tempo: Tempo, now: Micros) -> UnderWay {
+    fn set_out(&self, waypoints: &[Point], tempo: Tempo, now: RunTime) -> UnderWay {
         let (mut length_m, mut from) = (0.0, self.at);
         for &to in waypoints {
             length_m += from.distance(to);
@@ -206,23 +208,22 @@ impl PathDriver {
         let end = match tempo {
             Tempo::Pace(mps) => later(now, length_m / mps),
             // Whoever sets out at 07:30 to arrive at 07:30 means tomorrow.
-            Tempo::Within(Span::Until(time)) => self.end_of(Span::Until(time), now.saturating_add(1)),
-            Tempo::Within(span) => self.end_of(span, now),
+            Tempo::Within(Lasts::Until(time)) => self.end_of(Lasts::Until(time), now.saturating_add(Span::MICROSECOND)),
+            Tempo::Within(lasts) => self.end_of(lasts, now),
         };
         if length_m == 0.0 {
             return UnderWay::Stay { begin: now, end, pastime: Pastime::Still(Posture::Standing) };
         }
         // However short, a walk takes time: the body is never in two places at once.
-        let end = end.max(now.saturating_add(1)).max(later(now, length_m / GREATEST_SPEED_MPS));
+        let end = end.max(now.saturating_add(Span::MICROSECOND)).max(later(now, length_m / GREATEST_SPEED_MPS));
         let speed_mps = match tempo {
             Tempo::Pace(mps) => mps,
-            Tempo::Within(_) => length_m / seconds(end - now),
+            Tempo::Within(_) => length_m / (end - now).seconds(),
         };
-        UnderWay::Walk(Walk { begin: now, end, speed_mps, waypoint: 0, covered_m: 0.0 })
+        UnderWay::Walk(LegWalk { begin: now, end, speed_mps, waypoint: 0, covered_m: 0.0 })
     }
 
-    /// The next stride of a walk; nothing once it is over.
-    fn stride(&mut self, mut walk: Walk, waypoints: &[Point], now: Micros) -> Option<MotionSegment> {
+    fn stride(&mut self, mut walk: LegWalk, waypoints: &[Point], now: RunTime) -> Option<MotionSegment> {
         let (from, mut to, mut end) = (self.at, self.at, now);
         while let Some(&waypoint) = waypoints.get(walk.waypoint) {
             let covered_m = walk.covered_m + to.distance(waypoint);
@@ -246,7 +247,7 @@ impl PathDriver {
     }
 
     /// The next span of staying, all of which lasts from `begin` to `end`; nothing once it is over.
-    fn stay(&mut self, begin: Micros, end: Micros, pastime: Pastime, now: Micros) -> Option<MotionSegment> {
+    fn stay(&mut self, begin: RunTime, end: RunTime, pastime: Pastime, now: RunTime) -> Option<MotionSegment> {
         if end <= now {
             return None;
         }
@@ -269,7 +270,7 @@ impl PathDriver {
     }
 
     /// Counts a pass of the innermost repeat, and returns the step to go on with.
-    fn after_pass(&mut self, first: usize, now: Micros) -> usize {
+    fn after_pass(&mut self, first: usize, now: RunTime) -> usize {
         let beyond = self.step + 1;
         let Some(pass) = self.passes.last_mut() else { return beyond };
         // A pass that took no time left everything as it was, so the ones to come would too.
@@ -286,11 +287,11 @@ impl PathDriver {
     }
 
     /// When a span that begins now ends.
-    fn end_of(&self, span: Span, now: Micros) -> Micros {
-        match span {
-            Span::For(span) => now.saturating_add(span),
-            Span::Until(time) => {
-                let time_now = (now % DAY + self.start_of_day) % DAY;
+    fn end_of(&self, lasts: Lasts, now: RunTime) -> RunTime {
+        match lasts {
+            Lasts::For(span) => now.saturating_add(span),
+            Lasts::Until(time) => {
+                let time_now = (now.since_zero() % DAY + self.start_of_day) % DAY;
                 now.saturating_add((time - time_now).rem_euclid(DAY))
             }
         }
@@ -308,67 +309,64 @@ impl Driver for PathDriver {
 }
 
 /// Appends the steps as a flat list, in which a repeat is bracketed by `Repeat` and `Again`.
-fn flatten(steps: &[file::Step], plan: &Plan, pace_mps: f64, flat: &mut Vec<Step>) -> Option<()> {
+fn flatten(steps: &[PathStep], plan: &Plan, pace_mps: f64, flat: &mut Vec<FlatStep>) -> Option<()> {
     for step in steps {
         match step {
-            file::Step::Go(go) => {
+            PathStep::Go(go) => {
                 let to = go.to.iter().map(|spot| plan.spot(spot)).collect::<Option<_>>()?;
                 let tempo = match (go.pace_mps, go.in_s, &go.arrive_at) {
                     (Some(mps), _, _) => Tempo::Pace(mps),
                     (None, None, None) => Tempo::Pace(pace_mps),
-                    (None, in_s, arrive_at) => Tempo::Within(span(in_s, arrive_at)?),
+                    (None, in_s, arrive_at) => Tempo::Within(lasts(in_s, arrive_at)?),
                 };
-                flat.push(Step::Go { to, tempo });
+                flat.push(FlatStep::Go { to, tempo });
             }
-            file::Step::Wait(wait) => {
+            PathStep::Wait(wait) => {
                 let posture = wait.posture;
                 let pastime = match &wait.stir {
                     None => Pastime::Still(posture),
                     Some(stir) => Pastime::Stirring {
                         posture,
-                        every: micros(stir.every_s).max(1),
-                        lasting: micros(stir.for_s).min(micros(stir.every_s)),
+                        every: Span::from_seconds(stir.every_s).max(Span::MICROSECOND),
+                        lasting: Span::from_seconds(stir.for_s.min(stir.every_s)),
                         amplitude_m: stir.amplitude_m,
                     },
                 };
-                flat.push(Step::Stay { span: span(wait.for_s, &wait.until)?, pastime });
+                flat.push(FlatStep::Stay { lasts: lasts(wait.for_s, &wait.until)?, pastime });
             }
-            file::Step::Repeat(repeat) => {
-                flat.push(Step::Repeat { times: repeat.times });
+            PathStep::Repeat(repeat) => {
+                flat.push(FlatStep::Repeat { times: repeat.times });
                 let first = flat.len();
                 flatten(&repeat.steps, plan, pace_mps, flat)?;
-                flat.push(Step::Again { first });
+                flat.push(FlatStep::Again { first });
             }
-            file::Step::Activity(name) => flat.push(Step::Activity((!name.is_empty()).then(|| name.clone()))),
-            file::Step::Away(away) => {
-                flat.push(Step::Stay { span: span(away.for_s, &away.until)?, pastime: Pastime::Away });
+            PathStep::Activity(name) => flat.push(FlatStep::Activity((!name.is_empty()).then(|| name.clone()))),
+            PathStep::Away(away) => {
+                flat.push(FlatStep::Stay { lasts: lasts(away.for_s, &away.until)?, pastime: Pastime::Away });
             }
         }
     }
     Some(())
 }
 
-fn span(for_s: Option<f64>, until: &Option<String>) -> Option<Span> {
+fn lasts(for_s: Option<f64>, until: &Option<String>) -> Option<Lasts> {
     Some(match (for_s, until) {
-        (Some(for_s), _) => Span::For(micros(for_s)),
-        (None, Some(until)) => Span::Until(time_of_day(until)?),
-        (None, None) => Span::For(0),
+        (Some(for_s), _) => Lasts::For(Span::from_seconds(for_s)),
+        (None, Some(until)) => Lasts::Until(time_of_day(until)?),
+        (None, None) => Lasts::For(Span::ZERO),
     })
 }
 
-/// The instant so many seconds after another.
-fn later(begin: Micros, span_s: f64) -> Micros {
-    begin.saturating_add(micros(span_s))
+fn later(begin: RunTime, span_s: f64) -> RunTime {
+    begin.saturating_add(Span::from_seconds(span_s))
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::geometry::point;
-    use crate::time::SECOND;
+    use crate::time::{HOUR, SECOND};
     use serde_json::{Value, json};
-
-    const HOUR: Micros = 60 * 60 * SECOND;
 
     /// A driver that starts at (0, 0) at seven in the morning, with a pace of 0.5 m/s.
     fn driver(steps: Value) -> PathDriver {
@@ -398,11 +396,11 @@ mod tests {
     }
 
     /// What the driver does up to the first span that ends at `until` or later, checked to have no gaps.
-    fn spans(driver: &mut PathDriver, until: Micros) -> Vec<MotionSegment> {
-        let (mut now, mut at, mut spans) = (0, driver.at, Vec::new());
-        while now < until {
+    fn spans(driver: &mut PathDriver, until: Span) -> Vec<MotionSegment> {
+        let (mut now, mut at, mut spans) = (RunTime::START, driver.at, Vec::new());
+        while now.since_zero() < until {
             match driver.after(now) {
-                Next::Segment(span) if span.end == NEVER => {
+                Next::Segment(span) if span.end == RunTime::NEVER => {
                     assert_eq!(span.doing, MotionState::Rest { at: driver.at });
                     break;
                 }
@@ -424,28 +422,32 @@ mod tests {
         spans
     }
 
-    /// What follows all steps of a path that has gone nowhere.
-    fn done(begin: Micros) -> Next {
+    fn done(begin: RunTime) -> Next {
         let doing = MotionState::Rest { at: Point::ZERO };
-        Next::Segment(MotionSegment { begin, end: NEVER, doing, posture: Posture::Standing })
+        Next::Segment(MotionSegment { begin, end: RunTime::NEVER, doing, posture: Posture::Standing })
     }
 
-    fn ends(spans: &[MotionSegment]) -> Vec<Micros> {
-        spans.iter().map(|span| span.end).collect()
+    fn ends(spans: &[MotionSegment]) -> Vec<Span> {
+        spans.iter().map(|span| span.end.since_zero()).collect()
     }
 
     #[test]
     fn waypoints_are_reached_to_the_microsecond() {
         let thirds = json!([{ "go": { "to": [[0.1, 0], [0.2, 0], [0.3, 0]], "pace_mps": 0.3 } }]);
-        assert_eq!(ends(&spans(&mut driver(thirds), HOUR)), [333_333, 666_667, SECOND]);
+        assert_eq!(ends(&spans(&mut driver(thirds), HOUR)), [333_333, 666_667, 1_000_000].map(Span::from_micros));
 
         let to_the_sink = json!([{ "go": { "to": ["sink"] } }]);
         let stride = MotionState::Stride { from: Point::ZERO, to: point([3.0, 4.0]) };
-        let only = MotionSegment { begin: 0, end: 10 * SECOND, doing: stride, posture: Posture::Standing };
+        let only = MotionSegment {
+            begin: RunTime::START,
+            end: RunTime::START + 10 * SECOND,
+            doing: stride,
+            posture: Posture::Standing,
+        };
         assert_eq!(spans(&mut driver(to_the_sink), HOUR), [only]);
 
         let in_ten_seconds = json!([{ "go": { "to": [[1, 0], [4, 0]], "in_s": 10 } }]);
-        assert_eq!(ends(&spans(&mut driver(in_ten_seconds), HOUR)), [2_500_000, 10 * SECOND]);
+        assert_eq!(ends(&spans(&mut driver(in_ten_seconds), HOUR)), [5 * SECOND / 2, 10 * SECOND]);
 
         let by_half_past = json!([{ "go": { "to": [[1, 0], [4, 0]], "arrive_at": "07:30" } }]);
         assert_eq!(ends(&spans(&mut driver(by_half_past), HOUR)), [HOUR / 8, HOUR / 2]);
@@ -459,14 +461,14 @@ mod tests {
         let waypoints: Vec<_> = (1..=100_000).map(|i| json!([f64::from(i % 2) * 0.125, 0])).collect();
         let spans = spans(&mut driver(json!([{ "go": { "to": waypoints, "pace_mps": 0.3 } }])), DAY);
         assert_eq!(spans.len(), 100_000);
-        assert_eq!(spans[99_998].end, 41_666_250_000);
-        assert_eq!(spans[99_999].end, 41_666_666_667);
+        assert_eq!(spans[99_998].end.micros(), 41_666_250_000);
+        assert_eq!(spans[99_999].end.micros(), 41_666_666_667);
     }
 
     #[test]
     fn legs_without_length_are_no_strides() {
         let here = json!([{ "go": { "to": [[0, 0], [0, 0]] } }]);
-        assert_eq!(driver(here).after(0), done(0));
+        assert_eq!(driver(here).after(RunTime::START), done(RunTime::START));
         let with_stops = json!([{ "go": { "to": [[0, 0], [1, 0], [1, 0], [2, 0], [2, 0]] } }]);
         assert_eq!(ends(&spans(&mut driver(with_stops), HOUR)), [2 * SECOND, 4 * SECOND]);
         let with_specks = json!([{ "go": { "to": [[1e-9, 0], [1, 0], [1, 1e-9], [2, 0], [2, 1e-9]], "in_s": 4 } }]);
@@ -475,7 +477,12 @@ mod tests {
         assert_eq!(speck_driver.at, point([2.0, 1e-9]));
         let stand = json!([{ "go": { "to": [[0, 0]], "in_s": 5 } }]);
         let rest = MotionState::Rest { at: Point::ZERO };
-        let only = MotionSegment { begin: 0, end: 5 * SECOND, doing: rest, posture: Posture::Standing };
+        let only = MotionSegment {
+            begin: RunTime::START,
+            end: RunTime::START + 5 * SECOND,
+            doing: rest,
+            posture: Posture::Standing,
+        };
         assert_eq!(spans(&mut driver(stand), HOUR), [only]);
     }
 
@@ -491,8 +498,8 @@ mod tests {
         let spans = spans(&mut driver(steps), DAY);
         assert_eq!(spans.len(), 3 * (2 * 2 + 1) + 1);
         assert_eq!(spans[4].posture, Posture::Sitting);
-        assert_eq!(spans[14].end, 3 * 14 * SECOND);
-        assert_eq!((spans[15].end, spans[15].doing), (102 * SECOND, MotionState::Away));
+        assert_eq!(spans[14].end.since_zero(), 3 * 14 * SECOND);
+        assert_eq!((spans[15].end.since_zero(), spans[15].doing), (102 * SECOND, MotionState::Away));
     }
 
     #[test]
@@ -503,8 +510,8 @@ mod tests {
             { "go": { "to": [[0, 0]] } },
             { "wait": { "until": "22:30", "stir": { "every_s": 600, "for_s": 4 } } },
         ] } }]));
-        let (mut now, mut most_open) = (0, 0);
-        let ten_years = 3_652 * DAY;
+        let (mut now, mut most_open) = (RunTime::START, 0);
+        let ten_years = RunTime::START + 3_652 * DAY;
         while now < ten_years {
             let Next::Segment(span) = driver.after(now) else { panic!("the path has ended at {now}") };
             assert!(span.begin == now && span.end > now);
@@ -546,19 +553,19 @@ mod tests {
     #[test]
     fn activities_take_no_time() {
         let mut driver = driver(json!([{ "activity": "tea" }, { "activity": "" }, { "wait": { "for_s": 1 } }]));
-        assert_eq!(driver.after(0), Next::Activity(Some("tea".into())));
-        assert_eq!(driver.after(0), Next::Activity(None));
-        assert!(matches!(driver.after(0), Next::Segment(_)));
-        assert_eq!(driver.after(SECOND), done(SECOND));
-        assert_eq!(driver.after(SECOND), done(SECOND));
+        assert_eq!(driver.after(RunTime::START), Next::Activity(Some("tea".into())));
+        assert_eq!(driver.after(RunTime::START), Next::Activity(None));
+        assert!(matches!(driver.after(RunTime::START), Next::Segment(_)));
+        assert_eq!(driver.after(RunTime::START + SECOND), done(RunTime::START + SECOND));
+        assert_eq!(driver.after(RunTime::START + SECOND), done(RunTime::START + SECOND));
     }
 
     #[test]
     fn a_loop_that_takes_no_time_ends() {
         let steps = json!([{ "repeat": { "steps": [{ "activity": "x" }, { "go": { "to": [[0, 0]] } }] } }]);
         let mut endless = driver(steps);
-        assert_eq!(endless.after(0), Next::Activity(Some("x".into())));
-        assert_eq!(endless.after(0), done(0));
+        assert_eq!(endless.after(RunTime::START), Next::Activity(Some("x".into())));
+        assert_eq!(endless.after(RunTime::START), done(RunTime::START));
 
         let steps = json!([
             { "repeat": { "times": u32::MAX, "steps": [{ "wait": { "until": "07:00" } }] } },
@@ -571,7 +578,7 @@ mod tests {
     fn times_without_end_saturate() {
         let steps = json!([{ "repeat": { "steps": [{ "wait": { "for_s": 1e300 } }] } }]);
         let mut driver = driver(steps);
-        assert!(matches!(driver.after(0), Next::Segment(MotionSegment { end: Micros::MAX, .. })));
+        assert!(matches!(driver.after(RunTime::START), Next::Segment(MotionSegment { end: RunTime::NEVER, .. })));
     }
 
     #[test]
@@ -579,7 +586,7 @@ mod tests {
         let mut original = driver(json!([{ "repeat": { "steps": [
             { "go": { "to": [[1, 0], [1, 1], [0, 0]] } }, { "wait": { "for_s": 7, "stir": { "every_s": 2, "for_s": 1 } } },
         ] } }]));
-        let mut now = 0;
+        let mut now = RunTime::START;
         for _ in 0..100 {
             let mut copy = original.clone();
             let next = original.after(now);

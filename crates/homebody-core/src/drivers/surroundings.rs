@@ -3,19 +3,18 @@
 //! It is a view of the run at one instant. Nothing is computed before it is asked for, so a driver that does not look
 //! costs nothing.
 
-use super::segment::MotionSegment;
-use crate::event::MotionState;
 use crate::geometry::Point;
-use crate::home::Build;
-use crate::home::plan::Plan;
 use crate::ids::{ResidentId, RoomId, ThingId};
-use crate::scenario::path::Posture;
-use crate::time::Micros;
+use crate::motion::{MotionSegment, MotionState};
+use crate::plan::Plan;
+use crate::posture::Posture;
+use crate::resident::Build;
+use crate::time::RunTime;
 
 /// The surroundings of a resident at the instant at which its driver is asked what comes next.
 #[derive(Clone, Copy, Debug)]
 pub struct Surroundings<'a> {
-    now: Micros,
+    now: RunTime,
     resident: ResidentId,
     plan: &'a Plan,
     occupants: &'a [Occupant],
@@ -33,7 +32,7 @@ pub struct Occupant {
 
 /// A body in the home at an instant.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Body {
+pub struct PlacedBody {
     /// Whose body it is.
     pub resident: ResidentId,
     /// Metres, in the plan's coordinates.
@@ -50,7 +49,7 @@ impl<'a> Surroundings<'a> {
     /// What `resident` sees at `now`. `occupants` are all who have a body, by [`ResidentId`]; `on` says of each of the
     /// plan's things, by [`ThingId`], whether it is on, or open. A run makes its own; this is for tests of drivers.
     pub fn new(
-        now: Micros,
+        now: RunTime,
         resident: ResidentId,
         plan: &'a Plan,
         occupants: &'a [Occupant],
@@ -59,8 +58,8 @@ impl<'a> Surroundings<'a> {
         Surroundings { now, resident, plan, occupants, on }
     }
 
-    /// The instant: the end of the last segment, or 0; microseconds since the start of the run.
-    pub fn now(&self) -> Micros {
+    /// The instant: the end of the last segment, or the start of the run.
+    pub fn now(&self) -> RunTime {
         self.now
     }
 
@@ -75,21 +74,21 @@ impl<'a> Surroundings<'a> {
     }
 
     /// The resident's own body where its last segment has left it; `None` while it is away, or before its first segment.
-    pub fn body(&self) -> Option<Body> {
+    pub fn body(&self) -> Option<PlacedBody> {
         self.body_of(self.resident)
     }
 
     /// The bodies of the others who are at home, in the order of their ids.
-    pub fn others(&self) -> impl Iterator<Item = Body> + use<'a> {
+    pub fn others(&self) -> impl Iterator<Item = PlacedBody> + use<'a> {
         let Surroundings { resident, occupants, .. } = *self;
         let around = *self;
-        let all = (0..occupants.len()).map(ResidentId::of);
+        let all = (0..occupants.len()).map(ResidentId::new);
         all.filter(move |&other| other != resident).filter_map(move |other| around.body_of(other))
     }
 
     /// The room that a point is in; `None` between rooms and outside.
     pub fn room_at(&self, at: Point) -> Option<RoomId> {
-        self.plan.room_at(at).map(RoomId::of)
+        self.plan.room_at(at).map(RoomId::new)
     }
 
     /// Whether a thing is on, or open, now.
@@ -97,17 +96,22 @@ impl<'a> Surroundings<'a> {
         self.on.get(thing.index()).is_some_and(|&on| on)
     }
 
-    fn body_of(&self, resident: ResidentId) -> Option<Body> {
+    fn body_of(&self, resident: ResidentId) -> Option<PlacedBody> {
         let Occupant { build, segment } = self.occupants.get(resident.index())?;
         let (at, to) = (segment.position(self.now)?, segment.to()?);
-        Some(Body { resident, at, to, posture: segment.posture, build: *build })
+        Some(PlacedBody { resident, at, to, posture: segment.posture, build: *build })
     }
 }
 
 impl Occupant {
     /// Somebody who has not been placed yet.
     pub fn new(build: Build) -> Occupant {
-        let segment = MotionSegment { begin: 0, end: 0, doing: MotionState::Away, posture: Posture::Standing };
+        let segment = MotionSegment {
+            begin: RunTime::START,
+            end: RunTime::START,
+            doing: MotionState::Away,
+            posture: Posture::Standing,
+        };
         Occupant { build, segment }
     }
 }

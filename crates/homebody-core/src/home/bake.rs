@@ -1,24 +1,23 @@
 //! Baking: what each sensor sees of a body of one height, clipped by walls, doors and furniture.
 
-use super::plan::{Plan, Solid};
 use crate::geometry::{self, Point};
+use crate::plan::{Plan, Solid};
 use crate::sensors::motion::Motion;
-use crate::sensors::{Kind, Sensor};
+use crate::sensors::{Sensor, SensorKind};
 use crate::stride::Beam;
-use rapier2d::parry::query::{Ray, RayCast};
-use rapier2d::parry::shape::Segment;
-use rapier2d::prelude::Vector;
+use parry2d::math::Vector;
+use parry2d::query::{Ray, RayCast};
+use parry2d::shape::Segment;
 
 /// The beams of a sensor on bodies of this height, in the order of the sensor's own blades.
 pub fn beams(sensor: &Sensor, plan: &Plan, body_m: f64) -> Vec<Beam> {
     match &sensor.kind {
-        Kind::Motion(motion) => blades(motion, plan, body_m),
-        Kind::CeilingMotion(area) => area.beams(),
-        Kind::Device(_) => Vec::new(),
+        SensorKind::Motion(motion) => blades(motion, plan, body_m),
+        SensorKind::CeilingMotion(area) => area.beams(),
+        SensorKind::Device(_) => Vec::new(),
     }
 }
 
-/// The visible parts of a wall sensor's blades.
 fn blades(motion: &Motion, plan: &Plan, body_m: f64) -> Vec<Beam> {
     let (tall, low): (Vec<&Solid>, Vec<&Solid>) =
         plan.solids.iter().partition(|solid| solid.height_m >= motion.height_m);

@@ -6,28 +6,20 @@
 //! `BLOCK` sensors; a home with more has a layer of cells for each block.
 
 use super::bake;
-use super::plan::Plan;
 use crate::geometry::{self, Point};
 use crate::ids::SensorId;
+use crate::plan::Plan;
+use crate::resident::BodySize;
 use crate::sensor_set::{BLOCK, Mask, SensorSet, bit, bits, blocks};
-use crate::sensors::{Kind, Sensor};
+use crate::sensors::{Sensor, SensorKind};
 use crate::stride::{self, Beam, Stride};
-use crate::time::Micros;
-
-/// A body as sensors see it.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Size {
-    /// The radius of the body seen from above, in metres.
-    pub radius_m: f64,
-    /// How high it reaches in its posture.
-    pub top_m: f64,
-}
+use crate::time::{RunTime, Span};
 
 /// What the sensors of a home see of bodies of one size.
 #[derive(Clone, Debug)]
 pub struct Field {
     /// The bodies that it was baked for.
-    pub size: Size,
+    pub size: BodySize,
     /// What is left of the sensors' beams once walls, doors and furniture have cut them; sensor after sensor.
     pub beams: Vec<Beam>,
     /// Where each sensor's beams begin in `beams`, and one more number for the end.
@@ -38,15 +30,15 @@ pub struct Field {
     columns: i32,
     rows: i32,
     /// Row by row from the south-west, one layer of `rows` rows after the other for each block of sensors.
-    cells: Vec<Cell>,
+    cells: Vec<FieldCell>,
     unsure: Vec<Beams>,
     /// The cell of whoever is outside the grid: nobody sees them.
-    nowhere: Cell,
+    nowhere: FieldCell,
 }
 
 /// What is known of a cell and a block of sensors before any beam is looked at.
 #[derive(Clone, Copy, Debug, Default)]
-pub(crate) struct Cell {
+pub(crate) struct FieldCell {
     /// Sensors that may see a body here.
     pub may: Mask,
     /// Sensors that see a body wherever it is in here; a part of `may`.
@@ -70,7 +62,7 @@ const SLACK_M: f64 = 1e-4;
 
 impl Field {
     /// Bakes the field for bodies of this size.
-    pub fn bake(plan: &Plan, sensors: &[Sensor], size: Size) -> Field {
+    pub fn bake(plan: &Plan, sensors: &[Sensor], size: BodySize) -> Field {
         let mut beams = Vec::new();
         let mut first_beam = vec![0];
         for sensor in sensors {
@@ -80,8 +72,8 @@ impl Field {
         let areas = sensors
             .iter()
             .map(|sensor| match &sensor.kind {
-                Kind::CeilingMotion(area) => Some(area.outline.clone()),
-                Kind::Motion(_) | Kind::Device(_) => None,
+                SensorKind::CeilingMotion(area) => Some(area.outline.clone()),
+                SensorKind::Motion(_) | SensorKind::Device(_) => None,
             })
             .collect();
         let (least, most) = plan.bounds();
@@ -97,7 +89,7 @@ impl Field {
             rows: cells.y as i32,
             cells: Vec::new(),
             unsure: Vec::new(),
-            nowhere: Cell::default(),
+            nowhere: FieldCell::default(),
         };
         let reaches: Vec<_> = (0..sensors.len()).map(|sensor| field.reach(sensor)).collect();
         for block in 0..blocks(sensors.len()) {
@@ -124,14 +116,14 @@ impl Field {
         (least - around, most + around)
     }
 
-    fn bake_cell(&mut self, block: usize, column: i32, row: i32, reaches: &[(Point, Point)]) -> Cell {
+    fn bake_cell(&mut self, block: usize, column: i32, row: i32, reaches: &[(Point, Point)]) -> FieldCell {
         let least = self.corner + Point::new(f64::from(column), f64::from(row)) * CELL_M - Point::splat(SLACK_M);
         let most = least + Point::splat(CELL_M + 2.0 * SLACK_M);
         let corners = [least, Point::new(most.x, least.y), most, Point::new(least.x, most.y)];
         let middle = (least + most) / 2.0;
         let around = middle.distance(most);
         let (near, inside) = (self.size.radius_m + SLACK_M, self.size.radius_m - SLACK_M);
-        let mut cell = Cell { unsure: self.unsure.len() as u32, ..Cell::default() };
+        let mut cell = FieldCell { unsure: self.unsure.len() as u32, ..FieldCell::default() };
         let first = block * BLOCK;
         for (sensor, &(from, to)) in reaches.iter().enumerate().skip(first).take(BLOCK) {
             if middle.cmplt(from).any() || middle.cmpgt(to).any() {
@@ -169,14 +161,21 @@ impl Field {
     }
 
     /// What a block's cell of a point knows.
-    pub(crate) fn cell(&self, block: usize, p: Point) -> &Cell {
+    pub(crate) fn cell(&self, block: usize, p: Point) -> &FieldCell {
         let at = (p - self.corner) / CELL_M;
         self.cell_at(self.layer(block), floor(at.x), floor(at.y))
     }
 
     /// The first instant, not before `now`, at which a body on this stride comes to a cell where a
     /// sensor of `want`, all of one block, may see it; `until` if there is none before.
-    pub(crate) fn unseen_until(&self, block: usize, stride: &Stride, want: Mask, now: Micros, until: Micros) -> Micros {
+    pub(crate) fn unseen_until(
+        &self,
+        block: usize,
+        stride: &Stride,
+        want: Mask,
+        now: RunTime,
+        until: RunTime,
+    ) -> RunTime {
         let layer = self.layer(block);
         let at = (stride.position(now) - self.corner) / CELL_M;
         let (mut column, mut row) = (floor(at.x), floor(at.y));
@@ -197,7 +196,7 @@ impl Field {
         let (Stride { velocity, slowness, .. }, within) = (stride, at - Point::new(f64::from(column), f64::from(row)));
         let (column_step, mut next_column, per_column) = axis(within.x, velocity.x, slowness.x);
         let (row_step, mut next_row, per_row) = axis(within.y, velocity.y, slowness.y);
-        let limit = (until - now) as f64;
+        let limit = (until - now).micros() as f64;
         loop {
             let entered = next_column.min(next_row);
             if entered >= limit {
@@ -209,17 +208,17 @@ impl Field {
                 (row, next_row) = (row + row_step, next_row + per_row);
             }
             if self.cell_at(layer, column, row).may & want != 0 {
-                return now + entered as Micros;
+                return now + Span::from_micros(entered as i64);
             }
         }
     }
 
     /// The cells of a block, and of those after it.
-    fn layer(&self, block: usize) -> &[Cell] {
+    fn layer(&self, block: usize) -> &[FieldCell] {
         &self.cells[block * (self.rows * self.columns) as usize..]
     }
 
-    fn cell_at<'a>(&'a self, layer: &'a [Cell], column: i32, row: i32) -> &'a Cell {
+    fn cell_at<'a>(&'a self, layer: &'a [FieldCell], column: i32, row: i32) -> &'a FieldCell {
         let on_grid = column >= 0 && row >= 0 && column < self.columns && row < self.rows;
         if on_grid { &layer[(row * self.columns + column) as usize] } else { &self.nowhere }
     }
@@ -243,14 +242,14 @@ impl Field {
     }
 
     /// The beams of `sensor`, one of the unsure ones of the cell, that a body in the cell may touch.
-    pub(crate) fn to_test(&self, cell: &Cell, sensor: usize) -> &[Beam] {
+    pub(crate) fn to_test(&self, cell: &FieldCell, sensor: usize) -> &[Beam] {
         let before = (cell.may & !cell.sure) & (bit(sensor) - 1);
         let beams = self.unsure[cell.unsure as usize + before.count_ones() as usize];
         &self.beams[beams.first as usize..beams.end as usize]
     }
 
     /// Whether `sensor`, one of the unsure ones of the cell, sees a body that moves at `p` in the cell.
-    pub(crate) fn sees_in(&self, cell: &Cell, sensor: usize, p: Point) -> bool {
+    pub(crate) fn sees_in(&self, cell: &FieldCell, sensor: usize, p: Point) -> bool {
         let touched = |beam: &Beam| stride::touches(beam, p, self.size.radius_m);
         self.over_area(sensor, p) || self.to_test(cell, sensor).iter().any(touched)
     }
@@ -273,7 +272,7 @@ impl Field {
             let seeing = move |&sensor: &usize| cell.sure & bit(sensor) != 0 || self.sees_in(cell, sensor, p);
             bits(cell.may).map(move |number| block * BLOCK + number).filter(seeing)
         };
-        (0..blocks(self.areas.len())).flat_map(of_block).map(SensorId::of).collect()
+        (0..blocks(self.areas.len())).flat_map(of_block).map(SensorId::new).collect()
     }
 }
 
@@ -286,7 +285,7 @@ fn floor(x: f64) -> i32 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::scenario::home::HomeFile;
+    use crate::home::form::HomeFile;
     use serde_json::{Value, json};
 
     /// A room 6 by 4 without walls; on its western side, at y = 2, a lens at the very edge with one beam to the east; over
@@ -304,7 +303,7 @@ mod tests {
         let plan = Plan::new(&home);
         let sensors: Vec<Sensor> =
             home.sensors.iter().map(|sensor| Sensor::new(sensor, &plan).expect("a place")).collect();
-        Field::bake(&plan, &sensors, Size { radius_m: 0.2, top_m })
+        Field::bake(&plan, &sensors, BodySize { radius_m: 0.2, top_m })
     }
 
     /// Where the beam of the wall sensor is lit, as distances from its lens.
@@ -386,7 +385,10 @@ mod tests {
     fn a_cell_is_left_at_the_first_of_its_borders() {
         let field = field(json!([]), json!([]), STANDING_M);
         let at = Point::new(0.1, 3.1);
-        let leaves = |dx: f64, dy: f64| field.leaves_cell(at, &Stride::new(at, at + Point::new(dx, dy), 0, 1_000_000));
+        let leaves = |dx: f64, dy: f64| {
+            let end = RunTime::START + Span::from_seconds(1.0);
+            field.leaves_cell(at, &Stride::new(at, at + Point::new(dx, dy), RunTime::START, end))
+        };
         // Its borders are x = 0, 0.25 and y = 3, 3.25.
         assert!((leaves(1.0, 0.0) - 150_000.0).abs() < 1e-3);
         assert!((leaves(-1.0, 0.0) - 100_000.0).abs() < 1e-3);
@@ -398,25 +400,29 @@ mod tests {
     #[test]
     fn a_walk_is_unseen_until_it_comes_to_a_cell_where_it_may_be_seen() {
         let field = field(json!([]), json!([]), STANDING_M);
-        let (until, ceiling) = (10_000_000, 0b10);
+        let ceiling = 0b10;
         let stride = |from: (f64, f64), to: (f64, f64)| {
             let (from, to) = (Point::from(from), Point::from(to));
-            Stride::new(from, to, 0, crate::time::micros(from.distance(to)))
+            Stride::new(from, to, RunTime::START, RunTime::START + Span::from_seconds(from.distance(to)))
         };
         // Cells may be seen whose middle is at most 0.2 + 0.125 * sqrt(2) = 0.377 m from the area: along y = 0.9, in the
         // row from 0.75 to 1, those from x = 3.5 on, with middle 3.625.
         let along = stride((0.1, 0.9), (5.9, 0.9));
-        assert!((field.unseen_until(0, &along, ceiling, 0, until) - 3_400_000).abs() <= 1);
-        assert!((field.unseen_until(0, &along, ceiling, 1_000_000, until) - 3_400_000).abs() <= 1);
-        assert_eq!(field.unseen_until(0, &along, ceiling, 4_000_000, until), 4_000_000);
-        assert_eq!(field.unseen_until(0, &along, ceiling, 0, 3_000_000), 3_000_000);
+        let unseen_until = |stride, want, now, until| {
+            field.unseen_until(0, stride, want, RunTime::from_micros(now), RunTime::from_micros(until)).micros()
+        };
+        let until = 10_000_000;
+        assert!((unseen_until(&along, ceiling, 0, until) - 3_400_000).abs() <= 1);
+        assert!((unseen_until(&along, ceiling, 1_000_000, until) - 3_400_000).abs() <= 1);
+        assert_eq!(unseen_until(&along, ceiling, 4_000_000, until), 4_000_000);
+        assert_eq!(unseen_until(&along, ceiling, 0, 3_000_000), 3_000_000);
         // Never a sensor that is not asked for, nor one that is passed.
-        assert_eq!(field.unseen_until(0, &along, 0b01, 0, 5_000_000), 5_000_000);
+        assert_eq!(unseen_until(&along, 0b01, 0, 5_000_000), 5_000_000);
         let past = stride((0.1, 3.5), (5.9, 3.5));
-        assert_eq!(field.unseen_until(0, &past, 0b11, 0, 5_000_000), 5_000_000);
+        assert_eq!(unseen_until(&past, 0b11, 0, 5_000_000), 5_000_000);
         // From the other side: the last such cell ends at x = 5.5.
         let back = stride((5.9, 0.9), (0.1, 0.9));
-        assert!((field.unseen_until(0, &back, ceiling, 0, until) - 400_000).abs() <= 1);
+        assert!((unseen_until(&back, ceiling, 0, until) - 400_000).abs() <= 1);
     }
 
     #[test]

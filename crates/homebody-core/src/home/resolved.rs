@@ -1,9 +1,10 @@
 //! A home in which every name leads to what it names: its plan and its sensors, made once from its file.
 
-use super::plan::Plan;
+use crate::home::form::HomeFile;
 use crate::numbers::Numbers;
-use crate::scenario::home::{HomeFile, SensorFile};
+use crate::plan::Plan;
 use crate::sensors::Sensor;
+use crate::sensors::kinds::SensorFile;
 use crate::sensors::messages::SensorMessage;
 use std::ops::Deref;
 
@@ -98,7 +99,7 @@ mod tests {
     fn a_sensor_is_where_its_thing_is_or_the_home_is_refused() {
         let resolved = ResolvedHome::new(home("fridge")).unwrap();
         assert!(resolved.placed_sensors()[0].at.distance(crate::geometry::point([1.0, 1.0])) < 1e-9);
-        assert_eq!(resolved.plan(), &Plan::new(&resolved));
+        assert_eq!(resolved.plan(), &Plan::new(&*resolved));
         let refused = ResolvedHome::new(home("oven")).unwrap_err();
         assert!(matches!(refused, SensorMessage::Unresolved { sensor } if sensor == "it"));
     }

@@ -1,13 +1,13 @@
 //! One sensor and its way to the logger: how often things go wrong, and what is wrong with it when.
 
-use super::clock::Clock;
-use super::message::{Chance, Draws, IDS};
+use super::clock::SensorClock;
+use super::message::{Draws, IDS, LinkChance};
 use crate::deed::Failure;
 use crate::event::{Loss, Value};
 use crate::ids::SensorId;
-use crate::random::{Range, Stream};
-use crate::scenario::link::{FaultFile, LinkFile, Span, of_days};
-use crate::time::Micros;
+use crate::link::form::{FaultFile, LinkFile};
+use crate::random::{SpanRange, Stream};
+use crate::time::{Interval, RunTime, Span};
 
 /// One sensor's way.
 #[derive(Clone, Debug)]
@@ -16,24 +16,24 @@ pub struct Channel {
     loss: f64,
     pub corruption: f64,
     pub duplicates: f64,
-    pub delay: Range,
+    pub delay: SpanRange,
     /// The clock whose time its messages bear, where that is not the logger's.
-    pub clock: Option<Clock>,
+    pub clock: Option<SensorClock>,
     /// The id that its messages bear on the air.
     pub id: u32,
     /// What its device said last; of sensors that look for movement, what they always say.
     pub said: Option<Value>,
-    faults: Vec<(Span, Fault)>,
+    faults: Vec<(Interval<RunTime>, ChannelFault)>,
     /// From when on it hangs elsewhere, as which of the home's sensors; in order.
-    moves: Vec<(Micros, SensorId)>,
+    moves: Vec<(RunTime, SensorId)>,
     stream: Stream,
 }
 
 #[derive(Clone, Copy, Debug)]
-enum Fault {
+enum ChannelFault {
     /// Loss grows evenly from nothing at its beginning to everything after this time, as we assume.
     Battery {
-        fades: Micros,
+        fades: Span,
     },
     Stuck,
     FallsOff,
@@ -49,10 +49,10 @@ impl Channel {
         let own = file.faults.iter().filter(|fault| fault.sensor() == Some(sensor));
         let fault = |file: &FaultFile| {
             let fault = match file {
-                FaultFile::Battery(file) => Fault::Battery { fades: of_days(file.fading_days) },
-                FaultFile::Stuck(_) => Fault::Stuck,
-                FaultFile::FallsOff(_) => Fault::FallsOff,
-                FaultFile::BadLink(file) => Fault::BadLink { loss: file.loss },
+                FaultFile::Battery(file) => ChannelFault::Battery { fades: Span::from_days(file.fading_days) },
+                FaultFile::Stuck(_) => ChannelFault::Stuck,
+                FaultFile::FallsOff(_) => ChannelFault::FallsOff,
+                FaultFile::BadLink(file) => ChannelFault::BadLink { loss: file.loss },
                 FaultFile::Moved(_) | FaultFile::Drift(_) | FaultFile::FalseFires(_) | FaultFile::Outage(_) => {
                     return None;
                 }
@@ -64,14 +64,13 @@ impl Channel {
             loss: rates.loss,
             corruption: rates.corruption,
             duplicates: rates.duplicates,
-            delay: Range::of_seconds(rates.delay_s),
+            delay: SpanRange::from_seconds(rates.delay_s),
             clock: own.clone().find_map(|fault| match fault {
-                FaultFile::Drift(file) => Some(Clock::new(file)),
+                FaultFile::Drift(file) => Some(SensorClock::new(file)),
                 _ => None,
             }),
             // Of its name alone, whatever the seed and the other sensors.
-            id: Stream::named(0, &format!("sensor/{sensor}/id")).span(Range { least: 0, most: Micros::from(IDS) - 1 })
-                as u32,
+            id: Stream::named(0, &format!("sensor/{sensor}/id")).below(IDS),
             said: looks.then_some(Value::Fire),
             faults: own.filter_map(fault).collect(),
             moves: Vec::new(),
@@ -80,24 +79,24 @@ impl Channel {
     }
 
     /// Its device or its way fails for a time.
-    pub fn fails(&mut self, failure: Failure, span: Span) {
+    pub fn fails(&mut self, failure: Failure, span: Interval<RunTime>) {
         let fault = match failure {
-            Failure::Battery { fades_us } => Fault::Battery { fades: fades_us },
-            Failure::Stuck { .. } => Fault::Stuck,
-            Failure::FallsOff => Fault::FallsOff,
-            Failure::BadLink { lost_ppm } => Fault::BadLink { loss: f64::from(lost_ppm) / 1e6 },
+            Failure::Battery { fades_us } => ChannelFault::Battery { fades: fades_us },
+            Failure::Stuck { .. } => ChannelFault::Stuck,
+            Failure::FallsOff => ChannelFault::FallsOff,
+            Failure::BadLink { lost_ppm } => ChannelFault::BadLink { loss: f64::from(lost_ppm) / 1e6 },
         };
         self.faults.push((span, fault));
     }
 
     /// From an instant on the sensor is another of the home's.
-    pub fn moves(&mut self, at: Micros, to: SensorId) {
+    pub fn moves(&mut self, at: RunTime, to: SensorId) {
         self.moves.push((at, to));
         self.moves.sort_unstable();
     }
 
     /// Which of the home's sensors it is at an instant, if it has been moved by then.
-    pub fn place(&self, at: Micros) -> Option<SensorId> {
+    pub fn place(&self, at: RunTime) -> Option<SensorId> {
         self.moves.iter().rev().find(|(from, _)| *from <= at).map(|&(_, place)| place)
     }
 
@@ -105,54 +104,58 @@ impl Channel {
         Draws::draw(&mut self.stream)
     }
 
-    fn faults(&self, at: Micros) -> impl Iterator<Item = (Micros, Fault)> {
+    fn faults(&self, at: RunTime) -> impl Iterator<Item = (RunTime, ChannelFault)> {
         let now = self.faults.iter().filter(move |(span, _)| span.contains(at));
         now.map(|&(span, fault)| (span.begin, fault))
     }
 
     /// Why its device does not say what it ought to, if it does not.
-    pub fn lost_by_device(&self, at: Micros, draws: Draws) -> Option<Loss> {
+    pub fn lost_by_device(&self, at: RunTime, draws: Draws) -> Option<Loss> {
         let of_fault = |(begin, fault)| match fault {
-            Fault::Battery { fades } => (draws.of(Chance::Battery) < spent(at - begin, fades)).then_some(Loss::Battery),
-            Fault::Stuck => Some(Loss::Stuck),
-            Fault::FallsOff => Some(Loss::Place),
-            Fault::BadLink { .. } => None,
+            ChannelFault::Battery { fades } => {
+                (draws.of(LinkChance::Battery) < spent(at - begin, fades)).then_some(Loss::Battery)
+            }
+            ChannelFault::Stuck => Some(Loss::Stuck),
+            ChannelFault::FallsOff => Some(Loss::Place),
+            ChannelFault::BadLink { .. } => None,
         };
-        let missed = || (draws.of(Chance::Miss) < self.misses).then_some(Loss::Miss);
+        let missed = || (draws.of(LinkChance::Miss) < self.misses).then_some(Loss::Miss);
         self.faults(at).find_map(of_fault).or_else(missed)
     }
 
     /// Whether its device has not enough power to send this.
-    pub fn lost_by_battery(&self, at: Micros, draws: Draws) -> bool {
+    pub fn lost_by_battery(&self, at: RunTime, draws: Draws) -> bool {
         self.faults(at).any(|(begin, fault)| match fault {
-            Fault::Battery { fades } => draws.of(Chance::Battery) < spent(at - begin, fades),
-            Fault::Stuck | Fault::FallsOff | Fault::BadLink { .. } => false,
+            ChannelFault::Battery { fades } => draws.of(LinkChance::Battery) < spent(at - begin, fades),
+            ChannelFault::Stuck | ChannelFault::FallsOff | ChannelFault::BadLink { .. } => false,
         })
     }
 
     /// Whether its device is past firing for no reason.
-    pub fn is_numb(&self, at: Micros) -> bool {
+    pub fn is_numb(&self, at: RunTime) -> bool {
         self.faults(at).any(|(begin, fault)| match fault {
-            Fault::Battery { fades } => at - begin >= fades,
-            Fault::Stuck => true,
-            Fault::FallsOff | Fault::BadLink { .. } => false,
+            ChannelFault::Battery { fades } => at - begin >= fades,
+            ChannelFault::Stuck => true,
+            ChannelFault::FallsOff | ChannelFault::BadLink { .. } => false,
         })
     }
 
     /// Whether its message, sent at this instant, gets lost on the way by chance.
-    pub fn lost_on_the_way(&self, sent_at: Micros, draws: Draws) -> bool {
-        let by_link = |(_, fault)| matches!(fault, Fault::BadLink { loss } if draws.of(Chance::BadLink) < loss);
-        draws.of(Chance::Loss) < self.loss || self.faults(sent_at).any(by_link)
+    pub fn lost_on_the_way(&self, sent_at: RunTime, draws: Draws) -> bool {
+        let by_link =
+            |(_, fault)| matches!(fault, ChannelFault::BadLink { loss } if draws.of(LinkChance::BadLink) < loss);
+        draws.of(LinkChance::Loss) < self.loss || self.faults(sent_at).any(by_link)
     }
 
     /// A delay, by a number from 0 up to 1.
-    pub fn delay(&self, draws: f64) -> Micros {
-        let Range { least, most } = self.delay;
-        least + (draws * (most - least + 1) as f64) as Micros
+    pub fn delay(&self, draws: f64) -> Span {
+        let SpanRange { least, most } = self.delay;
+        let values = (most - least + Span::MICROSECOND).micros();
+        least + Span::from_micros((draws * values as f64) as i64)
     }
 }
 
 /// Which share of its messages a battery no longer sends, so long after it began to fade.
-fn spent(since: Micros, fades: Micros) -> f64 {
-    if since >= fades { 1.0 } else { since as f64 / fades as f64 }
+fn spent(since: Span, fades: Span) -> f64 {
+    if since >= fades { 1.0 } else { since.ratio(fades) }
 }

@@ -4,37 +4,38 @@
 //! when it arrives; so where there is such a clock, all firings are kept back until none can come any more that belongs
 //! before them.
 
-use crate::scenario::link::DriftFile;
-use crate::time::{Micros, micros};
+use crate::link::form::DriftFile;
+use crate::time::{RunTime, Span};
 
 /// A clock that is ahead or behind, and runs too fast or too slow.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Clock {
-    offset: Micros,
+pub struct SensorClock {
+    offset: Span,
     /// Microseconds gained in a microsecond.
     gain: f64,
 }
 
-impl Clock {
+impl SensorClock {
     /// The clock of a file, which has seconds and millionths.
-    pub fn new(file: &DriftFile) -> Clock {
-        Clock { offset: micros(file.offset_s), gain: file.ppm * 1e-6 }
+    pub fn new(file: &DriftFile) -> SensorClock {
+        SensorClock { offset: Span::from_seconds(file.offset_s), gain: file.ppm * 1e-6 }
     }
 
     /// What it shows at an instant; never less than before.
-    pub fn shows(&self, at: Micros) -> Micros {
-        at + self.offset + libm::round(self.gain * at as f64) as Micros
+    pub fn shows(&self, at: RunTime) -> RunTime {
+        at + self.offset + at.since_zero().scaled(self.gain)
     }
 
     /// The first instant at which it shows more than this.
-    fn passes(&self, shown: Micros) -> Micros {
+    fn passes(&self, shown: RunTime) -> RunTime {
         // Rounding leaves this a few microseconds off at most.
-        let mut at = libm::round((shown - self.offset) as f64 / (1.0 + self.gain)) as Micros;
+        let since_start = (shown - self.offset).micros() as f64 / (1.0 + self.gain);
+        let mut at = RunTime::from_micros(libm::round(since_start) as i64);
         while self.shows(at) <= shown {
-            at += 1;
+            at += Span::MICROSECOND;
         }
-        while self.shows(at - 1) > shown {
-            at -= 1;
+        while self.shows(at - Span::MICROSECOND) > shown {
+            at -= Span::MICROSECOND;
         }
         at
     }
@@ -42,22 +43,23 @@ impl Clock {
 
 /// The clocks of a home's sensors, as far as they are not the logger's.
 #[derive(Clone, Debug)]
-pub struct Clocks {
+pub struct SensorClocks {
     /// The clocks of the sensors that have one of their own, in no particular order.
-    pub clocks: Vec<Clock>,
+    pub clocks: Vec<SensorClock>,
     /// How long a message is under way at most.
-    pub longest: Micros,
+    pub longest: Span,
 }
 
-impl Clocks {
+impl SensorClocks {
     /// The time up to which no firing can come any more, once the run has come to `now`.
-    pub fn settled(&self, now: Micros) -> Micros {
-        self.clocks.iter().map(|clock| clock.shows(now - self.longest)).fold(now, Micros::min)
+    pub fn settled(&self, now: RunTime) -> RunTime {
+        self.clocks.iter().map(|clock| clock.shows(now - self.longest)).fold(now, RunTime::min)
     }
 
     /// The instant after which nothing can come any more that bears a time up to this one.
-    pub fn settles(&self, stamp: Micros) -> Micros {
-        self.clocks.iter().map(|clock| clock.passes(stamp) + self.longest - 1).fold(stamp, Micros::max)
+    pub fn settles(&self, stamp: RunTime) -> RunTime {
+        let passed = self.clocks.iter().map(|clock| clock.passes(stamp) + self.longest - Span::MICROSECOND);
+        passed.fold(stamp, RunTime::max)
     }
 }
 
@@ -65,26 +67,27 @@ impl Clocks {
 mod tests {
     use super::*;
 
-    fn clock(ppm: f64, offset_s: f64) -> Clock {
-        Clock::new(&DriftFile { sensor: String::new(), ppm, offset_s })
+    fn clock(ppm: f64, offset_s: f64) -> SensorClock {
+        SensorClock::new(&DriftFile { sensor: String::new(), ppm, offset_s })
     }
 
     #[test]
     fn a_clock_shows_its_offset_and_what_it_has_gained() {
-        assert_eq!(clock(0.0, -2.0).shows(0), -2_000_000);
-        assert_eq!(clock(40.0, 2.0).shows(1_000_000_000), 1_002_040_000);
-        assert_eq!(clock(-1000.0, 0.0).shows(1_000_000_000), 999_000_000);
+        let at = RunTime::from_micros;
+        assert_eq!(clock(0.0, -2.0).shows(RunTime::START), at(-2_000_000));
+        assert_eq!(clock(40.0, 2.0).shows(at(1_000_000_000)), at(1_002_040_000));
+        assert_eq!(clock(-1000.0, 0.0).shows(at(1_000_000_000)), at(999_000_000));
     }
 
     #[test]
     fn what_is_settled_is_what_cannot_come_any_more() {
-        let clocks = Clocks {
+        let clocks = SensorClocks {
             clocks: vec![clock(40.0, 1.0), clock(-1000.0, 0.5), clock(0.0, -3.0), clock(999.0, 86_400.0)],
-            longest: 777,
+            longest: Span::from_micros(777),
         };
-        for now in (0..200).map(|index| index * 7_654_321_987 + index % 3) {
+        for now in (0..200).map(|index| RunTime::from_micros(index * 7_654_321_987 + index % 3)) {
             let settled = clocks.settled(now);
-            for stamp in [settled - 1, settled] {
+            for stamp in [settled - Span::MICROSECOND, settled] {
                 assert_eq!(clocks.settles(stamp) < now, stamp < settled, "{stamp} at {now}");
             }
             for clock in &clocks.clocks {

@@ -3,12 +3,12 @@
 use crate::event::{Band, Provenance, Value};
 use crate::ids::SensorId;
 use crate::random::{DrawnValue, Stream};
-use crate::time::Micros;
+use crate::time::RunTime;
 
 /// A message that has left its device.
 #[derive(Clone, Copy, Debug)]
-pub struct Message {
-    pub sent_at: Micros,
+pub struct MessageUnderWay {
+    pub sent_at: RunTime,
     /// Who sent it.
     pub sensor: SensorId,
     /// Whose id it bears.
@@ -25,7 +25,7 @@ pub struct Message {
 pub struct Draws(DrawnValue);
 
 #[derive(Clone, Copy, Debug)]
-pub enum Chance {
+pub enum LinkChance {
     Miss,
     Battery,
     Loss,
@@ -43,7 +43,7 @@ impl Draws {
         Draws(stream.draw_many())
     }
 
-    pub fn of(self, chance: Chance) -> f64 {
+    pub fn of(self, chance: LinkChance) -> f64 {
         self.0.unit(chance as u32)
     }
 }

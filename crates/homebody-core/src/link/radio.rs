@@ -14,19 +14,19 @@
 //! message on the power line. Noise is the link's loss.
 
 use crate::ids::SensorId;
+use crate::link::form::RadioFile;
 use crate::numbers::Numbers;
-use crate::scenario::link::RadioFile;
-use crate::time::{Micros, micros};
+use crate::time::{RunTime, Span};
 
 /// The channel, with what is on the air or was so a moment ago.
 #[derive(Clone, Debug)]
 pub struct Radio {
     copies: u32,
-    frame: Micros,
+    frame: Span,
     /// From the beginning of a copy to that of the next.
-    period: Micros,
+    period: Span,
     /// A message that would have to wait longer is forgotten.
-    longest_wait: Micros,
+    longest_wait: Span,
     on_air: Vec<Sending>,
 }
 
@@ -34,7 +34,7 @@ pub struct Radio {
 #[derive(Clone, Copy, Debug)]
 struct Sending {
     sensor: SensorId,
-    begin: Micros,
+    begin: RunTime,
 }
 
 crate::numbers! {
@@ -45,16 +45,17 @@ crate::numbers! {
 impl Radio {
     /// A silent channel, with the frames of a file and the numbers of a scenario.
     pub fn new(file: &RadioFile, numbers: &Numbers) -> Radio {
-        let (frame, longest_wait) = (micros(file.frame_s), micros(numbers.of(&LONGEST_WAIT_S)));
-        Radio { copies: file.copies, frame, period: frame + micros(file.gap_s), longest_wait, on_air: Vec::new() }
+        let [frame, gap, longest_wait] =
+            [file.frame_s, file.gap_s, numbers.of(&LONGEST_WAIT_S)].map(Span::from_seconds);
+        Radio { copies: file.copies, frame, period: frame + gap, longest_wait, on_air: Vec::new() }
     }
 
     /// A sensor has something to say: when it begins to send it, if ever. What came before has been told before.
-    pub fn begin(&mut self, sensor: SensorId, at: Micros) -> Option<Micros> {
-        let (whole, frame) = (self.period * Micros::from(self.copies), self.frame);
+    pub fn begin(&mut self, sensor: SensorId, at: RunTime) -> Option<RunTime> {
+        let (whole, frame) = (self.period * i64::from(self.copies), self.frame);
         self.on_air.retain(|sending| sending.begin + whole > at - frame);
         let own = self.on_air.iter().filter(|sending| sending.sensor == sensor);
-        let begin = own.map(|sending| sending.begin + whole).fold(at, Micros::max);
+        let begin = own.map(|sending| sending.begin + whole).fold(at, RunTime::max);
         if begin - at > self.longest_wait {
             return None;
         }
@@ -63,28 +64,28 @@ impl Radio {
     }
 
     /// When a copy of a message that began at `begin` ends; nothing where there is no such copy.
-    pub fn end(&self, begin: Micros, copy: u32) -> Option<Micros> {
-        (copy < self.copies).then(|| begin + Micros::from(copy) * self.period + self.frame)
+    pub fn end(&self, begin: RunTime, copy: u32) -> Option<RunTime> {
+        (copy < self.copies).then(|| begin + i64::from(copy) * self.period + self.frame)
     }
 
     /// Whether no other sensor's copy was on the air in any part of this one, which has just ended.
-    pub fn is_clean(&self, sensor: SensorId, begin: Micros, copy: u32) -> bool {
-        let frame = begin + Micros::from(copy) * self.period;
+    pub fn is_clean(&self, sensor: SensorId, begin: RunTime, copy: u32) -> bool {
+        let frame = begin + i64::from(copy) * self.period;
         !self.on_air.iter().any(|other| other.sensor != sensor && self.overlaps(frame, other.begin))
     }
 
     /// Whether a copy that begins at `frame` meets one of a message that began at `begin`.
-    fn overlaps(&self, frame: Micros, begin: Micros) -> bool {
+    fn overlaps(&self, frame: RunTime, begin: RunTime) -> bool {
         let before = (frame - begin).div_euclid(self.period);
-        let meets = |copy: Micros| {
-            (0..Micros::from(self.copies)).contains(&copy) && (frame - begin - copy * self.period).abs() < self.frame
+        let meets = |copy: i64| {
+            (0..i64::from(self.copies)).contains(&copy) && (frame - begin - copy * self.period).abs() < self.frame
         };
         meets(before) || meets(before + 1)
     }
 
     /// From when a sensor has something to say until it has been received, at most.
-    pub fn longest(&self) -> Micros {
-        self.longest_wait + self.period * Micros::from(self.copies)
+    pub fn longest(&self) -> Span {
+        self.longest_wait + self.period * i64::from(self.copies)
     }
 }
 
@@ -92,12 +93,14 @@ impl Radio {
 mod tests {
     use super::*;
 
-    const MS: Micros = 1000;
+    fn ms(ms: i64) -> RunTime {
+        RunTime::START + Span::from_millis(ms)
+    }
 
-    /// Which copies of two messages are clean, the second of which begins so much later.
-    fn clean(later: Micros) -> [Vec<bool>; 2] {
+    /// Which copies of two messages are clean, the first of which begins at once and the second so many milliseconds later.
+    fn clean(later: i64) -> [Vec<bool>; 2] {
         let mut radio = Radio::new(&RadioFile::default(), &Numbers::default());
-        let begins = [(0, 0), (1, later)].map(|(sensor, at)| radio.begin(SensorId(sensor), at).unwrap());
+        let begins = [(0, 0), (1, later)].map(|(sensor, at)| radio.begin(SensorId(sensor), ms(at)).unwrap());
         [0, 1].map(|sensor| (0..5).map(|copy| radio.is_clean(SensorId(sensor as u32), begins[sensor], copy)).collect())
     }
 
@@ -105,25 +108,25 @@ mod tests {
     fn two_messages_spoil_each_other_where_they_overlap() {
         let none = vec![false; 5];
         assert_eq!(clean(0), [none.clone(), none.clone()]);
-        assert_eq!(clean(67 * MS), [none.clone(), none.clone()]);
+        assert_eq!(clean(67), [none.clone(), none.clone()]);
         // Their copies alternate, but a silence is shorter than a copy.
         let first = |copies: usize| (0..5).map(|copy| copy < copies).collect::<Vec<_>>();
         let last = |copies: usize| first(copies).into_iter().rev().collect::<Vec<_>>();
-        assert_eq!(clean(68 * MS), [first(1), last(1)]);
-        assert_eq!(clean(175 * MS), [first(1), last(1)]);
-        assert_eq!(clean(176 * MS), [first(2), last(2)]);
-        assert_eq!(clean(499 * MS), [first(4), last(4)]);
-        assert_eq!(clean(500 * MS), [first(5), last(5)]);
+        assert_eq!(clean(68), [first(1), last(1)]);
+        assert_eq!(clean(175), [first(1), last(1)]);
+        assert_eq!(clean(176), [first(2), last(2)]);
+        assert_eq!(clean(499), [first(4), last(4)]);
+        assert_eq!(clean(500), [first(5), last(5)]);
     }
 
     #[test]
     fn a_sensor_says_one_thing_after_the_other() {
         let mut radio = Radio::new(&RadioFile::default(), &Numbers::default());
-        let begins: Vec<_> = (0..12).map(|_| radio.begin(SensorId(3), 0)).collect();
-        assert_eq!(begins[..3], [Some(0), Some(540 * MS), Some(1080 * MS)]);
+        let begins: Vec<_> = (0..12).map(|_| radio.begin(SensorId(3), RunTime::START)).collect();
+        assert_eq!(begins[..3], [0, 540, 1080].map(|at| Some(ms(at))));
         // Ten of them wait no longer than five seconds.
         assert_eq!(begins.iter().flatten().count(), 10);
-        assert!(radio.is_clean(SensorId(3), 0, 4));
-        assert_eq!((radio.end(540 * MS, 4), radio.end(540 * MS, 5)), (Some(1040 * MS), None));
+        assert!(radio.is_clean(SensorId(3), RunTime::START, 4));
+        assert_eq!((radio.end(ms(540), 4), radio.end(ms(540), 5)), (Some(ms(1040)), None));
     }
 }

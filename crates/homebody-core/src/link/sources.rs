@@ -1,114 +1,115 @@
 //! What sensors say for no reason: false firings by chance, and what a stuck one repeats.
 
 use super::message::Draws;
+use crate::calendar::time_of_day;
 use crate::ids::SensorId;
+use crate::link::form::{FaultFile, LinkFile};
 use crate::random::Stream;
-use crate::scenario::calendar::time_of_day;
-use crate::scenario::link::{FaultFile, LinkFile, Span};
-use crate::time::{DAY, Micros, NEVER, micros};
+use crate::time::{DAY, Interval, RunTime, Span};
 
 /// Everything that makes sensors say something for no reason, in the order of sensors.
 #[derive(Clone, Debug)]
-pub struct Sources {
-    sources: Vec<Source>,
+pub struct UtteranceSources {
+    sources: Vec<UtteranceSource>,
     /// Which is next, and when.
-    next: (Micros, usize),
+    next: (RunTime, usize),
 }
 
 #[derive(Clone, Debug)]
-struct Source {
+struct UtteranceSource {
     sensor: SensorId,
-    kind: Kind,
-    until: Micros,
-    next: Micros,
+    kind: SourceKind,
+    until: RunTime,
+    next: RunTime,
     stream: Stream,
 }
 
 #[derive(Clone, Copy, Debug)]
-enum Kind {
+enum SourceKind {
     /// By chance, so often an hour on average, within these times of day.
     Chance {
         per_h: f64,
-        hours: Hours,
+        hours: DailyHours,
     },
     Repeat {
-        every: Micros,
+        every: Span,
     },
 }
 
 /// From one time of day to another, perhaps over midnight, on a clock that showed `start` as the run began.
 #[derive(Clone, Copy, Debug)]
-struct Hours {
-    start: Micros,
-    from: Micros,
-    span: Micros,
+struct DailyHours {
+    start: Span,
+    from: Span,
+    span: Span,
 }
 
 /// Something that a sensor says for no reason.
 #[derive(Clone, Copy, Debug)]
-pub struct Told {
-    pub at: Micros,
+pub struct Utterance {
+    pub at: RunTime,
     pub sensor: SensorId,
     /// Whether it is stuck and repeats itself.
     pub repeats: bool,
     pub draws: Draws,
 }
 
-impl Sources {
+impl UtteranceSources {
     /// What the file says of sensors of these names, with how often each fires for no reason in any case.
-    pub fn new(file: &LinkFile, sensors: &[(&str, f64)], start_of_day: Micros, seed: u64) -> Sources {
+    pub fn new(file: &LinkFile, sensors: &[(&str, f64)], start_of_day: Span, seed: u64) -> UtteranceSources {
         let mut sources = Vec::new();
         for (sensor, &(name, per_h)) in sensors.iter().enumerate() {
-            let mut add = |kind, span: Span, stream: &str| {
+            let mut add = |kind, span: Interval<RunTime>, stream: &str| {
                 let stream = Stream::named(seed, &format!("sensor/{name}/{stream}"));
                 let mut source =
-                    Source { sensor: SensorId::of(sensor), kind, until: span.end, next: span.begin, stream };
+                    UtteranceSource { sensor: SensorId::new(sensor), kind, until: span.end, next: span.begin, stream };
                 source.begin();
                 sources.push(source);
             };
-            let always = Hours { start: start_of_day, from: 0, span: DAY };
-            add(Kind::Chance { per_h, hours: always }, Span { begin: 0, end: NEVER }, "false");
+            let always = DailyHours { start: start_of_day, from: Span::ZERO, span: DAY };
+            add(SourceKind::Chance { per_h, hours: always }, Interval::new(RunTime::START, RunTime::NEVER), "false");
             let own = file.faults.iter().filter(|fault| fault.sensor() == Some(name));
             for (number, fault) in own.enumerate() {
                 match fault {
                     FaultFile::FalseFires(file) => {
                         let hours = file.between.as_ref().map_or(always, |[from, to]| {
-                            let [from, to] = [from, to].map(|text| time_of_day(text).unwrap_or(0));
-                            Hours { from, span: (to - from).rem_euclid(DAY), ..always }
+                            let [from, to] = [from, to].map(|text| time_of_day(text).unwrap_or_default());
+                            DailyHours { from, span: (to - from).rem_euclid(DAY), ..always }
                         });
                         let stream = format!("false/{number}");
-                        add(Kind::Chance { per_h: file.per_h, hours }, fault.span(), &stream);
+                        add(SourceKind::Chance { per_h: file.per_h, hours }, fault.span(), &stream);
                     }
                     FaultFile::Stuck(file) => {
-                        let Some(every) = file.every_s.map(micros) else { continue };
-                        add(Kind::Repeat { every }, fault.span(), &format!("stuck/{number}"));
+                        let Some(every) = file.every_s.map(Span::from_seconds) else { continue };
+                        add(SourceKind::Repeat { every }, fault.span(), &format!("stuck/{number}"));
                     }
                     _ => {}
                 }
             }
         }
-        let mut sources = Sources { sources, next: (NEVER, 0) };
+        let mut sources = UtteranceSources { sources, next: (RunTime::NEVER, 0) };
         sources.find_next();
         sources
     }
 
     /// From the beginning of a span to its end a sensor repeats itself.
-    pub fn repeat(&mut self, sensor: SensorId, every: Micros, span: Span, stream: Stream) {
-        let kind = Kind::Repeat { every };
-        self.sources.push(Source { sensor, kind, until: span.end, next: span.begin, stream });
+    pub fn repeat(&mut self, sensor: SensorId, every: Span, span: Interval<RunTime>, stream: Stream) {
+        let kind = SourceKind::Repeat { every };
+        self.sources.push(UtteranceSource { sensor, kind, until: span.end, next: span.begin, stream });
         self.find_next();
     }
 
     /// When the next of them speaks.
-    pub fn next(&self) -> Micros {
+    pub fn next(&self) -> RunTime {
         self.next.0
     }
 
     /// What the next of them says.
-    pub fn speak(&mut self) -> Option<Told> {
+    pub fn speak(&mut self) -> Option<Utterance> {
         let source = self.sources.get_mut(self.next.1)?;
-        let repeats = matches!(source.kind, Kind::Repeat { .. });
-        let told = Told { at: source.next, sensor: source.sensor, repeats, draws: Draws::draw(&mut source.stream) };
+        let repeats = matches!(source.kind, SourceKind::Repeat { .. });
+        let told =
+            Utterance { at: source.next, sensor: source.sensor, repeats, draws: Draws::draw(&mut source.stream) };
         source.go_on();
         self.find_next();
         Some(told)
@@ -116,56 +117,56 @@ impl Sources {
 
     fn find_next(&mut self) {
         let order = self.sources.iter().enumerate().map(|(index, source)| (source.next, index));
-        self.next = order.min().unwrap_or((NEVER, 0));
+        self.next = order.min().unwrap_or((RunTime::NEVER, 0));
     }
 }
 
-impl Source {
+impl UtteranceSource {
     /// Chance does not begin with a firing, a sensor that gets stuck does.
     fn begin(&mut self) {
         match self.kind {
-            Kind::Chance { per_h, .. } if per_h <= 0.0 => self.next = NEVER,
-            Kind::Chance { .. } => self.go_on(),
-            Kind::Repeat { .. } => {}
+            SourceKind::Chance { per_h, .. } if per_h <= 0.0 => self.next = RunTime::NEVER,
+            SourceKind::Chance { .. } => self.go_on(),
+            SourceKind::Repeat { .. } => {}
         }
     }
 
     fn go_on(&mut self) {
         self.next = match self.kind {
-            Kind::Repeat { every } => self.next.saturating_add(every),
-            Kind::Chance { per_h, hours } => loop {
+            SourceKind::Repeat { every } => self.next.saturating_add(every),
+            SourceKind::Chance { per_h, hours } => loop {
                 // Poisson: waits are exponential. What falls out of the hours is passed over.
                 let wait = -libm::log(1.0 - self.stream.unit()) * 3600.0 / per_h;
-                self.next = self.next.saturating_add(micros(wait).max(1));
+                self.next = self.next.saturating_add(Span::from_seconds(wait).max(Span::MICROSECOND));
                 if self.next >= self.until || hours.contain(self.next) {
                     break self.next;
                 }
             },
         };
         if self.next >= self.until {
-            self.next = NEVER;
+            self.next = RunTime::NEVER;
         }
     }
 }
 
-impl Hours {
-    fn contain(&self, at: Micros) -> bool {
-        (at % DAY + self.start - self.from).rem_euclid(DAY) < self.span
+impl DailyHours {
+    fn contain(&self, at: RunTime) -> bool {
+        (at.since_zero() % DAY + self.start - self.from).rem_euclid(DAY) < self.span
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::time::SECOND;
+    use crate::time::{HOUR, SECOND};
     use serde_json::json;
 
     /// What one sensor says for no reason within some days of a run that began at 22:00.
-    fn said(per_h: f64, faults: serde_json::Value, days: Micros) -> Vec<Told> {
+    fn said(per_h: f64, faults: serde_json::Value, days: i64) -> Vec<Utterance> {
         let file: LinkFile = serde_json::from_value(json!({ "faults": faults })).unwrap();
-        let mut sources = Sources::new(&file, &[("other", 0.0), ("hall", per_h)], 22 * 3600 * SECOND, 3);
+        let mut sources = UtteranceSources::new(&file, &[("other", 0.0), ("hall", per_h)], 22 * HOUR, 3);
         let mut said = Vec::new();
-        while sources.next() < days * DAY {
+        while sources.next() < RunTime::START + days * DAY {
             said.extend(sources.speak());
         }
         said
@@ -175,7 +176,7 @@ mod tests {
     fn false_firings_come_as_often_as_they_should_and_by_chance() {
         let said = said(0.5, json!([]), 2000);
         assert!((said.len() as f64 / 24_000.0 - 1.0).abs() < 0.03, "{}", said.len());
-        let waits: Vec<f64> = said.windows(2).map(|pair| (pair[1].at - pair[0].at) as f64 / 7.2e9).collect();
+        let waits: Vec<f64> = said.windows(2).map(|pair| (pair[1].at - pair[0].at).ratio(2 * HOUR)).collect();
         let mean = waits.iter().sum::<f64>() / waits.len() as f64;
         let variance = waits.iter().map(|wait| (wait - mean) * (wait - mean)).sum::<f64>() / waits.len() as f64;
         assert!((variance - 1.0).abs() < 0.05, "{variance}");
@@ -193,7 +194,8 @@ mod tests {
             let expected = 400 * hours + if hours == 2 { 200 } else { 0 };
             assert!(said.len().abs_diff(expected) < expected / 10, "{} from {from} to {to}", said.len());
             for told in said {
-                let (time, at) = ((told.at + 22 * 3600 * SECOND) % DAY, told.at as f64 / DAY as f64);
+                let at = told.at.since_zero();
+                let (time, at) = ((at + 22 * HOUR) % DAY, at.ratio(DAY));
                 let [from, to] = [from, to].map(|text| time_of_day(text).unwrap());
                 let is_in = if from < to { from <= time && time < to } else { from <= time || time < to };
                 assert!(is_in && (1.5..101.5).contains(&at), "at {at}");
@@ -204,7 +206,7 @@ mod tests {
     #[test]
     fn what_is_stuck_repeats_itself() {
         let fault = json!([{ "kind": "stuck", "sensor": "hall", "from_day": 1, "days": 0.001, "every_s": 7 }]);
-        let times: Vec<Micros> = said(0.0, fault, 2).iter().map(|told| (told.at - DAY) / SECOND).collect();
+        let times: Vec<i64> = said(0.0, fault, 2).iter().map(|told| (told.at.since_zero() - DAY) / SECOND).collect();
         assert_eq!(times, (0..13).map(|index| index * 7).collect::<Vec<_>>());
     }
 }

@@ -3,15 +3,15 @@
 //! What is changed is checked as what people write is: by loading it. A file that was there keeps what is not changed in it.
 
 use super::ScenarioFile;
-use super::home::HomeFile;
-use super::input::InputFile;
-use super::link::LinkFile;
 use super::load::{Files, Overlay, Scenario};
 use super::logger::LoggerFile;
-use super::path::{PathFile, Step};
-use super::resident::{DriverFile, LiveFile, ResidentFile};
+use crate::drivers::input::InputFile;
+use crate::drivers::path::form::{PathFile, PathStep};
 use crate::geometry::At;
+use crate::home::form::HomeFile;
+use crate::link::form::LinkFile;
 use crate::problem::Problems;
+use crate::resident::{DriverFile, LiveFile, ResidentFile};
 use serde::Serialize;
 use serde_json::Value;
 use std::collections::BTreeMap;
@@ -30,7 +30,7 @@ pub struct ScenarioEdit {
 impl Scenario {
     /// The scenario as it is, to be changed.
     pub fn edit(&self) -> ScenarioEdit {
-        ScenarioEdit::of(self)
+        ScenarioEdit::from_scenario(self)
     }
 }
 
@@ -44,7 +44,7 @@ impl ScenarioEdit {
         ScenarioEdit { entry, file, home, residents: Vec::new(), texts }
     }
 
-    fn of(scenario: &Scenario) -> ScenarioEdit {
+    fn from_scenario(scenario: &Scenario) -> ScenarioEdit {
         ScenarioEdit {
             entry: scenario.entry.clone(),
             file: scenario.file.clone(),
@@ -180,13 +180,13 @@ pub fn text_of_path(path: &PathFile) -> String {
 }
 
 /// Writes the steps of a list that has been opened, and closes it.
-fn steps_into(steps: &[Step], depth: usize, text: &mut String) {
+fn steps_into(steps: &[PathStep], depth: usize, text: &mut String) {
     let indent = |depth: usize| "  ".repeat(depth);
     for (number, step) in steps.iter().enumerate() {
         text.push_str(if number == 0 { "\n" } else { ",\n" });
         text.push_str(&indent(depth + 1));
         match step {
-            Step::Repeat(repeat) => {
+            PathStep::Repeat(repeat) => {
                 let times = repeat.times.map_or(String::new(), |times| format!("\"times\": {times}, "));
                 text.push_str(&format!("{{\"repeat\": {{{times}\"steps\": ["));
                 steps_into(&repeat.steps, depth + 1, text);
@@ -205,8 +205,10 @@ fn text_of(file: &impl Serialize) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::scenario::home::{MotionFile, RoomFile, SensorFile, WallFile};
-    use crate::scenario::path::{Posture, Spot};
+    use crate::plan::form::{RoomFile, Spot, WallFile};
+    use crate::posture::Posture;
+    use crate::sensors::kinds::SensorFile;
+    use crate::sensors::motion::MotionFile;
 
     #[test]
     fn a_path_is_one_step_a_line_and_reads_as_it_was() {

@@ -13,18 +13,11 @@ crate::messages! {
             hint ("write the name of a file");
         /// A scenario reads files in its own folder only, and a run writes files in its own folder only. So names do not begin with
         /// `/`, and contain no `..`, colon or backslash.
-        OutsideFolder {
-            /// The name.
-            name: String,
-            /// The folder, in words.
-            folder: String,
-        } error "outside-folder" ("{name:?} is not a file name inside {folder}")
+        OutsideFolder { name: String, folder: String }
+            error "outside-folder" ("{name:?} is not a file name inside {folder}")
             hint ("name a file relative to the folder, with / between folders");
         /// A log is a file in the run's folder. This name is that of a folder.
-        IsFolder {
-            /// The path.
-            path: String,
-        } error "is-folder" ("{path:?} is a folder")
+        IsFolder { path: String } error "is-folder" ("{path:?} is a folder")
             hint ("name a file in it");
         /// File systems limit the length of names and paths, and Homebody adds endings to them.
         NameTooLong {
@@ -35,59 +28,31 @@ crate::messages! {
         } error "name-too-long" ("the name has more than {most_bytes} bytes, or its path more than {most_path_bytes}")
             hint ("choose a shorter name");
         /// Each run writes some files of its own into its folder: the recording, the ground truth, the table of sensors and others.
-        OfRun {
-            /// The path.
-            path: String,
-            /// The run's own file.
-            of_run: String,
-        } error "of-run" ("{path:?} conflicts with {of_run}, which each run writes into its folder")
+        OfRun { path: String, of_run: String }
+            error "of-run" ("{path:?} conflicts with {of_run}, which each run writes into its folder")
             hint ("choose another name, such as \"csv:logs/week.csv\"");
         /// Homebody creates and removes files with this ending while it runs.
-        OfProgram {
-            /// The path.
-            path: String,
-            /// The ending.
-            ending: String,
-        } error "reserved-ending" ("{path:?} ends in {ending}, which Homebody uses for temporary files")
+        OfProgram { path: String, ending: String }
+            error "reserved-ending" ("{path:?} ends in {ending}, which Homebody uses for temporary files")
             hint ("choose another name, such as \"csv:logs/week.csv\"");
         /// Two logs of a run cannot share a file.
-        SameFile {
-            /// The path.
-            path: String,
-        } error "same-file" ("two logs have the same file {path:?}")
+        SameFile { path: String } error "same-file" ("two logs have the same file {path:?}")
             hint ("give each log its own file, such as \"csv:logs/week.csv\"");
         /// One of the paths is a folder of the other, or is a file that Homebody writes next to the other.
-        Collision {
-            /// The path.
-            path: String,
-            /// The path of another log.
-            other: String,
-        } error "collision" ("{path:?} and {other:?} cannot both be files")
+        Collision { path: String, other: String } error "collision" ("{path:?} and {other:?} cannot both be files")
             hint ("choose another name, such as \"csv:logs/week.csv\"");
         /// The folder of the scenario does not contain the file.
-        Missing {
-            /// The name.
-            name: String,
-            /// The most similar name in the folder.
-            nearest: Option<String>,
-        } error "not-found" ("there is no file {name:?}")
+        Missing { name: String, nearest: Option<String> } error "not-found" ("there is no file {name:?}")
             advice (Some(match nearest {
                 Some(near) => Advice::meant(near),
                 None => "create the file, or correct the name".into(),
             }));
         /// The file exists and cannot be read as text: it may be a folder, a link, larger than Homebody reads, or not in UTF-8.
-        Unreadable {
-            /// The name.
-            name: String,
-            /// The reason.
-            why: String,
-            /// The correction, where it is known.
-            help: Option<String>,
-        } error "unreadable" ("cannot read {name:?}: {why}")
+        Unreadable { name: String, why: String, help: Option<String> }
+            error "unreadable" ("cannot read {name:?}: {why}")
             advice (help.clone());
         /// Each file of a scenario has one kind, such as home, logger or resident.
         TwoUses {
-            /// The name.
             name: String,
             /// The kind that it is used as.
             used: String,
@@ -96,28 +61,14 @@ crate::messages! {
         } error "two-uses" ("{name:?} is already used as {used}, so it cannot be {wanted}")
             hint ("name another file");
         /// Two residents have the same file. They would be the same person.
-        LinkedTwice {
-            /// The name.
-            name: String,
-        } error "linked-twice" ("two residents have the same file {name:?}")
+        LinkedTwice { name: String } error "linked-twice" ("two residents have the same file {name:?}")
             hint ("give each resident its own file");
         /// The file is valid, but of another kind than the link needs. Two links may be swapped.
-        WrongKind {
-            /// The name.
-            name: String,
-            /// The kind that it is.
-            found: String,
-            /// The kind that the link needs.
-            wanted: String,
-        } error "wrong-kind" ("{name:?} is {found}, but {wanted} is needed here")
+        WrongKind { name: String, found: String, wanted: String }
+            error "wrong-kind" ("{name:?} is {found}, but {wanted} is needed here")
             hint ("name another file");
         /// Routines and scripts have a largest length, so that reading them takes a moment only.
-        TooLong {
-            /// The name.
-            name: String,
-            /// The limit, in words.
-            why: String,
-        } error "too-long" ("{name:?} is too long: {why}")
+        TooLong { name: String, why: String } error "too-long" ("{name:?} is too long: {why}")
             hint ("shorten it");
     }
 }

@@ -10,10 +10,7 @@ crate::messages! {
         Empty error "empty" ("the file is empty")
             hint ("write a JSON object, or name another file");
         /// A file of a scenario has a largest number of keys, items, objects and lists together, so that it fits into memory.
-        TooManyValues {
-            /// The largest number of values.
-            most: usize,
-        } error "too-many-values" ("the file has more than {most} values")
+        TooManyValues { most: usize } error "too-many-values" ("the file has more than {most} values")
             hint ("remove values that the scenario does not need");
         /// A text begins and ends with a double quote, both on one line. A quote inside a text has a backslash before it:
         ///
@@ -26,22 +23,13 @@ crate::messages! {
         ControlCharacter error "control-character" ("a text contains a control character")
             hint ("write \\t for a tab, and \\u with four hexadecimal digits for any other control character");
         /// Names and descriptions are short. A text of this length is probably a different file, or a quote is missing.
-        LongText {
-            /// The largest length.
-            most_bytes: usize,
-        } error "long-text" ("this text is longer than {most_bytes} bytes")
+        LongText { most_bytes: usize } error "long-text" ("this text is longer than {most_bytes} bytes")
             hint ("shorten it");
         /// Lists and objects lie in each other to a largest depth, which every valid scenario keeps.
-        DeepNesting {
-            /// The largest depth.
-            most: usize,
-        } error "deep-nesting" ("lists and objects are nested more than {most} levels deep")
+        DeepNesting { most: usize } error "deep-nesting" ("lists and objects are nested more than {most} levels deep")
             hint ("check that the brackets and braces before this place are closed");
         /// The parser found a mistake that has no message of its own. An editor that knows JSON shows more.
-        Invalid {
-            /// The parser's message.
-            why: String,
-        } error "invalid" ("this is not valid JSON: {why}");
+        Invalid { why: String } error "invalid" ("this is not valid JSON: {why}");
         /// JSON separates values with commas, so `2,5` is two values. A number has a point:
         ///
         /// ```json

@@ -1,25 +1,25 @@
 //! From the text of a scenario folder to a checked scenario, or to everything that is wrong with it.
 
 use super::ScenarioFile;
-use super::calendar::Calendar;
 use super::check;
-use super::home::HomeFile;
-use super::input::InputFile;
 use super::inside::{FileMessage, WHERE, outside_folder};
-use super::link::LinkFile;
 use super::logger::LoggerFile;
-use super::nearest::nearest;
-use super::path::PathFile;
-use super::resident::{DriverFile, ResidentFile};
 use super::schema::FileKind;
 use super::shape::{self, Misshape, SchemaMessage};
-use super::source::{Source, Value};
+use crate::calendar::Calendar;
+use crate::drivers::input::InputFile;
 use crate::drivers::path::ResolvedPath;
+use crate::drivers::path::form::PathFile;
 use crate::geometry::{Point, point};
-use crate::home::plan::Plan;
+use crate::home::form::HomeFile;
 use crate::home::resolved::ResolvedHome;
+use crate::link::form::LinkFile;
+use crate::nearest::nearest;
 use crate::numbers::{Number, Numbers};
+use crate::plan::Plan;
 use crate::problem::{Problem, Problems};
+use crate::resident::{DriverFile, ResidentFile};
+use crate::scenario::source::{JsonSource, NodeValue};
 use serde::de::DeserializeOwned;
 use std::collections::BTreeMap;
 use std::fmt;
@@ -159,12 +159,12 @@ pub struct Resident {
     /// The resident's own file.
     pub file: ResidentFile,
     /// What decides where the resident goes and what they do.
-    pub driver: Driver,
+    pub driver: ResidentDriver,
 }
 
 /// What decides for a resident, read from the file that the resident links.
 #[derive(Clone, Debug, PartialEq)]
-pub enum Driver {
+pub enum ResidentDriver {
     /// A path that is acted out.
     Path(ResolvedPath),
     /// Held keys that drive the body through the physics.
@@ -191,7 +191,7 @@ pub enum Driver {
 }
 
 /// Who knows the languages of routines and of scripts: this crate reads them as text.
-pub trait Language {
+pub trait DriverLanguages {
     /// Reads a resident's routine in a home that is sound, and says what is wrong with it. What is understood, the reader
     /// keeps: a text is read once. A resident with a routine is not asked about where the home is not sound.
     fn read(&mut self, said: &DriverText, home: &HomeFile, plan: &Plan, files: &dyn Files) -> Vec<Problem>;
@@ -219,7 +219,7 @@ pub struct DriverText<'a> {
 }
 
 /// Nobody who knows it.
-impl Language for () {
+impl DriverLanguages for () {
     fn read(&mut self, _said: &DriverText, _home: &HomeFile, _plan: &Plan, _files: &dyn Files) -> Vec<Problem> {
         Vec::new()
     }
@@ -243,7 +243,7 @@ impl Scenario {
     ///
     /// All problems of all files come at once, in the order in which the files are linked. The
     /// meaning of one file is checked even where the shape of another is wrong, also of the one that links it.
-    pub fn load_in(language: &mut dyn Language, files: &dyn Files, entry: &str) -> Result<Scenario, Problems> {
+    pub fn load_in(language: &mut dyn DriverLanguages, files: &dyn Files, entry: &str) -> Result<Scenario, Problems> {
         let (problems, sources, order) = (Vec::new(), BTreeMap::new(), Vec::new());
         let mut loader = Loader { files, language, problems, sources, order, named_bytes: 0 };
         let scenario = loader.scenario(entry);
@@ -257,7 +257,7 @@ impl Scenario {
 
 struct Loader<'a> {
     files: &'a dyn Files,
-    language: &'a mut dyn Language,
+    language: &'a mut dyn DriverLanguages,
     problems: Vec<Problem>,
     sources: BTreeMap<String, String>,
     /// The files in the order in which they are linked, with what each of them is.
@@ -268,7 +268,7 @@ struct Loader<'a> {
 
 /// A file as it is meant, and its text for the places of problems with its meaning.
 struct Read<T> {
-    source: Source,
+    source: JsonSource,
     /// Nothing where its shape is wrong; what it links is looked at all the same.
     data: Option<T>,
 }
@@ -324,7 +324,7 @@ impl Loader<'_> {
         let home = home.and_then(|Read { source, data }| Some((source, data?)));
         let plan = home.as_ref().and_then(|(source, home)| check::home::check(source, home, &mut self.problems));
         let home = home.map(|(_, home)| home);
-        let surroundings = check::Surroundings { home: home.as_ref(), plan: plan.as_ref() };
+        let surroundings = check::HomeInCheck { home: home.as_ref(), plan: plan.as_ref() };
 
         let link = if root["link"].is_null() {
             Some(None)
@@ -348,7 +348,7 @@ impl Loader<'_> {
             })
         };
 
-        let mut names = check::resident::Names::default();
+        let mut names = check::resident::ResidentNames::default();
         let residents: Vec<Option<Resident>> = (0..root["residents"].as_array().map_or(0, Vec::len))
             .map(|index| {
                 let link = format!("/residents/{index}");
@@ -379,7 +379,7 @@ impl Loader<'_> {
         &mut self,
         index: usize,
         resident: Read<ResidentFile>,
-        surroundings: &check::Surroundings,
+        surroundings: &check::HomeInCheck,
         calendar: Option<&Calendar>,
     ) -> Option<Resident> {
         let Read { source, data: file } = resident;
@@ -391,7 +391,7 @@ impl Loader<'_> {
             let somebody = || ResidentFile::somebody(DriverFile::Path(path.source.file.clone()));
             let walker = file.clone().unwrap_or_else(somebody);
             check::path::check(&path.source, &data, &walker, surroundings, &mut self.problems);
-            Driver::Path(ResolvedPath::new(data, surroundings.plan?, walker.pace_mps)?)
+            ResidentDriver::Path(ResolvedPath::new(data, surroundings.plan?, walker.pace_mps)?)
         } else if let Some(name) = root.pointer("/driver/routine").and_then(serde_json::Value::as_str) {
             let text = self.text(&source, "/driver/routine", name, "routine")?;
             if let Some((home, plan)) = surroundings.home.zip(surroundings.plan) {
@@ -399,7 +399,7 @@ impl Loader<'_> {
                 let said = DriverText { of: index, file: name, text: &text, resident, calendar };
                 self.problems.extend(self.language.read(&said, home, plan, self.files));
             }
-            Driver::Routine { file: name.into(), text }
+            ResidentDriver::Routine { file: name.into(), text }
         } else if let Some(name) = root.pointer("/driver/script").and_then(serde_json::Value::as_str) {
             let text = self.text(&source, "/driver/script", name, "script")?;
             if let Some((home, plan)) = surroundings.home.zip(surroundings.plan) {
@@ -407,7 +407,7 @@ impl Loader<'_> {
                 let said = DriverText { of: index, file: name, text: &text, resident, calendar };
                 self.problems.extend(self.language.read_script(&said, home, plan));
             }
-            Driver::Script { file: name.into(), text }
+            ResidentDriver::Script { file: name.into(), text }
         } else {
             let live = match &file {
                 Some(ResidentFile { driver: DriverFile::Live(live), .. }) => Some(live),
@@ -419,7 +419,7 @@ impl Loader<'_> {
             let input: Read<InputFile> = self.link(&source, &root, "/driver/live/keys", FileKind::Input)?;
             let data = input.data?;
             check::input::check(&input.source, &data, surroundings, &mut self.problems);
-            Driver::Live { input: data, start: point(live?.start) }
+            ResidentDriver::Live { input: data, start: point(live?.start) }
         };
         Some(Resident { file: file?, driver })
     }
@@ -427,7 +427,7 @@ impl Loader<'_> {
     /// Reads the file that a link names, if it names one.
     fn link<T: DeserializeOwned>(
         &mut self,
-        from: &Source,
+        from: &JsonSource,
         root: &serde_json::Value,
         link: &str,
         kind: FileKind,
@@ -437,7 +437,7 @@ impl Loader<'_> {
     }
 
     /// Reads a linked file that is no JSON: a routine or a script, as `noun` says.
-    fn text(&mut self, from: &Source, link: &str, name: &str, noun: &str) -> Option<String> {
+    fn text(&mut self, from: &JsonSource, link: &str, name: &str, noun: &str) -> Option<String> {
         let used = || self.order.iter().find(|(known, _)| known == name).map(|(_, used)| used.noun().to_owned());
         let two_uses = |used| FileMessage::TwoUses { name: name.to_owned(), used, wanted: format!("a {noun}") };
         let problem = match outside_folder(name, "the scenario's folder") {
@@ -470,7 +470,7 @@ impl Loader<'_> {
     /// Reads a file that another links; a file that is missing is a problem of the link.
     fn linked<T: DeserializeOwned>(
         &mut self,
-        from: &Source,
+        from: &JsonSource,
         link: &str,
         name: &str,
         kind: FileKind,
@@ -507,12 +507,12 @@ impl Loader<'_> {
         name: &str,
         kind: FileKind,
         text: &str,
-        link: Option<(&Source, &str)>,
+        link: Option<(&JsonSource, &str)>,
     ) -> Option<Read<T>> {
         if !self.order.iter().any(|(known, _)| known == name) {
             self.order.push((name.into(), kind));
         }
-        let mut source = match Source::parse(name, text) {
+        let mut source = match JsonSource::parse(name, text) {
             Ok(source) => source,
             Err(problem) => {
                 self.problems.push(problem);
@@ -576,9 +576,9 @@ impl Loader<'_> {
 }
 
 /// The other kind of file that this one is a faultless example of.
-fn mistaken_for(source: &Source, kind: FileKind) -> Option<FileKind> {
+fn mistaken_for(source: &JsonSource, kind: FileKind) -> Option<FileKind> {
     // A file that says nothing would be a faultless logger.
-    let Value::Object(entries) = &source.root.value else { return None };
+    let NodeValue::Object(entries) = &source.root.value else { return None };
     if entries.iter().all(|(key, _)| key.name == "$schema") {
         return None;
     }

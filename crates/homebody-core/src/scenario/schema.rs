@@ -3,12 +3,12 @@
 //! Editors complete and check with them, and the loader checks against the very same.
 
 use super::ScenarioFile;
-use super::home::HomeFile;
-use super::input::InputFile;
-use super::link::LinkFile;
 use super::logger::LoggerFile;
-use super::path::PathFile;
-use super::resident::ResidentFile;
+use crate::drivers::input::InputFile;
+use crate::drivers::path::form::PathFile;
+use crate::home::form::HomeFile;
+use crate::link::form::LinkFile;
+use crate::resident::ResidentFile;
 use schemars::JsonSchema;
 use schemars::generate::SchemaSettings;
 use serde_json::Value;

@@ -1,7 +1,7 @@
 //! The kinds of places that a log can go to and come from: one table, for the check, the command line and the page.
 
-use super::nearest::nearest;
 use crate::messages::Diagnose;
+use crate::nearest::nearest;
 use crate::problem::{Diagnostic, readable};
 use std::borrow::Cow;
 use std::error::Error;
@@ -187,12 +187,7 @@ crate::messages! {
     /// Problems with the places of logs.
     pub enum PlaceMessage in "place" {
         /// The place of a log is a form, a colon and a file, such as `csv:week.csv`, or the URL of a server.
-        Invalid {
-            /// The problem.
-            what: String,
-            /// The advice.
-            hint: String,
-        } error "invalid" ("{what}") hint ("{hint}");
+        Invalid { what: String, hint: String } error "invalid" ("{what}") hint ("{hint}");
     }
 }
 

@@ -7,9 +7,9 @@ mod messages;
 pub use messages::SchemaMessage;
 use messages::choice;
 
-use super::nearest::nearest;
-use super::source::{Key, Misspelt, Node, Source, Value};
+use crate::nearest::nearest;
 use crate::problem::Problem;
+use crate::scenario::source::{JsonNode, JsonSource, Misspelt, NodeKey, NodeValue};
 use serde_json::Value as Schema;
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -29,23 +29,23 @@ pub struct Misshape {
 }
 
 /// Everything about the source's shape that its schema refuses.
-pub fn check(source: &Source, schema: &Schema) -> Misshape {
-    let mut walk = Walk { source, root: schema, found: Misshape::default() };
+pub fn check(source: &JsonSource, schema: &Schema) -> Misshape {
+    let mut walk = ShapeCheck { source, root: schema, found: Misshape::default() };
     walk.value(&source.root, schema, "the file");
     walk.found
 }
 
-struct Walk<'a> {
-    source: &'a Source,
+struct ShapeCheck<'a> {
+    source: &'a JsonSource,
     root: &'a Schema,
     found: Misshape,
 }
 
-impl<'a> Walk<'a> {
+impl<'a> ShapeCheck<'a> {
     /// Checks a value; `subject` is what messages call it, such as `"height_m"`.
-    fn value(&mut self, node: &Node, schema: &'a Schema, subject: &str) {
+    fn value(&mut self, node: &JsonNode, schema: &'a Schema, subject: &str) {
         let schema = self.resolve(schema);
-        if matches!(node.value, Value::Null) && self.is_optional(schema) {
+        if matches!(node.value, NodeValue::Null) && self.is_optional(schema) {
             return;
         }
         if let Some(branches) = branches(schema, "oneOf") {
@@ -62,17 +62,17 @@ impl<'a> Walk<'a> {
             return self.wrong_type(node, schema, subject);
         }
         match &node.value {
-            Value::Number(number, text) => {
+            NodeValue::Number(number, text) => {
                 self.number(node, number.as_ref().and_then(|n| n.as_f64()), text, schema, subject)
             }
-            Value::Text(text) => self.text(node, text, schema, subject),
-            Value::List(items) => self.list(node, items, schema, subject),
-            Value::Object(entries) => self.object(node, entries, schema, subject),
-            Value::Null | Value::Bool(_) => {}
+            NodeValue::Text(text) => self.text(node, text, schema, subject),
+            NodeValue::List(items) => self.list(node, items, schema, subject),
+            NodeValue::Object(entries) => self.object(node, entries, schema, subject),
+            NodeValue::Null | NodeValue::Bool(_) => {}
         }
     }
 
-    fn number(&mut self, node: &Node, value: Option<f64>, text: &str, schema: &Schema, subject: &str) {
+    fn number(&mut self, node: &JsonNode, value: Option<f64>, text: &str, schema: &Schema, subject: &str) {
         let Some(value) = value else {
             return self.report(node.start, SchemaMessage::NumberTooLarge { subject: subject.into() });
         };
@@ -100,7 +100,7 @@ impl<'a> Walk<'a> {
         }
     }
 
-    fn text(&mut self, node: &Node, text: &str, schema: &Schema, subject: &str) {
+    fn text(&mut self, node: &JsonNode, text: &str, schema: &Schema, subject: &str) {
         let names: Vec<&str> = names_of(schema).collect();
         if !names.is_empty() && !names.contains(&text) {
             return self.unknown_name(node, text, &names, subject);
@@ -114,7 +114,7 @@ impl<'a> Walk<'a> {
         }
     }
 
-    fn list(&mut self, node: &Node, items: &[Node], schema: &'a Schema, subject: &str) {
+    fn list(&mut self, node: &JsonNode, items: &[JsonNode], schema: &'a Schema, subject: &str) {
         let limit = |name: &str| schema.get(name).and_then(Schema::as_u64);
         let (least, most) = (limit("minItems").unwrap_or(0), limit("maxItems").unwrap_or(u64::MAX));
         let count = items.len() as u64;
@@ -126,7 +126,7 @@ impl<'a> Walk<'a> {
                 (least, most) => format!("{least} to {most}"),
             };
             let noun = if wanted.ends_with(" 1") { "item" } else { "items" };
-            let is_number = |item: &Node| matches!(item.value, Value::Number(..));
+            let is_number = |item: &JsonNode| matches!(item.value, NodeValue::Number(..));
             let help = match count == 2 * most && items.iter().all(is_number) {
                 true => Some(DECIMAL_POINT.into()),
                 false => hint_of(schema),
@@ -140,7 +140,7 @@ impl<'a> Walk<'a> {
         }
     }
 
-    fn object(&mut self, node: &Node, entries: &[(Key, Node)], schema: &'a Schema, subject: &str) {
+    fn object(&mut self, node: &JsonNode, entries: &[(NodeKey, JsonNode)], schema: &'a Schema, subject: &str) {
         let name = with_article(schema.get("title").and_then(Schema::as_str).unwrap_or("object"));
         let properties = schema.get("properties").and_then(Schema::as_object);
         let known: Vec<&str> = properties.into_iter().flatten().map(|(key, _)| key.as_str()).collect();
@@ -198,22 +198,22 @@ impl<'a> Walk<'a> {
     }
 
     /// One of several forms: names, objects that a `kind` tells apart, or objects of a single key.
-    fn one_of(&mut self, node: &Node, schema: &'a Schema, branches: &'a [Schema], subject: &str) {
+    fn one_of(&mut self, node: &JsonNode, schema: &'a Schema, branches: &'a [Schema], subject: &str) {
         if let Some(tag) = branches.iter().find_map(tag_of) {
             return self.tagged(node, schema, branches, tag, subject);
         }
         let names: Vec<&str> = branches.iter().flat_map(names_of).collect();
         let keys: Vec<&str> = branches.iter().filter_map(single_key).collect();
         match &node.value {
-            Value::Text(text) if names.contains(&text.as_str()) => {}
-            Value::Text(text) if keys.contains(&text.as_str()) => {
+            NodeValue::Text(text) if names.contains(&text.as_str()) => {}
+            NodeValue::Text(text) if keys.contains(&text.as_str()) => {
                 self.report(node.start, SchemaMessage::NameAlone { name: text.clone() });
             }
-            Value::Text(text) if !names.is_empty() => {
+            NodeValue::Text(text) if !names.is_empty() => {
                 let all: Vec<&str> = names.iter().chain(&keys).copied().collect();
                 self.unknown_name(node, text, &all, subject);
             }
-            Value::Object(entries) if !keys.is_empty() => {
+            NodeValue::Object(entries) if !keys.is_empty() => {
                 let what = schema.get("title").and_then(Schema::as_str).map_or(subject.to_string(), with_article);
                 let [(key, value)] = &entries[..] else {
                     let (count, known) = (entries.len(), names_among(&keys));
@@ -229,8 +229,8 @@ impl<'a> Walk<'a> {
         }
     }
 
-    fn tagged(&mut self, node: &Node, schema: &'a Schema, branches: &'a [Schema], tag: &str, subject: &str) {
-        let Value::Object(entries) = &node.value else {
+    fn tagged(&mut self, node: &JsonNode, schema: &'a Schema, branches: &'a [Schema], tag: &str, subject: &str) {
+        let NodeValue::Object(entries) = &node.value else {
             return self.wrong_type(node, schema, subject);
         };
         let what = schema.get("title").and_then(Schema::as_str).unwrap_or("object");
@@ -240,7 +240,7 @@ impl<'a> Walk<'a> {
             let (key, object, known) = (tag.to_owned(), with_article(what), names_among(&names));
             return self.report(node.start, SchemaMessage::MissingKey { key, object, meaning: None, known });
         };
-        let Value::Text(name) = &value.value else {
+        let NodeValue::Text(name) = &value.value else {
             let (wanted, found) = ("a text".to_owned(), kind_of(value));
             let help = Some(choice(&None, &names_among(&names)).text);
             let message = SchemaMessage::WrongType { subject: format!("{tag:?}"), wanted, found, help };
@@ -258,24 +258,24 @@ impl<'a> Walk<'a> {
         self.report(at, SchemaMessage::UnknownKind { name, object, nearest, known });
     }
 
-    fn unknown_name(&mut self, node: &Node, text: &str, names: &[&str], subject: &str) {
+    fn unknown_name(&mut self, node: &JsonNode, text: &str, names: &[&str], subject: &str) {
         let (nearest, known) = (nearest_among(text, names), names_among(names));
         let (subject, name) = (subject.to_owned(), text.to_owned());
         self.report(node.start, SchemaMessage::UnknownName { subject, name, nearest, known });
     }
 
-    fn wrong_type(&mut self, node: &Node, schema: &'a Schema, subject: &str) {
+    fn wrong_type(&mut self, node: &JsonNode, schema: &'a Schema, subject: &str) {
         let mut wanted = Vec::new();
         self.describe(schema, &mut wanted);
         wanted.dedup();
         let is_number = |text: &str| text.parse::<f64>().is_ok();
-        let quoted_number = matches!(&node.value, Value::Text(text) if is_number(text));
-        let with_comma = matches!(&node.value, Value::Text(text) if is_number(&text.replacen(',', ".", 1)));
+        let quoted_number = matches!(&node.value, NodeValue::Text(text) if is_number(text));
+        let with_comma = matches!(&node.value, NodeValue::Text(text) if is_number(&text.replacen(',', ".", 1)));
         let wants_number = wanted.iter().any(|wanted| wanted.ends_with("number"));
         let help = match &node.value {
             _ if quoted_number && wants_number => Some("remove the quotes".into()),
             _ if with_comma && wants_number => Some(format!("{DECIMAL_POINT}, and remove the quotes")),
-            Value::Text(text) if wanted == ["a list"] => Some(format!("write [{text:?}]")),
+            NodeValue::Text(text) if wanted == ["a list"] => Some(format!("write [{text:?}]")),
             _ => hint_of(schema),
         };
         let (subject, wanted, found) = (subject.to_owned(), wanted.join(" or "), kind_of(node));
@@ -316,18 +316,18 @@ impl<'a> Walk<'a> {
     }
 
     /// Whether a value of this JSON type can be right at all.
-    fn takes(&self, schema: &'a Schema, node: &Node) -> bool {
+    fn takes(&self, schema: &'a Schema, node: &JsonNode) -> bool {
         let schema = self.resolve(schema);
         if let Some(branches) = branches(schema, "anyOf").or(branches(schema, "oneOf")) {
             return branches.iter().any(|branch| self.takes(branch, node));
         }
         types(schema).any(|name| match &node.value {
-            Value::Null => name == "null",
-            Value::Bool(_) => name == "boolean",
-            Value::Number(..) => name == "number" || name == "integer",
-            Value::Text(_) => name == "string",
-            Value::List(_) => name == "array",
-            Value::Object(_) => name == "object",
+            NodeValue::Null => name == "null",
+            NodeValue::Bool(_) => name == "boolean",
+            NodeValue::Number(..) => name == "number" || name == "integer",
+            NodeValue::Text(_) => name == "string",
+            NodeValue::List(_) => name == "array",
+            NodeValue::Object(_) => name == "object",
         })
     }
 
@@ -408,15 +408,15 @@ fn names_among(names: &[&str]) -> Vec<String> {
     names.iter().filter(|name| **name != "$schema").map(|name| (*name).to_owned()).collect()
 }
 
-fn kind_of(node: &Node) -> String {
+fn kind_of(node: &JsonNode) -> String {
     match &node.value {
-        Value::Null => "null".into(),
-        Value::Bool(value) => value.to_string(),
-        Value::Number(_, text) => format!("the number {text}"),
-        Value::Text(text) if text.chars().count() <= 40 => format!("the text {text:?}"),
-        Value::Text(_) => "a text".into(),
-        Value::List(_) => "a list".into(),
-        Value::Object(_) => "an object".into(),
+        NodeValue::Null => "null".into(),
+        NodeValue::Bool(value) => value.to_string(),
+        NodeValue::Number(_, text) => format!("the number {text}"),
+        NodeValue::Text(text) if text.chars().count() <= 40 => format!("the text {text:?}"),
+        NodeValue::Text(_) => "a text".into(),
+        NodeValue::List(_) => "a list".into(),
+        NodeValue::Object(_) => "an object".into(),
     }
 }
 

@@ -23,19 +23,19 @@ const STRIDE_BYTES: usize = 4096;
 
 /// A JSON file: its text and what the text says, with the place of everything.
 #[derive(Debug)]
-pub struct Source {
+pub struct JsonSource {
     /// The file's name, for problems.
     pub file: String,
     /// The text without a byte order mark, so that offsets count from what a person sees first.
     pub text: String,
     /// What the text says.
-    pub root: Node,
-    places: Places,
+    pub root: JsonNode,
+    places: TextPositions,
 }
 
 /// Where the lines and the characters of a text are, so that a place is found without reading all of the text again.
 #[derive(Debug)]
-struct Places {
+struct TextPositions {
     /// Byte offset at which each line starts.
     lines: Vec<usize>,
     /// How many characters begin before each multiple of [`STRIDE_BYTES`].
@@ -44,18 +44,18 @@ struct Places {
 
 /// A JSON value and where it stands in the text.
 #[derive(Debug)]
-pub struct Node {
+pub struct JsonNode {
     /// Byte offset of its first character in the text.
     pub start: usize,
     /// Byte offset behind its last character.
     pub end: usize,
     /// What it says.
-    pub value: Value,
+    pub value: NodeValue,
 }
 
 /// What a JSON value is. Objects keep every key as written, doubles included.
 #[derive(Debug)]
-pub enum Value {
+pub enum NodeValue {
     /// `null`.
     Null,
     /// `true` or `false`.
@@ -65,9 +65,9 @@ pub enum Value {
     /// A string, its escapes resolved.
     Text(String),
     /// An array, in the order of the text.
-    List(Vec<Node>),
+    List(Vec<JsonNode>),
     /// An object: keys and values in the order of the text, also those that stand there twice.
-    Object(Vec<(Key, Node)>),
+    Object(Vec<(NodeKey, JsonNode)>),
 }
 
 /// Keys that are none, by where they start, and which were meant, if that is known.
@@ -75,7 +75,7 @@ pub type Misspelt = BTreeMap<usize, Option<String>>;
 
 /// A key of an object and where it stands in the text.
 #[derive(Debug)]
-pub struct Key {
+pub struct NodeKey {
     /// Byte offset of its opening quote in the text.
     pub start: usize,
     /// Byte offset behind its closing quote.
@@ -84,11 +84,11 @@ pub struct Key {
     pub name: String,
 }
 
-impl Source {
+impl JsonSource {
     /// Reads JSON by the letter of the standard; a byte order mark is passed over.
-    pub fn parse(file: &str, text: &str) -> Result<Source, Problem> {
+    pub fn parse(file: &str, text: &str) -> Result<JsonSource, Problem> {
         let text = text.strip_prefix('\u{feff}').unwrap_or(text);
-        let places = Places::of(text);
+        let places = TextPositions::new(text);
         let wrong = |at, message: JsonMessage| Err(places.problem(file, text, at, message.into(), None));
         if let Err((at, message)) = scan(text) {
             return wrong(at, message);
@@ -111,7 +111,7 @@ impl Source {
             let what = what.split(" at line ").next().unwrap_or_default();
             return wrong(at, JsonMessage::Invalid { why: what.to_owned() });
         }
-        Ok(Source { file: file.into(), text: text.into(), root: node(&root), places })
+        Ok(JsonSource { file: file.into(), text: text.into(), root: node(&root), places })
     }
 
     /// A problem with the value at a JSON pointer, or with the nearest value around it that is there.
@@ -140,10 +140,10 @@ impl Source {
         for part in pointer.split('/').skip(1) {
             let part = part.replace("~1", "/").replace("~0", "~");
             let found = match &node.value {
-                Value::Object(entries) => {
+                NodeValue::Object(entries) => {
                     entries.iter().find(|(key, _)| key.name == part).map(|(key, value)| (key.start, value))
                 }
-                Value::List(items) => {
+                NodeValue::List(items) => {
                     part.parse().ok().and_then(|index: usize| items.get(index)).map(|item| (item.start, item))
                 }
                 _ => None,
@@ -155,12 +155,12 @@ impl Source {
     }
 }
 
-impl Node {
+impl JsonNode {
     /// Gives misspelt keys the names that were meant, and takes away those of which nothing is known.
     pub fn take_as_meant(&mut self, keys: &Misspelt) {
         match &mut self.value {
-            Value::List(items) => items.iter_mut().for_each(|item| item.take_as_meant(keys)),
-            Value::Object(entries) => {
+            NodeValue::List(items) => items.iter_mut().for_each(|item| item.take_as_meant(keys)),
+            NodeValue::Object(entries) => {
                 entries.retain(|(key, _)| keys.get(&key.start).is_none_or(Option::is_some));
                 for (key, value) in entries {
                     if let Some(Some(meant)) = keys.get(&key.start) {
@@ -176,12 +176,14 @@ impl Node {
     /// The value as plain JSON. A whole number becomes an integer however it is written, as JSON Schema sees it.
     pub fn to_json(&self) -> serde_json::Value {
         match &self.value {
-            Value::Null => serde_json::Value::Null,
-            Value::Bool(value) => (*value).into(),
-            Value::Number(number, _) => number.clone().map_or(serde_json::Value::Null, serde_json::Value::Number),
-            Value::Text(text) => text.as_str().into(),
-            Value::List(items) => items.iter().map(Node::to_json).collect(),
-            Value::Object(entries) => entries.iter().map(|(key, value)| (key.name.clone(), value.to_json())).collect(),
+            NodeValue::Null => serde_json::Value::Null,
+            NodeValue::Bool(value) => (*value).into(),
+            NodeValue::Number(number, _) => number.clone().map_or(serde_json::Value::Null, serde_json::Value::Number),
+            NodeValue::Text(text) => text.as_str().into(),
+            NodeValue::List(items) => items.iter().map(JsonNode::to_json).collect(),
+            NodeValue::Object(entries) => {
+                entries.iter().map(|(key, value)| (key.name.clone(), value.to_json())).collect()
+            }
         }
     }
 }
@@ -191,8 +193,8 @@ pub fn pointer_part(name: &str) -> String {
     name.replace('~', "~0").replace('/', "~1")
 }
 
-impl Places {
-    fn of(text: &str) -> Places {
+impl TextPositions {
+    fn new(text: &str) -> TextPositions {
         let bytes = text.as_bytes();
         let ends = (0..bytes.len())
             .filter(|&i| bytes[i] == b'\n' || bytes[i] == b'\r' && bytes.get(i + 1) != Some(&b'\n'))
@@ -203,7 +205,7 @@ impl Places {
             count += begun(chunk);
             before
         });
-        Places { chars: chars.collect(), lines: std::iter::once(0).chain(ends).collect() }
+        TextPositions { chars: chars.collect(), lines: std::iter::once(0).chain(ends).collect() }
     }
 
     /// Byte offset at which a line starts that is counted from 1, or the nearest that there is.
@@ -211,7 +213,6 @@ impl Places {
         self.lines[line.clamp(1, self.lines.len()) - 1]
     }
 
-    /// The line of a byte offset, counted from 1.
     fn line(&self, at: usize) -> usize {
         self.lines.partition_point(|&start| start <= at)
     }
@@ -288,21 +289,21 @@ fn strict() -> ParseOptions {
     }
 }
 
-fn node(ast: &ast::Value) -> Node {
+fn node(ast: &ast::Value) -> JsonNode {
     let value = match ast {
-        ast::Value::NullKeyword(_) => Value::Null,
-        ast::Value::BooleanLit(literal) => Value::Bool(literal.value),
-        ast::Value::NumberLit(literal) => Value::Number(number(literal.value), literal.value.into()),
-        ast::Value::StringLit(literal) => Value::Text(literal.value.to_string()),
-        ast::Value::Array(list) => Value::List(list.elements.iter().map(node).collect()),
-        ast::Value::Object(object) => Value::Object(object.properties.iter().map(entry).collect()),
+        ast::Value::NullKeyword(_) => NodeValue::Null,
+        ast::Value::BooleanLit(literal) => NodeValue::Bool(literal.value),
+        ast::Value::NumberLit(literal) => NodeValue::Number(number(literal.value), literal.value.into()),
+        ast::Value::StringLit(literal) => NodeValue::Text(literal.value.to_string()),
+        ast::Value::Array(list) => NodeValue::List(list.elements.iter().map(node).collect()),
+        ast::Value::Object(object) => NodeValue::Object(object.properties.iter().map(entry).collect()),
     };
-    Node { start: ast.start(), end: ast.end(), value }
+    JsonNode { start: ast.start(), end: ast.end(), value }
 }
 
-fn entry(property: &ast::ObjectProp) -> (Key, Node) {
+fn entry(property: &ast::ObjectProp) -> (NodeKey, JsonNode) {
     let name = &property.name;
-    let key = Key { start: name.start(), end: name.end(), name: name.as_str().into() };
+    let key = NodeKey { start: name.start(), end: name.end(), name: name.as_str().into() };
     (key, node(&property.value))
 }
 

@@ -19,17 +19,18 @@
 //! Left out: people who lie beside the strip, pets, how strong a movement is, the effect of breathing on the pulse's signal,
 //! drift of the pressure.
 
-use super::form::{Bearer, Colour, DeviceForm, KindRow, Moment, Mount, Shape, Site, Wrong};
 use super::messages::SensorMessage;
 use super::outbox::{Change, DeviceModel, Outbox};
-use crate::event::{Band, MotionState, Trigger, Value, Vitals};
+use crate::event::{Band, Trigger, Value, Vitals};
 use crate::geometry::{self, Point};
-use crate::home::sun::Sun;
 use crate::ids::ResidentId;
+use crate::motion::MotionState;
 use crate::numbers::Numbers;
+use crate::plan::sun::Sun;
+use crate::posture::Posture;
 use crate::random::{Stream, no_stream};
-use crate::scenario::path::Posture;
-use crate::time::{Micros, NEVER, micros};
+use crate::sensors::form::{Bearer, Colour, DeviceForm, FormProblem, KindRow, Mount, ReportedInstant, Shape, Site};
+use crate::time::{RunTime, Span};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -100,23 +101,23 @@ impl DeviceForm for BedFile {
         Some(&self.on)
     }
 
-    fn wrong(&self) -> Vec<Wrong> {
+    fn wrong(&self) -> Vec<FormProblem> {
         let mut wrong = Vec::new();
         if let Some(index) = self.levels_s.windows(2).position(|pair| pair[0] >= pair[1]) {
             let (level_s, before_s) = (self.levels_s[index + 1], self.levels_s[index]);
             let message = SensorMessage::LevelsOrder { level_s, before_s };
-            wrong.push(Wrong::new(format!("/levels_s/{}", index + 1), message));
+            wrong.push(FormProblem::new(format!("/levels_s/{}", index + 1), message));
         }
         for (key, [low, high]) in [("pulse_bpm", self.pulse_bpm), ("respiration_pm", self.respiration_pm)] {
             if low >= high {
-                wrong.push(Wrong::new(format!("/{key}"), SensorMessage::VitalLimits { key, low, high }));
+                wrong.push(FormProblem::new(format!("/{key}"), SensorMessage::VitalLimits { key, low, high }));
             }
         }
         wrong
     }
 
-    fn moment(&self) -> Option<Moment<'_>> {
-        Some(Moment::Pressed(&self.on, 0))
+    fn moment(&self) -> Option<ReportedInstant<'_>> {
+        Some(ReportedInstant::Pressed(&self.on, Span::ZERO))
     }
 }
 
@@ -135,23 +136,23 @@ crate::numbers! {
 #[derive(Clone, Debug, PartialEq)]
 pub struct Bed {
     outline: Vec<Point>,
-    levels: Vec<Micros>,
-    every: Micros,
-    still: Micros,
+    levels: Vec<Span>,
+    every: Span,
+    still: Span,
     limits: Limits,
     /// The vitals of somebody whose vitals the truth does not know, and the standard deviations of readings.
     ordinary: Vitals,
     noise: Vitals,
     stream: Stream,
-    timer: Micros,
+    timer: RunTime,
     /// What it knows of each resident.
     sleepers: Vec<Sleeper>,
     /// The one in the bed who came first.
     first: Option<usize>,
-    movement: Option<Movement>,
+    movement: Option<BedMovement>,
     /// Since when somebody lies there and nobody moves.
-    still_since: Option<Micros>,
-    read_at: Option<Micros>,
+    still_since: Option<RunTime>,
+    read_at: Option<RunTime>,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -163,17 +164,17 @@ struct Limits {
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Sleeper {
     /// Since when they are in the bed.
-    since: Option<Micros>,
+    since: Option<RunTime>,
     lies: bool,
     stirs: bool,
     vitals: Vitals,
     /// When the true vitals changed into another class, if no reading has come since.
-    news: Option<Micros>,
+    news: Option<RunTime>,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq)]
-struct Movement {
-    onset: Micros,
+struct BedMovement {
+    onset: RunTime,
     /// How many levels of restlessness were said.
     said: usize,
 }
@@ -183,14 +184,14 @@ impl Bed {
     pub fn new(file: &BedFile, site: &Site) -> Bed {
         Bed {
             outline: site.outline.clone(),
-            levels: file.levels_s.iter().map(|&level| micros(level)).collect(),
-            every: micros(file.vitals_every_s),
-            still: micros(file.still_s),
+            levels: file.levels_s.iter().map(|&level| Span::from_seconds(level)).collect(),
+            every: Span::from_seconds(file.vitals_every_s),
+            still: Span::from_seconds(file.still_s),
             limits: Limits { pulse: file.pulse_bpm, respiration: file.respiration_pm },
             ordinary: Vitals { pulse: PULSE_BPM.value, respiration: RESPIRATION_PM.value },
             noise: Vitals { pulse: 0.0, respiration: 0.0 },
             stream: no_stream(),
-            timer: NEVER,
+            timer: RunTime::NEVER,
             sleepers: Vec::new(),
             first: None,
             movement: None,
@@ -211,7 +212,7 @@ impl DeviceModel for Bed {
         true
     }
 
-    fn on_event(&mut self, at: Micros, change: &Change, _outbox: &mut Outbox) {
+    fn on_event(&mut self, at: RunTime, change: &Change, _outbox: &mut Outbox) {
         let (Change::Body { resident, .. } | Change::Vitals { resident, .. }) = *change else { return };
         let resident = resident.index();
         if resident >= self.sleepers.len() {
@@ -246,11 +247,11 @@ impl DeviceModel for Bed {
         }
     }
 
-    fn timer(&self) -> Micros {
+    fn timer(&self) -> RunTime {
         self.timer
     }
 
-    fn on_timer(&mut self, at: Micros, outbox: &mut Outbox) {
+    fn on_timer(&mut self, at: RunTime, outbox: &mut Outbox) {
         self.settle_presence(at, outbox);
         let next_level = self.settle_movement(at, outbox);
         let next_reading = self.settle_vitals(at, outbox);
@@ -259,12 +260,12 @@ impl DeviceModel for Bed {
 }
 
 impl Bed {
-    fn settle_presence(&mut self, at: Micros, outbox: &mut Outbox) {
+    fn settle_presence(&mut self, at: RunTime, outbox: &mut Outbox) {
         let inside = self.sleepers.iter().enumerate().filter_map(|(who, sleeper)| Some((sleeper.since?, who)));
         let first = inside.min().map(|(_, who)| who);
         match (self.first, first) {
-            (None, Some(who)) => outbox.say(Value::In, Some(ResidentId::of(who)), at, Trigger::Movement),
-            (Some(who), None) => outbox.say(Value::Out, Some(ResidentId::of(who)), at, Trigger::Movement),
+            (None, Some(who)) => outbox.say(Value::In, Some(ResidentId::new(who)), at, Trigger::Movement),
+            (Some(who), None) => outbox.say(Value::Out, Some(ResidentId::new(who)), at, Trigger::Movement),
             _ => {}
         }
         if self.first != first {
@@ -273,34 +274,34 @@ impl Bed {
     }
 
     /// Says how long the movement has lasted; returns when it reaches its next level.
-    fn settle_movement(&mut self, at: Micros, outbox: &mut Outbox) -> Micros {
+    fn settle_movement(&mut self, at: RunTime, outbox: &mut Outbox) -> RunTime {
         let moves = |sleeper: &Sleeper| sleeper.since.is_some() && sleeper.lies && sleeper.stirs;
         let Some(who) = self.sleepers.iter().position(moves) else {
             self.movement = None;
-            return NEVER;
+            return RunTime::NEVER;
         };
-        let movement = self.movement.get_or_insert(Movement { onset: at, said: 0 });
-        let mut levels = self.levels.iter().map(|level| movement.onset + level).skip(movement.said);
+        let movement = self.movement.get_or_insert(BedMovement { onset: at, said: 0 });
+        let mut levels = self.levels.iter().map(|level| movement.onset + *level).skip(movement.said);
         let mut next = levels.next();
         while next.is_some_and(|next| next <= at) {
             movement.said += 1;
             outbox.say(
                 Value::Restless(movement.said as u8),
-                Some(ResidentId::of(who)),
+                Some(ResidentId::new(who)),
                 movement.onset,
                 Trigger::Movement,
             );
             next = levels.next();
         }
-        next.unwrap_or(NEVER)
+        next.unwrap_or(RunTime::NEVER)
     }
 
     /// Reads pulse and respiration if it is time to; returns when it will be.
-    fn settle_vitals(&mut self, at: Micros, outbox: &mut Outbox) -> Micros {
+    fn settle_vitals(&mut self, at: RunTime, outbox: &mut Outbox) -> RunTime {
         let measured = self.first.filter(|&who| self.sleepers[who].lies && self.movement.is_none());
         let Some(who) = measured else {
             self.still_since = None;
-            return NEVER;
+            return RunTime::NEVER;
         };
         let can = *self.still_since.get_or_insert(at) + self.still;
         let next = match (self.read_at, self.sleepers[who].news) {
@@ -317,8 +318,8 @@ impl Bed {
             respiration: self.stream.normal(respiration, self.noise.respiration),
         };
         let (pulse, respiration) = self.limits.bands(felt);
-        outbox.say(Value::Pulse(pulse), Some(ResidentId::of(who)), at, Trigger::Reading);
-        outbox.say(Value::Respiration(respiration), Some(ResidentId::of(who)), at, Trigger::Reading);
+        outbox.say(Value::Pulse(pulse), Some(ResidentId::new(who)), at, Trigger::Reading);
+        outbox.say(Value::Respiration(respiration), Some(ResidentId::new(who)), at, Trigger::Reading);
         (self.read_at, self.sleepers[who].news) = (Some(at), None);
         at + self.every
     }

@@ -12,7 +12,6 @@
 //!
 //! Left out: lenses that distort, darkness, moving the camera, what becomes of pictures on their way.
 
-use super::form::{Colour, DeviceForm, KindRow, Moment, Mount, Shape, Site, Wrong};
 use super::messages::SensorMessage;
 use super::outbox::{Change, DeviceModel, Outbox};
 use crate::body::figure::Figure;
@@ -25,11 +24,12 @@ use crate::camera::scenery::Scenery;
 use crate::camera::silhouette::{Picture, Silhouette};
 use crate::event::{Trigger, Value};
 use crate::geometry::At;
-use crate::home::sun::Sun;
 use crate::ids::{ResidentId, ThingId};
 use crate::numbers::Numbers;
+use crate::plan::sun::Sun;
 use crate::random::{Marks, Stream};
-use crate::time::{Micros, NEVER, micros};
+use crate::sensors::form::{Colour, DeviceForm, FormProblem, KindRow, Mount, ReportedInstant, Shape, Site};
+use crate::time::{RunTime, Span};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::sync::Arc;
@@ -131,8 +131,8 @@ impl CameraFile {
     }
 
     /// From one picture to the next.
-    pub fn period(&self) -> Micros {
-        micros(1.0 / self.frames_per_s).max(1)
+    pub fn period(&self) -> Span {
+        Span::from_seconds(1.0 / self.frames_per_s).max(Span::MICROSECOND)
     }
 }
 
@@ -149,18 +149,18 @@ impl DeviceForm for CameraFile {
         &self.woken_by
     }
 
-    fn wrong(&self) -> Vec<Wrong> {
+    fn wrong(&self) -> Vec<FormProblem> {
         let mut wrong = Vec::new();
         if self.woken_by.is_empty() && !self.always {
-            wrong.push(Wrong::new("", SensorMessage::NeverWakes { camera: self.name.clone() }));
+            wrong.push(FormProblem::new("", SensorMessage::NeverWakes { camera: self.name.clone() }));
         }
         if !self.woken_by.is_empty() && self.always {
-            wrong.push(Wrong::new("/woken_by", SensorMessage::NeverSleeps { camera: self.name.clone() }));
+            wrong.push(FormProblem::new("/woken_by", SensorMessage::NeverSleeps { camera: self.name.clone() }));
         }
         wrong
     }
 
-    fn moment(&self) -> Option<Moment<'_>> {
+    fn moment(&self) -> Option<ReportedInstant<'_>> {
         None
     }
 }
@@ -169,11 +169,10 @@ impl DeviceForm for CameraFile {
 #[derive(Clone, Debug, PartialEq)]
 pub struct Camera {
     lens: Lens,
-    period: Micros,
-    stays_awake: Micros,
+    period: Span,
+    stays_awake: Span,
     always: bool,
     woken_by: Vec<String>,
-    /// The lamp of its room.
     lamp: ThingId,
     outlook: Arc<Outlook>,
     /// Of a run that has begun.
@@ -181,16 +180,16 @@ pub struct Camera {
     noise: Noise,
     marks: Marks,
     durations: Durations,
-    light_lasts: Micros,
+    light_lasts: Span,
     least_px: u32,
     bodies: Vec<BodyTrack>,
     /// The figures in its last picture, and that picture before the noise: who keeps still is painted once.
     painted: Option<(Vec<Figure>, Silhouette)>,
-    /// Its next picture; NEVER while it sleeps.
-    next: Micros,
-    awake_until: Micros,
+    /// Its next picture; `NEVER` while it sleeps.
+    next: RunTime,
+    awake_until: RunTime,
     sees: Option<ResidentId>,
-    lit_until: Micros,
+    lit_until: RunTime,
 }
 
 impl Camera {
@@ -200,7 +199,7 @@ impl Camera {
         Camera {
             lens: file.lens(),
             period: file.period(),
-            stays_awake: micros(file.sleeps_after_s),
+            stays_awake: Span::from_seconds(file.sleeps_after_s),
             always: file.always,
             woken_by: file.woken_by.clone(),
             lamp: site.thing,
@@ -208,25 +207,25 @@ impl Camera {
             scenery: None,
             noise: Noise::NONE,
             marks: Marks::named(0, ""),
-            durations: Durations::of(&numbers),
-            light_lasts: 0,
+            durations: Durations::new(&numbers),
+            light_lasts: Span::ZERO,
             least_px: 1,
             bodies: Vec::new(),
             painted: None,
-            next: NEVER,
-            awake_until: 0,
+            next: RunTime::NEVER,
+            awake_until: RunTime::START,
             sees: None,
-            lit_until: 0,
+            lit_until: RunTime::START,
         }
     }
 
     /// The first picture not before an instant.
-    fn picture_from(&self, at: Micros) -> Micros {
-        (at + self.period - 1) / self.period * self.period
+    fn picture_from(&self, at: RunTime) -> RunTime {
+        RunTime::START + (at + self.period - Span::MICROSECOND).since_zero() / self.period * self.period
     }
 
-    fn wake(&mut self, at: Micros, outbox: &mut Outbox) {
-        if self.next == NEVER {
+    fn wake(&mut self, at: RunTime, outbox: &mut Outbox) {
+        if self.next == RunTime::NEVER {
             outbox.say(Value::Woke, None, at, Trigger::Reading);
             self.next = self.picture_from(at);
         }
@@ -234,7 +233,7 @@ impl Camera {
     }
 
     /// The bodies that may be in its picture, with whose they are.
-    fn in_view(&self, at: Micros) -> (Vec<ResidentId>, Vec<Figure>) {
+    fn in_view(&self, at: RunTime) -> (Vec<ResidentId>, Vec<Figure>) {
         let near =
             |track: &&BodyTrack| track.place_at(at).is_some_and(|place| self.lens.may_see(place, track.reach_m()));
         let seen = self.bodies.iter().filter(near);
@@ -253,10 +252,10 @@ impl Camera {
     }
 
     /// Takes a picture; whether somebody is seen in it is a message where it was not so before.
-    fn take(&mut self, at: Micros, outbox: &mut Outbox) {
+    fn take(&mut self, at: RunTime, outbox: &mut Outbox) {
         let Some(scenery) = self.scenery.clone() else { return };
         let (residents, figures) = self.in_view(at);
-        let lit = (self.lit_until - at) as f64 / self.light_lasts.max(1) as f64;
+        let lit = (self.lit_until - at).ratio(self.light_lasts.max(Span::MICROSECOND));
         if figures.is_empty() && lit <= 0.0 {
             self.sees = None;
             return;
@@ -266,7 +265,7 @@ impl Camera {
             self.sees = None;
             return;
         }
-        let frame = (at / self.period) as u64;
+        let frame = (at.since_zero() / self.period) as u64;
         self.noise.disturb(&mut picture, &figures, (&self.lens, &scenery), (self.marks, frame), lit.max(0.0));
         let Some(features) = picture.features().filter(|features| features.area_px >= self.least_px) else {
             self.sees = None;
@@ -286,13 +285,13 @@ impl DeviceModel for Camera {
         let pixels = f64::from(self.lens.columns * self.lens.rows);
         Camera {
             scenery: Some(Arc::new(Scenery::new(&self.lens, &self.outlook.prisms))),
-            noise: Noise::of(numbers),
+            noise: Noise::new(numbers),
             marks: stream.marks(),
-            durations: Durations::of(numbers),
-            light_lasts: micros(numbers.of(&LIGHT_S)),
+            durations: Durations::new(numbers),
+            light_lasts: Span::from_seconds(numbers.of(&LIGHT_S)),
             least_px: (numbers.of(&LEAST_SHARE) * pixels).max(1.0) as u32,
-            next: if self.always { 0 } else { NEVER },
-            awake_until: if self.always { NEVER } else { 0 },
+            next: if self.always { RunTime::START } else { RunTime::NEVER },
+            awake_until: if self.always { RunTime::NEVER } else { RunTime::START },
             ..self.clone()
         }
     }
@@ -306,10 +305,10 @@ impl DeviceModel for Camera {
     }
 
     fn is_awake(&self) -> bool {
-        self.next != NEVER
+        self.next != RunTime::NEVER
     }
 
-    fn on_event(&mut self, at: Micros, change: &Change, outbox: &mut Outbox) {
+    fn on_event(&mut self, at: RunTime, change: &Change, outbox: &mut Outbox) {
         match *change {
             Change::Fired => self.wake(at, outbox),
             Change::Use { thing, .. } if thing == self.lamp => self.lit_until = at + self.light_lasts,
@@ -326,16 +325,16 @@ impl DeviceModel for Camera {
         }
     }
 
-    fn timer(&self) -> Micros {
+    fn timer(&self) -> RunTime {
         self.next
     }
 
-    fn on_timer(&mut self, at: Micros, outbox: &mut Outbox) {
-        if self.always && at == 0 {
+    fn on_timer(&mut self, at: RunTime, outbox: &mut Outbox) {
+        if self.always && at == RunTime::START {
             outbox.say(Value::Woke, None, at, Trigger::Reading);
         }
         if at >= self.awake_until {
-            (self.next, self.sees) = (NEVER, None);
+            (self.next, self.sees) = (RunTime::NEVER, None);
             outbox.say(Value::Slept, None, at, Trigger::Reading);
             return;
         }
@@ -348,9 +347,9 @@ impl DeviceModel for Camera {
 mod tests {
     use super::*;
     use crate::body::figure::Stature;
-    use crate::event::MotionState;
     use crate::geometry::Point;
-    use crate::scenario::path::Posture;
+    use crate::motion::MotionState;
+    use crate::posture::Posture;
     use crate::time::SECOND;
     use serde_json::json;
 
@@ -371,16 +370,20 @@ mod tests {
         Change::Body {
             resident: ResidentId(0),
             stature: Stature { radius_m: 0.2, height_m: 1.65 },
-            begin: 0,
-            end: NEVER,
+            begin: RunTime::START,
+            end: RunTime::NEVER,
             doing,
             posture: Posture::Standing,
             chance: Marks::named(7, "bodies").of(0),
         }
     }
 
+    fn at(seconds: i64) -> RunTime {
+        RunTime::START + seconds * SECOND
+    }
+
     /// Lives until an instant; what it says, and how many pictures it keeps.
-    fn live(camera: &mut Camera, until: Micros) -> (Vec<(Micros, Value)>, usize) {
+    fn live(camera: &mut Camera, until: RunTime) -> (Vec<(RunTime, Value)>, usize) {
         let (mut said, mut pictures) = (Vec::new(), 0);
         while camera.timer() < until {
             let (at, mut outbox) = (camera.timer(), Outbox::default());
@@ -394,27 +397,27 @@ mod tests {
     #[test]
     fn it_sleeps_until_a_sensor_fires_and_again_once_it_is_quiet() {
         let mut camera = camera(json!({ "woken_by": ["motion"], "sleeps_after_s": 2 }));
-        camera.on_event(0, &stands(Point::new(2.0, 2.0)), &mut Outbox::default());
-        assert_eq!(live(&mut camera, 100 * SECOND), (vec![], 0));
+        camera.on_event(at(0), &stands(Point::new(2.0, 2.0)), &mut Outbox::default());
+        assert_eq!(live(&mut camera, at(100)), (vec![], 0));
         let mut outbox = Outbox::default();
-        camera.on_event(100 * SECOND + 1, &Change::Fired, &mut outbox);
-        camera.on_event(101 * SECOND, &Change::Fired, &mut outbox);
+        camera.on_event(at(100) + Span::MICROSECOND, &Change::Fired, &mut outbox);
+        camera.on_event(at(101), &Change::Fired, &mut outbox);
         assert_eq!(outbox.said.iter().map(|(value, _)| *value).collect::<Vec<_>>(), [Value::Woke]);
-        let (said, pictures) = live(&mut camera, 200 * SECOND);
+        let (said, pictures) = live(&mut camera, at(200));
         // From 100.2 s to 102.8 s, five a second.
-        assert_eq!(said, [(100_200_000, Value::Seen), (103 * SECOND, Value::Slept)]);
+        assert_eq!(said, [(at(100) + SECOND / 5, Value::Seen), (at(103), Value::Slept)]);
         assert_eq!(pictures, 14);
     }
 
     #[test]
     fn one_that_never_sleeps_sees_whoever_comes_and_keeps_no_picture_of_an_empty_room() {
         let mut camera = camera(json!({ "always": true, "frames_per_s": 2 }));
-        assert_eq!(live(&mut camera, 10 * SECOND), (vec![(0, Value::Woke)], 0));
-        camera.on_event(10 * SECOND, &stands(Point::new(2.0, 2.0)), &mut Outbox::default());
-        assert_eq!(live(&mut camera, 15 * SECOND), (vec![(10 * SECOND, Value::Seen)], 10));
+        assert_eq!(live(&mut camera, at(10)), (vec![(at(0), Value::Woke)], 0));
+        camera.on_event(at(10), &stands(Point::new(2.0, 2.0)), &mut Outbox::default());
+        assert_eq!(live(&mut camera, at(15)), (vec![(at(10), Value::Seen)], 10));
         // Behind it is nobody that it sees.
-        camera.on_event(15 * SECOND, &stands(Point::new(-2.0, -2.0)), &mut Outbox::default());
-        assert_eq!(live(&mut camera, 20 * SECOND).1, 0);
+        camera.on_event(at(15), &stands(Point::new(-2.0, -2.0)), &mut Outbox::default());
+        assert_eq!(live(&mut camera, at(20)).1, 0);
     }
 
     #[test]

@@ -12,10 +12,43 @@
 //! Left out: the height of the body (the beam widens downward), furniture above the area, and walls: the checks refuse
 //! an area that reaches through one.
 
-use super::notice::View;
-use crate::geometry::{self, Point, point};
-use crate::scenario::home::CeilingMotionFile;
+use super::notice::{Notice, View};
+use crate::geometry::{self, At, Point, point};
+use crate::sensors::preset::Preset;
 use crate::stride::Beam;
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+/// A passive infrared sensor on the ceiling that looks straight down on an area.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+#[schemars(title = "ceiling motion sensor")]
+pub struct CeilingMotionFile {
+    /// Name of the sensor, unique in the home. The log uses it unless `logger.json` gives another id.
+    #[schemars(length(min = 1, max = 100))]
+    pub name: String,
+    /// Convex area of the floor that the sensor sees: its corners in order.
+    #[schemars(length(min = 3, max = 64), inner(inner(range(min = -10_000, max = 10_000))))]
+    pub area: Vec<At>,
+    /// Device model. It sets the timing of events and which movements the sensor notices.
+    #[serde(default)]
+    pub preset: Preset,
+    /// Overrides the preset: which movements in its field the sensor notices.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub notice: Option<Notice>,
+    /// Overrides the preset: shortest and longest delay from the first movement to the first firing.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[schemars(inner(range(min = 0, max = 86_400)))]
+    pub first_fire_s: Option<[f64; 2]>,
+    /// Overrides the preset: shortest and longest wait between firings.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[schemars(inner(range(min = 0.01, max = 86_400)))]
+    pub refire_s: Option<[f64; 2]>,
+    /// Overrides the preset: how long before the end of a wait a movement still counts.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[schemars(range(min = 0, max = 86_400))]
+    pub persist_s: Option<f64>,
+}
 
 /// Height of a lens at 2.4 m above the middle of a person who stands or sits (our choice).
 const LENS_ABOVE_M: f64 = 1.5;

@@ -8,11 +8,11 @@
 //!
 //! Left out: bouncing, doors that stand ajar, magnets out of line.
 
-use super::form::{Bearer, Colour, DeviceForm, KindRow, Moment, Mount, Shape, Site};
 use super::outbox::{Change, DeviceModel, Outbox};
 use crate::event::{Trigger, Value};
 use crate::ids::ThingId;
-use crate::time::Micros;
+use crate::sensors::form::{Bearer, Colour, DeviceForm, KindRow, Mount, ReportedInstant, Shape, Site};
+use crate::time::RunTime;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -49,8 +49,8 @@ impl DeviceForm for ContactFile {
         Some(&self.on)
     }
 
-    fn moment(&self) -> Option<Moment<'_>> {
-        Some(Moment::Used(&self.on))
+    fn moment(&self) -> Option<ReportedInstant<'_>> {
+        Some(ReportedInstant::Used(&self.on))
     }
 }
 
@@ -70,7 +70,7 @@ impl Contact {
 }
 
 impl DeviceModel for Contact {
-    fn on_event(&mut self, at: Micros, change: &Change, outbox: &mut Outbox) {
+    fn on_event(&mut self, at: RunTime, change: &Change, outbox: &mut Outbox) {
         if let Change::Use { resident, thing, on } = *change
             && thing == self.thing
             && on != self.open
@@ -92,7 +92,7 @@ mod tests {
         let mut outbox = Outbox::default();
         for (at, thing, on) in [(1, 3, false), (2, 3, true), (3, 4, true), (4, 3, true), (5, 3, false)] {
             contact.on_event(
-                at,
+                RunTime::from_micros(at),
                 &Change::Use { resident: Some(ResidentId(0)), thing: ThingId(thing), on },
                 &mut outbox,
             );

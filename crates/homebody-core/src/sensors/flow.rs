@@ -10,11 +10,11 @@
 //!
 //! Left out: how much flows, whether it is warm, other taps on the same pipe.
 
-use super::form::{Bearer, Colour, DeviceForm, KindRow, Moment, Mount, Shape, Site};
 use super::outbox::{Change, DeviceModel, Outbox};
 use crate::event::{Trigger, Value};
 use crate::ids::{ResidentId, ThingId};
-use crate::time::{Micros, NEVER, micros};
+use crate::sensors::form::{Bearer, Colour, DeviceForm, KindRow, Mount, ReportedInstant, Shape, Site};
+use crate::time::{RunTime, Span};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -56,8 +56,8 @@ impl DeviceForm for FlowFile {
         Some(&self.on)
     }
 
-    fn moment(&self) -> Option<Moment<'_>> {
-        Some(Moment::Used(&self.on))
+    fn moment(&self) -> Option<ReportedInstant<'_>> {
+        Some(ReportedInstant::Used(&self.on))
     }
 }
 
@@ -66,24 +66,31 @@ impl DeviceForm for FlowFile {
 pub struct Flow {
     /// Index into the home's things.
     thing: ThingId,
-    runs: Option<Micros>,
+    runs: Option<Span>,
     flows: bool,
     /// When it ceases by itself.
-    ceases: Micros,
+    ceases: RunTime,
     /// Who flushed last, and when.
     by: Option<ResidentId>,
-    since: Micros,
+    since: RunTime,
 }
 
 impl Flow {
     /// A sensor in the pipe to the thing of this site.
     pub fn new(file: &FlowFile, site: &Site) -> Flow {
-        Flow { thing: site.thing, runs: file.runs_s.map(micros), flows: false, ceases: NEVER, by: None, since: 0 }
+        Flow {
+            thing: site.thing,
+            runs: file.runs_s.map(Span::from_seconds),
+            flows: false,
+            ceases: RunTime::NEVER,
+            by: None,
+            since: RunTime::START,
+        }
     }
 }
 
 impl DeviceModel for Flow {
-    fn on_event(&mut self, at: Micros, change: &Change, outbox: &mut Outbox) {
+    fn on_event(&mut self, at: RunTime, change: &Change, outbox: &mut Outbox) {
         let Change::Use { resident, thing, on } = *change else { return };
         if thing != self.thing || (self.runs.is_some() && !on) {
             return;
@@ -99,13 +106,13 @@ impl DeviceModel for Flow {
         }
     }
 
-    fn timer(&self) -> Micros {
+    fn timer(&self) -> RunTime {
         self.ceases
     }
 
-    fn on_timer(&mut self, at: Micros, outbox: &mut Outbox) {
+    fn on_timer(&mut self, at: RunTime, outbox: &mut Outbox) {
         if self.ceases <= at {
-            (self.flows, self.ceases) = (false, NEVER);
+            (self.flows, self.ceases) = (false, RunTime::NEVER);
             outbox.say(Value::Off, self.by, self.since, Trigger::Use(self.thing));
         }
     }
@@ -116,11 +123,15 @@ mod tests {
     use super::*;
     use crate::time::SECOND;
 
-    fn outbox(json: serde_json::Value, acts: &[(Micros, bool)]) -> Vec<(Micros, Value)> {
+    fn at(seconds: i64) -> RunTime {
+        RunTime::START + seconds * SECOND
+    }
+
+    fn outbox(json: serde_json::Value, acts: &[(RunTime, bool)]) -> Vec<(RunTime, Value)> {
         let mut flow =
             Flow::new(&serde_json::from_value(json).unwrap(), &Site { thing: ThingId(7), ..Site::default() });
         let (mut outbox, mut messages) = (Outbox::default(), Vec::new());
-        for &(at, on) in acts.iter().chain(&[(3600 * SECOND, false)]) {
+        for &(at, on) in acts.iter().chain(&[(at(3600), false)]) {
             if flow.timer() < at {
                 let due = flow.timer();
                 flow.on_timer(due, &mut outbox);
@@ -134,19 +145,20 @@ mod tests {
 
     #[test]
     fn a_tap_flows_while_it_is_open() {
-        let messages = outbox(serde_json::json!({ "name": "f", "on": "sink" }), &[(5, true), (6, true), (9, false)]);
-        assert_eq!(messages, [(5, Value::On), (9, Value::Off)]);
+        let messages =
+            outbox(serde_json::json!({ "name": "f", "on": "sink" }), &[(at(5), true), (at(6), true), (at(9), false)]);
+        assert_eq!(messages, [(at(5), Value::On), (at(9), Value::Off)]);
     }
 
     #[test]
     fn a_cistern_fills_by_itself() {
         let toilet = serde_json::json!({ "name": "f", "on": "toilet", "runs_s": 60 });
         let on = Value::On;
-        assert_eq!(outbox(toilet.clone(), &[(0, true), (1, false)]), [(0, on), (60 * SECOND, Value::Off)]);
+        assert_eq!(outbox(toilet.clone(), &[(at(0), true), (at(1), false)]), [(at(0), on), (at(60), Value::Off)]);
         // A flush while it fills makes it longer; one as it ends is another.
-        let twice = [(0, true), (30 * SECOND, true)];
-        assert_eq!(outbox(toilet.clone(), &twice), [(0, on), (90 * SECOND, Value::Off)]);
-        let after = [(0, on), (60 * SECOND, Value::Off), (60 * SECOND, on), (120 * SECOND, Value::Off)];
-        assert_eq!(outbox(toilet, &[(0, true), (60 * SECOND, true)]), after);
+        let twice = [(at(0), true), (at(30), true)];
+        assert_eq!(outbox(toilet.clone(), &twice), [(at(0), on), (at(90), Value::Off)]);
+        let after = [(at(0), on), (at(60), Value::Off), (at(60), on), (at(120), Value::Off)];
+        assert_eq!(outbox(toilet, &[(at(0), true), (at(60), true)]), after);
     }
 }

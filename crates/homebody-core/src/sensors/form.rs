@@ -13,7 +13,7 @@ use crate::event::Value;
 use crate::geometry::{At, Point};
 use crate::ids::ThingId;
 use crate::problem::Diagnostic;
-use crate::time::Micros;
+use crate::time::Span;
 use std::sync::Arc;
 
 /// A kind of sensor, as check, page and the destinations of logs have to know it. All are in
@@ -168,12 +168,12 @@ pub trait DeviceForm {
     }
 
     /// What is wrong with it whatever the home is like.
-    fn wrong(&self) -> Vec<Wrong> {
+    fn wrong(&self) -> Vec<FormProblem> {
         Vec::new()
     }
 
     /// What it tells the very instant of; two sensors that do so of the same always speak at once.
-    fn moment(&self) -> Option<Moment<'_>>;
+    fn moment(&self) -> Option<ReportedInstant<'_>>;
 
     /// Whether this one says readings, where its kind has a unit.
     fn gives_readings(&self) -> bool {
@@ -183,25 +183,25 @@ pub trait DeviceForm {
 
 /// Something wrong with a form.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Wrong {
+pub struct FormProblem {
     /// Where in the form, as the rest of a JSON pointer, such as `/levels_s/1`; empty for the whole of it.
     pub at: String,
     /// The message, such as a [`SensorMessage`](super::messages::SensorMessage).
     pub message: Diagnostic,
 }
 
-impl Wrong {
+impl FormProblem {
     /// A problem at a place of the form.
-    pub fn new(at: impl Into<String>, message: impl Into<Diagnostic>) -> Wrong {
-        Wrong { at: at.into(), message: message.into() }
+    pub fn new(at: impl Into<String>, message: impl Into<Diagnostic>) -> FormProblem {
+        FormProblem { at: at.into(), message: message.into() }
     }
 }
 
 /// What sensors tell the instant of, if they tell it as it happens.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Moment<'a> {
+pub enum ReportedInstant<'a> {
     /// Somebody has come into a piece of furniture, or left it, so long ago.
-    Pressed(&'a str, Micros),
+    Pressed(&'a str, Span),
     /// A thing is used.
     Used(&'a str),
 }

@@ -11,15 +11,15 @@
 //!
 //! Left out: clouds, curtains, which way the windows look, light from the next room, twilight, noise.
 
-use super::form::{Colour, DeviceForm, KindRow, Moment, Mount, Shape, Site, Unit};
 use super::outbox::{Change, DeviceModel, Outbox, reading};
 use super::rounds::Rounds;
 use crate::event::Trigger;
-use crate::home::sun::Sun;
 use crate::ids::{ResidentId, ThingId};
 use crate::numbers::Numbers;
+use crate::plan::sun::Sun;
 use crate::random::Stream;
-use crate::time::{Micros, micros};
+use crate::sensors::form::{Colour, DeviceForm, KindRow, Mount, ReportedInstant, Shape, Site, Unit};
+use crate::time::{RunTime, Span};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -73,7 +73,7 @@ impl DeviceForm for LightFile {
     }
 
     /// It waits for its next measurement.
-    fn moment(&self) -> Option<Moment<'_>> {
+    fn moment(&self) -> Option<ReportedInstant<'_>> {
         None
     }
 }
@@ -101,7 +101,7 @@ pub struct Light {
     power: f64,
     rounds: Rounds,
     said_lux: Option<f64>,
-    measures: Micros,
+    measures: RunTime,
 }
 
 impl Light {
@@ -116,9 +116,9 @@ impl Light {
             change: file.change_percent / 100.0,
             sun: Sun::default(),
             power: POWER.value,
-            rounds: Rounds::new(micros(file.every_s)),
+            rounds: Rounds::new(Span::from_seconds(file.every_s)),
             said_lux: None,
-            measures: 0,
+            measures: RunTime::START,
         }
     }
 }
@@ -129,7 +129,7 @@ impl DeviceModel for Light {
         Light { sun, rounds, power: numbers.of(&POWER), measures: rounds.first(), ..self.clone() }
     }
 
-    fn on_event(&mut self, at: Micros, change: &Change, _outbox: &mut Outbox) {
+    fn on_event(&mut self, at: RunTime, change: &Change, _outbox: &mut Outbox) {
         if let Change::Use { resident, thing, on } = *change
             && thing == self.lamp
             && on != self.lamp_on
@@ -138,11 +138,11 @@ impl DeviceModel for Light {
         }
     }
 
-    fn timer(&self) -> Micros {
+    fn timer(&self) -> RunTime {
         self.measures
     }
 
-    fn on_timer(&mut self, at: Micros, outbox: &mut Outbox) {
+    fn on_timer(&mut self, at: RunTime, outbox: &mut Outbox) {
         let now = self.lux(at);
         let by = self.by.take();
         if self.said_lux.is_none_or(|before| (now - before).abs() > (self.change * before).max(STEP_LUX)) {
@@ -155,7 +155,7 @@ impl DeviceModel for Light {
 }
 
 impl Light {
-    fn lux(&self, at: Micros) -> f64 {
+    fn lux(&self, at: RunTime) -> f64 {
         let daylight = self.daylight_lux * libm::pow(self.sun.elevation_sine(at).max(0.0), self.power);
         daylight + if self.lamp_on { self.lamp_lux } else { 0.0 }
     }
@@ -182,33 +182,34 @@ fn light_every() -> f64 {
 mod tests {
     use super::*;
     use crate::event::Value;
-    use crate::time::{DAY, SECOND};
-
-    const HOUR: Micros = 3600 * SECOND;
+    use crate::time::{DAY, HOUR, MINUTE};
 
     fn light() -> Light {
         let file = serde_json::json!({ "name": "l", "room": "kitchen" });
         let light = Light::new(&serde_json::from_value(file).unwrap(), &Site { thing: ThingId(3), ..Site::default() });
         // The equinox on the equator: the sun goes straight up and down, from 6 to 18 o'clock.
-        let sun = Sun { day_of_year: 80.0, time_of_day: 0, latitude_deg: 0.0 };
+        let sun = Sun { day_of_year: 80.0, time_of_day: Span::ZERO, latitude_deg: 0.0 };
         Light { sun, ..light }
     }
 
     #[test]
     fn daylight_follows_the_sun() {
         let light = light();
-        assert_eq!([0, 5 * HOUR, 19 * HOUR].map(|at| light.lux(at)), [0.0; 3]);
+        let lux = |hour: i64| light.lux(RunTime::START + hour * HOUR);
+        assert_eq!([0, 5, 19].map(lux), [0.0; 3]);
         // Overhead but for the declination of the 22nd of March, cos(0.4 degrees).
-        assert!((light.lux(12 * HOUR) - 400.0).abs() < 0.1);
+        assert!((lux(12) - 400.0).abs() < 0.1);
         // At 9 it stands at 45 degrees: 400 * 0.7071^1.2 = 263.9.
-        assert!((light.lux(9 * HOUR) - 263.9).abs() < 0.1);
+        assert!((lux(9) - 263.9).abs() < 0.1);
     }
 
     #[test]
     fn it_says_what_has_changed_by_a_fifth_and_the_lamp_at_once() {
         let mut light = light();
         let (mut outbox, mut messages) = (Outbox::default(), Vec::new());
-        for (at, on) in [(HOUR + 7, true), (HOUR + 7, true), (2 * HOUR, false), (DAY, false)] {
+        let [start, one, two] =
+            [RunTime::START, RunTime::START + HOUR + Span::from_micros(7), RunTime::START + 2 * HOUR];
+        for (at, on) in [(one, true), (one, true), (two, false), (RunTime::START + DAY, false)] {
             while light.timer() < at {
                 let due = light.timer();
                 light.on_timer(due, &mut outbox);
@@ -222,7 +223,7 @@ mod tests {
             }
             light.on_event(at, &Change::Use { resident: Some(ResidentId(4)), thing: ThingId(3), on }, &mut outbox);
         }
-        let at_night = [(0, 0, None), (HOUR + 7, 150_000, Some(4)), (2 * HOUR, 0, Some(4))];
+        let at_night = [(start, 0, None), (one, 150_000, Some(4)), (two, 0, Some(4))];
         assert_eq!(messages[..3], at_night.map(|(at, lux, by)| (at, Value::Reading(lux), by)));
         let lux: Vec<f64> = messages[2..]
             .iter()
@@ -234,6 +235,6 @@ mod tests {
             .collect();
         assert!(lux.windows(2).all(|pair| (pair[1] - pair[0]).abs() > (0.2 * pair[0]).max(1.0) - 0.5), "{lux:?}");
         assert!((15..50).contains(&lux.len()), "{lux:?}");
-        assert!(messages.iter().all(|(at, _, by)| by.is_some() || at % (600 * SECOND) == 0));
+        assert!(messages.iter().all(|(at, _, by)| by.is_some() || at.since_zero() % (10 * MINUTE) == Span::ZERO));
     }
 }

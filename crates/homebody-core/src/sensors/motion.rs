@@ -18,10 +18,12 @@
 //! Left out: temperature and its contrast, the lens' gain by angle, mirrors and glass; a blade's
 //! steep lower limit behind low furniture.
 
-use super::notice::View;
-use crate::geometry::{self, Point, point};
-use crate::scenario::home::{Level as LevelFile, MotionFile};
-use crate::time::{Micros, micros};
+use super::notice::{Notice, View};
+use crate::geometry::{self, At, Point, point};
+use crate::sensors::preset::Preset;
+use crate::time::Span;
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
 
 /// How far the lens stands off the wall, in metres.
 pub const LENS_OFF_WALL_M: f64 = 0.02;
@@ -38,7 +40,7 @@ pub struct Motion {
     /// The fan from right to left; at the level `zones`, row after row from the top.
     pub blades: Vec<Blade>,
     /// What it takes for movement.
-    pub level: Level,
+    pub level: DetectionLevel,
 }
 
 /// One bearing of the fan, before anything in the home limits it.
@@ -56,7 +58,7 @@ pub struct Blade {
 
 /// What the sensor takes for movement.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Level {
+pub enum DetectionLevel {
     /// Any change in a beam is a movement.
     Paper,
     /// A movement is seen up to `reach_per_m` metres away for each metre that it spans in a second.
@@ -68,8 +70,8 @@ pub enum Level {
     Zones {
         /// How many pulses make a detection.
         pulses: u32,
-        /// The span in which they have to come, in microseconds.
-        window: Micros,
+        /// The span in which they have to come.
+        window: Span,
         /// The angle between two neighbouring zones of the uppermost row, in radians: movement on the spot is seen if
         /// it spans as much.
         pitch_rad: f64,
@@ -99,9 +101,9 @@ impl Motion {
                         blade(u * width / 2.0, top, top + row_height, (index + row as u32).is_multiple_of(2))
                     })
                 });
-                let level = Level::Zones {
+                let level = DetectionLevel::Zones {
                     pulses: zones.pulses,
-                    window: micros(zones.window_s),
+                    window: Span::from_seconds(zones.window_s),
                     pitch_rad: width.to_radians() / f64::from(uppermost.saturating_sub(1).max(1)),
                 };
                 (blades.collect(), level)
@@ -111,9 +113,9 @@ impl Motion {
                 let blades = spread(file.beams, 1.5).map(|(_, u)| blade(u * width / 2.0, top, bottom, true));
                 let level = match level {
                     LevelFile::Sensitivity(file) => {
-                        Level::Sensitivity { reach_per_m: 1.0 / libm::tan(file.threshold_deg.to_radians()) }
+                        DetectionLevel::Sensitivity { reach_per_m: 1.0 / libm::tan(file.threshold_deg.to_radians()) }
                     }
-                    _ => Level::Paper,
+                    _ => DetectionLevel::Paper,
                 };
                 (blades.collect(), level)
             }
@@ -190,10 +192,180 @@ fn tangent(angle_deg: f64) -> f64 {
     }
 }
 
+/// A passive infrared sensor on a wall. Its field of view is a fan of beams.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+#[schemars(title = "motion sensor")]
+pub struct MotionFile {
+    /// Name of the sensor, unique in the home. The log uses it unless `logger.json` gives another id.
+    #[schemars(length(min = 1, max = 100))]
+    pub name: String,
+    /// Position of the sensor: a point of a wall. The lens is 2 cm in front of it.
+    #[schemars(inner(range(min = -10_000, max = 10_000)))]
+    pub at: At,
+    /// Height of the lens above the floor.
+    #[serde(default = "mounting_height")]
+    #[schemars(extend("exclusiveMinimum" = 0, "maximum" = 10))]
+    pub height_m: f64,
+    /// Direction of the lens: 0 is east, 90 is north.
+    #[schemars(range(min = -360, max = 360))]
+    pub facing_deg: f64,
+    /// Downward tilt of the lens axis. A positive angle looks down.
+    #[serde(default = "tilt")]
+    #[schemars(range(min = -90, max = 90))]
+    pub tilt_deg: f64,
+    /// Horizontal and vertical angle of view.
+    #[serde(default = "field")]
+    #[schemars(inner(range(min = 0.1, max = 360)))]
+    pub field_deg: [f64; 2],
+    /// Largest distance along the floor at which the sensor sees a body.
+    #[serde(default = "reach")]
+    #[schemars(range(min = 0.01, max = 100))]
+    pub reach_m: f64,
+    /// Number of beams in the fan.
+    #[serde(default = "beams")]
+    #[schemars(range(min = 1, max = 256))]
+    pub beams: u32,
+    /// Model of detection: which changes in a beam count as movement.
+    #[serde(default)]
+    pub level: LevelFile,
+    /// Device model. It sets the timing of events and which movements the sensor notices.
+    #[serde(default)]
+    pub preset: Preset,
+    /// Overrides the preset: which movements in its field the sensor notices.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub notice: Option<Notice>,
+    /// Overrides the preset: shortest and longest delay from the first movement to the first firing.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[schemars(inner(range(min = 0, max = 86_400)))]
+    pub first_fire_s: Option<[f64; 2]>,
+    /// Overrides the preset: shortest and longest wait between firings.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[schemars(inner(range(min = 0.01, max = 86_400)))]
+    pub refire_s: Option<[f64; 2]>,
+    /// Overrides the preset: how long before the end of a wait a movement still counts.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[schemars(range(min = 0, max = 86_400))]
+    pub persist_s: Option<f64>,
+}
+
+impl MotionFile {
+    /// A sensor as it comes, at a point of a wall, that looks to where `facing_deg` says: 0 is east, 90 is north.
+    pub fn new(name: &str, at: At, facing_deg: f64) -> MotionFile {
+        MotionFile {
+            name: name.into(),
+            at,
+            height_m: mounting_height(),
+            facing_deg,
+            tilt_deg: tilt(),
+            field_deg: field(),
+            reach_m: reach(),
+            beams: beams(),
+            level: LevelFile::default(),
+            preset: Preset::default(),
+            notice: None,
+            first_fire_s: None,
+            refire_s: None,
+            persist_s: None,
+        }
+    }
+}
+
+/// Model of detection of a wall sensor.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema, Default)]
+#[serde(rename_all = "snake_case")]
+#[schemars(rename = "Level", title = "level")]
+pub enum LevelFile {
+    /// Any change in a beam is a movement, as in Godsey & Skubic 2009.
+    #[default]
+    Paper,
+    /// A change in a beam is a movement if it is large enough as seen from the sensor.
+    Sensitivity(SensitivityFile),
+    /// The field has alternating positive and negative zones. The sensor counts pulses of alternating sign.
+    Zones(ZonesFile),
+}
+
+/// The `sensitivity` level.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+#[schemars(title = "sensitivity level")]
+pub struct SensitivityFile {
+    /// Smallest movement that counts: the angle, seen from the lens, that the moving part of the body spans within one
+    /// second.
+    #[serde(default = "threshold")]
+    #[schemars(extend("exclusiveMinimum" = 0, "maximum" = 90))]
+    pub threshold_deg: f64,
+}
+
+/// The `zones` level.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+#[schemars(title = "zones level")]
+pub struct ZonesFile {
+    /// Number of zones in the far, the middle and the near row.
+    #[serde(default = "zone_rows")]
+    #[schemars(inner(range(max = 64)))]
+    pub rows: [u32; 3],
+    /// Number of pulses of alternating sign that make a detection.
+    #[serde(default = "pulses")]
+    #[schemars(range(min = 1, max = 8))]
+    pub pulses: u32,
+    /// Time within which these pulses have to come.
+    #[serde(default = "pulse_window")]
+    #[schemars(range(min = 0.001, max = 60))]
+    pub window_s: f64,
+}
+
+/// Ours, above the 6 ft (1.83 m) that the manual of the X10 HawkEye MS13A asks for.
+pub(crate) fn mounting_height() -> f64 {
+    2.1
+}
+
+/// The axis meets the floor at 2.355 mounting heights (spaceti.com installation guide).
+pub(crate) fn tilt() -> f64 {
+    23.0
+}
+
+/// Godsey & Skubic 2009, section III.D.
+pub(crate) fn field() -> [f64; 2] {
+    [145.0, 50.0]
+}
+
+/// 9.6 m for a walking person in an installation guide (spaceti.com), rounded.
+pub(crate) fn reach() -> f64 {
+    10.0
+}
+
+/// Ours: at 3 m the middle two beams are 0.04 m apart and the outermost two 0.36 m, less than a body is wide.
+fn beams() -> u32 {
+    32
+}
+
+/// Ours: a stir of 0.3 m is seen to 5.7 m, as "small motion within 6 m" (spaceti.com).
+fn threshold() -> f64 {
+    3.0
+}
+
+/// Ours: 11 far, 6 middle, 5 near. That lenses have three rows of different counts: Sensors 2016, 16(1), 126.
+fn zone_rows() -> [u32; 3] {
+    [11, 6, 5]
+}
+
+/// The simulator antioch (`PirSensorConfig`) asks for two pulses of alternating sign within two seconds.
+fn pulses() -> u32 {
+    2
+}
+
+/// See [`pulses`].
+fn pulse_window() -> f64 {
+    2.0
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::random::{Range, Stream};
+    use crate::random::{SpanRange, Stream};
+    use crate::time::SECOND;
 
     fn sensor(height_m: f64, depressions_deg: (f64, f64)) -> Motion {
         let blade = Blade {
@@ -202,7 +374,7 @@ mod tests {
             greatest_depression: tangent(depressions_deg.1),
             positive: true,
         };
-        Motion { lens: Point::ZERO, height_m, reach_m: 10.0, blades: vec![blade], level: Level::Paper }
+        Motion { lens: Point::ZERO, height_m, reach_m: 10.0, blades: vec![blade], level: DetectionLevel::Paper }
     }
 
     fn close(found: Option<(f64, f64)>, expected: (f64, f64)) -> bool {
@@ -269,7 +441,7 @@ mod tests {
     fn a_body_is_hidden_where_the_furniture_cuts_the_sight_line_to_its_top() {
         let mut stream = Stream::named(1, "sight lines");
         let mut between = |least: f64, most: f64| {
-            least + (most - least) * stream.span(Range { least: 0, most: 1_000_000 }) as f64 / 1e6
+            least + (most - least) * stream.span(SpanRange { least: Span::ZERO, most: SECOND }).micros() as f64 / 1e6
         };
         let mut hidden = 0;
         for _ in 0..2_000 {
@@ -340,7 +512,7 @@ mod tests {
             assert_eq!(blade.positive, positive[index], "blade {index}");
             assert!(blade.direction.distance(geometry::direction(bearings_deg[index])) < 1e-9, "blade {index}");
         }
-        let Level::Zones { pitch_rad, .. } = motion.level else { panic!("not zones") };
+        let DetectionLevel::Zones { pitch_rad, .. } = motion.level else { panic!("not zones") };
         assert!((pitch_rad.to_degrees() - 72.5).abs() < 1e-9);
     }
 }

@@ -10,13 +10,14 @@
 
 use crate::body::figure::Stature;
 use crate::camera::silhouette::Picture;
-use crate::event::{MotionState, Provenance, Trigger, Value, Vitals};
-use crate::home::sun::Sun;
+use crate::event::{Provenance, Trigger, Value, Vitals};
 use crate::ids::{ResidentId, ThingId};
+use crate::motion::MotionState;
 use crate::numbers::Numbers;
+use crate::plan::sun::Sun;
+use crate::posture::Posture;
 use crate::random::{DrawnValue, Stream};
-use crate::scenario::path::Posture;
-use crate::time::{Micros, NEVER};
+use crate::time::RunTime;
 
 /// What a device is told.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -37,9 +38,9 @@ pub enum Change {
         /// How large it is.
         stature: Stature,
         /// When it began to do this; may be past.
-        begin: Micros,
+        begin: RunTime,
         /// Until when it does this, unless something else is told before.
-        end: Micros,
+        end: RunTime,
         /// What it does.
         doing: MotionState,
         /// How it holds itself meanwhile.
@@ -87,15 +88,15 @@ pub trait DeviceModel: Clone {
 
     /// Something happens at `at`; timers that are due earlier have run out before, those that are due then have not. What
     /// depends on all that happens at this instant waits for a timer that is due now.
-    fn on_event(&mut self, _at: Micros, _change: &Change, _outbox: &mut Outbox) {}
+    fn on_event(&mut self, _at: RunTime, _change: &Change, _outbox: &mut Outbox) {}
 
     /// When its timer is due next: after it was told something, now at the earliest; after its timer ran out, later.
-    fn timer(&self) -> Micros {
-        NEVER
+    fn timer(&self) -> RunTime {
+        RunTime::NEVER
     }
 
     /// Its timer runs out.
-    fn on_timer(&mut self, _at: Micros, _outbox: &mut Outbox) {}
+    fn on_timer(&mut self, _at: RunTime, _outbox: &mut Outbox) {}
 }
 
 /// What devices say, for the world to send.
@@ -110,7 +111,7 @@ pub struct Outbox {
 impl Outbox {
     /// Says something now: whose doing it was, if anybody's, when that began to be noticed, and what kind of cause it
     /// was.
-    pub fn say(&mut self, value: Value, resident: Option<ResidentId>, seen_at: Micros, trigger: Trigger) {
+    pub fn say(&mut self, value: Value, resident: Option<ResidentId>, seen_at: RunTime, trigger: Trigger) {
         self.said.push((value, Provenance { resident, seen_at, trigger }));
     }
 }

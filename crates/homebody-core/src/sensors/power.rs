@@ -10,15 +10,17 @@
 //!
 //! Left out: the rush of current at first, things that draw more and less by themselves, such as refrigerators.
 
-use super::form::{Bearer, Colour, DeviceForm, KindRow, Moment, Mount, Shape, Site, Unit, Wrong, is_zero};
 use super::messages::SensorMessage;
 use super::outbox::{Change, DeviceModel, Outbox, reading};
 use crate::event::{Trigger, Value};
-use crate::home::sun::Sun;
 use crate::ids::{ResidentId, ThingId};
 use crate::numbers::Numbers;
+use crate::plan::sun::Sun;
 use crate::random::{Stream, no_stream};
-use crate::time::{Micros, NEVER, micros};
+use crate::sensors::form::{
+    Bearer, Colour, DeviceForm, FormProblem, KindRow, Mount, ReportedInstant, Shape, Site, Unit, is_zero,
+};
+use crate::time::{RunTime, Span};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -72,22 +74,22 @@ impl DeviceForm for PowerFile {
         self.watts.is_some()
     }
 
-    fn wrong(&self) -> Vec<Wrong> {
+    fn wrong(&self) -> Vec<FormProblem> {
         let Some(watts) = self.watts else {
             let given =
                 [("standby_watts", self.standby_watts > 0.0), ("readings_every_s", self.readings_every_s.is_some())];
-            let wrong = |(key, _)| Wrong::new(format!("/{key}"), SensorMessage::WithoutWatts { key });
+            let wrong = |(key, _)| FormProblem::new(format!("/{key}"), SensorMessage::WithoutWatts { key });
             return given.into_iter().filter(|(_, given)| *given).map(wrong).collect();
         };
         if self.standby_watts > watts {
             let message = SensorMessage::StandbyTooLarge { standby_watts: self.standby_watts, watts };
-            return vec![Wrong::new("/standby_watts", message)];
+            return vec![FormProblem::new("/standby_watts", message)];
         }
         Vec::new()
     }
 
-    fn moment(&self) -> Option<Moment<'_>> {
-        Some(Moment::Used(&self.on))
+    fn moment(&self) -> Option<ReportedInstant<'_>> {
+        Some(ReportedInstant::Used(&self.on))
     }
 }
 
@@ -105,10 +107,10 @@ pub struct Power {
     by: Option<ResidentId>,
     watts: Option<f64>,
     standby_watts: f64,
-    every: Option<Micros>,
+    every: Option<Span>,
     noise: f64,
     stream: Stream,
-    measures: Micros,
+    measures: RunTime,
 }
 
 impl Power {
@@ -120,10 +122,10 @@ impl Power {
             by: None,
             watts: file.watts,
             standby_watts: file.standby_watts,
-            every: file.readings_every_s.map(micros),
+            every: file.readings_every_s.map(Span::from_seconds),
             noise: NOISE.value,
             stream: no_stream(),
-            measures: NEVER,
+            measures: RunTime::NEVER,
         }
     }
 }
@@ -133,7 +135,7 @@ impl DeviceModel for Power {
         Power { stream, noise: numbers.of(&NOISE), ..self.clone() }
     }
 
-    fn on_event(&mut self, at: Micros, change: &Change, outbox: &mut Outbox) {
+    fn on_event(&mut self, at: RunTime, change: &Change, outbox: &mut Outbox) {
         let Change::Use { resident, thing, on } = *change else { return };
         if thing != self.thing || on == self.on {
             return;
@@ -145,11 +147,11 @@ impl DeviceModel for Power {
         self.measure(at, outbox);
     }
 
-    fn timer(&self) -> Micros {
+    fn timer(&self) -> RunTime {
         self.measures
     }
 
-    fn on_timer(&mut self, at: Micros, outbox: &mut Outbox) {
+    fn on_timer(&mut self, at: RunTime, outbox: &mut Outbox) {
         if self.measures <= at {
             self.measure(at, outbox);
         }
@@ -157,11 +159,11 @@ impl DeviceModel for Power {
 }
 
 impl Power {
-    fn measure(&mut self, at: Micros, outbox: &mut Outbox) {
+    fn measure(&mut self, at: RunTime, outbox: &mut Outbox) {
         let Some(watts) = self.watts else { return };
         let drawn = if self.on { self.stream.normal(watts, self.noise * watts) } else { self.standby_watts };
         outbox.say(reading(drawn), self.by, at, Trigger::Reading);
-        self.measures = self.every.filter(|_| self.on).map_or(NEVER, |every| at + every);
+        self.measures = self.every.filter(|_| self.on).map_or(RunTime::NEVER, |every| at + every);
     }
 }
 
@@ -187,8 +189,8 @@ mod tests {
         let mut power = power(serde_json::json!({ "name": "p", "on": "TV bench" }));
         let mut outbox = Outbox::default();
         for (at, on) in [(0, false), (1, true), (2, true), (3, false)] {
-            power.on_event(at, &act(on), &mut outbox);
-            assert_eq!(power.timer(), NEVER);
+            power.on_event(RunTime::from_micros(at), &act(on), &mut outbox);
+            assert_eq!(power.timer(), RunTime::NEVER);
         }
         assert_eq!(outbox.said.iter().map(|(value, _)| *value).collect::<Vec<_>>(), [Value::On, Value::Off]);
     }
@@ -198,14 +200,14 @@ mod tests {
         let file = serde_json::json!({ "name": "p", "on": "TV bench", "watts": 100, "standby_watts": 0.5, "readings_every_s": 10 });
         let mut power = power(file);
         let mut outbox = Outbox::default();
-        power.on_event(0, &act(true), &mut outbox);
+        power.on_event(RunTime::START, &act(true), &mut outbox);
         for _ in 0..1000 {
             let due = power.timer();
             power.on_timer(due, &mut outbox);
             assert_eq!(power.timer(), due + 10 * SECOND);
         }
         power.on_event(power.timer(), &act(false), &mut outbox);
-        assert_eq!(power.timer(), NEVER);
+        assert_eq!(power.timer(), RunTime::NEVER);
         let (last, all) = outbox.said.split_last().unwrap();
         assert_eq!((all[0].0, all[all.len() - 1].0, last.0), (Value::On, Value::Off, Value::Reading(500)));
         let watts: Vec<f64> = all

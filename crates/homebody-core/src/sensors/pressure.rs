@@ -13,14 +13,17 @@
 //!
 //! Left out: weight, feet and their pace, pets, things that are put down.
 
-use super::form::{Bearer, Colour, DeviceForm, KindRow, Moment, Mount, Shape, Site, Wrong, is_zero};
 use super::messages::SensorMessage;
 use super::outbox::{Change, DeviceModel, Outbox};
-use crate::event::{MotionState, Trigger, Value};
+use crate::event::{Trigger, Value};
 use crate::geometry::{self, At, Point};
 use crate::ids::ResidentId;
-use crate::scenario::path::Posture;
-use crate::time::{Micros, NEVER, micros};
+use crate::motion::MotionState;
+use crate::posture::Posture;
+use crate::sensors::form::{
+    Bearer, Colour, DeviceForm, FormProblem, KindRow, Mount, ReportedInstant, Shape, Site, is_zero,
+};
+use crate::time::{Interval, RunTime, Span};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -70,19 +73,19 @@ impl DeviceForm for PressureFile {
         self.area.as_deref()
     }
 
-    fn wrong(&self) -> Vec<Wrong> {
+    fn wrong(&self) -> Vec<FormProblem> {
         match (&self.on, &self.area) {
-            (Some(_), Some(_)) => vec![Wrong::new("/area", SensorMessage::TwoPlaces)],
+            (Some(_), Some(_)) => vec![FormProblem::new("/area", SensorMessage::TwoPlaces)],
             (None, None) => {
                 let sensor = self.name.clone();
-                vec![Wrong::new("", SensorMessage::NoPlace { sensor, mat_height_m: MAT_HEIGHT_M })]
+                vec![FormProblem::new("", SensorMessage::NoPlace { sensor, mat_height_m: MAT_HEIGHT_M })]
             }
             _ => Vec::new(),
         }
     }
 
-    fn moment(&self) -> Option<Moment<'_>> {
-        Some(Moment::Pressed(self.on.as_deref()?, micros(self.delay_s)))
+    fn moment(&self) -> Option<ReportedInstant<'_>> {
+        Some(ReportedInstant::Pressed(self.on.as_deref()?, Span::from_seconds(self.delay_s)))
     }
 }
 
@@ -94,13 +97,13 @@ pub const MAT_HEIGHT_M: f64 = 0.05;
 pub struct Pressure {
     outline: Vec<Point>,
     is_mat: bool,
-    delay: Micros,
-    timer: Micros,
+    delay: Span,
+    timer: RunTime,
     /// From when until when each resident presses it, as far as it was told.
-    spans: Vec<(Micros, Micros)>,
+    spans: Vec<Interval<RunTime>>,
     /// Whether it is pressed, since when it is so, and by whom it was last.
     pressed: bool,
-    since: Micros,
+    since: RunTime,
     by: ResidentId,
     says_on: bool,
 }
@@ -111,11 +114,11 @@ impl Pressure {
         Pressure {
             outline: site.outline.clone(),
             is_mat: site.height_m <= MAT_HEIGHT_M,
-            delay: micros(file.delay_s),
-            timer: NEVER,
+            delay: Span::from_seconds(file.delay_s),
+            timer: RunTime::NEVER,
             spans: Vec::new(),
             pressed: false,
-            since: 0,
+            since: RunTime::START,
             by: ResidentId(0),
             says_on: false,
         }
@@ -127,7 +130,7 @@ impl DeviceModel for Pressure {
         true
     }
 
-    fn on_event(&mut self, at: Micros, change: &Change, _outbox: &mut Outbox) {
+    fn on_event(&mut self, at: RunTime, change: &Change, _outbox: &mut Outbox) {
         let Change::Body { resident, begin, end, doing, posture, .. } = *change else { return };
         let resident = resident.index();
         if resident >= self.spans.len() {
@@ -139,7 +142,7 @@ impl DeviceModel for Pressure {
                 if (self.is_mat || matches!(posture, Posture::Sitting | Posture::Lying))
                     && geometry::covers(&self.outline, place) =>
             {
-                (Micros::MIN, NEVER)
+                Interval::ALL
             }
             _ => NOT,
         };
@@ -149,40 +152,41 @@ impl DeviceModel for Pressure {
         }
     }
 
-    fn timer(&self) -> Micros {
+    fn timer(&self) -> RunTime {
         self.timer
     }
 
-    fn on_timer(&mut self, at: Micros, outbox: &mut Outbox) {
-        let presses = |&(from, to): &(Micros, Micros)| from <= at && at < to;
-        let by = self.spans.iter().position(presses);
+    fn on_timer(&mut self, at: RunTime, outbox: &mut Outbox) {
+        let by = self.spans.iter().position(|span| span.contains(at));
         if let Some(by) = by {
-            self.by = ResidentId::of(by);
+            self.by = ResidentId::new(by);
         }
         if by.is_some() != self.pressed {
             (self.pressed, self.since) = (by.is_some(), at);
         }
-        let says_at = if self.pressed == self.says_on { NEVER } else { self.since.saturating_add(self.delay) };
+        let says_at = if self.pressed == self.says_on { RunTime::NEVER } else { self.since.saturating_add(self.delay) };
         if says_at <= at {
             self.says_on = self.pressed;
             outbox.say(if self.pressed { Value::On } else { Value::Off }, Some(self.by), self.since, Trigger::Movement);
         }
-        let changes = self.spans.iter().flat_map(|&(from, to)| [from, to]).filter(|&change| change > at);
-        let says_at = if says_at > at { says_at } else { NEVER };
-        self.timer = changes.fold(says_at, Micros::min);
+        let changes = self.spans.iter().flat_map(|span| [span.begin, span.end]).filter(|&change| change > at);
+        let says_at = if says_at > at { says_at } else { RunTime::NEVER };
+        self.timer = changes.fold(says_at, Ord::min);
     }
 }
 
 impl Pressure {
     /// From when until when a stride presses a mat: until it is told what follows, if it ends there.
-    fn crossing(&self, from: Point, to: Point, begin: Micros, end: Micros) -> (Micros, Micros) {
+    fn crossing(&self, from: Point, to: Point, begin: RunTime, end: RunTime) -> Interval<RunTime> {
         let Some((enter, leave)) = geometry::segment_inside_convex(&self.outline, from, to) else { return NOT };
-        let instant = |share: f64| begin + libm::round(share * (end - begin) as f64) as Micros;
-        let span =
-            (if enter > 0.0 { instant(enter) } else { Micros::MIN }, if leave < 1.0 { instant(leave) } else { NEVER });
-        if span.0 < span.1 { span } else { NOT }
+        let instant = |share: f64| begin + (end - begin).scaled(share);
+        let span = Interval {
+            begin: if enter > 0.0 { instant(enter) } else { RunTime::MIN },
+            end: if leave < 1.0 { instant(leave) } else { RunTime::NEVER },
+        };
+        if span.is_empty() { NOT } else { span }
     }
 }
 
 /// The span of somebody who does not press it.
-const NOT: (Micros, Micros) = (NEVER, NEVER);
+const NOT: Interval<RunTime> = Interval::instant(RunTime::NEVER);

@@ -8,42 +8,43 @@
 //!
 //! Left out: clocks that run fast or slow, which the link has.
 
-use crate::random::{Range, Stream};
-use crate::time::Micros;
+use crate::random::{SpanRange, Stream};
+use crate::time::{RunTime, Span};
 
 /// Instants at which a device measures: every so often, from one on that its own random numbers give, so that not all of a
 /// home measure at once.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Rounds {
-    every: Micros,
-    first: Micros,
+    every: Span,
+    first: RunTime,
 }
 
 impl Rounds {
-    /// Rounds of this length, in microseconds; the first is at 0 until [`Rounds::begin`] draws it.
-    pub fn new(every: Micros) -> Rounds {
-        Rounds { every, first: 0 }
+    /// Rounds of this length; the first is at the start until [`Rounds::begin`] draws it.
+    pub fn new(every: Span) -> Rounds {
+        Rounds { every, first: RunTime::START }
     }
 
     /// The same rounds, with a first instant within one of their length drawn from a stream.
     pub fn begin(self, stream: &mut Stream) -> Rounds {
-        Rounds { first: stream.span(Range { least: 0, most: self.every - 1 }), ..self }
+        let range = SpanRange { least: Span::ZERO, most: self.every - Span::MICROSECOND };
+        Rounds { first: RunTime::START + stream.span(range), ..self }
     }
 
-    /// The length of a round, in microseconds.
-    pub fn every(&self) -> Micros {
+    /// The length of a round.
+    pub fn every(&self) -> Span {
         self.every
     }
 
-    /// The first instant at which it measures, in microseconds since the run's start.
-    pub fn first(&self) -> Micros {
+    /// The first instant at which it measures.
+    pub fn first(&self) -> RunTime {
         self.first
     }
 
-    /// The first one later than `at`, which is not before 0.
-    pub fn after(&self, at: Micros) -> Micros {
+    /// The first one later than `at`, which is not before the start.
+    pub fn after(&self, at: RunTime) -> RunTime {
         match at - self.first {
-            before if before < 0 => self.first,
+            before if before < Span::ZERO => self.first,
             since => at + self.every - since % self.every,
         }
     }
@@ -55,10 +56,11 @@ mod tests {
 
     #[test]
     fn rounds_come_every_so_often() {
-        let rounds = Rounds { every: 10, first: 3 };
-        let next = [0, 2, 3, 4, 12, 13, 14].map(|at| rounds.after(at));
+        let every = Span::from_micros(10);
+        let rounds = Rounds { every, first: RunTime::from_micros(3) };
+        let next = [0, 2, 3, 4, 12, 13, 14].map(|at| rounds.after(RunTime::from_micros(at)).micros());
         assert_eq!(next, [3, 3, 13, 13, 13, 23, 23]);
-        let first = Rounds::new(10).begin(&mut Stream::named(1, "rounds")).first();
-        assert!((0..10).contains(&first));
+        let first = Rounds::new(every).begin(&mut Stream::named(1, "rounds")).first();
+        assert!((0..10).contains(&first.micros()));
     }
 }

@@ -14,16 +14,18 @@
 //!
 //! Left out: several burners, pots, the oven, noise, the room's own temperature.
 
-use super::form::{Bearer, Colour, DeviceForm, KindRow, Moment, Mount, Shape, Site, Unit, Wrong};
 use super::messages::SensorMessage;
 use super::outbox::{Change, DeviceModel, Outbox, reading};
 use super::rounds::Rounds;
 use crate::event::{Trigger, Value};
-use crate::home::sun::Sun;
 use crate::ids::{ResidentId, ThingId};
 use crate::numbers::Numbers;
+use crate::plan::sun::Sun;
 use crate::random::Stream;
-use crate::time::{Micros, NEVER, micros, seconds};
+use crate::sensors::form::{
+    Bearer, Colour, DeviceForm, FormProblem, KindRow, Mount, ReportedInstant, Shape, Site, Unit,
+};
+use crate::time::{RunTime, Span};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -83,24 +85,24 @@ impl DeviceForm for StoveTemperatureFile {
     }
 
     /// Each of the temperatures must be above the one before.
-    fn wrong(&self) -> Vec<Wrong> {
+    fn wrong(&self) -> Vec<FormProblem> {
         let mut wrong = Vec::new();
         let limits = [("off_below_c", self.off_below_c), ("on_above_c", self.on_above_c), ("hot_c", self.hot_c)];
         if self.off_below_c <= ROOM_C {
-            wrong.push(Wrong::new("/off_below_c", SensorMessage::BelowRoom { room_c: ROOM_C }));
+            wrong.push(FormProblem::new("/off_below_c", SensorMessage::BelowRoom { room_c: ROOM_C }));
         }
         for pair in limits.windows(2) {
             let [(lower, low_c), (upper, high_c)] = [pair[0], pair[1]];
             if low_c >= high_c {
                 let message = SensorMessage::LimitOrder { lower, low_c, upper, high_c };
-                wrong.push(Wrong::new(format!("/{upper}"), message));
+                wrong.push(FormProblem::new(format!("/{upper}"), message));
             }
         }
         wrong
     }
 
     /// Heat takes its time.
-    fn moment(&self) -> Option<Moment<'_>> {
+    fn moment(&self) -> Option<ReportedInstant<'_>> {
         None
     }
 }
@@ -131,13 +133,13 @@ pub struct StoveTemperature {
     change_c: f64,
     /// How the stove is, since when, by whose doing, and how warm it was then.
     on: bool,
-    since: Micros,
+    since: RunTime,
     by: Option<ResidentId>,
     start_c: f64,
     says_on: bool,
-    crossing: Micros,
+    crossing: RunTime,
     told_c: f64,
-    measures: Micros,
+    measures: RunTime,
 }
 
 impl StoveTemperature {
@@ -148,18 +150,18 @@ impl StoveTemperature {
             hot_c: file.hot_c,
             on_above_c: file.on_above_c,
             off_below_c: file.off_below_c,
-            rounds: file.readings_every_s.map(|every| Rounds::new(micros(every))),
+            rounds: file.readings_every_s.map(|every| Rounds::new(Span::from_seconds(every))),
             heating_s: HEATING_S.value,
             cooling_s: COOLING_S.value,
             change_c: CHANGE_C.value,
             on: false,
-            since: 0,
+            since: RunTime::START,
             by: None,
             start_c: ROOM_C,
             says_on: false,
-            crossing: NEVER,
+            crossing: RunTime::NEVER,
             told_c: ROOM_C,
-            measures: NEVER,
+            measures: RunTime::NEVER,
         }
     }
 }
@@ -171,7 +173,7 @@ impl DeviceModel for StoveTemperature {
         StoveTemperature { rounds, heating_s, cooling_s, change_c, ..self.clone() }
     }
 
-    fn on_event(&mut self, at: Micros, change: &Change, outbox: &mut Outbox) {
+    fn on_event(&mut self, at: RunTime, change: &Change, outbox: &mut Outbox) {
         let Change::Use { resident, thing, on } = *change else { return };
         if thing != self.thing || on == self.on {
             return;
@@ -183,14 +185,14 @@ impl DeviceModel for StoveTemperature {
         self.measures = self.next_measurement(at);
     }
 
-    fn timer(&self) -> Micros {
+    fn timer(&self) -> RunTime {
         self.crossing.min(self.measures)
     }
 
-    fn on_timer(&mut self, at: Micros, outbox: &mut Outbox) {
+    fn on_timer(&mut self, at: RunTime, outbox: &mut Outbox) {
         if self.crossing <= at {
             self.says_on = self.on;
-            self.crossing = NEVER;
+            self.crossing = RunTime::NEVER;
             outbox.say(if self.on { Value::On } else { Value::Off }, self.by, self.since, Trigger::Use(self.thing));
         }
         if self.measures <= at {
@@ -209,29 +211,31 @@ impl StoveTemperature {
         if self.on { (self.hot_c, self.heating_s) } else { (ROOM_C, self.cooling_s) }
     }
 
-    fn temperature_c(&self, at: Micros) -> f64 {
+    fn temperature_c(&self, at: RunTime) -> f64 {
         let (target_c, tau_s) = self.target();
-        target_c + (self.start_c - target_c) * libm::exp(-seconds(at - self.since) / tau_s)
+        target_c + (self.start_c - target_c) * libm::exp(-(at - self.since).seconds() / tau_s)
     }
 
     /// When it will say something else than it says, as the stove is now.
-    fn next_crossing(&self) -> Micros {
+    fn next_crossing(&self) -> RunTime {
         let limit_c = match (self.on, self.says_on) {
             (true, false) => self.on_above_c,
             (false, true) => self.off_below_c,
-            _ => return NEVER,
+            _ => return RunTime::NEVER,
         };
         let (target_c, tau_s) = self.target();
         // At most 1, or the limit is behind it already.
         let share = ((limit_c - target_c) / (self.start_c - target_c)).min(1.0);
-        self.since + micros(-tau_s * libm::log(share))
+        self.since + Span::from_seconds(-tau_s * libm::log(share))
     }
 
     /// When to measure next: in no round if the temperature stays as near to what was told as it is.
-    fn next_measurement(&self, at: Micros) -> Micros {
+    fn next_measurement(&self, at: RunTime) -> RunTime {
         let (target_c, _) = self.target();
         let far = |c: f64| (c - self.told_c).abs() >= self.change_c;
-        let Some(rounds) = self.rounds.filter(|_| far(target_c) || far(self.temperature_c(at))) else { return NEVER };
+        let Some(rounds) = self.rounds.filter(|_| far(target_c) || far(self.temperature_c(at))) else {
+            return RunTime::NEVER;
+        };
         rounds.after(at)
     }
 }
@@ -260,8 +264,12 @@ mod tests {
         StoveTemperature::new(&serde_json::from_value(file).unwrap(), &Site { thing: ThingId(2), ..Site::default() })
     }
 
+    fn at(seconds: i64) -> RunTime {
+        RunTime::START + seconds * SECOND
+    }
+
     /// What it says, and when, if the stove is turned on and off at these instants.
-    fn outbox(mut stove: StoveTemperature, acts: &[(Micros, bool)], until: Micros) -> Vec<(Micros, Value)> {
+    fn outbox(mut stove: StoveTemperature, acts: &[(RunTime, bool)], until: RunTime) -> Vec<(RunTime, Value)> {
         let mut messages = Vec::new();
         let mut outbox = Outbox::default();
         for &(at, on) in acts.iter().chain(&[(until, false)]) {
@@ -281,28 +289,28 @@ mod tests {
     fn it_crosses_its_limits_when_the_closed_form_says() {
         // 240 ln(158 / 135) = 37.757 s. After 600 s it is 180 - 158 exp(-2.5) = 167.031 degrees warm, and after
         // 1,200 ln(145.031 / 16) = 2645.227 s more it is down to 38.
-        let messages = outbox(stove(serde_json::json!({})), &[(0, true), (600 * SECOND, false)], 7200 * SECOND);
+        let messages = outbox(stove(serde_json::json!({})), &[(at(0), true), (at(600), false)], at(7200));
         assert_eq!(messages.iter().map(|&(_, value)| value).collect::<Vec<_>>(), [Value::On, Value::Off]);
-        assert!((messages[0].0 - 37_756_861).abs() <= 1, "{messages:?}");
-        assert!((messages[1].0 - 3_245_226_992).abs() <= 1, "{messages:?}");
+        assert!((messages[0].0.micros() - 37_756_861).abs() <= 1, "{messages:?}");
+        assert!((messages[1].0.micros() - 3_245_226_992).abs() <= 1, "{messages:?}");
     }
 
     #[test]
     fn a_stove_that_is_turned_off_too_early_says_nothing_and_one_turned_on_again_nothing_new() {
-        assert_eq!(outbox(stove(serde_json::json!({})), &[(0, true), (37 * SECOND, false)], 7200 * SECOND), []);
-        let again = [(0, true), (600 * SECOND, false), (900 * SECOND, true), (1000 * SECOND, true)];
-        assert_eq!(outbox(stove(serde_json::json!({})), &again, 1200 * SECOND).len(), 1);
+        assert_eq!(outbox(stove(serde_json::json!({})), &[(at(0), true), (at(37), false)], at(7200)), []);
+        let again = [(at(0), true), (at(600), false), (at(900), true), (at(1000), true)];
+        assert_eq!(outbox(stove(serde_json::json!({})), &again, at(1200)).len(), 1);
     }
 
     #[test]
     fn a_crossing_at_the_instant_of_an_act_is_said_once_whichever_comes_first() {
-        let crossing = outbox(stove(serde_json::json!({})), &[(0, true)], 100 * SECOND)[0].0;
+        let crossing = outbox(stove(serde_json::json!({})), &[(at(0), true)], at(100))[0].0;
         let mut told_first = stove(serde_json::json!({}));
         let mut due_first = told_first.clone();
         let (mut a, mut b) = (Outbox::default(), Outbox::default());
         let act = |on| Change::Use { resident: Some(ResidentId(0)), thing: ThingId(2), on };
-        told_first.on_event(0, &act(true), &mut a);
-        due_first.on_event(0, &act(true), &mut b);
+        told_first.on_event(at(0), &act(true), &mut a);
+        due_first.on_event(at(0), &act(true), &mut b);
         due_first.on_timer(crossing, &mut b);
         told_first.on_event(crossing, &act(false), &mut a);
         due_first.on_event(crossing, &act(false), &mut b);
@@ -315,7 +323,7 @@ mod tests {
     fn readings_come_while_it_changes_and_are_a_degree_apart() {
         let mut stove = stove(serde_json::json!({ "readings_every_s": 30 }));
         stove.rounds = Some(Rounds::new(30 * SECOND));
-        let messages = outbox(stove, &[(0, true)], 3600 * SECOND);
+        let messages = outbox(stove, &[(at(0), true)], at(3600));
         let readings: Vec<i32> = messages
             .iter()
             .filter_map(|&(_, value)| if let Value::Reading(thousandths) = value { Some(thousandths) } else { None })

@@ -11,14 +11,14 @@
 //!
 //! Left out: seasons, heating and its thermostat, cooking, open windows, other rooms.
 
-use super::form::{Colour, DeviceForm, KindRow, Moment, Mount, Shape, Site, Unit};
 use super::outbox::{DeviceModel, Outbox, reading};
 use super::rounds::Rounds;
 use crate::event::Trigger;
-use crate::home::sun::Sun;
 use crate::numbers::Numbers;
+use crate::plan::sun::Sun;
 use crate::random::{Stream, no_stream};
-use crate::time::{Micros, micros, seconds};
+use crate::sensors::form::{Colour, DeviceForm, KindRow, Mount, ReportedInstant, Shape, Site, Unit};
+use crate::time::{RunTime, Span};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -71,7 +71,7 @@ impl DeviceForm for TemperatureFile {
         Some(&self.room)
     }
 
-    fn moment(&self) -> Option<Moment<'_>> {
+    fn moment(&self) -> Option<ReportedInstant<'_>> {
         None
     }
 }
@@ -94,12 +94,12 @@ pub struct Temperature {
     sun: Sun,
     stream: Stream,
     rounds: Rounds,
-    lag: Micros,
+    lag: Span,
     spread_c: f64,
     memory_s: f64,
     wander_c: f64,
     said_c: Option<f64>,
-    measures: Micros,
+    measures: RunTime,
 }
 
 impl Temperature {
@@ -111,13 +111,13 @@ impl Temperature {
             step_c: file.step_c,
             sun: Sun::default(),
             stream: no_stream(),
-            rounds: Rounds::new(micros(file.every_s)),
-            lag: 0,
+            rounds: Rounds::new(Span::from_seconds(file.every_s)),
+            lag: Span::ZERO,
             spread_c: 0.0,
             memory_s: 1.0,
             wander_c: 0.0,
             said_c: None,
-            measures: 0,
+            measures: RunTime::START,
         }
     }
 }
@@ -126,23 +126,23 @@ impl DeviceModel for Temperature {
     fn begin(&self, mut stream: Stream, sun: Sun, numbers: &Numbers) -> Temperature {
         let rounds = self.rounds.begin(&mut stream);
         let [spread_c, memory_s] = [&WANDER_C, &MEMORY_S].map(|number| numbers.of(number));
-        let (lag, wander_c) = (micros(numbers.of(&LAG_S)), stream.normal(0.0, spread_c));
+        let (lag, wander_c) = (Span::from_seconds(numbers.of(&LAG_S)), stream.normal(0.0, spread_c));
         let measures = rounds.first();
         Temperature { sun, rounds, lag, spread_c, memory_s, wander_c, stream, measures, ..self.clone() }
     }
 
-    fn timer(&self) -> Micros {
+    fn timer(&self) -> RunTime {
         self.measures
     }
 
-    fn on_timer(&mut self, at: Micros, outbox: &mut Outbox) {
+    fn on_timer(&mut self, at: RunTime, outbox: &mut Outbox) {
         let now = self.mean_c + self.swing_c * self.sun.hour_angle_cosine(at - self.lag) + self.wander_c;
         if self.said_c.is_none_or(|before| (now - before).abs() >= self.step_c) {
             let told = libm::round(now / self.step_c) * self.step_c;
             self.said_c = Some(told);
             outbox.say(reading(told), None, at, Trigger::Reading);
         }
-        let left = libm::exp(-seconds(self.rounds.every()) / self.memory_s);
+        let left = libm::exp(-self.rounds.every().seconds() / self.memory_s);
         self.wander_c = left * self.wander_c + self.stream.normal(0.0, self.spread_c * libm::sqrt(1.0 - left * left));
         self.measures = self.rounds.after(at);
     }
@@ -169,12 +169,12 @@ fn temperature_every() -> f64 {
 mod tests {
     use super::*;
     use crate::event::Value;
-    use crate::time::{DAY, SECOND};
+    use crate::time::{DAY, HOUR};
 
     fn thermometer(json: serde_json::Value) -> Temperature {
         let mut file = serde_json::json!({ "name": "t", "room": "kitchen" });
         file.as_object_mut().unwrap().extend(json.as_object().unwrap().clone());
-        let sun = Sun { day_of_year: 80.0, time_of_day: 0, latitude_deg: 40.0 };
+        let sun = Sun { day_of_year: 80.0, time_of_day: Span::ZERO, latitude_deg: 40.0 };
         Temperature::new(&serde_json::from_value(file).unwrap(), &Site::default()).begin(
             Stream::named(2, "t"),
             sun,
@@ -182,9 +182,9 @@ mod tests {
         )
     }
 
-    fn readings(mut device: Temperature, days: Micros) -> Vec<(Micros, f64)> {
+    fn readings(mut device: Temperature, days: i64) -> Vec<(RunTime, f64)> {
         let (mut outbox, mut readings) = (Outbox::default(), Vec::new());
-        while device.timer() < days * DAY {
+        while device.timer() < RunTime::START + days * DAY {
             let due = device.timer();
             device.on_timer(due, &mut outbox);
             assert!(device.timer() > due);
@@ -210,7 +210,7 @@ mod tests {
         let json = serde_json::json!({ "mean_c": 20, "swing_c": 20, "step_c": 0.01 });
         let readings = readings(thermometer(json), 20);
         let mean = |hour: i64| {
-            let at_hour = readings.iter().filter(|(at, _)| at / (3600 * SECOND) % 24 == hour);
+            let at_hour = readings.iter().filter(|(at, _)| at.since_zero() / HOUR % 24 == hour);
             let found: Vec<f64> = at_hour.map(|(_, c)| *c).collect();
             found.iter().sum::<f64>() / found.len() as f64
         };

@@ -15,28 +15,28 @@
 //! becomes of a message on its way to the logger.
 
 use crate::ids::ResidentId;
-use crate::random::{Range, Stream};
-use crate::scenario::home::Timing as TimingFile;
-use crate::time::{Micros, NEVER, micros};
+use crate::random::{SpanRange, Stream};
+use crate::sensors::preset::TimingSeconds;
+use crate::time::{RunTime, Span};
 
 /// The numbers of the machine.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Timing {
+pub struct FiringTiming {
     /// From the first movement to the first firing.
-    pub first_fire: Range,
+    pub first_fire: SpanRange,
     /// From a firing to the decision about the next.
-    pub refire: Range,
-    /// How long before the decision a movement still counts, in microseconds.
-    pub persist: Micros,
+    pub refire: SpanRange,
+    /// How long before the decision a movement still counts.
+    pub persist: Span,
 }
 
-impl Timing {
+impl FiringTiming {
     /// The numbers of a file, which has them in seconds.
-    pub fn new(file: TimingFile) -> Timing {
-        Timing {
-            first_fire: Range::of_seconds(file.first_fire_s),
-            refire: Range::of_seconds(file.refire_s),
-            persist: micros(file.persist_s),
+    pub fn new(file: TimingSeconds) -> FiringTiming {
+        FiringTiming {
+            first_fire: SpanRange::from_seconds(file.first_fire_s),
+            refire: SpanRange::from_seconds(file.refire_s),
+            persist: Span::from_seconds(file.persist_s),
         }
     }
 }
@@ -44,39 +44,38 @@ impl Timing {
 /// One sensor's machine.
 #[derive(Clone, Debug)]
 pub struct Machine {
-    state: State,
-    timing: Timing,
+    state: MachineState,
+    timing: FiringTiming,
     stream: Stream,
-    /// Whose movement was seen, and when.
-    seen: Seen,
+    seen: Sighting,
 }
 
 /// Whose movement a sensor saw, and when.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Seen {
+pub struct Sighting {
     /// Whose movement it was.
     pub resident: ResidentId,
-    /// When it began to be seen, in microseconds since the run's start.
-    pub at: Micros,
+    /// When it began to be seen.
+    pub at: RunTime,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum State {
+enum MachineState {
     Idle,
     /// Movement was seen; fires when the timer is due.
     Delay {
-        fire: Micros,
+        fire: RunTime,
     },
     /// Nothing that happens earlier than `persist` before `decide` can matter to the decision.
     Asleep {
-        decide: Micros,
+        decide: RunTime,
     },
     Watching {
-        decide: Micros,
+        decide: RunTime,
     },
     /// Movement was seen while watching.
     Sure {
-        decide: Micros,
+        decide: RunTime,
     },
 }
 
@@ -84,46 +83,51 @@ enum State {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum TimerOutcome {
     /// The sensor fired, for this reason.
-    Fired(Seen),
+    Fired(Sighting),
     /// It did not fire, and now wants to be told of movement.
     Wakes,
 }
 
 impl Machine {
     /// A machine that has seen nothing yet; it draws its waits from the stream.
-    pub fn new(timing: Timing, stream: Stream) -> Machine {
-        Machine { state: State::Idle, timing, stream, seen: Seen { resident: ResidentId(0), at: 0 } }
+    pub fn new(timing: FiringTiming, stream: Stream) -> Machine {
+        Machine {
+            state: MachineState::Idle,
+            timing,
+            stream,
+            seen: Sighting { resident: ResidentId(0), at: RunTime::START },
+        }
     }
 
     /// Whether movement matters to the machine now.
     pub fn wants(&self) -> bool {
-        matches!(self.state, State::Idle | State::Watching { .. })
+        matches!(self.state, MachineState::Idle | MachineState::Watching { .. })
     }
 
     /// The last instant at which movement matters, if there is one.
-    pub fn wants_until(&self) -> Micros {
+    pub fn wants_until(&self) -> RunTime {
         match self.state {
-            State::Watching { decide } => decide,
-            _ => NEVER,
+            MachineState::Watching { decide } => decide,
+            _ => RunTime::NEVER,
         }
     }
 
     /// When the next timer is due.
-    pub fn timer(&self) -> Micros {
+    pub fn timer(&self) -> RunTime {
         match self.state {
-            State::Idle => NEVER,
-            State::Delay { fire } => fire,
-            State::Asleep { decide } => decide - self.timing.persist,
-            State::Watching { decide } | State::Sure { decide } => decide,
+            MachineState::Idle => RunTime::NEVER,
+            MachineState::Delay { fire } => fire,
+            MachineState::Asleep { decide } => decide - self.timing.persist,
+            MachineState::Watching { decide } | MachineState::Sure { decide } => decide,
         }
     }
 
     /// Movement was seen while the machine wanted to know.
-    pub fn sees(&mut self, seen: Seen) {
+    pub fn sees(&mut self, seen: Sighting) {
         self.seen = seen;
         self.state = match self.state {
-            State::Idle => State::Delay { fire: seen.at + self.stream.span(self.timing.first_fire) },
-            State::Watching { decide } => State::Sure { decide },
+            MachineState::Idle => MachineState::Delay { fire: seen.at + self.stream.span(self.timing.first_fire) },
+            MachineState::Watching { decide } => MachineState::Sure { decide },
             state => state,
         };
     }
@@ -132,16 +136,16 @@ impl Machine {
     /// become idle may be taken at once.
     pub fn on_timer(&mut self) -> TimerOutcome {
         match self.state {
-            State::Delay { fire: at } | State::Sure { decide: at } => {
-                self.state = State::Asleep { decide: at + self.stream.span(self.timing.refire) };
+            MachineState::Delay { fire: at } | MachineState::Sure { decide: at } => {
+                self.state = MachineState::Asleep { decide: at + self.stream.span(self.timing.refire) };
                 TimerOutcome::Fired(self.seen)
             }
-            State::Asleep { decide } => {
-                self.state = State::Watching { decide };
+            MachineState::Asleep { decide } => {
+                self.state = MachineState::Watching { decide };
                 TimerOutcome::Wakes
             }
-            State::Watching { .. } | State::Idle => {
-                self.state = State::Idle;
+            MachineState::Watching { .. } | MachineState::Idle => {
+                self.state = MachineState::Idle;
                 TimerOutcome::Wakes
             }
         }

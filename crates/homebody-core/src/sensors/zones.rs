@@ -15,10 +15,10 @@
 //! Left out: the shape and height of a pulse, and so pulses that cancel out or that are too quick or too
 //! slow for the amplifier (0.4 to 10 Hz).
 
-use super::motion::{Level, Motion};
 use crate::geometry::Point;
+use crate::sensors::motion::{DetectionLevel, Motion};
 use crate::stride::{self, Beam, Stride};
-use crate::time::Micros;
+use crate::time::RunTime;
 
 /// What one sensor has counted.
 #[derive(Clone, Debug)]
@@ -28,9 +28,8 @@ pub struct Pulses {
     /// For each body the beams that it touches, by their index among the sensor's beams.
     touching: Vec<Vec<u32>>,
     /// The instants of the latest pulses of alternating sign, and the sign of the last.
-    chain: Vec<Micros>,
+    chain: Vec<RunTime>,
     last_positive: bool,
-    /// The pulses and the detections of the present slice.
     pulses: Vec<Pulse>,
     detections: Vec<Pulse>,
     /// Spare room for `touching`.
@@ -39,7 +38,7 @@ pub struct Pulses {
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 struct Pulse {
-    at: Micros,
+    at: RunTime,
     beam: u32,
     body: u32,
     positive: bool,
@@ -86,8 +85,8 @@ impl Pulses {
         beams: &[Beam],
         motion: &Motion,
         radius: f64,
-        from: Micros,
-        end: Micros,
+        from: RunTime,
+        end: RunTime,
     ) {
         let touching = &mut self.touching[body as usize];
         self.still.clear();
@@ -106,7 +105,7 @@ impl Pulses {
 
     /// Counts the pulses of the slice, of all bodies, in order of time.
     pub fn count(&mut self, motion: &Motion) {
-        let Level::Zones { pulses, window, .. } = motion.level else { return };
+        let DetectionLevel::Zones { pulses, window, .. } = motion.level else { return };
         self.pulses.sort_unstable();
         for &pulse in &self.pulses {
             if pulse.positive == self.last_positive {
@@ -123,7 +122,7 @@ impl Pulses {
     }
 
     /// The first instant of the slice, from `from` on, at which this body's pulse made a detection.
-    pub fn first_detection(&self, body: u32, from: Micros) -> Option<Micros> {
+    pub fn first_detection(&self, body: u32, from: RunTime) -> Option<RunTime> {
         self.detections.iter().find(|pulse| pulse.body == body && pulse.at >= from).map(|pulse| pulse.at)
     }
 }
@@ -133,16 +132,16 @@ mod tests {
     use super::*;
     use crate::geometry;
     use crate::sensors::motion::Blade;
-    use crate::time::SECOND;
+    use crate::time::{SECOND, Span};
 
     const RADIUS_M: f64 = 0.2;
-    const NONE: [Micros; 0] = [];
-    /// When a body that walks north 2 m before the lens at 1 m/s from 3 m south of it on comes to the zones at -45, 0
+    const NONE: [i64; 0] = [];
+    /// When, in microseconds, a body that walks north 2 m before the lens at 1 m/s from 3 m south of it on comes to the zones at -45, 0
     /// and 45 degrees: at y = -2 - 0.2 * sqrt(2), -0.2 and 2 - 0.2 * sqrt(2).
-    const CROSSED: [Micros; 3] = [717_158, 2_800_000, 4_717_158];
+    const CROSSED: [i64; 3] = [717_158, 2_800_000, 4_717_158];
 
     /// A lens at the origin that looks east, with a positive zone between two others or the other way round.
-    fn motion(pulses: u32, window: Micros, middle_positive: bool) -> Motion {
+    fn motion(pulses: u32, window: Span, middle_positive: bool) -> Motion {
         let blade = |bearing_deg: f64| Blade {
             direction: geometry::direction(bearing_deg),
             least_depression: f64::NEG_INFINITY,
@@ -150,7 +149,7 @@ mod tests {
             positive: middle_positive == (bearing_deg == 0.0),
         };
         let blades = [-45.0, 0.0, 45.0].map(blade).to_vec();
-        let level = Level::Zones { pulses, window, pitch_rad: std::f64::consts::FRAC_PI_4 };
+        let level = DetectionLevel::Zones { pulses, window, pitch_rad: std::f64::consts::FRAC_PI_4 };
         Motion { lens: Point::ZERO, height_m: 1.65, reach_m: 5.0, blades, level }
     }
 
@@ -161,23 +160,24 @@ mod tests {
             .collect()
     }
 
-    fn walk(from: (f64, f64), to: (f64, f64), begin: Micros) -> Stride {
+    fn walk(from: (f64, f64), to: (f64, f64), begin: i64) -> Stride {
         let (from, to) = (Point::from(from), Point::from(to));
-        Stride::new(from, to, begin, begin + crate::time::micros(from.distance(to)))
+        let begin = RunTime::from_micros(begin);
+        Stride::new(from, to, begin, begin + Span::from_seconds(from.distance(to)))
     }
 
-    /// The instants of the detections of bodies that walk one after another or at once, in slices of a tenth of a second.
-    fn detections(motion: &Motion, walks: &[(u32, Stride)]) -> Vec<(Micros, u32)> {
+    /// The instants, in microseconds, of the detections of bodies that walk one after another or at once, in slices of a tenth of a second.
+    fn detections(motion: &Motion, walks: &[(u32, Stride)]) -> Vec<(i64, u32)> {
         let mut pulses = Pulses::new(0, 2);
         let mut found = Vec::new();
-        let length = walks.iter().map(|(_, stride)| stride.end).max().unwrap_or(0);
-        for from in (0..length).step_by(100_000) {
+        let end = walks.iter().map(|(_, stride)| stride.end).max().unwrap_or_default();
+        for from in (0..end.micros()).step_by(100_000).map(RunTime::from_micros) {
             pulses.begin_slice();
             for (body, stride) in walks.iter().filter(|(_, stride)| (stride.begin..stride.end).contains(&from)) {
-                pulses.walk(*body, stride, &beams(motion), motion, RADIUS_M, from, from + 100_000);
+                pulses.walk(*body, stride, &beams(motion), motion, RADIUS_M, from, from + SECOND / 10);
             }
             pulses.count(motion);
-            found.extend(pulses.detections.iter().map(|pulse| (pulse.at, pulse.body)));
+            found.extend(pulses.detections.iter().map(|pulse| (pulse.at.micros(), pulse.body)));
         }
         found
     }
@@ -186,10 +186,10 @@ mod tests {
     fn crossing_zones_of_alternating_sign_within_the_window_is_seen() {
         let across = [(0, walk((2.0, -3.0), (2.0, 3.0), 0))];
         let instants = |pulses, window| {
-            let found = detections(&motion(pulses, window, false), &across);
+            let found = detections(&motion(pulses, Span::from_micros(window), false), &across);
             found.into_iter().map(|(at, _)| at).collect::<Vec<_>>()
         };
-        assert_eq!(instants(1, SECOND), CROSSED);
+        assert_eq!(instants(1, 1_000_000), CROSSED);
         // The pulses are 2.083 and 1.917 s apart.
         assert_eq!(instants(2, 2_100_000), CROSSED[1..]);
         assert_eq!(instants(2, 2_000_000), CROSSED[2..]);
@@ -202,7 +202,7 @@ mod tests {
     #[test]
     fn which_sign_comes_first_does_not_matter() {
         let across = [(0, walk((2.0, -3.0), (2.0, 3.0), 0))];
-        let found = detections(&motion(2, 2_100_000, true), &across);
+        let found = detections(&motion(2, Span::from_millis(2_100), true), &across);
         assert_eq!(found, [(CROSSED[1], 0), (CROSSED[2], 0)]);
     }
 
@@ -239,7 +239,7 @@ mod tests {
         let mut pulses = Pulses::new(0, 1);
         let pulses_of_walk = |pulses: &mut Pulses| {
             pulses.begin_slice();
-            pulses.walk(0, &stride, &beams(&motion), &motion, RADIUS_M, 0, stride.end);
+            pulses.walk(0, &stride, &beams(&motion), &motion, RADIUS_M, RunTime::START, stride.end);
             pulses.pulses.len()
         };
         pulses.settle(0, &beams(&motion), stride.from, RADIUS_M);
@@ -253,12 +253,14 @@ mod tests {
         let motion = motion(1, SECOND, false);
         let stride = walk((2.0, -3.0), (2.0, 3.0), 0);
         let mut pulses = Pulses::new(0, 2);
-        pulses.walk(1, &stride, &beams(&motion), &motion, RADIUS_M, 0, stride.end);
+        pulses.walk(1, &stride, &beams(&motion), &motion, RADIUS_M, RunTime::START, stride.end);
         pulses.count(&motion);
-        assert_eq!(pulses.first_detection(1, 0), Some(CROSSED[0]));
-        assert_eq!(pulses.first_detection(1, CROSSED[0]), Some(CROSSED[0]));
-        assert_eq!(pulses.first_detection(1, CROSSED[0] + 1), Some(CROSSED[1]));
-        assert_eq!(pulses.first_detection(1, CROSSED[2] + 1), None);
-        assert_eq!(pulses.first_detection(0, 0), None);
+        let first_detection =
+            |body, from| pulses.first_detection(body, RunTime::from_micros(from)).map(RunTime::micros);
+        assert_eq!(first_detection(1, 0), Some(CROSSED[0]));
+        assert_eq!(first_detection(1, CROSSED[0]), Some(CROSSED[0]));
+        assert_eq!(first_detection(1, CROSSED[0] + 1), Some(CROSSED[1]));
+        assert_eq!(first_detection(1, CROSSED[2] + 1), None);
+        assert_eq!(first_detection(0, 0), None);
     }
 }

@@ -2,7 +2,8 @@
 
 use crate::good::good;
 use crate::{broken, listed, problems, reported};
-use homebody_core::scenario::load::{Driver, Scenario};
+use homebody_core::scenario::load::{ResidentDriver, Scenario};
+use homebody_core::time::RunTime;
 
 #[test]
 fn loads_the_good_scenario() {
@@ -10,9 +11,9 @@ fn loads_the_good_scenario() {
     assert_eq!(scenario.sources, good());
     assert_eq!(scenario.home.sensors.len(), 3);
     let [ann, bob] = &scenario.residents[..] else { panic!("two residents live there") };
-    assert!(matches!(&ann.driver, Driver::Path(path) if path.steps.len() == 2));
-    assert!(matches!(&bob.driver, Driver::Live { input, start } if input.keys.len() == 2 && start.x == 5.0));
-    assert_eq!(scenario.calendar.local(0).to_string(), "2009-03-02T00:00:00-06:00[America/Chicago]");
+    assert!(matches!(&ann.driver, ResidentDriver::Path(path) if path.steps.len() == 2));
+    assert!(matches!(&bob.driver, ResidentDriver::Live { input, start } if input.keys.len() == 2 && start.x == 5.0));
+    assert_eq!(scenario.calendar.local(RunTime::START).to_string(), "2009-03-02T00:00:00-06:00[America/Chicago]");
 }
 
 #[test]

@@ -4,7 +4,7 @@ use crate::link::linked;
 use homebody_core::event::Events;
 use homebody_core::run::Run;
 use homebody_core::scenario::load::Scenario;
-use homebody_core::time::DAY;
+use homebody_core::time::{DAY, RunTime};
 use rand_chacha::ChaCha8Rng;
 use rand_core::{Rng, SeedableRng};
 use std::collections::BTreeMap;
@@ -19,7 +19,7 @@ fn no_mutation_of_a_scenario_makes_the_loader_or_a_run_panic() {
             Ok(scenario) => {
                 accepted += 1;
                 let mut run = Run::new(&scenario, &(), 1, DAY);
-                while run.now() < DAY {
+                while run.now() < RunTime::START + DAY {
                     run.advance(run.now() + DAY / 24, &mut Events::default()).unwrap();
                 }
             }

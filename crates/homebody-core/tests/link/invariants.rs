@@ -2,25 +2,28 @@
 
 use crate::random_home::{self, Dice, Model};
 use crate::*;
-use homebody_core::drivers::{Driver, MotionSegment, Next, Surroundings};
-use homebody_core::event::{MotionState, ThingUse};
+use homebody_core::calendar::Calendar;
+use homebody_core::drivers::{Driver, Next, Surroundings};
+use homebody_core::event::ThingUse;
 use homebody_core::geometry::Point;
-use homebody_core::home::plan::Plan;
+use homebody_core::home::Home;
+use homebody_core::home::form::HomeFile;
 use homebody_core::home::resolved::ResolvedHome;
-use homebody_core::home::{Build, Home};
 use homebody_core::ids::{SensorId, ThingId};
+use homebody_core::motion::{MotionSegment, MotionState};
 use homebody_core::numbers::Numbers;
+use homebody_core::plan::Plan;
+use homebody_core::resident::Build;
 use homebody_core::run::{DriverProvider, Guest, Run};
 use homebody_core::scenario::ScenarioFile;
-use homebody_core::scenario::calendar::Calendar;
-use homebody_core::scenario::home::HomeFile;
 use homebody_core::scenario::load::Scenario;
 use homebody_core::scenario::logger::LoggerFile;
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 
 const CASES: u64 = 100;
-const LENGTH: Micros = 300 * SECOND;
+const LENGTH: Span = SECOND.times(300);
+const END: RunTime = RunTime::START.saturating_add(LENGTH);
 
 /// Somebody who moves at random, and opens and closes the door as each move begins.
 #[derive(Clone, Debug)]
@@ -121,7 +124,7 @@ fn everything(home: &HomeFile, radio: bool) -> serde_json::Value {
 }
 
 /// A run of a random home, its own length long.
-fn run(case: u64, home: HomeFile, link: Option<serde_json::Value>, length: Micros) -> Run {
+fn run(case: u64, home: HomeFile, link: Option<serde_json::Value>, length: Span) -> Run {
     let file: ScenarioFile = serde_json::from_value(json!({ "name": "random", "start": "2009-03-02T00:00:00",
         "days": 1, "home": "home.json", "residents": [] }))
     .unwrap();
@@ -140,12 +143,12 @@ fn with_everything(case: u64) -> Run {
     run(case, home, Some(link), LENGTH)
 }
 
-fn lived(mut run: Run, cuts: &[Micros]) -> Events {
+fn lived(mut run: Run, cuts: &[RunTime]) -> Events {
     let mut events = Events::default();
     for cut in cuts {
         run.advance(*cut, &mut events).unwrap();
     }
-    run.advance(run.length(), &mut events).unwrap();
+    run.advance(RunTime::START + run.length(), &mut events).unwrap();
     events
 }
 
@@ -175,8 +178,8 @@ fn everything_happens() {
 fn speed_changes_nothing() {
     for case in 0..CASES {
         let whole = lived(with_everything(case), &[]);
-        for step in [16_667, 83_333, 1_666_667] {
-            let steps: Vec<Micros> = (0..LENGTH / step).map(|index| index * step).collect();
+        for step in [16_667, 83_333, 1_666_667].map(Span::from_micros) {
+            let steps: Vec<RunTime> = (0..LENGTH / step).map(|index| RunTime::START + index * step).collect();
             assert_eq!(whole, lived(with_everything(case), &steps), "case {case}, steps of {step} microseconds");
         }
     }
@@ -187,11 +190,11 @@ fn cutting_changes_nothing() {
     for case in 0..CASES {
         let whole = lived(with_everything(case), &[]);
         let dice = &mut Dice::new(case, "cuts");
-        let mut cuts: Vec<Micros> = (0..200).map(|_| dice.below(LENGTH)).collect();
+        let mut cuts: Vec<RunTime> = (0..200).map(|_| dice.instant(LENGTH)).collect();
         // Exactly where something arrives or is sent, and one microsecond before and after.
         let arrived = whole.firings.iter().map(|firing| firing.at);
         let sent = lost(&whole).into_iter().map(|(at, ..)| at);
-        cuts.extend(arrived.chain(sent).flat_map(|at| [at - 1, at, at + 1]));
+        cuts.extend(arrived.chain(sent).flat_map(|at| [at - Span::MICROSECOND, at, at + Span::MICROSECOND]));
         cuts.sort_unstable();
         assert_eq!(whole, lived(with_everything(case), &cuts), "case {case}");
     }
@@ -205,7 +208,7 @@ fn forgetting_what_is_under_way_does_change_something() {
         let home = home(case);
         let (file, sensors) = (link_file(json!({ "preset": "x10" })), home.sensors.clone());
         let mut said = lived(run(case, home, None, LENGTH), &[]);
-        let link = Link::new(&file, &sensors, &Numbers::default(), 0, case);
+        let link = Link::new(&file, &sensors, &Numbers::default(), Span::ZERO, case);
         let (mut whole, mut pieces) = (Events::default(), Events::default());
         for firing in &said.firings {
             let of_one = Events {
@@ -224,7 +227,7 @@ fn forgetting_what_is_under_way_does_change_something() {
             };
             link.clone().carry(&mut of_one.clone(), firing.at + SECOND, &mut pieces);
         }
-        link.clone().carry(&mut said, LENGTH + SECOND, &mut whole);
+        link.clone().carry(&mut said, END + SECOND, &mut whole);
         changed += u32::from(times(&whole) != times(&pieces));
     }
     assert!(changed > 15, "only {changed} of 20 homes noticed");
@@ -234,7 +237,7 @@ fn forgetting_what_is_under_way_does_change_something() {
 fn a_copy_of_the_run_continues_as_the_original() {
     for case in 0..CASES {
         let mut original = with_everything(case);
-        original.advance(Dice::new(case, "copy").below(LENGTH), &mut Events::default()).unwrap();
+        original.advance(Dice::new(case, "copy").instant(LENGTH), &mut Events::default()).unwrap();
         let copy = original.clone();
         assert_eq!(lived(copy, &[]), lived(original, &[]), "case {case}");
     }
@@ -243,12 +246,12 @@ fn a_copy_of_the_run_continues_as_the_original() {
 #[test]
 fn a_run_that_is_stopped_has_told_what_a_shorter_one_tells() {
     for case in 0..CASES {
-        let stop = Dice::new(case, "stop").below(LENGTH);
+        let stop = Dice::new(case, "stop").instant(LENGTH);
         let mut stopped = Events::default();
         with_everything(case).advance(stop, &mut stopped).unwrap();
         let home = home(case);
         let link = everything(&home, true);
-        assert_eq!(stopped.firings, lived(run(case, home, Some(link), stop), &[]).firings, "case {case}");
+        assert_eq!(stopped.firings, lived(run(case, home, Some(link), stop.since_zero()), &[]).firings, "case {case}");
     }
 }
 
@@ -256,8 +259,8 @@ fn a_run_that_is_stopped_has_told_what_a_shorter_one_tells() {
 fn firings_are_in_order_numbered_and_no_later_than_settled() {
     for case in 0..CASES {
         let mut run = with_everything(case);
-        let (mut all, mut settled) = (Events::default(), Micros::MIN);
-        while run.now() < LENGTH {
+        let (mut all, mut settled) = (Events::default(), RunTime::MIN);
+        while run.now() < END {
             let mut events = Events::default();
             run.advance(run.now() + SECOND / 2, &mut events).unwrap();
             assert!(events.firings.iter().all(|firing| firing.at >= settled), "case {case}");
@@ -289,7 +292,7 @@ fn a_perfect_link_changes_no_firing() {
 }
 
 /// What became of each sensor's own messages: how many the logger got or never had, without copies and false ones.
-fn accounted(events: &Events, sensor: u32, before: Micros) -> usize {
+fn accounted(events: &Events, sensor: u32, before: RunTime) -> usize {
     let own = |provenance: &Provenance| {
         !matches!(provenance.trigger, Trigger::Duplicate | Trigger::False) && provenance.seen_at < before
     };
@@ -311,7 +314,7 @@ fn every_message_is_received_or_lost() {
         link["corruption"] = json!(0);
         link["faults"].as_array_mut().unwrap().retain(|fault| fault["kind"] != "moved");
         let sensors = home.sensors.len() as u32;
-        let before = LENGTH - 20 * SECOND;
+        let before = END - 20 * SECOND;
         let sent = lived(run(case, home.clone(), None, LENGTH), &[]);
         let events = lived(run(case, home, Some(link), LENGTH), &[]);
         for sensor in 0..sensors {
@@ -322,7 +325,7 @@ fn every_message_is_received_or_lost() {
 }
 
 /// What each sensor of these said, heard or lost, apart from damaged ids: one more sensor is one more id to become.
-fn fates(events: &Events, first: u32) -> BTreeSet<(Micros, u32, String)> {
+fn fates(events: &Events, first: u32) -> BTreeSet<(RunTime, u32, String)> {
     let received = events.firings.iter().map(|firing| (firing.at, firing.sensor.0, firing.value.to_string()));
     let lost = lost(events).into_iter().filter(|(.., loss)| *loss != Loss::Garbled);
     let all = received.chain(lost.map(|(at, sensor, loss)| (at, sensor, format!("{loss:?}"))));
@@ -381,14 +384,14 @@ fn a_moved_sensor_sees_from_where_it_hangs() {
         let events = lived(run(case, file, Some(moved), LENGTH), &[]);
         assert_eq!(lost(&events), []);
         // What fires at one instant may come in another order.
-        let fired = |firings: &[Firing], from: Micros, to: Micros| -> BTreeSet<_> {
+        let fired = |firings: &[Firing], from: RunTime, to: RunTime| -> BTreeSet<_> {
             let within = firings.iter().filter(|firing| (from..to).contains(&firing.at));
             within.map(|firing| (firing.at, firing.sensor, firing.value)).collect()
         };
-        let half = 100 * SECOND;
-        assert_eq!(fired(&events.firings, 0, half), fired(&here, 0, half), "case {case}");
-        assert_eq!(fired(&events.firings, half, LENGTH), fired(&there, half, LENGTH), "case {case}");
-        changed += u32::from(fired(&here, half, LENGTH) != fired(&there, half, LENGTH));
+        let (start, half) = (RunTime::START, RunTime::START + 100 * SECOND);
+        assert_eq!(fired(&events.firings, start, half), fired(&here, start, half), "case {case}");
+        assert_eq!(fired(&events.firings, half, END), fired(&there, half, END), "case {case}");
+        changed += u32::from(fired(&here, half, END) != fired(&there, half, END));
     }
     assert!(changed > 20, "only {changed} homes noticed");
 }

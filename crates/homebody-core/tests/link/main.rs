@@ -9,10 +9,10 @@ mod statistics;
 use homebody_core::event::{Events, Fact, Firing, Loss, Provenance, Trigger, Value};
 use homebody_core::ids::{ResidentId, SensorId};
 use homebody_core::link::Link;
+use homebody_core::link::form::LinkFile;
 use homebody_core::numbers::Numbers;
-use homebody_core::scenario::home::SensorFile;
-use homebody_core::scenario::link::LinkFile;
-use homebody_core::time::{Micros, SECOND};
+use homebody_core::sensors::kinds::SensorFile;
+use homebody_core::time::{DAY, HOUR, RunTime, SECOND, Span};
 use serde_json::json;
 
 /// A link as its file says it.
@@ -27,15 +27,16 @@ fn motion_sensors(names: &[&str]) -> Vec<SensorFile> {
 }
 
 /// What devices say: when, which of them, and what.
-fn said(messages: &[(Micros, u32, Value)]) -> Events {
-    let firing = |(seq, &(at, sensor, value)): (usize, &(Micros, u32, Value))| Firing {
+fn said(messages: &[(RunTime, u32, Value)]) -> Events {
+    let firing = |(seq, &(at, sensor, value)): (usize, &(RunTime, u32, Value))| Firing {
         seq: seq as u64,
         at,
         sensor: SensorId(sensor),
         value,
     };
-    let provenance = |(seq, &(at, ..)): (usize, &(Micros, u32, Value))| {
-        let provenance = Provenance { resident: Some(ResidentId(0)), seen_at: at - 1, trigger: Trigger::Movement };
+    let provenance = |(seq, &(at, ..)): (usize, &(RunTime, u32, Value))| {
+        let provenance =
+            Provenance { resident: Some(ResidentId(0)), seen_at: at - Span::MICROSECOND, trigger: Trigger::Movement };
         Fact::Provenance { seq: seq as u64, provenance }
     };
     Events {
@@ -45,26 +46,26 @@ fn said(messages: &[(Micros, u32, Value)]) -> Events {
     }
 }
 
-/// What the logger gets of messages by `until`, in a run that begins at midnight.
+/// What the logger gets of messages, in a run of this length that begins at midnight.
 fn carried(
     file: serde_json::Value,
     sensors: &[SensorFile],
-    messages: &[(Micros, u32, Value)],
-    until: Micros,
+    messages: &[(RunTime, u32, Value)],
+    length: Span,
 ) -> Events {
-    let mut link = Link::new(&link_file(file), sensors, &Numbers::default(), 0, 1);
+    let mut link = Link::new(&link_file(file), sensors, &Numbers::default(), Span::ZERO, 1);
     let mut events = Events::default();
-    link.carry(&mut said(messages), until, &mut events);
+    link.carry(&mut said(messages), RunTime::START + length, &mut events);
     events
 }
 
 /// A firing of one sensor every so often, from `every` on.
-fn regular(sensor: u32, every: Micros, count: i64) -> Vec<(Micros, u32, Value)> {
-    (1..=count).map(|index| (index * every, sensor, Value::Fire)).collect()
+fn regular(sensor: u32, every: Span, count: i64) -> Vec<(RunTime, u32, Value)> {
+    (1..=count).map(|index| (RunTime::START + index * every, sensor, Value::Fire)).collect()
 }
 
 /// The messages that were lost: when they were sent, of which sensor, and why.
-fn lost(events: &Events) -> Vec<(Micros, u32, Loss)> {
+fn lost(events: &Events) -> Vec<(RunTime, u32, Loss)> {
     let lost = |fact: &Fact| match *fact {
         Fact::Lost { at, sensor, loss, .. } => Some((at, sensor.0, loss)),
         _ => None,
@@ -79,7 +80,7 @@ fn share(events: &Events, loss: Loss, messages: usize) -> f64 {
 
 /// When firings came, in seconds.
 fn times(events: &Events) -> Vec<f64> {
-    events.firings.iter().map(|firing| firing.at as f64 / SECOND as f64).collect()
+    events.firings.iter().map(|firing| firing.at.seconds()).collect()
 }
 
 /// The causes of the firings, in their order.

@@ -2,19 +2,17 @@
 
 use crate::*;
 use homebody_core::ids::SensorId;
-use homebody_core::random::{Range, Stream};
-
-const DAY: Micros = 86_400 * SECOND;
+use homebody_core::random::{SpanRange, Stream};
 
 /// Sensors that all see somebody who goes on moving: each fires every 6 to 8 s, as at TigerPlace.
-fn busy(sensors: u32, days: Micros) -> Vec<(Micros, u32, Value)> {
+fn busy(sensors: u32, days: i64) -> Vec<(RunTime, u32, Value)> {
     let mut messages = Vec::new();
     for sensor in 0..sensors {
         let mut stream = Stream::named(7, &format!("busy {sensor}"));
-        let mut at = stream.span(Range { least: 0, most: 7 * SECOND });
-        while at < days * DAY {
+        let mut at = RunTime::START + stream.span(SpanRange { least: Span::ZERO, most: 7 * SECOND });
+        while at < RunTime::START + days * DAY {
             messages.push((at, sensor, Value::Fire));
-            at += stream.span(Range { least: 6 * SECOND, most: 8 * SECOND });
+            at += stream.span(SpanRange { least: 6 * SECOND, most: 8 * SECOND });
         }
     }
     messages.sort_unstable_by_key(|&(at, sensor, _)| (at, sensor));
@@ -102,7 +100,7 @@ fn delays_are_even_over_their_range_and_messages_may_overtake() {
         .firings
         .iter()
         .zip(causes(&events))
-        .map(|(firing, provenance)| (firing.at - provenance.seen_at - 1) as f64 / SECOND as f64)
+        .map(|(firing, provenance)| (firing.at - provenance.seen_at - Span::MICROSECOND).seconds())
         .collect();
     assert!(delays.iter().all(|delay| (0.5..=2.5).contains(delay)));
     for decile in 0..10 {

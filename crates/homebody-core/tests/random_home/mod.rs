@@ -1,14 +1,15 @@
 //! Random homes and random lives in them, each from its number: the same number, the same home.
 
-use homebody_core::drivers::MotionSegment;
-use homebody_core::event::{MotionState, ThingUse, Vitals};
+use homebody_core::event::{ThingUse, Vitals};
 use homebody_core::geometry::Point;
-use homebody_core::home::{Build, Home};
+use homebody_core::home::Home;
+use homebody_core::home::form::HomeFile;
 use homebody_core::ids::ThingId;
-use homebody_core::random::{Range, Stream};
-use homebody_core::scenario::home::HomeFile;
-use homebody_core::scenario::path::Posture;
-use homebody_core::time::{Micros, SECOND};
+use homebody_core::motion::{MotionSegment, MotionState};
+use homebody_core::posture::Posture;
+use homebody_core::random::{SpanRange, Stream};
+use homebody_core::resident::Build;
+use homebody_core::time::{RunTime, SECOND, Span};
 use serde_json::{Value, json};
 
 /// A source of choices.
@@ -21,7 +22,12 @@ impl Dice {
 
     /// A whole number from 0 to `count` - 1.
     pub fn below(&mut self, count: i64) -> i64 {
-        self.0.span(Range { least: 0, most: count - 1 })
+        self.0.span(SpanRange { least: Span::ZERO, most: Span::from_micros(count - 1) }).micros()
+    }
+
+    /// An instant of a run of this length.
+    pub fn instant(&mut self, length: Span) -> RunTime {
+        RunTime::from_micros(self.below(length.micros()))
     }
 
     /// A number between `least` and `most`, in steps of a ten-thousandth of their difference.
@@ -170,18 +176,18 @@ fn camera(dice: &mut Dice) -> Value {
 
 /// What one resident uses, and how their heart and lungs change; much of it on round times.
 #[allow(dead_code, reason = "each test that shares this file uses a part of it")]
-pub fn doings(case: u64, resident: usize, home: &Home, length: Micros) -> Vec<(Micros, Done)> {
+pub fn doings(case: u64, resident: usize, home: &Home, length: Span) -> Vec<(RunTime, Done)> {
     let dice = &mut Dice::new(case, &format!("doings of {resident}"));
     let mut doings = Vec::new();
     for _ in 0..dice.below(60) {
-        let at = dice.below(length);
-        let at = if dice.one_in(2) { at / (SECOND / 2) * (SECOND / 2) } else { at };
+        let at = dice.instant(length);
+        let at = if dice.one_in(2) { RunTime::START + at.since_zero() / (SECOND / 2) * (SECOND / 2) } else { at };
         let done = if dice.one_in(4) {
             Done::Vitals(Vitals { pulse: dice.between(20.0, 120.0), respiration: dice.between(2.0, 40.0) })
         } else {
             // Of all things those that sensors are on, as a rule.
             let name = ["door", "bed", "rug", "west", "piece 0"][dice.below(5) as usize];
-            Done::Use(ThingUse { thing: ThingId::of(home.plan.thing(name).unwrap_or(0)), on: dice.one_in(2) })
+            Done::Use(ThingUse { thing: ThingId::new(home.plan.thing(name).unwrap_or(0)), on: dice.one_in(2) })
         };
         doings.push((at, done));
     }
@@ -205,17 +211,17 @@ pub fn builds(case: u64, most: i64) -> Vec<Build> {
 }
 
 /// What one resident does for about `length`: walks, stirs, rests, absences; many on round times.
-pub fn life(case: u64, resident: usize, home: &Home, length: Micros, slowest_mps: f64) -> Vec<MotionSegment> {
+pub fn life(case: u64, resident: usize, home: &Home, length: Span, slowest_mps: f64) -> Vec<MotionSegment> {
     let dice = &mut Dice::new(case, &format!("life of {resident}"));
     let (least, most) = home.plan.bounds();
     let mut at = (least + most) / 2.0;
     let mut moves = Vec::new();
-    let mut now = 0;
-    while now < length {
+    let mut now = RunTime::START;
+    while now < RunTime::START + length {
         let round = dice.one_in(2);
-        let span = |span: f64| -> Micros {
-            let span = (span * SECOND as f64) as Micros;
-            if round { (span / (SECOND / 2) + 1) * (SECOND / 2) } else { span + 1 }
+        let span = |span: f64| -> Span {
+            let span = Span::from_micros((span * SECOND.micros() as f64) as i64);
+            if round { (span / (SECOND / 2) + 1) * (SECOND / 2) } else { span + Span::MICROSECOND }
         };
         let posture = [Posture::Standing, Posture::Sitting, Posture::Lying][dice.below(3) as usize];
         let (took, doing, posture) = match dice.below(8) {

@@ -1,8 +1,8 @@
 //! Any bytes: flipped, cut, put elsewhere, repeated.
 
-use crate::dice::Dice;
+use crate::choices::Choices;
 
-/// What formats and their readers hang on.
+/// Bytes with a meaning in formats.
 const MARKS: [&[u8]; 40] = [
     b"{",
     b"}",
@@ -50,43 +50,43 @@ const MARKS: [&[u8]; 40] = [
 const LONGEST: usize = 2 << 20;
 
 /// Changes bytes in a few places; `other` is something to take from.
-pub fn bytes(bytes: &mut Vec<u8>, other: &[u8], dice: &mut Dice) {
-    for _ in 0..dice.size(4) {
-        once(bytes, other, dice);
+pub fn bytes(bytes: &mut Vec<u8>, other: &[u8], choices: &mut Choices) {
+    for _ in 0..choices.size(4) {
+        once(bytes, other, choices);
     }
     bytes.truncate(LONGEST);
 }
 
-fn once(bytes: &mut Vec<u8>, other: &[u8], dice: &mut Dice) {
-    let at = dice.below(bytes.len());
-    let part = dice.part(bytes.len());
-    match dice.below(9) {
-        0 if !bytes.is_empty() => bytes[at] = dice.below(256) as u8,
-        1 if !bytes.is_empty() => bytes[at] ^= 1 << dice.below(8),
+fn once(bytes: &mut Vec<u8>, other: &[u8], choices: &mut Choices) {
+    let at = choices.below(bytes.len());
+    let part = choices.part(bytes.len());
+    match choices.below(9) {
+        0 if !bytes.is_empty() => bytes[at] = choices.below(256) as u8,
+        1 if !bytes.is_empty() => bytes[at] ^= 1 << choices.below(8),
         2 => drop(bytes.drain(part)),
-        3 => drop(bytes.splice(at..at, dice.one(&MARKS).iter().copied())),
+        3 => drop(bytes.splice(at..at, choices.one(&MARKS).iter().copied())),
         4 => {
             let copy = bytes[part].to_vec();
             bytes.splice(at..at, copy);
         }
         5 => {
-            let more = &other[dice.part(other.len())];
+            let more = &other[choices.part(other.len())];
             bytes.splice(part, more.iter().copied());
         }
         6 => {
             // Half of one, half of the other.
             bytes.truncate(at);
-            bytes.extend_from_slice(&other[dice.below(other.len() + 1)..]);
+            bytes.extend_from_slice(&other[choices.below(other.len() + 1)..]);
         }
-        7 if dice.is(0.2) => {
-            let times = dice.size(LONGEST / (part.len() + 1));
+        7 if choices.is(0.2) => {
+            let times = choices.size(LONGEST / (part.len() + 1));
             let many = bytes[part].repeat(times);
             bytes.splice(at..at, many);
         }
-        8 if dice.is(0.2) => bytes.truncate(at),
+        8 if choices.is(0.2) => bytes.truncate(at),
         _ => {
             if let Some(digit) = digit_from(bytes, at) {
-                bytes[digit] = *dice.one(b"0123456789-.e");
+                bytes[digit] = *choices.one(b"0123456789-.e");
             }
         }
     }

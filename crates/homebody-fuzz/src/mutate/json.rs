@@ -3,7 +3,7 @@
 
 use super::outlines::{self, Corner};
 use super::{numbers, texts};
-use crate::dice::Dice;
+use crate::choices::Choices;
 use serde_json::Value;
 
 /// A text in JSON as mutators see it.
@@ -17,88 +17,88 @@ enum Tree {
 }
 
 /// Changes a text in JSON in a few places; false where it is none. `others` are texts to take from.
-pub fn json(text: &mut String, others: &[&str], dice: &mut Dice) -> bool {
+pub fn json(text: &mut String, others: &[&str], choices: &mut Choices) -> bool {
     let Ok(value) = serde_json::from_str::<Value>(text) else { return false };
     let mut tree = Tree::of(value);
-    for _ in 0..dice.size(3) {
-        once(&mut tree, others, dice);
+    for _ in 0..choices.size(3) {
+        once(&mut tree, others, choices);
     }
     text.clear();
     tree.write(text);
     true
 }
 
-fn once(tree: &mut Tree, others: &[&str], dice: &mut Dice) {
-    match dice.below(10) {
-        0..=2 => keys(tree, others, dice),
+fn once(tree: &mut Tree, others: &[&str], choices: &mut Choices) {
+    match choices.below(10) {
+        0..=2 => keys(tree, others, choices),
         3..=5 => {
-            if let Some(Tree::Other(number)) = tree.pick(dice, &|tree| tree.number().is_some()) {
-                *number = numbers::other(number.parse().unwrap_or_default(), dice);
+            if let Some(Tree::Other(number)) = tree.pick(choices, &|tree| tree.number().is_some()) {
+                *number = numbers::other(number.parse().unwrap_or_default(), choices);
             }
         }
         6 => {
-            if let Some(Tree::Text(text)) = tree.pick(dice, &|tree| matches!(tree, Tree::Text(_))) {
-                *text = texts::other(text, dice);
+            if let Some(Tree::Text(text)) = tree.pick(choices, &|tree| matches!(tree, Tree::Text(_))) {
+                *text = texts::other(text, choices);
             }
         }
-        7 => list(tree, dice),
+        7 => list(tree, choices),
         8 => {
-            if let Some(found) = tree.pick(dice, &|tree| tree.corners().is_some())
+            if let Some(found) = tree.pick(choices, &|tree| tree.corners().is_some())
                 && let Some(mut corners) = found.corners()
             {
-                outlines::outline(&mut corners, dice);
+                outlines::outline(&mut corners, choices);
                 *found = Tree::List(corners.into_iter().map(Tree::corner).collect());
             }
         }
         _ => {
-            let other = anything(tree, others, dice);
-            if let Some(found) = tree.pick(dice, &|_| true) {
+            let other = anything(tree, others, choices);
+            if let Some(found) = tree.pick(choices, &|_| true) {
                 *found = other;
             }
         }
     }
 }
 
-fn keys(tree: &mut Tree, others: &[&str], dice: &mut Dice) {
-    let known = tree.any_key(dice);
-    let other = anything(tree, others, dice);
+fn keys(tree: &mut Tree, others: &[&str], choices: &mut Choices) {
+    let known = tree.any_key(choices);
+    let other = anything(tree, others, choices);
     let Some(Tree::Object(entries)) =
-        tree.pick(dice, &|tree| matches!(tree, Tree::Object(entries) if !entries.is_empty()))
+        tree.pick(choices, &|tree| matches!(tree, Tree::Object(entries) if !entries.is_empty()))
     else {
         return;
     };
-    let at = dice.below(entries.len());
-    match dice.below(8) {
-        0 => entries.insert(dice.below(entries.len() + 1), entries[at].clone()),
+    let at = choices.below(entries.len());
+    match choices.below(8) {
+        0 => entries.insert(choices.below(entries.len() + 1), entries[at].clone()),
         1 => drop(entries.remove(at)),
-        2 => entries[at].0 = misspelt(&entries[at].0, dice),
+        2 => entries[at].0 = misspelt(&entries[at].0, choices),
         3 => entries[at].0 = known,
         4 => entries.push((known, other)),
         5 => {
-            let value = entries[dice.below(entries.len())].1.clone();
+            let value = entries[choices.below(entries.len())].1.clone();
             entries[at].1 = value;
         }
         6 => {
             let (key, value) = entries[at].clone();
             let most = super::times(key.len() + value.length(), 2_000);
-            entries.extend((0..dice.size(most)).map(|_| (key.clone(), value.clone())));
+            entries.extend((0..choices.size(most)).map(|_| (key.clone(), value.clone())));
         }
-        _ if dice.is(0.3) => {
+        _ if choices.is(0.3) => {
             let zero = Tree::Other("0".into());
-            entries.extend((0..dice.size(30_000)).map(|number| (format!("k{number}"), zero.clone())));
+            entries.extend((0..choices.size(30_000)).map(|number| (format!("k{number}"), zero.clone())));
         }
-        _ => entries[at].0 = texts::other(&entries[at].0, dice),
+        _ => entries[at].0 = texts::other(&entries[at].0, choices),
     }
 }
 
-fn list(tree: &mut Tree, dice: &mut Dice) {
-    let Some(Tree::List(items)) = tree.pick(dice, &|tree| matches!(tree, Tree::List(items) if !items.is_empty()))
+fn list(tree: &mut Tree, choices: &mut Choices) {
+    let Some(Tree::List(items)) = tree.pick(choices, &|tree| matches!(tree, Tree::List(items) if !items.is_empty()))
     else {
         return;
     };
-    let at = dice.below(items.len());
+    let at = choices.below(items.len());
     let item = items[at].clone();
-    match dice.below(6) {
+    match choices.below(6) {
         0 => drop(items.remove(at)),
         1 => items.push(item),
         2 => items.clear(),
@@ -106,40 +106,40 @@ fn list(tree: &mut Tree, dice: &mut Dice) {
         4 => {
             // As many as a file of some hundred kilobytes holds.
             let most = super::times(item.length(), usize::MAX);
-            items.extend((0..dice.size(most)).map(|_| item.clone()));
+            items.extend((0..choices.size(most)).map(|_| item.clone()));
         }
         _ => {
-            let other = dice.below(items.len());
+            let other = choices.below(items.len());
             items.swap(at, other);
         }
     }
 }
 
 /// A value that stands elsewhere, in this text or another, or none that any file has there.
-fn anything(tree: &mut Tree, others: &[&str], dice: &mut Dice) -> Tree {
-    match dice.below(6) {
+fn anything(tree: &mut Tree, others: &[&str], choices: &mut Choices) -> Tree {
+    match choices.below(6) {
         0 => Tree::Other(
-            (*dice.one(&["null", "true", "false", "0", "-1", "[]", "{}", "\"\"", "[[]]", "{\"\":0}"])).into(),
+            (*choices.one(&["null", "true", "false", "0", "-1", "[]", "{}", "\"\"", "[[]]", "{\"\":0}"])).into(),
         ),
         1 => {
-            let (open, close) = *dice.one(&[("[", "]"), ("{\"a\":", "}"), ("[{\"steps\":", "}]")]);
-            let most = if dice.is(0.2) { 50_000 } else { 200 };
-            let depth = dice.size(most);
+            let (open, close) = *choices.one(&[("[", "]"), ("{\"a\":", "}"), ("[{\"steps\":", "}]")]);
+            let most = if choices.is(0.2) { 50_000 } else { 200 };
+            let depth = choices.size(most);
             Tree::Other(format!("{}0{}", open.repeat(depth), close.repeat(depth)))
         }
-        2 => Tree::Text(texts::other("", dice)),
+        2 => Tree::Text(texts::other("", choices)),
         3 if !others.is_empty() => {
-            let other = serde_json::from_str(dice.one::<&str>(others)).map(Tree::of);
-            other.ok().and_then(|mut other| other.pick(dice, &|_| true).cloned()).unwrap_or(Tree::Other("1".into()))
+            let other = serde_json::from_str(choices.one::<&str>(others)).map(Tree::of);
+            other.ok().and_then(|mut other| other.pick(choices, &|_| true).cloned()).unwrap_or(Tree::Other("1".into()))
         }
-        _ => tree.pick(dice, &|_| true).cloned().unwrap_or(Tree::Other("1".into())),
+        _ => tree.pick(choices, &|_| true).cloned().unwrap_or(Tree::Other("1".into())),
     }
 }
 
-fn misspelt(key: &str, dice: &mut Dice) -> String {
+fn misspelt(key: &str, choices: &mut Choices) -> String {
     let mut chars: Vec<char> = key.chars().collect();
-    let at = dice.below(chars.len());
-    match dice.below(3) {
+    let at = choices.below(chars.len());
+    match choices.below(3) {
         0 if !chars.is_empty() => drop(chars.remove(at)),
         1 if !chars.is_empty() => chars.insert(at, chars[at]),
         _ => chars.push('s'),
@@ -229,8 +229,8 @@ impl Tree {
     }
 
     /// One of those that are wanted, each as likely.
-    fn pick(&mut self, dice: &mut Dice, wanted: &dyn Fn(&Tree) -> bool) -> Option<&mut Tree> {
-        let mut left = dice.below(self.count(wanted));
+    fn pick(&mut self, choices: &mut Choices, wanted: &dyn Fn(&Tree) -> bool) -> Option<&mut Tree> {
+        let mut left = choices.below(self.count(wanted));
         self.nth(&mut left, wanted)
     }
 
@@ -249,9 +249,9 @@ impl Tree {
     }
 
     /// One of the keys of all objects.
-    fn any_key(&mut self, dice: &mut Dice) -> String {
-        match self.pick(dice, &|tree| matches!(tree, Tree::Object(entries) if !entries.is_empty())) {
-            Some(Tree::Object(entries)) => dice.one(entries).0.clone(),
+    fn any_key(&mut self, choices: &mut Choices) -> String {
+        match self.pick(choices, &|tree| matches!(tree, Tree::Object(entries) if !entries.is_empty())) {
+            Some(Tree::Object(entries)) => choices.one(entries).0.clone(),
             _ => "name".into(),
         }
     }
@@ -260,6 +260,7 @@ impl Tree {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::choices;
 
     #[test]
     fn mutants_differ_and_are_json_as_a_rule() {
@@ -267,7 +268,7 @@ mod tests {
         let (mut changed, mut good, mut repeated) = (0, 0, 0);
         for number in 0..500 {
             let mut text = whole.to_owned();
-            assert!(json(&mut text, &[whole], &mut Dice::of("json", 1, number)));
+            assert!(json(&mut text, &[whole], &mut Choices::new(&choices::bytes(number))));
             changed += usize::from(text != whole);
             good += usize::from(serde_json::from_str::<Value>(&text).is_ok());
             repeated += usize::from(text.matches("\"rooms\"").count() > 1);

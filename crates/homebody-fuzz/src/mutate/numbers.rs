@@ -1,64 +1,23 @@
-//! Numbers that somebody has not thought of.
+//! Unusual numbers.
 
-use crate::dice::Dice;
+use super::word;
+use crate::choices::Choices;
 use homebody_core::scenario::schema::schemas;
 use serde_json::Value;
 use std::collections::BTreeSet;
 use std::sync::OnceLock;
 
-/// As texts: some are no number that JSON or a computer knows.
-const HOSTILE: [&str; 38] = [
-    "0",
-    "-0",
-    "-0.0",
-    "-1",
-    "1",
-    "2",
-    "0.1",
-    "1e-308",
-    "-1e-308",
-    "5e-324",
-    "2.2250738585072014e-308",
-    "1e-300",
-    "1e-17",
-    "1e-9",
-    "1e-6",
-    "0.00005",
-    "0.000099999",
-    "1e6",
-    "1e9",
-    "1e12",
-    "1e15",
-    "9007199254740993",
-    "9223372036854775807",
-    "9223372036854775808",
-    "-9223372036854775808",
-    "18446744073709551615",
-    "18446744073709551616",
-    "4294967296",
-    "2147483648",
-    "1e300",
-    "1.7976931348623157e308",
-    "-1.7976931348623157e308",
-    "1e309",
-    "NaN",
-    "Infinity",
-    "1e",
-    "0x10",
-    "00",
-];
-
 /// A number that is hostile, at a border of what some file may say, or near `number`.
-pub fn other(number: f64, dice: &mut Dice) -> String {
-    match dice.below(6) {
-        0 | 1 => (*dice.one(&HOSTILE)).to_owned(),
+pub fn other(number: f64, choices: &mut Choices) -> String {
+    match choices.below(6) {
+        0 | 1 => word(choices, "numbers").to_owned(),
         2 => {
-            let bound = *dice.one(bounds());
-            text([bound, bound.next_up(), bound.next_down(), bound + 1.0, bound - 1.0, -bound][dice.below(6)])
+            let bound = *choices.one(bounds());
+            text([bound, bound.next_up(), bound.next_down(), bound + 1.0, bound - 1.0, -bound][choices.below(6)])
         }
-        3 => text(number * dice.one(&[-1.0, 0.5, 2.0, 10.0, 1e-3, 1e3, 1e9, 1e-9])),
-        4 => text(if dice.is(0.5) { number.next_up() } else { number.next_down() }),
-        _ => text(number + dice.one(&[-1.0, 1.0, 0.01, -0.01, 1e-7, 360.0])),
+        3 => text(number * choices.one(&[-1.0, 0.5, 2.0, 10.0, 1e-3, 1e3, 1e9, 1e-9])),
+        4 => text(if choices.is(0.5) { number.next_up() } else { number.next_down() }),
+        _ => text(number + choices.one(&[-1.0, 1.0, 0.01, -0.01, 1e-7, 360.0])),
     }
 }
 
@@ -93,6 +52,7 @@ fn collect(schema: &Value, found: &mut BTreeSet<String>) {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::choices;
 
     #[test]
     fn the_bounds_of_the_schemas_are_known() {
@@ -102,8 +62,9 @@ mod tests {
 
     #[test]
     fn nearly_all_are_numbers_of_json() {
-        let mut dice = Dice::of("numbers", 1, 0);
-        let good = (0..1000).filter(|_| serde_json::from_str::<f64>(&other(3.5, &mut dice)).is_ok()).count();
+        let bytes = choices::bytes(1);
+        let mut choices = Choices::new(&bytes);
+        let good = (0..1000).filter(|_| serde_json::from_str::<f64>(&other(3.5, &mut choices)).is_ok()).count();
         assert!((850..1000).contains(&good), "{good}");
     }
 }

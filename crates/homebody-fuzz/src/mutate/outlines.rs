@@ -1,18 +1,18 @@
 //! Outlines that geometry trips over.
 
-use crate::dice::Dice;
+use crate::choices::Choices;
 
 /// A corner, in metres as a rule.
 pub type Corner = [f64; 2];
 
 /// Changes an outline into one that is hardly one.
-pub fn outline(corners: &mut Vec<Corner>, dice: &mut Dice) {
+pub fn outline(corners: &mut Vec<Corner>, choices: &mut Choices) {
     if corners.is_empty() {
         return;
     }
-    let at = dice.below(corners.len());
+    let at = choices.below(corners.len());
     let next = (at + 1) % corners.len();
-    match dice.below(14) {
+    match choices.below(14) {
         // All on one line.
         0 => corners.iter_mut().for_each(|corner| corner[1] = corner[0]),
         1 => {
@@ -28,26 +28,26 @@ pub fn outline(corners: &mut Vec<Corner>, dice: &mut Dice) {
         // Sides that cross.
         4 => corners.swap(at, next),
         5 => {
-            let other = dice.below(corners.len());
+            let other = choices.below(corners.len());
             corners.swap(at, other);
         }
         6 => corners.reverse(),
         // A spike: there and back.
         7 => {
             let [x, y] = corners[at];
-            let reach = *dice.one(&[1e-9, 1e-4, 0.01, 1.0, 1e3, 1e9]);
-            corners.splice(next..next, [[x + reach, y + reach * dice.between(-1.0, 1.0)], [x, y]]);
+            let reach = *choices.one(&[1e-9, 1e-4, 0.01, 1.0, 1e3, 1e9]);
+            corners.splice(next..next, [[x + reach, y + reach * choices.between(-1.0, 1.0)], [x, y]]);
         }
         // Nothing, nearly nothing, or the world.
-        8 => scale(corners, *dice.one(&[0.0, 1e-308, 1e-160, 1e-12, 1e-6, 1e-4, 0.01, 100.0, 1e6, 1e160, 1e300])),
+        8 => scale(corners, *choices.one(&[0.0, 1e-308, 1e-160, 1e-12, 1e-6, 1e-4, 0.01, 100.0, 1e6, 1e160, 1e300])),
         9 => {
-            let by = *dice.one(&[1e-308, 5e-324, 1e-17, 1e-9, 1e-6, 1e-4, -1e-4, 1e9, 1e16]);
-            corners[at][dice.below(2)] += by;
+            let by = *choices.one(&[1e-308, 5e-324, 1e-17, 1e-9, 1e-6, 1e-4, -1e-4, 1e9, 1e16]);
+            corners[at][choices.below(2)] += by;
         }
-        10 => corners[at][dice.below(2)] = *dice.one(&[1e-308, -1e-308, 5e-324, 0.0, -0.0, 1e300]),
+        10 => corners[at][choices.below(2)] = *choices.one(&[1e-308, -1e-308, 5e-324, 0.0, -0.0, 1e300]),
         // A ring of many corners, or a comb.
-        11 => *corners = ring(corners[at], dice.size(2_000), *dice.one(&[1e-4, 0.5, 3.0, 1e4])),
-        12 => *corners = comb(corners[at], dice.size(500)),
+        11 => *corners = ring(corners[at], choices.size(2_000), *choices.one(&[1e-4, 0.5, 3.0, 1e4])),
+        12 => *corners = comb(corners[at], choices.size(500)),
         _ => drop(corners.remove(at)),
     }
 }

@@ -1,48 +1,18 @@
-//! Names and other texts that somebody has not thought of.
+//! Unusual names and other texts.
 
-use crate::dice::Dice;
-
-const ODD: [&str; 28] = [
-    "",
-    " ",
-    ".",
-    "..",
-    "../../outside",
-    "/etc/passwd",
-    "C:\\outside",
-    "a\\b",
-    "a/b",
-    "a\nb",
-    "a\rb",
-    "\u{0}",
-    "\u{1b}]0;title\u{7}",
-    "=1+1",
-    "+cmd|' /C calc'!A0",
-    "-2",
-    "@sum(1)",
-    "\"; drop table firing; --",
-    "'; --",
-    "$(touch outside)",
-    "%s%n%x",
-    "<script>alert(1)</script>",
-    "\u{202e}txet",
-    "\u{feff}",
-    "ﬀ ß İ ı",
-    "e\u{301}\u{301}\u{301}",
-    "CON",
-    "null",
-];
+use super::word;
+use crate::choices::Choices;
 
 /// An odd text, a long one, or `text` with something odd in it.
-pub fn other(text: &str, dice: &mut Dice) -> String {
-    match dice.below(5) {
-        0 | 1 => (*dice.one(&ODD)).to_owned(),
-        2 => dice.one(&["x", "é", "a ", "\u{1f474}"]).repeat(dice.size(100_000)),
-        3 => format!("{text}{}", dice.one(&ODD)),
+pub fn other(text: &str, choices: &mut Choices) -> String {
+    match choices.below(5) {
+        0 | 1 => word(choices, "texts").to_owned(),
+        2 => choices.one(&["x", "é", "a ", "\u{1f474}"]).repeat(choices.size(100_000)),
+        3 => format!("{text}{}", word(choices, "texts")),
         _ => {
             let mut chars: Vec<char> = text.chars().collect();
-            let part = dice.part(chars.len());
-            chars.splice(part, dice.one(&ODD).chars());
+            let part = choices.part(chars.len());
+            chars.splice(part, word(choices, "texts").chars());
             chars.into_iter().collect()
         }
     }

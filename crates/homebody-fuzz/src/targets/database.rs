@@ -1,46 +1,45 @@
 //! Logs in databases, ours and others'.
 
 use super::log;
-use crate::corpus;
-use crate::dice::Dice;
+use crate::choices::Choices;
 use crate::mutate::sql;
-use crate::target::{self, Files, Target, Verdict};
+use crate::seeds;
+use crate::target::{self, CaseFiles, ReadVerdict, Target};
 use std::path::Path;
 
-pub const TARGET: Target =
-    Target { name: "database", about: "logs in SQLite, mapped by logger.json", cases: 2_000, corpus, mutate, run };
+pub const TARGET: Target = Target { name: "database", cases: 2_000, seeds, mutate, run };
 
-/// What a database of the corpus is made of.
+/// The script of a database.
 const SCRIPT: &str = "script.sql";
 
-fn corpus() -> Vec<Files> {
+fn seeds() -> Vec<CaseFiles> {
     scripts(TARGET.name, log::FILE)
 }
 
-/// The databases that the scripts of a target's corpus make, as the file of this name, each with its script.
-pub fn scripts(target: &str, file: &str) -> Vec<Files> {
+/// The databases that the scripts of a target's seeds make, as the file of this name, each with its script.
+pub fn scripts(target: &str, file: &str) -> Vec<CaseFiles> {
     let made = |script: Vec<u8>| {
         let database = sql::plain(&String::from_utf8_lossy(&script));
-        Files::from([(SCRIPT.to_owned(), script), (file.to_owned(), database)])
+        CaseFiles::from([(SCRIPT.to_owned(), script), (file.to_owned(), database)])
     };
-    corpus::of(target).into_iter().flat_map(Files::into_values).map(made).collect()
+    seeds::named(target).into_iter().flat_map(CaseFiles::into_values).map(made).collect()
 }
 
 /// Makes another database of a case's script.
-pub fn remade(files: &mut Files, file: &str, dice: &mut Dice) {
-    let database = sql::database(target::text(files, SCRIPT), dice);
+pub fn remade(files: &mut CaseFiles, file: &str, choices: &mut Choices) {
+    let database = sql::database(target::text(files, SCRIPT), choices);
     files.insert(file.to_owned(), database);
 }
 
-fn mutate(files: &mut Files, _: &[Files], dice: &mut Dice) {
-    remade(files, log::FILE, dice);
-    if dice.is(0.3) {
+fn mutate(files: &mut CaseFiles, _: &[CaseFiles], choices: &mut Choices) {
+    remade(files, log::FILE, choices);
+    if choices.is(0.3) {
         let mut mapping = String::new();
-        log::mapping(&mut mapping, dice);
+        log::mapping(&mut mapping, choices);
         files.insert(log::MAPPING.to_owned(), mapping.into_bytes());
     }
 }
 
-fn run(files: &Files, folder: &Path) -> Result<Verdict, String> {
+fn run(files: &CaseFiles, folder: &Path) -> Result<ReadVerdict, String> {
     log::read_and_analyse(files, folder)
 }

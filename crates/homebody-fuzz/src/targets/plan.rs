@@ -1,20 +1,19 @@
 //! Plans of Sweet Home 3D: what is imported passes the check, and somebody can look for ways in it.
 
-use super::told;
-use crate::corpus;
-use crate::dice::Dice;
+use super::messages;
+use crate::choices::Choices;
 use crate::mutate::markup;
-use crate::target::{self, Files, Target, Verdict};
+use crate::seeds;
+use crate::target::{self, CaseFiles, ReadVerdict, Target};
 use homebody_core::geometry::{self, Point};
-use homebody_core::home::plan::Plan;
+use homebody_core::plan::Plan;
 use homebody_core::scenario::load::Scenario;
 use homebody_import::{Imported, sweet_home};
 use homebody_walk::Mesh;
 use std::collections::BTreeMap;
 use std::path::Path;
 
-pub const TARGET: Target =
-    Target { name: "plan", about: "plans of Sweet Home 3D, archived and as XML", cases: 2_000, corpus, mutate, run };
+pub const TARGET: Target = Target { name: "plan", cases: 2_000, seeds, mutate, run };
 
 /// The plan, and the archive that it is in.
 const XML: &str = "Home.xml";
@@ -30,31 +29,31 @@ const BODY_M: f64 = 0.22;
 /// Largest number of remarks (our choice).
 const MOST_REMARKS: usize = 50;
 
-fn corpus() -> Vec<Files> {
-    let xmls = corpus::of(TARGET.name).into_iter().flat_map(Files::into_values);
-    let files = |xml: Vec<u8>| Files::from([(ARCHIVE.to_owned(), markup::archive(&xml)), (XML.to_owned(), xml)]);
+fn seeds() -> Vec<CaseFiles> {
+    let xmls = seeds::named(TARGET.name).into_iter().flat_map(CaseFiles::into_values);
+    let files = |xml: Vec<u8>| CaseFiles::from([(ARCHIVE.to_owned(), markup::archive(&xml)), (XML.to_owned(), xml)]);
     xmls.map(files).collect()
 }
 
-fn mutate(files: &mut Files, corpus: &[Files], dice: &mut Dice) {
+fn mutate(files: &mut CaseFiles, seeds: &[CaseFiles], choices: &mut Choices) {
     let mut xml = target::text(files, XML).to_owned();
-    if dice.is(0.9) {
-        markup::markup(&mut xml, dice);
+    if choices.is(0.9) {
+        markup::markup(&mut xml, choices);
     }
     let mut archive = markup::archive(xml.as_bytes());
-    if dice.is(0.2) {
-        archive = markup::odd_archive(xml.as_bytes(), dice);
+    if choices.is(0.2) {
+        archive = markup::odd_archive(xml.as_bytes(), choices);
     }
-    if dice.is(0.15) {
-        let other = dice.one(corpus).get(ARCHIVE).map(Vec::as_slice).unwrap_or_default();
-        crate::mutate::bytes::bytes(&mut archive, other, dice);
+    if choices.is(0.15) {
+        let other = choices.one(seeds).get(ARCHIVE).map(Vec::as_slice).unwrap_or_default();
+        crate::mutate::bytes::bytes(&mut archive, other, choices);
     }
     files.insert(XML.to_owned(), xml.into_bytes());
     files.insert(ARCHIVE.to_owned(), archive);
 }
 
-fn run(files: &Files, _: &Path) -> Result<Verdict, String> {
-    let mut verdict = Verdict::Refused;
+fn run(files: &CaseFiles, _: &Path) -> Result<ReadVerdict, String> {
+    let mut verdict = ReadVerdict::Refused;
     for name in [XML, ARCHIVE] {
         match sweet_home(files.get(name).map(Vec::as_slice).unwrap_or_default(), "a", None) {
             Ok(Imported { home_json, remarks }) => {
@@ -62,10 +61,10 @@ fn run(files: &Files, _: &Path) -> Result<Verdict, String> {
                     return Err(format!("nobody reads {} remarks", remarks.len()));
                 }
                 find_ways(&home_json)?;
-                verdict = Verdict::Accepted;
+                verdict = ReadVerdict::Accepted;
             }
             Err(error) => {
-                told::message(&error.to_string())?;
+                messages::message(&error.to_string())?;
                 if !error.to_string().contains("\n  hint: ") {
                     return Err(format!("nobody says what to do: {error}"));
                 }
@@ -82,7 +81,7 @@ fn find_ways(home_json: &str) -> Result<(), String> {
     let scenario = Scenario::load(&files, "scenario.json")
         .map_err(|problems| format!("what was imported is refused: {}", problems.render()))?;
     let home = scenario.home;
-    let plan = Plan::new(&home);
+    let plan = Plan::new(&*home);
     let mesh = Mesh::new(&plan, BODY_M);
     let rooms = plan.rooms.iter().map(|room| geometry::inner_point(&room.outline));
     let places: Vec<Point> = rooms.chain(home.furniture.iter().filter_map(|piece| piece.at.map(Point::from))).collect();

@@ -1,36 +1,36 @@
 //! Recordings: lived again, gone on with, or read beside a log.
 
-use super::told;
-use crate::corpus;
-use crate::dice::Dice;
+use super::messages;
+use crate::choices::Choices;
 use crate::mutate::{json, numbers};
-use crate::target::{self, Files, Target, Verdict};
-use homebody_core::time::SECOND;
-use homebody_kit::{Destinations, LogWithRun, Recorded, Template, Unfinished};
+use crate::seeds;
+use crate::target::{self, CaseFiles, ReadVerdict, Target};
+use homebody_core::time::MINUTE;
+use homebody_query::LoadedLog;
+use homebody_simulation::{Destinations, IncompleteRun, RecordedRun, Template};
 use serde_json::Value;
 use std::fs;
 use std::path::Path;
 use std::time::{Duration, Instant};
 
-pub const TARGET: Target =
-    Target { name: "recording", about: "recordings, lived again", cases: 1_000, corpus, mutate, run };
+pub const TARGET: Target = Target { name: "recording", cases: 1_000, seeds, mutate, run };
 
 pub const FILE: &str = "recording.json";
 
 /// Time allowed for a batch of a run that may be a hundred years long or more (our choice).
 const LONGEST: Duration = Duration::from_millis(250);
 
-fn corpus() -> Vec<Files> {
+fn seeds() -> Vec<CaseFiles> {
     let own = Template::all().filter_map(|template| recorded(template, &template.name()));
-    corpus::of(TARGET.name).into_iter().chain(own).collect()
+    seeds::named(TARGET.name).into_iter().chain(own).collect()
 }
 
 /// The recording of a minute of a scenario; one that is not complete where its name is long.
-fn recorded(template: Template, name: &str) -> Option<Files> {
+fn recorded(template: Template, name: &str) -> Option<CaseFiles> {
     let folder = tempfile::tempdir().ok()?;
     let path = folder.path().join(FILE);
     let to = Destinations { runs: None, recording: Some(path.clone()), ..Destinations::default() };
-    let run = template.source().open().ok()?.run().length(60 * SECOND).start().ok()?;
+    let run = template.source().open().ok()?.run().length(MINUTE).start().ok()?;
     run.store(&to, |_| ()).ok()?;
     let mut text = fs::read_to_string(path).ok()?;
     if name.len() > 12 {
@@ -39,51 +39,51 @@ fn recorded(template: Template, name: &str) -> Option<Files> {
         recording["firings"] = 0.into();
         text = recording.to_string();
     }
-    Some(Files::from([(FILE.to_owned(), text.into_bytes())]))
+    Some(CaseFiles::from([(FILE.to_owned(), text.into_bytes())]))
 }
 
-fn mutate(files: &mut Files, corpus: &[Files], dice: &mut Dice) {
+fn mutate(files: &mut CaseFiles, seeds: &[CaseFiles], choices: &mut Choices) {
     // Half of the mutants are of the scenario in it.
     let recording = serde_json::from_str::<Value>(target::text(files, FILE));
-    if let (Ok(mut recording), true) = (recording, dice.is(0.5)) {
+    if let (Ok(mut recording), true) = (recording, choices.is(0.5)) {
         let names: Vec<String> =
             recording["files"].as_object().into_iter().flat_map(|files| files.keys().cloned()).collect();
         if !names.is_empty() {
-            let name = dice.one(&names);
+            let name = choices.one(&names);
             let mut text = recording["files"][name].as_str().unwrap_or_default().to_owned();
-            json::json(&mut text, &[], dice);
+            json::json(&mut text, &[], choices);
             recording["files"][name] = text.into();
         }
         let mut text = recording.to_string();
-        if dice.is(0.3) {
-            let length = numbers::other(60e6, dice);
+        if choices.is(0.3) {
+            let length = numbers::other(60e6, choices);
             text = text.replacen("\"length_us\":60000000", &format!("\"length_us\":{length}"), 1);
         }
         files.insert(FILE.to_owned(), text.into_bytes());
         return;
     }
-    target::change(files, corpus, dice, |_, text, others, dice| {
-        json::json(text, others, dice);
+    target::change(files, seeds, choices, |_, text, others, choices| {
+        json::json(text, others, choices);
     });
 }
 
-fn run(files: &Files, folder: &Path) -> Result<Verdict, String> {
-    let none = target::texts(&Files::new());
+fn run(files: &CaseFiles, folder: &Path) -> Result<ReadVerdict, String> {
+    let none = target::texts(&CaseFiles::new());
     let path = folder.join(FILE);
     fs::write(&path, files.get(FILE).map(Vec::as_slice).unwrap_or_default()).map_err(|error| error.to_string())?;
     // A recording beside a log says what its sensors are called, and when it was.
     fs::write(folder.join("log.csv"), "time,sensor,value\n2009-03-02 07:12:03,bed motion,ON\n")
         .map_err(|error| error.to_string())?;
-    if let Err(error) = LogWithRun::read(&folder.join("log.csv").to_string_lossy(), None) {
-        told::message(&error.to_string())?;
+    if let Err(error) = LoadedLog::read(&folder.join("log.csv").to_string_lossy(), None) {
+        messages::message(&error.to_string())?;
     }
-    // What is left to do in a folder is told before anything is done there.
-    if let Err(error) = Unfinished::open(folder) {
-        told::error(&error, &none)?;
+    // The work left in a folder is reported before it is done.
+    if let Err(error) = IncompleteRun::open(folder) {
+        messages::error(&error, &none)?;
     }
-    let recorded = match Recorded::open(&path) {
+    let recorded = match RecordedRun::open(&path) {
         Ok(recorded) => recorded,
-        Err(error) => return told::error(&error, &none).map(|()| Verdict::Refused),
+        Err(error) => return messages::error(&error, &none).map(|()| ReadVerdict::Refused),
     };
     let mut run = recorded.start();
     let begun = Instant::now();
@@ -95,5 +95,5 @@ fn run(files: &Files, folder: &Path) -> Result<Verdict, String> {
             Err(error) => return Err(format!("the check lets it pass, and the run says: {error}")),
         }
     }
-    Ok(Verdict::Accepted)
+    Ok(ReadVerdict::Accepted)
 }

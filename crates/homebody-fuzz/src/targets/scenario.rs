@@ -1,37 +1,36 @@
 //! Scenarios: their files of each kind, checked together, and lived.
 
-use super::life;
-use crate::corpus;
-use crate::dice::Dice;
+use super::simulation;
+use crate::choices::Choices;
 use crate::mutate::{json, sentences};
-use crate::target::{self, Files, Target, Verdict};
+use crate::seeds;
+use crate::target::{self, CaseFiles, ReadVerdict, Target};
 use std::path::Path;
 
-pub const TARGET: Target =
-    Target { name: "scenario", about: "scenarios, checked and lived for an hour", cases: 10_000, corpus, mutate, run };
+pub const TARGET: Target = Target { name: "scenario", cases: 10_000, seeds, mutate, run };
 
-fn corpus() -> Vec<Files> {
-    corpus::of(TARGET.name).into_iter().chain(corpus::scenarios()).collect()
+fn seeds() -> Vec<CaseFiles> {
+    seeds::named(TARGET.name).into_iter().chain(seeds::scenarios()).collect()
 }
 
-fn mutate(files: &mut Files, corpus: &[Files], dice: &mut Dice) {
-    if dice.is(0.03) {
-        links(files, dice);
+fn mutate(files: &mut CaseFiles, seeds: &[CaseFiles], choices: &mut Choices) {
+    if choices.is(0.03) {
+        links(files, choices);
     }
-    target::change(files, corpus, dice, |name, text, others, dice| {
+    target::change(files, seeds, choices, |name, text, others, choices| {
         if name.ends_with(".routine") {
-            sentences::lines(text, dice);
+            sentences::lines(text, choices);
         } else {
-            json::json(text, others, dice);
+            json::json(text, others, choices);
         }
     });
 }
 
-/// Files that are missing, that stand for others, or link each other.
-fn links(files: &mut Files, dice: &mut Dice) {
+/// CaseFiles that are missing, that stand for others, or link each other.
+fn links(files: &mut CaseFiles, choices: &mut Choices) {
     let names: Vec<String> = files.keys().cloned().collect();
-    let (one, other) = (dice.one(&names), dice.one(&names));
-    match dice.below(3) {
+    let (one, other) = (choices.one(&names), choices.one(&names));
+    match choices.below(3) {
         0 => drop(files.remove(one)),
         1 => drop(files.insert(one.clone(), files[other].clone())),
         _ => {
@@ -41,6 +40,6 @@ fn links(files: &mut Files, dice: &mut Dice) {
     }
 }
 
-fn run(files: &Files, folder: &Path) -> Result<Verdict, String> {
-    life::check_and_live(&target::texts(files), folder)
+fn run(files: &CaseFiles, folder: &Path) -> Result<ReadVerdict, String> {
+    simulation::check_and_live(&target::texts(files), folder)
 }

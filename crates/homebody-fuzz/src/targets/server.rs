@@ -1,53 +1,46 @@
-//! What servers are named by and what they say: URLs of databases and brokers, orders to a run, and notes of what was confirmed.
+//! Input from servers: URLs of databases and brokers, orders to a run, and notes on confirmed rows.
 
-use super::told;
-use crate::corpus;
-use crate::dice::Dice;
+use super::messages;
+use crate::choices::Choices;
 use crate::mutate::{json, texts};
-use crate::target::{self, Files, Target, Verdict};
+use crate::seeds;
+use crate::target::{self, CaseFiles, ReadVerdict, Target};
+use homebody_core::calendar::Calendar;
 use homebody_core::event::{Firing, Value};
 use homebody_core::ids::SensorId;
-use homebody_core::scenario::calendar::Calendar;
 use homebody_core::scenario::logger::LoggerFile;
 use homebody_core::scenario::scheme::{Scheme, without_password};
-use homebody_core::time::Micros;
+use homebody_core::time::RunTime;
 use homebody_log::table::Batch;
-use homebody_log::{Begin, Destination, How, Log, LogError, Logger, Policy, RunInfo, Sink, Url, Watermark};
+use homebody_log::{Begin, Destination, Log, LogError, Logger, Policy, RunInfo, Sink, Url, Watermark, WriteMode};
 use homebody_mqtt::{Address, order_of};
 use std::fs;
 use std::path::Path;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
 
-pub const TARGET: Target = Target {
-    name: "server",
-    about: "URLs of servers, orders from brokers, notes of what was confirmed",
-    cases: 10_000,
-    corpus,
-    mutate,
-    run,
-};
+pub const TARGET: Target = Target { name: "server", cases: 10_000, seeds, mutate, run };
 
 const URLS: &str = "urls.txt";
 const ORDERS: &str = "orders.jsonl";
 const NOTE: &str = "note.json";
 
-/// What stands as a password in the corpus, and in no message.
+/// The password in the seeds, which no message may have.
 const SECRET: &str = "s3cr3t-canary";
 
-fn corpus() -> Vec<Files> {
-    vec![corpus::of(TARGET.name).into_iter().flatten().collect()]
+fn seeds() -> Vec<CaseFiles> {
+    vec![seeds::named(TARGET.name).into_iter().flatten().collect()]
 }
 
-fn mutate(files: &mut Files, corpus: &[Files], dice: &mut Dice) {
-    target::change(files, corpus, dice, |name, text, others, dice| {
+fn mutate(files: &mut CaseFiles, seeds: &[CaseFiles], choices: &mut Choices) {
+    target::change(files, seeds, choices, |name, text, others, choices| {
         let mut lines: Vec<String> = text.lines().map(str::to_owned).collect();
-        for _ in 0..dice.size(6) {
-            let at = dice.below(lines.len());
+        for _ in 0..choices.size(6) {
+            let at = choices.below(lines.len());
             let Some(line) = lines.get_mut(at) else { break };
-            let is_json = name != URLS && json::json(line, others, dice);
+            let is_json = name != URLS && json::json(line, others, choices);
             if !is_json {
-                *line = part(line, dice);
+                *line = part(line, choices);
             }
         }
         *text = lines.join("\n");
@@ -55,51 +48,51 @@ fn mutate(files: &mut Files, corpus: &[Files], dice: &mut Dice) {
 }
 
 /// A URL of which one part is another.
-fn part(line: &str, dice: &mut Dice) -> String {
+fn part(line: &str, choices: &mut Choices) -> String {
     let marks = ['/', '?', '&', '=', ':', '@', '%', '[', ']', ',', '+'];
     let mut letters: Vec<char> = line.chars().collect();
-    let at = dice.below(letters.len().max(1)).min(letters.len());
-    match dice.below(4) {
-        0 => letters.insert(at, *dice.one(&marks)),
-        1 if at < letters.len() => letters[at] = *dice.one(&marks),
+    let at = choices.below(letters.len().max(1)).min(letters.len());
+    match choices.below(4) {
+        0 => letters.insert(at, *choices.one(&marks)),
+        1 if at < letters.len() => letters[at] = *choices.one(&marks),
         2 if !line.is_empty() => {
             let parts: Vec<&str> = line.split_inclusive(marks).collect();
-            let other = texts::other(parts[dice.below(parts.len())], dice);
-            let replaced = dice.below(parts.len());
+            let other = texts::other(parts[choices.below(parts.len())], choices);
+            let replaced = choices.below(parts.len());
             return parts.iter().enumerate().map(|(at, part)| if at == replaced { &*other } else { part }).collect();
         }
-        _ => return texts::other(line, dice),
+        _ => return texts::other(line, choices),
     }
     letters.into_iter().collect()
 }
 
-fn run(files: &Files, folder: &Path) -> Result<Verdict, String> {
-    let mut verdict = Verdict::Refused;
+fn run(files: &CaseFiles, folder: &Path) -> Result<ReadVerdict, String> {
+    let mut verdict = ReadVerdict::Refused;
     for (number, line) in target::texts(files).get(URLS).iter().flat_map(|text| text.lines().enumerate()) {
         // Of many lines some always name a server: the first decides.
         if named(line)? && number == 0 {
-            verdict = Verdict::Accepted;
+            verdict = ReadVerdict::Accepted;
         }
     }
     let orders = files.get(ORDERS).map(Vec::as_slice).unwrap_or_default();
     for order in orders.split(|&byte| byte == b'\n') {
         if let Err(why) = order_of(order) {
-            told::message(&why)?;
+            messages::message(&why)?;
         }
     }
     noted(files.get(NOTE).map(Vec::as_slice).unwrap_or_default(), folder)?;
     Ok(verdict)
 }
 
-/// Whether a text names a server.
+/// True if a text names a server.
 fn named(text: &str) -> Result<bool, String> {
-    // What stands where no password can be, nobody can know to be one.
+    // Outside of the place of a password, a text is not known to be one.
     let has_secret = text.contains(SECRET) && !without_password(text).contains(SECRET);
     let said = |error: LogError| {
         let error = error.to_string();
         match has_secret && error.contains(SECRET) {
             true => Err(format!("a password is told: {error}")),
-            false => told::message(&error),
+            false => messages::message(&error),
         }
     };
     let mut is_one = false;
@@ -126,11 +119,11 @@ fn named(text: &str) -> Result<bool, String> {
     Ok(is_one)
 }
 
-/// How many rows a destination gets that has a note of what it has confirmed, whatever stands in it.
+/// Checks that a destination never gets more rows than there are, whatever its note of confirmed rows says.
 fn noted(note: &[u8], folder: &Path) -> Result<(), String> {
     const ROWS: u64 = 5;
     let taken = Arc::new(AtomicU64::new(0));
-    let live = |how: How| -> Result<(), LogError> {
+    let live = |how: WriteMode| -> Result<(), LogError> {
         let sink = Counting { taken: taken.clone(), now: 0 };
         let place = Destination::own("a broker", sink, Policy::default()).remembered_in(folder);
         let calendar =
@@ -138,20 +131,21 @@ fn noted(note: &[u8], folder: &Path) -> Result<(), String> {
         let sensors = Log { sensors: vec!["hall".into()], ..Log::default() };
         let run = Arc::new(RunInfo::of_log("a day", calendar, &sensors));
         let mut logger = Logger::open(vec![place], &LoggerFile::default(), &run, how)?;
-        let firing = |seq: u64| Firing { seq, at: seq as Micros, sensor: SensorId(0), value: Value::Fire };
-        logger.store(&(0..ROWS).map(firing).collect::<Vec<_>>(), ROWS as Micros)?;
+        let at = |seq: u64| RunTime::from_micros(seq as i64);
+        let firing = |seq: u64| Firing { seq, at: at(seq), sensor: SensorId(0), value: Value::Fire };
+        logger.store(&(0..ROWS).map(firing).collect::<Vec<_>>(), at(ROWS))?;
         logger.finish().map(drop)
     };
-    live(How::New).map_err(|error| error.to_string())?;
+    live(WriteMode::Create).map_err(|error| error.to_string())?;
     let path = fs::read_dir(folder).into_iter().flatten().flatten().map(|entry| entry.path());
     let path = path.into_iter().find(|path| path.to_string_lossy().ends_with(".confirmed.json"));
     let path = path.ok_or("nothing is noted")?;
     fs::write(&path, note).map_err(|error| error.to_string())?;
     taken.store(0, Ordering::SeqCst);
-    match live(How::GoOn) {
+    match live(WriteMode::Resume) {
         Ok(()) if taken.load(Ordering::SeqCst) > ROWS => Err("more rows are given than there are".into()),
         Ok(()) => Ok(()),
-        Err(error) => told::message(&error.to_string()),
+        Err(error) => messages::message(&error.to_string()),
     }
 }
 
@@ -172,11 +166,11 @@ impl Sink for Counting {
         Ok(())
     }
 
-    fn settle(&mut self) -> Result<Watermark, LogError> {
+    fn make_durable(&mut self) -> Result<Watermark, LogError> {
         Ok(Watermark(vec![self.now]))
     }
 
-    fn finish(&mut self, _: Micros) -> Result<(), LogError> {
+    fn finish(&mut self, _: RunTime) -> Result<(), LogError> {
         Ok(())
     }
 }

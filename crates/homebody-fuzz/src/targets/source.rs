@@ -1,24 +1,17 @@
 //! Logs in the forms of data sets, with some of their lines changed: no other line is lost by that, and what is refused is named.
 
-use super::told;
-use crate::corpus;
-use crate::dice::Dice;
+use super::messages;
+use crate::choices::Choices;
 use crate::mutate::texts;
-use crate::target::{self, Files, Target, Verdict};
+use crate::seeds;
+use crate::target::{self, CaseFiles, ReadVerdict, Target};
 use homebody_core::scenario::logger::LoggerFile;
-use homebody_log::{Activity, Log, LogError, Source};
+use homebody_log::{Activity, Log, LogError, LogSource};
 use std::collections::BTreeMap;
 use std::fs;
 use std::path::Path;
 
-pub const TARGET: Target = Target {
-    name: "source",
-    about: "logs as data sets have them: each line for itself",
-    cases: 10_000,
-    corpus,
-    mutate,
-    run,
-};
+pub const TARGET: Target = Target { name: "source", cases: 10_000, seeds, mutate, run };
 
 /// The log as it was, and as it is changed.
 const GOOD: &str = "good";
@@ -27,31 +20,31 @@ const CHANGED: &str = "changed";
 /// Lines at the beginning of a file that stay, because the others depend on them (our choice).
 const HEAD: usize = 8;
 
-fn corpus() -> Vec<Files> {
-    let both = |text: Vec<u8>| Files::from([(GOOD.to_owned(), text.clone()), (CHANGED.to_owned(), text)]);
-    corpus::of(TARGET.name).into_iter().flat_map(Files::into_values).map(both).collect()
+fn seeds() -> Vec<CaseFiles> {
+    let both = |text: Vec<u8>| CaseFiles::from([(GOOD.to_owned(), text.clone()), (CHANGED.to_owned(), text)]);
+    seeds::named(TARGET.name).into_iter().flat_map(CaseFiles::into_values).map(both).collect()
 }
 
-fn mutate(files: &mut Files, _: &[Files], dice: &mut Dice) {
+fn mutate(files: &mut CaseFiles, _: &[CaseFiles], choices: &mut Choices) {
     let mut lines: Vec<String> = target::text(files, GOOD).split('\n').map(str::to_owned).collect();
-    for _ in 0..dice.size(3) {
-        let at = HEAD + dice.below(lines.len().saturating_sub(HEAD + 1).max(1));
+    for _ in 0..choices.size(3) {
+        let at = HEAD + choices.below(lines.len().saturating_sub(HEAD + 1).max(1));
         let Some(line) = lines.get_mut(at) else { continue };
-        *line = other(line, dice).replace(['\n', '\r'], " ");
+        *line = other(line, choices).replace(['\n', '\r'], " ");
     }
     files.insert(CHANGED.to_owned(), lines.join("\n").into_bytes());
 }
 
 /// A line that differs in a letter, a word or all.
-fn other(line: &str, dice: &mut Dice) -> String {
+fn other(line: &str, choices: &mut Choices) -> String {
     let mut letters: Vec<char> = line.chars().collect();
-    let at = dice.below(letters.len());
-    match dice.below(8) {
+    let at = choices.below(letters.len());
+    match choices.below(8) {
         0 if !letters.is_empty() => drop(letters.remove(at)),
-        1 => letters.insert(at, *dice.one(&['"', ',', '\t', ' ', 'Z', '-', ':', '0', ';', '|', '\0', 'é'])),
-        2 if !letters.is_empty() => letters[at] = *dice.one(&['"', ',', '\t', ' ', 'Z', '-', ':', '9', 'x']),
+        1 => letters.insert(at, *choices.one(&['"', ',', '\t', ' ', 'Z', '-', ':', '0', ';', '|', '\0', 'é'])),
+        2 if !letters.is_empty() => letters[at] = *choices.one(&['"', ',', '\t', ' ', 'Z', '-', ':', '9', 'x']),
         3 => letters.truncate(at),
-        4 => return texts::other(line, dice),
+        4 => return texts::other(line, choices),
         5 => return line.replacen(' ', "T", 1) + "Z",
         6 => return format!("\"{line}"),
         _ => return line.split([',', '\t', ' ']).rev().collect::<Vec<_>>().join(","),
@@ -59,19 +52,19 @@ fn other(line: &str, dice: &mut Dice) -> String {
     letters.into_iter().collect()
 }
 
-fn run(files: &Files, folder: &Path) -> Result<Verdict, String> {
+fn run(files: &CaseFiles, folder: &Path) -> Result<ReadVerdict, String> {
     let (good, changed) = (target::text(files, GOOD), target::text(files, CHANGED));
     // A change that is no text any more changes nothing that can be told line by line.
     if good.is_empty() || changed.is_empty() {
-        return Ok(Verdict::Refused);
+        return Ok(ReadVerdict::Refused);
     }
     let path = folder.join(GOOD);
     let failed = |error: std::io::Error| format!("the folder of the case: {error}");
     fs::write(&path, good).map_err(failed)?;
-    let form = Source::recognise(&path).map_err(|error| error.to_string())?.form();
+    let form = LogSource::recognise(&path).map_err(|error| error.to_string())?.form();
     let read = |text: &str| {
         fs::write(&path, text).map_err(failed)?;
-        Ok::<_, String>(homebody_log::read(Source::new(form, &path), &LoggerFile::default()))
+        Ok::<_, String>(homebody_log::read(LogSource::new(form, &path), &LoggerFile::default()))
     };
     let before: Vec<&str> = good.split('\n').collect();
     let after: Vec<&str> = changed.split('\n').collect();
@@ -89,7 +82,9 @@ fn run(files: &Files, folder: &Path) -> Result<Verdict, String> {
     let log: Log = match read(changed)? {
         Ok(log) => log,
         // A line longer than any log has.
-        Err(error @ LogError::TooLong { .. }) => return told::message(&error.to_string()).map(|()| Verdict::Refused),
+        Err(error @ LogError::TooLong { .. }) => {
+            return messages::message(&error.to_string()).map(|()| ReadVerdict::Refused);
+        }
         Err(error) => return Err(format!("lines that stay are lost with the others: {error}")),
     };
     let is_refused = |at: &usize| log.problems.iter().any(|problem| problem.line as usize == at + 1);
@@ -100,17 +95,17 @@ fn run(files: &Files, folder: &Path) -> Result<Verdict, String> {
     if let Some(stranger) = log.problems.iter().find(|problem| !apart.contains(&(problem.line as usize - 1))) {
         return Err(format!("line {} was not changed and is refused: {}", stranger.line, stranger.why));
     }
-    log.problems.iter().try_for_each(|problem| told::message(&problem.why))?;
-    // Where a line is a row, one that is changed is a row or is named.
+    log.problems.iter().try_for_each(|problem| messages::message(&problem.why))?;
+    // In a form with a row a line, a changed line is a row or is reported.
     let is_said = |at: &&usize| after.get(**at).is_some_and(|line| !line.trim().is_empty());
     let said = apart.iter().filter(is_said).count() as u64;
     if form.name == "casas" && log.rows + log.skipped < rest.rows + said {
         return Err(format!("of {said} lines that were changed some are neither rows nor named"));
     }
-    Ok(if log.skipped > 0 { Verdict::Refused } else { Verdict::Accepted })
+    Ok(if log.skipped > 0 { ReadVerdict::Refused } else { ReadVerdict::Accepted })
 }
 
-/// Forms with a row for each second, in which only changes are told.
+/// Forms with a row for each second, which record only changes.
 const EACH_SECOND: [&str; 2] = ["aras", "openshs"];
 
 /// The lines of all records that any of the lines is in.
@@ -131,7 +126,7 @@ fn with_their_record(form: &str, lines: &[&str], some: &[usize]) -> Vec<usize> {
     (0..lines.len()).filter(|&at| some.iter().any(|&other| records[other] == records[at])).collect()
 }
 
-/// Whether all that the rest tells is told by the log, too.
+/// Checks that the log has all rows of the rest.
 fn nothing_is_lost(log: &Log, rest: &Log) -> Result<(), String> {
     let (mut there, wanted) = (rows(log), rows(rest));
     for (row, times) in wanted {
@@ -143,15 +138,15 @@ fn nothing_is_lost(log: &Log, rest: &Log) -> Result<(), String> {
     Ok(())
 }
 
-/// How often each row is there, and each activity of a form whose records are activities.
+/// The number of each row, and each activity of a form whose records are activities.
 fn rows(log: &Log) -> BTreeMap<(i64, String, String), u64> {
     let mut rows = BTreeMap::new();
     for event in &log.events {
-        *rows.entry((event.at, log.sensor(event).to_owned(), log.value(event).to_owned())).or_default() += 1;
+        *rows.entry((event.at.micros(), log.sensor(event).to_owned(), log.value(event).to_owned())).or_default() += 1;
     }
     if log.events.is_empty() {
         for Activity { name, begin, end } in &log.activities {
-            *rows.entry((*begin, name.clone(), end.to_string())).or_default() += 1;
+            *rows.entry((begin.micros(), name.clone(), end.to_string())).or_default() += 1;
         }
     }
     rows

@@ -1,42 +1,41 @@
 //! Short texts that people say: places of logs, dates, time zones, speeds, commands for a run that is lived.
 
-use super::told;
-use crate::corpus;
-use crate::dice::Dice;
+use super::messages;
+use crate::choices::Choices;
 use crate::mutate::{numbers, tables, texts};
-use crate::target::{self, Files, Target, Verdict};
-use homebody_analysis::dates::Asked;
-use homebody_core::scenario::calendar::{Calendar, time_of_day};
-use homebody_kit::pace::{Command, Speed};
+use crate::seeds;
+use crate::target::{self, CaseFiles, ReadVerdict, Target};
+use homebody_analysis::dates::DayChoice;
+use homebody_core::calendar::{Calendar, time_of_day};
 use homebody_log::{LogError, Url};
+use homebody_simulation::{pace::RunCommand, pace::Speed};
 use std::fmt::Display;
 use std::path::Path;
 
-pub const TARGET: Target =
-    Target { name: "text", about: "URLs, dates, zones, speeds, commands", cases: 5_000, corpus, mutate, run };
+pub const TARGET: Target = Target { name: "text", cases: 5_000, seeds, mutate, run };
 
 const FILE: &str = "texts";
 
 /// Largest number of texts in a case (our choice).
 const MOST_LINES: usize = 200;
 
-fn corpus() -> Vec<Files> {
-    let texts = corpus::of(TARGET.name).into_iter().flat_map(Files::into_values);
-    texts.map(|text| Files::from([(FILE.to_owned(), text)])).collect()
+fn seeds() -> Vec<CaseFiles> {
+    let texts = seeds::named(TARGET.name).into_iter().flat_map(CaseFiles::into_values);
+    texts.map(|text| CaseFiles::from([(FILE.to_owned(), text)])).collect()
 }
 
-fn mutate(files: &mut Files, corpus: &[Files], dice: &mut Dice) {
-    target::change(files, corpus, dice, |_, text, _, dice| {
+fn mutate(files: &mut CaseFiles, seeds: &[CaseFiles], choices: &mut Choices) {
+    target::change(files, seeds, choices, |_, text, _, choices| {
         let mut lines: Vec<String> = text.lines().map(str::to_owned).collect();
-        for _ in 0..dice.size(20) {
-            let at = dice.below(lines.len());
+        for _ in 0..choices.size(20) {
+            let at = choices.below(lines.len());
             let Some(line) = lines.get_mut(at) else { break };
-            *line = match dice.below(5) {
-                0 => tables::instant(dice).to_owned(),
-                1 => numbers::other(1.0, dice),
-                2 => format!("{}{}", line.split_inclusive(':').next().unwrap_or_default(), texts::other("", dice)),
-                3 => format!("{} {}", line.split(' ').next().unwrap_or_default(), numbers::other(2.0, dice)),
-                _ => texts::other(line, dice),
+            *line = match choices.below(5) {
+                0 => tables::instant(choices).to_owned(),
+                1 => numbers::other(1.0, choices),
+                2 => format!("{}{}", line.split_inclusive(':').next().unwrap_or_default(), texts::other("", choices)),
+                3 => format!("{} {}", line.split(' ').next().unwrap_or_default(), numbers::other(2.0, choices)),
+                _ => texts::other(line, choices),
             };
         }
         lines.truncate(MOST_LINES);
@@ -44,11 +43,11 @@ fn mutate(files: &mut Files, corpus: &[Files], dice: &mut Dice) {
     });
 }
 
-fn run(files: &Files, folder: &Path) -> Result<Verdict, String> {
-    let mut verdict = Verdict::Refused;
+fn run(files: &CaseFiles, folder: &Path) -> Result<ReadVerdict, String> {
+    let mut verdict = ReadVerdict::Refused;
     for text in target::texts(files).values().flat_map(|text| text.lines()) {
         if understood(text, folder)? {
-            verdict = Verdict::Accepted;
+            verdict = ReadVerdict::Accepted;
         }
     }
     Ok(verdict)
@@ -64,7 +63,7 @@ fn understood(text: &str, folder: &Path) -> Result<bool, String> {
             return Err(format!("{text:?} becomes {again}"));
         }
     }
-    let asked = text.parse::<Asked>();
+    let asked = text.parse::<DayChoice>();
     if let (Ok(asked), true) = (asked.as_ref(), text.len() == 10) {
         let said = asked.to_string();
         if said != text {
@@ -78,16 +77,16 @@ fn understood(text: &str, folder: &Path) -> Result<bool, String> {
         spoken(start)?,
         spoken(Calendar::zone(text))?,
         spoken(text.parse::<Speed>())?,
-        spoken(text.parse::<Command>())?,
+        spoken(text.parse::<RunCommand>())?,
         time_of_day(text).is_some(),
     ];
     Ok(found.contains(&true))
 }
 
-/// Whether it is understood; why not can be read.
+/// True if it is understood; otherwise checks the message.
 fn spoken<T, E: Display>(read: Result<T, E>) -> Result<bool, String> {
     match read {
         Ok(_) => Ok(true),
-        Err(error) => told::message(&error.to_string()).map(|()| false),
+        Err(error) => messages::message(&error.to_string()).map(|()| false),
     }
 }

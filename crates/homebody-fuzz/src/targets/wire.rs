@@ -1,11 +1,11 @@
-//! What the page says: about drafts, and to the run on the stage.
+//! The messages of the page: about drafts, and to a run.
 
-use super::told;
-use crate::corpus;
-use crate::dice::Dice;
+use super::messages;
+use crate::choices::Choices;
 use crate::mutate::{json, sentences};
-use crate::target::{self, Files, Target, Verdict};
-use homebody_kit::Cancel;
+use crate::seeds;
+use crate::target::{self, CaseFiles, ReadVerdict, Target};
+use homebody_simulation::Cancel;
 use homebody_web::desk::Desk;
 use homebody_web::shelf::Shelf;
 use homebody_web::stage::{Seen, Stage};
@@ -15,49 +15,48 @@ use std::fs;
 use std::path::Path;
 use std::time::{Duration, Instant};
 
-pub const TARGET: Target =
-    Target { name: "wire", about: "what the page says, about drafts and to a run", cases: 2_000, corpus, mutate, run };
+pub const TARGET: Target = Target { name: "wire", cases: 2_000, seeds, mutate, run };
 
 const FILE: &str = "message.json";
 
 /// Time that the stage has for its commands before it is closed (our choice).
 const LONGEST: Duration = Duration::from_millis(30);
 
-fn corpus() -> Vec<Files> {
-    let texts = corpus::of(TARGET.name).into_iter().flat_map(Files::into_values);
-    texts.map(|text| Files::from([(FILE.to_owned(), text)])).collect()
+fn seeds() -> Vec<CaseFiles> {
+    let texts = seeds::named(TARGET.name).into_iter().flat_map(CaseFiles::into_values);
+    texts.map(|text| CaseFiles::from([(FILE.to_owned(), text)])).collect()
 }
 
-fn mutate(files: &mut Files, corpus: &[Files], dice: &mut Dice) {
+fn mutate(files: &mut CaseFiles, seeds: &[CaseFiles], choices: &mut Choices) {
     let message = serde_json::from_str::<Value>(target::text(files, FILE));
-    if let (Ok(mut message), true) = (message, dice.is(0.6))
-        && drafted(&mut message, dice)
+    if let (Ok(mut message), true) = (message, choices.is(0.6))
+        && drafted(&mut message, choices)
     {
         files.insert(FILE.to_owned(), message.to_string().into_bytes());
         return;
     }
-    target::change(files, corpus, dice, |_, text, others, dice| {
-        json::json(text, others, dice);
+    target::change(files, seeds, choices, |_, text, others, choices| {
+        json::json(text, others, choices);
     });
 }
 
 /// Changes a text of a draft as its writer would; false where there is none.
-fn drafted(message: &mut Value, dice: &mut Dice) -> bool {
+fn drafted(message: &mut Value, choices: &mut Choices) -> bool {
     let at = if message["texts"].is_object() { "/texts" } else { "/draft/texts" };
     let Some(Value::Object(texts)) = message.pointer_mut(at) else { return false };
     let names: Vec<String> = texts.keys().cloned().collect();
-    let Some(name) = names.get(dice.below(names.len())) else { return false };
+    let Some(name) = names.get(choices.below(names.len())) else { return false };
     let mut text = texts[name].as_str().unwrap_or_default().to_owned();
     if name.ends_with(".routine") {
-        sentences::lines(&mut text, dice);
-    } else if !json::json(&mut text, &[], dice) {
+        sentences::lines(&mut text, choices);
+    } else if !json::json(&mut text, &[], choices) {
         return false;
     }
     texts.insert(name.clone(), text.into());
     true
 }
 
-fn run(files: &Files, folder: &Path) -> Result<Verdict, String> {
+fn run(files: &CaseFiles, folder: &Path) -> Result<ReadVerdict, String> {
     let shelf = shelf(folder).map_err(|error| format!("the folder of the case: {error}"))?;
     let desk = Desk::new(shelf.clone());
     let text = target::texts(files).remove(FILE).unwrap_or_default();
@@ -71,9 +70,9 @@ fn run(files: &Files, folder: &Path) -> Result<Verdict, String> {
     }
     // Anybody's plan is dropped onto the page.
     if let Err(error) = desk.import(text.as_bytes()) {
-        told::message(&error.to_string())?;
+        messages::message(&error.to_string())?;
     }
-    Ok(if is_understood { Verdict::Accepted } else { Verdict::Refused })
+    Ok(if is_understood { ReadVerdict::Accepted } else { ReadVerdict::Refused })
 }
 
 /// Asks the desk what the message asks; whether it is a question.
@@ -91,11 +90,11 @@ fn asked(desk: &Desk, text: &str) -> Result<bool, String> {
         problems(&desk.month(month, &Cancel::new()).problems)?;
     } else if let Ok(save) = serde_json::from_str::<Save>(text) {
         if let Err(why) = desk.save(save) {
-            told::message(&why.to_string())?;
+            messages::message(&why.to_string())?;
         }
         let _ = (desk.files(), desk.versions());
     } else if let Ok(connect) = serde_json::from_str::<Connect>(text) {
-        told::message(&desk.connect(connect).said)?;
+        messages::message(&desk.connect(connect).said)?;
     } else {
         is_understood = false;
     }
@@ -104,8 +103,8 @@ fn asked(desk: &Desk, text: &str) -> Result<bool, String> {
 
 fn problems(problems: &[ProblemView]) -> Result<(), String> {
     for problem in problems {
-        told::message(&problem.what)?;
-        problem.hint.as_deref().map_or(Ok(()), told::message)?;
+        messages::message(&problem.what)?;
+        problem.hint.as_deref().map_or(Ok(()), messages::message)?;
     }
     Ok(())
 }
@@ -132,7 +131,7 @@ fn staged(shelf: Shelf, says: Vec<Say>) -> Result<(), String> {
 fn shelf(folder: &Path) -> std::io::Result<Shelf> {
     let scenario = folder.join("flat");
     fs::create_dir_all(&scenario)?;
-    for (name, bytes) in corpus::flat() {
+    for (name, bytes) in seeds::flat() {
         fs::write(scenario.join(name), bytes)?;
     }
     Ok(Shelf { scenario, entry: "scenario.json".into(), is_trusted: false, runs: folder.join("runs") })

@@ -1,13 +1,13 @@
 //! Doors between rooms that follow each other in the log, and the door out.
 
-use super::arranged::{DOOR_NEEDS_M, outer_side};
+use super::arrangement::{DOOR_NEEDS_M, outer_side};
 use super::shape::Rect;
 use homebody_core::geometry::Point;
 use std::collections::VecDeque;
 
 /// A door between two rooms, or out of one.
 #[derive(Clone, Debug)]
-pub struct Opening {
+pub struct DoorGap {
     pub from: Point,
     pub to: Point,
     pub rooms: [Option<usize>; 2],
@@ -21,12 +21,12 @@ const LEAST_WALL_M: f64 = 0.8;
 /// Smallest share of the ways of the quieter of two rooms that lead to the other one if a door joins them (our choice).
 const LEAST_SHARE: f64 = 0.06;
 
-impl Opening {
+impl DoorGap {
     pub fn middle(&self) -> Point {
         (self.from + self.to) / 2.0
     }
 
-    /// Where it leads from a room.
+    /// The room on the other side.
     pub fn other(&self, room: usize) -> Option<usize> {
         match self.rooms {
             [Some(a), Some(b)] if a == room => Some(b),
@@ -35,16 +35,16 @@ impl Opening {
         }
     }
 
-    fn in_wall((from, to): (Point, Point), rooms: [Option<usize>; 2]) -> Opening {
+    fn in_wall((from, to): (Point, Point), rooms: [Option<usize>; 2]) -> DoorGap {
         let along = (to - from).normalize_or_zero();
         let width = f64::min(WIDTH_M, from.distance(to) - 2.0 * JAMB_M);
         let middle = (from + to) / 2.0;
-        Opening { from: middle - along * width / 2.0, to: middle + along * width / 2.0, rooms }
+        DoorGap { from: middle - along * width / 2.0, to: middle + along * width / 2.0, rooms }
     }
 }
 
 /// The doors between rooms: where ways lead, and where else no room could be reached.
-pub fn between(rects: &[Rect], ways: &[Vec<f64>], is_way: &[bool]) -> Vec<Opening> {
+pub fn between(rects: &[Rect], ways: &[Vec<f64>], is_way: &[bool]) -> Vec<DoorGap> {
     let mut pairs: Vec<(usize, usize, (Point, Point), f64)> = Vec::new();
     for a in 0..rects.len() {
         for b in 0..a {
@@ -58,7 +58,7 @@ pub fn between(rects: &[Rect], ways: &[Vec<f64>], is_way: &[bool]) -> Vec<Openin
     let is_walked = |&(a, b, (from, to), times): &(usize, usize, (Point, Point), f64)| {
         times > 0.0 && times >= LEAST_SHARE * all(a).min(all(b)) && from.distance(to) >= DOOR_NEEDS_M
     };
-    let mut doors: Vec<Opening> = Vec::new();
+    let mut doors: Vec<DoorGap> = Vec::new();
     let mut group: Vec<usize> = (0..rects.len()).collect();
     let mut join = |a: usize, b: usize| {
         let (a, b) = (group[a], group[b]);
@@ -67,7 +67,7 @@ pub fn between(rects: &[Rect], ways: &[Vec<f64>], is_way: &[bool]) -> Vec<Openin
     };
     for &(a, b, side, _) in pairs.iter().filter(|pair| is_walked(pair)) {
         join(a, b);
-        doors.push(Opening::in_wall(side, [Some(b), Some(a)]));
+        doors.push(DoorGap::in_wall(side, [Some(b), Some(a)]));
     }
     // Through rooms that one goes through, before all others, and through wide walls.
     let worth = |&(a, b, (from, to), times): &(usize, usize, (Point, Point), f64)| {
@@ -76,24 +76,24 @@ pub fn between(rects: &[Rect], ways: &[Vec<f64>], is_way: &[bool]) -> Vec<Openin
     pairs.sort_by(|one, other| worth(other).total_cmp(&worth(one)));
     for (a, b, side, _) in pairs {
         if join(a, b) {
-            doors.push(Opening::in_wall(side, [Some(b), Some(a)]));
+            doors.push(DoorGap::in_wall(side, [Some(b), Some(a)]));
         }
     }
     doors
 }
 
 /// The door out of the first of these rooms that has an outer wall.
-pub fn out(rects: &[Rect], candidates: &[usize]) -> Option<Opening> {
+pub fn out(rects: &[Rect], candidates: &[usize]) -> Option<DoorGap> {
     let first = rects.first()?;
     let (least, most) = rects
         .iter()
         .fold((first.least, first.most), |(least, most), rect| (least.min(rect.least), most.max(rect.most)));
     let whole = Rect { least, most };
-    candidates.iter().find_map(|&room| Some(Opening::in_wall(outer_side(&rects[room], &whole)?, [Some(room), None])))
+    candidates.iter().find_map(|&room| Some(DoorGap::in_wall(outer_side(&rects[room], &whole)?, [Some(room), None])))
 }
 
 /// By room, the door by which one goes there from `room`, as an index; none for itself and for what cannot be reached.
-pub fn next(doors: &[Opening], room: usize, count: usize) -> Vec<Option<usize>> {
+pub fn next(doors: &[DoorGap], room: usize, count: usize) -> Vec<Option<usize>> {
     let mut first = vec![None; count];
     let mut is_known = vec![false; count];
     is_known[room] = true;

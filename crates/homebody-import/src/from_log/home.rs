@@ -1,20 +1,21 @@
 //! A schematic home, put together.
 
-use super::arranged::{Wanted, arranged};
-use super::doors::{Opening, between, out};
-use super::needed::{Piece, pieces};
-use super::parted::parted;
-use super::placed::{Places, Site, placed};
+use super::arrangement::{RoomNeed, arranged};
+use super::doors::{DoorGap, between, out};
+use super::interpretation::{Interpretation, LogRoom, SensorAim, understand};
+use super::measured_rooms::parted;
+use super::pieces::{NeededPiece, pieces};
+use super::placement::{Placement, PlacementSite, placed};
 use super::sensors::{Furnished, hung, make};
 use super::shape::{Rect, rounded};
-use super::understood::{Room, Understood, What, understand};
 use super::{LogSensor, LogWay};
-use crate::error::NotImported;
-use crate::names::{Names, clean};
-use crate::{SCHEMA, sound};
+use crate::error::ImportError;
+use crate::names::{NamePool, clean};
+use crate::{SCHEMA, soundness};
 use homebody_core::geometry::Point;
+use homebody_core::home::form::{HomeFile, latitude};
+use homebody_core::plan::form::{DoorFile, FurnitureFile, RoomFile, WallFile};
 use homebody_core::problem::counted;
-use homebody_core::scenario::home::{DoorFile, FurnitureFile, HomeFile, RoomFile, WallFile, latitude};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// A schematic home.
@@ -26,14 +27,14 @@ pub struct Schematic {
     pub ids: BTreeMap<String, String>,
     /// For how long an ON is held, where the log tells OFF.
     pub hold_s: Option<f64>,
-    /// What was guessed or left out, a sentence each.
+    /// Guesses and omissions, a sentence each.
     pub remarks: Vec<String>,
 }
 
 homebody_core::messages! {
     /// Errors of making a home from a log.
     #[derive(Clone, PartialEq, Eq)]
-    pub enum Unsaid in "home-from-log" {
+    pub enum SchematicError in "home-from-log" {
         /// Homebody places rooms by the sensors of movement and of doors in them. The log has none.
         NoSensors error "no-sensors" ("no sensor of the log detects movement or doors")
             hint ("give a log of motion sensors or contacts");
@@ -43,7 +44,7 @@ homebody_core::messages! {
         /// id,room,place
         /// M001,hall,front door
         /// ```
-        Where(sensors: Vec<String>) error "no-rooms-of-sensors"
+        UnknownRooms(sensors: Vec<String>) error "no-rooms-of-sensors"
             ("cannot find the rooms of {count}: {names}", count = counted(sensors.len(), "sensor", "sensors"), names = listed(sensors))
             hint ("list them with their rooms: --sensors FILE, a table with the columns id, room and place");
         /// Homebody places up to this number of rooms next to each other, because the time that it needs grows fast with their number.
@@ -84,17 +85,17 @@ fn listed(names: &[String]) -> String {
 ///
 /// # Errors
 ///
-/// [`Unsaid`], with all sensors of which nothing tells where they are.
-pub fn schematic(name: &str, about: &str, sensors: &[LogSensor], ways: &[LogWay]) -> Result<Schematic, Unsaid> {
+/// [`SchematicError`], with all sensors without a room.
+pub fn schematic(name: &str, about: &str, sensors: &[LogSensor], ways: &[LogWay]) -> Result<Schematic, SchematicError> {
     if sensors.is_empty() {
-        return Err(Unsaid::NoSensors);
+        return Err(SchematicError::NoSensors);
     }
-    let mut understood = understand(sensors, ways).map_err(Unsaid::Where)?;
+    let mut understood = understand(sensors, ways).map_err(SchematicError::UnknownRooms)?;
     let is_measured = sensors.iter().any(|sensor| sensor.at.is_some());
     let told = understood.rooms.len();
     let pieces = pieces(&mut understood, sensors);
     if understood.rooms.len() > MOST_ROOMS {
-        return Err(Unsaid::TooManyRooms(told));
+        return Err(SchematicError::TooManyRooms(told));
     }
     let mut larger = vec![1.0; understood.rooms.len()];
     let mut laid = lay(&understood, (sensors, ways), &pieces, &larger)?;
@@ -111,31 +112,31 @@ pub fn schematic(name: &str, about: &str, sensors: &[LogSensor], ways: &[LogWay]
     if is_measured {
         remarks.push("walls are drawn half way between the sensors of two rooms: move them to where they are".into());
     }
-    let Made { mut home, ids, hold_s } = put_together(&understood, sensors, laid, &pieces, &mut remarks);
+    let AssembledHome { mut home, ids, hold_s } = put_together(&understood, sensors, laid, &pieces, &mut remarks);
     home.name = Some(clean(name)).filter(|name| !name.is_empty()).unwrap_or_else(|| "home".to_owned());
     home.about = about.to_owned();
-    let home_json = sound::text(home, &mut remarks).map_err(|error| match error {
-        NotImported::Unsound(why) => Unsaid::Unsound(why),
-        other => Unsaid::Unsound(other.to_string()),
+    let home_json = soundness::text(home, &mut remarks).map_err(|error| match error {
+        ImportError::Unsound(why) => SchematicError::Unsound(why),
+        other => SchematicError::Unsound(other.to_string()),
     })?;
     Ok(Schematic { home_json, ids, hold_s, remarks })
 }
 
 /// Rooms and all that is in them, each in its place.
-struct Laid {
+struct HomeLayout {
     rects: Vec<Rect>,
     walls: Vec<(Point, Point)>,
-    doors: Vec<Opening>,
-    places: Places,
+    doors: Vec<DoorGap>,
+    places: Placement,
 }
 
 /// Lays rooms out, each so many times as large as is usual, and places everything.
 fn lay(
-    understood: &Understood,
+    understood: &Interpretation,
     (sensors, ways): (&[LogSensor], &[LogWay]),
-    pieces: &[Piece],
+    pieces: &[NeededPiece],
     larger: &[f64],
-) -> Result<Laid, Unsaid> {
+) -> Result<HomeLayout, SchematicError> {
     let outs = ways_out(understood, sensors);
     let rects = match sensors.iter().any(|sensor| sensor.at.is_some()) {
         true => measured(understood, sensors, pieces)?,
@@ -154,13 +155,13 @@ fn lay(
     let times = between_rooms(understood, ways, |way| way.times as f64);
     let mut doors = between(&rects, &times, &is_way);
     doors.extend(out(&rects, &outs));
-    let site = Site { sensors, ways, what: &understood.sensors, rects: &rects, doors: &doors, pieces };
+    let site = PlacementSite { sensors, ways, what: &understood.sensors, rects: &rects, doors: &doors, pieces };
     let places = placed(&site);
-    Ok(Laid { walls: walls(&rects), rects, doors, places })
+    Ok(HomeLayout { walls: walls(&rects), rects, doors, places })
 }
 
 /// By two rooms, the sum of what their ways count.
-fn between_rooms(understood: &Understood, ways: &[LogWay], counts: impl Fn(&LogWay) -> f64) -> Vec<Vec<f64>> {
+fn between_rooms(understood: &Interpretation, ways: &[LogWay], counts: impl Fn(&LogWay) -> f64) -> Vec<Vec<f64>> {
     let mut sums = vec![vec![0.0; understood.rooms.len()]; understood.rooms.len()];
     for way in ways {
         let [a, b] = way.between.map(|sensor| understood.sensors[sensor].0);
@@ -173,8 +174,9 @@ fn between_rooms(understood: &Understood, ways: &[LogWay], counts: impl Fn(&LogW
 }
 
 /// The rooms that may have the way out, the likeliest first.
-fn ways_out(understood: &Understood, sensors: &[LogSensor]) -> Vec<usize> {
-    let has_contact = |room: usize| understood.sensors.iter().any(|&(of, what)| of == room && what == What::FrontDoor);
+fn ways_out(understood: &Interpretation, sensors: &[LogSensor]) -> Vec<usize> {
+    let has_contact =
+        |room: usize| understood.sensors.iter().any(|&(of, what)| of == room && what == SensorAim::FrontDoor);
     let at_silence = |room: usize| -> u64 {
         sensors
             .iter()
@@ -184,7 +186,7 @@ fn ways_out(understood: &Understood, sensors: &[LogSensor]) -> Vec<usize> {
             .sum()
     };
     let rank = |room: &usize| {
-        let Room { name, kind, is_told } = &understood.rooms[*room];
+        let LogRoom { name, kind, is_told } = &understood.rooms[*room];
         let is_front = name.split(' ').any(|word| ["main", "front"].contains(&word));
         let place = match kind.name {
             _ if has_contact(*room) => 0,
@@ -201,23 +203,29 @@ fn ways_out(understood: &Understood, sensors: &[LogSensor]) -> Vec<usize> {
     rooms
 }
 
-/// How large each room is to be.
-fn wanted(understood: &Understood, ways: &[LogWay], pieces: &[Piece], way_out: Option<usize>) -> Vec<Wanted> {
-    let of = |(number, room): (usize, &Room)| {
+/// The area of each room.
+fn wanted(
+    understood: &Interpretation,
+    ways: &[LogWay],
+    pieces: &[NeededPiece],
+    way_out: Option<usize>,
+) -> Vec<RoomNeed> {
+    let of = |(number, room): (usize, &LogRoom)| {
         let things = pieces.iter().filter(|piece| piece.room == number).map(|piece| {
             let [width, depth] = piece.thing.size_m;
             width * depth + THING_TAKES_M2
         });
         let usual = room.kind.area_m2.max(things.sum::<f64>());
         let area_m2 = if room.kind.is_way { usual.max(way_area(understood, ways, number)) } else { usual };
-        Wanted { area_m2, is_way: room.kind.is_way, has_way_out: way_out == Some(number) }
+        RoomNeed { area_m2, is_way: room.kind.is_way, has_way_out: way_out == Some(number) }
     };
     understood.rooms.iter().enumerate().map(of).collect()
 }
 
-/// How large a way has to be for all that is seen along it, one sensor after the other.
-fn way_area(understood: &Understood, ways: &[LogWay], room: usize) -> f64 {
-    let is_here = |sensor: &usize| understood.sensors[*sensor].0 == room && understood.sensors[*sensor].1 != What::Area;
+/// The area of a passage with its sensors one after the other.
+fn way_area(understood: &Interpretation, ways: &[LogWay], room: usize) -> f64 {
+    let is_here =
+        |sensor: &usize| understood.sensors[*sensor].0 == room && understood.sensors[*sensor].1 != SensorAim::Area;
     let here: Vec<usize> = (0..understood.sensors.len()).filter(is_here).collect();
     let mut inner: Vec<&LogWay> = ways.iter().filter(|way| way.between.iter().all(|end| here.contains(end))).collect();
     inner.sort_by_key(|way| std::cmp::Reverse(way.times));
@@ -267,7 +275,11 @@ fn walls(rects: &[Rect]) -> Vec<(Point, Point)> {
 }
 
 /// The rooms where somebody has measured the sensors; those without any share the largest of the others.
-fn measured(understood: &Understood, sensors: &[LogSensor], pieces: &[Piece]) -> Result<Vec<Rect>, Unsaid> {
+fn measured(
+    understood: &Interpretation,
+    sensors: &[LogSensor],
+    pieces: &[NeededPiece],
+) -> Result<Vec<Rect>, SchematicError> {
     let mut places: Vec<Vec<Point>> = vec![Vec::new(); understood.rooms.len()];
     for (sensor, &(room, _)) in sensors.iter().zip(&understood.sensors) {
         places[room].extend(sensor.at);
@@ -294,27 +306,27 @@ fn measured(understood: &Understood, sensors: &[LogSensor], pieces: &[Piece]) ->
         }
     }
     let rects: Option<Vec<Rect>> = rects.into_iter().collect();
-    rects.ok_or_else(|| Unsaid::Unsound("no sensor has a place on the image".into()))
+    rects.ok_or_else(|| SchematicError::Unsound("no sensor has a place on the image".into()))
 }
 
-/// What was put together.
-struct Made {
+/// A home, and the ids of its sensors in the log.
+struct AssembledHome {
     home: HomeFile,
     ids: BTreeMap<String, String>,
     hold_s: Option<f64>,
 }
 
 fn put_together(
-    understood: &Understood,
+    understood: &Interpretation,
     sensors: &[LogSensor],
-    laid: Laid,
-    pieces: &[Piece],
+    laid: HomeLayout,
+    pieces: &[NeededPiece],
     remarks: &mut Vec<String>,
-) -> Made {
-    let Laid { rects, walls, doors, places } = laid;
-    let mut names = Names::default();
-    let rooms: Vec<Room> =
-        understood.rooms.iter().map(|room| Room { name: names.give(&room.name, "room"), ..room.clone() }).collect();
+) -> AssembledHome {
+    let HomeLayout { rects, walls, doors, places } = laid;
+    let mut names = NamePool::default();
+    let rooms: Vec<LogRoom> =
+        understood.rooms.iter().map(|room| LogRoom { name: names.give(&room.name, "room"), ..room.clone() }).collect();
     let stand = |piece: usize| places.pieces[piece].is_some();
     let no_room: Vec<String> =
         (0..pieces.len()).filter(|&piece| !stand(piece)).map(|piece| pieces[piece].thing.name.to_owned()).collect();
@@ -323,15 +335,15 @@ fn put_together(
     }
     let piece_names: Vec<Option<String>> =
         (0..pieces.len()).map(|piece| stand(piece).then(|| names.give(pieces[piece].thing.name, "piece"))).collect();
-    let mut door_names = Names::default();
-    let named = |door: Opening| {
+    let mut door_names = NamePool::default();
+    let named = |door: DoorGap| {
         let name = match door.rooms {
             [Some(a), Some(b)] => format!("{} to {}", rooms[a].name, rooms[b].name),
             _ => "front door".to_owned(),
         };
         (door_names.give(&name, "door"), door)
     };
-    let doors: Vec<(String, Opening)> = doors.into_iter().map(named).collect();
+    let doors: Vec<(String, DoorGap)> = doors.into_iter().map(named).collect();
     let home =
         Furnished { rooms: &rooms, rects: &rects, doors: &doors, pieces, piece_names: &piece_names, places: &places };
     let make = make(sensors);
@@ -353,7 +365,7 @@ fn put_together(
         to: at(ends.1),
         thickness_m: if is_outer(&ends) { OUTER_WALL_M } else { INNER_WALL_M },
     };
-    let door = |(name, door): (String, Opening)| {
+    let door = |(name, door): (String, DoorGap)| {
         let outside = door.rooms[1].is_none();
         DoorFile { name, from: at(door.from), to: at(door.to), open: !outside, shut_behind: false, outside }
     };
@@ -371,7 +383,7 @@ fn put_together(
         })
     });
     let furniture = furniture.collect();
-    let room = |(room, rect): (&Room, &Rect)| RoomFile::new(&room.name, rect.corners());
+    let room = |(room, rect): (&LogRoom, &Rect)| RoomFile::new(&room.name, rect.corners());
     let home = HomeFile {
         schema: Some(SCHEMA.to_owned()),
         name: String::new(),
@@ -384,5 +396,5 @@ fn put_together(
         places: Vec::new(),
         sensors: hung.into_iter().map(|(file, _)| file).collect(),
     };
-    Made { home, ids, hold_s: make.hold_s }
+    AssembledHome { home, ids, hold_s: make.hold_s }
 }

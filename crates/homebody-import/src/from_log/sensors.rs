@@ -1,16 +1,18 @@
 //! The sensors of a schematic home: narrow ones over things and spots, wide ones over rooms, contacts on doors and things.
 
-use super::doors::Opening;
-use super::needed::Piece;
-use super::placed::Places;
+use super::doors::DoorGap;
+use super::interpretation::{LogRoom, SensorAim};
+use super::pieces::NeededPiece;
+use super::placement::Placement;
 use super::shape::{Rect, rounded};
-use super::understood::{Room, What};
 use super::{LogSensor, Speaks};
-use crate::names::Names;
+use crate::names::NamePool;
 use homebody_core::geometry::Point;
-use homebody_core::scenario::home::{CeilingMotionFile, Preset, SensorFile};
-use homebody_core::scenario::notice::{ChanceFile, Notice};
+use homebody_core::sensors::ceiling_motion::CeilingMotionFile;
 use homebody_core::sensors::contact::ContactFile;
+use homebody_core::sensors::kinds::SensorFile;
+use homebody_core::sensors::notice::{ChanceFile, Notice};
+use homebody_core::sensors::preset::Preset;
 
 /// Side of the floor that a narrow sensor sees (our choice): the thing below it, and a person before the thing.
 const NARROW_M: f64 = 1.2;
@@ -27,7 +29,7 @@ const ALIKE: f64 = 0.25;
 /// Duration of ON below which a unit follows the movement (our choice).
 const SHORTEST_PULSE_S: f64 = 2.0;
 
-/// What all sensors of a log have in common: their make, and for how long the logger holds an ON.
+/// The make of all sensors of a log, and the time for which the logger holds an ON.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Make {
     pub preset: Preset,
@@ -35,7 +37,7 @@ pub struct Make {
     pub hold_s: Option<f64>,
 }
 
-/// What make most motion sensors of a log are of, by how long their ONs last.
+/// The make of most motion sensors of a log, by the length of their ONs.
 pub fn make(sensors: &[LogSensor]) -> Make {
     let of: Vec<[f64; 3]> =
         sensors.iter().filter(|sensor| sensor.speaks == Speaks::Motion).filter_map(|sensor| sensor.on_s).collect();
@@ -57,35 +59,35 @@ pub fn make(sensors: &[LogSensor]) -> Make {
 
 /// A home with places for its sensors.
 pub struct Furnished<'a> {
-    pub rooms: &'a [Room],
+    pub rooms: &'a [LogRoom],
     pub rects: &'a [Rect],
-    pub doors: &'a [(String, Opening)],
-    pub pieces: &'a [Piece],
+    pub doors: &'a [(String, DoorGap)],
+    pub pieces: &'a [NeededPiece],
     /// By piece; none where it has no place.
     pub piece_names: &'a [Option<String>],
-    pub places: &'a Places,
+    pub places: &'a Placement,
 }
 
 /// The sensors with the ids that the log has for them; those for which there is no place are named last.
 pub fn hung(
     sensors: &[LogSensor],
-    what: &[(usize, What)],
+    what: &[(usize, SensorAim)],
     home: &Furnished,
     make: Make,
 ) -> (Vec<(SensorFile, String)>, Vec<String>) {
-    let mut names = Names::default();
+    let mut names = NamePool::default();
     let (mut hung, mut left) = (Vec::new(), Vec::new());
     for (number, sensor) in sensors.iter().enumerate() {
         let (room, what) = what[number];
         let kind = if sensor.speaks == Speaks::Contact { " contact" } else { "" };
         let room_name = &home.rooms[room].name;
         let wanted = match what {
-            What::Area => format!("{room_name} area"),
-            What::Thing(thing) => format!("{room_name} {}{kind}", thing.name),
-            What::Door => format!("{room_name} door{kind}"),
-            What::FrontDoor if sensor.speaks == Speaks::Contact => "front door contact".to_owned(),
-            What::FrontDoor => "front door motion".to_owned(),
-            What::Spot | What::Wide => format!("{room_name} motion"),
+            SensorAim::Area => format!("{room_name} area"),
+            SensorAim::Thing(thing) => format!("{room_name} {}{kind}", thing.name),
+            SensorAim::Door => format!("{room_name} door{kind}"),
+            SensorAim::FrontDoor if sensor.speaks == Speaks::Contact => "front door contact".to_owned(),
+            SensorAim::FrontDoor => "front door motion".to_owned(),
+            SensorAim::Spot | SensorAim::Wide => format!("{room_name} motion"),
         };
         let file = match sensor.speaks {
             Speaks::Contact => {
@@ -94,7 +96,11 @@ pub fn hung(
             Speaks::Motion => {
                 let floor = floor(number, room, what, home);
                 floor.map(|floor| {
-                    SensorFile::CeilingMotion(ceiling(&floor, matches!(what, What::Area | What::Wide), make.preset))
+                    SensorFile::CeilingMotion(ceiling(
+                        &floor,
+                        matches!(what, SensorAim::Area | SensorAim::Wide),
+                        make.preset,
+                    ))
                 })
             }
         };
@@ -110,20 +116,20 @@ pub fn hung(
 }
 
 /// The floor that a sensor sees.
-fn floor(sensor: usize, room: usize, what: What, home: &Furnished) -> Option<Rect> {
-    if what == What::Area {
+fn floor(sensor: usize, room: usize, what: SensorAim, home: &Furnished) -> Option<Rect> {
+    if what == SensorAim::Area {
         return Some(home.rects[room].inset(AT_WALL_M));
     }
     let at = home.places.sensors[sensor]?;
     // One that was measured may be on the other side of a wall that was guessed.
     let own = home.rects[room].has(at).then_some(room);
     let room = own.or_else(|| home.rects.iter().position(|rect| rect.has(at)))?;
-    let size = if what == What::Wide { WIDE_M } else { NARROW_M };
+    let size = if what == SensorAim::Wide { WIDE_M } else { NARROW_M };
     Some(Rect::around(at, Point::splat(size)).clipped(&home.rects[room].inset(AT_WALL_M)))
 }
 
 fn ceiling(floor: &Rect, is_wide: bool, preset: Preset) -> CeilingMotionFile {
-    // What a sensor has missed no log tells, so that here it misses nothing.
+    // A log does not show misses, so these sensors miss nothing.
     let chance = ChanceFile { sure_deg: is_wide.then_some(WIDE_SURE_DEG), missed: 0.0, ..ChanceFile::default() };
     CeilingMotionFile {
         name: String::new(),
@@ -136,23 +142,23 @@ fn ceiling(floor: &Rect, is_wide: bool, preset: Preset) -> CeilingMotionFile {
     }
 }
 
-/// What a contact hangs on.
-fn on(sensor: usize, room: usize, what: What, home: &Furnished) -> Option<String> {
+/// The door or thing of a contact.
+fn on(sensor: usize, room: usize, what: SensorAim, home: &Furnished) -> Option<String> {
     let door =
-        |fits: &dyn Fn(&Opening) -> bool| home.doors.iter().find(|(_, door)| fits(door)).map(|(name, _)| name.clone());
+        |fits: &dyn Fn(&DoorGap) -> bool| home.doors.iter().find(|(_, door)| fits(door)).map(|(name, _)| name.clone());
     match what {
-        What::Thing(_) => {
+        SensorAim::Thing(_) => {
             let piece = home.pieces.iter().position(|piece| piece.sensors.contains(&sensor))?;
             home.piece_names[piece].clone()
         }
-        What::FrontDoor => door(&|door| door.rooms[1].is_none()),
-        What::Door => {
+        SensorAim::FrontDoor => door(&|door| door.rooms[1].is_none()),
+        SensorAim::Door => {
             let at = home.places.sensors[sensor]?;
             let near = home.doors.iter().filter(|(_, door)| door.other(room).is_some());
             near.min_by(|a, b| a.1.middle().distance(at).total_cmp(&b.1.middle().distance(at)))
                 .map(|(name, _)| name.clone())
         }
-        What::Area | What::Wide | What::Spot => None,
+        SensorAim::Area | SensorAim::Wide | SensorAim::Spot => None,
     }
 }
 

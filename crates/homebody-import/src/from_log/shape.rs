@@ -44,7 +44,7 @@ impl Rect {
         common.least.cmplt(common.most).all()
     }
 
-    /// How far apart two are: 0 where they touch.
+    /// The distance between two rectangles; 0 if they touch.
     pub fn gap(&self, other: &Rect) -> f64 {
         (other.least - self.most).max(self.least - other.most).max(Point::ZERO).length()
     }

@@ -1,17 +1,16 @@
-//! What words say of rooms, of things in them, and of what is done there: tables of ours.
+//! Words for rooms, for things in them, and for activities there.
 
 use homebody_core::role::Role;
 
 /// A kind of rooms.
 #[derive(Debug, PartialEq)]
 pub struct RoomKind {
-    /// What it is called.
     pub name: &'static str,
     /// The names that say it, each in one or two words.
     pub words: &'static [&'static str],
-    /// How large such a room usually is.
+    /// The usual area.
     pub area_m2: f64,
-    /// Whether one mostly goes through it.
+    /// True for a room that people mostly pass through.
     pub is_way: bool,
 }
 
@@ -47,28 +46,27 @@ impl RoomKind {
     }
 }
 
-/// A thing that somebody is seen at.
+/// A thing at which sensors see people.
 #[derive(Debug, PartialEq)]
-pub struct Thing {
-    /// What it is called.
+pub struct RoomThing {
     pub name: &'static str,
     /// The words that tell of it.
     pub words: &'static [&'static str],
     /// The rooms in which these words tell of it; any, where there are none.
     pub only_in: &'static [&'static str],
-    /// Where it stands if nobody says so.
+    /// Its usual room.
     pub home: &'static str,
     /// Along the wall, and from the wall.
     pub size_m: [f64; 2],
     pub height_m: f64,
-    /// Whether one is in it, rather than before it.
+    /// True if a person who uses it is in it, not before it.
     pub enterable: bool,
     pub role: Option<Role>,
 }
 
 macro_rules! thing {
     ($name:literal, $words:tt in $only_in:tt, $home:literal, $size_m:tt, $height_m:literal, $enterable:literal, $role:expr) => {
-        Thing {
+        RoomThing {
             name: $name,
             words: &$words,
             only_in: &$only_in,
@@ -82,7 +80,7 @@ macro_rules! thing {
 }
 
 /// All things; of those that a word tells of the first that its room may have.
-pub static THINGS: [Thing; 27] = [
+pub static THINGS: [RoomThing; 27] = [
     thing!("bed", ["bed", "mattress"] in [], "bedroom", [1.4, 2.0], 0.55, true, Some(Role::Bed)),
     thing!("toilet", ["toilet", "flush", "commode"] in [], "bathroom", [0.45, 0.65], 0.45, true, Some(Role::Toilet)),
     thing!("shower", ["shower", "bathtub", "tub", "bath"] in [], "bathroom", [0.85, 0.85], 0.05, true, Some(Role::Shower)),
@@ -112,10 +110,10 @@ pub static THINGS: [Thing; 27] = [
     thing!("drawers", ["drawer", "drawers", "cabinet", "cupboard"] in [], "bedroom", [0.8, 0.45], 0.9, false, None),
 ];
 
-impl Thing {
+impl RoomThing {
     /// The thing that words tell of in a room of a kind, or anywhere if the room is not known.
-    pub fn of(words: &[String], room: Option<&RoomKind>) -> Option<&'static Thing> {
-        let fits = |thing: &&Thing| {
+    pub fn from_words(words: &[String], room: Option<&RoomKind>) -> Option<&'static RoomThing> {
+        let fits = |thing: &&RoomThing| {
             let may_be = |room: &RoomKind| thing.only_in.is_empty() || thing.only_in.contains(&room.name);
             // Without a room, a word may stand for the thing in its usual one.
             room.is_none_or(may_be) && words.iter().any(|word| thing.words.contains(&word.as_str()))
@@ -124,13 +122,13 @@ impl Thing {
     }
 
     /// The first thing of this name.
-    pub fn named(name: &str) -> Option<&'static Thing> {
+    pub fn named(name: &str) -> Option<&'static RoomThing> {
         THINGS.iter().find(|thing| thing.name == name)
     }
 }
 
-/// Where something is done.
-pub struct Deed {
+/// The place of an activity.
+pub struct ActivitySite {
     /// Beginnings of the words of its label.
     pub words: &'static [&'static str],
     /// The kind of the room; none for what is done at the way out.
@@ -139,26 +137,28 @@ pub struct Deed {
     pub at: &'static str,
 }
 
-/// What labels of data sets tell of where it is done; a label is of the first row that has one of its words.
-pub const DEEDS: [Deed; 11] = [
-    Deed { words: &["toilet"], room: Some("bathroom"), at: "toilet" },
-    Deed { words: &["leav", "enter", "outing"], room: None, at: "front door" },
-    Deed { words: &["sleep", "bed", "nap"], room: Some("bedroom"), at: "bed" },
-    Deed { words: &["bath", "shower"], room: Some("bathroom"), at: "shower" },
-    Deed { words: &["hygiene", "groom", "teeth", "shav", "makeup"], room: Some("bathroom"), at: "washbasin" },
-    Deed { words: &["dish"], room: Some("kitchen"), at: "sink" },
-    Deed { words: &["cook", "meal", "prepar", "kitchen", "snack"], room: Some("kitchen"), at: "stove" },
-    Deed { words: &["eat", "din", "lunch", "breakfast"], room: Some("dining room"), at: "dining chair" },
-    Deed { words: &["work", "desk", "computer", "study"], room: Some("study"), at: "desk chair" },
-    Deed { words: &["relax", "watch", "tv", "read", "rest"], room: Some("living room"), at: "armchair" },
-    Deed { words: &["dress"], room: Some("bedroom"), at: "wardrobe" },
+/// The places of activities by their labels in data sets; the first row with a matching word decides.
+pub const ACTIVITY_SITES: [ActivitySite; 11] = [
+    ActivitySite { words: &["toilet"], room: Some("bathroom"), at: "toilet" },
+    ActivitySite { words: &["leav", "enter", "outing"], room: None, at: "front door" },
+    ActivitySite { words: &["sleep", "bed", "nap"], room: Some("bedroom"), at: "bed" },
+    ActivitySite { words: &["bath", "shower"], room: Some("bathroom"), at: "shower" },
+    ActivitySite { words: &["hygiene", "groom", "teeth", "shav", "makeup"], room: Some("bathroom"), at: "washbasin" },
+    ActivitySite { words: &["dish"], room: Some("kitchen"), at: "sink" },
+    ActivitySite { words: &["cook", "meal", "prepar", "kitchen", "snack"], room: Some("kitchen"), at: "stove" },
+    ActivitySite { words: &["eat", "din", "lunch", "breakfast"], room: Some("dining room"), at: "dining chair" },
+    ActivitySite { words: &["work", "desk", "computer", "study"], room: Some("study"), at: "desk chair" },
+    ActivitySite { words: &["relax", "watch", "tv", "read", "rest"], room: Some("living room"), at: "armchair" },
+    ActivitySite { words: &["dress"], room: Some("bedroom"), at: "wardrobe" },
 ];
 
-impl Deed {
-    /// Where what a label tells is done, if a word of it says so.
-    pub fn of(label: &str) -> Option<&'static Deed> {
+impl ActivitySite {
+    /// The place of the activity with this label.
+    pub fn from_label(label: &str) -> Option<&'static ActivitySite> {
         let words = homebody_core::names::words(label);
-        DEEDS.iter().find(|deed| words.iter().any(|word| deed.words.iter().any(|begin| word.starts_with(begin))))
+        ACTIVITY_SITES
+            .iter()
+            .find(|site| words.iter().any(|word| site.words.iter().any(|begin| word.starts_with(begin))))
     }
 }
 
@@ -169,18 +169,19 @@ mod tests {
 
     #[test]
     fn words_tell_of_things_by_their_room() {
-        let name =
-            |text: &str, room: &str| Thing::of(&words(text), Some(RoomKind::named(room))).map(|thing| thing.name);
+        let name = |text: &str, room: &str| {
+            RoomThing::from_words(&words(text), Some(RoomKind::named(room))).map(|thing| thing.name)
+        };
         assert_eq!(name("Sink", "bathroom"), Some("washbasin"));
         assert_eq!(name("Sink", "kitchen"), Some("sink"));
         assert_eq!([name("Chair", "study"), name("Chair", "living room")], [Some("desk chair"), Some("armchair")]);
         assert_eq!([name("DiningChair", "kitchen"), name("Window", "kitchen")], [Some("dining chair"), None]);
-        assert_eq!(Thing::of(&words("bed"), None).map(|thing| thing.home), Some("bedroom"));
+        assert_eq!(RoomThing::from_words(&words("bed"), None).map(|thing| thing.home), Some("bedroom"));
     }
 
     #[test]
     fn labels_tell_where_something_is_done() {
-        let at = |label: &str| Deed::of(label).map(|deed| deed.at);
+        let at = |label: &str| ActivitySite::from_label(label).map(|site| site.at);
         assert_eq!(
             [at("Bed_Toilet_Transition"), at("Sleep"), at("Personal_Hygiene")],
             [Some("toilet"), Some("bed"), Some("washbasin")]
@@ -197,11 +198,11 @@ mod tests {
         for thing in &THINGS {
             assert!(is_kind(thing.home) && thing.only_in.iter().all(|room| is_kind(room)), "{}", thing.name);
         }
-        for deed in &DEEDS {
+        for site in &ACTIVITY_SITES {
             assert!(
-                deed.room.is_none_or(is_kind) && (deed.at == "front door" || Thing::named(deed.at).is_some()),
+                site.room.is_none_or(is_kind) && (site.at == "front door" || RoomThing::named(site.at).is_some()),
                 "{}",
-                deed.at
+                site.at
             );
         }
     }

@@ -82,7 +82,7 @@ fn two_leaves_of_a_door_stand_beside_each_other() {
     let leaf_of = |name: &str| home.file.doors.iter().find(|door| door.name == name).unwrap();
     let [front_door, other] = ["Front door", "Other leaf"].map(leaf_of);
     let width =
-        |door: &homebody_core::scenario::home::DoorFile| geometry::point(door.from).distance(geometry::point(door.to));
+        |door: &homebody_core::plan::form::DoorFile| geometry::point(door.from).distance(geometry::point(door.to));
     assert!((width(front_door) - 0.9).abs() < 1e-9 && (width(other) - 0.86).abs() < 1e-9, "{}", home.text);
     assert!(front_door.outside && other.outside);
     home.remarks("the door \"Other leaf\" overlapped \"Front door\" and ends at it now");

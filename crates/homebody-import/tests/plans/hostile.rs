@@ -4,7 +4,7 @@ use crate::plan::{archive, door, file, import, packed, piece, room, two_rooms, w
 use homebody_core::geometry::Point;
 use homebody_core::messages::Diagnose;
 use homebody_core::random::Stream;
-use homebody_import::NotImported;
+use homebody_import::ImportError;
 use std::f64::consts::FRAC_PI_2;
 use std::time::{Duration, Instant};
 use zip::CompressionMethod;
@@ -14,7 +14,7 @@ const SOON: Duration = Duration::from_secs(20);
 
 /// Why a file is not imported.
 #[track_caller]
-fn refused(bytes: &[u8]) -> NotImported {
+fn refused(bytes: &[u8]) -> ImportError {
     let begun = Instant::now();
     let error = import(bytes).unwrap_err();
     assert!(begun.elapsed() < SOON, "{:?}: {error}", begun.elapsed());
@@ -26,10 +26,10 @@ fn refused(bytes: &[u8]) -> NotImported {
 #[test]
 fn rejects_files_that_are_not_plans() {
     for bytes in [&b""[..], b"PK", b"<home/>", &[0; 1000], &[0xff; 1000]] {
-        assert_eq!(refused(bytes), NotImported::NoArchive);
+        assert_eq!(refused(bytes), ImportError::NoArchive);
     }
     for entries in [&[][..], &[("home.xml", &b"<home/>"[..])], &[("a/Home.xml", b"<home/>")]] {
-        assert_eq!(refused(&archive(entries)), NotImported::NoHomeXml);
+        assert_eq!(refused(&archive(entries)), ImportError::NoHomeXml);
     }
     let xml = |xml: &[u8]| refused(&archive(&[("Home.xml", xml)])).diagnostic().code;
     assert_eq!(xml(b""), "import::not-xml");
@@ -44,16 +44,16 @@ fn rejects_files_that_are_not_plans() {
 #[test]
 fn bombs_do_not_go_off() {
     let zeros = vec![0; 40 << 20];
-    assert!(matches!(refused(&archive(&[("Home.xml", &zeros)])), NotImported::TooLarge { .. }));
+    assert!(matches!(refused(&archive(&[("Home.xml", &zeros)])), ImportError::TooLarge { .. }));
     // Small enough, and shrunk more than any text.
     let blanks = vec![b' '; 20 << 20];
-    assert!(matches!(refused(&archive(&[("Home.xml", &blanks)])), NotImported::TooLarge { .. }));
+    assert!(matches!(refused(&archive(&[("Home.xml", &blanks)])), ImportError::TooLarge { .. }));
     // Whatever else is in it is not unpacked.
     assert!(import(&archive(&[("Home", &zeros), ("Home.xml", home(&two_rooms()).as_bytes())])).is_ok());
-    assert!(matches!(refused(&vec![b'P'; (64 << 20) + 1]), NotImported::TooLarge { .. }));
+    assert!(matches!(refused(&vec![b'P'; (64 << 20) + 1]), ImportError::TooLarge { .. }));
     let entries: Vec<String> = (0..20_001).map(|index| index.to_string()).collect();
     let entries: Vec<(&str, &[u8])> = entries.iter().map(|name| (&name[..], &b""[..])).collect();
-    assert!(matches!(refused(&archive(&entries)), NotImported::TooLarge { unit: "entries", .. }));
+    assert!(matches!(refused(&archive(&entries)), ImportError::TooLarge { unit: "entries", .. }));
 }
 
 fn home(drawn: &str) -> String {
@@ -148,7 +148,7 @@ fn great_numbers_of_things_are_refused_soon() {
     };
     let line = |at: f64| wall([at % 1000.0, at / 1000.0], [at % 1000.0 + 50.0, at / 500.0]);
     let count = |drawn: String| match refused(&file(&(two_rooms() + &drawn))) {
-        NotImported::TooMany { what, count, .. } => (what, count),
+        ImportError::TooMany { what, count, .. } => (what, count),
         error => panic!("{error}"),
     };
     assert_eq!(count(many(100_000, &line)), ("walls", 100_005));

@@ -1,7 +1,7 @@
 //! Plans of several levels: a home is one of them, or all that stairs join.
 
 use crate::plan::{Home, file, import, piece, room, two_rooms, wall};
-use homebody_import::{NotImported, sweet_home};
+use homebody_import::{ImportError, sweet_home};
 
 /// A house: a cellar of one room, the flat above it, and an attic without walls.
 fn house() -> String {
@@ -83,7 +83,7 @@ fn floors_that_stairs_join_are_drawn_beside_each_other() {
     let floors: Vec<Option<&str>> = home.file.rooms.iter().map(|room| room.floor.as_deref()).collect();
     let (below, above) = (Some("Ground floor"), Some("First floor"));
     assert_eq!(floors, [below, below, None, above, above]);
-    let frames = homebody_core::home::plan::floors(&home.file);
+    let frames = homebody_core::plan::floors(&home.file.rooms);
     assert_eq!(frames.len(), 2);
     assert!(frames[0].bounds.1.x < frames[1].bounds.0.x, "{frames:?}");
     // The passage takes the place of the stairs, and is as long as they are to walk.
@@ -163,13 +163,13 @@ fn a_level_that_is_not_there_is_told() {
     let none = |drawn: &str, wanted: &str| sweet_home(&file(drawn), "test", Some(wanted)).unwrap_err();
     for wanted in ["roof", "0", "4", "-1", ""] {
         let error = none(&house(), wanted);
-        assert!(matches!(error, NotImported::NoSuchLevel { .. }));
+        assert!(matches!(error, ImportError::NoSuchLevel { .. }));
         let known = "hint: it has 1 \"Cellar\", 2 \"Ground floor\", 3 \"Attic\"";
         assert!(error.to_string().ends_with(known), "{error}");
     }
     assert!(none(&two_rooms(), "1").to_string().ends_with("hint: it has no levels"));
     let error = sweet_home(&file(&house()), "test", Some("attic")).unwrap_err();
-    assert_eq!(error, NotImported::NoRooms);
+    assert_eq!(error, ImportError::NoRooms);
 }
 
 #[test]

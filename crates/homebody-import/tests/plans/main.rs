@@ -6,6 +6,6 @@ mod flats;
 mod levels;
 mod practice;
 mod habits;
-mod reached;
+mod reachability;
 mod hostile;
 mod random;

@@ -1,9 +1,9 @@
 //! Plans written for a test, and homes as they come out.
 
-use homebody_core::home::plan::Plan as FloorPlan;
-use homebody_core::scenario::home::HomeFile;
+use homebody_core::home::form::HomeFile;
+use homebody_core::plan::Plan as FloorPlan;
 use homebody_core::scenario::load::Scenario;
-use homebody_import::{Imported, NotImported, sweet_home};
+use homebody_import::{ImportError, Imported, sweet_home};
 use std::collections::BTreeMap;
 use std::io::{Cursor, Write};
 use zip::write::SimpleFileOptions;
@@ -82,7 +82,7 @@ pub fn two_rooms() -> String {
 }
 
 /// What becomes of a file.
-pub fn import(file: &[u8]) -> Result<Imported, NotImported> {
+pub fn import(file: &[u8]) -> Result<Imported, ImportError> {
     sweet_home(file, "test", None)
 }
 

@@ -2,9 +2,9 @@
 
 use crate::plan::{Home, archive, door, import, piece, room, two_rooms, two_rooms_walls, wall};
 use homebody_core::geometry::{self, Point};
+use homebody_core::plan::form::FurnitureFile;
 use homebody_core::role::Role;
-use homebody_core::scenario::home::FurnitureFile;
-use homebody_import::NotImported;
+use homebody_import::ImportError;
 use std::f64::consts::FRAC_PI_2;
 
 /// What becomes of one piece in the flat.
@@ -190,9 +190,9 @@ fn where_no_door_leads_out_it_is_said_where_one_could() {
 #[test]
 fn old_files_say_how_they_are_saved_anew() {
     let error = import(&archive(&[("Home", b"\xac\xed\x00\x05"), ("0", b"v 0 0 0")])).unwrap_err();
-    assert_eq!(error, NotImported::OnlyJava);
+    assert_eq!(error, ImportError::OnlyJava);
     assert!(error.to_string().contains("File > Save as"), "{error}");
-    assert_eq!(import(&archive(&[("readme.txt", b"no plan")])).unwrap_err(), NotImported::NoHomeXml);
+    assert_eq!(import(&archive(&[("readme.txt", b"no plan")])).unwrap_err(), ImportError::NoHomeXml);
 }
 
 #[test]
@@ -201,7 +201,7 @@ fn a_plan_without_its_archive_is_read() {
     for head in ["<?xml version='1.0'?>\n", "\u{feff}<?xml version='1.0'?>", "", "  \n"] {
         assert_eq!(Home::from(import(xml(head).as_bytes()).unwrap()).rooms(), ["Living room", "Bedroom"], "{head:?}");
     }
-    assert_eq!(import(b"<?xml version='1.0'?><house name='a'/>").unwrap_err(), NotImported::NoArchive);
+    assert_eq!(import(b"<?xml version='1.0'?><house name='a'/>").unwrap_err(), ImportError::NoArchive);
 }
 
 #[test]

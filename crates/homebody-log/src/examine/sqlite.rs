@@ -1,12 +1,10 @@
 //! A database file of SQLite: whether it is whole, who writes it, whether its tables are those of a log or of a truth, and whether the
 //! rows of each run are there once.
 
-use super::wanted::{log_table, truth_tables};
-use crate::check::{Asked, Check};
+use crate::check::{Check, CheckOptions, found_of, log_table, truth_tables};
 use crate::error::{LogError, place_of};
-use crate::lock::is_held;
-use crate::numbered::found_of;
-use crate::source::connect_only;
+use crate::files::database::connect_only;
+use crate::files::is_held;
 use crate::table::Table;
 use crate::url::Url;
 use homebody_core::problem::counted;
@@ -31,11 +29,11 @@ pub fn sqlite_version() -> Result<String, LogError> {
     tried.map_err(|error| LogError::database(Path::new(""), error))
 }
 
-pub(super) fn examine(url: &Url, asked: &Asked) -> Result<Vec<Check>, LogError> {
+pub(crate) fn examine(url: &Url, asked: &CheckOptions) -> Result<Vec<Check>, LogError> {
     let (log, run_column) = log_table(asked.mapping)?;
     let path = url.path();
     let mut checks = Vec::new();
-    if let Err(error) = crate::plain::open(path) {
+    if let Err(error) = crate::files::plain::open(path) {
         return Ok(vec![Check::of_error("file", &LogError::reading(path, error))]);
     }
     checks.push(written_by(path));

@@ -1,21 +1,22 @@
 //! A log in a file of text: whether every line is a row of it, and where rows are numbered, whether each number is there once.
 
-use crate::check::{Asked, Check};
+use crate::check::{Check, CheckOptions, RowNumbers};
 use crate::error::LogError;
-use crate::numbered::Numbers;
-use crate::source::{self, Source, Value, read_numbers};
+use crate::read::{self, LogSource};
+use crate::source::TruthValue;
 use crate::table::{Column, ColumnKind, Table};
+use crate::truth::text::read_numbers;
 use crate::url::Url;
 use homebody_core::problem::counted;
 use homebody_core::scenario::scheme::{NoPlace, OUTPUT, Scheme};
 use std::path::Path;
 
-pub(super) fn examine(place: &Source, asked: &Asked) -> Result<Vec<Check>, LogError> {
+pub(crate) fn examine(place: &LogSource, asked: &CheckOptions) -> Result<Vec<Check>, LogError> {
     if place.path() == Path::new(OUTPUT) {
         let what = format!("{place} passes rows on, and stores none");
         return Err(NoPlace { what, hint: "name a file".into() }.into());
     }
-    let log = match source::survey(place, asked.mapping) {
+    let log = match read::survey(place, asked.mapping) {
         Ok(log) => log,
         Err(error) => return Ok(vec![Check::of_error("file", &error)]),
     };
@@ -45,14 +46,14 @@ pub(super) fn examine(place: &Source, asked: &Asked) -> Result<Vec<Check>, LogEr
 }
 
 /// The numbers of the rows, if they have any.
-fn numbered(url: &Url, asked: &Asked) -> Option<Check> {
+fn numbered(url: &Url, asked: &CheckOptions) -> Option<Check> {
     let name = asked.mapping.columns.seq.clone();
     let column = Column { name, kind: ColumnKind::Integer, unit: "", about: "the number of the row" };
     let table = Table { name: String::new(), about: "", columns: vec![column], is_numbered: true, is_frequent: true };
-    let mut numbers = Numbers::default();
+    let mut numbers = RowNumbers::default();
     // A line that is none of the table has been told already, and ends this.
     let _ = read_numbers(url, &table, &mut |values| {
-        if let [Value::Integer(number)] = values {
+        if let [TruthValue::Integer(number)] = values {
             numbers.push(*number);
         }
         Ok(())

@@ -3,6 +3,8 @@
 //! Counts of spans from one microsecond on, each at most a thirty-second wider than what it begins with: a quantile is told
 //! to 3 %, and never too small.
 
+use homebody_core::time::Span;
+
 /// Each power of two has so many spans, as a power of two itself.
 const SPLIT_BITS: u32 = 5;
 const SPLIT: usize = 1 << SPLIT_BITS;
@@ -16,9 +18,9 @@ pub struct Lateness {
 }
 
 impl Lateness {
-    /// A message was so late, in microseconds; one that was early was not late at all.
-    pub fn add(&mut self, late_us: i64) {
-        let late = u64::try_from(late_us).unwrap_or(0);
+    /// A message was so late; one that was early was not late at all.
+    pub fn add(&mut self, late: Span) {
+        let late = u64::try_from(late.micros()).unwrap_or(0);
         let span = span_of(late);
         if self.counts.len() <= span {
             self.counts.resize(span + 1, 0);
@@ -98,16 +100,16 @@ mod tests {
     fn quantiles_are_those_of_the_sorted_list_and_early_is_not_late() {
         let mut lateness = Lateness::default();
         assert_eq!((lateness.quantile_us(0.99), lateness.count()), (0, 0));
-        (1..=1000).rev().for_each(|ms| lateness.add(ms * 1000));
+        (1..=1000).rev().for_each(|ms| lateness.add(Span::from_millis(ms)));
         for (share, expected) in [(0.5, 500_000), (0.99, 990_000), (1.0, 1_000_000)] {
             let told = lateness.quantile_us(share);
             assert!((expected..=expected + expected / 32).contains(&told), "{share}: {told}");
         }
-        (0..1000).for_each(|_| lateness.add(-5));
+        (0..1000).for_each(|_| lateness.add(Span::from_micros(-5)));
         assert!((lateness.quantile_us(0.5), lateness.count()) == (0, 2000));
         assert_eq!(lateness.most_us(), 1_000_000);
         let mut both = Lateness::default();
-        both.add(2_000_000);
+        both.add(Span::from_seconds(2.0));
         both.join(&lateness);
         assert_eq!((both.count(), both.most_us()), (2001, 2_000_000));
         // The control: the mean says nothing of the one that was late.

@@ -1,19 +1,17 @@
 //! A thread that tells one place what a fleet says. What it has not told yet waits in a list, which its maker keeps short.
 
-use super::{Fleet, FleetSink, Lateness, Told};
-use crate::cancel::Cancel;
-use crate::deadline::Deadline;
+use super::lateness::Lateness;
 use crate::error::LogError;
-use crate::meter::{Meter, Tell};
-use crate::sink::How;
-use crate::timed::{Call, Job, STOPS_WITHIN, Timed};
-use crate::waiting::Waiting;
+use crate::files::WriteMode;
+use crate::policy::{Call, Cancel, Deadline, Job, RetryWait, STOPS_WITHIN, SinkMetrics, TellNews, Timed};
+use crate::sink::{Fleet, FleetEvent, FleetSink};
+use homebody_core::time::UtcTime;
 use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
 use std::thread::{self, JoinHandle};
 use std::time::{Duration, Instant};
 
-/// The world's clock, in microseconds since 1970.
-pub type Now = Arc<dyn Fn() -> i64 + Send + Sync>;
+/// The world's clock.
+pub type Now = Arc<dyn Fn() -> UtcTime + Send + Sync>;
 
 /// First and longest wait between two attempts (our choice).
 const FIRST_WAIT: Duration = Duration::from_millis(100);
@@ -25,9 +23,9 @@ const AT_THE_END: Duration = Duration::from_secs(60);
 /// Who tells one place.
 pub struct Teller {
     place: String,
-    shared: Arc<Shared>,
+    shared: Arc<SharedState>,
     thread: Option<JoinHandle<Result<(), LogError>>>,
-    meter: Arc<Meter>,
+    meter: Arc<SinkMetrics>,
 }
 
 /// How a place that is away is waited for.
@@ -40,26 +38,26 @@ pub struct Patience {
     /// What ends it early.
     pub cancel: Cancel,
     /// Who hears of it.
-    pub tell: Option<Tell>,
+    pub tell: Option<TellNews>,
 }
 
 #[derive(Default)]
-struct Shared {
-    state: Mutex<State>,
+struct SharedState {
+    state: Mutex<TellerState>,
     changed: Condvar,
 }
 
 #[derive(Default)]
-struct State {
-    waiting: Vec<Told>,
+struct TellerState {
+    waiting: Vec<FleetEvent>,
     /// What is being told now: how much of it is left, and since when it is due.
     in_hand: usize,
-    oldest_in_hand: Option<i64>,
+    oldest_in_hand: Option<UtcTime>,
     /// When the fleet has ended, and since when that is known.
-    ended: Option<(i64, Instant)>,
+    ended: Option<(UtcTime, Instant)>,
     is_given_up: bool,
     /// From when on lateness counts.
-    counts_from: Option<i64>,
+    counts_from: Option<UtcTime>,
     /// Since this was looked at last.
     since: Since,
 }
@@ -73,8 +71,8 @@ pub struct Since {
     pub lateness: Lateness,
 }
 
-impl Shared {
-    fn lock(&self) -> MutexGuard<'_, State> {
+impl SharedState {
+    fn lock(&self) -> MutexGuard<'_, TellerState> {
         self.state.lock().unwrap_or_else(PoisonError::into_inner)
     }
 }
@@ -89,11 +87,11 @@ impl Teller {
     pub fn begin(
         place: String,
         sink: Box<dyn FleetSink>,
-        (fleet, how): (&Arc<Fleet>, How),
+        (fleet, how): (&Arc<Fleet>, WriteMode),
         patience: &Patience,
         now: &Now,
     ) -> Result<Teller, LogError> {
-        let (meter, shared) = (Arc::new(Meter::default()), Arc::new(Shared::default()));
+        let (meter, shared) = (Arc::new(SinkMetrics::default()), Arc::new(SharedState::default()));
         if let Some(tell) = patience.tell.clone() {
             meter.telling(tell);
         }
@@ -104,14 +102,14 @@ impl Teller {
             false => (patience.answers_within.unwrap_or(Deadline::OF_SERVERS), STOPS_WITHIN),
         };
         let (deadline, most_at_once) = (Deadline::new(within), sink.most_at_once().max(1));
-        let mut sink: Place = Timed::new(place.clone(), sink, stops_within, meter.clone());
+        let mut sink: TimedFleetSink = Timed::new(place.clone(), sink, stops_within, meter.clone());
         sink.keep_to(&deadline, &patience.cancel);
         let begins = || -> Job<dyn FleetSink, Vec<u64>> {
             let (fleet, deadline) = (fleet.clone(), deadline.clone());
             Box::new(move |sink| sink.begin(&fleet, how, &deadline))
         };
         let there = calls.call(|| sink.ask(Call::Begin, begins))?;
-        let work = Work { sink, most_at_once, calls, there, now: now.clone() };
+        let work = TellerWork { sink, most_at_once, calls, there, now: now.clone() };
         let thread = thread::Builder::new().spawn(move || work.live());
         let thread = thread.map_err(|source| LogError::NoThread { place: place.clone(), source })?;
         Ok(Teller { place, shared, thread: Some(thread), meter })
@@ -123,17 +121,17 @@ impl Teller {
     }
 
     /// What counts what it has taken.
-    pub fn meter(&self) -> &Arc<Meter> {
+    pub fn meter(&self) -> &Arc<SinkMetrics> {
         &self.meter
     }
 
     /// Lateness counts from this instant on: what is due before it is what the fleet catches up with.
-    pub fn count_from(&self, instant: i64) {
+    pub fn count_from(&self, instant: UtcTime) {
         self.shared.lock().counts_from = Some(instant);
     }
 
     /// Has the place told this, after all that waits already.
-    pub fn tell(&self, told: &[Told]) {
+    pub fn tell(&self, told: &[FleetEvent]) {
         self.shared.lock().waiting.extend_from_slice(told);
         self.shared.changed.notify_all();
     }
@@ -144,8 +142,8 @@ impl Teller {
         state.waiting.len() + state.in_hand
     }
 
-    /// Since when that is due which waits the longest, in microseconds since 1970.
-    pub fn oldest_due(&self) -> Option<i64> {
+    /// Since when that is due which waits the longest.
+    pub fn oldest_due(&self) -> Option<UtcTime> {
         let state = self.shared.lock();
         state.oldest_in_hand.or_else(|| first_due(&state.waiting))
     }
@@ -172,7 +170,7 @@ impl Teller {
     /// # Errors
     ///
     /// The place failed, or was away for a minute, or did not answer a fleet that was stopped.
-    pub fn finish(&mut self, end: i64) -> Result<(), LogError> {
+    pub fn finish(&mut self, end: UtcTime) -> Result<(), LogError> {
         self.shared.lock().ended = Some((end, Instant::now()));
         self.shared.changed.notify_all();
         self.join()
@@ -197,10 +195,10 @@ impl Drop for Teller {
 }
 
 /// A place with a deadline. Its answer counts the rows that it holds, by home.
-type Place = Timed<dyn FleetSink, Vec<u64>>;
+type TimedFleetSink = Timed<dyn FleetSink, Vec<u64>>;
 
-struct Work {
-    sink: Place,
+struct TellerWork {
+    sink: TimedFleetSink,
     most_at_once: usize,
     calls: Calls,
     /// By home: up to which row the place holds it already.
@@ -208,7 +206,7 @@ struct Work {
     now: Now,
 }
 
-impl Work {
+impl TellerWork {
     fn live(mut self) -> Result<(), LogError> {
         loop {
             let (told, ended) = {
@@ -228,22 +226,22 @@ impl Work {
                 self.tell(told)?;
             }
             if let (true, Some((end, _))) = (told.is_empty(), ended) {
-                let Work { sink, calls, .. } = &mut self;
+                let TellerWork { sink, calls, .. } = &mut self;
                 let finishes = || -> Job<dyn FleetSink, Vec<u64>> { Box::new(move |sink| done(sink.finish(end))) };
                 return calls.call(|| sink.ask(Call::Finish, finishes)).map(drop);
             }
         }
     }
 
-    fn tell(&mut self, told: &[Told]) -> Result<(), LogError> {
-        let Work { sink, calls, there, now, .. } = self;
+    fn tell(&mut self, told: &[FleetEvent]) -> Result<(), LogError> {
+        let TellerWork { sink, calls, there, now, .. } = self;
         let Calls { shared, meter, .. } = &*calls;
         shared.lock().oldest_in_hand = first_due(told);
-        let is_new = |told: &&Told| match told {
-            Told::Row(row) => row.seq >= there[row.home as usize],
-            Told::Comes(_) | Told::Goes(_) => true,
+        let is_new = |told: &&FleetEvent| match told {
+            FleetEvent::Row(row) => row.seq >= there[row.home as usize],
+            FleetEvent::Comes(_) | FleetEvent::Goes(_) => true,
         };
-        let new: Vec<Told> = told.iter().filter(is_new).copied().collect();
+        let new: Vec<FleetEvent> = told.iter().filter(is_new).copied().collect();
         if !new.is_empty() {
             let tells = || -> Job<dyn FleetSink, Vec<u64>> {
                 let new = new.clone();
@@ -255,7 +253,7 @@ impl Work {
         let mut state = shared.lock();
         let mut rows = 0;
         for told in &new {
-            let Told::Row(row) = told else { continue };
+            let FleetEvent::Row(row) = told else { continue };
             rows += 1;
             if state.counts_from.is_some_and(|from| row.due >= from) {
                 state.since.lateness.add(now - row.due);
@@ -274,15 +272,15 @@ fn done(done: Result<(), LogError>) -> Result<Vec<u64>, LogError> {
     done.map(|()| Vec::new())
 }
 
-fn first_due(told: &[Told]) -> Option<i64> {
-    told.iter().find_map(|told| if let Told::Row(row) = told { Some(row.due) } else { None })
+fn first_due(told: &[FleetEvent]) -> Option<UtcTime> {
+    told.iter().find_map(|told| if let FleetEvent::Row(row) = told { Some(row.due) } else { None })
 }
 
 /// Calls of a place, each made again while the place is away and there is patience.
 struct Calls {
     place: String,
-    shared: Arc<Shared>,
-    meter: Arc<Meter>,
+    shared: Arc<SharedState>,
+    meter: Arc<SinkMetrics>,
     patience: Patience,
 }
 
@@ -296,16 +294,17 @@ impl Calls {
             state.is_given_up || state.ended.is_some_and(|(_, since)| since.elapsed() > at_the_end)
         };
         let (retry_for, first, longest) = (*retry_for, FIRST_WAIT, LONGEST_WAIT);
-        Waiting { place, meter, cancel, retry_for, first, longest }.call(is_over, call)
+        RetryWait { place, meter, cancel, retry_for, first, longest }.call(is_over, call)
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::fleet::FleetRow;
+    use crate::sink::fleet::FleetRow;
     use homebody_core::event::Value;
     use homebody_core::ids::SensorId;
+    use homebody_core::time::RunTime;
     use std::sync::atomic::{AtomicI64, Ordering};
 
     /// A place that takes a while by the fake clock for each call, and is away for the first ones.
@@ -313,15 +312,15 @@ mod tests {
         clock: Arc<AtomicI64>,
         takes_us: i64,
         away: u32,
-        told: Arc<Mutex<Vec<Told>>>,
+        told: Arc<Mutex<Vec<FleetEvent>>>,
     }
 
     impl FleetSink for Slow {
-        fn begin(&mut self, _: &Arc<Fleet>, _: How, _: &Deadline) -> Result<Vec<u64>, LogError> {
+        fn begin(&mut self, _: &Arc<Fleet>, _: WriteMode, _: &Deadline) -> Result<Vec<u64>, LogError> {
             Ok(vec![2, 0])
         }
 
-        fn tell(&mut self, told: &[Told]) -> Result<(), LogError> {
+        fn tell(&mut self, told: &[FleetEvent]) -> Result<(), LogError> {
             self.clock.fetch_add(self.takes_us, Ordering::SeqCst);
             if self.away > 0 {
                 self.away -= 1;
@@ -331,23 +330,35 @@ mod tests {
             Ok(())
         }
 
-        fn finish(&mut self, _: i64) -> Result<(), LogError> {
+        fn finish(&mut self, _: UtcTime) -> Result<(), LogError> {
             Ok(())
         }
     }
 
-    fn row(home: u32, seq: u64, due: i64) -> Told {
-        Told::Row(FleetRow { seq, at: 0, due, home, sensor: SensorId(0), value: Value::Fire })
+    fn at(micros: i64) -> UtcTime {
+        UtcTime::from_micros(micros)
     }
 
-    fn teller(takes_us: i64, away: u32, retry_for: Duration) -> (Teller, Arc<Mutex<Vec<Told>>>) {
+    fn row(home: u32, seq: u64, due: i64) -> FleetEvent {
+        FleetEvent::Row(FleetRow {
+            seq,
+            at: RunTime::START,
+            due: at(due),
+            home,
+            sensor: SensorId(0),
+            value: Value::Fire,
+        })
+    }
+
+    fn teller(takes_us: i64, away: u32, retry_for: Duration) -> (Teller, Arc<Mutex<Vec<FleetEvent>>>) {
         let (clock, told) = (Arc::new(AtomicI64::new(1_000_000)), Arc::new(Mutex::new(Vec::new())));
         let sink = Slow { clock: clock.clone(), takes_us, away, told: told.clone() };
         let fleet = Arc::new(Fleet { first: 1, layouts: Vec::new(), homes: Vec::new() });
-        let now: Now = Arc::new(move || clock.load(Ordering::SeqCst));
+        let now: Now = Arc::new(move || at(clock.load(Ordering::SeqCst)));
         let patience = Patience { retry_for, ..Patience::default() };
-        let teller = Teller::begin("there".into(), Box::new(sink), (&fleet, How::New), &patience, &now).unwrap();
-        teller.count_from(1_000_000);
+        let teller =
+            Teller::begin("there".into(), Box::new(sink), (&fleet, WriteMode::Create), &patience, &now).unwrap();
+        teller.count_from(at(1_000_000));
         (teller, told)
     }
 
@@ -355,9 +366,9 @@ mod tests {
     fn lateness_is_from_when_a_row_is_due_to_when_the_place_has_it() {
         let (mut teller, told) = teller(30_000, 0, Duration::ZERO);
         // Of home 0 two rows are there; one is from before the fleet began.
-        teller.tell(&[row(0, 1, 1_000_000), row(1, 0, 900_000), row(0, 2, 1_010_000), Told::Goes(1)]);
-        teller.finish(2_000_000).unwrap();
-        assert_eq!(*told.lock().unwrap(), [row(1, 0, 900_000), row(0, 2, 1_010_000), Told::Goes(1)]);
+        teller.tell(&[row(0, 1, 1_000_000), row(1, 0, 900_000), row(0, 2, 1_010_000), FleetEvent::Goes(1)]);
+        teller.finish(at(2_000_000)).unwrap();
+        assert_eq!(*told.lock().unwrap(), [row(1, 0, 900_000), row(0, 2, 1_010_000), FleetEvent::Goes(1)]);
         let since = teller.since();
         assert_eq!((since.rows, since.lateness.count(), since.lateness.most_us()), (2, 1, 20_000));
         assert_eq!((teller.since().rows, teller.waiting(), teller.meter().read().rows), (0, 0, 2));
@@ -367,7 +378,7 @@ mod tests {
     fn what_waits_for_a_place_that_is_away_is_late_and_told_once() {
         let (mut teller, told) = teller(50_000, 2, Duration::from_secs(60));
         teller.tell(&[row(1, 0, 1_000_000)]);
-        teller.finish(2_000_000).unwrap();
+        teller.finish(at(2_000_000)).unwrap();
         assert_eq!(told.lock().unwrap().len(), 1);
         assert_eq!((teller.since().lateness.most_us(), teller.meter().read().retries), (150_000, 2));
     }
@@ -376,6 +387,6 @@ mod tests {
     fn a_place_that_is_away_and_not_waited_for_ends_it() {
         let (mut teller, told) = teller(0, 1, Duration::ZERO);
         teller.tell(&[row(1, 0, 1_000_000)]);
-        assert!(teller.finish(2_000_000).is_err() && told.lock().unwrap().is_empty());
+        assert!(teller.finish(at(2_000_000)).is_err() && told.lock().unwrap().is_empty());
     }
 }

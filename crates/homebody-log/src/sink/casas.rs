@@ -3,29 +3,26 @@
 //!
 //! Always local time. A sensor's name is one word there: `bedroom motion` becomes `BedroomMotion`.
 
-use super::text::{At, Text};
+use super::text::{TextSink, TextTarget};
 use super::{Begin, Sink, Watermark};
-use crate::clock::Clock;
-use crate::error::LogError;
+use crate::error::{HoldMessage, LogError};
 use crate::limits::beginning;
-use crate::mapping::apart;
-use crate::problems::HoldMessage;
-use crate::spans::{CHANGE, LABEL};
-use crate::table::{Batch, Cell, TextId, thousandths};
-use crate::word::one_word;
+use crate::log::{CHANGE, LABEL};
+use crate::table::{Batch, Cell, InstantWriter, TextId, apart, thousandths};
+use crate::text::one_word;
 use homebody_core::scenario::logger::TimeFormat;
-use homebody_core::time::Micros;
+use homebody_core::time::RunTime;
 
 /// A text file of a row a line.
 pub(crate) struct Casas {
-    at: At,
+    at: TextTarget,
     is_followed: bool,
-    open: Option<Open>,
+    open: Option<OpenCasas>,
 }
 
-struct Open {
-    file: Text,
-    clock: Clock,
+struct OpenCasas {
+    file: TextSink,
+    clock: InstantWriter,
     /// Texts as single words.
     texts: Vec<String>,
     /// The columns that are written, in their order.
@@ -39,7 +36,7 @@ struct Open {
 
 impl Casas {
     /// One that `is_followed` has its name from its first line on.
-    pub fn new(at: At, is_followed: bool) -> Casas {
+    pub fn new(at: TextTarget, is_followed: bool) -> Casas {
         Casas { at, is_followed, open: None }
     }
 }
@@ -57,9 +54,9 @@ impl Sink for Casas {
         ids.iter().try_for_each(|id| can_be_told(&self.at, id))?;
         let change = table.column(CHANGE);
         let columns = PARTS.into_iter().chain(table.column(LABEL)).chain(change).collect();
-        self.open = Some(Open {
-            file: Text::begin(&self.at, begin.how, self.is_followed, begin.deadline)?,
-            clock: Clock::new(&begin.run.calendar, TimeFormat::Local),
+        self.open = Some(OpenCasas {
+            file: TextSink::begin(&self.at, begin.how, self.is_followed, begin.deadline)?,
+            clock: InstantWriter::new(&begin.run.calendar, TimeFormat::Local),
             texts: Vec::new(),
             columns,
             change,
@@ -72,7 +69,7 @@ impl Sink for Casas {
 
     fn write(&mut self, batch: &Batch) -> Result<(), LogError> {
         let stopped = || LogError::Stopped { place: self.at.place() };
-        let Open { file, clock, texts, columns, change, line, number, rows } =
+        let OpenCasas { file, clock, texts, columns, change, line, number, rows } =
             self.open.as_mut().ok_or_else(stopped)?;
         for text in batch.texts_from(texts.len()) {
             can_be_told(&self.at, &text)?;
@@ -111,19 +108,19 @@ impl Sink for Casas {
         file.show()
     }
 
-    fn settle(&mut self) -> Result<Watermark, LogError> {
+    fn make_durable(&mut self) -> Result<Watermark, LogError> {
         let Some(open) = &mut self.open else { return Ok(Watermark::none()) };
-        let is_sure = open.file.settle()?;
+        let is_sure = open.file.make_durable()?;
         Ok(Watermark(vec![if is_sure { open.rows } else { 0 }]))
     }
 
-    fn finish(&mut self, _end: Micros) -> Result<(), LogError> {
+    fn finish(&mut self, _end: RunTime) -> Result<(), LogError> {
         self.open.take().map_or(Ok(()), |open| open.file.finish())
     }
 }
 
 /// Refuses a text with characters that part lines and what is in them.
-fn can_be_told(at: &At, text: &str) -> Result<(), LogError> {
+fn can_be_told(at: &TextTarget, text: &str) -> Result<(), LogError> {
     if !text.chars().any(char::is_control) {
         return Ok(());
     }

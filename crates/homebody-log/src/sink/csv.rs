@@ -1,26 +1,25 @@
 //! Comma-separated values with a header line, quoted as RFC 4180 says; lines end in a line feed alone. Of several tables,
 //! each has a file of its own: `truth.csv` becomes `truth.room.csv` and so on.
 
-use super::text::{At, Text};
+use super::text::{TextSink, TextTarget};
 use super::{Begin, Sink, Watermark};
-use crate::clock::Clock;
 use crate::error::LogError;
-use crate::spreadsheet;
-use crate::table::{Batch, Cell, TextId, thousandths};
-use ::csv::{QuoteStyle, Terminator, WriterBuilder};
+use crate::table::{Batch, Cell, InstantWriter, TextId, thousandths};
+use crate::text;
+use csv::{QuoteStyle, Terminator, WriterBuilder};
 use homebody_core::scenario::scheme::Scheme;
-use homebody_core::time::Micros;
+use homebody_core::time::RunTime;
 
 /// Text files of a row a line, one for each table.
 pub(crate) struct Csv {
-    at: At,
+    at: TextTarget,
     is_followed: bool,
-    open: Option<Open>,
+    open: Option<OpenCsv>,
 }
 
-struct Open {
-    files: Vec<Text>,
-    clock: Clock,
+struct OpenCsv {
+    files: Vec<TextSink>,
+    clock: InstantWriter,
     /// Texts with quotes where they need them.
     texts: Vec<String>,
     spreadsheet_safe: bool,
@@ -31,7 +30,7 @@ struct Open {
 
 impl Csv {
     /// One that `is_followed` has its name from its first line on.
-    pub fn new(at: At, is_followed: bool) -> Csv {
+    pub fn new(at: TextTarget, is_followed: bool) -> Csv {
         Csv { at, is_followed, open: None }
     }
 }
@@ -40,7 +39,7 @@ impl Sink for Csv {
     fn begin(&mut self, begin: &Begin) -> Result<Watermark, LogError> {
         let mut files = Vec::new();
         for (table, at) in begin.tables.iter().zip(self.at.of_tables(Scheme::Csv, begin.tables)?) {
-            let mut file = Text::begin(&at, begin.how, self.is_followed, begin.deadline)?;
+            let mut file = TextSink::begin(&at, begin.how, self.is_followed, begin.deadline)?;
             let header: Vec<String> = table.columns.iter().map(|column| quoted(&column.name)).collect();
             file.line(format!("{}\n", header.join(",")).as_bytes())?;
             files.push(file);
@@ -48,15 +47,15 @@ impl Sink for Csv {
         let rows = vec![0; files.len()];
         let (line, number, texts) = (Vec::new(), String::new(), Vec::new());
         let (clock, spreadsheet_safe) = (begin.clock(), begin.spreadsheet_safe);
-        self.open = Some(Open { files, clock, texts, spreadsheet_safe, line, number, rows });
+        self.open = Some(OpenCsv { files, clock, texts, spreadsheet_safe, line, number, rows });
         Ok(Watermark::none())
     }
 
     fn write(&mut self, batch: &Batch) -> Result<(), LogError> {
         let stopped = || LogError::Stopped { place: self.at.place() };
-        let Open { files, clock, texts, spreadsheet_safe, line, number, rows } =
+        let OpenCsv { files, clock, texts, spreadsheet_safe, line, number, rows } =
             self.open.as_mut().ok_or_else(stopped)?;
-        let cell = |text: &str| quoted(&spreadsheet::cell(text, *spreadsheet_safe));
+        let cell = |text: &str| quoted(&text::spreadsheet_cell(text, *spreadsheet_safe));
         texts.extend(batch.texts_from(texts.len()).map(|text| cell(&text)));
         for row in batch.rows() {
             line.clear();
@@ -80,20 +79,20 @@ impl Sink for Csv {
             files[row.table].line(line)?;
             rows[row.table] += 1;
         }
-        files.iter_mut().try_for_each(Text::show)
+        files.iter_mut().try_for_each(TextSink::show)
     }
 
-    fn settle(&mut self) -> Result<Watermark, LogError> {
+    fn make_durable(&mut self) -> Result<Watermark, LogError> {
         let Some(open) = &mut self.open else { return Ok(Watermark::none()) };
         let mut durable = Vec::new();
         for (file, &rows) in open.files.iter_mut().zip(&open.rows) {
-            durable.push(if file.settle()? { rows } else { 0 });
+            durable.push(if file.make_durable()? { rows } else { 0 });
         }
         Ok(Watermark(durable))
     }
 
-    fn finish(&mut self, _end: Micros) -> Result<(), LogError> {
-        self.open.take().into_iter().flat_map(|open| open.files).try_for_each(Text::finish)
+    fn finish(&mut self, _end: RunTime) -> Result<(), LogError> {
+        self.open.take().into_iter().flat_map(|open| open.files).try_for_each(TextSink::finish)
     }
 }
 

@@ -10,9 +10,7 @@
 //! keeps the write-ahead log beside it until they are done.
 
 use crate::error::{LogError, place_of};
-use crate::fresh::Found;
-use crate::lock::FileLock;
-use crate::written::{Opening, are_own, companions, open};
+use crate::files::{ExistingFile, FileLock, OpenMode, are_own, companions, open};
 use rusqlite::{CachedStatement, Connection, OpenFlags, ToSql};
 use std::fs;
 use std::io::{self, Seek, SeekFrom, Write};
@@ -55,9 +53,9 @@ pub(crate) struct Database {
     /// None only while the database is being closed.
     connection: Option<Connection>,
     /// Rows of the open transaction.
-    unsettled: usize,
+    not_durable: usize,
     has_rows: bool,
-    flow: Flow,
+    flow: RowFlow,
     /// Whether somebody who reads has been in the way.
     is_watched: bool,
     /// The file that this one replaces, put aside until the first rows are safe.
@@ -67,21 +65,21 @@ pub(crate) struct Database {
 
 /// How rows come in.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Flow {
+enum RowFlow {
     Pouring,
     Trickling,
 }
 
-impl Flow {
-    fn of(rows: usize) -> Flow {
-        if rows < TRICKLE { Flow::Trickling } else { Flow::Pouring }
+impl RowFlow {
+    fn for_rows(rows: usize) -> RowFlow {
+        if rows < TRICKLE { RowFlow::Trickling } else { RowFlow::Pouring }
     }
 
     /// TRUNCATE, unlike DELETE, makes sure of a transaction's end without asking the folder.
     fn journal(self) -> &'static str {
         match self {
-            Flow::Pouring => "PRAGMA journal_mode = TRUNCATE",
-            Flow::Trickling => "PRAGMA journal_mode = WAL",
+            RowFlow::Pouring => "PRAGMA journal_mode = TRUNCATE",
+            RowFlow::Trickling => "PRAGMA journal_mode = WAL",
         }
     }
 }
@@ -95,17 +93,17 @@ impl Database {
         begin: impl FnOnce(&Connection) -> rusqlite::Result<()>,
     ) -> Result<Database, LogError> {
         let lock = FileLock::take(path)?;
-        let replaced = match Found::at(path, force)? {
-            Found::Free => None,
-            Found::Replaced => Some(put_aside(path)?),
-            Found::Device => return Err(LogError::NoFile { place: place_of(path) }),
+        let replaced = match ExistingFile::at(path, force)? {
+            ExistingFile::Free => None,
+            ExistingFile::Replaced => Some(put_aside(path)?),
+            ExistingFile::Device => return Err(LogError::NoFile { place: place_of(path) }),
         };
         let mut database = Database {
             path: path.into(),
             connection: None,
-            unsettled: 0,
+            not_durable: 0,
             has_rows: false,
-            flow: Flow::Trickling,
+            flow: RowFlow::Trickling,
             is_watched: false,
             replaced,
             _lock: lock,
@@ -113,14 +111,14 @@ impl Database {
         // A new database has no companions: SQLite would write into those that are there.
         remove_companions(path);
         // The database's own way to create a file does not tell why it could not.
-        open(path, Opening::New).map_err(|error| LogError::file(path, error))?;
+        open(path, OpenMode::New).map_err(|error| LogError::file(path, error))?;
         let flags = OpenFlags::SQLITE_OPEN_READ_WRITE | OpenFlags::SQLITE_OPEN_NO_MUTEX;
         let opened = Connection::open_with_flags(path, flags).and_then(|connection| {
             connection.busy_timeout(BUSY)?;
-            let journal: String = connection.query_row(Flow::Trickling.journal(), [], |row| row.get(0))?;
+            let journal: String = connection.query_row(RowFlow::Trickling.journal(), [], |row| row.get(0))?;
             // On some network drives there can be no write-ahead log.
             if journal != "wal" {
-                connection.execute_batch(Flow::Pouring.journal())?;
+                connection.execute_batch(RowFlow::Pouring.journal())?;
             }
             connection.execute_batch(SAFE)?;
             connection.execute_batch("BEGIN IMMEDIATE")?;
@@ -140,7 +138,7 @@ impl Database {
     pub fn reopen(path: &Path) -> Result<Option<Database>, LogError> {
         let lock = FileLock::take(path)?;
         // The database's own way to open a file follows a link.
-        match open(path, Opening::Left).and_then(|file| file.metadata()) {
+        match open(path, OpenMode::Left).and_then(|file| file.metadata()) {
             Ok(found) if found.len() > 0 => {}
             Err(error) if error.kind() != io::ErrorKind::NotFound => return Err(LogError::reading(path, error)),
             _ => {
@@ -155,13 +153,13 @@ impl Database {
             // What was under way as the program died is undone or brought in first.
             let begun = "SELECT count(*) FROM sqlite_schema";
             let is_begun: bool = connection.query_row(begun, [], |row| row.get(0))?;
-            let flow = match connection.execute_batch(Flow::Pouring.journal()) {
-                Ok(()) => Flow::Pouring,
+            let flow = match connection.execute_batch(RowFlow::Pouring.journal()) {
+                Ok(()) => RowFlow::Pouring,
                 Err(error) if !LogError::is_in_use(&error) => return Err(error),
                 Err(error) => {
                     // Who has it open keeps a write-ahead log in use: rows go on through that.
                     let journal: String = connection.query_row("PRAGMA journal_mode", [], |row| row.get(0))?;
-                    if journal == "wal" { Flow::Trickling } else { return Err(error) }
+                    if journal == "wal" { RowFlow::Trickling } else { return Err(error) }
                 }
             };
             connection.execute_batch(SAFE)?;
@@ -177,7 +175,7 @@ impl Database {
         Ok(Some(Database {
             path: path.into(),
             connection: Some(connection),
-            unsettled: 0,
+            not_durable: 0,
             has_rows: true,
             flow,
             is_watched: false,
@@ -199,7 +197,7 @@ impl Database {
         self.connection.as_ref().expect("open until it is closed")
     }
 
-    /// Changes rows within the transaction that the next [`Database::settle`] ends.
+    /// Changes rows within the transaction that the next [`Database::make_durable`] ends.
     pub fn change(
         &mut self,
         rows: usize,
@@ -208,20 +206,20 @@ impl Database {
         let connection = self.connection();
         let begun = match (connection.is_autocommit(), self.flow) {
             // From then on only those who read can be in the way.
-            (true, Flow::Pouring) => {
+            (true, RowFlow::Pouring) => {
                 connection.execute_batch("BEGIN IMMEDIATE").and_then(|()| connection.busy_timeout(READERS))
             }
-            (true, Flow::Trickling) => connection.execute_batch("BEGIN IMMEDIATE"),
+            (true, RowFlow::Trickling) => connection.execute_batch("BEGIN IMMEDIATE"),
             (false, _) => Ok(()),
         };
         begun.and_then(|()| change(connection)).map_err(|error| LogError::database(&self.path, error))?;
-        self.unsettled += rows;
+        self.not_durable += rows;
         Ok(())
     }
 
     /// Ends the transaction: what was changed is safe now.
-    pub fn settle(&mut self) -> Result<(), LogError> {
-        let flow = if self.is_watched { Flow::Trickling } else { Flow::of(self.unsettled) };
+    pub fn make_durable(&mut self) -> Result<(), LogError> {
+        let flow = if self.is_watched { RowFlow::Trickling } else { RowFlow::for_rows(self.not_durable) };
         if self.commit()? && flow != self.flow && self.without_waiting(flow.journal()) {
             self.flow = flow;
         }
@@ -251,7 +249,7 @@ impl Database {
     /// version-valid-for number).
     fn forget_transactions(&self) -> Result<(), LogError> {
         let stamp = |offset: u64| {
-            let mut file = open(&self.path, Opening::Kept)?;
+            let mut file = open(&self.path, OpenMode::Kept)?;
             file.seek(SeekFrom::Start(offset))?;
             file.write_all(&TRANSACTIONS)?;
             file.sync_data()
@@ -268,8 +266,8 @@ impl Database {
         let begun = Instant::now();
         let committed = connection.execute_batch("COMMIT").and_then(|()| connection.busy_timeout(BUSY));
         committed.map_err(|error| LogError::database(&self.path, error))?;
-        self.is_watched |= begun.elapsed() > WATCHED && self.flow == Flow::Pouring;
-        self.unsettled = 0;
+        self.is_watched |= begun.elapsed() > WATCHED && self.flow == RowFlow::Pouring;
+        self.not_durable = 0;
         self.keep();
         Ok(true)
     }
@@ -374,7 +372,7 @@ impl Binding<'_, '_> {
 }
 
 /// Renames a database that is to be replaced, unless another program is writing it; where it is then.
-pub(super) fn put_aside(path: &Path) -> Result<PathBuf, LogError> {
+pub(crate) fn put_aside(path: &Path) -> Result<PathBuf, LogError> {
     are_own(path).map_err(|(companion, error)| LogError::reading(&companion, error))?;
     let probed = Connection::open_with_flags(path, OpenFlags::SQLITE_OPEN_READ_WRITE).and_then(|connection| {
         connection.busy_timeout(BUSY)?;
@@ -418,7 +416,7 @@ mod tests {
         let (path, mine) = (folder.path().join("log.db"), folder.path().join("mine"));
         let mut database = Database::create(&path, true, &["CREATE TABLE line (run INTEGER)"], |_| Ok(())).unwrap();
         database.change(1, |connection| connection.execute_batch("INSERT INTO line VALUES (1)")).unwrap();
-        database.settle().unwrap();
+        database.make_durable().unwrap();
         drop(database);
         for companion in companions(&path) {
             let _ = fs::remove_file(&companion);
@@ -442,7 +440,7 @@ mod tests {
             database.change(100, |connection| {
                 insert.insert(connection, &["some words to fill pages with"; 100], 1, |text, row| row.put(text))
             })?;
-            database.settle()
+            database.make_durable()
         };
         let mut stored = 0;
         let error = loop {

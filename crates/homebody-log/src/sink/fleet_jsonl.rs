@@ -1,18 +1,16 @@
 //! The rows of many homes as a JSON object a line: which home, and then as the log of that home alone has it.
 
-use super::How;
+use super::fleet::{Fleet, FleetEvent, FleetRow, FleetSink};
 use super::jsonl::in_json;
-use super::text::{At, Text};
-use crate::clock::{Clock, Stamp};
-use crate::deadline::Deadline;
-use crate::error::{LogError, Reason};
-use crate::fleet::{Fleet, FleetRow, FleetSink, Told};
-use crate::plain;
-use crate::problems::OutputMessage;
-use crate::sensor_table;
-use crate::table::thousandths;
+use super::text::{TextSink, TextTarget};
+use crate::error::{LogError, OutputMessage, Reason};
+use crate::files::{WriteMode, plain};
+use crate::policy::Deadline;
+use crate::run::sensor_table;
+use crate::table::{InstantWriter, Stamp, thousandths};
 use crate::url::Url;
 use homebody_core::event::Value;
+use homebody_core::time::UtcTime;
 use std::io::{Read, Write};
 use std::path::Path;
 use std::sync::Arc;
@@ -32,13 +30,13 @@ pub fn has_rows_of_fleet(path: &Path) -> bool {
 
 /// One text for all homes.
 pub(crate) struct FleetJsonl {
-    at: At,
-    open: Option<Open>,
+    at: TextTarget,
+    open: Option<OpenFleetJsonl>,
 }
 
-struct Open {
+struct OpenFleetJsonl {
     fleet: Arc<Fleet>,
-    text: Text,
+    text: TextSink,
     kinds: Vec<InKind>,
     line: Vec<u8>,
     buffer: String,
@@ -46,7 +44,7 @@ struct Open {
 
 /// What the lines of homes of one kind are made of.
 struct InKind {
-    clock: Clock,
+    clock: InstantWriter,
     /// What stands before the home, and before the value of each column.
     home: String,
     keys: Vec<String>,
@@ -55,18 +53,18 @@ struct InKind {
 
 impl FleetJsonl {
     pub fn new(url: &Url) -> FleetJsonl {
-        FleetJsonl { at: At::of(url), open: None }
+        FleetJsonl { at: TextTarget::from_url(url), open: None }
     }
 }
 
 impl FleetSink for FleetJsonl {
-    fn begin(&mut self, fleet: &Arc<Fleet>, how: How, deadline: &Deadline) -> Result<Vec<u64>, LogError> {
+    fn begin(&mut self, fleet: &Arc<Fleet>, how: WriteMode, deadline: &Deadline) -> Result<Vec<u64>, LogError> {
         let kinds = fleet.layouts.iter().map(|layout| {
             let names = || layout.table.columns.iter().map(|column| column.name.as_str());
             let home = if names().any(|name| name == HOME) { HOME_BESIDE_COLUMN } else { HOME };
-            let sensors = (0..layout.run.sensors.len()).map(homebody_core::ids::SensorId::of);
+            let sensors = (0..layout.run.sensors.len()).map(homebody_core::ids::SensorId::new);
             InKind {
-                clock: Clock::new(&layout.run.calendar, layout.time),
+                clock: InstantWriter::new(&layout.run.calendar, layout.time),
                 home: format!("{{{}:", in_json(home)),
                 keys: names().map(|name| format!(",{}:", in_json(name))).collect(),
                 sensors: sensors.map(|sensor| in_json(layout.sensor(sensor))).collect(),
@@ -74,25 +72,25 @@ impl FleetSink for FleetJsonl {
         });
         let kinds = kinds.collect();
         // The same command makes the same rows again, in the same order: those that are there are compared, and the rest is added.
-        let goes_on = matches!(&self.at, At::File(path) if has_rows_of_fleet(path));
-        let how = if goes_on && how == How::New { How::GoOn } else { how };
-        let text = Text::begin(&self.at, how, true, deadline)?;
+        let goes_on = matches!(&self.at, TextTarget::File(path) if has_rows_of_fleet(path));
+        let how = if goes_on && how == WriteMode::Create { WriteMode::Resume } else { how };
+        let text = TextSink::begin(&self.at, how, true, deadline)?;
         // Homes of one scenario have the same sensors; of several, an id says nothing without the home.
-        if let (At::File(path), [layout]) = (&self.at, &fleet.layouts[..]) {
-            sensor_table::write(&sensor_table::beside(path), &layout.run, how != How::New)?;
+        if let (TextTarget::File(path), [layout]) = (&self.at, &fleet.layouts[..]) {
+            sensor_table::write(&sensor_table::beside(path), &layout.run, how != WriteMode::Create)?;
         }
-        self.open = Some(Open { fleet: fleet.clone(), text, kinds, line: Vec::new(), buffer: String::new() });
+        self.open = Some(OpenFleetJsonl { fleet: fleet.clone(), text, kinds, line: Vec::new(), buffer: String::new() });
         Ok(vec![0; fleet.homes.len()])
     }
 
     fn is_file(&self) -> bool {
-        matches!(self.at, At::File(_))
+        matches!(self.at, TextTarget::File(_))
     }
 
-    fn tell(&mut self, told: &[Told]) -> Result<(), LogError> {
+    fn tell(&mut self, told: &[FleetEvent]) -> Result<(), LogError> {
         let Some(open) = &mut self.open else { return Err(LogError::Stopped { place: self.at.place() }) };
         for told in told {
-            if let Told::Row(row) = told {
+            if let FleetEvent::Row(row) = told {
                 open.line(row);
                 open.text.line(&open.line).map_err(of_other_homes)?;
             }
@@ -100,7 +98,7 @@ impl FleetSink for FleetJsonl {
         open.text.show()
     }
 
-    fn finish(&mut self, _: i64) -> Result<(), LogError> {
+    fn finish(&mut self, _: UtcTime) -> Result<(), LogError> {
         self.open.take().map_or(Ok(()), |open| open.text.stop())
     }
 }
@@ -111,9 +109,9 @@ fn of_other_homes(error: LogError) -> LogError {
     LogError::destination(place, OutputMessage::OtherHomes { difference: why.what })
 }
 
-impl Open {
+impl OpenFleetJsonl {
     fn line(&mut self, row: &FleetRow) {
-        let Open { fleet, kinds, line, buffer, .. } = self;
+        let OpenFleetJsonl { fleet, kinds, line, buffer, .. } = self;
         let home = &fleet.homes[row.home as usize];
         let InKind { clock, home: key, keys, sensors } = &mut kinds[home.layout];
         let [seq, time, sensor, value] = &keys[..] else { unreachable!("a log has four columns") };

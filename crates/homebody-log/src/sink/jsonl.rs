@@ -4,39 +4,38 @@
 //! its name from its first row on, so that it can be followed; of a killed run it keeps what was written, perhaps with half a line
 //! at its end.
 
-use super::text::{At, Text};
+use super::text::{TextSink, TextTarget};
 use super::{Begin, Sink, Watermark};
-use crate::clock::{Clock, Stamp};
 use crate::error::LogError;
-use crate::table::{Batch, Cell, TextId, thousandths};
+use crate::table::{Batch, Cell, InstantWriter, Stamp, TextId, thousandths};
 use homebody_core::scenario::scheme::Scheme;
-use homebody_core::time::Micros;
+use homebody_core::time::RunTime;
 use std::io::Write;
 
 /// Text files of an object a line, one for each table.
 pub(crate) struct Jsonl {
-    at: At,
-    open: Option<Open>,
+    at: TextTarget,
+    open: Option<OpenJsonl>,
 }
 
-struct Open {
-    tables: Vec<InTable>,
-    clock: Clock,
+struct OpenJsonl {
+    tables: Vec<JsonlTable>,
+    clock: InstantWriter,
     /// Texts as JSON has them.
     texts: Vec<String>,
     line: Vec<u8>,
     number: String,
 }
 
-struct InTable {
-    text: Text,
+struct JsonlTable {
+    text: TextSink,
     /// What stands before the value of each column: a brace or a comma, and its key.
     keys: Vec<String>,
     rows: u64,
 }
 
 impl Jsonl {
-    pub fn new(at: At) -> Jsonl {
+    pub fn new(at: TextTarget) -> Jsonl {
         Jsonl { at, open: None }
     }
 }
@@ -48,14 +47,14 @@ impl Sink for Jsonl {
         for (table, at) in begin.tables.iter().zip(places) {
             let names = table.columns.iter().map(|column| in_json(&column.name));
             let keys = names.enumerate().map(|(index, name)| format!("{}{name}:", if index == 0 { '{' } else { ',' }));
-            tables.push(InTable {
+            tables.push(JsonlTable {
                 keys: keys.collect(),
-                text: Text::begin(&at, begin.how, !begin.is_whole, begin.deadline)?,
+                text: TextSink::begin(&at, begin.how, !begin.is_whole, begin.deadline)?,
                 rows: 0,
             });
         }
         let (texts, line, number) = (Vec::new(), Vec::new(), String::new());
-        self.open = Some(Open { tables, clock: begin.clock(), texts, line, number });
+        self.open = Some(OpenJsonl { tables, clock: begin.clock(), texts, line, number });
         Ok(Watermark::none())
     }
 
@@ -72,25 +71,25 @@ impl Sink for Jsonl {
         open.tables.iter_mut().try_for_each(|table| table.text.show())
     }
 
-    fn settle(&mut self) -> Result<Watermark, LogError> {
+    fn make_durable(&mut self) -> Result<Watermark, LogError> {
         let Some(open) = &mut self.open else { return Ok(Watermark::none()) };
         let mut durable = Vec::new();
         for table in &mut open.tables {
-            durable.push(if table.text.settle()? { table.rows } else { 0 });
+            durable.push(if table.text.make_durable()? { table.rows } else { 0 });
         }
         Ok(Watermark(durable))
     }
 
-    fn finish(&mut self, _end: Micros) -> Result<(), LogError> {
+    fn finish(&mut self, _end: RunTime) -> Result<(), LogError> {
         let tables = self.open.take().into_iter().flat_map(|open| open.tables);
-        tables.map(|table| table.text).try_for_each(Text::finish)
+        tables.map(|table| table.text).try_for_each(TextSink::finish)
     }
 }
 
-impl Open {
+impl OpenJsonl {
     /// Makes the line of a row.
     fn line(&mut self, table: usize, cells: &[Cell]) {
-        let Open { tables, clock, texts, line, number } = self;
+        let OpenJsonl { tables, clock, texts, line, number } = self;
         line.clear();
         for (key, cell) in tables[table].keys.iter().zip(cells) {
             line.extend_from_slice(key.as_bytes());
@@ -117,6 +116,6 @@ impl Open {
 }
 
 /// A text in quotes, as JSON has it.
-pub(super) fn in_json(text: &str) -> String {
+pub(crate) fn in_json(text: &str) -> String {
     serde_json::Value::from(text).to_string()
 }

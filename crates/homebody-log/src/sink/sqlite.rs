@@ -4,15 +4,14 @@
 //! gives the same bytes. When a run is gone on with, the rows in the file are compared with those that it makes again.
 
 use super::database::{Binding, Database, Insert};
-use super::{Begin, How, Sink, Watermark};
-use crate::clock::{Clock, Stamp};
-use crate::error::{LogError, place_of};
-use crate::problems::ChangedMessage;
-use crate::run_info::RunInfo;
-use crate::sensor_info::{SENSOR, SENSOR_COLUMNS, says_more_of, sensor_cells};
-use crate::table::{Batch, Cell, Column, ColumnKind, Table, TextId, thousandths};
+use super::{Begin, Sink, Watermark};
+use crate::error::{ChangedMessage, LogError, place_of};
+use crate::files::WriteMode;
+use crate::log::{SENSOR, SENSOR_COLUMNS, says_more_of, sensor_cells};
+use crate::run::RunInfo;
+use crate::table::{Batch, Cell, Column, ColumnKind, InstantWriter, Stamp, Table, TextId, thousandths};
 use homebody_core::scenario::logger::TimeFormat;
-use homebody_core::time::Micros;
+use homebody_core::time::RunTime;
 use rusqlite::types::{Null, ToSqlOutput, ValueRef};
 use rusqlite::{Connection, ToSql, params};
 use std::path::{Path, PathBuf};
@@ -22,20 +21,20 @@ use std::sync::Arc;
 pub(crate) struct Sqlite {
     path: PathBuf,
     /// Once it is begun.
-    open: Option<Open>,
+    open: Option<OpenSqlite>,
 }
 
-struct Open {
+struct OpenSqlite {
     database: Database,
-    tables: Vec<InTable>,
-    clock: Clock,
+    tables: Vec<SqliteTable>,
+    clock: InstantWriter,
     buffer: String,
     run: i64,
     texts: Vec<Arc<str>>,
 }
 
 /// A table, and how far it has come.
-struct InTable {
+struct SqliteTable {
     name: String,
     columns: Vec<Column>,
     is_numbered: bool,
@@ -62,7 +61,7 @@ impl Sqlite {
         Sqlite { path, open: None }
     }
 
-    fn begun(&mut self) -> Result<&mut Open, LogError> {
+    fn begun(&mut self) -> Result<&mut OpenSqlite, LogError> {
         let stopped = || LogError::Stopped { place: place_of(&self.path) };
         self.open.as_mut().ok_or_else(stopped)
     }
@@ -70,9 +69,9 @@ impl Sqlite {
 
 impl Sink for Sqlite {
     fn begin(&mut self, begin: &Begin) -> Result<Watermark, LogError> {
-        let mut tables: Vec<InTable> = begin.tables.iter().map(|table| InTable::new(table, begin)).collect();
+        let mut tables: Vec<SqliteTable> = begin.tables.iter().map(|table| SqliteTable::new(table, begin)).collect();
         let mut clock = begin.clock();
-        let left = if begin.how == How::GoOn { Database::reopen(&self.path)? } else { None };
+        let left = if begin.how == WriteMode::Resume { Database::reopen(&self.path)? } else { None };
         let database = match left {
             Some(database) => {
                 can_go_on(&database, begin.run)?;
@@ -92,11 +91,11 @@ impl Sink for Sqlite {
                     run(connection)?;
                     if is_log { tell_sensors(connection, begin.run) } else { Ok(()) }
                 };
-                Database::create(&self.path, begin.how == How::Replace, &created, tell)?
+                Database::create(&self.path, begin.how == WriteMode::Overwrite, &created, tell)?
             }
         };
         let run = begin.run.id;
-        self.open = Some(Open { database, tables, clock, buffer: String::new(), run, texts: Vec::new() });
+        self.open = Some(OpenSqlite { database, tables, clock, buffer: String::new(), run, texts: Vec::new() });
         Ok(Watermark::none())
     }
 
@@ -104,13 +103,13 @@ impl Sink for Sqlite {
         self.begun()?.write(batch)
     }
 
-    fn settle(&mut self) -> Result<Watermark, LogError> {
+    fn make_durable(&mut self) -> Result<Watermark, LogError> {
         let open = self.begun()?;
-        open.database.settle()?;
-        Ok(Watermark(open.tables.iter().map(InTable::durable).collect()))
+        open.database.make_durable()?;
+        Ok(Watermark(open.tables.iter().map(SqliteTable::durable).collect()))
     }
 
-    fn finish(&mut self, end: Micros) -> Result<(), LogError> {
+    fn finish(&mut self, end: RunTime) -> Result<(), LogError> {
         let Some(mut open) = self.open.take() else { return Ok(()) };
         if let Some(table) = open.tables.iter().find(|table| table.come < table.there) {
             let (name, rows, of_run) = (table.name.clone(), table.there, table.come);
@@ -128,7 +127,7 @@ impl Sink for Sqlite {
     }
 }
 
-impl Open {
+impl OpenSqlite {
     fn write(&mut self, batch: &Batch) -> Result<(), LogError> {
         self.texts.extend(batch.texts_from(self.texts.len()));
         let mut known: Vec<Vec<&[Cell]>> = vec![Vec::new(); self.tables.len()];
@@ -158,7 +157,7 @@ impl Open {
 
     /// Inserts what waits in a table.
     fn insert_waiting(&mut self, index: usize) -> Result<(), LogError> {
-        let Open { database, tables, clock, buffer, texts, .. } = self;
+        let OpenSqlite { database, tables, clock, buffer, texts, .. } = self;
         let table = &mut tables[index];
         let width = table.columns.len();
         let rows = std::mem::take(&mut table.waiting);
@@ -181,7 +180,7 @@ impl Open {
 
     /// Checks that the next rows of a table in the file are these.
     fn compare(&mut self, index: usize, rows: &[&[Cell]]) -> Result<(), LogError> {
-        let Open { database, tables, clock, buffer, texts, run, .. } = self;
+        let OpenSqlite { database, tables, clock, buffer, texts, run, .. } = self;
         let table = &tables[index];
         let last = table.come.min(table.there);
         let first = last - rows.len() as u64;
@@ -212,10 +211,10 @@ impl Open {
     }
 }
 
-impl InTable {
-    fn new(table: &Table, begin: &Begin) -> InTable {
+impl SqliteTable {
+    fn new(table: &Table, begin: &Begin) -> SqliteTable {
         let names: Vec<&str> = table.columns.iter().map(|column| column.name.as_str()).collect();
-        InTable {
+        SqliteTable {
             name: table.name.clone(),
             columns: table.columns.clone(),
             is_numbered: table.is_numbered,
@@ -234,7 +233,7 @@ impl InTable {
         }
     }
 
-    /// How many of its rows are in the database once it has settled.
+    /// How many of its rows are in the database once they are durable.
     fn durable(&self) -> u64 {
         self.there.max(self.come - (self.waiting.len() / self.columns.len()) as u64)
     }
@@ -306,7 +305,7 @@ fn time_type(time: TimeFormat) -> &'static str {
 pub(crate) fn tell_run<'a>(
     run: &'a RunInfo,
     time: TimeFormat,
-    clock: &'a mut Clock,
+    clock: &'a mut InstantWriter,
 ) -> impl FnOnce(&Connection) -> rusqlite::Result<()> + 'a {
     move |connection| {
         let time = time_type(time);
@@ -315,7 +314,7 @@ pub(crate) fn tell_run<'a>(
              ended_at {time}, version TEXT, zone TEXT)"
         ))?;
         // A seed can be larger than a database's integers.
-        let (seed, started_at, zone) = (run.seed.to_string(), clock.stamp(0), run.zone());
+        let (seed, started_at, zone) = (run.seed.to_string(), clock.stamp(RunTime::START), run.zone());
         let values = params![run.id, run.home, run.scenario, seed, started_at, run.version, zone];
         let sql =
             "INSERT INTO run (run_id, home, scenario, seed, started_at, version, zone) VALUES (?, ?, ?, ?, ?, ?, ?)";
@@ -359,7 +358,7 @@ pub(crate) fn can_be_replaced(path: &Path, run: &RunInfo) -> Result<(), LogError
 }
 
 /// Whether a value of the database is a cell.
-fn is_same(found: ValueRef, cell: Cell, clock: &mut Clock, texts: &[Arc<str>], buffer: &mut String) -> bool {
+fn is_same(found: ValueRef, cell: Cell, clock: &mut InstantWriter, texts: &[Arc<str>], buffer: &mut String) -> bool {
     match (found, cell) {
         (ValueRef::Null, Cell::Null) => true,
         (ValueRef::Integer(found), Cell::Integer(number)) => found == number,

@@ -1,13 +1,9 @@
 //! A text of rows, a line each: a new file, one that a program which died has left, to be gone on with, a file that is packed as it
 //! is written, or standard output.
 
-use super::How;
-use crate::deadline::Deadline;
-use crate::error::{LogError, place_of};
-use crate::fresh::{FreshFile, remove_parts};
-use crate::lock::FileLock;
-use crate::packed::{Packer, Packing, unpacked};
-use crate::problems::{ChangedMessage, HoldMessage, OutputMessage};
+use crate::error::{ChangedMessage, HoldMessage, LogError, OutputMessage, place_of};
+use crate::files::{FileLock, FreshFile, Packer, Packing, WriteMode, remove_parts, unpacked};
+use crate::policy::Deadline;
 use crate::table::Table;
 use crate::url::Url;
 use homebody_core::scenario::scheme::Scheme;
@@ -16,53 +12,60 @@ use std::path::{Path, PathBuf};
 
 /// Where text goes.
 #[derive(Clone, Debug)]
-pub(super) enum At {
+pub(crate) enum TextTarget {
     File(PathBuf),
     Output,
 }
 
-impl At {
-    pub fn of(url: &Url) -> At {
-        url.file().map_or(At::Output, |file| At::File(file.into()))
+impl TextTarget {
+    pub fn from_url(url: &Url) -> TextTarget {
+        url.file().map_or(TextTarget::Output, |file| TextTarget::File(file.into()))
     }
 
     /// What errors call it.
     pub fn place(&self) -> String {
         match self {
-            At::File(path) => place_of(path),
-            At::Output => "standard output".into(),
+            TextTarget::File(path) => place_of(path),
+            TextTarget::Output => "standard output".into(),
         }
     }
 
     /// Where each of these tables goes. Standard output has no room for several.
-    pub fn of_tables(&self, scheme: Scheme, tables: &[Table]) -> Result<Vec<At>, LogError> {
+    pub fn of_tables(&self, scheme: Scheme, tables: &[Table]) -> Result<Vec<TextTarget>, LogError> {
         match self {
-            At::File(path) => Ok(Url::new(scheme, path).files(tables).into_iter().map(At::File).collect()),
-            At::Output if tables.len() == 1 => Ok(vec![At::Output]),
-            At::Output => Err(LogError::cannot_hold(self.place(), HoldMessage::OutputTables)),
+            TextTarget::File(path) => {
+                Ok(Url::new(scheme, path).files(tables).into_iter().map(TextTarget::File).collect())
+            }
+            TextTarget::Output if tables.len() == 1 => Ok(vec![TextTarget::Output]),
+            TextTarget::Output => Err(LogError::cannot_hold(self.place(), HoldMessage::OutputTables)),
         }
     }
 }
 
 /// Lines on their way.
-pub(super) enum Text {
+pub(crate) enum TextSink {
     File(Box<TextFile>),
     Packed(Box<PackedFile>),
     Output(BufWriter<Pieces<Stdout>>),
 }
 
-impl Text {
+impl TextSink {
     /// Begins a text. One `is_followed` that has its name from its first line on, so that it can be read while it grows. The reader of
     /// standard output has the time of the deadline for each piece.
-    pub fn begin(at: &At, how: How, is_followed: bool, deadline: &Deadline) -> Result<Text, LogError> {
+    pub fn begin(
+        at: &TextTarget,
+        how: WriteMode,
+        is_followed: bool,
+        deadline: &Deadline,
+    ) -> Result<TextSink, LogError> {
         Ok(match at {
-            At::Output => {
+            TextTarget::Output => {
                 let pieces = Pieces { out: io::stdout(), deadline: deadline.clone() };
-                Text::Output(BufWriter::with_capacity(1 << 16, pieces))
+                TextSink::Output(BufWriter::with_capacity(1 << 16, pieces))
             }
-            At::File(path) => match Packing::of(path)? {
-                Some(packing) => Text::Packed(Box::new(PackedFile::begin(path, packing, how)?)),
-                None => Text::File(Box::new(TextFile::begin(path, how, is_followed)?)),
+            TextTarget::File(path) => match Packing::of(path)? {
+                Some(packing) => TextSink::Packed(Box::new(PackedFile::begin(path, packing, how)?)),
+                None => TextSink::File(Box::new(TextFile::begin(path, how, is_followed)?)),
             },
         })
     }
@@ -70,43 +73,43 @@ impl Text {
     /// Takes a line with its end.
     pub fn line(&mut self, line: &[u8]) -> Result<(), LogError> {
         match self {
-            Text::File(file) => file.line(line),
-            Text::Packed(file) => file.line(line),
-            Text::Output(output) => output.write_all(line).map_err(no_output),
+            TextSink::File(file) => file.line(line),
+            TextSink::Packed(file) => file.line(line),
+            TextSink::Output(output) => output.write_all(line).map_err(no_output),
         }
     }
 
     /// Shows the lines that have come to whoever reads them as they come.
     pub fn show(&mut self) -> Result<(), LogError> {
         match self {
-            Text::File(file) if file.is_followed => file.file.flush(),
-            Text::File(_) | Text::Packed(_) => Ok(()),
-            Text::Output(output) => output.flush().map_err(no_output),
+            TextSink::File(file) if file.is_followed => file.file.flush(),
+            TextSink::File(_) | TextSink::Packed(_) => Ok(()),
+            TextSink::Output(output) => output.flush().map_err(no_output),
         }
     }
 
     /// Makes sure of the lines; whether that could be done before the end.
-    pub fn settle(&mut self) -> Result<bool, LogError> {
+    pub fn make_durable(&mut self) -> Result<bool, LogError> {
         match self {
-            Text::File(file) => file.file.flush().map(|()| true),
+            TextSink::File(file) => file.file.flush().map(|()| true),
             // What packs sees more of a text the longer it waits, and the bytes shall not depend on when it was asked.
-            Text::Packed(_) => Ok(false),
-            Text::Output(output) => output.flush().map(|()| true).map_err(no_output),
+            TextSink::Packed(_) => Ok(false),
+            TextSink::Output(output) => output.flush().map(|()| true).map_err(no_output),
         }
     }
 
     /// Gives a file its name.
     pub fn finish(self) -> Result<(), LogError> {
         match self {
-            Text::File(file) => file.finish(),
-            Text::Packed(file) => file.finish(),
-            Text::Output(mut output) => output.flush().map_err(no_output),
+            TextSink::File(file) => file.finish(),
+            TextSink::Packed(file) => file.finish(),
+            TextSink::Output(mut output) => output.flush().map_err(no_output),
         }
     }
 
     /// The same for a run that may have been stopped before it made all lines again: the others stay.
     pub fn stop(mut self) -> Result<(), LogError> {
-        if let Text::File(text) = &mut self
+        if let TextSink::File(text) = &mut self
             && let TextFile { left: Some(left), file, .. } = &mut **text
             && left.is_all(file.path()).is_err()
         {
@@ -121,7 +124,7 @@ impl Text {
 const PIECE_BYTES: usize = 4096;
 
 /// Writes piece by piece, each with the whole time of the deadline: a reader that is slow is not one that stands still.
-pub(super) struct Pieces<W> {
+pub(crate) struct Pieces<W> {
     out: W,
     deadline: Deadline,
 }
@@ -148,16 +151,16 @@ fn no_output(source: io::Error) -> LogError {
 }
 
 /// Lines that are there already, with which those are compared that are lived again.
-struct Left<R> {
+struct EarlierLines<R> {
     text: BufReader<R>,
     lines: u64,
     bytes: u64,
     found: Vec<u8>,
 }
 
-impl<R: Read> Left<R> {
-    fn new(text: R) -> Left<R> {
-        Left { text: BufReader::with_capacity(1 << 16, text), lines: 0, bytes: 0, found: Vec::new() }
+impl<R: Read> EarlierLines<R> {
+    fn new(text: R) -> EarlierLines<R> {
+        EarlierLines { text: BufReader::with_capacity(1 << 16, text), lines: 0, bytes: 0, found: Vec::new() }
     }
 
     /// Whether a line is there whole: false where the text ends before its end. An error where another is there.
@@ -190,10 +193,10 @@ impl<R: Read> Left<R> {
 ///
 /// Going on, lines that are there already are compared with those that are lived again, until the file ends, perhaps
 /// in the middle of a line: that one is written anew.
-pub(super) struct TextFile {
+pub(crate) struct TextFile {
     file: FreshFile,
     /// What is there and has not been compared yet.
-    left: Option<Left<std::fs::File>>,
+    left: Option<EarlierLines<std::fs::File>>,
     /// Whether it has its name from its first line on.
     is_followed: bool,
     /// Given back last, once the file has its name or its part is gone.
@@ -201,12 +204,12 @@ pub(super) struct TextFile {
 }
 
 impl TextFile {
-    fn begin(path: &Path, how: How, is_followed: bool) -> Result<TextFile, LogError> {
+    fn begin(path: &Path, how: WriteMode, is_followed: bool) -> Result<TextFile, LogError> {
         let lock = FileLock::take(path)?;
-        let left = if how == How::GoOn { FreshFile::reopen(path)? } else { None };
+        let left = if how == WriteMode::Resume { FreshFile::reopen(path)? } else { None };
         let (file, left) = match left {
-            Some((file, left)) => (file, Some(Left::new(left))),
-            None => (FreshFile::create(path, how == How::Replace)?, None),
+            Some((file, left)) => (file, Some(EarlierLines::new(left))),
+            None => (FreshFile::create(path, how == WriteMode::Overwrite)?, None),
         };
         Ok(TextFile { file, left, is_followed, _lock: lock })
     }
@@ -249,25 +252,25 @@ impl TextFile {
 ///
 /// Nothing can be added to a packed file whose end is missing. So going on, all of it is written anew; one that is whole is
 /// compared, and replaced in the end.
-pub(super) struct PackedFile {
+pub(crate) struct PackedFile {
     path: PathBuf,
     packer: Packer,
-    left: Option<Left<Box<dyn Read + Send>>>,
+    left: Option<EarlierLines<Box<dyn Read + Send>>>,
     _lock: FileLock,
 }
 
 impl PackedFile {
-    fn begin(path: &Path, packing: Packing, how: How) -> Result<PackedFile, LogError> {
+    fn begin(path: &Path, packing: Packing, how: WriteMode) -> Result<PackedFile, LogError> {
         let lock = FileLock::take(path)?;
         let mut left = None;
-        if how == How::GoOn {
+        if how == WriteMode::Resume {
             remove_parts(path)?;
             if path.is_file() {
                 let text = unpacked(path).map_err(|error| LogError::reading(path, error))?;
-                left = Some(Left::new(text));
+                left = Some(EarlierLines::new(text));
             }
         }
-        let packer = packing.pack(FreshFile::create(path, how != How::New)?)?;
+        let packer = packing.pack(FreshFile::create(path, how != WriteMode::Create)?)?;
         Ok(PackedFile { path: path.into(), packer, left, _lock: lock })
     }
 

@@ -1,10 +1,8 @@
 //! A database file that has its name only once it is whole, as other files have.
 
-use super::How;
 use super::database::{put_aside, remove_database};
 use crate::error::{LogError, place_of};
-use crate::fresh::{Found, name_if_free};
-use crate::lock::FileLock;
+use crate::files::{ExistingFile, FileLock, WriteMode, name_if_free};
 use crate::url::Url;
 use homebody_core::scenario::scheme::Scheme;
 use std::fs;
@@ -23,12 +21,12 @@ pub(crate) struct Whole<'u> {
 }
 
 impl<'u> Whole<'u> {
-    pub fn begin(to: &'u Url, how: How) -> Result<Whole<'u>, LogError> {
+    pub fn begin(to: &'u Url, how: WriteMode) -> Result<Whole<'u>, LogError> {
         let file = to.file().filter(|_| to.scheme() == Scheme::Sqlite);
         let Some(file) = file else { return Ok(Whole { to, part: None, replaces: false, _lock: None }) };
         let lock = FileLock::take(file)?;
-        let replaces = how == How::Replace;
-        if Found::at(file, replaces)? == Found::Device {
+        let replaces = how == WriteMode::Overwrite;
+        if ExistingFile::at(file, replaces)? == ExistingFile::Device {
             return Err(LogError::NoFile { place: place_of(file) });
         }
         let mut name = file.file_name().unwrap_or_default().to_owned();
@@ -62,8 +60,8 @@ impl Drop for Whole<'_> {
 
 /// Renames a database that is whole, over what may be replaced.
 fn take_name(part: &Path, file: &Path, replaces: bool) -> Result<(), LogError> {
-    match Found::at(file, replaces)? {
-        Found::Replaced => {
+    match ExistingFile::at(file, replaces)? {
+        ExistingFile::Replaced => {
             // The old database's readers and writers are those of the new one.
             let named = fs::symlink_metadata(file).and_then(|old| match old.is_file() {
                 true => fs::set_permissions(part, old.permissions()),

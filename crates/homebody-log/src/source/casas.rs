@@ -4,29 +4,32 @@
 //! it. Behind it some note that an activity begins or ends, as `Sleep begin` or `1-end`; others have a label on each row. The
 //! beginning of a text shows which words are what.
 
-use super::casas_layout::{Between, KIND, Layout, kind, people};
-use super::casas_words::{When, behind_words_of_time, nearly, part, parted_note, when};
-use super::date_parts::no_instant;
-use super::form::{Form, Shows};
-use super::form_messages::FormMessage;
-use super::instant::Instants;
-use super::lines::Lines;
-use super::reading::Reading;
-use super::start::Start;
+mod layout;
+pub(crate) mod words;
+
+use super::instant::InstantReader;
+use super::lines::LineReader;
+use super::messages::FormMessage;
+use super::reading::LogReading;
+use super::start::FileStart;
+use super::{LogForm, Shows};
 use crate::error::LogError;
+use crate::files::plain::text;
 use crate::limits::beginning;
-use crate::plain::text;
-use crate::sensor_info::SensorInfo;
+use crate::log::SensorInfo;
+use crate::source::instant::date_parts::no_instant;
 use foldhash::{HashSet, HashSetExt};
 use homebody_core::names::words;
 use homebody_core::problem::{counted, readable};
 use homebody_core::scenario::logger::LoggerFile;
 use homebody_core::sensed::meaning;
+use layout::{BetweenWords, CasasLayout, KIND, kind, people};
 use std::collections::BTreeMap;
 use std::ops::Range;
 use std::path::Path;
+use words::{CasasTime, behind_words_of_time, nearly, part, parted_note, when};
 
-pub(super) const FORM: Form = Form {
+pub(crate) const FORM: LogForm = LogForm {
     name: "casas",
     what: "the text of the CASAS homes: time, sensor and message, separated by tabs or blanks, optionally with room, place and kind, and \
            with notes of activities or a label on each row",
@@ -34,21 +37,21 @@ pub(super) const FORM: Form = Form {
     read,
 };
 
-fn shows(start: &Start) -> Shows {
-    Shows::rows_if(Layout::of(start.lines()).is_ok())
+fn shows(start: &FileStart) -> Shows {
+    Shows::rows_if(CasasLayout::of(start.lines()).is_ok())
 }
 
 /// Whether the first line is the heading that CASAS gives its tables, with the translations of a sensor's place.
-pub(super) fn has_own_heading(start: &Start) -> bool {
+pub(crate) fn has_own_heading(start: &FileStart) -> bool {
     start.lines().next().is_some_and(|line| line.contains("Translate01"))
 }
 
 /// Says why a text that begins with dates and times is not in this form. It finds times in other notations, too.
-pub(super) fn objection(start: &Start) -> Option<FormMessage> {
+pub(crate) fn objection(start: &FileStart) -> Option<FormMessage> {
     let lines = || start.lines().take(LOOKED_AT_LINES);
-    let mut instants = Instants::default();
+    let mut instants = InstantReader::default();
     if lines().any(|line| when(line.as_bytes(), &mut instants).is_some()) {
-        return Layout::of(start.lines()).err();
+        return CasasLayout::of(start.lines()).err();
     }
     let timed = lines().filter(|line| has_time(line)).count();
     let first = || beginning(&start.lines().next().unwrap_or_default());
@@ -71,11 +74,11 @@ fn has_time(line: &str) -> bool {
     bytes.windows(8).any(is_time)
 }
 
-fn read(path: &Path, _: &LoggerFile, reading: &mut Reading<'_>) -> Result<(), LogError> {
-    let layout = Layout::said(Start::of(path)?.lines());
+fn read(path: &Path, _: &LoggerFile, reading: &mut LogReading<'_>) -> Result<(), LogError> {
+    let layout = CasasLayout::said(FileStart::read(path)?.lines());
     layout.record(reading);
-    let mut rows = Rows { layout, known: HashSet::new(), doing: BTreeMap::new(), odd: None, parts: Vec::new() };
-    let mut lines = Lines::open(path)?;
+    let mut rows = CasasRows { layout, known: HashSet::new(), doing: BTreeMap::new(), odd: None, parts: Vec::new() };
+    let mut lines = LineReader::open(path)?;
     while let Some((number, line)) = lines.next()? {
         rows.take(number, line, reading)?;
     }
@@ -90,8 +93,8 @@ fn read(path: &Path, _: &LoggerFile, reading: &mut Reading<'_>) -> Result<(), Lo
 }
 
 /// The rows of a text on their way.
-struct Rows {
-    layout: Layout,
+struct CasasRows {
+    layout: CasasLayout,
     /// The sensors whose places are recorded.
     known: HashSet<Vec<u8>>,
     /// The activity of each person, in a text that numbers both.
@@ -102,11 +105,11 @@ struct Rows {
     parts: Vec<Range<usize>>,
 }
 
-impl Rows {
+impl CasasRows {
     /// Takes a line.
-    fn take(&mut self, number: u64, line: &[u8], reading: &mut Reading<'_>) -> Result<(), LogError> {
+    fn take(&mut self, number: u64, line: &[u8], reading: &mut LogReading<'_>) -> Result<(), LogError> {
         let line = line.trim_ascii();
-        let Some(When { at, behind, .. }) = when(line, &mut reading.instants) else {
+        let Some(CasasTime { at, behind, .. }) = when(line, &mut reading.instants) else {
             let is_heading = number == 1 && self.layout.is_heading(line);
             if !line.is_empty() && !is_heading {
                 reading.skip(number, no_time(line));
@@ -153,7 +156,7 @@ impl Rows {
     }
 
     /// Notes the activities of people from this row onwards.
-    fn do_all(&mut self, told: Vec<(u8, u8)>, reading: &mut Reading<'_>) {
+    fn do_all(&mut self, told: Vec<(u8, u8)>, reading: &mut LogReading<'_>) {
         for (person, activity) in told {
             let name = format!("R{person} activity {activity}");
             let before = self.doing.insert(person, name.clone());
@@ -168,13 +171,13 @@ impl Rows {
     /// repeated sensor show its value.
     #[inline]
     fn places<'w>(&self, word: &impl Fn(usize) -> Option<&'w [u8]>, sensor: &[u8]) -> (usize, usize) {
-        let Layout { value, has_kind, between, .. } = self.layout;
+        let CasasLayout { value, has_kind, between, .. } = self.layout;
         if !has_kind && self.parts.len() > 2 {
             let kind = (2..self.parts.len()).find(|&index| word(index).is_some_and(|word| word.starts_with(KIND)));
             if let Some(kind) = kind {
                 return (kind - 1, kind + 1);
             }
-            if value == 1 && between == Between::Nothing && word(1) == Some(sensor) {
+            if value == 1 && between == BetweenWords::Nothing && word(1) == Some(sensor) {
                 return (2, 3);
             }
         }
@@ -182,20 +185,20 @@ impl Rows {
     }
 
     /// Records the room, the name and the kind that a row gives for its sensor.
-    fn know<'w>(&self, word: &impl Fn(usize) -> Option<&'w [u8]>, value: usize, reading: &mut Reading<'_>) {
+    fn know<'w>(&self, word: &impl Fn(usize) -> Option<&'w [u8]>, value: usize, reading: &mut LogReading<'_>) {
         let said = |index: usize| word(index).map(|word| text(word).into_owned()).unwrap_or_default();
         let id = said(0);
         let (room, place) = match self.layout.between {
-            Between::RoomAndPlace => (Some(said(1)), Some(said(2))),
-            Between::Room => (Some(said(1)), None),
-            Between::Nothing | Between::Again | Between::Reading => (None, None),
+            BetweenWords::RoomAndPlace => (Some(said(1)), Some(said(2))),
+            BetweenWords::Room => (Some(said(1)), None),
+            BetweenWords::Nothing | BetweenWords::Again | BetweenWords::Reading => (None, None),
         };
         // Homes write `OutsideDoor` where a room should be.
         let room = room.filter(|room| !room.is_empty() && !words(room).iter().any(|word| word == "door"));
         let name = place.filter(|place| !place.is_empty()).unwrap_or_else(|| id.clone());
         let of_reading = said(1).trim_end_matches(':').to_owned();
         let kind = match self.layout.between {
-            Between::Reading if meaning(&of_reading, "").is_some() => of_reading,
+            BetweenWords::Reading if meaning(&of_reading, "").is_some() => of_reading,
             _ => self.layout.has_kind.then(|| kind(&said(value + 1))).flatten().unwrap_or_default().to_owned(),
         };
         reading.know(SensorInfo { id, room, ..SensorInfo::of_kind(&name, &kind, &[]) });
@@ -210,7 +213,7 @@ fn is_usual(value: &[u8]) -> bool {
 
 /// The damage of a value or of the note behind it, as part of a sentence.
 #[inline]
-fn damage(layout: &Layout, value: &[u8], note: Option<&str>) -> Option<String> {
+fn damage(layout: &CasasLayout, value: &[u8], note: Option<&str>) -> Option<String> {
     if note.is_some_and(|note| matches!(note, "ON" | "OFF" | "OPEN" | "CLOSE")) {
         return Some("a value stands where a note should: the line is damaged".into());
     }
@@ -234,12 +237,13 @@ fn no_time(line: &[u8]) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::source::{Clock, Log};
+    use crate::log::{Clock, Log};
+    use homebody_core::time::{MINUTE, Span};
     use std::borrow::Cow;
 
-    fn rows(text: &str) -> Rows {
-        let layout = Layout::said(text.lines().map(Cow::Borrowed));
-        Rows { layout, known: HashSet::new(), doing: BTreeMap::new(), odd: None, parts: Vec::new() }
+    fn rows(text: &str) -> CasasRows {
+        let layout = CasasLayout::said(text.lines().map(Cow::Borrowed));
+        CasasRows { layout, known: HashSet::new(), doing: BTreeMap::new(), odd: None, parts: Vec::new() }
     }
 
     fn read(text: &str) -> Log {
@@ -248,7 +252,7 @@ mod tests {
             events.extend_from_slice(&part.events);
             Ok(())
         };
-        let mut reading = Reading::new(&mut take);
+        let mut reading = LogReading::new(&mut take);
         let mut rows = rows(text);
         for (index, line) in text.lines().enumerate() {
             rows.take(index as u64 + 1, line.as_bytes(), &mut reading).unwrap();
@@ -270,7 +274,7 @@ mod tests {
         ] {
             let log = read(line);
             assert_eq!((&log.sensors[..], &log.values[..]), (&["M001".into()][..], &["ON".into()][..]), "{line}");
-            assert_eq!(log.events[0].at, 1_235_977_923_250_000, "{line}");
+            assert_eq!(log.events[0].at.micros(), 1_235_977_923_250_000, "{line}");
         }
     }
 
@@ -282,7 +286,7 @@ mod tests {
              2009-03-02 08:30:00 M001 OFF Cook end",
         );
         let [cook] = &log.activities[..] else { panic!("{:?}", log.activities) };
-        assert_eq!((cook.name.as_str(), cook.end - cook.begin), ("Cook", 30 * 60 * 1_000_000));
+        assert_eq!((cook.name.as_str(), cook.end - cook.begin), ("Cook", 30 * MINUTE));
         assert_eq!(log.remarks, ["3 notes that an activity begins or ends have no other end"]);
     }
 
@@ -305,9 +309,8 @@ mod tests {
             "2009-03-02 08:00:00 M001 M001 ON Cook\n2009-03-02 08:10:00 M001 M001 OFF Cook\n\
              2009-03-02 08:20:00 M001 M001 ON Eat\n2009-03-02 08:30:00 M001 M001 OFF\n2009-03-02 08:40:00 M001 M001 ON Eat",
         );
-        let minute = 60 * 1_000_000;
         let told: Vec<_> = log.activities.iter().map(|of| (of.name.as_str(), of.end - of.begin)).collect();
-        assert_eq!(told, [("Cook", 20 * minute), ("Eat", 10 * minute), ("Eat", 1)]);
+        assert_eq!(told, [("Cook", 20 * MINUTE), ("Eat", 10 * MINUTE), ("Eat", Span::MICROSECOND)]);
     }
 
     #[test]
@@ -331,7 +334,7 @@ mod tests {
     #[test]
     fn what_is_no_text_is_replaced_and_is_one_sensor_however_often_it_comes() {
         let mut take = |_: &Log| Ok(());
-        let mut reading = Reading::new(&mut take);
+        let mut reading = LogReading::new(&mut take);
         let mut rows = rows("2009-03-02 07:12:03 M1 ON");
         for (number, sensor) in [&b"M\xff"[..], b"M\xff", "M\u{fffd}".as_bytes(), b"M\xfe", b"M1"].iter().enumerate() {
             let line = [b"2009-03-02 07:12:03 ", *sensor, b" ON"].concat();

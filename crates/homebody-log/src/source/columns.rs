@@ -1,6 +1,6 @@
 //! Headings of tables, and what columns under them hold: one list of names for all readers.
 
-use super::log::ColumnRole;
+use crate::log::ColumnRole;
 use homebody_core::scenario::logger::LoggerFile;
 
 /// The names of time, sensor and value that are certain, ours first; they are compared by letters and digits in lower case.
@@ -298,7 +298,7 @@ const OTHERS: [(ColumnRole, &[&str]); 11] = [
 ];
 
 /// Names of what a row tells of a device, where another column names the device.
-pub(super) const ATTRIBUTES: [&str; 30] = [
+pub(crate) const ATTRIBUTES: [&str; 30] = [
     "attribute",
     "capability",
     "property",
@@ -332,7 +332,7 @@ pub(super) const ATTRIBUTES: [&str; 30] = [
 ];
 
 /// Whether a heading is that of ids: numbers that name something, and tell nothing.
-pub(super) fn is_id(heading: &str) -> bool {
+pub(crate) fn is_id(heading: &str) -> bool {
     const WORDS: [&str; 12] =
         ["id", "ids", "no", "nr", "uuid", "serial", "identifiant", "identifier", "kennung", "ean", "prm", "key"];
     const ENDINGS: [&str; 9] =
@@ -344,7 +344,7 @@ pub(super) fn is_id(heading: &str) -> bool {
 }
 
 /// Whether a heading is that of remarks, which people write into some rows.
-pub(super) fn is_remark(heading: &str) -> bool {
+pub(crate) fn is_remark(heading: &str) -> bool {
     const NAMES: [&str; 15] = [
         "remark",
         "remarks",
@@ -366,7 +366,7 @@ pub(super) fn is_remark(heading: &str) -> bool {
 }
 
 /// Whether a heading is that of money.
-pub(super) fn is_price(heading: &str) -> bool {
+pub(crate) fn is_price(heading: &str) -> bool {
     const WORDS: [&str; 13] = [
         "cost", "costs", "price", "prices", "kosten", "preis", "prix", "cout", "coût", "coste", "precio", "costo",
         "prezzo",
@@ -376,7 +376,7 @@ pub(super) fn is_price(heading: &str) -> bool {
 }
 
 /// Whether a heading says that its clock is UTC's, as `Date/time UTC` and `utc_time` do.
-pub(super) fn is_of_utc(heading: &str) -> bool {
+pub(crate) fn is_of_utc(heading: &str) -> bool {
     let lower = heading.to_lowercase();
     let mut words = lower.split(|c: char| !c.is_alphanumeric()).filter(|word| !word.is_empty());
     words.clone().any(|word| matches!(word, "utc" | "utctime" | "timeutc" | "zulu"))
@@ -384,13 +384,13 @@ pub(super) fn is_of_utc(heading: &str) -> bool {
 }
 
 /// A heading by its letters and digits, in lower case: `Start Time` is `starttime`. A unit in brackets is left out.
-pub(super) fn plain(heading: &str) -> String {
+pub(crate) fn plain(heading: &str) -> String {
     let without_unit = heading.split(['(', '[']).next().filter(|name| !name.trim().is_empty()).unwrap_or(heading);
     without_unit.chars().filter(|c| c.is_alphanumeric()).flat_map(char::to_lowercase).collect()
 }
 
 /// The role of a column with this heading, and the rank of its name among those of the role: less is more certain.
-pub(super) fn role_of(heading: &str) -> Option<(ColumnRole, usize)> {
+pub(crate) fn role_of(heading: &str) -> Option<(ColumnRole, usize)> {
     let name = plain(heading);
     let certain: [(ColumnRole, &[&str]); 4] = [
         (ColumnRole::Time, &TIMES),
@@ -407,16 +407,16 @@ pub(super) fn role_of(heading: &str) -> Option<(ColumnRole, usize)> {
 }
 
 /// The ranks of names that are certain are below this.
-pub(super) const CERTAIN: usize = 100;
+pub(crate) const CERTAIN: usize = 100;
 
 /// Whether a sensor's heading can mean nothing else: `name` and `code` can.
-pub(super) fn is_certain_sensor(heading: &str) -> bool {
+pub(crate) fn is_certain_sensor(heading: &str) -> bool {
     matches!(plain(heading).as_str(), "sensor" | "device" | "entityid" | "sensorid" | "deviceid" | "sensorname")
 }
 
 /// Where a row's time, sensor and value are.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Places {
+pub struct ColumnPlaces {
     /// The column of the time.
     pub time: usize,
     /// That of the sensor.
@@ -429,9 +429,9 @@ pub struct Places {
     pub is_mapped: bool,
 }
 
-impl Places {
+impl ColumnPlaces {
     /// By the names of a mapping or, failing them, the usual ones.
-    pub fn by_name(names: &[String], file: &LoggerFile) -> Option<Places> {
+    pub fn by_name(names: &[String], file: &LoggerFile) -> Option<ColumnPlaces> {
         let exactly = |wanted: &str| names.iter().position(|name| name == wanted);
         let plain_names: Vec<String> = names.iter().map(|name| plain(name)).collect();
         let usual =
@@ -439,7 +439,7 @@ impl Places {
         let columns = &file.columns;
         let label = usual(&LABELS);
         let mapped = || {
-            Some(Places {
+            Some(ColumnPlaces {
                 time: exactly(&columns.time)?,
                 sensor: exactly(&columns.sensor)?,
                 value: exactly(&columns.value)?,
@@ -449,7 +449,7 @@ impl Places {
         };
         let guessed = || {
             let (time, sensor, value) = (usual(&TIMES)?, usual(&SENSORS)?, usual(&VALUES)?);
-            Some(Places { time, sensor, value, label, is_mapped: false })
+            Some(ColumnPlaces { time, sensor, value, label, is_mapped: false })
         };
         mapped().or_else(guessed)
     }

@@ -1,24 +1,39 @@
 //! Comma-separated values: tables of events, of intervals, and of a column for each sensor. `layout.rs` decides which it is.
 
-use super::casas;
-use super::foreign::no_text;
-use super::form::{Form, Shows};
-use super::homes::{self, Homes};
-use super::instant::Instants;
-use super::layout::{Layout, Rows, refused};
-use super::options::TableOptions;
-use super::reading::Reading;
-use super::records::{Record, Records};
-use super::start::{Start, TableKind};
-use super::table_events::Events;
-use super::table_intervals::Intervals;
-use super::table_messages::TableMessage;
-use super::table_wide::Wide;
-use crate::error::LogError;
-use homebody_core::scenario::logger::LoggerFile;
-use std::path::Path;
+mod cells;
+mod dates;
+mod decimals;
+mod events;
+mod first_rows;
+mod heading;
+mod homes;
+mod intervals;
+mod layout;
+mod measured;
+mod pick;
+mod refusals;
+mod row_parts;
+mod sensor_column;
+mod wide;
 
-pub(super) const FORM: Form = Form {
+use super::foreign::no_text;
+use super::instant::InstantReader;
+use super::messages::TableMessage;
+use super::options::TableOptions;
+use super::reading::LogReading;
+use super::records::{Record, RecordReader};
+use super::start::{FileStart, TableKind};
+use super::{LogForm, Shows, casas};
+use crate::error::LogError;
+use events::EventRows;
+use homebody_core::scenario::logger::LoggerFile;
+use homes::HomeFilter;
+use intervals::Intervals;
+use layout::{RowColumns, TableLayout, refused};
+use std::path::Path;
+use wide::Wide;
+
+pub(crate) const FORM: LogForm = LogForm {
     name: "csv",
     what: "comma-separated values with a timestamp, a sensor and optionally a value and an activity in each row; also Home \
            Assistant's history and the devices of pyadlml",
@@ -26,7 +41,7 @@ pub(super) const FORM: Form = Form {
     read,
 };
 
-pub(super) const INTERVALS: Form = Form {
+pub(crate) const INTERVALS: LogForm = LogForm {
     name: "pyadlml",
     what: "comma-separated values with a start and an end or a duration in each row, for activities or sensors (pyadlml, \
            Orange4Home)",
@@ -38,35 +53,35 @@ pub(super) const INTERVALS: Form = Form {
     read,
 };
 
-pub(super) const WIDE: Form = Form {
+pub(crate) const WIDE: LogForm = LogForm {
     name: "wide",
     what: "comma-separated values with a column for each sensor: each change of a state and each numeric cell becomes a row",
     shows: |start| Shows::rows_if(table(start) == Some(TableKind::Wide)),
     read: |path, file, reading| {
         // A table that is wide by itself may have a column of devices, too.
-        let found = Layout::of(path, file, &reading.options);
-        let is_wide = matches!(found, Ok(Some(Layout { rows: Rows::Wide { .. }, .. })));
+        let found = TableLayout::of(path, file, &reading.options);
+        let is_wide = matches!(found, Ok(Some(TableLayout { rows: RowColumns::Wide { .. }, .. })));
         reading.options.is_wide |= !is_wide;
         read(path, file, reading)
     },
 };
 
 /// The kind of table that a file is, by its beginning.
-fn table(start: &Start) -> Option<TableKind> {
+fn table(start: &FileStart) -> Option<TableKind> {
     *start.table.get_or_init(|| {
         if no_text(start).is_some() || start.delimiters() == 0 {
             return None;
         }
-        let found = Layout::of(&start.path, &LoggerFile::default(), &TableOptions::default());
+        let found = TableLayout::of(&start.path, &LoggerFile::default(), &TableOptions::default());
         let has_tabs = start.delimiter() == b'\t';
         match found {
             // The text of CASAS has tabs and no heading, or its own.
             Ok(Some(layout)) if has_tabs && (layout.first_line == 1 || casas::has_own_heading(start)) => None,
             Ok(Some(layout)) => Some(match layout.rows {
-                Rows::Events { .. } => TableKind::Events,
-                Rows::Intervals { is_of_activities: true, .. } => TableKind::Activities,
-                Rows::Intervals { .. } => TableKind::Intervals,
-                Rows::Wide { .. } => TableKind::Wide,
+                RowColumns::Events { .. } => TableKind::Events,
+                RowColumns::Intervals { is_of_activities: true, .. } => TableKind::Activities,
+                RowColumns::Intervals { .. } => TableKind::Intervals,
+                RowColumns::Wide { .. } => TableKind::Wide,
             }),
             Err(_) if !has_tabs && (start.delimiters() >= 2 || start.is_steady()) && start.has_instants() => {
                 Some(TableKind::Refused)
@@ -76,28 +91,28 @@ fn table(start: &Start) -> Option<TableKind> {
     })
 }
 
-fn read(path: &Path, file: &LoggerFile, reading: &mut Reading<'_>) -> Result<(), LogError> {
-    let Some(layout) = Layout::of(path, file, &reading.options)? else { return Ok(()) };
+fn read(path: &Path, file: &LoggerFile, reading: &mut LogReading<'_>) -> Result<(), LogError> {
+    let Some(layout) = TableLayout::of(path, file, &reading.options)? else { return Ok(()) };
     (reading.instants.order, reading.instants.is_utc) = (layout.order, layout.is_utc);
     reading.instants.has_day_numbers = layout.has_day_numbers;
     let (rows, skipped) = (reading.log.rows, reading.log.skipped);
     layout.uses.iter().for_each(|of| reading.column_use(of.clone()));
     reading.log.remarks.extend(layout.remarks.iter().cloned());
-    let mut homes = Homes::of(&layout, &reading.options);
+    let mut homes = HomeFilter::new(&layout, &reading.options);
     match &layout.rows {
-        Rows::Events { .. } => {
-            let mut events = Events::of(&layout);
+        RowColumns::Events { .. } => {
+            let mut events = EventRows::of(&layout);
             each_row(path, &layout, &mut homes, reading, &mut |line, record, reading| {
                 events.take(line, record, reading)
             })?;
         }
-        Rows::Intervals { .. } => {
+        RowColumns::Intervals { .. } => {
             let mut intervals = Intervals::of(&layout);
-            let mut take = |line, record: &Record, reading: &mut Reading<'_>| intervals.take(line, record, reading);
+            let mut take = |line, record: &Record, reading: &mut LogReading<'_>| intervals.take(line, record, reading);
             each_row(path, &layout, &mut homes, reading, &mut take)?;
             intervals.end(reading)?;
         }
-        Rows::Wide { .. } => {
+        RowColumns::Wide { .. } => {
             let mut wide = Wide::of(&layout);
             each_row(path, &layout, &mut homes, reading, &mut |line, record, reading| {
                 wide.take(line, record, reading)
@@ -106,7 +121,7 @@ fn read(path: &Path, file: &LoggerFile, reading: &mut Reading<'_>) -> Result<(),
         }
     }
     match homes {
-        Homes::Asked { column, home } if reading.log.rows == 0 && reading.log.activities.is_empty() => {
+        HomeFilter::Asked { column, home } if reading.log.rows == 0 && reading.log.activities.is_empty() => {
             Err(homes::without(path, &layout, column, &home))
         }
         _ => has_rows(path, reading.log.rows - rows, reading.log.skipped - skipped, !reading.log.activities.is_empty()),
@@ -127,17 +142,17 @@ fn has_rows(path: &Path, rows: u64, skipped: u64, has_activities: bool) -> Resul
 }
 
 /// Takes a row.
-type Take<'t> = dyn FnMut(u64, &Record, &mut Reading<'_>) -> Result<(), LogError> + 't;
+type TakeRecord<'t> = dyn FnMut(u64, &Record, &mut LogReading<'_>) -> Result<(), LogError> + 't;
 
 fn each_row(
     path: &Path,
-    layout: &Layout,
-    homes: &mut Homes,
-    reading: &mut Reading<'_>,
-    take: &mut Take<'_>,
+    layout: &TableLayout,
+    homes: &mut HomeFilter,
+    reading: &mut LogReading<'_>,
+    take: &mut TakeRecord<'_>,
 ) -> Result<(), LogError> {
-    let mut records = Records::open(path)?;
-    let mut alone = Instants::with_order(layout.order);
+    let mut records = RecordReader::open(path)?;
+    let mut alone = InstantReader::with_order(layout.order);
     alone.has_day_numbers = layout.has_day_numbers;
     let mut buffer = Vec::new();
     let mut is_row = |record: &Record| alone.read_bytes(layout.time.text(record, &mut buffer)).is_some();

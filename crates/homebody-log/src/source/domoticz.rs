@@ -3,26 +3,26 @@
 //! The table `DeviceStatus` names a device and says what kind of switch it is; `LightingLog` has a row for each thing that a
 //! switch said, the other tables one for each reading. Their times are local. Left out: what Domoticz sums up for each day.
 
-use super::database::{connect, tables, text};
-use super::form::{Form, Shows};
-use super::form_messages::FormMessage;
-use super::reading::{Reading, open};
-use super::start::Start;
+use super::messages::FormMessage;
+use super::reading::{LogReading, open};
+use super::start::FileStart;
+use super::{LogForm, Shows};
 use crate::error::{LogError, place_of};
-use crate::sensor_info::SensorInfo;
+use crate::files::database::{connect, tables, text};
+use crate::log::SensorInfo;
 use homebody_core::scenario::logger::LoggerFile;
 use rusqlite::Connection;
 use std::collections::BTreeMap;
 use std::path::Path;
 
-pub(super) const FORM: Form = Form {
+pub(crate) const FORM: LogForm = LogForm {
     name: "domoticz",
     what: "the database of Domoticz, domoticz.db: the states of its switches, contacts and meters",
     shows,
     read,
 };
 
-fn shows(start: &Start) -> Shows {
+fn shows(start: &FileStart) -> Shows {
     let has_tables = || -> rusqlite::Result<bool> {
         let tables = tables(&connect(&start.path)?)?;
         Ok(NEEDED.iter().all(|needed| tables.iter().any(|name| name == needed)))
@@ -44,18 +44,19 @@ const READINGS: [(&str, &str, &str, &str); 6] = [
 ];
 
 /// A device: its name and its kind of switch.
-struct Device {
+struct DomoticzDevice {
     name: String,
     switch: i64,
 }
 
-fn devices(connection: &Connection) -> rusqlite::Result<BTreeMap<i64, Device>> {
+fn devices(connection: &Connection) -> rusqlite::Result<BTreeMap<i64, DomoticzDevice>> {
     let mut statement = connection.prepare("SELECT ID, Name, SwitchType FROM DeviceStatus ORDER BY ID")?;
     let device = |row: &rusqlite::Row| {
         let (id, name) = (row.get(0)?, text(row.get_ref(1)?).trim().to_owned());
-        Ok((id, Device { name, switch: row.get::<_, Option<i64>>(2)?.unwrap_or(0) }))
+        Ok((id, DomoticzDevice { name, switch: row.get::<_, Option<i64>>(2)?.unwrap_or(0) }))
     };
-    let mut devices: BTreeMap<i64, Device> = statement.query_map([], device)?.collect::<rusqlite::Result<_>>()?;
+    let mut devices: BTreeMap<i64, DomoticzDevice> =
+        statement.query_map([], device)?.collect::<rusqlite::Result<_>>()?;
     let mut counts: BTreeMap<String, usize> = BTreeMap::new();
     devices.values().for_each(|device| *counts.entry(device.name.clone()).or_default() += 1);
     for (id, device) in &mut devices {
@@ -104,7 +105,7 @@ fn rows_of(connection: &Connection) -> rusqlite::Result<String> {
     Ok(format!("{} ORDER BY at", parts.join(" UNION ALL ")))
 }
 
-fn read(path: &Path, _: &LoggerFile, reading: &mut Reading<'_>) -> Result<(), LogError> {
+fn read(path: &Path, _: &LoggerFile, reading: &mut LogReading<'_>) -> Result<(), LogError> {
     open(path)?;
     let database = |error| LogError::database(path, error);
     let connection = connect(path).map_err(database)?;

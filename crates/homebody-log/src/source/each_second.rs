@@ -6,32 +6,32 @@
 //! OpenSHS whose cells are not 0 and 1 is one of readings. We assume that the first row of a day of ARAS is its midnight. ARAS has
 //! no dates: its day n becomes day n of 1970.
 
-use super::columns::Places;
-use super::date_parts::no_instant;
-use super::form::{Form, Shows};
-use super::form_messages::FormMessage;
+use super::columns::ColumnPlaces;
 use super::in_order::{OFF, ON};
-use super::instant::{Instant, Instants};
-use super::lines::Lines;
-use super::log::ColumnRole;
-use super::reading::Reading;
-use super::records::{Record, Records};
-use super::start::Start;
+use super::instant::{InstantReader, LogInstant};
+use super::lines::LineReader;
+use super::messages::FormMessage;
+use super::reading::LogReading;
+use super::records::{Record, RecordReader};
+use super::start::FileStart;
+use super::{LogForm, Shows};
 use crate::error::{LogError, place_of};
 use crate::limits::beginning;
+use crate::log::{Clock, ColumnRole};
+use crate::source::instant::date_parts::no_instant;
 use homebody_core::scenario::logger::LoggerFile;
-use homebody_core::time::{DAY, Micros, SECOND};
+use homebody_core::time::{DAY, Interval, MINUTE, SECOND, Span, WallTime};
 use std::collections::BTreeSet;
 use std::path::Path;
 
-pub(super) const OPENSHS: Form = Form {
+pub(crate) const OPENSHS: LogForm = LogForm {
     name: "openshs",
     what: "comma-separated values with a row for each second and columns for each sensor, Activity and timestamp (OpenSHS)",
     shows: shows_openshs,
     read: read_openshs,
 };
 
-pub(super) const ARAS: Form = Form {
+pub(crate) const ARAS: LogForm = LogForm {
     name: "aras",
     what: "a day with a row for each second: 20 sensors and the activities of two residents, as numbers (ARAS)",
     shows: shows_aras,
@@ -44,8 +44,8 @@ struct Changes([Vec<String>; 2]);
 
 impl Changes {
     /// The last values of the file before, if there was one.
-    fn new(columns: &[Column], reading: &Reading<'_>) -> Changes {
-        let first = |column: &Column| {
+    fn new(columns: &[SensorColumn], reading: &LogReading<'_>) -> Changes {
+        let first = |column: &SensorColumn| {
             let begins = if column.is_state { OFF } else { "" };
             reading.carried.said.get(&column.name).map_or(begins, String::as_str).to_owned()
         };
@@ -57,10 +57,10 @@ impl Changes {
     fn take<'c>(
         &mut self,
         line: u64,
-        at: Instant,
+        at: LogInstant,
         says: impl Iterator<Item = Option<&'c str>>,
-        columns: &[Column],
-        reading: &mut Reading<'_>,
+        columns: &[SensorColumn],
+        reading: &mut LogReading<'_>,
     ) -> Result<(), LogError> {
         for ((last, says), column) in self.0[clock(at)].iter_mut().zip(says).zip(columns) {
             if let Some(says) = says.filter(|says| last != says)
@@ -74,7 +74,7 @@ impl Changes {
     }
 
     /// Ends a recorded stretch: what was on, and readings, are stored anew with the next row.
-    fn end_stretch(&mut self, at: Instant, columns: &[Column]) {
+    fn end_stretch(&mut self, at: LogInstant, columns: &[SensorColumn]) {
         for (last, column) in self.0[clock(at)].iter_mut().zip(columns) {
             if !column.is_state || last != OFF {
                 last.clear();
@@ -83,7 +83,7 @@ impl Changes {
     }
 
     /// Keeps the last values for the next file of the log.
-    fn carry(self, columns: &[Column], until: Option<Instant>, reading: &mut Reading<'_>) {
+    fn carry(self, columns: &[SensorColumn], until: Option<LogInstant>, reading: &mut LogReading<'_>) {
         let Some(until) = until else { return };
         let [local, utc] = self.0;
         let said = if clock(until) == 0 { local } else { utc };
@@ -92,32 +92,25 @@ impl Changes {
     }
 }
 
-fn clock(at: Instant) -> usize {
-    usize::from(matches!(at, Instant::Utc(_)))
+fn clock(at: LogInstant) -> usize {
+    usize::from(at.clock() == Clock::Utc)
 }
 
 /// A column of a sensor.
-struct Column {
+struct SensorColumn {
     name: String,
     /// Whether its cells are 0 and 1, and not readings.
     is_state: bool,
 }
 
 /// Pause between two rows above which there is a gap: rows are a second apart.
-const LONGEST_PAUSE: Micros = 60 * SECOND;
+const LONGEST_PAUSE: Span = MINUTE;
 
-/// The gap between two rows, if there is one: its beginning as an instant, and both its ends.
-fn pause(last: Option<Instant>, at: Instant) -> Option<(Instant, Micros, Micros)> {
-    let (last, now) = match (last?, at) {
-        (Instant::Local(last), Instant::Local(now)) | (Instant::Utc(last), Instant::Utc(now)) => (last, now),
-        _ => return None,
-    };
-    let end = last + SECOND;
-    (now - end > LONGEST_PAUSE).then_some((
-        if clock(at) == 0 { Instant::Local(end) } else { Instant::Utc(end) },
-        end,
-        now,
-    ))
+/// The gap between two rows, if there is one: its beginning as an instant, and on the wall.
+fn pause(last: Option<LogInstant>, at: LogInstant) -> Option<(LogInstant, Interval<WallTime>)> {
+    let begin = later(last.filter(|last| last.clock() == at.clock())?);
+    let gap = Interval::new(begin.on_wall(), at.on_wall());
+    (gap.length() > LONGEST_PAUSE).then_some((begin, gap))
 }
 
 /// What a cell says of a sensor, if it is one's.
@@ -138,9 +131,9 @@ fn places(names: &[String]) -> Option<(usize, usize, Vec<usize>)> {
     (sensors.len() >= 2).then_some((time, activity, sensors))
 }
 
-fn shows_openshs(start: &Start) -> Shows {
+fn shows_openshs(start: &FileStart) -> Shows {
     let mut rows = start.cells();
-    let is_log = |names: &Vec<String>| Places::by_name(names, &LoggerFile::default()).is_some();
+    let is_log = |names: &Vec<String>| ColumnPlaces::by_name(names, &LoggerFile::default()).is_some();
     let Some(names) = rows.next().filter(|names| !is_log(names)) else { return Shows::Nothing };
     let Some((_, _, sensors)) = places(&names) else { return Shows::Nothing };
     let Some(row) = rows.next() else { return Shows::Nothing };
@@ -149,7 +142,7 @@ fn shows_openshs(start: &Start) -> Shows {
 }
 
 /// The columns of the sensors, by most cells of the beginning.
-fn columns_of(start: &Start, header: &[String], sensors: &[usize]) -> Vec<Column> {
+fn columns_of(start: &FileStart, header: &[String], sensors: &[usize]) -> Vec<SensorColumn> {
     /// Damaged cells have fewer different texts.
     const FEWEST_READINGS: usize = 3;
     let mut others: Vec<(usize, BTreeSet<String>)> = vec![Default::default(); sensors.len()];
@@ -167,18 +160,18 @@ fn columns_of(start: &Start, header: &[String], sensors: &[usize]) -> Vec<Column
         let is_reading =
             count * 2 > rows || different.len() >= FEWEST_READINGS || (different.len() > 1 && count * 10 >= rows);
         let is_state = !is_reading;
-        Column { name: header[place].clone(), is_state }
+        SensorColumn { name: header[place].clone(), is_state }
     };
     sensors.iter().zip(&others).map(column).collect()
 }
 
-fn read_openshs(path: &Path, _: &LoggerFile, reading: &mut Reading<'_>) -> Result<(), LogError> {
-    let mut records = Records::open(path)?;
+fn read_openshs(path: &Path, _: &LoggerFile, reading: &mut LogReading<'_>) -> Result<(), LogError> {
+    let mut records = RecordReader::open(path)?;
     let no_columns = || LogError::no_log(place_of(path), FormMessage::OpenshsColumns);
     let Some((_, header)) = records.next(&mut |_| false)? else { return Ok(()) };
     let header = header.texts();
     let (time, activity, sensors) = places(&header).ok_or_else(no_columns)?;
-    let columns = columns_of(&Start::of(path)?, &header, &sensors);
+    let columns = columns_of(&FileStart::read(path)?, &header, &sensors);
     reading.column(&header[time], ColumnRole::Time, HEADING);
     reading.column(&header[activity], ColumnRole::Label, HEADING);
     for column in &columns {
@@ -186,7 +179,7 @@ fn read_openshs(path: &Path, _: &LoggerFile, reading: &mut Reading<'_>) -> Resul
         reading.column(&column.name, ColumnRole::OneSensor, because);
     }
     let mut changes = Changes::new(&columns, reading);
-    let mut alone = Instants::default();
+    let mut alone = InstantReader::default();
     let mut last = reading.carried.until;
     loop {
         let mut is_row = |row: &Record| alone.read(&cell(row, time)).is_some();
@@ -206,10 +199,10 @@ fn read_openshs(path: &Path, _: &LoggerFile, reading: &mut Reading<'_>) -> Resul
             reading.skip(line, format!("{} says {value}, neither 0 nor 1", columns[column].name));
             continue;
         }
-        if let Some((end, from, until)) = pause(last, at) {
+        if let Some((end, gap)) = pause(last, at) {
             reading.label_of(end, None);
             changes.end_stretch(end, &columns);
-            reading.gap(from, until);
+            reading.gap(gap);
         }
         let label = cell(record, activity);
         reading.label_of(at, Some(label.as_str()).filter(|label| !label.is_empty()));
@@ -232,7 +225,7 @@ fn cell(record: &Record, place: usize) -> String {
 }
 
 /// The value in a cell of a sensor; None if it is damaged.
-fn said(record: &Record, place: usize, column: &Column) -> Option<String> {
+fn said(record: &Record, place: usize, column: &SensorColumn) -> Option<String> {
     match column.is_state {
         true => state(record.get(place)?).map(|is_on| if is_on { ON } else { OFF }.to_owned()),
         false => Some(cell(record, place)).filter(|cell| !cell.is_empty()),
@@ -240,10 +233,10 @@ fn said(record: &Record, place: usize, column: &Column) -> Option<String> {
 }
 
 /// The next second.
-fn later(at: Instant) -> Instant {
+fn later(at: LogInstant) -> LogInstant {
     match at {
-        Instant::Local(at) => Instant::Local(at + SECOND),
-        Instant::Utc(at) => Instant::Utc(at + SECOND),
+        LogInstant::Local(at) => LogInstant::Local(at + SECOND),
+        LogInstant::Utc(at) => LogInstant::Utc(at + SECOND),
     }
 }
 
@@ -264,20 +257,20 @@ fn aras(line: &str) -> Option<([bool; SENSORS], [u8; RESIDENTS])> {
     cells.next().is_none().then_some((states, activities))
 }
 
-fn shows_aras(start: &Start) -> Shows {
+fn shows_aras(start: &FileStart) -> Shows {
     // The last line may be cut.
     let rows: Vec<bool> = start.lines().take(3).map(|line| aras(&line).is_some()).collect();
     Shows::rows_if(rows.first() == Some(&true))
 }
 
 /// The number of a file's day, by its name.
-pub(super) fn day_of(path: &Path) -> Option<Micros> {
+pub(crate) fn day_of(path: &Path) -> Option<i64> {
     let name = path.file_stem()?.to_string_lossy().into_owned();
     let digits = name.rsplit(|c: char| !c.is_ascii_digit()).next()?;
     digits.parse().ok().filter(|day| (1..=366).contains(day))
 }
 
-fn read_aras(path: &Path, _: &LoggerFile, reading: &mut Reading<'_>) -> Result<(), LogError> {
+fn read_aras(path: &Path, _: &LoggerFile, reading: &mut LogReading<'_>) -> Result<(), LogError> {
     let day = day_of(path).unwrap_or(1);
     let remark = "its dates are not known: its first day becomes day";
     if reading.log.remarks.iter().all(|told| !told.starts_with(remark)) {
@@ -288,25 +281,25 @@ fn read_aras(path: &Path, _: &LoggerFile, reading: &mut Reading<'_>) -> Result<(
         ("columns 1 to 20", ColumnRole::OneSensor),
         ("columns 21 and 22", ColumnRole::Label),
     ]);
-    let columns: Vec<Column> =
-        (1..=SENSORS).map(|number| Column { name: format!("sensor {number}"), is_state: true }).collect();
-    let mut lines = Lines::open(path)?;
+    let columns: Vec<SensorColumn> =
+        (1..=SENSORS).map(|number| SensorColumn { name: format!("sensor {number}"), is_state: true }).collect();
+    let mut lines = LineReader::open(path)?;
     let mut changes = Changes::new(&columns, reading);
     // Since when each resident has done what.
-    let mut doing: [Option<(u8, Micros)>; RESIDENTS] = [None; RESIDENTS];
-    let mut at = (day - 1) * DAY;
-    let mut close = |reading: &mut Reading<'_>, line, resident: usize, now: Option<u8>, at: Micros| {
+    let mut doing: [Option<(u8, WallTime)>; RESIDENTS] = [None; RESIDENTS];
+    let mut at = WallTime::EPOCH + (day - 1) * DAY;
+    let mut close = |reading: &mut LogReading<'_>, line, resident: usize, now: Option<u8>, at: WallTime| {
         if doing[resident].map(|(what, _)| what) != now {
             if let Some((what, since)) = doing[resident].take() {
                 let name = format!("R{} activity {what}", resident + 1);
-                reading.span(line, Instant::Local(since), Instant::Local(at), &name);
+                reading.span(line, LogInstant::Local(since), LogInstant::Local(at), &name);
             }
             doing[resident] = now.map(|what| (what, at));
         }
     };
-    if let Some((end, from, until)) = pause(reading.carried.until, Instant::Local(at)) {
+    if let Some((end, gap)) = pause(reading.carried.until, LogInstant::Local(at)) {
         changes.end_stretch(end, &columns);
-        reading.gap(from, until);
+        reading.gap(gap);
     }
     let mut last = 0;
     while let Some((number, line)) = lines.next_text()? {
@@ -317,7 +310,7 @@ fn read_aras(path: &Path, _: &LoggerFile, reading: &mut Reading<'_>) -> Result<(
         match aras(&line) {
             Some((states, activities)) => {
                 let says = states.into_iter().map(|is_on| Some(if is_on { ON } else { OFF }));
-                changes.take(number, Instant::Local(at), says, &columns, reading)?;
+                changes.take(number, LogInstant::Local(at), says, &columns, reading)?;
                 for (resident, what) in activities.into_iter().enumerate() {
                     close(reading, number, resident, Some(what), at);
                 }
@@ -327,6 +320,6 @@ fn read_aras(path: &Path, _: &LoggerFile, reading: &mut Reading<'_>) -> Result<(
         at += SECOND;
     }
     (0..RESIDENTS).for_each(|resident| close(reading, last, resident, None, at));
-    changes.carry(&columns, Some(Instant::Local(at - SECOND)), reading);
+    changes.carry(&columns, Some(LogInstant::Local(at - SECOND)), reading);
     Ok(())
 }

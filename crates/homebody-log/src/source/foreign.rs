@@ -1,17 +1,17 @@
 //! Recognises files of other kinds by their first bytes, and says what the user can do instead.
 
-use super::form_messages::FormMessage;
-use super::start::Start;
+use super::messages::FormMessage;
+use super::start::FileStart;
 
 /// The first bytes of a kind of file, and what kind it is.
 struct Foreign {
     begins: &'static [u8],
-    is: Is,
+    is: ForeignKind,
 }
 
 /// The kind of a file.
 #[derive(Clone, Copy)]
-enum Is {
+enum ForeignKind {
     /// A kind, and the advice about it.
     Other(&'static str, &'static str),
     /// A pointer of a program, and the command that fetches the data.
@@ -23,49 +23,54 @@ enum Is {
     Dump(&'static str, &'static str),
 }
 
-impl Is {
+impl ForeignKind {
     fn message(self) -> FormMessage {
         match self {
-            Is::Other(kind, advice) => FormMessage::OtherKind { kind, advice },
-            Is::Pointer(program, command) => FormMessage::Pointer { program, command },
-            Is::Utf16 => FormMessage::Utf16,
-            Is::Archive(kind) => FormMessage::Archive { kind },
-            Is::Packed => FormMessage::Packed,
-            Is::Dump(kind, advice) => FormMessage::Dump { kind, advice },
+            ForeignKind::Other(kind, advice) => FormMessage::OtherKind { kind, advice },
+            ForeignKind::Pointer(program, command) => FormMessage::Pointer { program, command },
+            ForeignKind::Utf16 => FormMessage::Utf16,
+            ForeignKind::Archive(kind) => FormMessage::Archive { kind },
+            ForeignKind::Packed => FormMessage::Packed,
+            ForeignKind::Dump(kind, advice) => FormMessage::Dump { kind, advice },
         }
     }
 }
 
-const fn foreign(begins: &'static [u8], is: Is) -> Foreign {
+const fn foreign(begins: &'static [u8], is: ForeignKind) -> Foreign {
     Foreign { begins, is }
 }
 
-const ARCHIVE: Is = Is::Archive("an archive or a spreadsheet");
-const PICTURE: Is = Is::Other("a picture", "give the log whose rows it shows");
-const MATRIX: Is =
-    Is::Other("a file of MATLAB", "write its table as CSV with writetable, or in Python with scipy.io.loadmat");
-const HDF: Is =
-    Is::Other("a file in HDF5, as MATLAB and pandas write", "write its table as CSV with writetable or to_csv");
-const R: Is = Is::Other("a file of R", "write its table as CSV with write.csv");
-const MYSQL: Is = Is::Dump(
+const ARCHIVE: ForeignKind = ForeignKind::Archive("an archive or a spreadsheet");
+const PICTURE: ForeignKind = ForeignKind::Other("a picture", "give the log whose rows it shows");
+const MATRIX: ForeignKind = ForeignKind::Other(
+    "a file of MATLAB",
+    "write its table as CSV with writetable, or in Python with scipy.io.loadmat",
+);
+const HDF: ForeignKind = ForeignKind::Other(
+    "a file in HDF5, as MATLAB and pandas write",
+    "write its table as CSV with writetable or to_csv",
+);
+const R: ForeignKind = ForeignKind::Other("a file of R", "write its table as CSV with write.csv");
+const MYSQL: ForeignKind = ForeignKind::Dump(
     "a MySQL database",
     "load it into MySQL, and write the table as CSV with a time, a sensor and a value in each row",
 );
-const POSTGRES: Is = Is::Dump(
+const POSTGRES: ForeignKind = ForeignKind::Dump(
     "a PostgreSQL database",
     "load it into PostgreSQL and read it as postgresql:, or write the table as CSV with \\copy",
 );
-const SQL: Is = Is::Dump(
+const SQL: ForeignKind = ForeignKind::Dump(
     "a database in SQL",
     "load it into its database, and write the table as CSV with a time, a sensor and a value in each row",
 );
-const PAGE: Is = Is::Other("a web page, perhaps the error page of a download", "download the file itself again");
-const EVENTS: Is = Is::Other(
+const PAGE: ForeignKind =
+    ForeignKind::Other("a web page, perhaps the error page of a download", "download the file itself again");
+const EVENTS: ForeignKind = ForeignKind::Other(
     "a stream of events as a server sends them",
     "extract the JSON with sed -n 's/^data: //p' FILE > FILE.json, and read that",
 );
-const PROGRAM: Is = Is::Other("a program", "give the log that it writes");
-const PICKLE: Is = Is::Other(
+const PROGRAM: ForeignKind = ForeignKind::Other("a program", "give the log that it writes");
+const PICKLE: ForeignKind = ForeignKind::Other(
     "a pickle of Python, which runs the code in it when it is opened",
     "open it where it was written, and write the table as CSV with to_csv",
 );
@@ -73,20 +78,20 @@ const CSV: &str = "save its table as CSV";
 
 /// By the first bytes.
 const FOREIGN: [Foreign; 42] = [
-    foreign(b"version https://git-lfs.github.com/spec/", Is::Pointer("Git LFS", "git lfs pull")),
-    foreign(b"/annex/objects/", Is::Pointer("git-annex", "git annex get")),
-    foreign(b"\xff\xfe", Is::Utf16),
-    foreign(b"\xfe\xff", Is::Utf16),
+    foreign(b"version https://git-lfs.github.com/spec/", ForeignKind::Pointer("Git LFS", "git lfs pull")),
+    foreign(b"/annex/objects/", ForeignKind::Pointer("git-annex", "git annex get")),
+    foreign(b"\xff\xfe", ForeignKind::Utf16),
+    foreign(b"\xfe\xff", ForeignKind::Utf16),
     foreign(b"PK\x03\x04", ARCHIVE),
     foreign(b"PK\x05\x06", ARCHIVE),
-    foreign(b"7z\xbc\xaf\x27\x1c", Is::Archive("a 7z archive")),
-    foreign(b"Rar!\x1a\x07", Is::Archive("a RAR archive")),
-    foreign(b"\xfd7zXZ\0", Is::Packed),
-    foreign(b"BZh", Is::Packed),
-    foreign(b"\x04\x22\x4d\x18", Is::Packed),
-    foreign(b"\xd0\xcf\x11\xe0\xa1\xb1\x1a\xe1", Is::Other("an old file of Microsoft Office", CSV)),
-    foreign(b"%PDF-", Is::Other("a PDF", "export the table that it shows as CSV")),
-    foreign(b"{\\rtf", Is::Other("a text of a word processor", "save it as plain text")),
+    foreign(b"7z\xbc\xaf\x27\x1c", ForeignKind::Archive("a 7z archive")),
+    foreign(b"Rar!\x1a\x07", ForeignKind::Archive("a RAR archive")),
+    foreign(b"\xfd7zXZ\0", ForeignKind::Packed),
+    foreign(b"BZh", ForeignKind::Packed),
+    foreign(b"\x04\x22\x4d\x18", ForeignKind::Packed),
+    foreign(b"\xd0\xcf\x11\xe0\xa1\xb1\x1a\xe1", ForeignKind::Other("an old file of Microsoft Office", CSV)),
+    foreign(b"%PDF-", ForeignKind::Other("a PDF", "export the table that it shows as CSV")),
+    foreign(b"{\\rtf", ForeignKind::Other("a text of a word processor", "save it as plain text")),
     foreign(b"\x89PNG\r\n", PICTURE),
     foreign(b"\xff\xd8\xff", PICTURE),
     foreign(b"GIF8", PICTURE),
@@ -94,18 +99,21 @@ const FOREIGN: [Foreign; 42] = [
     foreign(b"MM\0*", PICTURE),
     foreign(b"<svg", PICTURE),
     foreign(b"\x89HDF\r\n\x1a\n", HDF),
-    foreign(b"CDF\x01", Is::Other("a file of NetCDF", "write its table as CSV")),
+    foreign(b"CDF\x01", ForeignKind::Other("a file of NetCDF", "write its table as CSV")),
     foreign(b"MATLAB 5.0 MAT-file", MATRIX),
     foreign(b"MATLAB 7.3 MAT-file", MATRIX),
     foreign(
         b"\x93NUMPY",
-        Is::Other("an array of NumPy", "write it as CSV with times and names of sensors, as numpy.savetxt does"),
+        ForeignKind::Other(
+            "an array of NumPy",
+            "write it as CSV with times and names of sensors, as numpy.savetxt does",
+        ),
     ),
     foreign(b"RDX2\n", R),
     foreign(b"RDX3\n", R),
-    foreign(b"$FL2", Is::Other("a file of SPSS", CSV)),
-    foreign(b"<stata_dta>", Is::Other("a file of Stata", CSV)),
-    foreign(b"FEA1", Is::Other("an old Feather file", "write it as Parquet or CSV")),
+    foreign(b"$FL2", ForeignKind::Other("a file of SPSS", CSV)),
+    foreign(b"<stata_dta>", ForeignKind::Other("a file of Stata", CSV)),
+    foreign(b"FEA1", ForeignKind::Other("an old Feather file", "write it as Parquet or CSV")),
     foreign(b"-- MySQL dump", MYSQL),
     foreign(b"-- MariaDB dump", MYSQL),
     foreign(b"/*M!999999", MYSQL),
@@ -115,11 +123,11 @@ const FOREIGN: [Foreign; 42] = [
     foreign(b"PGDMP", POSTGRES),
     foreign(
         b"PRAGMA foreign_keys",
-        Is::Dump("an SQLite database", "make it a database again with sqlite3 log.db < FILE, and read log.db"),
+        ForeignKind::Dump("an SQLite database", "make it a database again with sqlite3 log.db < FILE, and read log.db"),
     ),
     foreign(
         b"\0\xb5\0mosquitto db",
-        Is::Other(
+        ForeignKind::Other(
             "the store of mosquitto, which has the last message of each topic alone",
             "record a log with mosquitto_sub -v -F '%U %t %p'",
         ),
@@ -128,12 +136,12 @@ const FOREIGN: [Foreign; 42] = [
     foreign(b"MZ\x90\0", PROGRAM),
     foreign(
         b"BEGIN:VCALENDAR",
-        Is::Other("a calendar", "write its entries as CSV with the columns start_time, end_time and activity"),
+        ForeignKind::Other("a calendar", "write its entries as CSV with the columns start_time, end_time and activity"),
     ),
 ];
 
 /// The message about a file of another kind; None for any other file.
-pub(super) fn foreign_kind(start: &Start) -> Option<FormMessage> {
+pub(crate) fn foreign_kind(start: &FileStart) -> Option<FormMessage> {
     let bytes = start.bytes();
     if start.is_sqlite() {
         return None;
@@ -168,7 +176,7 @@ pub(super) fn foreign_kind(start: &Start) -> Option<FormMessage> {
 }
 
 /// The message about a file without a form that has no text of rows.
-pub(super) fn no_text(start: &Start) -> Option<FormMessage> {
+pub(crate) fn no_text(start: &FileStart) -> Option<FormMessage> {
     // No text has this byte; in programs and packed files it comes soon.
     let is_other = !start.is_sqlite() && start.bytes().contains(&0);
     let is_xml = start.lines().next().is_some_and(|line| line.starts_with("<?xml") || line.starts_with('<'));

@@ -2,15 +2,14 @@
 //! remarks on what was passed over.
 
 use super::in_order::InOrder;
-use super::instant::Instant;
-use super::log::ColumnRole;
-use super::reading::Reading;
-use super::table_messages::TableMessage;
+use super::instant::LogInstant;
+use super::messages::TableMessage;
+use super::reading::LogReading;
 use crate::error::{LogError, place_of};
-use crate::sensor_info::SensorInfo;
+use crate::log::{ColumnRole, SensorInfo};
 use foldhash::{HashMap, HashMapExt};
 use homebody_core::sensed::{Meaning, meaning};
-use homebody_core::time::Micros;
+use homebody_core::time::{Interval, WallTime};
 use std::collections::BTreeMap;
 use std::path::Path;
 
@@ -18,22 +17,22 @@ use std::path::Path;
 const MOST_COLUMNS: usize = 100;
 
 /// Rows on their way into a log.
-pub(super) struct Gathered<'r, 't> {
-    pub reading: &'r mut Reading<'t>,
+pub(crate) struct Gathered<'r, 't> {
+    pub reading: &'r mut LogReading<'t>,
     place: String,
     order: Option<InOrder>,
     known: BTreeMap<String, SensorInfo>,
     /// The last instant of each sensor, where rows are put into order.
-    last: HashMap<String, Micros>,
+    last: HashMap<String, WallTime>,
     backward: u64,
     counts: BTreeMap<&'static str, u64>,
     /// Since when a recorder has been stopped.
-    stopped: Option<Instant>,
+    stopped: Option<LogInstant>,
 }
 
 impl<'r, 't> Gathered<'r, 't> {
     /// Rows that go into the log as they come.
-    pub fn as_they_come(path: &Path, reading: &'r mut Reading<'t>) -> Gathered<'r, 't> {
+    pub fn as_they_come(path: &Path, reading: &'r mut LogReading<'t>) -> Gathered<'r, 't> {
         Gathered {
             reading,
             place: place_of(path),
@@ -47,7 +46,7 @@ impl<'r, 't> Gathered<'r, 't> {
     }
 
     /// Rows that are put into the order of time.
-    pub fn in_order(path: &Path, reading: &'r mut Reading<'t>) -> Gathered<'r, 't> {
+    pub fn in_order(path: &Path, reading: &'r mut LogReading<'t>) -> Gathered<'r, 't> {
         Gathered { order: Some(InOrder::new()), ..Gathered::as_they_come(path, reading) }
     }
 
@@ -55,7 +54,7 @@ impl<'r, 't> Gathered<'r, 't> {
     pub fn row(
         &mut self,
         line: u64,
-        instant: Instant,
+        instant: LogInstant,
         [sensor, value]: [&str; 2],
         label: Option<Option<&str>>,
     ) -> Result<(), LogError> {
@@ -71,7 +70,7 @@ impl<'r, 't> Gathered<'r, 't> {
             self.reading.skip(line, format!("there is no {what}"));
             return Ok(());
         }
-        let (Instant::Local(at) | Instant::Utc(at)) = instant;
+        let at = instant.on_wall();
         match self.last.get_mut(sensor) {
             Some(last) => {
                 self.backward += u64::from(at < *last);
@@ -137,19 +136,17 @@ impl<'r, 't> Gathered<'r, 't> {
     }
 
     /// Takes note that the recorder of the log stopped.
-    pub fn stop(&mut self, at: Instant) {
+    pub fn stop(&mut self, at: LogInstant) {
         self.stopped = Some(at);
     }
 
     /// Takes note that the recorder started: between its stop and now nothing was recorded.
-    pub fn start(&mut self, at: Instant) {
-        match (self.stopped.take(), at) {
-            (Some(Instant::Utc(begin)), Instant::Utc(end)) | (Some(Instant::Local(begin)), Instant::Local(end))
-                if begin < end =>
-            {
-                self.reading.gap(begin, end);
+    pub fn start(&mut self, at: LogInstant) {
+        if let Some(stopped) = self.stopped.take().filter(|stopped| stopped.clock() == at.clock()) {
+            let gap = Interval::new(stopped.on_wall(), at.on_wall());
+            if !gap.is_empty() {
+                self.reading.gap(gap);
             }
-            _ => {}
         }
     }
 

@@ -9,33 +9,33 @@
 //! The table `recorder_runs` says when the recorder ran. Between two runs nothing was recorded. A run that was not closed, as where
 //! power was lost, ended with its last row: the recorder writes the beginning of the next run as its end.
 
-use super::database::{connect, instant as micros, tables, text};
-use super::entity::entity;
-use super::form::{Form, Shows};
-use super::form_messages::FormMessage;
-use super::instant::{Instant, Instants, since_1970};
-use super::log::ColumnRole;
-use super::reading::{Reading, open};
-use super::registry::Registry;
-use super::said::{Object, member};
-use super::start::Start;
+mod registry;
+
+use super::instant::{InstantReader, LogInstant, instant_of_cell as on_wall, since_1970};
+use super::messages::FormMessage;
+use super::reading::{LogReading, open};
+use super::start::FileStart;
+use super::{LogForm, Shows};
 use crate::error::{LogError, place_of};
-use crate::sensor_info::SensorInfo;
+use crate::files::database::{connect, tables, text};
+use crate::log::{Clock, ColumnRole, SensorInfo};
+use crate::source::json::said::{Object, entity, member};
 use homebody_core::scenario::logger::LoggerFile;
 use homebody_core::sensed::domain_of;
-use homebody_core::time::Micros;
+use homebody_core::time::{Interval, WallTime};
+use registry::EntityRegistry;
 use rusqlite::types::{Value as Cell, ValueRef};
 use rusqlite::{Connection, OptionalExtension};
 use std::path::Path;
 
-pub(super) const FORM: Form = Form {
+pub(crate) const FORM: LogForm = LogForm {
     name: "home-assistant",
     what: "the database of Home Assistant's recorder, home-assistant_v2.db: the states of all entities",
     shows,
     read,
 };
 
-fn shows(start: &Start) -> Shows {
+fn shows(start: &FileStart) -> Shows {
     let found = || {
         let connection = connect(&start.path)?;
         columns(&connection)
@@ -44,7 +44,7 @@ fn shows(start: &Start) -> Shows {
 }
 
 /// What the table of states has.
-struct Columns {
+struct StateColumns {
     /// What asks for the entity's id, for when it was last changed and for when it was last updated.
     entity: String,
     changed: String,
@@ -54,14 +54,14 @@ struct Columns {
     attributes: Option<(&'static str, &'static str)>,
 }
 
-impl Columns {
+impl StateColumns {
     /// The join of the names of entities.
     fn names(&self) -> &'static str {
         if self.has_names { "LEFT JOIN states_meta m ON m.metadata_id = s.metadata_id" } else { "" }
     }
 }
 
-fn columns(connection: &Connection) -> rusqlite::Result<Option<Columns>> {
+fn columns(connection: &Connection) -> rusqlite::Result<Option<StateColumns>> {
     let tables = tables(connection)?;
     let mut statement = connection.prepare("SELECT name FROM pragma_table_info('states')")?;
     let names: Vec<String> = statement.query_map([], |row| row.get(0))?.collect::<rusqlite::Result<_>>()?;
@@ -91,7 +91,7 @@ fn columns(connection: &Connection) -> rusqlite::Result<Option<Columns>> {
         (false, true) => Some(("s.attributes", "")),
         (false, false) => None,
     };
-    Ok(updated.filter(|_| is_there).map(|updated| Columns {
+    Ok(updated.filter(|_| is_there).map(|updated| StateColumns {
         entity: entity.into(),
         changed: changed.unwrap_or("NULL".into()),
         updated,
@@ -100,18 +100,18 @@ fn columns(connection: &Connection) -> rusqlite::Result<Option<Columns>> {
     }))
 }
 
-fn read(path: &Path, _: &LoggerFile, reading: &mut Reading<'_>) -> Result<(), LogError> {
+fn read(path: &Path, _: &LoggerFile, reading: &mut LogReading<'_>) -> Result<(), LogError> {
     open(path)?;
     let database = |error| LogError::database(path, error);
     let connection = connect(path).map_err(database)?;
     let no_states = || LogError::no_log(place_of(path), FormMessage::NoStates);
     let columns = columns(&connection).map_err(database)?.ok_or_else(no_states)?;
-    know_entities(&connection, &columns, &Registry::beside(path, &mut reading.log.remarks), reading)
+    know_entities(&connection, &columns, &EntityRegistry::beside(path, &mut reading.log.remarks), reading)
         .map_err(database)?;
-    for (begin, end) in gaps(&connection, &columns).map_err(database)? {
-        reading.gap(begin, end);
+    for gap in gaps(&connection, &columns).map_err(database)? {
+        reading.gap(gap);
     }
-    let Columns { entity, changed, updated, .. } = &columns;
+    let StateColumns { entity, changed, updated, .. } = &columns;
     for (column, role) in
         [(updated, ColumnRole::Time), (entity, ColumnRole::Sensor), (&"state".into(), ColumnRole::Value)]
     {
@@ -141,9 +141,7 @@ fn read(path: &Path, _: &LoggerFile, reading: &mut Reading<'_>) -> Result<(), Lo
             ValueRef::Integer(number) => since_1970(number as f64),
             ValueRef::Real(number) => since_1970(number),
             // Its texts are in UTC and do not say so.
-            other => {
-                reading.instants.read(&text(other)).map(|(Instant::Local(at) | Instant::Utc(at))| Instant::Utc(at))
-            }
+            other => reading.instants.read(&text(other)).map(|at| LogInstant::told_by(Clock::Utc, at.on_wall())),
         };
         match instant {
             Some(instant) => drop(reading.event(line, instant, &sensor, &value)?),
@@ -159,9 +157,9 @@ fn read(path: &Path, _: &LoggerFile, reading: &mut Reading<'_>) -> Result<(), Lo
 /// Keeps what the database and the registries say of entities: of each by its last state that was known, or else by its last.
 fn know_entities(
     connection: &Connection,
-    columns: &Columns,
-    registry: &Registry,
-    reading: &mut Reading<'_>,
+    columns: &StateColumns,
+    registry: &EntityRegistry,
+    reading: &mut LogReading<'_>,
 ) -> rusqlite::Result<()> {
     let (id, names) = (&columns.entity, columns.names());
     let (attributes, apart) = columns.attributes.unwrap_or(("NULL", ""));
@@ -191,20 +189,20 @@ fn know_entities(
     Ok(())
 }
 
-/// When the recorder did not run, in the order of time.
-fn gaps(connection: &Connection, columns: &Columns) -> rusqlite::Result<Vec<(Micros, Micros)>> {
+/// When the recorder did not run, in the order of time, on the wall of UTC.
+fn gaps(connection: &Connection, columns: &StateColumns) -> rusqlite::Result<Vec<Interval<WallTime>>> {
     if !tables(connection)?.iter().any(|name| name == "recorder_runs") {
         return Ok(Vec::new());
     }
-    let mut instants = Instants::default();
+    let mut instants = InstantReader::default();
     let mut statement =
         connection.prepare("SELECT start, \"end\", closed_incorrect FROM recorder_runs ORDER BY start")?;
     let mut rows = statement.query([])?;
-    let mut runs: Vec<(Micros, Option<Micros>)> = Vec::new();
+    let mut runs: Vec<(WallTime, Option<WallTime>)> = Vec::new();
     while let Some(row) = rows.next()? {
-        let Some(start) = micros(row, 0, &mut instants)? else { continue };
+        let Some(start) = on_wall(row, 0, &mut instants)? else { continue };
         let is_closed = !row.get::<_, Option<bool>>(2)?.unwrap_or(false);
-        runs.push((start, micros(row, 1, &mut instants)?.filter(|_| is_closed)));
+        runs.push((start, on_wall(row, 1, &mut instants)?.filter(|_| is_closed)));
     }
     // One column alone is found in its index.
     let updated = if columns.updated.contains("last_updated_ts") { "s.last_updated_ts" } else { "s.last_updated" };
@@ -215,21 +213,23 @@ fn gaps(connection: &Connection, columns: &Columns) -> rusqlite::Result<Vec<(Mic
         let end = match run.1 {
             Some(end) => end,
             None => {
-                let before =
-                    if updated.ends_with("_ts") { Some(Cell::Real(next.0 as f64 / 1e6)) } else { utc_text(next.0) };
-                let last = last_row.query_row([before], |row| micros(row, 0, &mut instants)).optional()?.flatten();
+                let before = match updated.ends_with("_ts") {
+                    true => Some(Cell::Real(next.0.since_zero().seconds())),
+                    false => utc_text(next.0),
+                };
+                let last = last_row.query_row([before], |row| on_wall(row, 0, &mut instants)).optional()?.flatten();
                 last.unwrap_or(run.0).max(run.0)
             }
         };
         if end < next.0 {
-            gaps.push((end, next.0));
+            gaps.push(Interval::new(end, next.0));
         }
     }
     Ok(gaps)
 }
 
 /// An instant as older databases write it.
-fn utc_text(at: Micros) -> Option<Cell> {
-    let at = jiff::Timestamp::from_microsecond(at).ok()?;
+fn utc_text(at: WallTime) -> Option<Cell> {
+    let at = jiff::Timestamp::from_microsecond(at.micros()).ok()?;
     Some(Cell::Text(at.strftime("%Y-%m-%d %H:%M:%S%.6f").to_string()))
 }

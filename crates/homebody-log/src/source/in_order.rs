@@ -3,36 +3,37 @@
 //!
 //! So many rows wait that whole files of such forms fit. A larger one is in order as far as its rows are not further apart.
 
-use super::instant::Instant;
-use super::reading::Reading;
+use super::instant::LogInstant;
+use super::reading::LogReading;
 use crate::error::LogError;
 use crate::limits::MOST_WAITING;
+use crate::log::Clock;
 use foldhash::{HashMap, HashMapExt};
-use homebody_core::time::Micros;
+use homebody_core::time::WallTime;
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 
 /// Rows that wait until no earlier one can come.
-pub(super) struct InOrder {
+pub(crate) struct InOrder {
     /// Instants, and in which order rows came, which they keep at one instant.
-    waiting: BinaryHeap<Reverse<(Micros, u64, Row)>>,
+    waiting: BinaryHeap<Reverse<(WallTime, u64, WaitingRow)>>,
     come: u64,
     texts: Vec<String>,
     known: HashMap<String, u32>,
     /// The instant of the row that was handed over last.
-    handed: Micros,
+    handed: WallTime,
     /// Rows that came after a later one had been handed over.
     late: u64,
     /// Whether a row has come with a label.
     has_labels: bool,
 }
 
-/// A row by its line, its sensor, its value, its label, and whether it has a zone. A text stands by its number.
-type Row = (u64, u32, u32, Option<u32>, bool);
+/// A row by its line, its sensor, its value, its label, and its clock. A text stands by its number.
+type WaitingRow = (u64, u32, u32, Option<u32>, Clock);
 
 /// What the two ends of an interval say.
-pub(super) const ON: &str = "ON";
-pub(super) const OFF: &str = "OFF";
+pub(crate) const ON: &str = "ON";
+pub(crate) const OFF: &str = "OFF";
 
 impl InOrder {
     pub fn new() -> InOrder {
@@ -41,7 +42,7 @@ impl InOrder {
             come: 0,
             texts: Vec::new(),
             known: HashMap::new(),
-            handed: Micros::MIN,
+            handed: WallTime::MIN,
             late: 0,
             has_labels: false,
         }
@@ -51,13 +52,12 @@ impl InOrder {
     pub fn interval(
         &mut self,
         line: u64,
-        (begin, end): (Instant, Instant),
+        (begin, end): (LogInstant, LogInstant),
         sensor: &str,
-        reading: &mut Reading<'_>,
+        reading: &mut LogReading<'_>,
     ) -> Result<(), LogError> {
-        let [(on, is_utc), (off, ends_utc)] = [begin, end].map(parted);
-        if off < on || is_utc != ends_utc {
-            reading.skip(line, super::reading::ENDS_BEFORE.into());
+        if end.on_wall() < begin.on_wall() || begin.clock() != end.clock() {
+            reading.skip(line, crate::source::reading::ENDS_BEFORE.into());
             return Ok(());
         }
         self.row(line, begin, [sensor, ON], None, reading)?;
@@ -68,17 +68,17 @@ impl InOrder {
     pub fn row(
         &mut self,
         line: u64,
-        instant: Instant,
+        instant: LogInstant,
         [sensor, value]: [&str; 2],
         label: Option<&str>,
-        reading: &mut Reading<'_>,
+        reading: &mut LogReading<'_>,
     ) -> Result<(), LogError> {
-        let (at, is_utc) = parted(instant);
+        let at = instant.on_wall();
         let (sensor, value) = (self.number(sensor), self.number(value));
         self.has_labels |= label.is_some();
         let label = label.map(|label| self.number(label));
         self.late += u64::from(at < self.handed);
-        self.waiting.push(Reverse((at, self.come, (line, sensor, value, label, is_utc))));
+        self.waiting.push(Reverse((at, self.come, (line, sensor, value, label, instant.clock()))));
         self.come += 1;
         while self.waiting.len() > MOST_WAITING {
             self.first(reading)?;
@@ -100,7 +100,7 @@ impl InOrder {
     }
 
     /// Hands over all that still wait.
-    pub fn end(mut self, reading: &mut Reading<'_>) -> Result<(), LogError> {
+    pub fn end(mut self, reading: &mut LogReading<'_>) -> Result<(), LogError> {
         while self.first(reading)? {}
         if self.late > 0 {
             let remark = format!(
@@ -113,25 +113,17 @@ impl InOrder {
     }
 
     /// Hands over the earliest row, if there is one.
-    fn first(&mut self, reading: &mut Reading<'_>) -> Result<bool, LogError> {
-        let Some(Reverse((at, _, (line, sensor, value, label, is_utc)))) = self.waiting.pop() else {
+    fn first(&mut self, reading: &mut LogReading<'_>) -> Result<bool, LogError> {
+        let Some(Reverse((at, _, (line, sensor, value, label, clock)))) = self.waiting.pop() else {
             return Ok(false);
         };
         self.handed = self.handed.max(at);
-        let instant = if is_utc { Instant::Utc(at) } else { Instant::Local(at) };
+        let instant = LogInstant::told_by(clock, at);
         let text = |number: u32| &*self.texts[number as usize];
         let is_row = reading.event(line, instant, text(sensor), text(value))?;
         if is_row && self.has_labels {
             reading.label(label.map(text));
         }
         Ok(true)
-    }
-}
-
-/// Microseconds, and whether they are the world's.
-fn parted(instant: Instant) -> (Micros, bool) {
-    match instant {
-        Instant::Local(at) => (at, false),
-        Instant::Utc(at) => (at, true),
     }
 }

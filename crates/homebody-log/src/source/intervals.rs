@@ -4,20 +4,20 @@
 //! A row is `start end id value` with the ids' names in the text above, or `start end location type place`; tabs and blanks part
 //! them, as many as somebody liked. Activities are in a text of their own, whose heading says so.
 
-use super::form::{Form, Shows};
 use super::in_order::InOrder;
-use super::instant::{Instant, Instants};
-use super::lines::Lines;
-use super::log::ColumnRole;
-use super::reading::Reading;
-use super::start::Start;
+use super::instant::{InstantReader, LogInstant};
+use super::lines::LineReader;
+use super::reading::LogReading;
+use super::start::FileStart;
+use super::{LogForm, Shows};
 use crate::error::LogError;
 use crate::limits::{LONGEST_ID, beginning};
+use crate::log::ColumnRole;
 use homebody_core::scenario::logger::LoggerFile;
 use std::collections::BTreeMap;
 use std::path::Path;
 
-pub(super) const FORM: Form = Form {
+pub(crate) const FORM: LogForm = LogForm {
     name: "intervals",
     what: "rows of start, end and sensor, or of start, end and activity, separated by tabs or blanks: the homes of van Kasteren and \
            of the UCI ADL data",
@@ -25,8 +25,8 @@ pub(super) const FORM: Form = Form {
     read,
 };
 
-fn shows(start: &Start) -> Shows {
-    let mut instants = Instants::default();
+fn shows(start: &FileStart) -> Shows {
+    let mut instants = InstantReader::default();
     let mut is_of_activities = false;
     for line in start.lines() {
         is_of_activities |= speaks_of_activities(&line);
@@ -42,14 +42,14 @@ fn speaks_of_activities(heading: &str) -> bool {
 }
 
 /// The two ends of an interval, and what is behind them.
-fn interval<'l>(line: &'l str, instants: &mut Instants) -> Option<((Instant, Instant), &'l str)> {
+fn interval<'l>(line: &'l str, instants: &mut InstantReader) -> Option<((LogInstant, LogInstant), &'l str)> {
     let (begin, rest) = leading(line, instants)?;
     let (end, rest) = leading(rest, instants)?;
     Some(((begin, end), rest))
 }
 
 /// The instant that a text begins with: a date and a time.
-fn leading<'l>(text: &'l str, instants: &mut Instants) -> Option<(Instant, &'l str)> {
+fn leading<'l>(text: &'l str, instants: &mut InstantReader) -> Option<(LogInstant, &'l str)> {
     let text = text.trim_start();
     let date = text.find(char::is_whitespace)?;
     let time = date + text[date..].find(|c: char| !c.is_whitespace())?;
@@ -57,11 +57,11 @@ fn leading<'l>(text: &'l str, instants: &mut Instants) -> Option<(Instant, &'l s
     Some((instants.read(&text[..end])?, &text[end..]))
 }
 
-fn read(path: &Path, _: &LoggerFile, reading: &mut Reading<'_>) -> Result<(), LogError> {
-    let mut lines = Lines::open(path)?;
+fn read(path: &Path, _: &LoggerFile, reading: &mut LogReading<'_>) -> Result<(), LogError> {
+    let mut lines = LineReader::open(path)?;
     let (mut names, mut order) = (BTreeMap::new(), InOrder::new());
     let (mut is_of_activities, mut is_heading) = (false, true);
-    let mut instants = Instants::default();
+    let mut instants = InstantReader::default();
     while let Some((number, line)) = lines.next_text()? {
         match interval(&line, &mut instants) {
             Some((ends, what)) => {

@@ -8,26 +8,35 @@
 //! Values are looked at one by one, so that a text may be of any size. Left out: what names a sensor behind more than a mebibyte of its
 //! rows.
 
-use super::above::{Above, LIST, Level};
-use super::form::{Form, Shows};
-use super::form_messages::FormMessage;
+mod above;
+mod devices;
+mod hint;
+pub(crate) mod jsonl;
+mod object_rows;
+mod one_home;
+mod parallel;
+pub(crate) mod payload;
+pub(crate) mod said;
+mod text;
+
 use super::gathered::Gathered;
-use super::instant::Instant;
-use super::json_hint::hint;
-use super::json_text::JsonText;
-use super::log::{ColumnRole, Log};
-use super::object_rows::{ObjectRows, Taken};
-use super::parallel;
-use super::reading::Reading;
-use super::said::{Object, instant, text};
-use super::start::Start;
-use crate::error::{LogError, place_of};
-use crate::problems::LengthMessage;
+use super::instant::LogInstant;
+use super::messages::FormMessage;
+use super::reading::LogReading;
+use super::start::FileStart;
+use super::{LogForm, Shows};
+use crate::error::{LengthMessage, LogError, place_of};
+use crate::log::{ColumnRole, Log};
+use above::{Above, JsonLevel, LIST};
+use hint::hint;
 use homebody_core::scenario::logger::LoggerFile;
+use object_rows::{ObjectRows, ObjectUse};
+use said::{Object, instant, text};
 use serde_json::Value;
 use std::path::Path;
+use text::JsonText;
 
-pub(super) const FORM: Form = Form {
+pub(crate) const FORM: LogForm = LogForm {
     name: "json",
     what: "one JSON document: a list of rows, alone or inside objects; Home Assistant's history, logbook and WebSocket \
            replies, OGC SensorThings, InfluxDB, Prometheus and Graphite",
@@ -47,12 +56,12 @@ const MOST_SEARCHED: u64 = 10_000;
 /// Largest number of column names in a list.
 const MOST_NAMES: usize = 100;
 
-fn shows(start: &Start) -> Shows {
+fn shows(start: &FileStart) -> Shows {
     Shows::rows_if(begins_as_json(start) && has_rows(&start.path))
 }
 
 /// Whether the first lines of a text may be JSON.
-pub(super) fn begins_as_json(start: &Start) -> bool {
+pub(crate) fn begins_as_json(start: &FileStart) -> bool {
     let mut letters = start.lines().next().into_iter().flat_map(|line| line.chars().collect::<Vec<_>>());
     let first = letters.next();
     let second = letters.find(|letter| !letter.is_whitespace());
@@ -66,14 +75,14 @@ pub(super) fn begins_as_json(start: &Start) -> bool {
 /// Whether rows are at the beginning of a text.
 fn has_rows(path: &Path) -> bool {
     let mut is_enough = |_: &Log| Ok(());
-    let mut reading = Reading::new(&mut is_enough);
-    let walked = Walk::open(path, &LoggerFile::default(), Gathered::as_they_come(path, &mut reading), Some(ENOUGH))
+    let mut reading = LogReading::new(&mut is_enough);
+    let walked = JsonWalk::open(path, &LoggerFile::default(), Gathered::as_they_come(path, &mut reading), Some(ENOUGH))
         .and_then(|mut walk| walk.all().map(|()| walk.rows));
     walked.is_ok_and(|rows| rows > 0)
 }
 
-fn read(path: &Path, file: &LoggerFile, reading: &mut Reading<'_>) -> Result<(), LogError> {
-    let mut walk = Walk::open(path, file, Gathered::in_order(path, reading), None)?;
+fn read(path: &Path, file: &LoggerFile, reading: &mut LogReading<'_>) -> Result<(), LogError> {
+    let mut walk = JsonWalk::open(path, file, Gathered::in_order(path, reading), None)?;
     walk.all()?;
     walk.objects.end(&walk.out)?;
     if walk.rows > 0 || walk.out.reading.log.skipped > 0 {
@@ -89,7 +98,7 @@ fn read(path: &Path, file: &LoggerFile, reading: &mut Reading<'_>) -> Result<(),
 }
 
 /// A way through a text.
-struct Walk<'w, 'r, 't> {
+struct JsonWalk<'w, 'r, 't> {
     text: JsonText,
     file: &'w LoggerFile,
     above: Above,
@@ -113,15 +122,15 @@ enum Passed {
     End,
 }
 
-impl<'w, 'r, 't> Walk<'w, 'r, 't> {
+impl<'w, 'r, 't> JsonWalk<'w, 'r, 't> {
     fn open(
         path: &Path,
         file: &'w LoggerFile,
         out: Gathered<'r, 't>,
         enough: Option<u64>,
-    ) -> Result<Walk<'w, 'r, 't>, LogError> {
+    ) -> Result<JsonWalk<'w, 'r, 't>, LogError> {
         let text = JsonText::open(path)?;
-        Ok(Walk {
+        Ok(JsonWalk {
             text,
             file,
             above: Above::default(),
@@ -169,9 +178,9 @@ impl<'w, 'r, 't> Walk<'w, 'r, 't> {
         let said = whole.and_then(|length| serde_json::from_slice::<Value>(self.text.bytes(length)).ok());
         if let (Some(said), Some(length)) = (&said, whole) {
             let taken = self.row(line, said)?;
-            if taken != Taken::Nothing {
+            if taken != ObjectUse::Nothing {
                 self.text.pass(length);
-                self.rows += u64::from(taken == Taken::Row);
+                self.rows += u64::from(taken == ObjectUse::Row);
                 return Ok(if self.enough.is_some_and(|enough| self.rows >= enough) {
                     Passed::End
                 } else {
@@ -201,28 +210,28 @@ impl<'w, 'r, 't> Walk<'w, 'r, 't> {
     }
 
     /// Takes a value that is a row, if it is one.
-    fn row(&mut self, line: u64, said: &Value) -> Result<Taken, LogError> {
+    fn row(&mut self, line: u64, said: &Value) -> Result<ObjectUse, LogError> {
         match said {
             Value::Object(object) => self.row_or_columns(line, object),
             Value::Array(cells) if cells.iter().all(|cell| !cell.is_array() && !cell.is_object()) => {
                 self.cells(line, cells)
             }
-            _ => Ok(Taken::Nothing),
+            _ => Ok(ObjectUse::Nothing),
         }
     }
 
     /// Takes an object that is a row, or whose members are the columns of a table.
-    fn row_or_columns(&mut self, line: u64, object: &Object) -> Result<Taken, LogError> {
+    fn row_or_columns(&mut self, line: u64, object: &Object) -> Result<ObjectUse, LogError> {
         let taken = self.objects.take(line, object, &mut self.above, self.file, &mut self.out)?;
-        if taken != Taken::Nothing {
+        if taken != ObjectUse::Nothing {
             return Ok(taken);
         }
-        let mut all = Taken::Nothing;
+        let mut all = ObjectUse::Nothing;
         for row in parallel::rows(object, &mut self.out.reading.instants).unwrap_or_default() {
             let taken = self.objects.take(line, &row, &mut self.above, self.file, &mut self.out)?;
-            all = if all == Taken::Row { all } else { taken };
+            all = if all == ObjectUse::Row { all } else { taken };
         }
-        if all == Taken::Nothing && self.rows == 0 {
+        if all == ObjectUse::Nothing && self.rows == 0 {
             // One in a list may be one of many rows.
             let at = self.above.path();
             let is_better = |(known, _): &(String, _)| at.ends_with(LIST) && !known.ends_with(LIST);
@@ -234,10 +243,10 @@ impl<'w, 'r, 't> Walk<'w, 'r, 't> {
     }
 
     /// Takes a list of cells: by the names of columns above it, or a time with a value, or a time with a sensor and a value.
-    fn cells(&mut self, line: u64, cells: &[Value]) -> Result<Taken, LogError> {
+    fn cells(&mut self, line: u64, cells: &[Value]) -> Result<ObjectUse, LogError> {
         if let Some(names) = self.above.columns().filter(|names| names.len() == cells.len()) {
             if names.iter().zip(cells).all(|(name, cell)| cell == name) {
-                return Ok(Taken::Nothing);
+                return Ok(ObjectUse::Nothing);
             }
             let object: Object = names.into_iter().zip(cells.iter().cloned()).collect();
             return self.objects.take(line, &object, &mut self.above, self.file, &mut self.out);
@@ -247,30 +256,30 @@ impl<'w, 'r, 't> Walk<'w, 'r, 't> {
             [first, second] => {
                 let is_behind = self.above.key() == Some("datapoints");
                 let (time, value) = match (at(first), at(second)) {
-                    (Some(_), Some(_)) if first.is_string() && second.is_string() => return Ok(Taken::Nothing),
+                    (Some(_), Some(_)) if first.is_string() && second.is_string() => return Ok(ObjectUse::Nothing),
                     (_, Some(time)) if is_behind => (time, first),
                     (Some(time), _) => (time, second),
                     (None, Some(time)) => (time, first),
-                    (None, None) => return Ok(Taken::Nothing),
+                    (None, None) => return Ok(ObjectUse::Nothing),
                 };
                 self.pair(line, time, value)
             }
             [time, Value::String(sensor), value] => {
-                let Some(time) = at(time) else { return Ok(Taken::Nothing) };
+                let Some(time) = at(time) else { return Ok(ObjectUse::Nothing) };
                 self.out.column("the first of each list", ColumnRole::Time, "it is an instant");
                 self.out.column("the second of each list", ColumnRole::Sensor, "its place");
                 self.out.column("the third of each list", ColumnRole::Value, "its place");
                 self.out.row(line, time, [sensor, &text(value)], None)?;
-                Ok(Taken::Row)
+                Ok(ObjectUse::Row)
             }
-            _ => Ok(Taken::Nothing),
+            _ => Ok(ObjectUse::Nothing),
         }
     }
 
     /// Takes a time and a value, whose sensor is named above them.
-    fn pair(&mut self, line: u64, time: Instant, value: &Value) -> Result<Taken, LogError> {
+    fn pair(&mut self, line: u64, time: LogInstant, value: &Value) -> Result<ObjectUse, LogError> {
         let row = Object::new();
-        let Some(sensor) = self.above.sensor(&row) else { return Ok(Taken::Nothing) };
+        let Some(sensor) = self.above.sensor(&row) else { return Ok(ObjectUse::Nothing) };
         if !self.out.knows(&sensor) {
             self.out.know(self.above.info(&sensor, &row));
         }
@@ -280,12 +289,12 @@ impl<'w, 'r, 't> Walk<'w, 'r, 't> {
             true => self.out.count("values that are null, which report nothing"),
             false => self.out.row(line, time, [&sensor, &text(value)], None)?,
         }
-        Ok(Taken::Row)
+        Ok(ObjectUse::Row)
     }
 
     fn object(&mut self, key: Option<String>, members: Object) -> Result<Passed, LogError> {
         let (begun, before) = (self.text.line, self.rows);
-        self.above.enter(Level { key, members, ..Level::default() });
+        self.above.enter(JsonLevel { key, members, ..JsonLevel::default() });
         self.text.pass(1);
         let passed = loop {
             let key = match self.text.peek()? {
@@ -330,7 +339,7 @@ impl<'w, 'r, 't> Walk<'w, 'r, 't> {
 
     fn list(&mut self, key: Option<String>) -> Result<Passed, LogError> {
         let (begun, before) = (self.text.line, self.rows);
-        self.above.enter(Level { key, is_list: true, ..Level::default() });
+        self.above.enter(JsonLevel { key, is_list: true, ..JsonLevel::default() });
         self.text.pass(1);
         let passed = loop {
             let passed = match self.text.peek()? {

@@ -1,28 +1,29 @@
 //! Tables of activities under any name and heading: two instants and a label in each row.
 
-use super::casas_words::{When, is_number, when};
-use super::form::{Form, Shows};
-use super::form_messages::FormMessage;
-use super::instant::{Instant, Instants};
-use super::lines::Lines;
-use super::log::ColumnRole;
-use super::reading::Reading;
-use super::start::Start;
+use super::instant::{InstantReader, LogInstant};
+use super::lines::LineReader;
+use super::messages::FormMessage;
+use super::reading::LogReading;
+use super::start::FileStart;
+use super::{LogForm, Shows};
 use crate::error::{LogError, place_of};
 use crate::limits::beginning;
+use crate::log::ColumnRole;
+use crate::source::casas::words::{CasasTime, is_number, when};
 use homebody_core::scenario::logger::LoggerFile;
+use homebody_core::time::WallTime;
 use std::borrow::Cow;
 use std::collections::BTreeSet;
 use std::path::Path;
 
-pub(super) const FORM: Form = Form {
+pub(crate) const FORM: LogForm = LogForm {
     name: "labels",
     what: "rows of start, end and label, under a heading for activities or labels",
     shows,
     read,
 };
 
-fn shows(start: &Start) -> Shows {
+fn shows(start: &FileStart) -> Shows {
     match LabelTable::of(start) {
         Some(LabelTable { is_named: true, .. }) => Shows::Activities,
         _ => Shows::Nothing,
@@ -54,7 +55,7 @@ const OF_ENDS: [&str; 6] = ["end", "stop", "to", "until", "ended", "offset"];
 
 /// A table of labels.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) struct LabelTable {
+pub(crate) struct LabelTable {
     /// The delimiter of the cells; None for blanks or tabs.
     delimiter: Option<char>,
     /// The column of the label among those behind the two ends.
@@ -67,16 +68,16 @@ pub(super) struct LabelTable {
 const DELIMITERS: [Option<char>; 4] = [None, Some(','), Some(';'), Some('|')];
 
 /// A row's two ends, and the cells behind them.
-type Row<'l> = ([Instant; 2], Vec<Cow<'l, str>>);
+type LabelRow<'l> = ([LogInstant; 2], Vec<Cow<'l, str>>);
 
 impl LabelTable {
     /// The table that begins so; None for any other text.
-    pub fn of(start: &Start) -> Option<LabelTable> {
+    pub fn of(start: &FileStart) -> Option<LabelTable> {
         let lines: Vec<Cow<str>> = start.lines().collect();
-        let mut instants = Instants::default();
+        let mut instants = InstantReader::default();
         let mut of_line = |line: &str| DELIMITERS.into_iter().find(|&by| delimited(line, by, &mut instants).is_some());
         let (first, delimiter) = lines.iter().find_map(|line| Some((line, of_line(line)?)))?;
-        let rows: Vec<Row> = lines.iter().filter_map(|line| delimited(line, delimiter, &mut instants)).collect();
+        let rows: Vec<LabelRow> = lines.iter().filter_map(|line| delimited(line, delimiter, &mut instants)).collect();
         let heading: Vec<String> =
             lines.iter().take_while(|line| *line != first).map(|line| line.to_lowercase()).collect();
         let says = |wanted: &[&str]| {
@@ -102,7 +103,7 @@ impl LabelTable {
 }
 
 /// The column of the label: the one that the heading calls so, else the first with words, else the first.
-fn label_column(heading: &[String], delimiter: Option<char>, rows: &[Row], most: usize) -> Option<usize> {
+fn label_column(heading: &[String], delimiter: Option<char>, rows: &[LabelRow], most: usize) -> Option<usize> {
     let names: Vec<&str> = heading.last().map_or(Vec::new(), |line| match delimiter {
         Some(delimiter) => line.split(delimiter).map(|name| name.trim().trim_matches('"')).collect(),
         None => line.split('\t').map(str::trim).filter(|name| !name.is_empty()).collect(),
@@ -127,32 +128,23 @@ fn label_column(heading: &[String], delimiter: Option<char>, rows: &[Row], most:
     named.or_else(|| most_different(true)).or_else(|| most_different(false))
 }
 
-fn ends_in_order([begin, end]: &[Instant; 2]) -> bool {
-    match (begin, end) {
-        (Instant::Local(begin), Instant::Local(end)) | (Instant::Utc(begin), Instant::Utc(end)) => begin <= end,
-        _ => false,
-    }
+fn ends_in_order([begin, end]: &[LogInstant; 2]) -> bool {
+    begin.clock() == end.clock() && begin.on_wall() <= end.on_wall()
 }
 
 /// Whether nearly each row begins when the one before it is over: people do one thing at a time, sensors are on at once.
-fn follow(rows: &[Row]) -> bool {
-    let mut ends: Vec<[i64; 2]> = rows.iter().map(|(ends, _)| ends.map(told)).collect();
+fn follow(rows: &[LabelRow]) -> bool {
+    let mut ends: Vec<[WallTime; 2]> = rows.iter().map(|(ends, _)| ends.map(LogInstant::on_wall)).collect();
     ends.sort_unstable();
     let apart = ends.windows(2).filter(|pair| pair[0][1] <= pair[1][0]).count();
     apart * 10 >= ends.len().saturating_sub(1) * 8
 }
 
-fn told(instant: Instant) -> i64 {
-    match instant {
-        Instant::Local(at) | Instant::Utc(at) => at,
-    }
-}
-
 /// The two ends that a line has first, and the cells behind them.
-fn delimited<'l>(line: &'l str, delimiter: Option<char>, instants: &mut Instants) -> Option<Row<'l>> {
+fn delimited<'l>(line: &'l str, delimiter: Option<char>, instants: &mut InstantReader) -> Option<LabelRow<'l>> {
     let Some(delimiter) = delimiter else {
-        let When { at: begin, behind, .. } = when(line.as_bytes(), instants)?;
-        let When { at: end, behind, .. } = when(behind, instants)?;
+        let CasasTime { at: begin, behind, .. } = when(line.as_bytes(), instants)?;
+        let CasasTime { at: end, behind, .. } = when(behind, instants)?;
         let behind = str::from_utf8(behind).ok()?.trim();
         let cells: Vec<Cow<str>> =
             behind.split('\t').map(str::trim).filter(|cell| !cell.is_empty()).map(Cow::Borrowed).collect();
@@ -166,17 +158,17 @@ fn delimited<'l>(line: &'l str, delimiter: Option<char>, instants: &mut Instants
     (!behind.is_empty()).then_some(([begin?, end?], behind))
 }
 
-fn read(path: &Path, _: &LoggerFile, reading: &mut Reading<'_>) -> Result<(), LogError> {
-    let table =
-        LabelTable::of(&Start::of(path)?).ok_or_else(|| LogError::no_log(place_of(path), FormMessage::NoLabels))?;
+fn read(path: &Path, _: &LoggerFile, reading: &mut LogReading<'_>) -> Result<(), LogError> {
+    let table = LabelTable::of(&FileStart::read(path)?)
+        .ok_or_else(|| LogError::no_log(place_of(path), FormMessage::NoLabels))?;
     // For labels of a log, the columns stay those of the log.
     for (name, role) in [("start", ColumnRole::Time), ("end", ColumnRole::End), ("label", ColumnRole::Label)] {
         if reading.log.rows == 0 {
             reading.column(name, role, "each row has two instants and a label");
         }
     }
-    let mut lines = Lines::open(path)?;
-    let (mut instants, mut has_begun) = (Instants::default(), false);
+    let mut lines = LineReader::open(path)?;
+    let (mut instants, mut has_begun) = (InstantReader::default(), false);
     while let Some((number, line)) = lines.next_text()? {
         match delimited(&line, table.delimiter, &mut instants) {
             Some((ends, cells)) => {

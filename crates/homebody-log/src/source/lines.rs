@@ -1,10 +1,9 @@
 //! The lines of a text, none of which is longer than a row may be.
 
 use super::reading::open;
-use crate::error::LogError;
+use crate::error::{LengthMessage, LogError};
+use crate::files::plain::text;
 use crate::limits::LONGEST_ROW_BYTES;
-use crate::plain::text;
-use crate::problems::LengthMessage;
 use std::borrow::Cow;
 use std::io::{BufRead, BufReader, Read};
 use std::path::{Path, PathBuf};
@@ -16,7 +15,7 @@ const BUFFER: usize = 1 << 16;
 const MARK: &[u8] = b"\xef\xbb\xbf";
 
 /// A text on its way, line by line.
-pub(super) struct Lines {
+pub(crate) struct LineReader {
     path: PathBuf,
     file: BufReader<Box<dyn Read + Send>>,
     number: u64,
@@ -26,10 +25,10 @@ pub(super) struct Lines {
     line: Vec<u8>,
 }
 
-impl Lines {
-    pub fn open(path: &Path) -> Result<Lines, LogError> {
+impl LineReader {
+    pub fn open(path: &Path) -> Result<LineReader, LogError> {
         let file = BufReader::with_capacity(BUFFER, open(path)?);
-        Ok(Lines { path: path.into(), file, number: 0, used: 0, line: Vec::new() })
+        Ok(LineReader { path: path.into(), file, number: 0, used: 0, line: Vec::new() })
     }
 
     /// The next line without its end, and its number, counted from 1; None at the end.

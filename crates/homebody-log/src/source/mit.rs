@@ -6,25 +6,24 @@
 //! We assume that what ends before it begins ends on the next day. Left out: that an activation which falls into two activities is
 //! told in both records; it comes twice.
 
-use super::date_parts::day_of;
-use super::form::{Form, Shows};
 use super::in_order::InOrder;
-use super::instant::{Instant, midnight};
-use super::lines::Lines;
-use super::log::ColumnRole;
-use super::reading::Reading;
-use super::start::Start;
+use super::instant::LogInstant;
+use super::lines::LineReader;
+use super::reading::LogReading;
+use super::start::FileStart;
+use super::{LogForm, Shows};
 use crate::error::LogError;
+use crate::files::plain;
 use crate::limits::beginning;
-use crate::plain;
-use crate::sensor_info::SensorInfo;
+use crate::log::{ColumnRole, SensorInfo};
+use crate::source::instant::date_parts::day_of;
 use homebody_core::scenario::logger::LoggerFile;
-use homebody_core::time::{DAY, Micros, SECOND};
+use homebody_core::time::{DAY, SECOND, Span, WallTime};
 use jiff::civil::Date;
 use std::borrow::Cow;
 use std::path::Path;
 
-pub(super) const FORM: Form = Form {
+pub(crate) const FORM: LogForm = LogForm {
     name: "mit",
     what: "records of five lines: an activity, then the ids, names and times of the sensors that changed (Tapia's homes at MIT)",
     shows,
@@ -40,7 +39,7 @@ const LARGEST_TABLE_BYTES: u64 = 1 << 20;
 /// The lines that may hold the first whole record.
 const LOOKED_AT_LINES: usize = 4 * LINES;
 
-fn shows(start: &Start) -> Shows {
+fn shows(start: &FileStart) -> Shows {
     let lines: Vec<_> = start.lines().take(LOOKED_AT_LINES).collect();
     let is_record = |pair: &[Cow<str>]| heading(&pair[0]).is_some() && pair[1].split(',').all(is_id);
     Shows::rows_if(lines.windows(2).any(is_record))
@@ -54,7 +53,7 @@ fn is_id(cell: &str) -> bool {
 struct Heading {
     activity: String,
     /// The day's midnight and the two ends since then, or the reason why they are unknown.
-    when: Result<(Micros, [Micros; 2]), String>,
+    when: Result<(WallTime, [Span; 2]), String>,
 }
 
 fn heading(line: &str) -> Option<Heading> {
@@ -67,7 +66,7 @@ fn heading(line: &str) -> Option<Heading> {
     let when = american(day).and_then(|day| {
         let no_time = |text: &str| format!("{text} is no time of day");
         let ends = following(time(begin).ok_or_else(|| no_time(begin))?, time(end).ok_or_else(|| no_time(end))?);
-        Ok((midnight(day).ok_or("the day is out of range")?, ends))
+        Ok((WallTime::midnight(day), ends))
     });
     Some(Heading { activity, when })
 }
@@ -85,7 +84,7 @@ fn american([month, day, year]: [i16; 3]) -> Result<Date, String> {
 }
 
 /// `9:5:3`, since midnight.
-fn time(text: &str) -> Option<Micros> {
+fn time(text: &str) -> Option<Span> {
     let numbers: Vec<i64> = text.trim().split(':').map(|part| part.parse().ok()).collect::<Option<_>>()?;
     let &[hours, minutes, seconds] = &numbers[..] else { return None };
     let fits = (0..24).contains(&hours) && (0..60).contains(&minutes) && (0..60).contains(&seconds);
@@ -93,11 +92,11 @@ fn time(text: &str) -> Option<Micros> {
 }
 
 /// Two ends of which the second is not before the first.
-fn following(begin: Micros, end: Micros) -> [Micros; 2] {
+fn following(begin: Span, end: Span) -> [Span; 2] {
     [begin, if end < begin { end + DAY } else { end }]
 }
 
-fn read(path: &Path, _: &LoggerFile, reading: &mut Reading<'_>) -> Result<(), LogError> {
+fn read(path: &Path, _: &LoggerFile, reading: &mut LogReading<'_>) -> Result<(), LogError> {
     if reading.log.known.is_empty() {
         reading.log.known = known_beside(path);
     }
@@ -108,7 +107,7 @@ fn read(path: &Path, _: &LoggerFile, reading: &mut Reading<'_>) -> Result<(), Lo
         ("the fourth line of a record", ColumnRole::Time),
         ("the fifth line of a record", ColumnRole::End),
     ]);
-    let mut lines = Lines::open(path)?;
+    let mut lines = LineReader::open(path)?;
     let mut order = InOrder::new();
     // The lines of a record that have come.
     let mut record: Vec<(u64, String)> = Vec::new();
@@ -135,7 +134,7 @@ fn read(path: &Path, _: &LoggerFile, reading: &mut Reading<'_>) -> Result<(), Lo
 const LINES: usize = 5;
 
 /// Takes the lines of a record: its activity, and of its sensors those whose two times are known.
-fn take(record: &[(u64, String)], order: &mut InOrder, reading: &mut Reading<'_>) -> Result<(), LogError> {
+fn take(record: &[(u64, String)], order: &mut InOrder, reading: &mut LogReading<'_>) -> Result<(), LogError> {
     let Some((first, head)) = record.first() else { return Ok(()) };
     let Some(Heading { activity, when }) = heading(head) else { return Ok(()) };
     let (midnight, ends) = match when {
@@ -145,7 +144,7 @@ fn take(record: &[(u64, String)], order: &mut InOrder, reading: &mut Reading<'_>
             return Ok(());
         }
     };
-    let [begin, end] = ends.map(|at| Instant::Local(midnight + at));
+    let [begin, end] = ends.map(|at| LogInstant::Local(midnight + at));
     reading.span(*first, begin, end, &activity);
     let [(_, _), (line, ids), (_, _), (_, begins), (last, ends)] = record else {
         reading.skip(*first, format!("it has {} of {LINES} lines, so that its sensors are not known", record.len()));
@@ -161,7 +160,7 @@ fn take(record: &[(u64, String)], order: &mut InOrder, reading: &mut Reading<'_>
         match (time(begin), time(end)) {
             _ if id.is_empty() => reading.skip(*line, "there is no sensor".into()),
             (Some(begin), Some(end)) => {
-                let [begin, end] = following(begin, end).map(|at| Instant::Local(midnight + at));
+                let [begin, end] = following(begin, end).map(|at| LogInstant::Local(midnight + at));
                 order.interval(*last, (begin, end), id, reading)?;
             }
             _ => reading.skip(*last, format!("the times of sensor {} are not known", beginning(id))),

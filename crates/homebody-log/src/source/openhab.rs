@@ -4,23 +4,22 @@
 //! `Hall_Motion state updated to ON` in the first. Left out: commands, which are wishes and not states; things and rules; groups,
 //! which change through their members.
 
-use super::casas_words::{When, is_number, when};
-use super::form::{Form, Shows};
-use super::instant::Instants;
-use super::lines::Lines;
-use super::log::ColumnRole;
-use super::reading::Reading;
-use super::start::Start;
+use super::instant::InstantReader;
+use super::lines::LineReader;
+use super::reading::LogReading;
+use super::start::FileStart;
+use super::{LogForm, Shows};
 use crate::error::LogError;
+use crate::files::plain::text;
 use crate::limits::beginning;
-use crate::plain::text;
-use crate::sensor_info::SensorInfo;
+use crate::log::{ColumnRole, SensorInfo};
+use crate::source::casas::words::{CasasTime, is_number, when};
 use homebody_core::problem::counted;
 use homebody_core::scenario::logger::LoggerFile;
 use std::collections::BTreeMap;
 use std::path::Path;
 
-pub(super) const FORM: Form = Form {
+pub(crate) const FORM: LogForm = LogForm {
     name: "openhab",
     what: "the events.log of openHAB: lines with the old and the new state of an item",
     shows,
@@ -30,8 +29,8 @@ pub(super) const FORM: Form = Form {
 /// At least one line in so many is about an item.
 const FEWEST: usize = 50;
 
-fn shows(start: &Start) -> Shows {
-    let mut instants = Instants::default();
+fn shows(start: &FileStart) -> Shows {
+    let mut instants = InstantReader::default();
     let (mut lines, mut events) = (0, 0);
     for line in start.lines() {
         lines += 1;
@@ -72,13 +71,13 @@ fn event(behind: &str) -> Option<ItemEvent<'_>> {
     (!item.contains(':')).then_some(ItemEvent { item, state: state.trim(), is_update, is_group: group })
 }
 
-fn read(path: &Path, _: &LoggerFile, reading: &mut Reading<'_>) -> Result<(), LogError> {
+fn read(path: &Path, _: &LoggerFile, reading: &mut LogReading<'_>) -> Result<(), LogError> {
     reading.columns_of_form(&[
         ("the date and time of a line", ColumnRole::Time),
         ("the item", ColumnRole::Sensor),
         ("the state that it changed to", ColumnRole::Value),
     ]);
-    let mut lines = Lines::open(path)?;
+    let mut lines = LineReader::open(path)?;
     // The last state of each item: an update without a change adds no row.
     let mut last: BTreeMap<String, String> = BTreeMap::new();
     let (mut others, mut of_groups) = (0, 0);
@@ -86,7 +85,7 @@ fn read(path: &Path, _: &LoggerFile, reading: &mut Reading<'_>) -> Result<(), Lo
         if line.trim_ascii().is_empty() {
             continue;
         }
-        let Some(When { at, behind, .. }) = when(line, &mut reading.instants) else {
+        let Some(CasasTime { at, behind, .. }) = when(line, &mut reading.instants) else {
             reading.skip(number, format!("{} does not begin with a date and a time", beginning(text(line).trim())));
             continue;
         };

@@ -1,19 +1,19 @@
 //! A table as psql prints it: a line of names, a line of dashes, then rows whose cells are parted by `|`. So the X10 network of
 //! MavPad was kept, with the columns mark, zone, number, state, level, source and info.
 
-use super::columns::Places;
-use super::form::{Form, Shows};
-use super::form_messages::FormMessage;
-use super::lines::Lines;
-use super::log::ColumnRole;
-use super::reading::Reading;
-use super::start::Start;
+use super::columns::ColumnPlaces;
+use super::lines::LineReader;
+use super::messages::FormMessage;
+use super::reading::LogReading;
+use super::start::FileStart;
+use super::{LogForm, Shows};
 use crate::error::{LogError, place_of};
+use crate::log::ColumnRole;
 use homebody_core::scenario::logger::LoggerFile;
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 
-pub(super) const FORM: Form = Form {
+pub(crate) const FORM: LogForm = LogForm {
     name: "psql",
     what: "a table as psql prints it, with cells separated by |: the X10 network of MavPad, or a log with common column names",
     shows,
@@ -21,7 +21,7 @@ pub(super) const FORM: Form = Form {
 };
 
 /// Where the parts of a row are.
-enum Columns {
+enum LogColumns {
     /// A time, a zone and a number that are the sensor together, its state, and its level where it has no state.
     X10 {
         time: usize,
@@ -30,26 +30,26 @@ enum Columns {
         state: usize,
         level: Option<usize>,
     },
-    Usual(Places),
+    Usual(ColumnPlaces),
 }
 
-fn columns(heading: &str, file: &LoggerFile) -> Option<Columns> {
+fn columns(heading: &str, file: &LoggerFile) -> Option<LogColumns> {
     let names: Vec<String> = heading.split('|').map(|name| name.trim().to_owned()).collect();
     let place = |wanted: &str| names.iter().position(|name| name.eq_ignore_ascii_case(wanted));
     let x10 = || {
         let (time, zone, number) = (place("mark")?, place("zone")?, place("number")?);
-        Some(Columns::X10 { time, zone, number, state: place("state")?, level: place("level") })
+        Some(LogColumns::X10 { time, zone, number, state: place("state")?, level: place("level") })
     };
-    x10().or_else(|| Places::by_name(&names, file).map(Columns::Usual))
+    x10().or_else(|| ColumnPlaces::by_name(&names, file).map(LogColumns::Usual))
 }
 
-impl Columns {
+impl LogColumns {
     /// Records what each column was taken for.
-    fn record(&self, heading: &str, levels: &Levels, reading: &mut Reading<'_>) {
+    fn record(&self, heading: &str, levels: &X10Levels, reading: &mut LogReading<'_>) {
         let names: Vec<&str> = heading.split('|').map(str::trim).collect();
         let mut column = |place: usize, role: ColumnRole, because: &str| reading.column(names[place], role, because);
         match self {
-            Columns::X10 { time, zone, number, state, level } => {
+            LogColumns::X10 { time, zone, number, state, level } => {
                 column(*time, ColumnRole::Time, HEADING);
                 column(*zone, ColumnRole::Sensor, HEADING);
                 column(*number, ColumnRole::Sensor, HEADING);
@@ -63,7 +63,7 @@ impl Columns {
                     column(*level, ColumnRole::Value, &because);
                 }
             }
-            Columns::Usual(places) => {
+            LogColumns::Usual(places) => {
                 column(places.time, ColumnRole::Time, HEADING);
                 column(places.sensor, ColumnRole::Sensor, HEADING);
                 column(places.value, ColumnRole::Value, HEADING);
@@ -80,19 +80,19 @@ const HEADING: &str = "its heading";
 
 /// The sensors of an X10 network whose level is their reading: it varies while their state is always one.
 #[derive(Default)]
-struct Levels {
+struct X10Levels {
     /// By zone and number, whether the level is the reading, for sensors in the beginning.
     sensors: BTreeMap<(String, String), bool>,
     /// Zones with only such sensors.
     zones: BTreeSet<String>,
 }
 
-impl Levels {
-    fn of(start: &Start) -> Levels {
+impl X10Levels {
+    fn of(start: &FileStart) -> X10Levels {
         let mut lines = start.lines();
         let known = lines.next().and_then(|heading| columns(&heading, &LoggerFile::default()));
-        let Some(Columns::X10 { zone, number, state, level: Some(level), .. }) = known else {
-            return Levels::default();
+        let Some(LogColumns::X10 { zone, number, state, level: Some(level), .. }) = known else {
+            return X10Levels::default();
         };
         let mut said: BTreeMap<(String, String), [BTreeSet<String>; 2]> = BTreeMap::new();
         for line in lines.filter(|line| !is_rule(line) && !is_count(line)) {
@@ -112,7 +112,7 @@ impl Levels {
             those.map(|((zone, _), _)| zone.clone()).collect::<BTreeSet<_>>()
         };
         let zones = zones_where(true).difference(&zones_where(false)).cloned().collect();
-        Levels { sensors, zones }
+        X10Levels { sensors, zones }
     }
 
     fn tells(&self, zone: &str, number: &str) -> bool {
@@ -126,16 +126,16 @@ fn is_rule(line: &str) -> bool {
     line.contains('+') && line.bytes().all(|byte| b"-+".contains(&byte))
 }
 
-fn shows(start: &Start) -> Shows {
+fn shows(start: &FileStart) -> Shows {
     let mut lines = start.lines();
     let is_heading = lines.next().is_some_and(|line| columns(&line, &LoggerFile::default()).is_some());
     Shows::rows_if(is_heading && lines.next().is_some_and(|line| is_rule(&line)))
 }
 
-fn read(path: &Path, file: &LoggerFile, reading: &mut Reading<'_>) -> Result<(), LogError> {
-    let mut lines = Lines::open(path)?;
+fn read(path: &Path, file: &LoggerFile, reading: &mut LogReading<'_>) -> Result<(), LogError> {
+    let mut lines = LineReader::open(path)?;
     let mut known = None;
-    let levels = Levels::of(&Start::of(path)?);
+    let levels = X10Levels::of(&FileStart::read(path)?);
     while let Some((number, line)) = lines.next_text()? {
         let line = line.trim();
         if line.is_empty() || is_rule(line) || is_count(line) {
@@ -152,7 +152,7 @@ fn read(path: &Path, file: &LoggerFile, reading: &mut Reading<'_>) -> Result<(),
         let cells: Vec<&str> = line.split('|').map(str::trim).collect();
         let cell = |place: usize| cells.get(place).copied().unwrap_or_default();
         match known {
-            Columns::X10 { time, zone, number: of, state, level } => {
+            LogColumns::X10 { time, zone, number: of, state, level } => {
                 let sensor = format!("{}{}", cell(*zone), cell(*of));
                 let (state, level) = (cell(*state), level.map(cell).unwrap_or_default());
                 let is_level = state.is_empty() || (!level.is_empty() && levels.tells(cell(*zone), cell(*of)));
@@ -161,7 +161,7 @@ fn read(path: &Path, file: &LoggerFile, reading: &mut Reading<'_>) -> Result<(),
                 let sensor = if cell(*zone).is_empty() || cell(*of).is_empty() { "" } else { &sensor };
                 reading.row(number, cell(*time), sensor, value)?;
             }
-            Columns::Usual(places) => {
+            LogColumns::Usual(places) => {
                 let is_row = reading.row(number, cell(places.time), cell(places.sensor), cell(places.value))?;
                 if let (true, Some(label)) = (is_row, places.label) {
                     reading.label(Some(cell(label)).filter(|label| !label.is_empty()));

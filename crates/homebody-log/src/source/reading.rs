@@ -1,22 +1,18 @@
 //! A log that is being read: what its rows say, taken one by one, whatever they are read from.
 
-use super::activities::{Activity, Notes};
-use super::date_parts::no_instant;
-use super::form_messages::FormMessage;
-use super::instant::{Instant, Instants};
-use super::log::{Clock, ColumnRole, ColumnUse, Event, Log};
+use super::instant::{InstantReader, LogInstant};
+use super::messages::FormMessage;
 use super::options::TableOptions;
-use super::pairs::Pairs;
-use crate::error::{LogError, place_of};
+use crate::error::{LogError, Skipped, place_of};
+use crate::files::plain::text;
+use crate::files::unpacked;
 use crate::limits::{LONGEST_ID, LONGEST_VALUE, MOST_ACTIVITIES, beginning};
-use crate::packed::unpacked;
-use crate::plain::text;
-use crate::sensor_info::SensorInfo;
-use crate::skipped::Skipped;
+use crate::log::{Activity, ActivityNotes, Clock, ColumnRole, ColumnUse, Event, Log, Pairs, SensorInfo};
+use crate::source::instant::date_parts::no_instant;
 use foldhash::HashMap;
+use homebody_core::calendar::Calendar;
 use homebody_core::problem::readable;
-use homebody_core::scenario::calendar::Calendar;
-use homebody_core::time::{DAY, Micros};
+use homebody_core::time::{DAY, Interval, Span, UtcTime, WallTime};
 use jiff::Timestamp;
 use std::collections::BTreeMap;
 use std::io::Read;
@@ -26,7 +22,7 @@ use std::path::Path;
 const MOST_TOLD: usize = 100;
 
 /// Silence between two files above which there is a gap: a night is shorter.
-const LONGEST_SILENCE: Micros = DAY / 2;
+const LONGEST_SILENCE: Span = Span::from_micros(DAY.micros() / 2);
 
 /// Largest number of activities before a seam that may continue: people do few things at once.
 const MOST_JOINED: usize = 100;
@@ -35,14 +31,14 @@ const MOST_JOINED: usize = 100;
 const PART: usize = 8192;
 
 /// A log that is being read, row by row.
-pub struct Reading<'t> {
+pub struct LogReading<'t> {
     /// With the rows that have not been handed over yet.
-    pub(super) log: Log,
+    pub(crate) log: Log,
     take: &'t mut dyn FnMut(&Log) -> Result<(), LogError>,
-    sensors: Numbers,
-    values: Numbers,
-    pub(super) instants: Instants,
-    notes: Notes,
+    sensors: TextNumbers,
+    values: TextNumbers,
+    pub(crate) instants: InstantReader,
+    notes: ActivityNotes,
     /// The clock of what has come, once something has.
     clock: Option<Clock>,
     /// Lines and clocks of the rows that have come, until the first are handed over.
@@ -50,49 +46,49 @@ pub struct Reading<'t> {
     /// Whether activities are told whole elsewhere, so that labels on rows only say it again.
     pub has_spans: bool,
     /// The instant of the last row.
-    last: Micros,
+    last: WallTime,
     /// How its table is read.
-    pub(super) options: TableOptions,
+    pub(crate) options: TableOptions,
     /// The log that is being read, for errors.
-    pub(super) place: String,
+    pub(crate) place: String,
     /// The file beside the log that is being read, if that is not the log itself.
     beside: Option<String>,
     /// Activities beyond the most that are kept.
     beyond: u64,
     /// The state at the end of the last of several files.
-    pub(super) carried: Carried,
+    pub(crate) carried: CarriedState,
     /// The first instants of further files.
-    seams: Vec<Micros>,
+    seams: Vec<WallTime>,
     pairs: Pairs,
 }
 
 /// The state at the end of a file whose rows contain all sensors.
 #[derive(Default)]
-pub(super) struct Carried {
+pub(crate) struct CarriedState {
     /// The last value of each sensor.
     pub said: BTreeMap<String, String>,
     /// The instant of its last row.
-    pub until: Option<Instant>,
+    pub until: Option<LogInstant>,
 }
 
-impl<'t> Reading<'t> {
-    pub(super) fn new(take: &'t mut dyn FnMut(&Log) -> Result<(), LogError>) -> Reading<'t> {
-        Reading {
+impl<'t> LogReading<'t> {
+    pub(crate) fn new(take: &'t mut dyn FnMut(&Log) -> Result<(), LogError>) -> LogReading<'t> {
+        LogReading {
             log: Log::default(),
             take,
-            sensors: Numbers::default(),
-            values: Numbers::default(),
-            instants: Instants::default(),
-            notes: Notes::default(),
+            sensors: TextNumbers::default(),
+            values: TextNumbers::default(),
+            instants: InstantReader::default(),
+            notes: ActivityNotes::default(),
             clock: None,
             first: Some(Vec::new()),
             has_spans: false,
-            last: 0,
+            last: WallTime::EPOCH,
             options: TableOptions::default(),
             place: String::new(),
             beside: None,
             beyond: 0,
-            carried: Carried::default(),
+            carried: CarriedState::default(),
             seams: Vec::new(),
             pairs: Pairs::default(),
         }
@@ -130,7 +126,7 @@ impl<'t> Reading<'t> {
     /// # Errors
     ///
     /// Those of who takes the rows.
-    pub fn event(&mut self, line: u64, instant: Instant, sensor: &str, value: &str) -> Result<bool, LogError> {
+    pub fn event(&mut self, line: u64, instant: LogInstant, sensor: &str, value: &str) -> Result<bool, LogError> {
         self.event_of_bytes(line, instant, sensor.as_bytes(), value.as_bytes())
     }
 
@@ -138,7 +134,7 @@ impl<'t> Reading<'t> {
     pub(crate) fn event_of_bytes(
         &mut self,
         line: u64,
-        instant: Instant,
+        instant: LogInstant,
         sensor: &[u8],
         value: &[u8],
     ) -> Result<bool, LogError> {
@@ -158,7 +154,7 @@ impl<'t> Reading<'t> {
             }
         };
         if let Some(first) = &mut self.first {
-            first.push((line, told_by(instant).1));
+            first.push((line, instant.clock()));
         }
         if self.clock.is_none() {
             self.keep_clock(instant);
@@ -181,25 +177,24 @@ impl<'t> Reading<'t> {
         Ok((self.sensors.of(&mut self.log.sensors, &sensor), self.values.of(&mut self.log.values, &value)))
     }
 
-    /// An instant on the clock of the log, or why it is on none.
-    fn on_clock(&self, instant: Instant) -> Result<Micros, &'static str> {
+    /// An instant on the wall of the log, or why it is on none.
+    fn on_clock(&self, instant: LogInstant) -> Result<WallTime, &'static str> {
         let at = on_any_clock(instant)?;
         match self.clock {
-            Some(known) if known != told_by(instant).1 => Err(OTHER_CLOCK),
+            Some(known) if known != instant.clock() => Err(OTHER_CLOCK),
             _ => Ok(at),
         }
     }
 
-    fn keep_clock(&mut self, instant: Instant) {
-        let (_, clock) = told_by(instant);
-        self.clock = Some(clock);
-        self.log.clock = clock;
+    fn keep_clock(&mut self, instant: LogInstant) {
+        self.clock = Some(instant.clock());
+        self.log.clock = instant.clock();
     }
 
     /// Hands over the rows that have come since the last time.
-    pub(super) fn hand_over(&mut self) -> Result<(), LogError> {
+    pub(crate) fn hand_over(&mut self) -> Result<(), LogError> {
         if let Some(first) = self.first.take() {
-            self.settle_clock(&first);
+            self.decide_clock(&first);
         }
         self.few_sensors()?;
         self.log.offsets.clone_from(&self.instants.offsets);
@@ -221,7 +216,7 @@ impl<'t> Reading<'t> {
     }
 
     /// Settles by which clock the log is told: that of most of its first rows. Those of the other are left out.
-    fn settle_clock(&mut self, first: &[(u64, Clock)]) {
+    fn decide_clock(&mut self, first: &[(u64, Clock)]) {
         let utc = first.iter().filter(|(_, clock)| *clock == Clock::Utc).count();
         if utc == 0 || utc == first.len() {
             return;
@@ -243,14 +238,14 @@ impl<'t> Reading<'t> {
     }
 
     /// Takes a note, at the last row, that an activity begins or ends.
-    pub(super) fn note(&mut self, name: &str, begins: bool) {
+    pub(crate) fn note(&mut self, name: &str, begins: bool) {
         if self.log.rows > 0 {
             self.note_at(name, begins, self.last);
         }
     }
 
     /// The same at an instant that no row may have.
-    pub(super) fn note_of(&mut self, instant: Instant, name: &str, begins: bool) {
+    pub(crate) fn note_of(&mut self, instant: LogInstant, name: &str, begins: bool) {
         if let Ok(at) = self.on_clock(instant)
             && !self.has_spans
         {
@@ -258,7 +253,7 @@ impl<'t> Reading<'t> {
         }
     }
 
-    fn note_at(&mut self, name: &str, begins: bool, at: Micros) {
+    fn note_at(&mut self, name: &str, begins: bool, at: WallTime) {
         if name.len() > LONGEST_VALUE {
             self.beyond += 1;
             return;
@@ -268,7 +263,7 @@ impl<'t> Reading<'t> {
     }
 
     /// Whether any activity, note or label has come.
-    pub(super) fn has_activities(&self) -> bool {
+    pub(crate) fn has_activities(&self) -> bool {
         !self.log.activities.is_empty() || self.notes.has_any()
     }
 
@@ -281,13 +276,13 @@ impl<'t> Reading<'t> {
     }
 
     /// The same at an instant that no row may have.
-    pub(super) fn label_of(&mut self, instant: Instant, name: Option<&str>) {
+    pub(crate) fn label_of(&mut self, instant: LogInstant, name: Option<&str>) {
         if let Ok(at) = self.on_clock(instant) {
             self.label_at(name, at);
         }
     }
 
-    fn label_at(&mut self, name: Option<&str>, at: Micros) {
+    fn label_at(&mut self, name: Option<&str>, at: WallTime) {
         let is_long = name.is_some_and(|name| name.len() > LONGEST_VALUE);
         self.beyond += u64::from(is_long);
         let ended = self.notes.label(name.filter(|_| !is_long), at);
@@ -295,12 +290,12 @@ impl<'t> Reading<'t> {
     }
 
     /// What a text says of an instant.
-    pub fn instant(&mut self, text: &str) -> Option<Instant> {
+    pub fn instant(&mut self, text: &str) -> Option<LogInstant> {
         self.instants.read(text)
     }
 
     /// Takes an activity whose two ends are told together.
-    pub fn span(&mut self, line: u64, begin: Instant, end: Instant, name: &str) {
+    pub fn span(&mut self, line: u64, begin: LogInstant, end: LogInstant, name: &str) {
         let told = match (self.on_clock(begin), self.on_clock(end)) {
             _ if name.is_empty() => Err("there is no activity"),
             _ if name.len() > LONGEST_VALUE => Err("the activity's name is too long"),
@@ -348,9 +343,9 @@ impl<'t> Reading<'t> {
         }
     }
 
-    /// Records that nothing was recorded between two instants on the log's clock.
-    pub fn gap(&mut self, begin: Micros, end: Micros) {
-        self.log.gaps.push((begin, end));
+    /// Records that nothing was recorded meanwhile, on the wall of the log.
+    pub fn gap(&mut self, gap: Interval<WallTime>) {
+        self.log.gaps.push(gap);
     }
 
     /// Records what a column was taken for, and why.
@@ -359,12 +354,12 @@ impl<'t> Reading<'t> {
     }
 
     /// Records the parts of a row where no heading names them, and the form has each in its place.
-    pub(super) fn columns_of_form(&mut self, parts: &[(&str, ColumnRole)]) {
+    pub(crate) fn columns_of_form(&mut self, parts: &[(&str, ColumnRole)]) {
         parts.iter().for_each(|(part, role)| self.column(part, *role, "the form has it there"));
     }
 
     /// The same of a column whose use is decided.
-    pub(super) fn column_use(&mut self, of: ColumnUse) {
+    pub(crate) fn column_use(&mut self, of: ColumnUse) {
         // The log itself has its columns already.
         if self.beside.is_some() && self.seams.is_empty() {
             return;
@@ -376,14 +371,14 @@ impl<'t> Reading<'t> {
     }
 
     /// Begins a further file of the log, with its first instant. A long silence before it is a gap.
-    pub(super) fn go_on(&mut self, file: &Path, begin: Option<Micros>) {
+    pub(crate) fn go_on(&mut self, file: &Path, begin: Option<WallTime>) {
         self.go_beside(file);
         let Some(begin) = begin.filter(|_| self.log.rows > 0) else { return };
         self.seams.push(begin);
         // Readers whose rows contain all sensors record gaps themselves.
         if self.carried.until.is_none() && begin - self.last >= LONGEST_SILENCE {
             self.end_notes();
-            self.gap(self.last, begin);
+            self.gap(Interval::new(self.last, begin));
         }
     }
 
@@ -406,13 +401,13 @@ impl<'t> Reading<'t> {
     }
 
     /// From now on a file beside the log is read.
-    pub(super) fn go_beside(&mut self, file: &Path) {
+    pub(crate) fn go_beside(&mut self, file: &Path) {
         self.options = TableOptions { dates: self.options.dates, ..TableOptions::default() };
         self.beside = Some(readable(place_of(file)));
     }
 
     /// Ends the reading: the log without the rows that have been handed over.
-    pub(super) fn end(mut self) -> Result<Log, LogError> {
+    pub(crate) fn end(mut self) -> Result<Log, LogError> {
         self.hand_over()?;
         self.end_notes();
         self.log.pairs = std::mem::take(&mut self.pairs).end(&self.log.values);
@@ -449,23 +444,16 @@ fn named(text: &str, what: &str, most: usize) -> Result<(), String> {
     }
 }
 
-fn on_any_clock(instant: Instant) -> Result<Micros, &'static str> {
-    let (at, _) = told_by(instant);
+fn on_any_clock(instant: LogInstant) -> Result<WallTime, &'static str> {
+    let at = instant.on_wall();
     if is_on_any_clock(at) { Ok(at) } else { Err("the time is out of range") }
 }
 
 /// Why a span is none.
-pub(super) const ENDS_BEFORE: &str = "it ends before it begins";
-
-fn told_by(instant: Instant) -> (Micros, Clock) {
-    match instant {
-        Instant::Local(at) => (at, Clock::Local),
-        Instant::Utc(at) => (at, Clock::Utc),
-    }
-}
+pub(crate) const ENDS_BEFORE: &str = "it ends before it begins";
 
 /// What is in a file that may hold a log, unpacked if it is packed.
-pub(super) fn open(path: &Path) -> Result<Box<dyn Read + Send>, LogError> {
+pub(crate) fn open(path: &Path) -> Result<Box<dyn Read + Send>, LogError> {
     unpacked(path).map_err(|error| match error.kind() {
         std::io::ErrorKind::NotFound => LogError::Missing { place: place_of(path) },
         _ => LogError::file(path, error),
@@ -473,12 +461,13 @@ pub(super) fn open(path: &Path) -> Result<Box<dyn Read + Send>, LogError> {
 }
 
 /// Whether the instant can be told in every zone: some write 9999-12-31 for never.
-fn is_on_any_clock(at: Micros) -> bool {
-    (Timestamp::MIN.as_microsecond() + DAY..Timestamp::MAX.as_microsecond() - DAY).contains(&at)
+fn is_on_any_clock(at: WallTime) -> bool {
+    let [first, last] = [Timestamp::MIN, Timestamp::MAX].map(|end| UtcTime::from(end).on_wall_of_utc());
+    Interval::new(first + DAY, last - DAY).contains(at)
 }
 
 /// The numbers of texts that have come.
-struct Numbers {
+struct TextNumbers {
     known: HashMap<Box<[u8]>, u32>,
     /// Those that were asked for last, at places that a look at a text's ends tells: sensors say the same again and again.
     last: [u32; PLACES],
@@ -487,13 +476,13 @@ struct Numbers {
 /// Numbers of names in the cache (our choice): a home has fewer sensors, most with distinct endings.
 const PLACES: usize = 64;
 
-impl Default for Numbers {
-    fn default() -> Numbers {
-        Numbers { known: HashMap::default(), last: [0; PLACES] }
+impl Default for TextNumbers {
+    fn default() -> TextNumbers {
+        TextNumbers { known: HashMap::default(), last: [0; PLACES] }
     }
 }
 
-impl Numbers {
+impl TextNumbers {
     /// The number of a text that has come before.
     #[inline]
     fn known(&mut self, all: &[String], bytes: &[u8]) -> Option<u32> {

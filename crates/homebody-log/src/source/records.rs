@@ -3,21 +3,20 @@
 //! A cell in quotes may go on over several lines. A quote that is never closed would make a row of all that follows: so a row
 //! ends with its first line, and is told as broken, if what follows looks like a row of its own or no quote comes soon.
 
-use super::lines::Lines;
-use super::start::Start;
-use crate::error::LogError;
+use super::lines::LineReader;
+use super::start::FileStart;
+use crate::error::{LengthMessage, LogError};
+use crate::files::plain::text;
 use crate::limits::{LONGEST_ROW_BYTES, MOST_CELLS, MOST_LINES_OF_ROW};
-use crate::plain::text;
-use crate::problems::LengthMessage;
 use std::borrow::Cow;
 use std::collections::VecDeque;
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 
 /// A file of rows.
-pub(super) struct Records {
+pub(crate) struct RecordReader {
     path: PathBuf,
-    lines: Lines,
+    lines: LineReader,
     delimiter: u8,
     /// Lines that have been read and belong to no row yet.
     ahead: VecDeque<(u64, Vec<u8>)>,
@@ -28,7 +27,7 @@ pub(super) struct Records {
 
 /// The cells of a row.
 #[derive(Default)]
-pub(super) struct Record {
+pub(crate) struct Record {
     text: Vec<u8>,
     cells: Vec<Range<usize>>,
     /// Whether a quote in it is never closed.
@@ -112,11 +111,11 @@ impl Record {
     }
 }
 
-impl Records {
-    pub fn open(path: &Path) -> Result<Records, LogError> {
-        let delimiter = Start::of(path)?.delimiter();
-        let (lines, ahead, record) = (Lines::open(path)?, VecDeque::new(), Record::default());
-        Ok(Records { path: path.into(), lines, delimiter, ahead, record, has_other_letters: false })
+impl RecordReader {
+    pub fn open(path: &Path) -> Result<RecordReader, LogError> {
+        let delimiter = FileStart::read(path)?.delimiter();
+        let (lines, ahead, record) = (LineReader::open(path)?, VecDeque::new(), Record::default());
+        Ok(RecordReader { path: path.into(), lines, delimiter, ahead, record, has_other_letters: false })
     }
 
     /// The next row with the line that it begins in, counted from 1; None at the end. `is_row` says of a line by itself whether

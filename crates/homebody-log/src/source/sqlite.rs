@@ -1,39 +1,38 @@
 //! A database file: a table by the mapping's names or ours, or whichever looks like a log.
 
-use super::columns::Places;
-use super::database::{connect, tables, text};
-use super::form::{Form, Shows};
-use super::form_messages::FormMessage;
+use super::columns::ColumnPlaces;
 use super::instant::{since_1970, since_1970_whole};
-use super::reading::{Reading, open};
-use super::start::Start;
+use super::messages::FormMessage;
+use super::reading::{LogReading, open};
+use super::start::FileStart;
+use super::{LogForm, Shows};
 use crate::error::{LogError, place_of};
-use crate::sensor_info::{SENSOR, SENSOR_COLUMNS, SensorInfo};
-use crate::spans::{SPAN_COLUMNS, SPANS};
+use crate::files::database::{connect, tables, text};
+use crate::log::{SENSOR, SENSOR_COLUMNS, SPAN_COLUMNS, SPANS, SensorInfo};
 use homebody_core::scenario::logger::LoggerFile;
 use rusqlite::Connection;
 use rusqlite::types::ValueRef;
 use std::path::Path;
 
-pub(super) const FORM: Form = Form {
+pub(crate) const FORM: LogForm = LogForm {
     name: "sqlite",
     what: "a database file with a table of time, sensor and value, with the column names of logger.json or of Homebody, or common names such as timestamp, device and state",
     shows,
     read,
 };
 
-fn shows(start: &Start) -> Shows {
+fn shows(start: &FileStart) -> Shows {
     Shows::rows_if(start.is_sqlite())
 }
 
 /// A table and where its rows' parts are.
-struct Table {
+struct LogTable {
     name: String,
     columns: Vec<String>,
-    places: Places,
+    places: ColumnPlaces,
 }
 
-fn read(path: &Path, file: &LoggerFile, reading: &mut Reading<'_>) -> Result<(), LogError> {
+fn read(path: &Path, file: &LoggerFile, reading: &mut LogReading<'_>) -> Result<(), LogError> {
     open(path)?;
     let database = |error| LogError::database(path, error);
     let connection = connect(path).map_err(database)?;
@@ -85,7 +84,7 @@ fn read(path: &Path, file: &LoggerFile, reading: &mut Reading<'_>) -> Result<(),
 }
 
 /// Takes the activities of the table that we write beside a log; whether there is one.
-fn spans(connection: &Connection, reading: &mut Reading<'_>) -> rusqlite::Result<bool> {
+fn spans(connection: &Connection, reading: &mut LogReading<'_>) -> rusqlite::Result<bool> {
     let [begin, end, activity] = SPAN_COLUMNS;
     let has = tables(connection)?.iter().any(|name| name == SPANS) && {
         let columns = columns(connection, SPANS)?;
@@ -152,7 +151,11 @@ fn has_sensors(connection: &Connection) -> rusqlite::Result<bool> {
 }
 
 /// The table named by the mapping, ours, or the first that looks like a log.
-fn find(connection: &Connection, file: &LoggerFile, reading: &mut Reading<'_>) -> rusqlite::Result<Option<Table>> {
+fn find(
+    connection: &Connection,
+    file: &LoggerFile,
+    reading: &mut LogReading<'_>,
+) -> rusqlite::Result<Option<LogTable>> {
     let mut names = tables(connection)?;
     if has_sensors(connection)? {
         names.retain(|name| name != SENSOR);
@@ -163,11 +166,11 @@ fn find(connection: &Connection, file: &LoggerFile, reading: &mut Reading<'_>) -
         for name in &names {
             let columns = columns(connection, name)?;
             let places = match by_content {
-                false => Places::by_name(&columns, file),
+                false => ColumnPlaces::by_name(&columns, file),
                 true => by_first_row(connection, name, reading)?,
             };
             if let Some(places) = places {
-                return Ok(Some(Table { name: name.clone(), columns, places }));
+                return Ok(Some(LogTable { name: name.clone(), columns, places }));
             }
         }
     }
@@ -181,7 +184,11 @@ fn columns(connection: &Connection, table: &str) -> rusqlite::Result<Vec<String>
 
 /// The first instant, as text or as a number since 1970, is the time; the next two texts are sensor and value. Neither of these is an
 /// instant: what has a beginning and an end is no log. Numbers of a key, and the ids of our own runs, are no instants either.
-fn by_first_row(connection: &Connection, table: &str, reading: &mut Reading<'_>) -> rusqlite::Result<Option<Places>> {
+fn by_first_row(
+    connection: &Connection,
+    table: &str,
+    reading: &mut LogReading<'_>,
+) -> rusqlite::Result<Option<ColumnPlaces>> {
     let key: Vec<bool> = connection
         .prepare("SELECT pk > 0 OR name = 'run_id' FROM pragma_table_info(?) ORDER BY cid")?
         .query_map([table], |row| row.get(0))?
@@ -206,7 +213,7 @@ fn by_first_row(connection: &Connection, table: &str, reading: &mut Reading<'_>)
     }
     Ok(match (time, &texts[..]) {
         (Some(time), &[(sensor, false), (value, false), ..]) => {
-            Some(Places { time, sensor, value, label: None, is_mapped: false })
+            Some(ColumnPlaces { time, sensor, value, label: None, is_mapped: false })
         }
         _ => None,
     })
@@ -216,8 +223,8 @@ fn by_first_row(connection: &Connection, table: &str, reading: &mut Reading<'_>)
 fn rows_of(
     connection: &Connection,
     file: &LoggerFile,
-    table: &Table,
-    reading: &mut Reading<'_>,
+    table: &LogTable,
+    reading: &mut LogReading<'_>,
 ) -> rusqlite::Result<String> {
     let column = |place: usize| quoted(&table.columns[place]);
     let has = |name: &str| table.columns.iter().any(|column| column == name).then(|| quoted(name));

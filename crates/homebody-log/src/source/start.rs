@@ -1,6 +1,6 @@
 //! How a file begins, which says what it holds.
 
-use super::instant::Instants;
+use super::instant::InstantReader;
 use super::options::DateOrder;
 use super::reading::open;
 use crate::error::LogError;
@@ -20,17 +20,17 @@ const LINES_FOR_DELIMITER: usize = 20;
 const LINES_FOR_USUAL: usize = 200;
 
 /// The first bytes of a file.
-pub struct Start {
+pub struct FileStart {
     /// Which file it is.
     pub path: PathBuf,
     bytes: Vec<u8>,
     /// The kind of table that it is, found once: several forms ask.
-    pub(super) table: OnceCell<Option<TableKind>>,
+    pub(crate) table: OnceCell<Option<TableKind>>,
 }
 
 /// The meaning of a table's rows.
 #[derive(Clone, Copy, PartialEq, Eq)]
-pub(super) enum TableKind {
+pub(crate) enum TableKind {
     Events,
     Intervals,
     Activities,
@@ -39,17 +39,17 @@ pub(super) enum TableKind {
     Refused,
 }
 
-impl Start {
+impl FileStart {
     /// Of a file; of one that is packed, of what is in it.
     ///
     /// # Errors
     ///
     /// [`LogError::Missing`] and what else the system says.
-    pub fn of(path: &Path) -> Result<Start, LogError> {
+    pub fn read(path: &Path) -> Result<FileStart, LogError> {
         let mut bytes = Vec::new();
         let read = open(path)?.take(LOOKED_AT_BYTES).read_to_end(&mut bytes);
         read.map_err(|error| LogError::file(path, error))?;
-        Ok(Start { path: path.into(), bytes, table: OnceCell::new() })
+        Ok(FileStart { path: path.into(), bytes, table: OnceCell::new() })
     }
 
     /// Whether it begins with these bytes.
@@ -57,24 +57,24 @@ impl Start {
         self.bytes.starts_with(bytes)
     }
 
-    pub(super) fn is_sqlite(&self) -> bool {
+    pub(crate) fn is_sqlite(&self) -> bool {
         self.begins_with(b"SQLite format 3\0")
     }
 
     /// All these bytes.
-    pub(super) fn bytes(&self) -> &[u8] {
+    pub(crate) fn bytes(&self) -> &[u8] {
         &self.bytes
     }
 
     /// The lines that are not blank, without a byte order mark and blanks at their ends; the last may be cut.
-    pub(super) fn lines(&self) -> impl Iterator<Item = Cow<'_, str>> {
+    pub(crate) fn lines(&self) -> impl Iterator<Item = Cow<'_, str>> {
         let bytes = self.bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(&self.bytes);
         let lines = bytes.split(|&byte| byte == b'\n').map(<[u8]>::trim_ascii).filter(|line| !line.is_empty());
         lines.map(String::from_utf8_lossy)
     }
 
     /// The cells of the first lines, without quotes.
-    pub(super) fn cells(&self) -> impl Iterator<Item = Vec<String>> {
+    pub(crate) fn cells(&self) -> impl Iterator<Item = Vec<String>> {
         let delimiter = char::from(self.delimiter());
         let cell = |cell: &str| cell.trim().trim_matches('"').trim().to_owned();
         self.lines().map(move |line| line.split(delimiter).map(cell).collect())
@@ -82,7 +82,7 @@ impl Start {
 
     /// The mark between cells. A semicolon or a tab that each line has as often is one, whatever commas there are: spreadsheets
     /// write decimals with them. If the first lines differ, most lines decide.
-    pub(super) fn delimiter(&self) -> u8 {
+    pub(crate) fn delimiter(&self) -> u8 {
         let lines: Vec<Cow<'_, str>> = self.lines().take(LINES_FOR_DELIMITER).collect();
         if let Some(mark) = lines.first().and_then(|line| told_delimiter(line)) {
             return mark;
@@ -125,21 +125,21 @@ impl Start {
     }
 
     /// Whether a cell of its first lines is an instant.
-    pub(super) fn has_instants(&self) -> bool {
-        let mut instants = Instants::with_order(Some(DateOrder::DayFirst));
+    pub(crate) fn has_instants(&self) -> bool {
+        let mut instants = InstantReader::with_order(Some(DateOrder::DayFirst));
         let lines = self.cells().take(LINES_FOR_USUAL);
         lines.flatten().any(|cell| instants.read(&cell).is_some())
     }
 
     /// How many delimiters the first line has, or nearly each line.
-    pub(super) fn delimiters(&self) -> usize {
+    pub(crate) fn delimiters(&self) -> usize {
         let delimiter = self.delimiter();
         let first = self.lines().next().map_or(0, |line| line.bytes().filter(|&byte| byte == delimiter).count());
         first.max(self.usual(delimiter).unwrap_or(0))
     }
 
     /// Whether nearly each line has as many delimiters.
-    pub(super) fn is_steady(&self) -> bool {
+    pub(crate) fn is_steady(&self) -> bool {
         self.lines().nth(3).is_some() && self.usual(self.delimiter()).is_some()
     }
 }
@@ -147,7 +147,7 @@ impl Start {
 /// Whether a line is a number since 1970, a blank, and a number, as UK-DALE has them.
 fn is_pair(line: &str) -> bool {
     let Some((at, value)) = line.split_once(' ') else { return false };
-    let is_time = at.starts_with(|first: char| first.is_ascii_digit()) && Instants::default().read(at).is_some();
+    let is_time = at.starts_with(|first: char| first.is_ascii_digit()) && InstantReader::default().read(at).is_some();
     is_time && value.parse::<f64>().is_ok()
 }
 

@@ -6,27 +6,26 @@
 //! The XML is read tag by tag, and nothing of it is kept but the names of what has begun in a trace. Left out: extensions,
 //! classifiers, and attributes inside of attributes.
 
-use super::date_parts::no_instant;
-use super::form::{Form, Shows};
-use super::instant::Instant;
-use super::log::ColumnRole;
-use super::reading::{Reading, open};
-use super::start::Start;
-use crate::error::LogError;
+use super::instant::LogInstant;
+use super::reading::{LogReading, open};
+use super::start::FileStart;
+use super::{LogForm, Shows};
+use crate::error::{LengthMessage, LogError};
 use crate::limits::{LONGEST_ROW_BYTES, LONGEST_VALUE};
-use crate::problems::LengthMessage;
+use crate::log::ColumnRole;
+use crate::source::instant::date_parts::no_instant;
 use homebody_core::scenario::logger::LoggerFile;
 use std::io::{BufRead, BufReader, Read};
 use std::path::Path;
 
-pub(super) const FORM: Form = Form {
+pub(crate) const FORM: LogForm = LogForm {
     name: "xes",
     what: "an event log in XES: activities with their starts and ends, without sensors",
     shows,
     read,
 };
 
-fn shows(start: &Start) -> Shows {
+fn shows(start: &FileStart) -> Shows {
     let mut lines = start.lines();
     let is_xml = start.lines().next().is_some_and(|line| line.starts_with('<'));
     match is_xml && lines.any(|line| line.contains("<log")) {
@@ -37,7 +36,7 @@ fn shows(start: &Start) -> Shows {
 
 /// An event on its way.
 #[derive(Default)]
-struct Event {
+struct XesEvent {
     line: u64,
     name: Option<String>,
     time: Option<String>,
@@ -47,7 +46,7 @@ struct Event {
 /// Largest number of activities of a trace that have begun and not ended (our choice).
 const MOST_OPEN: usize = 1000;
 
-fn read(path: &Path, _: &LoggerFile, reading: &mut Reading<'_>) -> Result<(), LogError> {
+fn read(path: &Path, _: &LoggerFile, reading: &mut LogReading<'_>) -> Result<(), LogError> {
     for (key, role) in [
         ("time:timestamp", ColumnRole::Time),
         ("concept:name", ColumnRole::Label),
@@ -57,8 +56,8 @@ fn read(path: &Path, _: &LoggerFile, reading: &mut Reading<'_>) -> Result<(), Lo
     }
     let mut file = BufReader::new(open(path)?);
     let (mut text, mut line) = (Vec::new(), 1);
-    let mut event: Option<Event> = None;
-    let mut begun: Vec<(String, Instant, u64)> = Vec::new();
+    let mut event: Option<XesEvent> = None;
+    let mut begun: Vec<(String, LogInstant, u64)> = Vec::new();
     loop {
         text.clear();
         while !is_whole(&text) {
@@ -80,7 +79,7 @@ fn read(path: &Path, _: &LoggerFile, reading: &mut Reading<'_>) -> Result<(), Lo
         match tag.split(|c: char| c.is_whitespace() || c == '/').next().unwrap_or_default() {
             "event" => {
                 // One whose end is not told is over by now.
-                let before = event.replace(Event { line, ..Event::default() });
+                let before = event.replace(XesEvent { line, ..XesEvent::default() });
                 before.into_iter().for_each(|event| take(event, &mut begun, reading));
             }
             "" if tag == "/event" => match event.take() {
@@ -128,8 +127,8 @@ fn last_tag(text: &[u8]) -> &[u8] {
     text.iter().rposition(|&byte| byte == b'<').map_or(text, |at| &text[at + 1..])
 }
 
-fn take(event: Event, begun: &mut Vec<(String, Instant, u64)>, reading: &mut Reading<'_>) {
-    let Event { line, name, time, transition } = event;
+fn take(event: XesEvent, begun: &mut Vec<(String, LogInstant, u64)>, reading: &mut LogReading<'_>) {
+    let XesEvent { line, name, time, transition } = event;
     let (Some(name), Some(time)) = (name, time) else {
         reading.skip(line, "the event has no name or no time".into());
         return;
@@ -159,7 +158,7 @@ fn take(event: Event, begun: &mut Vec<(String, Instant, u64)>, reading: &mut Rea
 }
 
 /// What has begun in a trace and not ended has no length.
-fn close(begun: &mut Vec<(String, Instant, u64)>, reading: &mut Reading<'_>) {
+fn close(begun: &mut Vec<(String, LogInstant, u64)>, reading: &mut LogReading<'_>) {
     for (name, at, line) in begun.drain(..) {
         reading.span(line, at, at, &name);
     }

@@ -3,8 +3,8 @@
 use super::stage::Folder;
 use super::{SIX, about, has_remark, is_used, known, log, result, told};
 use homebody_core::time::SECOND;
-use homebody_log::Source;
-use homebody_log::source::{Clock, ColumnRole};
+use homebody_log::LogSource;
+use homebody_log::log::{Clock, ColumnRole};
 use std::fs;
 
 const CLOSED: &str = "read as OPEN and CLOSE";
@@ -232,6 +232,6 @@ fn a_service_of_hue_is_read_from_its_events() {
     let path = folder.path().join("stream.txt");
     fs::write(&path, format!(": hi\n\nid: 1:0\ndata: {}\n\nid: 2:0\ndata: {}\n\n", event(0, true), event(2, false)))
         .unwrap();
-    let error = Source::recognise(&path).unwrap_err().to_string();
+    let error = LogSource::recognise(&path).unwrap_err().to_string();
     assert!(error.contains("sed -n 's/^data: //p'"), "{error}");
 }

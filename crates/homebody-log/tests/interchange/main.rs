@@ -7,20 +7,20 @@ mod stage;
 
 use homebody_core::messages::Diagnose;
 use homebody_core::scenario::logger::LoggerFile;
-use homebody_core::time::{Micros, SECOND};
-use homebody_log::source::{Clock, ColumnRole, HomeColumn, TableOptions};
-use homebody_log::{Log, LogError, SensorInfo, Source, read};
+use homebody_core::time::{Interval, MINUTE, SECOND, WallTime};
+use homebody_log::log::{Clock, ColumnRole};
+use homebody_log::source::{HomeColumn, TableOptions};
+use homebody_log::{Log, LogError, LogSource, SensorInfo, read};
 use stage::Folder;
 use std::fs;
 
 /// 2 February 2026, 06:00.
-const SIX: Micros = 1_770_012_000 * SECOND;
-const MINUTE: Micros = 60 * SECOND;
+const SIX: WallTime = WallTime::from_micros(1_770_012_000_000_000);
 
 fn result(folder: &Folder, form: &str, name: &str, text: &str) -> Result<Log, LogError> {
     let path = folder.path().join(name);
     fs::write(&path, text).unwrap();
-    let source = Source::recognise(&path).unwrap();
+    let source = LogSource::recognise(&path).unwrap();
     assert_eq!(source.form().name, form, "{text}");
     read(&source, &LoggerFile::default())
 }
@@ -31,8 +31,7 @@ fn log(folder: &Folder, form: &str, name: &str, text: &str) -> Log {
 
 /// Rows as minutes since six, sensor, value.
 fn told(log: &Log) -> Vec<(f64, &str, &str)> {
-    let minutes = |at: Micros| (at - SIX) as f64 / MINUTE as f64;
-    log.events.iter().map(|event| (minutes(event.at), log.sensor(event), log.value(event))).collect()
+    log.events.iter().map(|event| ((event.at - SIX).ratio(MINUTE), log.sensor(event), log.value(event))).collect()
 }
 
 fn known<'l>(log: &'l Log, sensor: &str) -> &'l SensorInfo {
@@ -114,7 +113,7 @@ fn a_logbook_says_when_its_recorder_was_stopped() {
         {"when": "2026-02-02T06:06:00+00:00", "name": "Night", "message": "triggered by state of Hall", "entity_id": "automation.night", "domain": "automation"}]"#;
     let log = log(&folder, "json", "logbook.json", text);
     assert_eq!(told(&log), [(0.0, HALL, "on"), (6.0, "automation.night", "triggered by state of Hall")]);
-    assert_eq!(log.gaps, [(SIX + MINUTE, SIX + 5 * MINUTE)]);
+    assert_eq!(log.gaps, [Interval::new(SIX + MINUTE, SIX + 5 * MINUTE)]);
     assert_eq!(about(&log, "automation.night")[1], "automation");
 }
 
@@ -222,7 +221,7 @@ fn rows_of_two_homes_are_refused_and_those_of_one_are_read() {
         assert!(error.hint.unwrap().contains("--home-column 'home_id=A'"));
         let of_home = |home: &str| {
             let home = Some(HomeColumn { column: "home_id".into(), home: Some(home.into()) });
-            let place = Source::recognise(&folder.path().join(name)).unwrap();
+            let place = LogSource::recognise(&folder.path().join(name)).unwrap();
             read(place.with_options(TableOptions { home, ..TableOptions::default() }), &LoggerFile::default())
         };
         assert_eq!((told(&of_home("B").unwrap()), of_home("*").unwrap().rows), (vec![(1.0, "hall", "on")], 2));
@@ -284,7 +283,7 @@ fn json_that_is_no_log_is_refused_with_what_would_do() {
     fs::write(folder.path().join("home.json"), r#"{"name": "a home", "sensors": [{"name": "hall", "room": "hall"}]}"#)
         .unwrap();
     fs::write(folder.path().join("log.csv"), "time,sensor,value\n2026-02-02 06:00:00,hall,ON\n").unwrap();
-    assert_eq!(Source::recognise(folder.path()).unwrap().form().name, "csv");
+    assert_eq!(LogSource::recognise(folder.path()).unwrap().form().name, "csv");
     // Lists too deep in each other, and a text without an end.
     let deep = format!("[{}{{\"time\": 1770012000, \"sensor\": \"a\", \"value\": 1}}", "[".repeat(1000));
     assert!(matches!(result(&folder, "json", "deep.json", &deep), Err(LogError::TooLong { .. })));
@@ -394,7 +393,7 @@ fn refuses_settings_with_a_date() {
     let path = folder.path().join("home.json");
     let rows = |text: &str| {
         fs::write(&path, text).unwrap();
-        Source::recognise(&path).and_then(|source| read(&source, &LoggerFile::default())).map(|log| log.rows)
+        LogSource::recognise(&path).and_then(|source| read(&source, &LoggerFile::default())).map(|log| log.rows)
     };
     let settings = r#"{"name": "flat", "start": "2026-02-02T06:00:00", "days": 7, "seed": 1}"#;
     assert!(rows(settings).is_err());

@@ -15,7 +15,8 @@ mod trace;
 
 use disk::{Luck, lose_power};
 use homebody_core::scenario::logger::LoggerFile;
-use homebody_log::{How, LogError, Url, read};
+use homebody_core::time::Span;
+use homebody_log::{LogError, Url, WriteMode, read};
 use rusqlite::Connection;
 use stage::Folder;
 use std::io::Write;
@@ -57,9 +58,9 @@ fn ours(url: &Url) {
     for advance in ADVANCES {
         let step = &firings[rows..rows + advance];
         rows += advance;
-        logger.store(step, step[advance - 1].at + 1).unwrap();
-        logger.settle().unwrap();
-        logger.wait_settled().unwrap();
+        logger.store(step, step[advance - 1].at + Span::MICROSECOND).unwrap();
+        logger.make_durable().unwrap();
+        logger.wait_durable().unwrap();
         confirm(rows);
     }
     logger.finish().unwrap();
@@ -180,7 +181,8 @@ fn wherever_power_is_lost_what_was_confirmed_is_there_once() {
         assert_eq!(wrong_after(&folder, &events[..cut], Luck::Some(cut as u64), true), None);
         let url = format!("sqlite:{}", folder.path().join("left/log.db").display()).parse::<Url>().unwrap();
         let logger =
-            stage::open_of(std::slice::from_ref(&url), &LoggerFile::default(), &stage::sensors(), How::GoOn).unwrap();
+            stage::open_of(std::slice::from_ref(&url), &LoggerFile::default(), &stage::sensors(), WriteMode::Resume)
+                .unwrap();
         stage::store(logger, &firings, 500).unwrap();
         assert_eq!(read(&url, &LoggerFile::default()).unwrap().rows, all_rows() as u64);
     }

@@ -3,14 +3,14 @@
 
 pub mod texts;
 
+use homebody_core::calendar::Calendar;
 use homebody_core::event::{Firing, Value};
 use homebody_core::ids::SensorId;
-use homebody_core::scenario::calendar::Calendar;
 use homebody_core::scenario::logger::LoggerFile;
 use homebody_core::scenario::scheme::Scheme;
-use homebody_core::time::{Micros, SECOND};
-use homebody_log::logger::destinations;
-use homebody_log::{How, Log, LogError, Logger, RunInfo, Stored, TruthLog, Url};
+use homebody_core::time::{RunTime, SECOND, Span};
+use homebody_log::run_log::destinations;
+use homebody_log::{Log, LogError, Logger, RunInfo, Stored, TruthLog, Url, WriteMode};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
@@ -77,10 +77,10 @@ pub fn run_of(sensors: &[String]) -> RunInfo {
 
 /// Firings some seconds apart, over the change to daylight saving time and, if there are many, far beyond.
 pub fn firings(count: u64) -> Vec<Firing> {
-    let mut at: Micros = 0;
+    let mut at = RunTime::START;
     (0..count)
         .map(|seq| {
-            at += 1 + (seq * 7_919_993 % 31) as Micros * SECOND / 4 + (seq % 1000) as Micros;
+            at += (seq * 7_919_993 % 31) as i64 * SECOND / 4 + Span::from_micros(1 + (seq % 1000) as i64);
             Firing { seq, at, sensor: SensorId((seq * 31 % 3) as u32), value: Value::Fire }
         })
         .collect()
@@ -88,22 +88,22 @@ pub fn firings(count: u64) -> Vec<Firing> {
 
 /// Opens a logger of this stage's run.
 pub fn open(urls: &[Url], file: &LoggerFile, force: bool) -> Result<Logger, LogError> {
-    open_of(urls, file, &sensors(), if force { How::Replace } else { How::New })
+    open_of(urls, file, &sensors(), if force { WriteMode::Overwrite } else { WriteMode::Create })
 }
 
 /// Opens a logger of a run with these sensors.
-pub fn open_of(urls: &[Url], file: &LoggerFile, sensors: &[String], how: How) -> Result<Logger, LogError> {
+pub fn open_of(urls: &[Url], file: &LoggerFile, sensors: &[String], how: WriteMode) -> Result<Logger, LogError> {
     Logger::open(destinations(urls, how)?, file, &Arc::new(run_of(sensors)), how)
 }
 
 /// Opens the truth of this stage's run.
 pub fn open_truth(path: &Path, places: &[Url], file: &LoggerFile) -> Result<TruthLog, LogError> {
-    TruthLog::open(&Url::new(Scheme::Sqlite, path), places, file, &Arc::new(run()), How::New)
+    TruthLog::open(&Url::new(Scheme::Sqlite, path), places, file, &Arc::new(run()), WriteMode::Create)
 }
 
 /// Stores the firings in advances of `step` firings, as a run of a certain speed does.
 pub fn store(mut logger: Logger, firings: &[Firing], step: usize) -> Result<Stored, LogError> {
-    let end = firings.last().map_or(0, |last| last.at + 1);
+    let end = firings.last().map_or(RunTime::START, |last| last.at + Span::MICROSECOND);
     for (index, advance) in firings.chunks(step).enumerate() {
         let until = firings.get((index + 1) * step).map_or(end, |next| next.at);
         logger.store(advance, until)?;

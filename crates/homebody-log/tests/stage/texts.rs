@@ -4,14 +4,14 @@ use super::Folder;
 use homebody_core::messages::Diagnose;
 use homebody_core::problem::Diagnostic;
 use homebody_core::scenario::logger::LoggerFile;
-use homebody_core::time::{Micros, SECOND};
+use homebody_core::time::WallTime;
 use homebody_log::source::TableOptions;
-use homebody_log::{Log, LogError, Source, read};
+use homebody_log::{Log, LogError, LogSource, read};
 use std::fs;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 /// 2 March 2009, 07:00.
-pub const SEVEN: Micros = 1_235_977_200 * SECOND;
+pub const SEVEN: WallTime = WallTime::from_micros(1_235_977_200_000_000);
 
 /// A folder of its own for each text: tests run at once.
 pub fn folder() -> Folder {
@@ -23,7 +23,7 @@ pub fn folder() -> Folder {
 pub fn read_with(folder: &Folder, name: &str, text: &str, options: TableOptions) -> Result<(String, Log), LogError> {
     let path = folder.path().join(name);
     fs::write(&path, text).unwrap();
-    let source = Source::recognise(&path)?.with_options(options);
+    let source = LogSource::recognise(&path)?.with_options(options);
     Ok((source.form().name.to_owned(), read(&source, &LoggerFile::default())?))
 }
 
@@ -45,8 +45,7 @@ pub fn why(text: &str) -> Diagnostic {
 
 /// Rows as seconds since seven, sensor, value.
 pub fn told(log: &Log) -> Vec<(f64, &str, &str)> {
-    let seconds = |at: Micros| (at - SEVEN) as f64 / SECOND as f64;
-    log.events.iter().map(|event| (seconds(event.at), log.sensor(event), log.value(event))).collect()
+    log.events.iter().map(|event| ((event.at - SEVEN).seconds(), log.sensor(event), log.value(event))).collect()
 }
 
 /// Rows of three sensors that switch, a minute apart; `row` writes one.

@@ -2,7 +2,7 @@
 
 use crate::broker::{Broker, Listener, REMEMBERS, firings, live, logger, run, store, wait_for};
 use homebody_core::scenario::logger::LoggerFile;
-use homebody_log::{Destination, How, Logger, Watermark};
+use homebody_log::{Destination, Logger, Watermark, WriteMode};
 use homebody_mqtt::{MqttSink, policy};
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
@@ -38,7 +38,7 @@ fn every_row_is_heard_once_and_in_order() {
 fn whatever_kills_the_broker_every_row_arrives() {
     let Some(mut broker) = Broker::with(REMEMBERS) else { return };
     let listener = Listener::lasting(&broker, "homebody/#");
-    let mut logger = logger(MqttSink::live(&broker.url("homebody")), How::New).unwrap();
+    let mut logger = logger(MqttSink::live(&broker.url("homebody")), WriteMode::Create).unwrap();
     let all = firings(10_000_000);
     let mut steps = all.chunks(10);
     let mut rows = 0;
@@ -93,19 +93,19 @@ fn heard_rows(listener: &Listener) -> BTreeMap<u64, BTreeSet<(String, String)>> 
 #[test]
 fn a_row_is_durable_once_it_is_acknowledged_and_not_before() {
     let Some(mut broker) = Broker::start() else { return };
-    let mut logger = logger(MqttSink::live(&broker.url("homebody")), How::New).unwrap();
+    let mut logger = logger(MqttSink::live(&broker.url("homebody")), WriteMode::Create).unwrap();
     let all = firings(400);
     store(&mut logger, &all[..200]);
-    logger.settle().unwrap();
-    logger.wait_settled().unwrap();
+    logger.make_durable().unwrap();
+    logger.wait_durable().unwrap();
     assert_eq!(logger.durable(), Watermark(vec![200]));
     broker.kill();
     store(&mut logger, &all[200..]);
-    logger.settle().unwrap();
+    logger.make_durable().unwrap();
     thread::sleep(Duration::from_millis(500));
     assert_eq!(logger.durable(), Watermark(vec![200]), "nobody has acknowledged more");
     broker.begin();
-    logger.wait_settled().unwrap();
+    logger.wait_durable().unwrap();
     assert_eq!(logger.durable(), Watermark(vec![400]));
     logger.finish().unwrap();
 }
@@ -124,11 +124,11 @@ fn a_run_that_is_gone_on_with_sends_what_was_not_acknowledged_or_all_again() {
             };
             Logger::open(vec![to], &LoggerFile::default(), &Arc::new(run()), how).unwrap()
         };
-        let mut first = logger(How::New);
+        let mut first = logger(WriteMode::Create);
         store(&mut first, &firings(200));
         first.finish().unwrap();
         let listener = Listener::to(&broker, "#");
-        let mut second = logger(How::GoOn);
+        let mut second = logger(WriteMode::Resume);
         store(&mut second, &firings(300));
         second.finish().unwrap();
         wait_for("the end", || {

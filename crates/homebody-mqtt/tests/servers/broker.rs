@@ -1,11 +1,11 @@
 //! A mosquitto of a test's own, who listens to it, and a home whose log goes there.
 
+use homebody_core::calendar::Calendar;
 use homebody_core::event::{Band, Firing, Value};
 use homebody_core::ids::SensorId;
-use homebody_core::scenario::calendar::Calendar;
 use homebody_core::scenario::logger::LoggerFile;
-use homebody_core::time::SECOND;
-use homebody_log::{Destination, How, Log, LogError, Logger, Policy, RunInfo, SensorInfo, Url};
+use homebody_core::time::{RunTime, SECOND, Span};
+use homebody_log::{Destination, Log, LogError, Logger, Policy, RunInfo, SensorInfo, Url, WriteMode};
 use homebody_mqtt::{MqttSink, policy};
 use std::io::{BufRead, BufReader, Write};
 use std::path::Path;
@@ -233,29 +233,29 @@ const SAID: [(u32, Value); 16] = [
 pub fn firings(count: u64) -> Vec<Firing> {
     let firing = |seq: u64| {
         let (sensor, value) = SAID[(seq % SAID.len() as u64) as usize];
-        Firing { seq, at: seq as i64 * 4 * SECOND, sensor: SensorId(sensor), value }
+        Firing { seq, at: RunTime::START + seq as i64 * 4 * SECOND, sensor: SensorId(sensor), value }
     };
     (0..count).map(firing).collect()
 }
 
 /// A logger of the run, whose rows go to this sink.
-pub fn logger(sink: MqttSink, how: How) -> Result<Logger, LogError> {
+pub fn logger(sink: MqttSink, how: WriteMode) -> Result<Logger, LogError> {
     logger_with(sink, how, policy())
 }
 
-pub fn logger_with(sink: MqttSink, how: How, policy: Policy) -> Result<Logger, LogError> {
+pub fn logger_with(sink: MqttSink, how: WriteMode, policy: Policy) -> Result<Logger, LogError> {
     let to = Destination::own("mqtt", sink, policy);
     Logger::open(vec![to], &LoggerFile::default(), &Arc::new(run()), how)
 }
 
 /// Stores firings, all at once.
 pub fn store(logger: &mut Logger, firings: &[Firing]) {
-    logger.store(firings, firings.last().map_or(0, |last| last.at + 1)).unwrap();
+    logger.store(firings, firings.last().map_or(RunTime::START, |last| last.at + Span::MICROSECOND)).unwrap();
 }
 
 /// Lives a run of so many rows into a place.
 pub fn live(url: &Url, rows: u64) {
-    let mut logger = logger(MqttSink::live(url), How::New).unwrap();
+    let mut logger = logger(MqttSink::live(url), WriteMode::Create).unwrap();
     store(&mut logger, &firings(rows));
     logger.finish().unwrap();
 }

@@ -2,13 +2,14 @@
 
 use crate::broker::{Broker, Heard, Listener, firings, run, wait_for};
 use homebody_core::scenario::logger::LoggerFile;
-use homebody_log::fleet::{Fleet, FleetHome, FleetRow, FleetSink, Layout, Told};
-use homebody_log::{Destination, How, Logger, Url};
+use homebody_core::time::UtcTime;
+use homebody_log::fleet::{Fleet, FleetEvent, FleetHome, FleetLayout, FleetRow, FleetSink};
+use homebody_log::{Destination, Logger, Url, WriteMode};
 use homebody_mqtt::{MqttFleet, MqttSink, clean, policy};
 use std::sync::Arc;
 
 fn fleet(homes: u32) -> Arc<Fleet> {
-    let layout = Layout::new(run(), &LoggerFile::default()).unwrap();
+    let layout = FleetLayout::new(run(), &LoggerFile::default()).unwrap();
     let home = |number: u32| FleetHome {
         name: format!("home{number:05}"),
         layout: 0,
@@ -19,14 +20,14 @@ fn fleet(homes: u32) -> Arc<Fleet> {
 }
 
 /// So many rows of each home, one after the other.
-fn rows(fleet: &Fleet, numbers: std::ops::Range<usize>) -> Vec<Told> {
+fn rows(fleet: &Fleet, numbers: std::ops::Range<usize>) -> Vec<FleetEvent> {
     let firings = firings(numbers.end as u64);
     let row = |home: usize, number: usize| {
         let firing = &firings[number];
-        Told::Row(FleetRow {
+        FleetEvent::Row(FleetRow {
             seq: firing.seq,
             at: firing.at,
-            due: 0,
+            due: UtcTime::EPOCH,
             home: home as u32,
             sensor: firing.sensor,
             value: firing.value,
@@ -35,14 +36,17 @@ fn rows(fleet: &Fleet, numbers: std::ops::Range<usize>) -> Vec<Told> {
     numbers.flat_map(|number| (0..fleet.homes.len()).map(move |home| (home, number))).map(|(h, n)| row(h, n)).collect()
 }
 
-fn comes(fleet: &Fleet) -> Vec<Told> {
-    (0..fleet.homes.len()).map(|home| Told::Comes(home as u32)).collect()
+fn comes(fleet: &Fleet) -> Vec<FleetEvent> {
+    (0..fleet.homes.len()).map(|home| FleetEvent::Comes(home as u32)).collect()
 }
 
 fn begun(url: &Url, fleet: &Arc<Fleet>) -> MqttFleet {
     let mut sink = MqttFleet::new(url);
     sink.check(false).unwrap();
-    assert_eq!(sink.begin(fleet, How::New, &homebody_log::Deadline::default()).unwrap(), vec![0; fleet.homes.len()]);
+    assert_eq!(
+        sink.begin(fleet, WriteMode::Create, &homebody_log::Deadline::default()).unwrap(),
+        vec![0; fleet.homes.len()]
+    );
     sink.tell(&comes(fleet)).unwrap();
     sink
 }
@@ -61,13 +65,13 @@ fn each_home_of_a_fleet_says_what_it_says_alone() {
         let listener = Listener::to(&broker, &format!("{prefix}/#"));
         let mut sink = begun(&broker.url(&format!("{prefix}?style={style}&discovery=off")), &fleet);
         sink.tell(&rows(&fleet, 0..40)).unwrap();
-        sink.finish(0).unwrap();
+        sink.finish(UtcTime::EPOCH).unwrap();
         wait_for("all rows", || (told(&listener, &prefix).len() >= 120).then_some(()));
         let alone = Listener::to(&broker, &format!("alone-{style}/#"));
         let run = Arc::new(fleet.run_of(1));
         let url = broker.url(&format!("alone-{style}?style={style}&discovery=off"));
         let to = Destination::own("mqtt", MqttSink::live(&url), policy());
-        let mut logger = Logger::open(vec![to], &LoggerFile::default(), &run, How::New).unwrap();
+        let mut logger = Logger::open(vec![to], &LoggerFile::default(), &run, WriteMode::Create).unwrap();
         crate::broker::store(&mut logger, &firings(40));
         logger.finish().unwrap();
         let below = format!("alone-{style}/home00002/");
@@ -90,11 +94,11 @@ fn homes_come_and_go_and_are_tidied_up() {
         kept.into_iter().find(|heard| heard.topic == format!("load/{home}/status")).map(|heard| heard.payload)
     };
     assert_eq!(status("home00001").as_deref(), Some("online"));
-    sink.tell(&[Told::Goes(0)]).unwrap();
+    sink.tell(&[FleetEvent::Goes(0)]).unwrap();
     assert_eq!(status("home00001").as_deref(), Some("offline"));
     assert_eq!(status("home00002").as_deref(), Some("online"));
     assert_eq!(status("fleet00001").as_deref(), Some("online"));
-    sink.finish(0).unwrap();
+    sink.finish(UtcTime::EPOCH).unwrap();
     assert_eq!(status("home00002").as_deref(), Some("offline"));
     assert_eq!(status("fleet00001").as_deref(), Some("offline"));
     let cleaned = clean(&url, false).unwrap();
@@ -137,7 +141,7 @@ fn a_fleet_is_there_again_after_the_broker_was_away() {
     // It has forgotten all, and is told again.
     listener.wait("load/home00003/status", "online");
     sink.tell(&rows(&fleet, 10..12)).unwrap();
-    sink.finish(0).unwrap();
+    sink.finish(UtcTime::EPOCH).unwrap();
 }
 
 #[test]

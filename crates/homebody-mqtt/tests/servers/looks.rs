@@ -1,7 +1,7 @@
 //! How messages look, in each style, as a golden text that people can read; `HOMEBODY_REWRITE=1` writes it anew.
 
 use crate::broker::{Broker, Heard, Listener, firings, live, logger, repository, store, wait_for};
-use homebody_log::How;
+use homebody_log::WriteMode;
 use homebody_mqtt::MqttSink;
 use serde_json::{Value, json};
 use std::fs;
@@ -82,10 +82,10 @@ fn polarity_is_that_of_each_system() {
 #[test]
 fn what_is_kept_is_what_is_so() {
     let Some(broker) = Broker::start() else { return };
-    let mut logger = logger(MqttSink::live(&broker.url("homebody")), How::New).unwrap();
+    let mut logger = logger(MqttSink::live(&broker.url("homebody")), WriteMode::Create).unwrap();
     store(&mut logger, &firings(16));
-    logger.settle().unwrap();
-    logger.wait_settled().unwrap();
+    logger.make_durable().unwrap();
+    logger.wait_durable().unwrap();
     let kept = broker.kept();
     let of = |topic: &str| {
         let topic = format!("homebody/the_studio/{topic}");
@@ -108,10 +108,10 @@ fn what_is_kept_is_what_is_so() {
 #[test]
 fn when_home_assistant_begins_anew_it_is_told_all_again() {
     let Some(broker) = Broker::start() else { return };
-    let mut logger = logger(MqttSink::live(&broker.url("homebody")), How::New).unwrap();
+    let mut logger = logger(MqttSink::live(&broker.url("homebody")), WriteMode::Create).unwrap();
     store(&mut logger, &firings(16));
-    logger.settle().unwrap();
-    logger.wait_settled().unwrap();
+    logger.make_durable().unwrap();
+    logger.wait_durable().unwrap();
     let listener = Listener::to(&broker, "#");
     let before = listener.count();
     broker.say("homeassistant/status", "online", &[]);
@@ -159,11 +159,11 @@ fn names_made_to_get_out_stay_inside() {
     let run: Arc<RunInfo> = Arc::new(run);
     let listener = Listener::to(&broker, "#");
     let to = Destination::own("mqtt", MqttSink::live(&broker.url("homebody")), homebody_mqtt::policy());
-    let mut logger = Logger::open(vec![to], &LoggerFile::default(), &run, How::New).unwrap();
+    let mut logger = Logger::open(vec![to], &LoggerFile::default(), &run, WriteMode::Create).unwrap();
     let firings: Vec<_> = (0..names.len() as u32)
         .map(|sensor| homebody_core::event::Firing {
             seq: u64::from(sensor),
-            at: i64::from(sensor),
+            at: homebody_core::time::RunTime::from_micros(i64::from(sensor)),
             sensor: homebody_core::ids::SensorId(sensor),
             value: homebody_core::event::Value::Open,
         })

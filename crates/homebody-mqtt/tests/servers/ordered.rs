@@ -1,7 +1,8 @@
 //! A home that is told what to do.
 
 use crate::broker::{Broker, Heard, Listener, firings, logger, store, wait_for};
-use homebody_log::How;
+use homebody_core::time::{MINUTE, RunTime};
+use homebody_log::WriteMode;
 use homebody_mqtt::{MqttSink, Order, Reply, TakesOrders};
 use serde_json::{Value, json};
 use std::sync::mpsc::{Receiver, channel};
@@ -12,7 +13,7 @@ fn obedient() -> (TakesOrders, Receiver<Order>) {
     let takes = move |order: Order, reply: Reply| {
         match &order {
             Order::Open { .. } => return reply.refused("nobody can open anything in this run", "close it"),
-            Order::Fault { .. } | Order::Fall { .. } => reply.done_at(60_000_000),
+            Order::Fault { .. } | Order::Fall { .. } => reply.done_at(RunTime::START + MINUTE),
             _ => reply.done(),
         }
         say.send(order).unwrap();
@@ -25,7 +26,7 @@ fn orders_are_obeyed_or_answered_with_why_not() {
     let Some(broker) = Broker::start() else { return };
     let (takes, orders) = obedient();
     let sink = MqttSink::live(&broker.url("homebody")).with_orders(takes);
-    let logger = logger(sink, How::New).unwrap();
+    let logger = logger(sink, WriteMode::Create).unwrap();
     let listener = Listener::to(&broker, "homebody/#");
     let mut number = 0;
     let mut say = |mut order: Value| -> Value {
@@ -75,7 +76,7 @@ fn a_flood_of_orders_is_answered_and_rows_go_on() {
     let Some(broker) = Broker::start() else { return };
     let (takes, orders) = obedient();
     let sink = MqttSink::live(&broker.url("homebody")).with_orders(takes);
-    let mut logger = logger(sink, How::New).unwrap();
+    let mut logger = logger(sink, WriteMode::Create).unwrap();
     let listener = Listener::to(&broker, "#");
     let kinds = [
         json!({ "do": "fall", "resident": "margaret", "id": "x" }).to_string(),
@@ -115,7 +116,7 @@ fn what_others_are_told_and_what_the_broker_keeps_is_no_order() {
     let order = r#"{"do":"stop"}"#;
     broker.say("homebody/the_studio/command", order, &["-r"]);
     let (takes, orders) = obedient();
-    let logger = logger(MqttSink::live(&broker.url("homebody")).with_orders(takes), How::New).unwrap();
+    let logger = logger(MqttSink::live(&broker.url("homebody")).with_orders(takes), WriteMode::Create).unwrap();
     for topic in [
         "homebody/the_studio",
         "homebody/other/command",
@@ -135,7 +136,7 @@ fn what_others_are_told_and_what_the_broker_keeps_is_no_order() {
 #[test]
 fn a_run_that_takes_no_orders_says_so_and_shows_no_switch() {
     let Some(broker) = Broker::start() else { return };
-    let logger = logger(MqttSink::live(&broker.url("homebody")), How::New).unwrap();
+    let logger = logger(MqttSink::live(&broker.url("homebody")), WriteMode::Create).unwrap();
     let listener = Listener::to(&broker, "#");
     broker.say("homebody/the_studio/command", r#"{"do":"pause"}"#, &[]);
     listener.wait("homebody/the_studio/command/result", "takes no orders");

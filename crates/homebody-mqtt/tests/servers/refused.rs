@@ -4,8 +4,9 @@ use crate::broker::{Broker, firings, free_port, is_installed, live, logger};
 use homebody_core::event::Firing;
 use homebody_core::scenario::logger::LoggerFile;
 use homebody_core::scenario::scheme::Scheme;
-use homebody_log::examine::Asked;
-use homebody_log::{How, LogError, Logger, Url};
+use homebody_core::time::Span;
+use homebody_log::examine::CheckOptions;
+use homebody_log::{LogError, Logger, Url, WriteMode};
 use homebody_mqtt::MqttSink;
 use rcgen::{BasicConstraints, CertificateParams, DnType, IsCa, Issuer, KeyPair, date_time_ymd};
 use std::fs;
@@ -17,7 +18,7 @@ use std::thread;
 use std::time::{Duration, Instant};
 
 fn error(url: &Url) -> String {
-    match logger(MqttSink::live(url), How::New) {
+    match logger(MqttSink::live(url), WriteMode::Create) {
         Err(error) => error.to_string(),
         Ok(_) => panic!("{url} is refused"),
     }
@@ -26,7 +27,7 @@ fn error(url: &Url) -> String {
 #[test]
 fn a_broker_that_is_away_is_an_error_within_five_seconds() {
     let begun = Instant::now();
-    let refused = |url: &str| logger(MqttSink::live(&url.parse().unwrap()), How::New).err().unwrap().code();
+    let refused = |url: &str| logger(MqttSink::live(&url.parse().unwrap()), WriteMode::Create).err().unwrap().code();
     assert_eq!(refused(&format!("mqtt://127.0.0.1:{}/homebody", free_port())), "mqtt::no-broker");
     // One that takes the connection and says nothing.
     let silent = TcpListener::bind("127.0.0.1:0").unwrap();
@@ -63,7 +64,7 @@ fn a_password_is_read_from_a_file_and_a_wrong_one_is_refused_and_told_by_nobody(
     let at = format!("ann:hunter2@127.0.0.1:{}/homebody", broker.port);
     assert!(!format!("mqtt://{at}").parse::<Url>().unwrap_err().to_string().contains("hunter2"));
     let written = Url::new(Scheme::Mqtt, at);
-    let refused = logger(MqttSink::live(&written), How::New).err().unwrap();
+    let refused = logger(MqttSink::live(&written), WriteMode::Create).err().unwrap();
     assert!(matches!(refused, LogError::BadUrl(_)), "exit code 2");
     assert!(!refused.to_string().contains("hunter2") && refused.to_string().contains("password-file"));
 }
@@ -117,8 +118,8 @@ fn tls_trusts_whom_it_is_told_to_and_says_what_is_wrong_with_a_certificate() {
         (url(&old, Some(&ca("old"))), "expired on 2020-01-01"),
         (url(&good, None), "nothing on this machine trusts the issuer"),
     ] {
-        let asked = Asked { mapping: &LoggerFile::default(), may_write: true };
-        let checks = (homebody_mqtt::elsewhere().examine)(&url, &asked).unwrap();
+        let asked = CheckOptions { mapping: &LoggerFile::default(), may_write: true };
+        let checks = (homebody_mqtt::plugin().examine)(&url, &asked).unwrap();
         assert!(checks.iter().any(|check| check.says.contains(told)), "{url}: {checks:?}");
     }
     // The other way round: TLS to one that has none.
@@ -136,8 +137,8 @@ fn a_broker_on_the_internet_that_asks_for_no_name_is_refused() {
 #[test]
 fn a_second_run_of_the_same_home_sends_the_first_away_for_good() {
     let Some(broker) = Broker::start() else { return };
-    let mut first = logger(MqttSink::live(&broker.url("homebody")), How::New).unwrap();
-    let second = logger(MqttSink::live(&broker.url("homebody")), How::New).unwrap();
+    let mut first = logger(MqttSink::live(&broker.url("homebody")), WriteMode::Create).unwrap();
+    let second = logger(MqttSink::live(&broker.url("homebody")), WriteMode::Create).unwrap();
     let failed = firings(500).chunks(1).find_map(|firing| {
         thread::sleep(Duration::from_millis(50));
         store_one(&mut first, firing).err()
@@ -148,7 +149,7 @@ fn a_second_run_of_the_same_home_sends_the_first_away_for_good() {
 }
 
 fn store_one(logger: &mut Logger, firing: &[Firing]) -> Result<(), LogError> {
-    logger.store(firing, firing[0].at + 1)?;
-    logger.settle()?;
-    logger.wait_settled()
+    logger.store(firing, firing[0].at + Span::MICROSECOND)?;
+    logger.make_durable()?;
+    logger.wait_durable()
 }

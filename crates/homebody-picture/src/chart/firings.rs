@@ -9,8 +9,8 @@ use super::{AXIS_TEXT, GRID, TOP, WIDTH, heading, nice_step, steps};
 
 /// The firings of one activity, such as walking slowly at five feet.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Activity {
-    /// What the lane is called.
+pub struct FiringLane {
+    /// The name of the lane.
     pub label: String,
     /// The part of the experiment it belongs to; activities of one portion stand together.
     pub portion: char,
@@ -26,7 +26,7 @@ const GAP: f64 = 22.0;
 
 /// The firings of each activity as ticks in a lane of its own, under the line of their count so far.
 /// All lanes have one scale, so that steeper is more often.
-pub fn firing_chart(title: &str, activities: &[Activity], duration_s: f64) -> String {
+pub fn firing_chart(title: &str, activities: &[FiringLane], duration_s: f64) -> String {
     let total: usize = activities.iter().map(|activity| activity.firings_s.len()).sum();
     let totals: Vec<String> =
         activities.iter().map(|a| format!("{} {}: {}", a.portion, a.label, a.firings_s.len())).collect();
@@ -47,7 +47,7 @@ pub fn firing_chart(title: &str, activities: &[Activity], duration_s: f64) -> St
     svg.finish(WIDTH, y - GAP + 78.0)
 }
 
-fn lane(svg: &mut Svg, activity: &Activity, top: f64, most: f64, duration_s: f64, colour: &str) {
+fn lane(svg: &mut Svg, activity: &FiringLane, top: f64, most: f64, duration_s: f64, colour: &str) {
     let floor = top + LANE - 8.0;
     let y_of = |count: f64| floor - 22.0 - count / most * (LANE - 42.0);
     for count in steps(0.0, most, nice_step(most, 2.0)) {

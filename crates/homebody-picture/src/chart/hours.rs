@@ -1,4 +1,4 @@
-//! What the hours of a day go into: bands on top of each other over 24 hours.
+//! The use of the hours of a day: bands on top of each other over 24 hours.
 
 use homebody_core::geometry::Point;
 
@@ -9,8 +9,8 @@ use super::{AXIS_TEXT, GRID, TOP, WIDTH, heading};
 
 /// Bands by name, and for each hour of the day the share of each.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Hours {
-    /// What the bands are called, from the lowest on.
+pub struct HourShares {
+    /// The names of the bands, from the lowest on.
     pub names: Vec<String>,
     /// By hour of the day, how much of it goes into each band: from 0 to 1, together at most 1.
     pub shares: Vec<Vec<f64>>,
@@ -27,7 +27,7 @@ const BANDS: [&str; 11] = [
 ];
 
 /// Each hour is a column as wide as it is long, so that the bands step from hour to hour.
-pub fn hour_chart(title: &str, hours: &Hours) -> String {
+pub fn hour_chart(title: &str, hours: &HourShares) -> String {
     let count = hours.shares.len().max(1) as f64;
     let whole = |band: usize| hours.shares.iter().filter_map(|hour| hour.get(band)).sum::<f64>() * 24.0 / count;
     let said: Vec<String> =

@@ -9,8 +9,8 @@ use super::{TOP, WIDTH, heading};
 
 /// A figure and the range that was published.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Measured {
-    /// What the figure is called.
+pub struct RangeFigure {
+    /// The name of the figure.
     pub label: String,
     /// The figure and the published one, in words.
     pub words: String,
@@ -25,12 +25,12 @@ pub struct Measured {
 const LEFT: f64 = 230.0;
 const RIGHT: f64 = WIDTH - 400.0;
 const ROW: f64 = 22.0;
-/// Where a range begins and ends on the way from left to right: what lies further out than that again is at the edge.
+/// The begin and end of a range as shares of the width: figures further out than that again are at the edge.
 const BAR: (f64, f64) = (0.35, 0.65);
 
 /// One row a figure, all ranges drawn alike: the bar is the published range, the dot is ours; where it lies outside, it is
 /// a diamond.
-pub fn range_chart(title: &str, figures: &[Measured]) -> String {
+pub fn range_chart(title: &str, figures: &[RangeFigure]) -> String {
     let inside = figures.iter().filter(|figure| figure.is_inside()).count();
     let said: Vec<String> = figures.iter().map(|figure| format!("{}: {}", figure.label, figure.words)).collect();
     let mut svg = Svg::new(title, &said.join("; "));
@@ -54,12 +54,12 @@ pub fn range_chart(title: &str, figures: &[Measured]) -> String {
     svg.finish(WIDTH, bottom + 30.0)
 }
 
-impl Measured {
+impl RangeFigure {
     fn is_inside(&self) -> bool {
         (self.low..=self.high).contains(&self.value)
     }
 
-    /// How far it lies from left to right.
+    /// The share of the width.
     fn share(&self) -> f64 {
         let width = (self.high - self.low).max(f64::MIN_POSITIVE);
         (BAR.0 + (self.value - self.low) / width * (BAR.1 - BAR.0)).clamp(0.0, 1.0)
@@ -70,7 +70,7 @@ fn place(share: f64) -> f64 {
     LEFT + share * (RIGHT - LEFT)
 }
 
-fn draw(svg: &mut Svg, figure: &Measured, at: Point) {
+fn draw(svg: &mut Svg, figure: &RangeFigure, at: Point) {
     if figure.is_inside() {
         return svg.circle(at, 5.5, &Paint::fill(SENSOR).outlined(WHITE, 1.0));
     }

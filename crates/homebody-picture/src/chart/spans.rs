@@ -1,4 +1,4 @@
-//! What was so when: spans of time in lanes, two tellings of the same under each other.
+//! Spans of time in lanes: a sensor above the truth.
 
 use homebody_core::geometry::Point;
 
@@ -10,18 +10,18 @@ use super::{AXIS_TEXT, GRID, TOP, WIDTH, heading, nice_step, steps};
 /// A stretch of time with lanes of its own, such as one recording.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Panel {
-    /// What stands above its lanes.
+    /// Its title.
     pub label: String,
-    /// How long it is, in seconds.
+    /// Its length, in seconds.
     pub duration_s: f64,
     /// Its lanes, from the top on.
     pub lanes: Vec<Lane>,
 }
 
-/// What one sensor says beside what is true of it; spans in seconds since the panel's start.
+/// The spans of a sensor and those of the truth, in seconds since the panel's start.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Lane {
-    /// What the lane is called.
+    /// The name of the lane.
     pub label: String,
     /// Shaded behind the tellings.
     pub truth: Vec<[f64; 2]>,

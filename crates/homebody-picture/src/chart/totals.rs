@@ -10,16 +10,16 @@ use super::{AXIS_TEXT, GRID, TOP, WIDTH, heading, nice_step, steps};
 /// Totals for a row of assumptions, all else equal.
 #[derive(Clone, Debug, PartialEq)]
 pub struct TotalsLine {
-    /// What stands at the line's end.
+    /// The text at the end of the line.
     pub label: String,
-    /// What was assumed, and the total that came of it.
+    /// Assumptions and the totals that they give.
     pub points: Vec<(f64, f64)>,
 }
 
 /// A total that others published.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Reference {
-    /// What stands beside the dashed line.
+    /// The text beside the dashed line.
     pub label: String,
     /// The total, in the unit of the totals of the lines.
     pub total: f64,
@@ -38,7 +38,7 @@ pub fn totals_chart(title: &str, axes: [&str; 2], lines: &[TotalsLine], referenc
     });
     let mut svg = Svg::new(title, &format!("{} by {}. {}.", axes[1], axes[0], said.collect::<Vec<_>>().join("; ")));
     heading(&mut svg, title, axes[1]);
-    let scale = Scale::of(lines, reference);
+    let scale = TotalsAxes::new(lines, reference);
     scale.draw(&mut svg, axes[0]);
 
     let mut names = Vec::new();
@@ -65,21 +65,21 @@ pub fn totals_chart(title: &str, axes: [&str; 2], lines: &[TotalsLine], referenc
 }
 
 /// The ranges of the axes and the steps between their numbers.
-struct Scale {
+struct TotalsAxes {
     x: (f64, f64),
     y: (f64, f64),
     steps: (f64, f64),
 }
 
-impl Scale {
-    fn of(lines: &[TotalsLine], reference: Option<&Reference>) -> Scale {
+impl TotalsAxes {
+    fn new(lines: &[TotalsLine], reference: Option<&Reference>) -> TotalsAxes {
         let points = || lines.iter().flat_map(|line| line.points.iter());
         let published = reference.map(|reference| reference.total);
         let x = range(points().map(|&(x, _)| x));
         let y = range(points().map(|&(_, y)| y).chain(published));
         let steps = (nice_step(x.1 - x.0, 8.0), nice_step(y.1 - y.0, 6.0));
         let y = ((y.0 / steps.1).floor() * steps.1, (y.1 / steps.1).ceil() * steps.1);
-        Scale { x, y, steps }
+        TotalsAxes { x, y, steps }
     }
 
     fn at(&self, (x, y): (f64, f64)) -> Point {

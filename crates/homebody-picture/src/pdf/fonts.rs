@@ -1,6 +1,6 @@
 //! The fonts of a PDF: of each only the letters that are on its pages, with what they mean.
 
-use super::packing::{PdfError, packed};
+use super::{PdfError, packed};
 use crate::font;
 use pdf_writer::types::{CidFontType, FontFlags, SystemInfo, UnicodeCmap};
 use pdf_writer::{Filter, Finish, Name, Pdf, Rect, Ref, Str};
@@ -18,7 +18,7 @@ struct Font {
     id: fontdb::ID,
     /// From the numbers of letters in the font to those in the file.
     numbers: GlyphRemapper,
-    /// What each letter of the file means, by its number.
+    /// The text of each glyph, by its number.
     means: BTreeMap<u16, String>,
 }
 
@@ -57,7 +57,7 @@ impl Font {
     fn write(self, number: usize, pdf: &mut Pdf, ids: [Ref; 5]) -> Result<Ref, PdfError> {
         let [font, cid, descriptor, file, unicode] = ids;
         let mut told = Err(PdfError::Font("the font is missing".into()));
-        font::with_data(self.id, |bytes, index| told = Told::of(bytes, index, &self.numbers));
+        font::with_data(self.id, |bytes, index| told = FontMetrics::from_data(bytes, index, &self.numbers));
         let told = told?;
         // Six letters in front say that it is a part of the font.
         let letter = char::from(b'A' + (number % 26) as u8);
@@ -86,8 +86,8 @@ impl Font {
     }
 }
 
-/// What a PDF says of a font, in thousandths of its size.
-struct Told {
+/// The metrics of a font, in thousandths of its size.
+struct FontMetrics {
     subset: Vec<u8>,
     widths: Vec<f32>,
     bounds: Rect,
@@ -95,8 +95,8 @@ struct Told {
     descent: f32,
 }
 
-impl Told {
-    fn of(bytes: &[u8], index: u32, numbers: &GlyphRemapper) -> Result<Told, PdfError> {
+impl FontMetrics {
+    fn from_data(bytes: &[u8], index: u32, numbers: &GlyphRemapper) -> Result<FontMetrics, PdfError> {
         let wrong = |error: &dyn std::fmt::Display| PdfError::Font(error.to_string());
         let font = FontRef::from_index(bytes, index).map_err(|error| wrong(&error))?;
         let metrics = font.metrics(Size::unscaled(), LocationRef::default());
@@ -104,7 +104,7 @@ impl Told {
         let glyphs = font.glyph_metrics(Size::unscaled(), LocationRef::default());
         let width = |glyph: u16| of_size(glyphs.advance_width(GlyphId::from(glyph)).unwrap_or(0.0));
         let bounds = metrics.bounds.unwrap_or_default();
-        Ok(Told {
+        Ok(FontMetrics {
             subset: subsetter::subset(bytes, index, numbers).map_err(|error| wrong(&error))?,
             widths: numbers.remapped_gids().map(width).collect(),
             bounds: Rect::new(

@@ -1,14 +1,14 @@
 //! A run whose rows are made by a rule: a log with messages and readings, and a truth of three tables and more.
 
-use homebody_core::drivers::MotionSegment;
-use homebody_core::event::{Events, Fact, Firing, MotionState, Provenance, Trigger, Value};
+use homebody_core::calendar::Calendar;
+use homebody_core::event::{Events, Fact, Firing, Provenance, Trigger, Value};
 use homebody_core::geometry::Point;
 use homebody_core::ids::{ResidentId, RoomId, SensorId};
-use homebody_core::scenario::calendar::Calendar;
+use homebody_core::motion::{MotionSegment, MotionState};
+use homebody_core::posture::Posture;
 use homebody_core::scenario::logger::LoggerFile;
-use homebody_core::scenario::path::Posture;
-use homebody_core::time::{Micros, SECOND};
-use homebody_log::{Destination, How, Log, LogError, Logger, Policy, RunInfo, TruthLog, Url};
+use homebody_core::time::{RunTime, SECOND, Span};
+use homebody_log::{Destination, Log, LogError, Logger, Policy, RunInfo, TruthLog, Url, WriteMode};
 use homebody_postgres::Postgres;
 use std::sync::Arc;
 use std::time::Duration;
@@ -24,12 +24,12 @@ pub struct Life {
     pub settles: usize,
     /// How long the run rests after each advance.
     pub rests: Duration,
-    pub how: How,
+    pub how: WriteMode,
 }
 
 impl Life {
     pub fn new(run: i64, firings: u64) -> Life {
-        Life { run, firings, step: 50, settles: 10, rests: Duration::ZERO, how: How::New }
+        Life { run, firings, step: 50, settles: 10, rests: Duration::ZERO, how: WriteMode::Create }
     }
 
     /// Lives it into a log and, where one is wanted, a truth.
@@ -50,8 +50,8 @@ impl Life {
                 truth.store(&events, &joined)?;
             }
             if number % self.settles == self.settles - 1 {
-                logger.settle()?;
-                truth.as_mut().map_or(Ok(()), TruthLog::settle)?;
+                logger.make_durable()?;
+                truth.as_mut().map_or(Ok(()), TruthLog::make_durable)?;
             }
             std::thread::sleep(self.rests);
         }
@@ -88,9 +88,9 @@ pub fn run(id: i64) -> RunInfo {
 
 /// Firings some seconds apart, over the change to daylight saving time and, if there are many, far beyond.
 pub fn firings(count: u64) -> Vec<Firing> {
-    let mut at: Micros = 0;
+    let mut at = RunTime::START;
     let one = |seq: u64| {
-        at += 1 + (seq * 7_919_993 % 31) as Micros * SECOND / 4 + (seq % 1000) as Micros;
+        at += (seq * 7_919_993 % 31) as i64 * SECOND / 4 + Span::from_micros(1 + (seq % 1000) as i64);
         let sensor = (seq * 31 % 3) as u32;
         let value = if sensor == 2 { Value::Reading((seq % 700) as i32 * 50 - 5000) } else { Value::Fire };
         Firing { seq, at, sensor: SensorId(sensor), value }
@@ -98,15 +98,16 @@ pub fn firings(count: u64) -> Vec<Firing> {
     (0..count).map(one).collect()
 }
 
-fn end(count: u64) -> Micros {
-    firings(count).last().map_or(0, |last| last.at) + SECOND
+fn end(count: u64) -> RunTime {
+    firings(count).last().map_or(RunTime::START, |last| last.at) + SECOND
 }
 
 fn facts(firings: &[Firing]) -> Vec<Fact> {
     let each = |firing: &Firing| {
         let (seq, at) = (firing.seq, firing.at);
-        let who = ResidentId::of((seq % 2) as usize);
-        let provenance = Provenance { resident: Some(who), seen_at: at - 1, trigger: Trigger::Movement };
+        let who = ResidentId::new((seq % 2) as usize);
+        let provenance =
+            Provenance { resident: Some(who), seen_at: at - Span::MICROSECOND, trigger: Trigger::Movement };
         let mut facts = vec![Fact::Provenance { seq, provenance }];
         if seq % 3 == 0 {
             let from = Point { x: seq as f64 / 7.0, y: -0.5 };
@@ -117,7 +118,7 @@ fn facts(firings: &[Firing]) -> Vec<Fact> {
         }
         if seq % 11 == 0 {
             facts.push(Fact::Activity { resident: who, at, name: Some(format!("activity {}", seq % 5)) });
-            facts.push(Fact::Room { resident: who, at, room: Some(RoomId::of((seq % 2) as usize)) });
+            facts.push(Fact::Room { resident: who, at, room: Some(RoomId::new((seq % 2) as usize)) });
         }
         facts
     };

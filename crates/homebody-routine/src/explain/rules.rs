@@ -1,11 +1,11 @@
-//! Rules in words, and as layers of which the upper go before the lower.
+//! Rules in words, and as layers.
 
 use super::words::{clock, join, lasts_words, number};
 use crate::language::activities::phrase;
-use crate::routine::{Lapse, Response, Routine, Rule, Trigger};
+use crate::routine::{Lapse, Response, Routine, RoutineRule, RuleTrigger};
 
-/// What a rule waits for: "whenever the stove has been on or open for 20 minutes, unless the person is in bed".
-pub fn whenever(rule: &Rule) -> String {
+/// The trigger: "whenever the stove has been on or open for 20 minutes, unless the person is in bed".
+pub fn whenever(rule: &RoutineRule) -> String {
     let lasts = if rule.lasts.high > 0.0 { format!(" for {}", lasts_words(&rule.lasts)) } else { String::new() };
     let only_if = rule.only_if.iter().map(|one| {
         let state = so(&one.state);
@@ -14,8 +14,8 @@ pub fn whenever(rule: &Rule) -> String {
     format!("whenever {}{lasts}{}", event(&rule.whenever, rule.lasts.high > 0.0), only_if.collect::<String>())
 }
 
-/// What is done then, one after the other, and what becomes of it where it is forgotten.
-pub fn answers(rule: &Rule) -> String {
+/// The responses in order, with lapses.
+pub fn answers(rule: &RoutineRule) -> String {
     let done = join(rule.answers().map(answer), ", then ");
     let lapse = rule.lapse.map(|Lapse { probability, later }| {
         let later =
@@ -37,39 +37,37 @@ fn answer(answer: &Response) -> String {
     }
 }
 
-/// What happens, or has lasted.
-fn event(trigger: &Trigger, lasts: bool) -> String {
+fn event(trigger: &RuleTrigger, lasts: bool) -> String {
     match trigger {
-        Trigger::On(thing) => format!("the {thing} has been on or open"),
-        Trigger::At(place) => format!("the person has been at the {place}"),
-        Trigger::Away => "the person has been out".into(),
-        Trigger::InBed => "the person has been in bed".into(),
-        Trigger::Rings(thing) => format!("anybody turns on the {thing}"),
-        Trigger::Dark(room) => format!("it gets dark{}", in_room(room)),
-        Trigger::Company(who) if !lasts => format!("{} comes", somebody(who)),
-        Trigger::Doing(activity) if !lasts => format!("the person begins: {}", phrase(activity)),
-        Trigger::Done(activity) => format!("this is over: {}", phrase(activity)),
-        Trigger::Between(from, _) if !lasts => format!("it gets {}", clock(*from)),
-        Trigger::Follows => "the rule before has been answered".into(),
+        RuleTrigger::On(thing) => format!("the {thing} has been on or open"),
+        RuleTrigger::At(place) => format!("the person has been at the {place}"),
+        RuleTrigger::Away => "the person has been out".into(),
+        RuleTrigger::InBed => "the person has been in bed".into(),
+        RuleTrigger::Rings(thing) => format!("anybody turns on the {thing}"),
+        RuleTrigger::Dark(room) => format!("it gets dark{}", in_room(room)),
+        RuleTrigger::Company(who) if !lasts => format!("{} comes", somebody(who)),
+        RuleTrigger::Doing(activity) if !lasts => format!("the person begins: {}", phrase(activity)),
+        RuleTrigger::Done(activity) => format!("this is over: {}", phrase(activity)),
+        RuleTrigger::Between(from, _) if !lasts => format!("it gets {}", clock(*from)),
+        RuleTrigger::Follows => "the rule before has been answered".into(),
         state => so(state),
     }
 }
 
-/// What is so.
-fn so(state: &Trigger) -> String {
+fn so(state: &RuleTrigger) -> String {
     match state {
-        Trigger::On(thing) | Trigger::Rings(thing) => format!("the {thing} is on or open"),
-        Trigger::At(place) => format!("the person is at the {place}"),
-        Trigger::Away => "the person is out".into(),
-        Trigger::InBed => "the person is in bed".into(),
-        Trigger::Dark(room) => format!("it is dark{}", in_room(room)),
-        Trigger::Company(who) => format!("{} is there", somebody(who)),
-        Trigger::Alone => "nobody else is there".into(),
-        Trigger::Sitting => "the person sits".into(),
-        Trigger::Doing(activity) => format!("this goes on: {}", phrase(activity)),
-        Trigger::Done(activity) => format!("this is over: {}", phrase(activity)),
-        Trigger::Between(from, to) => format!("it is between {} and {}", clock(*from), clock(*to)),
-        Trigger::Follows => "the rule before has been answered".into(),
+        RuleTrigger::On(thing) | RuleTrigger::Rings(thing) => format!("the {thing} is on or open"),
+        RuleTrigger::At(place) => format!("the person is at the {place}"),
+        RuleTrigger::Away => "the person is out".into(),
+        RuleTrigger::InBed => "the person is in bed".into(),
+        RuleTrigger::Dark(room) => format!("it is dark{}", in_room(room)),
+        RuleTrigger::Company(who) => format!("{} is there", somebody(who)),
+        RuleTrigger::Alone => "nobody else is there".into(),
+        RuleTrigger::Sitting => "the person sits".into(),
+        RuleTrigger::Doing(activity) => format!("this goes on: {}", phrase(activity)),
+        RuleTrigger::Done(activity) => format!("this is over: {}", phrase(activity)),
+        RuleTrigger::Between(from, to) => format!("it is between {} and {}", clock(*from), clock(*to)),
+        RuleTrigger::Follows => "the rule before has been answered".into(),
     }
 }
 
@@ -81,7 +79,7 @@ fn somebody(who: &Option<String>) -> String {
     who.as_ref().map_or("somebody".to_owned(), |who| format!("the {who}"))
 }
 
-/// The rules as layers, the first of the text on top: each suppresses those below it while it is answered, and releases them then.
+/// The rules as layers, the first on top: each suppresses those below while it is answered.
 pub fn layers(routine: &Routine) -> String {
     let count = routine.rules.len();
     if count == 0 {

@@ -1,5 +1,3 @@
-//! Times, spans and numbers in words.
-
 use homebody_core::fuzzy::Fuzzy;
 
 pub fn lasts_words(lasts: &Fuzzy) -> String {
@@ -11,7 +9,6 @@ pub fn span_words(low: f64, high: f64) -> String {
     if low == high { low } else { format!("{low} to {high}") }
 }
 
-/// Seconds as hours and minutes.
 pub fn span(seconds: f64) -> String {
     let whole = seconds.clamp(0.0, 1e9).round() as u64;
     match (whole / 3600, whole / 60 % 60, whole % 60) {
@@ -23,7 +20,6 @@ pub fn span(seconds: f64) -> String {
     }
 }
 
-/// Seconds since midnight as a clock shows them.
 pub fn clock(seconds: f64) -> String {
     let minutes = (seconds / 60.0).round() as i64;
     let of_day = minutes.rem_euclid(24 * 60);
@@ -37,7 +33,7 @@ pub fn numbers(low: f64, high: f64) -> String {
     if low == high { low } else { format!("{low} to {high}") }
 }
 
-/// At most three digits after the point.
+/// With at most three decimals.
 pub fn number(value: f64) -> String {
     let rounded = (value * 1000.0).round() / 1000.0 + 0.0;
     rounded.to_string()

@@ -1,37 +1,36 @@
-//! Many runs of one household, each of a seed of its own: what does not depend on the seed is made once.
+//! Many runs of one household with different seeds, which share all that does not depend on the seed.
 
-use super::{Footing, Household};
+use super::{DriverTemplate, Household};
 use homebody_core::drivers::Driver;
 use homebody_core::home::Home;
 use homebody_core::run::{DriverProvider, Guest, Run};
-use homebody_core::time::Micros;
+use homebody_core::time::Span;
 use std::sync::Arc;
 
 /// Number of ways that a body remembers (our choice): one takes some microseconds to find, and a hundred bytes to
 /// remember.
 const WAYS: usize = 32;
 
-/// A household of which many runs are made in one baked home. Each is what [`Run::new`] makes of the same household and seed.
+/// Each run equals that of [`Run::new`] with the same household and seed.
 pub struct ManyRuns {
     household: Arc<Household>,
     home: Arc<Home>,
-    /// By body; nothing for a body that nobody knows.
-    by_body: Vec<Option<Footing>>,
+    /// `None` for an unknown body.
+    by_body: Vec<Option<DriverTemplate>>,
 }
 
 impl ManyRuns {
-    /// Bakes the home of a household. It takes some milliseconds, and some megabytes.
+    /// Bakes the home, which takes some milliseconds and some megabytes.
     pub fn new(household: Arc<Household>) -> ManyRuns {
         let guests = household.guests();
         let home = Arc::new(Run::home_of(&household.scenario, &guests));
         let bodies = household.scenario.residents.len() + guests.len();
-        let footing = |body| Some(Footing { ways: Some(WAYS), ..household.footing(body, &home)? });
+        let footing = |body| Some(DriverTemplate { ways: Some(WAYS), ..household.footing(body, &home)? });
         let by_body = (0..bodies).map(footing).collect();
         ManyRuns { household, home, by_body }
     }
 
-    /// The run of a seed.
-    pub fn run(&self, seed: u64, length: Micros) -> Run {
+    pub fn run(&self, seed: u64, length: Span) -> Run {
         Run::in_home(self.home.clone(), &self.household.scenario, self, seed, length)
     }
 }

@@ -1,21 +1,19 @@
 //! Finds activities among the words of a sentence, by the ways of saying them that the lexicon has.
 
 use super::calendar;
-use super::called::person_called;
 pub use super::lexicon::third_person;
-use super::lexicon::{Is, Lexicon, Piece, Way};
-use super::reader::{Reader, is_beginning, is_determiner};
+use super::lexicon::{Lexicon, LexiconPhrase, PhrasePiece, PieceKind};
+use super::person_word::person_called;
+use super::reader::{SentenceReader, is_beginning, is_determiner};
 use super::words::Token;
 use crate::routine::{Activity, Meal};
 use std::collections::BTreeSet;
 use std::sync::LazyLock;
 
-/// Meals by name.
 pub const MEALS: [(&str, Meal); 3] =
     [("breakfast", Meal::Breakfast), ("lunch", Meal::Lunch), ("dinner|supper", Meal::Dinner)];
 
-/// An activity, if one comes next: the longest that fits.
-pub fn activity(reader: &mut Reader) -> Option<Activity> {
+pub fn activity(reader: &mut SentenceReader) -> Option<Activity> {
     let lexicon = reader.names.lexicon.clone();
     let ways = lexicon.beginning(reader.peek(0));
     let fits = ways.filter_map(|(way, activity)| fits(reader, way).map(|end| (end, activity)));
@@ -24,8 +22,7 @@ pub fn activity(reader: &mut Reader) -> Option<Activity> {
     Some(activity.clone())
 }
 
-/// What something comes before or after: a noun, or a sentence in small.
-pub fn event(reader: &mut Reader) -> Option<Activity> {
+pub fn event(reader: &mut SentenceReader) -> Option<Activity> {
     reader.attempt(|reader| {
         let back = reader.at;
         reader.skip_determiners();
@@ -40,8 +37,7 @@ pub fn event(reader: &mut Reader) -> Option<Activity> {
     })
 }
 
-/// An activity that a noun alone stands for.
-pub fn noun(reader: &mut Reader) -> Option<Activity> {
+pub fn noun(reader: &mut SentenceReader) -> Option<Activity> {
     let lexicon = reader.names.lexicon.clone();
     let found = lexicon.nouns.iter().filter_map(|(noun, activity)| fits(reader, noun).map(|end| (end, activity)));
     let (end, activity) = found.max_by_key(|(end, _)| *end)?;
@@ -49,8 +45,7 @@ pub fn noun(reader: &mut Reader) -> Option<Activity> {
     Some(activity.clone())
 }
 
-/// Where a way of saying something ends if it comes next.
-pub fn fits(reader: &Reader, way: &Way) -> Option<usize> {
+pub fn fits(reader: &SentenceReader, way: &LexiconPhrase) -> Option<usize> {
     let mut at = 0;
     for piece in &way.pieces {
         let mut ahead = at;
@@ -72,23 +67,21 @@ pub fn fits(reader: &Reader, way: &Way) -> Option<usize> {
     Some(reader.at + at)
 }
 
-/// How many words a piece takes there, if it fits; `from` is where the words before it end.
-fn length(reader: &Reader, piece: &Piece, ahead: usize, from: usize) -> Option<usize> {
+fn length(reader: &SentenceReader, piece: &PhrasePiece, ahead: usize, from: usize) -> Option<usize> {
     let word = reader.peek(ahead);
     let is_one = |found: bool| found.then_some(1);
     match &piece.is {
-        Is::Verb(forms) => is_one(forms.contains(word)),
-        Is::Word(either) => is_one(either.iter().any(|wanted| wanted == word)),
-        Is::List(name) => reader.names.lexicon.list(name, |at| reader.peek(ahead + at)),
-        Is::Oneself => is_one(["herself", "himself", "themselves", "themself", "itself"].contains(&word)),
-        Is::Whom => somebody(reader, ahead, from),
-        Is::Host => somebody(reader, ahead, from).filter(|_| !is_here(reader, word)),
-        Is::More => more(reader, ahead),
+        PieceKind::Verb(forms) => is_one(forms.contains(word)),
+        PieceKind::Word(either) => is_one(either.iter().any(|wanted| wanted == word)),
+        PieceKind::List(name) => reader.names.lexicon.list(name, |at| reader.peek(ahead + at)),
+        PieceKind::Oneself => is_one(["herself", "himself", "themselves", "themself", "itself"].contains(&word)),
+        PieceKind::Whom => somebody(reader, ahead, from),
+        PieceKind::Host => somebody(reader, ahead, from).filter(|_| !is_here(reader, word)),
+        PieceKind::More => more(reader, ahead),
     }
 }
 
-/// Somebody is named with a word such as "her" or "a" before them, or by a name.
-fn somebody(reader: &Reader, ahead: usize, from: usize) -> Option<usize> {
+fn somebody(reader: &SentenceReader, ahead: usize, from: usize) -> Option<usize> {
     const WHICH: &str = "best|old|younger|elder|older|oldest|youngest|eldest|late|next|two|three|local";
     let word = reader.peek(ahead);
     let is_name = |at: usize| {
@@ -111,8 +104,7 @@ fn somebody(reader: &Reader, ahead: usize, from: usize) -> Option<usize> {
     Some(1 + which + name)
 }
 
-/// Whether a word is written with a capital letter, which is not that of a beginning.
-fn is_capital(reader: &Reader, ahead: usize) -> bool {
+fn is_capital(reader: &SentenceReader, ahead: usize) -> bool {
     let word = reader.words.get(reader.at + ahead).filter(|_| reader.at + ahead > 0);
     word.is_some_and(|word| {
         let text = reader.text.get(word.span.start..word.span.end).unwrap_or_default();
@@ -120,12 +112,10 @@ fn is_capital(reader: &Reader, ahead: usize) -> bool {
     })
 }
 
-/// Whether something at home begins with this word.
-fn is_here(reader: &Reader, word: &str) -> bool {
+fn is_here(reader: &SentenceReader, word: &str) -> bool {
     reader.names.has_first(word) || ["bathroom", "toilet", "loo", "restroom"].contains(&word)
 }
 
-/// Words that turn what stands after them into something else, or join something to it.
 static TURNING: LazyLock<BTreeSet<&str>> = LazyLock::new(|| {
     "no not never without nothing less fewer more because when so as that which who if unless cannot she he they \
     too lot lots plenty much many little few two three four five six seven eight nine ten only"
@@ -133,7 +123,6 @@ static TURNING: LazyLock<BTreeSet<&str>> = LazyLock::new(|| {
         .collect()
 });
 
-/// Times of the day, which are kept for those that read them but in the names of some things.
 static PARTS: LazyLock<BTreeSet<&str>> = LazyLock::new(|| {
     "morning afternoon evening night bedtime nighttime mornings afternoons evenings nights".split(' ').collect()
 });
@@ -143,8 +132,7 @@ static NAMED_BY_PARTS: LazyLock<BTreeSet<&str>> = LazyLock::new(|| {
         .collect()
 });
 
-/// Whether a word may stand among those of an activity.
-fn is_plain(reader: &Reader, ahead: usize) -> bool {
+fn is_plain(reader: &SentenceReader, ahead: usize) -> bool {
     let word = reader.peek(ahead);
     let is_time = || PARTS.contains(word) && !NAMED_BY_PARTS.contains(reader.peek(ahead + 1));
     let is_manner = word.len() > 4 && word.ends_with("ly") && word != "family";
@@ -156,8 +144,7 @@ fn is_plain(reader: &Reader, ahead: usize) -> bool {
         && !is_time()
 }
 
-/// How many words stand before what a piece wants: none if it does not come soon.
-fn adjectives(reader: &Reader, from: usize, piece: &Piece) -> usize {
+fn adjectives(reader: &SentenceReader, from: usize, piece: &PhrasePiece) -> usize {
     const MOST: usize = 3;
     let is_wanted = |ahead: usize| length(reader, piece, from + ahead, from + ahead).is_some();
     let is_passed = |ahead: usize| (0..ahead).all(|ahead| is_plain(reader, from + ahead));
@@ -165,14 +152,12 @@ fn adjectives(reader: &Reader, from: usize, piece: &Piece) -> usize {
     (1..=MOST).rev().find(|&ahead| is_wanted(ahead) && is_passed(ahead)).unwrap_or(0)
 }
 
-/// How many words of an activity go on from there.
-fn more(reader: &Reader, from: usize) -> Option<usize> {
+fn more(reader: &SentenceReader, from: usize) -> Option<usize> {
     const MOST: usize = 4;
     let count = (0..MOST).take_while(|ahead| is_plain(reader, from + ahead)).count();
     (count > 0).then_some(count)
 }
 
-/// Whether a word is a form of this verb: "get", "gets", "getting".
 pub fn is_form(verb: &str, word: &str) -> bool {
     // All forms of a verb here begin with the same letter, which spares making them.
     let may_be = word.as_bytes().first() == verb.as_bytes().first();
@@ -195,12 +180,10 @@ pub fn phrase(activity: &Activity) -> String {
     }
 }
 
-/// The usual way of saying each activity that has one.
 pub fn usual_phrases(lexicon: &Lexicon) -> impl Iterator<Item = String> {
     lexicon.told().map(str::to_owned)
 }
 
-/// All phrases that are understood, each with its verb in the third person, for hints.
 pub fn all_phrases() -> &'static [String] {
     static ALL: LazyLock<Vec<String>> = LazyLock::new(spell_out);
     &ALL
@@ -210,7 +193,6 @@ fn spell_out() -> Vec<String> {
     let mut all = Vec::new();
     for (way, _) in &Lexicon::built_in().ways {
         let said = || way.written.split(' ').filter(|wanted| !wanted.starts_with('[') && *wanted != "...");
-        // What is eaten "for breakfast" only its eater can name, and whom one visits only the visitor.
         let is_open = |wanted: &str| {
             wanted == "*for" || wanted.trim_start_matches('*').chars().all(|c| c.is_ascii_uppercase() || c == '|')
         };

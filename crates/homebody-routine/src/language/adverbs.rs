@@ -1,28 +1,26 @@
 //! When, how long, how often: the parts of a sentence that may stand before or after the rest, in any order.
 
 use super::activities;
-use super::amounts::{self, Amount, Unit, amount};
+use super::amounts::{self, Amount, AmountUnit, amount};
 use super::calendar;
-use super::messages::TimeMessage;
-use super::often::{self, Often};
-use super::reader::{Reader, is_beginning};
+use super::frequency::{self, Often};
+use super::messages::TimeSentenceMessage;
+use super::reader::{SentenceReader, is_beginning};
 use super::times;
-use super::words::{Span, Token};
-use crate::routine::{Activity, Chance, DayKind, Moment, PartOfDay, When};
+use super::words::{TextSpan, Token};
+use crate::routine::{Activity, DayKind, HabitChance, HabitTime, PartOfDay, PhaseDay};
 use homebody_core::fuzzy::Fuzzy;
 
-/// Something that was said, where, and whether by this sentence or by the heading above it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Slot<T> {
     pub value: T,
-    pub span: Span,
+    pub span: TextSpan,
     pub own: bool,
 }
 
 /// A time of day may be off by this at most: beyond it, any time would do.
 const HALF_A_DAY_S: f64 = 12.0 * 3600.0;
 
-/// The words that may begin one of these parts: whatever begins otherwise need not be tried.
 const FIRST: &str = "am pm when as last a about after afterwards all almost always an and approximately around at before beginning \
     between by daily during each every fade fades fading few for frequently from give half hardly immediately in \
     just lasting of many midday midnight most mostly nearly noon normally now occasionally often on once one over \
@@ -35,7 +33,7 @@ fn is_first(word: &str) -> bool {
     FIRST.split(' ').any(|first| first == word)
 }
 
-fn may_begin(reader: &Reader) -> bool {
+fn may_begin(reader: &SentenceReader) -> bool {
     match reader.token(0) {
         Some(Token::Number(_) | Token::Clock(..)) => true,
         Some(Token::Word) => is_first(reader.peek(0)) || calendar::is_weekday(reader.peek(0)),
@@ -43,34 +41,29 @@ fn may_begin(reader: &Reader) -> bool {
     }
 }
 
-/// All that was said of when, how long and how often.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Adverbs {
-    pub chance: Option<Slot<Chance>>,
+    pub chance: Option<Slot<HabitChance>>,
     pub weekdays: Option<Slot<u8>>,
     pub months: Option<Slot<u16>>,
     pub every: Option<Slot<u32>>,
-    /// The first and the last of the days of a month.
     pub of_month: Option<Slot<(u8, u8)>>,
-    /// Busy or quiet days.
     pub kind: Option<Slot<DayKind>>,
     pub part: Option<Slot<PartOfDay>>,
-    pub when: Option<Slot<When>>,
+    pub when: Option<Slot<HabitTime>>,
     pub lasts: Option<Slot<Fuzzy>>,
     pub until_time: Option<Slot<Fuzzy>>,
     pub times: Option<Slot<(u32, u32)>>,
-    pub from: Option<Slot<Moment>>,
-    pub until: Option<Slot<Moment>>,
-    /// Days after the beginning at which it ends.
+    pub from: Option<Slot<PhaseDay>>,
+    pub until: Option<Slot<PhaseDay>>,
     pub for_days: Option<Slot<f64>>,
     pub over: Option<Slot<f64>>,
     pub fading: Option<Slot<f64>>,
-    /// Which number "give or take" would be about.
-    pub last: Last,
+    pub last: LastAdverb,
 }
 
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub enum Last {
+pub enum LastAdverb {
     #[default]
     Nothing,
     When,
@@ -78,32 +71,32 @@ pub enum Last {
     Until,
 }
 
-pub fn put<T>(reader: &mut Reader, slot: &mut Option<Slot<T>>, value: T, span: Span, kind: &str) {
+pub fn put<T>(reader: &mut SentenceReader, slot: &mut Option<Slot<T>>, value: T, span: TextSpan, kind: &str) {
     if let Some(first) = slot {
         let (text, first) = (reader.said(span), reader.said(first.span));
-        reader.fault(span, TimeMessage::Twice { text, first, meaning: kind.to_owned() });
+        reader.fault(span, TimeSentenceMessage::Twice { text, first, meaning: kind.to_owned() });
     } else {
         *slot = Some(Slot { value, span, own: true });
     }
 }
 
 /// "after two weeks".
-fn after_days(reader: &mut Reader) -> Option<Moment> {
+fn after_days(reader: &mut SentenceReader) -> Option<PhaseDay> {
     let days = calendar::days(reader).filter(|days| !days.is_range())?;
-    days.as_count().map(|(days, _)| Moment::Day(days as i32))
+    days.as_count().map(|(days, _)| PhaseDay::Day(days as i32))
 }
 
 /// "until she goes to bed": what is planned has to have an hour.
-fn until_event(reader: &mut Reader, from: usize) -> Option<()> {
+fn until_event(reader: &mut SentenceReader, from: usize) -> Option<()> {
     let at = reader.at;
     activities::event(reader)?;
     let (span, activity) = (reader.span(from), reader.said(reader.span(at)));
-    reader.fault(span, TimeMessage::UntilActivity { text: reader.said(span), activity });
+    reader.fault(span, TimeSentenceMessage::UntilActivity { text: reader.said(span), activity });
     Some(())
 }
 
 /// "from 20:00", where no time of day follows.
-fn no_end(reader: &mut Reader, from: usize) -> Option<()> {
+fn no_end(reader: &mut SentenceReader, from: usize) -> Option<()> {
     let (time, faults) = (reader.at, reader.faults.count());
     times::time(reader, true)?;
     if reader.faults.count() > faults {
@@ -115,12 +108,12 @@ fn no_end(reader: &mut Reader, from: usize) -> Option<()> {
         return Some(());
     }
     reader.at = until;
-    reader.fault(span, TimeMessage::NoEnd { text: reader.said(span), time });
+    reader.fault(span, TimeSentenceMessage::NoEnd { text: reader.said(span), time });
     Some(())
 }
 
 /// "when she gets up", "once she has eaten lunch": after what has an end, at the beginning of all else.
-fn when_doing(reader: &mut Reader) -> Option<When> {
+fn when_doing(reader: &mut SentenceReader) -> Option<HabitTime> {
     if !(reader.eat("when|once") || reader.eat("as soon as")) || !["she", "he", "they"].contains(&reader.peek(0)) {
         return None;
     }
@@ -134,17 +127,17 @@ fn when_doing(reader: &mut Reader) -> Option<When> {
         return None;
     }
     Some(match event {
-        Activity::GoToBed => When::Before(event, None),
-        Activity::GetUp | Activity::ComeHome => When::After(event, None),
-        _ if is_over => When::After(event, None),
-        _ => When::With(event),
+        Activity::GoToBed => HabitTime::Before(event, None),
+        Activity::GetUp | Activity::ComeHome => HabitTime::After(event, None),
+        _ if is_over => HabitTime::After(event, None),
+        _ => HabitTime::With(event),
     })
 }
 
 const ABOUT_WORDS: [&str; 4] = ["about", "around", "roughly", "approximately"];
 
 /// "around four", where nothing follows that four could be of.
-fn is_hour_by_itself(reader: &mut Reader) -> bool {
+fn is_hour_by_itself(reader: &mut SentenceReader) -> bool {
     ABOUT_WORDS.contains(&reader.peek(0))
         && reader.ahead(|reader| {
             times::time(reader, true).is_some()
@@ -156,13 +149,12 @@ fn is_hour_by_itself(reader: &mut Reader) -> bool {
 const BY_S: f64 = 1_800.0;
 
 impl Adverbs {
-    /// Reads the next part of a sentence if it is one of these. Each reader changes nothing unless it succeeds.
-    pub fn next(&mut self, reader: &mut Reader) -> bool {
+    pub fn next(&mut self, reader: &mut SentenceReader) -> bool {
         if !may_begin(reader) {
             return false;
         }
         let start = reader.at;
-        let read: [fn(&mut Adverbs, &mut Reader) -> Option<()>; 11] = [
+        let read: [fn(&mut Adverbs, &mut SentenceReader) -> Option<()>; 11] = [
             Adverbs::give_or_take,
             Adverbs::often,
             Adverbs::days,
@@ -183,7 +175,7 @@ impl Adverbs {
                 reader.at = start;
             } else {
                 // How exactly that is, said behind it.
-                let last = |reader: &mut Reader| (reader.eat("about") && reader.is_over()).then_some(());
+                let last = |reader: &mut SentenceReader| (reader.eat("about") && reader.is_over()).then_some(());
                 let _ = reader.eat("or so")
                     || reader.eat("thereabouts|sharp|prompt|promptly")
                     || reader.attempt(last).is_some();
@@ -192,34 +184,32 @@ impl Adverbs {
         })
     }
 
-    /// Whether a word is the name of a part of the day.
     pub fn is_part(word: &str) -> bool {
         times::PARTS.iter().any(|(names, _)| names.split('|').any(|name| name == word))
     }
 
-    /// Reads all that come next.
-    pub fn all(&mut self, reader: &mut Reader) {
+    pub fn all(&mut self, reader: &mut SentenceReader) {
         reader.skip_commas();
         while self.next(reader) {
             reader.skip_commas();
         }
     }
 
-    fn often(&mut self, reader: &mut Reader) -> Option<()> {
+    fn often(&mut self, reader: &mut SentenceReader) -> Option<()> {
         let from = reader.at;
         // "she rarely reads at first, often by day 160"
         if let Some(chance) = self.chance.as_mut().filter(|chance| chance.own && chance.value.becomes.is_none())
             && reader.eat("at first")
         {
-            chance.value = often::becoming(reader, chance.value);
+            chance.value = frequency::becoming(reader, chance.value);
             return Some(());
         }
-        let often = often::at_first(reader).or_else(|| often::often(reader));
+        let often = frequency::at_first(reader).or_else(|| frequency::often(reader));
         let Some(often) = often else {
             if !reader.eat("at first") {
                 return None;
             }
-            reader.fault(reader.span(from), TimeMessage::AtFirst);
+            reader.fault(reader.span(from), TimeSentenceMessage::AtFirst);
             return Some(());
         };
         let span = reader.span(from);
@@ -227,7 +217,7 @@ impl Adverbs {
         Some(())
     }
 
-    pub(super) fn put_often(&mut self, reader: &mut Reader, often: Often, span: Span) {
+    pub(super) fn put_often(&mut self, reader: &mut SentenceReader, often: Often, span: TextSpan) {
         if let Some(chance) = often.chance {
             put(reader, &mut self.chance, chance, span, "both say how often");
         }
@@ -246,7 +236,7 @@ impl Adverbs {
     }
 
     /// "in the morning", "at night", "during the day".
-    fn parts(&mut self, reader: &mut Reader) -> Option<()> {
+    fn parts(&mut self, reader: &mut SentenceReader) -> Option<()> {
         let from = reader.at;
         let after_day = from > 0 && calendar::is_weekday(&reader.words[from - 1].text);
         let half = [("am", PartOfDay::Morning), ("pm", PartOfDay::Afternoon)];
@@ -269,14 +259,14 @@ impl Adverbs {
     }
 
     /// "at about 06:45", "around 8 pm", "between 14:00 and 16:00", "from 10:00 to 12:00", "until 12:00".
-    fn clock(&mut self, reader: &mut Reader) -> Option<()> {
+    fn clock(&mut self, reader: &mut SentenceReader) -> Option<()> {
         let from = reader.at;
         let kind = "both say at which time";
         if reader.eat("between") {
             let (first, last) = times::time_range(reader, "and")?;
             let span = reader.span(from);
-            put(reader, &mut self.when, When::At(Fuzzy::between(first.at, last.at)), span, kind);
-            self.last = Last::Nothing;
+            put(reader, &mut self.when, HabitTime::At(Fuzzy::between(first.at, last.at)), span, kind);
+            self.last = LastAdverb::Nothing;
             return Some(());
         }
         if reader.eat("from") {
@@ -284,47 +274,47 @@ impl Adverbs {
                 return no_end(reader, from);
             };
             let span = reader.span(from);
-            put(reader, &mut self.when, When::At(first.fuzzy()), span, kind);
+            put(reader, &mut self.when, HabitTime::At(first.fuzzy()), span, kind);
             put(reader, &mut self.until_time, last.fuzzy(), span, "both say until when");
-            self.last = Last::Nothing;
+            self.last = LastAdverb::Nothing;
             return Some(());
         }
         if reader.eat("until|till") {
             let Some(time) = times::time(reader, true) else { return until_event(reader, from) };
             let span = reader.span(from);
             put(reader, &mut self.until_time, time.fuzzy(), span, "both say until when");
-            self.last = Last::Until;
+            self.last = LastAdverb::Until;
             return Some(());
         }
-        let is_up = |reader: &Reader| {
+        let is_up = |reader: &SentenceReader| {
             reader.at > 0 && ["up", "asleep", "bed"].contains(&reader.words[reader.at - 1].text.as_str())
         };
         if is_up(reader) && reader.eat("before") || reader.eat("by") {
             let time = times::time(reader, true)?;
             let span = reader.span(from);
-            put(reader, &mut self.when, When::At(Fuzzy::between(time.at - BY_S, time.at)), span, kind);
-            self.last = Last::Nothing;
+            put(reader, &mut self.when, HabitTime::At(Fuzzy::between(time.at - BY_S, time.at)), span, kind);
+            self.last = LastAdverb::Nothing;
             return Some(());
         }
         let at = reader.eat("at");
         let is_bare = at || is_hour_by_itself(reader);
         let time = times::time(reader, is_bare)?;
         let span = reader.span(from);
-        put(reader, &mut self.when, When::At(time.fuzzy()), span, kind);
-        self.last = Last::When;
+        put(reader, &mut self.when, HabitTime::At(time.fuzzy()), span, kind);
+        self.last = LastAdverb::When;
         // "2 pm to 4 pm"
         let until = reader.at;
         let end = reader.attempt(|reader| if reader.eat("to|until|till") { times::time(reader, true) } else { None });
         if let Some(end) = end {
             let span = reader.span(until);
             put(reader, &mut self.until_time, end.fuzzy(), span, "both say until when");
-            self.last = Last::Nothing;
+            self.last = LastAdverb::Nothing;
         }
         Some(())
     }
 
     /// "from week 6", "from day 100 to day 120", "until 2009-05-01", "in week 6", "on 2009-05-01".
-    fn phase(&mut self, reader: &mut Reader) -> Option<()> {
+    fn phase(&mut self, reader: &mut SentenceReader) -> Option<()> {
         let start = reader.at;
         if reader.eat("until|till|before") {
             let is_end = reader.eat("the end of");
@@ -354,7 +344,7 @@ impl Adverbs {
         let month = reader.at;
         if calendar::months(reader).is_some() {
             let span = reader.span(month);
-            reader.fault(span, TimeMessage::WhichDay { text: reader.said(span) });
+            reader.fault(span, TimeSentenceMessage::WhichDay { text: reader.said(span) });
             return Some(());
         }
         let (moment, _) = calendar::moment(reader)?;
@@ -374,7 +364,7 @@ impl Adverbs {
     }
 
     /// "over 4 weeks", "fading over 2 weeks".
-    fn gradually(&mut self, reader: &mut Reader) -> Option<()> {
+    fn gradually(&mut self, reader: &mut SentenceReader) -> Option<()> {
         let start = reader.at;
         reader.eat("and");
         let fading = reader.eat("fading|fades|fade");
@@ -388,7 +378,7 @@ impl Adverbs {
         let days = calendar::days(reader)?;
         let span = reader.span(start);
         if days.is_range() {
-            reader.fault(span, TimeMessage::OneLength);
+            reader.fault(span, TimeSentenceMessage::OneLength);
         }
         let slot = if fading { &mut self.fading } else { &mut self.over };
         put(reader, slot, days.from, span, "both say over which time");
@@ -396,18 +386,18 @@ impl Adverbs {
     }
 
     /// "for about 2 hours", or "for 10 days", which is until when.
-    fn duration(&mut self, reader: &mut Reader) -> Option<()> {
+    fn duration(&mut self, reader: &mut SentenceReader) -> Option<()> {
         let start = reader.at;
         let of_each = reader.attempt(|reader| {
             reader.eat("of").then_some(())?;
-            reader.ahead(|reader| amount(reader).is_some_and(|amount| amount.unit == Unit::Second)).then_some(())
+            reader.ahead(|reader| amount(reader).is_some_and(|amount| amount.unit == AmountUnit::Second)).then_some(())
         });
         if of_each.is_none() && !reader.eat("for|lasting") {
             return None;
         }
         let Some(amount) = amount(reader) else {
             // "is up twice for the toilet"
-            let for_toilet = |reader: &mut Reader| {
+            let for_toilet = |reader: &mut SentenceReader| {
                 reader.skip_determiners();
                 reader.eat("toilet|bathroom|loo|commode|wee")
             };
@@ -419,41 +409,41 @@ impl Adverbs {
                 reader.at += 1;
             }
             let span = if from == reader.at { reader.span(start) } else { reader.span(from) };
-            reader.fault(span, TimeMessage::NotALength { text: reader.said(span) });
+            reader.fault(span, TimeSentenceMessage::NotALength { text: reader.said(span) });
             return Some(());
         };
         match amount.unit {
-            Unit::Second => {
+            AmountUnit::Second => {
                 let lasts = amounts::length(reader, &amount);
                 reader.eat("each");
                 let span = reader.span(start);
                 put(reader, &mut self.lasts, lasts, span, "both say how long");
-                self.last = Last::Lasts;
+                self.last = LastAdverb::Lasts;
             }
-            Unit::Day if !amount.is_range() && amount.from >= 1.0 && amount.from.fract() == 0.0 => {
+            AmountUnit::Day if !amount.is_range() && amount.from >= 1.0 && amount.from.fract() == 0.0 => {
                 let span = reader.span(start);
                 put(reader, &mut self.for_days, amount.from, span, "both say for how long");
             }
-            Unit::Day => {
-                reader.fault(amount.span, TimeMessage::WholeDays);
+            AmountUnit::Day => {
+                reader.fault(amount.span, TimeSentenceMessage::WholeDays);
             }
             _ => {
-                reader.fault(amount.span, TimeMessage::NotALength { text: reader.said(amount.span) });
+                reader.fault(amount.span, TimeSentenceMessage::NotALength { text: reader.said(amount.span) });
             }
         }
         Some(())
     }
 
     /// "after breakfast", "30 minutes before bed", "with lunch".
-    fn order(&mut self, reader: &mut Reader) -> Option<()> {
+    fn order(&mut self, reader: &mut SentenceReader) -> Option<()> {
         let start = reader.at;
         if let Some(when) = reader.attempt(when_doing) {
             let span = reader.span(start);
             put(reader, &mut self.when, when, span, "both say at which time");
-            self.last = Last::Nothing;
+            self.last = LastAdverb::Nothing;
             return Some(());
         }
-        let gap = reader.attempt(|reader| amount(reader).filter(|amount| amount.unit == Unit::Second));
+        let gap = reader.attempt(|reader| amount(reader).filter(|amount| amount.unit == AmountUnit::Second));
         if gap.is_none() {
             reader.eat("right|shortly|soon|immediately|just|straight");
         }
@@ -477,8 +467,8 @@ impl Adverbs {
             };
             let help = help.to_owned();
             let message = match is_time {
-                true => TimeMessage::OpenTime { text, help },
-                false => TimeMessage::UnknownEvent { text, help },
+                true => TimeSentenceMessage::OpenTime { text, help },
+                false => TimeSentenceMessage::UnknownEvent { text, help },
             };
             reader.fault(reader.span(start), message);
             reader.at = reader.words.len();
@@ -487,26 +477,26 @@ impl Adverbs {
         let gap = gap.map(|gap| amounts::duration(reader, &gap));
         let span = reader.span(start);
         let when = match after {
-            0 => When::After(other, gap),
-            1 => When::Before(other, gap),
+            0 => HabitTime::After(other, gap),
+            1 => HabitTime::Before(other, gap),
             _ if gap.is_some() => return None,
-            _ => When::With(other),
+            _ => HabitTime::With(other),
         };
         put(reader, &mut self.when, when, span, "both say at which time");
-        self.last = Last::Nothing;
+        self.last = LastAdverb::Nothing;
         Some(())
     }
 
     /// "once or twice", "3 times a week", "8 times a day".
-    fn counts(&mut self, reader: &mut Reader) -> Option<()> {
+    fn counts(&mut self, reader: &mut SentenceReader) -> Option<()> {
         let start = reader.at;
-        let amount = amount(reader).filter(|amount| amount.unit == Unit::Times)?;
+        let amount = amount(reader).filter(|amount| amount.unit == AmountUnit::Times)?;
         if ["as", "more", "less", "longer", "later", "earlier"].contains(&reader.peek(0)) {
             return None;
         }
-        let often = often::times_in(reader, &amount);
+        let often = frequency::times_in(reader, &amount);
         let often = often.unwrap_or_else(|| {
-            let times = Some(often::count(reader, &amount));
+            let times = Some(frequency::count(reader, &amount));
             Often { chance: None, weekdays: None, part: None, every: None, times }
         });
         let span = reader.span(start);
@@ -514,41 +504,43 @@ impl Adverbs {
         Some(())
     }
 
-    fn give_or_take(&mut self, reader: &mut Reader) -> Option<()> {
+    fn give_or_take(&mut self, reader: &mut SentenceReader) -> Option<()> {
         let start = reader.at;
         if !(reader.eat("give or take") || reader.eat("plus or minus")) {
             return None;
         }
-        let spread: Amount = amount(reader).filter(|amount| amount.unit == Unit::Second)?;
+        let spread: Amount = amount(reader).filter(|amount| amount.unit == AmountUnit::Second)?;
         let span = reader.span(start);
         let around = |fuzzy: &Fuzzy| Fuzzy::around((fuzzy.from + fuzzy.to) / 2.0, spread.to);
         let (lasts, until) = (self.lasts.as_mut(), self.until_time.as_mut());
         match (self.last, self.when.as_mut().map(|slot| &mut slot.value), lasts, until) {
-            (Last::When | Last::Until, ..) if spread.to > HALF_A_DAY_S => {
-                reader.fault(span, TimeMessage::SpreadOfTime);
+            (LastAdverb::When | LastAdverb::Until, ..) if spread.to > HALF_A_DAY_S => {
+                reader.fault(span, TimeSentenceMessage::SpreadOfTime);
             }
-            (Last::When, Some(When::At(at)), _, _) => *at = around(at),
-            (Last::Until, _, _, Some(until)) => until.value = around(&until.value),
-            (Last::Lasts, _, Some(lasts), _) if spread.to < lasts.value.from => lasts.value = around(&lasts.value),
-            (Last::Lasts, _, Some(_), _) => {
-                reader.fault(span, TimeMessage::SpreadOfDuration);
+            (LastAdverb::When, Some(HabitTime::At(at)), _, _) => *at = around(at),
+            (LastAdverb::Until, _, _, Some(until)) => until.value = around(&until.value),
+            (LastAdverb::Lasts, _, Some(lasts), _) if spread.to < lasts.value.from => {
+                lasts.value = around(&lasts.value)
+            }
+            (LastAdverb::Lasts, _, Some(_), _) => {
+                reader.fault(span, TimeSentenceMessage::SpreadOfDuration);
             }
             _ => {
-                reader.fault(span, TimeMessage::NothingVaries { text: reader.said(span) });
+                reader.fault(span, TimeSentenceMessage::NothingVaries { text: reader.said(span) });
             }
         }
-        self.last = Last::Nothing;
+        self.last = LastAdverb::Nothing;
         Some(())
     }
 
     /// "then", "after that".
-    fn then(&mut self, reader: &mut Reader) -> Option<()> {
+    fn then(&mut self, reader: &mut SentenceReader) -> Option<()> {
         let start = reader.at;
         if !(reader.eat("then|afterwards") || reader.eat("after that|this")) {
             return None;
         }
         let span = reader.span(start);
-        put(reader, &mut self.when, When::Then, span, "both say at which time");
+        put(reader, &mut self.when, HabitTime::Then, span, "both say at which time");
         Some(())
     }
 }

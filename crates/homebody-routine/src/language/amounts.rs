@@ -1,47 +1,37 @@
 //! Numbers with their units: durations, percent, how many times, speeds.
 
-use super::messages::TimeMessage;
-use super::reader::Reader;
-use super::words::{Span, Token};
+use super::messages::TimeSentenceMessage;
+use super::reader::SentenceReader;
+use super::words::{TextSpan, Token};
 use homebody_core::fuzzy::Fuzzy;
 
-/// What a number counts.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Unit {
+pub enum AmountUnit {
     Second,
     Day,
     Percent,
     Times,
-    /// Metres a second.
     Speed,
-    /// Heartbeats a minute.
     Beats,
-    /// Breaths a minute.
     Breaths,
     Years,
-    /// A number alone.
     None,
 }
 
-/// An amount as it was said: one value, or from one to another.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Amount {
     pub from: f64,
     pub to: f64,
     pub about: bool,
-    pub unit: Unit,
-    pub span: Span,
+    pub unit: AmountUnit,
+    pub span: TextSpan,
 }
 
-/// How far "about" reaches, as a share of the number.
 pub const ABOUT_SHARE: f64 = 0.25;
-/// How far a duration said without "about" reaches.
 pub const PLAIN_SHARE: f64 = 0.1;
-/// How far "about" reaches for a walking speed, which hardly varies from day to day.
 pub const ABOUT_PACE_SHARE: f64 = 0.1;
 
 pub const DAY_S: f64 = 86_400.0;
-/// What a month is worth where days are counted.
 pub const MONTH_DAYS: f64 = 30.0;
 pub const YEAR_DAYS: f64 = 365.0;
 
@@ -67,7 +57,6 @@ const NUMBERS: [(&str, f64); 19] = [
     ("nineteen", 19.0),
 ];
 
-/// Those that one of the first nine may follow: "twenty five".
 const TENS: [(&str, f64); 8] = [
     ("twenty", 20.0),
     ("thirty", 30.0),
@@ -79,64 +68,62 @@ const TENS: [(&str, f64); 8] = [
     ("ninety", 90.0),
 ];
 
-const UNITS: [(&str, (Unit, f64)); 20] = [
-    ("m/s", (Unit::Speed, 1.0)),
-    ("metres|meters|metre|meter|m per|a second", (Unit::Speed, 1.0)),
-    ("beats|beat per|a minute", (Unit::Beats, 1.0)),
-    ("beats|beat|bpm", (Unit::Beats, 1.0)),
-    ("breaths|breath per|a minute", (Unit::Breaths, 1.0)),
-    ("breaths|breath", (Unit::Breaths, 1.0)),
-    ("s|sec|secs|second|seconds", (Unit::Second, 1.0)),
-    ("min|mins|minute|minutes", (Unit::Second, 60.0)),
-    ("h|hr|hrs|hour|hours", (Unit::Second, 3600.0)),
-    ("day|days|night|nights", (Unit::Day, 1.0)),
-    ("week|weeks", (Unit::Day, 7.0)),
-    ("fortnight|fortnights", (Unit::Day, 14.0)),
-    ("month|months", (Unit::Day, MONTH_DAYS)),
-    ("year|years old", (Unit::Years, 1.0)),
-    ("year|years of age", (Unit::Years, 1.0)),
-    ("year|years", (Unit::Day, YEAR_DAYS)),
-    ("%", (Unit::Percent, 1.0)),
-    ("percent", (Unit::Percent, 1.0)),
-    ("per cent", (Unit::Percent, 1.0)),
-    ("times", (Unit::Times, 1.0)),
+const UNITS: [(&str, (AmountUnit, f64)); 20] = [
+    ("m/s", (AmountUnit::Speed, 1.0)),
+    ("metres|meters|metre|meter|m per|a second", (AmountUnit::Speed, 1.0)),
+    ("beats|beat per|a minute", (AmountUnit::Beats, 1.0)),
+    ("beats|beat|bpm", (AmountUnit::Beats, 1.0)),
+    ("breaths|breath per|a minute", (AmountUnit::Breaths, 1.0)),
+    ("breaths|breath", (AmountUnit::Breaths, 1.0)),
+    ("s|sec|secs|second|seconds", (AmountUnit::Second, 1.0)),
+    ("min|mins|minute|minutes", (AmountUnit::Second, 60.0)),
+    ("h|hr|hrs|hour|hours", (AmountUnit::Second, 3600.0)),
+    ("day|days|night|nights", (AmountUnit::Day, 1.0)),
+    ("week|weeks", (AmountUnit::Day, 7.0)),
+    ("fortnight|fortnights", (AmountUnit::Day, 14.0)),
+    ("month|months", (AmountUnit::Day, MONTH_DAYS)),
+    ("year|years old", (AmountUnit::Years, 1.0)),
+    ("year|years of age", (AmountUnit::Years, 1.0)),
+    ("year|years", (AmountUnit::Day, YEAR_DAYS)),
+    ("%", (AmountUnit::Percent, 1.0)),
+    ("percent", (AmountUnit::Percent, 1.0)),
+    ("per cent", (AmountUnit::Percent, 1.0)),
+    ("times", (AmountUnit::Times, 1.0)),
 ];
 
 pub const ABOUT: [(&str, ()); 6] =
     [("about", ()), ("around", ()), ("roughly", ()), ("approximately", ()), ("some", ()), ("nearly|almost", ())];
 
-/// An amount, if one comes next.
-pub fn amount(reader: &mut Reader) -> Option<Amount> {
+pub fn amount(reader: &mut SentenceReader) -> Option<Amount> {
     reader.attempt(|reader| {
         let start = reader.at;
         let about = reader.eat_any(&ABOUT).is_some() || reader.eat("at least|most") || reader.eat("up to");
         let (from, to, unit) = if reader.eat("between") { pair(reader, "and")? } else { one_or_two(reader)? };
         let span = reader.span(start);
         if !from.is_finite() || !to.is_finite() || to > 1e9 {
-            reader.fault(span, TimeMessage::NumberTooLarge { text: reader.said(span) });
+            reader.fault(span, TimeSentenceMessage::NumberTooLarge { text: reader.said(span) });
         } else if to < from {
-            reader.fault(span, TimeMessage::ReversedNumbers { text: reader.said(span) });
+            reader.fault(span, TimeSentenceMessage::ReversedNumbers { text: reader.said(span) });
         }
         let (from, to) = if to.is_finite() && to <= 1e9 { (from.min(to), from.max(to)) } else { (1.0, 1.0) };
         Some(Amount { from, to, about, unit, span })
     })
 }
 
-/// Two values with a word between them; a unit may be said once, after the second.
-fn pair(reader: &mut Reader, between: &str) -> Option<(f64, f64, Unit)> {
+fn pair(reader: &mut SentenceReader, between: &str) -> Option<(f64, f64, AmountUnit)> {
     let (from, factor, unit) = scalar(reader)?;
     if !reader.eat(between) {
         return None;
     }
     let (to, to_factor, to_unit) = scalar(reader)?;
     match unit {
-        Unit::None => Some((from * to_factor, to * to_factor, to_unit)),
+        AmountUnit::None => Some((from * to_factor, to * to_factor, to_unit)),
         _ if unit == to_unit => Some((from * factor, to * to_factor, unit)),
         _ => None,
     }
 }
 
-fn one_or_two(reader: &mut Reader) -> Option<(f64, f64, Unit)> {
+fn one_or_two(reader: &mut SentenceReader) -> Option<(f64, f64, AmountUnit)> {
     for (phrase, from, to) in [
         ("once or twice", 1.0, 2.0),
         ("once to twice", 1.0, 2.0),
@@ -145,12 +132,12 @@ fn one_or_two(reader: &mut Reader) -> Option<(f64, f64, Unit)> {
         ("thrice", 3.0, 3.0),
     ] {
         if reader.eat(phrase) {
-            return Some((from, to, Unit::Times));
+            return Some((from, to, AmountUnit::Times));
         }
     }
     if reader.peek(0) == "half" && reader.peek(1) == "as" {
         reader.at += 1;
-        return Some((0.5, 0.5, Unit::Times));
+        return Some((0.5, 0.5, AmountUnit::Times));
     }
     for (phrase, from, to) in [("several", 3.0, 5.0), ("a few", 3.0, 5.0), ("a couple of", 2.0, 2.0)] {
         if reader.eat(phrase) {
@@ -175,10 +162,10 @@ fn one_or_two(reader: &mut Reader) -> Option<(f64, f64, Unit)> {
 }
 
 /// A number, what its unit is worth, and the unit; `1 hour and 30 minutes` is one number.
-fn scalar(reader: &mut Reader) -> Option<(f64, f64, Unit)> {
+fn scalar(reader: &mut SentenceReader) -> Option<(f64, f64, AmountUnit)> {
     for (phrase, minutes) in [("half an hour", 30.0), ("a quarter of an hour", 15.0), ("half a minute", 0.5)] {
         if reader.eat(phrase) {
-            return Some((minutes * 60.0, 1.0, Unit::Second));
+            return Some((minutes * 60.0, 1.0, AmountUnit::Second));
         }
     }
     let start = reader.at;
@@ -192,25 +179,24 @@ fn scalar(reader: &mut Reader) -> Option<(f64, f64, Unit)> {
             reader.at = start;
             return None;
         }
-        return Some((value, 1.0, Unit::None));
+        return Some((value, 1.0, AmountUnit::None));
     };
     if reader.eat("and a half") {
         value += 0.5;
     }
-    let more = (unit == Unit::Second).then(|| reader.attempt(|reader| smaller(reader, factor))).flatten();
+    let more = (unit == AmountUnit::Second).then(|| reader.attempt(|reader| smaller(reader, factor))).flatten();
     Some((value + more.unwrap_or(0.0) / factor, factor, unit))
 }
 
 /// The minutes after the hours.
-fn smaller(reader: &mut Reader, than: f64) -> Option<f64> {
+fn smaller(reader: &mut SentenceReader, than: f64) -> Option<f64> {
     reader.eat("and");
     let value = number(reader)?;
     let (unit, factor) = reader.eat_any(&UNITS)?;
-    (unit == Unit::Second && factor < than).then_some(value * factor)
+    (unit == AmountUnit::Second && factor < than).then_some(value * factor)
 }
 
-/// A number in digits or as a word.
-pub fn number(reader: &mut Reader) -> Option<f64> {
+pub fn number(reader: &mut SentenceReader) -> Option<f64> {
     if let Some(Token::Number(value)) = reader.token(0) {
         reader.at += 1;
         return Some(value);
@@ -221,13 +207,11 @@ pub fn number(reader: &mut Reader) -> Option<f64> {
     reader.eat_any(&NUMBERS)
 }
 
-/// Whether a unit comes next.
-pub fn is_unit(reader: &mut Reader) -> bool {
+pub fn is_unit(reader: &mut SentenceReader) -> bool {
     reader.ahead(|reader| reader.eat_any(&UNITS).is_some())
 }
 
 impl Amount {
-    /// As how something lasts: the plain number is meant less strictly than it sounds.
     pub fn as_duration(&self) -> Fuzzy {
         let share = if self.about { ABOUT_SHARE } else { PLAIN_SHARE };
         if self.is_range() && !self.about {
@@ -236,7 +220,6 @@ impl Amount {
         Fuzzy { low: self.from * (1.0 - share), from: self.from, to: self.to, high: self.to * (1.0 + share) }
     }
 
-    /// As how far something changes: a plain number is exact.
     pub fn as_change(&self) -> Fuzzy {
         if self.about { self.as_duration() } else { Fuzzy::between(self.from, self.to) }
     }
@@ -250,7 +233,6 @@ impl Amount {
         self.from != self.to
     }
 
-    /// The least and the most of whole numbers; nothing if they are none.
     pub fn as_count(&self) -> Option<(u32, u32)> {
         let whole = |value: f64| (value.fract() == 0.0 && (1.0..=100.0).contains(&value)).then_some(value as u32);
         Some((whole(self.from)?, whole(self.to)?))
@@ -260,37 +242,33 @@ impl Amount {
 /// Longest duration, in days (our choice).
 const MOST_DAYS: f64 = 400.0;
 
-/// How long something lasts, which is neither nothing nor more than a day.
-pub fn duration(reader: &mut Reader, amount: &Amount) -> Fuzzy {
+pub fn duration(reader: &mut SentenceReader, amount: &Amount) -> Fuzzy {
     if amount.to > DAY_S {
-        reader.fault(amount.span, TimeMessage::LongerThanADay { text: reader.said(amount.span) });
+        reader.fault(amount.span, TimeSentenceMessage::LongerThanADay { text: reader.said(amount.span) });
     }
     length(reader, amount)
 }
 
-/// How long something lasts that may last for days: neither nothing nor more than a year or so.
-pub fn length(reader: &mut Reader, amount: &Amount) -> Fuzzy {
+pub fn length(reader: &mut SentenceReader, amount: &Amount) -> Fuzzy {
     if amount.from <= 0.0 {
-        reader.fault(amount.span, TimeMessage::NoDuration { text: reader.said(amount.span) });
+        reader.fault(amount.span, TimeSentenceMessage::NoDuration { text: reader.said(amount.span) });
     } else if amount.to > MOST_DAYS * DAY_S {
-        reader.fault(amount.span, TimeMessage::LongerThanAYear { text: reader.said(amount.span) });
+        reader.fault(amount.span, TimeSentenceMessage::LongerThanAYear { text: reader.said(amount.span) });
     }
     amount.as_duration()
 }
 
-/// A share from 0 to 1.
-pub fn share(reader: &mut Reader, amount: &Amount) -> f64 {
+pub fn share(reader: &mut SentenceReader, amount: &Amount) -> f64 {
     if amount.to > 100.0 {
-        reader.fault(amount.span, TimeMessage::MoreThanAll { text: reader.said(amount.span) });
+        reader.fault(amount.span, TimeSentenceMessage::MoreThanAll { text: reader.said(amount.span) });
     } else {
         happens(reader, amount);
     }
     (amount.from + amount.to) / 200.0
 }
 
-/// What is said to be done is done at all.
-pub fn happens(reader: &mut Reader, amount: &Amount) {
+pub fn happens(reader: &mut SentenceReader, amount: &Amount) {
     if amount.to <= 0.0 {
-        reader.fault(amount.span, TimeMessage::Never { text: reader.said(amount.span) });
+        reader.fault(amount.span, TimeSentenceMessage::Never { text: reader.said(amount.span) });
     }
 }

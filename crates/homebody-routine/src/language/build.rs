@@ -1,26 +1,29 @@
-//! What a clause means, once all of it is read: a habit, a change, or who the person is.
+//! The meaning of a complete clause: a habit, a change, or facts about the person.
 
+use super::absence::staying;
 use super::adverbs::Adverbs;
 use super::amounts::{ABOUT_SHARE, DAY_S};
 use super::clause::{Clause, PLACES};
-use super::draft::Draft;
+use super::draft::RoutineDraft;
 use super::falling::time_of_fall;
-use super::meaning::Kind as Part;
-use super::measures::{self, FASTEST_MPS, Measure, Of};
-use super::messages::{SentenceMessage, TimeMessage, WordMessage};
+use super::meaning::AdverbKind;
+use super::measures::{self, AmountPhrase, FASTEST_MPS, Of};
+use super::messages::{SentenceMessage, TimeSentenceMessage, WordMessage};
+use super::predicate::{Help, Predicate};
 use super::predicates::IS;
-use super::reader::{Reader, Sort};
-use super::said::{Help, Predicate};
-use super::staying::staying;
-use super::subjects::Subject;
+use super::reader::{SentenceReader, Sort};
+use super::subjects::SentenceSubject;
 use super::times::is_of_next_day;
-use super::unknown::{is_way, unknown_doing};
-use super::words::Span;
-use crate::routine::{Activity, Chance, Change, DayKind, Effect, Habit, Kind, PartOfDay, Person, Shy, When};
+use super::unknown_word::{is_way, unknown_doing};
+use super::words::TextSpan;
+use crate::routine::{
+    Activity, DayKind, Effect, Habit, HabitChance, HabitTime, PartOfDay, ResidentKind, RoutineChange, RoutinePerson,
+    Shy,
+};
 use homebody_core::activity::TimeUse;
 use homebody_core::fuzzy::{Fuzzy, Quantifier};
 
-pub fn build(reader: &mut Reader, draft: &mut Draft, mut clause: Clause) {
+pub fn build(reader: &mut SentenceReader, draft: &mut RoutineDraft, mut clause: Clause) {
     for beside in std::mem::take(&mut clause.beside) {
         draft.routine.remarks.push(draft.said(beside));
     }
@@ -34,11 +37,11 @@ pub fn build(reader: &mut Reader, draft: &mut Draft, mut clause: Clause) {
             helps(reader, draft, clause, activity, help);
         }
         Predicate::VisitedBy(ref who) => {
-            let subject = Subject::Visitor(who.clone());
+            let subject = SentenceSubject::Visitor(who.clone());
             habit(reader, draft, Clause { subject, predicate: Predicate::Visits, ..clause });
         }
         Predicate::HelpedBy(ref who, ref activity) => {
-            let (subject, activity) = (Subject::Visitor(who.clone()), activity.clone());
+            let (subject, activity) = (SentenceSubject::Visitor(who.clone()), activity.clone());
             helps(reader, draft, Clause { subject, ..clause }, activity, Help::Together);
         }
         Predicate::Does(_) if clause.measure.is_none() => habit(reader, draft, clause),
@@ -47,34 +50,31 @@ pub fn build(reader: &mut Reader, draft: &mut Draft, mut clause: Clause) {
 }
 
 /// "She sleeps in the recliner": by day a nap, by night where her bed is.
-fn sleeps(reader: &mut Reader, draft: &mut Draft, clause: Clause) {
+fn sleeps(reader: &mut SentenceReader, draft: &mut RoutineDraft, clause: Clause) {
     let part = clause.adverbs.part.as_ref().map(|part| part.value);
     if part.is_some_and(|part| part != PartOfDay::Night) {
         return habit(reader, draft, Clause { predicate: Predicate::Does(Activity::Nap), ..clause });
     }
     let why = "a sleeping place holds for all nights; for sleep by day, write \"naps\"";
-    let is_every = |chance: &Chance| chance.quantifier == Some(Quantifier::Every);
+    let is_every = |chance: &HabitChance| chance.quantifier == Some(Quantifier::Every);
     if clause.adverbs.chance.as_ref().is_some_and(|chance| is_every(&chance.value)) {
-        only(reader, &clause.adverbs, &[Part::Chance, Part::Part], why);
+        only(reader, &clause.adverbs, &[AdverbKind::Chance, AdverbKind::Part], why);
     } else {
-        only(reader, &clause.adverbs, &[Part::Part], why);
+        only(reader, &clause.adverbs, &[AdverbKind::Part], why);
     }
     let adverbs = Adverbs::default();
     habit(reader, draft, Clause { predicate: Predicate::Does(Activity::GoToBed), adverbs, ..clause });
 }
 
-/// What somebody is, has or likes: kept as it was said.
-fn remark(reader: &mut Reader, draft: &mut Draft, clause: &Clause) {
+fn remark(reader: &mut SentenceReader, draft: &mut RoutineDraft, clause: &Clause) {
     if let Some(measure) = &clause.measure {
         misfit(reader, measure, "the sentence states a fact, not a change");
     }
-    only(reader, &clause.adverbs, &[Part::Phase], "this describes the person, not an activity");
+    only(reader, &clause.adverbs, &[AdverbKind::Phase], "this describes the person, not an activity");
     draft.routine.remarks.push(draft.said(clause.span));
 }
 
-/// Somebody visits and helps: what they do with the person is done as the visit begins, what they do instead the person does not
-/// do on those days.
-fn helps(reader: &mut Reader, draft: &mut Draft, clause: Clause, activity: Activity, help: Help) {
+fn helps(reader: &mut SentenceReader, draft: &mut RoutineDraft, clause: Clause, activity: Activity, help: Help) {
     let done = draft.routine.habits.len();
     habit(reader, draft, Clause { predicate: Predicate::Visits, ..clause.clone() });
     let Some(visit) = draft.routine.habits.get(done).cloned() else { return };
@@ -87,10 +87,10 @@ fn helps(reader: &mut Reader, draft: &mut Draft, clause: Clause, activity: Activ
     match help {
         Help::Together => {
             let is_of_day = matches!(activity, Activity::GetUp | Activity::GoToBed);
-            if is_of_day && !matches!(visit.when, When::At(_)) {
+            if is_of_day && !matches!(visit.when, HabitTime::At(_)) {
                 return reader.fault(clause.predicate_span, SentenceMessage::WhenHelped);
             }
-            let when = if is_of_day { visit.when.clone() } else { When::With(Activity::Visit) };
+            let when = if is_of_day { visit.when.clone() } else { HabitTime::With(Activity::Visit) };
             let (visitor, lasts, until) = (None, None, None);
             draft.routine.habits.push(Habit { visitor, activity, when, lasts, until, place: None, ..visit });
             draft.habit_spans.push(clause.predicate_span);
@@ -98,20 +98,24 @@ fn helps(reader: &mut Reader, draft: &mut Draft, clause: Clause, activity: Activ
         Help::Instead => {
             let factor = Fuzzy::exactly(1.0 - visit.chance.probability);
             let effect = Effect::Oftener { activity, part: None, factor };
-            draft.routine.changes.push(Change { said: visit.said, days: visit.days, phase: visit.phase, effect });
+            draft.routine.changes.push(RoutineChange {
+                said: visit.said,
+                days: visit.days,
+                phase: visit.phase,
+                effect,
+            });
         }
     }
 }
 
-/// Says of each part of the sentence that is of no allowed kind that it does not fit.
-pub fn only(reader: &mut Reader, adverbs: &Adverbs, allowed: &[Part], why: &str) {
-    let others: Vec<Part> = Part::ALL.into_iter().filter(|kind| !allowed.contains(kind)).collect();
+pub fn only(reader: &mut SentenceReader, adverbs: &Adverbs, allowed: &[AdverbKind], why: &str) {
+    let others: Vec<AdverbKind> = AdverbKind::ALL.into_iter().filter(|kind| !allowed.contains(kind)).collect();
     for span in adverbs.spans(&others) {
         reader.fault(span, SentenceMessage::DoesNotFit { text: reader.said(span), reason: why.to_owned() });
     }
 }
 
-fn person(reader: &mut Reader, draft: &mut Draft, clause: &Clause) {
+fn person(reader: &mut SentenceReader, draft: &mut RoutineDraft, clause: &Clause) {
     let span = clause.predicate_span;
     if draft.is_condition {
         return reader.fault(span, WordMessage::ConditionFact { text: reader.said(span) });
@@ -123,10 +127,10 @@ fn person(reader: &mut Reader, draft: &mut Draft, clause: &Clause) {
     }
     let name = draft.name.clone().or_else(|| reader.names.person.clone()).unwrap_or_default();
     let said = draft.said(clause.span);
-    let person = draft.routine.person.get_or_insert(Person {
+    let person = draft.routine.person.get_or_insert(RoutinePerson {
         said: said.clone(),
         name,
-        kind: Kind::default(),
+        kind: ResidentKind::default(),
         age_years: None,
         pace_mps: None,
         age_said: None,
@@ -141,7 +145,7 @@ fn person(reader: &mut Reader, draft: &mut Draft, clause: &Clause) {
             person.pace_mps = Some(pace.as_pace());
             person.pace_said.replace(said).is_some()
         }
-        Predicate::Kind(kind) => std::mem::replace(&mut person.kind, *kind) != Kind::default(),
+        Predicate::Kind(kind) => std::mem::replace(&mut person.kind, *kind) != ResidentKind::default(),
         _ => false,
     };
     if again {
@@ -150,14 +154,13 @@ fn person(reader: &mut Reader, draft: &mut Draft, clause: &Clause) {
     if let Predicate::Pace(pace) = &clause.predicate
         && !(pace.from >= 0.05 && pace.to <= FASTEST_MPS)
     {
-        reader.fault(pace.span, TimeMessage::Pace { text: reader.said(pace.span) });
+        reader.fault(pace.span, TimeSentenceMessage::Pace { text: reader.said(pace.span) });
     }
 }
 
-fn habit(reader: &mut Reader, draft: &mut Draft, clause: Clause) {
+fn habit(reader: &mut SentenceReader, draft: &mut RoutineDraft, clause: Clause) {
     let (activity, is_own) = match &clause.predicate {
         Predicate::Visits => (Activity::Visit, false),
-        // What is said with all that something new needs keeps its own words.
         Predicate::Does(Activity::Everyday(_)) if clause.place.is_some() && clause.adverbs.lasts.is_some() => {
             let own = own_said(reader, clause.predicate_span);
             (Activity::Other(own), false)
@@ -192,7 +195,7 @@ fn habit(reader: &mut Reader, draft: &mut Draft, clause: Clause) {
     every_few_weeks(reader, adverbs);
     let when = time_of_fall(reader, &clause, adverbs.time_meant(activity == Activity::GoToBed));
     check_times(reader, adverbs, &when);
-    if when == When::Then && draft.routine.habits.is_empty() {
+    if when == HabitTime::Then && draft.routine.habits.is_empty() {
         let span = adverbs.when.as_ref().map_or(clause.span, |slot| slot.span);
         reader.fault(span, SentenceMessage::NothingBeforeThen);
     }
@@ -201,11 +204,12 @@ fn habit(reader: &mut Reader, draft: &mut Draft, clause: Clause) {
         && lasts.own
         && lasts.value.from > DAY_S
     {
-        reader.fault(lasts.span, TimeMessage::LongerThanADay { text: reader.said(lasts.span) });
+        reader.fault(lasts.span, TimeSentenceMessage::LongerThanADay { text: reader.said(lasts.span) });
     }
-    let inherited_then = when == When::Then && adverbs.chance.as_ref().is_some_and(|chance| !chance.own);
-    let chance = adverbs.chance.as_ref().filter(|_| !inherited_then).map_or(Chance::ALWAYS, |slot| slot.value);
-    let chance = if clause.tends && adverbs.chance.is_none() { Chance::of(Quantifier::Most) } else { chance };
+    let inherited_then = when == HabitTime::Then && adverbs.chance.as_ref().is_some_and(|chance| !chance.own);
+    let chance = adverbs.chance.as_ref().filter(|_| !inherited_then).map_or(HabitChance::ALWAYS, |slot| slot.value);
+    let chance =
+        if clause.tends && adverbs.chance.is_none() { HabitChance::from_quantifier(Quantifier::Most) } else { chance };
     let phase = adverbs.phase_meant(reader, draft.is_condition);
     draft.phase(reader, &phase, adverbs, clause.span);
     let stay = staying(reader, draft, &clause, &activity, &phase);
@@ -216,7 +220,7 @@ fn habit(reader: &mut Reader, draft: &mut Draft, clause: Clause) {
     let habit = Habit {
         said: draft.said(clause.span),
         visitor: match clause.subject {
-            Subject::Visitor(name) => Some(name),
+            SentenceSubject::Visitor(name) => Some(name),
             _ => None,
         },
         activity,
@@ -238,8 +242,7 @@ fn habit(reader: &mut Reader, draft: &mut Draft, clause: Clause) {
     draft.finders.extend(clause.finder);
 }
 
-/// Whether somebody only goes to a place, and it is left open what for.
-fn only_goes(reader: &mut Reader, clause: &Clause) -> bool {
+fn only_goes(reader: &mut SentenceReader, clause: &Clause) -> bool {
     let (Predicate::Own(words), Some((name, place))) = (&clause.predicate, &clause.place) else { return false };
     if !is_way(words) {
         return false;
@@ -250,24 +253,21 @@ fn only_goes(reader: &mut Reader, clause: &Clause) -> bool {
     true
 }
 
-/// Every other week is of one day of the week.
-fn every_few_weeks(reader: &mut Reader, adverbs: &Adverbs) {
+fn every_few_weeks(reader: &mut SentenceReader, adverbs: &Adverbs) {
     if let (Some(every), Some(weekdays)) = (&adverbs.every, &adverbs.weekdays)
         && every.value % 7 == 0
         && weekdays.value.count_ones() > 1
     {
-        reader.fault(every.span, TimeMessage::SeveralWeekdays { text: reader.said(every.span) });
+        reader.fault(every.span, TimeSentenceMessage::SeveralWeekdays { text: reader.said(every.span) });
     }
 }
 
-/// The words of an activity as the sentence has them.
-fn own_said(reader: &Reader, span: Span) -> String {
+fn own_said(reader: &SentenceReader, span: TextSpan) -> String {
     let words = reader.words.iter().filter(|word| span.start <= word.span.start && word.span.end <= span.end);
     words.map(|word| word.text.as_str()).collect::<Vec<_>>().join(" ")
 }
 
-/// What is new has to be said with a place and a duration: shows how, with those that are there.
-fn lacks_place_or_time(reader: &mut Reader, clause: &Clause) {
+fn lacks_place_or_time(reader: &mut SentenceReader, clause: &Clause) {
     let span = clause.predicate_span;
     let words = reader.said(span).to_lowercase();
     let named = reader.names.of(&PLACES).find(|name| words.ends_with(&format!(" {}", name.to_lowercase())));
@@ -279,8 +279,7 @@ fn lacks_place_or_time(reader: &mut Reader, clause: &Clause) {
     unknown_doing(reader, &words, span, example);
 }
 
-/// A day begins and ends once; what interrupts a night has words of its own.
-fn once_a_day(reader: &mut Reader, clause: &Clause) {
+fn once_a_day(reader: &mut SentenceReader, clause: &Clause) {
     let at_night = clause.adverbs.part.as_ref().filter(|part| part.value == PartOfDay::Night);
     let gets_up = clause.predicate == Predicate::Does(Activity::GetUp);
     let span = clause.adverbs.times.as_ref().filter(|times| times.value != (1, 1)).map(|times| times.span);
@@ -289,9 +288,8 @@ fn once_a_day(reader: &mut Reader, clause: &Clause) {
     }
 }
 
-/// The time of day is within the part of the day that was said, and the end after the beginning.
-fn check_times(reader: &mut Reader, adverbs: &Adverbs, when: &When) {
-    if let (Some(part), When::At(at)) = (adverbs.part.as_ref().filter(|part| part.own), when) {
+fn check_times(reader: &mut SentenceReader, adverbs: &Adverbs, when: &HabitTime) {
+    if let (Some(part), HabitTime::At(at)) = (adverbs.part.as_ref().filter(|part| part.own), when) {
         let (from, to) = match part.value {
             PartOfDay::Morning => (3.0, 12.5),
             PartOfDay::Noon => (11.0, 14.5),
@@ -303,22 +301,22 @@ fn check_times(reader: &mut Reader, adverbs: &Adverbs, when: &When) {
         if at.to < from * 3600.0 || at.from > to * 3600.0 {
             let time = adverbs.when.as_ref().map_or(part.span, |slot| slot.span);
             let (text, part_text) = (reader.said(time), reader.said(part.span));
-            reader.fault(time, TimeMessage::PartOfDay { text, part: part.value.word().to_string(), part_text });
+            reader.fault(time, TimeSentenceMessage::PartOfDay { text, part: part.value.word().to_string(), part_text });
         }
     }
     if let (Some(lasts), Some(until)) = (&adverbs.lasts, &adverbs.until_time) {
         let (text, other) = (reader.said(lasts.span), reader.said(until.span));
-        reader.fault(until.span, TimeMessage::TwoEnds { text, other });
+        reader.fault(until.span, TimeSentenceMessage::TwoEnds { text, other });
     }
-    if let (When::At(at), Some(until)) = (when, &adverbs.until_time)
+    if let (HabitTime::At(at), Some(until)) = (when, &adverbs.until_time)
         && until.value.from <= at.from
         && !is_of_next_day(until.value.from, at.from)
     {
-        reader.fault(until.span, TimeMessage::EndBeforeBegin { text: reader.said(until.span) });
+        reader.fault(until.span, TimeSentenceMessage::EndBeforeBegin { text: reader.said(until.span) });
     }
 }
 
-fn change(reader: &mut Reader, draft: &mut Draft, clause: &Clause) {
+fn change(reader: &mut SentenceReader, draft: &mut RoutineDraft, clause: &Clause) {
     // Where she does not go any more she does not go: nothing is left to live of it.
     if matches!(clause.predicate, Predicate::Not(_)) && names_one_outing(reader, clause) {
         draft.routine.remarks.push(draft.said(clause.span));
@@ -334,7 +332,7 @@ fn change(reader: &mut Reader, draft: &mut Draft, clause: &Clause) {
     if let (Effect::DaysAre { .. }, Some(kind)) = (&effect, &clause.adverbs.kind) {
         return reader.fault(kind.span, SentenceMessage::WhichDays);
     }
-    draft.routine.changes.push(Change { said: draft.said(clause.span), days, phase, effect });
+    draft.routine.changes.push(RoutineChange { said: draft.said(clause.span), days, phase, effect });
 }
 
 /// Strength of a shy person's avoidance of others, where the goal has 1 (our choice).
@@ -346,14 +344,29 @@ const STOPS_PER_MIN: f64 = 6.0;
 /// How much of its usual time is spent on what is not brought to its end (ours).
 const UNFINISHED: Fuzzy = Fuzzy { low: 0.5, from: 0.5, to: 0.8, high: 0.8 };
 
-const PHASE_ALONE: &[Part] = &[Part::Phase];
-const PHASE: &[Part] = &[Part::Phase, Part::Weekdays, Part::Months, Part::Every, Part::Lively];
-const PHASE_AND_PART: &[Part] = &[Part::Phase, Part::Weekdays, Part::Months, Part::Every, Part::Lively, Part::Part];
-const PHASE_AND_CHANCE: &[Part] = &[Part::Phase, Part::Weekdays, Part::Months, Part::Every, Part::Lively, Part::Chance];
-const DAYS_AND_CHANCE: &[Part] = &[Part::Phase, Part::Weekdays, Part::Months, Part::Every, Part::Chance];
+const PHASE_ALONE: &[AdverbKind] = &[AdverbKind::Phase];
+const PHASE: &[AdverbKind] =
+    &[AdverbKind::Phase, AdverbKind::Weekdays, AdverbKind::Months, AdverbKind::Every, AdverbKind::Lively];
+const PHASE_AND_PART: &[AdverbKind] = &[
+    AdverbKind::Phase,
+    AdverbKind::Weekdays,
+    AdverbKind::Months,
+    AdverbKind::Every,
+    AdverbKind::Lively,
+    AdverbKind::Part,
+];
+const PHASE_AND_CHANCE: &[AdverbKind] = &[
+    AdverbKind::Phase,
+    AdverbKind::Weekdays,
+    AdverbKind::Months,
+    AdverbKind::Every,
+    AdverbKind::Lively,
+    AdverbKind::Chance,
+];
+const DAYS_AND_CHANCE: &[AdverbKind] =
+    &[AdverbKind::Phase, AdverbKind::Weekdays, AdverbKind::Months, AdverbKind::Every, AdverbKind::Chance];
 
-/// What changes, and which other parts the sentence may have.
-fn effect(reader: &mut Reader, clause: &Clause) -> Option<(Effect, Vec<Part>)> {
+fn effect(reader: &mut SentenceReader, clause: &Clause) -> Option<(Effect, Vec<AdverbKind>)> {
     let measure = clause.measure.as_ref();
     let part = clause.adverbs.part.as_ref().map(|slot| slot.value);
     if names_one_outing(reader, clause) {
@@ -369,7 +382,6 @@ fn effect(reader: &mut Reader, clause: &Clause) -> Option<(Effect, Vec<Part>)> {
         (Predicate::Walks, Some((Of::FasterBy { each_week: true }, by))) => (Effect::PaceEachWeek(by), PHASE),
         (Predicate::Is, Some((Of::Active, factor))) => (Effect::Active { part, factor }, PHASE_AND_PART),
         (Predicate::Sleeps, Some((Of::Restless | Of::Much, by))) => (Effect::Restless(by), PHASE),
-        // Who sleeps longer gets up later.
         (Predicate::Sleeps, Some((Of::Later | Of::LongerBy, by))) => {
             (Effect::Later { activity: Activity::GetUp, by }, PHASE)
         }
@@ -383,8 +395,8 @@ fn effect(reader: &mut Reader, clause: &Clause) -> Option<(Effect, Vec<Part>)> {
         (Predicate::SleepsIn, None) => (Effect::SleepsIn, PHASE_ALONE),
         (Predicate::Lively(kind, very), None) => (days_are(clause, *kind, *very), DAYS_AND_CHANCE),
         (Predicate::Breathes, Some((Of::Breaths, by))) => (Effect::Respiration(by), PHASE),
-        (Predicate::Rises(Measure { of: Of::Beats, by, .. }), None) => (Effect::Pulse(*by), PHASE),
-        (Predicate::Rises(Measure { of: Of::Breaths, by, .. }), None) => (Effect::Respiration(*by), PHASE),
+        (Predicate::Rises(AmountPhrase { of: Of::Beats, by, .. }), None) => (Effect::Pulse(*by), PHASE),
+        (Predicate::Rises(AmountPhrase { of: Of::Breaths, by, .. }), None) => (Effect::Respiration(*by), PHASE),
         (Predicate::Shy(Shy::GoingOn), None) => {
             let often = chance(clause).unwrap_or(Quantifier::Sometimes.probability());
             (Effect::Shy { of: Shy::GoingOn, gain: STOPS_PER_MIN * often }, PHASE_AND_CHANCE)
@@ -424,11 +436,11 @@ fn effect(reader: &mut Reader, clause: &Clause) -> Option<(Effect, Vec<Part>)> {
     Some((found.0, found.1.to_vec()))
 }
 
-/// Which days are quiet or busy: those that are said, or some.
 fn days_are(clause: &Clause, kind: DayKind, very: bool) -> Effect {
     let adverbs = &clause.adverbs;
     let said = [adverbs.weekdays.is_some(), adverbs.months.is_some(), adverbs.every.is_some()];
-    let unsaid = if said.contains(&true) { Chance::ALWAYS } else { Chance::of(Quantifier::Sometimes) };
+    let unsaid =
+        if said.contains(&true) { HabitChance::ALWAYS } else { HabitChance::from_quantifier(Quantifier::Sometimes) };
     Effect::DaysAre { kind, very, chance: adverbs.chance.as_ref().map_or(unsaid, |slot| slot.value) }
 }
 
@@ -436,8 +448,7 @@ fn says_weekdays(clause: &Clause) -> bool {
     clause.adverbs.weekdays.as_ref().is_some_and(|slot| slot.own)
 }
 
-/// Whether what changes is one of several reasons to go out, which are one activity to the living.
-fn names_one_outing(reader: &Reader, clause: &Clause) -> bool {
+fn names_one_outing(reader: &SentenceReader, clause: &Clause) -> bool {
     const GENERAL: [&str; 8] = ["apartment", "flat", "home", "house", "building", "out", "outside", "away"];
     let (Predicate::Does(activity) | Predicate::Not(activity) | Predicate::Skips(activity)) = &clause.predicate else {
         return false;
@@ -448,13 +459,13 @@ fn names_one_outing(reader: &Reader, clause: &Clause) -> bool {
 }
 
 fn of_activity(
-    reader: &mut Reader,
+    reader: &mut SentenceReader,
     clause: &Clause,
     activity: &Activity,
     of: Of,
     by: Fuzzy,
     part: Option<PartOfDay>,
-) -> Option<(Effect, Vec<Part>)> {
+) -> Option<(Effect, Vec<AdverbKind>)> {
     let activity = activity.clone();
     let effect = match of {
         Of::Later => Effect::Later { activity, by },
@@ -476,15 +487,14 @@ fn of_activity(
     Some((effect, PHASE.to_vec()))
 }
 
-/// Whether more of an activity is for longer rather than more often.
 fn lasts_long(activity: &Activity) -> bool {
     matches!(
-        TimeUse::of(activity.label()),
+        TimeUse::from_label(activity.label()),
         TimeUse::Television | TimeUse::Reading | TimeUse::Relaxing | TimeUse::Computer | TimeUse::Eating
     )
 }
 
-fn not_a_change(reader: &mut Reader, clause: &Clause) {
+fn not_a_change(reader: &mut SentenceReader, clause: &Clause) {
     let hint = match &clause.predicate {
         Predicate::Walks => {
             "write \"walks 10 % slower\", \"walks 0.02 m/s slower every week\", \"wanders around\", \
@@ -509,26 +519,25 @@ fn not_a_change(reader: &mut Reader, clause: &Clause) {
     reader.fault(span, message);
 }
 
-fn misfit(reader: &mut Reader, measure: &Measure, why: &str) {
+fn misfit(reader: &mut SentenceReader, measure: &AmountPhrase, why: &str) {
     let (text, reason) = (reader.said(measure.span), why.to_owned());
     reader.fault(measure.span, SentenceMessage::NotAChange { text, reason });
 }
 
-fn no_place(reader: &mut Reader, clause: &Clause) {
+fn no_place(reader: &mut SentenceReader, clause: &Clause) {
     if let Some((_, span)) = &clause.place {
         let (text, reason) = (reader.said(*span), "a change has no place".to_owned());
         reader.fault(*span, SentenceMessage::DoesNotFit { text, reason });
     }
 }
 
-/// How likely it is, if the sentence or its heading says so; "every day" above a change says nothing.
 fn chance(clause: &Clause) -> Option<f64> {
     let chance = clause.adverbs.chance.as_ref()?;
     let says = chance.own || chance.value.quantifier != Some(Quantifier::Every);
     says.then_some(chance.value.probability)
 }
 
-fn needed_chance(reader: &mut Reader, clause: &Clause, example: &str) -> Option<f64> {
+fn needed_chance(reader: &mut SentenceReader, clause: &Clause, example: &str) -> Option<f64> {
     let chance = chance(clause);
     if chance.is_none() {
         let span = clause.predicate_span;
@@ -537,7 +546,6 @@ fn needed_chance(reader: &mut Reader, clause: &Clause, example: &str) -> Option<
     chance
 }
 
-/// The last word of a stretch.
-fn last_word(span: Span, reader: &Reader) -> Span {
+fn last_word(span: TextSpan, reader: &SentenceReader) -> TextSpan {
     reader.words.iter().rev().map(|word| word.span).find(|word| word.end <= span.end).unwrap_or(span)
 }

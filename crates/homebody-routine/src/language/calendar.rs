@@ -1,10 +1,10 @@
 //! Days of the run and of the calendar: weekdays, months, dates, and how many days lie between.
 
-use super::amounts::{Amount, MONTH_DAYS, Unit, YEAR_DAYS, amount, number};
-use super::messages::TimeMessage;
-use super::reader::Reader;
+use super::amounts::{Amount, AmountUnit, MONTH_DAYS, YEAR_DAYS, amount, number};
+use super::messages::TimeSentenceMessage;
+use super::reader::SentenceReader;
 use super::words::Token;
-use crate::routine::Moment;
+use crate::routine::PhaseDay;
 
 const WEEKDAYS: [(&str, u8); 7] = [
     ("monday|mondays|mon", 0),
@@ -31,19 +31,17 @@ const MONTHS: [(&str, u32); 12] = [
     ("december|dec", 11),
 ];
 
-/// The seasons of the northern half of the world, by whole months.
 pub const SEASONS: [(&str, u16); 5] =
     [("spring", 0b11_100), ("summer", 0b11_100_000), ("autumn", 0x700), ("fall", 0x700), ("winter", 0x803)];
 
-/// A day, the beginning of a week, or a date of the calendar.
-pub fn moment(reader: &mut Reader) -> Option<(Moment, Length)> {
+pub fn moment(reader: &mut SentenceReader) -> Option<(PhaseDay, CalendarLength)> {
     reader.attempt(|reader| {
         reader.eat("the");
         if let Some(Token::Date(year, month, day)) = reader.token(0) {
             reader.at += 1;
-            return Some((date(reader, year, month, day), Length::DAY));
+            return Some((date(reader, year, month, day), CalendarLength::DAY));
         }
-        let by_month = |reader: &mut Reader| {
+        let by_month = |reader: &mut SentenceReader| {
             let month_first = reader.eat_any(&MONTHS);
             let day = whole(reader)?;
             reader.eat("st|nd|rd|th");
@@ -55,42 +53,42 @@ pub fn moment(reader: &mut Reader) -> Option<(Moment, Length)> {
         };
         let start = reader.at;
         if let Some(date) = reader.attempt(by_month) {
-            return Some((date, Length::DAY));
+            return Some((date, CalendarLength::DAY));
         }
         if let Some(first) = reader.attempt(ordinal) {
             let count = reader.attempt(number).filter(|count| count.fract() == 0.0 && (1.0..=1000.0).contains(count));
             let unit = reader.eat_any(&LENGTHS)?;
             let begin = (first - 1) * unit.days;
             // "The first two weeks" are one stretch; "the second two weeks" are none that anybody means.
-            let length = Length { days: unit.days * count.filter(|_| first == 1).unwrap_or(1.0) as i32 };
-            return ((count.is_none() || first == 1) && reader.peek(0) != "of").then_some((Moment::Day(begin), length));
+            let length = CalendarLength { days: unit.days * count.filter(|_| first == 1).unwrap_or(1.0) as i32 };
+            return ((count.is_none() || first == 1) && reader.peek(0) != "of")
+                .then_some((PhaseDay::Day(begin), length));
         }
         let length = reader.eat_any(&LENGTHS)?;
         let number = number(reader)?;
         let span = reader.span(start);
         if number.fract() != 0.0 || !(1.0..=36_525.0).contains(&number) {
-            reader.fault(span, TimeMessage::NoDay { text: reader.said(span) });
-            return Some((Moment::Day(0), length));
+            reader.fault(span, TimeSentenceMessage::NoDay { text: reader.said(span) });
+            return Some((PhaseDay::Day(0), length));
         }
-        Some((Moment::Day((number as i32 - 1) * length.days), length))
+        Some((PhaseDay::Day((number as i32 - 1) * length.days), length))
     })
 }
 
-/// How long the time is that a moment names.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Length {
+pub struct CalendarLength {
     pub days: i32,
 }
 
-impl Length {
-    const DAY: Length = Length { days: 1 };
+impl CalendarLength {
+    const DAY: CalendarLength = CalendarLength { days: 1 };
 }
 
-const LENGTHS: [(&str, Length); 4] = [
-    ("day|days|night|nights", Length::DAY),
-    ("week|weeks", Length { days: 7 }),
-    ("month|months", Length { days: MONTH_DAYS as i32 }),
-    ("year|years", Length { days: YEAR_DAYS as i32 }),
+const LENGTHS: [(&str, CalendarLength); 4] = [
+    ("day|days|night|nights", CalendarLength::DAY),
+    ("week|weeks", CalendarLength { days: 7 }),
+    ("month|months", CalendarLength { days: MONTH_DAYS as i32 }),
+    ("year|years", CalendarLength { days: YEAR_DAYS as i32 }),
 ];
 
 const ORDINALS: [&str; 12] = [
@@ -99,7 +97,7 @@ const ORDINALS: [&str; 12] = [
 ];
 
 /// "third", or "3rd".
-fn ordinal(reader: &mut Reader) -> Option<i32> {
+fn ordinal(reader: &mut SentenceReader) -> Option<i32> {
     if let Some(before) = ORDINALS.iter().position(|ordinal| reader.eat(ordinal)) {
         return Some(before as i32 + 1);
     }
@@ -107,40 +105,37 @@ fn ordinal(reader: &mut Reader) -> Option<i32> {
     reader.eat("st|nd|rd|th").then_some(number as i32)
 }
 
-/// The moment at which that time is over.
-pub fn end_of(moment: Moment, length: Length) -> Moment {
+pub fn end_of(moment: PhaseDay, length: CalendarLength) -> PhaseDay {
     later(moment, length.days)
 }
 
-/// So many days after a moment.
-pub fn later(moment: Moment, days: i32) -> Moment {
+pub fn later(moment: PhaseDay, days: i32) -> PhaseDay {
     match moment {
-        Moment::Day(day) => Moment::Day(day.saturating_add(days)),
-        Moment::Date(year, month, day) => of_number(number_of(year, month, day) + i64::from(days)),
+        PhaseDay::Day(day) => PhaseDay::Day(day.saturating_add(days)),
+        PhaseDay::Date(year, month, day) => of_number(number_of(year, month, day) + i64::from(days)),
     }
 }
 
-/// Days from one moment to another, if both count from the same or the first date is known.
-pub fn days_between(from: Moment, to: Moment, first: Option<(i16, u8, u8)>) -> Option<i64> {
+pub fn days_between(from: PhaseDay, to: PhaseDay, first: Option<(i16, u8, u8)>) -> Option<i64> {
     let number = |moment| match (moment, first) {
-        (Moment::Day(day), Some((y, m, d))) => Some(number_of(y, m, d) + i64::from(day)),
-        (Moment::Date(y, m, d), _) => Some(number_of(y, m, d)),
-        (Moment::Day(_), None) => None,
+        (PhaseDay::Day(day), Some((y, m, d))) => Some(number_of(y, m, d) + i64::from(day)),
+        (PhaseDay::Date(y, m, d), _) => Some(number_of(y, m, d)),
+        (PhaseDay::Day(_), None) => None,
     };
     match (from, to) {
-        (Moment::Day(from), Moment::Day(to)) => Some(i64::from(to) - i64::from(from)),
+        (PhaseDay::Day(from), PhaseDay::Day(to)) => Some(i64::from(to) - i64::from(from)),
         _ => Some(number(to)? - number(from)?),
     }
 }
 
-fn date(reader: &mut Reader, year: u32, month: u32, day: u32) -> Moment {
+fn date(reader: &mut SentenceReader, year: u32, month: u32, day: u32) -> PhaseDay {
     let is_date = (1900..=2200).contains(&year) && (1..=12).contains(&month) && day >= 1;
     if is_date && day <= days_of(year as i16, month as u8) {
-        return Moment::Date(year as i16, month as u8, day as u8);
+        return PhaseDay::Date(year as i16, month as u8, day as u8);
     }
     let span = reader.span(reader.at.saturating_sub(1));
-    reader.fault(span, TimeMessage::NoDate);
-    Moment::Day(0)
+    reader.fault(span, TimeSentenceMessage::NoDate);
+    PhaseDay::Day(0)
 }
 
 fn days_of(year: i16, month: u8) -> u32 {
@@ -152,22 +147,21 @@ fn days_of(year: i16, month: u8) -> u32 {
     }
 }
 
-/// Days since the first of 1900; before it, negative.
 fn number_of(year: i16, month: u8, day: u8) -> i64 {
     let years = (1900..year).map(|year| if days_of(year, 2) == 29 { 366 } else { 365 }).sum::<i64>();
     years + (1..month).map(|month| i64::from(days_of(year, month))).sum::<i64>() + i64::from(day) - 1
 }
 
-fn of_number(mut days: i64) -> Moment {
+fn of_number(mut days: i64) -> PhaseDay {
     let (mut year, mut month) = (1900, 1);
     while days >= i64::from(days_of(year, month)) && year < 9999 {
         days -= i64::from(days_of(year, month));
         (year, month) = if month == 12 { (year + 1, 1) } else { (year, month + 1) };
     }
-    Moment::Date(year, month, days.clamp(0, 30) as u8 + 1)
+    PhaseDay::Date(year, month, days.clamp(0, 30) as u8 + 1)
 }
 
-fn whole(reader: &mut Reader) -> Option<u32> {
+fn whole(reader: &mut SentenceReader) -> Option<u32> {
     match reader.token(0) {
         Some(Token::Number(value)) if value.fract() == 0.0 && (0.0..10_000.0).contains(&value) => {
             reader.at += 1;
@@ -185,8 +179,7 @@ pub fn is_weekday(word: &str) -> bool {
     WEEKDAYS.iter().any(|(names, _)| names.split('|').any(|name| name == word))
 }
 
-/// A list of weekdays, or a stretch of them, as bits.
-pub fn weekdays(reader: &mut Reader) -> Option<u8> {
+pub fn weekdays(reader: &mut SentenceReader) -> Option<u8> {
     if reader.eat("weekday|weekdays") {
         return Some(0b001_1111);
     }
@@ -199,7 +192,7 @@ pub fn weekdays(reader: &mut Reader) -> Option<u8> {
         let length = (last + 7 - first) % 7;
         return Some((0..=length).fold(0, |days, ahead| days | 1 << ((first + ahead) % 7)));
     }
-    let next = |reader: &mut Reader| {
+    let next = |reader: &mut SentenceReader| {
         reader.skip_commas();
         reader.eat("and|or");
         reader.eat("on");
@@ -211,14 +204,13 @@ pub fn weekdays(reader: &mut Reader) -> Option<u8> {
     Some(days)
 }
 
-/// A list of months and seasons, or a stretch of months, as bits.
-pub fn months(reader: &mut Reader) -> Option<u16> {
-    let one = |reader: &mut Reader| {
+pub fn months(reader: &mut SentenceReader) -> Option<u16> {
+    let one = |reader: &mut SentenceReader| {
         reader.eat("the");
         reader.eat_any(&MONTHS).map(|month| 1_u16 << month).or_else(|| reader.eat_any(&SEASONS))
     };
     let mut months = reader.attempt(one)?;
-    let next = |reader: &mut Reader| {
+    let next = |reader: &mut SentenceReader| {
         reader.skip_commas();
         reader.eat("and|or");
         reader.eat("in");
@@ -231,10 +223,10 @@ pub fn months(reader: &mut Reader) -> Option<u16> {
 }
 
 /// Days of a year without the year, as months and the first and last day: "25 December", "24 to 26 December".
-pub fn days_of_year(reader: &mut Reader) -> Option<(u16, (u8, u8))> {
+pub fn days_of_year(reader: &mut SentenceReader) -> Option<(u16, (u8, u8))> {
     reader.attempt(|reader| {
         let month_first = reader.eat_any(&MONTHS);
-        let day = |reader: &mut Reader| {
+        let day = |reader: &mut SentenceReader| {
             let day = whole(reader).filter(|day| (1..=31).contains(day))?;
             reader.eat("st|nd|rd|th");
             Some(day as u8)
@@ -251,11 +243,10 @@ pub fn days_of_year(reader: &mut Reader) -> Option<(u16, (u8, u8))> {
     })
 }
 
-/// What days of a month are: the last week of one is from 0 to 7.
 pub const LAST_WEEK: (u8, u8) = (0, 7);
 
 /// A day of each month: a weekday, which of its days that is, and the months: "the first Monday of the month".
-pub fn day_of_month(reader: &mut Reader) -> Option<(Option<u8>, (u8, u8), u16)> {
+pub fn day_of_month(reader: &mut SentenceReader) -> Option<(Option<u8>, (u8, u8), u16)> {
     const ALL_MONTHS: u16 = 0xfff;
     reader.attempt(|reader| {
         reader.eat("the");
@@ -278,8 +269,7 @@ pub fn day_of_month(reader: &mut Reader) -> Option<(Option<u8>, (u8, u8), u16)> 
     })
 }
 
-/// From one month to another, both included.
-pub fn month_range(reader: &mut Reader) -> Option<u16> {
+pub fn month_range(reader: &mut SentenceReader) -> Option<u16> {
     reader.attempt(|reader| {
         let first = reader.eat_any(&MONTHS)?;
         if !reader.eat("to|until|through|and") {
@@ -291,7 +281,6 @@ pub fn month_range(reader: &mut Reader) -> Option<u16> {
     })
 }
 
-/// A span of days said in days, weeks, months or years.
-pub fn days(reader: &mut Reader) -> Option<Amount> {
-    reader.attempt(|reader| amount(reader).filter(|amount| amount.unit == Unit::Day))
+pub fn days(reader: &mut SentenceReader) -> Option<Amount> {
+    reader.attempt(|reader| amount(reader).filter(|amount| amount.unit == AmountUnit::Day))
 }

@@ -2,15 +2,17 @@
 
 use super::activities::phrase;
 use super::calendar::days_between;
-use super::draft::Draft;
+use super::draft::RoutineDraft;
 use super::faults::Faults;
 use super::messages::{CheckMessage, WordMessage};
-use crate::routine::{Activity, Days, Effect, Habit, Meal, Moment, PartOfDay, Phase, Response, Rule, Trigger, When};
+use crate::routine::{
+    Activity, DaySelection, Effect, Habit, HabitTime, Meal, PartOfDay, Phase, PhaseDay, Response, RoutineRule,
+    RuleTrigger,
+};
 use homebody_core::fuzzy::Fuzzy;
-use homebody_core::scenario::nearest::nearest;
+use homebody_core::nearest::nearest;
 use std::collections::{BTreeMap, BTreeSet};
 
-/// Things that only some activities use.
 const USED_BY: [(&str, &[Activity]); 9] = {
     use crate::routine::Meal::{Breakfast, Dinner, Lunch};
     const COOKING: &[Activity] =
@@ -28,7 +30,7 @@ const USED_BY: [(&str, &[Activity]); 9] = {
     ]
 };
 
-pub fn check(draft: &Draft, faults: &mut Faults) {
+pub fn check(draft: &RoutineDraft, faults: &mut Faults) {
     let all_understood = faults.count() == 0;
     twice_a_day(draft, faults);
     done_and_not_done(draft, faults);
@@ -37,7 +39,6 @@ pub fn check(draft: &Draft, faults: &mut Faults) {
     if circles(draft, faults) || draft.is_condition || !all_understood {
         return;
     }
-    // What is missing, or too much, is only known once every sentence has been understood.
     home_while_out(draft, faults);
     too_much_for_a_day(draft, faults);
     home_without_leaving(draft, faults);
@@ -46,18 +47,17 @@ pub fn check(draft: &Draft, faults: &mut Faults) {
     idle_rules(draft, faults);
 }
 
-fn own_habits<'a>(draft: &'a Draft) -> impl Iterator<Item = (usize, &'a Habit)> + Clone {
+fn own_habits<'a>(draft: &'a RoutineDraft) -> impl Iterator<Item = (usize, &'a Habit)> + Clone {
     draft.routine.habits.iter().enumerate().filter(|(_, habit)| habit.visitor.is_none())
 }
 
-fn does(draft: &Draft, activity: &Activity) -> bool {
+fn does(draft: &RoutineDraft, activity: &Activity) -> bool {
     own_habits(draft).any(|(_, habit)| habit.activity == *activity) || draft.usual.contains(activity)
 }
 
-/// Whether there may be a day on which both are meant.
-fn share_days(draft: &Draft, a: &Habit, b: &Habit) -> bool {
-    let before = |until: Option<Moment>, from: Option<Moment>| match until {
-        Some(until) => days_between(from.unwrap_or(Moment::Day(0)), until, draft.first_date).is_some_and(|d| d <= 0),
+fn share_days(draft: &RoutineDraft, a: &Habit, b: &Habit) -> bool {
+    let before = |until: Option<PhaseDay>, from: Option<PhaseDay>| match until {
+        Some(until) => days_between(from.unwrap_or(PhaseDay::Day(0)), until, draft.first_date).is_some_and(|d| d <= 0),
         None => false,
     };
     let is_other_kind = a.days.kind.zip(b.days.kind).is_some_and(|(a, b)| a != b);
@@ -68,11 +68,10 @@ fn share_days(draft: &Draft, a: &Habit, b: &Habit) -> bool {
         && !before(b.phase.until, a.phase.from)
 }
 
-/// Nobody gets up, or goes to bed, at two times of the same day.
-fn twice_a_day(draft: &Draft, faults: &mut Faults) {
+fn twice_a_day(draft: &RoutineDraft, faults: &mut Faults) {
     let meals = Meal::ALL.map(Activity::Eat);
     for activity in [Activity::GetUp, Activity::GoToBed].into_iter().chain(meals) {
-        let timed = |habit: &Habit| matches!(habit.when, When::At(_) | When::Within(_));
+        let timed = |habit: &Habit| matches!(habit.when, HabitTime::At(_) | HabitTime::Within(_));
         let list: Vec<_> = own_habits(draft).filter(|(_, habit)| habit.activity == activity && timed(habit)).collect();
         for (later, (index, habit)) in list.iter().enumerate() {
             let both = |other: &Habit| habit.chance.probability + other.chance.probability > 1.0 + 1e-9;
@@ -89,8 +88,7 @@ fn twice_a_day(draft: &Draft, faults: &mut Faults) {
 const SHORTEST_NIGHT_S: f64 = 3.0 * 3600.0;
 const LONGEST_NIGHT_S: f64 = 12.0 * 3600.0;
 
-/// A slip in who visits would be somebody else who visits, too.
-fn visitors_nearly_alike(draft: &Draft, faults: &mut Faults) {
+fn visitors_nearly_alike(draft: &RoutineDraft, faults: &mut Faults) {
     const SHORTEST: usize = 5;
     let mut seen: Vec<&str> = Vec::new();
     for (index, habit) in draft.routine.habits.iter().enumerate() {
@@ -117,7 +115,7 @@ fn visitors_nearly_alike(draft: &Draft, faults: &mut Faults) {
 const CERTAIN: f64 = 0.97;
 
 /// "She naps every day", and "she never naps".
-fn done_and_not_done(draft: &Draft, faults: &mut Faults) {
+fn done_and_not_done(draft: &RoutineDraft, faults: &mut Faults) {
     for (index, habit) in own_habits(draft) {
         let never = draft.routine.changes.iter().find(|change| {
             let none = |factor: &Fuzzy| factor.high <= 0.0;
@@ -126,12 +124,12 @@ fn done_and_not_done(draft: &Draft, faults: &mut Faults) {
                 Effect::Skips { activity, chance } => *activity == habit.activity && *chance >= 1.0,
                 _ => false,
             };
-            let from = change.phase.from.unwrap_or(Moment::Day(0));
-            let begins = habit.phase.from.unwrap_or(Moment::Day(0));
+            let from = change.phase.from.unwrap_or(PhaseDay::Day(0));
+            let begins = habit.phase.from.unwrap_or(PhaseDay::Day(0));
             let is_before = days_between(from, begins, draft.first_date).is_some_and(|days| days >= 0);
             let all_days = change.days.weekdays & habit.days.weekdays == habit.days.weekdays
                 && change.days.months & habit.days.months == habit.days.months
-                && change.days.of_month == Days::ALL.of_month
+                && change.days.of_month == DaySelection::ALL.of_month
                 && (change.days.kind.is_none() || change.days.kind == habit.days.kind)
                 && change.days.every == 1;
             is_never && is_before && all_days && change.phase.until.is_none() && change.phase.over_days == 0.0
@@ -145,20 +143,18 @@ fn done_and_not_done(draft: &Draft, faults: &mut Faults) {
 
 /// From when to when a habit goes on for certain, in seconds of the day; nothing where that is open.
 fn surely_from_to(habit: &Habit) -> Option<(f64, f64)> {
-    let When::At(at) = habit.when else { return None };
+    let HabitTime::At(at) = habit.when else { return None };
     let is_certain = habit.chance.probability >= CERTAIN && habit.chance.becomes.is_none() && habit.times == (1, 1);
     let end = habit.until.map(|until| until.low).or(habit.lasts.map(|lasts| at.low + lasts.low))?;
     (is_certain && end > at.high).then_some((at.high, end))
 }
 
-/// Somebody is out, and does something at home, or comes home at another time.
-fn home_while_out(draft: &Draft, faults: &mut Faults) {
-    // Who is away for days does nothing of the kind meanwhile: that is meant.
+fn home_while_out(draft: &RoutineDraft, faults: &mut Faults) {
     let is_of_days = |habit: &Habit| habit.lasts.is_some_and(|lasts| lasts.low >= 86_400.0);
     let outings: Vec<(usize, &Habit)> =
         own_habits(draft).filter(|(_, habit)| habit.activity == Activity::Leave && !is_of_days(habit)).collect();
     for (index, habit) in own_habits(draft) {
-        let When::At(at) = habit.when else { continue };
+        let HabitTime::At(at) = habit.when else { continue };
         let is_meal = matches!(habit.activity, Activity::Eat(_) | Activity::Nap | Activity::Prepare(_));
         for (_, outing) in outings.iter().filter(|(_, outing)| share_days(draft, habit, outing)) {
             let is_within = surely_from_to(outing).is_some_and(|(from, to)| from < at.low && at.high < to);
@@ -180,16 +176,15 @@ fn home_while_out(draft: &Draft, faults: &mut Faults) {
     }
 }
 
-/// What is said to be done every day takes longer than a day has.
-fn too_much_for_a_day(draft: &Draft, faults: &mut Faults) {
+fn too_much_for_a_day(draft: &RoutineDraft, faults: &mut Faults) {
     /// Longest time awake of a person who still goes to bed (our choice).
     const MOST_AWAKE_S: f64 = 20.0 * 3600.0;
     let is_daily = |habit: &Habit| {
-        habit.days == Days::ALL
+        habit.days == DaySelection::ALL
             && habit.phase == Phase::default()
             && habit.chance.probability >= CERTAIN
             && habit.chance.becomes.is_none()
-            && habit.when != When::Within(PartOfDay::Night)
+            && habit.when != HabitTime::Within(PartOfDay::Night)
             && habit.activity != Activity::LieAwake
     };
     let length = |habit: &Habit| {
@@ -199,7 +194,7 @@ fn too_much_for_a_day(draft: &Draft, faults: &mut Faults) {
     let time_of = |wanted: Activity| {
         own_habits(draft).map(|(_, habit)| habit).filter(|habit| habit.activity == wanted && is_daily(habit)).find_map(
             |habit| match habit.when {
-                When::At(at) => Some(at),
+                HabitTime::At(at) => Some(at),
                 _ => None,
             },
         )
@@ -221,16 +216,14 @@ fn too_much_for_a_day(draft: &Draft, faults: &mut Faults) {
     }
 }
 
-/// On the same day, bed comes after getting up.
-fn bed_before_getting_up(draft: &Draft, faults: &mut Faults) {
+fn bed_before_getting_up(draft: &RoutineDraft, faults: &mut Faults) {
     let at = |habit: &Habit| match habit.when {
-        When::At(at) => Some((at.from + at.to) / 2.0),
+        HabitTime::At(at) => Some((at.from + at.to) / 2.0),
         _ => None,
     };
     let up: Vec<_> = own_habits(draft).filter(|(_, habit)| habit.activity == Activity::GetUp).collect();
     for (index, bed) in own_habits(draft).filter(|(_, habit)| habit.activity == Activity::GoToBed) {
         let Some(time) = at(bed) else { continue };
-        // Who works at night goes to bed in the morning and gets up in the afternoon.
         let is_nap = |up: f64| !(SHORTEST_NIGHT_S..LONGEST_NIGHT_S).contains(&(up - time));
         let early = |up: &Habit| at(up).is_some_and(|up| time <= up && is_nap(up)) && share_days(draft, bed, up);
         if let Some((_, up)) = up.iter().find(|(_, up)| early(up)) {
@@ -239,7 +232,7 @@ fn bed_before_getting_up(draft: &Draft, faults: &mut Faults) {
     }
 }
 
-fn home_without_leaving(draft: &Draft, faults: &mut Faults) {
+fn home_without_leaving(draft: &RoutineDraft, faults: &mut Faults) {
     if does(draft, &Activity::Leave) {
         return;
     }
@@ -250,13 +243,12 @@ fn home_without_leaving(draft: &Draft, faults: &mut Faults) {
 
 fn anchor(habit: &Habit) -> Option<&Activity> {
     match &habit.when {
-        When::After(activity, _) | When::Before(activity, _) | When::With(activity) => Some(activity),
+        HabitTime::After(activity, _) | HabitTime::Before(activity, _) | HabitTime::With(activity) => Some(activity),
         _ => None,
     }
 }
 
-/// What something is said to come after is done at all.
-fn missing_anchors(draft: &Draft, faults: &mut Faults) {
+fn missing_anchors(draft: &RoutineDraft, faults: &mut Faults) {
     for (index, habit) in draft.routine.habits.iter().enumerate() {
         let Some(other) = anchor(habit) else { continue };
         let is_done = match other {
@@ -278,16 +270,14 @@ fn missing_anchors(draft: &Draft, faults: &mut Faults) {
     }
 }
 
-/// Who is said to find somebody comes at all.
-fn finders_who_never_come(draft: &Draft, faults: &mut Faults) {
+fn finders_who_never_come(draft: &RoutineDraft, faults: &mut Faults) {
     let comes = |who: &str| draft.routine.habits.iter().any(|habit| habit.visitor.as_deref() == Some(who));
     for (who, span) in draft.finders.iter().filter(|(who, _)| !comes(who)) {
         faults.add(*span, CheckMessage::FinderNeverComes { visitor: who.to_owned() });
     }
 }
 
-/// A after B and B after A: true if there is any.
-fn circles(draft: &Draft, faults: &mut Faults) -> bool {
+fn circles(draft: &RoutineDraft, faults: &mut Faults) -> bool {
     // Activities that are only ever said to be before, after or with others.
     let mut relative: BTreeMap<&Activity, BTreeSet<&Activity>> = BTreeMap::new();
     for (_, habit) in own_habits(draft) {
@@ -298,7 +288,6 @@ fn circles(draft: &Draft, faults: &mut Faults) -> bool {
     for (_, habit) in own_habits(draft).filter(|(_, habit)| anchor(habit).is_none()) {
         relative.remove(&habit.activity);
     }
-    // What hangs on something with a time of its own has one too; what is left goes in circles.
     loop {
         let timed = |others: &BTreeSet<&Activity>| others.iter().any(|other| !relative.contains_key(*other));
         let next = relative.iter().find(|(_, others)| timed(others)).map(|(activity, _)| *activity);
@@ -320,11 +309,10 @@ fn circles(draft: &Draft, faults: &mut Faults) -> bool {
     any
 }
 
-/// Rules that can never come true.
-fn idle_rules(draft: &Draft, faults: &mut Faults) {
+fn idle_rules(draft: &RoutineDraft, faults: &mut Faults) {
     for (rule, (trigger, lasts)) in draft.routine.rules.iter().zip(&draft.rule_spans) {
         match &rule.whenever {
-            Trigger::On(thing) => {
+            RuleTrigger::On(thing) => {
                 let folded = format!(" {} ", thing.to_lowercase());
                 let used = USED_BY.iter().find(|(name, _)| folded.contains(&format!(" {name} ")));
                 let Some((_, activities)) = used else { continue };
@@ -333,7 +321,7 @@ fn idle_rules(draft: &Draft, faults: &mut Faults) {
                     faults.add(*trigger, CheckMessage::NeverUsed { thing, activity });
                 }
             }
-            Trigger::Away => {
+            RuleTrigger::Away => {
                 let outings: Vec<&Habit> =
                     own_habits(draft).map(|(_, habit)| habit).filter(|h| h.activity == Activity::Leave).collect();
                 if outings.is_empty() && !does(draft, &Activity::Leave) {
@@ -344,7 +332,7 @@ fn idle_rules(draft: &Draft, faults: &mut Faults) {
                     faults.add(*lasts, CheckMessage::NeverOutSoLong);
                 }
             }
-            Trigger::Doing(activity) | Trigger::Done(activity)
+            RuleTrigger::Doing(activity) | RuleTrigger::Done(activity)
                 if !does(draft, activity) && !is_answered(draft, activity) =>
             {
                 faults.add(*trigger, CheckMessage::NeverDone { activity: phrase(activity).to_string() });
@@ -354,17 +342,15 @@ fn idle_rules(draft: &Draft, faults: &mut Faults) {
     }
 }
 
-/// Whether a rule has her do it.
-fn is_answered(draft: &Draft, activity: &Activity) -> bool {
+fn is_answered(draft: &RoutineDraft, activity: &Activity) -> bool {
     let is_it = |answer: &Response| matches!(answer, Response::Do { activity: done, .. } if done == activity);
-    draft.routine.rules.iter().flat_map(Rule::answers).any(is_it)
+    draft.routine.rules.iter().flat_map(RoutineRule::answers).any(is_it)
 }
 
-/// How long something lasts at most, as far as it was said.
 fn longest(habit: &Habit) -> Option<f64> {
     match (habit.lasts, habit.until, &habit.when) {
         (Some(Fuzzy { high, .. }), _, _) => Some(high),
-        (None, Some(until), When::At(at)) => Some(until.high - at.low),
+        (None, Some(until), HabitTime::At(at)) => Some(until.high - at.low),
         _ => None,
     }
 }

@@ -3,23 +3,23 @@
 
 use super::activities;
 use super::adverbs::{Adverbs, Slot};
-use super::amounts::{Unit, amount};
+use super::amounts::{AmountUnit, amount};
 use super::calendar::is_weekday;
 use super::clause::{Clause, PLACES};
-use super::helping;
-use super::reader::{Reader, begins_adverb, denies, is_determiner};
+use super::help;
+use super::predicate::{Predicate, named};
+use super::reader::{SentenceReader, begins_adverb, denies, is_determiner};
 use super::remarks::is_lived;
-use super::said::{Predicate, named};
-use super::subjects::Subject;
-use super::unknown;
+use super::subjects::SentenceSubject;
+use super::unknown_word;
 use super::words::Token;
-use crate::routine::{Activity, PartOfDay, When};
+use crate::routine::{Activity, HabitTime, PartOfDay};
 
 /// "gets up to use the toilet", "goes to the kitchen to make tea": what for is what is done.
-pub fn says_purpose(reader: &mut Reader, clause: &mut Clause) -> bool {
+pub fn says_purpose(reader: &mut SentenceReader, clause: &mut Clause) -> bool {
     let from = reader.at;
     let found = reader.attempt(|reader| {
-        if matches!(&clause.predicate, Predicate::Own(words) if unknown::is_way(words)) && clause.place.is_some() {
+        if matches!(&clause.predicate, Predicate::Own(words) if unknown_word::is_way(words)) && clause.place.is_some() {
             let kind =
                 [("something to eat", true), ("a snack", true), ("something to drink", false), ("a drink", false)];
             let found = reader.attempt(|reader| if reader.eat("for") { reader.eat_any(&kind) } else { None });
@@ -40,10 +40,11 @@ pub fn says_purpose(reader: &mut Reader, clause: &mut Clause) -> bool {
             return None;
         }
         if clause.predicate == Predicate::Visits {
-            return helping::doing(reader);
+            return help::doing(reader);
         }
         let purpose = activities::activity(reader)?;
-        let goes = matches!(&clause.predicate, Predicate::Own(words) if unknown::is_way(words) || words == "stands");
+        let goes =
+            matches!(&clause.predicate, Predicate::Own(words) if unknown_word::is_way(words) || words == "stands");
         match &clause.predicate {
             Predicate::Does(Activity::GetUp | Activity::Relax | Activity::LieAwake) => Some(Predicate::Does(purpose)),
             Predicate::Own(_) if goes && clause.place.is_some() => Some(Predicate::Does(purpose)),
@@ -53,7 +54,6 @@ pub fn says_purpose(reader: &mut Reader, clause: &mut Clause) -> bool {
     });
     let Some(found) = found else { return false };
     let is_new = matches!(&found, Predicate::Does(activity) if Predicate::Does(activity.clone()) != clause.predicate);
-    // Who gets up for something and says no time does so in the night.
     if clause.predicate == Predicate::Does(Activity::GetUp) && is_new {
         clause.adverbs.all(reader);
         if clause.adverbs.when.is_none() && clause.adverbs.part.is_none() {
@@ -65,13 +65,13 @@ pub fn says_purpose(reader: &mut Reader, clause: &mut Clause) -> bool {
 }
 
 /// "visits 30 minutes": for so long.
-pub fn says_length(reader: &mut Reader, clause: &mut Clause) -> bool {
+pub fn says_length(reader: &mut SentenceReader, clause: &mut Clause) -> bool {
     if clause.adverbs.lasts.is_some() || !matches!(clause.predicate, Predicate::Does(_) | Predicate::Visits) {
         return false;
     }
     let from = reader.at;
     let length = reader.attempt(|reader| {
-        let length = amount(reader).filter(|amount| amount.unit == Unit::Second)?;
+        let length = amount(reader).filter(|amount| amount.unit == AmountUnit::Second)?;
         let turns =
             ["later", "earlier", "longer", "shorter", "more", "less", "before", "after"].contains(&reader.peek(0));
         (!turns).then_some(length)
@@ -82,7 +82,7 @@ pub fn says_length(reader: &mut Reader, clause: &mut Clause) -> bool {
 }
 
 /// "plays bingo at the community centre": what is done out of the home is being out.
-pub fn says_outside(reader: &mut Reader, clause: &mut Clause) -> bool {
+pub fn says_outside(reader: &mut SentenceReader, clause: &mut Clause) -> bool {
     // "Spends Sunday at her son's": the day would be lost.
     let says_when = |words: &str| words.split(' ').any(|word| is_weekday(word) || Adverbs::is_part(word));
     match &clause.predicate {
@@ -118,7 +118,7 @@ pub fn says_outside(reader: &mut Reader, clause: &mut Clause) -> bool {
 }
 
 /// "with her daughter", of who is out: who else is there no sensor of the home sees. "With help from a carer": who comes.
-pub fn says_company(reader: &mut Reader, clause: &mut Clause) -> bool {
+pub fn says_company(reader: &mut SentenceReader, clause: &mut Clause) -> bool {
     let Predicate::Does(activity) = clause.predicate.clone() else { return false };
     let from = reader.at;
     let is_passive = ["is", "are"].iter().any(|is| reader.said(clause.predicate_span).to_lowercase().starts_with(is));
@@ -148,7 +148,6 @@ pub fn says_company(reader: &mut Reader, clause: &mut Clause) -> bool {
     if is_who && starts > from && activity == Activity::Leave {
         return true;
     }
-    // Who lives with them is there without coming; who else does it with them comes for it.
     let spouse = ["husband", "wife", "partner", "cat", "dog"].contains(&who.as_str());
     if is_who && spouse {
         clause.beside.push(reader.span(from));
@@ -171,7 +170,7 @@ pub fn says_company(reader: &mut Reader, clause: &mut Clause) -> bool {
 }
 
 /// "because she is tired", "due to her knees", "(with a carer)": why, and what stands between brackets, is a remark.
-pub fn says_beside(reader: &mut Reader, clause: &mut Clause) -> bool {
+pub fn says_beside(reader: &mut SentenceReader, clause: &mut Clause) -> bool {
     if matches!(clause.predicate, Predicate::Not(_)) && reader.peek(0) == "unless" {
         return false;
     }
@@ -222,8 +221,7 @@ pub fn says_beside(reader: &mut Reader, clause: &mut Clause) -> bool {
     true
 }
 
-/// Whether "and she", or the like, begins another clause.
-fn begins_again(reader: &mut Reader) -> bool {
+fn begins_again(reader: &mut SentenceReader) -> bool {
     reader.ahead(|reader| {
         let comma = reader.token(0) == Some(Token::Comma);
         reader.skip_commas();
@@ -236,7 +234,7 @@ fn begins_again(reader: &mut Reader) -> bool {
 }
 
 /// "sits in the armchair watching television": that is what is done. "Wanders looking for her husband": a remark.
-pub fn says_doing(reader: &mut Reader, clause: &mut Clause) -> bool {
+pub fn says_doing(reader: &mut SentenceReader, clause: &mut Clause) -> bool {
     let is_doing = matches!(clause.predicate, Predicate::Does(_)) && reader.peek(0).ends_with("ing");
     if !is_doing {
         return false;
@@ -272,7 +270,7 @@ pub fn says_doing(reader: &mut Reader, clause: &mut Clause) -> bool {
 }
 
 /// "walks to the shop for the newspaper": what for does not matter to who is out.
-pub fn says_errand(reader: &mut Reader, clause: &mut Clause) -> bool {
+pub fn says_errand(reader: &mut SentenceReader, clause: &mut Clause) -> bool {
     clause.predicate == Predicate::Does(Activity::Leave)
         && reader
             .attempt(|reader| {
@@ -293,25 +291,25 @@ pub fn says_errand(reader: &mut Reader, clause: &mut Clause) -> bool {
             .is_some()
 }
 
-fn number_or_unit(reader: &mut Reader) -> bool {
+fn number_or_unit(reader: &mut SentenceReader) -> bool {
     super::amounts::is_unit(reader)
         || super::amounts::number(reader).is_some()
         || ["half", "few", "couple", "while", "quarter"].contains(&reader.peek(0))
 }
 
 /// "visits every Sunday for lunch".
-pub fn says_meal(reader: &mut Reader, clause: &mut Clause) -> bool {
+pub fn says_meal(reader: &mut SentenceReader, clause: &mut Clause) -> bool {
     if clause.predicate != Predicate::Visits {
         return false;
     }
-    let found = reader.attempt(|reader| if reader.eat("for") { helping::meal_shared(reader) } else { None });
+    let found = reader.attempt(|reader| if reader.eat("for") { help::meal_shared(reader) } else { None });
     let is_some = found.is_some();
     clause.predicate = found.unwrap_or(Predicate::Visits);
     is_some
 }
 
 /// "visits on Sunday and stays until 16:00".
-pub fn stays_on(reader: &mut Reader, clause: &mut Clause) -> bool {
+pub fn stays_on(reader: &mut SentenceReader, clause: &mut Clause) -> bool {
     matches!(clause.predicate, Predicate::Visits | Predicate::Helps(..))
         && reader
             .attempt(|reader| {
@@ -323,9 +321,9 @@ pub fn stays_on(reader: &mut Reader, clause: &mut Clause) -> bool {
 }
 
 /// "goes to bed late, at about 1 am": the time says it.
-pub fn says_late(reader: &mut Reader, clause: &mut Clause) -> bool {
+pub fn says_late(reader: &mut SentenceReader, clause: &mut Clause) -> bool {
     // "After she reads" is at no time of its own, early or late.
-    let is_time = |when: &Slot<When>| matches!(when.value, When::At(_) | When::Within(_));
+    let is_time = |when: &Slot<HabitTime>| matches!(when.value, HabitTime::At(_) | HabitTime::Within(_));
     let has_time = |adverbs: &Adverbs| adverbs.when.as_ref().is_some_and(is_time) || adverbs.until_time.is_some();
     reader
         .attempt(|reader| {
@@ -344,13 +342,13 @@ pub fn says_late(reader: &mut Reader, clause: &mut Clause) -> bool {
 }
 
 /// "drinks eight cups of tea a day": so many times.
-pub fn counts_cups(reader: &mut Reader, clause: &mut Clause) -> bool {
+pub fn counts_cups(reader: &mut SentenceReader, clause: &mut Clause) -> bool {
     if !matches!(clause.predicate, Predicate::Does(Activity::Drink)) || clause.adverbs.times.is_some() {
         return false;
     }
     let from = reader.at;
     let times = reader.attempt(|reader| {
-        let times = amount(reader).filter(|amount| amount.unit == Unit::None)?.as_count()?;
+        let times = amount(reader).filter(|amount| amount.unit == AmountUnit::None)?.as_count()?;
         reader.eat("cups|glasses|mugs|pots|beakers|drinks").then_some(())?;
         if reader.eat("of") {
             reader.at += 1;
@@ -366,9 +364,9 @@ pub fn counts_cups(reader: &mut Reader, clause: &mut Clause) -> bool {
 /// "On her own" is how everything is done where nobody is named, so it changes nothing but what is denied.
 ///
 /// How it is done, "quietly", "with her frame", is not lived either.
-pub fn says_alone(reader: &mut Reader, clause: &mut Clause) -> bool {
+pub fn says_alone(reader: &mut SentenceReader, clause: &mut Clause) -> bool {
     let is_done =
-        matches!(clause.predicate, Predicate::Does(_) | Predicate::Own(_)) && clause.subject == Subject::Person;
+        matches!(clause.predicate, Predicate::Does(_) | Predicate::Own(_)) && clause.subject == SentenceSubject::Person;
     is_done
         && (reader.eat("on her|his|their own")
             || reader.eat("by herself|himself|themselves")
@@ -383,7 +381,7 @@ pub fn says_alone(reader: &mut Reader, clause: &mut Clause) -> bool {
 }
 
 /// "with a stick", "using her frame".
-fn with_aid(reader: &mut Reader) -> Option<()> {
+fn with_aid(reader: &mut SentenceReader) -> Option<()> {
     reader.eat("with|using").then_some(())?;
     reader.eat("the help|aid of");
     reader.skip_determiners();

@@ -3,29 +3,25 @@
 use super::activities;
 use super::amounts::{DAY_S, is_unit, number};
 use super::calendar::{is_month, is_weekday};
-use super::messages::TimeMessage;
-use super::reader::Reader;
+use super::messages::TimeSentenceMessage;
+use super::reader::SentenceReader;
 use super::visits::visits;
-use super::words::{Span, Token};
+use super::words::{TextSpan, Token};
 use crate::routine::{Activity, Meal, PartOfDay};
 use homebody_core::problem::Advice;
 
 const HOUR_S: f64 = 3600.0;
 
-/// What a clock shows.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Face {
-    /// The hour that is named.
     hours: f64,
-    /// After that hour; before it where negative.
     minutes: f64,
-    /// Whether both halves of the day cannot be meant.
     is_clear: bool,
 }
 
 /// Seconds since midnight, if a time of day comes next. `bare` says whether a number alone is taken for one.
 /// Of what ends after another time, it is the first of the two that may be meant.
-pub fn clock(reader: &mut Reader, bare: bool, begin: Option<f64>) -> Option<f64> {
+pub fn clock(reader: &mut SentenceReader, bare: bool, begin: Option<f64>) -> Option<f64> {
     let from = reader.at;
     if !bare && counts_tablets(reader) {
         return None;
@@ -48,7 +44,7 @@ pub fn clock(reader: &mut Reader, bare: bool, begin: Option<f64>) -> Option<f64>
     if !(in_words.is_some() || face.is_clear || oclock || direct.is_some() || is_last) {
         return None;
     }
-    let implied = |reader: &mut Reader| {
+    let implied = |reader: &mut SentenceReader| {
         half_by_end(reader, face).or_else(|| half_by_rest(reader, face)).or_else(|| half_by_doing(reader, from, face))
     };
     let next = begin.map(|begin| {
@@ -66,7 +62,7 @@ pub fn clock(reader: &mut Reader, bare: bool, begin: Option<f64>) -> Option<f64>
     if half.is_none() && !face.is_clear {
         let said = reader.said(span);
         let help = face.both(&said);
-        reader.fault(span, TimeMessage::AmbiguousTime { text: said, help });
+        reader.fault(span, TimeSentenceMessage::AmbiguousTime { text: said, help });
     }
     Some(match half {
         Some(is_late) if by_twelve => face.after_twelve_s() + if is_late { DAY_S / 2.0 } else { 0.0 },
@@ -75,7 +71,7 @@ pub fn clock(reader: &mut Reader, bare: bool, begin: Option<f64>) -> Option<f64>
 }
 
 /// "Her tablets, four in the morning and two at night": so many of them.
-fn counts_tablets(reader: &Reader) -> bool {
+fn counts_tablets(reader: &SentenceReader) -> bool {
     const COUNTED: [&str; 9] =
         ["tablets", "pills", "capsules", "puffs", "drops", "units", "cups", "glasses", "spoonfuls"];
     let is_bare = reader.token(0) == Some(Token::Word)
@@ -96,12 +92,10 @@ impl Face {
         (self.hours * HOUR_S + self.minutes * 60.0).rem_euclid(DAY_S / 2.0)
     }
 
-    /// The last hour that was full.
     fn full_hours(self) -> f64 {
         if self.minutes < 0.0 { self.hours - 1.0 } else { self.hours }
     }
 
-    /// How both of the times are said that may be meant.
     fn both(self, said: &str) -> String {
         let (hours, is_whole) = (self.hours, self.minutes == 0.0);
         let early = if (3.0..12.0).contains(&self.full_hours()) { "in the morning" } else { "at night" };
@@ -115,7 +109,7 @@ impl Face {
 }
 
 /// "half past seven", "a quarter to eight", "ten past 8", "20 minutes to noon".
-fn in_words(reader: &mut Reader, bare: bool) -> Option<Face> {
+fn in_words(reader: &mut SentenceReader, bare: bool) -> Option<Face> {
     let (from, in_digits) = (reader.at, reader.token(0) != Some(Token::Word));
     let half = reader.eat("half");
     let quarter = !half && (reader.eat("quarter") || reader.eat("a quarter"));
@@ -154,13 +148,13 @@ fn in_words(reader: &mut Reader, bare: bool) -> Option<Face> {
 }
 
 /// "Half eight" is half past eight.
-fn half_past(reader: &mut Reader) -> Option<Face> {
+fn half_past(reader: &mut SentenceReader) -> Option<Face> {
     let hours = number(reader).filter(|hours| hours.fract() == 0.0 && (1.0..=12.0).contains(hours))?;
     Some(Face { hours, minutes: 30.0, is_clear: false })
 }
 
 /// "7:30", "7.30", "7", "seven", "seven thirty".
-fn shown(reader: &mut Reader, bare: bool) -> Option<Face> {
+fn shown(reader: &mut SentenceReader, bare: bool) -> Option<Face> {
     if let Token::Clock(hours, minutes) = reader.token(0)? {
         reader.at += 1;
         return Some(Face { hours: hours.into(), minutes: minutes.into(), is_clear: true });
@@ -185,7 +179,7 @@ fn shown(reader: &mut Reader, bare: bool) -> Option<Face> {
 }
 
 /// The hours and minutes of "0730" and of "1430 hrs".
-fn of_four_digits(reader: &Reader) -> Option<(f64, f64)> {
+fn of_four_digits(reader: &SentenceReader) -> Option<(f64, f64)> {
     let text = reader.peek(0);
     let is_time = text.starts_with('0') || ["hrs", "hours", "h"].contains(&reader.peek(1));
     if text.len() != 4 || !is_time || !text.bytes().all(|digit| digit.is_ascii_digit()) {
@@ -202,8 +196,7 @@ fn dotted(text: &str) -> Option<(f64, f64)> {
     (hours <= 24 && minutes < 60).then_some((hours.into(), minutes.into()))
 }
 
-/// Whether nothing follows that would make a number one of something else.
-fn is_last_of_its_kind(reader: &Reader) -> bool {
+fn is_last_of_its_kind(reader: &SentenceReader) -> bool {
     const NEXT: [&str; 16] = [
         "and", "for", "on", "in", "until", "till", "then", "every", "give", "with", "to", "from", "at", "o'clock",
         "am", "pm",
@@ -211,19 +204,16 @@ fn is_last_of_its_kind(reader: &Reader) -> bool {
     reader.is_over() || reader.token(0) == Some(Token::Comma) || NEXT.contains(&reader.peek(0))
 }
 
-/// Whether a number is that of a day: "until 1st May", "from 1 May".
-fn is_day_of_month(reader: &Reader) -> bool {
+fn is_day_of_month(reader: &SentenceReader) -> bool {
     ["st", "nd", "rd", "th", "of"].contains(&reader.peek(0)) || is_month(reader.peek(0))
 }
 
-/// Whether a time is of the second half of the day, by what is said of the hour: "a quarter to 12 pm" is in the first.
-fn said_half(reader: &mut Reader, face: Face) -> Option<bool> {
+fn said_half(reader: &mut SentenceReader, face: Face) -> Option<bool> {
     let is_pm = reader.eat_any(&[("am", false), ("pm", true)])?;
     Some(is_pm != (face.hours == 12.0 && face.minutes < 0.0))
 }
 
-/// Whether a time is of the second half of the day, by the part of the day that follows: `8 in the evening`.
-fn half_by_part(reader: &Reader, face: Face) -> Option<bool> {
+fn half_by_part(reader: &SentenceReader, face: Face) -> Option<bool> {
     match (reader.peek(0), reader.peek(1), reader.peek(2)) {
         ("in", "the", "morning") => Some(false),
         ("in", "the", "afternoon" | "evening") => Some(true),
@@ -233,8 +223,7 @@ fn half_by_part(reader: &Reader, face: Face) -> Option<bool> {
     }
 }
 
-/// By the end of a stretch of time: `from 9 to 11 am`.
-fn half_by_end(reader: &mut Reader, face: Face) -> Option<bool> {
+fn half_by_end(reader: &mut SentenceReader, face: Face) -> Option<bool> {
     reader.ahead(|reader| {
         if !reader.eat("to|and|until|till") {
             return None;
@@ -246,11 +235,9 @@ fn half_by_end(reader: &mut Reader, face: Face) -> Option<bool> {
     })
 }
 
-/// By the only part of the day that the sentence names, or else the heading above it: `every evening at 8`.
-fn half_by_rest(reader: &Reader, face: Face) -> Option<bool> {
+fn half_by_rest(reader: &SentenceReader, face: Face) -> Option<bool> {
     const BEFORE: [&str; 7] = ["every", "each", "most", "some", "many", "almost", "all"];
     let words: Vec<&str> = reader.words.iter().map(|word| word.text.as_str()).collect();
-    // What another clause says is about that one.
     let joins = |at: usize| ["and", "then", "or", "but"].contains(&words[at]) || words[at] == ";";
     let begin = (0..reader.at.min(words.len())).rev().find(|&at| joins(at)).map_or(0, |at| at + 1);
     let end = (reader.at..words.len()).find(|&at| joins(at)).unwrap_or(words.len());
@@ -276,8 +263,7 @@ fn half_by_rest(reader: &Reader, face: Face) -> Option<bool> {
     }
 }
 
-/// By what is done then, where that has its half of the day: who gets up at 7 does so in the morning.
-fn half_by_doing(reader: &mut Reader, from: usize, face: Face) -> Option<bool> {
+fn half_by_doing(reader: &mut SentenceReader, from: usize, face: Face) -> Option<bool> {
     let hour = face.full_hours();
     let word = |at: Option<usize>| at.and_then(|at| reader.words.get(at)).map_or("", |word| word.text.as_str());
     let back = if ["about", "around"].contains(&word(from.checked_sub(1))) { 2 } else { 1 };
@@ -295,10 +281,9 @@ fn half_by_doing(reader: &mut Reader, from: usize, face: Face) -> Option<bool> {
         "asleep" if (7.0..12.0).contains(&hour) => return Some(true),
         _ => {}
     }
-    /// Further away, something else is meant.
     const NEAR: usize = 20;
-    let near = |reader: &mut Reader, named: fn(&mut Reader) -> Option<Activity>| {
-        let at = |reader: &mut Reader, at: usize| {
+    let near = |reader: &mut SentenceReader, named: fn(&mut SentenceReader) -> Option<Activity>| {
+        let at = |reader: &mut SentenceReader, at: usize| {
             reader.ahead(|reader| {
                 reader.at = at;
                 named(reader)
@@ -309,7 +294,7 @@ fn half_by_doing(reader: &mut Reader, from: usize, face: Face) -> Option<bool> {
     };
     // Of "naps on the bed" the nap.
     let doing = near(reader, activities::activity).or_else(|| near(reader, activities::noun));
-    let comes = |reader: &mut Reader| {
+    let comes = |reader: &mut SentenceReader| {
         (0..from).any(|at| {
             reader.at = at;
             visits(reader)
@@ -341,7 +326,6 @@ const NONE: [f64; 2] = [0.0, 0.0];
 /// Hours of the clock at which daytime activities do not take place (our choice).
 const BY_DAY: [f64; 2] = [1.0, 6.0];
 
-/// What is done by night as well.
 const AT_ANY_HOUR: [Activity; 10] = [
     Activity::UseBathroom,
     Activity::LieAwake,
@@ -355,7 +339,6 @@ const AT_ANY_HOUR: [Activity; 10] = [
     Activity::Relax,
 ];
 
-/// Whether something is done in the second half of the day, where at this hour of the clock it is done in one half only.
 fn half_of(doing: &Activity, hour: f64) -> Option<bool> {
     let of_doing = HALVES.iter().find(|(activities, ..)| activities.contains(doing));
     let usual = (!AT_ANY_HOUR.contains(doing)).then_some((NONE, BY_DAY));
@@ -364,8 +347,7 @@ fn half_of(doing: &Activity, hour: f64) -> Option<bool> {
     if is_in(first) { Some(false) } else { is_in(second).then_some(true) }
 }
 
-/// Whether a time goes on right behind what was read of it: `7:4o`, `7;40`.
-fn is_glued(reader: &Reader) -> bool {
+fn is_glued(reader: &SentenceReader) -> bool {
     let follows = |at: usize| {
         let before = at.checked_sub(1).and_then(|before| reader.words.get(before));
         matches!((before, reader.words.get(at)), (Some(before), Some(word)) if before.span.end == word.span.start)
@@ -382,20 +364,18 @@ fn is_digit(word: &str) -> bool {
     word.starts_with(|first: char| first.is_ascii_digit())
 }
 
-/// Passes over all that is written without a blank.
-fn skip_glued(reader: &mut Reader) {
+fn skip_glued(reader: &mut SentenceReader) {
     reader.at += 1;
     while is_glued(reader) || reader.at > 0 && is_digit(reader.peek(0)) && reader.here().start == last_end(reader) {
         reader.at += 1;
     }
 }
 
-fn last_end(reader: &Reader) -> usize {
+fn last_end(reader: &SentenceReader) -> usize {
     reader.words.get(reader.at.saturating_sub(1)).map_or(0, |word| word.span.end)
 }
 
-/// Whether a word that is none is a time but for a slip: `l0:00`.
-fn begins_with_slip(reader: &mut Reader) -> bool {
+fn begins_with_slip(reader: &mut SentenceReader) -> bool {
     let from = reader.at;
     let has_digit = reader.peek(0).contains(|c: char| c.is_ascii_digit());
     has_digit
@@ -405,12 +385,11 @@ fn begins_with_slip(reader: &mut Reader) -> bool {
         })
 }
 
-fn written(reader: &Reader, span: Span) -> String {
+fn written(reader: &SentenceReader, span: TextSpan) -> String {
     reader.text.get(span.start..span.end).unwrap_or_default().to_owned()
 }
 
-/// Says that there is no such time, and which one was probably meant; goes on with that.
-fn no_time(reader: &mut Reader, from: usize) -> f64 {
+fn no_time(reader: &mut SentenceReader, from: usize) -> f64 {
     if reader.at == from || is_glued(reader) {
         skip_glued(reader);
     }
@@ -424,7 +403,7 @@ fn no_time(reader: &mut Reader, from: usize) -> f64 {
         }
         None => "write a colon between hours and minutes: \"06:45\"".into(),
     };
-    reader.fault(span, TimeMessage::NoTime { text: reader.said(span), help });
+    reader.fault(span, TimeSentenceMessage::NoTime { text: reader.said(span), help });
     meant.map_or(12.0 * HOUR_S, |(hours, minutes)| f64::from(hours) * HOUR_S + f64::from(minutes) * 60.0)
 }
 

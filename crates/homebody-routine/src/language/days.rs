@@ -2,15 +2,15 @@
 
 use super::adverbs::{Adverbs, put};
 use super::calendar;
-use super::lively::days_of_kind;
-use super::often::Often;
-use super::reader::Reader;
+use super::day_kind::days_of_kind;
+use super::frequency::Often;
+use super::reader::SentenceReader;
 use super::times;
-use crate::routine::Days;
+use crate::routine::DaySelection;
 
 impl Adverbs {
     /// "on Tuesday and Friday", "at weekends", "in winter", "from May to September", "except on Sunday".
-    pub(super) fn days(&mut self, reader: &mut Reader) -> Option<()> {
+    pub(super) fn days(&mut self, reader: &mut SentenceReader) -> Option<()> {
         let from = reader.at;
         if self.excepted(reader).is_some() {
             return Some(());
@@ -51,7 +51,6 @@ impl Adverbs {
         Some(())
     }
 
-    /// Whether it is said on which days, or at what time of the day.
     pub fn says_when(&self) -> bool {
         self.weekdays.is_some()
             || self.when.is_some()
@@ -62,7 +61,7 @@ impl Adverbs {
     }
 
     /// "except on Sunday", "but not in winter", and of every day, "but Thursday".
-    pub fn excepted(&mut self, reader: &mut Reader) -> Option<()> {
+    pub fn excepted(&mut self, reader: &mut SentenceReader) -> Option<()> {
         reader.attempt(|reader| {
             let from = reader.at;
             let after_days =
@@ -80,7 +79,9 @@ impl Adverbs {
                 let span = reader.span(from);
                 match &mut self.months {
                     Some(months) if months.value & !excepted != 0 => months.value &= !excepted,
-                    months => put(reader, months, Days::ALL.months & !excepted, span, "both say in which months"),
+                    months => {
+                        put(reader, months, DaySelection::ALL.months & !excepted, span, "both say in which months")
+                    }
                 }
                 return Some(());
             }
@@ -91,14 +92,14 @@ impl Adverbs {
             match &mut self.weekdays {
                 // "On weekdays but not on Friday": of these days, the others.
                 Some(days) if days.value & !excepted != 0 => days.value &= !excepted,
-                days => put(reader, days, Days::ALL.weekdays & !excepted, span, "both say on which days"),
+                days => put(reader, days, DaySelection::ALL.weekdays & !excepted, span, "both say on which days"),
             }
             Some(())
         })
     }
 
     /// "on 25 December", "on the first Monday of the month".
-    fn days_of_month(&mut self, reader: &mut Reader) -> Option<()> {
+    fn days_of_month(&mut self, reader: &mut SentenceReader) -> Option<()> {
         let from = reader.at;
         reader.eat("on|at");
         let kind = "both say on which days";
@@ -108,7 +109,7 @@ impl Adverbs {
             if let Some(weekdays) = weekdays {
                 put(reader, &mut self.weekdays, weekdays, span, kind);
             }
-            if months != Days::ALL.months {
+            if months != DaySelection::ALL.months {
                 put(reader, &mut self.months, months, span, "both say in which months");
             }
             return Some(());

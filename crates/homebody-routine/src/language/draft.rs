@@ -1,38 +1,30 @@
-//! What has been understood of a text, sentence by sentence.
+//! The meaning of a text so far.
 
 use super::adverbs::Adverbs;
 use super::calendar::days_between;
-use super::messages::TimeMessage;
-use super::reader::Reader;
-use super::words::{Line, Span};
-use crate::routine::{Activity, Moment, Phase, Quote, Routine};
+use super::messages::TimeSentenceMessage;
+use super::reader::SentenceReader;
+use super::words::{TextLine, TextSpan};
+use crate::routine::{Activity, Phase, PhaseDay, Quote, Routine};
 
-/// What has been understood so far.
-pub(crate) struct Draft<'t> {
+pub(crate) struct RoutineDraft<'t> {
     pub routine: Routine,
     pub is_condition: bool,
-    /// The person's name, where only the text says it.
     pub name: Option<String>,
-    /// Where the verb of each habit stands.
-    pub habit_spans: Vec<Span>,
-    /// Who is said to find whoever has fallen.
-    pub finders: Vec<(String, Span)>,
-    /// Where each rule says what happens, and for how long.
-    pub rule_spans: Vec<(Span, Span)>,
+    pub habit_spans: Vec<TextSpan>,
+    pub finders: Vec<(String, TextSpan)>,
+    pub rule_spans: Vec<(TextSpan, TextSpan)>,
     pub first_date: Option<(i16, u8, u8)>,
     pub usual: Vec<Activity>,
     pub text: &'t str,
-    pub lines: Vec<Line<'t>>,
-    /// Whether nobody will read what is understood: no lines are counted.
+    pub lines: Vec<TextLine<'t>>,
     pub is_trial: bool,
-    /// How many words of sentences that are not understood as they stand were read in other ways.
     pub freely_read: usize,
 }
 
-impl<'t> Draft<'t> {
-    /// A draft in which nothing has been understood yet, about the same.
-    pub fn anew<'n>(&self, text: &'n str) -> Draft<'n> {
-        Draft {
+impl<'t> RoutineDraft<'t> {
+    pub fn anew<'n>(&self, text: &'n str) -> RoutineDraft<'n> {
+        RoutineDraft {
             routine: Routine::default(),
             is_condition: self.is_condition,
             name: None,
@@ -49,9 +41,8 @@ impl<'t> Draft<'t> {
     }
 }
 
-impl Draft<'_> {
-    /// The words at a place, with line and column.
-    pub fn said(&self, span: Span) -> Quote {
+impl RoutineDraft<'_> {
+    pub fn said(&self, span: TextSpan) -> Quote {
         if self.is_trial {
             return Quote { line: 1, column: 1, text: String::new() };
         }
@@ -62,19 +53,18 @@ impl Draft<'_> {
         Quote { line: index as u32 + 1, column, text }
     }
 
-    /// A phase has to begin before it ends, and before how often changes.
-    pub fn phase(&self, reader: &mut Reader, phase: &Phase, adverbs: &Adverbs, span: Span) {
+    pub fn phase(&self, reader: &mut SentenceReader, phase: &Phase, adverbs: &Adverbs, span: TextSpan) {
         let becomes = adverbs.chance.as_ref().and_then(|slot| Some((slot.span, slot.value.becomes?.1)));
         if let Some((at, by)) = becomes {
-            let from = phase.from.unwrap_or(Moment::Day(0));
+            let from = phase.from.unwrap_or(PhaseDay::Day(0));
             if days_between(from, by, self.first_date).is_some_and(|days| days <= 0) {
-                reader.fault(at, TimeMessage::ChangeBeforeBegin { text: reader.said(at) });
+                reader.fault(at, TimeSentenceMessage::ChangeBeforeBegin { text: reader.said(at) });
             }
         }
         let (Some(from), Some(until)) = (phase.from, phase.until) else { return };
         if days_between(from, until, self.first_date).is_some_and(|days| days <= 0) {
             let span = adverbs.until.as_ref().map_or(span, |slot| slot.span);
-            reader.fault(span, TimeMessage::EndBeforeBegin { text: reader.said(span) });
+            reader.fault(span, TimeSentenceMessage::EndBeforeBegin { text: reader.said(span) });
         }
     }
 }

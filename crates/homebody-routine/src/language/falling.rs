@@ -2,12 +2,12 @@
 
 use super::adverbs::Adverbs;
 use super::clause::Clause;
-use super::messages::TimeMessage;
-use super::reader::{Reader, begins_adverb};
-use super::said::Predicate;
+use super::messages::TimeSentenceMessage;
+use super::predicate::Predicate;
+use super::reader::{SentenceReader, begins_adverb};
 use super::times;
-use super::words::{Span, Token};
-use crate::routine::{Activity, FallEnds, Falling, FallsFrom, PartOfDay, When};
+use super::words::{TextSpan, Token};
+use crate::routine::{Activity, FallEnds, Falling, FallsFrom, HabitTime, PartOfDay};
 
 const BED: &str = "bed";
 const SEAT: &str = "chair|armchair|recliner|sofa|seat|couch|wheelchair";
@@ -15,8 +15,7 @@ const TOILET: &str = "bathroom|toilet|loo|commode";
 const COMES: &str = "comes|come|visits|visit|arrives|arrive|helps|calls|call";
 const ANYBODY: &str = "somebody|someone|anybody|anyone|help";
 
-/// Who sinks to the floor, slides out of bed or nearly falls.
-pub fn falls(reader: &mut Reader) -> Option<Predicate> {
+pub fn falls(reader: &mut SentenceReader) -> Option<Predicate> {
     if let Some(found) = reader.attempt(nearly) {
         return Some(found);
     }
@@ -30,7 +29,6 @@ pub fn falls(reader: &mut Reader) -> Option<Predicate> {
         reader.eat("slowly");
         reader.eat("down");
         let plain = Falling { slowly, ..Falling::default() };
-        // Who sinks down into a chair sits.
         let is_down =
             reader.passed(start).ends_with("down") && !reader.ahead(|reader| reader.eat("in|into|on|onto|to|at"));
         if slowly && (floor(reader) || is_down) {
@@ -43,7 +41,7 @@ pub fn falls(reader: &mut Reader) -> Option<Predicate> {
 }
 
 /// "nearly falls", "stumbles but does not fall".
-fn nearly(reader: &mut Reader) -> Option<Predicate> {
+fn nearly(reader: &mut SentenceReader) -> Option<Predicate> {
     let stumbles = Some(Predicate::Does(Activity::Stumble));
     if reader.eat("nearly|almost falls|fall|trips|trip|slips|slip") {
         reader.eat("over|down");
@@ -57,8 +55,7 @@ fn nearly(reader: &mut Reader) -> Option<Predicate> {
     if catches { stumbles } else { None }
 }
 
-/// Takes up what is said of a fall. `clause` has the fall, and what was said of it before.
-pub fn says_fall(reader: &mut Reader, clause: &mut Clause) -> bool {
+pub fn says_fall(reader: &mut SentenceReader, clause: &mut Clause) -> bool {
     let mut falling = match clause.predicate {
         Predicate::Does(Activity::Fall) => Falling::default(),
         Predicate::Falls(falling) => falling,
@@ -81,8 +78,7 @@ pub fn says_fall(reader: &mut Reader, clause: &mut Clause) -> bool {
     found.is_some()
 }
 
-/// What somebody does as they fall.
-fn from(reader: &mut Reader, falling: &mut Falling) -> bool {
+fn from(reader: &mut SentenceReader, falling: &mut Falling) -> bool {
     if floor(reader) {
         return true;
     }
@@ -118,7 +114,7 @@ fn from(reader: &mut Reader, falling: &mut Falling) -> bool {
 }
 
 /// "out of bed", "from her chair".
-fn out_of(reader: &mut Reader) -> Option<FallsFrom> {
+fn out_of(reader: &mut SentenceReader) -> Option<FallsFrom> {
     reader.attempt(|reader| {
         (reader.eat("out of") || reader.eat("from|off")).then_some(())?;
         reader.skip_determiners();
@@ -130,7 +126,7 @@ fn out_of(reader: &mut Reader) -> Option<FallsFrom> {
 }
 
 /// "She falls in bed": out of it.
-fn in_bed(reader: &Reader, clause: &mut Clause) -> Option<FallsFrom> {
+fn in_bed(reader: &SentenceReader, clause: &mut Clause) -> Option<FallsFrom> {
     let said = clause.place.as_ref().map(|(_, span)| reader.said(*span).to_lowercase())?;
     (said.starts_with("in ") && said.ends_with(" bed")).then_some(())?;
     clause.place = None;
@@ -138,9 +134,10 @@ fn in_bed(reader: &Reader, clause: &mut Clause) -> Option<FallsFrom> {
 }
 
 /// "Mostly at night she falls", "she usually falls at night": what stood before is when it mostly is, not how often.
-fn mostly_before(reader: &Reader, clause: &mut Clause) -> Option<PartOfDay> {
+fn mostly_before(reader: &SentenceReader, clause: &mut Clause) -> Option<PartOfDay> {
     let adverbs = &mut clause.adverbs;
-    let is_mostly = |span: Span| ["mostly", "usually", "normally"].contains(&reader.said(span).to_lowercase().as_str());
+    let is_mostly =
+        |span: TextSpan| ["mostly", "usually", "normally"].contains(&reader.said(span).to_lowercase().as_str());
     let chance = adverbs.chance.as_ref().filter(|chance| chance.own && is_mostly(chance.span));
     let begins = chance?.span.end;
     let part = adverbs.part.as_ref().filter(|part| part.own && begins <= part.span.start)?.value;
@@ -148,12 +145,11 @@ fn mostly_before(reader: &Reader, clause: &mut Clause) -> Option<PartOfDay> {
     Some(part)
 }
 
-/// When a fall is: whoever falls out of bed, and no time is said, falls out of the bed in which they sleep.
-pub fn time_of_fall(reader: &mut Reader, clause: &Clause, when: When) -> When {
+pub fn time_of_fall(reader: &mut SentenceReader, clause: &Clause, when: HabitTime) -> HabitTime {
     let Predicate::Falls(falling) = clause.predicate else { return when };
     if falling.mostly.is_none() {
-        return if falling.from == FallsFrom::Bed && when == When::AnyTime {
-            When::Within(PartOfDay::Night)
+        return if falling.from == FallsFrom::Bed && when == HabitTime::AnyTime {
+            HabitTime::Within(PartOfDay::Night)
         } else {
             when
         };
@@ -161,15 +157,15 @@ pub fn time_of_fall(reader: &mut Reader, clause: &Clause, when: When) -> When {
     let adverbs = &clause.adverbs;
     let times = [adverbs.when.as_ref().map(|slot| slot.span), adverbs.part.as_ref().map(|slot| slot.span)];
     // Of a clause that is joined with this one it is no matter.
-    let own = |span: &Span| clause.span.start <= span.start && span.end <= clause.span.end;
+    let own = |span: &TextSpan| clause.span.start <= span.start && span.end <= clause.span.end;
     if let Some(span) = times.into_iter().flatten().find(own) {
-        reader.fault(span, TimeMessage::TwoTimesOfFall { text: reader.said(span) });
+        reader.fault(span, TimeSentenceMessage::TwoTimesOfFall { text: reader.said(span) });
     }
-    When::AnyTime
+    HabitTime::AnyTime
 }
 
 /// "mostly at night".
-fn mostly(reader: &mut Reader, falling: &mut Falling) -> bool {
+fn mostly(reader: &mut SentenceReader, falling: &mut Falling) -> bool {
     let part = reader.attempt(|reader| {
         reader.eat("mostly|mainly|usually").then_some(())?;
         if reader.eat("in|during") {
@@ -183,12 +179,12 @@ fn mostly(reader: &mut Reader, falling: &mut Falling) -> bool {
     part.is_some()
 }
 
-fn floor(reader: &mut Reader) -> bool {
+fn floor(reader: &mut SentenceReader) -> bool {
     reader.eat("to|onto|on the floor|ground") || reader.eat("to|onto|on floor|ground")
 }
 
 /// "and lies there until somebody comes".
-fn lies(reader: &mut Reader, falling: &mut Falling, finder: &mut Option<(String, Span)>) -> bool {
+fn lies(reader: &mut SentenceReader, falling: &mut Falling, finder: &mut Option<(String, TextSpan)>) -> bool {
     let joined = reader.eat("and");
     reader.skip_commas();
     reader.eat("then");
@@ -238,7 +234,7 @@ fn lies(reader: &mut Reader, falling: &mut Falling, finder: &mut Option<(String,
 }
 
 /// "until somebody comes", "until her daughter finds her", "until she reaches the phone".
-fn until(reader: &mut Reader, finder: &mut Option<(String, Span)>) -> Option<FallEnds> {
+fn until(reader: &mut SentenceReader, finder: &mut Option<(String, TextSpan)>) -> Option<FallEnds> {
     reader.eat("until|till").then_some(())?;
     if reader.eat("found|helped") || reader.eat("she|he|they is|are found|helped") {
         reader.eat("up");
@@ -261,12 +257,12 @@ fn until(reader: &mut Reader, finder: &mut Option<(String, Span)>) -> Option<Fal
 }
 
 /// "her daughter", up to what she does.
-fn somebody(reader: &mut Reader) -> Option<(String, Span)> {
+fn somebody(reader: &mut SentenceReader) -> Option<(String, TextSpan)> {
     const MOST: usize = 4;
     let begin = reader.at;
     reader.skip_determiners();
     let from = reader.at;
-    let ends = |reader: &mut Reader| {
+    let ends = |reader: &mut SentenceReader| {
         reader.token(0) != Some(Token::Word)
             || begins_adverb(reader)
             || reader.eat("and|but|or|then|finds|find|help")
@@ -278,8 +274,7 @@ fn somebody(reader: &mut Reader) -> Option<(String, Span)> {
     (reader.at > from).then(|| (reader.passed(from), reader.span(begin)))
 }
 
-/// When somebody comes is no time of the fall.
-fn is_of_whom(reader: &mut Reader) {
+fn is_of_whom(reader: &mut SentenceReader) {
     let from = reader.at;
     let mut time = Adverbs::default();
     let says_time = |time: &Adverbs| time.when.is_some() || time.part.is_some();
@@ -287,6 +282,6 @@ fn is_of_whom(reader: &mut Reader) {
         Adverbs::default().next(reader);
         let span = reader.span(from);
         reader.at = reader.words.len();
-        reader.fault(span, TimeMessage::WhoseTime { text: reader.said(span) });
+        reader.fault(span, TimeSentenceMessage::WhoseTime { text: reader.said(span) });
     }
 }

@@ -1,39 +1,35 @@
-//! What is wrong with a text: collected while it is read, told with line, column and underline.
+//! The problems of a text, collected while it is read and reported with line, column and underline.
 
-use super::words::{Line, Span};
+use super::words::{TextLine, TextSpan};
+use homebody_core::nearest::nearest;
 use homebody_core::problem::{Advice, Diagnostic, Excerpt, Problem};
 use homebody_core::problems::ProblemsMessage;
-use homebody_core::scenario::nearest::nearest;
 
-/// Number of problems above which they are counted instead of listed.
 pub const MOST: usize = 100;
 
 #[derive(Clone, Debug, PartialEq)]
-pub struct Fault {
-    pub span: Span,
+pub struct TextFault {
+    pub span: TextSpan,
     pub message: Diagnostic,
 }
 
-/// All that is wrong with one text.
 #[derive(Debug, Default)]
 pub struct Faults {
-    /// Whether nobody will read what is added: hints need not be looked for.
     pub is_trial: bool,
-    list: Vec<Fault>,
+    list: Vec<TextFault>,
     more: usize,
 }
 
 impl Faults {
-    /// For trying whether something is understood.
     pub fn of_trial() -> Faults {
         Faults { is_trial: true, ..Faults::default() }
     }
 
-    pub fn add(&mut self, span: Span, message: impl Into<Diagnostic>) {
+    pub fn add(&mut self, span: TextSpan, message: impl Into<Diagnostic>) {
         if self.list.len() < MOST {
             // The words of a trial are never read.
             let message = if self.is_trial { Diagnostic::default() } else { message.into() };
-            self.list.push(Fault { span, message });
+            self.list.push(TextFault { span, message });
         } else {
             self.more += 1;
         }
@@ -43,21 +39,18 @@ impl Faults {
         self.list.len() + self.more
     }
 
-    /// Takes back what was added since there were so many.
     pub fn forget_since(&mut self, count: usize) {
         let listed = count.min(self.list.len());
         self.list.truncate(listed);
         self.more = count - listed;
     }
 
-    /// What was added since there were so many.
-    pub fn since(&mut self, count: usize) -> &mut [Fault] {
+    pub fn since(&mut self, count: usize) -> &mut [TextFault] {
         let listed = count.min(self.list.len());
         &mut self.list[listed..]
     }
 
-    /// The problems in the order of their places.
-    pub fn problems(mut self, file: &str, lines: &[Line]) -> Vec<Problem> {
+    pub fn problems(mut self, file: &str, lines: &[TextLine]) -> Vec<Problem> {
         self.list.sort_by_key(|fault| fault.span);
         let mut problems: Vec<Problem> = self.list.into_iter().map(|fault| problem(file, lines, fault)).collect();
         if self.more > 0 {
@@ -67,7 +60,7 @@ impl Faults {
     }
 }
 
-fn problem(file: &str, lines: &[Line], fault: Fault) -> Problem {
+fn problem(file: &str, lines: &[TextLine], fault: TextFault) -> Problem {
     let index = lines.partition_point(|line| line.start <= fault.span.start).saturating_sub(1);
     let Some(line) = lines.get(index) else { return Problem::of_file(file, fault.message, None) };
     let within = |at: usize| at.saturating_sub(line.start).min(line.text.len());
@@ -78,7 +71,6 @@ fn problem(file: &str, lines: &[Line], fault: Fault) -> Problem {
     Problem { line: index as u32 + 1, column, excerpt, ..Problem::of_file(file, fault.message, None) }
 }
 
-/// The known name that was probably meant, or the names that there are.
 pub fn did_you_mean<'a>(name: &str, known: impl Iterator<Item = &'a str> + Clone) -> Option<Advice> {
     const FEW: usize = 12;
     const LONGEST: usize = 60;

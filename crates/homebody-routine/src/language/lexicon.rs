@@ -5,30 +5,27 @@
 //! these are written.
 
 use super::messages::LexiconMessage;
-use super::words::{self, Token, Word};
+use super::words::{self, SentenceWord, Token};
 use crate::routine::Activity;
+use homebody_core::nearest::nearest;
 use homebody_core::problem::{Excerpt, Problem};
-use homebody_core::scenario::nearest::nearest;
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::{Arc, LazyLock};
 
 const ENGLISH: &str = include_str!("english.words");
 
-/// The name of a scenario's own file of words.
 pub const OWN_FILE: &str = "own.words";
-/// Largest number of lines, and of characters of a line.
 pub const MOST_LINES: usize = 2_000;
 const LONGEST_LINE: usize = 300;
 
 static BUILT_IN: LazyLock<Lexicon> = LazyLock::new(|| {
-    let (words, problems) = Words::default().and("english.words", ENGLISH);
+    let (words, problems) = LexiconWords::default().and("english.words", ENGLISH);
     debug_assert!(problems.is_empty(), "{problems:?}");
     Lexicon(Arc::new(words))
 });
 
-/// All words that are known.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Lexicon(Arc<Words>);
+pub struct Lexicon(Arc<LexiconWords>);
 
 impl Default for Lexicon {
     fn default() -> Lexicon {
@@ -37,9 +34,9 @@ impl Default for Lexicon {
 }
 
 impl std::ops::Deref for Lexicon {
-    type Target = Words;
+    type Target = LexiconWords;
 
-    fn deref(&self) -> &Words {
+    fn deref(&self) -> &LexiconWords {
         &self.0
     }
 }
@@ -49,81 +46,63 @@ impl Lexicon {
         &BUILT_IN
     }
 
-    /// These words and those of a text, as far as it is understood, with all that is wrong with it.
     pub fn with(&self, file: &str, text: &str) -> (Lexicon, Vec<Problem>) {
-        let (words, problems) = Words::clone(&self.0).and(file, text);
+        let (words, problems) = LexiconWords::clone(&self.0).and(file, text);
         (Lexicon(Arc::new(words)), problems)
     }
 }
 
-/// What is in a lexicon.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct Words {
-    pub ways: Vec<(Way, Activity)>,
-    /// Of each word that a way begins with, the ways.
+pub struct LexiconWords {
+    pub ways: Vec<(LexiconPhrase, Activity)>,
     first: BTreeMap<String, Vec<usize>>,
-    pub nouns: Vec<(Way, Activity)>,
-    pub means: Vec<(Way, String)>,
+    pub nouns: Vec<(LexiconPhrase, Activity)>,
+    pub means: Vec<(LexiconPhrase, String)>,
     first_of_means: BTreeMap<String, Vec<usize>>,
-    lists: BTreeMap<String, Vec<Entry>>,
-    /// Other names, with the one that homes have.
-    names: Vec<(Entry, Vec<String>)>,
+    lists: BTreeMap<String, Vec<LexiconEntry>>,
+    names: Vec<(LexiconEntry, Vec<String>)>,
     verbs: BTreeMap<String, String>,
-    /// The past of verbs that have no rule, with the verb.
     past: BTreeMap<String, String>,
-    /// What is not clear, and what could be said instead.
-    hints: Vec<(Way, String)>,
-    /// What is not said exactly, and how it is lived.
-    roughly: Vec<(Way, String)>,
-    /// How activities are told.
+    hints: Vec<(LexiconPhrase, String)>,
+    roughly: Vec<(LexiconPhrase, String)>,
     usual: Vec<(Activity, String)>,
-    /// Of activities that a user has named: where, and how many minutes.
-    pub own: BTreeMap<String, Own>,
-    /// Every line that says something, to find what is said twice.
+    pub own: BTreeMap<String, OwnActivity>,
     lines: BTreeSet<String>,
 }
 
-/// Words one after another, each with its alternatives.
-type Entry = Vec<Vec<String>>;
+type LexiconEntry = Vec<Vec<String>>;
 
-/// What a user's own activity is where a sentence does not say it.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct Own {
+pub struct OwnActivity {
     pub minutes: Option<f64>,
     pub place: Option<String>,
     pub line: u32,
 }
 
-/// A way of saying something.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Way {
-    pub pieces: Vec<Piece>,
+pub struct LexiconPhrase {
+    pub pieces: Vec<PhrasePiece>,
     pub written: String,
 }
 
 #[derive(Clone, Debug, PartialEq)]
-pub struct Piece {
-    pub is: Is,
+pub struct PhrasePiece {
+    pub is: PieceKind,
     pub optional: bool,
-    /// Whether other words may stand before it.
     pub after_others: bool,
 }
 
 #[derive(Clone, Debug, PartialEq)]
-pub enum Is {
-    /// The forms of verbs.
+pub enum PieceKind {
     Verb(BTreeSet<String>),
     Word(Vec<String>),
-    /// One of a list, by its name.
     List(String),
     Oneself,
     Whom,
     Host,
-    /// Some words more.
     More,
 }
 
-/// What the lines of a section are.
 enum Section {
     Activity(Activity),
     List(String),
@@ -135,56 +114,49 @@ enum Section {
     Roughly,
 }
 
-impl Words {
-    /// Ways that may begin with this word.
-    pub fn beginning<'a>(&'a self, word: &str) -> impl Iterator<Item = &'a (Way, Activity)> {
+impl LexiconWords {
+    pub fn beginning<'a>(&'a self, word: &str) -> impl Iterator<Item = &'a (LexiconPhrase, Activity)> {
         self.first.get(word).into_iter().flatten().map(|&index| &self.ways[index])
     }
 
-    /// What may be meant by words of which this is the first.
-    pub fn meaning<'a>(&'a self, word: &str) -> impl Iterator<Item = &'a (Way, String)> {
+    pub fn meaning<'a>(&'a self, word: &str) -> impl Iterator<Item = &'a (LexiconPhrase, String)> {
         self.first_of_means.get(word).into_iter().flatten().map(|&index| &self.means[index])
     }
 
-    /// How many words one of a list takes, if one stands there: the longest that fits.
     pub fn list<'w>(&self, name: &str, words: impl Fn(usize) -> &'w str) -> Option<usize> {
-        let fits =
-            |entry: &&Entry| entry.iter().enumerate().all(|(at, either)| either.iter().any(|one| one == words(at)));
+        let fits = |entry: &&LexiconEntry| {
+            entry.iter().enumerate().all(|(at, either)| either.iter().any(|one| one == words(at)))
+        };
         self.lists.get(name)?.iter().filter(fits).map(Vec::len).max()
     }
 
-    /// Whether the last word of these is one of a list.
     pub fn has_last(&self, name: &str, words: &str) -> bool {
         let last = words.rsplit(' ').next().unwrap_or_default();
         self.list(name, |at| if at == 0 { last } else { "" }).is_some()
     }
 
-    /// What homes usually call what these words name, with how many words that takes; the longest first.
     pub fn other_names<'w>(&self, words: impl Fn(usize) -> &'w str) -> Vec<(usize, &[String])> {
-        let fits =
-            |entry: &Entry| entry.iter().enumerate().all(|(at, either)| either.iter().any(|one| one == words(at)));
+        let fits = |entry: &LexiconEntry| {
+            entry.iter().enumerate().all(|(at, either)| either.iter().any(|one| one == words(at)))
+        };
         let found = self.names.iter().filter(|(entry, _)| fits(entry));
         let mut found: Vec<(usize, &[String])> = found.map(|(entry, name)| (entry.len(), name.as_slice())).collect();
         found.sort_by_key(|(length, _)| std::cmp::Reverse(*length));
         found
     }
 
-    /// How an activity is told, if the words say so.
     pub fn usual(&self, activity: &Activity) -> Option<&str> {
         self.usual.iter().find(|(known, _)| known == activity).map(|(_, said)| said.as_str())
     }
 
-    /// How the activities are told, in the order of the file.
     pub fn told(&self) -> impl Iterator<Item = &str> {
         self.usual.iter().map(|(_, said)| said.as_str())
     }
 
-    /// What stands after "has", of a verb without a rule.
     pub fn participle(&self, verb: &str) -> Option<&str> {
         self.verbs.get(verb).map(String::as_str)
     }
 
-    /// Whether a verb that is known stands in the form that goes with "she".
     pub fn is_third_person(&self, word: &str) -> bool {
         const OTHERS: [&str; 3] = ["is", "has", "does"];
         let ends = word.ends_with('s') && !word.ends_with("ss");
@@ -211,7 +183,6 @@ impl Words {
         [stem.to_owned(), format!("{stem}e"), undoubled(stem), with_y].into_iter().find(|verb| regular(verb) == word)
     }
 
-    /// The verb of which this is the past, if it is known.
     pub fn verb_of_past(&self, word: &str) -> Option<String> {
         let of_list = self.past.get(word).cloned();
         let of_rule = || {
@@ -221,22 +192,19 @@ impl Words {
         of_list.or_else(of_rule)
     }
 
-    /// What could be said instead of words of which this is the first.
-    pub fn hinted<'a>(&'a self, word: &'a str) -> impl Iterator<Item = &'a (Way, String)> {
+    pub fn hinted<'a>(&'a self, word: &'a str) -> impl Iterator<Item = &'a (LexiconPhrase, String)> {
         self.hints.iter().filter(move |(way, _)| begins_with(way, word))
     }
 
-    /// How words are lived roughly of which this is the first.
-    pub fn roughly<'a>(&'a self, word: &'a str) -> impl Iterator<Item = &'a (Way, String)> {
+    pub fn roughly<'a>(&'a self, word: &'a str) -> impl Iterator<Item = &'a (LexiconPhrase, String)> {
         self.roughly.iter().filter(move |(way, _)| begins_with(way, word))
     }
 
-    /// How many lines of words there are.
     pub fn count(&self) -> usize {
         self.lines.len()
     }
 
-    fn and(mut self, file: &str, text: &str) -> (Words, Vec<Problem>) {
+    fn and(mut self, file: &str, text: &str) -> (LexiconWords, Vec<Problem>) {
         let mut problems = Vec::new();
         let mut section: Option<Section> = None;
         // Ways are made of the verbs of the whole file.
@@ -302,7 +270,7 @@ impl Words {
         }
         let activity = known.clone().unwrap_or_else(|| Activity::Other(name.to_owned()));
         if known.is_none() {
-            let mut own = Own { line, ..Own::default() };
+            let mut own = OwnActivity { line, ..OwnActivity::default() };
             for part in parts.filter(|part| !part.is_empty()) {
                 match part.strip_suffix("minutes").map(|number| number.trim().parse::<f64>()) {
                     Some(Ok(minutes)) if (1.0..=1440.0).contains(&minutes) => own.minutes = Some(minutes),
@@ -362,31 +330,35 @@ impl Words {
         Ok(())
     }
 
-    fn way(&self, written: &str) -> Result<Way, LexiconMessage> {
-        let pieces: Vec<Piece> = written.split(' ').map(|piece| self.piece(piece)).collect();
+    fn way(&self, written: &str) -> Result<LexiconPhrase, LexiconMessage> {
+        let pieces: Vec<PhrasePiece> = written.split(' ').map(|piece| self.piece(piece)).collect();
         match pieces.first().map(|piece| (&piece.is, piece.optional)) {
-            Some((Is::Verb(_) | Is::Word(_), false)) => Ok(Way { pieces, written: written.to_owned() }),
+            Some((PieceKind::Verb(_) | PieceKind::Word(_), false)) => {
+                Ok(LexiconPhrase { pieces, written: written.to_owned() })
+            }
             _ => Err(LexiconMessage::NoFirstWord { text: written.to_owned() }),
         }
     }
 
-    fn piece(&self, written: &str) -> Piece {
+    fn piece(&self, written: &str) -> PhrasePiece {
         let optional = written.starts_with('[');
         let inner = written.trim_matches(['[', ']']);
         let after_others = inner.starts_with('*');
         let inner = inner.trim_start_matches('*');
         let is = match inner {
-            "SELF" => Is::Oneself,
-            "WHOM" => Is::Whom,
-            "HOST" => Is::Host,
-            "..." => Is::More,
-            _ if inner.split('|').all(is_list) => Is::List(inner.split('|').next().unwrap_or_default().to_owned()),
+            "SELF" => PieceKind::Oneself,
+            "WHOM" => PieceKind::Whom,
+            "HOST" => PieceKind::Host,
+            "..." => PieceKind::More,
+            _ if inner.split('|').all(is_list) => {
+                PieceKind::List(inner.split('|').next().unwrap_or_default().to_owned())
+            }
             _ => match inner.strip_prefix('~') {
-                Some(verbs) => Is::Verb(verbs.split('|').flat_map(|verb| self.forms(verb)).collect()),
-                None => Is::Word(inner.split('|').map(str::to_owned).collect()),
+                Some(verbs) => PieceKind::Verb(verbs.split('|').flat_map(|verb| self.forms(verb)).collect()),
+                None => PieceKind::Word(inner.split('|').map(str::to_owned).collect()),
             },
         };
-        Piece { is, optional: optional || inner == "...", after_others }
+        PhrasePiece { is, optional: optional || inner == "...", after_others }
     }
 
     /// All forms of a verb: "get", "gets", "getting", "got".
@@ -399,14 +371,14 @@ impl Words {
     }
 
     fn sort(&mut self) {
-        fn index<T>(ways: &[(Way, T)]) -> BTreeMap<String, Vec<usize>> {
+        fn index<T>(ways: &[(LexiconPhrase, T)]) -> BTreeMap<String, Vec<usize>> {
             let mut first: BTreeMap<String, Vec<usize>> = BTreeMap::new();
             for (at, (way, _)) in ways.iter().enumerate() {
                 match way.pieces.first().map(|piece| &piece.is) {
-                    Some(Is::Verb(forms)) => {
+                    Some(PieceKind::Verb(forms)) => {
                         forms.iter().for_each(|word| first.entry(word.clone()).or_default().push(at))
                     }
-                    Some(Is::Word(either)) => {
+                    Some(PieceKind::Word(either)) => {
                         either.iter().for_each(|word| first.entry(word.clone()).or_default().push(at))
                     }
                     _ => {}
@@ -419,15 +391,14 @@ impl Words {
     }
 }
 
-/// Whether a way begins with a form of a verb, and this is it.
-fn is_form(way: &Way, word: &str) -> bool {
-    matches!(way.pieces.first().map(|piece| &piece.is), Some(Is::Verb(forms)) if forms.contains(word))
+fn is_form(way: &LexiconPhrase, word: &str) -> bool {
+    matches!(way.pieces.first().map(|piece| &piece.is), Some(PieceKind::Verb(forms)) if forms.contains(word))
 }
 
-fn begins_with(way: &Way, word: &str) -> bool {
+fn begins_with(way: &LexiconPhrase, word: &str) -> bool {
     match way.pieces.first().map(|piece| &piece.is) {
-        Some(Is::Verb(forms)) => forms.contains(word),
-        Some(Is::Word(either)) => either.iter().any(|one| one == word),
+        Some(PieceKind::Verb(forms)) => forms.contains(word),
+        Some(PieceKind::Word(either)) => either.iter().any(|one| one == word),
         _ => false,
     }
 }
@@ -441,7 +412,6 @@ fn undoubled(stem: &str) -> String {
     }
 }
 
-/// A line without what is for people.
 fn bare(line: &str) -> &str {
     line.split('#').next().unwrap_or_default().trim()
 }
@@ -450,15 +420,14 @@ fn is_list(name: &str) -> bool {
     name.len() > 1 && name.chars().all(|c| c.is_ascii_uppercase())
 }
 
-fn entry(line: &str) -> Entry {
+fn entry(line: &str) -> LexiconEntry {
     line.split(' ').map(|either| either.split('|').map(str::to_owned).collect()).collect()
 }
 
-/// The words of a text, all in the place of a word that was written.
-pub fn words_of(text: &str, at: &Word) -> Vec<Word> {
+pub fn words_of(text: &str, at: &SentenceWord) -> Vec<SentenceWord> {
     let words = words::of_name(text).into_iter();
     words
-        .map(|word| Word { span: at.span, ..word })
+        .map(|word| SentenceWord { span: at.span, ..word })
         .filter(|word| word.token != Token::Comma || word.text == ",")
         .collect()
 }
@@ -497,7 +466,6 @@ fn regular(verb: &str) -> String {
     }
 }
 
-/// Whether the last letter comes twice in longer forms: one vowel, and a consonant after it.
 fn is_doubled(verb: &str) -> bool {
     let is_vowel = |c: &char| "aeiou".contains(*c);
     let letters: Vec<char> = verb.chars().collect();

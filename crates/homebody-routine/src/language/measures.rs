@@ -1,9 +1,9 @@
-//! How much something changes: "45 to 90 minutes later", "twice as often", "30 % slower".
+//! The amount of a change: "45 to 90 minutes later", "twice as often", "30 % slower".
 
-use super::amounts::{Amount, DAY_S, Unit, amount};
-use super::messages::TimeMessage;
-use super::reader::Reader;
-use super::words::Span;
+use super::amounts::{Amount, AmountUnit, DAY_S, amount};
+use super::messages::TimeSentenceMessage;
+use super::reader::SentenceReader;
+use super::words::TextSpan;
 use homebody_core::fuzzy::Fuzzy;
 
 /// Factor, or number of heartbeats or breaths a minute, above which a change is a slip of the pen (our choice).
@@ -13,64 +13,50 @@ const MOST_A_MINUTE: f64 = 100.0;
 /// Highest walking speed (our choice).
 pub const FASTEST_MPS: f64 = 3.0;
 
-/// How much, and of what.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Measure {
+pub struct AmountPhrase {
     pub of: Of,
     pub by: Fuzzy,
-    pub span: Span,
+    pub span: TextSpan,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Of {
-    /// Seconds later; earlier where negative.
     Later,
-    /// Seconds longer; shorter where negative.
     LongerBy,
-    /// So many times as long.
     Longer,
-    /// So many times as often.
     Oftener,
-    /// So many times as much, of whatever it is.
     Much,
-    /// So many times as fast.
     Faster,
-    /// Metres a second faster, slower where negative, and whether for every week.
     FasterBy { each_week: bool },
-    /// So many times as active.
     Active,
-    /// So many times as restless.
     Restless,
-    /// Beats a minute more.
     Beats,
-    /// Breaths a minute more.
     Breaths,
-    /// So many times as long or as often, whichever goes with the activity.
     Some,
 }
 
-/// An amount and what it changes, if they come next.
-pub fn measure(reader: &mut Reader) -> Option<Measure> {
+pub fn measure(reader: &mut SentenceReader) -> Option<AmountPhrase> {
     let start = reader.at;
     reader.attempt(|reader| {
         if let Some((of, by)) = reader.attempt(later_by) {
-            return Some(Measure { of, by, span: reader.span(start) });
+            return Some(AmountPhrase { of, by, span: reader.span(start) });
         }
         if let Some((of, by)) = reader.attempt(unnumbered) {
-            return Some(Measure { of, by, span: reader.span(start) });
+            return Some(AmountPhrase { of, by, span: reader.span(start) });
         }
         reader.eat("by");
         let amount = amount(reader)?;
         let (of, by) = match amount.unit {
-            Unit::Second => time(reader, &amount)?,
-            Unit::Percent => percent(reader, &amount)?,
-            Unit::Times => factor(reader, &amount)?,
-            Unit::Speed => speed(reader, &amount)?,
-            Unit::Beats => (Of::Beats, rate(reader, &amount)?),
-            Unit::Breaths => (Of::Breaths, rate(reader, &amount)?),
-            Unit::Day | Unit::Years | Unit::None => return None,
+            AmountUnit::Second => time(reader, &amount)?,
+            AmountUnit::Percent => percent(reader, &amount)?,
+            AmountUnit::Times => factor(reader, &amount)?,
+            AmountUnit::Speed => speed(reader, &amount)?,
+            AmountUnit::Beats => (Of::Beats, rate(reader, &amount)?),
+            AmountUnit::Breaths => (Of::Breaths, rate(reader, &amount)?),
+            AmountUnit::Day | AmountUnit::Years | AmountUnit::None => return None,
         };
-        Some(Measure { of, by, span: reader.span(start) })
+        Some(AmountPhrase { of, by, span: reader.span(start) })
     })
 }
 
@@ -85,7 +71,7 @@ pub const LITTLE: f64 = 0.5;
 pub const MUCH: f64 = 2.0;
 
 /// "later than usual", "much less often": a change without a number.
-fn unnumbered(reader: &mut Reader) -> Option<(Of, Fuzzy)> {
+fn unnumbered(reader: &mut SentenceReader) -> Option<(Of, Fuzzy)> {
     let how_far = reader.attempt(|reader| {
         if reader.eat("a little|bit") || reader.eat("slightly|somewhat") {
             return Some(LITTLE);
@@ -138,33 +124,31 @@ fn unnumbered(reader: &mut Reader) -> Option<(Of, Fuzzy)> {
 }
 
 /// "later by 30 minutes".
-fn later_by(reader: &mut Reader) -> Option<(Of, Fuzzy)> {
+fn later_by(reader: &mut SentenceReader) -> Option<(Of, Fuzzy)> {
     let (of, is_less) = reader.eat_any(&[
         ("later by", (Of::Later, false)),
         ("earlier by", (Of::Later, true)),
         ("longer by", (Of::LongerBy, false)),
         ("shorter by", (Of::LongerBy, true)),
     ])?;
-    let amount = amount(reader).filter(|amount| amount.unit == Unit::Second)?;
+    let amount = amount(reader).filter(|amount| amount.unit == AmountUnit::Second)?;
     at_most(reader, &amount, amount.to, DAY_S, "a day");
     Some((of, signed(&amount, is_less)))
 }
 
-/// The amount, or its opposite.
 fn signed(amount: &Amount, is_less: bool) -> Fuzzy {
     let by = amount.as_change();
     if is_less { Fuzzy { low: -by.high, from: -by.to, to: -by.from, high: -by.low } } else { by }
 }
 
-/// A change may be so great, and no greater.
-fn at_most(reader: &mut Reader, amount: &Amount, value: f64, most: f64, in_words: &str) {
+fn at_most(reader: &mut SentenceReader, amount: &Amount, value: f64, most: f64, in_words: &str) {
     if value > most {
         let (text, most) = (reader.said(amount.span), in_words.to_owned());
-        reader.fault(amount.span, TimeMessage::TooGreat { text, most });
+        reader.fault(amount.span, TimeSentenceMessage::TooGreat { text, most });
     }
 }
 
-fn time(reader: &mut Reader, amount: &Amount) -> Option<(Of, Fuzzy)> {
+fn time(reader: &mut SentenceReader, amount: &Amount) -> Option<(Of, Fuzzy)> {
     let (of, is_less) = reader.eat_any(&[
         ("later", (Of::Later, false)),
         ("earlier", (Of::Later, true)),
@@ -176,7 +160,7 @@ fn time(reader: &mut Reader, amount: &Amount) -> Option<(Of, Fuzzy)> {
     Some((of, signed(amount, is_less)))
 }
 
-fn percent(reader: &mut Reader, amount: &Amount) -> Option<(Of, Fuzzy)> {
+fn percent(reader: &mut SentenceReader, amount: &Amount) -> Option<(Of, Fuzzy)> {
     let (of, is_less) = reader.eat_any(&[
         ("more often", (Of::Oftener, false)),
         ("less often", (Of::Oftener, true)),
@@ -197,14 +181,14 @@ fn percent(reader: &mut Reader, amount: &Amount) -> Option<(Of, Fuzzy)> {
     ])?;
     if is_less && amount.to > 100.0 {
         let text = reader.said(amount.span.to(reader.span(reader.at - 1)));
-        reader.fault(amount.span, TimeMessage::LessThanNothing { text });
+        reader.fault(amount.span, TimeSentenceMessage::LessThanNothing { text });
     }
     let by = signed(amount, is_less).map(|percent| (1.0 + percent / 100.0).max(0.0));
     at_most(reader, amount, by.to, MOST_TIMES, "100 times as much");
     Some((of, by))
 }
 
-fn factor(reader: &mut Reader, amount: &Amount) -> Option<(Of, Fuzzy)> {
+fn factor(reader: &mut SentenceReader, amount: &Amount) -> Option<(Of, Fuzzy)> {
     let of = reader.eat_any(&[
         ("as often", Of::Oftener),
         ("as long", Of::Longer),
@@ -217,25 +201,25 @@ fn factor(reader: &mut Reader, amount: &Amount) -> Option<(Of, Fuzzy)> {
     Some((of, amount.as_change()))
 }
 
-fn speed(reader: &mut Reader, amount: &Amount) -> Option<(Of, Fuzzy)> {
+fn speed(reader: &mut SentenceReader, amount: &Amount) -> Option<(Of, Fuzzy)> {
     let is_less = reader.eat_any(&[("slower", true), ("faster|quicker", false)])?;
     let each_week = reader.eat("every|each|a|per week");
     at_most(reader, amount, amount.to, FASTEST_MPS, "3 m/s");
     Some((Of::FasterBy { each_week }, signed(amount, is_less)))
 }
 
-fn rate(reader: &mut Reader, amount: &Amount) -> Option<Fuzzy> {
+fn rate(reader: &mut SentenceReader, amount: &Amount) -> Option<Fuzzy> {
     let is_less = reader.eat_any(&[("faster|higher|more|quicker", false), ("slower|lower|less", true)])?;
     per_minute(reader, amount);
     Some(signed(amount, is_less))
 }
 
-fn per_minute(reader: &mut Reader, amount: &Amount) {
+fn per_minute(reader: &mut SentenceReader, amount: &Amount) {
     at_most(reader, amount, amount.to, MOST_A_MINUTE, "100 a minute");
 }
 
 /// "rises by 20 beats", after "pulse" or "breathing".
-pub fn rises_by(reader: &mut Reader, of: Of) -> Option<Measure> {
+pub fn rises_by(reader: &mut SentenceReader, of: Of) -> Option<AmountPhrase> {
     let start = reader.at;
     reader.attempt(|reader| {
         let is_less = reader.eat_any(&[
@@ -247,13 +231,13 @@ pub fn rises_by(reader: &mut Reader, of: Of) -> Option<Measure> {
         ])?;
         reader.eat("by");
         let amount = amount(reader)?;
-        let unit = if of == Of::Beats { Unit::Beats } else { Unit::Breaths };
-        if amount.unit != unit && amount.unit != Unit::None {
+        let unit = if of == Of::Beats { AmountUnit::Beats } else { AmountUnit::Breaths };
+        if amount.unit != unit && amount.unit != AmountUnit::None {
             return None;
         }
         reader.eat("a|per minute");
         let lower = reader.eat_any(&[("higher|faster", false), ("lower|slower", true)]);
         per_minute(reader, &amount);
-        Some(Measure { of, by: signed(&amount, is_less || lower == Some(true)), span: reader.span(start) })
+        Some(AmountPhrase { of, by: signed(&amount, is_less || lower == Some(true)), span: reader.span(start) })
     })
 }

@@ -1,30 +1,28 @@
-//! What is said of somebody: the verb of a sentence.
+//! The verb of a sentence, with its objects.
 
 use super::activities;
 use super::adverbs::{Adverbs, Slot};
-use super::amounts::{Unit, amount};
+use super::amounts::{AmountUnit, amount};
+use super::day_kind::has_days;
 use super::falling::falls;
 use super::faults::did_you_mean;
-use super::lively::has_days;
-use super::measures::{Of, measure, rises_by};
-use super::messages::{TimeMessage, WordMessage};
-use super::reader::{Reader, Sort, begins_adverb};
-use super::roundabout::{
+use super::indirect::{
     cared, falls_asleep, has_visitors, is_doing, is_helped, is_remark, spends, takes_long, tends_not, unable,
     unfinished, visited,
 };
-use super::said::Predicate;
-use super::subjects::Subject;
+use super::measures::{Of, measure, rises_by};
+use super::messages::{TimeSentenceMessage, WordMessage};
+use super::predicate::Predicate;
+use super::reader::{SentenceReader, Sort, begins_adverb};
+use super::subjects::SentenceSubject;
 use super::times;
-use super::unknown::{no_thing, unknown_name};
+use super::unknown_word::{no_thing, unknown_name};
 use super::words::Token;
-use crate::routine::{Activity, Kind, PartOfDay, Shy, When};
+use crate::routine::{Activity, HabitTime, PartOfDay, ResidentKind, Shy};
 
-/// What goes before where somebody is, not before where they go.
 const WHERE: &str = "at|in|on|by|near|beside|next";
 
-/// What is said of the person, if it is understood; `adverbs` takes what stands within.
-pub fn predicate(reader: &mut Reader, adverbs: &mut Adverbs) -> Option<Predicate> {
+pub fn predicate(reader: &mut SentenceReader, adverbs: &mut Adverbs) -> Option<Predicate> {
     if let Some(found) = roundabout(reader, adverbs) {
         return Some(found);
     }
@@ -35,8 +33,7 @@ pub fn predicate(reader: &mut Reader, adverbs: &mut Adverbs) -> Option<Predicate
         return Some(found);
     }
     let not = reader.eat("does|do not") || reader.eat("doesn't|don't|never") || reader.eat("no longer");
-    // Who stops at the window does something there.
-    let stops = |reader: &mut Reader| reader.eat("stops|stop") && !reader.ahead(|reader| reader.eat(WHERE));
+    let stops = |reader: &mut SentenceReader| reader.eat("stops|stop") && !reader.ahead(|reader| reader.eat(WHERE));
     if not || reader.attempt(|reader| stops(reader).then_some(())).is_some() {
         reader.eat("ever");
         let other = reader.attempt(|reader| not_before(reader, adverbs)).or_else(|| reader.attempt(not_missed));
@@ -74,8 +71,7 @@ pub fn predicate(reader: &mut Reader, adverbs: &mut Adverbs) -> Option<Predicate
     reader.eat("walks|walk").then_some(Predicate::Walks)
 }
 
-/// What is said in a roundabout way, if it is.
-fn roundabout(reader: &mut Reader, adverbs: &mut Adverbs) -> Option<Predicate> {
+fn roundabout(reader: &mut SentenceReader, adverbs: &mut Adverbs) -> Option<Predicate> {
     let plain =
         [unable, unfinished, is_helped, visited, has_visitors, cared].into_iter().find_map(|read| reader.attempt(read));
     let found = plain
@@ -94,8 +90,7 @@ fn roundabout(reader: &mut Reader, adverbs: &mut Adverbs) -> Option<Predicate> {
     reader.attempt(is_remark).map(|()| Predicate::Remark)
 }
 
-/// Who wakes by night lies awake.
-fn wakes_at_night(reader: &mut Reader, adverbs: &mut Adverbs) -> Option<Predicate> {
+fn wakes_at_night(reader: &mut SentenceReader, adverbs: &mut Adverbs) -> Option<Predicate> {
     if !["wakes", "wake", "waking"].contains(&reader.peek(0)) {
         return None;
     }
@@ -107,8 +102,7 @@ fn wakes_at_night(reader: &mut Reader, adverbs: &mut Adverbs) -> Option<Predicat
     Some(Predicate::Does(Activity::LieAwake))
 }
 
-/// Who stays in bed until 9:00 gets up at 9:00, and who stays up until midnight goes to bed then.
-fn until_up(reader: &mut Reader, adverbs: &mut Adverbs) -> Option<Activity> {
+fn until_up(reader: &mut SentenceReader, adverbs: &mut Adverbs) -> Option<Activity> {
     let stays_up = reader.eat("stays|stay|remains|remain up|awake");
     if !(stays_up || reader.eat("stays|stay|remains|remain|lies|lie in bed") || reader.eat("sleeps|sleep")) {
         return None;
@@ -121,13 +115,13 @@ fn until_up(reader: &mut Reader, adverbs: &mut Adverbs) -> Option<Activity> {
         return None;
     }
     let until = rest.until_time.take()?;
-    rest.when = Some(Slot { value: When::At(until.value), span: until.span, own: until.own });
+    rest.when = Some(Slot { value: HabitTime::At(until.value), span: until.span, own: until.own });
     *adverbs = rest;
     Some(if stays_up { Activity::GoToBed } else { Activity::GetUp })
 }
 
 /// "gets up twice a night to go to the bathroom": what for.
-fn at_night_for(reader: &mut Reader, adverbs: &mut Adverbs) -> Option<Activity> {
+fn at_night_for(reader: &mut SentenceReader, adverbs: &mut Adverbs) -> Option<Activity> {
     reader.attempt(|reader| {
         let mut rest = adverbs.clone();
         rest.all(reader);
@@ -141,13 +135,12 @@ fn at_night_for(reader: &mut Reader, adverbs: &mut Adverbs) -> Option<Activity> 
     })
 }
 
-/// Who goes to bed late gets up late.
-fn sleeps_in(reader: &mut Reader) -> Option<Predicate> {
+fn sleeps_in(reader: &mut SentenceReader) -> Option<Predicate> {
     reader.eat("sleeps|sleep in after late nights").then_some(Predicate::SleepsIn)
 }
 
 /// "keeps close to the walls", "keeps away from others", "often stops as she wanders".
-fn shying(reader: &mut Reader) -> Option<Predicate> {
+fn shying(reader: &mut SentenceReader) -> Option<Predicate> {
     let keeps = reader.eat("keeps|keep|stays|stay|walks|walk");
     if keeps
         && (reader.eat("close|near to the walls|wall")
@@ -174,13 +167,13 @@ fn shying(reader: &mut Reader) -> Option<Predicate> {
 }
 
 /// "walks" where a speed or a change of it follows.
-fn walking(reader: &mut Reader) -> Option<Predicate> {
+fn walking(reader: &mut SentenceReader) -> Option<Predicate> {
     if !reader.eat("walks|walk") {
         return None;
     }
     let pace = reader.attempt(|reader| {
         reader.eat("at");
-        let pace = amount(reader).filter(|amount| amount.unit == Unit::Speed)?;
+        let pace = amount(reader).filter(|amount| amount.unit == AmountUnit::Speed)?;
         (!["slower", "faster", "quicker"].contains(&reader.peek(0))).then_some(pace)
     });
     if pace.is_some() {
@@ -189,17 +182,16 @@ fn walking(reader: &mut Reader) -> Option<Predicate> {
     reader.ahead(|reader| measure(reader).is_some()).then_some(Predicate::Walks)
 }
 
-/// What may stand after "is".
 pub const IS: &str = "write \"is 82\", \"is a cat\", \"is out\" or \"is 30 % less active\"";
 
-fn being(reader: &mut Reader, adverbs: &mut Adverbs) -> Predicate {
+fn being(reader: &mut SentenceReader, adverbs: &mut Adverbs) -> Predicate {
     adverbs.all(reader);
     let kind = reader.attempt(|reader| {
         reader.skip_determiners();
         reader.eat_any(&[
-            ("cat", Kind::Cat),
-            ("dog", Kind::Dog),
-            ("person|woman|man|lady|gentleman|human", Kind::Person),
+            ("cat", ResidentKind::Cat),
+            ("dog", ResidentKind::Dog),
+            ("person|woman|man|lady|gentleman|human", ResidentKind::Person),
         ])
     });
     if let Some(kind) = kind {
@@ -207,15 +199,15 @@ fn being(reader: &mut Reader, adverbs: &mut Adverbs) -> Predicate {
     }
     let age = reader.attempt(|reader| {
         let age = amount(reader)?;
-        let is_age = age.unit == Unit::Years || age.unit == Unit::None && reader.at >= reader.words.len();
+        let is_age = age.unit == AmountUnit::Years || age.unit == AmountUnit::None && reader.at >= reader.words.len();
         let is_age = is_age
-            || age.unit == Unit::None
+            || age.unit == AmountUnit::None
                 && (reader.token(0) == Some(Token::Comma) || ["and", "but"].contains(&reader.peek(0)));
         is_age.then_some(age)
     });
     if let Some(age) = age {
         if age.from <= 0.0 || age.to > 130.0 {
-            reader.fault(age.span, TimeMessage::Age { text: reader.said(age.span) });
+            reader.fault(age.span, TimeSentenceMessage::Age { text: reader.said(age.span) });
         }
         return Predicate::Age(age.from);
     }
@@ -226,36 +218,36 @@ fn being(reader: &mut Reader, adverbs: &mut Adverbs) -> Predicate {
 }
 
 /// "never misses Mass": that is what is done.
-fn not_missed(reader: &mut Reader) -> Option<Predicate> {
+fn not_missed(reader: &mut SentenceReader) -> Option<Predicate> {
     reader.eat("misses|miss|skips|skip").then_some(())?;
     activities::event(reader).map(Predicate::Does)
 }
 
 /// "does not go to bed until two", "never gets up before ten": that is when.
-fn not_before(reader: &mut Reader, adverbs: &mut Adverbs) -> Option<Predicate> {
+fn not_before(reader: &mut SentenceReader, adverbs: &mut Adverbs) -> Option<Predicate> {
     let activity = activities::activity(reader)?;
     let from = reader.at;
     reader.eat("much|well");
     if reader.eat("before|until|till") {
         if let Some(at) = times::time(reader, true) {
-            let (value, span) = (When::At(at.fuzzy()), reader.span(from));
+            let (value, span) = (HabitTime::At(at.fuzzy()), reader.span(from));
             adverbs.when = Some(Slot { value, span, own: true });
             return Some(Predicate::Does(activity));
         }
         reader.eat("after");
         let other = activities::event(reader)?;
-        let (value, span) = (When::After(other, None), reader.span(from));
+        let (value, span) = (HabitTime::After(other, None), reader.span(from));
         adverbs.when = Some(Slot { value, span, own: true });
         return Some(Predicate::Does(activity));
     }
     None
 }
 
-fn negated(reader: &mut Reader) -> Option<Predicate> {
+fn negated(reader: &mut SentenceReader) -> Option<Predicate> {
     activities::activity(reader).map(Predicate::Not)
 }
 
-fn changing(reader: &mut Reader) -> Option<Predicate> {
+fn changing(reader: &mut SentenceReader) -> Option<Predicate> {
     for phrase in ["sleeps|sleep", "turns|turn in bed", "turns|turn over in bed", "tosses|toss and turns|turn"] {
         if reader.eat(phrase) {
             reader.eat("in bed");
@@ -265,12 +257,11 @@ fn changing(reader: &mut Reader) -> Option<Predicate> {
     reader.eat("breathes|breathe").then_some(Predicate::Breathes)
 }
 
-/// What severity these words stand for; without one, a case is moderate.
 pub const SEVERITIES: [(&str, f64); 3] =
     [("mild|slight|light", 0.5), ("moderate", 1.0), ("severe|serious|strong", 1.5)];
 
 /// "has depression": only what is known, since much else can be had.
-fn has_condition(reader: &mut Reader) -> Option<Predicate> {
+fn has_condition(reader: &mut SentenceReader) -> Option<Predicate> {
     if !reader.eat("has|have") {
         return None;
     }
@@ -279,7 +270,7 @@ fn has_condition(reader: &mut Reader) -> Option<Predicate> {
     reader.name(&[Sort::Condition]).map(|name| Predicate::Shows(name, severity))
 }
 
-fn illness(reader: &mut Reader) -> Option<Predicate> {
+fn illness(reader: &mut SentenceReader) -> Option<Predicate> {
     if let Some(found) = reader.attempt(has_condition) {
         return Some(found);
     }
@@ -293,7 +284,8 @@ fn illness(reader: &mut Reader) -> Option<Predicate> {
         return Some(Predicate::Shows(name, severity));
     }
     let from = reader.at;
-    let stops = |reader: &Reader| reader.is_over() || reader.token(0) != Some(Token::Word) || begins_adverb(reader);
+    let stops =
+        |reader: &SentenceReader| reader.is_over() || reader.token(0) != Some(Token::Word) || begins_adverb(reader);
     while !stops(reader) && reader.at < from + 4 {
         reader.at += 1;
     }
@@ -305,7 +297,7 @@ fn illness(reader: &mut Reader) -> Option<Predicate> {
 }
 
 /// "forgets the stove", "leaves the fridge open"; "forgets her pills".
-fn forgetting(reader: &mut Reader) -> Option<Predicate> {
+fn forgetting(reader: &mut SentenceReader) -> Option<Predicate> {
     if reader.eat("leaves|leave") {
         let thing = reader.name(&[Sort::Thing])?;
         return reader.eat("open|on|running|ajar").then_some(Predicate::Forgets(thing));
@@ -324,8 +316,7 @@ fn forgetting(reader: &mut Reader) -> Option<Predicate> {
     Some(Predicate::Forgets(thing))
 }
 
-/// What is not done by who forgets it: "her pills", "to eat lunch".
-fn what_is_left_out(reader: &mut Reader) -> Option<Activity> {
+fn what_is_left_out(reader: &mut SentenceReader) -> Option<Activity> {
     if reader.eat("to") {
         return activities::activity(reader);
     }
@@ -335,35 +326,33 @@ fn what_is_left_out(reader: &mut Reader) -> Option<Activity> {
     activities::event(reader).filter(|event| matches!(event, Activity::TakeMedicine | Activity::Eat(_)))
 }
 
-/// A thing of this home; a fault where there is none.
-pub fn thing(reader: &mut Reader) -> String {
+pub fn thing(reader: &mut SentenceReader) -> String {
     if let Some(thing) = reader.name(&[Sort::Thing]) {
         return thing;
     }
     unknown_name(reader, &[Sort::Thing], no_thing)
 }
 
-fn skipping(reader: &mut Reader) -> Option<Predicate> {
+fn skipping(reader: &mut SentenceReader) -> Option<Predicate> {
     if !reader.eat("skips|skip|misses|miss|refuses|refuse|declines|decline") {
         return None;
     }
     activities::event(reader).map(Predicate::Skips)
 }
 
-/// What is said of a pulse, of breathing or of hours.
-pub fn of_body(reader: &mut Reader, subject: &Subject) -> Option<Predicate> {
+pub fn of_body(reader: &mut SentenceReader, subject: &SentenceSubject) -> Option<Predicate> {
     match subject {
-        Subject::Pulse => {
+        SentenceSubject::Pulse => {
             reader.eat("beats|beat");
             let rises = rises_by(reader, Of::Beats);
             rises.or_else(|| measure(reader)).map(Predicate::Rises)
         }
-        Subject::Breathing => {
+        SentenceSubject::Breathing => {
             let rises = rises_by(reader, Of::Breaths);
             rises.or_else(|| measure(reader)).map(Predicate::Rises)
         }
-        Subject::Hours if reader.eat("differ|differs") => Some(Predicate::Differ),
-        Subject::Hours => (reader.eat("vary|varies|change|changes|are|is")).then_some(Predicate::Vary),
+        SentenceSubject::Hours if reader.eat("differ|differs") => Some(Predicate::Differ),
+        SentenceSubject::Hours => (reader.eat("vary|varies|change|changes|are|is")).then_some(Predicate::Vary),
         _ => None,
     }
 }

@@ -1,21 +1,19 @@
 //! Goes through the words of a sentence, and knows which names it may meet.
 
 use super::faults::Faults;
-use super::known::Known;
+use super::known_names::KnownNames;
 use super::lexicon::Lexicon;
-use super::words::{self, Span, Token, Word};
+use super::words::{self, SentenceWord, TextSpan, Token};
 use crate::routine::PartOfDay;
 use homebody_core::problem::Diagnostic;
 use std::collections::BTreeMap;
 
-/// Words that say nothing where a thing is named.
 const DETERMINERS: [&str; 10] = ["a", "an", "the", "her", "his", "their", "its", "some", "my", "own"];
 
 pub fn is_determiner(word: &str) -> bool {
     DETERMINERS.contains(&word)
 }
 
-/// Words without which a sentence may say the contrary.
 const DENIALS: [&str; 17] = [
     "not", "no", "never", "cannot", "hardly", "barely", "scarcely", "nor", "neither", "only", "unless", "except",
     "without", "refuses", "stops", "if", "when",
@@ -25,7 +23,6 @@ pub fn denies(word: &str) -> bool {
     DENIALS.contains(&word) || word.ends_with("n't")
 }
 
-/// Words that begin a place, a time, how often or how much.
 const BEGINNINGS: [&str; 54] = [
     "in",
     "into",
@@ -87,7 +84,6 @@ pub fn is_beginning(word: &str) -> bool {
     BEGINNINGS.contains(&word)
 }
 
-/// What a name may stand for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Sort {
     Place,
@@ -96,19 +92,17 @@ pub enum Sort {
     Condition,
 }
 
-/// The names of a home, by their words.
 #[derive(Debug, Default)]
-pub struct Names {
+pub struct HomeNames {
     pub person: Option<String>,
     person_words: Vec<String>,
     pub lexicon: Lexicon,
-    /// By first word: all words, what it is, and the name itself.
     names: BTreeMap<String, Vec<(Vec<String>, Sort, String)>>,
 }
 
-impl Names {
-    pub fn new(known: &Known) -> Names {
-        let mut names = Names { lexicon: known.lexicon.clone(), ..Names::default() };
+impl HomeNames {
+    pub fn new(known: &KnownNames) -> HomeNames {
+        let mut names = HomeNames { lexicon: known.lexicon.clone(), ..HomeNames::default() };
         names.is_about(known.person.as_deref());
         let sorts = [
             (&known.places, Sort::Place),
@@ -127,23 +121,19 @@ impl Names {
         names
     }
 
-    /// From here on, this is the person's name.
     pub fn is_about(&mut self, person: Option<&str>) {
         self.person = person.map(str::to_owned);
         self.person_words = person.map(name_words).unwrap_or_default();
     }
 
-    /// Whether something of this sort has this name, whatever its case.
     pub fn has(&self, name: &str, sort: Sort) -> bool {
         self.of(&[sort]).any(|known| known.to_lowercase() == name)
     }
 
-    /// Whether a name begins with this word.
     pub fn has_first(&self, word: &str) -> bool {
         self.names.contains_key(word)
     }
 
-    /// All names of these sorts, for hints.
     pub fn of<'a>(&'a self, sorts: &'a [Sort]) -> impl Iterator<Item = &'a str> + Clone {
         let all = self.names.values().flatten();
         all.filter(|(_, sort, _)| sorts.contains(sort)).map(|(_, _, name)| name.as_str())
@@ -155,20 +145,16 @@ fn name_words(name: &str) -> Vec<String> {
     words.map(|word| word.text).skip_while(|word| is_determiner(word)).collect()
 }
 
-/// A place in the words of a sentence.
-pub struct Reader<'a> {
-    pub words: &'a [Word],
+pub struct SentenceReader<'a> {
+    pub words: &'a [SentenceWord],
     pub at: usize,
-    pub names: &'a Names,
+    pub names: &'a HomeNames,
     pub faults: &'a mut Faults,
-    /// The whole file.
     pub text: &'a str,
-    /// The part of the day that the heading above names.
     pub part: Option<PartOfDay>,
 }
 
-impl Reader<'_> {
-    /// The word so many ahead, or nothing after the last.
+impl SentenceReader<'_> {
     pub fn peek(&self, ahead: usize) -> &str {
         self.words.get(self.at + ahead).map_or("", |word| &word.text)
     }
@@ -193,7 +179,6 @@ impl Reader<'_> {
         }
     }
 
-    /// Passes over these words if all of them come next; `a|b` stands for either.
     pub fn eat(&mut self, phrase: &str) -> bool {
         let mut ahead = 0;
         // Bytes part faster than characters, and most phrases do not come next.
@@ -208,44 +193,38 @@ impl Reader<'_> {
         true
     }
 
-    /// Passes over the first of these phrases that comes next, and says what it stands for.
     pub fn eat_any<T: Copy>(&mut self, phrases: &[(&str, T)]) -> Option<T> {
         phrases.iter().find(|(phrase, _)| self.eat(phrase)).map(|(_, value)| *value)
     }
 
-    /// From the word of this index to the one before the present.
-    pub fn span(&self, from: usize) -> Span {
+    pub fn span(&self, from: usize) -> TextSpan {
         let last = self.at.saturating_sub(1).max(from).min(self.words.len().saturating_sub(1));
         match (self.words.get(from.min(last)), self.words.get(last)) {
             (Some(first), Some(last)) => first.span.to(last.span),
-            _ => Span::default(),
+            _ => TextSpan::default(),
         }
     }
 
-    /// The present word, or the last one after the end.
-    pub fn here(&self) -> Span {
-        self.words.get(self.at).or(self.words.last()).map_or(Span::default(), |word| word.span)
+    pub fn here(&self) -> TextSpan {
+        self.words.get(self.at).or(self.words.last()).map_or(TextSpan::default(), |word| word.span)
     }
 
-    /// The words from this index up to the present one.
     pub fn passed(&self, from: usize) -> String {
         let words = self.words.get(from..self.at.min(self.words.len())).unwrap_or_default();
         words.iter().map(|word| word.text.as_str()).collect::<Vec<_>>().join(" ")
     }
 
-    /// What stands in the file there, cut to what a message bears.
-    pub fn said(&self, span: Span) -> String {
+    pub fn said(&self, span: TextSpan) -> String {
         const LONGEST: usize = 60;
         let said = self.text.get(span.start..span.end).unwrap_or_default();
         let said: String = said.split_whitespace().collect::<Vec<_>>().join(" ");
         if said.chars().count() <= LONGEST { said } else { said.chars().take(LONGEST).chain(['.', '.', '.']).collect() }
     }
 
-    pub fn fault(&mut self, span: Span, message: impl Into<Diagnostic>) {
+    pub fn fault(&mut self, span: TextSpan, message: impl Into<Diagnostic>) {
         self.faults.add(span, message);
     }
 
-    /// Tries something; goes back to where it was if nothing comes of it.
     pub fn attempt<T>(&mut self, what: impl FnOnce(&mut Self) -> Option<T>) -> Option<T> {
         let (at, faults) = (self.at, self.faults.count());
         let result = what(self);
@@ -256,7 +235,6 @@ impl Reader<'_> {
         result
     }
 
-    /// Looks ahead: whatever is found there has not been read yet.
     pub fn ahead<T>(&mut self, what: impl FnOnce(&mut Self) -> T) -> T {
         let (at, faults) = (self.at, self.faults.count());
         let is_trial = std::mem::replace(&mut self.faults.is_trial, true);
@@ -267,7 +245,6 @@ impl Reader<'_> {
         result
     }
 
-    /// Passes over the longest name of these sorts that comes next; earlier sorts go first.
     pub fn name(&mut self, sorts: &[Sort]) -> Option<String> {
         let at = self.at;
         self.skip_determiners();
@@ -279,7 +256,6 @@ impl Reader<'_> {
         None
     }
 
-    /// The longest name that the words are, or another name for, with how many words that takes.
     fn named(&self, sorts: &[Sort]) -> Option<(usize, String)> {
         let lexicon = &self.names.lexicon;
         let rank = |sort: &Sort| sorts.iter().position(|wanted| wanted == sort);
@@ -301,7 +277,6 @@ impl Reader<'_> {
         Some((found.0, found.2.clone()))
     }
 
-    /// Passes over the person's name; the last word may be a possessive, which is true then.
     pub fn person(&mut self) -> Option<bool> {
         let words = &self.names.person_words;
         let (last, first) = words.split_last()?;
@@ -318,8 +293,7 @@ impl Reader<'_> {
     }
 }
 
-/// Whether a place, a time, how often or how much may begin here.
-pub fn begins_adverb(reader: &Reader) -> bool {
+pub fn begins_adverb(reader: &SentenceReader) -> bool {
     matches!(reader.token(0), Some(Token::Number(_) | Token::Clock(..) | Token::Date(..)))
         || is_beginning(reader.peek(0))
 }

@@ -6,22 +6,18 @@
 use super::activities;
 use super::adverbs::Adverbs;
 use super::amounts::number;
-use super::called::person_called;
 use super::lexicon::third_person;
-use super::reader::{Reader, Sort, is_beginning, is_determiner};
+use super::person_word::person_called;
+use super::reader::{SentenceReader, Sort, is_beginning, is_determiner};
 use super::visits::visits;
 use super::words::Token;
 
-/// What may stand in the rest of a remark.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Rest {
-    /// No activity, and no time.
     Plain,
-    /// Activities too: what is past, wished for or hard is not done.
     Any,
 }
 
-/// Verbs of states, and what may stand behind them.
 const STATES: &[(&str, Rest)] = &[
     ("used to", Rest::Any),
     ("worked|lived|moved|retired|died|married|emigrated|raised|fell|broke|served", Rest::Any),
@@ -64,17 +60,14 @@ const STATES: &[(&str, Rest)] = &[
     ("has|have lost|gained|become|undergone|suffered|had|never", Rest::Plain),
 ];
 
-/// Verbs that say a state where they are not so, too.
 const NOT_SO: &str = "like|want|understand|know|remember|see|hear|believe|speak|need|feel|have|recognise|recognize|trust|mind|seem|own|join|\
     participate|engage|socialise|socialize|mix|drive|climb|manage|cope|complain|smoke|initiate|respond";
 
-/// What stands behind "is" where somebody does something, or is somewhere.
 const BEHAVIOUR: &str = "out|away|up|awake|asleep|back|off|outside|outdoors|indoors|inside|upstairs|downstairs|home|busy|here|there|\
     to|in|on|at|by|with|for|from|until|after|before|less|more|taken|driven|visited|helped|washed|fed|seen|given|put|often|active|\
     restless|agitated|slower|faster|later|earlier|unwell|ill|sick|gone|going";
 
-/// A remark, if what stands here is clearly one: all words up to the end, or up to the next clause.
-pub fn remark(reader: &mut Reader) -> Option<()> {
+pub fn remark(reader: &mut SentenceReader) -> Option<()> {
     reader.attempt(|reader| {
         let from = reader.at;
         let rest = state(reader)?;
@@ -92,7 +85,7 @@ pub fn remark(reader: &mut Reader) -> Option<()> {
 }
 
 /// "are hoping she can stay": what somebody who writes of her thinks.
-pub fn of_mind(reader: &mut Reader) -> bool {
+pub fn of_mind(reader: &mut SentenceReader) -> bool {
     let thinks = reader
         .eat("are|am|have|hope|think|worry|feel|believe|want|would|wish|know|find|need|cannot|can|do|had|were|was");
     if thinks {
@@ -102,7 +95,7 @@ pub fn of_mind(reader: &mut Reader) -> bool {
 }
 
 /// "Nobody visits", "no allergies", "years ago she walked to work": nothing that is lived now.
-pub fn of_nobody_or_past(reader: &mut Reader) -> bool {
+pub fn of_nobody_or_past(reader: &mut SentenceReader) -> bool {
     let is_none =
         reader.ahead(is_fact) || reader.ahead(of_nobody) || reader.ahead(of_no_concern) || is_long_ago(reader);
     if is_none {
@@ -112,22 +105,22 @@ pub fn of_nobody_or_past(reader: &mut Reader) -> bool {
 }
 
 /// "Preferred name: Dolly": who somebody is.
-fn is_fact(reader: &mut Reader) -> bool {
+fn is_fact(reader: &mut SentenceReader) -> bool {
     let length = reader.names.lexicon.list("FACTS", |ahead| reader.peek(ahead));
     length.is_some_and(|length| reader.peek(length) == ":")
 }
 
-fn of_nobody(reader: &mut Reader) -> bool {
+fn of_nobody(reader: &mut SentenceReader) -> bool {
     reader.eat("nobody|none") || reader.eat("no one|visitors|family|relatives")
 }
 
-fn of_no_concern(reader: &mut Reader) -> bool {
+fn of_no_concern(reader: &mut SentenceReader) -> bool {
     reader.eat("no|nil|none")
         && reader.peek(0) != "longer"
         && reader.names.lexicon.list("CONCERNS", |ahead| reader.peek(ahead)).is_some()
 }
 
-fn is_long_ago(reader: &Reader) -> bool {
+fn is_long_ago(reader: &SentenceReader) -> bool {
     let lexicon = &reader.names.lexicon;
     let word = |at: usize| reader.words.get(at).map_or("", |word| word.text.as_str());
     let is_said = |from: usize| lexicon.list("LONGAGO", |ahead| word(from + ahead)).is_some();
@@ -135,16 +128,14 @@ fn is_long_ago(reader: &Reader) -> bool {
     (0..reader.words.len()).any(is_said) && reader.words.iter().any(|word| is_past(&word.text))
 }
 
-/// What is said of her mood, her memory or her weight.
-pub fn of_topic(reader: &mut Reader) -> Option<()> {
+pub fn of_topic(reader: &mut SentenceReader) -> Option<()> {
     reader.attempt(|reader| {
         reader.eat("is|are|has|have|can|remains|varies|seems|was|fluctuates|gets|becomes").then_some(())?;
         to_the_end(reader, Rest::Any)
     })
 }
 
-/// Passes over the rest of a remark.
-fn to_the_end(reader: &mut Reader, rest: Rest) -> Option<()> {
+fn to_the_end(reader: &mut SentenceReader, rest: Rest) -> Option<()> {
     reader.attempt(|reader| {
         let from = reader.at;
         while !reader.is_over() {
@@ -160,8 +151,7 @@ fn to_the_end(reader: &mut Reader, rest: Rest) -> Option<()> {
     })
 }
 
-/// How somebody feels or looks, whenever it is: no sensor of a home sees it.
-fn feels(reader: &mut Reader) -> Option<()> {
+fn feels(reader: &mut SentenceReader) -> Option<()> {
     let verb =
         reader.eat("is|are|becomes|become|gets|get|feels|feel|seems|seem|appears|appear|looks|look|remains|stays");
     if !verb {
@@ -177,17 +167,15 @@ fn feels(reader: &mut Reader) -> Option<()> {
     Some(())
 }
 
-/// The verb of a state.
-fn state(reader: &mut Reader) -> Option<Rest> {
-    // What goes on by now is lived, and so is what can be.
-    let goes_on = |reader: &mut Reader| {
+fn state(reader: &mut SentenceReader) -> Option<Rest> {
+    let goes_on = |reader: &mut SentenceReader| {
         (reader.eat("has|have been") && activities::activity(reader).is_some())
             || reader.eat("can|could|may|might be up|awake|restless")
     };
     if reader.ahead(goes_on) {
         return None;
     }
-    let end = |reader: &mut Reader, found: bool| if found { reader.at } else { 0 };
+    let end = |reader: &mut SentenceReader, found: bool| if found { reader.at } else { 0 };
     let lived = reader.ahead(|reader| {
         let found = activities::activity(reader).is_some();
         end(reader, found)
@@ -203,7 +191,7 @@ fn state(reader: &mut Reader) -> Option<Rest> {
     if reader.attempt(feels).is_some() {
         return Some(Rest::Any);
     }
-    let voiced = |reader: &mut Reader| {
+    let voiced = |reader: &mut SentenceReader| {
         reader.eat("often|sometimes|usually|always|rarely");
         let lexicon = reader.names.lexicon.clone();
         reader.at += lexicon.list("VOICES", |ahead| reader.peek(ahead))?;
@@ -216,8 +204,8 @@ fn state(reader: &mut Reader) -> Option<Rest> {
 }
 
 /// "does not go out alone": what is done with somebody is not denied.
-fn unaccompanied(reader: &mut Reader) -> bool {
-    let denies = |reader: &mut Reader| {
+fn unaccompanied(reader: &mut SentenceReader) -> bool {
+    let denies = |reader: &mut SentenceReader| {
         let not = reader.eat("does|do|should|must|may|can|is|are not")
             || reader.eat("doesn't|don't|cannot|can't|shouldn't|never")
             || reader.eat("is|are unable to")
@@ -235,7 +223,7 @@ fn unaccompanied(reader: &mut Reader) -> bool {
 }
 
 /// One of the verbs of states, or "is", "has" or "can".
-fn known_state(reader: &mut Reader) -> Option<Rest> {
+fn known_state(reader: &mut SentenceReader) -> Option<Rest> {
     if let Some(rest) = reader.attempt(|reader| STATES.iter().find(|(verb, _)| reader.eat(verb)).map(|(_, rest)| *rest))
     {
         return Some(rest);
@@ -269,7 +257,7 @@ fn known_state(reader: &mut Reader) -> Option<Rest> {
     if reader.eat("speaks|speak") {
         return (!["to", "with", "on", "by", "about"].contains(&reader.peek(0))).then_some(Rest::Any);
     }
-    let is_ill = |reader: &mut Reader| {
+    let is_ill = |reader: &mut SentenceReader| {
         reader.eat("has|have").then_some(())?;
         has_of(reader, "ILLS").then_some(())
     };
@@ -287,10 +275,10 @@ fn known_state(reader: &mut Reader) -> Option<Rest> {
 }
 
 /// "needs some help", "requires verbal prompting": who helps, and when, is not said.
-fn needs_help(reader: &mut Reader) -> Option<()> {
+fn needs_help(reader: &mut SentenceReader) -> Option<()> {
     const NEAR: usize = 3;
     reader.eat("needs|need|requires|require").then_some(())?;
-    let help = |reader: &mut Reader| {
+    let help = |reader: &mut SentenceReader| {
         reader.eat("help|assistance|support|supervision|prompt|prompts|prompting|reminding|encouragement|guidance")
     };
     (0..=NEAR).find_map(|_| {
@@ -300,8 +288,7 @@ fn needs_help(reader: &mut Reader) -> Option<()> {
     })
 }
 
-/// Whether what follows "is" says how or what somebody is.
-fn is(reader: &mut Reader) -> bool {
+fn is(reader: &mut SentenceReader) -> bool {
     let word = reader.peek(0).to_owned();
     let state = reader.ahead(|reader| {
         reader.eat("from|of")
@@ -316,13 +303,11 @@ fn is(reader: &mut Reader) -> bool {
     state || is_word && !is_doing && !BEHAVIOUR.split('|').any(|other| other.trim() == word)
 }
 
-/// Whether something follows that can be had and is nothing done.
-fn has(reader: &mut Reader) -> bool {
+fn has(reader: &mut SentenceReader) -> bool {
     has_of(reader, "HAS")
 }
 
-/// Whether something of this list follows soon.
-fn has_of(reader: &mut Reader, list: &str) -> bool {
+fn has_of(reader: &mut SentenceReader, list: &str) -> bool {
     const NEAR: usize = 5;
     let lexicon = reader.names.lexicon.clone();
     if reader.ahead(|reader| {
@@ -331,15 +316,15 @@ fn has_of(reader: &mut Reader, list: &str) -> bool {
     }) {
         return false;
     }
-    let is_over =
-        |reader: &Reader, ahead: usize| reader.token(ahead) != Some(Token::Word) || is_beginning(reader.peek(ahead));
+    let is_over = |reader: &SentenceReader, ahead: usize| {
+        reader.token(ahead) != Some(Token::Word) || is_beginning(reader.peek(ahead))
+    };
     (0..NEAR)
         .take_while(|ahead| !is_over(reader, *ahead))
         .any(|ahead| lexicon.list(list, |at| reader.peek(ahead + at)).is_some())
 }
 
-/// Whether an activity, a time or how often stands here.
-pub fn is_lived(reader: &mut Reader) -> bool {
+pub fn is_lived(reader: &mut SentenceReader) -> bool {
     let after_one = reader.at > 0 && is_determiner(&reader.words[reader.at - 1].text);
     let activity = !after_one && reader.ahead(|reader| activities::activity(reader).is_some());
     let before = reader.faults.count();
@@ -354,13 +339,11 @@ pub fn is_lived(reader: &mut Reader) -> bool {
         || ["then", "daily", "nightly", "when", "whenever", "every", "each", "while"].contains(&reader.peek(0))
 }
 
-/// Whether somebody else does something now: "but now her daughter cooks".
-fn joins_now(reader: &Reader) -> bool {
+fn joins_now(reader: &SentenceReader) -> bool {
     reader.at > 0 && reader.words[reader.at - 1].text == "now" || reader.peek(0) == "now"
 }
 
-/// Whether somebody is named: the person, or who comes.
-fn begins_with_somebody(reader: &mut Reader) -> bool {
+fn begins_with_somebody(reader: &mut SentenceReader) -> bool {
     if reader.eat("she|he|they|it") || person_called(reader) || reader.person().is_some() {
         return true;
     }
@@ -369,8 +352,7 @@ fn begins_with_somebody(reader: &mut Reader) -> bool {
     ["PEOPLE", "RELATIVES"].iter().any(|list| lexicon.list(list, |ahead| reader.peek(ahead)).is_some())
 }
 
-/// Whether "and" or the like stands here, with something that is done behind it.
-fn begins_clause(reader: &mut Reader) -> bool {
+fn begins_clause(reader: &mut SentenceReader) -> bool {
     let joins = ["and", "but", "so", "then", "or", "who", "which", "because"].contains(&reader.peek(0));
     let comma = reader.token(0) == Some(Token::Comma);
     joins

@@ -2,25 +2,25 @@
 
 use super::activities;
 use super::adverbs::Adverbs;
-use super::amounts::{Unit, amount};
+use super::amounts::{AmountUnit, amount};
 use super::build::only;
 use super::clause::{Clause, PLACES};
-use super::draft::Draft;
-use super::meaning::Kind;
-use super::messages::{RuleMessage, WordMessage};
+use super::draft::RoutineDraft;
+use super::meaning::AdverbKind;
+use super::messages::{RuleSentenceMessage, WordMessage};
+use super::predicate::{self, Predicate};
+use super::predicate_tail::tail;
 use super::predicates;
-use super::reader::{Reader, Sort};
-use super::said::{self, Predicate};
-use super::subjects::{self, Subject};
-use super::tail::tail;
+use super::reader::{SentenceReader, Sort};
+use super::subjects::{self, SentenceSubject};
 use super::triggers::{circumstances, trigger};
-use super::unknown;
-use super::words::{Token, Word};
-use crate::routine::{Lapse, Response, Rule, Trigger};
+use super::unknown_word;
+use super::words::{SentenceWord, Token};
+use crate::routine::{Lapse, Response, RoutineRule, RuleTrigger};
 
 /// Reads a rule from behind "whenever".
-pub fn rule(reader: &mut Reader, draft: &mut Draft, front: &Adverbs) {
-    only(reader, front, &[Kind::Phase], "a rule starts each time its first part comes true");
+pub fn rule(reader: &mut SentenceReader, draft: &mut RoutineDraft, front: &Adverbs) {
+    only(reader, front, &[AdverbKind::Phase], "a rule starts each time its first part comes true");
     let is_first = draft.routine.rules.is_empty();
     let Some((whenever, trigger_span, lasts, lasts_span)) = trigger(reader, is_first) else { return };
     let Some(mut only_if) = circumstances(reader) else { return };
@@ -29,13 +29,13 @@ pub fn rule(reader: &mut Reader, draft: &mut Draft, front: &Adverbs) {
     let mut adverbs = Adverbs::default();
     let start = reader.at;
     match subjects::subject(reader) {
-        Some(Subject::Person) => {}
+        Some(SentenceSubject::Person) => {}
         Some(_) => {
             let span = reader.span(start);
-            return reader.fault(span, RuleMessage::NotTheResident { text: reader.said(span) });
+            return reader.fault(span, RuleSentenceMessage::NotTheResident { text: reader.said(span) });
         }
         None if reader.is_over() => {
-            return reader.fault(reader.here(), RuleMessage::NoAnswer);
+            return reader.fault(reader.here(), RuleSentenceMessage::NoAnswer);
         }
         None => {
             let help = "write \"she\" after the comma".to_owned();
@@ -56,7 +56,7 @@ pub fn rule(reader: &mut Reader, draft: &mut Draft, front: &Adverbs) {
     only(
         reader,
         &adverbs,
-        &[Kind::Chance, Kind::Lasts, Kind::Phase],
+        &[AdverbKind::Chance, AdverbKind::Lasts, AdverbKind::Phase],
         "a rule starts each time its first part comes true",
     );
     let probability = adverbs.chance.as_ref().map_or(1.0, |chance| chance.value.probability);
@@ -64,25 +64,23 @@ pub fn rule(reader: &mut Reader, draft: &mut Draft, front: &Adverbs) {
     let phase = all.phase_meant(reader, draft.is_condition);
     let span = reader.span(0);
     draft.phase(reader, &phase, &all, span);
-    let rule = Rule { said: draft.said(span), whenever, lasts, only_if, probability, phase, response, then, lapse };
+    let rule =
+        RoutineRule { said: draft.said(span), whenever, lasts, only_if, probability, phase, response, then, lapse };
     draft.routine.rules.push(rule);
     draft.rule_spans.push((trigger_span, lasts_span));
 }
 
-/// How long and how often, up to where something else begins.
-fn more(reader: &mut Reader, adverbs: &mut Adverbs) {
+fn more(reader: &mut SentenceReader, adverbs: &mut Adverbs) {
     let ends = |word: &str| ["and", "then"].contains(&word) || DEPENDS.contains(&word);
     while reader.token(0) == Some(Token::Word) && !ends(reader.peek(0)) && adverbs.next(reader) {}
 }
 
-/// What begins something that a rule depends on. "Only" also says where and how something is done: "only on the sofa".
 const DEPENDS: [&str; 5] = ["but", "unless", "if", "while", "only"];
 
-/// What is done after the first: "and opens it, then she talks for 2 minutes".
-fn steps(reader: &mut Reader, whenever: &Trigger, first: &Response) -> Option<Vec<Response>> {
+fn steps(reader: &mut SentenceReader, whenever: &RuleTrigger, first: &Response) -> Option<Vec<Response>> {
     let mut then: Vec<Response> = Vec::new();
     loop {
-        let goes_on = |reader: &mut Reader| {
+        let goes_on = |reader: &mut SentenceReader| {
             let comma = reader.token(0) == Some(Token::Comma);
             reader.skip_commas();
             let joins = reader.eat("and then|afterwards") || reader.eat("and|then");
@@ -101,7 +99,7 @@ fn steps(reader: &mut Reader, whenever: &Trigger, first: &Response) -> Option<Ve
             Response::Do { place: Some(place), .. } if is_thing(place) => Some(place.clone()),
             Response::Do { .. } => None,
         });
-        let it = used.map_or(whenever.clone(), Trigger::On);
+        let it = used.map_or(whenever.clone(), RuleTrigger::On);
         let step = response(reader, &it, &mut adverbs)?;
         more(reader, &mut adverbs);
         then.push(match (step, adverbs.lasts) {
@@ -113,14 +111,13 @@ fn steps(reader: &mut Reader, whenever: &Trigger, first: &Response) -> Option<Ve
     }
 }
 
-/// Whether something that is done begins here.
-fn is_verb(reader: &mut Reader) -> bool {
+fn is_verb(reader: &mut SentenceReader) -> bool {
     let is_state = ["is", "has", "somebody", "this"].contains(&reader.peek(0));
     reader.peek(0).ends_with('s') && (!is_state || reader.ahead(activities::activity).is_some())
 }
 
 /// "but often forgets it", "but she forgets it on 20 % of occasions and does it an hour later".
-fn lapse(reader: &mut Reader) -> Option<Lapse> {
+fn lapse(reader: &mut SentenceReader) -> Option<Lapse> {
     reader.skip_commas();
     reader.eat("but|and").then_some(())?;
     reader.eat("she|he|they");
@@ -134,7 +131,7 @@ fn lapse(reader: &mut Reader) -> Option<Lapse> {
         reader.eat("she|he|they");
         reader.eat("does|remembers it|so").then_some(())?;
         reader.eat("only|about");
-        let later = amount(reader).filter(|amount| amount.unit == Unit::Second)?.as_duration();
+        let later = amount(reader).filter(|amount| amount.unit == AmountUnit::Second)?.as_duration();
         reader.eat("later|afterwards").then_some(later)
     });
     let probability = adverbs.chance.as_ref().map_or(FORGETS, |chance| chance.value.probability);
@@ -144,7 +141,7 @@ fn lapse(reader: &mut Reader) -> Option<Lapse> {
 /// Probability of forgetting, if the sentence gives none (our choice).
 const FORGETS: f64 = 0.3;
 
-fn response(reader: &mut Reader, whenever: &Trigger, adverbs: &mut Adverbs) -> Option<Response> {
+fn response(reader: &mut SentenceReader, whenever: &RuleTrigger, adverbs: &mut Adverbs) -> Option<Response> {
     let from = reader.at;
     if let Some(turn) = turn(reader, whenever) {
         return turn;
@@ -156,12 +153,12 @@ fn response(reader: &mut Reader, whenever: &Trigger, adverbs: &mut Adverbs) -> O
     if reader.eat("checks|check") || reader.eat("looks|look at|after") || reader.eat("goes|go to") {
         let words = reader.passed(from).trim_end_matches(" to").to_owned();
         let place = match (reader.eat("it"), whenever) {
-            (true, Trigger::On(thing) | Trigger::Rings(thing)) => Some(thing.clone()),
+            (true, RuleTrigger::On(thing) | RuleTrigger::Rings(thing)) => Some(thing.clone()),
             (true, _) => None,
             (false, _) => reader.name(&PLACES),
         };
         let Some(place) = place else {
-            unknown::unknown_name(reader, &PLACES, unknown::no_place);
+            unknown_word::unknown_name(reader, &PLACES, unknown_word::no_place);
             return None;
         };
         let activity = crate::routine::Activity::Other(words);
@@ -169,21 +166,21 @@ fn response(reader: &mut Reader, whenever: &Trigger, adverbs: &mut Adverbs) -> O
         let lasts = adverbs.lasts.as_ref().map(|slot| slot.value);
         return Some(Response::Do { activity, place: Some(place), lasts });
     }
-    let Some((words, span)) = said::own_words(reader) else {
+    let Some((words, span)) = predicate::own_words(reader) else {
         let here = reader.here();
         let words = reader.said(here).to_lowercase();
-        unknown::unknown_verb(reader, &words, here);
+        unknown_word::unknown_verb(reader, &words, here);
         return None;
     };
-    if unknown::is_nearly_known(&words) {
-        unknown::unknown_verb(reader, &words, span);
+    if unknown_word::is_nearly_known(&words) {
+        unknown_word::unknown_verb(reader, &words, span);
         return None;
     }
     done(reader, Predicate::Own(words), from, adverbs)
 }
 
 /// "turns it off", "closes the fridge".
-fn turn(reader: &mut Reader, whenever: &Trigger) -> Option<Option<Response>> {
+fn turn(reader: &mut SentenceReader, whenever: &RuleTrigger) -> Option<Option<Response>> {
     let turns = reader.eat("turns|turn|switches|switch");
     let on_off = [("on", true), ("off", false)];
     let mut on = if turns {
@@ -193,10 +190,10 @@ fn turn(reader: &mut Reader, whenever: &Trigger) -> Option<Option<Response>> {
     };
     let thing = if reader.eat("it|them") {
         match whenever {
-            Trigger::On(thing) | Trigger::Rings(thing) => thing.clone(),
+            RuleTrigger::On(thing) | RuleTrigger::Rings(thing) => thing.clone(),
             _ => {
                 let span = reader.span(reader.at.saturating_sub(1));
-                reader.fault(span, RuleMessage::WhichThing);
+                reader.fault(span, RuleSentenceMessage::WhichThing);
                 return Some(None);
             }
         }
@@ -206,18 +203,17 @@ fn turn(reader: &mut Reader, whenever: &Trigger) -> Option<Option<Response>> {
     on = on.or_else(|| reader.eat_any(&on_off));
     let Some(on) = on else {
         let here = reader.here();
-        reader.fault(here, RuleMessage::OnOrOff);
+        reader.fault(here, RuleSentenceMessage::OnOrOff);
         return Some(None);
     };
     Some(Some(Response::Turn { thing, on }))
 }
 
-/// An activity with where and how long.
-fn done(reader: &mut Reader, predicate: Predicate, from: usize, adverbs: &mut Adverbs) -> Option<Response> {
+fn done(reader: &mut SentenceReader, predicate: Predicate, from: usize, adverbs: &mut Adverbs) -> Option<Response> {
     let span = reader.span(from);
     let mut clause = Clause {
         span,
-        subject: Subject::Person,
+        subject: SentenceSubject::Person,
         predicate,
         predicate_span: span,
         place: None,
@@ -228,11 +224,10 @@ fn done(reader: &mut Reader, predicate: Predicate, from: usize, adverbs: &mut Ad
         finder: None,
         again: false,
     };
-    // What it depends on comes after it.
-    let is_other = |word: &Word| DEPENDS.contains(&word.text.as_str()) && word.text != "only";
+    let is_other = |word: &SentenceWord| DEPENDS.contains(&word.text.as_str()) && word.text != "only";
     let rest = reader.words.get(reader.at..).unwrap_or_default();
     let end = rest.iter().position(is_other).map_or(reader.words.len(), |end| reader.at + end);
-    let mut up_to = Reader {
+    let mut up_to = SentenceReader {
         words: &reader.words[..end],
         at: reader.at,
         names: reader.names,
@@ -242,12 +237,11 @@ fn done(reader: &mut Reader, predicate: Predicate, from: usize, adverbs: &mut Ad
     };
     let then = tail(&mut up_to, &mut clause)?;
     reader.at = up_to.at;
-    // What comes after it is read for itself.
     if let Some((_, join)) = then {
         reader.at = reader.words.iter().position(|word| word.span.start >= join.start).unwrap_or(reader.at);
     }
     if let Some(span) = clause.measure.map(|measure| measure.span) {
-        reader.fault(span, RuleMessage::ChangeInRule { text: reader.said(span) });
+        reader.fault(span, RuleSentenceMessage::ChangeInRule { text: reader.said(span) });
         return None;
     }
     *adverbs = clause.adverbs;
@@ -257,7 +251,7 @@ fn done(reader: &mut Reader, predicate: Predicate, from: usize, adverbs: &mut Ad
         Predicate::Does(activity) => activity,
         Predicate::Own(words) if place.is_some() && lasts.is_some() => crate::routine::Activity::Other(words),
         Predicate::Own(words) => {
-            unknown::unknown_verb(reader, &words, span);
+            unknown_word::unknown_verb(reader, &words, span);
             return None;
         }
         _ => return None,

@@ -4,31 +4,29 @@ use super::activities::{self, MEALS};
 use super::adverbs::{Adverbs, Slot};
 use super::build;
 use super::calendar;
-use super::called::person_called;
-use super::clause::{Clause, Join, place};
-use super::draft::Draft;
-use super::helping;
-use super::joined;
+use super::clause::{Clause, ClauseJoin, place};
+use super::conjunction;
+use super::day_sentence::says_kinds;
+use super::draft::RoutineDraft;
+use super::help;
+use super::indirect;
 use super::messages::{SentenceMessage, WordMessage};
+use super::person_word::person_called;
+use super::predicate::{self, Predicate};
+use super::predicate_tail::tail;
 use super::predicates;
-use super::reader::{Reader, Sort, begins_adverb, is_determiner};
+use super::reader::{SentenceReader, Sort, begins_adverb, is_determiner};
 use super::remarks;
-use super::roundabout;
 use super::rules;
-use super::said::{self, Predicate};
-use super::strangers::{is_introduced, no_subject, stranger};
-use super::subjects::{self, Subject};
-use super::tail::tail;
-use super::unknown;
-use super::which_days::says_kinds;
-use super::words::{Span, Token};
-use crate::routine::{Activity, When};
+use super::subjects::{self, SentenceSubject};
+use super::unknown_name::{is_introduced, no_subject, stranger};
+use super::unknown_word;
+use super::words::{TextSpan, Token};
+use crate::routine::{Activity, HabitTime};
 
-/// Largest number of activities in a sequence. More need several sentences.
 const MOST_CLAUSES: usize = 12;
 
-/// Reads a sentence into the draft. If it has no verb, it is a heading: what it says is returned.
-pub fn sentence(reader: &mut Reader, draft: &mut Draft, heading: Option<&Adverbs>) -> Option<Adverbs> {
+pub fn sentence(reader: &mut SentenceReader, draft: &mut RoutineDraft, heading: Option<&Adverbs>) -> Option<Adverbs> {
     let (mut adverbs, mut at) = (Adverbs::default(), None);
     let mut beside = Vec::new();
     loop {
@@ -67,31 +65,30 @@ pub fn sentence(reader: &mut Reader, draft: &mut Draft, heading: Option<&Adverbs
         return None;
     };
     let who = reader.span(from);
-    if let Subject::Stranger(name) = &subject
+    if let SentenceSubject::Stranger(name) = &subject
         && !is_introduced(reader, draft, name, who)
     {
         return None;
     }
-    clauses(reader, draft, Start { subject, who, adverbs, place: at, beside }, heading);
+    clauses(reader, draft, SentenceStart { subject, who, adverbs, place: at, beside }, heading);
     None
 }
 
-/// What stands before the verb.
-struct Start {
-    subject: Subject,
-    who: Span,
+struct SentenceStart {
+    subject: SentenceSubject,
+    who: TextSpan,
     adverbs: Adverbs,
-    place: Option<(String, Span)>,
-    beside: Vec<Span>,
+    place: Option<(String, TextSpan)>,
+    beside: Vec<TextSpan>,
 }
 
 /// "The resident", "Margaret", as who does something.
-fn begins_with_person(reader: &mut Reader) -> bool {
+fn begins_with_person(reader: &mut SentenceReader) -> bool {
     person_called(reader) || reader.person() == Some(false)
 }
 
 /// "Since the fall", "because of her knees", in front of who does what: a remark.
-fn why_in_front(reader: &mut Reader) -> Option<Span> {
+fn why_in_front(reader: &mut SentenceReader) -> Option<TextSpan> {
     const MOST: usize = 14;
     let from = reader.at;
     reader.eat("ever");
@@ -119,15 +116,15 @@ fn why_in_front(reader: &mut Reader) -> Option<Span> {
     (reader.at > from && reader.token(0) == Some(Token::Comma)).then(|| reader.span(from))
 }
 
-fn clauses(reader: &mut Reader, draft: &mut Draft, front: Start, heading: Option<&Adverbs>) {
-    let Start { mut subject, mut who, mut adverbs, mut place, mut beside } = front;
+fn clauses(reader: &mut SentenceReader, draft: &mut RoutineDraft, front: SentenceStart, heading: Option<&Adverbs>) {
+    let SentenceStart { mut subject, mut who, mut adverbs, mut place, mut beside } = front;
     let (mut start, mut cooked) = (0, None);
     let (mut follows, mut count): (Option<Adverbs>, usize) = (None, 0);
-    let (mut group, mut joined): (Vec<Clause>, Option<Join>) = (Vec::new(), None);
+    let (mut group, mut joined): (Vec<Clause>, Option<ClauseJoin>) = (Vec::new(), None);
     loop {
         let before = group.last();
         let next = before.and_then(|last| again(reader, last, &mut adverbs));
-        let said = Said { subject: &subject, who, cooked: cooked.as_ref(), before };
+        let said = ClauseStart { subject: &subject, who, cooked: cooked.as_ref(), before };
         let next = next.or_else(|| clause(reader, said, adverbs, place.take(), start));
         let Some(mut next) = next else { return };
         next.beside.append(&mut beside);
@@ -150,7 +147,7 @@ fn clauses(reader: &mut Reader, draft: &mut Draft, front: Start, heading: Option
         adverbs = Adverbs::default();
         start = reader.at;
         match goes_on {
-            Some((join @ (Join::And | Join::Or), span)) => {
+            Some((join @ (ClauseJoin::And | ClauseJoin::Or), span)) => {
                 if joined.is_some_and(|joined| joined != join) {
                     return reader.fault(span, SentenceMessage::AndOr);
                 }
@@ -165,7 +162,7 @@ fn clauses(reader: &mut Reader, draft: &mut Draft, front: Start, heading: Option
                     return;
                 }
                 let Some((_, then)) = goes_on else { return };
-                adverbs.when = Some(Slot { value: When::Then, span: then, own: true });
+                adverbs.when = Some(Slot { value: HabitTime::Then, span: then, own: true });
                 start = reader.words.iter().position(|word| word.span.start == then.start).unwrap_or(start);
                 reader.eat("she|he|they|it");
             }
@@ -173,22 +170,19 @@ fn clauses(reader: &mut Reader, draft: &mut Draft, front: Start, heading: Option
     }
 }
 
-/// Makes habits and changes of clauses that are joined, with what the first of the sentence or its heading says for them;
-/// false if something is left open.
 fn finish(
-    reader: &mut Reader,
-    draft: &mut Draft,
+    reader: &mut SentenceReader,
+    draft: &mut RoutineDraft,
     group: &mut Vec<Clause>,
-    joined: Option<Join>,
+    joined: Option<ClauseJoin>,
     (follows, heading): (&mut Option<Adverbs>, Option<&Adverbs>),
 ) -> bool {
-    joined::without_waking(group);
-    joined::without_count(group);
-    if let Some(unclear) = joined::share(group, joined) {
+    conjunction::without_waking(group);
+    conjunction::without_count(group);
+    if let Some(unclear) = conjunction::share(group, joined) {
         reader.fault(unclear, SentenceMessage::SharedPart { text: reader.said(unclear) });
         return false;
     }
-    // What comes after "then" takes over from before it, not from its own neighbours.
     let first = follows.clone();
     for clause in group.drain(..) {
         let own = clause.adverbs.clone();
@@ -203,31 +197,28 @@ fn finish(
     true
 }
 
-/// What a clause begins with.
-struct Said<'s> {
-    subject: &'s Subject,
-    who: Span,
+struct ClauseStart<'s> {
+    subject: &'s SentenceSubject,
+    who: TextSpan,
     cooked: Option<&'s crate::routine::Meal>,
-    /// The clause that it is joined with.
     before: Option<&'s Clause>,
 }
 
-/// A clause up to its verb.
 fn clause(
-    reader: &mut Reader,
-    said: Said,
+    reader: &mut SentenceReader,
+    said: ClauseStart,
     mut adverbs: Adverbs,
-    place: Option<(String, Span)>,
+    place: Option<(String, TextSpan)>,
     start: usize,
 ) -> Option<Clause> {
-    let now = |reader: &mut Reader| (reader.eat("now") && reader.peek(0) != "and").then_some(());
+    let now = |reader: &mut SentenceReader| (reader.eat("now") && reader.peek(0) != "and").then_some(());
     while reader.eat("also|still|again|only|just|either|both") || reader.attempt(now).is_some() {}
     adverbs.all(reader);
-    let is_person = *said.subject == Subject::Person;
+    let is_person = *said.subject == SentenceSubject::Person;
     // "She likes to read and knit": both are liked.
     let goes_on_liking = said.before.is_some_and(|before| before.tends) && !is_third_person(reader.peek(0));
-    let needs_to = is_person && roundabout::needs_to(reader);
-    let tends = is_person && !needs_to && roundabout::tends(reader) || goes_on_liking;
+    let needs_to = is_person && indirect::needs_to(reader);
+    let tends = is_person && !needs_to && indirect::tends(reader) || goes_on_liking;
     adverbs.all(reader);
     let is_who = said.before.is_some_and(|before| matches!(before.predicate, Predicate::Age(_) | Predicate::Remark));
     let from = reader.at;
@@ -266,8 +257,7 @@ fn clause(
     };
     // The person is who goes out, or is on the phone, whoever makes them.
     let does_person = matches!(found, Predicate::Does(_) | Predicate::HelpedBy(..) | Predicate::VisitedBy(_));
-    let subject = if does_person && !is_person { Subject::Person } else { said.subject.clone() };
-    // What a visitor sees to, and no sensor sees, is said beside the visit.
+    let subject = if does_person && !is_person { SentenceSubject::Person } else { said.subject.clone() };
     let beside =
         if found == Predicate::Visits && !is_visit(reader, predicate_span) { vec![predicate_span] } else { Vec::new() };
     Some(Clause {
@@ -285,18 +275,17 @@ fn clause(
     })
 }
 
-/// Whether these words only say that somebody comes.
-fn is_visit(reader: &mut Reader, span: Span) -> bool {
+fn is_visit(reader: &mut SentenceReader, span: TextSpan) -> bool {
     reader.ahead(|reader| {
         reader.at = reader.words.iter().position(|word| word.span.start >= span.start).unwrap_or(reader.at);
-        helping::visiting(reader).is_some()
+        help::visiting(reader).is_some()
     })
 }
 
 /// "enjoys her crossword": the noun stands for what is done.
-fn noun_liked(reader: &mut Reader) -> Option<(Predicate, Span)> {
+fn noun_liked(reader: &mut SentenceReader) -> Option<(Predicate, TextSpan)> {
     let from = reader.at;
-    let found = if reader.peek(0).ends_with("ing") { None } else { roundabout::noun_with_adjective(reader) };
+    let found = if reader.peek(0).ends_with("ing") { None } else { indirect::noun_with_adjective(reader) };
     let Some(found) = found else {
         reader.at = from;
         return None;
@@ -304,14 +293,12 @@ fn noun_liked(reader: &mut Reader) -> Option<(Predicate, Span)> {
     Some((Predicate::Does(found), reader.span(from)))
 }
 
-/// Whether a verb is in the form that stands behind "she", not behind "to" or "not".
 fn is_third_person(word: &str) -> bool {
     word.ends_with('s') && !word.ends_with("ss")
 }
 
-/// What goes on after "and" without a verb of its own: the same at another time, or done with something else.
-fn again(reader: &mut Reader, last: &Clause, adverbs: &mut Adverbs) -> Option<Clause> {
-    let ends = |reader: &Reader| {
+fn again(reader: &mut SentenceReader, last: &Clause, adverbs: &mut Adverbs) -> Option<Clause> {
+    let ends = |reader: &SentenceReader| {
         reader.is_over() || reader.token(0) == Some(Token::Comma) || ["and", "or", "then"].contains(&reader.peek(0))
     };
     let _ = reader.attempt(|reader| {
@@ -323,7 +310,7 @@ fn again(reader: &mut Reader, last: &Clause, adverbs: &mut Adverbs) -> Option<Cl
     reader.skip_commas();
     while more.next(reader) {
         // "at 7:30, 12:30 and 17:00": each is one more.
-        let is_another = |reader: &mut Reader| {
+        let is_another = |reader: &mut SentenceReader| {
             reader.skip_commas();
             let mut another = Adverbs::default();
             another.next(reader) && another.when.is_some()
@@ -360,7 +347,7 @@ fn again(reader: &mut Reader, last: &Clause, adverbs: &mut Adverbs) -> Option<Cl
     let (activity, taken) = (1..=3).find_map(|length| {
         let before = reader.words.get(verb..verb + length).filter(|_| verb + length <= from)?;
         let words: Vec<_> = before.iter().chain(reader.words.get(from..)?).cloned().collect();
-        let mut joined = Reader {
+        let mut joined = SentenceReader {
             words: &words,
             at: 0,
             names: reader.names,
@@ -386,7 +373,6 @@ fn again(reader: &mut Reader, last: &Clause, adverbs: &mut Adverbs) -> Option<Cl
     Some(Clause { predicate, predicate_span, adverbs, again: true, place: None, measure: None, beside, ..last.clone() })
 }
 
-/// What "then" takes over from the first clause: the days.
 fn days_of(first: &Adverbs) -> Adverbs {
     Adverbs {
         weekdays: first.weekdays.clone(),
@@ -403,8 +389,7 @@ fn days_of(first: &Adverbs) -> Adverbs {
     }
 }
 
-/// What is said of somebody who does not live there.
-fn of_visitor(reader: &mut Reader, name: &str, who: Span) -> Option<Predicate> {
+fn of_visitor(reader: &mut SentenceReader, name: &str, who: TextSpan) -> Option<Predicate> {
     let lexicon = reader.names.lexicon.clone();
     let done = lexicon.nouns.iter().find(|(noun, _)| noun.written.split('|').any(|noun| noun == name));
     let said = reader.said(who);
@@ -416,11 +401,11 @@ fn of_visitor(reader: &mut Reader, name: &str, who: Span) -> Option<Predicate> {
         || name == subjects::WRITERS && remarks::of_mind(reader)
     {
         return Some(Predicate::Remark);
-    } else if let Some(found) = helping::visiting(reader) {
+    } else if let Some(found) = help::visiting(reader) {
         return Some(found);
     } else if remarks::remark(reader).is_some() {
         return Some(Predicate::Remark);
-    } else if let Some(found) = helping::seeing_to(reader) {
+    } else if let Some(found) = help::seeing_to(reader) {
         return Some(found);
     } else {
         let is_somebody = ["PEOPLE", "RELATIVES"].iter().any(|list| lexicon.has_last(list, name));
@@ -435,16 +420,16 @@ fn of_visitor(reader: &mut Reader, name: &str, who: Span) -> Option<Predicate> {
 }
 
 fn predicate(
-    reader: &mut Reader,
-    subject: &Subject,
-    who: Span,
+    reader: &mut SentenceReader,
+    subject: &SentenceSubject,
+    who: TextSpan,
     adverbs: &mut Adverbs,
     cooked: Option<&crate::routine::Meal>,
-) -> Option<(Predicate, Span)> {
+) -> Option<(Predicate, TextSpan)> {
     let from = reader.at;
     let found = match subject {
-        Subject::Visitor(name) => Some(of_visitor(reader, name, who)?),
-        Subject::Hours | Subject::Pulse | Subject::Breathing => {
+        SentenceSubject::Visitor(name) => Some(of_visitor(reader, name, who)?),
+        SentenceSubject::Hours | SentenceSubject::Pulse | SentenceSubject::Breathing => {
             let found = predicates::of_body(reader, subject);
             if found.is_none() {
                 reader.fault(reader.span(from), WordMessage::BodyChange { text: reader.said(who) });
@@ -467,7 +452,6 @@ fn predicate(
         reader.fault(who, SentenceMessage::Unfinished);
         return None;
     }
-    // What is read by now says that the rest is not so.
     let is_negated = reader.at > from;
     if let Some(found) = meal_meant(reader, cooked.filter(|_| !is_negated)) {
         return found.map(|activity| (Predicate::Does(activity), reader.span(from)));
@@ -475,39 +459,37 @@ fn predicate(
     if let Some(verb) = reader.names.lexicon.verb_of_past(reader.peek(0)).filter(|_| !is_negated) {
         return is_past(reader, &verb);
     }
-    let own = said::own_words(reader);
+    let own = predicate::own_words(reader);
     if is_negated {
         let span = own.map_or(reader.here(), |(_, span)| span);
-        unknown::unknown_not(reader, span);
+        unknown_word::unknown_not(reader, span);
         return None;
     }
     let Some((words, span)) = own else {
         let span = nothing_of_its_own(reader);
         let words = reader.said(span).to_lowercase();
-        unknown::unknown_verb(reader, &words, span);
+        unknown_word::unknown_verb(reader, &words, span);
         return None;
     };
-    if unknown::is_nearly_known(&words) {
-        unknown::unknown_verb(reader, &words, span);
+    if unknown_word::is_nearly_known(&words) {
+        unknown_word::unknown_verb(reader, &words, span);
         return None;
     }
     Some((Predicate::Own(words), span))
 }
 
-/// The verb, where its past stands right behind who did it.
-fn past_verb(reader: &Reader) -> Option<String> {
+fn past_verb(reader: &SentenceReader) -> Option<String> {
     let word = reader.peek(0);
     // "used to" is a remark.
     let is_past = word.ends_with("ed") && !["need", "feed", "used"].contains(&word);
     reader.names.lexicon.verb_of_past(word).filter(|_| is_past && activities_begin(reader, word))
 }
 
-fn activities_begin(reader: &Reader, word: &str) -> bool {
+fn activities_begin(reader: &SentenceReader, word: &str) -> bool {
     reader.names.lexicon.beginning(word).next().is_some()
 }
 
-/// What was done once is no routine.
-fn is_past<T>(reader: &mut Reader, verb: &str) -> Option<T> {
+fn is_past<T>(reader: &mut SentenceReader, verb: &str) -> Option<T> {
     let (text, verb) = (reader.said(reader.here()), super::lexicon::third_person(verb));
     reader.fault(reader.here(), WordMessage::PastTense { text, verb });
     reader.at = reader.words.len();
@@ -515,17 +497,17 @@ fn is_past<T>(reader: &mut Reader, verb: &str) -> Option<T> {
 }
 
 /// The words of an activity that begins with one that is known to begin something else: "has visitors".
-fn nothing_of_its_own(reader: &mut Reader) -> Span {
+fn nothing_of_its_own(reader: &mut SentenceReader) -> TextSpan {
     let from = reader.at;
     if reader.eat("has|have") {
-        said::own_words(reader);
+        predicate::own_words(reader);
         return reader.span(from);
     }
     reader.here()
 }
 
 /// "eats" or "cooks" without saying what: the meal just cooked, or a fault.
-fn meal_meant(reader: &mut Reader, cooked: Option<&crate::routine::Meal>) -> Option<Option<Activity>> {
+fn meal_meant(reader: &mut SentenceReader, cooked: Option<&crate::routine::Meal>) -> Option<Option<Activity>> {
     let from = reader.at;
     let eats = reader.eat("eats|eat|has|have");
     if !eats && !reader.eat("cooks|cook|prepares|prepare|makes|make") {

@@ -3,37 +3,37 @@
 
 use super::activities;
 use super::adverbs::Adverbs;
-use super::alone::read_alone;
 use super::amounts::number;
 use super::calendar::is_weekday;
 use super::clause::place;
-use super::draft::Draft;
+use super::draft::RoutineDraft;
 use super::faults::Faults;
 use super::lexicon::{third_person, words_of};
-use super::reader::{Names, Reader, begins_adverb, is_determiner};
-use super::rewording::reworded;
-use super::said::named;
+use super::predicate::named;
+use super::reader::{HomeNames, SentenceReader, begins_adverb, is_determiner};
+use super::single_sentence::read_alone;
 use super::subjects;
+use super::synonym::reworded;
 use super::times;
-use super::words::{Span, Token, Word};
+use super::words::{SentenceWord, TextSpan, Token};
 
-/// Number of words above which a sentence is read literally.
 const LONGEST: usize = 60;
 
-/// A sentence in the shape in which it is understood: its words, and these in words that are known.
-pub fn in_shape(names: &Names, draft: &Draft, words: &[Word]) -> (Vec<Word>, Vec<Word>) {
-    let known = |words: &[Word]| reworded(names, draft.text, words);
-    let reads = |words: &[Word]| read_alone(names, draft, draft.text, words).is_some();
+pub fn in_shape(
+    names: &HomeNames,
+    draft: &RoutineDraft,
+    words: &[SentenceWord],
+) -> (Vec<SentenceWord>, Vec<SentenceWord>) {
+    let known = |words: &[SentenceWord]| reworded(names, draft.text, words);
+    let reads = |words: &[SentenceWord]| read_alone(names, draft, draft.text, words).is_some();
     let plain = known(words);
     if words.len() > LONGEST || reads(&plain) {
         return (words.to_vec(), plain);
     }
     let mut tried = shapes(names, draft.text, words);
     let found = tried.iter().position(|words| reads(&known(words)));
-    // What begins with a verb is about the person, understood or not.
-    let found = found.or(tried.iter().position(|words| words.first().is_some_and(Word::is_put_in)));
-    // What is put otherwise may be nearer to what is known.
-    let found = found.or(tried.iter().position(|words| !words.iter().any(Word::is_put_in)));
+    let found = found.or(tried.iter().position(|words| words.first().is_some_and(SentenceWord::is_put_in)));
+    let found = found.or(tried.iter().position(|words| !words.iter().any(SentenceWord::is_put_in)));
     match found {
         Some(found) => {
             let words = tried.swap_remove(found);
@@ -44,9 +44,8 @@ pub fn in_shape(names: &Names, draft: &Draft, words: &[Word]) -> (Vec<Word>, Vec
     }
 }
 
-/// The shapes that a sentence may stand for, the likeliest first.
-fn shapes(names: &Names, text: &str, words: &[Word]) -> Vec<Vec<Word>> {
-    let mut all: Vec<Vec<Word>> = Vec::new();
+fn shapes(names: &HomeNames, text: &str, words: &[SentenceWord]) -> Vec<Vec<SentenceWord>> {
+    let mut all: Vec<Vec<SentenceWord>> = Vec::new();
     let mut base = words.to_vec();
     for change in [
         without_label,
@@ -69,7 +68,7 @@ fn shapes(names: &Names, text: &str, words: &[Word]) -> Vec<Vec<Word>> {
     all.extend(done_by(names, text, &base));
     all.extend(turned(names, text, &base));
     let completed = completed(names, text, &base);
-    let listed: Vec<Vec<Word>> = completed.iter().filter_map(|words| listed(names, text, words)).collect();
+    let listed: Vec<Vec<SentenceWord>> = completed.iter().filter_map(|words| listed(names, text, words)).collect();
     all.extend(completed);
     all.extend(listed);
     if base.len() < words.len() && words.iter().any(|word| word.text == ":") {
@@ -79,8 +78,8 @@ fn shapes(names: &Names, text: &str, words: &[Word]) -> Vec<Vec<Word>> {
 }
 
 /// "Up at 7, breakfast at 8, walk at 9": each piece is one more thing that she does.
-fn listed(names: &Names, text: &str, words: &[Word]) -> Option<Vec<Word>> {
-    let mut found: Vec<Word> = Vec::with_capacity(words.len());
+fn listed(names: &HomeNames, text: &str, words: &[SentenceWord]) -> Option<Vec<SentenceWord>> {
+    let mut found: Vec<SentenceWord> = Vec::with_capacity(words.len());
     let mut is_other = false;
     for (at, word) in words.iter().enumerate() {
         let noun = |from: usize| {
@@ -97,8 +96,8 @@ fn listed(names: &Names, text: &str, words: &[Word]) -> Option<Vec<Word>> {
         if word.text == "," && !begins_verb && noun(at + 1) {
             let to_bed = words.get(at + 1).is_some_and(|next| next.text == "bed");
             let said = words_of(if to_bed { "and she goes to" } else { "and she has" }, word);
-            let end = Span { start: word.span.end, end: word.span.end };
-            found.extend(said.into_iter().map(|word| Word { span: end, ..word }));
+            let end = TextSpan { start: word.span.end, end: word.span.end };
+            found.extend(said.into_iter().map(|word| SentenceWord { span: end, ..word }));
             is_other = true;
         } else {
             found.push(word.clone());
@@ -108,18 +107,18 @@ fn listed(names: &Names, text: &str, words: &[Word]) -> Option<Vec<Word>> {
 }
 
 /// "Mum's up at seven": she is.
-fn contracted(names: &Names, _text: &str, words: &[Word]) -> Option<Vec<Word>> {
+fn contracted(names: &HomeNames, _text: &str, words: &[SentenceWord]) -> Option<Vec<SentenceWord>> {
     let first = words.first()?;
     let who = first.text.strip_suffix("'s")?;
     let is_person = names.lexicon.list("PERSON", |at| if at == 0 { who } else { "" }).is_some()
         || names.person.as_ref().is_some_and(|name| name.to_lowercase() == who);
     is_person.then_some(())?;
-    let is = Word { text: "is".to_owned(), ..first.clone() };
-    Some([&[Word { text: who.to_owned(), ..first.clone() }, is], &words[1..]].concat())
+    let is = SentenceWord { text: "is".to_owned(), ..first.clone() };
+    Some([&[SentenceWord { text: who.to_owned(), ..first.clone() }, is], &words[1..]].concat())
 }
 
 /// "Bathing takes place on Tuesday": she bathes then.
-fn taking_place(names: &Names, _text: &str, words: &[Word]) -> Option<Vec<Word>> {
+fn taking_place(names: &HomeNames, _text: &str, words: &[SentenceWord]) -> Option<Vec<SentenceWord>> {
     const TAKES: [&[&str]; 5] =
         [&["takes", "place"], &["happens"], &["occurs"], &["is", "carried", "out"], &["is", "done"]];
     let from = usize::from(words.first().is_some_and(|word| is_determiner(&word.text)));
@@ -129,12 +128,12 @@ fn taking_place(names: &Names, _text: &str, words: &[Word]) -> Option<Vec<Word>>
     let fits =
         |takes: &&&[&str]| takes.iter().enumerate().all(|(at, one)| rest.get(at).is_some_and(|word| word.text == *one));
     let takes = TAKES.iter().find(fits)?;
-    let done = [Word { text: third_person(&verb), ..doing.clone() }];
+    let done = [SentenceWord { text: third_person(&verb), ..doing.clone() }];
     Some(put_in(&[&done, &rest[takes.len()..]].concat(), 0, "she"))
 }
 
 /// "Mrs. Hill able to wash herself", "insulin given by the nurse", "Mum up at seven": is.
-fn with_is(names: &Names, text: &str, words: &[Word]) -> Option<Vec<Word>> {
+fn with_is(names: &HomeNames, text: &str, words: &[SentenceWord]) -> Option<Vec<SentenceWord>> {
     const LONGEST: usize = 4;
     let at = try_out(names, text, words, |reader| {
         (subjects::called(reader) || activities::noun(reader).is_some()).then_some(reader.at)
@@ -149,7 +148,7 @@ fn with_is(names: &Names, text: &str, words: &[Word]) -> Option<Vec<Word>> {
 }
 
 /// "has two naps a day": naps, two times a day.
-fn counted(names: &Names, text: &str, words: &[Word]) -> Option<Vec<Word>> {
+fn counted(names: &HomeNames, text: &str, words: &[SentenceWord]) -> Option<Vec<SentenceWord>> {
     (1..words.len()).find_map(|from| {
         let (count, noun) = try_out(names, text, words, |reader| {
             reader.at = from;
@@ -180,9 +179,9 @@ fn counted(names: &Names, text: &str, words: &[Word]) -> Option<Vec<Word>> {
         })?;
         let named = words[count..noun].iter().map(|word| {
             let one = word.text.strip_suffix('s').filter(|one| one.len() > 2);
-            Word { text: one.unwrap_or(&word.text).to_owned(), ..word.clone() }
+            SentenceWord { text: one.unwrap_or(&word.text).to_owned(), ..word.clone() }
         });
-        let named: Vec<Word> = named.collect();
+        let named: Vec<SentenceWord> = named.collect();
         let mut shaped = [&words[..from], &named, &words[from..count]].concat();
         let at = shaped.len();
         shaped.extend_from_slice(&words[noun..]);
@@ -191,7 +190,7 @@ fn counted(names: &Names, text: &str, words: &[Word]) -> Option<Vec<Word>> {
 }
 
 /// "The client reports that he sleeps badly": what is said is what follows.
-fn reported(_names: &Names, _text: &str, words: &[Word]) -> Option<Vec<Word>> {
+fn reported(_names: &HomeNames, _text: &str, words: &[SentenceWord]) -> Option<Vec<SentenceWord>> {
     const SAYS: [&str; 16] = [
         "reports",
         "says",
@@ -219,7 +218,7 @@ fn reported(_names: &Names, _text: &str, words: &[Word]) -> Option<Vec<Word>> {
 }
 
 /// "rises at 7, when she makes tea": and then.
-fn when_then(_names: &Names, _text: &str, words: &[Word]) -> Option<Vec<Word>> {
+fn when_then(_names: &HomeNames, _text: &str, words: &[SentenceWord]) -> Option<Vec<SentenceWord>> {
     let is = |at: usize, one: &[&str]| words.get(at).is_some_and(|word| one.contains(&word.text.as_str()));
     let at =
         (2..words.len()).find(|&at| is(at - 1, &[","]) && is(at, &["when"]) && is(at + 1, &["she", "he", "they"]))?;
@@ -229,7 +228,7 @@ fn when_then(_names: &Names, _text: &str, words: &[Word]) -> Option<Vec<Word>> {
 }
 
 /// "sleeps from 10 pm to 6 am": goes to bed at the one time and gets up at the other.
-fn slept(names: &Names, text: &str, words: &[Word]) -> Option<Vec<Word>> {
+fn slept(names: &HomeNames, text: &str, words: &[SentenceWord]) -> Option<Vec<SentenceWord>> {
     let sleeps = words.iter().position(|word| word.text.starts_with("sleep"))?;
     let (to, end) = try_out(names, text, words, |reader| {
         reader.at = sleeps + 1;
@@ -247,33 +246,31 @@ fn slept(names: &Names, text: &str, words: &[Word]) -> Option<Vec<Word>> {
     Some([&shaped, &words[end..]].concat())
 }
 
-fn try_out<T>(names: &Names, text: &str, words: &[Word], what: impl FnOnce(&mut Reader) -> T) -> T {
+fn try_out<T>(names: &HomeNames, text: &str, words: &[SentenceWord], what: impl FnOnce(&mut SentenceReader) -> T) -> T {
     let mut faults = Faults::of_trial();
-    what(&mut Reader { words, at: 0, names, faults: &mut faults, text, part: None })
+    what(&mut SentenceReader { words, at: 0, names, faults: &mut faults, text, part: None })
 }
 
-/// Words that are put in before the one at this place.
-fn put_in(words: &[Word], at: usize, said: &str) -> Vec<Word> {
+fn put_in(words: &[SentenceWord], at: usize, said: &str) -> Vec<SentenceWord> {
     let start = words.get(at).map_or(words.last().map_or(0, |word| word.span.end), |word| word.span.start);
-    let new = Word { text: String::new(), token: Token::Word, span: Span { start, end: start } };
+    let new = SentenceWord { text: String::new(), token: Token::Word, span: TextSpan { start, end: start } };
     [&words[..at], &words_of(said, &new), &words[at..]].concat()
 }
 
 /// "Sleep: wakes twice a night."
-fn without_label(names: &Names, _text: &str, words: &[Word]) -> Option<Vec<Word>> {
+fn without_label(names: &HomeNames, _text: &str, words: &[SentenceWord]) -> Option<Vec<SentenceWord>> {
     let length = names.lexicon.list("LABELS", |at| words.get(at).map_or("", |word| &word.text))?;
     let ends = words.get(length).is_some_and(|word| word.text == ":") && words.len() > length + 1;
     ends.then(|| words[length + 1..].to_vec())
 }
 
-/// Whether a word is one of a list of days or times of day.
-fn lists(word: &Word) -> bool {
+fn lists(word: &SentenceWord) -> bool {
     let is_part = ["morning", "afternoon", "evening", "night"].contains(&word.text.trim_end_matches('s'));
     matches!(word.token, Token::Clock(..)) || is_weekday(&word.text) || is_part
 }
 
 /// "a 20 minute walk every day": a walk every day for 20 minutes.
-fn without_length(names: &Names, text: &str, words: &[Word]) -> Option<Vec<Word>> {
+fn without_length(names: &HomeNames, text: &str, words: &[SentenceWord]) -> Option<Vec<SentenceWord>> {
     (0..words.len()).find_map(|from| {
         let length = try_out(names, text, words, |reader| {
             reader.at = from;
@@ -287,8 +284,9 @@ fn without_length(names: &Names, text: &str, words: &[Word]) -> Option<Vec<Word>
             names_doing.then_some((length, reader.at))
         });
         let (length, rest) = length?;
-        let joins =
-            |word: &Word| word.token == Token::Comma || ["and", "then", "or", "but"].contains(&word.text.as_str());
+        let joins = |word: &SentenceWord| {
+            word.token == Token::Comma || ["and", "then", "or", "but"].contains(&word.text.as_str())
+        };
         // "on Monday, Wednesday, and Friday": a list of days or times goes through.
         let is_end = |at: usize| joins(&words[at]) && !words[at..].iter().find(|word| !joins(word)).is_some_and(lists);
         let end = (rest..words.len()).find(|&at| is_end(at)).unwrap_or(words.len());
@@ -305,7 +303,7 @@ fn without_length(names: &Names, text: &str, words: &[Word]) -> Option<Vec<Word>
 }
 
 /// "on the first and third Tuesday of the month she goes out": on the first, and on the third.
-fn with_both_days(_names: &Names, _text: &str, words: &[Word]) -> Option<Vec<Word>> {
+fn with_both_days(_names: &HomeNames, _text: &str, words: &[SentenceWord]) -> Option<Vec<SentenceWord>> {
     const WHICH: [&str; 9] = ["first", "second", "third", "fourth", "last", "1st", "2nd", "3rd", "4th"];
     let is_which = |at: usize| words.get(at).is_some_and(|word| WHICH.contains(&word.text.as_str()));
     let and = (1..words.len()).find(|&at| words[at].text == "and" && is_which(at - 1))?;
@@ -313,7 +311,6 @@ fn with_both_days(_names: &Names, _text: &str, words: &[Word]) -> Option<Vec<Wor
     let of = (second..words.len()).find(|&at| words[at].text == "of")?;
     let end = of + 3;
     let day = words.get(second + 1..end)?;
-    // What goes on with another "and" leaves open what is on the second of these days.
     if words[end..].iter().any(|word| ["and", "then", "or", "but"].contains(&word.text.as_str())) {
         return None;
     }
@@ -324,22 +321,22 @@ fn with_both_days(_names: &Names, _text: &str, words: &[Word]) -> Option<Vec<Wor
 }
 
 /// "has been using a frame": uses one.
-fn by_now(names: &Names, _text: &str, words: &[Word]) -> Option<Vec<Word>> {
+fn by_now(names: &HomeNames, _text: &str, words: &[SentenceWord]) -> Option<Vec<SentenceWord>> {
     let is = |at: usize, one: &[&str]| words.get(at).is_some_and(|word| one.contains(&word.text.as_str()));
     let at = (0..words.len()).find(|&at| is(at, &["has", "have"]) && is(at + 1, &["been"]))?;
     let doing = words.get(at + 2)?;
     let verb = names.lexicon.verb_of_gerund(&doing.text)?;
     let mut shaped = words.to_vec();
-    shaped.splice(at..at + 3, [Word { text: third_person(&verb), ..doing.clone() }]);
+    shaped.splice(at..at + 3, [SentenceWord { text: third_person(&verb), ..doing.clone() }]);
     Some(shaped)
 }
 
 /// "Every morning and evening she reads": she reads then.
-fn turned(names: &Names, text: &str, words: &[Word]) -> Option<Vec<Word>> {
-    let is = |word: &Word, one: &[&str]| one.contains(&word.text.as_str());
+fn turned(names: &HomeNames, text: &str, words: &[SentenceWord]) -> Option<Vec<SentenceWord>> {
+    let is = |word: &SentenceWord, one: &[&str]| one.contains(&word.text.as_str());
     let who = words.iter().position(|word| is(word, &["she", "he", "they"]))?;
     let (front, rest) = words.split_at(who);
-    let has = |words: &[Word], one: &[&str]| words.iter().any(|word| is(word, one));
+    let has = |words: &[SentenceWord], one: &[&str]| words.iter().any(|word| is(word, one));
     let is_when = try_out(names, text, words, |reader| Adverbs::default().next(reader));
     if !is_when || !has(front, &["and"]) || has(rest, &["and", "or", "then", "but"]) {
         return None;
@@ -349,7 +346,7 @@ fn turned(names: &Names, text: &str, words: &[Word]) -> Option<Vec<Word>> {
 }
 
 /// "She is bathed by a carer", "medication is given by the nurse": who does it goes first.
-fn done_by(names: &Names, text: &str, words: &[Word]) -> Option<Vec<Word>> {
+fn done_by(names: &HomeNames, text: &str, words: &[SentenceWord]) -> Option<Vec<SentenceWord>> {
     let is = words.iter().position(|word| ["is", "are"].contains(&word.text.as_str()))?;
     let verb = names.lexicon.verb_of_participle(&words.get(is + 1)?.text)?;
     let by = (is + 2..words.len()).find(|&at| words[at].text == "by")?;
@@ -365,30 +362,29 @@ fn done_by(names: &Names, text: &str, words: &[Word]) -> Option<Vec<Word>> {
     let (front, about_person) = try_out(names, text, words, |reader| {
         Adverbs::default().all(reader);
         let front = reader.at;
-        (front, subjects::subject(reader) == Some(subjects::Subject::Person) && reader.at == is)
+        (front, subjects::subject(reader) == Some(subjects::SentenceSubject::Person) && reader.at == is)
     });
     let mut said = words[by + 1..end].to_vec();
     if said.first().is_some_and(|who| !is_determiner(&who.text)) {
         said = put_in(&said, 0, "the");
     }
-    said.push(Word { text: third_person(&verb), ..words[is + 1].clone() });
+    said.push(SentenceWord { text: third_person(&verb), ..words[is + 1].clone() });
     let at = said.len();
     if about_person {
         said = put_in(&said, at, "her");
     } else {
-        let what: Vec<Word> = words[front..is].iter().filter(|word| !is_determiner(&word.text)).cloned().collect();
+        let what: Vec<SentenceWord> =
+            words[front..is].iter().filter(|word| !is_determiner(&word.text)).cloned().collect();
         said = put_in(&said, at, "her");
         said.extend(what);
     }
     Some([&words[..front], &said, &words[is + 2..by], &words[end..]].concat())
 }
 
-/// What may be left out before a name of what is done, and before what somebody is.
 const BEFORE_NOUNS: [&str; 5] = ["she has", "she goes to", "she takes", "she does", "she watches"];
 const STATES: &str = "up asleep awake out unable able independent unsteady incontinent continent in at on";
 
-/// A sentence without somebody whom it is about is about the person.
-fn completed(names: &Names, text: &str, words: &[Word]) -> Vec<Vec<Word>> {
+fn completed(names: &HomeNames, text: &str, words: &[SentenceWord]) -> Vec<Vec<SentenceWord>> {
     let at = try_out(names, text, words, |reader| {
         let mut adverbs = Adverbs::default();
         let mut has_place = false;

@@ -1,21 +1,17 @@
-//! Who a sentence is about: the person, those who visit, a name that nobody has, a pulse.
+//! The subject of a sentence: the person, a visitor, an unknown name, a pulse.
 
 use super::activities;
 use super::adverbs::Adverbs;
-use super::called::person_called;
-use super::helping::{seeing_to, visiting};
-use super::reader::{Reader, is_determiner};
+use super::help::{seeing_to, visiting};
+use super::person_word::person_called;
+use super::reader::{SentenceReader, is_determiner};
 use super::remarks::remark;
 use super::words::Token;
 
-/// Who or what a sentence is about.
 #[derive(Clone, Debug, PartialEq)]
-pub enum Subject {
-    /// The person, by pronoun or name.
+pub enum SentenceSubject {
     Person,
-    /// Somebody who visits, such as `daughter`.
     Visitor(String),
-    /// A name that is not the person's.
     Stranger(String),
     /// At which hours things are done.
     Hours,
@@ -23,27 +19,24 @@ pub enum Subject {
     Breathing,
 }
 
-/// Who writes "we" and "I" of somebody else.
 pub const WRITERS: &str = "family";
 
 /// "We visit her", "I ring Mum every night".
-fn writers(reader: &mut Reader) -> Option<Subject> {
+fn writers(reader: &mut SentenceReader) -> Option<SentenceSubject> {
     let others = ["her", "him", "she", "he", "mum", "mom", "dad"];
     let of_others = reader.words.iter().any(|word| others.contains(&word.text.as_str()));
-    (reader.eat("we") || of_others && reader.eat("i")).then(|| Subject::Visitor(WRITERS.to_owned()))
+    (reader.eat("we") || of_others && reader.eat("i")).then(|| SentenceSubject::Visitor(WRITERS.to_owned()))
 }
 
-/// Passes over what the person is called.
-pub fn called(reader: &mut Reader) -> bool {
+pub fn called(reader: &mut SentenceReader) -> bool {
     person_called(reader) || reader.person() == Some(false)
 }
 
 const HOURS: &str = "hours|times|days|day|routine";
 
-/// The subject, if a sentence has one here.
-pub fn subject(reader: &mut Reader) -> Option<Subject> {
+pub fn subject(reader: &mut SentenceReader) -> Option<SentenceSubject> {
     if reader.eat("she|he|they|it") || person_called(reader) {
-        return Some(Subject::Person);
+        return Some(SentenceSubject::Person);
     }
     if let Some(writers) = reader.attempt(writers) {
         return Some(writers);
@@ -56,7 +49,7 @@ pub fn subject(reader: &mut Reader) -> Option<Subject> {
             of_the_person(reader)
         });
     }
-    let of_titled = |reader: &mut Reader| {
+    let of_titled = |reader: &mut SentenceReader| {
         reader.eat("mr|mrs|ms|miss").then_some(())?;
         reader.peek(0).strip_suffix("'s")?;
         reader.at += 1;
@@ -65,7 +58,7 @@ pub fn subject(reader: &mut Reader) -> Option<Subject> {
     if let Some(of_person) = reader.attempt(of_titled) {
         return Some(of_person);
     }
-    let of_called = |reader: &mut Reader| {
+    let of_called = |reader: &mut SentenceReader| {
         reader.eat("the|my|our").then_some(())?;
         let owner = reader.peek(0).strip_suffix("'s")?.to_owned();
         reader.names.lexicon.list("PERSON", |at| if at == 0 { &owner } else { "" })?;
@@ -82,7 +75,7 @@ pub fn subject(reader: &mut Reader) -> Option<Subject> {
         return Some(topic);
     }
     match reader.person() {
-        Some(false) => return Some(Subject::Person),
+        Some(false) => return Some(SentenceSubject::Person),
         Some(true) => return of_the_person(reader),
         None => {}
     }
@@ -102,21 +95,21 @@ pub fn subject(reader: &mut Reader) -> Option<Subject> {
 }
 
 /// "her daughter", "her pulse", "her hours".
-fn of_the_person(reader: &mut Reader) -> Option<Subject> {
+fn of_the_person(reader: &mut SentenceReader) -> Option<SentenceSubject> {
     if reader.eat("pulse") || reader.eat("heart rate") || reader.eat("heart beats|beat") || reader.eat("heart") {
-        return Some(Subject::Pulse);
+        return Some(SentenceSubject::Pulse);
     }
     if reader.eat("breathing|respiration|breath") {
-        return Some(Subject::Breathing);
+        return Some(SentenceSubject::Breathing);
     }
     if reader.eat(HOURS) {
-        return Some(Subject::Hours);
+        return Some(SentenceSubject::Hours);
     }
     visitor(reader)
 }
 
 /// "Mobility", "short term memory": what notes say something of.
-fn topic(reader: &mut Reader) -> Option<Subject> {
+fn topic(reader: &mut SentenceReader) -> Option<SentenceSubject> {
     const LONGEST: usize = 3;
     let from = reader.at;
     let lexicon = reader.names.lexicon.clone();
@@ -126,34 +119,32 @@ fn topic(reader: &mut Reader) -> Option<Subject> {
         if is_topic {
             return reader
                 .ahead(|reader| reader.eat("is|are|has|have|can|remains|varies|was|fluctuates|gets|becomes"))
-                .then(|| Subject::Visitor(reader.passed(from)));
+                .then(|| SentenceSubject::Visitor(reader.passed(from)));
         }
     }
     None
 }
 
 /// "Meals on Wheels", "two carers": those whom everybody knows.
-fn people(reader: &mut Reader) -> Option<Subject> {
+fn people(reader: &mut SentenceReader) -> Option<SentenceSubject> {
     let from = reader.at;
     reader.eat("two|three|both|2|3");
     one_of(reader, "PEOPLE", from)
 }
 
 /// "Daughter visits", of notes.
-fn relative(reader: &mut Reader) -> Option<Subject> {
+fn relative(reader: &mut SentenceReader) -> Option<SentenceSubject> {
     let from = reader.at;
     one_of(reader, "RELATIVES", from)
 }
 
-/// Somebody of a list, with what they do behind them.
-fn one_of(reader: &mut Reader, list: &str, from: usize) -> Option<Subject> {
+fn one_of(reader: &mut SentenceReader, list: &str, from: usize) -> Option<SentenceSubject> {
     reader.at += reader.names.lexicon.list(list, |ahead| reader.peek(ahead))?;
     let name = reader.passed(from);
-    reader.ahead(visitor_verb).then_some(Subject::Visitor(name))
+    reader.ahead(visitor_verb).then_some(SentenceSubject::Visitor(name))
 }
 
-/// Whether what a visitor does, or is, stands here.
-fn visitor_verb(reader: &mut Reader) -> bool {
+fn visitor_verb(reader: &mut SentenceReader) -> bool {
     Adverbs::default().all(reader);
     reader.eat("also|usually|often|still|no");
     reader.ahead(|reader| visiting(reader).is_some())
@@ -163,8 +154,7 @@ fn visitor_verb(reader: &mut Reader) -> bool {
         || reader.eat("is|are|has|does|stays|helps")
 }
 
-/// A few words, up to the verb.
-fn visitor(reader: &mut Reader) -> Option<Subject> {
+fn visitor(reader: &mut SentenceReader) -> Option<SentenceSubject> {
     const MOST: usize = 5;
     if let Some(people) = reader.attempt(people) {
         return Some(people);
@@ -172,7 +162,7 @@ fn visitor(reader: &mut Reader) -> Option<Subject> {
     let from = reader.at;
     while reader.at < from + MOST && reader.token(0) == Some(Token::Word) {
         if reader.at > from && reader.ahead(visitor_verb) {
-            return Some(Subject::Visitor(reader.passed(from)));
+            return Some(SentenceSubject::Visitor(reader.passed(from)));
         }
         // "Her niece lives nearby and visits" names no niece who lives nearby.
         if reader.peek(0) == "and" && !is_determiner(reader.peek(1)) {

@@ -2,14 +2,12 @@
 
 use super::amounts::{ABOUT, DAY_S};
 use super::clock::clock;
-use super::messages::TimeMessage;
-use super::reader::Reader;
+use super::messages::TimeSentenceMessage;
+use super::reader::SentenceReader;
 use crate::routine::PartOfDay;
 use homebody_core::fuzzy::Fuzzy;
 
-/// How far "about" a time of day reaches, in seconds.
 pub const ABOUT_TIME_S: f64 = 20.0 * 60.0;
-/// How far a time of day said without "about" reaches.
 pub const PLAIN_TIME_S: f64 = 5.0 * 60.0;
 
 const HOUR_S: f64 = 3600.0;
@@ -27,33 +25,30 @@ pub const PARTS: [(&str, PartOfDay); 8] = [
 
 /// A time of day, about or plainly: seconds since midnight.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Time {
+pub struct TimeOfDay {
     pub at: f64,
     pub about: bool,
 }
 
-impl Time {
+impl TimeOfDay {
     pub fn fuzzy(self) -> Fuzzy {
         Fuzzy::around(self.at, if self.about { ABOUT_TIME_S } else { PLAIN_TIME_S })
     }
 }
 
-/// A time of day, if one comes next. `bare` says whether a number alone is taken for one that lacks its half of the day.
-pub fn time(reader: &mut Reader, bare: bool) -> Option<Time> {
+pub fn time(reader: &mut SentenceReader, bare: bool) -> Option<TimeOfDay> {
     time_after(reader, bare, None)
 }
 
-/// The same, of what ends after another time.
-fn time_after(reader: &mut Reader, bare: bool, begin: Option<f64>) -> Option<Time> {
+fn time_after(reader: &mut SentenceReader, bare: bool, begin: Option<f64>) -> Option<TimeOfDay> {
     reader.attempt(|reader| {
         let about = reader.eat_any(&ABOUT).is_some();
         reader.eat("exactly");
-        Some(Time { at: clock(reader, bare, begin)?, about })
+        Some(TimeOfDay { at: clock(reader, bare, begin)?, about })
     })
 }
 
-/// Two times with a word between them, the second the later one.
-pub fn time_range(reader: &mut Reader, between: &str) -> Option<(Time, Time)> {
+pub fn time_range(reader: &mut SentenceReader, between: &str) -> Option<(TimeOfDay, TimeOfDay)> {
     reader.attempt(|reader| {
         let (start, faults) = (reader.at, reader.faults.count());
         let from = time(reader, true)?;
@@ -68,10 +63,9 @@ pub fn time_range(reader: &mut Reader, between: &str) -> Option<(Time, Time)> {
         } else if is_of_next_day(to.at, from.at) {
             to.at += DAY_S;
         } else if to.at <= from.at {
-            // What is no time at all is neither earlier nor later.
             if reader.faults.count() == faults {
                 let span = reader.span(start);
-                reader.fault(span, TimeMessage::ReversedTimes { text: reader.said(span) });
+                reader.fault(span, TimeSentenceMessage::ReversedTimes { text: reader.said(span) });
             }
             to.at = from.at;
         }
@@ -79,7 +73,6 @@ pub fn time_range(reader: &mut Reader, between: &str) -> Option<(Time, Time)> {
     })
 }
 
-/// Whether what begins at one time and ends at another goes on over midnight: from the afternoon on, until the morning.
 pub fn is_of_next_day(end: f64, begin: f64) -> bool {
     /// Start of the afternoon, and end of the morning (our choice).
     const LATE_S: f64 = 15.0 * HOUR_S;

@@ -1,8 +1,7 @@
-//! How it is said that somebody comes.
+//! Sentences about arrivals of visitors.
 
-use super::reader::Reader;
+use super::reader::SentenceReader;
 
-/// How somebody comes.
 pub const VISITS: [&str; 27] = [
     "is|are there|present|here",
     "is|are with her|him|them",
@@ -33,12 +32,11 @@ pub const VISITS: [&str; 27] = [
     "calls|call in|by|round",
 ];
 
-pub fn visits(reader: &mut Reader) -> bool {
+pub fn visits(reader: &mut SentenceReader) -> bool {
     VISITS.iter().any(|phrase| reader.eat(phrase)) || calls(reader)
 }
 
-/// Who comes on duty calls at the house; friends and relatives may call on the telephone.
-fn calls(reader: &mut Reader) -> bool {
+fn calls(reader: &mut SentenceReader) -> bool {
     let before = reader.at.checked_sub(1).map(|before| &reader.words[before].text);
     let is_on_duty = before.is_some_and(|before| reader.names.lexicon.has_last("PEOPLE", before) && !is_friend(before));
     let calls_somebody = ["her", "him", "them", "mum", "dad", "me", "us"].contains(&reader.peek(1));

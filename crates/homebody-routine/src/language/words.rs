@@ -1,28 +1,25 @@
 //! Text to sentences, and sentences to words: each with its place in the file.
 
-/// A stretch of the file, in bytes.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
-pub struct Span {
+pub struct TextSpan {
     pub start: usize,
     pub end: usize,
 }
 
-impl Span {
-    pub fn to(self, other: Span) -> Span {
-        Span { start: self.start.min(other.start), end: self.end.max(other.end) }
+impl TextSpan {
+    pub fn to(self, other: TextSpan) -> TextSpan {
+        TextSpan { start: self.start.min(other.start), end: self.end.max(other.end) }
     }
 }
 
-/// A word of a sentence, in small letters, or what stands where a word could.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Word {
+pub struct SentenceWord {
     pub text: String,
     pub token: Token,
-    pub span: Span,
+    pub span: TextSpan,
 }
 
-impl Word {
-    /// Whether it was not written there, but put in.
+impl SentenceWord {
     pub fn is_put_in(&self) -> bool {
         self.span.start == self.span.end
     }
@@ -34,66 +31,57 @@ pub enum Token {
     Number(f64),
     /// Hours and minutes as written, be there such a time or not.
     Clock(u32, u32),
-    /// Year, month and day as written, be there such a date or not.
     Date(u32, u32, u32),
-    /// A comma, or another sign that parts a sentence.
     Comma,
 }
 
-/// A sentence with its words.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Sentence {
-    /// Whether its line is indented.
     pub indented: bool,
-    /// Whether a colon ends it.
     pub colon: bool,
-    /// Whether a semicolon parts it from the sentence before.
     pub goes_on: bool,
-    pub words: Vec<Word>,
+    pub words: Vec<SentenceWord>,
 }
 
 impl Sentence {
-    pub fn span(&self) -> Span {
+    pub fn span(&self) -> TextSpan {
         match (self.words.first(), self.words.last()) {
             (Some(first), Some(last)) => first.span.to(last.span),
-            _ => Span::default(),
+            _ => TextSpan::default(),
         }
     }
 }
 
-/// A line of the text: where it starts, and what stands there.
 #[derive(Clone, Copy, Debug)]
-pub struct Line<'t> {
+pub struct TextLine<'t> {
     pub start: usize,
     pub text: &'t str,
 }
 
-impl Line<'_> {
+impl TextLine<'_> {
     pub fn is_indented(&self) -> bool {
         self.text.starts_with([' ', '\t', '\u{a0}'])
     }
 }
 
-/// The lines of a text, without their ends.
-pub fn lines(text: &str) -> Vec<Line<'_>> {
+pub fn lines(text: &str) -> Vec<TextLine<'_>> {
     let bytes = text.as_bytes();
     let mut lines = Vec::new();
     let (mut start, mut at) = (0, 0);
     while at < bytes.len() {
         let ends = bytes[at] == b'\n' || bytes[at] == b'\r';
         if ends {
-            lines.push(Line { start, text: &text[start..at] });
+            lines.push(TextLine { start, text: &text[start..at] });
             at += usize::from(bytes[at] == b'\r' && bytes.get(at + 1) == Some(&b'\n'));
             start = at + 1;
         }
         at += 1;
     }
-    lines.push(Line { start, text: &text[start..] });
+    lines.push(TextLine { start, text: &text[start..] });
     lines
 }
 
-/// The sentences of a line; what comes after a `#` is a comment.
-pub fn sentences(line: Line) -> Vec<Sentence> {
+pub fn sentences(line: TextLine) -> Vec<Sentence> {
     let indented = line.is_indented();
     let text = line.text.split('#').next().unwrap_or_default();
     let mut lexer = Lexer { chars: text.char_indices().collect(), text, at: 0, start: line.start, words: Vec::new() };
@@ -103,7 +91,7 @@ pub fn sentences(line: Line) -> Vec<Sentence> {
         let is_more = lexer.sentence();
         let ended_by = lexer.before(lexer.at);
         let mut words = std::mem::take(&mut lexer.words);
-        let is_sign = |word: &Word| word.token == Token::Comma;
+        let is_sign = |word: &SentenceWord| word.token == Token::Comma;
         let colon = words.last().is_some_and(|word| word.text == ":");
         while words.last().is_some_and(is_sign) {
             words.pop();
@@ -118,22 +106,19 @@ pub fn sentences(line: Line) -> Vec<Sentence> {
     }
 }
 
-/// The words of a name, as a sentence would have them.
-pub fn of_name(name: &str) -> Vec<Word> {
-    sentences(Line { start: 0, text: name }).into_iter().flat_map(|sentence| sentence.words).collect()
+pub fn of_name(name: &str) -> Vec<SentenceWord> {
+    sentences(TextLine { start: 0, text: name }).into_iter().flat_map(|sentence| sentence.words).collect()
 }
 
 struct Lexer<'t> {
     text: &'t str,
     chars: Vec<(usize, char)>,
     at: usize,
-    /// Where the line starts in the file.
     start: usize,
-    words: Vec<Word>,
+    words: Vec<SentenceWord>,
 }
 
 impl Lexer<'_> {
-    /// Reads the words of one sentence; false if it ends the line.
     fn sentence(&mut self) -> bool {
         while let Some(c) = self.peek(0) {
             let from = self.at;
@@ -173,18 +158,15 @@ impl Lexer<'_> {
         at.checked_sub(1).and_then(|at| self.chars.get(at)).map(|&(_, c)| c)
     }
 
-    /// Whether a dash stands right after a letter or digit.
     fn joins(&self, dash: usize) -> bool {
         self.before(dash).is_some_and(char::is_alphanumeric)
     }
 
-    /// Whether a sign stands right between two digits: `7;40`.
     fn parts_digits(&self, at: usize) -> bool {
         let is_digit = |c: Option<char>| c.is_some_and(|c| c.is_ascii_digit());
         is_digit(self.before(at)) && is_digit(self.peek(0))
     }
 
-    /// Whether a dash stands between two numbers, blanks aside: `2-3 hours`.
     fn parts_numbers(&self, dash: usize) -> bool {
         let mut before = self.chars[..dash].iter().rev().map(|&(_, c)| c).skip_while(|&c| c == ' ');
         let mut after = self.chars[dash + 1..].iter().map(|&(_, c)| c).skip_while(|&c| c == ' ');
@@ -193,9 +175,8 @@ impl Lexer<'_> {
         is_digit(before.next()) && is_digit(after.next()) && tight
     }
 
-    /// Whether the word before a full stop is a title, such as that of Mrs. Miller.
     fn is_title(&self) -> bool {
-        let is_title = |word: &Word| matches!(word.text.as_str(), "mr" | "mrs" | "ms" | "dr" | "st" | "pt");
+        let is_title = |word: &SentenceWord| matches!(word.text.as_str(), "mr" | "mrs" | "ms" | "dr" | "st" | "pt");
         self.words.last().is_some_and(is_title)
     }
 
@@ -236,7 +217,6 @@ impl Lexer<'_> {
         }
     }
 
-    /// The rest of a date after its year, if that is what stands there.
     fn date(&mut self, from: usize) -> Option<Token> {
         let back = self.at;
         let mut parts = [self.slice(from).parse().ok()?, 0, 0];
@@ -257,7 +237,6 @@ impl Lexer<'_> {
         Some(Token::Date(parts[0], parts[1], parts[2]))
     }
 
-    /// Reads a word; true if the full stop of `p.m.` ends the sentence too.
     fn letters(&mut self, from: usize) -> bool {
         while let Some(c) = self.peek(0) {
             let goes_on = self.peek(1).is_some_and(char::is_alphabetic);
@@ -312,12 +291,11 @@ impl Lexer<'_> {
             "m" => "am",
             _ => return,
         };
-        let second = Word { text: is.to_owned(), ..word.clone() };
+        let second = SentenceWord { text: is.to_owned(), ..word.clone() };
         word.text = who.to_owned();
         self.words.push(second);
     }
 
-    /// Whether what was read is "x3": three times.
     fn is_count(&self, from: usize) -> bool {
         let count = self.slice(from).strip_prefix(['x', 'X']);
         count.is_some_and(|count| matches!(count.len(), 1 | 2) && count.bytes().all(|digit| digit.is_ascii_digit()))
@@ -336,9 +314,9 @@ impl Lexer<'_> {
     fn push(&mut self, from: usize, token: Token) {
         let text = self.slice(from);
         let start = self.start + self.chars[from].0;
-        let span = Span { start, end: start + text.len() };
+        let span = TextSpan { start, end: start + text.len() };
         let text = text.replace('\u{2019}', "'").to_lowercase();
-        self.words.push(Word { text, token, span });
+        self.words.push(SentenceWord { text, token, span });
     }
 
     fn rename(&mut self, text: &str) {
@@ -348,7 +326,6 @@ impl Lexer<'_> {
     }
 }
 
-/// Whether a word is the name of a day in short, as in "Mon/Wed/Fri".
 fn is_day(word: &str) -> bool {
     let word = word.to_lowercase();
     ["mon", "tue", "wed", "thu", "fri", "sat", "sun"].iter().any(|day| word.starts_with(day))
@@ -360,7 +337,7 @@ mod tests {
 
     fn texts(line: &str) -> Vec<Vec<String>> {
         let words = |sentence: Sentence| sentence.words.into_iter().map(|word| word.text).collect();
-        sentences(Line { start: 0, text: line }).into_iter().map(words).collect()
+        sentences(TextLine { start: 0, text: line }).into_iter().map(words).collect()
     }
 
     #[test]

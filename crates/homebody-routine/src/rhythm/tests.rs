@@ -1,20 +1,18 @@
 use super::*;
-use crate::language::{Known, routine};
-use homebody_core::time::{Micros, SECOND};
+use crate::language::{KnownNames, routine};
+use homebody_core::time::{DAY, SECOND};
 
-const MINUTE: Micros = 60 * SECOND;
-const HOUR: Micros = 60 * MINUTE;
-
-fn noted(what: Activity, begin: Micros, lasts: Micros) -> Noted {
-    Noted { what, begin, end: begin + lasts }
+fn noted(what: Activity, begin: WallTime, lasts: Span) -> DiaryEntry {
+    DiaryEntry { what, begin, end: begin + lasts }
 }
 
-/// Ten days that are alike, but that each gets up two minutes later than the one before; lunch is cooked on every other.
-fn diary() -> Vec<Noted> {
-    let mut all = vec![noted(Activity::GoToBed, -90 * MINUTE, 8 * HOUR + 30 * MINUTE)];
+/// Ten equal days, each with rising two minutes later than the day before; lunch is cooked on every other.
+fn diary() -> Vec<DiaryEntry> {
+    let mut all = vec![noted(Activity::GoToBed, WallTime::EPOCH - 90 * MINUTE, 8 * HOUR + 30 * MINUTE)];
     for day in 0..10 {
-        let (midnight, up) = (day * DAY, day * DAY + 7 * HOUR + day * 2 * MINUTE);
-        all.push(noted(Activity::UseBathroom, up + 2 * MINUTE, 60 * SECOND));
+        let midnight = WallTime::EPOCH + day * DAY;
+        let up = midnight + 7 * HOUR + day * 2 * MINUTE;
+        all.push(noted(Activity::UseBathroom, up + 2 * MINUTE, MINUTE));
         all.push(noted(Activity::Shower, up + 10 * MINUTE, 6 * MINUTE));
         if day % 2 == 0 {
             all.push(noted(Activity::Prepare(Meal::Lunch), midnight + 12 * HOUR, 20 * MINUTE));
@@ -48,7 +46,7 @@ fn known() -> [Activity; 7] {
 
 #[test]
 fn a_diary_becomes_sentences_of_its_numbers() {
-    // The standard deviation of 0, 2, .. 18 minutes is 6.06, which is that of a triangle of 15 minutes to each side.
+    // The standard deviation of 0, 2, .. 18 minutes is 6.06, that of a triangle of 15 minutes to each side.
     let wanted = [
         "She gets up at about 07:09, give or take 15 minutes.",
         "She goes to bed at about 00:30, give or take 5 minutes.",
@@ -65,7 +63,7 @@ fn a_diary_becomes_sentences_of_its_numbers() {
 #[test]
 fn the_sentences_are_understood() {
     let text = sentences(&diary(), &known()).join("\n");
-    let (routine, problems) = routine("a.routine", &text, &Known::default());
+    let (routine, problems) = routine("a.routine", &text, &KnownNames::default());
     assert!(problems.is_empty(), "{problems:?}\n{text}");
     assert!(routine.remarks.is_empty(), "{:?}", routine.remarks);
     assert_eq!(routine.habits.len(), 8, "{text}");
@@ -78,9 +76,9 @@ fn visits_to_the_toilet_are_told_of_nights_too() {
     diary.extend([2, 5].map(|hour| noted(Activity::UseBathroom, night + hour * HOUR, MINUTE)));
     let told = sentences(&diary, &known());
     assert_eq!(told[2], "On 10 % of nights she goes to the bathroom 2 times.");
-    let (routine, problems) = routine("a.routine", &told.join("\n"), &Known::default());
+    let (routine, problems) = routine("a.routine", &told.join("\n"), &KnownNames::default());
     assert!(problems.is_empty() && routine.remarks.is_empty(), "{problems:?}");
-    let every: Vec<Micros> =
+    let every: Vec<WallTime> =
         diary.iter().filter(|one| one.what == Activity::GoToBed).map(|one| one.begin + HOUR).collect();
     diary.extend(every.into_iter().map(|at| noted(Activity::UseBathroom, at, MINUTE)));
     assert_eq!(sentences(&diary, &known())[2], "She goes to the bathroom once a night.");
@@ -90,12 +88,12 @@ fn visits_to_the_toilet_are_told_of_nights_too() {
 fn a_meal_that_is_noted_twice_a_day_has_one_time() {
     let mut diary = diary();
     for day in 0..10 {
-        diary.push(noted(Activity::Prepare(Meal::Lunch), day * DAY + 15 * HOUR, 10 * MINUTE));
+        diary.push(noted(Activity::Prepare(Meal::Lunch), WallTime::EPOCH + day * DAY + 15 * HOUR, 10 * MINUTE));
     }
     diary.sort_by_key(|one| one.begin);
     let told = sentences(&diary, &known());
     assert_eq!(told.iter().filter(|said| said.contains("prepares lunch")).count(), 1, "{told:?}");
-    let (_, problems) = routine("a.routine", &told.join("\n"), &Known::default());
+    let (_, problems) = routine("a.routine", &told.join("\n"), &KnownNames::default());
     assert!(problems.is_empty(), "{problems:?}");
 }
 
@@ -104,11 +102,11 @@ fn who_is_up_at_night_goes_on_with_the_night() {
     let whole = sentences(&diary(), &known());
     let mut diary = diary();
     let halves = diary.iter().filter(|one| one.what == Activity::GoToBed).flat_map(|night| {
-        let middle = (night.begin + night.end) / 2;
-        let half = |begin, end| Noted { what: Activity::GoToBed, begin, end };
+        let middle = night.begin + (night.end - night.begin) / 2;
+        let half = |begin, end| DiaryEntry { what: Activity::GoToBed, begin, end };
         [half(night.begin, middle), half(middle + 20 * MINUTE, night.end)]
     });
-    let halves: Vec<Noted> = halves.collect();
+    let halves: Vec<DiaryEntry> = halves.collect();
     diary.retain(|one| one.what != Activity::GoToBed);
     diary.extend(halves);
     diary.sort_by_key(|one| one.begin);
@@ -118,10 +116,9 @@ fn who_is_up_at_night_goes_on_with_the_night() {
 #[test]
 fn what_lasts_much_longer_than_most_is_said_apart() {
     let mut diary = diary();
-    for one in
-        diary.iter_mut().filter(|one| one.what == Activity::UseBathroom && one.begin.rem_euclid(DAY) == 19 * HOUR)
+    for one in diary.iter_mut().filter(|one| one.what == Activity::UseBathroom && one.begin.time_of_day() == 19 * HOUR)
     {
-        let is_long = one.begin.div_euclid(DAY) % 2 == 0;
+        let is_long = one.begin.day_number() % 2 == 0;
         one.end = one.begin + if is_long { 20 * MINUTE } else { 30 * SECOND };
     }
     let told = sentences(&diary, &known());
@@ -131,7 +128,7 @@ fn what_lasts_much_longer_than_most_is_said_apart() {
 
 #[test]
 fn a_diary_without_nights_says_nothing() {
-    assert!(sentences(&[noted(Activity::Shower, 0, MINUTE)], &[]).is_empty());
+    assert!(sentences(&[noted(Activity::Shower, WallTime::EPOCH, MINUTE)], &[]).is_empty());
     assert!(sentences(&[], &[]).is_empty());
 }
 

@@ -1,25 +1,23 @@
-//! On which days, in which part of the day, and from when on.
+//! Days, parts of days, and phases.
 
 use serde::Serialize;
 
-/// On which days.
+/// The days of a habit or change.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
-pub struct Days {
+pub struct DaySelection {
     /// Bit 0 is Monday, bit 6 Sunday.
     pub weekdays: u8,
     /// Bit 0 is January, bit 11 December.
     pub months: u16,
-    /// Every so many days, counted from the first; 1 is every day.
+    /// Every this many days from the first; 1 is every day.
     pub every: u32,
-    /// The first and the last of the days of each month: from 1 to 7 with a Monday is the first Monday, and from 0 to 7
-    /// is the last week of the month.
+    /// First and last day of the month: from 1 to 7 with Mondays selects the first Monday, from 0 to 7 the last week.
     pub of_month: (u8, u8),
-    /// Only the days of this kind.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub kind: Option<DayKind>,
 }
 
-/// How lively a day is, beside the others.
+/// The activity level of a day relative to others.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum DayKind {
@@ -38,29 +36,30 @@ pub enum PartOfDay {
     Day,
 }
 
-/// From when on, how gradually, until when.
+/// The course of a change: start, growth, end.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
 pub struct Phase {
-    /// Nothing: from the beginning.
-    pub from: Option<Moment>,
-    /// How many days until it is fully there.
+    /// `None` from the beginning.
+    pub from: Option<PhaseDay>,
+    /// Days from the start to full strength.
     pub over_days: f64,
-    /// The first moment at which it is no longer so, or begins to fade.
-    pub until: Option<Moment>,
-    /// How many days until it is fully gone again, after `until`.
+    /// The first day without it, or on which it begins to fade.
+    pub until: Option<PhaseDay>,
+    /// Days from `until` to zero strength.
     pub fading_days: f64,
 }
 
-/// A day of the run.
+/// A day.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "snake_case")]
-pub enum Moment {
-    /// Days since the first, which is 0.
+pub enum PhaseDay {
+    /// Since the first, which is 0.
     Day(i32),
-    /// Year, month and day of the calendar.
+    /// Year, month and day.
     Date(i16, u8, u8),
 }
 
-impl Days {
-    pub const ALL: Days = Days { weekdays: 0x7f, months: 0xfff, every: 1, of_month: (1, 31), kind: None };
+impl DaySelection {
+    pub const ALL: DaySelection =
+        DaySelection { weekdays: 0x7f, months: 0xfff, every: 1, of_month: (1, 31), kind: None };
 }

@@ -1,56 +1,49 @@
-//! How somebody falls, and what becomes of it.
+//! Details of falls.
 
 use super::PartOfDay;
 use homebody_core::role::Role;
 use serde::Serialize;
 
-/// Share that "mostly", as in "mostly at night", stands for (our choice): three of four.
+/// The share of "mostly", as in "mostly at night" (our choice).
 pub const USUAL_SHARE: f64 = 0.75;
 
-/// How somebody falls, as far as it is said.
+/// Details of a fall, as far as stated.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
 pub struct Falling {
     pub from: FallsFrom,
-    /// Sinks to the floor rather than falls.
+    /// Sinks to the floor instead of falling.
     pub slowly: bool,
     pub ends: FallEnds,
-    /// [`USUAL_SHARE`] of them come at this time of the day, the others at another.
+    /// [`USUAL_SHARE`] of the falls occur in this part of the day.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub mostly: Option<PartOfDay>,
 }
 
-/// What somebody does as they fall.
+/// The activity before a fall.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum FallsFrom {
-    /// Walks somewhere.
     #[default]
     Walking,
-    /// Walks to the toilet.
     WayToToilet,
-    /// Rises from a seat.
     Rising,
-    /// Sits.
     Seat,
-    /// Lies in bed.
     Bed,
 }
 
-/// How the lie on the floor ends.
+/// The end of the time on the floor.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum FallEnds {
-    /// Gets up.
     #[default]
     Rises,
-    /// Is found: somebody who is at home, or comes, helps them up.
     Found,
-    /// Crawls to the telephone, and is helped up once somebody has come.
+    /// Crawls to the telephone, and is helped up by a person who comes.
     Phone,
 }
 
 impl Falling {
-    /// What the home has to have for it.
+    /// Furniture that it needs.
     pub fn roles(&self) -> Vec<Role> {
         let from = match self.from {
             FallsFrom::Walking => None,
@@ -61,7 +54,7 @@ impl Falling {
         from.into_iter().chain((self.ends == FallEnds::Phone).then_some(Role::Telephone)).collect()
     }
 
-    /// The same in words, behind "falls"; empty where nothing is said.
+    /// In words, to follow "falls"; empty without details.
     pub fn words(&self) -> String {
         let from = match self.from {
             FallsFrom::Walking => "",

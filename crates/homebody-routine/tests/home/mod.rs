@@ -3,12 +3,14 @@
 
 use homebody_core::fuzzy::Fuzzy;
 use homebody_core::problem::{Problem, Problems};
-use homebody_routine::language::{Known, routine};
-use homebody_routine::routine::{Chance, Change, Days, Effect, Habit, Phase, Response, Routine, Rule, When};
+use homebody_routine::language::{KnownNames, routine};
+use homebody_routine::routine::{
+    DaySelection, Effect, Habit, HabitChance, HabitTime, Phase, Response, Routine, RoutineChange, RoutineRule,
+};
 
-pub fn home() -> Known {
+pub fn home() -> KnownNames {
     let list = |names: &str| names.split(", ").map(str::to_owned).collect();
-    Known {
+    KnownNames {
         person: Some("Margaret".into()),
         places: list(
             "armchair, sofa, bed, dining chair, toilet, shower, stove, fridge, sink, washbasin, living room window, \
@@ -20,11 +22,11 @@ pub fn home() -> Known {
         rooms: list("bedroom, bathroom, kitchen, living room, hall"),
         conditions: list("depression, heart-failure, urinary-tract-infection, cognitive-decline"),
         first_date: Some((2009, 3, 2)),
-        ..Known::default()
+        ..KnownNames::default()
     }
 }
 
-/// Reads a text that is right.
+/// Reads a text without problems.
 #[track_caller]
 pub fn understood(text: &str) -> Routine {
     let (routine, problems) = routine("margaret.routine", text, &home());
@@ -36,7 +38,7 @@ pub fn problems(text: &str) -> Vec<Problem> {
     routine("margaret.routine", text, &home()).1
 }
 
-/// What a routine holds, in short: what was not said is left out.
+/// A routine in short, without defaults.
 pub fn short(routine: &Routine) -> String {
     let person = routine.person.as_ref().map(|person| {
         let age = person.age_years.map(|age| format!(" age {age}")).unwrap_or_default();
@@ -78,7 +80,7 @@ fn habit(habit: &Habit) -> String {
     text + phase(&habit.phase).as_str()
 }
 
-fn chance(chance: &Chance) -> String {
+fn chance(chance: &HabitChance) -> String {
     match (chance.quantifier, chance.becomes) {
         (Some(quantifier), None) => format!(" {quantifier:?}"),
         (None, None) => format!(" p{:.3}", chance.probability),
@@ -87,15 +89,15 @@ fn chance(chance: &Chance) -> String {
     }
 }
 
-fn days(days: &Days) -> String {
+fn days(days: &DaySelection) -> String {
     let mut text = String::new();
-    if days.weekdays != Days::ALL.weekdays {
+    if days.weekdays != DaySelection::ALL.weekdays {
         text += &format!(" days {:07b}", days.weekdays);
     }
-    if days.months != Days::ALL.months {
+    if days.months != DaySelection::ALL.months {
         text += &format!(" months {:012b}", days.months);
     }
-    if days.of_month != Days::ALL.of_month {
+    if days.of_month != DaySelection::ALL.of_month {
         text += &format!(" of month {:?}", days.of_month);
     }
     if let Some(kind) = days.kind {
@@ -107,20 +109,20 @@ fn days(days: &Days) -> String {
     text
 }
 
-fn when(when: &When) -> String {
+fn when(when: &HabitTime) -> String {
     let gap = |gap: &Option<Fuzzy>| gap.as_ref().map(|gap| format!(" by {}", fuzzy(gap))).unwrap_or_default();
     match when {
-        When::AnyTime => String::new(),
-        When::At(at) => format!(" at {}", fuzzy(at)),
-        When::Within(part) => format!(" {part:?}"),
-        When::After(activity, by) => format!(" after {activity:?}{}", gap(by)),
-        When::Before(activity, by) => format!(" before {activity:?}{}", gap(by)),
-        When::With(activity) => format!(" with {activity:?}"),
-        When::Then => " then".into(),
+        HabitTime::AnyTime => String::new(),
+        HabitTime::At(at) => format!(" at {}", fuzzy(at)),
+        HabitTime::Within(part) => format!(" {part:?}"),
+        HabitTime::After(activity, by) => format!(" after {activity:?}{}", gap(by)),
+        HabitTime::Before(activity, by) => format!(" before {activity:?}{}", gap(by)),
+        HabitTime::With(activity) => format!(" with {activity:?}"),
+        HabitTime::Then => " then".into(),
     }
 }
 
-fn rule(rule: &Rule) -> String {
+fn rule(rule: &RoutineRule) -> String {
     let response = match &rule.response {
         Response::Turn { thing, on } => format!("turn {thing} {}", if *on { "on" } else { "off" }),
         Response::Do { activity, place, lasts } => {
@@ -147,7 +149,7 @@ fn rule(rule: &Rule) -> String {
     format!("{:?} for {lasts}: p{} {response}{phase}{more}", rule.whenever, rule.probability)
 }
 
-fn change(change: &Change) -> String {
+fn change(change: &RoutineChange) -> String {
     let effect = match &change.effect {
         Effect::Shows { condition, severity } => format!("Shows {condition} {severity}"),
         Effect::Pace(by) => format!("Pace {}", fuzzy(by)),
@@ -193,7 +195,7 @@ fn phase(phase: &Phase) -> String {
     text
 }
 
-/// The four corners; one number if all are the same.
+/// The four corners; one number if all are equal.
 fn fuzzy(fuzzy: &Fuzzy) -> String {
     let round = |value: f64| (value * 1000.0).round() / 1000.0;
     let corners = [fuzzy.low, fuzzy.from, fuzzy.to, fuzzy.high].map(round);

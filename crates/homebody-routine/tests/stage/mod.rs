@@ -4,18 +4,13 @@ use homebody_core::event::{Events, Fact};
 use homebody_core::ids::ResidentId;
 use homebody_core::run::Run;
 use homebody_core::scenario::load::Scenario;
-use homebody_core::time::{DAY, Micros, SECOND};
+use homebody_core::time::{DAY, HOUR, Interval, RunTime, Span};
 use homebody_routine::household::Household;
 use std::collections::BTreeMap;
 
 #[allow(dead_code, reason = "each test that shares this file uses a part of it")]
-pub const HOUR: Micros = 3600 * SECOND;
-
-/// The routine of the example.
-#[allow(dead_code, reason = "each test that shares this file uses a part of it")]
 pub const ORDINARY: &str = include_str!("../../../../scenarios/tigerplace/margaret.routine");
 
-/// The files of the scenario, with this routine and, if any, these other files.
 pub fn files(routine: &str, others: &[(&str, &str)]) -> BTreeMap<String, String> {
     let text = |name: &str, text: &str| (name.to_owned(), text.to_owned());
     let mut files = BTreeMap::from([
@@ -29,42 +24,53 @@ pub fn files(routine: &str, others: &[(&str, &str)]) -> BTreeMap<String, String>
     files
 }
 
-/// A household of these files, or what is wrong with it.
+/// A household of these files, or its problems.
 pub fn household(files: &BTreeMap<String, String>, without: &[&str]) -> Result<(Scenario, Household), String> {
     let without: Vec<String> = without.iter().map(|name| name.to_string()).collect();
     Household::load(files, "scenario.json", &without).map_err(|problems| problems.to_string())
 }
 
-/// A run of a routine in the apartment.
+/// A run in the example's apartment.
 #[allow(dead_code, reason = "each test that shares this file uses a part of it")]
 pub fn run(routine: &str, days: i64) -> Run {
     let (scenario, household) = household(&files(routine, &[]), &[]).unwrap();
     Run::new(&scenario, &household, scenario.file.seed, days * DAY)
 }
 
-/// Everything that happens in the rest of a run, advanced in steps.
+/// All events of the rest of a run, advanced in steps.
 #[allow(dead_code, reason = "each test that shares this file uses a part of it")]
-pub fn events(mut run: Run, step: Micros) -> Events {
+pub fn events(mut run: Run, step: Span) -> Events {
     let mut events = Events::default();
-    while run.now() < run.length() {
+    let end = RunTime::START + run.length();
+    while run.now() < end {
         run.advance(run.now() + step, &mut events).unwrap();
     }
     events
 }
 
-/// From when to when, who, and what.
+/// Intervals and labels of a resident's activities.
 #[allow(dead_code, reason = "each test that shares this file uses a part of it")]
-pub fn activities(events: &Events, resident: u32, end: Micros) -> Vec<(Micros, Micros, String)> {
-    let mut spans: Vec<(Micros, Micros, String)> = Vec::new();
+pub fn activities(events: &Events, resident: u32, length: Span) -> Vec<(Interval<RunTime>, String)> {
+    let mut all: Vec<(Interval<RunTime>, String)> = Vec::new();
     for fact in &events.facts {
         if let Fact::Activity { resident: who, at, name } = fact
             && *who == ResidentId(resident)
         {
-            if let Some(last) = spans.last_mut() {
-                last.1 = *at;
+            if let Some(last) = all.last_mut() {
+                last.0.end = *at;
             }
-            spans.extend(name.clone().map(|name| (*at, end, name)));
+            all.extend(name.clone().map(|name| (Interval::new(*at, RunTime::START + length), name)));
         }
     }
-    spans
+    all
+}
+
+#[allow(dead_code, reason = "each test that shares this file uses a part of it")]
+pub fn day(at: RunTime) -> i64 {
+    at.since_zero() / DAY
+}
+
+#[allow(dead_code, reason = "each test that shares this file uses a part of it")]
+pub fn hour(at: RunTime) -> f64 {
+    (at.since_zero() % DAY).ratio(HOUR)
 }

@@ -1,4 +1,4 @@
-//! The ground that the middle of a body of one radius may be on, as convex pieces, and the shortest ways over it.
+//! The ground for the middle of a body of one radius, as convex pieces, and the shortest routes over it.
 
 use super::floor;
 use homebody_core::geometry::{self, Point};
@@ -15,22 +15,22 @@ const NEAR_ZERO_M: f64 = 256.0;
 /// choice). They keep up to 8 % of the radius more than needed, and a way around a corner has few corners itself.
 const TURN_COS: f64 = 0.707;
 
-/// How far outside a piece rounding may put a point of it.
+/// Largest distance by which rounding puts a point of a piece outside of it.
 const ON_PIECE_M: f64 = 1e-4;
 
 #[derive(Clone, Debug)]
-pub(super) struct Ground {
+pub(super) struct WalkableGround {
     pub(super) clearance_m: f64,
-    pieces: Vec<Piece>,
-    /// The size of each connected area, in square metres.
+    pieces: Vec<GroundPiece>,
+    /// In square metres, by connected area.
     areas: Vec<f64>,
-    /// Where the search has its zero.
+    /// The origin of the search's coordinates.
     origin: Point,
     ways: polyanya::Mesh,
 }
 
 #[derive(Clone, Debug, PartialEq)]
-struct Piece {
+struct GroundPiece {
     /// Convex, corners counter-clockwise.
     corners: Vec<Point>,
     least: Point,
@@ -38,26 +38,25 @@ struct Piece {
     area: usize,
 }
 
-/// A point of the ground.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Footing {
+pub(super) struct GroundPoint {
     pub(super) at: Point,
-    /// Which connected area it belongs to.
+    /// Its connected area.
     pub(super) area: usize,
-    /// How far it is from the point asked about.
+    /// Distance from the point asked for.
     pub(super) away_m: f64,
 }
 
-impl Ground {
-    /// The ground within `bounds` that is `clearance_m` away from the obstacles, which are convex with corners counter-
-    /// clockwise, and on the inner side of the borders.
+impl WalkableGround {
+    /// The ground within `bounds` that is `clearance_m` away from the obstacles, which are convex with corners
+    /// counter-clockwise, and on the inner side of the borders.
     pub(super) fn new(
         (least, most): (Point, Point),
         obstacles: &[&[Point]],
         borders: &[(Point, Point)],
         clearance_m: f64,
         is_inside: impl Fn(Point) -> bool,
-    ) -> Ground {
+    ) -> WalkableGround {
         let (least, most) = (least - Point::splat(1.0), most + Point::splat(1.0));
         let grown: Vec<Vec<Point>> = obstacles.iter().map(|outline| grown(outline, clearance_m + MARGIN_M)).collect();
         let is_covered = |&&(a, b): &&(Point, Point)| {
@@ -71,12 +70,11 @@ impl Ground {
         let mut ways = floor::free((least - origin, most - origin), outlines);
         ways.search_delta = ON_PIECE_M as f32;
         let (pieces, areas) = pieces(&ways, origin, is_inside);
-        Ground { clearance_m, pieces, areas, origin, ways }
+        WalkableGround { clearance_m, pieces, areas, origin, ways }
     }
 
-    /// The connected area that a point of the ground belongs to.
     pub(super) fn area_at(&self, p: Point) -> Option<usize> {
-        let reaches = |piece: &&Piece| {
+        let reaches = |piece: &&GroundPiece| {
             p.cmpge(piece.least - ON_PIECE_M).all()
                 && p.cmple(piece.most + ON_PIECE_M).all()
                 && geometry::distance_to_area(&piece.corners, p) <= ON_PIECE_M
@@ -88,8 +86,8 @@ impl Ground {
         self.areas[area]
     }
 
-    /// Points of the ground within reach of a point, nearest first: of each piece the nearest, and some along its sides.
-    pub(super) fn around(&self, p: Point, reach_m: f64) -> Vec<Footing> {
+    /// The nearest point of each piece within reach, and some along its sides; nearest first.
+    pub(super) fn around(&self, p: Point, reach_m: f64) -> Vec<GroundPoint> {
         let mut found = Vec::new();
         for piece in &self.pieces {
             if p.clamp(piece.least, piece.most).distance(p) > reach_m {
@@ -98,7 +96,7 @@ impl Ground {
             let mut add = |at: Point| {
                 let away_m = at.distance(p);
                 if away_m <= reach_m {
-                    found.push(Footing { at, area: piece.area, away_m });
+                    found.push(GroundPoint { at, area: piece.area, away_m });
                 }
             };
             if geometry::contains(&piece.corners, p) {
@@ -118,7 +116,6 @@ impl Ground {
         found
     }
 
-    /// The corners of the shortest way between two points of one area, and its end.
     pub(super) fn way(&self, from: Point, to: Point) -> Option<Vec<Point>> {
         let path = self.ways.path((from - self.origin).as_vec2(), (to - self.origin).as_vec2())?;
         let mut way: Vec<Point> = path.path.iter().map(|corner| corner.as_dvec2() + self.origin).collect();
@@ -131,7 +128,7 @@ impl Ground {
 /// Distance between the points along a piece's sides (our choice).
 const ALONG_SIDE_M: f64 = 0.1;
 
-/// The convex outline moved out by a distance, its corners rounded.
+/// Moves a convex outline outwards, with rounded corners.
 fn grown(outline: &[Point], by_m: f64) -> Vec<Point> {
     let count = outline.len();
     let outward = |i: usize| -(outline[(i + 1) % count] - outline[i % count]).normalize_or_zero().perp();
@@ -147,7 +144,7 @@ fn grown(outline: &[Point], by_m: f64) -> Vec<Point> {
     grown
 }
 
-/// Appends the normals after `from`, up to and including `to`, none further from the one before it than `TURN_COS` says.
+/// Appends the normals after `from` up to `to`, in turns of at most the angle of `TURN_COS`.
 fn turn(from: Point, to: Point, normals: &mut Vec<Point>) {
     let middle = (from + to).normalize_or_zero();
     if from.dot(to) < TURN_COS && middle != Point::ZERO {
@@ -158,17 +155,17 @@ fn turn(from: Point, to: Point, normals: &mut Vec<Point>) {
     }
 }
 
-/// A border as a thing to walk around, a little longer than it is so that the next one joins it.
+/// A border as an obstacle, a little longer than it is so that it joins the next.
 fn fence(a: Point, b: Point) -> Vec<Point> {
     let along = (b - a).normalize_or_zero() * FENCE_M;
     geometry::thick_segment(a - along, b + along, 2.0 * FENCE_M)
 }
 
-/// Half of a fence's thickness (our choice).
+/// Half of the thickness (our choice).
 const FENCE_M: f64 = 0.002;
 
-/// The pieces inside the home, and the sizes of the areas that they make.
-fn pieces(ways: &polyanya::Mesh, origin: Point, is_inside: impl Fn(Point) -> bool) -> (Vec<Piece>, Vec<f64>) {
+/// The pieces inside the home, and the sizes of their connected areas.
+fn pieces(ways: &polyanya::Mesh, origin: Point, is_inside: impl Fn(Point) -> bool) -> (Vec<GroundPiece>, Vec<f64>) {
     let (mut pieces, mut areas) = (Vec::new(), Vec::new());
     let mut sides: BTreeMap<(u32, u32), usize> = BTreeMap::new();
     for layer in &ways.layers {
@@ -186,7 +183,7 @@ fn pieces(ways: &polyanya::Mesh, origin: Point, is_inside: impl Fn(Point) -> boo
             let (least, most) = geometry::bounds(corners.iter().copied());
             let own = areas.len();
             areas.push(geometry::signed_area(&corners).abs());
-            pieces.push(Piece { corners, least, most, area: own });
+            pieces.push(GroundPiece { corners, least, most, area: own });
             let next = polygon.vertices.iter().cycle().skip(1);
             for (&a, &b) in polygon.vertices.iter().zip(next) {
                 if let Some(neighbour) = sides.insert((a.min(b), a.max(b)), own) {
@@ -198,8 +195,8 @@ fn pieces(ways: &polyanya::Mesh, origin: Point, is_inside: impl Fn(Point) -> boo
     (pieces, areas)
 }
 
-/// Makes one area of those of two pieces. The area that is no longer has no size.
-fn join(pieces: &mut [Piece], areas: &mut [f64], piece: usize, neighbour: usize) {
+/// Joins the areas of two pieces; the area that ends has size 0.
+fn join(pieces: &mut [GroundPiece], areas: &mut [f64], piece: usize, neighbour: usize) {
     let (gone, kept) = (pieces[piece].area, pieces[neighbour].area);
     if gone != kept {
         areas[kept] += areas[gone];
@@ -238,7 +235,9 @@ mod tests {
         let home = square(0.0, 0.0, 4.0);
         let ground = |walls: &[&[Point]]| {
             let borders: Vec<_> = geometry::sides(&home).collect();
-            Ground::new((Point::ZERO, Point::splat(4.0)), walls, &borders, 0.2, |p| geometry::contains(&home, p))
+            WalkableGround::new((Point::ZERO, Point::splat(4.0)), walls, &borders, 0.2, |p| {
+                geometry::contains(&home, p)
+            })
         };
         let (west, east) = (Point::new(1.0, 1.0), Point::new(3.0, 1.0));
         let open = ground(&[&wall]);
@@ -251,14 +250,14 @@ mod tests {
         assert_eq!(closed.way(west, east), None);
     }
 
-    /// The triangulation hashes; what comes of it must not depend on that.
+    /// The triangulation hashes; results must not depend on the order.
     #[test]
     fn the_same_obstacles_make_the_same_ground() {
         let obstacles: Vec<Vec<Point>> = (0..20)
             .map(|i| square(f64::from(i % 5) * 0.83, f64::from(i / 5) * 0.71, 0.3 + 0.01 * f64::from(i)))
             .collect();
         let obstacles: Vec<&[Point]> = obstacles.iter().map(|outline| &outline[..]).collect();
-        let ground = || Ground::new((Point::ZERO, Point::splat(5.0)), &obstacles, &[], 0.1, |_| true);
+        let ground = || WalkableGround::new((Point::ZERO, Point::splat(5.0)), &obstacles, &[], 0.1, |_| true);
         let first = ground();
         assert!((0..5).all(|_| ground().pieces == first.pieces));
     }

@@ -4,8 +4,8 @@ use serde_json::json;
 
 const RADIUS_M: f64 = 0.22;
 
-/// The distance that a path keeps from everything, but for its first and last step where an end is not free; and whether
-/// it stays in the home.
+/// The smallest distance of a path from obstacles, without a first and last step off free ground; and whether it stays in
+/// the home.
 fn clearance(mesh: &Mesh, from: Point, path: &[Point]) -> (f64, bool) {
     let mut stops = vec![from];
     stops.extend(path);
@@ -22,7 +22,7 @@ fn clearance(mesh: &Mesh, from: Point, path: &[Point]) -> (f64, bool) {
     (distances.fold(f64::INFINITY, f64::min), is_inside)
 }
 
-/// No step, the first and the last included, goes through a thing that stops bodies.
+/// No step crosses an obstacle.
 fn hits_nothing(mesh: &Mesh, from: Point, path: &[Point]) -> bool {
     let mut stops = vec![from];
     stops.extend(path);
@@ -33,7 +33,7 @@ fn hits_nothing(mesh: &Mesh, from: Point, path: &[Point]) -> bool {
 fn every_two_places_of_a_home_are_connected() {
     for plan in [tigerplace(), sphere_house()] {
         let mesh = Mesh::new(&plan, RADIUS_M);
-        // The middle of the landing's outline is in a wall: nobody can stand there.
+        // The middle of the landing's outline is in a wall, where no body fits.
         let places = || plan.places.iter().filter(|(name, _)| name != "stairs");
         let mut corners = 0;
         for ((name, from), (other, to)) in places().flat_map(|from| places().map(move |to| (from, to))) {
@@ -49,7 +49,7 @@ fn every_two_places_of_a_home_are_connected() {
     }
 }
 
-/// The negative control: the distances are those of a body of this radius.
+/// The negative control.
 #[test]
 fn a_thinner_body_comes_nearer() {
     let plan = tigerplace();
@@ -63,7 +63,7 @@ fn a_thinner_body_comes_nearer() {
 #[test]
 fn a_way_around_a_corner_is_hardly_longer_than_it_must_be() {
     let mesh = Mesh::new(&tigerplace(), RADIUS_M);
-    // From the bedroom through its door to the coats: the door's east jamb is in the way.
+    // The door's east jamb is in the way from the bedroom to the coats.
     let (from, to) = (Point::new(2.0, 4.05), Point::new(4.7, 1.6));
     let path = mesh.path(from, to).unwrap();
     let length: f64 = [from].iter().chain(&path).zip(&path).map(|(a, b)| a.distance(*b)).sum();
@@ -85,7 +85,7 @@ fn nobody_walks_over_a_bed_but_over_a_rug() {
     assert_eq!(Mesh::new(&home(0.02), RADIUS_M).path(west, east), Some(vec![east]));
     let bed = Mesh::new(&home(0.6), RADIUS_M);
     assert!(bed.path(west, east).is_some_and(|path| path.len() >= 3));
-    // Into the bed by its longer side, where there is room.
+    // Into the bed by its longer side, which has room.
     let middle = Point::new(3.0, 1.1);
     let side = bed.approach(middle).unwrap();
     assert!((side.x - 3.0).abs() < 1e-3 && (side.y - 2.02).abs() < 2e-3, "{side}");
@@ -147,7 +147,6 @@ fn random_points_of_a_room_are_free_and_all_over_it() {
     }
 }
 
-/// In random homes, ways keep off things, reach where they should, and are the same for a mesh made again.
 #[test]
 fn ways_keep_off_everything_in_random_homes() {
     let (mut found, mut none) = (0, 0);
@@ -167,7 +166,7 @@ fn ways_keep_off_everything_in_random_homes() {
                 continue;
             };
             let (clearance_m, is_inside) = clearance(&mesh, from, &path);
-            // Within a seat, or on the spot, nobody walks.
+            // No walk within a seat or on the spot.
             let walks = path.len() > 1 || mesh.is_free(from) && mesh.is_free(to);
             let is_right = !walks || clearance_m >= RADIUS_M * SIDEWAYS.value - 1e-3;
             assert!(is_right, "case {case}: {from} to {to}: {clearance_m} {path:?}");
@@ -188,7 +187,8 @@ fn what_is_free_is_what_the_plan_says() {
         let (least, most) = plan.bounds();
         for _ in 0..200 {
             let p = Point::new(stream.between(least.x, most.x), stream.between(least.y, most.y));
-            // Rounded from outside, and by a margin: what the mesh has is free, and what is free with some room it has.
+            // Corners are rounded from outside, with a margin: ground of the mesh is free, and floor with some more room is
+            // ground.
             let on_mesh = mesh.grounds[0].area_at(p).is_some();
             assert!(!on_mesh || plan.is_walkable(p, RADIUS_M - 1e-3), "case {case}: {p}");
             let has_room = mesh.room_around(p) > 1.1 * RADIUS_M && plan.is_inside(p);
@@ -217,10 +217,9 @@ fn how_long_it_takes() {
     }
 }
 
-/// Where walls cross at all angles, some nearly in one line, there is a mesh all the same, and its ways are ways.
 #[test]
 fn tangled_walls_break_nothing() {
-    // Few are triangulated as they are drawn, many are put together first.
+    // Few obstacles are triangulated as drawn; many are combined first.
     for (walls, cases) in [(3, 30), (20, 30), (60, 20), (200, 6), (400, 2)] {
         let mut ways = 0;
         for case in 0..cases {
@@ -236,7 +235,7 @@ fn tangled_walls_break_nothing() {
                 let Some(path) = mesh.path(from, to) else { continue };
                 ways += 1;
                 let (clearance_m, is_inside) = clearance(&mesh, from, &path);
-                // The narrowest ground is for half a body.
+                // The narrowest ground is for half the radius.
                 let is_wide = path.len() == 1 || clearance_m >= 0.5 * RADIUS_M - 2e-3;
                 let is_way = is_wide && is_inside && hits_nothing(&mesh, from, &path);
                 assert!(is_way, "{walls} walls, case {case}: {from} to {to} at {clearance_m}: {path:?}");
@@ -246,7 +245,7 @@ fn tangled_walls_break_nothing() {
     }
 }
 
-/// A door as wide as its wall leaves a piece of wall of length zero, by rounding.
+/// By rounding, a door as wide as its wall leaves a piece of wall of length zero.
 #[test]
 fn a_door_as_wide_as_its_wall_keeps_nobody_from_a_seat() {
     let home = |to: f64| {

@@ -4,7 +4,7 @@ use crate::pattern::{Pattern, pattern_of};
 use homebody_core::time::SECOND;
 
 const RADIUS_M: f64 = 0.22;
-const KINDS: [Wandering; 3] = [Wandering::Random, Wandering::Lapping, Wandering::Pacing];
+const KINDS: [WanderStyle; 3] = [WanderStyle::Random, WanderStyle::Lapping, WanderStyle::Pacing];
 const GAIT: Gait = Gait {
     speed_mps: 0.65,
     acceleration_mps2: 1.0,
@@ -18,8 +18,8 @@ fn start(plan: &Plan, mesh: &Mesh) -> Point {
     (0..plan.rooms.len()).map(|room| mesh.free_point(room, stream)).find(|&at| mesh.is_free(at)).unwrap()
 }
 
-/// Where the body is at the end of each move, the moves checked to follow each other.
-fn ends(moves: &[MotionSegment], from: Point, begin: Micros) -> Vec<Point> {
+/// The end of each segment; checks that they follow each other.
+fn ends(moves: &[MotionSegment], from: Point, begin: RunTime) -> Vec<Point> {
     let (mut at, mut now) = (from, begin);
     let mut ends = Vec::new();
     for step in moves {
@@ -34,7 +34,7 @@ fn ends(moves: &[MotionSegment], from: Point, begin: Micros) -> Vec<Point> {
     ends
 }
 
-/// The goals that a walk comes to, in order, as indices.
+/// Indices of the goals that a walk reaches.
 fn visits(ends: &[Point], goals: &[Point]) -> Vec<usize> {
     let mut visits: Vec<usize> = Vec::new();
     for at in ends {
@@ -63,7 +63,7 @@ fn wandering_is_of_the_kind_that_was_meant() {
                     &mesh,
                     &goals,
                     from,
-                    0,
+                    RunTime::START,
                     900 * SECOND,
                     &GAIT,
                     &Numbers::default(),
@@ -71,8 +71,8 @@ fn wandering_is_of_the_kind_that_was_meant() {
                     &mut stream,
                 );
                 assert_eq!(pattern_of(&visited), pattern, "case {case}: {visited:?}");
-                // Whoever passes another goal on the way there seems to have come to it.
-                let passed = pattern_of(&visits(&ends(&moves, from, 0), &goals));
+                // Passing a goal on the way counts as a visit.
+                let passed = pattern_of(&visits(&ends(&moves, from, RunTime::START), &goals));
                 passing_as_meant += usize::from(passed == pattern);
             }
             assert!(passing_as_meant >= least_passing, "{kind:?}: {passing_as_meant} of 20");
@@ -88,13 +88,13 @@ fn a_wanderer_never_enters_a_solid_and_ends_in_a_free_place() {
         let from = start(&plan, &mesh);
         for kind in KINDS {
             let mut stream = Stream::named(case as u64, "wandering");
-            let lasting = 130 * SECOND;
+            let (begin, lasting) = (RunTime::from_micros(7), 130 * SECOND);
             let moves = wander(
                 kind,
                 &mesh,
                 &plan,
                 from,
-                7,
+                begin,
                 lasting,
                 &GAIT,
                 &Numbers::default(),
@@ -108,7 +108,7 @@ fn a_wanderer_never_enters_a_solid_and_ends_in_a_free_place() {
                     &mesh,
                     &plan,
                     from,
-                    7,
+                    begin,
                     lasting,
                     &GAIT,
                     &Numbers::default(),
@@ -116,7 +116,7 @@ fn a_wanderer_never_enters_a_solid_and_ends_in_a_free_place() {
                     &mut stream
                 )
             );
-            let ends = ends(&moves, from, 7);
+            let ends = ends(&moves, from, begin);
             let mut at = from;
             for &to in &ends {
                 for step in 0..=10 {
@@ -127,8 +127,8 @@ fn a_wanderer_never_enters_a_solid_and_ends_in_a_free_place() {
                 at = to;
             }
             assert!(mesh.is_free(at), "case {case}: {kind:?} ends at {at}");
-            let end = moves[moves.len() - 1].end - 7;
-            assert!((lasting..lasting + 60 * SECOND).contains(&end), "case {case}: {kind:?} takes {end}");
+            let length = moves[moves.len() - 1].end - begin;
+            assert!((lasting..lasting + 60 * SECOND).contains(&length), "case {case}: {kind:?} takes {length}");
         }
     }
 }
@@ -151,7 +151,7 @@ fn what_wandering_looks_like_from_room_to_room_and_how_long_it_takes() {
                         &mesh,
                         &plan,
                         from,
-                        0,
+                        RunTime::START,
                         132 * SECOND,
                         &GAIT,
                         &Numbers::default(),
@@ -159,7 +159,7 @@ fn what_wandering_looks_like_from_room_to_room_and_how_long_it_takes() {
                         &mut stream,
                     );
                     moves += wandering.len();
-                    let rooms = ends(&wandering, from, 0).into_iter().filter_map(|at| plan.room_at(at));
+                    let rooms = ends(&wandering, from, RunTime::START).into_iter().filter_map(|at| plan.room_at(at));
                     pattern_of(&rooms.collect::<Vec<_>>())
                 })
                 .collect();
@@ -182,7 +182,7 @@ fn random_wandering_is_more_crooked_than_pacing() {
             &mesh,
             &plan,
             from,
-            0,
+            RunTime::START,
             600 * SECOND,
             &GAIT,
             &Numbers::default(),
@@ -190,14 +190,14 @@ fn random_wandering_is_more_crooked_than_pacing() {
             &mut stream,
         );
         let mut stops = vec![from];
-        stops.extend(ends(&moves, from, 0));
+        stops.extend(ends(&moves, from, RunTime::START));
         let turn = |stops: &[Point]| {
             let (before, after) = (stops[1] - stops[0], stops[2] - stops[1]);
             libm::atan2(before.perp_dot(after), before.dot(after)).abs()
         };
         stops.windows(3).map(turn).sum::<f64>() / stops.len() as f64
     };
-    let (random, pacing) = (turns(Wandering::Random), turns(Wandering::Pacing));
+    let (random, pacing) = (turns(WanderStyle::Random), turns(WanderStyle::Pacing));
     assert!(random > 1.5 * pacing, "{random} {pacing}");
 }
 
@@ -207,21 +207,22 @@ fn who_has_nowhere_to_go_stirs_on_the_spot() {
     let mesh = Mesh::new(&plan, RADIUS_M);
     let outside = Point::new(20.0, 20.0);
     let moves = wander(
-        Wandering::Pacing,
+        WanderStyle::Pacing,
         &mesh,
         &plan,
         outside,
-        5,
+        RunTime::from_micros(5),
         SECOND,
         &GAIT,
         &Numbers::default(),
         Wanderers::default(),
         &mut Stream::named(1, "lost"),
     );
-    assert!(matches!(moves[..], [MotionSegment { begin: 5, end: 1_000_005, doing: MotionState::InPlace { .. }, .. }]));
+    assert!(matches!(moves[..], [MotionSegment { doing: MotionState::InPlace { .. }, .. }]));
+    assert_eq!([moves[0].begin, moves[0].end].map(RunTime::micros), [5, 1_000_005]);
 }
 
-/// One large room with nothing in it.
+/// One large empty room.
 fn hall() -> Plan {
     let home = r#"{
         "name": "hall",
@@ -236,7 +237,7 @@ fn hall() -> Plan {
     Plan::new(&serde_json::from_str(home).unwrap())
 }
 
-/// The share of a wanderer's time further than so many metres from any wall.
+/// The share of time farther than `far_m` metres from any wall.
 fn far_from_walls(moves: &[MotionSegment], mesh: &Mesh, far_m: f64) -> f64 {
     let stands = moves.iter().filter_map(|step| match step.doing {
         MotionState::Stride { to, .. } => Some(to),
@@ -255,22 +256,32 @@ fn gains_do_what_they_are_called_after() {
     let from = start(&plan, &mesh);
     let other = [Point::new(4.0, 4.0)];
     let walk = |gains: Gains| {
-        let (mut far, mut near, mut still, mut whole) = (0.0, 0.0, 0, 0);
+        let (mut far, mut near, mut still, mut whole) = (0.0, 0.0, Span::ZERO, Span::ZERO);
         for case in 0..12 {
             let mut stream = Stream::named(case, "gains");
             let who = Wanderers { gains, others: &other };
             let lasting = 600 * SECOND;
-            let moves =
-                wander(Wandering::Random, &mesh, &plan, from, 0, lasting, &GAIT, &Numbers::default(), who, &mut stream);
-            ends(&moves, from, 0);
+            let moves = wander(
+                WanderStyle::Random,
+                &mesh,
+                &plan,
+                from,
+                RunTime::START,
+                lasting,
+                &GAIT,
+                &Numbers::default(),
+                who,
+                &mut stream,
+            );
+            ends(&moves, from, RunTime::START);
             far += far_from_walls(&moves, &mesh, 1.5) / 12.0;
             let is_near = |step: &&MotionSegment| matches!(step.doing, MotionState::Stride { to, .. } if to.distance(other[0]) < 0.8);
             near += moves.iter().filter(is_near).count() as f64 / moves.len() as f64 / 12.0;
             let rests = moves.iter().filter(|step| matches!(step.doing, MotionState::Rest { .. }));
-            still += rests.map(|step| step.end - step.begin).sum::<Micros>();
-            whole += moves[moves.len() - 1].end;
+            still += rests.map(|step| step.end - step.begin).sum::<Span>();
+            whole += moves[moves.len() - 1].end.since_zero();
         }
-        (far, near, still as f64 / whole as f64)
+        (far, near, still.ratio(whole))
     };
     let usual = walk(Gains::USUAL);
     let shy = walk(Gains { open_floor: 1.5, ..Gains::USUAL });

@@ -1,6 +1,6 @@
 //! Where everything stands in a text of JSON, so that a part of it is written otherwise or taken out and all the rest stays.
 
-use homebody_core::scenario::source::{Key, Node, Source, Value};
+use homebody_core::scenario::source::{JsonNode, JsonSource, NodeKey, NodeValue};
 use std::ops::Range;
 
 /// A property of an object, or an item of a list.
@@ -11,7 +11,7 @@ pub struct Entry {
     /// The key with its quotes; nothing of an item.
     key: Option<Range<usize>>,
     value: Range<usize>,
-    /// Key and value.
+    /// NodeKey and value.
     pub whole: Range<usize>,
     /// Of a string.
     said: Option<String>,
@@ -41,7 +41,7 @@ impl Entry {
 
 /// All entries of a text, in order; none where it is no JSON.
 pub fn entries(text: &str) -> Vec<Entry> {
-    let Ok(source) = Source::parse("", text) else { return Vec::new() };
+    let Ok(source) = JsonSource::parse("", text) else { return Vec::new() };
     // A byte order mark is no part of what has been read.
     let mut found = Found { mark: text.len() - source.text.len(), path: Vec::new(), entries: Vec::new() };
     found.within(&source.root);
@@ -56,22 +56,22 @@ struct Found {
 }
 
 impl Found {
-    fn within(&mut self, node: &Node) {
+    fn within(&mut self, node: &JsonNode) {
         match &node.value {
-            Value::List(items) => {
+            NodeValue::List(items) => {
                 items.iter().enumerate().for_each(|(index, item)| self.add(index.to_string(), None, item))
             }
-            Value::Object(all) => all.iter().for_each(|(key, value)| self.add(key.name.clone(), Some(key), value)),
+            NodeValue::Object(all) => all.iter().for_each(|(key, value)| self.add(key.name.clone(), Some(key), value)),
             _ => {}
         }
     }
 
-    fn add(&mut self, part: String, key: Option<&Key>, node: &Node) {
+    fn add(&mut self, part: String, key: Option<&NodeKey>, node: &JsonNode) {
         let in_text = |start: usize, end: usize| self.mark + start..self.mark + end;
         let key = key.map(|key| in_text(key.start, key.end));
         let value = in_text(node.start, node.end);
         let whole = key.as_ref().map_or(value.start, |key| key.start)..value.end;
-        let said = if let Value::Text(said) = &node.value { Some(said.clone()) } else { None };
+        let said = if let NodeValue::Text(said) = &node.value { Some(said.clone()) } else { None };
         self.path.push(part);
         self.entries.push(Entry { path: self.path.clone(), key, value, whole, said });
         self.within(node);

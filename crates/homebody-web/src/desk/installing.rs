@@ -1,28 +1,25 @@
 //! The installer's desk: what is put up by a draft, beside another layout, on paper, and where sensors might go.
 
-use super::plan::{build, covered, home, step_m};
-use super::{Desk, problems};
 use crate::draw;
 use crate::messages::DeskMessage;
 use crate::refusal::sentence;
-use crate::wire::{
-    DiffersView, Draft, LayoutView, Layouts, LayoutsView, PartView, PartsView, ProblemView, ReachedView, StepView,
-    Suggest, SuggestionView,
-};
+use crate::wire::{DiffersView, Draft, LayoutView, Layouts, LayoutsView, PartView, PartsView, ProblemView, ReachedView, StepView, Suggest, SuggestionView};
 use homebody_analysis::alerts::{Rules, USUAL};
 use homebody_analysis::coverage;
-use homebody_analysis::parts::{Layout, Part, Parts, beside};
-use homebody_core::home::Build;
+use homebody_analysis::parts::{PartsList, SensorLayout, SensorPart, beside};
 use homebody_core::home::resolved::ResolvedHome;
 use homebody_core::problem::{Diagnose, Diagnostic, readable};
-use homebody_core::scenario::device::Device;
-use homebody_experiment::people::{NotLived, Opened};
-use homebody_experiment::placing;
-use homebody_experiment::proposal::{Ask, Doing, Proposed, goals, propose};
-use homebody_kit::Cancel;
+use homebody_core::resident::Build;
+use homebody_core::sensors::products::Product;
 use homebody_picture::{installing, pdf};
+use homebody_placement::people::{LoadedScenario, PeopleError};
+use homebody_placement::proposal::{Proposal, Request, Step, goals, propose};
+use homebody_placement::search;
+use homebody_simulation::Cancel;
 use std::sync::PoisonError;
 use std::sync::atomic::{AtomicU32, Ordering};
+use super::plan::{build, covered, home, step_m};
+use super::{Desk, problems};
 
 /// Largest number of sensors that are suggested at once, and of people that are simulated for it (our choice). The
 /// command has no such limits.
@@ -41,7 +38,7 @@ impl Desk {
         match home(&self.with(draft), &self.shelf.entry) {
             Err(wrong) => PartsView { problems: problems(&wrong), ..PartsView::default() },
             Ok(home) => {
-                let parts = Parts::of(&home);
+                let parts = PartsList::from_home(&home);
                 let view = parts.parts.iter().map(part).collect();
                 PartsView { problems: Vec::new(), devices: devices(&parts), parts: view, csv: parts.csv() }
             }
@@ -53,7 +50,7 @@ impl Desk {
         let wrong = |problems: Vec<ProblemView>| DeskMessage::HomeProblems { problems: in_words(&problems) };
         let (home, build) = self.read(draft).map_err(wrong)?;
         let seen = coverage::of_home(&home, build, step_m(home.plan()));
-        Ok(pdf(&home.name, &installing(&home, &seen, &Parts::of(&home)))?)
+        Ok(pdf(&home.name, &installing(&home, &seen, &PartsList::from_home(&home)))?)
     }
 
     /// Two drafts side by side.
@@ -64,11 +61,12 @@ impl Desk {
         let [(one, Ok(first)), (other, Ok(second))] = &both else {
             return LayoutsView { problems: wrong, ..LayoutsView::default() };
         };
-        let layouts = [(one, first), (other, second)].map(|(name, (home, build))| Layout { name, home, build: *build });
+        let layouts =
+            [(one, first), (other, second)].map(|(name, (home, build))| SensorLayout { name, home, build: *build });
         let differences = beside(layouts).differences;
         let view = |(name, (home, build)): (&String, &(ResolvedHome, Build))| LayoutView {
             name: name.clone(),
-            devices: devices(&Parts::of(home)),
+            devices: devices(&PartsList::from_home(home)),
             home: draw::home(home, home.plan(), home.placed_sensors()),
             coverage: covered(&coverage::of_home(home, *build, step_m(home.plan()))),
         };
@@ -102,13 +100,13 @@ impl Desk {
         f64::from(self.suggesting.done.load(Ordering::Relaxed)) / 1000.0
     }
 
-    fn proposed(&self, asked: Suggest, cancel: &Cancel) -> Result<Proposed, Unsuggested> {
+    fn proposed(&self, asked: Suggest, cancel: &Cancel) -> Result<Proposal, Unsuggested> {
         let Suggest { draft, sensors, to_see, people, device } = asked;
         let goals = goals(&to_see).map_err(|goals| DeskMessage::UnknownGoals { goals })?;
         if goals.is_empty() {
             return Err(DeskMessage::NoGoals.into());
         }
-        let of_key = |key: &String| Device::all().find(|device| device.key() == *key);
+        let of_key = |key: &String| Product::all().find(|device| device.key() == *key);
         let device = match &device {
             Some(key) => Some(of_key(key).ok_or_else(|| DeskMessage::UnknownDevice { device: readable(key.clone()) })?),
             None => None,
@@ -119,22 +117,22 @@ impl Desk {
         let sensors = usize::from(sensors.clamp(1, MOST_SENSORS));
         let people = people.clamp(FEWEST_PEOPLE, MOST_PEOPLE);
         let (build, step_m) = (build(&files, &self.shelf.entry), step_m(home.plan()));
-        let ask = Ask { goals: &goals, sensors, people, seed: SEED, rules: &rules, device, build, step_m };
-        let opened = || {
+        let request = Request { goals: &goals, sensors, people, seed: SEED, rules: &rules, device, build, step_m };
+        let load = || {
             let (scenario, household) = self.lives(&files, &[]).map_err(homebody_core::problem::Problems)?;
-            Ok(Opened { scenario, household })
+            Ok(LoadedScenario { scenario, household })
         };
-        let lives = if ask.needs_lives() { SHARE_OF_LIVES } else { 0.0 };
+        let lives = if request.needs_people() { SHARE_OF_LIVES } else { 0.0 };
         let lived = AtomicU32::new(0);
-        let told = |doing: Doing| {
-            let share = match doing {
-                Doing::Lived => lives * f64::from(lived.fetch_add(1, Ordering::Relaxed) + 1) / f64::from(people),
-                Doing::Trying(_, placed) => lives + (1.0 - lives) * placed as f64 / (sensors + 1) as f64,
+        let goes_on = |step: Step| {
+            let share = match step {
+                Step::Simulated => lives * f64::from(lived.fetch_add(1, Ordering::Relaxed) + 1) / f64::from(people),
+                Step::Searching(_, placed) => lives + (1.0 - lives) * placed as f64 / (sensors + 1) as f64,
             };
             self.suggesting.done.store((share * 1000.0) as u32, Ordering::Relaxed);
             !cancel.is_cancelled()
         };
-        Ok(propose(&home, &ask, opened, &told)?)
+        Ok(propose(&home, &request, load, &goes_on)?)
     }
 
     /// A home and the body that is to be seen in it.
@@ -157,11 +155,11 @@ impl From<DeskMessage> for Unsuggested {
     }
 }
 
-impl From<NotLived> for Unsuggested {
-    fn from(error: NotLived) -> Unsuggested {
+impl From<PeopleError> for Unsuggested {
+    fn from(error: PeopleError) -> Unsuggested {
         match error {
-            NotLived::Problems(wrong) => Unsuggested::Problems(problems(&wrong.0)),
-            NotLived::NoRoutine => DeskMessage::NoRoutine.into(),
+            PeopleError::Problems(wrong) => Unsuggested::Problems(problems(&wrong.0)),
+            PeopleError::NoRoutine => DeskMessage::NoRoutine.into(),
             other => Unsuggested::Refused(other.into()),
         }
     }
@@ -171,7 +169,7 @@ fn in_words(problems: &[ProblemView]) -> Vec<String> {
     problems.iter().map(|problem| format!("{}: {}", problem.file, problem.what)).collect()
 }
 
-fn part(part: &Part) -> PartView {
+fn part(part: &SensorPart) -> PartView {
     PartView {
         number: part.number,
         name: part.name.clone(),
@@ -183,12 +181,12 @@ fn part(part: &Part) -> PartView {
     }
 }
 
-fn devices(parts: &Parts) -> Vec<(String, usize)> {
+fn devices(parts: &PartsList) -> Vec<(String, usize)> {
     parts.devices.iter().map(|count| (count.device.clone(), count.count)).collect()
 }
 
-fn suggestion(Proposed { sensors, placed, own }: Proposed) -> SuggestionView {
-    let step = |layout: &placing::Layout| StepView {
+fn suggestion(Proposal { sensors, found, own }: Proposal) -> SuggestionView {
+    let step = |layout: &search::Layout| StepView {
         sensor: layout.sensors.last().cloned().unwrap_or_default(),
         score: layout.score,
         reached: layout.goals.iter().map(reached).collect(),
@@ -198,13 +196,13 @@ fn suggestion(Proposed { sensors, placed, own }: Proposed) -> SuggestionView {
         refused: None,
         code: None,
         sensors: serde_json::to_string(&sensors).unwrap_or_default(),
-        steps: placed.steps.iter().map(step).collect(),
-        whole: placed.swapped.last().map(|swap| step(&swap.layout)),
+        steps: found.steps.iter().map(step).collect(),
+        whole: found.swapped.last().map(|swap| step(&swap.layout)),
         own: own.as_ref().map(step),
     }
 }
 
-fn reached(reached: &placing::Reached) -> ReachedView {
+fn reached(reached: &search::Reached) -> ReachedView {
     ReachedView {
         goal: reached.goal.to_owned(),
         score: reached.score,

@@ -1,20 +1,18 @@
 //! Routines that are being written: how they are understood, and some days of the life that they come to.
 
-use super::lived_draft::LivedDraft;
-use super::{Desk, problems};
 use crate::dates;
 use crate::messages::DeskMessage;
-use crate::wire::{
-    ConditionView, Explain, ExplainView, Month, MonthView, ProblemView, SentenceView, WordKind, WordView,
-};
+use crate::wire::{ConditionView, Explain, ExplainView, Month, MonthView, ProblemView, SentenceView, WordKind, WordView};
 use homebody_core::problem::{Diagnose, Problem};
-use homebody_core::scenario::load::{Driver, Scenario};
-use homebody_kit::Cancel;
+use homebody_core::scenario::load::{ResidentDriver, Scenario};
 use homebody_routine::completion;
-use homebody_routine::explain::{self, Kind, Spread, explain};
-use homebody_routine::household::{Household, Understood};
+use homebody_routine::explain::{self, ExplanationKind, Spread, explain};
+use homebody_routine::household::{Household, RoutineReading};
 use homebody_routine::routine::Routine;
+use homebody_simulation::Cancel;
 use std::sync::PoisonError;
+use super::lived_draft::LivedDraft;
+use super::{Desk, problems};
 
 /// Largest number of days of a month.
 const LONGEST: u32 = 31;
@@ -27,7 +25,8 @@ impl Desk {
             Ok(scenario) => scenario,
             Err(wrong) => return not_understood(problems(&wrong.0)),
         };
-        let is_asked = |driver: &Driver| matches!(driver, Driver::Routine { file, .. } if *file == asked);
+        let is_asked =
+            |driver: &ResidentDriver| matches!(driver, ResidentDriver::Routine { file, .. } if *file == asked);
         let resident = scenario.residents.iter().position(|resident| is_asked(&resident.driver));
         let Some(known) = resident.and_then(|resident| Household::understand(&scenario, &files, resident)) else {
             let unused = Problem::of_file(&asked, DeskMessage::UnusedRoutine, None);
@@ -40,7 +39,7 @@ impl Desk {
             severity: (0..days).map(|day| known.severity(name, day as i32)).collect(),
             sentences: sentences(routine),
         };
-        let Understood { routine, unsaid, conditions, problems: wrong, words, .. } = &known;
+        let RoutineReading { routine, unsaid, conditions, problems: wrong, words, .. } = &known;
         ExplainView {
             problems: problems(wrong),
             first: dates::date(&scenario.calendar, 0),
@@ -78,13 +77,13 @@ fn sentences(routine: &Routine) -> Vec<SentenceView> {
     explain(routine).sentences.into_iter().map(sentence).collect()
 }
 
-fn sentence(row: explain::Row) -> SentenceView {
+fn sentence(row: explain::ExplanationRow) -> SentenceView {
     let kind = match row.kind {
-        Kind::Person => "person",
-        Kind::Habit => "habit",
-        Kind::Rule => "rule",
-        Kind::Change => "change",
-        Kind::Remark => "remark",
+        ExplanationKind::Person => "person",
+        ExplanationKind::Habit => "habit",
+        ExplanationKind::Rule => "rule",
+        ExplanationKind::Change => "change",
+        ExplanationKind::Remark => "remark",
     };
     let span = |spread: Option<Spread>| spread.map(|spread| [spread.p5, spread.mean, spread.p95]);
     SentenceView {
@@ -100,13 +99,13 @@ fn sentence(row: explain::Row) -> SentenceView {
     }
 }
 
-fn word(word: &completion::Word) -> WordView {
+fn word(word: &completion::Completion) -> WordView {
     let kind = match word.kind {
-        completion::WordKind::Sentence => WordKind::Sentence,
-        completion::WordKind::Activity => WordKind::Activity,
-        completion::WordKind::Time => WordKind::Time,
-        completion::WordKind::Place => WordKind::Place,
-        completion::WordKind::Condition => WordKind::Condition,
+        completion::CompletionKind::Sentence => WordKind::Sentence,
+        completion::CompletionKind::Activity => WordKind::Activity,
+        completion::CompletionKind::Time => WordKind::Time,
+        completion::CompletionKind::Place => WordKind::Place,
+        completion::CompletionKind::Condition => WordKind::Condition,
     };
     WordView { text: word.text.clone(), kind, about: word.about.clone() }
 }

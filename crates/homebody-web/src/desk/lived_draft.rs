@@ -10,9 +10,10 @@ use homebody_core::run::Run;
 use homebody_core::scenario::load::Scenario;
 use homebody_core::sensors::Sensor;
 use homebody_core::snapshots::Snapshots;
-use homebody_core::time::{DAY, Micros, SECOND};
-use homebody_kit::Cancel;
+use homebody_core::time::{DAY, HOUR, Interval, RunTime, Span};
 use homebody_routine::household::Household;
+use homebody_simulation::Cancel;
+use homebody_timeline::{Episode, Timeline, TimelineBuilder};
 use std::collections::BTreeMap;
 
 /// The draft that was lived last. As long as it is the same, its life is.
@@ -48,45 +49,64 @@ impl LivedDraft {
 }
 
 /// Initial distance between saved moments (our choice): a simulation between them takes some milliseconds.
-const MOMENTS: Micros = 4 * DAY;
+const MOMENTS: Span = DAY.times(4);
 
 /// Longest stretch that is simulated at once (our choice).
-const LONGEST_STRETCH: Micros = 3600 * SECOND;
+const LONGEST_STRETCH: Span = HOUR;
 
 /// A life at an instant, and what is known of it by then.
 #[derive(Clone)]
 struct Moment {
     run: Run,
-    known: Known,
+    timeline: TimelineBuilder,
     growth: Growth,
     activities: Vec<String>,
 }
 
 impl Moment {
     /// The beginning of a life.
-    fn first(scenario: &Scenario, household: &Household, length: Micros) -> Moment {
+    fn first(scenario: &Scenario, household: &Household, length: Span) -> Moment {
         let run = Run::new(scenario, household, scenario.file.seed, length);
         let is_motion = run.sensors().iter().map(Sensor::senses_motion).collect();
-        let known = Known::of(scenario.residents.len());
-        Moment { run, known, growth: Growth::new(&scenario.calendar, length, is_motion), activities: Vec::new() }
+        let residents = scenario.residents.iter().map(|resident| resident.file.name.clone()).collect();
+        let timeline = TimelineBuilder::new(residents, room_names(&run));
+        Moment { run, timeline, growth: Growth::new(&scenario.calendar, length, is_motion), activities: Vec::new() }
     }
 
-    /// Lives on, and adds what has ended to the view. Returns whether it came to `until`; if not, `view.cut` says why.
-    fn live(&mut self, until: Micros, view: &mut MonthView, effort: &mut Effort) -> Result<bool, DriverError> {
+    /// Lives on, and adds what has ended. Returns whether it came to `until`; if not, `ended.cut` says why.
+    fn live(&mut self, until: RunTime, ended: &mut Ended, effort: &mut Effort) -> Result<bool, DriverError> {
         let mut events = Events::default();
         while self.run.now() < until {
-            if let Err(why) = effort.goes_on(view.spans.iter().chain(&view.stays).map(Vec::len).sum()) {
-                view.cut = Some(why);
+            if let Err(why) = effort.goes_on(ended.spans.iter().chain(&ended.stays).map(Vec::len).sum()) {
+                ended.cut = Some(why);
                 return Ok(false);
             }
             let lived = effort.live(&mut self.run, until, &mut events);
-            self.known.learn(&events, &mut self.activities, view);
+            self.learn(&events.facts, ended);
             self.growth.add(&events.firings, self.run.now());
             events.clear();
             lived?;
         }
         Ok(true)
     }
+
+    /// Adds what has ended. Activities have numbers in the order of their first beginnings.
+    fn learn(&mut self, facts: &[Fact], ended: &mut Ended) {
+        for fact in facts {
+            if let Fact::Activity { resident, name: Some(name), .. } = fact
+                && resident.index() < ended.spans.len()
+                && !self.activities.contains(name)
+            {
+                self.activities.push(name.clone());
+            }
+        }
+        self.timeline.take(facts);
+        ended.add(self.timeline.take_ended(), &self.activities, &room_names(&self.run));
+    }
+}
+
+fn room_names(run: &Run) -> Vec<String> {
+    run.home().plan.rooms.iter().map(|room| room.name.clone()).collect()
 }
 
 fn lived(
@@ -102,103 +122,70 @@ fn lived(
     let last = dates::last(calendar, length);
     let from = from.min(last);
     let days = dates::some(calendar, length, from..(from + days).min(last + 1));
-    let (begin, end) = (days.first().map_or(0, |day| day.begin_us), days.last().map_or(0, |day| day.end_us));
+    let begin = days.first().map_or(RunTime::START, |day| day.interval().begin);
+    let end = days.last().map_or(RunTime::START, |day| day.interval().end);
     let kept = moments.nearest_before(begin).cloned();
     let mut life = kept.unwrap_or_else(|| Moment::first(scenario, household, length));
-    let mut view = MonthView {
-        residents: scenario.residents.iter().map(|resident| resident.file.name.clone()).collect(),
-        rooms: life.run.home().plan.rooms.iter().map(|room| room.name.clone()).collect(),
-        spans: vec![Vec::new(); scenario.residents.len()],
-        stays: vec![Vec::new(); scenario.residents.len()],
-        days,
-        ..MonthView::default()
-    };
+    let nothing = vec![Vec::new(); scenario.residents.len()];
+    let mut ended = Ended { spans: nothing.clone(), stays: nothing, cut: None };
     // What was before the first day is only lived to come to it.
     let mut goes_on = true;
     while goes_on && life.run.now() < begin {
         moments.keep(life.run.now(), || life.clone());
-        goes_on = life.live(begin.min(life.run.now() + DAY), &mut view, effort)?;
-        view.spans.iter_mut().chain(&mut view.stays).for_each(Vec::clear);
+        goes_on = life.live(begin.min(life.run.now() + DAY), &mut ended, effort)?;
+        ended.spans.iter_mut().chain(&mut ended.stays).for_each(Vec::clear);
     }
-    for day in 0..view.days.len() {
+    for day in &days {
         if goes_on {
             moments.keep(life.run.now(), || life.clone());
-            goes_on = life.live(view.days[day].end_us, &mut view, effort)?;
+            goes_on = life.live(day.interval().end, &mut ended, effort)?;
         }
     }
     let end = end.min(life.run.now());
-    life.known.end(end, &mut view);
-    if let Some(why) = &mut view.cut {
+    let rooms = room_names(&life.run);
+    ended.add(std::mem::take(&mut life.timeline).finish(end), &life.activities, &rooms);
+    if let Some(why) = &mut ended.cut {
         *why = format!("The days are shown up to {}. {why}", calendar.wall_clock(end));
     }
     // A stride may come to another room later.
-    view.stays.iter_mut().flatten().for_each(|stay| stay.1 = stay.1.min(end));
+    ended.stays.iter_mut().flatten().for_each(|(stay, _)| stay.end = stay.end.min(end));
     let mut hours = life.growth.view().hours;
-    hours.resize(hours.len().max(from as usize + view.days.len()), vec![0; 24]);
-    (view.activities, view.hours) = (life.activities, hours.split_off(from as usize));
-    Ok(view)
+    hours.resize(hours.len().max(from as usize + days.len()), vec![0; 24]);
+    let told = |all: Vec<Spans>| all.iter().map(|spans| spans.iter().map(dates::told).collect()).collect();
+    Ok(MonthView {
+        residents: scenario.residents.iter().map(|resident| resident.file.name.clone()).collect(),
+        rooms,
+        days,
+        activities: life.activities,
+        spans: told(ended.spans),
+        stays: told(ended.stays),
+        hours: hours.split_off(from as usize),
+        cut: ended.cut,
+        ..MonthView::default()
+    })
 }
 
-/// What each resident does, and where they are, since when.
-#[derive(Clone)]
-struct Known {
-    doing: Vec<(Micros, Option<u32>)>,
-    being: Vec<(Micros, Option<u32>)>,
+/// Of a resident: from when until when, and a number of what.
+type Spans = Vec<(Interval<RunTime>, u32)>;
+
+/// What has ended of lives, by resident, and why there is no more.
+struct Ended {
+    spans: Vec<Spans>,
+    stays: Vec<Spans>,
+    cut: Option<String>,
 }
 
-impl Known {
-    /// Of so many residents; of others nothing is told.
-    fn of(residents: usize) -> Known {
-        Known { doing: vec![(0, None); residents], being: vec![(0, None); residents] }
-    }
-
-    /// Adds what has ended to the view.
-    fn learn(&mut self, events: &Events, activities: &mut Vec<String>, view: &mut MonthView) {
-        for fact in &events.facts {
-            match fact {
-                Fact::Activity { resident, at, name } => {
-                    let resident = resident.index();
-                    let Some(doing) = self.doing.get_mut(resident) else { continue };
-                    let name = name.as_ref().map(|name| numbered(activities, name));
-                    change(doing, *at, name, &mut view.spans[resident]);
-                }
-                Fact::Room { resident, at, room } => {
-                    let resident = resident.index();
-                    let Some(being) = self.being.get_mut(resident) else { continue };
-                    change(being, *at, room.map(|room| room.0), &mut view.stays[resident]);
-                }
-                _ => {}
-            }
-        }
-    }
-
-    /// What goes on at the end ends there.
-    fn end(&mut self, end: Micros, view: &mut MonthView) {
-        for (doing, spans) in self.doing.iter_mut().zip(&mut view.spans) {
-            change(doing, end, None, spans);
-        }
-        for (being, stays) in self.being.iter_mut().zip(&mut view.stays) {
-            change(being, end, None, stays);
+impl Ended {
+    /// Adds episodes, with the numbers of their labels among the names of activities and of rooms.
+    fn add(&mut self, timeline: Timeline, activities: &[String], rooms: &[String]) {
+        for (resident, person) in timeline.people.into_iter().enumerate() {
+            self.spans[resident].extend(numbered(person.activities, activities));
+            self.stays[resident].extend(numbered(person.rooms, rooms));
         }
     }
 }
 
-/// Ends what was, and begins what is.
-fn change(was: &mut (Micros, Option<u32>), at: Micros, is: Option<u32>, spans: &mut Vec<(Micros, Micros, u32)>) {
-    if let (since, Some(what)) = *was
-        && since < at
-    {
-        spans.push((since, at, what));
-    }
-    *was = (at, is);
-}
-
-/// The number of a name among those that are known.
-fn numbered(names: &mut Vec<String>, name: &str) -> u32 {
-    let known = names.iter().position(|known| known == name);
-    let number = known.unwrap_or_else(|| {
-        names.push(name.to_owned());
-        names.len() - 1
-    });
-    number as u32
+fn numbered(episodes: Vec<Episode>, names: &[String]) -> impl Iterator<Item = (Interval<RunTime>, u32)> {
+    let lasting = episodes.into_iter().filter(|episode| !episode.time.is_empty());
+    lasting.filter_map(|Episode { label, time }| Some((time, names.iter().position(|name| *name == label)? as u32)))
 }

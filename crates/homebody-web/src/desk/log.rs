@@ -1,6 +1,5 @@
 //! A logger's file that is being written: its first rows, as they would be stored, and whether its places take a log.
 
-use super::{Desk, problems};
 use crate::effort::Effort;
 use crate::wire::{Connect, ConnectView, Draft, PlaceRowsView, RowsView};
 use homebody_core::event::Events;
@@ -10,23 +9,24 @@ use homebody_core::run::Run;
 use homebody_core::scenario::inside::outside_folder;
 use homebody_core::scenario::load::Scenario;
 use homebody_core::scenario::scheme::{self, NoPlace, Scheme};
-use homebody_core::time::{DAY, Micros, SECOND};
-use homebody_kit::Cancel;
-use homebody_log::logger::destinations;
+use homebody_core::time::{DAY, MINUTE, RunTime, Span};
 use homebody_log::preview::{preview, try_place};
-use homebody_log::{How, LogError, Logger, RunInfo, Url};
+use homebody_log::run_log::destinations;
+use homebody_log::{LogError, Logger, RunInfo, Url, WriteMode};
 use homebody_routine::household::Household;
+use homebody_simulation::Cancel;
 use std::path::Path;
 use std::sync::{Arc, PoisonError};
+use super::{Desk, problems};
 
 /// Number of rows that are shown (our choice).
 const MOST_ROWS: usize = 40;
 
 /// Time of simulation after which a home without rows has none to show (our choice).
-const LONGEST_LIVED: i64 = 3 * DAY;
+const LONGEST_LIVED: Span = DAY.times(3);
 
 /// Longest stretch that is simulated at once (our choice).
-const LONGEST_STRETCH: Micros = 600 * SECOND;
+const LONGEST_STRETCH: Span = MINUTE.times(10);
 
 impl Desk {
     /// The first rows of a draft's log, written where nobody else looks and read back, for as long as somebody waits for them.
@@ -96,19 +96,20 @@ fn first_rows(
     let seed = scenario.file.seed;
     let length = scenario.calendar.span_of_days(scenario.file.days).min(LONGEST_LIVED);
     let mut run = Run::new(scenario, household, seed, length);
-    let recording = Recording::of(scenario, homebody_kit::VERSION, "", seed, length);
+    let recording = Recording::new(scenario, homebody_simulation::VERSION, "", seed, length);
     let info = Arc::new(RunInfo::of(scenario, &run, &recording));
-    let mut logger = Logger::open(destinations(&hidden, How::New)?, &scenario.logger, &info, How::New)?;
+    let mut logger = Logger::open(destinations(&hidden, WriteMode::Create)?, &scenario.logger, &info, WriteMode::Create)?;
     let (mut events, mut count, mut cut) = (Events::default(), 0, None);
     let mut effort = Effort::new(cancel, LONGEST_STRETCH);
+    let end = RunTime::START + length;
     // Of messages that a link delays, and of OFFs that are held, some rows come later than their firings.
-    while count < 2 * MOST_ROWS && run.now() < run.length() {
+    while count < 2 * MOST_ROWS && run.now() < end {
         if let Err(why) = effort.goes_on(0) {
             let clock = scenario.calendar.wall_clock(run.now());
             cut = Some(format!("Rows up to {clock} are shown. {why}"));
             break;
         }
-        let lived = effort.live(&mut run, length, &mut events);
+        let lived = effort.live(&mut run, end, &mut events);
         logger.store(&events.firings, run.settled())?;
         count += events.firings.len();
         events.clear();

@@ -1,19 +1,18 @@
 //! A home that is being drawn: what is wrong with it, what it looks like, and where its sensors see.
 
-use super::{Desk, problems};
 use crate::draw;
 use crate::messages::DeskMessage;
 use crate::wire::{CoverageView, DeadZoneView, Draft, FloorView, ImportView, PlanView, SeenView};
-use homebody_analysis::coverage::{self, Coverage, Floor, STEP_M, Seen};
-use homebody_core::home::Build;
-use homebody_core::home::plan::Plan;
+use homebody_analysis::coverage::{self, Coverage, STEP_M, SeenFloor, SeenHome};
 use homebody_core::home::resolved::ResolvedHome;
+use homebody_core::plan::Plan;
 use homebody_core::problem::Problem;
+use homebody_core::resident::{Build, ResidentFile};
 use homebody_core::scenario::load::{Files, NoText, Scenario};
-use homebody_core::scenario::resident::ResidentFile;
-use homebody_import::{Imported, NotImported, SCHEMA, sweet_home};
+use homebody_import::{ImportError, Imported, SCHEMA, sweet_home};
 use serde_json::{Value, json};
 use std::collections::{BTreeMap, BTreeSet};
+use super::{Desk, problems};
 
 /// Number of cells that are examined in a tenth of a second or two (our choice): those of a home of 20 by 20 m.
 const MOST_CELLS: f64 = 160_000.0;
@@ -42,7 +41,7 @@ impl Desk {
 
 impl Desk {
     /// A home made of the bytes of a Sweet Home 3D file, under the name of the one that is here.
-    pub fn import(&self, bytes: &[u8]) -> Result<ImportView, NotImported> {
+    pub fn import(&self, bytes: &[u8]) -> Result<ImportView, ImportError> {
         let home = self.files().home.map(|file| self.json(&file)).unwrap_or_default();
         let name = home["name"].as_str().unwrap_or("home");
         let Imported { mut home_json, remarks } = sweet_home(bytes, name, None)?;
@@ -117,7 +116,7 @@ pub fn build(files: &dyn Files, entry: &str) -> Build {
         let name = root["residents"][0].as_str()?.to_owned();
         serde_json::from_str(&files.read(&name).ok()?).ok()
     };
-    first().map_or_else(Build::adult, |file| Build::of(&file))
+    first().map_or_else(Build::adult, |file| Build::new(&file))
 }
 
 /// The side of a cell: as the command has it, but in a very large home, which is told while it is being drawn.
@@ -128,7 +127,7 @@ pub fn step_m(plan: &Plan) -> f64 {
     STEP_M * times
 }
 
-pub fn covered(Seen { coverage, .. }: &Seen) -> CoverageView {
+pub fn covered(SeenHome { coverage, .. }: &SeenHome) -> CoverageView {
     let Coverage { step_m, whole, rooms, doorways, sensors, overlaps, dead_zones, grid, .. } = coverage;
     let cell =
         |cell: usize| grid.watchers(cell).map_or(NO_FLOOR, |watchers| watchers.min(usize::from(NO_FLOOR) - 1) as u8);
@@ -164,7 +163,7 @@ pub fn covered(Seen { coverage, .. }: &Seen) -> CoverageView {
     }
 }
 
-fn floor(Floor { name, floor_m2, seen_by, .. }: &Floor) -> FloorView {
+fn floor(SeenFloor { name, floor_m2, seen_by, .. }: &SeenFloor) -> FloorView {
     let seen_by = [seen_by.none, seen_by.one, seen_by.two, seen_by.three_or_more];
     FloorView { name: name.clone(), floor_m2: *floor_m2, seen_by }
 }

@@ -3,7 +3,7 @@
 use crate::messages::PageMessage;
 use crate::refusal::{Refusal, failed};
 use homebody_core::problem::Diagnose;
-use homebody_core::time::Micros;
+use homebody_core::time::{RunTime, Span};
 use homebody_log::{Cancel, LogError};
 use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
 use std::thread;
@@ -18,7 +18,7 @@ pub(super) trait Grows {
     fn how_far(&self) -> &HowFar;
 
     /// Up to when nothing more comes; `None` once all has come. Or why it cannot.
-    fn read_us(&self) -> Result<Option<Micros>, Refusal> {
+    fn read_us(&self) -> Result<Option<RunTime>, Refusal> {
         let HowFar { last_us, late, ended } = self.how_far();
         match ended {
             None => Ok(Some(last_us.saturating_sub(*late))),
@@ -30,22 +30,22 @@ pub(super) trait Grows {
 /// How far something has come.
 pub(super) struct HowFar {
     /// The latest instant that has come.
-    pub last_us: Micros,
+    pub last_us: RunTime,
     /// So far before it something may still come.
-    late: Micros,
+    late: Span,
     /// Whether it has come to its end, or why it does not.
     pub ended: Option<Result<(), Refusal>>,
 }
 
 impl HowFar {
     /// Nothing has come yet.
-    pub fn begun(late: Micros) -> HowFar {
-        HowFar { last_us: Micros::MIN, late, ended: None }
+    pub fn begun(late: Span) -> HowFar {
+        HowFar { last_us: RunTime::MIN, late, ended: None }
     }
 
     /// All has come.
     pub fn whole() -> HowFar {
-        HowFar { last_us: Micros::MAX, late: 0, ended: Some(Ok(())) }
+        HowFar { last_us: RunTime::MAX, late: Span::ZERO, ended: Some(Ok(())) }
     }
 }
 
@@ -76,8 +76,8 @@ impl<T: Grows> Coming<T> {
         self.0.known.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
-    /// What is known once all has come up to an instant, all of it for [`Micros::MAX`]; whoever waits for it too long is told so.
-    pub fn until(&self, instant: Micros) -> Result<MutexGuard<'_, T>, Refusal> {
+    /// What is known once all has come up to an instant, all of it for [`RunTime::MAX`]; whoever waits for it too long is told so.
+    pub fn until(&self, instant: RunTime) -> Result<MutexGuard<'_, T>, Refusal> {
         let known = self.wait(instant, LONGEST_WAIT);
         match known.read_us()? {
             Some(read) if read < instant => Err(Refusal::Early(PageMessage::StillReading.diagnostic())),
@@ -86,7 +86,7 @@ impl<T: Grows> Coming<T> {
     }
 
     /// Waits no longer than so for what comes up to an instant.
-    pub fn wait(&self, instant: Micros, longest: Duration) -> MutexGuard<'_, T> {
+    pub fn wait(&self, instant: RunTime, longest: Duration) -> MutexGuard<'_, T> {
         let begun = Instant::now();
         let mut known = self.known();
         while matches!(known.read_us(), Ok(Some(read)) if read < instant) {

@@ -1,20 +1,18 @@
-//! What is looked for over a whole stored run.
+//! Searches over a whole stored run.
 
-use super::{Opened, Playback, Refusal};
 use crate::messages::PageMessage;
 use crate::refusal::{damaged, unknown};
 use crate::wire::{AlertView, DateView, Find, FindWhat, FoundView, HitView, PlaybackView};
 use homebody_core::activity::FALLEN;
-use homebody_core::time::{Micros, SECOND};
-use homebody_kit::Cancel;
-use homebody_kit::find::{
-    BY_TRUTH, DayClock, Ground, Hit, Hours, Listener, Query, Span, Stay, TakeRow, Unfindable, What, at_home,
-    falls_in_rooms, find,
-};
-use homebody_log::source::{Value, truth_rows};
-use homebody_log::truth::Truth;
+use homebody_core::time::{Interval, RunTime, SECOND};
+use homebody_log::source::TruthValue;
+use homebody_log::table::truth::Truth;
+use homebody_log::truth::truth_rows;
+use homebody_query::search::{BY_TRUTH, DayHours, Hit, KnownStay, Listener, Query, SearchError, SearchGround, SearchSubject, TakeSearchRow, at_home, falls_in_rooms, find};
+use homebody_simulation::Cancel;
 use std::borrow::Cow;
 use std::collections::HashMap;
+use super::{Opened, Playback, Refusal};
 
 /// Largest number of matches in a list (our choice). The total is given as well.
 const MOST_HITS: usize = 5000;
@@ -30,23 +28,25 @@ impl Playback {
     ) -> Result<FoundView, Refusal> {
         let run = self.open(name)?;
         let query = query(asked)?;
-        let alerts = if query.what == What::Alert { alerts()? } else { Vec::new() };
+        let alerts = if query.what == SearchSubject::Alert { alerts()? } else { Vec::new() };
         let told = match query.what {
-            What::Room => run.stays()?,
-            What::Doing => run.doings(|_| true)?,
-            What::Fall => run.falls("")?,
-            What::SeenFall => Some(run.falls_and_seen_ones(cancel)?),
-            What::Lost => run.lost()?,
-            What::Alert => Some(run.alerts(&alerts)),
-            What::On | What::Still => None,
+            SearchSubject::Room => run.stays()?,
+            SearchSubject::Doing => run.doings(|_| true)?,
+            SearchSubject::Fall => run.falls("")?,
+            SearchSubject::SeenFall => Some(run.falls_and_seen_ones(cancel)?),
+            SearchSubject::Lost => run.lost()?,
+            SearchSubject::Alert => Some(run.alerts(&alerts)),
+            SearchSubject::On | SearchSubject::Still => None,
         };
         let home = match query.what {
-            What::Still => run.stays()?.map(|stays| at_home(stays.iter().map(|stay| (stay.begin, stay.end)))),
+            SearchSubject::Still => {
+                run.stays()?.map(|stays| at_home(stays.iter().map(|stay| Interval::new(stay.begin, stay.end))))
+            }
             _ => None,
         };
         let days = run.view.days.len();
         let view = run.whole()?;
-        let mut rows = |take: &mut TakeRow| match &run.reading {
+        let mut rows = |take: &mut TakeSearchRow<RunTime>| match &run.reading {
             Some(reading) => {
                 let mut known = reading.known();
                 (0..days).try_for_each(|day| {
@@ -57,9 +57,9 @@ impl Playback {
             }
             None => Ok(()),
         };
-        let mut ground = Ground {
-            span: (0, run.view.length_us),
-            days: run.view.days.iter().map(day_clock).collect(),
+        let mut ground = SearchGround {
+            span: run.view.interval(),
+            days: run.view.days.iter().map(DateView::clock).collect(),
             told,
             home,
             sensors: listeners(&view),
@@ -68,41 +68,41 @@ impl Playback {
             rows: &mut rows,
         };
         let found = find(&query, &mut ground).map_err(|why| match why {
-            Unfindable::Unread(_) => damaged(why),
+            SearchError::Unread(_) => damaged(why),
             why => unknown(why),
         })?;
         let all = found.hits.len() as u64;
         let hits = found.hits.into_iter().take(MOST_HITS);
-        let view =
-            |hit: Hit| HitView { begin_us: hit.begin, end_us: hit.end, is_fall: hit.name == FALLEN, words: hit.words };
+        let view = |hit: Hit<RunTime>| HitView {
+            begin_us: hit.begin.micros(),
+            end_us: hit.end.micros(),
+            is_fall: hit.name == FALLEN,
+            words: hit.words,
+        };
         let hits = hits.map(view).collect();
         Ok(FoundView { hits, all, remarks: found.remarks })
     }
 }
 
-/// What is asked, of hours and names that may be nonsense.
+/// The search of a request, whose hours and names may be invalid.
 fn query(asked: &Find) -> Result<Query, Refusal> {
     let what = match asked.what {
-        FindWhat::Room => What::Room,
-        FindWhat::On => What::On,
-        FindWhat::Still => What::Still,
-        FindWhat::Doing => What::Doing,
-        FindWhat::Fall => What::Fall,
-        FindWhat::SeenFall => What::SeenFall,
-        FindWhat::Lost => What::Lost,
-        FindWhat::Alert => What::Alert,
+        FindWhat::Room => SearchSubject::Room,
+        FindWhat::On => SearchSubject::On,
+        FindWhat::Still => SearchSubject::Still,
+        FindWhat::Doing => SearchSubject::Doing,
+        FindWhat::Fall => SearchSubject::Fall,
+        FindWhat::SeenFall => SearchSubject::SeenFall,
+        FindWhat::Lost => SearchSubject::Lost,
+        FindWhat::Alert => SearchSubject::Alert,
     };
-    let hours = |(from, to): (u32, u32)| Hours::new(from, to).ok_or_else(|| damaged(PageMessage::SameHours));
+    let hours = |(from, to): (u32, u32)| DayHours::new(from, to).ok_or_else(|| damaged(PageMessage::SameHours));
     let hours = asked.between_min.map(hours).transpose()?;
     if !(0.0..=1e9).contains(&asked.least_s) {
         return Err(damaged(PageMessage::Duration));
     }
     let name = asked.name.clone().filter(|name| !name.is_empty());
-    Ok(Query { what, name, hours, least: (asked.least_s * SECOND as f64) as Micros })
-}
-
-fn day_clock(day: &DateView) -> DayClock {
-    DayClock { begin: day.begin_us, end: day.end_us, clock: day.clock_us, turn: day.turn }
+    Ok(Query { what, name, hours, least: SECOND.share(asked.least_s) })
 }
 
 fn listeners(view: &PlaybackView) -> Vec<Listener> {
@@ -116,20 +116,20 @@ fn listeners(view: &PlaybackView) -> Vec<Listener> {
 
 impl Opened {
     /// Who was in which room: by the truth, or as the log was walked back. Out is no room; between rooms is one without a name.
-    fn stays(&self) -> Result<Option<Vec<Stay<'_>>>, Refusal> {
+    fn stays(&self) -> Result<Option<Vec<KnownStay<'_, RunTime>>>, Refusal> {
         let room = |number: usize| self.view.home.rooms.get(number).map_or("", |room| room.name.as_str());
         let mut all = Vec::new();
         if let Some(walk) = &self.view.walk {
             for (stays, who) in walk.stays.iter().zip(&self.view.residents) {
-                let at_home =
-                    stays.iter().filter_map(|&(begin, end, place)| Some((begin, end, place.try_into().ok()?)));
-                all.extend(at_home.map(|(begin, end, place)| self.stay((begin, end), &who.name, room(place))));
+                let stay = |&(begin, end, place): &(i64, i64, i32)| {
+                    let span = Interval::new(RunTime::from_micros(begin), RunTime::from_micros(end));
+                    Some(self.stay(span, &who.name, room(place.try_into().ok()?)))
+                };
+                all.extend(stays.iter().filter_map(stay));
             }
         } else if let Some(lives) = self.lives()? {
             for (stays, who) in lives.rooms.iter().zip(&self.view.residents) {
-                let stay =
-                    |&(begin, end, place): &(i64, i64, u32)| self.stay((begin, end), &who.name, room(place as usize));
-                all.extend(stays.iter().map(stay));
+                all.extend(stays.iter().map(|&(span, place)| self.stay(span, &who.name, room(place as usize))));
             }
         } else {
             return Ok(None);
@@ -138,39 +138,40 @@ impl Opened {
     }
 
     /// Who did what, by the truth.
-    fn doings(&self, is_asked: impl Fn(&str) -> bool) -> Result<Option<Vec<Stay<'_>>>, Refusal> {
+    fn doings(&self, is_asked: impl Fn(&str) -> bool) -> Result<Option<Vec<KnownStay<'_, RunTime>>>, Refusal> {
         let Some(lives) = self.lives()?.filter(|_| self.view.walk.is_none()) else { return Ok(None) };
         let mut all = Vec::new();
         for (spans, who) in lives.activities.iter().zip(&self.view.residents) {
-            for &(begin, end, number) in spans {
+            for &(span, number) in spans {
                 let name = lives.names.get(number as usize).map_or("", String::as_str);
                 if is_asked(name) {
-                    all.push(self.stay((begin, end), &who.name, name));
+                    all.push(self.stay(span, &who.name, name));
                 }
             }
         }
         Ok(Some(sorted(all)))
     }
 
-    /// What the truth tells of falls; `by` says that it does.
-    fn falls(&self, by: &str) -> Result<Option<Vec<Stay<'_>>>, Refusal> {
+    /// The falls of the ground truth; `by` are the first words about them.
+    fn falls(&self, by: &str) -> Result<Option<Vec<KnownStay<'_, RunTime>>>, Refusal> {
         let Some(falls) = self.doings(|activity| activity == FALLEN)? else { return Ok(None) };
         Ok(Some(falls_in_rooms(falls, &self.stays()?.unwrap_or_default(), by)))
     }
 
-    /// What cameras take for falls, and what the truth tells of them.
-    fn falls_and_seen_ones(&self, cancel: &Cancel) -> Result<Vec<Stay<'_>>, Refusal> {
+    /// The falls that cameras see, and those of the ground truth.
+    fn falls_and_seen_ones(&self, cancel: &Cancel) -> Result<Vec<KnownStay<'_, RunTime>>, Refusal> {
         let told = self.falls(BY_TRUTH)?.unwrap_or_default();
         Ok(sorted(self.seen_falls(cancel)?.into_iter().chain(told).collect()))
     }
 
-    fn stay<'a>(&self, (begin, end): Span, who: &'a str, name: &'a str) -> Stay<'a> {
-        let (begin, end) = (begin.clamp(0, self.view.length_us), end.clamp(0, self.view.length_us));
-        Stay { begin, end, who: Some(Cow::Borrowed(who)), name: Cow::Borrowed(name), words: Cow::Borrowed("") }
+    fn stay<'a>(&self, span: Interval<RunTime>, who: &'a str, name: &'a str) -> KnownStay<'a, RunTime> {
+        let run = self.view.interval();
+        let Interval { begin, end } = span.map(|at| at.clamp(run.begin, run.end));
+        KnownStay { begin, end, who: Some(Cow::Borrowed(who)), name: Cow::Borrowed(name), words: Cow::Borrowed("") }
     }
 
     /// The messages that never reached the logger, by the truth.
-    fn lost(&self) -> Result<Option<Vec<Stay<'_>>>, Refusal> {
+    fn lost(&self) -> Result<Option<Vec<KnownStay<'_, RunTime>>>, Refusal> {
         let Some(truth) = &self.truth else { return Ok(None) };
         if let Some(known) = self.lost.get() {
             return Ok(Some(known.clone()));
@@ -179,16 +180,17 @@ impl Opened {
         let sensors = listeners(&view);
         let known = view.sensors.iter().map(String::as_str).zip(&sensors).collect::<HashMap<_, _>>();
         let mut all = Vec::new();
-        truth_rows(truth, Truth::Lost, &self.clock, &mut |cells| {
+        truth_rows(truth, Truth::Lost, &self.scale, &mut |cells| {
             let text = |index: usize| match cells.get(index) {
-                Some(Value::Text(text)) => *text,
+                Some(TruthValue::Text(text)) => *text,
                 _ => "",
             };
-            let Some(Value::Integer(at)) = cells.get(2) else { return Ok(()) };
+            let Some(&TruthValue::Integer(at)) = cells.get(2) else { return Ok(()) };
+            let at = RunTime::from_micros(at);
             let name = known.get(text(0)).map_or(text(0), |sensor| &sensor.name).to_owned();
             let words = format!("{name}: {}, lost: {}", text(1), text(4));
             let (name, words) = (Cow::Owned(name), Cow::Owned(words));
-            all.push(Stay { begin: *at, end: *at, who: None, name, words });
+            all.push(KnownStay { begin: at, end: at, who: None, name, words });
             Ok(())
         })
         .map_err(damaged)?;
@@ -196,17 +198,18 @@ impl Opened {
     }
 
     /// Alerts are of whole days.
-    fn alerts<'a>(&self, alerts: &'a [AlertView]) -> Vec<Stay<'a>> {
+    fn alerts<'a>(&self, alerts: &'a [AlertView]) -> Vec<KnownStay<'a, RunTime>> {
         let stay = |alert: &'a AlertView| {
             let day = self.view.days.iter().find(|day| day.date == alert.day)?;
             let (name, words) = (Cow::Borrowed(alert.rule.as_str()), Cow::Borrowed(alert.words.as_str()));
-            Some(Stay { begin: day.begin_us, end: day.end_us, who: None, name, words })
+            let Interval { begin, end } = day.interval();
+            Some(KnownStay { begin, end, who: None, name, words })
         };
         sorted(alerts.iter().filter_map(stay).collect())
     }
 }
 
-fn sorted(mut stays: Vec<Stay>) -> Vec<Stay> {
+fn sorted(mut stays: Vec<KnownStay<RunTime>>) -> Vec<KnownStay<RunTime>> {
     stays.sort_by_key(|stay| stay.begin);
     stays
 }

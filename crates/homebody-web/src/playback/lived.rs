@@ -1,21 +1,21 @@
 //! What residents did and where they were, of a run whose truth is read while the run is open already, as its log is.
 
-use super::coming::{Coming, Grows, HowFar, read_in};
 use crate::refusal::{Refusal, damaged};
-use homebody_core::time::{DAY, Micros};
-use homebody_log::{LifeSpan, LogError, RunClock, SpanKind, Url};
+use homebody_core::time::{DAY, Interval, RunTime, Span, TimeScale};
+use homebody_log::{LifeSpan, LogError, SpanKind, Url};
 use std::collections::HashMap;
 use std::sync::Arc;
+use super::coming::{Coming, Grows, HowFar, read_in};
 
 /// Longest activity (our choice): a truth has an activity only once it is over, so rows may still arrive from this far
 /// back.
-const LATE: Micros = 31 * DAY;
+const LATE: Span = DAY.times(31);
 
 /// Spans that are passed on together (our choice).
 const MOST_AT_ONCE: usize = 1000;
 
 /// Of a resident: from when until when, and a number of what.
-pub(super) type Spans = Vec<(Micros, Micros, u32)>;
+pub(super) type Spans = Vec<(Interval<RunTime>, u32)>;
 
 /// What the truth tells of the whole run, or of as much as has come.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -47,7 +47,7 @@ pub(super) struct Lived {
 
 impl Lived {
     /// Begins to read the truth of a run with these residents and rooms in another thread.
-    pub fn begin(truth: Url, clock: RunClock, residents: Vec<String>, rooms: &[String]) -> Result<Lived, Refusal> {
+    pub fn begin(truth: Url, scale: TimeScale, residents: Vec<String>, rooms: &[String]) -> Result<Lived, Refusal> {
         let rooms: HashMap<String, u32> = rooms.iter().cloned().zip(0..).collect();
         let none = || vec![Vec::new(); residents.len()];
         let lives = Arc::new(Lives { rooms: none(), activities: none(), names: Vec::new() });
@@ -55,7 +55,7 @@ impl Lived {
         let lived = Lived { coming: coming.clone() };
         read_in("reads a truth", move || {
             let mut taken = Taken { residents, rooms, names: HashMap::new(), spans: Vec::new() };
-            let read = homebody_log::life_spans(&truth, &clock, &mut |span| {
+            let read = homebody_log::life_spans(&truth, &scale, &mut |span| {
                 taken.take(&span);
                 if taken.spans.len() >= MOST_AT_ONCE { coming.grow(|known| taken.hand_on(known)) } else { Ok(()) }
             });
@@ -72,7 +72,7 @@ impl Lived {
 
     /// All of it.
     pub fn whole(&self) -> Result<Arc<Lives>, Refusal> {
-        Ok(self.coming.until(Micros::MAX)?.lives.clone())
+        Ok(self.coming.until(RunTime::MAX)?.lives.clone())
     }
 }
 
@@ -89,7 +89,7 @@ struct Taken {
     rooms: HashMap<String, u32>,
     names: HashMap<String, u32>,
     /// Of which resident, of what, and the span.
-    spans: Vec<(usize, SpanKind, (Micros, Micros, u32))>,
+    spans: Vec<(usize, SpanKind, (Interval<RunTime>, u32))>,
 }
 
 impl Taken {
@@ -106,7 +106,8 @@ impl Taken {
                 }
             },
         };
-        self.spans.extend(number.map(|number| (resident, span.kind, (span.begin, span.end, number))));
+        let interval = Interval::new(span.begin, span.end);
+        self.spans.extend(number.map(|number| (resident, span.kind, (interval, number))));
     }
 
     fn hand_on(&mut self, known: &mut Known) -> Result<(), LogError> {
@@ -118,7 +119,7 @@ impl Taken {
             lives.names = names.into_iter().map(|(name, _)| name.clone()).collect();
         }
         for (resident, kind, span) in self.spans.drain(..) {
-            known.how_far.last_us = known.how_far.last_us.max(span.1);
+            known.how_far.last_us = known.how_far.last_us.max(span.0.end);
             let of = match kind {
                 SpanKind::Room => &mut lives.rooms,
                 SpanKind::Activity => &mut lives.activities,
@@ -140,21 +141,23 @@ mod tests {
         let lived = Lived { coming: coming.clone() };
         let rooms = HashMap::from([("hall".to_owned(), 7)]);
         let mut taken = Taken { residents: vec!["ann".into()], rooms, names: HashMap::new(), spans: Vec::new() };
+        let day = |days: i64| RunTime::START + days * DAY;
         let mut hand_on = |kind, resident, name, begin, end| {
-            taken.take(&LifeSpan { kind, resident, name, begin: begin * DAY, end: end * DAY });
+            taken.take(&LifeSpan { kind, resident, name, begin: day(begin), end: day(end) });
             coming.grow(|known| taken.hand_on(known)).unwrap();
         };
         hand_on(SpanKind::Activity, "ann", "sleeping", 0, 1);
         hand_on(SpanKind::Room, "ann", "hall", 1, 2);
         hand_on(SpanKind::Room, "ann", "attic", 2, 3);
         hand_on(SpanKind::Activity, "nobody", "reading", 2, 3);
-        assert!(coming.known().read_us().unwrap().unwrap() < 0);
+        assert!(coming.known().read_us().unwrap().unwrap() < day(0));
         hand_on(SpanKind::Activity, "ann", "eating", 3, 40);
-        assert_eq!(coming.known().read_us(), Ok(Some(9 * DAY)));
-        let known = coming.until(9 * DAY).unwrap().lives().clone();
+        assert_eq!(coming.known().read_us(), Ok(Some(day(9))));
+        let days = |begin, end| Interval::new(day(begin), day(end));
+        let known = coming.until(day(9)).unwrap().lives().clone();
         assert_eq!(
             (&known.rooms[0][..], &known.activities[0][..]),
-            (&[(DAY, 2 * DAY, 7)][..], &[(0, DAY, 0), (3 * DAY, 40 * DAY, 1)][..])
+            (&[(days(1, 2), 7)][..], &[(days(0, 1), 0), (days(3, 40), 1)][..])
         );
         assert_eq!(known.names, ["sleeping", "eating"]);
         coming.end(|known| known.how_far.ended = Some(Ok(())));

@@ -1,18 +1,18 @@
 //! The log of a run that is read while the run is open already: of ten years the first days are seen at once, and the last as soon as they
 //! have come.
 
-use super::coming::{Coming, Grows, HowFar, read_in};
 use crate::refusal::{Refusal, damaged, failed};
 use crate::stored_log::{MOST_ROWS, StoredRows, stranger, told_of};
 use crate::wire::PlaybackView;
 use homebody_core::scenario::load::Scenario;
-use homebody_core::time::{DAY, Micros};
+use homebody_core::time::{DAY, RunTime, Span, TimeScale};
 use homebody_log::{Event, Log, LogError, Url};
 use std::collections::HashMap;
+use super::coming::{Coming, Grows, HowFar, read_in};
 
 /// Longest delay of a message after others of its time (our choice): a log that is being read may still get rows from
 /// this far back.
-const LATE: Micros = DAY;
+const LATE: Span = DAY;
 
 /// The rows of a log, as far as they have come.
 pub(super) type Reading = Coming<Known>;
@@ -55,8 +55,8 @@ impl Coming<Known> {
         let reading = Coming::new(Known { rows, sensors, values, remarks, how_far: HowFar::begun(LATE) });
         let (coming, logger) = (reading.clone(), scenario.logger.clone());
         read_in("reads a log", move || {
-            let mut clock = None;
-            let mut take = |part: &Log| coming.grow(|known| known.take(part, &mut clock, &mut numbers));
+            let mut scale = None;
+            let mut take = |part: &Log| coming.grow(|known| known.take(part, &mut scale, &mut numbers));
             let read = homebody_log::stream(&url, &logger, &mut take);
             let read = match read {
                 // A run that was killed before its first row, or has only just begun.
@@ -77,7 +77,7 @@ impl Grows for Known {
 
 impl Known {
     /// The rows of a day.
-    pub fn of(&mut self, day: usize) -> Result<Vec<Event>, Refusal> {
+    pub fn of(&mut self, day: usize) -> Result<Vec<Event<RunTime>>, Refusal> {
         self.rows.of(day).map_err(failed)
     }
 
@@ -85,7 +85,7 @@ impl Known {
     fn take(
         &mut self,
         part: &Log,
-        clock: &mut Option<homebody_log::RunClock>,
+        scale: &mut Option<TimeScale>,
         numbers: &mut HashMap<String, u32>,
     ) -> Result<(), LogError> {
         let Known { rows, sensors, values, how_far, .. } = self;
@@ -94,7 +94,7 @@ impl Known {
             rows.numbers.push(number);
         }
         values.extend_from_slice(part.values.get(values.len()..).unwrap_or_default());
-        how_far.last_us = how_far.last_us.max(rows.take(part, clock, MOST_ROWS)?);
+        how_far.last_us = how_far.last_us.max(rows.take(part, scale, MOST_ROWS)?);
         Ok(())
     }
 
@@ -117,7 +117,8 @@ mod tests {
     use super::*;
     use crate::dates;
     use crate::messages::PageMessage;
-    use homebody_core::scenario::calendar::Calendar;
+    use homebody_core::calendar::Calendar;
+    use homebody_core::time::{HOUR, WallTime};
     use std::path::Path;
     use std::thread;
     use std::time::Duration;
@@ -126,21 +127,19 @@ mod tests {
     fn begun() -> Reading {
         let calendar = Calendar::new("2009-03-02T00:00:00", "UTC").unwrap();
         let days = dates::all(&calendar, 4 * DAY);
-        let rows = StoredRows::of_days(Path::new("."), days, &calendar, 4 * DAY, Micros::MAX).unwrap();
+        let rows = StoredRows::of_days(Path::new("."), &days, &calendar, 4 * DAY, RunTime::MAX).unwrap();
         let (sensors, values, remarks) = (vec!["hall".into()], Vec::new(), Vec::new());
         Coming::new(Known { rows, sensors, values, remarks, how_far: HowFar::begun(LATE) })
     }
 
     /// A part with a row an hour from a day on until another.
     fn part(days: std::ops::Range<i64>) -> Log {
-        let start = 1_235_952_000_000_000;
+        let start = WallTime::from_micros(1_235_952_000_000_000);
         let hours = days.start * 24..days.end * 24;
         Log {
             sensors: vec!["attic".into(), "hall".into()],
             values: vec!["ON".into()],
-            events: hours
-                .map(|hour| Event { at: start + hour * DAY / 24, sensor: (hour % 2) as u32, value: 0 })
-                .collect(),
+            events: hours.map(|hour| Event { at: start + hour * HOUR, sensor: (hour % 2) as u32, value: 0 }).collect(),
             ..Log::default()
         }
     }
@@ -149,20 +148,21 @@ mod tests {
     fn days_are_there_once_nothing_more_of_them_comes() {
         let reading = begun();
         let mut numbers = HashMap::from([("hall".to_owned(), 0)]);
-        let mut clock = None;
-        let mut take = |days| reading.grow(|known| known.take(&part(days), &mut clock, &mut numbers));
-        assert!(reading.wait(DAY, Duration::from_millis(20)).read_us().unwrap().unwrap() < 0);
+        let mut scale = None;
+        let mut take = |days| reading.grow(|known| known.take(&part(days), &mut scale, &mut numbers));
+        let start = RunTime::START;
+        assert!(reading.wait(start + DAY, Duration::from_millis(20)).read_us().unwrap().unwrap() < start);
         take(0..2).unwrap();
         // What comes late may be of the second day.
-        assert_eq!(reading.known().read_us(), Ok(Some(23 * DAY / 24)));
+        assert_eq!(reading.known().read_us(), Ok(Some(start + 23 * HOUR)));
         take(2..3).unwrap();
-        let first = reading.until(DAY).unwrap().of(0).unwrap();
+        let first = reading.until(start + DAY).unwrap().of(0).unwrap();
         assert_eq!(first.iter().map(|row| row.sensor).collect::<Vec<_>>(), [1, 0].repeat(12));
         take(3..4).unwrap();
-        assert_eq!(reading.until(DAY).unwrap().of(0).unwrap(), first);
+        assert_eq!(reading.until(start + DAY).unwrap().of(0).unwrap(), first);
         reading.end(|known| known.end(Ok(Log::default()), true));
         assert_eq!(reading.known().read_us(), Ok(None));
-        let mut known = reading.until(Micros::MAX).unwrap();
+        let mut known = reading.until(RunTime::MAX).unwrap();
         assert_eq!(
             (known.of(3).unwrap().len(), &known.sensors[..]),
             (24, &["hall".to_owned(), "attic".to_owned()][..])
@@ -174,7 +174,7 @@ mod tests {
         let reading = begun();
         let waiting = thread::spawn({
             let reading = reading.clone();
-            move || reading.until(Micros::MAX).map(drop)
+            move || reading.until(RunTime::MAX).map(drop)
         });
         reading.end(|known| known.end(Err(damaged(PageMessage::LogIncomplete)), true));
         assert_eq!(waiting.join().unwrap(), Err(damaged(PageMessage::LogIncomplete)));

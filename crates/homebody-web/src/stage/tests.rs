@@ -1,18 +1,19 @@
-use super::*;
-use homebody_core::drivers::{Driver, MotionSegment, Next, Surroundings};
-use homebody_core::event::{Events, MotionState};
+use homebody_core::drivers::{Driver, Next, Surroundings};
+use homebody_core::event::Events;
 use homebody_core::geometry::Point;
 use homebody_core::home::Home;
+use homebody_core::motion::{MotionSegment, MotionState};
+use homebody_core::posture::Posture;
 use homebody_core::recording::{Recording, RunDigest};
 use homebody_core::run::{DriverProvider, Guest};
-use homebody_core::scenario::path::Posture;
-use homebody_core::time::SECOND;
-use homebody_kit::Template;
+use homebody_core::time::{HOUR, SECOND};
 use homebody_routine::household::Household;
+use homebody_simulation::Template;
+use super::*;
 use tempfile::TempDir;
 
 /// How long everything goes well.
-const WELL: Micros = 9 * 3600 * SECOND;
+const WELL: Span = HOUR.times(9);
 
 /// Lives as the routine says, and then does what nobody can, or nothing that a program should.
 #[derive(Clone, Debug)]
@@ -23,7 +24,7 @@ struct Doomed {
 
 impl Driver for Doomed {
     fn next(&mut self, around: &Surroundings) -> Next {
-        if around.now() < WELL {
+        if around.now().since_zero() < WELL {
             return self.routine.next(around);
         }
         assert!(!self.panics, "nobody has thought of this");
@@ -112,11 +113,11 @@ fn a_run_that_dies_is_told_of_and_kept_and_another_begins() {
         let run = shelf.runs().pop().unwrap();
         let recording: Recording = shelf.recording(&run).unwrap();
         assert!(recording.is_complete() && recording.firings > 0, "{recording:?}");
-        assert!(recording.length_us <= WELL + 3600 * SECOND && recording.length_us > WELL / 2);
+        assert!(recording.length_us <= WELL + HOUR && recording.length_us > WELL / 2);
         let (scenario, household) = Household::recorded(&recording).unwrap();
         let mut again = recording.run(&scenario, &household);
         let (mut events, mut digest) = (Events::default(), RunDigest::default());
-        again.advance(recording.length_us, &mut events).unwrap();
+        again.advance(RunTime::START + recording.length_us, &mut events).unwrap();
         digest.add(&events.firings);
         assert_eq!((digest.firings(), digest.hex()), (recording.firings, recording.sha256.clone()));
         let log = rusqlite::Connection::open(shelf.runs.join(&run).join("log.db")).unwrap();
@@ -126,7 +127,9 @@ fn a_run_that_dies_is_told_of_and_kept_and_another_begins() {
         stage.voice().say(Say::Start { driven: None, without: Vec::new(), seed: None });
         stage.voice().say(Say::Speed { times: None });
         stage.voice().say(Say::Play);
-        look(&stage, &mut seen, |news| frame(news).state == State::Playing && frame(news).now_us > WELL + SECOND);
+        look(&stage, &mut seen, |news| {
+            frame(news).state == State::Playing && frame(news).now_us > (WELL + SECOND).micros()
+        });
         assert_eq!(told(&stage.news(&mut Seen::default(), 10)), None, "what was, is over");
         stage.close();
     }

@@ -1,9 +1,9 @@
 //! How somebody is, for those who care.
 
 use homebody_analysis::alerts::Alert;
-use homebody_analysis::care::{Care, Chart, DayTold, Known, Point, Today};
-use homebody_analysis::measures::Unit;
-use homebody_analysis::summaries::Sentence;
+use homebody_analysis::care::{Care, CareDay, ChartPoint, DayKnowledge, MeasureChart, MeasureWords};
+use homebody_analysis::measures::ValueForm;
+use homebody_analysis::summaries::SummarySentence;
 use homebody_core::names::capitalised;
 use serde::{Deserialize, Serialize};
 use ts_rs::TS;
@@ -176,25 +176,25 @@ impl CareView {
     }
 }
 
-impl From<&DayTold> for CareDayView {
-    fn from(day: &DayTold) -> CareDayView {
+impl From<&CareDay> for CareDayView {
+    fn from(day: &CareDay) -> CareDayView {
         let known = match day.known {
-            Known::Whole => KnownView::Whole,
-            Known::Away => KnownView::NobodyHome,
-            Known::Partly => KnownView::Partly,
+            DayKnowledge::Whole => KnownView::Whole,
+            DayKnowledge::Away => KnownView::NobodyHome,
+            DayKnowledge::Partly => KnownView::Partly,
         };
         CareDayView { day: day.date.to_string(), known, told: day.told.iter().map(TodayView::from).collect() }
     }
 }
 
-impl From<&Today> for TodayView {
-    fn from(today: &Today) -> TodayView {
+impl From<&MeasureWords> for TodayView {
+    fn from(today: &MeasureWords) -> TodayView {
         TodayView { measure: today.measure.to_owned(), words: today.words.clone(), is_more: today.is_more }
     }
 }
 
-impl From<&Sentence> for CareSentenceView {
-    fn from(sentence: &Sentence) -> CareSentenceView {
+impl From<&SummarySentence> for CareSentenceView {
+    fn from(sentence: &SummarySentence) -> CareSentenceView {
         CareSentenceView {
             words: sentence.plain.clone(),
             numbers: sentence.numbers.clone(),
@@ -219,8 +219,8 @@ impl From<&Alert> for AlertView {
     }
 }
 
-impl From<&Chart> for ChartView {
-    fn from(chart: &Chart) -> ChartView {
+impl From<&MeasureChart> for ChartView {
+    fn from(chart: &MeasureChart) -> ChartView {
         ChartView {
             measure: chart.measure.to_owned(),
             title: chart.title.to_owned(),
@@ -232,20 +232,20 @@ impl From<&Chart> for ChartView {
     }
 }
 
-impl From<Unit> for CareUnit {
-    fn from(unit: Unit) -> CareUnit {
+impl From<ValueForm> for CareUnit {
+    fn from(unit: ValueForm) -> CareUnit {
         match unit {
-            Unit::Hours => CareUnit::Hours,
-            Unit::Clock => CareUnit::Clock,
-            Unit::Times | Unit::Amount => CareUnit::Times,
-            Unit::OfUsual => CareUnit::OfUsual,
-            Unit::MetresASecond => CareUnit::MetresASecond,
+            ValueForm::Hours => CareUnit::Hours,
+            ValueForm::Clock => CareUnit::Clock,
+            ValueForm::Times | ValueForm::Amount => CareUnit::Times,
+            ValueForm::OfUsual => CareUnit::OfUsual,
+            ValueForm::MetresASecond => CareUnit::MetresASecond,
         }
     }
 }
 
-impl From<&Point> for PointView {
-    fn from(point: &Point) -> PointView {
+impl From<&ChartPoint> for PointView {
+    fn from(point: &ChartPoint) -> PointView {
         let usual = point.usual.map(|(low, high)| [low, high]);
         PointView { day: point.date.to_string(), value: point.value, usual }
     }

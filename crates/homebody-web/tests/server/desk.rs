@@ -1,10 +1,10 @@
 //! Files that are written in the page: what is asked about them, and how they are saved.
 
-use super::served::Served;
 use homebody_core::event::Events;
 use homebody_core::ids::SensorId;
 use homebody_core::run::Run;
 use homebody_core::scenario::load::Scenario;
+use homebody_core::time::RunTime;
 use homebody_routine::household::{Household, RoutineLanguage};
 use homebody_web::shelf::Shelf;
 use rusqlite::Connection;
@@ -12,6 +12,7 @@ use serde_json::{Value, json};
 use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
+use super::served::Served;
 
 impl Served {
     pub fn told(&self, path: &str, body: &Value) -> Value {
@@ -263,11 +264,12 @@ fn a_month_is_what_a_run_would_be() {
     let asked = |without: &[&str]| json!({ "draft": { "texts": {} }, "from": 55, "days": 10, "without": without });
     let month = served.told("/api/month", &asked(&[]));
     let (scenario, household) = scenario(&served, "tigerplace-depression");
-    let end = month["days"][9]["end_us"].as_i64().unwrap();
-    let mut run = Run::new(&scenario, &household, scenario.file.seed, end);
+    let instant = |us: &Value| RunTime::from_micros(us.as_i64().unwrap());
+    let end = instant(&month["days"][9]["end_us"]);
+    let mut run = Run::new(&scenario, &household, scenario.file.seed, end.since_zero());
     let mut events = Events::default();
     run.advance(end, &mut events).unwrap();
-    let begin = month["days"][0]["begin_us"].as_i64().unwrap();
+    let begin = instant(&month["days"][0]["begin_us"]);
     let motion = |sensor: SensorId| run.sensors()[sensor.index()].senses_motion();
     let fired = events.firings.iter().filter(|firing| motion(firing.sensor) && firing.at >= begin).count() as u64;
     let hours = |month: &Value| -> u64 {

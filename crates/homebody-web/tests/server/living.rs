@@ -1,16 +1,15 @@
 //! What a page does to a run, and what it does not.
 
-use super::served::{LONGEST_WAIT, Page, Seen, Served};
 use homebody_core::event::Events;
 use homebody_core::recording::{Recording, RunDigest};
 use homebody_core::run::Run;
-use homebody_core::time::SECOND;
+use homebody_core::time::{HOUR, RunTime};
 use rusqlite::Connection;
 use serde_json::{Value, json};
-use std::fs;
 use std::path::Path;
-use std::thread;
 use std::time::{Duration, Instant};
+use std::{fs, thread};
+use super::served::{LONGEST_WAIT, Page, Seen, Served};
 
 /// The rows of a run's log: time, sensor, message.
 fn rows(run: &Path) -> Vec<Value> {
@@ -69,7 +68,7 @@ fn who_is_driven_makes_sensors_fire_and_the_page_sees_what_the_log_gets() {
     let scenario = recording.scenario().unwrap();
     let mut run = recording.run(&scenario, &());
     let (mut events, mut digest) = (Events::default(), RunDigest::default());
-    run.advance(recording.length_us, &mut events).unwrap();
+    run.advance(RunTime::START + recording.length_us, &mut events).unwrap();
     digest.add(&events.firings);
     assert_eq!((digest.firings(), digest.hex()), (recording.firings, recording.sha256));
 }
@@ -90,7 +89,7 @@ fn a_recording_is_replayed_to_the_same_firings() {
 /// Whoever looks, and however fast: the log is the one of a run that nobody looks at.
 #[test]
 fn a_page_that_looks_changes_nothing() {
-    let opened = homebody_kit::template("tigerplace").unwrap();
+    let opened = homebody_simulation::template("tigerplace").unwrap();
     let (scenario, household) = (opened.scenario(), opened.household());
     for (speeds, hours) in [(&["null"][..], 30.0), (&["1000", "0.1", "300"], 9.0)] {
         let mut served = Served::scenario("tigerplace");
@@ -115,8 +114,9 @@ fn a_page_that_looks_changes_nothing() {
         let mut alone =
             Run::new(scenario, household, recording.seed, scenario.calendar.span_of_days(scenario.file.days));
         let (mut events, mut digest) = (Events::default(), RunDigest::default());
-        while alone.now() < recording.length_us {
-            alone.advance(recording.length_us.min(alone.now() + 3600 * SECOND), &mut events).unwrap();
+        let end = RunTime::START + recording.length_us;
+        while alone.now() < end {
+            alone.advance(end.min(alone.now() + HOUR), &mut events).unwrap();
             digest.add(&events.firings);
             events.clear();
         }

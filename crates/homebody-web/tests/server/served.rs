@@ -1,7 +1,7 @@
 //! A server with a scenario, and those who ask it: as browsers do, and as nobody should.
 
-use homebody_kit::begun::{begin, of_template, write};
-use homebody_kit::{Cancel, Template};
+use homebody_scaffold::{create, from_template, write};
+use homebody_simulation::{Cancel, Template};
 use homebody_web::library::Library;
 use homebody_web::server::SOCKET;
 use homebody_web::shelf::Shelf;
@@ -69,7 +69,7 @@ impl Served {
     pub fn library(templates: &[&str]) -> Served {
         let folder = tempfile::tempdir().unwrap();
         for name in templates {
-            begin(&folder.path().join(name), |part, _| write(part, &of_template(Template::named(name).unwrap(), name)))
+            create(&folder.path().join(name), |part, _| write(part, &from_template(Template::named(name).unwrap(), name)))
                 .unwrap();
         }
         let library = Library::new(folder.path().to_owned(), false);

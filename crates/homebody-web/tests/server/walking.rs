@@ -1,12 +1,11 @@
 //! Logs that are opened in the page: walked back in the background, played as they were, and told of.
 
-use super::served::{Answer, Served};
-use homebody_kit::Destinations;
+use homebody_simulation::Destinations;
 use serde_json::Value;
-use std::fs;
 use std::path::Path;
-use std::thread;
 use std::time::{Duration, Instant};
+use std::{fs, thread};
+use super::served::{Answer, Served};
 
 const MINUTE: i64 = 60_000_000;
 
@@ -14,7 +13,7 @@ impl Served {
     /// Lives some days of the scenario into the folder of runs, which is told, and its log as CSV.
     fn lived(&self, scenario: &str, days: f64) -> (String, Vec<u8>) {
         let (folder, runs) = (self.folder.path(), self.folder.path().join("runs"));
-        let run = || homebody_kit::open(folder.join(scenario)).unwrap().run().days(days).start().unwrap();
+        let run = || homebody_simulation::open(folder.join(scenario)).unwrap().run().days(days).start().unwrap();
         run().store(&Destinations::new_folder_in(&runs), |_| ()).unwrap();
         let csv = folder.join("log.csv");
         run().store(&Destinations::log(&format!("csv:{}", csv.display())).unwrap(), |_| ()).unwrap();

@@ -1,16 +1,17 @@
 //! `homebody anonymise`: a log without names, places and dates.
 
+use homebody_core::calendar::Calendar;
 use super::convert::{keep, rows_bar};
 use super::read_log::Mapped;
 use super::replacing::Replacing;
 use crate::failure::{EXIT_CODES, Failure};
 use crate::print::{counted, tell, write_file};
-use homebody_analysis::look::{Look, Looker, looked};
+use homebody_analysis::look::{LogOverview, Looker, looked};
 use homebody_analysis::signs::{Kind, Says, is_number, says};
-use homebody_core::scenario::calendar::Calendar;
-use homebody_log::places::can_be_written;
+use homebody_log::run::places::can_be_written;
 use homebody_log::sink::csv_line;
-use homebody_log::{Anonymising, Log, Transfer, Url, anonymise};
+use homebody_log::{Anonymising, Log, Transfer, Url};
+use homebody_log::anonymise;
 use std::collections::BTreeMap;
 use std::path::PathBuf;
 
@@ -98,7 +99,7 @@ impl Arguments {
 const ANONYMOUS: &str = "anonymised";
 
 /// A name for each sensor of a log: its kind and a number, in the order in which they came.
-fn names(log: &Log, look: &Look) -> Vec<String> {
+fn names(log: &Log, look: &LogOverview) -> Vec<String> {
     let kinds: BTreeMap<&str, Kind> = look.sensors.iter().map(|sensor| (sensor.id.as_str(), sensor.kind)).collect();
     let mut numbers: BTreeMap<&str, u32> = BTreeMap::new();
     let name = |id: &String| {

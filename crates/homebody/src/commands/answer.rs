@@ -3,7 +3,7 @@
 use super::messages::{PictureMessage, undrawn};
 use crate::failure::Failure;
 use crate::print::{json_text, print_json, print_text, tell, write_file};
-use homebody_log::places::can_be_written;
+use homebody_log::run::places::can_be_written;
 use homebody_picture::png;
 use serde::Serialize;
 use std::fmt::Display;

@@ -4,7 +4,6 @@ use super::alerts::AlertsMessage;
 use super::density::DensityMessage;
 use super::devices::DeviceMessage;
 use super::doctor::DoctorMessage;
-use super::experiment::messages::ExperimentMessage;
 use super::fit::TrainingMessage;
 use super::fleet::told::FleetEndMessage;
 use super::follow::FollowMessage;
@@ -17,10 +16,10 @@ use super::run_messages::{ReplayMessage, RunMessage};
 use super::serve::ServeMessage;
 use super::silhouettes::messages::SilhouettesMessage;
 use super::suggest_sensors::GoalsMessage;
-use homebody_core::messages::{Catalogue, Entry};
+use homebody_core::messages::{Catalogue, CatalogueEntry};
 
 /// The messages by area.
-pub const MESSAGES: &[&[Entry]] = &[
+pub const MESSAGES: &[&[CatalogueEntry]] = &[
     RunMessage::ENTRIES,
     ReplayMessage::ENTRIES,
     LiveMessage::ENTRIES,
@@ -41,5 +40,4 @@ pub const MESSAGES: &[&[Entry]] = &[
     SilhouettesMessage::ENTRIES,
     GoalsMessage::ENTRIES,
     DoctorMessage::ENTRIES,
-    ExperimentMessage::ENTRIES,
 ];

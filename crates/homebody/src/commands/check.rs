@@ -5,7 +5,7 @@ use crate::failure::Failure;
 use crate::length::Length;
 use crate::print::{print_json, tell, tell_message};
 use homebody_core::problem::{Problem, Problems, Severity, counted};
-use homebody_kit::{Error, OpenScenario, Source};
+use homebody_simulation::{OpenScenario, ScenarioSource, SimulationError};
 use serde_json::json;
 
 /// Report all problems of a scenario
@@ -34,7 +34,7 @@ impl Arguments {
         let opened = load_and_say(self.scenario.source(), self.json, remarks)?;
         let scenario = opened.scenario();
         let home = &scenario.home;
-        let found = match opened.lifeless().is_empty() {
+        let found = match opened.missing_parts().is_empty() {
             true => "no problems",
             false => "the files are valid; the warnings above name what a simulation lacks",
         };
@@ -53,16 +53,16 @@ impl Arguments {
 
 /// Loads a scenario with its routines, and prints warnings. As JSON, it prints empty lists, too.
 pub fn load_and_say(
-    source: Result<Source, Error>,
+    source: Result<ScenarioSource, SimulationError>,
     json: bool,
     remarks: impl Fn(&OpenScenario) -> Vec<Problem>,
 ) -> Result<OpenScenario, Failure> {
-    let opened = source.and_then(Source::open);
+    let opened = source.and_then(ScenarioSource::open);
     let remarks = opened.as_ref().map_or_else(|_| Vec::new(), &remarks);
     let none = Problems::default();
     let problems = match &opened {
         Ok(_) => Some(&none),
-        Err(Error::Problems(problems)) => Some(problems),
+        Err(SimulationError::Problems(problems)) => Some(problems),
         Err(_) => None,
     };
     if let Some(problems) = problems.filter(|_| json) {

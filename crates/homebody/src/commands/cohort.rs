@@ -3,19 +3,19 @@
 use super::lived::{Output, go_on_in, speed_in_words};
 use crate::failure::Failure;
 use crate::print::{counted, grouped, not_written, print_json, print_text, tell};
-use homebody_core::time::{DAY, Micros};
-use homebody_kit::{Cohort, LIST, LivedCohort, TruthKept};
+use homebody_core::time::{DAY, Span};
+use homebody_simulation::{Cohort, CohortSummary, LIST, TruthKept};
 use serde_json::json;
 use std::fs;
 use std::path::Path;
 
 /// Days, and members, of a cohort that the estimate of its output is made from (our choice). Members differ by a factor
 /// of two.
-const SAMPLE: Micros = 3 * DAY;
+const SAMPLE: Span = DAY.times(3);
 const SAMPLE_MEMBERS: usize = 6;
 
 /// Smallest ratio of a cohort to its sample for an estimate (our choice): a smaller cohort is simulated in less time.
-const WORTH_A_SAMPLE: Micros = 10;
+const WORTH_A_SAMPLE: i64 = 10;
 
 /// Homebody announces no smaller output (our choice).
 const MUCH_BYTES: f64 = 1e8;
@@ -54,7 +54,7 @@ fn estimate(cohort: &Cohort) -> Option<Estimate> {
     let scratch = tempfile::tempdir().ok()?;
     let folder = scratch.path().join("sample");
     let lived = sample.store_in(&folder, |_| ()).ok()?;
-    let times = all as f64 / sampled as f64;
+    let times = all.ratio(sampled);
     let rows = lived.list.members.iter().map(|member| member.rows).sum::<u64>() as f64 * times;
     Some(Estimate { rows, bytes: bytes_in(&folder) as f64 * times, members: sample.count() })
 }
@@ -83,9 +83,9 @@ fn bytes_in(folder: &Path) -> u64 {
 }
 
 /// Prints the result of a cohort.
-pub fn report(output: &Output, lived: &LivedCohort) -> Result<(), Failure> {
+pub fn report(output: &Output, lived: &CohortSummary) -> Result<(), Failure> {
     let is_stopped = lived.is_stopped();
-    let LivedCohort { folder, list, asked, found, lived, took, .. } = lived;
+    let CohortSummary { folder, list, asked, found, done, took, .. } = lived;
     if output.json {
         let mut list = serde_json::to_value(list).map_err(not_written)?;
         list["stopped"] = json!(is_stopped);
@@ -103,7 +103,7 @@ pub fn report(output: &Output, lived: &LivedCohort) -> Result<(), Failure> {
     let of = if count < *asked { format!(" of {asked}") } else { String::new() };
     let stopped = if is_stopped { ", stopped" } else { "" };
     let before = if *found > 0 { format!(", {found} of them complete before this run") } else { String::new() };
-    let speed = if *lived > 0 { format!(", {}", speed_in_words(*lived, *took)) } else { String::new() };
+    let speed = if *done > Span::ZERO { format!(", {}", speed_in_words(*done, *took)) } else { String::new() };
     let how = if is_stopped { go_on_in(folder) } else { String::new() };
     print_text(&format!(
         "{name}: simulated {members}{of}{stopped}{before} in {:.1} s{speed}\n\nrows       {}\nfolder     {}\nmembers    {}\n{how}",
@@ -120,7 +120,7 @@ mod tests {
 
     #[test]
     fn an_estimate_is_near_what_a_cohort_writes_and_a_small_cohort_has_none() {
-        let studio = homebody_kit::open("../../scenarios/studio").unwrap();
+        let studio = homebody_simulation::open("../../scenarios/studio").unwrap();
         let of = |members: u32, days: f64| studio.cohort(members).days(days).start().unwrap();
         assert!(estimate(&of(2, 3.0)).is_none() && estimate(&of(30, 2.0)).is_none());
         let cohort = of(24, 8.0);

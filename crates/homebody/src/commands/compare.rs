@@ -4,7 +4,7 @@ use super::read_log::{HowRead, tell_remarks, tell_unfinished};
 use crate::failure::Failure;
 use crate::print::{counted, print_json, print_text, tell};
 use homebody_analysis::compare::{MEASURES, begins, compare};
-use homebody_kit::NamedLog;
+use homebody_query::LogRef;
 use homebody_log::{Log, SensorMap};
 use std::path::PathBuf;
 
@@ -42,7 +42,7 @@ impl Arguments {
         let found = [self.how.find(&self.a)?, self.how.find(&self.b)?];
         // A run knows what its own log's ids mean, and those of a copy of it.
         let name = |id: &str| found.iter().find_map(|named| named.name_of(id)).unwrap_or(id).to_owned();
-        let read = |text: &str, named: &NamedLog| {
+        let read = |text: &str, named: &LogRef| {
             let mut log = log(text, named)?;
             for sensor in &mut log.sensors {
                 *sensor = map.name(sensor).map_or_else(|| name(sensor), str::to_owned);
@@ -55,10 +55,10 @@ impl Arguments {
 }
 
 /// The log, with the activities that the truth of its run tells.
-fn log(text: &str, named: &NamedLog) -> Result<Log, Failure> {
+fn log(text: &str, named: &LogRef) -> Result<Log, Failure> {
     let log = named.with_activities(None)?;
     tell_remarks(text, &log);
-    tell_unfinished(text, named.unfinished().as_ref());
+    tell_unfinished(text, named.incomplete().as_ref());
     if log.skipped > 0 {
         tell(format_args!("{text}: skipped {}; homebody inspect lists them", counted(log.skipped, "line", "lines")));
     }

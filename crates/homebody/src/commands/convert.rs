@@ -1,5 +1,6 @@
 //! `homebody convert`: write a log in another form.
 
+use homebody_core::calendar::Calendar;
 use super::messages::LogContentMessage;
 use super::read_log::{Mapped, tell_remarks};
 use super::replacing::Replacing;
@@ -7,12 +8,15 @@ use crate::failure::{EXIT_CODES, Failure};
 use crate::print::{counted, tell};
 use crate::progress;
 use homebody_analysis::look::{Looker, looked};
-use homebody_core::scenario::calendar::Calendar;
 use homebody_core::scenario::scheme::{KNOWN_EXTENSIONS, SCHEMES, SchemeRow};
-use homebody_log::fresh::same_file;
-use homebody_log::source::{Form, forms};
-use homebody_log::truth::tables;
-use homebody_log::{Activity, Life, LogError, RunClock, Transfer, Url, convert, lives};
+use homebody_core::time::{TimeScale, WallTime};
+use homebody_log::files::fresh::same_file;
+use homebody_log::registry::forms;
+use homebody_log::source::LogForm;
+use homebody_log::table::truth::tables;
+use homebody_log::convert;
+use homebody_log::lives;
+use homebody_log::{Activity, Life, LogError, Transfer, Url};
 use indicatif::ProgressBar;
 use std::path::{Path, PathBuf};
 
@@ -28,7 +32,7 @@ pub fn forms_of_logs() -> String {
 
 /// The forms that Homebody reads, for a help text.
 fn forms_of_sources() -> String {
-    let form = |form: &Form| format!("  {:<15} {}\n", format!("{}:", form.name), form.what);
+    let form = |form: &LogForm| format!("  {:<15} {}\n", format!("{}:", form.name), form.what);
     forms().map(form).collect()
 }
 
@@ -88,7 +92,9 @@ impl Arguments {
         if self.activities {
             let no_truth = || LogContentMessage::NoTruth { log: text.to_owned(), command: "convert" };
             let truth = named.truth().ok_or_else(|| Failure::file(no_truth()))?;
-            log.activities = told_activities(&lives(&truth, &RunClock::as_told())?);
+            let scale = TimeScale::one();
+            let lives = lives(&truth, &scale)?.into_iter();
+            log.activities = told_activities(lives.map(|life| life.map(|at| scale.run_to_wall(at))).collect());
         }
         let look = looker.look(&named.name, named.place.form().name, &log, &|_| None, None);
         log.remarks.clone_from(&look.remarks);
@@ -124,13 +130,13 @@ impl Arguments {
 }
 
 /// What residents did, by their numbers where there are several: `R1_` stands before what the first of them does.
-fn told_activities(lives: &[Life]) -> Vec<Activity> {
-    let of_life = |(number, life): (usize, &Life)| {
-        let prefix = if lives.len() > 1 { format!("R{}_", number + 1) } else { String::new() };
-        let named = |of: &Activity| Activity { name: format!("{prefix}{}", of.name), ..of.clone() };
-        life.activities.iter().map(named).collect::<Vec<_>>()
+fn told_activities(lives: Vec<Life<WallTime>>) -> Vec<Activity> {
+    let are_several = lives.len() > 1;
+    let of_life = |(number, life): (usize, Life<WallTime>)| {
+        let prefix = if are_several { format!("R{}_", number + 1) } else { String::new() };
+        life.activities.into_iter().map(move |of| Activity { name: format!("{prefix}{}", of.name), ..of })
     };
-    let mut all: Vec<Activity> = lives.iter().enumerate().flat_map(of_life).collect();
+    let mut all: Vec<Activity> = lives.into_iter().enumerate().flat_map(of_life).collect();
     all.sort_by_key(|of| of.begin);
     all
 }

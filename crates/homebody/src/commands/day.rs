@@ -4,8 +4,8 @@ use super::answer::Answer;
 use super::messages::LogContentMessage;
 use super::read_log::{HowRead, read_log};
 use crate::failure::Failure;
-use homebody_analysis::dates::Asked;
-use homebody_analysis::day::Day;
+use homebody_analysis::dates::DayChoice;
+use homebody_analysis::day::DayRecord;
 use homebody_picture::{DayChart, day_chart};
 
 /// Show one day of a log with a chart
@@ -23,7 +23,7 @@ pub struct Arguments {
     how: HowRead,
     /// Date such as 2009-03-02, or first or last
     #[arg(value_name = "DATE")]
-    date: Asked,
+    date: DayChoice,
     /// The home's time zone, for a log in UTC; not needed for a run folder, which stores it
     #[arg(long, value_name = "ZONE")]
     time_zone: Option<String>,
@@ -42,7 +42,7 @@ impl Arguments {
             Failure::asked(LogContentMessage::NoDay { log: log(), day, first, last })
         };
         let date = self.date.within(there).ok_or_else(no_day)?;
-        let day = Day::of(&read.name, &read.log, &read.lives, read.ended(), date);
-        answer.give(&day, [&|| day_chart(&DayChart::of(&day))])
+        let day = DayRecord::from_log(&read.name, &read.log, &read.lives, read.ended(), date);
+        answer.give(&day, [&|| day_chart(&DayChart::new(&day))])
     }
 }

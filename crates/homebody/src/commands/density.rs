@@ -7,12 +7,12 @@ use crate::failure::Failure;
 use crate::length::span;
 use crate::print::tell;
 use homebody_analysis::dates;
-use homebody_analysis::density::{Asked, Chosen, Measured, NoMap, density_of};
+use homebody_analysis::density::{DensityOptions, EntranceSource, NoMap, TexturedMap, density_of};
+use homebody_core::nearest::nearest;
 use homebody_core::problem::{Diagnostic, counted};
-use homebody_core::scenario::nearest::nearest;
-use homebody_core::time::Micros;
-use homebody_kit::LogWithRun;
-use homebody_log::source::{ColumnRole, ColumnUse};
+use homebody_core::time::Span;
+use homebody_query::LoadedLog;
+use homebody_log::log::{ColumnRole, ColumnUse};
 use homebody_picture::density_map;
 use std::collections::BTreeSet;
 use std::path::PathBuf;
@@ -70,10 +70,10 @@ pub struct Arguments {
     door: Vec<String>,
     /// Shortest time that counts as an absence, such as 10m or 2h
     #[arg(long, value_name = "DURATION", default_value = "30m", value_parser = span)]
-    away_after: Micros,
+    away_after: Span,
     /// First day of the map, such as 2009-03-02 (default: the first day of the log)
     #[arg(long, value_name = "DATE")]
-    from: Option<dates::Asked>,
+    from: Option<dates::DayChoice>,
     /// Number of days (default: all days)
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=3660))]
     days: Option<u32>,
@@ -97,7 +97,7 @@ impl Arguments {
         let csv = self.csv.as_deref();
         let answer = self.answer.check_beside([""], csv, &sources)?;
 
-        let known: Vec<&LogWithRun> = [Some(&log), other.as_ref()].into_iter().flatten().collect();
+        let known: Vec<&LoadedLog> = [Some(&log), other.as_ref()].into_iter().flatten().collect();
         let problems: Vec<Diagnostic> = self.unknown_doors(&known).chain(self.unknown_day(&log)).collect();
         if !problems.is_empty() {
             return Err(Failure::all(problems));
@@ -105,10 +105,10 @@ impl Arguments {
         let from = self.from.and_then(|from| from.within(log.dates()?));
         let days = self.days.map(|days| days as usize);
         let (doors, away_after) = (self.doors(&log), self.away_after);
-        let asked = Asked { doors, away_after, from, days, ..log.density_asked() };
+        let asked = DensityOptions { doors, away_after, from, days, ..log.density_asked() };
         // The days of the other log are its own.
         let asked_of =
-            |other: &LogWithRun| Asked { doors: self.doors(other), away_after, days, ..other.density_asked() };
+            |other: &LoadedLog| DensityOptions { doors: self.doors(other), away_after, days, ..other.density_asked() };
         let map = log.density(&asked).map_err(|why| no_map(&self.log, &log, &why))?;
         let against = other.as_ref().zip(self.compare.as_ref());
         let against =
@@ -127,12 +127,12 @@ impl Arguments {
     }
 
     /// Of the doors that are asked for those that a log has.
-    fn doors(&self, log: &LogWithRun) -> Vec<String> {
+    fn doors(&self, log: &LoadedLog) -> Vec<String> {
         self.door.iter().filter(|door| log.log.sensors.contains(door)).cloned().collect()
     }
 
     /// A problem for each door that no log has.
-    fn unknown_doors(&self, logs: &[&LogWithRun]) -> impl Iterator<Item = Diagnostic> {
+    fn unknown_doors(&self, logs: &[&LoadedLog]) -> impl Iterator<Item = Diagnostic> {
         let sensors = || logs.iter().flat_map(|log| log.log.sensors.iter().map(String::as_str));
         let unknown = self.door.iter().filter(move |door| !sensors().any(|sensor| sensor == **door));
         unknown.map(move |door| {
@@ -143,7 +143,7 @@ impl Arguments {
         })
     }
 
-    fn unknown_day(&self, log: &LogWithRun) -> Option<Diagnostic> {
+    fn unknown_day(&self, log: &LoadedLog) -> Option<Diagnostic> {
         let (asked, there) = (self.from?, log.dates()?);
         let problem = || {
             let [day, first, last] = [asked.to_string(), there.0.to_string(), there.1.to_string()];
@@ -154,7 +154,7 @@ impl Arguments {
 }
 
 /// The failure of a log without a map and measures, with a hint.
-pub fn no_map(name: &str, log: &LogWithRun, why: &NoMap) -> Failure {
+pub fn no_map(name: &str, log: &LoadedLog, why: &NoMap) -> Failure {
     let activities = log.log.activities.len();
     let hint = match why {
         NoMap::TooLong(_) => "select a part with --from and --days".to_owned(),
@@ -186,8 +186,8 @@ fn sorting(name: &str, columns: &[ColumnUse]) -> String {
 }
 
 /// Whether nobody has said which sensors are at the entrance.
-fn is_by_name(of: &Measured) -> bool {
-    of.map.entrance.chosen != Chosen::Asked
+fn is_by_name(of: &TexturedMap) -> bool {
+    of.map.entrance.chosen != EntranceSource::Asked
 }
 
 #[cfg(test)]

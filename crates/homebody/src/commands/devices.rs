@@ -2,8 +2,8 @@
 
 use crate::failure::Failure;
 use crate::print::{print_json, print_text};
-use homebody_core::scenario::device::Device;
-use homebody_core::scenario::nearest::nearest;
+use homebody_core::nearest::nearest;
+use homebody_core::sensors::products::Product;
 use serde_json::{Value, json};
 use std::fmt::Write;
 
@@ -46,7 +46,7 @@ pub struct Arguments {
 impl Arguments {
     pub fn run(self) -> Result<(), Failure> {
         let one = self.name.as_deref().map(device).transpose()?;
-        let devices: Vec<Device> = one.map_or_else(|| Device::all().collect(), |one| vec![one]);
+        let devices: Vec<Product> = one.map_or_else(|| Product::all().collect(), |one| vec![one]);
         if self.json {
             return print_json(&json!({ "devices": devices.iter().map(row).collect::<Vec<_>>() }));
         }
@@ -58,15 +58,15 @@ impl Arguments {
 }
 
 /// The device of a name.
-pub fn device(name: &str) -> Result<Device, Failure> {
-    Device::all().find(|device| device.key() == name).ok_or_else(|| {
-        let known: Vec<String> = Device::all().map(|device| device.key()).collect();
+pub fn device(name: &str) -> Result<Product, Failure> {
+    Product::all().find(|device| device.key() == name).ok_or_else(|| {
+        let known: Vec<String> = Product::all().map(|device| device.key()).collect();
         let nearest = nearest(name, known.iter().map(String::as_str)).map(str::to_owned);
         Failure::asked(DeviceMessage::Unknown { name: name.to_owned(), nearest, known })
     })
 }
 
-fn row(device: &Device) -> Value {
+fn row(device: &Product) -> Value {
     let timing = device.preset.timing();
     json!({
         "name": device.key(), "make": device.make, "model": device.model, "network": device.network,
@@ -76,7 +76,7 @@ fn row(device: &Device) -> Value {
     })
 }
 
-fn table(devices: &[Device]) -> String {
+fn table(devices: &[Product]) -> String {
     let mut text = format!(
         "{:14} {:48} {:10} {:>8} {:>12} {:>7} {:>14}\n",
         "name", "make and model", "network", "height m", "field °", "reach m", "next after s"
@@ -98,7 +98,7 @@ fn table(devices: &[Device]) -> String {
     text
 }
 
-fn sheet(device: &Device) -> String {
+fn sheet(device: &Product) -> String {
     let timing = device.preset.timing();
     let [across, down] = device.field_deg.value;
     let rows = [

@@ -4,8 +4,8 @@ use crate::failure::{EXIT_CODES, Failure};
 use crate::installation;
 use crate::print::{print_json, print_text, tell};
 use homebody_core::problem::counted;
-use homebody_kit::{Check, Examined, Examining, Verdict};
-use homebody_log::places::RUNS;
+use homebody_query::{Check, PlaceCheck, PlaceReport, CheckVerdict};
+use homebody_log::run::places::RUNS;
 use homebody_log::read_mapping;
 use serde_json::json;
 use std::path::{Path, PathBuf};
@@ -56,18 +56,18 @@ pub struct Arguments {
 impl Arguments {
     pub fn run(self) -> Result<(), Failure> {
         let mapping = self.mapping.as_deref().map(read_mapping).transpose()?;
-        let examining = Examining { mapping, may_write: self.write, replays: self.replay };
+        let examining = PlaceCheck { mapping, may_write: self.write, replays: self.replay };
         let mut examined = Vec::new();
         if self.places.is_empty() {
             let checks = installation::examine(Path::new(RUNS));
-            examined.push(Examined { place: "this installation".into(), checks });
+            examined.push(PlaceReport { place: "this installation".into(), checks });
         }
         for place in &self.places {
             examined.push(examining.examine(place)?);
         }
         let count =
             |verdict| examined.iter().flat_map(|place| &place.checks).filter(|check| check.verdict == verdict).count();
-        let (wrong, warnings) = (count(Verdict::Wrong), count(Verdict::Warning));
+        let (wrong, warnings) = (count(CheckVerdict::Wrong), count(CheckVerdict::Warning));
         match self.json {
             true => print_json(&json!({ "places": examined, "wrong": wrong, "warnings": warnings }))?,
             false => print_text(&examined.iter().map(text).collect::<String>())?,
@@ -82,13 +82,13 @@ impl Arguments {
 }
 
 /// A place and a line for each thing that was looked at.
-fn text(examined: &Examined) -> String {
+fn text(examined: &PlaceReport) -> String {
     let width = examined.checks.iter().map(|check| check.about.len()).max().unwrap_or(0);
     let line = |check: &Check| {
         let verdict = match check.verdict {
-            Verdict::Ok => "ok",
-            Verdict::Warning => "warning",
-            Verdict::Wrong => "wrong",
+            CheckVerdict::Ok => "ok",
+            CheckVerdict::Warning => "warning",
+            CheckVerdict::Wrong => "wrong",
         };
         let hint =
             check.hint.as_ref().map_or_else(String::new, |hint| format!("           {:width$}  hint: {hint}\n", ""));

@@ -3,8 +3,8 @@
 use crate::failure::Failure;
 use crate::messages::{self, ExplainMessage};
 use crate::print::print_text;
-use homebody_core::messages::Entry;
-use homebody_core::scenario::nearest::nearest;
+use homebody_core::messages::CatalogueEntry;
+use homebody_core::nearest::nearest;
 
 /// Explain a message by its code
 ///
@@ -22,30 +22,38 @@ pub struct Arguments {
 
 impl Arguments {
     pub fn run(self) -> Result<(), Failure> {
-        let Some(code) = self.code else {
-            return print_text(&list(messages::all()));
-        };
-        let code = code.trim_matches(['[', ']']);
-        if let Some(entry) = messages::all().find(|entry| entry.code == code) {
-            return print_text(&in_full(entry));
-        }
-        let of_area = || messages::all().filter(|entry| entry.code.split("::").next() == Some(code));
-        if of_area().next().is_some() {
-            return print_text(&list(of_area()));
-        }
-        let nearest = nearest(code, messages::all().map(|entry| entry.code)).map(str::to_owned);
-        Err(Failure::asked(ExplainMessage::UnknownCode { code: code.to_owned(), nearest }))
+        explain(self.code, messages::all())
     }
 }
 
+/// Prints the long form of the message with a code, a list of the messages of an area, or a list of all messages.
+pub fn explain(
+    code: Option<String>,
+    all: impl Iterator<Item = &'static CatalogueEntry> + Clone,
+) -> Result<(), Failure> {
+    let Some(code) = code else {
+        return print_text(&list(all));
+    };
+    let code = code.trim_matches(['[', ']']);
+    if let Some(entry) = all.clone().find(|entry| entry.code == code) {
+        return print_text(&in_full(entry));
+    }
+    let of_area = all.clone().filter(|entry| entry.code.split("::").next() == Some(code));
+    if of_area.clone().next().is_some() {
+        return print_text(&list(of_area));
+    }
+    let nearest = nearest(code, all.map(|entry| entry.code)).map(str::to_owned);
+    Err(Failure::asked(ExplainMessage::UnknownCode { code: code.to_owned(), nearest }))
+}
+
 /// A line for each message.
-fn list<'a>(entries: impl Iterator<Item = &'a Entry> + Clone) -> String {
+fn list<'a>(entries: impl Iterator<Item = &'a CatalogueEntry> + Clone) -> String {
     let width = entries.clone().map(|entry| entry.code.len()).max().unwrap_or_default();
     entries.map(|entry| format!("{:width$}  {}\n", entry.code, entry.text)).collect()
 }
 
 /// All that is known of a message.
-fn in_full(entry: &Entry) -> String {
+fn in_full(entry: &CatalogueEntry) -> String {
     let mut text = format!("{}[{}]: {}\n", entry.severity.word(), entry.code, entry.text);
     if let Some(hint) = entry.hint {
         text += &format!("  hint: {hint}\n");

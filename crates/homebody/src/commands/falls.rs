@@ -6,10 +6,11 @@ use crate::print::print_text;
 use crate::progress;
 use homebody_analysis::falls::rules::{FallRules, USUAL};
 use homebody_core::problem::Problem;
-use homebody_kit::{Fallen, FallsFound, LogWithSilhouettes, NamedLog, falls_in};
+use homebody_core::time::RunTime;
+use homebody_query::{FallReport, LogRef, ReportedFall, RunSilhouettes, falls_in};
 use homebody_log::LogError;
+use homebody_log::files::plain;
 use homebody_log::limits::LARGEST_OF_SCENARIO_BYTES;
-use homebody_log::plain;
 use indicatif::ProgressBar;
 use serde::Serialize;
 use std::fmt;
@@ -49,12 +50,12 @@ impl Arguments {
             return print_text(USUAL);
         }
         let rules = self.rules.as_deref().map(rules).transpose()?.unwrap_or_default();
-        let named = NamedLog::find(&self.log.unwrap_or_default())?;
+        let named = LogRef::find(&self.log.unwrap_or_default())?;
         let sources: Vec<PathBuf> = named.place.files().into_iter().chain(self.rules.clone()).collect();
         let answer = self.figures.check(&sources)?;
         let bar = looking_bar(&named);
         let found = falls_in(&named, &rules, |at| {
-            bar.set_position(at.max(0) as u64);
+            bar.set_position(position(at));
             true
         });
         bar.finish_and_clear();
@@ -63,10 +64,15 @@ impl Arguments {
 }
 
 /// A bar that shows how far silhouettes have been looked at.
-pub fn looking_bar(named: &NamedLog) -> ProgressBar {
-    let length = LogWithSilhouettes::beside(named).and_then(|kept| Ok(kept.silhouettes.span()?));
-    let end = length.ok().flatten().map_or(0, |(_, last)| last.max(0) as u64);
+pub fn looking_bar(named: &LogRef) -> ProgressBar {
+    let span = RunSilhouettes::beside(named).and_then(|kept| Ok(kept.silhouettes.span()?));
+    let end = span.ok().flatten().map_or(0, |span| position(span.end));
     progress::bar(end, progress::SHARE)
+}
+
+/// Where an instant is on this bar.
+pub fn position(at: RunTime) -> u64 {
+    at.micros().max(0) as u64
 }
 
 /// The rules of a file.
@@ -81,17 +87,17 @@ fn rules(path: &Path) -> Result<FallRules, Failure> {
 /// What was found, in words.
 #[derive(Serialize)]
 #[serde(transparent)]
-struct Answered(FallsFound);
+struct Answered(FallReport);
 
 impl fmt::Display for Answered {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
-        let FallsFound { name, cameras, pictures, voxel_persons, falls } = &self.0;
+        let FallReport { name, cameras, pictures, voxel_persons, falls } = &self.0;
         let cameras = if *cameras == 1 { "1 camera".into() } else { format!("{cameras} cameras") };
         writeln!(f, "{name}: {cameras}, {pictures} pictures of a person, {voxel_persons} voxel persons")?;
         if falls.is_empty() {
             return writeln!(f, "no falls");
         }
-        for Fallen { at, seconds_to_alarm, room, rule, confidence, words, .. } in falls {
+        for ReportedFall { at, seconds_to_alarm, room, rule, confidence, words, .. } in falls {
             let place = room.as_deref().map_or(String::new(), |room| format!(", {room}"));
             writeln!(f, "{at}{place}: {words} ({confidence:.2}; {rule}), alarm after {seconds_to_alarm:.1} s")?;
         }

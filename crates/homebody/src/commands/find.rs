@@ -5,10 +5,10 @@ use super::read_log::{HowRead, read_log};
 use crate::failure::Failure;
 use crate::length::span;
 use clap::builder::PossibleValue;
-use homebody_analysis::dates::{clock_s, date_of};
-use homebody_core::time::{Micros, SECOND, seconds};
-use homebody_kit::find::{Hours, Query, What};
-use homebody_kit::find_in_log;
+use homebody_analysis::dates::clock_s;
+use homebody_core::time::{SECOND, Span, WallTime};
+use homebody_query::{search::DayHours, search::Query, search::SearchSubject};
+use homebody_query::find_in_log;
 use serde::Serialize;
 use std::fmt;
 
@@ -37,10 +37,10 @@ pub struct Arguments {
     name: Option<String>,
     /// Find only in these hours of the day, such as 0-6, 22-6 or 08:30-20
     #[arg(long, value_name = "HOURS")]
-    between: Option<Hours>,
+    between: Option<DayHours>,
     /// Shortest interval to report, such as 30m
     #[arg(long, value_name = "DURATION", value_parser = span)]
-    min_duration: Option<Micros>,
+    min_duration: Option<Span>,
     /// The home's time zone, for a log in UTC; not needed for a run folder, which stores it
     #[arg(long, value_name = "ZONE")]
     time_zone: Option<String>,
@@ -48,17 +48,17 @@ pub struct Arguments {
     figures: Figures,
 }
 
-/// What is looked for, as a word of the command line.
+/// The subject of a search, as a word of the command line.
 #[derive(Clone, Copy)]
-struct Wanted(What);
+struct Wanted(SearchSubject);
 
 impl clap::ValueEnum for Wanted {
     fn value_variants<'a>() -> &'a [Wanted] {
-        const ALL: [Wanted; What::ALL.len()] = {
-            let mut all = [Wanted(What::Room); What::ALL.len()];
+        const ALL: [Wanted; SearchSubject::ALL.len()] = {
+            let mut all = [Wanted(SearchSubject::Room); SearchSubject::ALL.len()];
             let mut at = 0;
             while at < all.len() {
-                all[at] = Wanted(What::ALL[at]);
+                all[at] = Wanted(SearchSubject::ALL[at]);
                 at += 1;
             }
             all
@@ -68,14 +68,14 @@ impl clap::ValueEnum for Wanted {
 
     fn to_possible_value(&self) -> Option<PossibleValue> {
         let help = match self.0 {
-            What::Room => "A resident is in a room",
-            What::On => "A sensor is on",
-            What::Still => "No sensor fires while a resident is at home (readings do not count)",
-            What::Doing => "A resident does an activity, by the ground truth",
-            What::Fall => "A resident falls, by the ground truth",
-            What::SeenFall => "Cameras detect a fall, compared with the ground truth",
-            What::Lost => "A message never reaches the logger, by the ground truth",
-            What::Alert => "An alert, by the default rules",
+            SearchSubject::Room => "A resident is in a room",
+            SearchSubject::On => "A sensor is on",
+            SearchSubject::Still => "No sensor fires while a resident is at home (readings do not count)",
+            SearchSubject::Doing => "A resident does an activity, by the ground truth",
+            SearchSubject::Fall => "A resident falls, by the ground truth",
+            SearchSubject::SeenFall => "Cameras detect a fall, compared with the ground truth",
+            SearchSubject::Lost => "A message never reaches the logger, by the ground truth",
+            SearchSubject::Alert => "An alert, by the default rules",
         };
         Some(PossibleValue::new(self.0.word()).help(help))
     }
@@ -86,12 +86,13 @@ impl Arguments {
         let read = read_log(&self.log, self.time_zone.as_deref(), &self.how)?;
         let answer = self.figures.check(&read.sources)?;
         let what = self.what.0;
-        let query = Query { what, name: self.name.clone(), hours: self.between, least: self.min_duration.unwrap_or(0) };
+        let least = self.min_duration.unwrap_or(Span::ZERO);
+        let query = Query { what, name: self.name.clone(), hours: self.between, least };
         let found = find_in_log(&query, &read)?;
-        let one = |hit: homebody_kit::find::Hit| One {
+        let one = |hit: homebody_query::search::Hit<WallTime>| One {
             begin: instant(hit.begin),
             end: instant(hit.end),
-            lasts_s: seconds(hit.end - hit.begin),
+            lasts_s: (hit.end - hit.begin).seconds(),
             name: hit.name,
             words: hit.words,
         };
@@ -108,8 +109,8 @@ impl Arguments {
 }
 
 /// Such as `2009-03-02 07:12:03`.
-fn instant(at: Micros) -> String {
-    format!("{} {}", date_of(at), clock_s(at))
+fn instant(at: WallTime) -> String {
+    format!("{} {}", at.date(), clock_s(at))
 }
 
 /// All that was found.
@@ -141,7 +142,7 @@ impl fmt::Display for Answered {
         writeln!(formatter, "{}: {}{of}{between}: {times}", self.name, self.what)?;
         self.remarks.iter().try_for_each(|remark| writeln!(formatter, "{remark}"))?;
         for one in &self.found {
-            let whole = (one.lasts_s * SECOND as f64) as Micros / SECOND;
+            let whole = SECOND.share(one.lasts_s) / SECOND;
             let lasts = match whole {
                 0 => String::new(),
                 _ => format!("  {} h {:02} min {:02} s", whole / 3600, whole / 60 % 60, whole % 60),

@@ -6,11 +6,11 @@ use super::scenario::Trust;
 use crate::failure::{EXIT_CODES, Failure};
 use crate::print::{json_text, print_json, print_text, tell, write_file};
 use crate::progress;
-use homebody_analysis::dates::{date_of, midnight};
-use homebody_analysis::realism::{Measure, Realism, Told, realism};
-use homebody_core::time::{DAY, Micros};
-use homebody_kit::begun::begin;
-use homebody_kit::{Calibration, Error, Fitted, OpenScenario, Sight, Source, calibrate, lived};
+use homebody_analysis::realism::{ComparedLog, Realism, RealismMeasure, realism};
+use homebody_core::time::{DAY, Interval, Span, WallTime};
+use homebody_scaffold::create;
+use homebody_simulation::{OpenScenario, ScenarioSource, SimulationError};
+use homebody_tracking::{Calibration, Fitted, SensorSight, calibrate, simulated_log};
 use homebody_log::{Log, LogError};
 use jiff::civil::Date;
 use serde::Serialize;
@@ -129,12 +129,12 @@ struct Row {
 impl Arguments {
     pub fn run(self) -> Result<(), Failure> {
         if self.out.exists() {
-            return Err(Error::Exists { path: self.out }.into());
+            return Err(SimulationError::Exists { path: self.out }.into());
         }
         let home = self.trust.source(&self.home)?.open()?;
         let zone = self.time_zone.clone().unwrap_or_else(|| home.scenario().file.time_zone.clone());
         let read = read_log(&self.log, Some(&zone), &self.how)?;
-        let parts = self.parts(&read.log, read.recorded.as_ref())?;
+        let parts = self.parts(&read.log, read.recorded)?;
         let bar = progress::bar(1000, progress::SHARE);
         let seen = parts.of(&read.log, true);
         let calibration = calibrate(&seen, &home, |share| bar.set_position((share * 1000.0) as u64))?;
@@ -146,7 +146,7 @@ impl Arguments {
             measures: self.measures(&read.log, &parts, &home, &calibration)?,
             fitted: calibration.fitted.clone(),
         };
-        begin(&self.out, |part, _| {
+        create(&self.out, |part, _| {
             for (name, text) in &calibration.files {
                 let path = part.join(name);
                 path.parent().map_or(Ok(()), std::fs::create_dir_all).map_err(|error| LogError::file(&path, error))?;
@@ -164,15 +164,17 @@ impl Arguments {
     }
 
     /// The days that are seen and those that are not.
-    fn parts(&self, log: &Log, recorded: Option<&Range<Micros>>) -> Result<Parts, Failure> {
+    fn parts(&self, log: &Log, recorded: Option<Interval<WallTime>>) -> Result<Parts, Failure> {
         let rows = || log.events.iter().map(|event| event.at);
-        let whole = recorded.cloned().or_else(|| rows().min().zip(rows().max()).map(|(first, last)| first..last + 1));
+        let of_rows = |(first, last)| Interval::new(first, last + Span::MICROSECOND);
+        let whole = recorded.or_else(|| rows().min().zip(rows().max()).map(of_rows));
         let no_rows = || Failure::asked(LogContentMessage::NoRows { log: self.log.clone() });
         let whole = whole.ok_or_else(no_rows)?;
-        let (first, last) = (whole.start.div_euclid(DAY), (whole.end - 1).div_euclid(DAY) + 1);
+        let last_instant = whole.end - Span::MICROSECOND;
+        let (first, last) = (whole.begin.day_number(), last_instant.day_number() + 1);
         let seen = match self.training_days {
             None => first..first + (last - first) / 2,
-            Some((from, to)) => midnight(from).div_euclid(DAY)..midnight(to).div_euclid(DAY) + 1,
+            Some((from, to)) => WallTime::midnight(from).day_number()..WallTime::midnight(to).day_number() + 1,
         };
         let seen = seen.start.max(first)..seen.end.min(last);
         let (count, unseen) = (seen.end - seen.start, last - first - (seen.end - seen.start).max(0));
@@ -181,13 +183,14 @@ impl Arguments {
                 log: self.log.clone(),
                 training_days: count.max(0) as usize,
                 test_days: unseen.max(0) as usize,
-                first: date_of(whole.start).to_string(),
-                last: date_of(whole.end - 1).to_string(),
+                first: whole.begin.date().to_string(),
+                last: last_instant.date().to_string(),
             }));
         }
         // What is not seen is one stretch: the longer of what is before and after.
         let unseen = if last - seen.end >= seen.start - first { seen.end..last } else { first..seen.start };
-        let within = |days: Range<Micros>| (days.start * DAY).max(whole.start)..(days.end * DAY).min(whole.end);
+        let midnight = |day: i64| WallTime::EPOCH + day * DAY;
+        let within = |days: Range<i64>| Interval::new(midnight(days.start), midnight(days.end)).intersection(whole);
         Ok(Parts { seen: within(seen), unseen: within(unseen) })
     }
 
@@ -199,19 +202,19 @@ impl Arguments {
         home: &OpenScenario,
         calibration: &Calibration,
     ) -> Result<Vec<Row>, Failure> {
-        let open = Source::of_texts(calibration.files.clone(), calibration.entry.clone()).open()?;
+        let open = ScenarioSource::from_texts(calibration.files.clone(), calibration.entry.clone()).open()?;
         let log = Log { sensors: calibration.names.clone(), ..log.clone() };
         let unseen = parts.of(&log, false);
         let seen = parts.of(&log, true);
-        let against = |name: &str, other: &Log, recorded: Option<&Range<Micros>>| -> Result<Realism, Failure> {
-            let real = Told { name: &self.log, log: &unseen, recorded: Some(&parts.unseen) };
-            realism(real, Told { name, log: other, recorded }).map_err(|problems| not_comparable(&problems))
+        let against = |name: &str, other: &Log, recorded: Option<Interval<WallTime>>| -> Result<Realism, Failure> {
+            let real = ComparedLog { name: &self.log, log: &unseen, recorded: Some(parts.unseen) };
+            realism(real, ComparedLog { name, log: other, recorded }).map_err(|problems| not_comparable(&problems))
         };
-        let fitted = against("the fitted scenario", &lived(&open, SEED, LIVED_DAYS)?, None)?;
-        let own = against("the training days", &seen, Some(&parts.seen))?;
-        let before = against("the scenario before the fit", &lived(home, SEED, LIVED_DAYS)?, None)?;
+        let fitted = against("the fitted scenario", &simulated_log(&open, SEED, LIVED_DAYS)?, None)?;
+        let own = against("the training days", &seen, Some(parts.seen))?;
+        let before = against("the scenario before the fit", &simulated_log(home, SEED, LIVED_DAYS)?, None)?;
         let rows = fitted.measures().into_iter().zip(own.measures()).zip(before.measures());
-        let value = |measure: Measure| measure.value;
+        let value = |measure: RealismMeasure| measure.value;
         Ok(rows
             .map(|(((measure, about, fitted), (_, _, own)), (_, _, before))| Row {
                 measure,
@@ -225,36 +228,36 @@ impl Arguments {
 }
 
 /// Fewest days for a rhythm (our choice).
-const LEAST_DAYS: Micros = 3;
+const LEAST_DAYS: i64 = 3;
 
 /// The two parts of a log, as instants on the clock on the wall.
 struct Parts {
-    seen: Range<Micros>,
-    unseen: Range<Micros>,
+    seen: Interval<WallTime>,
+    unseen: Interval<WallTime>,
 }
 
 impl Parts {
     fn of(&self, log: &Log, seen: bool) -> Log {
-        let span = if seen { &self.seen } else { &self.unseen };
-        let events = log.events.iter().filter(|event| span.contains(&event.at)).copied().collect();
+        let span = if seen { self.seen } else { self.unseen };
+        let events = log.events.iter().filter(|event| span.contains(event.at)).copied().collect();
         Log { events, ..log.clone() }
     }
 
     /// The first and the last date.
     fn dates(&self, seen: bool) -> Vec<String> {
-        let span = if seen { &self.seen } else { &self.unseen };
-        [span.start, span.end - 1].map(|at| date_of(at).to_string()).into()
+        let span = if seen { self.seen } else { self.unseen };
+        [span.begin, span.end - Span::MICROSECOND].map(|at| at.date().to_string()).into()
     }
 }
 
 /// How far the sensors see and what they miss, a line each.
-fn sights(f: &mut fmt::Formatter, sights: &[Sight]) -> fmt::Result {
+fn sights(f: &mut fmt::Formatter, sights: &[SensorSight]) -> fmt::Result {
     if sights.is_empty() {
         return Ok(());
     }
     let width = sights.iter().map(|sight| sight.sensor.chars().count()).max().unwrap_or(0);
     writeln!(f, "  {:width$}  {:>5}  {:>6}  {:>9}  {:>6}", "", "reach", "missed", "agreement", "before")?;
-    for Sight { sensor, reach, missed, agreement: [before, after] } in sights {
+    for SensorSight { sensor, reach, missed, agreement: [before, after] } in sights {
         let missed = missed.map_or("-".into(), |missed| format!("{missed:.2}"));
         writeln!(f, "  {sensor:width$}  {reach:>5.2}  {missed:>6}  {after:>9.2}  {before:>6.2}")?;
     }

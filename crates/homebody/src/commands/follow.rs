@@ -5,7 +5,9 @@ use crate::failure::Failure;
 use crate::print::{ResultMessage, print_json_text, print_text};
 use crate::signals::Signals;
 use homebody_core::scenario::load::Scenario;
-use homebody_kit::{Cancel, Following, Learnt, LogWithRun, Presence};
+use homebody_query::LoadedLog;
+use homebody_simulation::Cancel;
+use homebody_tracking::{FollowedHome, LogFollower, PersonLocation};
 use homebody_log::LogError;
 use std::fs::{self, File};
 use std::io::{BufRead, Write};
@@ -56,8 +58,8 @@ impl Followed<'_> {
         }
         let signals = Signals::listen()?;
         let cancel = signals.cancel();
-        let learnt = Learnt::of(scenario)?;
-        let following = &mut Following::new(&learnt, scenario);
+        let learnt = FollowedHome::new(scenario)?;
+        let following = &mut LogFollower::new(&learnt, scenario);
         let done = match self.log.strip_suffix(INPUT) {
             Some(form) => self.input(form, following, cancel),
             None => self.file(following, cancel),
@@ -66,7 +68,7 @@ impl Followed<'_> {
     }
 
     /// Looks at a file, or a database, again and again.
-    fn file(&self, following: &mut Following, cancel: &Cancel) -> Result<(), Failure> {
+    fn file(&self, following: &mut LogFollower, cancel: &Cancel) -> Result<(), Failure> {
         // What cannot be read now is a mistake; later it may be in the middle of being written.
         let mut looked = Some(read_log(self.log, Some(self.zone), self.how)?);
         while !cancel.is_cancelled() {
@@ -83,7 +85,7 @@ impl Followed<'_> {
     }
 
     /// Keeps the whole lines of standard input in a file of its own, and looks at that.
-    fn input(&self, form: &str, following: &mut Following, cancel: &Cancel) -> Result<(), Failure> {
+    fn input(&self, form: &str, following: &mut LogFollower, cancel: &Cancel) -> Result<(), Failure> {
         let mut kept = Kept::new()?;
         let named = format!("{form}:{}", kept.path.display());
         let lines = lines()?;
@@ -114,7 +116,7 @@ impl Followed<'_> {
         Ok(())
     }
 
-    fn take(&self, following: &mut Following, read: &LogWithRun) -> Result<(), Failure> {
+    fn take(&self, following: &mut LogFollower, read: &LoadedLog) -> Result<(), Failure> {
         let mut told = String::new();
         let mut failed = None;
         following.take(&read.log, |presence| {
@@ -128,7 +130,7 @@ impl Followed<'_> {
         }
     }
 
-    fn line(&self, presence: &Presence) -> Result<String, Failure> {
+    fn line(&self, presence: &PersonLocation) -> Result<String, Failure> {
         match self.is_json {
             false => Ok(format!("{presence}\n")),
             true => {

@@ -11,7 +11,7 @@ pub const GROUPS: [(&str, &[&str]); 8] = [
     ("Logs", &["inspect", "convert", "anonymise", "label", "compare", "find", "day", "storyboard", "silhouettes"]),
     ("Care", &["measures", "alerts", "summary", "density", "falls"]),
     ("Real time and load", &["live", "fleet", "mqtt"]),
-    ("Validate", &["experiment", "realism", "fit", "locate", "sensor-faults"]),
+    ("Validate", &["realism", "fit", "locate", "sensor-faults"]),
     ("Set up", &["schema", "doctor", "explain", "completions"]),
 ];
 

@@ -6,8 +6,9 @@ use crate::print::{tell, warn};
 use homebody_core::problem::{Problem, counted};
 use homebody_core::scenario::load::Scenario;
 use homebody_import::{MOST_BYTES, sweet_home};
-use homebody_kit::begun::{Begun, begin, furnish, lack, lived_in, write};
-use homebody_log::{LogError, plain};
+use homebody_scaffold::{NewScenario, create, furnish, inhabited_texts, lack, write};
+use homebody_log::LogError;
+use homebody_log::files::plain;
 use homebody_routine::household::RoutineLanguage;
 use std::io::Read;
 use std::path::{Path, PathBuf};
@@ -51,7 +52,7 @@ struct Made {
 impl Arguments {
     pub fn run(self) -> Result<(), Failure> {
         let bytes = read(&self.plan)?;
-        let made = begin(&self.folder, |part, name| self.make(part, name, &bytes))?;
+        let made = create(&self.folder, |part, name| self.make(part, name, &bytes))?;
         self.say(&made);
         Ok(())
     }
@@ -61,12 +62,12 @@ impl Arguments {
         let imported = sweet_home(bytes, name, self.level.as_deref());
         let imported = imported
             .map_err(|error| Failure::asked(Problem::of_file(&self.plan.display().to_string(), error, None)))?;
-        let mut begun = Begun::week(name, imported.home_json);
+        let mut begun = NewScenario::week(name, imported.home_json);
         let mut remarks = imported.remarks;
         if self.furnish {
             remarks.extend(furnish(&mut begun)?);
         }
-        let texts = lived_in(&begun);
+        let texts = inhabited_texts(&begun);
         let scenario = Scenario::load_in(&mut RoutineLanguage::default(), &texts, "scenario.json")?;
         write(folder, &texts)?;
         Ok(Made { remarks, scenario, lack: lack(&begun) })

@@ -6,11 +6,11 @@ use crate::failure::{EXIT_CODES, Failure};
 use crate::print::write_file;
 use crate::progress::Working;
 use homebody_analysis::density::density;
-use homebody_analysis::look::{HomeSensor, Look, Looker, looked};
-use homebody_core::scenario::calendar::Calendar;
-use homebody_kit::{LogWithRun, NamedLog, home_sensors};
+use homebody_analysis::look::{HomeSensor, LogOverview, Looker, looked};
+use homebody_core::calendar::Calendar;
+use homebody_query::{LoadedLog, LogRef, home_sensors};
 use homebody_log::SensorMap;
-use homebody_log::places::can_be_written;
+use homebody_log::run::places::can_be_written;
 use homebody_picture::{density_map, look_map, look_page};
 use std::path::{Path, PathBuf};
 
@@ -66,7 +66,7 @@ impl Arguments {
         can_be_written(&html, &sources, self.answer.replaces())?;
         self.answer.check(["", DENSITY], &sources)?;
         let look = self.look(&named)?;
-        tell_unfinished(&named.name, named.unfinished().as_ref());
+        tell_unfinished(&named.name, named.incomplete().as_ref());
         let drawn = self.html.is_some() || self.answer.draws();
         let density = if drawn { self.density() } else { None };
         if let Some(page) = &self.html {
@@ -82,12 +82,12 @@ impl Arguments {
         }
     }
 
-    fn look(&self, named: &NamedLog) -> Result<Look, Failure> {
+    fn look(&self, named: &LogRef) -> Result<LogOverview, Failure> {
         let zone = self.time_zone.as_deref().map(Calendar::zone).transpose().map_err(Failure::asked)?;
         let map = self.sensors.as_deref().map(SensorMap::read).transpose()?.unwrap_or_default();
         let home: Option<(String, Vec<HomeSensor>)> = match &self.home {
             Some(path) => {
-                let scenario = homebody_kit::Source::at(path)?.scenario()?;
+                let scenario = homebody_simulation::ScenarioSource::at(path)?.scenario()?;
                 Some((scenario.file.name.clone(), home_sensors(&scenario)))
             }
             None => None,
@@ -105,7 +105,7 @@ impl Arguments {
 
     /// The density map; none where the log has no motion sensors, or days that are too many.
     fn density(&self) -> Option<String> {
-        let log = LogWithRun::of(self.log.find().ok()?, self.time_zone.as_deref()).ok()?;
+        let log = LoadedLog::from_ref(self.log.find().ok()?, self.time_zone.as_deref()).ok()?;
         let asked = log.density_asked();
         density((&log.name, &log.log, &asked), None).ok().map(|density| density_map(&density))
     }

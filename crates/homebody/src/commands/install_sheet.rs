@@ -5,11 +5,11 @@ use super::scenario::Chosen;
 use crate::failure::Failure;
 use crate::print::{tell, write_file};
 use homebody_analysis::coverage::{self, STEP_M};
-use homebody_analysis::parts::{Layout, Parts, beside};
-use homebody_core::home::Build;
+use homebody_analysis::parts::{PartsList, SensorLayout, beside};
+use homebody_core::resident::Build;
 use homebody_core::scenario::load::Scenario;
-use homebody_kit::Source;
-use homebody_log::places::can_be_written;
+use homebody_simulation::ScenarioSource;
+use homebody_log::run::places::can_be_written;
 use homebody_picture::{coverage_map, installing, pdf};
 use std::path::PathBuf;
 
@@ -46,7 +46,7 @@ impl Arguments {
         let other = match &self.compare {
             None => None,
             Some(path) => {
-                let source = Source::at(path)?;
+                let source = ScenarioSource::at(path)?;
                 let other = source.scenario()?;
                 sources.extend(source.paths(&other));
                 Some((path.display().to_string(), other))
@@ -56,7 +56,7 @@ impl Arguments {
         if let Some(path) = &self.pdf {
             can_be_written(&[path.as_path()], &sources, self.answer.replaces())?;
         }
-        let (home, build, parts) = (&scenario.home, build(&scenario), Parts::of(&scenario.home));
+        let (home, build, parts) = (&scenario.home, build(&scenario), PartsList::from_home(&scenario.home));
         if let Some(path) = &self.pdf {
             let pages = installing(home, &coverage::of_home(home, build, STEP_M), &parts);
             let bytes = pdf(&home.name, &pages);
@@ -72,8 +72,8 @@ impl Arguments {
         match other {
             None => answer.give_beside(&parts, [&map], &table),
             Some((path, other)) => {
-                let one = Layout { name: &self.scenario.name(), home, build };
-                let two = Layout { name: &path, home: &other.home, build };
+                let one = SensorLayout { name: &self.scenario.name(), home, build };
+                let two = SensorLayout { name: &path, home: &other.home, build };
                 answer.give_beside(&beside([one, two]), [&map], &table)
             }
         }
@@ -82,5 +82,5 @@ impl Arguments {
 
 /// The body of the first resident, or an adult's where nobody lives there.
 pub fn build(scenario: &Scenario) -> Build {
-    scenario.residents.first().map_or_else(Build::adult, |resident| Build::of(&resident.file))
+    scenario.residents.first().map_or_else(Build::adult, |resident| Build::new(&resident.file))
 }

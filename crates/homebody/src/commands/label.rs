@@ -1,13 +1,14 @@
 //! `homebody label`: a log with the ground truth of each row.
 
+use homebody_core::calendar::Calendar;
 use super::convert::{LOG_COLUMNS, files_of, forms_of_logs, keep, rows_bar};
 use super::messages::LogContentMessage;
 use super::read_log::{HowRead, tell_remarks, tell_unfinished};
 use super::replacing::Replacing;
 use crate::failure::{EXIT_CODES, Failure};
 use crate::print::{counted, grouped, tell};
-use homebody_core::scenario::calendar::Calendar;
-use homebody_log::{Labelled, Transfer, Url, label, truth_at};
+use homebody_log::{Labelled, Transfer, Url, truth_at};
+use homebody_log::label;
 
 /// Add the ground truth to each row of a log, to train recognisers
 ///
@@ -63,7 +64,7 @@ impl Arguments {
         };
         keep(&self.out, &[named.place.files(), files_of(&truth)].concat())?;
         let log = named.survey()?;
-        let unfinished = named.unfinished();
+        let unfinished = named.incomplete();
         if let Some(run) = unfinished.as_ref().filter(|run| run.is_killed) {
             let (log, resume) = (self.log.clone(), run.folder.clone());
             return Err(Failure::file(LogContentMessage::UnequalEnds { log, resume }));

@@ -7,8 +7,8 @@ use crate::print::tell;
 use crate::signals::Signals;
 use crate::start::Start;
 use crate::watched::Watched;
-use homebody_core::time::SECOND;
-use homebody_kit::{LiveHome, Meters, Progress, Url};
+use homebody_core::time::{RunTime, UtcTime};
+use homebody_simulation::{LiveHome, RunMetrics, RunProgress, Url};
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use jiff::Timestamp;
 use std::path::{Path, PathBuf};
@@ -105,19 +105,19 @@ impl Arguments {
         all_are_elsewhere(&elsewhere)?;
         let servers = self.away.treatment()?;
         let home = match LiveHome::is_there(&folder) {
-            true => LiveHome::go_on(&folder)?,
+            true => LiveHome::resume(&folder)?,
             false => {
                 let opened = self.start.of(&opened)?;
                 let setup = opened.run().without(&self.without);
                 let setup = self.seed.into_iter().fold(setup, |setup, seed| setup.seed(seed));
-                LiveHome::begin(setup, &folder)?
+                LiveHome::create(setup, &folder)?
             }
         };
-        if home.goes_on() && home.scenario().file.name != opened.name() {
+        if home.is_resumed() && home.scenario().file.name != opened.name() {
             let (holds, scenario) = (home.scenario().file.name.clone(), opened.name().to_owned());
             return Err(Failure::asked(LiveMessage::Home { folder, holds, scenario }));
         }
-        if home.goes_on() {
+        if home.is_resumed() {
             self.is_what_was_asked_for(&home, &folder)?;
         }
         if !self.quiet {
@@ -125,7 +125,7 @@ impl Arguments {
         }
         let (name, meters) = (opened.name().to_owned(), self.watched.begin(opened.name(), self.quiet)?);
         let mut watch = Watch::new(self.quiet, &meters);
-        let lived = home.live(&self.out, &servers, &meters, signals.cancel(), |progress| watch.look(progress));
+        let lived = home.run(&self.out, &servers, &meters, signals.cancel(), |progress| watch.look(progress));
         watch.bar.finish_and_clear();
         let lived = match lived {
             Err(error) if is_not_yet(&error) => {
@@ -148,7 +148,8 @@ impl Arguments {
     /// Refuses another start or another seed than those of the home in the folder. `now` and `today` fit any start.
     fn is_what_was_asked_for(&self, home: &LiveHome, folder: &Path) -> Result<(), Failure> {
         let folder = folder.to_owned();
-        let begins = home.begins().to_zoned(home.scenario().calendar.local(0).time_zone().clone()).datetime();
+        let begins =
+            home.begins().to_zoned(home.scenario().calendar.local(RunTime::START).time_zone().clone()).datetime();
         if let Start::At(at) = self.start
             && at != begins
         {
@@ -163,10 +164,10 @@ impl Arguments {
 
 /// Where and from when on it is lived. One that is to come says how long that takes, as its clock may be another than ours.
 fn how_it_begins(home: &LiveHome, folder: &Path) -> String {
-    let how = if home.goes_on() { "resumes" } else { "starts" };
+    let how = if home.is_resumed() { "resumes" } else { "starts" };
     let calendar = &home.scenario().calendar;
     match how_far_ahead(calendar) {
-        None => format!("{how} in {}; simulated from {}", folder.display(), calendar.wall_clock(0)),
+        None => format!("{how} in {}; simulated from {}", folder.display(), calendar.wall_clock(RunTime::START)),
         Some(ahead) => format!("{how} in {}; simulated from {ahead}", folder.display()),
     }
 }
@@ -174,7 +175,7 @@ fn how_it_begins(home: &LiveHome, folder: &Path) -> String {
 /// Shows how it goes, where somebody looks.
 struct Watch<'m> {
     bar: ProgressBar,
-    meters: &'m Meters,
+    meters: &'m RunMetrics,
     shown: Instant,
 }
 
@@ -182,7 +183,7 @@ struct Watch<'m> {
 const LOOK: Duration = Duration::from_millis(500);
 
 impl<'m> Watch<'m> {
-    fn new(is_quiet: bool, meters: &'m Meters) -> Watch<'m> {
+    fn new(is_quiet: bool, meters: &'m RunMetrics) -> Watch<'m> {
         let target = if is_quiet { ProgressDrawTarget::hidden() } else { ProgressDrawTarget::stderr() };
         let style =
             ProgressStyle::with_template("{spinner} {msg}").unwrap_or_else(|_| ProgressStyle::default_spinner());
@@ -190,14 +191,14 @@ impl<'m> Watch<'m> {
         Watch { bar, meters, shown: Instant::now() }
     }
 
-    fn look(&mut self, Progress { .. }: Progress) {
+    fn look(&mut self, RunProgress { .. }: RunProgress) {
         if self.bar.is_hidden() || self.shown.elapsed() < LOOK {
             return;
         }
         self.shown = Instant::now();
-        let seen = self.meters.look();
+        let seen = self.meters.read();
         let Some(now) = seen.now else { return };
-        let behind = (Timestamp::now().as_microsecond() - now.as_microsecond()) as f64 / SECOND as f64;
+        let behind = (UtcTime::from(Timestamp::now()) - UtcTime::from(now)).seconds();
         let places = seen.destinations.iter().map(|(place, meter)| {
             let away = if meter.is_away {
                 format!(" (unavailable, {} kB spooled)", meter.spooled_bytes / 1000)

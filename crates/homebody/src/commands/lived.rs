@@ -6,15 +6,15 @@ use crate::failure::Failure;
 use crate::print::{ResultMessage, counted, grouped, print_json, print_text, tell, tell_message, warn};
 use crate::progress::bar_unless;
 use crate::signals::Signals;
+use homebody_core::calendar::Calendar;
 use homebody_core::messages::Diagnose;
 use homebody_core::problem::Diagnostic;
 use homebody_core::recording::Recording;
-use homebody_core::scenario::calendar::Calendar;
 use homebody_core::scenario::scheme::{NoPlace, Scheme, SchemeRow};
-use homebody_core::time::{Micros, SECOND, seconds};
-use homebody_kit::{Destinations, Difference, Error, LiveRun, Lived, Progress, Treatment, Url, VERSION, WhenDown};
+use homebody_core::time::{DAY, HOUR, MINUTE, RunTime, SECOND, Span, UtcTime};
+use homebody_simulation::{Destinations, Difference, RunProgress, RunSummary, Simulation, SimulationError, Treatment, Url, VERSION, WhenDown};
 use homebody_log::LogError;
-use homebody_log::sink::log_beside;
+use homebody_log::files::open::log_beside;
 use indicatif::ProgressBar;
 use jiff::Timestamp;
 use serde_json::json;
@@ -45,8 +45,8 @@ pub struct Output {
 
 impl Output {
     /// The progress bar of a run.
-    pub fn progress(&self, length: Micros) -> ProgressBar {
-        bar_unless(self.quiet || self.json, length as u64, "{bar:40} {percent:>3} %  {msg}  {eta} left")
+    pub fn progress(&self, length: Span) -> ProgressBar {
+        bar_unless(self.quiet || self.json, length.micros() as u64, "{bar:40} {percent:>3} %  {msg}  {eta} left")
     }
 }
 
@@ -134,7 +134,7 @@ pub fn all_are_elsewhere(out: &[Url]) -> Result<(), Failure> {
 }
 
 /// Simulates a run to its end or until it is stopped, and prints the result.
-pub fn live(run: LiveRun, record: Option<PathBuf>, output: &Output, signals: &Signals) -> Result<(), Failure> {
+pub fn live(run: Simulation, record: Option<PathBuf>, output: &Output, signals: &Signals) -> Result<(), Failure> {
     let Output { out, truth, replacing, away, .. } = output;
     let to = Destinations {
         log: out.clone(),
@@ -150,7 +150,7 @@ pub fn live(run: LiveRun, record: Option<PathBuf>, output: &Output, signals: &Si
     }
     let name = run.scenario().file.name.clone();
     let progress = output.progress(run.progress().length);
-    let lived = run.store(&to, |lived| show(&progress, 0, lived));
+    let lived = run.store(&to, |lived| show(&progress, Span::ZERO, lived));
     progress.finish_and_clear();
     let lived = lived.map_err(|error| failure(error, go_on_by, signals))?;
     report(&name, &lived, output)?;
@@ -158,24 +158,24 @@ pub fn live(run: LiveRun, record: Option<PathBuf>, output: &Output, signals: &Si
 }
 
 /// Updates a progress bar; `before` was simulated before this program began.
-pub fn show(progress: &ProgressBar, before: Micros, Progress { lived, length }: Progress) {
+pub fn show(progress: &ProgressBar, before: Span, RunProgress { done, length }: RunProgress) {
     if !progress.is_hidden() {
-        progress.set_position(lived as u64);
-        let speed = speed_in_words(lived - before, progress.elapsed());
-        progress.set_message(format!("{} of {}, {speed}", span_in_words(lived), span_in_words(length)));
+        progress.set_position(done.micros() as u64);
+        let speed = speed_in_words(done - before, progress.elapsed());
+        progress.set_message(format!("{} of {}, {speed}", span_in_words(done), span_in_words(length)));
     }
 }
 
 /// Prints the result of a run.
-pub fn report(name: &str, lived: &Lived, output: &Output) -> Result<(), Failure> {
-    let Lived { recording, stored, truth, recorded, progress, agrees, before, took, .. } = lived;
+pub fn report(name: &str, lived: &RunSummary, output: &Output) -> Result<(), Failure> {
+    let RunSummary { recording, stored, truth, recorded, progress, agrees, before, took, .. } = lived;
     let Recording { firings, sha256, .. } = recording;
     let path = |path: &Option<PathBuf>| path.as_ref().map(|path| path.display().to_string());
     if output.json {
         print_json(&json!({
             "scenario": name,
             "seed": recording.seed,
-            "simulated_s": seconds(progress.lived),
+            "simulated_s": progress.done.seconds(),
             "stopped": lived.is_stopped(),
             "took_s": took.as_secs_f64(),
             "firings": firings,
@@ -223,11 +223,11 @@ fn tell_reader(place: &Url) {
     }
 }
 
-fn summary(name: &str, lived: &Lived) -> String {
-    let Lived { recording, stored, truth, recorded, progress, agrees, took, .. } = lived;
+fn summary(name: &str, lived: &RunSummary) -> String {
+    let RunSummary { recording, stored, truth, recorded, progress, agrees, took, .. } = lived;
     let span = match lived.is_stopped() {
-        true => format!("stopped after {} of {}", span_in_words(progress.lived), span_in_words(progress.length)),
-        false => format!("simulated {}", span_in_words(progress.lived)),
+        true => format!("stopped after {} of {}", span_in_words(progress.done), span_in_words(progress.length)),
+        false => format!("simulated {}", span_in_words(progress.done)),
     };
     let (took, seed) = (took.as_secs_f64(), recording.seed);
     let mut text = format!("{name}: {span} in {took:.2} s, seed {seed}\n\n");
@@ -307,9 +307,9 @@ pub fn go_on_by(folder: &Path) -> String {
 }
 
 /// The failure of an error. If a signal stopped the run while a server was unavailable, it prints the error and returns the signal's failure.
-pub fn failure(error: Error, go_on_by: impl Fn(&Path) -> String, signals: &Signals) -> Failure {
+pub fn failure(error: SimulationError, go_on_by: impl Fn(&Path) -> String, signals: &Signals) -> Failure {
     match (&error, signals.ended(true)) {
-        (Error::StoppedAway { folder, .. }, Err(signal)) => {
+        (SimulationError::StoppedAway { folder, .. }, Err(signal)) => {
             let hint = |folder: &Path| format!("{} resumes the run once the server answers", go_on_by(folder));
             let message = error.diagnostic();
             let hint = folder.as_deref().map(hint).or_else(|| message.hint.clone());
@@ -321,48 +321,48 @@ pub fn failure(error: Error, go_on_by: impl Fn(&Path) -> String, signals: &Signa
 }
 
 /// The speed: a factor as `--speed` has it, or above those the simulated time per second.
-pub fn speed_in_words(lived: Micros, took: Duration) -> String {
-    match seconds(lived) / took.as_secs_f64() {
+pub fn speed_in_words(lived: Span, took: Duration) -> String {
+    match lived.seconds() / took.as_secs_f64() {
         times if times < 1050.0 => format!("{times:.0} times real time"),
-        times => format!("{} per second", span_in_words((times * SECOND as f64) as Micros)),
+        times => format!("{} per second", span_in_words(SECOND.share(times))),
     }
 }
 
-pub fn span_in_words(span: Micros) -> String {
-    let of = |unit: Micros, name: &str| {
-        let count = span as f64 / (unit * SECOND) as f64;
-        let rounded = format!("{count:.1}");
+pub fn span_in_words(span: Span) -> String {
+    let of = |unit: Span, name: &str| {
+        let rounded = format!("{:.1}", span.ratio(unit));
         let count = rounded.trim_end_matches(".0");
         format!("{count} {name}{}", if count == "1" { "" } else { "s" })
     };
     match span / SECOND {
-        0..120 => of(1, "second"),
-        120..7200 => of(60, "minute"),
-        7200..172_800 => of(3600, "hour"),
-        _ => of(86_400, "day"),
+        0..120 => of(SECOND, "second"),
+        120..7200 => of(MINUTE, "minute"),
+        7200..172_800 => of(HOUR, "hour"),
+        _ => of(DAY, "day"),
     }
 }
 
 /// The start of a home that lies in the future, the time until then, and the home's clock; None if the home has started.
 pub fn how_far_ahead(calendar: &Calendar) -> Option<String> {
     let now = Timestamp::now();
-    let ahead = calendar.timestamp(0).as_microsecond() - now.as_microsecond();
-    let clock = now.to_zoned(calendar.local(0).time_zone().clone()).strftime("%Y-%m-%d %H:%M:%S %Z").to_string();
-    let since = calendar.wall_clock(0);
+    let ahead = UtcTime::from(calendar.timestamp(RunTime::START)) - UtcTime::from(now);
+    let clock =
+        now.to_zoned(calendar.local(RunTime::START).time_zone().clone()).strftime("%Y-%m-%d %H:%M:%S %Z").to_string();
+    let since = calendar.wall_clock(RunTime::START);
     (ahead >= SECOND).then(|| format!("{since}, in {}; the home's clock shows {clock}", span_in_words(ahead)))
 }
 
 /// Whether a resumed run stopped before it had caught up, so that nothing changed.
-pub fn is_not_yet(error: &Error) -> bool {
-    matches!(error, Error::Log(error) if matches!(error.0.downcast_ref(), Some(LogError::NotYet { .. })))
+pub fn is_not_yet(error: &SimulationError) -> bool {
+    matches!(error, SimulationError::Log(LogError::NotYet { .. }))
 }
 
 /// Prints the result of a home in real time.
-pub fn report_live(name: &str, folder: &Path, lived: &Lived) {
+pub fn report_live(name: &str, folder: &Path, lived: &RunSummary) {
     let rows = lived.stored.rows;
     tell(format_args!(
         "{name}: simulated {}, {}, in {}",
-        span_in_words(lived.progress.lived),
+        span_in_words(lived.progress.done),
         counted(rows, "row", "rows"),
         folder.display()
     ));

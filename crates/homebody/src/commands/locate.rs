@@ -6,8 +6,8 @@ use super::scenario::Trust;
 use crate::failure::{EXIT_CODES, Failure};
 use crate::print::{print_json, print_text, tell};
 use crate::progress;
-use homebody_kit::walked::walk_into;
-use homebody_kit::{Cancel, Error};
+use homebody_tracking::located_folder::locate_into;
+use homebody_simulation::{Cancel, SimulationError};
 use std::path::PathBuf;
 
 /// Locate residents over time from the log of their home
@@ -78,7 +78,7 @@ pub struct Arguments {
 impl Arguments {
     pub fn run(self) -> Result<(), Failure> {
         if let Some(to) = self.out.as_ref().filter(|to| to.exists()) {
-            return Err(Error::Exists { path: to.clone() }.into());
+            return Err(SimulationError::Exists { path: to.clone() }.into());
         }
         let home = self.trust.source(&self.home)?.open()?;
         let zone = self.time_zone.clone().unwrap_or_else(|| home.scenario().file.time_zone.clone());
@@ -90,7 +90,7 @@ impl Arguments {
         let read = read_log(&self.log, Some(&zone), &self.how)?;
         let bar = progress::bar(1000, progress::SHARE);
         let progress = |share| bar.set_position((share * 1000.0) as u64);
-        let report = walk_into(to, (&self.log, &read), home.scenario(), &Cancel::new(), progress)?;
+        let report = locate_into(to, (&self.log, &read), home.scenario(), &Cancel::new(), progress)?;
         bar.finish_and_clear();
         report.remarks.iter().for_each(|remark| tell(format_args!("{}: {remark}", self.log)));
         if self.json {

@@ -6,9 +6,10 @@ use super::for_programs::{ForPrograms, row};
 use super::read_log::{HowRead, read_any_length};
 use crate::failure::{EXIT_CODES, Failure};
 use crate::print::warn;
-use homebody_analysis::measures::{Beside, Day, Measures};
+use homebody_analysis::measures::{DayMeasures, Measures, TruthDetails};
 use homebody_core::names::capitalised;
-use homebody_kit::LogWithRun;
+use homebody_core::time::{Interval, Span, WallTime};
+use homebody_query::LoadedLog;
 use homebody_log::records::Records;
 use homebody_picture::measures_picture;
 use serde_json::{Map, Value, json};
@@ -100,7 +101,7 @@ impl Arguments {
 
 /// A row for each measure of each day.
 fn records(measures: &Measures) -> Records {
-    let of_day = |day: &Day| {
+    let of_day = |day: &DayMeasures| {
         let known = measures.measures.iter().zip(&day.values).filter_map(|(measure, value)| Some((measure, (*value)?)));
         let date = day.date.to_string();
         let rows: Vec<Map<String, Value>> = known
@@ -138,7 +139,7 @@ pub struct Measured {
 
 impl Measured {
     /// Whom they are about.
-    pub fn subject(&self, read: &LogWithRun) -> String {
+    pub fn subject(&self, read: &LoadedLog) -> String {
         self.resident.as_deref().map_or_else(|| read.subject(), capitalised)
     }
 
@@ -149,10 +150,10 @@ impl Measured {
     }
 
     /// Reads the log, with its sensors in their rooms.
-    pub fn read(&self) -> Result<LogWithRun, Failure> {
+    pub fn read(&self) -> Result<LoadedLog, Failure> {
         let mut read = read_any_length(&self.log, self.time_zone.as_deref(), &self.how)?;
         let Some(home) = &self.home else { return Ok(read) };
-        let placed = read.place_in(&homebody_kit::Source::at(home)?.scenario()?);
+        let placed = read.place_in(&homebody_simulation::ScenarioSource::at(home)?.scenario()?);
         let (log, home, sensors) = (self.log.clone(), home.clone(), read.log.sensors.len());
         if placed == 0 {
             return Err(Failure::asked(MeasuresMessage::OtherHome { log, home }));
@@ -164,7 +165,7 @@ impl Measured {
     }
 
     /// Measures it.
-    pub fn measures(&self, read: &LogWithRun) -> Result<Measures, Failure> {
+    pub fn measures(&self, read: &LoadedLog) -> Result<Measures, Failure> {
         if let Some(resident) = &self.resident {
             return lived(read, resident);
         }
@@ -172,14 +173,18 @@ impl Measured {
     }
 }
 
+/// From the first row of a log to its last one, which is part of it.
+pub fn within(read: &LoadedLog) -> Option<Interval<WallTime>> {
+    read.rows_span().map(|rows| Interval::new(rows.begin, rows.end + Span::MICROSECOND))
+}
+
 /// The measures of what a resident did.
-fn lived(read: &LogWithRun, resident: &str) -> Result<Measures, Failure> {
+fn lived(read: &LoadedLog, resident: &str) -> Result<Measures, Failure> {
     let Some(life) = read.lives.iter().find(|life| life.resident == resident) else {
         let known = read.lives.iter().map(|life| life.resident.clone()).collect();
         return Err(Failure::asked(MeasuresMessage::NoResident { resident: resident.to_owned(), known }));
     };
-    let of_log = read.rows_span().map(|(first, last)| first..last + 1);
-    let recorded = read.recorded.clone().or(of_log).unwrap_or(0..0);
-    let beside = Beside { company: read.company(), ..Beside::default() };
-    Ok(Measures::lived_beside(&format!("{}, {resident}", read.name), life, &beside, recorded))
+    let recorded = read.recorded.or_else(|| within(read)).unwrap_or_default();
+    let beside = TruthDetails { company: read.company(), ..TruthDetails::default() };
+    Ok(Measures::from_detailed_truth(&format!("{}, {resident}", read.name), life, &beside, recorded))
 }

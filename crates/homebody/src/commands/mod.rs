@@ -1,8 +1,8 @@
 //! The commands, one file each, all in the same shape: the arguments as a struct, with a `run`.
 
-mod alerts;
+pub mod alerts;
 mod anonymise;
-mod answer;
+pub mod answer;
 pub mod catalogue;
 mod check;
 mod cohort;
@@ -14,8 +14,7 @@ mod day;
 mod density;
 mod devices;
 mod doctor;
-mod experiment;
-mod explain;
+pub mod explain;
 mod falls;
 mod find;
 mod fit;
@@ -30,20 +29,20 @@ mod label;
 mod live;
 mod lived;
 mod locate;
-mod measures;
-mod messages;
+pub mod measures;
+pub mod messages;
 mod mqtt;
 mod new;
 mod parameters;
 mod plan;
-mod read_log;
+pub mod read_log;
 mod realism;
 mod replacing;
 mod replay;
 mod routine;
 mod run;
 mod run_messages;
-mod scenario;
+pub mod scenario;
 mod schema;
 mod sensor_faults;
 mod serve;
@@ -85,7 +84,6 @@ pub enum Command {
     SuggestSensors(suggest_sensors::Arguments),
     Day(day::Arguments),
     Storyboard(storyboard::Arguments),
-    Experiment(experiment::Arguments),
     Convert(convert::Arguments),
     #[command(visible_alias = "anonymize")]
     Anonymise(anonymise::Arguments),
@@ -131,7 +129,6 @@ impl Command {
             Command::SuggestSensors(arguments) => arguments.run(),
             Command::Day(arguments) => arguments.run(),
             Command::Storyboard(arguments) => arguments.run(),
-            Command::Experiment(arguments) => arguments.run(),
             Command::Convert(arguments) => arguments.run(),
             Command::Anonymise(arguments) => arguments.run(),
             Command::Label(arguments) => arguments.run(),

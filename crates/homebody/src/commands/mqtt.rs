@@ -4,7 +4,7 @@ use crate::failure::Failure;
 use crate::print::{print_json, print_text};
 use clap::Subcommand;
 use homebody_core::problem::counted;
-use homebody_kit::{Tidied, Url, tidy_up};
+use homebody_simulation::{BrokerCleanup, Url, tidy_up};
 use serde_json::json;
 
 /// Clean up an MQTT broker that homes sent messages to
@@ -51,7 +51,7 @@ impl Arguments {
 
 impl Clean {
     fn run(self) -> Result<(), Failure> {
-        let Tidied { homes, topics, others } = tidy_up(&self.broker, self.dry_run)?;
+        let BrokerCleanup { homes, topics, others } = tidy_up(&self.broker, self.dry_run)?;
         if self.json {
             return print_json(
                 &json!({ "removed": !self.dry_run, "homes": homes, "topics": topics, "others": others }),

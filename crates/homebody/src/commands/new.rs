@@ -4,10 +4,10 @@ use super::messages::NewHomeMessage;
 use super::read_log::{HowRead, read_log};
 use crate::failure::{EXIT_CODES, Failure};
 use crate::print::{tell, warn, write_file};
+use homebody_core::calendar::Calendar;
 use homebody_core::problem::counted;
-use homebody_core::scenario::calendar::Calendar;
-use homebody_kit::Template;
-use homebody_kit::begun::{GivenLog, Known, OfLog, Traced, begin, empty, of_log, of_template, read_table, write};
+use homebody_simulation::Template;
+use homebody_scaffold::{GivenLog, KnownPoint, PlanPicture, ScenarioFromLog, create, empty, from_log, from_template, read_table, write};
 use std::path::{Path, PathBuf};
 
 /// Make a scenario from a template, a log or an image of a plan
@@ -58,7 +58,7 @@ pub struct Arguments {
     /// A point of the image, in pixels from its upper left corner, and the same point in metres east and north of the origin;
     /// give two points
     #[arg(long, value_name = "X,Y=EAST,NORTH", requires = "image")]
-    known: Vec<Known>,
+    known: Vec<KnownPoint>,
     /// The home's time zone, for a log in UTC; not needed for a run folder, which stores it
     #[arg(long, value_name = "ZONE", requires = "from_log")]
     time_zone: Option<String>,
@@ -129,9 +129,9 @@ impl Arguments {
         let beginning = if picture.is_some() { Beginning::Empty } else { self.template };
         let texts = |name: &str| match beginning {
             Beginning::Empty => empty(name),
-            Beginning::Template(template) => of_template(template, name),
+            Beginning::Template(template) => from_template(template, name),
         };
-        begin(folder, |part, name| {
+        create(folder, |part, name| {
             write(part, &texts(name))?;
             self.lay_below(part, picture.as_ref())
         })?;
@@ -147,12 +147,12 @@ impl Arguments {
     }
 
     /// The picture of the plan, with the places of its known points.
-    fn picture(&self) -> Result<Option<Traced>, Failure> {
-        Ok(self.image.as_deref().map(|image| Traced::read(image, &self.known)).transpose()?)
+    fn picture(&self) -> Result<Option<PlanPicture>, Failure> {
+        Ok(self.image.as_deref().map(|image| PlanPicture::read(image, &self.known)).transpose()?)
     }
 
     /// Writes the picture of the plan into the scenario's folder, where the page shows it below what is drawn.
-    fn lay_below(&self, folder: &Path, picture: Option<&Traced>) -> Result<(), Failure> {
+    fn lay_below(&self, folder: &Path, picture: Option<&PlanPicture>) -> Result<(), Failure> {
         let Some(picture) = picture else { return Ok(()) };
         write_file(&folder.join(picture.file), &picture.bytes, false)?;
         write_file(&folder.join(UNDERLAY), picture.lies().as_bytes(), false)
@@ -169,15 +169,15 @@ impl Arguments {
         let path = Path::new(log);
         let file = path.file_name().unwrap_or(path.as_os_str()).to_string_lossy();
         let given = GivenLog { named: log, file: &file, read: &read, time_zone, table, picture: picture.as_ref() };
-        let OfLog { lived, remarks } = begin(folder, |part, name| {
-            let of_log = of_log(name, &given)?;
-            write(part, &of_log.lived.texts)?;
+        let ScenarioFromLog { scenario, remarks } = create(folder, |part, name| {
+            let of_log = from_log(name, &given)?;
+            write(part, &of_log.scenario.texts)?;
             self.lay_below(part, picture.as_ref())?;
             Ok::<_, Failure>(of_log)
         })?;
         remarks.iter().for_each(|remark| tell(format_args!("{log}: {remark}")));
-        lived.lack.iter().for_each(|lack| warn(NewHomeMessage::RoutineLacks { lack: lack.clone() }));
-        let file = &lived.scenario.home;
+        scenario.lack.iter().for_each(|lack| warn(NewHomeMessage::RoutineLacks { lack: lack.clone() }));
+        let file = &scenario.scenario.home;
         tell(format_args!(
             "{} is ready, with a schematic home: {}, {}, {}.\n  homebody check {0}\n  homebody locate {log} --home {0} --out located\n  \
              homebody serve {0}",

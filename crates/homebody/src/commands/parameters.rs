@@ -2,9 +2,9 @@
 
 use crate::failure::Failure;
 use crate::print::{print_json, print_text};
+use homebody_core::nearest::nearest;
 use homebody_core::numbers::Number;
-use homebody_core::scenario::nearest::nearest;
-use homebody_kit::numbers;
+use homebody_simulation::numbers;
 use serde_json::json;
 use std::collections::BTreeSet;
 

@@ -4,8 +4,9 @@ use super::messages::LogContentMessage;
 use crate::failure::Failure;
 use crate::print::{counted, tell, warn};
 use crate::progress::Working;
-use homebody_kit::{LogWithRun, NamedLog, Unended};
-use homebody_log::source::{Clock, ColumnRole, DateOrder, DecimalMark, HomeColumn, TableOptions};
+use homebody_query::{IncompleteLog, LoadedLog, LogRef};
+use homebody_log::log::{Clock, ColumnRole};
+use homebody_log::source::{DateOrder, DecimalMark, HomeColumn, TableOptions};
 use homebody_log::{Log, read_mapping};
 use std::path::PathBuf;
 
@@ -25,7 +26,7 @@ impl Mapped {
     }
 
     /// Finds it.
-    pub fn find(&self) -> Result<NamedLog, Failure> {
+    pub fn find(&self) -> Result<LogRef, Failure> {
         self.how.find(&self.log)
     }
 }
@@ -71,8 +72,8 @@ enum Decimals {
 
 impl HowRead {
     /// Finds a log that is read so.
-    pub fn find(&self, text: &str) -> Result<NamedLog, Failure> {
-        let mut named = NamedLog::find(text)?;
+    pub fn find(&self, text: &str) -> Result<LogRef, Failure> {
+        let mut named = LogRef::find(text)?;
         if let Some(path) = &self.mapping {
             named.mapping = read_mapping(path)?;
         }
@@ -81,8 +82,8 @@ impl HowRead {
     }
 
     /// Reads a log on the clock on the wall of its home.
-    pub fn read(&self, text: &str, zone: Option<&str>) -> Result<LogWithRun, Failure> {
-        Ok(LogWithRun::of(self.find(text)?, zone)?)
+    pub fn read(&self, text: &str, zone: Option<&str>) -> Result<LoadedLog, Failure> {
+        Ok(LoadedLog::from_ref(self.find(text)?, zone)?)
     }
 
     fn table_options(&self) -> TableOptions {
@@ -103,7 +104,7 @@ impl HowRead {
 }
 
 /// Reads a log on the clock on the wall of its home, and reports on standard error which parts of it are left out or guessed.
-pub fn read_log(text: &str, zone: Option<&str>, how: &HowRead) -> Result<LogWithRun, Failure> {
+pub fn read_log(text: &str, zone: Option<&str>, how: &HowRead) -> Result<LoadedLog, Failure> {
     let reading = Working::on(format!("reading {text}"));
     let read = how.read(text, zone)?;
     drop(reading);
@@ -111,14 +112,14 @@ pub fn read_log(text: &str, zone: Option<&str>, how: &HowRead) -> Result<LogWith
 }
 
 /// The same of a log of any length: the rows of a long one are not in memory.
-pub fn read_any_length(text: &str, zone: Option<&str>, how: &HowRead) -> Result<LogWithRun, Failure> {
+pub fn read_any_length(text: &str, zone: Option<&str>, how: &HowRead) -> Result<LoadedLog, Failure> {
     let reading = Working::on(format!("reading {text}"));
-    let read = LogWithRun::of_any_length(how.find(text)?, zone)?;
+    let read = LoadedLog::of_any_length(how.find(text)?, zone)?;
     drop(reading);
     Ok(remarked(text, read))
 }
 
-fn remarked(text: &str, read: LogWithRun) -> LogWithRun {
+fn remarked(text: &str, read: LoadedLog) -> LoadedLog {
     tell_remarks(text, &read.log);
     if read.log.skipped > 0 {
         tell(format_args!(
@@ -126,7 +127,7 @@ fn remarked(text: &str, read: LogWithRun) -> LogWithRun {
             counted(read.log.skipped, "line", "lines")
         ));
     }
-    tell_unfinished(text, read.unfinished.as_ref());
+    tell_unfinished(text, read.incomplete.as_ref());
     if read.log.clock == Clock::Utc {
         tell(format_args!("{text}: times are in UTC; --time-zone sets the home's own zone"));
     }
@@ -159,7 +160,7 @@ fn tell_guessed(name: &str, log: &Log) {
 }
 
 /// Warns of an incomplete run, whose log lacks its later rows.
-pub fn tell_unfinished(text: &str, unfinished: Option<&Unended>) {
+pub fn tell_unfinished(text: &str, unfinished: Option<&IncompleteLog>) {
     if let Some(run) = unfinished {
         warn(LogContentMessage::IncompleteRun { log: text.to_owned(), resume: run.folder.clone() });
     }

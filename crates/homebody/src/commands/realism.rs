@@ -5,8 +5,8 @@ use super::messages::not_comparable;
 use super::read_log::{HowRead, read_log};
 use crate::failure::Failure;
 use crate::progress::Working;
-use homebody_analysis::realism::{MEASURES, Told, realism};
-use homebody_kit::LogWithRun;
+use homebody_analysis::realism::{ComparedLog, MEASURES, realism};
+use homebody_query::LoadedLog;
 use homebody_picture::{realism_chart, realism_page};
 use std::path::PathBuf;
 
@@ -55,6 +55,6 @@ impl Arguments {
     }
 }
 
-fn told(log: &LogWithRun) -> Told<'_> {
-    Told { name: &log.name, log: &log.log, recorded: log.recorded.as_ref() }
+fn told(log: &LoadedLog) -> ComparedLog<'_> {
+    ComparedLog { name: &log.name, log: &log.log, recorded: log.recorded }
 }

@@ -1,6 +1,6 @@
 //! The options that allow a command to replace files, and rows in a server's database.
 
-use homebody_log::{How, Url};
+use homebody_log::{WriteMode, Url};
 
 /// Permission to replace files and rows.
 #[derive(clap::Args)]
@@ -16,8 +16,8 @@ pub struct Replacing {
 
 impl Replacing {
     /// How a place is begun, by these permissions.
-    pub fn how(&self, place: &Url) -> How {
+    pub fn how(&self, place: &Url) -> WriteMode {
         let is_said = if place.server().is_some() { self.replace_rows } else { self.force };
-        if is_said { How::Replace } else { How::New }
+        if is_said { WriteMode::Overwrite } else { WriteMode::Create }
     }
 }

@@ -4,7 +4,7 @@ use super::lived::{Output, live};
 use crate::failure::Failure;
 use crate::pace::Asked;
 use crate::signals::Signals;
-use homebody_kit::Recorded;
+use homebody_simulation::RecordedRun;
 use std::path::PathBuf;
 
 /// Repeat a recorded run, and verify each event
@@ -24,7 +24,7 @@ pub struct Arguments {
 impl Arguments {
     pub fn run(self) -> Result<(), Failure> {
         let signals = Signals::listen()?;
-        let recorded = Recorded::open(&self.recording)?;
+        let recorded = RecordedRun::open(&self.recording)?;
         let recorded = recorded.paced(self.pace.pace(), self.pace.commands()?, signals.cancel());
         live(recorded.start(), None, &self.output, &signals)
     }

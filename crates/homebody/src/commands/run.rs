@@ -14,11 +14,8 @@ use crate::start::Start;
 use crate::watched::Watched;
 use clap::builder::UnknownArgumentValueParser;
 use homebody_core::problem::Diagnostic;
-use homebody_core::time::Micros;
-use homebody_kit::{
-    CohortLayout, CohortSetup, Error, LIST, LivedCohort, MOST_MEMBERS, OpenScenario, TruthKept, Unfinished,
-    UnfinishedCohort, Url,
-};
+use homebody_core::time::Span;
+use homebody_simulation::{CohortLayout, CohortSetup, CohortSummary, IncompleteCohort, IncompleteRun, LIST, MOST_MEMBERS, OpenScenario, SimulationError, TruthKept, Url};
 use indicatif::ProgressBar;
 use std::path::{Path, PathBuf};
 
@@ -156,10 +153,10 @@ fn all_different(numbers: &[(String, f64)]) -> Result<(), Failure> {
 }
 
 /// The failure of `--resume`, with a hint.
-fn not_resumed(error: Error) -> Failure {
+fn not_resumed(error: SimulationError) -> Failure {
     match error {
-        Error::NoRecording { .. } => Failure::from(error).advising("name the folder of an interrupted run or cohort"),
-        Error::Recording { .. } => Failure::from(error).advising(
+        SimulationError::NoRecording { .. } => Failure::from(error).advising("name the folder of an interrupted run or cohort"),
+        SimulationError::Recording { .. } => Failure::from(error).advising(
             "the run cannot be resumed without its recording; its logs are still readable, and homebody run starts a new run",
         ),
         error => error.into(),
@@ -212,11 +209,11 @@ impl Arguments {
         &self,
         opened: &OpenScenario,
         setup: CohortSetup,
-        length: Micros,
+        length: Span,
         signals: &Signals,
     ) -> Result<(), Failure> {
         let to = self.cohorts_place()?;
-        let layout = to.map_or(Ok(CohortLayout::Folders), CohortLayout::of).map_err(Failure::asked)?;
+        let layout = to.map_or(Ok(CohortLayout::Folders), CohortLayout::at).map_err(Failure::asked)?;
         let setup = match self.truth_tables {
             Some(TruthTables::All) => setup.truth(TruthKept::All),
             Some(TruthTables::Brief) => setup.truth(TruthKept::Brief),
@@ -229,8 +226,8 @@ impl Arguments {
         }
         let progress = self.output.progress(cohort.progress().length);
         let lived = match to {
-            Some(place) => cohort.store_in(place.path(), |lived| show(&progress, 0, lived)),
-            None => cohort.store(|lived| show(&progress, 0, lived)),
+            Some(place) => cohort.store_in(place.path(), |lived| show(&progress, Span::ZERO, lived)),
+            None => cohort.store(|lived| show(&progress, Span::ZERO, lived)),
         };
         self.tell_cohort(&progress, &lived?, signals)
     }
@@ -278,14 +275,14 @@ impl Arguments {
                 let why = "the cohort's folder holds the ground truth of each member";
                 return Err(Failure::asked(RunMessage::CohortOption { option: "--truth", why }));
             }
-            let cohort = UnfinishedCohort::open(folder).map_err(not_resumed)?.cancel(signals.cancel());
-            let before = cohort.progress().lived;
+            let cohort = IncompleteCohort::open(folder).map_err(not_resumed)?.cancel(signals.cancel());
+            let before = cohort.progress().done;
             let progress = self.output.progress(cohort.progress().length);
-            let lived = cohort.go_on(|lived| show(&progress, before, lived));
+            let lived = cohort.resume(|lived| show(&progress, before, lived));
             let lived = lived.or_else(|error| self.not_yet(error, folder, &progress, signals))?;
             return self.tell_cohort(&progress, &lived, signals);
         }
-        let run = Unfinished::open(folder).map_err(not_resumed)?;
+        let run = IncompleteRun::open(folder).map_err(not_resumed)?;
         if run.has_no_end() && !self.pace.is_said() {
             return Err(Failure::asked(RunMessage::HomeInRealTime { folder: folder.to_owned() }));
         }
@@ -297,7 +294,7 @@ impl Arguments {
         let run = run.metered(&meters);
         let name = run.scenario().file.name.clone();
         let progress = self.output.progress(run.progress().length);
-        let lived = run.go_on_beside(&self.output.out, &servers, |lived| show(&progress, 0, lived));
+        let lived = run.resume_beside(&self.output.out, &servers, |lived| show(&progress, Span::ZERO, lived));
         let lived = lived.or_else(|error| self.not_yet(error, folder, &progress, signals))?;
         progress.finish_and_clear();
         report(&name, &lived, &self.output)?;
@@ -305,7 +302,7 @@ impl Arguments {
     }
 
     /// A truth on a server continues there. A truth in the folder needs no option.
-    fn with_truth(&self, run: Unfinished) -> Result<Unfinished, Failure> {
+    fn with_truth(&self, run: IncompleteRun) -> Result<IncompleteRun, Failure> {
         match &self.output.truth {
             None => Ok(run),
             Some(truth) if truth.server().is_some() => Ok(run.with_truth(truth)),
@@ -314,7 +311,7 @@ impl Arguments {
     }
 
     /// A signal before the run has caught up with its folder leaves the folder unchanged; the message names the command that resumes.
-    fn not_yet<T>(&self, error: Error, folder: &Path, progress: &ProgressBar, signals: &Signals) -> Result<T, Failure> {
+    fn not_yet<T>(&self, error: SimulationError, folder: &Path, progress: &ProgressBar, signals: &Signals) -> Result<T, Failure> {
         progress.finish_and_clear();
         let ended = signals.ended(is_not_yet(&error));
         if ended.is_err() && !self.output.quiet && !self.output.json {
@@ -323,14 +320,14 @@ impl Arguments {
         ended.and(Err(failure(error, go_on_by, signals)))
     }
 
-    fn tell_cohort(&self, progress: &ProgressBar, lived: &LivedCohort, signals: &Signals) -> Result<(), Failure> {
+    fn tell_cohort(&self, progress: &ProgressBar, lived: &CohortSummary, signals: &Signals) -> Result<(), Failure> {
         progress.finish_and_clear();
         cohort::report(&self.output, lived)?;
         signals.ended(lived.is_stopped())
     }
 
     /// Warns of likely mistakes.
-    fn remark(&self, opened: &OpenScenario, length: Micros) {
+    fn remark(&self, opened: &OpenScenario, length: Span) {
         if !self.output.quiet {
             opened.remarks(length).iter().for_each(tell_remark);
         }

@@ -1,7 +1,7 @@
 //! The messages of `homebody run` and `homebody replay`.
 
 use crate::print::grouped;
-use homebody_kit::VERSION;
+use homebody_simulation::VERSION;
 use std::path::PathBuf;
 
 homebody_core::messages! {

@@ -1,6 +1,6 @@
 //! A scenario that a command is given.
 
-use homebody_kit::{Error, Source};
+use homebody_simulation::{ScenarioSource, SimulationError};
 use std::path::{Path, PathBuf};
 
 /// Which scenario, and whose.
@@ -19,7 +19,7 @@ impl Chosen {
     }
 
     /// Where it comes from.
-    pub fn source(&self) -> Result<Source, Error> {
+    pub fn source(&self) -> Result<ScenarioSource, SimulationError> {
         self.trust.source(&self.scenario)
     }
 }
@@ -39,8 +39,8 @@ impl Trust {
     }
 
     /// Where a scenario on disk comes from.
-    pub fn source(&self, path: &Path) -> Result<Source, Error> {
-        let source = Source::at(path)?;
+    pub fn source(&self, path: &Path) -> Result<ScenarioSource, SimulationError> {
+        let source = ScenarioSource::at(path)?;
         Ok(if self.trust { source.trusted() } else { source })
     }
 }

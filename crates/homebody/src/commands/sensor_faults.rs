@@ -6,7 +6,7 @@ use super::scenario::Trust;
 use crate::failure::{EXIT_CODES, Failure};
 use crate::print::tell;
 use crate::progress;
-use homebody_kit::health;
+use homebody_tracking::health;
 use std::path::PathBuf;
 
 /// Detect sensor faults from the log of a home
@@ -21,7 +21,7 @@ use std::path::PathBuf;
   homebody sensor-faults runs/tigerplace-1 --home scenarios/tigerplace
   homebody sensor-faults casas:spring.txt --home my-home --json faults.json
 
-`homebody experiment sensor-faults` measures how many simulated faults this command finds.
+The experiment sensor-faults of homebody-lab measures how many simulated faults this command finds.
 
 {EXIT_CODES}."))]
 pub struct Arguments {

@@ -5,8 +5,8 @@ use crate::failure::Failure;
 use crate::print::{print_text, tell, warn};
 use crate::signals::{Signals, begin_other};
 use homebody_core::scenario::load::{Files, NoText};
-use homebody_kit::Error;
-use homebody_log::places::RUNS;
+use homebody_simulation::SimulationError;
+use homebody_log::run::places::RUNS;
 use homebody_web::kept_address::Unkept;
 use homebody_web::library::Library;
 use homebody_web::shelf::Shelf;
@@ -112,7 +112,7 @@ impl Arguments {
         let scenario = source.folder().unwrap_or(Path::new("")).to_owned();
         let shelf = Shelf { scenario, entry: source.entry().to_owned(), is_trusted, runs: Path::new(RUNS).into() };
         match source.open() {
-            Err(Error::Problems(problems)) if can_be_mended(&shelf) => {
+            Err(SimulationError::Problems(problems)) if can_be_mended(&shelf) => {
                 warn(ServeMessage::Problems { count: problems.0.len() });
             }
             opened => drop(opened?),

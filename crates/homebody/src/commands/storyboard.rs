@@ -4,11 +4,11 @@ use super::answer::Answer;
 use super::messages::MomentMessage;
 use crate::failure::Failure;
 use crate::length::span;
-use homebody_analysis::strip::{Film, RunNames};
-use homebody_core::scenario::calendar::Calendar;
-use homebody_core::time::Micros;
-use homebody_kit::Recorded;
-use homebody_log::places::RECORDING;
+use homebody_analysis::strip::{RunNames, StripRecorder};
+use homebody_core::calendar::Calendar;
+use homebody_core::time::{Interval, RunTime, Span};
+use homebody_simulation::RecordedRun;
+use homebody_log::run::places::RECORDING;
 use homebody_picture::film_strip;
 use std::path::PathBuf;
 
@@ -27,7 +27,7 @@ pub struct Arguments {
     from: String,
     /// Time between two pictures
     #[arg(long, value_name = "DURATION", default_value = "10s", value_parser = span)]
-    every: Micros,
+    every: Span,
     /// Number of pictures
     #[arg(long, value_name = "N", default_value_t = 6, value_parser = clap::value_parser!(u8).range(1..=60))]
     frames: u8,
@@ -39,15 +39,15 @@ impl Arguments {
     pub fn run(self) -> Result<(), Failure> {
         let path = if self.run.is_dir() { self.run.join(RECORDING) } else { self.run.clone() };
         let answer = self.answer.check([""], std::slice::from_ref(&path))?;
-        let recorded = Recorded::open(&path)?;
+        let recorded = RecordedRun::open(&path)?;
         let home = recorded.scenario().home.clone();
         let calendar = recorded.scenario().calendar.clone();
-        let length = recorded.recording().length_us;
-        let first = self.first(&calendar, length)?;
-        let fits = (length - first - 1) / self.every + 1;
+        let whole = Interval::starting(RunTime::START, recorded.recording().length_us);
+        let first = self.first(&calendar, whole)?;
+        let fits = (whole.end - first - Span::MICROSECOND) / self.every + 1;
         let count = usize::from(self.frames).min(usize::try_from(fits).unwrap_or(usize::MAX));
         let mut run = recorded.start();
-        let mut film = Film::new(first, self.every, count, run.residents().len());
+        let mut film = StripRecorder::new(first, self.every, count, run.residents().len());
         while !film.is_complete() {
             let Some(batch) = run.next_batch()? else { break };
             film.take(batch.firings, batch.facts);
@@ -63,14 +63,14 @@ impl Arguments {
         answer.give(&strip, [&|| film_strip(&home, &strip)])
     }
 
-    /// The instant of the first moment, within a run of this length.
-    fn first(&self, calendar: &Calendar, length: Micros) -> Result<Micros, Failure> {
+    /// The instant of the first moment, within the whole run.
+    fn first(&self, calendar: &Calendar, whole: Interval<RunTime>) -> Result<RunTime, Failure> {
         let wrong = || Failure::asked(MomentMessage::NotATime { text: self.from.clone() });
         let at = calendar.written(&self.from).ok_or_else(wrong)?;
-        if (0..length).contains(&at) {
+        if whole.contains(at) {
             return Ok(at);
         }
-        let [begin, end] = [0, length].map(|at| calendar.wall_clock(at));
+        let [begin, end] = [whole.begin, whole.end].map(|at| calendar.wall_clock(at));
         Err(Failure::asked(MomentMessage::OutsideRun { asked: self.from.clone(), begin, end }))
     }
 }

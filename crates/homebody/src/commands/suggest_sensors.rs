@@ -9,11 +9,11 @@ use crate::failure::Failure;
 use crate::progress::bar;
 use homebody_analysis::coverage::STEP_M;
 use homebody_analysis::measures::MEASURES;
-use homebody_core::scenario::home::HomeFile;
-use homebody_experiment::people::{CONDITIONS, Opened};
-use homebody_experiment::placing::{Goal, Layout, Reached, Trying};
-use homebody_experiment::proposal::{self, Ask, Doing, Proposed};
+use homebody_core::home::form::HomeFile;
 use homebody_picture::floor_plan;
+use homebody_placement::people::{CONDITIONS, LoadedScenario};
+use homebody_placement::proposal::{self, Proposal, Request, Step};
+use homebody_placement::search::{Goal, Layout, Reached, SearchStep};
 use indicatif::ProgressBar;
 use serde::Serialize;
 use std::fmt;
@@ -102,47 +102,48 @@ impl Arguments {
         let home = &scenario.scenario().home;
         let (people, sensors, seed) = (self.people, usize::from(self.count), self.seed);
         let build = build(scenario.scenario());
-        let ask = Ask { goals: &goals, sensors, people, seed, rules: &rules, device, build, step_m: STEP_M };
-        let opened = || Ok(Opened { scenario: scenario.scenario().clone(), household: scenario.household().clone() });
-        let progress = Progress::new(&ask);
-        let found = proposal::propose(home, &ask, opened, &|doing| progress.tell(doing));
+        let request = Request { goals: &goals, sensors, people, seed, rules: &rules, device, build, step_m: STEP_M };
+        let load =
+            || Ok(LoadedScenario { scenario: scenario.scenario().clone(), household: scenario.household().clone() });
+        let progress = Progress::new(&request);
+        let found = proposal::propose(home, &request, load, &|step| progress.show(step));
         progress.bar.lock().expect("nothing panics while it is held").finish_and_clear();
-        let found = Found { proposed: found?, asked: sensors };
-        let drawn = HomeFile { sensors: found.proposed.sensors.clone(), ..HomeFile::clone(home) };
+        let found = Found { proposal: found?, asked: sensors };
+        let drawn = HomeFile { sensors: found.proposal.sensors.clone(), ..HomeFile::clone(home) };
         answer.give(&found, [&|| floor_plan(&drawn)])
     }
 }
 
-/// What people see while they wait: first who has lived, then how many sensors there are.
+/// The progress bar: the simulated people first, then the sensors.
 struct Progress {
     bar: Mutex<ProgressBar>,
     sensors: u64,
 }
 
 impl Progress {
-    fn new(ask: &Ask) -> Progress {
-        let bar = match ask.needs_lives() {
-            true => bar(u64::from(ask.people), "{bar:40} {pos} of {len} people  {eta} left"),
-            false => bar(ask.sensors as u64, PLACING),
+    fn new(request: &Request) -> Progress {
+        let bar = match request.needs_people() {
+            true => bar(u64::from(request.people), "{bar:40} {pos} of {len} people  {eta} left"),
+            false => bar(request.sensors as u64, PLACING),
         };
-        Progress { bar: Mutex::new(bar), sensors: ask.sensors as u64 }
+        Progress { bar: Mutex::new(bar), sensors: request.sensors as u64 }
     }
 
-    /// Goes on in any case.
-    fn tell(&self, doing: Doing) -> bool {
+    /// Shows a step. The work always continues.
+    fn show(&self, step: Step) -> bool {
         let mut shown = self.bar.lock().expect("nothing panics while it is held");
-        match doing {
-            Doing::Lived => shown.inc(1),
-            Doing::Trying(trying, sensors) => {
-                if sensors == 0 && trying == Trying::OneMore {
+        match step {
+            Step::Simulated => shown.inc(1),
+            Step::Searching(search, sensors) => {
+                if sensors == 0 && search == SearchStep::OneMore {
                     shown.finish_and_clear();
                     *shown = bar(self.sensors, PLACING);
                 }
                 shown.set_position(sensors as u64);
-                shown.set_message(match trying {
-                    Trying::OneMore => "adding one",
-                    Trying::TwoMore => "adding two",
-                    Trying::Another => "exchanging",
+                shown.set_message(match search {
+                    SearchStep::OneMore => "adding one",
+                    SearchStep::TwoMore => "adding two",
+                    SearchStep::Another => "exchanging",
                 });
             }
         }
@@ -161,18 +162,18 @@ fn goals(names: &[String]) -> Result<Vec<Goal>, Failure> {
     })
 }
 
-/// What was found, as words.
+/// The suggestion as text.
 #[derive(Serialize)]
 #[serde(transparent)]
 struct Found {
-    proposed: Proposed,
+    proposal: Proposal,
     #[serde(skip)]
     asked: usize,
 }
 
 impl fmt::Display for Found {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
-        let Some(first) = self.proposed.placed.steps.first() else {
+        let Some(first) = self.proposal.found.steps.first() else {
             let text = match self.asked {
                 1 => "No single sensor helps with the goals. Try a larger --count.",
                 _ => "No sensor helps with the goals.",
@@ -199,21 +200,21 @@ impl fmt::Display for Found {
             }
             writeln!(f)
         };
-        for (number, layout) in self.proposed.placed.steps.iter().enumerate() {
+        for (number, layout) in self.proposal.found.steps.iter().enumerate() {
             let name = layout.sensors.last().map_or("", String::as_str);
             row(f, &(number + 1).to_string(), name, layout)?;
         }
-        for swap in &self.proposed.placed.swapped {
+        for swap in &self.proposal.found.swapped {
             row(f, "", &format!("{} for {}", swap.come, swap.gone), &swap.layout)?;
         }
-        if let Some(own) = &self.proposed.own {
+        if let Some(own) = &self.proposal.own {
             row(f, "", &format!("the home's own {}", own.sensors.len()), own)?;
         }
-        let count = self.proposed.placed.steps.len();
+        let count = self.proposal.found.steps.len();
         if count < self.asked {
             writeln!(f, "\n{count} of {} sensors: another one adds nothing.", self.asked)?;
         }
-        match self.proposed.own.as_ref().zip(self.proposed.placed.last()) {
+        match self.proposal.own.as_ref().zip(self.proposal.found.last()) {
             Some((own, proposed)) if own.score < proposed.score => write_why_less(f, own, proposed),
             _ => Ok(()),
         }

@@ -6,7 +6,7 @@ use super::measures::Measured;
 use super::messages::not_measurable;
 use super::read_log::{HowRead, read_log};
 use crate::failure::{EXIT_CODES, Failure};
-use homebody_analysis::summaries::{About, Sentence, Summary, of_summaries, summarise};
+use homebody_analysis::summaries::{SummarySentence, SummarySubject, VerbalSummary, of_summaries, summarise};
 use homebody_log::records::Records;
 use serde::Serialize;
 use std::fmt;
@@ -56,7 +56,7 @@ impl Arguments {
         self.programs.check(false, &read.sources, self.figures.replaces())?;
         let measures = self.measured.measures(&read)?;
         let subject = self.measured.subject(&read);
-        let about = About { subject: &subject, last: self.last.into() };
+        let about = SummarySubject { subject: &subject, last: self.last.into() };
         let summary = summarise(&measures, about);
         let distance = match &self.compare {
             None => None,
@@ -76,8 +76,8 @@ impl Arguments {
 }
 
 /// A row for each sentence.
-fn records(summary: &Summary) -> Records {
-    let of = |sentence: &Sentence| {
+fn records(summary: &VerbalSummary) -> Records {
+    let of = |sentence: &SummarySentence| {
         let mut row = row(sentence);
         row.insert("log".into(), summary.name.clone().into());
         row
@@ -104,7 +104,7 @@ fn records(summary: &Summary) -> Records {
 #[derive(Serialize)]
 struct Told {
     #[serde(flatten)]
-    summary: Summary,
+    summary: VerbalSummary,
     /// How far the other log's summary is from this one.
     #[serde(skip_serializing_if = "Option::is_none")]
     distance: Option<f64>,

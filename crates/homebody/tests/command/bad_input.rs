@@ -106,7 +106,7 @@ fn what_is_asked_wrongly_is_refused() {
             "error[picture::form]: --svg cannot write the file a.png, because its name ends in .png\n  hint: use --png for this file",
         ),
         ("serve flat --no-open --bind 192.0.2.1", "error[serve::foreign-address]"),
-        ("experiment alchemy", "unrecognized subcommand 'alchemy'"),
+        ("experiment realism --data a", "--package homebody-lab -- realism"),
         ("completions klingon", "bash"),
     ] {
         folder.run(words).fails(2, said);

@@ -17,6 +17,12 @@ const PATIENCE: Duration = Duration::from_secs(120);
 /// The repository.
 pub const ROOT: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../..");
 
+/// The program of the package whose tests these are.
+const PROGRAM: &str = match (option_env!("CARGO_BIN_EXE_homebody"), option_env!("CARGO_BIN_EXE_homebody-lab")) {
+    (Some(program), _) | (None, Some(program)) => program,
+    (None, None) => panic!("a package with a program"),
+};
+
 /// A folder that vanishes with the test.
 pub struct Folder(TempDir);
 
@@ -150,7 +156,7 @@ impl Folder {
 
     /// The command, for tests that start it in their own way.
     pub fn command(&self, words: &str) -> Command {
-        let mut command = Command::new(env!("CARGO_BIN_EXE_homebody"));
+        let mut command = Command::new(PROGRAM);
         command.args(words.split_whitespace()).current_dir(self.0.path());
         command
     }

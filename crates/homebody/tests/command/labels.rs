@@ -3,7 +3,9 @@
 use crate::flat::flat;
 use crate::folder::Folder;
 use homebody_core::scenario::logger::LoggerFile;
-use homebody_log::{How, RunClock, Source, Transfer, Url, label, survey};
+use homebody_core::time::TimeScale;
+use homebody_log::label;
+use homebody_log::{WriteMode, LogSource, Transfer, Url, survey};
 use rusqlite::Connection;
 use std::fs;
 
@@ -43,8 +45,8 @@ fn the_hour_that_clocks_tell_twice_is_labelled_as_two() {
     let mapping = LoggerFile::default();
     let about = survey(&from, &mapping).unwrap();
     let transfer =
-        Transfer { from: &Source::from(&from), mapping: &mapping, to: &to, name: "told", zone: "UTC", how: How::New };
-    label(&transfer, &about, &truth, &RunClock::as_told(), |_| ()).unwrap();
+        Transfer { from: &LogSource::from(&from), mapping: &mapping, to: &to, name: "told", zone: "UTC", how: WriteMode::Create };
+    label(&transfer, &about, &truth, &TimeScale::one(), |_| ()).unwrap();
     let wrong = differing(&labels(&folder, "told.csv"), &reference);
     println!("{} rows, {wrong} wrong by what is told alone", reference.len());
     assert!(wrong > 0);

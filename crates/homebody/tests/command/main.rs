@@ -3,6 +3,7 @@
 
 mod flat;
 mod folder;
+mod noted_log;
 
 mod beginnings;
 mod imports;

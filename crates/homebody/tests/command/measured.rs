@@ -1,6 +1,7 @@
 //! Measures of days and alerts, told, drawn and tabled.
 
 use crate::folder::Folder;
+use crate::noted_log::noted;
 use serde_json::Value;
 
 /// Three weeks of the apartment of the README, in its run's folder.
@@ -156,40 +157,6 @@ fn of_two_residents_it_is_said_whose_measures_they_are() {
     assert!(for_programs.out.contains("cannot tell residents apart"), "{}", for_programs.out);
     let of_one = folder.run("measures runs/couple-with-cat-1 --resident ruth --json").ok();
     assert!(!of_one.out.contains("cannot tell residents apart"), "{}", of_one.out);
-}
-
-/// A home of a bed's sensor and a front door's contact for five days, with the activities that somebody noted.
-fn noted(leaves: &str) -> String {
-    let mut log = String::new();
-    for day in 1..=5 {
-        for (clock, row) in [
-            ("07:00:00", "bed_pressure OFF Sleep end"),
-            ("09:00:00", &format!("FrontDoor OPEN {leaves} begin")),
-            ("09:00:08", "FrontDoor CLOSE"),
-            ("12:00:00", "FrontDoor OPEN"),
-            ("12:00:09", &format!("FrontDoor CLOSE {leaves} end")),
-            ("23:00:00", "bed_pressure ON Sleep begin"),
-        ] {
-            log += &format!("2024-03-0{day} {clock} {row}\n");
-        }
-    }
-    log
-}
-
-#[test]
-fn logs_of_real_homes_are_held_beside_what_people_noted() {
-    let folder = Folder::new();
-    folder.write("noted.txt", noted("Leaving_home"));
-    let real = folder.run("experiment measures --data noted.txt --json").ok().json();
-    let errors = real["logs"][0]["errors"].as_array().unwrap();
-    for (measure, truly) in [("time_out", 3.0), ("time_in_bed", 8.0)] {
-        let error = errors.iter().find(|error| error["measure"] == measure).unwrap();
-        let [mean, apart] = ["mean_true", "mean_error"].map(|name| error[name].as_f64().unwrap());
-        assert!((mean - truly).abs() < 0.01 && apart < 0.01, "{error}");
-    }
-    folder.write("noted.txt", noted("Gardening").replace("Sleep", "Reading"));
-    folder.run("experiment measures --data noted.txt").fails(2, "error[experiment::no-activities]");
-    folder.run("experiment measures --data noted.txt --homes 3").fails(2, "cannot be used with");
 }
 
 /// The values of each day of a run, and of the run itself what it is called.

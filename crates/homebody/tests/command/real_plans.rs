@@ -4,10 +4,10 @@
 
 use crate::drawn_plans::whole_plans;
 use crate::folder::Folder;
-use homebody_core::home::plan::Plan;
+use homebody_core::home::form::HomeFile;
+use homebody_core::plan::Plan;
 use homebody_core::role::Role;
-use homebody_core::scenario::home::HomeFile;
-use homebody_routine::living::places::Places;
+use homebody_routine::behaviour::places::HomePlaces;
 use homebody_walk::Mesh;
 use std::fs;
 use std::path::PathBuf;
@@ -56,7 +56,7 @@ fn found(bytes: &[u8]) -> Found {
     }
     let home: HomeFile = serde_json::from_str(&folder.read("mine/home.json")).unwrap();
     let plan = Plan::new(&home);
-    let places = Places::new(&home, &plan, &Mesh::new(&plan, BODY_M), "anna");
+    let places = HomePlaces::new(&home, &plan, &Mesh::new(&plan, BODY_M), "anna");
     let has = |roles: &[Role]| roles.iter().any(|&role| places.has(role));
     let has_all = NEEDED.iter().all(|(_, roles)| has(roles));
     let needed: Vec<String> =

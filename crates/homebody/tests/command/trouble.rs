@@ -149,9 +149,6 @@ fn where_there_are_no_threads_it_is_said() {
         Done::new(words, output).fails(1, "error[thread::unavailable]");
         assert_eq!(folder.files(), given, "{words}");
     }
-    let mut experiment = folder.command("experiment daily-life --people 2 --days 2");
-    let output = experiment.env("RUST_MIN_STACK", (1_u64 << 46).to_string()).output().unwrap();
-    Done::new("experiment", output).fails(1, "kit::no-threads");
 }
 
 #[test]

@@ -5,11 +5,11 @@ use std::fs;
 use toml::{Table, Value};
 
 /// On which of our crates each of them may depend.
-const ARROWS: [(&str, &[&str]); 18] = [
+const ARROWS: [(&str, &[&str]); 24] = [
     ("homebody-core", &[]),
     ("homebody-import", &["homebody-core", "homebody-walk"]),
     ("homebody-walk", &["homebody-core"]),
-    ("homebody-log", &["homebody-core"]),
+    ("homebody-log", &["homebody-core", "homebody-timeline"]),
     ("homebody-postgres", &["homebody-core", "homebody-log"]),
     ("homebody-arrow", &["homebody-core", "homebody-log"]),
     ("homebody-mqtt", &["homebody-core", "homebody-log"]),
@@ -18,26 +18,35 @@ const ARROWS: [(&str, &[&str]); 18] = [
     ("homebody-routine", &["homebody-core", "homebody-script", "homebody-walk"]),
     ("homebody-analysis", &["homebody-core", "homebody-log"]),
     ("homebody-picture", &["homebody-analysis", "homebody-core"]),
+    ("homebody-timeline", &["homebody-core"]),
     (
-        "homebody-experiment",
+        "homebody-placement",
+        &["homebody-analysis", "homebody-core", "homebody-log", "homebody-routine", "homebody-timeline"],
+    ),
+    (
+        "homebody-lab",
         &[
+            "homebody",
             "homebody-analysis",
             "homebody-core",
             "homebody-infer",
             "homebody-log",
+            "homebody-oracle",
             "homebody-picture",
+            "homebody-placement",
+            "homebody-query",
             "homebody-routine",
+            "homebody-simulation",
+            "homebody-timeline",
             "homebody-walk",
         ],
     ),
     (
-        "homebody-kit",
+        "homebody-simulation",
         &[
             "homebody-analysis",
             "homebody-arrow",
             "homebody-core",
-            "homebody-import",
-            "homebody-infer",
             "homebody-log",
             "homebody-mqtt",
             "homebody-postgres",
@@ -46,16 +55,57 @@ const ARROWS: [(&str, &[&str]); 18] = [
         ],
     ),
     (
+        "homebody-query",
+        &[
+            "homebody-analysis",
+            "homebody-core",
+            "homebody-log",
+            "homebody-routine",
+            "homebody-simulation",
+            "homebody-walk",
+        ],
+    ),
+    (
+        "homebody-tracking",
+        &[
+            "homebody-analysis",
+            "homebody-core",
+            "homebody-infer",
+            "homebody-log",
+            "homebody-query",
+            "homebody-routine",
+            "homebody-simulation",
+            "homebody-walk",
+        ],
+    ),
+    ("homebody-fleet", &["homebody-core", "homebody-log", "homebody-routine", "homebody-simulation"]),
+    (
+        "homebody-scaffold",
+        &[
+            "homebody-analysis",
+            "homebody-core",
+            "homebody-import",
+            "homebody-log",
+            "homebody-query",
+            "homebody-routine",
+            "homebody-simulation",
+        ],
+    ),
+    (
         "homebody-web",
         &[
             "homebody-analysis",
             "homebody-core",
-            "homebody-experiment",
             "homebody-import",
-            "homebody-kit",
             "homebody-log",
             "homebody-picture",
+            "homebody-placement",
+            "homebody-query",
             "homebody-routine",
+            "homebody-scaffold",
+            "homebody-simulation",
+            "homebody-timeline",
+            "homebody-tracking",
         ],
     ),
     (
@@ -63,13 +113,18 @@ const ARROWS: [(&str, &[&str]); 18] = [
         &[
             "homebody-analysis",
             "homebody-core",
-            "homebody-experiment",
+            "homebody-fleet",
             "homebody-import",
             "homebody-infer",
-            "homebody-kit",
             "homebody-log",
             "homebody-picture",
+            "homebody-placement",
+            "homebody-query",
             "homebody-routine",
+            "homebody-scaffold",
+            "homebody-simulation",
+            "homebody-timeline",
+            "homebody-tracking",
             "homebody-web",
         ],
     ),
@@ -80,9 +135,11 @@ const ARROWS: [(&str, &[&str]); 18] = [
             "homebody-analysis",
             "homebody-arrow",
             "homebody-core",
-            "homebody-kit",
             "homebody-log",
             "homebody-picture",
+            "homebody-query",
+            "homebody-simulation",
+            "homebody-tracking",
         ],
     ),
     (
@@ -92,12 +149,13 @@ const ARROWS: [(&str, &[&str]); 18] = [
             "homebody-arrow",
             "homebody-core",
             "homebody-import",
-            "homebody-kit",
             "homebody-log",
             "homebody-mqtt",
             "homebody-picture",
             "homebody-postgres",
+            "homebody-query",
             "homebody-routine",
+            "homebody-simulation",
             "homebody-walk",
             "homebody-web",
         ],
@@ -105,7 +163,8 @@ const ARROWS: [(&str, &[&str]); 18] = [
 ];
 
 /// Dev-dependencies besides, and why.
-const BACKWARD: [(&str, &str, &str); 3] = [
+const BACKWARD: [(&str, &str, &str); 4] = [
+    ("homebody", "homebody-lab", "the rules read the messages and the command line of the experiments"),
     ("homebody", "homebody-walk", "the tests count to how much of an imported plan there is a way"),
     ("homebody-core", "homebody-log", "the benchmarks hold the kernel beside the database that stores its firings"),
     ("homebody-picture", "homebody-log", "the tests draw what was analysed of logs"),
@@ -163,7 +222,7 @@ fn astray(manifest: &Table) -> Vec<String> {
 }
 
 /// The dependencies of a crate on crates of the workspace, with their kind.
-fn ours(manifest: &Table) -> Vec<(&'static str, String)> {
+pub fn ours(manifest: &Table) -> Vec<(&'static str, String)> {
     let targets = manifest.get("target").and_then(Value::as_table);
     let targets = targets.into_iter().flat_map(Table::values).filter_map(Value::as_table);
     let tables: Vec<&Table> = std::iter::once(manifest).chain(targets).collect();
@@ -186,7 +245,7 @@ fn without_lints(manifest: &Table) -> Option<String> {
 }
 
 /// The `Cargo.toml` of every crate.
-fn manifests() -> Vec<Table> {
+pub fn manifests() -> Vec<Table> {
     let crates = fs::read_dir(repository().join("crates")).expect("the folder crates");
     let paths = crates.map(|entry| entry.expect("an entry").path().join("Cargo.toml"));
     paths.filter_map(|path| fs::read_to_string(path).ok()).map(|text| table(&text)).collect()
@@ -196,7 +255,7 @@ fn table(text: &str) -> Table {
     text.parse().expect("a file in TOML")
 }
 
-fn name(manifest: &Table) -> &str {
+pub fn name(manifest: &Table) -> &str {
     at(manifest, &["package", "name"]).and_then(Value::as_str).expect("a package has a name")
 }
 

@@ -1,8 +1,10 @@
-//! Files that need each other in a circle: none of them can be read, tested or moved without the others.
+//! Files and folders that need each other in a circle: none of them can be read, tested or moved without the others.
 //!
 //! A file needs another of its crate if it names what is defined there: in a `use`, or in a path such as
 //! `crate::time::DAY` or `grid::Corner`. What a file only passes on by `pub use` is sought where it is defined, so a
 //! `mod.rs` that declares and passes on, and does nothing else, is in no circle. Code for tests is left out.
+//!
+//! A folder needs what its files need. A module `name.rs` and its folder `name` are one.
 
 use super::rust::{Import, parted, paths, words};
 use super::source::is_for_tests;
@@ -13,6 +15,27 @@ use std::collections::{BTreeMap, BTreeSet};
 fn files_do_not_need_each_other_in_circles() {
     let tree = Tree::new(&files());
     expect_none(tree.circles().iter().map(|circle| tree.wrong(circle)).collect());
+}
+
+#[test]
+fn folders_do_not_need_each_other_in_circles() {
+    expect_none(Tree::new(&files()).folder_circles());
+}
+
+#[test]
+fn finds_a_circle_of_folders_without_a_circle_of_files() {
+    let tree = [
+        File::new("crates/a/src/one.rs", "pub mod low; pub mod high;"),
+        File::new("crates/a/src/one/low.rs", "pub struct Low;"),
+        File::new("crates/a/src/one/high.rs", "use crate::two::Two; pub struct High(Two);"),
+        File::new("crates/a/src/two.rs", "use crate::one::low::Low; pub struct Two(Low);"),
+    ];
+    let tree = Tree::new(&tree);
+    assert_eq!(tree.circles(), Vec::<Vec<String>>::new());
+    let circles = tree.folder_circles();
+    assert_eq!(circles.len(), 1, "{circles:?}");
+    assert!(circles[0].starts_with("in a/src these need each other: one, two"), "{}", circles[0]);
+    assert!(circles[0].contains("a/src/one/high.rs needs a/src/two.rs for Two"), "{}", circles[0]);
 }
 
 #[test]
@@ -108,6 +131,20 @@ fn reached(needs: &[Needs], from: usize) -> BTreeSet<usize> {
     reached
 }
 
+/// The modules of one folder that need each other, by name, with the reasons.
+type Neighbours = BTreeMap<String, BTreeMap<String, Vec<String>>>;
+
+/// The modules that a module needs, with those that these need, and so on.
+fn neighbours_reached(neighbours: &Neighbours, from: &str) -> BTreeSet<String> {
+    let mut reached = BTreeSet::new();
+    let mut open = vec![from.to_owned()];
+    while let Some(module) = open.pop() {
+        let needed = neighbours.get(&module).into_iter().flat_map(BTreeMap::keys);
+        open.extend(needed.filter(|other| reached.insert((*other).clone())).cloned());
+    }
+    reached
+}
+
 /// The modules of all crates.
 struct Tree {
     sources: Vec<Source>,
@@ -157,6 +194,47 @@ impl Tree {
             }
         }
         circles.into_iter().collect()
+    }
+
+    /// The modules of each folder that need each other in a circle, and why.
+    fn folder_circles(&self) -> Vec<String> {
+        let mut folders: BTreeMap<String, Neighbours> = BTreeMap::new();
+        for (from, source) in self.sources.iter().enumerate() {
+            for (to, names) in self.needs(from) {
+                let other = &self.sources[to];
+                let (one, two): (Vec<&str>, Vec<&str>) =
+                    (source.path.split('/').collect(), other.path.split('/').collect());
+                let common = one.iter().zip(&two).take_while(|(one, two)| one == two).count();
+                let [one, two] = [one[common], two[common]].map(|name| name.trim_end_matches(".rs").to_owned());
+                if one != two {
+                    let folder = source.path.split('/').take(common).collect::<Vec<_>>().join("/");
+                    let names: Vec<String> = names.into_iter().collect();
+                    let why = format!("{} needs {} for {}", source.path, other.path, names.join(", "));
+                    let neighbours = folders.entry(folder).or_default().entry(one).or_default();
+                    neighbours.entry(two).or_default().push(why);
+                }
+            }
+        }
+        let mut circles = Vec::new();
+        for (folder, neighbours) in &folders {
+            let reached: BTreeMap<&String, BTreeSet<String>> =
+                neighbours.keys().map(|module| (module, neighbours_reached(neighbours, module))).collect();
+            let circle = |module: &String| -> BTreeSet<&String> {
+                let is_in = |other: &&String| reached.get(other).is_some_and(|back| back.contains(module));
+                reached[module].iter().filter(is_in).collect()
+            };
+            let all: BTreeSet<BTreeSet<&String>> = neighbours.keys().map(circle).filter(|all| all.len() > 1).collect();
+            for circle in all {
+                let needs = circle.iter().filter_map(|one| neighbours.get(*one)).flatten();
+                let why: Vec<&str> = needs
+                    .filter(|(other, _)| circle.contains(other))
+                    .flat_map(|(_, why)| why.iter().map(String::as_str))
+                    .collect();
+                let modules: Vec<&str> = circle.iter().map(|module| module.as_str()).collect();
+                circles.push(format!("in {folder} these need each other: {} ({})", modules.join(", "), why.join("; ")));
+            }
+        }
+        circles
     }
 
     /// What is wrong with a circle, and what closes it.

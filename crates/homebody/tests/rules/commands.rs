@@ -2,9 +2,10 @@
 
 use super::markdown::Document;
 use super::{expect_none, repository};
+use clap::Command;
 use std::fs;
 use std::path::Path;
-use std::process::{Command, Output};
+use std::process::Output;
 
 /// The documents that show commands: those of the root, and all in `docs`.
 fn documents() -> Vec<String> {
@@ -13,8 +14,14 @@ fn documents() -> Vec<String> {
     root.into_iter().chain(super::paths().iter().filter(|path| is_document(path)).cloned()).collect()
 }
 
-/// The ways in which a document may start the program.
-const STARTS: [&[&str]; 3] = [&["cargo", "run", "--release", "--"], &["./target/release/homebody"], &["homebody"]];
+/// The ways in which a document may start a program.
+const STARTS: [(&str, &[&str]); 5] = [
+    ("homebody", &["cargo", "run", "--release", "--"]),
+    ("homebody", &["./target/release/homebody"]),
+    ("homebody", &["homebody"]),
+    ("homebody-lab", &["cargo", "run", "--release", "--package", "homebody-lab", "--"]),
+    ("homebody-lab", &["homebody-lab"]),
+];
 
 /// The commands that need only files and take no more than seconds.
 const QUICK: [&str; 19] = [
@@ -52,6 +59,8 @@ const MOST_DAYS: u32 = 7;
 struct Shown {
     document: String,
     line: usize,
+    /// `homebody` or `homebody-lab`.
+    program: &'static str,
     words: Vec<String>,
     /// Whether it stands in a block of code, and not as a few words in a sentence.
     is_in_block: bool,
@@ -69,14 +78,14 @@ fn a_command_that_is_not_understood_is_found() {
     let wrong = |text: &str| commands("README.md", text).iter().flat_map(misunderstood).collect::<Vec<_>>();
     let right = "```sh\n$ homebody run scenarios/tigerplace --speed=10 --truth a.db  # slowly\nls --none\n\
         homebody new my-home && homebody check my-home --json | less --none\n\
-        homebody experiment godsey2009 \\\n  --svg a.svg\nhomebody --help\n```\nThen `homebody check`.\n";
+        homebody-lab godsey2009 \\\n  --svg a.svg\nhomebody --help\n```\nThen `homebody check`.\n";
     assert_eq!(wrong(right), [""; 0]);
     assert_eq!(commands("README.md", right).len(), 6);
     assert_eq!(wrong("```\nhomebody walk a\n```"), ["README.md:2: homebody has no command walk"]);
     assert_eq!(wrong("\nTry `homebody walk`."), ["README.md:2: homebody has no command walk"]);
     assert_eq!(wrong("    cargo run --release -- check a --jso"), ["README.md:1: homebody check has no --jso"]);
-    let experiment = "```\nhomebody experiment godsey\n```";
-    assert_eq!(wrong(experiment), ["README.md:2: homebody experiment has no command godsey"]);
+    let experiment = "```\ncargo run --release --package homebody-lab -- godsey\n```";
+    assert_eq!(wrong(experiment), ["README.md:2: homebody-lab has no command godsey"]);
     let over_lines = "```\nhomebody check a && \\\n homebody check -q b\n```";
     assert_eq!(wrong(over_lines), ["README.md:2: homebody check has no -q"]);
 }
@@ -159,9 +168,9 @@ fn commands(document: &str, text: &str) -> Vec<Shown> {
         .enumerate()
         .flat_map(|(index, (line, text))| split(text).into_iter().map(move |words| (*line, words, index < in_blocks)));
     let shown = split.filter_map(|(line, words, is_in_block)| {
-        let start =
-            STARTS.iter().find(|start| words.len() >= start.len() && words.iter().zip(**start).all(|(a, b)| a == b));
-        Some(Shown { document: document.to_owned(), line, words: words[start?.len()..].to_vec(), is_in_block })
+        let is_start = |start: &&[&str]| words.len() >= start.len() && words.iter().zip(*start).all(|(a, b)| a == b);
+        let (program, start) = STARTS.iter().find(|(_, start)| is_start(start))?;
+        Some(Shown { document: document.to_owned(), line, program, words: words[start.len()..].to_vec(), is_in_block })
     });
     shown.collect()
 }
@@ -189,49 +198,56 @@ fn split(line: &str) -> Vec<Vec<String>> {
 }
 
 /// What in a command the program's help does not know.
-fn misunderstood(Shown { document, line, words, .. }: &Shown) -> Vec<String> {
+fn misunderstood(Shown { document, line, program, words, .. }: &Shown) -> Vec<String> {
     // `help run` is about `run`.
     let words = words.strip_prefix(&["help".to_owned()]).unwrap_or(&words[..]);
     let mut path: Vec<&str> = Vec::new();
-    let mut help = help(&path);
-    while let (Some(list), Some(word)) = (commands_of(&help, &path), words.get(path.len())) {
+    let mut help = help(program, &path);
+    while let (Some(list), Some(word)) = (commands_of(&help), words.get(path.len())) {
         // `[OPTIONS]` and `<COMMAND>` stand for what a reader writes.
         if word.starts_with(['-', '[', '<']) {
             break;
         }
         if !list.lines().any(|line| line.split_whitespace().next() == Some(word)) {
-            return vec![format!("{document}:{line}: {} has no command {word}", name(&path))];
+            return vec![format!("{document}:{line}: {} has no command {word}", name(program, &path))];
         }
         path.push(word);
-        help = self::help(&path);
+        help = self::help(program, &path);
     }
     let flags = words.iter().filter(|word| word.len() > 1 && word.starts_with('-'));
     let flags = flags.map(|flag| flag.split('=').next().unwrap_or_default());
     let known: Vec<&str> = help.split([' ', ',', '\n', '=', '[']).collect();
     let unknown = flags.filter(|flag| !known.contains(flag));
-    unknown.map(|flag| format!("{document}:{line}: {} has no {flag}", name(&path))).collect()
+    unknown.map(|flag| format!("{document}:{line}: {} has no {flag}", name(program, &path))).collect()
 }
 
-fn name(path: &[&str]) -> String {
-    [&["homebody"], path].concat().join(" ")
+fn name(program: &str, path: &[&str]) -> String {
+    [&[program], path].concat().join(" ")
 }
 
-fn help(path: &[&str]) -> String {
+fn help(program: &str, path: &[&str]) -> String {
+    if program == "homebody-lab" {
+        let mut whole = homebody_lab::command();
+        whole.build();
+        let find = |of: &Command, word: &&str| of.find_subcommand(word).expect("a command that is listed").clone();
+        return path.iter().fold(whole, |of, word| find(&of, word)).render_long_help().to_string();
+    }
     let output = homebody(Path::new("."), path.iter().copied().chain(["--help"]));
-    assert!(output.status.success(), "{} --help fails", name(path));
+    assert!(output.status.success(), "{} --help fails", name(program, path));
     String::from_utf8(output.stdout).expect("help is in UTF-8")
 }
 
 /// The lines of the help that list commands: those of the whole program are in groups, from the first heading to the options.
-fn commands_of<'a>(help: &'a str, path: &[&str]) -> Option<&'a str> {
-    let (title, end) = if path.is_empty() { ("\nSimulate:\n", "\nOptions:\n") } else { ("\nCommands:\n", "\n\n") };
-    let (_, rest) = help.split_once(title)?;
-    rest.split(end).next()
+fn commands_of(help: &str) -> Option<&str> {
+    let titles = [("\nSimulate:\n", "\nOptions:\n"), ("\nCommands:\n", "\n\n")];
+    let (rest, end) = titles.iter().find_map(|(title, end)| Some((help.split_once(title)?.1, end)))?;
+    rest.split(*end).next()
 }
 
 /// Runs a command in the folder if it is quick and what it needs is there; what it says if it fails.
-fn failing(Shown { document, line, words, is_in_block }: &Shown, folder: &Path) -> Option<String> {
-    let command = words.first().filter(|command| *is_in_block && QUICK.contains(&command.as_str()))?;
+fn failing(Shown { document, line, program, words, is_in_block }: &Shown, folder: &Path) -> Option<String> {
+    let is_tried = *is_in_block && *program == "homebody";
+    let command = words.first().filter(|command| is_tried && QUICK.contains(&command.as_str()))?;
     let is_slow = words.iter().any(|word| SLOW.contains(&word.split('=').next().unwrap_or_default()));
     let lasts = words.iter().skip_while(|word| *word != "--for").nth(1);
     let days = |span: &String| span.strip_suffix('d').and_then(|days| days.parse::<u32>().ok());
@@ -254,6 +270,6 @@ fn failing(Shown { document, line, words, is_in_block }: &Shown, folder: &Path) 
 }
 
 fn homebody<'a>(folder: &Path, words: impl Iterator<Item = &'a str>) -> Output {
-    let output = Command::new(env!("CARGO_BIN_EXE_homebody")).args(words).current_dir(folder).output();
+    let output = std::process::Command::new(env!("CARGO_BIN_EXE_homebody")).args(words).current_dir(folder).output();
     output.expect("homebody can be started")
 }

@@ -9,21 +9,21 @@ const TABLE: [&str; 2] = ["crates/homebody-core/src/activity.rs", "web/src/activ
 
 /// Words that are labels, too, and mean something else where they stand.
 const OTHER_MEANINGS: [(&str, &str, &str); 17] = [
-    ("crates/homebody-analysis/src/summaries/topics.rs", "pacing", "a measure"),
+    ("crates/homebody-analysis/src/measures/registry.rs", "pacing", "a measure"),
     ("crates/homebody-core/src/doors.rs", "laundry", "a room"),
     ("crates/homebody-core/src/sensed.rs", "reading", "what a sensor measures"),
     ("crates/homebody-core/src/role.rs", "laundry", "a room"),
-    ("crates/homebody-experiment/src/daily_life/published.rs", "reading", "a line of a table for people"),
+    ("crates/homebody-lab/src/daily_life/published.rs", "reading", "a line of a table for people"),
     ("crates/homebody-import/src/from_log/words.rs", "laundry", "a room"),
     ("crates/homebody-import/src/from_log/words.rs", "washing", "a word of the names of machines"),
     ("crates/homebody-log/src/source/columns.rs", "reading", "a heading over readings of sensors"),
-    ("crates/homebody-log/src/source/object_rows.rs", "reading", "a key over readings of sensors"),
-    ("crates/homebody-log/src/source/movements.rs", "away", "a motion state"),
-    ("crates/homebody-log/src/truth/mod.rs", "away", "a motion state"),
-    ("crates/homebody-log/src/truth/mod.rs", "reading", "what a sensor measures"),
+    ("crates/homebody-log/src/source/json/object_rows.rs", "reading", "a key over readings of sensors"),
+    ("crates/homebody-log/src/truth/movements.rs", "away", "a motion state"),
+    ("crates/homebody-log/src/run_log/truth_log.rs", "away", "a motion state"),
+    ("crates/homebody-log/src/run_log/truth_log.rs", "reading", "what a sensor measures"),
     ("crates/homebody-picture/src/density_map.rs", "away", "nobody at home"),
     ("crates/homebody-routine/src/language/build.rs", "away", "a word of the language"),
-    ("crates/homebody-routine/src/living/keys.rs", "away", "what a rule waits for"),
+    ("crates/homebody-routine/src/behaviour/keys.rs", "away", "what a rule waits for"),
     ("web/src/views/life/Life.svelte", "writing", "a part of the page"),
     ("web/src/wire.ts", "away", "a motion state"),
 ];

@@ -5,20 +5,19 @@
 
 use super::generated::is_generated;
 use super::{File, expect_none, files};
-use homebody::messages::all;
-use homebody_core::messages::Entry;
+use homebody_core::messages::CatalogueEntry;
 use std::collections::BTreeMap;
 
 const SNAPSHOT: &str = "\
-Every message of the program: its code, its text and its hint. Names in braces stand for data.
+Every message of the program and of the experiments: its code, its text and its hint. Names in braces stand for data.
 HOMEBODY_REWRITE=1 cargo test -p homebody --test rules messages writes this file anew.
 ";
 
 const PAGE: &str = "\
 # Diagnostics
 
-This page explains every message of the program by its code. `homebody explain CODE` prints the same text. Names in braces stand for data,
-which `--json` and Python carry under `data`.
+This page explains every message by its code. `homebody explain CODE` prints the same text, and `homebody-lab explain CODE` does for the
+messages of [experiments](../explanation/validation.md). Names in braces stand for data, which `--json` and Python carry under `data`.
 
 They also carry the change that solves the problem under `fix`, if one change is enough:
 
@@ -28,6 +27,11 @@ They also carry the change that solves the problem under `fix`, if one change is
 
 Made from the code by the test in `crates/homebody/tests/rules/messages.rs`.
 ";
+
+/// The messages of the program and of the experiments.
+fn all() -> impl Iterator<Item = &'static CatalogueEntry> + Clone {
+    homebody::messages::all().chain(homebody_lab::catalogue::all())
+}
 
 #[test]
 fn the_snapshot_is_what_the_code_says() {
@@ -57,7 +61,7 @@ fn the_page_of_diagnostics_is_what_the_code_says() {
     is_generated("docs/reference/diagnostics.md", &text);
 }
 
-fn about(entry: &Entry) -> String {
+fn about(entry: &CatalogueEntry) -> String {
     let lines: Vec<&str> = entry.about.lines().map(|line| line.strip_prefix(' ').unwrap_or(line)).collect();
     lines.join("\n").trim().to_owned()
 }
@@ -74,13 +78,13 @@ fn messages_are_sound() {
 
 #[test]
 fn an_unsound_message_is_found() {
-    let entry = Entry { code: "Log:bad", text: "It is wrong.", about: "", ..*all().next().unwrap() };
+    let entry = CatalogueEntry { code: "Log:bad", text: "It is wrong.", about: "", ..*all().next().unwrap() };
     assert_eq!(faults(&entry).len(), 4, "{:?}", faults(&entry));
 }
 
 /// The faults of a declaration: its code is not `area::kebab-case`, its text is a sentence with a capital or a full stop, or it has no
 /// explanation.
-fn faults(entry: &Entry) -> Vec<String> {
+fn faults(entry: &CatalogueEntry) -> Vec<String> {
     let is_word = |word: &str| {
         !word.is_empty() && word.bytes().all(|byte| byte.is_ascii_lowercase() || byte.is_ascii_digit() || byte == b'-')
     };

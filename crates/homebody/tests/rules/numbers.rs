@@ -6,7 +6,7 @@ use super::generated::is_generated;
 use super::source::is_for_tests;
 use super::{File, expect_none, files, has_word};
 use homebody_core::numbers::Number;
-use homebody_kit::numbers;
+use homebody_simulation::numbers;
 
 const HEAD: &str = "\
 # Parameters of the models
@@ -62,8 +62,8 @@ const UNITS: [(&str, &str); 16] = [
 /// How the names of limits begin.
 const LIMITS: [&str; 4] = ["MOST", "LARGEST", "LONGEST", "GREATEST"];
 
-/// Files whose fields are keys of a scenario's files, with defaults of ours: they are set there.
-const FORMS: &str = "crates/homebody-core/src/scenario/";
+/// Folder of the files whose fields are keys of a scenario's files, with defaults of ours: they are set there.
+const FORMS: &str = "crates/homebody-core/src/";
 
 /// A constant that is a limit, or whose comment says that it is ours.
 #[derive(Debug, PartialEq)]
@@ -103,7 +103,7 @@ fn a_number_that_is_in_no_list_is_found() {
     assert_eq!(wrong("fn a() {\n    const MOST: u32 = 3;\n}\n"), 0);
     assert_eq!(wrong("//! A wait of 2 s (ours).\n\nuse a::b;\n"), 0);
     assert_eq!(wrong("#[cfg(test)]\nmod tests {\n    let most = 3; // (ours)\n}\n"), 0);
-    let key = File::new("crates/homebody-core/src/scenario/a.rs", "/// 0.1 (ours).\n#[serde]\npub share: f64,\n");
+    let key = File::new("crates/homebody-core/src/link/form.rs", "/// 0.1 (ours).\n#[serde]\npub share: f64,\n");
     assert_eq!(judged(&key).1.len(), 0);
     assert_eq!(judged(&file(&key.text)).1.len(), 1);
 
@@ -116,7 +116,7 @@ fn a_number_that_is_in_no_list_is_found() {
 
 #[test]
 fn constants_are_read_with_value_unit_and_meaning() {
-    let text = "/// Nobody is\n/// faster (ours).\npub(crate) const FASTEST_MPS: f64 =\n    3.0;\nconst WAIT: Micros = 5 * SECOND;\n\n\
+    let text = "/// Nobody is\n/// faster (ours).\npub(crate) const FASTEST_MPS: f64 =\n    3.0;\nconst WAIT: Span = SECOND.times(5);\n\n\
         const ALONE: f64 = 1.0;\n/// Words of ours.\nconst WORDS: [&str; 1] = [\"a\"];\n";
     let fixed = |name: &str, value: &str, unit| Fixed {
         path: "crates/a/src/a.rs".into(),
@@ -126,7 +126,7 @@ fn constants_are_read_with_value_unit_and_meaning() {
         what: "Nobody is faster.".into(),
     };
     let read = judged(&File::new("crates/a/src/a.rs", text)).0;
-    assert_eq!(read, [fixed("FASTEST_MPS", "3.0", "m/s"), fixed("WAIT", "5 * SECOND", "µs")]);
+    assert_eq!(read, [fixed("FASTEST_MPS", "3.0", "m/s"), fixed("WAIT", "SECOND.times(5)", "µs")]);
 }
 
 #[test]
@@ -230,7 +230,7 @@ fn constant(lines: &[&str], from: usize) -> Option<(Option<[String; 3]>, usize)>
     let whole = &whole[visibility.len()..];
     let (name, rest) = whole.split_once(' ')?.1.split_once(':')?;
     let (kind, value) = rest.split_once('=')?;
-    let is_number = ["f64", "f32", "u8", "u16", "u32", "u64", "i64", "usize", "Micros", "Duration"];
+    let is_number = ["f64", "f32", "u8", "u16", "u32", "u64", "i64", "usize", "Span", "Duration"];
     let is_number = is_number.iter().any(|number| has_word(kind, number)) && !kind.contains("str");
     let parts = [name, kind, value.trim_end_matches(';')].map(|part| part.trim().to_owned());
     Some((is_number.then_some(parts), from + length))
@@ -238,7 +238,7 @@ fn constant(lines: &[&str], from: usize) -> Option<(Option<[String; 3]>, usize)>
 
 fn unit(name: &str, kind: &str) -> &'static str {
     let by_name = UNITS.iter().find(|(end, _)| name.ends_with(end));
-    by_name.map_or(if has_word(kind, "Micros") { "µs" } else { "1" }, |(_, unit)| unit)
+    by_name.map_or(if has_word(kind, "Span") { "µs" } else { "1" }, |(_, unit)| unit)
 }
 
 /// What a comment says, without saying that it is ours.

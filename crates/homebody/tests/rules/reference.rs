@@ -21,8 +21,7 @@ form. Three short options are the same everywhere: `-o` is `--out` (a destinatio
 `--force`. Every command takes `--log-format json`, which writes progress, notes and errors to standard error as JSON.
 
 Exit codes: 0 success, 1 a file could not be read or written, 2 an argument or a file is invalid. `run`, `live` and `fleet` also end
-with 129, 130 or 143 after SIGHUP, SIGINT or SIGTERM. `doctor` also ends with 1 if a check is wrong, and `experiment possible` if an
-impossible event occurs. `experiment claims` also ends with 2 if a claim fails.
+with 129, 130 or 143 after SIGHUP, SIGINT or SIGTERM. `doctor` also ends with 1 if a check is wrong.
 ";
 
 #[test]
@@ -40,7 +39,7 @@ fn a_command_is_documented_with_usage_options_and_examples() {
         "| `-o`, `--out DESTINATION` |",
         "| `--on-unavailable ACTION` | `error` |",
         "`spool`: Store rows on disk",
-        "\n#### homebody experiment alerts\n",
+        "\n#### homebody routine check\n",
         "\nhomebody run scenarios/tigerplace --for 2h --speed 60\n",
     ] {
         assert!(page.contains(part), "{part}");

@@ -7,8 +7,8 @@ use crate::folder::{Folder, ROOT};
 use crate::mosquitto::Broker;
 use crate::server::Server;
 use homebody_core::scenario::logger::LoggerFile;
-use homebody_log::source::Clock;
-use homebody_log::{Source, Url, read};
+use homebody_log::log::Clock;
+use homebody_log::{LogSource, Url, read};
 use serde_json::{Value, json};
 use sha2::{Digest, Sha256};
 use std::fs;
@@ -28,11 +28,14 @@ fn scenarios() -> usize {
 }
 
 fn rows(place: &Url) -> Vec<Row> {
-    homebody_kit::elsewhere::install_all();
-    let log = read(Source::from(place), &LoggerFile::default()).unwrap_or_else(|error| panic!("{place}: {error}"));
+    homebody_simulation::install_sinks();
+    let log = read(LogSource::from(place), &LoggerFile::default()).unwrap_or_else(|error| panic!("{place}: {error}"));
     // Where nobody has moved in so short a time, nothing tells the clock.
     assert!(log.skipped == 0 && (log.clock == Clock::Utc || log.rows == 0), "{place}");
-    log.events.iter().map(|event| (event.at, log.sensor(event).to_owned(), log.value(event).to_owned())).collect()
+    log.events
+        .iter()
+        .map(|event| (event.at.micros(), log.sensor(event).to_owned(), log.value(event).to_owned()))
+        .collect()
 }
 
 fn digest(rows: &[Row]) -> String {

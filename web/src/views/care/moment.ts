@@ -1,13 +1,8 @@
 // When something of a day is best seen in playback.
 
+import { FIRST_HOURS, OF_NIGHT } from '../../measures';
 import type { CareView } from '../../wire';
 import { shifted } from './dates';
-
-/** Those of a night belong to the day on which it ends. */
-const OF_NIGHT = new Set(['sleep', 'bedtime', 'time_in_bed', 'restlessness', 'bathroom_night']);
-
-/** Where a measure is of a part of the day, its first hour. */
-const PARTS: Record<string, number> = { density_night: 0, density_morning: 6, density_afternoon: 12, density_evening: 18 };
 
 /** It is seen how it comes about, this long before (ours). */
 const BEFORE_H = 0.25;
@@ -18,7 +13,7 @@ const [TO_BED_H, UP_H] = [22, 7];
 /** The date and the time on the home's clock at which a measure of a day, or the day itself, begins to be seen. */
 export function momentOf(care: Pick<CareView, 'charts'>, measure: string | null, day: string): string {
   const value = (name: string) => care.charts.find((chart) => chart.measure === name)?.days.find((point) => point.day === day)?.value ?? null;
-  if (measure !== null && measure in PARTS) return at(day, PARTS[measure]!);
+  if (measure !== null && measure in FIRST_HOURS) return at(day, FIRST_HOURS[measure]!);
   // To bed is told in hours of the day before.
   if (measure !== null && OF_NIGHT.has(measure)) return at(shifted(day, -1), (value('bedtime') ?? TO_BED_H) - BEFORE_H);
   return at(day, (value('rising') ?? UP_H) - BEFORE_H);

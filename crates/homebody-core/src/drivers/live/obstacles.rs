@@ -8,16 +8,16 @@
 //! The engine computes in `f32`, and once in some hundred thousand casts along a wall it misses the
 //! wall. So the end of every step is checked against the plan itself, in `f64`.
 
-use crate::drivers::surroundings::Body;
+use crate::drivers::surroundings::PlacedBody;
 use crate::geometry::{self, Point};
-use crate::home::plan::{Origin, Plan, Solid};
 use crate::ids::ThingId;
-use rapier2d::dynamics::RigidBodySet;
-use rapier2d::geometry::{Aabb, Ball, Bvh, ColliderBuilder, ColliderHandle, ColliderSet, SharedShape};
-use rapier2d::math::{Pose, Vector};
-use rapier2d::parry::partitioning::BvhNode;
-use rapier2d::parry::query::{DefaultQueryDispatcher, ShapeCastOptions};
-use rapier2d::pipeline::{QueryFilter, QueryPipeline};
+use crate::plan::{Origin, Plan, Solid};
+use parry2d::bounding_volume::Aabb;
+use parry2d::math::{Pose, Vector};
+use parry2d::partitioning::{Bvh, BvhNode};
+use parry2d::query::details::NormalConstraints;
+use parry2d::query::{DefaultQueryDispatcher, ShapeCastOptions};
+use parry2d::shape::{Ball, CompositeShape, CompositeShapeRef, Shape, SharedShape};
 
 /// The gap that casts keep between the body and what stands around it. Where it starts out touching
 /// something, a cast is at its weakest.
@@ -46,20 +46,49 @@ pub struct Obstacles {
     radius_m: f64,
     /// The fixed ones, as in the plan; their places in the list are their numbers in the tree.
     fixed: Vec<Vec<Point>>,
-    doors: Vec<Door>,
-    colliders: ColliderSet,
-    /// What takes part: everything fixed but open doors, and the others who are near.
-    tree: Bvh,
-    /// A ball for each other who has ever been near; the first `near_count` of them take part.
-    others: Vec<ColliderHandle>,
+    doors: Vec<InnerDoor>,
+    parts: ObstacleShapes,
+    /// A ball for each other who has ever been near, by its number; the first `near_count` of them take part.
+    others: Vec<u32>,
     near_count: usize,
+}
+
+/// The shapes of all obstacles, of which those in the tree take part: everything fixed but open doors, and the others who are near.
+#[derive(Clone, Debug, Default)]
+struct ObstacleShapes {
+    tree: Bvh,
+    shapes: Vec<(Pose, SharedShape)>,
+}
+
+impl ObstacleShapes {
+    /// Adds a shape, which does not take part yet, and returns its number.
+    fn add(&mut self, shape: SharedShape) -> u32 {
+        self.shapes.push((Pose::IDENTITY, shape));
+        (self.shapes.len() - 1) as u32
+    }
+
+    fn take_part(&mut self, number: u32) {
+        let (pose, shape) = &self.shapes[number as usize];
+        self.tree.insert(shape.compute_aabb(pose), number);
+    }
+}
+
+impl CompositeShape for ObstacleShapes {
+    fn map_part_at(&self, number: u32, ask: &mut dyn FnMut(Option<&Pose>, &dyn Shape, Option<&dyn NormalConstraints>)) {
+        let (pose, shape) = &self.shapes[number as usize];
+        ask(Some(pose), &**shape, None);
+    }
+
+    fn bvh(&self) -> &Bvh {
+        &self.tree
+    }
 }
 
 /// A door within the home, where it is in a wall.
 #[derive(Clone, Copy, Debug)]
-struct Door {
+struct InnerDoor {
     thing: ThingId,
-    collider: ColliderHandle,
+    number: u32,
     is_shut: bool,
 }
 
@@ -91,8 +120,7 @@ impl Obstacles {
             radius_m,
             fixed: Vec::new(),
             doors: Vec::new(),
-            colliders: ColliderSet::new(),
-            tree: Bvh::new(),
+            parts: ObstacleShapes::default(),
             others: Vec::new(),
             near_count: 0,
         };
@@ -102,36 +130,32 @@ impl Obstacles {
             if corners.len() < 3 {
                 continue;
             }
-            let Some(collider) = ColliderBuilder::convex_hull(&corners) else { continue };
-            let collider = all.colliders.insert(collider);
+            let Some(hull) = SharedShape::convex_hull(&corners) else { continue };
+            let number = all.parts.add(hull);
             all.fixed.push(outline.clone());
             // Nobody leaves the home, be its door open or not.
             let within = door.filter(|_| !leads_out(outline));
             if within.is_none_or(|(_, is_shut)| is_shut) {
-                all.take_part(collider);
+                all.parts.take_part(number);
             }
-            all.doors.extend(within.map(|(door, is_shut)| Door { thing: ThingId::of(door), collider, is_shut }));
+            all.doors.extend(within.map(|(door, is_shut)| InnerDoor { thing: ThingId::new(door), number, is_shut }));
         }
         all
-    }
-
-    fn take_part(&mut self, collider: ColliderHandle) {
-        self.tree.insert(self.colliders[collider].compute_aabb(), leaf(collider));
     }
 
     /// Doors are as they have been left; none is shut on a body that stands in it.
     pub fn set_doors(&mut self, at: Point, is_open: impl Fn(ThingId) -> bool) {
         for index in 0..self.doors.len() {
-            let Door { thing, collider, is_shut } = self.doors[index];
+            let InnerDoor { thing, number, is_shut } = self.doors[index];
             let shall_be_shut = !is_open(thing);
             if shall_be_shut == is_shut {
                 continue;
             }
-            let outline = &self.fixed[leaf(collider) as usize];
+            let outline = &self.fixed[number as usize];
             if !shall_be_shut {
-                self.tree.remove(leaf(collider));
+                self.parts.tree.remove(number);
             } else if geometry::distance_to_area(outline, at) >= self.radius_m + f64::from(CLEARANCE_M) {
-                self.take_part(collider);
+                self.parts.take_part(number);
             } else {
                 continue;
             }
@@ -141,16 +165,9 @@ impl Obstacles {
 
     /// Where a body at `from` gets that wants to move by `way`: it goes until it touches something,
     /// and then along that; where two things leave no way, it stops.
-    pub fn slide(&mut self, from: Point, way: Point, others: impl Iterator<Item = Body>) -> Point {
+    pub fn slide(&mut self, from: Point, way: Point, others: impl Iterator<Item = PlacedBody>) -> Point {
         self.place_others(from, way.length(), others);
-        let bodies = RigidBodySet::new();
-        let queries = QueryPipeline {
-            dispatcher: &DefaultQueryDispatcher,
-            bvh: &self.tree,
-            bodies: &bodies,
-            colliders: &self.colliders,
-            filter: QueryFilter::default(),
-        };
+        let parts = CompositeShapeRef(&self.parts as &dyn CompositeShape);
         let ball = Ball::new(self.radius_m as f32);
         let start = from.as_vec2();
         let (mut moved, mut left) = (Vector::ZERO, way.as_vec2());
@@ -163,8 +180,8 @@ impl Obstacles {
                 stop_at_penetration: false,
                 compute_impact_geometry_on_penetration: true,
             };
-            let Some((_, hit)) = queries.cast_shape(&Pose::from_translation(start + moved), heading, &ball, options)
-            else {
+            let pose = Pose::from_translation(start + moved);
+            let Some((_, hit)) = parts.cast_shape(&DefaultQueryDispatcher, &pose, heading, &ball, options) else {
                 moved += left;
                 break;
             };
@@ -182,9 +199,9 @@ impl Obstacles {
     }
 
     /// Puts balls where the others are whom the body could touch within `reach_m`.
-    fn place_others(&mut self, from: Point, reach_m: f64, others: impl Iterator<Item = Body>) {
+    fn place_others(&mut self, from: Point, reach_m: f64, others: impl Iterator<Item = PlacedBody>) {
         for &ball in &self.others[..self.near_count] {
-            self.tree.remove(leaf(ball));
+            self.parts.tree.remove(ball);
         }
         self.near_count = 0;
         for other in others {
@@ -193,13 +210,12 @@ impl Obstacles {
                 continue;
             }
             if self.near_count == self.others.len() {
-                self.others.push(self.colliders.insert(ColliderBuilder::ball(1.0)));
+                self.others.push(self.parts.add(SharedShape::ball(1.0)));
             }
-            let handle = self.others[self.near_count];
-            let ball = &mut self.colliders[handle];
-            ball.set_translation(other.at.as_vec2());
-            ball.set_shape(SharedShape::ball(other.build.radius_m as f32));
-            self.tree.insert(ball.compute_aabb(), leaf(handle));
+            let number = self.others[self.near_count];
+            self.parts.shapes[number as usize] =
+                (Pose::from_translation(other.at.as_vec2()), SharedShape::ball(other.build.radius_m as f32));
+            self.parts.take_part(number);
             self.near_count += 1;
         }
     }
@@ -225,7 +241,7 @@ impl Obstacles {
         let reach = Vector::splat(self.radius_m as f32 + CLEARANCE_M);
         let around = Aabb::new(from.min(to).as_vec2() - reach, from.max(to).as_vec2() + reach);
         let around = BvhNode::leaf(around, 0);
-        let leaves = self.tree.leaves(move |node| node.intersects(&around));
+        let leaves = self.parts.tree.leaves(move |node| node.intersects(&around));
         leaves.filter_map(|leaf| self.fixed.get(leaf as usize)).map(|outline| &outline[..])
     }
 }
@@ -238,9 +254,4 @@ fn nearest_on_border(outline: &[Point], p: Point) -> Point {
             if on_side.distance_squared(p) < best.distance_squared(p) { on_side } else { best }
         },
     )
-}
-
-/// The number under which a collider is in the tree.
-fn leaf(collider: ColliderHandle) -> u32 {
-    collider.into_raw_parts().0
 }

@@ -1,32 +1,24 @@
 //! Live input: times that run forward, keys that are held once, things that are there.
 
-use super::{Report, Surroundings};
+use super::{HomeInCheck, ProblemReport};
+use crate::drivers::input::InputFile;
+use crate::nearest::nearest;
 use crate::problem::{Advice, MOST_PER_FILE, Problem};
-use crate::scenario::input::InputFile;
-use crate::scenario::nearest::nearest;
-use crate::scenario::source::Source;
+use crate::scenario::source::JsonSource;
 
 crate::messages! {
     /// Problems with files of held keys.
     pub enum InputMessage in "input" {
         /// The changes of the held keys follow each other in time.
-        Backward {
-            /// The time of the change before.
-            before_s: f64,
-            /// The time of this change.
-            after_s: f64,
-        } error "backward-time" ("time runs backward, from {before_s} s to {after_s} s")
+        Backward { before_s: f64, after_s: f64 }
+            error "backward-time" ("time runs backward, from {before_s} s to {after_s} s")
             hint ("put the changes in order of time");
         /// The list of held keys names each key once.
         HeldTwice error "held-twice" ("the list of held keys names this key twice")
             hint ("remove one of them");
         /// A resident uses doors, pieces of furniture and the lamps of rooms, by the names in `home.json`.
-        UnknownThing {
-            /// The name.
-            thing: String,
-            /// The most similar known name.
-            nearest: Option<String>,
-        } error "unknown-thing" ("this home has no {thing:?} that a resident could use")
+        UnknownThing { thing: String, nearest: Option<String> }
+            error "unknown-thing" ("this home has no {thing:?} that a resident could use")
             advice (Some(match nearest {
                 Some(near) => Advice::meant(near),
                 None => "name a door, a piece of furniture or a room".into(),
@@ -34,8 +26,8 @@ crate::messages! {
     }
 }
 
-pub fn check(source: &Source, file: &InputFile, surroundings: &Surroundings, problems: &mut Vec<Problem>) {
-    let report = &mut Report { source, problems };
+pub fn check(source: &JsonSource, file: &InputFile, surroundings: &HomeInCheck, problems: &mut Vec<Problem>) {
+    let report = &mut ProblemReport { source, problems };
     for (index, pair) in file.keys.windows(2).enumerate() {
         let (before_s, after_s) = (pair[0].at_s, pair[1].at_s);
         if after_s < before_s {

@@ -1,52 +1,37 @@
 //! `link.json`: sensors that there are, spans that run forward, faults that can be at once.
 
 use super::home::check_mounting;
-use super::{Report, Surroundings};
+use super::{HomeInCheck, ProblemReport};
+use crate::calendar::{TimeMessage, time_of_day};
+use crate::home::form::HomeFile;
+use crate::link::form::{FaultFile, LinkFile, MovedFile};
 use crate::link::moved_sensor;
 use crate::problem::Problem;
-use crate::scenario::calendar::{TimeMessage, time_of_day};
-use crate::scenario::home::{HomeFile, SensorFile};
-use crate::scenario::link::{FaultFile, LinkFile, MovedFile};
-use crate::scenario::source::{Source, pointer_part};
+use crate::scenario::source::{JsonSource, pointer_part};
 use crate::sensor_set::MAX_SENSORS;
+use crate::sensors::kinds::SensorFile;
 use crate::sensors::messages::SensorMessage;
-use crate::time::{DAY, Micros, NEVER};
+use crate::time::{DAY, RunTime};
 
 crate::messages! {
     /// Problems with the link between sensors and logger.
     pub enum LinkMessage in "link" {
         /// The interval of a day begins and ends at the same time. An interval that ends before it begins goes over midnight.
-        EmptyInterval {
-            /// The begin.
-            from: String,
-            /// The end.
-            to: String,
-        } error "empty-interval" ("the interval from {from:?} to {to:?} is empty")
+        EmptyInterval { from: String, to: String }
+            error "empty-interval" ("the interval from {from:?} to {to:?} is empty")
             hint ("remove \"between\" for a whole day");
         /// A sensor has one clock, and the fault gives its drift for the whole run.
-        TwoDrifts {
-            /// The sensor.
-            sensor: String,
-        } error "two-drifts" ("the drift of {sensor:?} is given twice")
+        TwoDrifts { sensor: String } error "two-drifts" ("the drift of {sensor:?} is given twice")
             hint ("remove one of them");
         /// A sensor can be moved once at an instant.
-        MovedTwice {
-            /// The sensor.
-            sensor: String,
-            /// The day, in words.
-            day: String,
-        } error "moved-twice" ("{sensor:?} is moved twice {day}")
+        MovedTwice { sensor: String, day: String } error "moved-twice" ("{sensor:?} is moved twice {day}")
             hint ("remove one of the moves, or put it on another day");
         /// Two faults of a sensor exclude each other, such as an empty battery and a stuck sensor. A fault without `days` lasts until the end
         /// of the run.
         FaultsOverlap {
-            /// The sensor.
             sensor: String,
-            /// The kind of this fault.
             kind: String,
-            /// Its days, in words.
             days: String,
-            /// The kind of the other fault.
             other: String,
             /// The days of the other fault, in words.
             other_days: String,
@@ -59,26 +44,19 @@ crate::messages! {
                 false => format!("give the fault {other:?} an end with \"days\""),
             }));
         /// Motion sensors fire without a cause now and then. Other kinds of sensors do not.
-        NotMotion {
-            /// The sensor.
-            sensor: String,
-        } error "not-a-motion-sensor" ("{sensor:?} is not a motion sensor, so it has no false firings")
+        NotMotion { sensor: String }
+            error "not-a-motion-sensor" ("{sensor:?} is not a motion sensor, so it has no false firings")
             hint ("remove this value, or name a motion sensor");
         /// A motion sensor on a wall can be moved to another wall. Other sensors belong to a thing or to an area.
-        CannotMove {
-            /// The sensor.
-            sensor: String,
-        } error "cannot-move" ("{sensor:?} cannot be moved: it is not a motion sensor on a wall")
+        CannotMove { sensor: String }
+            error "cannot-move" ("{sensor:?} cannot be moved: it is not a motion sensor on a wall")
             hint ("name a sensor of kind \"motion\"");
         /// A place that a sensor is moved to counts as a sensor, because the program computes its view, too.
-        TooManyPlaces {
-            /// The largest number.
-            most: usize,
-        } error "too-many-places" ("the sensors and the places to which faults move them add up to more than {most}")
+        TooManyPlaces { most: usize }
+            error "too-many-places" ("the sensors and the places to which faults move them add up to more than {most}")
             hint ("move fewer sensors");
         /// The fault is valid, and it begins after the end of the run, so it has no effect.
         FaultAfterEnd {
-            /// The kind of fault.
             kind: String,
             /// The sensor, where the fault has one.
             sensor: Option<String>,
@@ -90,12 +68,7 @@ crate::messages! {
             ("the fault {kind:?}{whose} begins on {begin}, after the run ends on {end}", whose = of_sensor(sensor))
             hint ("days count from 0: let the fault begin before the end, or run longer with --for");
         /// The sensors send at the same instants. On this kind of radio no sensor waits for another, so their messages collide and are lost.
-        Simultaneous {
-            /// The sensors.
-            sensors: Vec<String>,
-            /// The thing that they report.
-            thing: String,
-        } warning "simultaneous-messages"
+        Simultaneous { sensors: Vec<String>, thing: String } warning "simultaneous-messages"
             ("{names} report {thing:?} at the same instants, and their messages collide", names = together(sensors))
             hint ("remove one of them, or choose another network");
     }
@@ -109,8 +82,8 @@ fn together(names: &[String]) -> String {
     names.iter().map(|name| format!("{name:?}")).collect::<Vec<_>>().join(" and ")
 }
 
-pub fn check(source: &Source, file: &LinkFile, surroundings: &Surroundings, problems: &mut Vec<Problem>) {
-    let report = &mut Report { source, problems };
+pub fn check(source: &JsonSource, file: &LinkFile, surroundings: &HomeInCheck, problems: &mut Vec<Problem>) {
+    let report = &mut ProblemReport { source, problems };
     check_delay(report, "/delay_s", file.delay_s);
     for (name, sensor) in &file.sensors {
         check_delay(report, &format!("/sensors/{}/delay_s", pointer_part(name)), sensor.delay_s);
@@ -130,14 +103,14 @@ pub fn check(source: &Source, file: &LinkFile, surroundings: &Surroundings, prob
     }
 }
 
-fn check_delay(report: &mut Report, pointer: &str, delay: Option<[f64; 2]>) {
+fn check_delay(report: &mut ProblemReport, pointer: &str, delay: Option<[f64; 2]>) {
     if let Some(range) = delay {
         report.range(pointer, "delay_s", range);
     }
 }
 
 /// Times of day that there are.
-fn check_times(report: &mut Report, index: usize, fault: &FaultFile) {
+fn check_times(report: &mut ProblemReport, index: usize, fault: &FaultFile) {
     let mut wrong = |pointer: &str, text: &str| {
         let is_wrong = time_of_day(text).is_none();
         if is_wrong {
@@ -166,7 +139,7 @@ fn check_times(report: &mut Report, index: usize, fault: &FaultFile) {
 /// Whether one sensor cannot have both faults.
 fn contradict(one: &FaultFile, other: &FaultFile) -> bool {
     use FaultFile::{BadLink, Battery, Drift, FallsOff, Moved, Stuck};
-    let overlap = one.span().overlaps(&other.span());
+    let overlap = one.span().overlaps(other.span());
     match (one, other) {
         (Moved(one), Moved(other)) => one.from_day == other.from_day,
         // A sensor on the floor is not moved to another wall; a sensor that was moved may fall off there.
@@ -178,7 +151,7 @@ fn contradict(one: &FaultFile, other: &FaultFile) -> bool {
     }
 }
 
-fn report_contradiction(report: &mut Report, index: usize, one: &FaultFile, other: &FaultFile) {
+fn report_contradiction(report: &mut ProblemReport, index: usize, one: &FaultFile, other: &FaultFile) {
     let sensor = other.sensor().unwrap_or_default().to_owned();
     let message = match (one, other) {
         (FaultFile::Drift(_), _) => LinkMessage::TwoDrifts { sensor },
@@ -189,7 +162,7 @@ fn report_contradiction(report: &mut Report, index: usize, one: &FaultFile, othe
             days: days(other),
             other: one.kind().to_owned(),
             other_days: days(one),
-            other_ends: one.span().end != NEVER,
+            other_ends: one.span().end != RunTime::NEVER,
         },
     };
     report.add(&format!("/faults/{index}"), message);
@@ -198,18 +171,18 @@ fn report_contradiction(report: &mut Report, index: usize, one: &FaultFile, othe
 /// When a fault is, in words.
 fn days(fault: &FaultFile) -> String {
     let span = fault.span();
-    let day = |at: Micros| (at as f64 / DAY as f64 * 1000.0).round() / 1000.0;
+    let day = |at: RunTime| (at.since_zero().ratio(DAY) * 1000.0).round() / 1000.0;
     match fault {
         FaultFile::Moved(_) => format!("on day {}", day(span.begin)),
-        _ if span.end == NEVER => format!("from day {} on", day(span.begin)),
+        _ if span.end == RunTime::NEVER => format!("from day {} on", day(span.begin)),
         _ => format!("from day {} to {}", day(span.begin), day(span.end)),
     }
 }
 
-fn check_sensors(report: &mut Report, file: &LinkFile, home: &HomeFile) {
+fn check_sensors(report: &mut ProblemReport, file: &LinkFile, home: &HomeFile) {
     let names = home.sensors.iter().map(|sensor| sensor.name());
     let of_name = |name: &str| home.sensors.iter().find(|sensor| sensor.name() == name);
-    let unknown = |report: &Report, name: &str| {
+    let unknown = |report: &ProblemReport, name: &str| {
         let (nearest, known) = report.names_for(name, names.clone());
         SensorMessage::Unknown { sensor: name.to_owned(), nearest, known }
     };
@@ -247,7 +220,7 @@ fn check_sensors(report: &mut Report, file: &LinkFile, home: &HomeFile) {
 }
 
 /// Places that sensors are moved to; each place counts as one more sensor for the computation of views.
-fn check_places(report: &mut Report, file: &LinkFile, home: &HomeFile, surroundings: &Surroundings) {
+fn check_places(report: &mut ProblemReport, file: &LinkFile, home: &HomeFile, surroundings: &HomeInCheck) {
     let moved = file.faults.iter().enumerate().filter_map(|(index, fault)| match fault {
         FaultFile::Moved(moved) => Some((index, moved)),
         _ => None,
@@ -262,7 +235,13 @@ fn check_places(report: &mut Report, file: &LinkFile, home: &HomeFile, surroundi
     }
 }
 
-fn check_place(report: &mut Report, index: usize, moved: &MovedFile, home: &HomeFile, surroundings: &Surroundings) {
+fn check_place(
+    report: &mut ProblemReport,
+    index: usize,
+    moved: &MovedFile,
+    home: &HomeFile,
+    surroundings: &HomeInCheck,
+) {
     let Some(plan) = surroundings.plan else { return };
     if let Some(SensorFile::Motion(motion)) = moved_sensor(moved, &home.sensors) {
         check_mounting(report, &format!("/faults/{index}"), &motion, home, plan);

@@ -1,11 +1,11 @@
 //! `logger.json`: where the log goes, names that reach SQL, ids of sensors.
 
-use super::{Report, Surroundings, folded};
+use super::{HomeInCheck, ProblemReport, folded};
 use crate::problem::Problem;
 use crate::scenario::inside::{outside_folder, taken_in_run};
 use crate::scenario::logger::{LoggerFile, LumpFile, MessagesFile};
 use crate::scenario::scheme::{self, NoPlace, OUTPUT, PlaceMessage, Scheme, Stands};
-use crate::scenario::source::{Source, pointer_part};
+use crate::scenario::source::{JsonSource, pointer_part};
 use crate::sensors::messages::SensorMessage;
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -19,61 +19,38 @@ crate::messages! {
         NoShare error "no-share" ("every lump in \"lumps\" has the share 0")
             hint ("give one lump a share above 0, or write [] for holds of exactly \"hold_s\"");
         /// A scenario names files of the run's folder only. Servers and standard output are the choice of the person who runs it.
-        NotAFile {
-            /// The destination.
-            target: String,
-        } error "not-a-file" ("{target:?} is not a file in the folder of the run")
+        NotAFile { target: String } error "not-a-file" ("{target:?} is not a file in the folder of the run")
             hint ("remove it here, and run with: homebody run --out {target}");
         /// SQLite keeps tables of its own, which have names of this form.
-        SqliteTable {
-            /// The name.
-            name: String,
-        } error "sqlite-table" ("SQLite reserves table names that begin with \"sqlite_\"")
+        SqliteTable { name: String } error "sqlite-table" ("SQLite reserves table names that begin with \"sqlite_\"")
             hint ("choose another name than {name:?}");
         /// Homebody writes tables named `run` and `sensor` next to the log. They describe the runs and the sensors.
-        ReservedTable {
-            /// The name.
-            name: String,
-        } error "reserved-table" ("the table of the log cannot be named {name:?}, because Homebody writes another table of this name")
+        ReservedTable { name: String }
+            error "reserved-table" ("the table of the log cannot be named {name:?}, because Homebody writes another table of this name")
             hint ("choose another name");
         /// Each column of a table has its own name.
-        SameColumn {
-            /// The key of the first column.
-            first: &'static str,
-            /// The key of the second column.
-            second: &'static str,
-            /// The name that both have.
-            name: String,
-        } error "duplicate-column" ("the columns {first:?} and {second:?} cannot both be named {name:?}")
+        SameColumn { first: &'static str, second: &'static str, name: String }
+            error "duplicate-column" ("the columns {first:?} and {second:?} cannot both be named {name:?}")
             hint ("rename one of them");
         /// The names of tables and columns reach SQL, so they consist of letters, digits and underscores.
-        SqlName {
-            /// The name.
-            name: String,
-        } error "sql-name" ("{name:?} cannot be the name of a table or a column")
+        SqlName { name: String } error "sql-name" ("{name:?} cannot be the name of a table or a column")
             hint ("use at most 63 characters from a-z, 0-9 and _, and do not begin with a digit");
         /// The rows of a log name their sensors by id, so each id is different. A sensor without an id in `ids` has its name as its id.
-        SameId {
-            /// The first sensor.
-            first: String,
-            /// The second sensor.
-            second: String,
-            /// The id that both would have.
-            id: String,
-        } error "duplicate-id" ("the sensors {first:?} and {second:?} would both have the id {id:?} in the log")
+        SameId { first: String, second: String, id: String }
+            error "duplicate-id" ("the sensors {first:?} and {second:?} would both have the id {id:?} in the log")
             hint ("give each sensor its own id");
     }
 }
 
-pub fn check(source: &Source, file: &LoggerFile, surroundings: &Surroundings, problems: &mut Vec<Problem>) {
-    let report = &mut Report { source, problems };
+pub fn check(source: &JsonSource, file: &LoggerFile, surroundings: &HomeInCheck, problems: &mut Vec<Problem>) {
+    let report = &mut ProblemReport { source, problems };
     check_targets(report, &file.to);
     check_sql_names(report, file);
     check_ids(report, &file.ids, surroundings);
     check_lumps(report, file);
 }
 
-fn check_lumps(report: &mut Report, file: &LoggerFile) {
+fn check_lumps(report: &mut ProblemReport, file: &LoggerFile) {
     let MessagesFile::OnOff(on_off) = &file.messages else { return };
     for (index, LumpFile { parts, .. }) in on_off.lumps.iter().enumerate() {
         report.range(&format!("/messages/on_off/lumps/{index}/parts"), "parts", *parts);
@@ -83,7 +60,7 @@ fn check_lumps(report: &mut Report, file: &LoggerFile) {
     }
 }
 
-fn check_targets(report: &mut Report, targets: &[String]) {
+fn check_targets(report: &mut ProblemReport, targets: &[String]) {
     let mut paths: Vec<&str> = Vec::new();
     for (index, target) in targets.iter().enumerate() {
         let pointer = format!("/to/{index}");
@@ -112,7 +89,7 @@ fn check_targets(report: &mut Report, targets: &[String]) {
     }
 }
 
-fn check_sql_names(report: &mut Report, file: &LoggerFile) {
+fn check_sql_names(report: &mut ProblemReport, file: &LoggerFile) {
     if let Some(table) = &file.table {
         check_sql_name(report, "/table", table);
         if table.starts_with("sqlite_") {
@@ -139,7 +116,7 @@ fn check_sql_names(report: &mut Report, file: &LoggerFile) {
     }
 }
 
-fn check_sql_name(report: &mut Report, pointer: &str, name: &str) {
+fn check_sql_name(report: &mut ProblemReport, pointer: &str, name: &str) {
     let begins = name.starts_with(|c: char| c.is_ascii_lowercase() || c == '_');
     let goes_on = name.chars().all(|c| c.is_ascii_lowercase() || c.is_ascii_digit() || c == '_');
     if !begins || !goes_on || name.len() > 63 {
@@ -147,7 +124,7 @@ fn check_sql_name(report: &mut Report, pointer: &str, name: &str) {
     }
 }
 
-fn check_ids(report: &mut Report, ids: &BTreeMap<String, String>, surroundings: &Surroundings) {
+fn check_ids(report: &mut ProblemReport, ids: &BTreeMap<String, String>, surroundings: &HomeInCheck) {
     let mut owners: BTreeMap<String, &str> = BTreeMap::new();
     if let Some(home) = surroundings.home {
         let names = home.sensors.iter().map(|sensor| sensor.name());

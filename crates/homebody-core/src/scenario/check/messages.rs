@@ -7,10 +7,7 @@ crate::messages! {
         Blank error "blank" ("a name must not be blank")
             hint ("write a name");
         /// Ends of lines, tabs and other control characters in a name would break tables and terminals.
-        ControlCharacter {
-            /// The name.
-            name: String,
-        } error "control-character" ("the name {name:?} contains a control character")
+        ControlCharacter { name: String } error "control-character" ("the name {name:?} contains a control character")
             hint ("remove it");
     }
 }
@@ -19,14 +16,8 @@ crate::messages! {
     /// Problems with pairs of a least and a most value.
     pub enum RangeMessage in "range" {
         /// The key takes a list of two numbers, the smaller one first.
-        Reversed {
-            /// The key.
-            key: String,
-            /// The first number.
-            first: f64,
-            /// The second number.
-            second: f64,
-        } error "reversed" ("the first value of {key:?}, {first}, is greater than the second, {second}")
+        Reversed { key: String, first: f64, second: f64 }
+            error "reversed" ("the first value of {key:?}, {first}, is greater than the second, {second}")
             hint ("write [{second}, {first}]");
     }
 }

@@ -1,25 +1,24 @@
 //! A path: spots that exist, ways that are free, times that can be kept.
 
-use super::{Report, Surroundings, at as written, blocking, is_within, solid_name};
+use super::{HomeInCheck, ProblemReport, at as written, blocking, is_within, solid_name};
+use crate::calendar::{TimeMessage, time_of_day};
 use crate::drivers::path::GREATEST_SPEED_MPS;
+use crate::drivers::path::form::{Go, MOST_STEPS, PathFile, PathStep, Repeat, StirFile};
 use crate::geometry::{self, Point};
-use crate::home::plan::{Plan, Solid};
+use crate::nearest::suggestion;
+use crate::plan::form::Spot;
+use crate::plan::{Plan, Solid};
 use crate::problem::Problem;
-use crate::scenario::calendar::{TimeMessage, time_of_day};
-use crate::scenario::nearest::suggestion;
-use crate::scenario::path::{Go, MOST_STEPS, PathFile, Repeat, Spot, Step, StirFile};
-use crate::scenario::resident::ResidentFile;
-use crate::scenario::source::Source;
-use crate::time::{DAY, Micros, micros, seconds};
+use crate::resident::ResidentFile;
+use crate::scenario::source::JsonSource;
+use crate::time::{DAY, Span};
 
 crate::messages! {
     /// Problems with paths.
     pub enum PathMessage in "path" {
         /// A path of this length is better written as a routine, or as steps in a `repeat`.
-        TooManySteps {
-            /// The largest number of steps and waypoints.
-            most: usize,
-        } error "too-many-steps" ("the path has more than {most} steps and waypoints together")
+        TooManySteps { most: usize }
+            error "too-many-steps" ("the path has more than {most} steps and waypoints together")
             hint ("put steps that recur into a \"repeat\", or write a routine");
         /// A `repeat` without `times` never ends, so no step after it is done.
         Unreached error "unreached-step" ("this step is never reached")
@@ -31,7 +30,6 @@ crate::messages! {
         TooManyMoves {
             /// The number of movements in each repetition.
             moves: usize,
-            /// The time that a repetition takes.
             lasts_s: f64,
             /// The largest number of movements in a second.
             most_per_s: f64,
@@ -39,35 +37,16 @@ crate::messages! {
             ("the repeated steps have {moves} movements in {lasts_s} s, but a person makes at most {most_per_s} per second")
             hint ("let the steps take longer, or repeat them fewer \"times\"");
         /// The pace, the duration and the time of arrival of a walk depend on each other, so a path gives one of them.
-        TwoTempos {
-            /// The first key.
-            first: &'static str,
-            /// The second key.
-            second: &'static str,
-        } error "two-tempos" ("a walk cannot have both {first:?} and {second:?}")
+        TwoTempos { first: &'static str, second: &'static str }
+            error "two-tempos" ("a walk cannot have both {first:?} and {second:?}")
             hint ("remove one of them");
         /// A body does not move faster than a sprinter.
-        TooFast {
-            /// The length of the walk.
-            length_m: f64,
-            /// The time that it has.
-            span_s: f64,
-            /// The greatest speed.
-            most_mps: f64,
-            /// The resident's own pace.
-            pace_mps: f64,
-        } error "too-fast" ("{length_m:.1} m in {span_s} s would be faster than {most_mps} m/s")
+        TooFast { length_m: f64, span_s: f64, most_mps: f64, pace_mps: f64 }
+            error "too-fast" ("{length_m:.1} m in {span_s} s would be faster than {most_mps} m/s")
             hint ("give the walk more time: at {pace_mps} m/s it takes {usual_s:.0} s", usual_s = length_m / pace_mps);
         /// A body that moves more slowly than 0.01 m/s does not arrive when the path means it to. Often the time of arrival is on the next day
         /// by mistake.
-        TooSlow {
-            /// The length of the walk.
-            length_m: f64,
-            /// The time until the arrival.
-            span_s: f64,
-            /// The resident's own pace.
-            pace_mps: f64,
-        } error "too-slow"
+        TooSlow { length_m: f64, span_s: f64, pace_mps: f64 } error "too-slow"
             ("the walk of {length_m:.1} m has {hours:.1} hours until the time in \"arrive_at\", and this is too slow", hours = span_s / 3600.0)
             hint ("give an earlier time, or add a \"wait\" before the walk: at {pace_mps} m/s it takes {usual_s:.0} s", usual_s = length_m / pace_mps);
         /// A wait and an absence have a duration or an end.
@@ -78,39 +57,25 @@ crate::messages! {
             hint ("remove one of them");
         /// A small movement ends before the next begins.
         LongStir {
-            /// The duration of a movement.
             for_s: f64,
             /// The time from one movement to the next.
             every_s: f64,
         } error "long-stir" ("a small movement of {for_s} s cannot repeat every {every_s} s")
             hint ("set \"for_s\" to at most \"every_s\"");
         /// A path goes to places, enterable furniture and rooms, by the names in `home.json`.
-        UnknownPlace {
-            /// The name.
-            place: String,
-            /// The most similar known name.
-            nearest: Option<String>,
-            /// Some of the known names.
-            known: Vec<String>,
-        } error "unknown-place" ("the home has no place {place:?}")
+        UnknownPlace { place: String, nearest: Option<String>, known: Vec<String> }
+            error "unknown-place" ("the home has no place {place:?}")
             advice (suggestion(nearest, known));
         /// A body cannot be inside this piece of furniture. Only enterable furniture, such as beds and chairs, is a place.
-        NotEnterable {
-            /// The piece of furniture.
-            furniture: String,
-        } error "not-enterable" ("a path cannot go to {furniture:?}, because no resident can enter it")
+        NotEnterable { furniture: String }
+            error "not-enterable" ("a path cannot go to {furniture:?}, because no resident can enter it")
             hint ("add a place in front of it to \"places\" of the home, and go there");
         /// A path stays in the rooms of the home. Use the step `away` for an absence.
-        Outside {
-            /// The start or the waypoint.
-            subject: String,
-            /// The point, in metres.
-            at: Point,
-        } error "outside-home" ("{subject} at {at}, outside the home", at = written(*at))
+        Outside { subject: String, at: Point }
+            error "outside-home" ("{subject} at {at}, outside the home", at = written(*at))
             hint ("choose a point in a room");
         /// The point is inside a wall, a closed door or a piece of furniture.
         Blocked {
-            /// The start or the waypoint.
             subject: String,
             /// The wall, door or piece of furniture.
             by: String,
@@ -118,9 +83,7 @@ crate::messages! {
             hint ("choose a point where a person can stand");
         /// A path goes in straight lines from waypoint to waypoint. This line crosses a wall, a closed door or a piece of furniture.
         WayBlocked {
-            /// The begin of the line.
             from: String,
-            /// The end of the line.
             to: String,
             /// The wall, door or piece of furniture.
             by: String,
@@ -145,29 +108,29 @@ const FEW_MOVES: f64 = 1_000.0;
 const LEAST_WAY_M: f64 = 1e-4;
 
 pub fn check(
-    source: &Source,
+    source: &JsonSource,
     file: &PathFile,
     resident: &ResidentFile,
-    surroundings: &Surroundings,
+    surroundings: &HomeInCheck,
     problems: &mut Vec<Problem>,
 ) {
     if file.steps_and_waypoints() > MOST_STEPS {
         problems.push(source.problem("/steps", PathMessage::TooManySteps { most: MOST_STEPS }, None));
         return;
     }
-    let mut walk = Walk { report: Report { source, problems }, surroundings, resident };
+    let mut walk = PathCheck { report: ProblemReport { source, problems }, surroundings, resident };
     let start = walk.spot("/start", &file.start, &format!("{} starts", resident.name));
     walk.steps("/steps", &file.steps, start);
 }
 
-struct Walk<'a> {
-    report: Report<'a>,
-    surroundings: &'a Surroundings<'a>,
+struct PathCheck<'a> {
+    report: ProblemReport<'a>,
+    surroundings: &'a HomeInCheck<'a>,
     resident: &'a ResidentFile,
 }
 
 /// What a list of steps comes to.
-struct Outcome {
+struct StepsOutcome {
     /// Where it ends; nothing where that is not known.
     end: Option<Point>,
     /// Whether it comes to an end at all.
@@ -177,13 +140,14 @@ struct Outcome {
     /// How many moves it has, and how many seconds they last; infinite where that is not known, or until a time of day.
     moves: f64,
     lasts_s: f64,
-    /// The time of day at its end, in microseconds since midnight; nothing where that is not known.
-    clock: Option<Micros>,
+    /// The time of day at its end; nothing where that is not known.
+    clock: Option<Span>,
 }
 
-impl Walk<'_> {
-    fn steps(&mut self, pointer: &str, steps: &[Step], from: Option<Point>) -> Outcome {
-        let mut outcome = Outcome { end: from, ends: true, takes_time: false, moves: 0.0, lasts_s: 0.0, clock: None };
+impl PathCheck<'_> {
+    fn steps(&mut self, pointer: &str, steps: &[PathStep], from: Option<Point>) -> StepsOutcome {
+        let mut outcome =
+            StepsOutcome { end: from, ends: true, takes_time: false, moves: 0.0, lasts_s: 0.0, clock: None };
         let mut has_walked = false;
         for (index, step) in steps.iter().enumerate() {
             let place = format!("{pointer}/{index}");
@@ -193,7 +157,7 @@ impl Walk<'_> {
             }
             let before = outcome.end;
             match step {
-                Step::Go(go) => {
+                PathStep::Go(go) => {
                     let length = self.go(&format!("{place}/go"), go, &mut outcome, has_walked);
                     let timed = go.in_s.is_some() || go.arrive_at.is_some();
                     outcome.takes_time |= timed || length.is_none_or(|length| length > LEAST_WAY_M);
@@ -203,7 +167,7 @@ impl Walk<'_> {
                     outcome.lasts_s += go.in_s.or(by_pace).unwrap_or(f64::INFINITY);
                     has_walked = true;
                 }
-                Step::Wait(wait) => {
+                PathStep::Wait(wait) => {
                     outcome.clock =
                         self.span(&format!("{place}/wait"), wait.for_s, wait.until.as_deref(), outcome.clock);
                     if let Some(stir) = &wait.stir {
@@ -214,14 +178,14 @@ impl Walk<'_> {
                     outcome.moves += 1.0;
                     outcome.lasts_s += wait.for_s.unwrap_or(f64::INFINITY);
                 }
-                Step::Away(span) => {
+                PathStep::Away(span) => {
                     outcome.clock =
                         self.span(&format!("{place}/away"), span.for_s, span.until.as_deref(), outcome.clock);
                     outcome.takes_time |= span.until.is_none();
                     outcome.moves += 1.0;
                     outcome.lasts_s += span.for_s.unwrap_or(f64::INFINITY);
                 }
-                Step::Repeat(repeat) => {
+                PathStep::Repeat(repeat) => {
                     let inner = self.repeat(&format!("{place}/repeat"), repeat, before);
                     outcome.end = inner.end;
                     outcome.ends = inner.ends;
@@ -236,13 +200,13 @@ impl Walk<'_> {
                         has_walked = true;
                     }
                 }
-                Step::Activity(_) => outcome.moves += 1.0,
+                PathStep::Activity(_) => outcome.moves += 1.0,
             }
         }
         outcome
     }
 
-    fn repeat(&mut self, pointer: &str, repeat: &Repeat, from: Option<Point>) -> Outcome {
+    fn repeat(&mut self, pointer: &str, repeat: &Repeat, from: Option<Point>) -> StepsOutcome {
         let mut outcome = self.steps(&format!("{pointer}/steps"), &repeat.steps, from);
         if repeat.times == Some(1) || !outcome.ends {
             return outcome;
@@ -269,7 +233,7 @@ impl Walk<'_> {
     }
 
     /// Walks on from where the steps before end; gives the length of the way that every repetition walks, if it is known.
-    fn go(&mut self, pointer: &str, go: &Go, outcome: &mut Outcome, count_first: bool) -> Option<f64> {
+    fn go(&mut self, pointer: &str, go: &Go, outcome: &mut StepsOutcome, count_first: bool) -> Option<f64> {
         let (mut whole, mut repeated) = (Some(0.0), Some(0.0));
         for (index, spot) in go.to.iter().enumerate() {
             let place = format!("{pointer}/to/{index}");
@@ -289,7 +253,7 @@ impl Walk<'_> {
     }
 
     /// Whether a walk of this length, begun at this time of day, can be kept; gives the time of day at its end.
-    fn tempo(&mut self, pointer: &str, go: &Go, length: Option<f64>, clock: Option<Micros>) -> Option<Micros> {
+    fn tempo(&mut self, pointer: &str, go: &Go, length: Option<f64>, clock: Option<Span>) -> Option<Span> {
         let given =
             [("pace_mps", go.pace_mps.is_some()), ("in_s", go.in_s.is_some()), ("arrive_at", go.arrive_at.is_some())];
         let mut given = given.into_iter().filter(|(_, is_given)| *is_given).map(|(key, _)| key);
@@ -298,8 +262,10 @@ impl Walk<'_> {
         }
         let arrival = go.arrive_at.as_ref().and_then(|time| self.time_of_day(&format!("{pointer}/arrive_at"), time));
         // A walk that begins at 07:30 and arrives at 07:30 arrives tomorrow.
-        let until_arrival =
-            arrival.zip(clock).map(|(arrival, clock)| seconds((arrival - clock - 1).rem_euclid(DAY) + 1));
+        let at_least = Span::MICROSECOND;
+        let until_arrival = arrival
+            .zip(clock)
+            .map(|(arrival, clock)| ((arrival - clock - at_least).rem_euclid(DAY) + at_least).seconds());
         let (key, span) = if go.in_s.is_some() { ("in_s", go.in_s) } else { ("arrive_at", until_arrival) };
         if let Some((span_s, length_m)) = span.zip(length) {
             let (place, pace_mps) = (format!("{pointer}/{key}"), self.resident.pace_mps);
@@ -311,17 +277,11 @@ impl Walk<'_> {
             }
         }
         let lasts = go.in_s.or(length.map(|length| length / go.pace_mps.unwrap_or(self.resident.pace_mps)));
-        arrival.or_else(|| Some((clock? + micros(lasts?)).rem_euclid(DAY)))
+        arrival.or_else(|| Some((clock? + Span::from_seconds(lasts?)).rem_euclid(DAY)))
     }
 
     /// Whether it says how long; gives the time of day at the end of a span that begins at this one.
-    fn span(
-        &mut self,
-        pointer: &str,
-        for_s: Option<f64>,
-        until: Option<&str>,
-        clock: Option<Micros>,
-    ) -> Option<Micros> {
+    fn span(&mut self, pointer: &str, for_s: Option<f64>, until: Option<&str>, clock: Option<Span>) -> Option<Span> {
         match (for_s, until) {
             (None, None) => self.report.add(pointer, PathMessage::NoSpan),
             (Some(_), Some(_)) => self.report.add(&format!("{pointer}/until"), PathMessage::TwoSpans),
@@ -329,7 +289,7 @@ impl Walk<'_> {
         }
         match until {
             Some(until) => self.time_of_day(&format!("{pointer}/until"), until),
-            None => Some((clock? + micros(for_s?)).rem_euclid(DAY)),
+            None => Some((clock? + Span::from_seconds(for_s?)).rem_euclid(DAY)),
         }
     }
 
@@ -340,7 +300,7 @@ impl Walk<'_> {
         }
     }
 
-    fn time_of_day(&mut self, pointer: &str, text: &str) -> Option<Micros> {
+    fn time_of_day(&mut self, pointer: &str, text: &str) -> Option<Span> {
         let time = time_of_day(text);
         if time.is_none() {
             self.report.add(pointer, TimeMessage::InvalidTimeOfDay { text: text.to_owned() });
@@ -402,10 +362,10 @@ impl Walk<'_> {
 }
 
 /// The first spot that the steps walk to, with its pointer relative to the list.
-fn first_spot(steps: &[Step]) -> Option<(String, &Spot)> {
+fn first_spot(steps: &[PathStep]) -> Option<(String, &Spot)> {
     steps.iter().enumerate().find_map(|(index, step)| match step {
-        Step::Go(go) => Some((format!("/{index}/go/to/0"), go.to.first()?)),
-        Step::Repeat(repeat) => {
+        PathStep::Go(go) => Some((format!("/{index}/go/to/0"), go.to.first()?)),
+        PathStep::Repeat(repeat) => {
             let (path, spot) = first_spot(&repeat.steps)?;
             Some((format!("/{index}/repeat/steps{path}"), spot))
         }

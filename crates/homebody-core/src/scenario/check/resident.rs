@@ -1,47 +1,31 @@
 //! A resident's file: a name of their own, and a place to stand for a body that is driven live.
 
-use super::{Report, Surroundings, at as written, blocking, folded, solid_name};
+use super::{HomeInCheck, ProblemReport, at as written, blocking, folded, solid_name};
 use crate::geometry::{self, Point, point};
+use crate::home::form::HomeFile;
+use crate::plan::form::RoomFile;
 use crate::problem::Problem;
-use crate::scenario::home::{HomeFile, RoomFile};
-use crate::scenario::resident::{LiveFile, ResidentFile};
-use crate::scenario::source::Source;
+use crate::resident::{LiveFile, ResidentFile};
+use crate::scenario::source::JsonSource;
 use std::collections::BTreeMap;
 
 crate::messages! {
     /// Problems with residents.
     pub enum ResidentMessage in "resident" {
         /// The ground truth and all reports tell residents apart by their names.
-        SameName {
-            /// The name.
-            name: String,
-            /// The file of the other resident.
-            file: String,
-        } error "duplicate-name" ("the resident of {file:?} is also named {name:?}")
+        SameName { name: String, file: String }
+            error "duplicate-name" ("the resident of {file:?} is also named {name:?}")
             hint ("rename one of them");
         /// A body fits under the ceilings of all rooms. Residents do not stoop all the time.
-        TooTall {
-            /// The resident.
-            resident: String,
-            /// The height of the body.
-            height_m: f64,
-            /// The room.
-            room: String,
-            /// The height of its ceiling.
-            ceiling_m: f64,
-        } error "too-tall" ("{resident} is {height_m} m tall, and the ceiling of {room:?} is at {ceiling_m} m")
+        TooTall { resident: String, height_m: f64, room: String, ceiling_m: f64 }
+            error "too-tall" ("{resident} is {height_m} m tall, and the ceiling of {room:?} is at {ceiling_m} m")
             hint ("raise \"ceiling_m\" of the room, or lower \"height_m\"");
         /// A resident starts in a room.
-        StartOutside {
-            /// The resident.
-            resident: String,
-            /// The start, in metres.
-            at: Point,
-        } error "start-outside" ("{resident} starts at {at}, outside the home", at = written(*at))
+        StartOutside { resident: String, at: Point }
+            error "start-outside" ("{resident} starts at {at}, outside the home", at = written(*at))
             hint ("move the start into a room");
         /// A resident starts where a person can stand.
         StartBlocked {
-            /// The resident.
             resident: String,
             /// The wall, door or piece of furniture.
             by: String,
@@ -49,32 +33,26 @@ crate::messages! {
             hint ("move the start to a point where a person can stand");
         /// The body is a circle on the floor. It has to fit between walls, closed doors and furniture.
         StartTooNear {
-            /// The resident.
             resident: String,
             /// The wall, door or piece of furniture.
             by: String,
-            /// The radius of the body.
             radius_m: f64,
         } error "start-too-near" ("{resident} starts too near to {by}")
             hint ("move the start at least {radius_m} m away, the radius of the body");
         /// Held keys move a body within the home only, so a body cannot start in a door that leads out.
-        StartInDoor {
-            /// The resident.
-            resident: String,
-            /// The radius of the body.
-            radius_m: f64,
-        } error "start-in-door" ("{resident} starts in a door that leads out, where held keys do not move a body")
+        StartInDoor { resident: String, radius_m: f64 }
+            error "start-in-door" ("{resident} starts in a door that leads out, where held keys do not move a body")
             hint ("move the start at least {radius_m} m inside, the radius of the body");
     }
 }
 
 /// The names of the residents so far, folded, and the file of each.
 #[derive(Default)]
-pub struct Names(BTreeMap<String, String>);
+pub struct ResidentNames(BTreeMap<String, String>);
 
-impl Names {
-    pub fn check(&mut self, source: &Source, file: &ResidentFile, problems: &mut Vec<Problem>) {
-        let report = &mut Report { source, problems };
+impl ResidentNames {
+    pub fn check(&mut self, source: &JsonSource, file: &ResidentFile, problems: &mut Vec<Problem>) {
+        let report = &mut ProblemReport { source, problems };
         report.name("/name", &file.name);
         if let Some(other) = self.0.insert(folded(&file.name), source.file.clone()) {
             report.add("/name", ResidentMessage::SameName { name: file.name.clone(), file: other });
@@ -83,8 +61,8 @@ impl Names {
 }
 
 /// Whether the body fits under the ceilings of all rooms: people do not stoop for good.
-pub fn check_height(source: &Source, file: &ResidentFile, home: &HomeFile, problems: &mut Vec<Problem>) {
-    let report = &mut Report { source, problems };
+pub fn check_height(source: &JsonSource, file: &ResidentFile, home: &HomeFile, problems: &mut Vec<Problem>) {
+    let report = &mut ProblemReport { source, problems };
     let low = |room: &&RoomFile| room.ceiling_m.is_some_and(|ceiling_m| ceiling_m < file.height_m);
     if let Some(room) = home.rooms.iter().find(low) {
         let ceiling_m = room.ceiling_m.unwrap_or_default();
@@ -95,13 +73,13 @@ pub fn check_height(source: &Source, file: &ResidentFile, home: &HomeFile, probl
 
 /// Whether the body has room to stand where live input starts.
 pub fn check_start(
-    source: &Source,
+    source: &JsonSource,
     live: &LiveFile,
     file: &ResidentFile,
-    surroundings: &Surroundings,
+    surroundings: &HomeInCheck,
     problems: &mut Vec<Problem>,
 ) {
-    let report = &mut Report { source, problems };
+    let report = &mut ProblemReport { source, problems };
     let (Some(home), Some(plan)) = (surroundings.home, surroundings.plan) else { return };
     let (start, pointer) = (point(live.start), "/driver/live/start");
     let (resident, radius_m) = (file.name.clone(), file.radius_m);

@@ -1,19 +1,19 @@
 //! `scenario.json`: its start, its time zone and the numbers that it sets.
 
-use super::Report;
+use super::ProblemReport;
+use crate::calendar::{Calendar, TimeMessage};
 use crate::numbers::{Number, wrong};
 use crate::problem::Problem;
 use crate::scenario::ScenarioFile;
-use crate::scenario::calendar::{Calendar, TimeMessage};
-use crate::scenario::source::{Source, pointer_part};
+use crate::scenario::source::{JsonSource, pointer_part};
 use jiff::civil::DateTime;
 
 /// Years for which the rules of time zones mean something.
 const YEARS: std::ops::RangeInclusive<i16> = 1900..=2199;
 
 /// Checks the file; gives the calendar if there can be one.
-pub fn check(source: &Source, file: &ScenarioFile, problems: &mut Vec<Problem>) -> Option<Calendar> {
-    let report = &mut Report { source, problems };
+pub fn check(source: &JsonSource, file: &ScenarioFile, problems: &mut Vec<Problem>) -> Option<Calendar> {
+    let report = &mut ProblemReport { source, problems };
     report.name("/name", &file.name);
     let unknown = Calendar::zone(&file.time_zone).err();
     let is_known = unknown.is_none();
@@ -45,7 +45,7 @@ pub fn check(source: &Source, file: &ScenarioFile, problems: &mut Vec<Problem>) 
 }
 
 /// Checks the numbers that the file sets by those that there are.
-pub fn check_numbers(source: &Source, file: &ScenarioFile, known: &[Number], problems: &mut Vec<Problem>) {
+pub fn check_numbers(source: &JsonSource, file: &ScenarioFile, known: &[Number], problems: &mut Vec<Problem>) {
     for (name, &value) in &file.numbers {
         let Some(message) = wrong(known, name, value) else { continue };
         let pointer = format!("/numbers/{}", pointer_part(name));

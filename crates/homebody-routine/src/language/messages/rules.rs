@@ -2,7 +2,7 @@
 
 homebody_core::messages! {
     /// Problems with a rule of a routine: a sentence with "whenever".
-    pub enum RuleMessage in "routine" {
+    pub enum RuleSentenceMessage in "routine" {
         /// A rule says what the person of the routine does.
         NotTheResident {
             /// The words.

@@ -4,7 +4,7 @@ use homebody_core::problem::Advice;
 
 homebody_core::messages! {
     /// Problems with a number, a time or a day in a routine.
-    pub enum TimeMessage in "routine" {
+    pub enum TimeSentenceMessage in "routine" {
         /// Homebody computes with numbers up to a billion.
         NumberTooLarge {
             /// The words.

@@ -12,13 +12,13 @@ use crate::signals::Signals;
 use crate::start::Start;
 use crate::watched::Watched;
 use homebody_core::problem::Problems;
-use homebody_core::time::{Micros, SECOND};
-use homebody_kit::fleet::{Churn, FleetOf, FleetRun, FleetSetup, MOST_HOMES, Patience, Storms};
-use homebody_kit::{Error, News, OpenScenario, Url};
+use homebody_core::time::{MINUTE, RunTime, SECOND, Span, UtcTime};
+use homebody_fleet::{FleetError, Churn, FleetHomes, FleetRun, FleetSetup, MOST_HOMES, Outages, Patience};
+use homebody_simulation::{SinkNews, OpenScenario, SimulationError, Url};
+use homebody_log::files::fresh::FreshFile;
+use homebody_log::files::plain;
 use homebody_log::fleet::has_rows_of_fleet;
-use homebody_log::fresh::FreshFile;
-use homebody_log::places::can_be_written;
-use homebody_log::plain;
+use homebody_log::run::places::can_be_written;
 use jiff::Timestamp;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -64,7 +64,7 @@ pub struct Arguments {
     speed: Option<f64>,
     /// Duration in real time, such as 10min (default: the fleet runs until you stop it)
     #[arg(long = "for", value_name = "DURATION", value_parser = span)]
-    lasts: Option<Micros>,
+    lasts: Option<Span>,
     /// Seed of all random numbers (default: that of the first scenario)
     #[arg(long)]
     seed: Option<u64>,
@@ -73,10 +73,10 @@ pub struct Arguments {
     without: Vec<String>,
     /// Network outages of all homes, such as 'every 5min for 30s'; after each outage, all homes send their messages at once
     #[arg(long, value_name = "WHEN", value_parser = storms)]
-    outages: Option<Storms>,
+    outages: Option<Outages>,
     /// Largest error of a home's clock, such as 2s; a clock can be fast or slow
     #[arg(long, value_name = "DURATION", value_parser = span)]
-    skew: Option<Micros>,
+    skew: Option<Span>,
     /// Make homes disconnect and connect again, with average times such as 'stay 30min gone 5min'
     #[arg(long, value_name = "TIMES", value_parser = churn)]
     churn: Option<Churn>,
@@ -87,7 +87,7 @@ pub struct Arguments {
     deadline: DestinationTimeout,
     /// Time between two reports
     #[arg(long, value_name = "DURATION", default_value = "5s", value_parser = span)]
-    report_every: Micros,
+    report_every: Span,
     /// Write all reports to this file, one JSON object per line; the last has the totals
     #[arg(long, value_name = "FILE")]
     report: Option<PathBuf>,
@@ -120,7 +120,7 @@ enum WhenAway {
 const RETRY_FOR: Duration = Duration::from_secs(86_400);
 
 /// A fleet that starts this long before now is faster than real time at first (our choice): making homes takes time.
-const BEFORE_NOW: i64 = 600 * SECOND;
+const BEFORE_NOW: Span = MINUTE.times(10);
 
 fn speed(text: &str) -> Result<f64, String> {
     let speed = text.parse().ok().filter(|speed| (0.1..=1000.0).contains(speed));
@@ -128,9 +128,9 @@ fn speed(text: &str) -> Result<f64, String> {
 }
 
 /// Outages as people write them.
-fn storms(text: &str) -> Result<Storms, String> {
+fn storms(text: &str) -> Result<Outages, String> {
     let [every, lasts] = two_spans(text, ["every", "for"]).ok_or("write 'every 5min for 30s'")?;
-    Storms::new(every?, lasts?).ok_or_else(|| "an outage must be shorter than the time between two".into())
+    Outages::new(every?, lasts?).ok_or_else(|| "an outage must be shorter than the time between two".into())
 }
 
 /// How homes come and go, as people write it.
@@ -144,16 +144,12 @@ fn churn(text: &str) -> Result<Churn, String> {
 }
 
 /// Two spans of time, each behind its word.
-fn two_spans(text: &str, [first, second]: [&str; 2]) -> Option<[Result<Micros, String>; 2]> {
+fn two_spans(text: &str, [first, second]: [&str; 2]) -> Option<[Result<Span, String>; 2]> {
     let words: Vec<&str> = text.split_whitespace().collect();
     match words[..] {
         [one, a, other, b] if one == first && other == second => Some([span(a), span(b)]),
         _ => None,
     }
-}
-
-fn duration(span: Micros) -> Duration {
-    Duration::from_micros(u64::try_from(span).unwrap_or(0))
 }
 
 impl Arguments {
@@ -164,8 +160,8 @@ impl Arguments {
         }
         let scenarios = self.scenarios()?;
         self.files_can_be_written(&scenarios)?;
-        let started = |opened: &OpenScenario| opened.scenario().calendar.timestamp(0).as_microsecond();
-        let is_late = |opened| started(opened) < Timestamp::now().as_microsecond() - BEFORE_NOW;
+        let started = |opened: &OpenScenario| UtcTime::from(opened.scenario().calendar.timestamp(RunTime::START));
+        let is_late = |opened| started(opened) < UtcTime::from(Timestamp::now()) - BEFORE_NOW;
         let is_fast = self.speed.map_or_else(|| scenarios.iter().any(is_late), |speed| speed > 1.0);
         let mut run = FleetRun::new(&self.out, is_fast, |place| self.replacing.how(place))?;
         let names: Vec<String> = scenarios.iter().map(|opened| opened.name().to_owned()).collect();
@@ -186,20 +182,23 @@ impl Arguments {
             retry_for: if self.on_unavailable == WhenAway::Retry { RETRY_FOR } else { Duration::ZERO },
             answers_within: Some(self.deadline.within()),
             cancel: signals.cancel().clone(),
-            tell: (!self.quiet).then(|| Arc::new(|news: &News| tell(news)) as _),
+            tell: (!self.quiet).then(|| Arc::new(|news: &SinkNews| tell(news)) as _),
         };
-        run.lasts = self.lasts.map(duration);
-        run.every = duration(self.report_every);
+        run.lasts = self.lasts.map(Span::to_duration);
+        run.every = self.report_every.to_duration();
         let mut failed = None;
-        let last = fleet.live(run, |lived| {
+        let last = fleet.run(run, |lived| {
             if let Err(error) = telling.hear(lived) {
                 failed.get_or_insert(error);
             }
         });
-        let last = last.map_err(|error| failure(error, go_on_by, &signals))?;
+        let last = last.map_err(|error| match error {
+            FleetError::Simulation(error) => failure(error, go_on_by, &signals),
+            error => error.into(),
+        })?;
         telling.end(&last)?;
         failed.map_or(Ok(()), Err)?;
-        let is_over = self.lasts.is_some_and(|lasts| last.running_s * 1e6 >= lasts as f64);
+        let is_over = self.lasts.is_some_and(|lasts| last.running_s * 1e6 >= lasts.micros() as f64);
         signals.ended(!is_over)
     }
 
@@ -210,7 +209,7 @@ impl Arguments {
             let opened = self.trust.source(path)?.open();
             match opened {
                 Ok(opened) => all.push(self.start.of(&opened)?),
-                Err(Error::Problems(Problems(found))) => problems.extend(found),
+                Err(SimulationError::Problems(Problems(found))) => problems.extend(found),
                 Err(error) => return Err(error.into()),
             }
         }
@@ -228,7 +227,7 @@ impl Arguments {
     }
 
     /// Makes the homes, and shows how far that is.
-    fn make(&self, scenarios: Vec<OpenScenario>) -> Result<FleetOf, Failure> {
+    fn make(&self, scenarios: Vec<OpenScenario>) -> Result<FleetHomes, Failure> {
         let begun = Instant::now();
         let bar = bar(self.quiet, "homes made", Some(self.homes.into()));
         let setup = FleetSetup {
@@ -238,7 +237,7 @@ impl Arguments {
             seed: self.seed,
             without: self.without.clone(),
             speed: self.speed,
-            skew: self.skew.unwrap_or(0),
+            skew: self.skew.unwrap_or(Span::ZERO),
             churn: self.churn,
             storms: self.outages,
         };
@@ -285,12 +284,13 @@ fn write_list(path: &Path, list: &str, force: bool) -> Result<(), Failure> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use homebody_core::time::HOUR;
 
     #[test]
     fn storms_and_churn_are_read_as_people_write_them() {
-        let five_minutes = 300 * SECOND;
-        assert_eq!(storms("every 5min for 30s"), Ok(Storms::new(five_minutes, 30 * SECOND).unwrap()));
-        assert_eq!(churn("stay 5m gone 1h"), Ok(Churn { stays: five_minutes, away: 3600 * SECOND }));
+        let five_minutes = 5 * MINUTE;
+        assert_eq!(storms("every 5min for 30s"), Ok(Outages::new(five_minutes, 30 * SECOND).unwrap()));
+        assert_eq!(churn("stay 5m gone 1h"), Ok(Churn { stays: five_minutes, away: HOUR }));
         for wrong in ["", "5min", "every 5min", "every 30s for 5min", "for 30s every 5min", "every 5 min for 30 s"] {
             assert!(storms(wrong).is_err(), "{wrong}");
         }

@@ -4,9 +4,9 @@ use crate::commands::lived::span_in_words;
 use crate::failure::Failure;
 use crate::print::{counted, grouped, not_written, print_json, tell, tell_with, warn};
 use crate::prometheus::{Numbers, label};
-use homebody_core::time::{Micros, SECOND};
-use homebody_kit::fleet::{FleetLived, FleetOf, FleetReport, OfDestination};
-use homebody_log::fresh::FreshFile;
+use homebody_core::time::SECOND;
+use homebody_fleet::{DestinationReport, FleetHomes, FleetReport, FleetStatus};
+use homebody_log::files::fresh::FreshFile;
 use homebody_log::sink::csv_line;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use std::fmt::Write;
@@ -54,9 +54,9 @@ impl Telling {
         Telling { is_quiet, is_json, bar, file, look, caught_up_s: 0.0, told_at: Instant::now() }
     }
 
-    pub fn hear(&mut self, lived: FleetLived) -> Result<(), Failure> {
+    pub fn hear(&mut self, lived: FleetStatus) -> Result<(), Failure> {
         match lived {
-            FleetLived::CatchesUp { behind_s, waiting } => {
+            FleetStatus::CatchesUp { behind_s, waiting } => {
                 self.caught_up_s = self.caught_up_s.max(behind_s);
                 if self.bar.is_hidden() && !self.is_quiet && self.told_at.elapsed() >= BEHIND_TOLD {
                     self.told_at = Instant::now();
@@ -67,13 +67,13 @@ impl Telling {
                     self.bar.tick();
                 }
             }
-            FleetLived::Begun => {
+            FleetStatus::Begun => {
                 self.bar.finish_and_clear();
                 if !self.is_quiet && self.caught_up_s >= 1.0 {
                     tell(format_args!("caught up: simulated the {} before now", span(self.caught_up_s)));
                 }
             }
-            FleetLived::Report(report) => {
+            FleetStatus::Report(report) => {
                 if !self.is_quiet {
                     tell_with(line(report), "fleet", report);
                 }
@@ -134,7 +134,7 @@ fn on_the_way(behind_s: f64, waiting: usize) -> String {
 }
 
 fn span(s: f64) -> String {
-    span_in_words((s * SECOND as f64) as Micros)
+    span_in_words(SECOND.share(s))
 }
 
 /// What is said every few seconds.
@@ -194,11 +194,11 @@ fn seconds(s: f64) -> String {
 }
 
 /// The homes of a fleet as a table, with the truth about their clocks.
-pub fn list(of: &FleetOf) -> String {
+pub fn list(of: &FleetHomes) -> String {
     let mut text = String::from("home,scenario,seed,run,clock_ahead_s,there_at_begin\n");
     for (home, index) in of.fleet.homes.iter().zip(0..) {
         let scenario = of.fleet.layouts[home.layout].run.scenario.as_str();
-        let ahead_s = of.skew(index) as f64 / 1e6;
+        let ahead_s = of.skew(index).seconds();
         let told = [home.seed.to_string(), home.run.to_string(), ahead_s.to_string(), of.is_there(index).to_string()];
         let line = csv_line([home.name.as_str(), scenario].into_iter().chain(told.iter().map(String::as_str)));
         text += &(line + "\n");
@@ -217,7 +217,7 @@ pub fn numbers(scenario: &str, report: &FleetReport) -> String {
     let late = [("0.5", report.late_median_ms), ("0.99", report.late_99_ms), ("1", report.late_most_ms)];
     let late = late.map(|(share, ms)| (label("quantile", share), ms / 1000.0));
     numbers.add("homebody_late_seconds", "gauge", "Delay of messages since the last report.", late);
-    let of = |value: fn(&OfDestination) -> u64| {
+    let of = |value: fn(&DestinationReport) -> u64| {
         report.destinations.iter().map(move |one| (label("destination", &one.place), value(one)))
     };
     let retries = "Repeated calls to a destination.";

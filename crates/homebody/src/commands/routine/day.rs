@@ -4,13 +4,12 @@ use super::messages::RoutinesMessage;
 use crate::commands::answer::Answer;
 use crate::commands::scenario::Chosen;
 use crate::failure::Failure;
-use homebody_analysis::dates::{date_of, on_wall};
-use homebody_analysis::day::Day;
-use homebody_core::event::Fact;
-use homebody_core::time::Micros;
-use homebody_kit::LiveRun;
-use homebody_log::{Activity, Life, Log};
+use homebody_analysis::day::DayRecord;
+use homebody_core::time::{RunTime, Span, TimeScale, WallTime};
+use homebody_log::{Life, Log};
 use homebody_picture::{DayChart, day_chart};
+use homebody_simulation::Simulation;
+use homebody_timeline::TimelineBuilder;
 
 /// Simulate a day and show activities and rooms, with a chart
 ///
@@ -41,71 +40,36 @@ impl Arguments {
         let opened = self.scenario.source()?.open()?;
         let scenario = opened.scenario();
         let answer = self.answer.check([""], &opened.paths())?;
-        let zone = scenario.calendar.local(0).time_zone().clone();
-        let wall = |at: Micros| on_wall(scenario.calendar.timestamp(at).as_microsecond(), &zone);
-        let first = date_of(wall(0));
+        let first = scenario.calendar.local(RunTime::START).date();
         let date = self.date.unwrap_or_else(|| first.saturating_add(jiff::Span::new().days(1)));
         let day = (date - first).get_days();
         if !(0..36_525).contains(&day) {
             let (scenario, first, date) = (scenario.file.name.clone(), first.to_string(), date.to_string());
             return Err(Failure::asked(RoutinesMessage::NoDay { scenario, first, date }));
         }
-        let (begin, end) = (scenario.calendar.instant(day, 0), scenario.calendar.instant(day + 1, 0));
-        let run = opened.run().seed(self.seed.unwrap_or(scenario.file.seed)).length(end).without(&self.without);
+        let [begin, end] = [day, day + 1].map(|day| scenario.calendar.instant(day, Span::ZERO));
+        let length = end - RunTime::START;
+        let run = opened.run().seed(self.seed.unwrap_or(scenario.file.seed)).length(length).without(&self.without);
         let run = run.start()?;
-        let mut lives = Lived::new(&run);
-        lives.live(run, begin, wall)?;
+        let lives = simulate(run, begin, &scenario.calendar.scale(length))?;
         let name = format!("{}, simulated", scenario.file.name);
-        let day = Day::of(&name, &Log::default(), &lives.lives, None, date);
-        answer.give(&day, [&|| day_chart(&DayChart::of(&day))])
+        let day = DayRecord::from_log(&name, &Log::default(), &lives, None, date);
+        answer.give(&day, [&|| day_chart(&DayChart::new(&day))])
     }
 }
 
-/// What everybody does, and where, as a run tells it.
-struct Lived {
-    lives: Vec<Life>,
-    rooms: Vec<String>,
-}
-
-impl Lived {
-    fn new(run: &LiveRun) -> Lived {
-        let life = |resident| Life { resident, ..Life::default() };
-        let rooms = run.home().plan.rooms.iter().map(|room| room.name.clone()).collect();
-        Lived { lives: run.residents().into_iter().map(life).collect(), rooms }
+/// Simulates a run to its end. Returns what each person does, and where, from an instant on.
+fn simulate(mut run: Simulation, from: RunTime, scale: &TimeScale) -> Result<Vec<Life<WallTime>>, Failure> {
+    let rooms = run.home().plan.rooms.iter().map(|room| room.name.clone()).collect();
+    let mut timeline = TimelineBuilder::new(run.residents(), rooms);
+    while let Some(batch) = run.next_batch()? {
+        timeline.take(batch.facts);
     }
-
-    /// Lives the run to its end, and keeps what goes on from an instant on.
-    fn live(&mut self, mut run: LiveRun, from: Micros, wall: impl Fn(Micros) -> Micros) -> Result<(), Failure> {
-        while let Some(batch) = run.next_batch()? {
-            for fact in batch.facts {
-                match fact {
-                    Fact::Activity { resident, at, name } => {
-                        turn(&mut self.lives[resident.index()].activities, wall(*at), name.clone());
-                    }
-                    Fact::Room { resident, at, room } => {
-                        let name = room.map(|room| self.rooms[room.index()].clone());
-                        turn(&mut self.lives[resident.index()].rooms, wall(*at), name);
-                    }
-                    _ => {}
-                }
-            }
-        }
-        let end = wall(run.progress().length);
-        for life in &mut self.lives {
-            turn(&mut life.activities, end, None);
-            turn(&mut life.rooms, end, None);
-            life.activities.retain(|activity| activity.end > wall(from));
-            life.rooms.retain(|room| room.end > wall(from));
-        }
-        self.lives.retain(|life| !life.activities.is_empty() || !life.rooms.is_empty());
-        Ok(())
-    }
-}
-
-/// Ends what goes on and begins what is next.
-fn turn(spans: &mut Vec<Activity>, at: Micros, next: Option<String>) {
-    if let Some(last) = spans.last_mut().filter(|last| last.end == Micros::MAX) {
-        last.end = at;
-    }
-    spans.extend(next.map(|name| Activity { name, begin: at, end: Micros::MAX }));
+    let timeline = timeline.finish(RunTime::START + run.progress().length).map(|at| scale.run_to_wall(at));
+    let from = scale.run_to_wall(from);
+    let known = timeline.people.into_iter().map(|mut person| {
+        person.forget_before(from);
+        person
+    });
+    Ok(known.filter(|person| !person.is_empty()).map(Life::from).collect())
 }

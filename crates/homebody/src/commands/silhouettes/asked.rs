@@ -3,14 +3,13 @@
 use super::messages::SilhouettesMessage;
 use crate::commands::messages::MomentMessage;
 use crate::failure::Failure;
+use homebody_core::nearest::nearest;
 use homebody_core::problem::Diagnostic;
-use homebody_core::scenario::nearest::nearest;
 use homebody_core::sensors::camera::CameraFile;
-use homebody_core::time::Micros;
-use homebody_kit::LogWithSilhouettes;
+use homebody_core::time::{Interval, RunTime, Span};
+use homebody_query::RunSilhouettes;
 use homebody_log::LogError;
-use homebody_log::silhouettes::Kept;
-use std::ops::Range;
+use homebody_log::silhouettes::KeptSilhouettes;
 
 /// What is asked for, by numbers.
 pub struct Asked {
@@ -18,16 +17,16 @@ pub struct Asked {
     pub cameras: Vec<usize>,
     /// The same as their home has them.
     pub files: Vec<CameraFile>,
-    pub span: Range<Micros>,
+    pub span: Interval<RunTime>,
 }
 
 impl Asked {
     /// Parses the request, or returns all its problems. `strip` is the time that drawn moments take, if the command draws some: it is
     /// the whole time if no end is given.
     pub fn of(
-        kept: &LogWithSilhouettes,
+        kept: &RunSilhouettes,
         (names, from, to): (&[String], Option<&str>, Option<&str>),
-        strip: Option<Micros>,
+        strip: Option<Span>,
     ) -> Result<Asked, Failure> {
         let mut wrong: Vec<Diagnostic> = Vec::new();
         let mut cameras: Vec<usize> = Vec::new();
@@ -64,29 +63,30 @@ impl Asked {
             return Err(Failure::all(wrong));
         }
         let there = kept.silhouettes.span()?;
-        let (first, last) = there.ok_or_else(|| Failure::asked(SilhouettesMessage::NoneYet))?;
-        let begin = from.unwrap_or(first);
-        let end = to.or(strip.map(|long| begin + long + 1)).unwrap_or(last + 1);
+        let there = there.ok_or_else(|| Failure::asked(SilhouettesMessage::NoneYet))?;
+        let begin = from.unwrap_or(there.begin);
+        let last = strip.map_or(there.end, |long| begin + long);
+        let end = to.unwrap_or(last + Span::MICROSECOND);
         let files = cameras.iter().map(|&camera| kept.silhouettes.cameras[camera].file.clone()).collect();
-        Ok(Asked { cameras, files, span: begin..end })
+        Ok(Asked { cameras, files, span: Interval::new(begin, end) })
     }
 
     /// Hands over those that are meant, each with the number of its camera among those.
     pub fn for_each<E: From<LogError>>(
         &self,
-        kept: &LogWithSilhouettes,
-        mut each: impl FnMut(Kept, usize) -> Result<(), E>,
+        kept: &RunSilhouettes,
+        mut each: impl FnMut(KeptSilhouettes, usize) -> Result<(), E>,
     ) -> Result<(), E> {
-        kept.silhouettes.for_each_within(self.span.clone(), |kept| {
+        kept.silhouettes.for_each_within(self.span, |kept| {
             let camera = self.cameras.iter().position(|&camera| camera == kept.camera);
             camera.map_or(Ok(()), |camera| each(kept, camera))
         })
     }
 
     /// The failure that no silhouette is in this time, with the nearest ones before and after.
-    pub fn nothing(&self, kept: &LogWithSilhouettes) -> Result<Failure, LogError> {
-        let [begin, end] = [self.span.start, self.span.end].map(|at| clock(kept, at));
-        let before = kept.silhouettes.last_before(self.span.start)?;
+    pub fn nothing(&self, kept: &RunSilhouettes) -> Result<Failure, LogError> {
+        let [begin, end] = [self.span.begin, self.span.end].map(|at| clock(kept, at));
+        let before = kept.silhouettes.last_before(self.span.begin)?;
         let after = kept.silhouettes.next_from(self.span.end)?;
         let [before, after] = [before, after].map(|at| at.map(|at| clock(kept, at)));
         Ok(Failure::asked(SilhouettesMessage::NoneInTime {
@@ -101,6 +101,6 @@ impl Asked {
 }
 
 /// An instant on the clock on the wall, such as `2025-06-03 03:12:05.200`.
-pub fn clock(kept: &LogWithSilhouettes, at: Micros) -> String {
+pub fn clock(kept: &RunSilhouettes, at: RunTime) -> String {
     kept.scenario.calendar.local(at).strftime("%Y-%m-%d %H:%M:%S%.3f").to_string()
 }

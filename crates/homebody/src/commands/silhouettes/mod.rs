@@ -5,16 +5,16 @@ pub mod messages;
 mod outputs;
 
 use super::answer::Answer;
-use super::falls::looking_bar;
+use super::falls::{looking_bar, position};
 use crate::failure::{EXIT_CODES, Failure};
 use crate::length::span;
 use asked::Asked;
 use homebody_core::problem::counted;
-use homebody_core::time::Micros;
-use homebody_kit::{LogWithSilhouettes, NamedLog};
+use homebody_core::time::{Interval, RunTime, SECOND, Span};
+use homebody_query::{LogRef, RunSilhouettes};
 use homebody_log::LogError;
-use homebody_log::places::SILHOUETTES;
-use homebody_log::silhouettes::Kept;
+use homebody_log::run::places::SILHOUETTES;
+use homebody_log::silhouettes::KeptSilhouettes;
 use homebody_picture::{SilhouetteStrip, StripMoment, silhouette_strip};
 use outputs::{Output, Outputs, Written};
 use serde::Serialize;
@@ -22,7 +22,7 @@ use std::fmt;
 use std::path::PathBuf;
 
 /// Default time between two moments of a strip.
-const STRIP_EVERY: Micros = 1_000_000;
+const STRIP_EVERY: Span = SECOND;
 
 /// Export the silhouettes of a run's cameras: pictures, film or table
 ///
@@ -56,7 +56,7 @@ pub struct Arguments {
     to: Option<String>,
     /// Time between two pictures (default: 1s for --png and --svg, and all pictures for --out)
     #[arg(long, value_name = "DURATION", value_parser = span)]
-    every: Option<Micros>,
+    every: Option<Span>,
     /// Number of moments in --png and --svg
     #[arg(long, value_name = "N", help_heading = "Output", default_value_t = 8, value_parser = clap::value_parser!(u8).range(1..=64))]
     frames: u8,
@@ -72,11 +72,11 @@ pub struct Arguments {
 
 impl Arguments {
     pub fn run(self) -> Result<(), Failure> {
-        let named = NamedLog::find(&self.run)?;
-        let kept = LogWithSilhouettes::beside(&named)?;
+        let named = LogRef::find(&self.run)?;
+        let kept = RunSilhouettes::beside(&named)?;
         let mut sources = named.place.files();
         sources.push(named.place.path().with_file_name(SILHOUETTES));
-        let strip = self.answer.draws().then(|| self.every.unwrap_or(STRIP_EVERY) * Micros::from(self.frames - 1));
+        let strip = self.answer.draws().then(|| self.every.unwrap_or(STRIP_EVERY) * i64::from(self.frames - 1));
         let asked = Asked::of(&kept, (&self.camera[..], self.from.as_deref(), self.to.as_deref()), strip)?;
         let outputs = Output::of(&self.out, &sources, self.answer.replaces())?;
         let checked = self.answer.check([""], &sources)?;
@@ -88,7 +88,7 @@ impl Arguments {
         if film.is_some() || !outputs.is_empty() {
             let mut thinned = Thinned::new(self.every);
             asked.for_each::<Failure>(&kept, |kept, camera| {
-                bar.set_position(kept.at.max(0) as u64);
+                bar.set_position(position(kept.at));
                 if let Some(film) = &mut film {
                     film.take(camera, &kept);
                 }
@@ -109,15 +109,15 @@ impl Arguments {
     fn survey(
         &self,
         name: &str,
-        kept: &LogWithSilhouettes,
+        kept: &RunSilhouettes,
         asked: &Asked,
         bar: &indicatif::ProgressBar,
     ) -> Result<Answered, Failure> {
-        let mut seen = vec![(0u64, None::<(Micros, Micros)>); asked.cameras.len()];
-        let (mut instants, mut last) = (0, Micros::MIN);
+        let mut seen = vec![(0u64, None::<(RunTime, RunTime)>); asked.cameras.len()];
+        let (mut instants, mut last) = (0, RunTime::MIN);
         let mut thinned = Thinned::new(self.every);
         asked.for_each::<LogError>(kept, |kept, camera| {
-            bar.set_position(kept.at.max(0) as u64);
+            bar.set_position(position(kept.at));
             if !thinned.takes(kept.at) {
                 return Ok(());
             }
@@ -151,16 +151,16 @@ impl Arguments {
 
 /// Takes pictures of instants that are so far apart, of all cameras at once.
 struct Thinned {
-    every: Micros,
-    taken: Option<Micros>,
+    every: Span,
+    taken: Option<RunTime>,
 }
 
 impl Thinned {
-    fn new(every: Option<Micros>) -> Thinned {
-        Thinned { every: every.unwrap_or(0), taken: None }
+    fn new(every: Option<Span>) -> Thinned {
+        Thinned { every: every.unwrap_or(Span::ZERO), taken: None }
     }
 
-    fn takes(&mut self, at: Micros) -> bool {
+    fn takes(&mut self, at: RunTime) -> bool {
         let is_taken = self.taken.is_none_or(|taken| at == taken || at >= taken + self.every);
         if is_taken {
             self.taken = Some(at);
@@ -171,16 +171,16 @@ impl Thinned {
 
 /// The moments of a strip, as its pictures come.
 struct Strip {
-    moments: Vec<(Micros, Vec<Option<Kept>>)>,
+    moments: Vec<(RunTime, Vec<Option<KeptSilhouettes>>)>,
     /// How long a picture is the latest, by camera.
-    periods: Vec<Micros>,
+    periods: Vec<Span>,
     sizes: Vec<[u32; 2]>,
 }
 
 impl Strip {
-    fn new(asked: &Asked, every: Micros, count: u8) -> Strip {
-        let moment = |index| (asked.span.start + every * Micros::from(index), vec![None; asked.cameras.len()]);
-        let within = |(at, _): &(Micros, _)| *at < asked.span.end;
+    fn new(asked: &Asked, every: Span, count: u8) -> Strip {
+        let moment = |index| (asked.span.begin + every * i64::from(index), vec![None; asked.cameras.len()]);
+        let within = |(at, _): &(RunTime, _)| *at < asked.span.end;
         Strip {
             moments: (0..count).map(moment).filter(within).collect(),
             periods: asked.files.iter().map(|file| file.period()).collect(),
@@ -188,15 +188,15 @@ impl Strip {
         }
     }
 
-    fn take(&mut self, camera: usize, kept: &Kept) {
-        let shown = kept.at..kept.at + self.periods[camera];
-        for (_, seen) in self.moments.iter_mut().filter(|(at, _)| shown.contains(at)) {
+    fn take(&mut self, camera: usize, kept: &KeptSilhouettes) {
+        let shown = Interval::starting(kept.at, self.periods[camera]);
+        for (_, seen) in self.moments.iter_mut().filter(|(at, _)| shown.contains(*at)) {
             seen[camera] = Some(kept.clone());
         }
     }
 
-    fn strip(&self, name: &str, names: &[&str], clock: impl Fn(Micros) -> String) -> SilhouetteStrip {
-        let moment = |(at, seen): &(Micros, Vec<Option<Kept>>)| StripMoment {
+    fn strip(&self, name: &str, names: &[&str], clock: impl Fn(RunTime) -> String) -> SilhouetteStrip {
+        let moment = |(at, seen): &(RunTime, Vec<Option<KeptSilhouettes>>)| StripMoment {
             at: clock(*at),
             silhouettes: seen.iter().map(|kept| kept.as_ref().map(|kept| kept.silhouette.clone())).collect(),
         };

@@ -7,17 +7,17 @@ use crate::print::not_written;
 use homebody_analysis::falls::single;
 use homebody_core::body::ground::Ground;
 use homebody_core::camera::lens::Lens;
+use homebody_core::camera::outlook::Outlook;
 use homebody_core::camera::silhouette::Silhouette;
-use homebody_core::home::outlook::outlook;
 use homebody_core::problem::{Diagnostic, counted};
 use homebody_core::sensors::camera::CameraFile;
-use homebody_core::time::{Micros, SECOND};
-use homebody_kit::LogWithSilhouettes;
+use homebody_core::time::{RunTime, SECOND, Span};
+use homebody_query::RunSilhouettes;
 use homebody_log::LogError;
-use homebody_log::fresh::FreshFile;
-use homebody_log::places::can_be_written;
-use homebody_log::silhouettes::Kept;
-use homebody_log::spreadsheet::escaped;
+use homebody_log::files::fresh::FreshFile;
+use homebody_log::run::places::can_be_written;
+use homebody_log::silhouettes::KeptSilhouettes;
+use homebody_log::text::escaped;
 use homebody_picture::{FilmFrame, silhouette_film, silhouette_png};
 use serde::Serialize;
 use std::fs;
@@ -30,7 +30,7 @@ const MOST_FRAMES: u64 = 3000;
 const MOST_PICTURES: u64 = 200_000;
 
 /// Longest time that a frame of a film is shown, whatever the time to the next.
-const LONGEST_FRAME: Micros = SECOND;
+const LONGEST_FRAME: Span = SECOND;
 
 /// What a place is to become.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -102,7 +102,7 @@ pub struct Written {
 /// All places that silhouettes go to, in one pass.
 pub struct Outputs<'a> {
     open: Vec<(PathBuf, Open)>,
-    kept: &'a LogWithSilhouettes<'a>,
+    kept: &'a RunSilhouettes<'a>,
     /// Where seats and beds are.
     ground: Ground,
     cameras: Vec<(&'a CameraFile, Lens)>,
@@ -111,7 +111,7 @@ pub struct Outputs<'a> {
 }
 
 /// An instant, and what each camera has of it, packed.
-type Instant = (Micros, Vec<Option<Vec<u8>>>);
+type Instant = (RunTime, Vec<Option<Vec<u8>>>);
 
 enum Open {
     /// What it has so far.
@@ -125,7 +125,7 @@ impl<'a> Outputs<'a> {
     /// Begins all of them. What would be too large is refused before anything is begun.
     pub fn begin(
         outputs: Vec<Output>,
-        kept: &'a LogWithSilhouettes,
+        kept: &'a RunSilhouettes,
         cameras: &[usize],
         all: Counted,
         scale: u32,
@@ -145,7 +145,7 @@ impl<'a> Outputs<'a> {
             let file = &kept.silhouettes.cameras[camera].file;
             (file, file.lens())
         };
-        let ground = outlook(kept.scenario.home.plan()).ground;
+        let ground = Outlook::new(kept.scenario.home.plan()).ground;
         let cameras = cameras.iter().map(camera).collect();
         let mut begun = Outputs { open: Vec::new(), kept, ground, cameras, scale, force };
         for Output { form, path } in outputs {
@@ -183,7 +183,7 @@ impl<'a> Outputs<'a> {
     }
 
     /// Takes the next silhouette of a camera.
-    pub fn take(&mut self, camera: usize, kept: &Kept) -> Result<(), Failure> {
+    pub fn take(&mut self, camera: usize, kept: &KeptSilhouettes) -> Result<(), Failure> {
         let folder = self.folder_of(camera);
         let local = self.kept.scenario.calendar.local(kept.at);
         for (_, open) in &mut self.open {
@@ -249,13 +249,13 @@ impl<'a> Outputs<'a> {
         let sizes: Vec<[u32; 2]> = self.cameras.iter().map(|(file, _)| file.pixels).collect();
         let shortest = self.cameras.iter().map(|(file, _)| file.period()).min().unwrap_or(SECOND);
         let frame = |(index, (at, seen)): (usize, &Instant)| {
-            let lasts = frames.get(index + 1).map_or(shortest, |(next, _)| next - at).min(LONGEST_FRAME);
+            let lasts = frames.get(index + 1).map_or(shortest, |(next, _)| *next - *at).min(LONGEST_FRAME);
             let unpacked = |(packed, [columns, rows]): (&Option<Vec<u8>>, &[u32; 2])| {
                 Silhouette::unpacked(packed.as_ref()?, *columns, *rows)
             };
             FilmFrame {
                 silhouettes: seen.iter().zip(&sizes).map(unpacked).collect(),
-                lasts_ms: u16::try_from(lasts / 1000).unwrap_or(u16::MAX),
+                lasts_ms: u16::try_from(lasts / Span::from_millis(1)).unwrap_or(u16::MAX),
             }
         };
         let frames: Vec<FilmFrame> = frames.iter().enumerate().map(frame).collect();
@@ -303,7 +303,7 @@ struct Row<'a> {
 }
 
 impl<'a> Row<'a> {
-    fn of(at: String, camera: &'a str, (lens, ground): (&Lens, &Ground), kept: &Kept) -> Row<'a> {
+    fn of(at: String, camera: &'a str, (lens, ground): (&Lens, &Ground), kept: &KeptSilhouettes) -> Row<'a> {
         let rounded = |number: f64| (number * 1000.0).round() / 1000.0;
         let features = &kept.features;
         let [left_px, top_px, right_px, bottom_px] = features.box_px;

@@ -1,16 +1,16 @@
 //! Areas: whether an outline is one, and whether it keeps to the home.
 
 use super::messages::HomeMessage;
-use super::{Report, TOLERANCE_M};
+use super::{ProblemReport, TOLERANCE_M};
 use crate::geometry::{self, Point};
-use crate::home::plan::Plan;
-use crate::scenario::home::REACH_OUT_M;
+use crate::home::form::REACH_OUT_M;
+use crate::plan::Plan;
 
 /// Smaller areas are none.
 const LEAST_AREA_M2: f64 = 1e-6;
 
 /// Whether the outline is a convex area; says what is wrong with it if not.
-pub fn check_convex(report: &mut Report, pointer: &str, outline: &[Point], subject: &str) -> bool {
+pub fn check_convex(report: &mut ProblemReport, pointer: &str, outline: &[Point], subject: &str) -> bool {
     let what = subject.to_owned();
     let message = if is_flat(outline) {
         HomeMessage::NoArea { what }

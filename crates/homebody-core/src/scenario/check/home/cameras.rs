@@ -1,12 +1,13 @@
 //! Cameras: what wakes them must be there, and there must be something to see.
 
-use super::{Report, blocking, devices::known, solid_name};
+use super::{ProblemReport, blocking, devices::known, solid_name};
+use crate::camera::outlook::Outlook;
 use crate::camera::scenery::Scenery;
 use crate::geometry::point;
-use crate::home::outlook::outlook;
-use crate::home::plan::Plan;
-use crate::scenario::home::{HomeFile, SensorFile};
+use crate::home::form::HomeFile;
+use crate::plan::Plan;
 use crate::sensors::camera::CameraFile;
+use crate::sensors::kinds::SensorFile;
 use crate::sensors::messages::SensorMessage;
 
 /// Share of a camera's picture with floor below which the camera sees nothing useful (our choice).
@@ -16,7 +17,7 @@ const LEAST_FLOOR: f64 = 0.05;
 const FAR_M: f32 = 12.0;
 
 /// Checks what does not depend on the building.
-pub fn check_alone(report: &mut Report, place: &str, sensor: &SensorFile, home: &HomeFile) {
+pub fn check_alone(report: &mut ProblemReport, place: &str, sensor: &SensorFile, home: &HomeFile) {
     let others = || {
         let others = home.sensors.iter().filter(|other| !matches!(other, SensorFile::Camera(_)));
         others.map(SensorFile::name)
@@ -27,7 +28,7 @@ pub fn check_alone(report: &mut Report, place: &str, sensor: &SensorFile, home: 
 }
 
 /// Checks that it hangs in a room and looks at something.
-pub fn check_within(report: &mut Report, place: &str, camera: &CameraFile, home: &HomeFile, plan: &Plan) {
+pub fn check_within(report: &mut ProblemReport, place: &str, camera: &CameraFile, home: &HomeFile, plan: &Plan) {
     let (name, spot) = (camera.name.clone(), point(camera.at));
     let Some(room) = plan.room_at(spot) else {
         return report.add(&format!("{place}/at"), SensorMessage::CameraOutside { camera: name, at: spot });
@@ -44,7 +45,7 @@ pub fn check_within(report: &mut Report, place: &str, camera: &CameraFile, home:
     // A coarse picture will do.
     let coarse = CameraFile { pixels: [32, 24], ..camera.clone() };
     let lens = coarse.lens();
-    let scenery = Scenery::new(&lens, &outlook(plan).prisms);
+    let scenery = Scenery::new(&lens, &Outlook::new(plan).prisms);
     let is_floor = |column: u32, row: u32| {
         let depth_m = scenery.depth_m(column as usize, row as usize);
         let hit = lens.at + lens.ray_in_home(column, row) * f64::from(depth_m);

@@ -1,16 +1,18 @@
 //! Sensors that hang on things, lie under people or stand in rooms: what they need must be there, limits must be in order.
 
-use super::Report;
+use super::ProblemReport;
 use super::areas::{check_convex, is_flat, keeps_within};
 use super::messages::HomeMessage;
 use crate::geometry::{At, Point, point};
-use crate::home::plan::Plan;
-use crate::scenario::home::{FurnitureFile, HomeFile, SensorFile};
+use crate::home::form::HomeFile;
+use crate::plan::Plan;
+use crate::plan::form::FurnitureFile;
 use crate::sensors::form::{Bearer, Mount};
+use crate::sensors::kinds::SensorFile;
 use crate::sensors::messages::SensorMessage;
 
 /// Checks what does not depend on the building.
-pub fn check_alone(report: &mut Report, place: &str, sensor: &SensorFile, home: &HomeFile) {
+pub fn check_alone(report: &mut ProblemReport, place: &str, sensor: &SensorFile, home: &HomeFile) {
     let rooms = || home.rooms.iter().map(|room| room.name.as_str());
     if let (Mount::Thing(bearers), Some(on)) = (sensor.row().mount, sensor.on()) {
         let doors = || home.doors.iter().map(|door| door.name.as_str());
@@ -43,7 +45,7 @@ pub fn check_alone(report: &mut Report, place: &str, sensor: &SensorFile, home: 
 }
 
 /// Checks what lies on the floor of a building that is sound.
-pub fn check_within(report: &mut Report, place: &str, sensor: &SensorFile, plan: &Plan) {
+pub fn check_within(report: &mut ProblemReport, place: &str, sensor: &SensorFile, plan: &Plan) {
     let Some(area) = sensor.area().map(corners) else { return };
     if !is_flat(&area) && !keeps_within(plan, &area) {
         let what = format!("the area of {:?}", sensor.name());
@@ -53,7 +55,7 @@ pub fn check_within(report: &mut Report, place: &str, sensor: &SensorFile, plan:
 
 /// What a sensor is on or in must be there.
 pub fn known<'a>(
-    report: &mut Report,
+    report: &mut ProblemReport,
     place: &str,
     key: &str,
     noun: &str,
@@ -68,7 +70,7 @@ pub fn known<'a>(
 }
 
 /// Residents never enter furniture that is not for people.
-fn enterable(report: &mut Report, place: &str, piece: Option<&FurnitureFile>) {
+fn enterable(report: &mut ProblemReport, place: &str, piece: Option<&FurnitureFile>) {
     if let Some(piece) = piece.filter(|piece| !piece.enterable) {
         report.add(&format!("{place}/on"), SensorMessage::NotEnterable { furniture: piece.name.clone() });
     }

@@ -1,14 +1,14 @@
 //! Furniture: one form each, convex, in the home.
 
-use super::Report;
+use super::ProblemReport;
 use super::areas::{check_convex, keeps_within};
 use super::messages::HomeMessage;
-use crate::home::plan::{Plan, furniture_outline};
-use crate::scenario::home::HomeFile;
-use crate::scenario::path::Posture;
+use crate::home::form::HomeFile;
+use crate::plan::{Plan, furniture_outline};
+use crate::posture::Posture;
 
 /// Checks each piece by itself; says whether all have an outline.
-pub fn check_shapes(report: &mut Report, home: &HomeFile) -> bool {
+pub fn check_shapes(report: &mut ProblemReport, home: &HomeFile) -> bool {
     let before = report.count();
     for (index, piece) in home.furniture.iter().enumerate() {
         let (place, name) = (format!("/furniture/{index}"), &piece.name);
@@ -30,7 +30,7 @@ pub fn check_shapes(report: &mut Report, home: &HomeFile) -> bool {
 }
 
 /// Furniture to lie in has to be enterable.
-pub fn check_roles(report: &mut Report, home: &HomeFile) {
+pub fn check_roles(report: &mut ProblemReport, home: &HomeFile) {
     for (index, piece) in home.furniture.iter().enumerate() {
         let is_lain_in = piece.role.is_some_and(|role| role.row().posture == Some(Posture::Lying));
         if is_lain_in && !piece.enterable {
@@ -39,7 +39,7 @@ pub fn check_roles(report: &mut Report, home: &HomeFile) {
     }
 }
 
-pub fn check_within(report: &mut Report, home: &HomeFile, plan: &Plan) {
+pub fn check_within(report: &mut ProblemReport, home: &HomeFile, plan: &Plan) {
     for (index, piece) in home.furniture.iter().enumerate() {
         if !keeps_within(plan, &furniture_outline(piece)) {
             let form = if piece.outline.is_some() { "outline" } else { "at" };

@@ -7,16 +7,10 @@ crate::messages! {
     /// Problems with the building of a home.
     pub enum HomeMessage in "home" {
         /// The time to look for overlaps grows with the square of the number of corners.
-        TooManyCorners {
-            /// The largest number of corners.
-            most: usize,
-        } error "too-many-corners" ("the rooms have more than {most} corners together")
+        TooManyCorners { most: usize } error "too-many-corners" ("the rooms have more than {most} corners together")
             hint ("draw round walls with fewer corners; ten are enough for a bay");
         /// The outline of a room lists each corner once. Its last corner is joined to the first.
-        RepeatedCorner {
-            /// The room.
-            room: String,
-        } error "repeated-corner" ("a corner of {room:?} is given twice")
+        RepeatedCorner { room: String } error "repeated-corner" ("a corner of {room:?} is given twice")
             hint ("remove one of them; the last corner is joined to the first");
         /// All corners of the outline are on one line, or there are too few.
         NoArea {
@@ -25,50 +19,29 @@ crate::messages! {
         } error "no-area" ("{what} has no area")
             hint ("give at least three corners that are not on one line");
         /// The corners of an outline follow each other along its border. Two sides that cross show that the order is wrong.
-        CrossesItself {
-            /// The outline or area.
-            what: String,
-        } error "crosses-itself" ("{what} crosses itself")
+        CrossesItself { what: String } error "crosses-itself" ("{what} crosses itself")
             hint ("list its corners in their order along the border");
         /// Furniture and the areas of sensors are convex, which makes shadows and visibility fast to compute. Several pieces can have the form
         /// of an L.
-        NotConvex {
-            /// The piece of furniture or the area.
-            what: String,
-        } error "not-convex" ("{what} must be convex")
+        NotConvex { what: String } error "not-convex" ("{what} must be convex")
             hint ("divide it into several convex pieces");
         /// Each point of the floor is in one room. Rooms may touch, and measurements from both sides of a wall may differ by a little.
-        Overlap {
-            /// The first room.
-            a: String,
-            /// The second room.
-            b: String,
-            /// The area that both cover.
-            area_m2: f64,
-        } error "rooms-overlap" ("the rooms {a:?} and {b:?} overlap by {area_m2:.2} m²")
+        Overlap { a: String, b: String, area_m2: f64 }
+            error "rooms-overlap" ("the rooms {a:?} and {b:?} overlap by {area_m2:.2} m²")
             hint ("correct the corners of one of them");
         /// Lengths in a home are in metres. A home of this size is often one in centimetres or in feet.
-        TooLarge {
-            /// The largest distance.
-            most_m: f64,
-        } error "too-large" ("this is more than {most_m} m from the first room")
+        TooLarge { most_m: f64 } error "too-large" ("this is more than {most_m} m from the first room")
             hint ("give lengths in metres, not in centimetres");
         /// A wall runs from one point to another.
         ShortWall error "wall-without-length" ("this wall has no length: it ends at its start")
             hint ("correct one of its ends, or remove the wall");
         /// A door is the part of a wall between its two jambs.
-        NarrowDoor {
-            /// The door.
-            door: String,
-            /// The distance between its jambs.
-            width_m: f64,
-        } error "door-without-width" ("the door {door:?} has no width: its jambs are {width_m} m apart")
+        NarrowDoor { door: String, width_m: f64 }
+            error "door-without-width" ("the door {door:?} has no width: its jambs are {width_m} m apart")
             hint ("correct one of its jambs");
         /// Both jambs of a door are on the middle line of a wall. Move them to a wall, or draw the wall first.
         OffWall {
-            /// The door.
             door: String,
-            /// The nearest wall.
             wall: Option<String>,
             /// The distance of the jamb from the middle line of that wall.
             distance_m: Option<f64>,
@@ -78,57 +51,33 @@ crate::messages! {
                 None => "draw a wall first".into(),
             }));
         /// Two doors take the same part of a wall.
-        DoorsOverlap {
-            /// The first door.
-            a: String,
-            /// The second door.
-            b: String,
-        } error "doors-overlap" ("the doors {a:?} and {b:?} overlap")
+        DoorsOverlap { a: String, b: String } error "doors-overlap" ("the doors {a:?} and {b:?} overlap")
             hint ("move or remove one of them");
         /// The time to find ways through a home grows with the number of places where walls meet. Walls that are drawn several times
         /// meet very often.
-        WallMeetings {
-            /// The largest number of meetings.
-            most: usize,
-        } error "wall-meetings" ("the walls meet or cross each other more than {most} times")
+        WallMeetings { most: usize } error "wall-meetings" ("the walls meet or cross each other more than {most} times")
             hint ("draw each wall once, from corner to corner");
         /// A door can be in several walls where these lie on each other. In a home that draws its walls once, this is rare.
-        DoorsInWalls {
-            /// The largest number.
-            most: usize,
-        } error "doors-in-walls" ("the doors lie in more than {most} walls in total, because walls lie on each other")
+        DoorsInWalls { most: usize }
+            error "doors-in-walls" ("the doors lie in more than {most} walls in total, because walls lie on each other")
             hint ("draw each wall once, from corner to corner");
         /// A piece of furniture has a middle and a size, or an outline.
-        IncompleteForm {
-            /// The piece.
-            name: String,
-            /// The missing part.
-            missing: &'static str,
-        } error "incomplete-form" ("{name:?} has no {missing}")
+        IncompleteForm { name: String, missing: &'static str } error "incomplete-form" ("{name:?} has no {missing}")
             hint ("give \"at\" and \"size_m\", or an \"outline\"");
         /// A piece of furniture has either a middle and a size, or an outline.
-        TwoForms {
-            /// The piece.
-            name: String,
-        } error "two-forms" ("{name:?} has an outline and also a place or a size")
+        TwoForms { name: String } error "two-forms" ("{name:?} has an outline and also a place or a size")
             hint ("give either \"at\" and \"size_m\", or an \"outline\"");
         /// Residents lie down in furniture with this role, so they must be able to enter it.
-        CannotLie {
-            /// The piece.
-            name: String,
-        } error "not-enterable" ("a resident cannot lie in {name:?}, because it is not enterable")
+        CannotLie { name: String }
+            error "not-enterable" ("a resident cannot lie in {name:?}, because it is not enterable")
             hint ("write \"enterable\": true, or give its role to another piece of furniture");
         /// Furniture and the areas of sensors are inside the rooms, up to the thickness of the walls.
-        ReachesOut {
-            /// The piece of furniture or the area.
-            what: String,
-        } error "reaches-out" ("{what} reaches out of the home")
+        ReachesOut { what: String } error "reaches-out" ("{what} reaches out of the home")
             hint ("move it inside the rooms");
         /// Files and logs refer to parts of the home by their names.
         SameName {
             /// The kind of part, such as `room`.
             noun: &'static str,
-            /// The name.
             name: String,
         } error "duplicate-name" ("another {noun} is also named {name:?}")
             hint ("rename one of them");
@@ -136,9 +85,7 @@ crate::messages! {
         SimilarName {
             /// The kind of part, such as `room`.
             noun: &'static str,
-            /// The name.
             name: String,
-            /// The name of the other part.
             other: String,
         } error "similar-name" ("another {noun} is named {other:?}, which is too similar to {name:?}")
             hint ("rename one of them; case and blanks around a name make no difference");
@@ -146,21 +93,15 @@ crate::messages! {
         SharedName {
             /// The kind of the other part, such as `room`.
             noun: &'static str,
-            /// The name.
             name: String,
         } error "shared-name" ("a {noun} is also named {name:?}")
             hint ("rename one of them, because a path finds its destination by name");
         /// Residents walk to places, so places are inside the rooms.
-        PlaceOutside {
-            /// The place.
-            place: String,
-            /// Its point, in metres.
-            at: Point,
-        } error "place-outside" ("the place {place:?} at {at} is outside the home", at = written(*at))
+        PlaceOutside { place: String, at: Point }
+            error "place-outside" ("the place {place:?} at {at} is outside the home", at = written(*at))
             hint ("move it into a room");
         /// Residents walk to places, so a person can stand at each of them.
         PlaceBlocked {
-            /// The place.
             place: String,
             /// The wall, door or piece of furniture.
             by: String,

@@ -1,12 +1,12 @@
 //! Names of a home: what has the same one, and what paths could not tell apart.
 
-use super::Report;
+use super::ProblemReport;
 use super::messages::HomeMessage;
+use crate::home::form::HomeFile;
 use crate::scenario::check::folded;
-use crate::scenario::home::HomeFile;
 use std::collections::BTreeMap;
 
-pub fn check(report: &mut Report, home: &HomeFile) {
+pub fn check(report: &mut ProblemReport, home: &HomeFile) {
     report.name("/name", &home.name);
     let rooms: Vec<_> = home.rooms.iter().map(|room| room.name.as_str()).collect();
     let doors: Vec<_> = home.doors.iter().map(|door| door.name.as_str()).collect();
@@ -25,7 +25,7 @@ pub fn check(report: &mut Report, home: &HomeFile) {
     check_spots(report, home);
 }
 
-fn check_list(report: &mut Report, list: &str, noun: &'static str, names: &[&str]) {
+fn check_list(report: &mut ProblemReport, list: &str, noun: &'static str, names: &[&str]) {
     let mut first = BTreeMap::new();
     for (index, name) in names.iter().enumerate() {
         let pointer = format!("/{list}/{index}/name");
@@ -43,7 +43,7 @@ fn check_list(report: &mut Report, list: &str, noun: &'static str, names: &[&str
 }
 
 /// Paths go to places, enterable furniture and rooms by name, so no two of these may share one.
-fn check_spots(report: &mut Report, home: &HomeFile) {
+fn check_spots(report: &mut ProblemReport, home: &HomeFile) {
     let rooms = home.rooms.iter().map(|room| folded(&room.name)).map(|name| (name, "room"));
     let mut known: BTreeMap<String, &'static str> = rooms.collect();
     let seats = home.furniture.iter().enumerate().filter(|(_, piece)| piece.enterable);

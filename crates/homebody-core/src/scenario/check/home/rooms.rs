@@ -1,10 +1,10 @@
 //! Rooms: outlines that enclose an area, each its own.
 
-use super::Report;
+use super::ProblemReport;
 use super::areas::is_flat;
 use super::messages::HomeMessage;
 use crate::geometry::{self, Point, overlap, point};
-use crate::scenario::home::HomeFile;
+use crate::home::form::HomeFile;
 
 /// Outlines measured from both sides of a wall never agree better than this.
 const OVERLAP_TOLERANCE_M2: f64 = 0.01;
@@ -15,7 +15,7 @@ const MOST_CORNERS: usize = 5_000;
 /// Largest number of overlaps that are searched for (our choice).
 const MOST_OVERLAPS: usize = 200;
 
-pub fn check(report: &mut Report, home: &HomeFile) {
+pub fn check(report: &mut ProblemReport, home: &HomeFile) {
     if home.rooms.iter().map(|room| room.outline.len()).sum::<usize>() > MOST_CORNERS {
         return report.add("/rooms", HomeMessage::TooManyCorners { most: MOST_CORNERS });
     }

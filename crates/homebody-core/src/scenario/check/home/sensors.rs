@@ -2,12 +2,13 @@
 
 use super::areas::{check_convex, is_flat, keeps_within};
 use super::messages::HomeMessage;
-use super::{Report, TOLERANCE_M, cameras, devices, is_within, solid_name};
+use super::{ProblemReport, TOLERANCE_M, cameras, devices, is_within, solid_name};
 use crate::geometry::{self, Point, point};
-use crate::home::plan::{Plan, Solid};
-use crate::scenario::home::{HomeFile, Level, MotionFile, SensorFile};
+use crate::home::form::HomeFile;
+use crate::plan::{Plan, Solid};
+use crate::sensors::kinds::SensorFile;
 use crate::sensors::messages::SensorMessage;
-use crate::sensors::motion::LENS_OFF_WALL_M;
+use crate::sensors::motion::{LENS_OFF_WALL_M, LevelFile, MotionFile};
 
 /// Largest number of beams of all sensors together (our choice): as many as the largest number of sensors has by
 /// default.
@@ -19,7 +20,7 @@ const REACH_THROUGH_M: f64 = 0.05;
 /// The lines that a sensor sees along: beams, the zones of all rows, or the sides of an area.
 fn beams_of(sensor: &SensorFile) -> u32 {
     match sensor {
-        SensorFile::Motion(MotionFile { level: Level::Zones(zones), .. }) => zones.rows.iter().sum(),
+        SensorFile::Motion(MotionFile { level: LevelFile::Zones(zones), .. }) => zones.rows.iter().sum(),
         SensorFile::Motion(motion) => motion.beams,
         SensorFile::CeilingMotion(ceiling) => ceiling.area.len() as u32,
         _ => 0,
@@ -27,7 +28,7 @@ fn beams_of(sensor: &SensorFile) -> u32 {
 }
 
 /// Checks what does not depend on the building.
-pub fn check_alone(report: &mut Report, home: &HomeFile) {
+pub fn check_alone(report: &mut ProblemReport, home: &HomeFile) {
     let mut beams = 0;
     for (index, sensor) in home.sensors.iter().enumerate() {
         let place = format!("/sensors/{index}");
@@ -52,7 +53,7 @@ pub fn check_alone(report: &mut Report, home: &HomeFile) {
     }
 }
 
-fn check_timing(report: &mut Report, place: &str, sensor: &SensorFile) {
+fn check_timing(report: &mut ProblemReport, place: &str, sensor: &SensorFile) {
     let (first, refire, persist) = match sensor {
         SensorFile::Motion(s) => (s.first_fire_s, s.refire_s, s.persist_s),
         SensorFile::CeilingMotion(s) => (s.first_fire_s, s.refire_s, s.persist_s),
@@ -72,11 +73,11 @@ fn check_timing(report: &mut Report, place: &str, sensor: &SensorFile) {
     }
 }
 
-fn check_lens(report: &mut Report, place: &str, motion: &MotionFile) {
+fn check_lens(report: &mut ProblemReport, place: &str, motion: &MotionFile) {
     if motion.field_deg[1] > 180.0 {
         report.add(&format!("{place}/field_deg/1"), SensorMessage::VerticalField { field_deg: motion.field_deg[1] });
     }
-    if let Level::Zones(zones) = &motion.level
+    if let LevelFile::Zones(zones) = &motion.level
         && zones.rows == [0; 3]
     {
         report.add(&format!("{place}/level/zones/rows"), SensorMessage::NoZones);
@@ -84,7 +85,7 @@ fn check_lens(report: &mut Report, place: &str, motion: &MotionFile) {
 }
 
 /// Checks the places of sensors in a building that is sound.
-pub fn check_within(report: &mut Report, home: &HomeFile, plan: &Plan) {
+pub fn check_within(report: &mut ProblemReport, home: &HomeFile, plan: &Plan) {
     for (index, sensor) in home.sensors.iter().enumerate() {
         match sensor {
             SensorFile::Motion(motion) => check_mounting(report, &format!("/sensors/{index}"), motion, home, plan),
@@ -125,7 +126,7 @@ fn reaches_through(area: &[Point], solid: &Solid) -> bool {
 
 /// Checks the place of a wall sensor, which the file gives at the pointer `place`.
 pub(in crate::scenario::check) fn check_mounting(
-    report: &mut Report,
+    report: &mut ProblemReport,
     place: &str,
     motion: &MotionFile,
     home: &HomeFile,

@@ -1,10 +1,11 @@
 //! Walls that have a length, and doors that are in them.
 
 use super::messages::HomeMessage;
-use super::{Report, TOLERANCE_M, at};
+use super::{ProblemReport, TOLERANCE_M, at};
 use crate::geometry::{self, point};
-use crate::home::plan::span_on_wall;
-use crate::scenario::home::{DoorFile, HomeFile, WallFile};
+use crate::home::form::HomeFile;
+use crate::plan::form::{DoorFile, WallFile};
+use crate::plan::span_on_wall;
 
 /// Shorter walls and narrower doors are mistakes.
 const LEAST_LENGTH_M: f64 = 0.001;
@@ -15,7 +16,7 @@ const LEAST_DOOR_M: f64 = 0.05;
 const MOST_MEETINGS: usize = 20_000;
 const MOST_IN_WALLS: usize = 2_000;
 
-pub fn check(report: &mut Report, home: &HomeFile) {
+pub fn check(report: &mut ProblemReport, home: &HomeFile) {
     let before = report.count();
     check_meetings(report, home);
     check_doors_in_walls(report, home);
@@ -50,7 +51,7 @@ pub fn check(report: &mut Report, home: &HomeFile) {
     }
 }
 
-fn check_meetings(report: &mut Report, home: &HomeFile) {
+fn check_meetings(report: &mut ProblemReport, home: &HomeFile) {
     let ends = |wall: &WallFile| (point(wall.from), point(wall.to));
     let walls: Vec<_> = home.walls.iter().map(ends).collect();
     let mut meetings = 0;
@@ -62,7 +63,7 @@ fn check_meetings(report: &mut Report, home: &HomeFile) {
     }
 }
 
-fn check_doors_in_walls(report: &mut Report, home: &HomeFile) {
+fn check_doors_in_walls(report: &mut ProblemReport, home: &HomeFile) {
     let mut in_walls = 0;
     for door in &home.doors {
         in_walls += spans(home, door).len();
@@ -88,7 +89,7 @@ fn overlap(spans: &[SpanOnWall], others: &[SpanOnWall]) -> bool {
     })
 }
 
-fn report_off_wall(report: &mut Report, home: &HomeFile, index: usize, door: &DoorFile) {
+fn report_off_wall(report: &mut ProblemReport, home: &HomeFile, index: usize, door: &DoorFile) {
     let distance = |jamb: [f64; 2], (from, to): ([f64; 2], [f64; 2])| {
         geometry::distance_to_segment(point(jamb), point(from), point(to))
     };

@@ -1,0 +1,293 @@
+//! What measures are taken from, as a log tells it.
+
+use super::measured_day::VISIT;
+use super::rooms::Purpose;
+use super::signs::{RoomSign, agreed};
+use super::timeline::{MeasureTimeline, RoomStay};
+use super::walking::walks;
+use super::ways::Ways;
+use crate::holds::HoldTimes;
+use crate::signs::Kind;
+use homebody_core::names::words;
+use homebody_core::time::{Interval, MINUTE, SECOND, Span, WallTime, joined, without};
+use homebody_core::vocabulary::{WINDOW_WORDS, has_any};
+
+/// Time without firings after which a person in a bedroom is in bed, and after which a person in bed sleeps (our
+/// choice).
+const LIES_STILL: Span = MINUTE.times(20);
+const SLEEPS: Span = MINUTE.times(5);
+/// Time out of the bedroom at night that still has a stay in bed before and after it, and time from going to bed to
+/// falling asleep (our choice).
+const UP_AT_NIGHT: Span = MINUTE.times(30);
+const FALLS_ASLEEP: Span = MINUTE.times(40);
+/// Time after a long silence within which leaving the bedroom counts as getting up (our choice).
+const WAKES: Span = MINUTE.times(30);
+/// Time between firings in bed that separates two bouts (our choice).
+const BOUT: Span = SECOND.times(30);
+/// Longest stay in a room with one firing on the way to another (our choice).
+const GLIMPSE: Span = SECOND.times(5);
+/// Time within which several firings, and the next one of another room, count as one glimpse (our choice).
+const SEEN_PASSING: Span = SECOND.times(10);
+/// Longest time between firings of a shower's own sensor in one shower, and shortest shower (our choice).
+const SHOWER_APART: Span = MINUTE.times(3);
+const SHOWER_LASTS: Span = MINUTE.times(3);
+/// Duration after which an activity with no observed end is over (our choice).
+const SHOWER_LONGEST: Span = MINUTE.times(60);
+/// Time in the bathroom by day, with a firing every minute, that is a shower if the shower has no sensor (our choice).
+/// A person on the toilet causes fewer firings.
+const BATHROOM_LONG: Span = MINUTE.times(10);
+const BATHROOM_LIVELY: Span = MINUTE;
+/// Longest time between stays in the kitchen that belong to one meal, and shortest meal (our choice).
+const MEAL_APART: Span = MINUTE.times(15);
+const MEAL_LASTS: Span = MINUTE.times(15);
+/// A shorter gap of the recording ends no stay.
+const BRIDGED: Span = MINUTE.times(10);
+
+/// A log of some days, up to the end of the last of them.
+pub struct LogExcerpt<'a> {
+    /// The ids of the sensors.
+    pub ids: &'a [String],
+    pub kinds: &'a [Kind],
+    /// The spans over which each reports that something is on.
+    pub spans: &'a dyn Fn(usize) -> Vec<Interval<WallTime>>,
+    /// The lengths of the ways between sensors, if they are known.
+    pub ways: Option<&'a Ways>,
+    /// Which of them are beds and showers, by their names.
+    pub named: &'a NamedSensors,
+    /// Whether a bed's sensor has been on so far.
+    pub has_bed: bool,
+    /// The sensors that have given a sign yet.
+    pub has_spoken: &'a [bool],
+    /// For how long sensors stay on.
+    pub holds: &'a HoldTimes,
+    /// Until when the last day is known.
+    pub until: WallTime,
+}
+
+/// Which sensors are beds and showers, by their names.
+pub struct NamedSensors {
+    bed: Vec<bool>,
+    shower: Vec<bool>,
+    window: Vec<bool>,
+}
+
+impl NamedSensors {
+    pub fn from_names(called: &[String]) -> NamedSensors {
+        let all = |words: &[&str]| called.iter().map(|name| is_named(name, words)).collect();
+        let window = called.iter().map(|name| has_any(&words(name), WINDOW_WORDS)).collect();
+        NamedSensors { bed: all(&BEDS), shower: all(&SHOWERS), window }
+    }
+
+    pub fn is_bed(&self, sensor: usize, kind: Kind) -> bool {
+        self.bed[sensor] && kind == Kind::Used
+    }
+}
+
+impl MeasureTimeline {
+    /// Adds stays in rooms, times in bed, showers and meals by a log. Days, rooms and absences are there already.
+    pub(super) fn hear(&mut self, heard: &LogExcerpt, signs: &[RoomSign]) {
+        let seen = || signs.iter().filter(|sign| sign.is_seen).copied().collect::<Vec<RoomSign>>();
+        self.walks = heard.ways.map(|ways| walks(&seen(), heard.ids, ways));
+        let away = self.away.as_deref().unwrap_or_default();
+        self.stays = known_stays(stays(&agreed(signs), away, heard.until), &self.unknown);
+        self.lie_down(heard, signs);
+        self.wash_and_eat(heard, signs);
+    }
+
+    /// Whether a sensor that looks for movement has seen any in a room for this.
+    fn is_seen(&self, heard: &LogExcerpt, purpose: Purpose) -> bool {
+        let rooms = self.rooms.of_sensors.iter().enumerate();
+        let mut of_purpose = rooms.filter(|(_, room)| room.is_some_and(|room| self.rooms.purpose(room) == purpose));
+        of_purpose.any(|(sensor, _)| heard.kinds[sensor] == Kind::Motion && heard.has_spoken[sensor])
+    }
+
+    /// The longest time that a motion sensor of a room for this stays on; 0 where all say when they see nothing more.
+    fn hold(&self, heard: &LogExcerpt, purpose: Purpose) -> Span {
+        let rooms = self.rooms.of_sensors.iter().enumerate();
+        let of_purpose = rooms.filter(|(_, room)| room.is_some_and(|room| self.rooms.purpose(room) == purpose));
+        of_purpose.filter_map(|(sensor, _)| heard.holds.hold(sensor)).max().unwrap_or_default()
+    }
+
+    /// Finds the times in bed: by what is in the bed, or else by silence in the bedroom.
+    fn lie_down(&mut self, heard: &LogExcerpt, signs: &[RoomSign]) {
+        if !heard.has_bed && !self.rooms.has(Purpose::Bedroom) {
+            return;
+        }
+        let in_bedroom: Vec<&RoomSign> =
+            signs.iter().filter(|sign| self.rooms.purpose(sign.room) == Purpose::Bedroom).collect();
+        let sees_bedroom = self.is_seen(heard, Purpose::Bedroom);
+        let mut lain: Vec<Interval<WallTime>> = Vec::new();
+        if heard.has_bed {
+            for sensor in (0..heard.ids.len()).filter(|&sensor| heard.named.is_bed(sensor, heard.kinds[sensor])) {
+                lain.extend((heard.spans)(sensor).into_iter().filter(|span| !span.is_empty()));
+            }
+            lain.sort();
+        } else {
+            self.guesses_nights = !sees_bedroom;
+            let of_bedroom = self.stays.iter().filter(|stay| self.rooms.purpose(stay.room) == Purpose::Bedroom);
+            lain = nights(&of_bedroom.copied().collect::<Vec<RoomStay>>(), &in_bedroom);
+        }
+        let lain = joined(lain, Span::ZERO);
+        let (mut asleep, mut stirs) = (Vec::new(), Vec::new());
+        for &span in &lain {
+            let of = within(&in_bedroom, span);
+            let mut before = span.begin;
+            for at in of.iter().map(|sign| sign.at).chain([span.end]) {
+                if at - before >= SLEEPS {
+                    asleep.push(Interval::new(before, at));
+                }
+                if at < span.end && at - before > BOUT {
+                    stirs.push(at);
+                }
+                before = at;
+            }
+        }
+        self.in_bed = Some(lain);
+        // Without a movement in the bedroom, or of who lies in bed, nobody knows who is awake.
+        let hold = self.hold(heard, Purpose::Bedroom);
+        self.asleep = (sees_bedroom && hold < SLEEPS).then_some(asleep);
+        self.stirs = (sees_bedroom && hold <= BOUT).then_some(stirs);
+        self.hides_stirs = sees_bedroom && hold > BOUT;
+    }
+
+    fn wash_and_eat(&mut self, heard: &LogExcerpt, signs: &[RoomSign]) {
+        let is_shower = |sensor: &usize| heard.named.shower[*sensor] && heard.kinds[*sensor] != Kind::Reading;
+        let showers: Vec<usize> = (0..heard.ids.len()).filter(is_shower).collect();
+        let begins = |spans: Vec<Interval<WallTime>>, least: Span| {
+            let long = spans.into_iter().filter(|span| span.length() >= least);
+            Some(long.map(|span| span.begin).collect())
+        };
+        let hold = self.hold(heard, Purpose::Bathroom);
+        self.hides_visits = hold > VISIT;
+        if !showers.is_empty() {
+            // Water flows from its beginning to its end, and some motion sensors say when they see nothing more.
+            let ended = |span: Interval<WallTime>| {
+                if span.length() <= SHOWER_LONGEST { span } else { Interval::instant(span.begin) }
+            };
+            let mut seen: Vec<Interval<WallTime>> =
+                showers.iter().flat_map(|&sensor| (heard.spans)(sensor)).map(ended).collect();
+            seen.sort_unstable();
+            self.showers = begins(joined(seen, SHOWER_APART), SHOWER_LASTS);
+        } else if hold > BATHROOM_LIVELY {
+            self.hides_showers = true;
+        } else if self.is_seen(heard, Purpose::Bathroom) {
+            let in_bathroom: Vec<&RoomSign> =
+                signs.iter().filter(|sign| self.rooms.purpose(sign.room) == Purpose::Bathroom).collect();
+            let in_bed = self.in_bed.as_deref().unwrap_or_default();
+            let mut by_day = without(&self.visits(Purpose::Bathroom, MINUTE), in_bed);
+            by_day.retain(|&span| within(&in_bathroom, span).len() as i64 * BATHROOM_LIVELY >= span.length());
+            self.showers = begins(by_day, BATHROOM_LONG);
+            self.guesses_showers = true;
+        }
+        // An open window is no sign of cooking.
+        let in_kitchen = |room: &Option<usize>| room.is_some_and(|room| self.rooms.purpose(room) == Purpose::Kitchen);
+        let tells_cooking = |(sensor, room): (usize, &Option<usize>)| in_kitchen(room) && !heard.named.window[sensor];
+        if self.rooms.of_sensors.iter().enumerate().any(tells_cooking) {
+            let cooked = self.visits(Purpose::Kitchen, Span::ZERO);
+            let mut meals = Vec::new();
+            for meal in joined(cooked.iter().copied(), MEAL_APART) {
+                let from = cooked.partition_point(|stay| stay.begin < meal.begin);
+                let within = cooked[from..].iter().take_while(|stay| stay.begin <= meal.end);
+                let there: Span = within.filter(|stay| stay.end <= meal.end).map(|stay| stay.length()).sum();
+                if there >= MEAL_LASTS {
+                    meals.push(meal.begin);
+                }
+            }
+            self.meals = Some(meals);
+        }
+    }
+}
+
+/// Words that tell of beds and showers.
+const BEDS: [&str; 2] = ["bed", "mattress"];
+const SHOWERS: [&str; 3] = ["shower", "bathtub", "tub"];
+
+fn is_named(name: &str, as_one_of: &[&str]) -> bool {
+    words(name).iter().any(|word| as_one_of.contains(&word.as_str()))
+}
+
+/// Somebody is in the room of the last sign until there is one of another, or until they leave. A single sign of a room is a
+/// glimpse of somebody who passes: a moment of its own between two other rooms, and nothing within one. A single sign of a sensor that
+/// stays on is a stay, unless the next sign comes soon.
+fn stays(signs: &[RoomSign], away: &[Interval<WallTime>], last: WallTime) -> Vec<RoomStay> {
+    let rooms: Vec<&[RoomSign]> = signs.chunk_by(|a, b| a.room == b.room).collect();
+    let mut stays: Vec<RoomStay> = Vec::new();
+    for (index, of_room) in rooms.iter().enumerate() {
+        let next = rooms.get(index + 1);
+        let (room, begin) = (of_room[0].room, of_room[0].at);
+        let end = next.map_or(last.max(begin), |next| next[0].at);
+        let last = of_room[of_room.len() - 1].at;
+        // A sensor that stays on reports a whole stay at once, if the next one reports anew and has not been on all the time.
+        let is_all = of_room[0].is_held && next.is_none_or(|next| next[0].is_seen);
+        let is_alone = of_room.len() == 1 && !is_all;
+        let is_glimpse = is_alone || last - begin < GLIMPSE && end - last < SEEN_PASSING;
+        match stays.last_mut() {
+            Some(before) if before.room == room => before.end = end,
+            Some(before) if is_glimpse && next.is_some_and(|next| next[0].room == before.room) => before.end = end,
+            Some(before) if is_glimpse && next.is_some() => {
+                before.end = begin;
+                stays.push(RoomStay { room, begin, end: end.min(begin + GLIMPSE) });
+            }
+            _ => stays.push(RoomStay { room, begin, end }),
+        }
+    }
+    // What comes after a glimpse has begun when that is over.
+    for index in 1..stays.len() {
+        stays[index].begin = stays[index].begin.min(stays[index - 1].end);
+    }
+    let parts = stays.iter().flat_map(|stay| {
+        let first = away.partition_point(|absence| absence.end <= stay.begin);
+        let parts = without(&[stay.interval()], &away[first..]);
+        parts.into_iter().map(|Interval { begin, end }| RoomStay { room: stay.room, begin, end })
+    });
+    parts.collect()
+}
+
+/// Known stays: each ends where a gap begins, unless the gap is short.
+fn known_stays(stays: Vec<RoomStay>, unknown: &[Interval<WallTime>]) -> Vec<RoomStay> {
+    let known = |stay: RoomStay| {
+        let first = unknown.partition_point(|gap| gap.begin < stay.begin);
+        let gap = unknown[first..].iter().take_while(|gap| gap.begin < stay.end).find(|gap| gap.length() > BRIDGED);
+        RoomStay { end: gap.map_or(stay.end, |gap| gap.begin), ..stay }
+    };
+    stays.into_iter().map(known).collect()
+}
+
+fn within<'a>(signs: &'a [&'a RoomSign], span: Interval<WallTime>) -> &'a [&'a RoomSign] {
+    let before = span.map(|at| signs.partition_point(|sign| sign.at < at));
+    &signs[before.begin..before.end.max(before.begin)]
+}
+
+/// When somebody lies in bed, by the stays in the bedroom that have a long silence. Who goes to the bathroom at night lies down at
+/// once when they are back, and until they go. Who comes to bed lies down at once, unless it takes them too long to be still.
+fn nights(stays: &[RoomStay], signs: &[&RoomSign]) -> Vec<Interval<WallTime>> {
+    let mut lain: Vec<Interval<WallTime>> = Vec::new();
+    let mut until: Option<WallTime> = None;
+    for stay in stays {
+        let Some(Interval { begin, end }) = still(stay, signs) else { continue };
+        let end = if stay.end - end <= WAKES { stay.end } else { end };
+        let was_up_for = until.map(|until| stay.begin - until);
+        match lain.last_mut() {
+            Some(last) if was_up_for.is_some_and(|up| up <= UP_AT_NIGHT) => {
+                last.end = until.unwrap_or(last.end);
+                lain.push(Interval::new(stay.begin, end));
+            }
+            _ => {
+                let begin = if begin - stay.begin <= FALLS_ASLEEP { stay.begin } else { begin };
+                lain.push(Interval::new(begin, end));
+            }
+        }
+        until = Some(stay.end);
+    }
+    lain
+}
+
+/// From the first to the last long silence of a stay, if there is one.
+fn still(stay: &RoomStay, signs: &[&RoomSign]) -> Option<Interval<WallTime>> {
+    let of = within(signs, stay.interval());
+    let times: Vec<WallTime> = of.iter().map(|sign| sign.at).chain([stay.end]).collect();
+    let is_long = |pair: &&[WallTime]| pair[1] - pair[0] >= LIES_STILL;
+    let mut long = times.windows(2).filter(is_long);
+    let first = long.next()?;
+    Some(Interval::new(first[0], long.next_back().unwrap_or(first)[1]))
+}

@@ -1,0 +1,191 @@
+//! The row of a measure in the [registry](super::MEASURES).
+
+use super::measured_day::MeasuredDay;
+use super::rooms::Purpose;
+use serde::{Serialize, Serializer};
+use std::fmt;
+
+/// A measure of a day. In tables and JSON it has its first five fields.
+#[derive(Clone, Copy, Debug, Serialize)]
+pub struct DailyMeasure {
+    /// The name in tables and JSON.
+    pub name: &'static str,
+    /// The unit.
+    pub unit: MeasureUnit,
+    /// The name in pictures and, with a small letter, in sentences.
+    pub title: &'static str,
+    /// The definition for readers of the documentation.
+    pub definition: &'static str,
+    /// The source of the definition.
+    pub source: &'static str,
+    /// `night` for a measure of the night that ends on the day, else `day`.
+    #[serde(skip)]
+    pub occasion: &'static str,
+    /// The hour at which the measured part of the day begins, if the measure is about a part of the day.
+    #[serde(skip)]
+    pub first_hour: Option<u8>,
+    /// A higher value in words, such as `more sleep`.
+    #[serde(skip)]
+    pub more: &'static str,
+    /// A lower value in words.
+    #[serde(skip)]
+    pub less: &'static str,
+    /// The predicate of a sentence about the resident, with `{}` for the value; empty if no sentence has the value.
+    #[serde(skip)]
+    pub did: &'static str,
+    /// The predicate for the value 0, if the sentence needs other words.
+    #[serde(skip)]
+    pub did_not: &'static str,
+    /// The sensors without which a day has no value.
+    #[serde(skip)]
+    pub needs: Needs,
+    /// The notes of activities from which the measure follows, too.
+    #[serde(skip)]
+    pub noted: Option<NoteMeaning>,
+    /// The place in a report for carers, if the report has the measure.
+    #[serde(skip)]
+    pub care: Option<CareUse>,
+    /// The place in summaries, if these have the measure.
+    #[serde(skip)]
+    pub summary: Option<SummaryUse>,
+    /// The words with which the page offers the measure as a goal of suggested sensors. Commands take each measure as a goal.
+    #[serde(skip)]
+    pub goal: Option<&'static str>,
+    /// Whether the Python environment `DecideVisits` observes the measure. Measures that follow from many days are left out.
+    #[serde(skip)]
+    pub is_observed: bool,
+    /// The value on a day; `None` if the day has no value.
+    #[serde(skip)]
+    pub of: fn(&MeasuredDay) -> Option<f64>,
+}
+
+/// A measure of the day, before its row says more.
+pub(super) const DAY: DailyMeasure = DailyMeasure {
+    name: "",
+    unit: TIMES,
+    title: "",
+    definition: "",
+    source: "",
+    occasion: "day",
+    first_hour: None,
+    more: "",
+    less: "",
+    did: "",
+    did_not: "",
+    needs: Needs::AllSensors,
+    noted: None,
+    care: None,
+    summary: None,
+    goal: None,
+    is_observed: false,
+    of: |_| None,
+};
+
+/// A measure of the night, before its row says more.
+pub(super) const NIGHT: DailyMeasure = DailyMeasure { occasion: "night", ..DAY };
+
+/// The sensors that a measure needs. All must work if no place is named.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Needs {
+    /// All sensors of the home.
+    AllSensors,
+    /// The sensors of the rooms with a purpose.
+    Room(Purpose),
+    /// The sensors at the entrance.
+    Entrance,
+}
+
+/// The meaning of a note of an activity.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum NoteMeaning {
+    /// A shower.
+    Shower,
+    /// A visit to the bathroom.
+    Bathroom,
+    /// A time in bed.
+    Bed,
+    /// A meal.
+    Meal,
+    /// A time out; only its beginning if other notes mean coming home.
+    Leaves,
+    /// Coming home.
+    Comes,
+}
+
+/// A measure in the report for carers.
+#[derive(Clone, Copy, Debug)]
+pub struct CareUse {
+    /// The least standard deviation of the usual values (our choice).
+    pub least_sd: f64,
+    /// The coarser measure of the same thing. The report has the coarser one if the finer has no value at all.
+    pub instead_of: Option<&'static str>,
+}
+
+/// A measure in summaries. The figures are our choice.
+#[derive(Clone, Copy, Debug)]
+pub struct SummaryUse {
+    /// Of two sentences that say as much, the lower rank comes first.
+    pub rank: u8,
+    /// The subject. Of several measures with one subject, a summary has one.
+    pub subject: &'static str,
+    /// The range of the values; `None` if only changes have sentences.
+    pub range: Option<(f64, f64)>,
+    /// The least standard deviation of earlier values.
+    pub least_sd: f64,
+}
+
+/// The unit of a measure.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct MeasureUnit {
+    /// The unit in tables and JSON.
+    pub name: &'static str,
+    /// The code in the Unified Code for Units of Measure, for FHIR.
+    pub ucum: &'static str,
+    /// The form of values in sentences.
+    pub form: ValueForm,
+}
+
+/// The form of values in sentences.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ValueForm {
+    /// Hours.
+    Hours,
+    /// A time of day, in hours since midnight: 24.5 is half past midnight.
+    Clock,
+    /// A count.
+    Times,
+    /// Multiples of the usual value.
+    OfUsual,
+    /// Metres a second.
+    MetresASecond,
+    /// Any other amount: sentences give the difference in per cent.
+    Amount,
+}
+
+const fn unit(name: &'static str, ucum: &'static str, form: ValueForm) -> MeasureUnit {
+    MeasureUnit { name, ucum, form }
+}
+
+pub(super) const HOURS: MeasureUnit = unit("h", "h", ValueForm::Hours);
+pub(super) const CLOCK: MeasureUnit = unit("h of day", "1", ValueForm::Clock);
+pub(super) const VISITS: MeasureUnit = unit("visits", "{visits}", ValueForm::Times);
+pub(super) const TIMES: MeasureUnit = unit("times", "{times}", ValueForm::Times);
+pub(super) const BOUTS_AN_HOUR: MeasureUnit = unit("bouts/h", "{bouts}/h", ValueForm::Amount);
+pub(super) const OF_USUAL: MeasureUnit = unit("of usual", "1", ValueForm::OfUsual);
+pub(super) const METRES_A_SECOND: MeasureUnit = unit("m/s", "m/s", ValueForm::MetresASecond);
+pub(super) const FIRINGS_AN_HOUR: MeasureUnit = unit("firings/h", "{firings}/h", ValueForm::Amount);
+pub(super) const PATTERN_DISTANCE: MeasureUnit = unit("0-2.24", "1", ValueForm::Amount);
+pub(super) const SHARE: MeasureUnit = unit("0-1", "1", ValueForm::Amount);
+pub(super) const RATIO: MeasureUnit = unit("ratio", "1", ValueForm::Amount);
+
+impl fmt::Display for MeasureUnit {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        f.pad(self.name)
+    }
+}
+
+impl Serialize for MeasureUnit {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.serialize_str(self.name)
+    }
+}

@@ -1,0 +1,248 @@
+//! What an installer puts up: each sensor with its device, its place in words, its height and its angles.
+//!
+//! A place is told by distances from two walls, measured on the floor from their faces to the lens, or to the middle of what is on a
+//! ceiling or a floor. Sensors on a thing are where the thing is.
+//!
+//! We assume that a wall is where the home's file has one: where a room ends without a wall, its outline counts as one.
+//!
+//! Left out: prices, batteries and cables.
+
+mod layouts;
+mod place;
+
+pub use layouts::{LayoutComparison, LayoutSummary, SensorDifference, SensorLayout, beside};
+
+use homebody_core::geometry::{self, Point};
+use homebody_core::home::form::HomeFile;
+use homebody_core::plan::Plan;
+use homebody_core::sensors::Sensor;
+use homebody_core::sensors::kinds::SensorFile;
+use homebody_core::sensors::products::Product;
+use serde::Serialize;
+use std::fmt::{self, Write};
+
+/// Everything that is put up in a home.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct PartsList {
+    /// The home's name.
+    pub home: String,
+    /// How many of which device, the most first.
+    pub devices: Vec<Count>,
+    /// One a sensor, in the order of the home's file.
+    pub parts: Vec<SensorPart>,
+}
+
+/// So many of a device.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Count {
+    /// What people call it.
+    pub device: String,
+    /// How many there are.
+    pub count: usize,
+}
+
+/// A sensor as who puts it up has to know it.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct SensorPart {
+    /// From 1, in the order of the home's file.
+    pub number: usize,
+    /// The sensor's name.
+    pub name: String,
+    /// Its kind, as `home.json` has it.
+    pub kind: &'static str,
+    /// Make and model, or the kind where any will do.
+    pub device: String,
+    /// How its messages travel; empty where the device does not say.
+    pub network: &'static str,
+    /// The room that it is in; nothing between rooms, as on a door.
+    pub room: Option<String>,
+    /// The floor that the room is on, in a home of several.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub floor: Option<String>,
+    /// Where it goes, in words.
+    pub place: String,
+    /// Where it goes on the plan, in metres to the east and to the north.
+    pub at: [f64; 2],
+    /// The height of its lens above the floor, in metres, where it has one.
+    pub height_m: Option<f64>,
+    /// Where it looks: 0 is east, 90 is north.
+    pub facing_deg: Option<f64>,
+    /// The same in words.
+    pub looks: Option<String>,
+    /// How far its lens looks down, in degrees.
+    pub tilt_deg: Option<f64>,
+    /// Its angle of view, horizontal and vertical, in degrees.
+    pub field_deg: Option<[f64; 2]>,
+    /// How far it sees, in metres.
+    pub reach_m: Option<f64>,
+}
+
+impl PartsList {
+    /// Of a home that has passed its checks.
+    pub fn from_home(home: &HomeFile) -> PartsList {
+        let plan = Plan::new(home);
+        let sensors = home.sensors.iter().zip(1..);
+        let parts: Vec<SensorPart> =
+            sensors.filter_map(|(file, number)| SensorPart::from_file(file, number, home, &plan)).collect();
+        let mut devices: Vec<Count> = Vec::new();
+        for part in &parts {
+            match devices.iter_mut().find(|count| count.device == part.device) {
+                Some(count) => count.count += 1,
+                None => devices.push(Count { device: part.device.clone(), count: 1 }),
+            }
+        }
+        devices.sort_by_key(|count| std::cmp::Reverse(count.count));
+        PartsList { home: home.name.clone(), devices, parts }
+    }
+
+    /// As comma-separated values with a head, as spreadsheets read them.
+    pub fn csv(&self) -> String {
+        let mut text = "number,name,device,network,floor,room,place,east_m,north_m,height_m,facing_deg,looks,tilt_deg,\
+                        field_across_deg,field_down_deg,reach_m\n"
+            .to_owned();
+        for part in &self.parts {
+            let number = |value: Option<f64>| value.map_or(String::new(), |value| value.to_string());
+            let cells = [
+                part.number.to_string(),
+                quoted(&part.name),
+                quoted(&part.device),
+                part.network.to_owned(),
+                quoted(part.floor.as_deref().unwrap_or_default()),
+                quoted(part.room.as_deref().unwrap_or_default()),
+                quoted(&part.place),
+                part.at[0].to_string(),
+                part.at[1].to_string(),
+                number(part.height_m),
+                number(part.facing_deg),
+                quoted(part.looks.as_deref().unwrap_or_default()),
+                number(part.tilt_deg),
+                number(part.field_deg.map(|field| field[0])),
+                number(part.field_deg.map(|field| field[1])),
+                number(part.reach_m),
+            ];
+            let _ = writeln!(text, "{}", cells.join(","));
+        }
+        text
+    }
+}
+
+/// A cell as RFC 4180 has it. What a spreadsheet would take for a formula is kept from being one.
+fn quoted(cell: &str) -> String {
+    let plain = if cell.starts_with(['=', '+', '-', '@']) { format!("'{cell}") } else { cell.to_owned() };
+    match plain.contains([',', '"', '\n', '\r']) {
+        true => format!("\"{}\"", plain.replace('"', "\"\"")),
+        false => plain,
+    }
+}
+
+impl SensorPart {
+    fn from_file(file: &SensorFile, number: usize, home: &HomeFile, plan: &Plan) -> Option<SensorPart> {
+        let sensor = Sensor::new(file, plan)?;
+        let device = file.preset().map(Product::new);
+        let room = plan.room_at(sensor.at).map(|room| &home.rooms[room]);
+        let rounded = |value: f64| (value * 100.0).round() / 100.0;
+        let mut part = SensorPart {
+            number,
+            name: file.name().to_owned(),
+            kind: file.row().key,
+            device: device.map_or_else(|| format!("{} sensor, any make", file.row().label), |device| device.name()),
+            network: device.map_or("", |device| device.network),
+            room: room.map(|room| room.name.clone()),
+            floor: room.and_then(|room| room.floor.clone()),
+            place: String::new(),
+            at: [rounded(sensor.at.x), rounded(sensor.at.y)],
+            height_m: None,
+            facing_deg: None,
+            looks: None,
+            tilt_deg: None,
+            field_deg: None,
+            reach_m: None,
+        };
+        let facing = match file {
+            SensorFile::Motion(motion) => {
+                (part.field_deg, part.reach_m) = (Some(motion.field_deg), Some(motion.reach_m));
+                Some((motion.height_m, motion.facing_deg, motion.tilt_deg))
+            }
+            SensorFile::Camera(camera) => {
+                let [columns, rows] = camera.pixels.map(f64::from);
+                let half_across = (camera.field_deg / 2.0).to_radians();
+                let down = 2.0 * (half_across.tan() * rows / columns).atan().to_degrees();
+                part.field_deg = Some([camera.field_deg, rounded(down)]);
+                Some((camera.height_m, camera.facing_deg, camera.tilt_deg))
+            }
+            _ => None,
+        };
+        if let Some((height_m, facing_deg, tilt_deg)) = facing {
+            let facing_deg = facing_deg.rem_euclid(360.0);
+            (part.height_m, part.facing_deg, part.tilt_deg) = (Some(height_m), Some(facing_deg), Some(tilt_deg));
+            part.looks = Some(place::looks(plan, sensor.at, facing_deg));
+        }
+        part.place = words(file, plan, sensor.at);
+        Some(part)
+    }
+}
+
+fn words(file: &SensorFile, plan: &Plan, at: Point) -> String {
+    let from_walls = place::from_walls(plan, at);
+    let extent = |area: &[[f64; 2]]| {
+        let (least, most) = geometry::bounds(area.iter().map(|&at| geometry::point(at)));
+        let size = most - least;
+        format!("{:.1} x {:.1} m", size.x, size.y)
+    };
+    match file {
+        SensorFile::Motion(_) => place::on_wall(plan, at),
+        SensorFile::CeilingMotion(ceiling) => {
+            format!("on the ceiling, {from_walls}; looks down on {}", extent(&ceiling.area))
+        }
+        _ => match (file.area(), file.on(), file.room()) {
+            (Some(area), ..) => format!("on the floor, its middle {from_walls}; {} large", extent(area)),
+            (_, Some(on), _) if plan.rooms.iter().any(|room| room.name == on) => format!("at the lamp of {on}"),
+            (_, Some(on), _) => format!("at {on}, {from_walls}"),
+            (_, _, Some(room)) => format!("anywhere in {room}"),
+            _ => from_walls,
+        },
+    }
+}
+
+impl fmt::Display for PartsList {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        writeln!(f, "{}: what is put up\n", self.home)?;
+        if self.parts.is_empty() {
+            return writeln!(f, "The home has no sensors.");
+        }
+        for Count { device, count } in &self.devices {
+            writeln!(f, "{count:>4}  {device}")?;
+        }
+        for part in &self.parts {
+            writeln!(f, "\n{:>4}  {}: {}", part.number, part.name, part.device)?;
+            writeln!(f, "      {}", part.whereabouts())?;
+            if let Some(aim) = part.aim() {
+                writeln!(f, "      {aim}")?;
+            }
+        }
+        Ok(())
+    }
+}
+
+impl SensorPart {
+    /// Floor, room and place in one line.
+    pub fn whereabouts(&self) -> String {
+        let room = self.room.as_deref().filter(|room| !self.place.ends_with(room));
+        let parts = [self.floor.as_deref(), room, Some(&*self.place)];
+        parts.into_iter().flatten().collect::<Vec<_>>().join(": ")
+    }
+
+    /// Height, direction and field in one line; nothing for what has no lens.
+    pub fn aim(&self) -> Option<String> {
+        let (height_m, tilt_deg) = (self.height_m?, self.tilt_deg?);
+        let looks = self.looks.as_deref().unwrap_or_default();
+        let mut aim = format!("{height_m:.2} m high, looks {looks}, {tilt_deg:.0}° down");
+        if let Some([across, down]) = self.field_deg {
+            let _ = write!(aim, "; sees {across:.0}° by {down:.0}°");
+        }
+        if let Some(reach_m) = self.reach_m {
+            let _ = write!(aim, ", {reach_m:.0} m far");
+        }
+        Some(aim)
+    }
+}

@@ -1,0 +1,75 @@
+//! The home as a run uses it: checked, resolved, baked, and never changed.
+
+use crate::plan::Plan;
+use crate::plan::sun::{self, Sun};
+use crate::resident::Build;
+
+pub mod bake;
+pub mod field;
+pub mod form;
+pub mod resolved;
+
+use crate::numbers::Numbers;
+use crate::posture::Posture;
+use crate::sensors::{Sensor, SensorInfo};
+use crate::time::RunTime;
+use field::Field;
+use resolved::ResolvedHome;
+
+/// A home and the bodies it was baked for.
+#[derive(Clone, Debug)]
+pub struct Home {
+    /// Walls, doors, furniture and rooms, as bodies and beams meet them.
+    pub plan: Plan,
+    /// The sensors by [`SensorId`](crate::ids::SensorId); after those of the home's file, one for each place that a
+    /// sensor is moved to.
+    pub sensors: Vec<Sensor>,
+    /// Where the sun stands as the run begins, for what measures light and warmth.
+    pub sun: Sun,
+    /// What the scenario sets otherwise in the models of people and sensors.
+    pub numbers: Numbers,
+    /// One field for each size of body that lives here.
+    pub fields: Vec<Field>,
+    /// The resident's fields: of who stands, of who sits, and of who lies.
+    postures: Vec<[usize; 3]>,
+}
+
+impl Home {
+    /// Whether it is dark out of doors, so that lamps are lit.
+    pub fn is_dark(&self, at: RunTime) -> bool {
+        self.sun.elevation_sine(at) < self.numbers.of(&sun::DARK)
+    }
+
+    /// Bakes a home for the bodies that live there.
+    pub fn bake(home: &ResolvedHome, residents: &[Build]) -> Home {
+        let (plan, sensors, numbers) = (home.plan().clone(), home.placed_sensors().to_vec(), home.numbers().clone());
+        let mut home = Home { plan, sensors, sun: Sun::default(), numbers, fields: Vec::new(), postures: Vec::new() };
+        for build in residents {
+            let fields = [Posture::Standing, Posture::Sitting, Posture::Lying].map(|posture| {
+                let size = build.size(posture, &home.numbers);
+                let known = home.fields.iter().position(|field| field.size == size);
+                known.unwrap_or_else(|| {
+                    home.fields.push(Field::bake(&home.plan, &home.sensors, size));
+                    home.fields.len() - 1
+                })
+            });
+            home.postures.push(fields);
+        }
+        home
+    }
+
+    /// What there is to say of each sensor, in the order of [`Home::sensors`].
+    pub fn sensor_infos(&self) -> Vec<SensorInfo> {
+        self.sensors.iter().map(|sensor| sensor.info(&self.plan)).collect()
+    }
+
+    /// What the sensors see of a resident in a posture.
+    pub fn field(&self, resident: usize, posture: Posture) -> &Field {
+        let height = match posture {
+            Posture::Standing => 0,
+            Posture::Sitting | Posture::Bending | Posture::Kneeling => 1,
+            Posture::Lying | Posture::Down => 2,
+        };
+        &self.fields[self.postures[resident][height]]
+    }
+}

@@ -1,0 +1,170 @@
+//! The sensors: one file per kind, all in the same shape, and the timing they share. [`kinds`] lists them.
+
+pub mod bed;
+pub mod camera;
+pub mod ceiling_motion;
+pub mod contact;
+pub mod flow;
+pub mod form;
+pub mod kinds;
+pub mod light;
+pub mod messages;
+pub mod motion;
+pub mod notice;
+pub mod outbox;
+pub mod power;
+pub mod preset;
+pub mod pressure;
+pub mod products;
+mod rounds;
+pub mod stove_temperature;
+pub mod temperature;
+pub mod timing;
+pub(crate) mod zones;
+
+use crate::camera::outlook::Outlook;
+use crate::event::Value;
+use crate::geometry::{self, Point};
+use crate::ids::{RoomId, ThingId};
+use crate::plan::Plan;
+use ceiling_motion::CeilingMotion;
+use form::{KindRow, Site, Unit};
+use kinds::{SensorDevice, SensorFile};
+use motion::Motion;
+use notice::NoticeChance;
+use std::sync::Arc;
+use timing::FiringTiming;
+
+/// A sensor as a run uses it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Sensor {
+    /// Its name in the home's file.
+    pub name: String,
+    /// Of sensors that look for movement.
+    pub timing: FiringTiming,
+    /// What a sensor that looks for movement notices of it; `None` for all.
+    pub chance: Option<NoticeChance>,
+    /// What it works with.
+    pub kind: SensorKind,
+    /// Where it is, seen from above.
+    pub at: Point,
+    /// What there is to know of its kind.
+    pub row: &'static KindRow,
+    /// The room that it is in; nothing between rooms, as on a door.
+    pub room: Option<RoomId>,
+    /// Of its readings; nothing for one that gives none.
+    pub unit: Option<Unit>,
+}
+
+/// What there is to say of a sensor before it has said anything: what the destinations of a log are told as it begins.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SensorInfo {
+    /// As the home's file has it; a log may know the sensor by an id besides.
+    pub name: String,
+    /// What there is to know of its kind.
+    pub kind: &'static KindRow,
+    /// The name of the room that it is in; nothing between rooms, as on a door.
+    pub room: Option<String>,
+    /// Of its readings; nothing for one that gives none.
+    pub unit: Option<Unit>,
+    /// What it can say besides readings; the text of each is that of logs that are stored as sent.
+    pub values: &'static [Value],
+    /// Where it is on the floor plan, in metres.
+    pub at: Point,
+}
+
+/// What a sensor works with: two kinds look for movement, the others are told what happens.
+#[derive(Clone, Debug, PartialEq)]
+pub enum SensorKind {
+    /// A fan of beams from a wall.
+    Motion(Motion),
+    /// An area below the ceiling.
+    CeilingMotion(CeilingMotion),
+    /// As it is when a run begins.
+    Device(Box<SensorDevice>),
+}
+
+impl Sensor {
+    /// The sensor that a file describes; nothing where the plan does not have what it is on, or the room that it is in.
+    pub fn new(file: &SensorFile, plan: &Plan) -> Option<Sensor> {
+        let (kind, at) = match file {
+            SensorFile::Motion(file) => {
+                let motion = Motion::new(file);
+                let lens = motion.lens;
+                (SensorKind::Motion(motion), lens)
+            }
+            SensorFile::CeilingMotion(file) => {
+                let area = CeilingMotion::new(file);
+                let middle = area.middle;
+                (SensorKind::CeilingMotion(area), middle)
+            }
+            told => {
+                let site = site(told, plan)?;
+                let device = SensorDevice::new(told, &site).expect("all that does not look for movement is told");
+                (SensorKind::Device(Box::new(device)), site.at)
+            }
+        };
+        Some(Sensor {
+            name: file.name().to_owned(),
+            timing: FiringTiming::new(file.timing()),
+            chance: file.notice_chance(),
+            kind,
+            at,
+            row: file.row(),
+            room: plan.room_at(at).map(RoomId::new),
+            unit: file.row().unit.filter(|_| file.gives_readings()),
+        })
+    }
+
+    /// What there is to say of it; the plan is that of its home.
+    pub fn info(&self, plan: &Plan) -> SensorInfo {
+        SensorInfo {
+            name: self.name.clone(),
+            kind: self.row,
+            room: self.room.map(|room| plan.rooms[room.index()].name.clone()),
+            unit: self.unit,
+            values: self.row.values,
+            at: self.at,
+        }
+    }
+
+    /// Whether it has a fan of beams, rather than an area below it.
+    pub fn is_on_wall(&self) -> bool {
+        matches!(self.kind, SensorKind::Motion(_))
+    }
+
+    /// Whether it looks for movement, rather than being told what happens.
+    pub fn senses_motion(&self) -> bool {
+        !matches!(self.kind, SensorKind::Device(_))
+    }
+}
+
+/// Where a device is; nothing where the plan does not have what it is on, or the room that it is in.
+fn site(file: &SensorFile, plan: &Plan) -> Option<Site> {
+    if let Some(spot) = file.spot() {
+        let at = geometry::point(spot);
+        let lamp = plan.room_at(at).and_then(|room| plan.lamp(&plan.rooms[room].name));
+        let outlook = Arc::new(Outlook::new(plan));
+        let thing = ThingId::new(lamp.unwrap_or(plan.things.len()));
+        return Some(Site { thing, at, outlook, ..Site::default() });
+    }
+    if let Some(area) = file.area() {
+        let outline: Vec<Point> = area.iter().map(|&at| geometry::point(at)).collect();
+        let at = geometry::inner_point(&outline);
+        return Some(Site { thing: ThingId::new(plan.things.len()), is_open: false, at, outline, ..Site::default() });
+    }
+    let thing = match (file.on(), file.room()) {
+        (Some(on), _) => plan.thing(on)?,
+        (None, room) => plan.lamp(room?)?,
+    };
+    let found = &plan.things[thing];
+    let piece = file.on().and_then(|on| plan.piece(on));
+    Some(Site {
+        thing: ThingId::new(thing),
+        is_open: found.on,
+        at: found.at,
+        outline: piece.map(|piece| piece.outline.clone()).unwrap_or_default(),
+        height_m: piece.map_or(f64::INFINITY, |piece| piece.height_m),
+        ..Site::default()
+    })
+}

@@ -1,0 +1,121 @@
+//! The reports of a fleet while it runs, and at its end.
+
+use homebody_log::fleet::Lateness;
+use serde::Serialize;
+use std::fs;
+
+/// A report on a fleet since the last report; the last one is on the whole time.
+#[derive(Clone, Debug, Default, PartialEq, Serialize)]
+pub struct FleetReport {
+    /// By the world's clock, in UTC.
+    pub time: String,
+    /// The time since the start of delivery, in seconds.
+    pub running_s: f64,
+    /// The time that the report covers, in seconds.
+    pub span_s: f64,
+    /// Whether it is about the whole time, and the last.
+    pub is_last: bool,
+    /// Homes that are there now.
+    pub homes: usize,
+    /// Homes that the fleet has.
+    pub homes_in_all: usize,
+    /// Homes that have come and gone since the fleet began.
+    pub came: u64,
+    /// The same.
+    pub went: u64,
+    /// Homes whose simulation ended, because a driver failed.
+    pub failed: usize,
+    /// Messages that all destinations have taken, each counted at each.
+    pub messages: u64,
+    /// The same by second.
+    pub messages_per_s: f64,
+    /// Messages of these that were to be told at this time and not before it: those of which lateness is counted.
+    pub timed: u64,
+    /// Half of them were no later than this, in milliseconds, from when a message was due to when the destination had it.
+    pub late_median_ms: f64,
+    /// 99 % of them were no later.
+    pub late_99_ms: f64,
+    /// The latest.
+    pub late_most_ms: f64,
+    /// The age of the oldest message that is overdue, in seconds.
+    pub behind_s: f64,
+    /// Messages that are due and not told yet.
+    pub waiting: usize,
+    /// The lead of the simulation of all homes, in seconds: below 0, messages are late because of it.
+    pub ahead_s: f64,
+    /// Outages that have ended since the fleet began.
+    pub storms: u64,
+    /// Whether the network of all homes is away.
+    pub is_away: bool,
+    /// The number of retried calls to destinations since the start.
+    pub retries: u64,
+    /// The memory of this program, in megabytes; None where the system does not say.
+    pub memory_mb: Option<f64>,
+    /// The processor time of this program; 1 is one whole processor.
+    pub processors: Option<f64>,
+    /// Each destination.
+    pub destinations: Vec<DestinationReport>,
+}
+
+/// The part of a report about one destination.
+#[derive(Clone, Debug, Default, PartialEq, Serialize)]
+pub struct DestinationReport {
+    /// The place.
+    pub place: String,
+    /// Messages that it has taken.
+    pub messages: u64,
+    /// As for the whole.
+    pub late_median_ms: f64,
+    /// As for the whole.
+    pub late_99_ms: f64,
+    /// As for the whole.
+    pub late_most_ms: f64,
+    /// Messages that are due and not told yet.
+    pub waiting: usize,
+    /// The number of retried calls since the start.
+    pub retries: u64,
+    /// Whether it is away.
+    pub is_away: bool,
+}
+
+/// Median, 99 % and most, in milliseconds.
+pub(super) fn late_ms(lateness: &Lateness) -> [f64; 3] {
+    [lateness.quantile_us(0.5), lateness.quantile_us(0.99), lateness.most_us()].map(|us| us as f64 / 1000.0)
+}
+
+/// The memory of this program in megabytes.
+pub(super) fn memory_mb() -> Option<f64> {
+    let status = fs::read_to_string("/proc/self/status").ok()?;
+    let line = status.lines().find_map(|line| line.strip_prefix("VmRSS:"))?;
+    Some(line.trim().strip_suffix("kB")?.trim().parse::<f64>().ok()? * 1024.0 / 1e6)
+}
+
+/// The processor time of this program so far, in seconds.
+pub(super) fn processor_s() -> Option<f64> {
+    /// Of such the system counts a hundred a second, on every machine that has this file.
+    const TICKS_PER_S: f64 = 100.0;
+    let stat = fs::read_to_string("/proc/self/stat").ok()?;
+    // The name of the program, in parentheses, may have spaces in it.
+    let fields: Vec<&str> = stat.rsplit_once(')')?.1.split_whitespace().collect();
+    let [user, system] = [fields.get(11)?, fields.get(12)?].map(|ticks| ticks.parse::<f64>().ok());
+    Some((user? + system?) / TICKS_PER_S)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    #[cfg(target_os = "linux")]
+    fn the_system_says_what_the_program_takes() {
+        let memory = memory_mb().unwrap();
+        // Other tests of this program take and give back some memory meanwhile.
+        let more: Vec<u8> = vec![1; 500_000_000];
+        let after = memory_mb().unwrap();
+        assert!(more[499_999_999] == 1 && after - memory > 250.0, "{memory} and then {after}");
+        let (before, begun) = (processor_s().unwrap(), std::time::Instant::now());
+        while processor_s().unwrap() < before + 0.05 {
+            assert!(begun.elapsed().as_secs() < 30, "what works takes time");
+        }
+    }
+}

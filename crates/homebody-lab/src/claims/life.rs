@@ -1,0 +1,308 @@
+//! The truth of a run, kept in little memory: activities, rooms, walks, and things that were on or open.
+
+use super::subject::{Filter, Subject};
+use homebody_core::activity::{
+    AWAY, DRINKING, EATING_BREAKFAST, EATING_DINNER, EATING_LUNCH, HAVING_A_SNACK, LAPPING, LYING_AWAKE, PACING,
+    PREPARING_BREAKFAST, PREPARING_DINNER, PREPARING_LUNCH, SLEEPING, TAKING_MEDICINE, USING_BATHROOM, WANDERING,
+};
+use homebody_core::calendar::Calendar;
+use homebody_core::event::{Events, Fact};
+use homebody_core::motion::MotionState;
+use homebody_core::posture::Posture;
+use homebody_core::run::Run;
+use homebody_core::time::{HOUR, Interval, MINUTE, RunTime, SECOND, Span};
+use homebody_timeline::{Episode, PersonTimeline, TimelineBuilder};
+
+/// Interruption within which an activity is one, apart from the time of meals, medicine and the toilet (our choice).
+const INTERRUPTED: Span = MINUTE.times(20);
+
+/// Gap below which two intervals are one: they touch or overlap.
+const TOUCHING: Span = Span::MICROSECOND;
+
+/// Activities that interrupt others, which continue after them: their time does not count as a gap.
+const INTERRUPTING: [&str; 10] = [
+    DRINKING,
+    EATING_BREAKFAST,
+    EATING_DINNER,
+    EATING_LUNCH,
+    HAVING_A_SNACK,
+    PREPARING_BREAKFAST,
+    PREPARING_DINNER,
+    PREPARING_LUNCH,
+    TAKING_MEDICINE,
+    USING_BATHROOM,
+];
+
+/// Short activities: each time counts alone.
+const EACH_ALONE: [&str; 9] =
+    [AWAY, DRINKING, HAVING_A_SNACK, LYING_AWAKE, PACING, TAKING_MEDICINE, USING_BATHROOM, LAPPING, WANDERING];
+
+/// Shortest stride with a known speed, in metres (our choice).
+const LEAST_M: f64 = 1.0;
+
+/// When something was done, was on, or was open; `lasted` leaves interruptions out.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Occurrence {
+    /// The day, or the night, that it counts to.
+    pub day: i32,
+    pub time: Interval<RunTime>,
+    pub lasted: Span,
+    /// When it begins, in minutes of the day.
+    clock_min: f64,
+}
+
+/// The truth of a run, as far as claims ask for it.
+#[derive(Clone, Debug)]
+pub struct Life {
+    calendar: Calendar,
+    days: i32,
+    /// Takes facts until the run ends.
+    builder: TimelineBuilder,
+    /// The activities and rooms of each body, once the run has ended.
+    people: Vec<PersonTimeline>,
+    things: Vec<(String, Vec<(RunTime, bool)>)>,
+    lamps_from: usize,
+    bodies: Vec<Body>,
+    said: Vec<(RunTime, String)>,
+    fired: Vec<RunTime>,
+}
+
+#[derive(Clone, Debug, Default)]
+struct Body {
+    /// By day: metres, speeds with the metres that they are of, and seconds of movement in bed.
+    metres: Vec<f64>,
+    paces: Vec<(f64, f64)>,
+    turning_s: Vec<f64>,
+    /// The severities of conditions, from when on.
+    severities: Vec<(RunTime, String, f64)>,
+}
+
+impl Life {
+    pub fn new(run: &Run, calendar: &Calendar, days: i32) -> Life {
+        let plan = &run.home().plan;
+        let many = days.max(0) as usize + 1;
+        let body = |_| Body {
+            metres: vec![0.0; many],
+            paces: vec![(0.0, 0.0); many],
+            turning_s: vec![0.0; many],
+            ..Body::default()
+        };
+        Life {
+            calendar: calendar.clone(),
+            days,
+            builder: TimelineBuilder::of(run),
+            people: Vec::new(),
+            things: plan
+                .things
+                .iter()
+                .map(|thing| (thing.name.to_lowercase(), vec![(RunTime::START, thing.on)]))
+                .collect(),
+            lamps_from: plan.things.len() - plan.rooms.len(),
+            bodies: run.names().into_iter().map(body).collect(),
+            said: Vec::new(),
+            fired: Vec::new(),
+        }
+    }
+
+    /// Takes the events of a part of the run.
+    pub fn absorb(&mut self, events: &Events) {
+        self.builder.take(&events.facts);
+        for fact in &events.facts {
+            match fact {
+                Fact::Use { at, act, .. } => self.things[act.thing.0 as usize].1.push((*at, act.on)),
+                Fact::Condition { resident, at, name, severity } => {
+                    self.bodies[resident.index()].severities.push((*at, name.clone(), *severity));
+                }
+                Fact::Movement { resident, begin, end, doing, posture } => {
+                    let day = self.calendar.day(*begin).clamp(0, self.days) as usize;
+                    self.bodies[resident.index()].moved(day, (*end - *begin).seconds(), doing, *posture);
+                }
+                _ => {}
+            }
+        }
+        for firing in &events.firings {
+            self.fired.push(firing.at);
+            self.said.push((firing.at, firing.value.to_string()));
+        }
+    }
+
+    /// Ends the activities and stays that are under way at the end of the run. Claims can be judged after that.
+    pub fn finish(&mut self) {
+        self.people = std::mem::take(&mut self.builder).finish(self.end()).people;
+    }
+
+    fn end(&self) -> RunTime {
+        self.calendar.instant(self.days, Span::ZERO)
+    }
+
+    /// A body by its name, or the last part of it, such as `daughter`; the one at `else_of` without a name.
+    pub fn body(&self, name: Option<&str>, else_of: usize) -> Option<usize> {
+        let Some(name) = name else { return Some(else_of) };
+        self.people.iter().position(|person| person.name.to_lowercase().ends_with(&name.to_lowercase()))
+    }
+
+    /// The days that count; of nights, those that are lived to their end.
+    pub fn days(&self, filter: &Filter, nights: bool) -> Vec<i32> {
+        let last = if nights { self.days - 1 } else { self.days };
+        (0..last).filter(|&day| filter.is_day(day, self.calendar.weekday(day))).collect()
+    }
+
+    /// The Mondays of the weeks that are lived whole.
+    pub fn whole_weeks(&self) -> Vec<i32> {
+        (0..=self.days - 7).filter(|&day| self.calendar.weekday(day) == 0).collect()
+    }
+
+    /// Midnight before an instant.
+    pub fn midnight(&self, at: RunTime) -> RunTime {
+        self.calendar.instant(self.calendar.day(at), Span::ZERO)
+    }
+
+    /// Each time of what counts, in order of time.
+    pub fn occurrences(&self, who: usize, subject: &Subject, filter: &Filter, nights: bool) -> Vec<Occurrence> {
+        let days = self.days(filter, nights);
+        let mut all = self.spans(who, subject);
+        for one in &mut all {
+            // A night goes from noon to noon.
+            one.day = self.calendar.day(if nights { one.time.begin - 12 * HOUR } else { one.time.begin });
+        }
+        all.retain(|one| {
+            let is_then = filter.between.is_none_or(|(from, to)| {
+                let minute = one.clock_min();
+                (from..to).contains(&minute) || (from..to).contains(&(minute + 1440.0))
+            });
+            let is_long = filter.at_least.is_none_or(|least| one.time.length().seconds() >= least * 60.0);
+            is_then && is_long && days.binary_search(&one.day).is_ok()
+        });
+        all
+    }
+
+    /// Each time of a subject, in order of time; what is interrupted counts once.
+    pub fn spans(&self, who: usize, subject: &Subject) -> Vec<Occurrence> {
+        match subject {
+            Subject::Activity(name) => {
+                let apart = EACH_ALONE.contains(&name.as_str());
+                // The time that interruptions took until each episode.
+                let (mut taken, mut spans) = (Span::ZERO, Vec::new());
+                for Episode { label, time } in &self.people[who].activities {
+                    if label == name {
+                        spans.push((*time, taken));
+                    } else if INTERRUPTING.contains(&label.as_str()) {
+                        taken += time.length();
+                    }
+                }
+                self.joined(spans.into_iter(), if apart { TOUCHING } else { INTERRUPTED })
+            }
+            Subject::Thing(name) => {
+                let is_it = |index: &usize| self.things[*index].0 == *name && *index < self.lamps_from;
+                self.while_on((0..self.lamps_from).filter(is_it))
+            }
+            Subject::Room(name) => {
+                let stays = self.people[who].rooms.iter().filter(|stay| stay.label == *name);
+                self.joined(stays.map(|stay| (stay.time, Span::ZERO)), TOUCHING)
+            }
+            Subject::Lamps => self.while_on(self.lamps_from..self.things.len()),
+            Subject::Says(value) => {
+                let said = self.said.iter().filter(|(_, of)| of == value);
+                self.joined(said.map(|(at, _)| (Interval::instant(*at), Span::ZERO)), TOUCHING)
+            }
+            _ => Vec::new(),
+        }
+    }
+
+    fn while_on(&self, things: impl Iterator<Item = usize>) -> Vec<Occurrence> {
+        let end = self.end();
+        let mut spans: Vec<(Interval<RunTime>, Span)> = Vec::new();
+        for thing in things {
+            let acts = &self.things[thing].1;
+            for (index, (at, _)) in acts.iter().enumerate().filter(|(_, (_, on))| *on) {
+                let until = acts.get(index + 1).map_or(end, |(at, _)| *at);
+                spans.push((Interval::new(*at, until), Span::ZERO));
+            }
+        }
+        spans.sort_unstable();
+        self.joined(spans.into_iter(), TOUCHING)
+    }
+
+    /// Intervals with less than a gap between them as one; with each, how long interruptions had taken by then.
+    fn joined(&self, spans: impl Iterator<Item = (Interval<RunTime>, Span)>, gap: Span) -> Vec<Occurrence> {
+        let (mut all, mut before): (Vec<Occurrence>, Span) = (Vec::new(), Span::ZERO);
+        for (time, taken) in spans {
+            let Interval { begin, end } = time;
+            let interrupted = taken - std::mem::replace(&mut before, taken);
+            match all.last_mut() {
+                Some(last) if begin - last.time.end - interrupted < gap => {
+                    last.lasted += end - begin.max(last.time.end).min(end);
+                    last.time.end = last.time.end.max(end);
+                }
+                _ => {
+                    let clock_min = (begin - self.midnight(begin)).seconds() / 60.0;
+                    all.push(Occurrence { day: 0, time, lasted: time.length(), clock_min });
+                }
+            }
+        }
+        all
+    }
+
+    /// The part of an interval that is spent in a room.
+    pub fn time_in(&self, who: usize, room: &str, within: Interval<RunTime>) -> Span {
+        let stays = &self.people[who].rooms;
+        let first = stays.partition_point(|stay| stay.end() <= within.begin);
+        let until = stays[first..].iter().take_while(|stay| stay.begin() < within.end);
+        until.filter(|stay| stay.label == room).map(|stay| stay.time.overlap(within)).sum()
+    }
+
+    /// A number for each day that counts.
+    pub fn daily(&self, who: usize, subject: &Subject, filter: &Filter) -> Vec<f64> {
+        let body = &self.bodies[who];
+        let days = self.days(filter, false);
+        let of = |day: &i32| -> f64 {
+            let index = *day as usize;
+            match subject {
+                Subject::Metres => body.metres[index],
+                Subject::Pace => body.paces[index].0 / body.paces[index].1,
+                Subject::Firings => {
+                    let (from, to) = filter.between.unwrap_or((0.0, 1440.0));
+                    let at = |minute: f64| self.calendar.instant(*day, (minute * 60.0) as i64 * SECOND);
+                    let before = |at: RunTime| self.fired.partition_point(|fired| *fired < at) as f64;
+                    before(at(to)) - before(at(from))
+                }
+                Subject::Turning => {
+                    let one = Filter { days: Some((day + 1, day + 1)), ..Filter::default() };
+                    let asleep = self.occurrences(who, &Subject::Activity(SLEEPING.to_owned()), &one, false);
+                    body.turning_s[index] / (asleep.iter().map(|of| of.lasted.seconds()).sum::<f64>() / 3600.0)
+                }
+                Subject::Severity(name) => {
+                    let noon = self.calendar.instant(*day, 12 * HOUR);
+                    let mut known = body.severities.iter().filter(|(at, of, _)| *at <= noon && of == name);
+                    known.next_back().map_or(0.0, |(.., severity)| *severity)
+                }
+                _ => f64::NAN,
+            }
+        };
+        days.iter().map(of).filter(|value| !value.is_nan()).collect()
+    }
+}
+
+impl Body {
+    fn moved(&mut self, day: usize, lasts_s: f64, doing: &MotionState, posture: Posture) {
+        match doing {
+            MotionState::Stride { from, to } => {
+                let length = from.distance(*to);
+                self.metres[day] += length;
+                if length >= LEAST_M {
+                    self.paces[day].0 += length;
+                    self.paces[day].1 += lasts_s;
+                }
+            }
+            MotionState::InPlace { .. } if posture == Posture::Lying => self.turning_s[day] += lasts_s,
+            _ => {}
+        }
+    }
+}
+
+impl Occurrence {
+    /// When it begins, in minutes of the day.
+    pub fn clock_min(&self) -> f64 {
+        self.clock_min
+    }
+}

@@ -1,0 +1,181 @@
+//! The claims as they stand in `claims.txt`: cases, each some sentences of a routine and what is to come of them.
+
+use super::measure::Measure;
+use super::subject::{Filter, Subject};
+use std::fmt::Write;
+
+/// The whole table.
+pub const CLAIMS: &str = include_str!("claims.txt");
+
+/// The effects of conditions, by their sources.
+pub const CONDITIONS: &str = include_str!("conditions.txt");
+
+/// Sentences, the home and routine that they are added to, and claims.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Case {
+    /// Counted from 1.
+    pub line: usize,
+    /// The form of sentences that it belongs to.
+    pub form: String,
+    pub home: Home,
+    /// Whose routine the sentences are put over; the home's first resident without it.
+    pub whose: Option<String>,
+    /// The sentences stand alone, without the calm routine.
+    pub alone: bool,
+    /// The day that the run begins on, if it matters.
+    pub start: Option<String>,
+    /// Days to simulate, if the number matters.
+    pub days: Option<i32>,
+    /// The sentences that are tried.
+    pub said: Vec<String>,
+    /// Sentences that the twin has as well.
+    pub both: Vec<String>,
+    pub claims: Vec<Claim>,
+}
+
+/// The home of a case.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Home {
+    /// One woman alone.
+    #[default]
+    Apartment,
+    /// A couple with a cat.
+    Couple,
+}
+
+/// One claim: what is to come of the sentences.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Claim {
+    /// As it stands in the table.
+    pub text: String,
+    /// The source of its size, if it is named.
+    pub source: String,
+    pub what: What,
+}
+
+#[derive(Clone, Debug, PartialEq)]
+pub enum What {
+    /// It is told before the run, in these words.
+    Told(String),
+    Measured {
+        of: Option<String>,
+        subject: Subject,
+        measure: Measure,
+        filter: Filter,
+        beside: Beside,
+    },
+}
+
+/// The comparison of a measure.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Beside {
+    Itself,
+    /// It is divided by the same of the twin, who has not heard the sentences.
+    ShareOfTwin,
+    /// The same of the twin is taken from it.
+    MoreThanTwin,
+}
+
+impl Case {
+    /// All cases of a text.
+    ///
+    /// # Errors
+    ///
+    /// Lines that cannot be read.
+    pub fn read(text: &str) -> Result<Vec<Case>, String> {
+        let mut cases: Vec<Case> = Vec::new();
+        let (mut form, mut case) = (String::new(), Case::default());
+        for (number, line) in text.lines().enumerate() {
+            let trimmed = line.trim();
+            let wrong = |why: String| format!("line {}: {why}: {trimmed:?}", number + 1);
+            if trimmed.is_empty() || trimmed.starts_with('#') {
+                finish(&mut cases, &mut case).map_err(wrong)?;
+                if let Some(title) = trimmed.strip_prefix("## ") {
+                    title.clone_into(&mut form);
+                }
+                continue;
+            }
+            if case.line == 0 {
+                (case.line, case.form) = (number + 1, form.clone());
+            }
+            if let Some(claim) = trimmed.strip_prefix("= ") {
+                case.claims.push(Claim::read(claim).map_err(wrong)?);
+            } else if let Some(both) = trimmed.strip_prefix("+ ") {
+                case.both.push(both.to_owned());
+            } else if let Some(setting) = trimmed.strip_prefix("@ ") {
+                case.set(setting).map_err(wrong)?;
+            } else {
+                case.said.push(line.to_owned());
+            }
+        }
+        finish(&mut cases, &mut case).map_err(|why| format!("at the end: {why}"))?;
+        Ok(cases)
+    }
+
+    fn set(&mut self, setting: &str) -> Result<(), String> {
+        match setting.split_once(' ').unwrap_or((setting, "")) {
+            ("alone", "") => self.alone = true,
+            ("couple", who) => (self.home, self.whose) = (Home::Couple, Some(who.to_owned())),
+            ("start", date) => self.start = Some(date.to_owned()),
+            ("days", days) => self.days = Some(days.parse().map_err(|_| "a number of days is missing")?),
+            _ => return Err("there is no such setting".into()),
+        }
+        Ok(())
+    }
+
+    /// The sentences that are tried, in one line.
+    pub fn sentence(&self) -> String {
+        let words = self.said.iter().flat_map(|line| line.split_whitespace());
+        words.fold(String::new(), |mut text, word| {
+            let _ = write!(text, "{}{word}", if text.is_empty() { "" } else { " " });
+            text
+        })
+    }
+
+    /// Tells if a claim needs the twin.
+    pub fn has_twin(&self) -> bool {
+        let needs = |claim: &Claim| matches!(&claim.what, What::Measured { beside, .. } if *beside != Beside::Itself);
+        self.claims.iter().any(needs)
+    }
+}
+
+/// A blank line ends a case.
+fn finish(cases: &mut Vec<Case>, case: &mut Case) -> Result<(), String> {
+    let done = std::mem::take(case);
+    match (done.line, done.said.is_empty(), done.claims.is_empty()) {
+        (0, ..) => {}
+        (line, true, _) => return Err(format!("the case of line {line} says nothing")),
+        (line, _, true) => return Err(format!("the case of line {line} claims nothing")),
+        _ => cases.push(done),
+    }
+    Ok(())
+}
+
+impl Claim {
+    fn read(text: &str) -> Result<Claim, String> {
+        let (text, source) = text.split_once(" ; ").unwrap_or((text, ""));
+        let source = source.to_owned();
+        let (subject, said) = text
+            .strip_suffix(':')
+            .map(|subject| (subject, ""))
+            .or(text.split_once(": "))
+            .ok_or("a colon is missing")?;
+        if subject == "told" {
+            return Ok(Claim { text: text.to_owned(), source, what: What::Told(said.to_owned()) });
+        }
+        let (subject, of) = match subject.split_once(" of ") {
+            Some((subject, of)) => (subject, Some(of.to_owned())),
+            None => (subject, None),
+        };
+        let (said, filter) = Filter::read(said)?;
+        let (said, beside) = if let Some(said) = said.strip_suffix(" of the twin") {
+            (said, Beside::ShareOfTwin)
+        } else if let Some(said) = said.strip_suffix(" more than the twin") {
+            (said, Beside::MoreThanTwin)
+        } else {
+            (said, Beside::Itself)
+        };
+        let (subject, measure) = (Subject::read(subject), Measure::read(said)?);
+        Ok(Claim { text: text.to_owned(), source, what: What::Measured { of, subject, measure, filter, beside } })
+    }
+}

@@ -1,0 +1,33 @@
+//! `homebody-lab conditions`.
+
+use super::claims::{cases, simulated};
+use crate::claims::{CONDITIONS, Conditions};
+use homebody::shared::{Failure, Figures};
+
+/// Compare the effects of conditions with published sizes
+///
+/// Homebody simulates a person with a condition and a twin without it, measures the differences in the ground truth, and compares
+/// them with published sizes, or else with our estimate.
+#[derive(clap::Args)]
+#[command(after_long_help = "Examples:
+  homebody-lab conditions
+  homebody-lab conditions --seed 3 --json conditions.json
+
+JSON has \"conditions\", each with the condition, the measure, the expected size, its source, the measured
+size, and whether it is in range.")]
+pub struct Arguments {
+    /// Seed of all random numbers
+    #[arg(long, value_name = "N", default_value_t = 11)]
+    seed: u64,
+    #[command(flatten)]
+    figures: Figures,
+}
+
+impl Arguments {
+    pub fn run(self) -> Result<(), Failure> {
+        let answer = self.figures.check(&[])?;
+        let cases = cases(CONDITIONS)?;
+        let rows = simulated(&cases, 0, self.seed)?;
+        answer.give(&Conditions::of(rows, self.seed), [])
+    }
+}

@@ -1,0 +1,192 @@
+//! `homebody-lab locate`.
+
+use super::ask_each;
+use crate::locating::{Case, Home, case};
+use homebody::shared::{Failure, Figures};
+use homebody_core::link::form::LinkFile;
+use homebody_core::scenario::load::Scenario;
+use homebody_routine::household::Household;
+use homebody_routine::routine::ResidentKind;
+use homebody_simulation::{OpenScenario, template};
+use serde::Serialize;
+use std::fmt;
+
+/// Measure how well the command homebody locate finds residents
+///
+/// Homebody compares the located rooms with the ground truth, and with two simpler methods. The homes cycle through the templates,
+/// each with its own seed; every fifth home has two residents and a cat. Each home has two logs: one without losses, and one with
+/// every sensor fault. The method knows the home and its sensors, and nothing of the routines.
+#[derive(clap::Args)]
+#[command(after_long_help = "Examples:
+  homebody-lab locate
+  homebody-lab locate --homes 5 --days 3 --json locate.json")]
+pub struct Arguments {
+    /// Number of homes
+    #[arg(long, value_name = "N", default_value_t = 20, value_parser = clap::value_parser!(u32).range(1..=1000))]
+    homes: u32,
+    /// Days to simulate for each home
+    #[arg(long, value_name = "N", default_value_t = 7, value_parser = clap::value_parser!(u32).range(1..=366))]
+    days: u32,
+    #[command(flatten)]
+    figures: Figures,
+}
+
+/// The templates of the homes, in turn.
+const HOMES: [&str; 5] = ["tigerplace", "older-adult", "studio", "house-two-floors", "couple-with-cat"];
+
+#[derive(Serialize)]
+struct WalkBack {
+    days: u32,
+    cases: Vec<Case>,
+}
+
+impl Arguments {
+    pub fn run(self) -> Result<(), Failure> {
+        let answer = self.figures.check(&[])?;
+        let cases = with_and_without_faults(self.homes, self.days, |home| home, case)?;
+        let cases = cases.into_iter().map(|(_, case)| case).collect();
+        answer.give(&WalkBack { days: self.days, cases }, [])
+    }
+}
+
+/// The number of a home among all homes, by its number among those with one resident, which come before the last of [`HOMES`].
+pub(super) fn of_one(number: usize) -> usize {
+    let of_one = HOMES.len() - 1;
+    number / of_one * HOMES.len() + number % of_one
+}
+
+/// Asks something of each case, on all processors: the template of its home goes by the home's number.
+pub(super) fn of_homes<Case: Sync, T: Send>(
+    cases: &[Case],
+    home: impl Fn(&Case) -> usize + Sync,
+    ask: impl Fn(&OpenScenario, &Case) -> Result<T, Failure> + Sync,
+) -> Result<Vec<T>, Failure> {
+    let opened = HOMES.map(template).into_iter().collect::<Result<Vec<OpenScenario>, _>>()?;
+    ask_each(cases, "logs", |case| ask(&opened[home(case) % HOMES.len()], case))
+}
+
+/// Asks something of homes, each with a link that loses nothing and then with every fault, and says which of both an answer is of. The
+/// template of a home goes by the number that `template` gives it.
+pub(super) fn with_and_without_faults<T: Send, E: fmt::Display>(
+    homes: u32,
+    days: u32,
+    template: impl Fn(usize) -> usize + Sync,
+    ask: impl Fn(&Home, u64, u32) -> Result<T, E> + Sync,
+) -> Result<Vec<(bool, T)>, Failure> {
+    let cases: Vec<(usize, bool)> = (0..homes as usize).flat_map(|home| [(home, false), (home, true)]).collect();
+    let of_case = |opened: &OpenScenario, &(number, faults): &(usize, bool)| {
+        let link = match faults {
+            true => every_fault(opened.scenario(), number, (0.0, days.into())),
+            false => LinkFile::default(),
+        };
+        Ok((faults, with_link(opened, &link, |home| ask(home, 1 + number as u64, days))?))
+    };
+    of_homes(&cases, |&(number, _)| template(number), of_case)
+}
+
+/// True of a resident that is a person, not a pet.
+pub(super) fn is_person(household: &Household, resident: usize) -> bool {
+    let person = household.routine(resident).and_then(|routine| routine.person.as_ref());
+    person.is_none_or(|person| person.kind == ResidentKind::Person)
+}
+
+/// Asks a question of a home with this link.
+pub(super) fn with_link<T, E: fmt::Display>(
+    opened: &OpenScenario,
+    link: &LinkFile,
+    ask: impl FnOnce(&Home) -> Result<T, E>,
+) -> Result<T, Failure> {
+    let household = opened.household();
+    let residents = 0..opened.scenario().residents.len();
+    let people = residents.filter(|&resident| is_person(household, resident)).collect();
+    let scenario = opened.scenario().edit().link(link).load()?;
+    ask(&Home { scenario: &scenario, drivers: household, people }).map_err(Failure::not_measured)
+}
+
+/// A link of a real network with every fault on in a span of days, each of another of the motion sensors.
+pub(super) fn every_fault(scenario: &Scenario, home: usize, (from_day, days): (f64, f64)) -> LinkFile {
+    let sensors = scenario.home.placed_sensors();
+    let motion: Vec<&str> =
+        sensors.iter().filter(|sensor| sensor.senses_motion()).map(|sensor| sensor.name.as_str()).collect();
+    let nth = |number: usize| motion[(home * 3 + number * 2) % motion.len()];
+    let within = |share: f64| share * days;
+    let day = |share: f64| from_day + within(share);
+    let faults = serde_json::json!([
+        { "kind": "battery", "sensor": nth(0), "from_day": day(0.3), "fading_days": within(0.2), "days": within(0.4) },
+        { "kind": "falls_off", "sensor": nth(1), "from_day": day(0.6), "days": within(0.3) },
+        { "kind": "stuck", "sensor": nth(2), "from_day": day(0.5), "days": within(0.1), "every_s": 60 },
+        { "kind": "drift", "sensor": nth(3), "ppm": 20 },
+        { "kind": "false_fires", "sensor": nth(4), "per_h": 2, "between": ["10:00", "15:00"] },
+        { "kind": "outage", "from_day": day(0.4), "at": "13:00", "hours": 3 }
+    ]);
+    let link = serde_json::json!({ "preset": "zigbee", "duplicates": 0.01, "corruption": 0.001, "faults": faults });
+    serde_json::from_value(link).unwrap_or_default()
+}
+
+impl fmt::Display for WalkBack {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        writeln!(f, "Residents located from the logs of {} days; shares of the time in the right room\n", self.days)?;
+        writeln!(
+            f,
+            "{:<18} {:>4} {:>6} {:>6}  {:>6} {:>6} {:>6} {:>6}  {:>6} {:>6} {:>6}  {:>6} {:>8}",
+            "home",
+            "seed",
+            "people",
+            "faults",
+            "right",
+            "live",
+            "last",
+            "rooms",
+            "visits",
+            "p50 m",
+            "p90 m",
+            "guests",
+            "invented"
+        )?;
+        for case in &self.cases {
+            let share = |value: Option<f64>| value.map_or("-".into(), |value| format!("{value:.3}"));
+            let metres = |value: Option<f64>| value.map_or("-".into(), |value| format!("{value:.2}"));
+            writeln!(
+                f,
+                "{:<18} {:>4} {:>6} {:>6}  {:>6.3} {:>6.3} {:>6.3} {:>6.3}  {:>6.3} {:>6} {:>6}  {:>6} {:>8}",
+                case.home,
+                case.seed,
+                case.residents,
+                if case.faults { "every" } else { "none" },
+                case.room_right,
+                case.room_right_live,
+                case.last_firing_right,
+                case.rooms_only_right,
+                case.visits_found,
+                metres(case.p50_m),
+                metres(case.p90_m),
+                share(case.visitors_found),
+                share(case.visitors_invented)
+            )?;
+        }
+        writeln!(f)?;
+        for (what, faults, several) in [
+            ("one person, no faults", false, false),
+            ("one person, every fault", true, false),
+            ("two people, no faults", false, true),
+            ("two people, every fault", true, true),
+        ] {
+            let fits = |case: &&Case| case.faults == faults && (case.residents > 1) == several;
+            let cases: Vec<&Case> = self.cases.iter().filter(fits).collect();
+            if cases.is_empty() {
+                continue;
+            }
+            let mean = |of: fn(&Case) -> f64| cases.iter().map(|case| of(case)).sum::<f64>() / cases.len() as f64;
+            writeln!(
+                f,
+                "{what:<24} right {:.3}, live {:.3}, by the last event {:.3}, by rooms alone {:.3}, visits found {:.3}",
+                mean(|case| case.room_right),
+                mean(|case| case.room_right_live),
+                mean(|case| case.last_firing_right),
+                mean(|case| case.rooms_only_right),
+                mean(|case| case.visits_found)
+            )?;
+        }
+        Ok(())
+    }
+}

@@ -1,0 +1,82 @@
+//! `homebody-lab possible`.
+
+use super::ask_each;
+use super::locate::is_person;
+use super::messages::ExperimentMessage;
+use crate::possible::{HouseholdTruth, Possible, Row};
+use homebody::shared::{Failure, Trust, print_json, print_text};
+use homebody_core::drivers::error::DriverError;
+use homebody_core::event::Events;
+use homebody_core::run::{DriverProvider, Run};
+use homebody_core::time::{DAY, HOUR, RunTime};
+use homebody_simulation::{OpenScenario, Template};
+use std::path::PathBuf;
+
+/// Count impossible events in simulations
+///
+/// Impossible events are two people in one spot or walking through each other, visits to an empty home, meals eaten before they are
+/// cooked, and intervals that end before they begin. Without a scenario, Homebody simulates all templates. The exit code is 1 if an
+/// impossible event occurs.
+#[derive(clap::Args)]
+#[command(after_long_help = "Examples:
+  homebody-lab possible
+  homebody-lab possible my-home --days 365 --json")]
+pub struct Arguments {
+    /// Scenario folders (default: all templates)
+    scenarios: Vec<PathBuf>,
+    /// Days to simulate for each scenario
+    #[arg(long, value_name = "N", default_value_t = 90, value_parser = clap::value_parser!(u32).range(1..=3660))]
+    days: u32,
+    /// Print one JSON object
+    #[arg(long)]
+    json: bool,
+    #[command(flatten)]
+    trust: Trust,
+}
+
+impl Arguments {
+    pub fn run(self) -> Result<(), Failure> {
+        let opened: Vec<OpenScenario> = match self.scenarios.is_empty() {
+            true => Template::all().map(|template| template.source().open()).collect::<Result<_, _>>()?,
+            false => {
+                let open = |path: &PathBuf| self.trust.source(path)?.open();
+                self.scenarios.iter().map(open).collect::<Result<_, _>>()?
+            }
+        };
+        let rows = ask_each(&opened, "scenarios", |opened| simulate(opened, self.days))?;
+        let possible = Possible { days: self.days, scenarios: rows };
+        if self.json {
+            print_json(&possible)?
+        } else {
+            print_text(&possible.to_string())?
+        }
+        if possible.is_clean() {
+            return Ok(());
+        }
+        Err(Failure::file(ExperimentMessage::Impossible))
+    }
+}
+
+/// Simulates a scenario, and counts its impossible events.
+fn simulate(opened: &OpenScenario, days: u32) -> Result<Row, DriverError> {
+    let (mut scenario, household) = (opened.scenario().clone(), opened.household());
+    scenario.home = scenario.home.without_cameras();
+    let residents = scenario.residents.len();
+    let guests: Vec<String> = household.guests().into_iter().map(|guest| guest.name).collect();
+    let host_of = |guest: &String| {
+        let is_of = |host: &usize| guest.starts_with(&format!("{}'s ", scenario.residents[*host].file.name));
+        (0..residents).find(is_of)
+    };
+    let hosts = guests.iter().enumerate().filter_map(|(guest, name)| Some((residents + guest, host_of(name)?)));
+    let are_people: Vec<bool> = (0..residents + guests.len()).map(|body| is_person(household, body)).collect();
+    let people = are_people.iter().filter(|&&is| is).count();
+    let mut lives = HouseholdTruth::new(are_people, hosts.collect());
+    let mut run = Run::new(&scenario, household, scenario.file.seed, i64::from(days) * DAY);
+    let mut events = Events::default();
+    while run.now() < RunTime::START + run.length() {
+        run.advance(run.now() + HOUR, &mut events)?;
+        events.facts.iter().for_each(|fact| lives.take(fact));
+        events.clear();
+    }
+    Ok(Row { scenario: scenario.file.name.clone(), people, visits: lives.visits(), impossible: lives.impossible() })
+}

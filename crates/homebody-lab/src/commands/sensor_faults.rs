@@ -1,0 +1,101 @@
+//! `homebody-lab sensor-faults`.
+
+use super::locate::{of_homes, with_link};
+use crate::sensor_faults::{Case, KINDS, Planted, case, faulty};
+use homebody::shared::{Failure, Figures};
+use serde::Serialize;
+use std::fmt;
+
+/// Measure how well the command homebody sensor-faults finds faults
+///
+/// The homes cycle through the templates, each with its own seed. Each home has four faults, in four different motion sensors; odd
+/// and even homes have different kinds of fault.
+#[derive(clap::Args)]
+#[command(after_long_help = "Examples:
+  homebody-lab sensor-faults
+  homebody-lab sensor-faults --homes 5 --days 21 --json sensor-faults.json")]
+pub struct Arguments {
+    /// Number of homes
+    #[arg(long, value_name = "N", default_value_t = 20, value_parser = clap::value_parser!(u32).range(1..=1000))]
+    homes: u32,
+    /// Days to simulate for each home
+    #[arg(long, value_name = "N", default_value_t = 14, value_parser = clap::value_parser!(u32).range(7..=366))]
+    days: u32,
+    #[command(flatten)]
+    figures: Figures,
+}
+
+#[derive(Serialize)]
+struct SensorHealth {
+    days: u32,
+    kinds: Vec<Kind>,
+    /// How many things were said of sensors that were well, and of how many sensor-days.
+    false_alarms: usize,
+    sensor_days: u64,
+    cases: Vec<Case>,
+}
+
+/// How faults of a kind were found.
+#[derive(Serialize)]
+struct Kind {
+    kind: &'static str,
+    planted: usize,
+    found: usize,
+    named: usize,
+    /// The median of how many days after its beginning what was found begins.
+    late_days: Option<f64>,
+}
+
+impl Arguments {
+    pub fn run(self) -> Result<(), Failure> {
+        let answer = self.figures.check(&[])?;
+        let homes: Vec<usize> = (0..self.homes as usize).collect();
+        let cases = of_homes(
+            &homes,
+            |&home| home,
+            |opened, &number| {
+                let link = faulty(opened.scenario(), number, self.days);
+                with_link(opened, &link, |home| case(home, 1 + number as u64, self.days))
+            },
+        )?;
+        answer.give(&SensorHealth::of(cases, self.days), [])
+    }
+}
+
+impl SensorHealth {
+    fn of(cases: Vec<Case>, days: u32) -> SensorHealth {
+        let of_kind = |kind: &&'static str| {
+            let all: Vec<&Planted> =
+                cases.iter().flat_map(|case| &case.faults).filter(|fault| fault.kind == *kind).collect();
+            let mut late: Vec<f64> = all.iter().filter_map(|fault| fault.late_days).collect();
+            late.sort_by(f64::total_cmp);
+            Kind {
+                kind,
+                planted: all.len(),
+                found: all.iter().filter(|fault| fault.found).count(),
+                named: all.iter().filter(|fault| fault.named).count(),
+                late_days: late.get(late.len() / 2).copied(),
+            }
+        };
+        SensorHealth {
+            days,
+            kinds: KINDS.iter().map(of_kind).collect(),
+            false_alarms: cases.iter().map(|case| case.false_alarms.len()).sum(),
+            sensor_days: cases.iter().map(|case| case.sensors as u64 * u64::from(case.days)).sum(),
+            cases,
+        }
+    }
+}
+
+impl fmt::Display for SensorHealth {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        writeln!(f, "Sensor faults found from the logs of {} days\n", self.days)?;
+        writeln!(f, "{:<18} {:>7} {:>6} {:>6} {:>10}", "fault", "planted", "found", "named", "days late")?;
+        for Kind { kind, planted, found, named, late_days } in &self.kinds {
+            let late = late_days.map_or("-".into(), |late| format!("{late:.1}"));
+            writeln!(f, "{kind:<18} {planted:>7} {found:>6} {named:>6} {late:>10}")?;
+        }
+        let per_year = self.false_alarms as f64 / self.sensor_days.max(1) as f64 * 365.0;
+        writeln!(f, "\nfalse alarms: {}, {per_year:.2} per sensor and year", self.false_alarms)
+    }
+}

@@ -1,0 +1,221 @@
+//! Stays in a room that are too short to be lived.
+//!
+//! Annotators mark the frame of a video at which a room changes. Where a mark is off, or one was set twice, somebody is in a
+//! room for a few frames, or passes through it faster than anybody walks. Nobody can act that out, so such a stay counts to
+//! the room before or after it, for the path and for the comparison alike, and it is said which it was.
+//!
+//! We assume that nobody is in a room for less than a fifth of a second, and that nobody runs from door to door.
+
+use super::house::House;
+use super::path::{Unplaced, door_between, room_of};
+use super::{AnnotatedRun, Interval};
+use serde::Serialize;
+use std::fmt;
+use std::ops::Range;
+
+/// Time in a room below which a person was never in it (our choice: five frames of a video).
+const LEAST_STAY_S: f64 = 0.2;
+
+/// Highest walking speed from door to door (our choice: adults begin to run at about this speed).
+const FASTEST_WALK_MPS: f64 = 2.0;
+
+/// A stay that was too short to be lived.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct ShortStay {
+    /// Its row in `location_0.csv`, the first of several, as a line counted from 1.
+    pub line: usize,
+    pub room: String,
+    /// How long it lasts as annotated.
+    pub lasts_s: f64,
+    /// What would have to be walked in that time, from the door that one came by to the one that one leaves by; `None`: it
+    /// is too short whatever the way.
+    pub way_m: Option<f64>,
+    /// The room that it counts to, before or after it.
+    pub counted_to: String,
+}
+
+impl fmt::Display for ShortStay {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        let ShortStay { line, room, lasts_s, way_m, counted_to } = self;
+        write!(f, "location_0.csv:{line}: {lasts_s:.3} s in {room:?} ")?;
+        match way_m {
+            Some(way_m) => write!(f, "are too short for the {way_m:.1} m from door to door")?,
+            None => write!(f, "are too short to be there")?,
+        }
+        write!(f, ", and count as {counted_to:?}")
+    }
+}
+
+/// The recording without its short stays, and those, in the order in which they were found.
+pub fn without_short_stays(run: &AnnotatedRun, house: &mut House) -> Result<(AnnotatedRun, Vec<ShortStay>), Unplaced> {
+    let (mut run, mut found) = (run.clone(), Vec::new());
+    loop {
+        let stays = stays(&run);
+        // Those that have no time at all first: no door need lead to where nobody was.
+        let short = match stays.iter().position(|stay| stay.lasts_s < LEAST_STAY_S) {
+            Some(short) => Some((short, None)),
+            None => hurried(&stays, house)?,
+        };
+        match short {
+            Some((short, way_m)) => match merge(&mut run, &stays, short, way_m) {
+                Some(stay) => found.push(stay),
+                None => return Ok((run, found)),
+            },
+            None => return Ok((run, found)),
+        }
+    }
+}
+
+/// A stretch of time in one room, and its rows.
+struct Stay {
+    room: String,
+    rows: Range<usize>,
+    lasts_s: f64,
+}
+
+/// The stays of a recording: rows of one room that follow each other are one, and it lasts until the next begins.
+fn stays(run: &AnnotatedRun) -> Vec<Stay> {
+    let mut first = 0;
+    let stays = run.rooms.chunk_by(|a, b| a.name == b.name).map(|rows| {
+        let begin_s = if first == 0 { run.begin_s() } else { rows[0].start_s };
+        let end_s = run.rooms.get(first + rows.len()).map_or(run.end_s(), |next| next.start_s);
+        first += rows.len();
+        Stay { room: rows[0].name.clone(), rows: first - rows.len()..first, lasts_s: end_s - begin_s }
+    });
+    stays.collect()
+}
+
+/// The first stay in which one would have to run from door to door, and how far.
+fn hurried(stays: &[Stay], house: &mut House) -> Result<Option<(usize, Option<f64>)>, Unplaced> {
+    let mut doors = Vec::new();
+    for pair in stays.windows(2) {
+        let [before, after] = [&pair[0], &pair[1]];
+        let rooms = [room_of(&before.room, house.plan)?, room_of(&after.room, house.plan)?];
+        doors.push(door_between(rooms, before.lasts_s < after.lasts_s, house)?);
+    }
+    for (index, pair) in doors.windows(2).enumerate() {
+        let way_m = house.distance_m(pair[0], pair[1]);
+        // Where no way leads, it is said when the path is made.
+        if way_m.is_finite() && stays[index + 1].lasts_s < way_m / FASTEST_WALK_MPS {
+            return Ok(Some((index + 1, Some(way_m))));
+        }
+    }
+    Ok(None)
+}
+
+/// Counts a stay to the shorter of those beside it, which is a passage too; where both are in one room, it was never left.
+/// `None`: there is no other stay.
+fn merge(run: &mut AnnotatedRun, stays: &[Stay], short: usize, way_m: Option<f64>) -> Option<ShortStay> {
+    let beside = [short.checked_sub(1), Some(short + 1)].into_iter().flatten().filter_map(|index| stays.get(index));
+    let to = beside.min_by(|a, b| a.lasts_s.total_cmp(&b.lasts_s))?;
+    let Stay { room, rows, lasts_s } = &stays[short];
+    let line = run.room_lines[rows.start];
+    let neighbour = if to.rows.start < rows.start { rows.start - 1 } else { rows.end };
+    // One row of all that is one stay now, so that it is one visit.
+    let is_there = |row: usize| run.rooms.get(row).is_some_and(|row| row.name == to.room);
+    let from = rows.start - usize::from(rows.start > 0 && is_there(rows.start - 1));
+    let until = rows.end + usize::from(is_there(rows.end));
+    let (start_s, end_s) = (run.rooms[from].start_s, run.rooms[until - 1].end_s);
+    let neighbour_line = run.room_lines[neighbour];
+    run.rooms.splice(from..until, [Interval { start_s, end_s, name: to.room.clone() }]);
+    run.room_lines.splice(from..until, [neighbour_line]);
+    Some(ShortStay { line, room: room.clone(), lasts_s: *lasts_s, way_m, counted_to: to.room.clone() })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::path::path_of;
+    use super::super::path::tests::{plan, recording};
+    use super::*;
+    use homebody_core::drivers::path::form::{PathFile, PathStep};
+    use homebody_core::plan::form::Spot;
+
+    const MOVEMENTS: &str = "0-40 a_walk";
+
+    /// What is left of the rooms, as `start-end name`, and what is said of the others.
+    fn kept(rooms: &str) -> (Vec<String>, Vec<String>) {
+        let plan = plan();
+        let house = &mut House::new(&plan, 0.22);
+        let (run, short) = without_short_stays(&recording(rooms, MOVEMENTS), house).unwrap();
+        assert_eq!(run.rooms.len(), run.room_lines.len());
+        let row = |Interval { start_s, end_s, name }: &Interval| format!("{start_s}-{end_s} {name}");
+        (run.rooms.iter().map(row).collect(), short.iter().map(ShortStay::to_string).collect())
+    }
+
+    /// The fastest leg of a path, in metres a second.
+    fn fastest_mps(path: &PathFile) -> f64 {
+        let at = |spot: &Spot| match spot {
+            Spot::At(at) => homebody_core::geometry::point(*at),
+            Spot::Place(name) => panic!("{name:?} is a name"),
+        };
+        let (mut here, mut fastest) = (at(&path.start), 0.0_f64);
+        for step in &path.steps {
+            if let PathStep::Go(go) = step {
+                let points: Vec<_> = [here].into_iter().chain(go.to.iter().map(at)).collect();
+                let length_m: f64 = points.windows(2).map(|leg| leg[0].distance(leg[1])).sum();
+                fastest = fastest.max(length_m / go.in_s.unwrap());
+                here = points[points.len() - 1];
+            }
+        }
+        fastest
+    }
+
+    #[test]
+    fn a_stay_of_85_ms_between_two_rooms_counts_to_the_shorter_beside_it() {
+        let (rooms, said) = kept("0-20 kitchen, 20-20.085 hall, 20.085-40 bedroom");
+        assert_eq!(rooms, ["0-20 kitchen", "20-40 bedroom"]);
+        assert_eq!(said, ["location_0.csv:3: 0.085 s in \"hall\" are too short to be there, and count as \"bedroom\""]);
+        let (rooms, _) = kept("0-10 kitchen, 10-10.085 hall, 10.085-40 bedroom");
+        assert_eq!(rooms, ["0-10.085 kitchen", "10.085-40 bedroom"]);
+    }
+
+    /// The negative control is the path of what was annotated, which nobody can walk.
+    #[test]
+    fn what_is_left_can_be_walked_and_what_was_there_cannot() {
+        let plan = plan();
+        let house = &mut House::new(&plan, 0.22);
+        for rooms in ["0-20 kitchen, 20-20.085 hall, 20.085-40 bedroom", "0-20 kitchen, 20-20.9 hall, 20.9-40 bedroom"]
+        {
+            let annotated = recording(rooms, MOVEMENTS);
+            assert!(fastest_mps(&path_of(&annotated, house).unwrap()) > FASTEST_WALK_MPS, "{rooms}");
+            let (run, _) = without_short_stays(&annotated, house).unwrap();
+            assert!(fastest_mps(&path_of(&run, house).unwrap()) <= FASTEST_WALK_MPS, "{rooms}");
+            assert_eq!((run.begin_s(), run.end_s()), (annotated.begin_s(), annotated.end_s()));
+        }
+    }
+
+    #[test]
+    fn nobody_runs_from_door_to_door() {
+        let (rooms, said) = kept("0-20 kitchen, 20-20.9 hall, 20.9-40 bedroom");
+        assert_eq!(rooms, ["0-20 kitchen", "20-40 bedroom"]);
+        let [said] = &said[..] else { panic!("{said:?}") };
+        assert!(said.starts_with("location_0.csv:3: 0.900 s in \"hall\" are too short for the 2."), "{said}");
+        let unhurried = "0-20 kitchen, 20-22 hall, 22-40 bedroom";
+        assert_eq!(kept(unhurried).1.len(), 0, "a passage of 2 s is one");
+    }
+
+    #[test]
+    fn a_room_that_was_never_left_is_one_visit() {
+        let (rooms, said) = kept("0-10 kitchen, 10-10.1 hall, 10.1-12 kitchen, 12-40 kitchen");
+        assert_eq!(rooms, ["0-12 kitchen", "12-40 kitchen"], "rows that were two remain so");
+        assert_eq!(said.len(), 1);
+    }
+
+    #[test]
+    fn at_either_end_there_is_one_room_beside_it() {
+        assert_eq!(kept("0-0.1 kitchen, 0.1-40 hall").0, ["0-40 hall"]);
+        assert_eq!(kept("0-39.9 hall, 39.9-40 bedroom").0, ["0-40 hall"]);
+        assert_eq!(
+            kept("0-20 hall, 20-20.1 bedroom, 20.1-20.2 hall, 20.2-40 kitchen").0,
+            ["0-20.2 hall", "20.2-40 kitchen"]
+        );
+    }
+
+    #[test]
+    fn no_door_need_lead_to_where_nobody_was() {
+        assert_eq!(kept("0-20 kitchen, 20-20.1 shed, 20.1-40 kitchen").0, ["0-40 kitchen"]);
+        let plan = plan();
+        let longer = recording("0-20 kitchen, 20-21 shed, 21-40 kitchen", MOVEMENTS);
+        assert!(without_short_stays(&longer, &mut House::new(&plan, 0.22)).is_err());
+    }
+}

@@ -1,0 +1,229 @@
+//! The kinds of places: those of this crate, and those of plugins in crates of their own, which not every build has.
+//!
+//! A program builds one [`Registry`] and stores it once, before all else, by [`install`]. It is not handed over, since what depends on it
+//! begins with a place alone: `Source::from_str`, `read`, `Destination::new` and nearly all else that this crate offers.
+
+use crate::check::Examine;
+use crate::error::{LogError, place_of};
+use crate::policy::Policy;
+use crate::sink::sqlite::Sqlite;
+use crate::sink::{Begin, Casas, Csv, FleetJsonl, FleetSink, Jsonl, Sink, TextTarget, Watermark};
+use crate::source::messages::FormMessage;
+use crate::source::{
+    FileStart, LogForm, LogReading, ReadTables, Shows, casas, csv, domoticz, each_second, esphome, home_assistant,
+    influx, intervals, json, jsonl, labels, mit, mosquitto, openhab, psql, sqlite, tasmota, xes, zigbee2mqtt,
+};
+use crate::table::Batch;
+use crate::url::Url;
+use homebody_core::scenario::logger::LoggerFile;
+use homebody_core::scenario::scheme::{NoPlace, SCHEMES, Scheme};
+use homebody_core::time::RunTime;
+use std::path::Path;
+use std::sync::OnceLock;
+
+/// Opens the sink of a fleet.
+pub type OpenFleet = fn(&Url) -> Box<dyn FleetSink>;
+
+/// A kind of place in a crate of its own.
+#[derive(Clone, Copy)]
+pub struct PlacePlugin {
+    /// The kinds in `crates/homebody-core/src/scenario/scheme.rs` that it is about.
+    pub schemes: &'static [Scheme],
+    /// The sink of a place. Nothing is touched before it is begun.
+    pub open: fn(&Url) -> Box<dyn Sink>,
+    /// The sink of a fleet at such a place; None where no fleet can write there.
+    pub fleet: Option<OpenFleet>,
+    /// The usual policy of such a destination.
+    pub policy: fn() -> Policy,
+    /// The forms in which it reads logs.
+    pub forms: &'static [LogForm],
+    /// Reads the tables of a truth there; None where no place of this kind keeps one.
+    pub tables: Option<ReadTables>,
+    /// The truth of the run whose log is at a place of this kind; None where there is none, or the place cannot say.
+    pub truth_of: Option<fn(&Url) -> Option<Url>>,
+    /// Checks such a place.
+    pub examine: Examine,
+}
+
+/// The plugins of a build.
+#[derive(Default)]
+pub struct Registry {
+    plugins: Vec<PlacePlugin>,
+}
+
+static INSTALLED: OnceLock<Registry> = OnceLock::new();
+
+/// Stores the registry of the whole program. Only the first call does.
+pub fn install(registry: Registry) {
+    let _ = INSTALLED.set(registry);
+}
+
+impl Registry {
+    /// The registry of a build with these plugins.
+    pub fn new(plugins: Vec<PlacePlugin>) -> Registry {
+        Registry { plugins }
+    }
+}
+
+fn plugins() -> &'static [PlacePlugin] {
+    INSTALLED.get().map(|registry| &registry.plugins[..]).unwrap_or_default()
+}
+
+/// The plugin of a kind of place.
+///
+/// # Errors
+///
+/// [`LogError::NotBuiltIn`] without one.
+pub(crate) fn plugin(url: &Url) -> Result<&'static PlacePlugin, LogError> {
+    plugins().iter().find(|plugin| plugin.schemes.contains(&url.scheme())).ok_or_else(|| not_built_in(url))
+}
+
+/// The usual policy of a place.
+pub(crate) fn policy(url: &Url) -> Policy {
+    let usual = if url.is_output() { Policy::of_server } else { Policy::default };
+    plugin(url).map_or_else(|_| usual(), |plugin| (plugin.policy)())
+}
+
+/// The sink of a kind that is not in this build: to begin it is an error that says how to get it.
+struct MissingSink(Url);
+
+impl Sink for MissingSink {
+    fn begin(&mut self, _: &Begin) -> Result<Watermark, LogError> {
+        Err(not_built_in(&self.0))
+    }
+
+    fn write(&mut self, _: &Batch) -> Result<(), LogError> {
+        Err(not_built_in(&self.0))
+    }
+
+    fn make_durable(&mut self) -> Result<Watermark, LogError> {
+        Err(not_built_in(&self.0))
+    }
+
+    fn finish(&mut self, _: RunTime) -> Result<(), LogError> {
+        Err(not_built_in(&self.0))
+    }
+}
+
+fn not_built_in(url: &Url) -> LogError {
+    let row = url.scheme().row();
+    LogError::NotBuiltIn { place: url.to_string(), name: row.name, feature: row.feature.unwrap_or(row.name) }
+}
+
+/// The sink of a place. Nothing is touched before it is begun.
+pub fn sink(url: &Url) -> Box<dyn Sink> {
+    sink_as(url, false)
+}
+
+/// The same; a text file that `is_followed` has its name from its first line on, so that it can be read while it grows.
+pub(crate) fn sink_as(url: &Url, is_followed: bool) -> Box<dyn Sink> {
+    match url.scheme() {
+        Scheme::Sqlite => Box::new(Sqlite::new(url.file().map(Into::into).unwrap_or_default())),
+        Scheme::Csv => Box::new(Csv::new(TextTarget::from_url(url), is_followed)),
+        Scheme::Casas => Box::new(Casas::new(TextTarget::from_url(url), is_followed)),
+        Scheme::Jsonl => Box::new(Jsonl::new(TextTarget::from_url(url))),
+        _ => match plugin(url) {
+            Ok(plugin) => (plugin.open)(url),
+            Err(_) => Box::new(MissingSink(url.clone())),
+        },
+    }
+}
+
+/// The sink of a fleet at a place. Nothing is touched before it is begun.
+///
+/// # Errors
+///
+/// [`LogError::NoPlace`] for a kind of place that no fleet can write, which says those that it can; [`LogError::NotBuiltIn`] for
+/// one that this build does not have.
+pub fn fleet_sink(url: &Url) -> Result<Box<dyn FleetSink>, LogError> {
+    let scheme = url.scheme();
+    if scheme == Scheme::Jsonl {
+        return Ok(Box::new(FleetJsonl::new(url)));
+    }
+    match plugin(url) {
+        Ok(plugin) => plugin.fleet.map(|open| open(url)).ok_or_else(|| no_fleet(url)),
+        Err(missing) if WRITTEN_BY_FLEETS.contains(&scheme) => Err(missing),
+        Err(_) => Err(no_fleet(url)),
+    }
+}
+
+/// The kinds of places that a fleet can write, in builds that have them.
+const WRITTEN_BY_FLEETS: [Scheme; 4] = [Scheme::Jsonl, Scheme::Postgresql, Scheme::Mqtt, Scheme::Mqtts];
+
+fn no_fleet(url: &Url) -> LogError {
+    let rows = SCHEMES.iter().filter(|row| WRITTEN_BY_FLEETS.contains(&row.scheme));
+    let can: Vec<String> = rows.map(|row| format!("{}:{}", row.name, row.at)).collect();
+    let what = format!("{url} has no room for many homes");
+    LogError::NoPlace(NoPlace { what, hint: format!("a fleet writes {}, and jsonl:-", can.join(", ")) })
+}
+
+/// The forms of logs that every build has. A file is of the first whose signs it shows.
+pub const FORMS: [LogForm; 23] = [
+    home_assistant::FORM,
+    domoticz::FORM,
+    sqlite::FORM,
+    jsonl::FORM,
+    json::FORM,
+    zigbee2mqtt::FORM,
+    esphome::FORM,
+    tasmota::FORM,
+    mosquitto::FORM,
+    influx::lines::FORM,
+    influx::csv::FORM,
+    xes::FORM,
+    psql::FORM,
+    mit::FORM,
+    intervals::FORM,
+    each_second::ARAS,
+    each_second::OPENSHS,
+    csv::INTERVALS,
+    csv::WIDE,
+    labels::FORM,
+    openhab::FORM,
+    csv::FORM,
+    casas::FORM,
+];
+
+/// The forms that this build has, with those of plugins.
+pub fn forms() -> impl Iterator<Item = &'static LogForm> + Clone {
+    const OWN: &[LogForm] = &FORMS;
+    OWN.iter().chain(plugins().iter().flat_map(|plugin| plugin.forms))
+}
+
+/// The form of this name; also one that this build cannot read.
+pub(crate) fn form_named(name: &str) -> Option<&'static LogForm> {
+    forms().chain(MISSING).find(|form| form.name == name)
+}
+
+/// The form of a kind of place. Where this build cannot read it, reading it is an error that says so.
+pub(crate) fn form_of_scheme(scheme: Scheme) -> &'static LogForm {
+    form_named(scheme.row().name).unwrap_or(&BROKER)
+}
+
+/// The form that a file shows, and what of it.
+pub(crate) fn form_shown(start: &FileStart) -> Option<(&'static LogForm, Shows)> {
+    forms().map(|form| (form, (form.shows)(start))).find(|(_, shows)| *shows != Shows::Nothing)
+}
+
+/// The forms of plugins that a build may lack.
+const MISSING: &[LogForm] = &[
+    missing::<{ Scheme::Parquet as usize }>(),
+    missing::<{ Scheme::Arrow as usize }>(),
+    missing::<{ Scheme::Postgresql as usize }>(),
+];
+
+/// A form whose reading says how to get the plugin of a kind of place.
+const fn missing<const SCHEME: usize>() -> LogForm {
+    fn read<const SCHEME: usize>(path: &Path, _: &LoggerFile, _: &mut LogReading) -> Result<(), LogError> {
+        Err(not_built_in(&Url::new(SCHEMES[SCHEME].scheme, path)))
+    }
+    LogForm { name: SCHEMES[SCHEME].name, what: SCHEMES[SCHEME].what, shows: |_| Shows::Nothing, read: read::<SCHEME> }
+}
+
+/// The form of places from which nothing is read.
+const BROKER: LogForm = LogForm {
+    name: "mqtt",
+    what: "a broker, which keeps no log",
+    shows: |_| Shows::Nothing,
+    read: |path, _, _| Err(LogError::no_log(place_of(path), FormMessage::Broker)),
+};

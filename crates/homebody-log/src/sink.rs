@@ -1,0 +1,150 @@
+//! Destinations of rows: one file for each kind of place, all in the shape of [`Sink`]; the registry opens them.
+
+pub(crate) mod casas;
+pub(crate) mod csv;
+pub(crate) mod database;
+pub(crate) mod fleet;
+pub(crate) mod fleet_jsonl;
+pub(crate) mod jsonl;
+pub(crate) mod sqlite;
+pub(crate) mod text;
+pub(crate) mod whole;
+
+use crate::error::LogError;
+use crate::files::WriteMode;
+use crate::policy::{Cancel, Deadline};
+use crate::run::RunInfo;
+use crate::table::{Batch, InstantWriter, Table};
+pub(crate) use casas::Casas;
+pub(crate) use csv::Csv;
+pub use csv::csv_line;
+pub(crate) use fleet::{Fleet, FleetEvent, FleetSink};
+pub(crate) use fleet_jsonl::FleetJsonl;
+use homebody_core::scenario::logger::TimeFormat;
+use homebody_core::time::RunTime;
+pub(crate) use jsonl::Jsonl;
+use std::sync::Arc;
+pub(crate) use text::TextTarget;
+pub(crate) use whole::Whole;
+
+/// A destination of rows: a file, a database, a broker, or whatever a caller brings.
+///
+/// Its life: [`begin`](Sink::begin) once, then any number of [`write`](Sink::write) and [`make_durable`](Sink::make_durable), then
+/// [`finish`](Sink::finish), or drop where the run is given up. All calls come from one thread, which is the destination's own:
+/// a slow one makes the run wait, or lets it go on, as its [`Policy`](crate::Policy) says. One that takes longer than `begin.deadline`
+/// for one request hangs. For the run that is an error that passes, and the same call, made again, gets the answer of the first.
+///
+/// Rows come in the order in which they were made, without gaps. After an error that [`passes`](LogError::passes) the same
+/// call is made again, if the policy says so: what a destination has kept of it must not be kept twice. After any other
+/// error nothing more is called but drop.
+pub trait Sink: Send {
+    /// Begins a run, or goes on with it where `begin.how` says so. Returns how far the destination holds this run already:
+    /// rows before that are not given again. A destination that would rather see them, to compare them, returns the
+    /// beginning.
+    fn begin(&mut self, begin: &Begin) -> Result<Watermark, LogError>;
+
+    /// Takes rows. They may be lost until the next `make_durable`.
+    fn write(&mut self, batch: &Batch) -> Result<(), LogError>;
+
+    /// Makes sure of the rows taken, as far as it can by now. Returns up to where all rows are durable: they survive the
+    /// death of this program, and that of the machine where the destination can promise it.
+    fn make_durable(&mut self) -> Result<Watermark, LogError>;
+
+    /// Makes sure of everything, and marks the run as ended at an instant.
+    fn finish(&mut self, end: RunTime) -> Result<(), LogError>;
+
+    /// Whether it holds rows back and wants to be asked to make rows durable again, though nothing new comes.
+    fn is_behind(&self) -> bool {
+        false
+    }
+}
+
+/// What a destination is begun with.
+#[derive(Clone, Copy, Debug)]
+pub struct Begin<'a> {
+    /// What the run is, with its sensors.
+    pub run: &'a RunInfo,
+    /// The tables that rows will be of: one of a log, several of the truth.
+    pub tables: &'a [Table],
+    /// How instants are to be written, by the run's mapping.
+    pub time: TimeFormat,
+    /// The name of the column of the run's id, by the run's mapping.
+    pub run_column: &'a str,
+    /// Whether texts that a spreadsheet would run are escaped where they go into CSV, by the run's mapping.
+    pub spreadsheet_safe: bool,
+    /// What becomes of what is there already.
+    pub how: WriteMode,
+    /// Whether files have their names only once all rows are in them. Otherwise those that others can follow have them earlier.
+    pub is_whole: bool,
+    /// Once it says so, a destination that is away is not to be waited for any more, in this call and in later ones.
+    pub cancel: &'a Cancel,
+    /// How long one request may take. A sink that makes several in a call says so there.
+    pub deadline: &'a Deadline,
+}
+
+/// The same, kept.
+#[derive(Clone, Debug)]
+pub(crate) struct OwnedBegin {
+    pub run: Arc<RunInfo>,
+    pub tables: Arc<Vec<Table>>,
+    pub time: TimeFormat,
+    pub run_column: String,
+    pub spreadsheet_safe: bool,
+    pub how: WriteMode,
+    pub is_whole: bool,
+    pub cancel: Cancel,
+    pub deadline: Deadline,
+}
+
+impl OwnedBegin {
+    pub fn new(begin: &Begin) -> OwnedBegin {
+        OwnedBegin {
+            run: Arc::new(begin.run.clone()),
+            tables: Arc::new(begin.tables.to_vec()),
+            time: begin.time,
+            run_column: begin.run_column.to_owned(),
+            spreadsheet_safe: begin.spreadsheet_safe,
+            how: begin.how,
+            is_whole: begin.is_whole,
+            cancel: begin.cancel.clone(),
+            deadline: begin.deadline.clone(),
+        }
+    }
+
+    pub fn begin(&self) -> Begin<'_> {
+        Begin {
+            run: &self.run,
+            tables: &self.tables,
+            time: self.time,
+            run_column: &self.run_column,
+            spreadsheet_safe: self.spreadsheet_safe,
+            how: self.how,
+            is_whole: self.is_whole,
+            cancel: &self.cancel,
+            deadline: &self.deadline,
+        }
+    }
+}
+
+/// How far a destination holds a run: by table, how many of its rows. They are the first ones, without gaps.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Watermark(pub Vec<u64>);
+
+impl Watermark {
+    /// The beginning: no rows.
+    pub fn none() -> Watermark {
+        Watermark::default()
+    }
+
+    /// How many rows of a table are durable.
+    pub fn of(&self, table: usize) -> u64 {
+        self.0.get(table).copied().unwrap_or(0)
+    }
+}
+
+impl Begin<'_> {
+    /// A clock that writes instants as the run's mapping wants them.
+    pub fn clock(&self) -> InstantWriter {
+        InstantWriter::new(&self.run.calendar, self.time)
+    }
+}

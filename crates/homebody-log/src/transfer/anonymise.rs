@@ -1,0 +1,81 @@
+//! Writes a log anew so that it no longer says whose it is: other dates, other names, no free text.
+//!
+//! Dates are shifted by whole weeks, so that days of the week and times of day stay; sensors get the names that the caller gives
+//! them; rows that say what is neither a number nor a word of sensors are left out, and so is all that is known of sensors besides.
+//!
+//! Left out: how somebody lives still shows, and may be known to who knows them.
+
+use super::convert::convert_as;
+use super::{Rewrite, Transfer};
+use crate::error::LogError;
+use crate::log::{Activity, Log};
+use crate::read::stream;
+use homebody_core::time::{DAY, WallTime};
+
+/// How a log is made nobody's.
+pub struct Anonymising<'a> {
+    /// By how many weeks dates are shifted; `None` for as many as bring the first week to that of 1 January 2001, a Monday.
+    pub weeks: Option<i64>,
+    /// What the sensors are called from now on, in the order of the log.
+    pub names: &'a [String],
+    /// Whether a value may stay.
+    pub keeps: &'a dyn Fn(&str) -> bool,
+    /// Whether activities go along, with their labels.
+    pub with_activities: bool,
+}
+
+/// What has become of a log.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Anonymised {
+    /// Rows that are written.
+    pub rows: u64,
+    /// Rows that say free text, and are left out.
+    pub left_out: u64,
+}
+
+/// 1 January 2001, in days since 1970.
+const MONDAY: i64 = 11_323;
+const WEEK: i64 = 7;
+
+/// Writes a log as nobody's; `about` is its [`survey`](crate::read::survey), and `progress` is told how many rows have been
+/// written.
+///
+/// # Errors
+///
+/// As of [`convert`](crate::convert()).
+pub fn anonymise(
+    transfer: &Transfer,
+    about: &Log,
+    by: &Anonymising,
+    mut progress: impl FnMut(u64),
+) -> Result<Anonymised, LogError> {
+    let keeps: Vec<bool> = about.values.iter().map(|value| (by.keeps)(value)).collect();
+    let (mut rows, mut first) = (0, WallTime::MAX);
+    stream(transfer.from, transfer.mapping, &mut |part| {
+        for event in part.events.iter().filter(|event| keeps[event.value as usize]) {
+            (rows, first) = (rows + 1, first.min(event.at));
+        }
+        Ok(())
+    })?;
+    let first = about.activities.iter().map(|of| of.begin).chain([first]).min().filter(|&at| at != WallTime::MAX);
+    let weeks = by.weeks.unwrap_or_else(|| (MONDAY - monday(first.unwrap_or_default())) / WEEK);
+    let shift = weeks * WEEK * DAY;
+    let activities = about.activities.iter().filter(|_| by.with_activities);
+    let shifted = |of: &Activity| Activity { name: of.name.clone(), begin: of.begin + shift, end: of.end + shift };
+    let nobodys = Log {
+        sensors: by.names.to_vec(),
+        activities: activities.map(shifted).collect(),
+        rows,
+        clock: about.clock,
+        ..Log::default()
+    };
+    let rewrite = Rewrite { shift, sensors: by.names, keeps: &keeps };
+    let written = convert_as(transfer, &nobodys, Some(&rewrite), &mut progress)?;
+    Ok(Anonymised { rows: written, left_out: about.rows - rows })
+}
+
+/// The Monday before an instant, or its day if it is one, in days since 1970, which began on a Thursday.
+fn monday(at: WallTime) -> i64 {
+    let day = at.day_number();
+    day - (day + 3).rem_euclid(WEEK)
+}

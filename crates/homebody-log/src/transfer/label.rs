@@ -1,0 +1,127 @@
+//! Joins a log and the truth of its run into rows with labels: who it was, in which room, doing what, and why the sensor
+//! spoke.
+//!
+//! A row of the log is tied to the firing that it came from by numbers, in each mode of messages: the truth says for each
+//! firing which row tells of it, and for each OFF that a hold ends with which firing it was that was held last. Room and
+//! activity are those of the resident at the instant at which the cause began to be noticed, which a link may have delayed.
+//!
+//! We assume that the log is whole and in its order, in whatever form; its sensors are compared with those of the truth. Both are
+//! read as streams, so neither has to fit into memory. Instants are the run's own, so that an hour that clocks tell twice is two.
+
+use super::{Besides, Transfer};
+use crate::error::{LogError, OtherRunMessage};
+use crate::limits::beginning;
+use crate::log::{Activity, Event, Log};
+use crate::read::stream;
+use crate::table::{Cell, Column, ColumnKind, TextPool};
+use crate::text::one_word;
+use crate::truth::{Cause, Causes, LABEL_TABLES, Life, RecordedTruth, lives_of};
+use crate::url::Url;
+use homebody_core::time::{RunTime, TimeScale};
+
+/// What has become of a join.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Labelled {
+    /// Rows of the log, all of which are written.
+    pub rows: u64,
+    /// Those that somebody caused.
+    pub somebodys: u64,
+    /// Those that nobody caused: a reading, a false firing.
+    pub nobodys: u64,
+    /// Those of which the truth says nothing.
+    pub unexplained: u64,
+}
+
+/// Writes the rows of a log with what the truth of its run says of each; `about` is the log's
+/// [`survey`](crate::read::survey), `scale` reads the instants of the truth, and `progress` is told how many rows have been
+/// written. Nothing is written where an error is found before.
+///
+/// # Errors
+///
+/// [`LogError::NoTruth`] if there is no truth in its place, [`LogError::Gaps`] if lines of the log are not understood,
+/// [`LogError::OtherRun`] if the truth is of another run.
+pub fn label(
+    transfer: &Transfer,
+    about: &Log,
+    truth: &Url,
+    scale: &TimeScale,
+    mut progress: impl FnMut(u64),
+) -> Result<Labelled, LogError> {
+    if about.skipped > 0 {
+        let (place, problems) = (transfer.from.to_string(), about.problems.clone());
+        return Err(LogError::Gaps { place, problems, skipped: about.skipped });
+    }
+    let (place, truth) = (truth.to_string(), RecordedTruth::open(truth, &LABEL_TABLES)?);
+    make_sure(transfer, about, Causes::of(&truth, scale)?, &place)?;
+    let lives = lives_of(&truth, scale)?;
+    let mut causes = Causes::of(&truth, scale)?;
+    let mut labelled = Labelled::default();
+    let mut label = |row: u64, _: &Event, _: &Log, texts: &mut TextPool, cells: &mut Vec<Cell>| {
+        let cause = causes.of_row(row)?;
+        match &cause {
+            None => labelled.unexplained += 1,
+            Some(Cause { resident: Some(_), .. }) => labelled.somebodys += 1,
+            Some(Cause { resident: None, .. }) => labelled.nobodys += 1,
+        }
+        let mut text = |text: Option<&str>| text.map_or(Cell::Null, |text| Cell::Text(texts.id(text)));
+        cells.extend(labels(cause.as_ref(), &lives).map(&mut text));
+        Ok(())
+    };
+    labelled.rows = transfer.write(about, besides(), &mut label, &mut progress)?;
+    Ok(labelled)
+}
+
+/// Who it was, in which room, doing what, why the sensor spoke, and what was used.
+fn labels<'t>(cause: Option<&'t Cause>, lives: &'t [Life]) -> [Option<&'t str>; 5] {
+    let who = cause.and_then(|cause| cause.resident.as_deref());
+    let at = cause.and_then(|cause| cause.seen_at);
+    let life = who.and_then(|who| lives.iter().find(|life| life.resident == who));
+    let room = life.zip(at).and_then(|(life, at)| span_at(&life.rooms, at));
+    let activity = life.zip(at).and_then(|(life, at)| span_at(&life.activities, at));
+    [who, room, activity, cause.map(|cause| cause.why.as_str()), cause.and_then(|cause| cause.thing.as_deref())]
+}
+
+fn besides() -> Besides<'static> {
+    let label = |name: &str, about| Column { name: name.into(), kind: ColumnKind::Text, unit: "", about };
+    Besides {
+        table: Some(("labelled", "what a sensor said, with who it was, where, doing what, and why")),
+        columns: vec![
+            label("resident", "whose doing it was; empty where it was nobody's"),
+            label("room", "the room that they were in; empty between rooms"),
+            label("activity", "what they were doing"),
+            label("cause", "movement, act, reading, duplicate or false"),
+            label("thing", "what was used, of an act"),
+        ],
+        ..Besides::of_log()
+    }
+}
+
+/// Makes sure that log and truth are of one run: that the truth tells of rows that there are, each of the same sensor.
+fn make_sure(transfer: &Transfer, about: &Log, mut causes: Causes<'_>, truth: &str) -> Result<(), LogError> {
+    let another = |why: OtherRunMessage| LogError::other_run(truth, why);
+    match causes.last_row()? {
+        Some(row) if row >= about.rows => {
+            return Err(another(OtherRunMessage::FewerRows { row, rows: about.rows }));
+        }
+        None if about.rows > 0 => return Err(another(OtherRunMessage::NoRows)),
+        _ => {}
+    }
+    let mut row = 0;
+    stream(transfer.from, transfer.mapping, &mut |part| {
+        for event in &part.events {
+            let (sensor, named) = (causes.of_row(row)?.and_then(|cause| cause.sensor), part.sensor(event));
+            if sensor.is_some_and(|sensor| sensor != named && one_word(&sensor) != named) {
+                return Err(another(OtherRunMessage::OtherSensor { row, sensor: beginning(named) }));
+            }
+            row += 1;
+        }
+        Ok(())
+    })?;
+    Ok(())
+}
+
+/// What goes on at an instant.
+fn span_at(spans: &[Activity<RunTime>], at: RunTime) -> Option<&str> {
+    let next = spans.partition_point(|span| span.begin <= at);
+    spans[..next].last().filter(|span| at < span.end).map(|span| span.name.as_str())
+}

@@ -1,0 +1,8 @@
+//! The messages of this crate, for lists of all messages.
+
+use crate::people::PeopleError;
+use crate::simulated::SimulatedLogError;
+use homebody_core::messages::{Catalogue, CatalogueEntry};
+
+/// The messages by area.
+pub const MESSAGES: &[&[CatalogueEntry]] = &[SimulatedLogError::ENTRIES, PeopleError::ENTRIES];

@@ -1,0 +1,246 @@
+//! The activities of a day before their times are settled, some relative to others: before, after, with.
+
+use super::defaults;
+use super::item::Item;
+use super::resident_routine::ResidentRoutine;
+use crate::routine::{Activity, Meal};
+use homebody_core::time::{HOUR, Interval, MINUTE, RunTime, Span};
+
+const MINUTE_S: f64 = 60.0;
+const HOUR_S: f64 = 3600.0;
+
+/// An activity whose start may depend on another's.
+pub struct ItemDraft {
+    pub item: Item,
+    pub start: ItemStart,
+}
+
+#[derive(Clone, Debug, PartialEq)]
+pub enum ItemStart {
+    Known,
+    At(RunTime),
+    After(Activity, Span),
+    Before(Activity, Span),
+    With(Activity),
+    /// At the end of the draft with this index.
+    Then(usize),
+}
+
+pub struct Drafts<'a> {
+    pub life: &'a ResidentRoutine,
+    pub day: i32,
+    pub up: RunTime,
+    pub bed: RunTime,
+    pub list: Vec<ItemDraft>,
+}
+
+pub struct Resolved {
+    pub items: Vec<Item>,
+    /// Interrupting activities: help of visitors, and short activities during cooking.
+    pub breaks: Vec<Item>,
+    /// Keys of the activities after rising, such as washing and dressing.
+    pub mornings: Vec<String>,
+}
+
+/// Longest time that cooking takes in addition, for the ways between stove, sink and fridge (our choice).
+const TO_AND_FRO: Span = MINUTE.times(4);
+
+/// Longest activity that may be done while food is on the stove (our choice).
+pub const SOON_DONE: Span = MINUTE.times(3);
+
+/// Time after a visitor's planned arrival at which an activity with their help begins (our choice).
+const WELCOMED: Span = MINUTE.times(3);
+
+impl Drafts<'_> {
+    /// Settles all starts.
+    pub fn resolve(mut self) -> Resolved {
+        self.tie();
+        self.resolve_starts(&|_| false);
+        self.come_home();
+        self.cook_before_eating();
+        // Activities relative to a meal move with it.
+        self.resolve_starts(&|activity| matches!(activity, Activity::Prepare(_) | Activity::Eat(_)));
+        let mornings = self.list.iter().filter(|draft| matches!(draft.start, ItemStart::After(Activity::GetUp, _)));
+        let mornings = mornings.map(|draft| draft.item.key.clone()).collect();
+        let is_done = |activity: &Activity| self.list.iter().any(|draft| draft.item.activity == *activity);
+        // A skipped meal needs no washing up.
+        let is_idle = |draft: &ItemDraft| match &draft.start {
+            ItemStart::After(meal, _) => draft.item.activity == Activity::WashUp && !is_done(meal),
+            _ => false,
+        };
+        // The helper is there first.
+        let is_helped =
+            |draft: &&ItemDraft| draft.start == ItemStart::With(Activity::Visit) && draft.item.visitor.is_none();
+        let helped = self.list.iter().filter(is_helped).map(|draft| {
+            let start = draft.item.start + WELCOMED;
+            Item { start, latest: start + HOUR, ..draft.item.clone() }
+        });
+        let breaks_in = |draft: &&ItemDraft| self.breaks_into_cooking(draft);
+        // Interruptions of the cooking delay the meal by their length and the walks.
+        let while_cooking = self.list.iter().filter(breaks_in).map(|draft| {
+            let start = draft.item.start + draft.item.lasts + TO_AND_FRO / 2;
+            Item { start, ..draft.item.clone() }
+        });
+        let breaks = helped.chain(while_cooking).collect();
+        let items = self.list.iter().filter(|draft| !is_idle(draft) && !is_helped(draft) && !breaks_in(draft));
+        Resolved { breaks, items: items.map(|draft| draft.item.clone()).collect(), mornings }
+    }
+
+    /// An activity with or after another inherits its firmness, and later ones wait for its end.
+    fn tie(&mut self) {
+        for index in 0..self.list.len() {
+            let gap = match self.list[index].start {
+                ItemStart::After(_, gap) => Some(gap),
+                ItemStart::Then(_) => Some(Span::ZERO),
+                _ => None,
+            };
+            let Some(anchor) = self.anchor(index) else { continue };
+            let is_before = matches!(self.list[index].start, ItemStart::Before(..));
+            let of = self.list[anchor].item.of;
+            if !self.list[index].item.is_unsaid && !is_before {
+                let cooked = match self.list[anchor].item.activity {
+                    Activity::Eat(meal) => Some(Activity::Prepare(meal)),
+                    _ => None,
+                };
+                let is_for_it = |item: &Item| item.of == of || Some(&item.activity) == cooked.as_ref();
+                let firm = self.list.iter_mut().map(|draft| &mut draft.item).filter(|item| is_for_it(item));
+                firm.for_each(|item| item.waits = false);
+            }
+            self.list[index].item.follows = of.zip(gap);
+        }
+    }
+
+    /// The draft that another depends on.
+    fn anchor(&self, index: usize) -> Option<usize> {
+        let of = |wanted: &Activity| {
+            let is_it = |draft: &ItemDraft| draft.item.activity == *wanted && draft.item.visitor.is_none();
+            self.list.iter().position(is_it).filter(|of| *of != index)
+        };
+        match &self.list[index].start {
+            ItemStart::After(Activity::ComeHome, _) => of(&Activity::Leave),
+            ItemStart::After(activity, _) | ItemStart::Before(activity, _) | ItemStart::With(activity) => of(activity),
+            ItemStart::Then(of) => Some(*of),
+            ItemStart::Known | ItemStart::At(_) => None,
+        }
+    }
+
+    /// Settles the starts of drafts that depend on others, except those settled before.
+    fn resolve_starts(&mut self, is_settled: &dyn Fn(&Activity) -> bool) {
+        let is_known = |draft: &ItemDraft| matches!(draft.start, ItemStart::Known) || is_settled(&draft.item.activity);
+        let mut known: Vec<bool> = self.list.iter().map(is_known).collect();
+        // Each pass settles at least one draft.
+        for last in (0..=self.list.len()).rev() {
+            for index in 0..self.list.len() {
+                if !known[index]
+                    && let Some(start) = self.start_of(index, &known, last == 0)
+                {
+                    let item = &mut self.list[index].item;
+                    (item.start, item.latest) = (start, start + Span::from_seconds(4.0 * HOUR_S));
+                    known[index] = true;
+                }
+            }
+            if known.iter().all(|&known| known) {
+                break;
+            }
+        }
+    }
+
+    /// A meal is prepared before it is eaten; of the two, the unstated one moves.
+    fn cook_before_eating(&mut self) {
+        for meal in Meal::ALL {
+            let of = |activity: Activity| {
+                self.list.iter().position(|draft| draft.item.activity == activity && draft.item.visitor.is_none())
+            };
+            let (Some(cook), Some(eat)) = (of(Activity::Prepare(meal)), of(Activity::Eat(meal))) else { continue };
+            let (cooking, eating) = (self.list[cook].item.clone(), self.list[eat].item.clone());
+            let ready = cooking.start + cooking.lasts;
+            if cooking.is_unsaid && !eating.is_unsaid {
+                let start = (eating.start - cooking.lasts - TO_AND_FRO).max(self.up);
+                let item = &mut self.list[cook].item;
+                (item.start, item.latest, item.is_unsaid, item.waits) = (start, eating.latest, false, false);
+                let late = start + cooking.lasts + TO_AND_FRO - eating.start;
+                if late > Span::ZERO {
+                    self.list[eat].item.start += late;
+                }
+            } else if eating.start < ready && eating.is_unsaid {
+                let item = &mut self.list[eat].item;
+                item.latest += ready - item.start;
+                (item.start, item.is_unsaid, item.waits) = (ready, cooking.is_unsaid, cooking.waits);
+            }
+        }
+    }
+
+    /// A short activity shortly before a meal falls into the cooking.
+    fn breaks_into_cooking(&self, draft: &ItemDraft) -> bool {
+        let (ItemStart::Before(Activity::Eat(meal), _), Item { start, lasts, visitor: None, .. }) =
+            (&draft.start, &draft.item)
+        else {
+            return false;
+        };
+        let is_cooking = |other: &ItemDraft| {
+            let cook = &other.item;
+            let over = cook.start + cook.lasts + TO_AND_FRO;
+            cook.activity == Activity::Prepare(*meal) && cook.visitor.is_none() && (cook.start..over).contains(start)
+        };
+        *lasts <= SOON_DONE && self.list.iter().any(is_cooking)
+    }
+
+    /// A stated time of coming home ends the outing before it.
+    fn come_home(&mut self) {
+        let homes = self.list.iter().filter(|draft| draft.item.activity == Activity::ComeHome);
+        let homes: Vec<RunTime> = homes.map(|draft| draft.item.start).collect();
+        for home in homes {
+            let outings = self.list.iter_mut().map(|draft| &mut draft.item);
+            let outings = outings.filter(|item| item.activity == Activity::Leave && item.start < home);
+            if let Some(outing) = outings.max_by_key(|item| item.start) {
+                outing.until = Some(home);
+            }
+        }
+        // It is part of the outing.
+        self.list.iter_mut().filter(|draft| draft.item.activity == Activity::ComeHome).for_each(|draft| {
+            draft.item.latest = RunTime::MIN;
+        });
+    }
+
+    /// The start of a draft whose reference is settled. With `at_last`, an unsettled reference is guessed.
+    fn start_of(&self, index: usize, known: &[bool], at_last: bool) -> Option<RunTime> {
+        let ItemDraft { item, start } = &self.list[index];
+        let span = |activity: &Activity| self.span_of(activity, known, at_last);
+        match start {
+            ItemStart::Known => Some(item.start),
+            ItemStart::At(start) => Some(*start),
+            ItemStart::After(activity, gap) => Some(span(activity)?.end + *gap),
+            ItemStart::Before(activity, gap) => Some(span(activity)?.begin - *gap - item.lasts),
+            // One microsecond before, so that it comes first.
+            ItemStart::With(activity) => Some(span(activity)?.begin - Span::MICROSECOND),
+            ItemStart::Then(of) => {
+                let of_item = &self.list[*of].item;
+                known[*of].then_some(of_item.start + of_item.lasts)
+            }
+        }
+    }
+
+    /// The time of an activity today, or its usual time if it is not done.
+    fn span_of(&self, activity: &Activity, known: &[bool], at_last: bool) -> Option<Interval<RunTime>> {
+        match activity {
+            Activity::GetUp => return Some(Interval::starting(self.up, MINUTE)),
+            Activity::GoToBed => return Some(Interval::starting(self.bed, MINUTE)),
+            Activity::ComeHome => {
+                let outing = self.span_of(&Activity::Leave, known, at_last)?;
+                return Some(Interval { begin: RunTime::START, ..outing });
+            }
+            _ => {}
+        }
+        let mut of = self.list.iter().zip(known).filter(|(draft, _)| draft.item.activity == *activity);
+        match of.next() {
+            Some((draft, true)) => Some(Interval::starting(draft.item.start, draft.item.lasts)),
+            Some((_, false)) if !at_last => None,
+            _ => {
+                let usual = defaults::clock(activity, &self.life.numbers).map_or(12.0 * HOUR_S, |clock| clock.mean());
+                let start = self.life.instant(self.day, usual);
+                let lasts_s = defaults::length(activity, &self.life.numbers).median_min * MINUTE_S;
+                Some(Interval::starting(start, Span::from_seconds(lasts_s)))
+            }
+        }
+    }
+}

@@ -1,0 +1,202 @@
+//! Interruptions of an activity: rules, due meals, breaks of the plan, pressing needs.
+
+use super::defaults;
+use super::drafts::SOON_DONE;
+use super::driver::{GRACE, RoutineDriver};
+use super::item::Item;
+use super::script::ActivityStep;
+use crate::routine::{Activity, Response};
+use homebody_core::activity::{self, ActivityKind, UsualLength};
+use homebody_core::time::{RunTime, Span};
+
+impl RoutineDriver {
+    /// When a rule is due that stands before the one being answered.
+    pub(super) fn rules_at(&self) -> RunTime {
+        self.watches.due_before(self.answering())
+    }
+
+    /// The position of the first rule being answered: only earlier ones interrupt it (Brooks 1986).
+    fn answering(&self) -> usize {
+        self.scripts.iter().filter_map(|playing| playing.answers).min().unwrap_or(usize::MAX)
+    }
+
+    pub(super) fn interrupted_at(&self, now: RunTime) -> RunTime {
+        let event = self.next_break_at(now);
+        if self.visitor.is_some() {
+            return RunTime::NEVER;
+        }
+        // A need does not interrupt the response to another.
+        let needs = if self.scripts.len() > 2 { RunTime::NEVER } else { self.needs.presses_at() };
+        let meal = self.essential().map_or(RunTime::NEVER, |(_, due)| due);
+        event.min(needs).min(meal).min(self.rules_at()).max(now)
+    }
+
+    /// Start of the next break. Lying awake waits for bed.
+    pub(super) fn next_break_at(&self, now: RunTime) -> RunTime {
+        let Some(item) = self.agenda.breaks.get(self.next_break) else { return RunTime::NEVER };
+        let waits = item.activity == Activity::LieAwake && !self.needs.asleep() && now <= item.latest;
+        if waits { RunTime::NEVER } else { item.start }
+    }
+
+    /// The next fall or stumble, which no nap, meal or wash prevents.
+    pub(super) fn accident_at(&self) -> RunTime {
+        self.next_accident().map_or(RunTime::NEVER, |index| self.agenda.breaks[index].start)
+    }
+
+    /// Its index among the breaks; others before it may wait for the end of a nap.
+    fn next_accident(&self) -> Option<usize> {
+        let is_accident = |item: &Item| matches!(item.activity, Activity::Fall | Activity::Stumble);
+        let ahead = self.agenda.breaks.get(self.next_break..).filter(|_| self.visitor.is_none())?;
+        ahead.iter().position(is_accident).map(|index| self.next_break + index)
+    }
+
+    /// The next short activity that is possible during cooking.
+    pub(super) fn breaks_into_cooking_at(&self, now: RunTime) -> RunTime {
+        let next = self.agenda.breaks.get(self.next_break).filter(|_| self.visitor.is_none());
+        let is_soon_done = |item: &&Item| item.lasts <= SOON_DONE && !item.activity.is_of_the_night();
+        next.filter(is_soon_done).map_or(RunTime::NEVER, |item| item.start.max(now))
+    }
+
+    /// The next meal or medicine of the plan, and when it interrupts the current activity, if that yields.
+    pub(super) fn essential(&self) -> Option<(usize, RunTime)> {
+        let [playing] = self.scripts.as_slice() else { return None };
+        if !playing.gives_way {
+            return None;
+        }
+        let items = self.agenda.items.iter().enumerate().skip(self.next_item);
+        let mut essential = items.filter(|(_, item)| item.is_essential());
+        let (index, item) = essential.next()?;
+        // Medicine with a time is not delayed by unstated activities.
+        let end = item.start + item.lasts;
+        let is_first = |of: &Item| of.has_its_time && of.activity == Activity::TakeMedicine && of.start < end;
+        if let Some((index, medicine)) = essential.find(|(_, of)| item.waits && is_first(of)) {
+            return Some((index, medicine.start));
+        }
+        // An activity that is nearly done is finished, but not resumed between cooking and eating.
+        let is_next = self.at_table > item.start - 2 * GRACE;
+        Some((index, item.start + if is_next { Span::ZERO } else { GRACE }))
+    }
+
+    /// Starts the most urgent interruption.
+    pub(super) fn interrupt(&mut self, now: RunTime) {
+        if self.rules_at() <= now && self.answer_rule(now) {
+            return;
+        }
+        if let Some(index) = self.next_accident().filter(|&index| self.agenda.breaks[index].start <= now) {
+            // It precedes those that wait.
+            self.agenda.breaks[self.next_break..=index].rotate_right(1);
+            return self.begin_break(now);
+        }
+        if let Some((index, due)) = self.essential()
+            && due <= now
+        {
+            let item = self.agenda.items.remove(index);
+            if now <= item.latest {
+                self.begin_at(&item, now);
+            }
+            return;
+        }
+        if self.next_break_at(now) <= now {
+            return self.begin_break(now);
+        }
+        if let Some(activity) = self.needs.pressing(now, self.hour(now)) {
+            let key = format!("need/{}/{}", activity.label(), self.times(&activity));
+            let mut stream = self.life.stream_of_day(self.agenda.day, &key);
+            let UsualLength { median_min, sigma } = match activity {
+                // Visits at night are shorter.
+                Activity::UseBathroom if self.needs.asleep() => UsualLength { median_min: 4.0, sigma: 0.4 },
+                ref activity => defaults::length(activity, &self.life.numbers),
+            };
+            let lasts = self.parameters.lasting_s(&activity, stream.lognormal(median_min * 60.0, sigma));
+            self.begin(&Item::now(key, activity, Span::from_seconds(lasts)));
+        }
+    }
+
+    /// Begins the next break, unless it is too late.
+    fn begin_break(&mut self, now: RunTime) {
+        let Some(item) = self.agenda.breaks.get(self.next_break).cloned() else { return };
+        self.next_break += 1;
+        // Only in bed.
+        let is_idle = item.activity == Activity::LieAwake && !self.needs.asleep();
+        if now <= item.latest && !is_idle {
+            self.begin_at(&item, now);
+        }
+    }
+
+    /// Answers a due rule; false if nothing comes of it.
+    fn answer_rule(&mut self, now: RunTime) -> bool {
+        let due = self.with_watches(|watches, resident| {
+            watches.due(resident.answering(), now, |state| resident.is_so(state, now), &resident.life)
+        });
+        let Some((rule, rank, mut answers)) = due else { return false };
+        self.tally.hold(rule);
+        answers.reverse();
+        self.go_on_answering(rank, answers, now);
+        true
+    }
+
+    /// Continues with the next response of a rule, the last of the list.
+    pub(super) fn go_on_answering(&mut self, rank: usize, mut answers: Vec<Response>, now: RunTime) {
+        let Some(next) = answers.pop() else { return };
+        self.respond(next, now);
+        if let Some(playing) = self.scripts.last_mut() {
+            (playing.answers, playing.still) = (Some(rank), answers);
+        }
+    }
+
+    pub(super) fn respond(&mut self, response: Response, now: RunTime) {
+        match response {
+            // Ends the night.
+            Response::Do { activity: Activity::GetUp, .. } if self.needs.asleep() => {
+                for step in self.scripts.iter_mut().flat_map(|playing| playing.steps.iter_mut()) {
+                    if let ActivityStep::Stay(stay) = step {
+                        stay.until = Some(now);
+                    }
+                }
+            }
+            Response::Do { activity: Activity::GoToBed, .. } => {
+                self.scripts.clear();
+                self.go_to_bed(now);
+            }
+            Response::Turn { thing, on } => {
+                let Some(index) = self.places.thing_named(&thing) else { return };
+                let activity = Activity::Other(activity::turning(&thing, on));
+                self.begin(&Item::now("rule".into(), activity, Span::ZERO));
+                let at = self.places.named(&thing).cloned();
+                if let Some(playing) = self.scripts.last_mut() {
+                    playing.steps.truncate(1);
+                    playing.steps.extend(at.map(ActivityStep::Go));
+                    playing.steps.push_back(ActivityStep::Act(index, on));
+                }
+            }
+            Response::Do { activity, place, lasts } => {
+                let key = format!("rule/{}/{}", activity.label(), self.times(&activity));
+                let mut stream = self.life.stream_of_day(self.agenda.day, &key);
+                let UsualLength { median_min, sigma } = defaults::length(&activity, &self.life.numbers);
+                let lasts_s = match lasts {
+                    Some(lasts) => lasts.draw(&mut stream),
+                    None => stream.lognormal(median_min * 60.0, sigma),
+                };
+                self.begin(&Item { place, ..Item::now(key, activity, Span::from_seconds(lasts_s)) });
+            }
+        }
+    }
+}
+
+impl Activity {
+    /// Leisure, company and housework yield to due meals.
+    pub(super) fn gives_way_to_meals(&self) -> bool {
+        use Activity::{Exercise, Housework, Laundry, Other, Phone, Read, Relax, UseComputer, Visit, WatchTelevision};
+        match self {
+            Exercise | Housework | Laundry | Other(_) | Phone | Read | Relax | UseComputer | Visit
+            | WatchTelevision => true,
+            Activity::Everyday(label) => {
+                matches!(
+                    ActivityKind::from_name(label),
+                    ActivityKind::Leisure | ActivityKind::Food | ActivityKind::Housework
+                )
+            }
+            _ => false,
+        }
+    }
+}

@@ -1,0 +1,62 @@
+//! An activity of a plan: what, where, when, how long.
+
+use super::resident_routine::SentenceId;
+use crate::routine::{Activity, Falling};
+use homebody_core::time::{RunTime, Span};
+
+#[derive(Clone, Debug, PartialEq)]
+pub struct Item {
+    /// Name of its random numbers, unique within the day.
+    pub key: String,
+    pub activity: Activity,
+    pub place: Option<String>,
+    pub falling: Option<Falling>,
+    pub visitor: Option<String>,
+    pub start: RunTime,
+    pub lasts: Span,
+    /// A latest end, however late it begins.
+    pub until: Option<RunTime>,
+    /// Dropped if it cannot begin by then.
+    pub latest: RunTime,
+    /// `None` if unplanned.
+    pub of: Option<SentenceId>,
+    /// Not stated in the routine.
+    pub is_unsaid: bool,
+    /// It yields to activities with a time: unstated and overdue ones.
+    pub waits: bool,
+    /// A stated time, and not just a part of the day.
+    pub has_its_time: bool,
+    /// A stated number per day, whatever else is done; at home if possible.
+    pub is_counted: bool,
+    /// The preceding sentence, and the delay after its end.
+    pub follows: Option<(SentenceId, Span)>,
+}
+
+impl Item {
+    /// An unplanned activity.
+    pub fn now(key: String, activity: Activity, lasts: Span) -> Item {
+        Item {
+            key,
+            activity,
+            place: None,
+            falling: None,
+            visitor: None,
+            start: RunTime::START,
+            lasts,
+            until: None,
+            latest: RunTime::MAX,
+            of: None,
+            is_unsaid: true,
+            waits: true,
+            has_its_time: false,
+            is_counted: false,
+            follows: None,
+        }
+    }
+
+    /// Meals and medicine, which interrupt leisure.
+    pub fn is_essential(&self) -> bool {
+        let is = matches!(self.activity, Activity::Prepare(_) | Activity::Eat(_) | Activity::TakeMedicine);
+        is && self.visitor.is_none()
+    }
+}

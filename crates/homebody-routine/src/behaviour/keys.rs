@@ -1,0 +1,210 @@
+//! Names of the random streams of sentences: the meaning, and the position among sentences of equal meaning.
+//!
+//! So blank lines, comments, indentation, synonyms, file names and other sentences do not change a sentence's random
+//! numbers. A changed meaning is a new sentence, with new numbers.
+//!
+//! Names are spelt out field by field, not derived: renaming a field or variant changes no log, while every change of this
+//! file does.
+
+use crate::routine::{
+    Circumstance, DaySelection, Effect, Habit, HabitTime, PartOfDay, Phase, PhaseDay, Response, Routine, RoutineChange,
+    RoutineRule, RuleTrigger,
+};
+use homebody_core::fuzzy::Fuzzy;
+use std::collections::BTreeMap;
+
+/// In the order of the file.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Keys {
+    pub habits: Vec<String>,
+    pub rules: Vec<String>,
+    pub changes: Vec<String>,
+}
+
+impl Keys {
+    /// `source` separates this routine from other routines and conditions of the resident.
+    pub fn new(routine: &Routine, source: &str) -> Keys {
+        let mut before = 0;
+        let habits = routine.habits.iter().map(|habit| {
+            let said = match habit.when {
+                // A habit with "then" includes the habit before it.
+                HabitTime::Then => format!("{} of {before:016x}", of_habit(habit)),
+                _ => of_habit(habit),
+            };
+            before = hash(&said);
+            said
+        });
+        Keys {
+            habits: among_like("habit", source, habits),
+            rules: among_like("rule", source, routine.rules.iter().map(of_rule)),
+            changes: among_like("change", source, routine.changes.iter().map(of_change)),
+        }
+    }
+}
+
+/// Adds kind, source, and the number of equal sentences before.
+fn among_like(kind: &str, source: &str, all: impl Iterator<Item = String>) -> Vec<String> {
+    let mut alike: BTreeMap<String, u32> = BTreeMap::new();
+    let name = |said: String| {
+        let before = alike.entry(said.clone()).or_default();
+        let name = format!("{kind}/{source}/{said}/{before}");
+        *before += 1;
+        name
+    };
+    all.map(name).collect()
+}
+
+/// FNV-1a with 64 bits, so that names in a chain of "then" keep one length.
+fn hash(text: &str) -> u64 {
+    text.bytes().fold(0xcbf2_9ce4_8422_2325, |hash, byte| (hash ^ u64::from(byte)).wrapping_mul(0x0000_0100_0000_01b3))
+}
+
+fn of_habit(habit: &Habit) -> String {
+    let mut text = String::new();
+    if let Some(visitor) = &habit.visitor {
+        text += &format!("{}: ", visitor.to_lowercase());
+    }
+    text += habit.activity.label();
+    if let Some(place) = &habit.place {
+        text += &format!(" at {}", place.to_lowercase());
+    }
+    if let Some(falling) = habit.falling {
+        text += &format!(" {}", falling.words());
+        text += &falling.mostly.map_or_else(String::new, |part| format!(" mostly {}", part.word()));
+    }
+    text += &format!(" p {}", habit.chance.probability);
+    if let Some((probability, by)) = habit.chance.becomes {
+        text += &format!(" to {probability} by {}", of_moment(by));
+    }
+    if let Some(days) = habit.chance.days_a_week {
+        text += &format!(" on {days} a week");
+    }
+    let DaySelection { weekdays, months, every, of_month, kind } = habit.days;
+    if habit.days != DaySelection::ALL {
+        text += &format!(" days {weekdays:07b} {months:012b} {every}");
+    }
+    if of_month != DaySelection::ALL.of_month {
+        text += &format!(" {} to {} of the month", of_month.0, of_month.1);
+    }
+    if let Some(kind) = kind {
+        text += &format!(" on {} days", kind.word());
+    }
+    text += &match &habit.when {
+        HabitTime::AnyTime => String::new(),
+        HabitTime::At(time) => format!(" from {}", of_fuzzy(time)),
+        HabitTime::Within(part) => format!(" in {}", part.word()),
+        HabitTime::After(activity, gap) => format!(" after {}{}", activity.label(), of_gap(gap)),
+        HabitTime::Before(activity, gap) => format!(" before {}{}", activity.label(), of_gap(gap)),
+        HabitTime::With(activity) => format!(" with {}", activity.label()),
+        HabitTime::Then => " then".to_owned(),
+    };
+    for (what, amount) in [(" for ", &habit.lasts), (" until ", &habit.until)] {
+        text += &amount.as_ref().map(|amount| format!("{what}{}", of_fuzzy(amount))).unwrap_or_default();
+    }
+    if habit.times != (1, 1) {
+        text += &format!(" times {} {}", habit.times.0, habit.times.1);
+    }
+    text + of_phase(&habit.phase).as_str()
+}
+
+fn of_rule(rule: &RoutineRule) -> String {
+    let trigger = of_trigger(&rule.whenever);
+    let only_if =
+        |one: &Circumstance| format!(" {} {}", if one.holds { "if" } else { "unless" }, of_trigger(&one.state));
+    let only_if: String = rule.only_if.iter().map(only_if).collect();
+    let response = of_response(&rule.response);
+    let then: String = rule.then.iter().map(|then| format!(" then {}", of_response(then))).collect();
+    let lapse = rule.lapse.map(|lapse| {
+        let later = lapse.later.map(|later| format!(" later {}", of_fuzzy(&later))).unwrap_or_default();
+        format!(" forgets {}{later}", lapse.probability)
+    });
+    let lapse = lapse.unwrap_or_default();
+    let (after, phase) = (of_fuzzy(&rule.lasts), of_phase(&rule.phase));
+    format!("{trigger} after {after}{only_if} p {} {response}{then}{lapse}{phase}", rule.probability)
+}
+
+fn of_trigger(trigger: &RuleTrigger) -> String {
+    match trigger {
+        RuleTrigger::On(thing) => format!("on {}", thing.to_lowercase()),
+        RuleTrigger::At(place) => format!("at {}", place.to_lowercase()),
+        RuleTrigger::Away => "away".to_owned(),
+        RuleTrigger::InBed => "in bed".to_owned(),
+        RuleTrigger::Rings(thing) => format!("rings {}", thing.to_lowercase()),
+        RuleTrigger::Dark(room) => format!("dark {}", room.as_deref().unwrap_or_default().to_lowercase()),
+        RuleTrigger::Company(who) => format!("company {}", who.as_deref().unwrap_or_default()),
+        RuleTrigger::Alone => "alone".to_owned(),
+        RuleTrigger::Sitting => "sitting".to_owned(),
+        RuleTrigger::Doing(activity) => format!("doing {}", activity.label()),
+        RuleTrigger::Done(activity) => format!("done {}", activity.label()),
+        RuleTrigger::Between(from, to) => format!("between {from} {to}"),
+        RuleTrigger::Follows => "follows".to_owned(),
+    }
+}
+
+fn of_response(response: &Response) -> String {
+    match response {
+        Response::Turn { thing, on } => format!("turn {} {}", thing.to_lowercase(), if *on { "on" } else { "off" }),
+        Response::Do { activity, place, lasts } => {
+            let place = place.as_ref().map(|place| format!(" at {}", place.to_lowercase())).unwrap_or_default();
+            let lasts = lasts.as_ref().map(|lasts| format!(" for {}", of_fuzzy(lasts))).unwrap_or_default();
+            format!("{}{place}{lasts}", activity.label())
+        }
+    }
+}
+
+fn of_change(change: &RoutineChange) -> String {
+    let part = |part: &Option<PartOfDay>| part.map(|part| format!(" in {}", part.word())).unwrap_or_default();
+    let effect = match &change.effect {
+        Effect::Shows { condition, severity } => format!("shows {condition} {severity}"),
+        Effect::Pace(by) => format!("pace {}", of_fuzzy(by)),
+        Effect::PaceEachWeek(by) => format!("pace each week {}", of_fuzzy(by)),
+        Effect::Later { activity, by } => format!("later {} {}", activity.label(), of_fuzzy(by)),
+        Effect::Longer { activity, factor } => format!("longer {} {}", activity.label(), of_fuzzy(factor)),
+        Effect::LongerBy { activity, by } => format!("longer by {} {}", activity.label(), of_fuzzy(by)),
+        Effect::Oftener { activity, part: of, factor } => {
+            format!("oftener {}{} {}", activity.label(), part(of), of_fuzzy(factor))
+        }
+        Effect::Skips { activity, chance } => format!("skips {} {chance}", activity.label()),
+        Effect::Irregular(by) => format!("irregular {}", of_fuzzy(by)),
+        Effect::Active { part: of, factor } => format!("active{} {}", part(of), of_fuzzy(factor)),
+        Effect::DaysDiffer(by) => format!("days differ {}", of_fuzzy(by)),
+        Effect::DaysAre { kind, very, .. } => format!("{} days {very}", kind.word()),
+        Effect::SleepsIn => "sleeps in".to_owned(),
+        Effect::Restless(by) => format!("restless {}", of_fuzzy(by)),
+        Effect::Forgets { thing, chance } => format!("forgets {} {chance}", thing.to_lowercase()),
+        Effect::Shy { of, gain } => format!("shy {of:?} {gain}").to_lowercase(),
+        Effect::Pulse(by) => format!("pulse {}", of_fuzzy(by)),
+        Effect::Respiration(by) => format!("respiration {}", of_fuzzy(by)),
+    };
+    effect + of_phase(&change.phase).as_str()
+}
+
+fn of_phase(phase: &Phase) -> String {
+    let mut text = String::new();
+    for (what, moment) in [("from", phase.from), ("until", phase.until)] {
+        if let Some(moment) = moment {
+            text += &format!(" {what} {}", of_moment(moment));
+        }
+    }
+    for (what, days) in [("over", phase.over_days), ("fading", phase.fading_days)] {
+        if days != 0.0 {
+            text += &format!(" {what} {days}");
+        }
+    }
+    text
+}
+
+fn of_moment(moment: PhaseDay) -> String {
+    match moment {
+        PhaseDay::Day(day) => format!("day {day}"),
+        PhaseDay::Date(year, month, day) => format!("{year}-{month}-{day}"),
+    }
+}
+
+fn of_gap(gap: &Option<Fuzzy>) -> String {
+    gap.as_ref().map(|gap| format!(" by {}", of_fuzzy(gap))).unwrap_or_default()
+}
+
+fn of_fuzzy(fuzzy: &Fuzzy) -> String {
+    format!("{}|{}|{}|{}", fuzzy.low, fuzzy.from, fuzzy.to, fuzzy.high)
+}

@@ -1,0 +1,575 @@
+//! Activities as steps from place to place, with the things in use.
+
+use super::manner::Manner;
+use super::places::{HomePlace, HomePlaces};
+use crate::routine::{Activity, Meal};
+use homebody_core::activity::LEAVING_HOME;
+use homebody_core::event::BodilyNeed;
+use homebody_core::geometry::Point;
+use homebody_core::posture::Posture;
+use homebody_core::random::Stream;
+use homebody_core::role::Role;
+use homebody_core::time::{HOUR, MINUTE, RunTime, SECOND, Span};
+use homebody_walk::WanderStyle;
+use std::collections::VecDeque;
+
+/// Roles whose things activities open, turn on or let run.
+pub const ACTED_ON: [Role; 12] = [
+    Role::Toilet,
+    Role::Washbasin,
+    Role::Shower,
+    Role::Medicine,
+    Role::Sink,
+    Role::Fridge,
+    Role::Drawers,
+    Role::Stove,
+    Role::FoodWarmer,
+    Role::Television,
+    Role::WashingMachine,
+    Role::FrontDoor,
+];
+
+#[derive(Clone, Debug)]
+pub enum ActivityStep {
+    /// The label in the ground truth from now on.
+    Name(String),
+    Go(HomePlace),
+    /// On or open if true, else off or closed.
+    Act(u32, bool),
+    Stay(StayStep),
+    /// Away for a span, or until an instant.
+    Away {
+        lasts: Span,
+        until: Option<RunTime>,
+    },
+    /// Without a goal, or pacing.
+    Wander {
+        kind: WanderStyle,
+        lasts: Span,
+    },
+    /// In night or day clothes: pulse and respiration change.
+    LieDown,
+    Meet(BodilyNeed),
+    /// Lets a visitor in (true) or out (false), and waits this long.
+    Await {
+        arrival: bool,
+        left: Span,
+    },
+    /// Waits outside for a free doorway; as a visitor, also to be let in.
+    Ring {
+        left: Span,
+    },
+    /// Waits for another person to finish cooking.
+    AwaitMeal {
+        left: Span,
+    },
+    /// Crawls to a point.
+    AlongFloor {
+        to: Point,
+        mps: f64,
+    },
+    /// Waits on the floor to be found.
+    LieUntilFound {
+        left: Span,
+    },
+    /// Plans the next day.
+    Wake,
+}
+
+#[derive(Clone, Debug)]
+pub struct StayStep {
+    pub posture: Posture,
+    pub manner: Manner,
+    pub left: Span,
+    /// A latest end in any case.
+    pub until: Option<RunTime>,
+    pub may: Interruptible,
+}
+
+/// The interruptions that a stay allows; each variant includes those before it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Interruptible {
+    Nothing,
+    /// Rules, falls and stumbles.
+    Rules,
+    /// Breaks of the plan; the stay continues afterwards.
+    Breaks,
+    /// Needs and meals; the stay continues afterwards.
+    Interrupt,
+    /// The next activity of the plan, which ends the stay.
+    Yield,
+}
+
+/// Time that a host waits at the open door for a visitor who does not come (our choice).
+const ARRIVAL_PATIENCE: Span = MINUTE.times(5);
+/// Time that a host waits for a visitor to leave (our choice).
+const FAREWELL_PATIENCE: Span = MINUTE.times(5);
+/// Time that a person who comes home waits for another to leave the doorway (our choice).
+const DOORWAY: Span = MINUTE.times(2);
+/// Time that a person waits for a meal that another one still cooks (our choice).
+const COOKING_PATIENCE: Span = MINUTE.times(45);
+
+/// Probability that a meal uses each microwave and toaster, and mean duration (our choice): bread and a plate take two
+/// minutes and more.
+const WARMED: f64 = 0.5;
+const WARMING_S: f64 = 150.0;
+
+/// Shortest visit with meals and a bed for the visitor, and a usual day for the host (our choice).
+pub(super) const STAYING_OVER: Span = HOUR.times(10);
+
+/// Time that the host first sits with such a visitor (our choice).
+const WELCOME: Span = HOUR;
+
+/// The input of an activity's steps.
+pub struct ActivitySetting<'a> {
+    pub places: &'a HomePlaces,
+    /// The body's place at the start.
+    pub at: Point,
+    pub stream: &'a mut Stream,
+    /// Things that stay on this time, such as a forgotten stove.
+    pub forgotten: Vec<u32>,
+    /// Factor on movement.
+    pub movement: f64,
+}
+
+struct StepBuilder<'a, 'b> {
+    steps: VecDeque<ActivityStep>,
+    setting: &'b mut ActivitySetting<'a>,
+}
+
+/// The steps of an activity of this length, at a stated or the usual place.
+pub fn script(
+    activity: &Activity,
+    place: Option<&HomePlace>,
+    lasts: Span,
+    until: Option<RunTime>,
+    setting: &mut ActivitySetting,
+) -> VecDeque<ActivityStep> {
+    let mut steps = StepBuilder { steps: VecDeque::new(), setting };
+    if let Activity::Eat(_) = activity {
+        // The person waits for a meal before eating.
+        steps.push(ActivityStep::AwaitMeal { left: COOKING_PATIENCE });
+    }
+    steps.push(ActivityStep::Name(activity.label().into()));
+    steps.act_out(activity, place, lasts, until);
+    steps.steps
+}
+
+impl StepBuilder<'_, '_> {
+    fn act_out(&mut self, activity: &Activity, place: Option<&HomePlace>, lasts: Span, until: Option<RunTime>) {
+        match activity {
+            Activity::GetUp => self.stay(
+                Posture::Sitting,
+                Manner::TURNING,
+                Span::from_seconds(lasts.seconds().clamp(30.0, 600.0)),
+                Interruptible::Rules,
+            ),
+            Activity::UseBathroom => self.use_bathroom(lasts),
+            Activity::Shower => self.shower(place, lasts),
+            Activity::Wash => self.with_water(Role::Washbasin, place, lasts, Manner::WASHING),
+            Activity::Dress => self.at(Role::Wardrobe, place, lasts, Manner::WASHING, Interruptible::Rules),
+            Activity::TakeMedicine => self.take_medicine(place, lasts),
+            Activity::Prepare(meal) => self.prepare(*meal, lasts),
+            Activity::Eat(_) => {
+                self.at(Role::DiningSeat, place, lasts, Manner::EATING, Interruptible::Rules);
+                self.push(ActivityStep::Meet(BodilyNeed::Hunger));
+                self.push(ActivityStep::Meet(BodilyNeed::Thirst));
+            }
+            Activity::WashUp => self.with_water(Role::Sink, place, lasts, Manner::BUSY),
+            Activity::WatchTelevision => self.watch_television(place, lasts, until),
+            Activity::Read => self.until(Role::Armchair, place, lasts, until, Manner::READING),
+            Activity::Phone => self.until(Role::Telephone, place, lasts, until, Manner::TALKING),
+            Activity::Nap => self.nap(place, lasts, until),
+            Activity::Laundry => self.laundry(lasts),
+            Activity::Housework => self.housework(place, lasts),
+            Activity::Leave => self.leave(activity.label(), lasts, until),
+            Activity::ComeHome | Activity::GoToBed => {}
+            Activity::Visit => self.visit(lasts, until),
+            Activity::Drink => self.drink(lasts),
+            Activity::Snack => self.snack(lasts),
+            Activity::Exercise => self.at(Role::Armchair, place, lasts, Manner::BUSY, Interruptible::Interrupt),
+            Activity::UseComputer => self.until(Role::Desk, place, lasts, until, Manner::READING),
+            Activity::Relax => self.until(Role::Armchair, place, lasts, until, Manner::STILL),
+            Activity::Wander => self.push(ActivityStep::Wander { kind: WanderStyle::Random, lasts }),
+            Activity::Pace => self.push(ActivityStep::Wander { kind: WanderStyle::Pacing, lasts }),
+            Activity::Lap => self.push(ActivityStep::Wander { kind: WanderStyle::Lapping, lasts }),
+            Activity::LieAwake => self.stay(Posture::Lying, Manner::AWAKE_IN_BED, lasts, Interruptible::Interrupt),
+            // Its steps depend on details: see `fallen`.
+            Activity::Fall => {}
+            Activity::Stumble => {
+                self.stay(Posture::Bending, Manner::TURNING, 2 * SECOND, Interruptible::Nothing);
+                self.stay(Posture::Standing, Manner::STILL, lasts, Interruptible::Nothing);
+            }
+            // Garden work is outdoors, unless a place of the home is stated.
+            Activity::Everyday(label) if place.is_none() && activity.roles().contains(&Role::FrontDoor) => {
+                self.leave(label, lasts, until);
+            }
+            Activity::Everyday(_) => {
+                let has = |role: &&Role| self.setting.places.has(**role);
+                let role = activity.roles().iter().find(has).copied().unwrap_or(Role::Armchair);
+                let spot = place.or_else(|| self.setting.places.of(role)).cloned();
+                let posture = spot.as_ref().map_or(Posture::Standing, |spot| spot.posture);
+                let manner = if posture == Posture::Standing { Manner::BUSY } else { Manner::READING };
+                self.until(role, spot.as_ref(), lasts, until, manner);
+            }
+            Activity::Other(_) => {
+                let posture = place.map_or(Posture::Standing, |spot| spot.posture);
+                let manner = if posture == Posture::Standing { Manner::BUSY } else { Manner::READING };
+                self.until(Role::Armchair, place, lasts, until, manner);
+            }
+        }
+    }
+
+    fn push(&mut self, step: ActivityStep) {
+        self.steps.push_back(step);
+    }
+
+    fn go(&mut self, role: Role, place: Option<&HomePlace>) -> Posture {
+        let places = self.setting.places;
+        let spot = place.or_else(|| match role {
+            Role::Toilet | Role::Washbasin => places.nearest(role, self.setting.at),
+            _ => places.of(role),
+        });
+        let spot = spot.cloned();
+        if let Some(spot) = &spot {
+            self.setting.at = spot.at;
+        }
+        let posture = spot.as_ref().map_or(Posture::Standing, |spot| spot.posture);
+        self.steps.extend(spot.map(ActivityStep::Go));
+        posture
+    }
+
+    fn act(&mut self, role: Role, on: bool) {
+        let thing = self.setting.places.thing(role);
+        if let Some(thing) = thing.filter(|thing| on || !self.setting.forgotten.contains(thing)) {
+            self.push(ActivityStep::Act(thing, on));
+        }
+    }
+
+    fn stay(&mut self, posture: Posture, manner: Manner, lasts: Span, may: Interruptible) {
+        self.push(ActivityStep::Stay(StayStep { posture, manner, left: lasts, until: None, may }));
+    }
+
+    fn at(&mut self, role: Role, place: Option<&HomePlace>, lasts: Span, manner: Manner, may: Interruptible) {
+        let posture = self.go(role, place);
+        self.stay(posture, manner, lasts, may);
+    }
+
+    /// A stay that can be interrupted, until a time of day if stated.
+    fn until(&mut self, role: Role, place: Option<&HomePlace>, lasts: Span, until: Option<RunTime>, manner: Manner) {
+        let posture = self.go(role, place);
+        let left = if until.is_some() { Span::MAX / 4 } else { lasts };
+        self.push(ActivityStep::Stay(StayStep { posture, manner, left, until, may: Interruptible::Interrupt }));
+    }
+
+    /// A random span around a median.
+    fn around(&mut self, median_s: f64) -> Span {
+        Span::from_seconds(self.setting.stream.lognormal(median_s, 0.4))
+    }
+
+    fn use_bathroom(&mut self, lasts: Span) {
+        self.at(Role::Toilet, None, lasts, Manner::ON_TOILET, Interruptible::Rules);
+        self.act(Role::Toilet, true);
+        self.act(Role::Toilet, false);
+        self.push(ActivityStep::Meet(BodilyNeed::Toilet));
+        let washing = self.around(25.0);
+        self.with_water(Role::Washbasin, None, washing, Manner::WASHING);
+    }
+
+    /// With a tap that runs now and then.
+    fn with_water(&mut self, role: Role, place: Option<&HomePlace>, lasts: Span, manner: Manner) {
+        let posture = self.go(role, place);
+        let mut left = lasts;
+        while left > Span::ZERO {
+            let span = self.around(120.0).min(left);
+            let running = self.around(20.0).min(span);
+            self.act(role, true);
+            self.stay(posture, manner, running, Interruptible::Rules);
+            self.act(role, false);
+            self.stay(posture, manner, span - running, Interruptible::Rules);
+            left -= span;
+        }
+    }
+
+    fn shower(&mut self, place: Option<&HomePlace>, lasts: Span) {
+        self.go(Role::Shower, place);
+        self.act(Role::Shower, true);
+        self.stay(Posture::Standing, Manner::WASHING, lasts * 7 / 10, Interruptible::Rules);
+        self.act(Role::Shower, false);
+        self.at(Role::Washbasin, None, lasts * 3 / 10, Manner::WASHING, Interruptible::Rules);
+    }
+
+    fn take_medicine(&mut self, place: Option<&HomePlace>, lasts: Span) {
+        self.go(Role::Medicine, place);
+        self.act(Role::Medicine, true);
+        self.stay(Posture::Standing, Manner::BUSY, lasts * 2 / 3, Interruptible::Rules);
+        self.act(Role::Medicine, false);
+        self.with_water(Role::Sink, None, lasts / 3, Manner::BUSY);
+    }
+
+    /// Between fridge, drawers, counter, sink and stove; hot food is not left alone.
+    fn prepare(&mut self, meal: Meal, lasts: Span) {
+        let hot = meal != Meal::Breakfast || self.setting.stream.chance(0.5);
+        let mut left = lasts;
+        let opening = [Role::Fridge, Role::Drawers, Role::Counter];
+        for role in opening {
+            left -= self.station(role, left);
+        }
+        if hot {
+            self.go(Role::Stove, None);
+            self.act(Role::Stove, true);
+        }
+        left -= self.warm(hot, left);
+        while left > Span::ZERO {
+            left -= self.next_station(hot, left);
+        }
+        if hot {
+            self.go(Role::Stove, None);
+            self.act(Role::Stove, false);
+        }
+    }
+
+    /// Mostly stove or counter. Returns the duration.
+    fn next_station(&mut self, hot: bool, left: Span) -> Span {
+        let roles =
+            [if hot { Role::Stove } else { Role::Counter }, Role::Counter, Role::Sink, Role::Fridge, Role::Drawers];
+        let role = roles[self.setting.stream.pick(&[0.45, 0.25, 0.12, 0.09, 0.09])];
+        self.station(role, left)
+    }
+
+    /// Uses microwave and toaster if the home has them; they turn themselves off while the person continues. Returns the
+    /// duration.
+    fn warm(&mut self, hot: bool, left: Span) -> Span {
+        let mut passed = Span::ZERO;
+        for spot in self.setting.places.anybodys(Role::FoodWarmer) {
+            let thing = self.setting.places.thing_named(&spot.name);
+            let Some(thing) = thing.filter(|_| passed < left && self.setting.stream.chance(WARMED)) else { continue };
+            self.push(ActivityStep::Go(spot.clone()));
+            self.push(ActivityStep::Act(thing, true));
+            let until = (passed + self.around(WARMING_S)).min(left);
+            while passed < until {
+                passed += self.next_station(hot, until - passed);
+            }
+            self.push(ActivityStep::Act(thing, false));
+        }
+        passed
+    }
+
+    /// A moment at a place of the kitchen. Returns the duration.
+    fn station(&mut self, role: Role, left: Span) -> Span {
+        let span = match role {
+            Role::Fridge => self.around(12.0),
+            Role::Drawers => self.around(15.0),
+            Role::Sink => self.around(30.0),
+            _ => self.around(45.0),
+        };
+        // Less active residents change places less often.
+        let span = Span::from_seconds(span.seconds() / self.setting.movement.clamp(0.2, 1.0)).min(left);
+        match role {
+            Role::Sink => self.with_water(role, None, span, Manner::BUSY),
+            Role::Fridge | Role::Drawers => {
+                self.go(role, None);
+                self.act(role, true);
+                self.stay(Posture::Standing, Manner::BUSY, span, Interruptible::Rules);
+                self.act(role, false);
+            }
+            _ => self.at(role, None, span, Manner::BUSY, Interruptible::Breaks),
+        }
+        span.max(SECOND)
+    }
+
+    fn watch_television(&mut self, place: Option<&HomePlace>, lasts: Span, until: Option<RunTime>) {
+        self.until(Role::Armchair, place, lasts, until, Manner::STILL);
+        // Turned on after sitting down.
+        let sitting = self.steps.pop_back();
+        self.act(Role::Television, true);
+        self.steps.extend(sitting);
+        self.act(Role::Television, false);
+    }
+
+    fn nap(&mut self, place: Option<&HomePlace>, lasts: Span, until: Option<RunTime>) {
+        let role = if self.setting.stream.chance(0.5) { Role::Bed } else { Role::Armchair };
+        // Met at the start, so that a nap is not followed by one from tiredness.
+        self.push(ActivityStep::Meet(BodilyNeed::Tiredness));
+        let posture = self.go(role, place);
+        let left = if until.is_some() { Span::MAX / 4 } else { lasts };
+        // A nap is not interrupted by thirst and other needs.
+        self.push(ActivityStep::Stay(StayStep {
+            posture,
+            manner: Manner::ASLEEP,
+            left,
+            until,
+            may: Interruptible::Rules,
+        }));
+    }
+
+    fn laundry(&mut self, lasts: Span) {
+        self.at(Role::WashingMachine, None, lasts * 6 / 10, Manner::BUSY, Interruptible::Rules);
+        self.act(Role::WashingMachine, true);
+        self.at(Role::Dryer, None, lasts * 4 / 10, Manner::BUSY, Interruptible::Rules);
+        self.act(Role::WashingMachine, false);
+    }
+
+    /// A round through the home or the stated room.
+    fn housework(&mut self, place: Option<&HomePlace>, lasts: Span) {
+        let stations = self.setting.places.stations().iter().map(|station| &station.spot);
+        let mut stations: Vec<&HomePlace> =
+            stations.filter(|spot| place.is_none_or(|place| spot.room == place.room)).collect();
+        stations.extend(place.filter(|_| stations.is_empty()));
+        let mut left = lasts;
+        while left > Span::ZERO && !stations.is_empty() {
+            let spot = stations[(self.setting.stream.unit() * stations.len() as f64) as usize % stations.len()];
+            let span = self.around(45.0);
+            // Less active residents stay longer at each place.
+            let span = Span::from_seconds(span.seconds() / self.setting.movement.clamp(0.2, 1.0))
+                .clamp(SECOND, left.max(SECOND));
+            self.push(ActivityStep::Go(spot.clone()));
+            self.stay(Posture::Standing, Manner::BUSY, span, Interruptible::Interrupt);
+            left -= span;
+        }
+    }
+
+    fn leave(&mut self, label: &str, lasts: Span, until: Option<RunTime>) {
+        self.push(ActivityStep::Name(LEAVING_HOME.into()));
+        let dressing = self.around(80.0);
+        self.at(Role::Coats, None, dressing, Manner::BUSY, Interruptible::Rules);
+        self.through_the_door();
+        self.push(ActivityStep::Name(label.into()));
+        self.push(ActivityStep::Away { lasts, until });
+        self.push(ActivityStep::Ring { left: DOORWAY });
+        self.push(ActivityStep::Name(Activity::ComeHome.label().into()));
+        self.act(Role::FrontDoor, true);
+        let inside = self.around(6.0);
+        self.stay(Posture::Standing, Manner::BUSY, inside, Interruptible::Rules);
+        self.act(Role::FrontDoor, false);
+        let undressing = self.around(60.0);
+        self.at(Role::Coats, None, undressing, Manner::BUSY, Interruptible::Rules);
+    }
+
+    fn through_the_door(&mut self) {
+        self.go(Role::FrontDoor, None);
+        self.act(Role::FrontDoor, true);
+        let outside = self.around(5.0);
+        self.stay(Posture::Standing, Manner::BUSY, outside, Interruptible::Rules);
+        self.act(Role::FrontDoor, false);
+    }
+
+    /// Opens the door, sits with the visitor, sees them off.
+    fn visit(&mut self, lasts: Span, until: Option<RunTime>) {
+        self.go(Role::FrontDoor, None);
+        self.act(Role::FrontDoor, true);
+        self.push(ActivityStep::Await { arrival: true, left: ARRIVAL_PATIENCE });
+        self.act(Role::FrontDoor, false);
+        let welcome = self.around(40.0);
+        self.at(Role::FrontDoor, None, welcome, Manner::TALKING, Interruptible::Rules);
+        // During a visit of days, the host's routine continues.
+        let (talk, until) = if lasts < STAYING_OVER { (lasts, until) } else { (WELCOME, None) };
+        let posture = self.go(Role::Armchair, None);
+        let may = Interruptible::Interrupt;
+        self.push(ActivityStep::Stay(StayStep { posture, manner: Manner::TALKING, left: talk, until, may }));
+        if lasts < STAYING_OVER {
+            let farewell = self.around(60.0);
+            self.at(Role::FrontDoor, None, farewell, Manner::TALKING, Interruptible::Rules);
+            self.act(Role::FrontDoor, true);
+            self.push(ActivityStep::Await { arrival: false, left: FAREWELL_PATIENCE });
+            self.act(Role::FrontDoor, false);
+        }
+    }
+
+    fn drink(&mut self, lasts: Span) {
+        let hot = self.setting.stream.chance(0.3);
+        if hot {
+            self.go(Role::Stove, None);
+            self.act(Role::Stove, true);
+            let boiling = self.around(150.0);
+            self.stay(Posture::Standing, Manner::BUSY, boiling, Interruptible::Rules);
+            self.act(Role::Stove, false);
+        }
+        self.with_water(Role::Sink, None, (lasts / 4).max(10 * SECOND), Manner::BUSY);
+        self.at(Role::DiningSeat, None, lasts * 3 / 4, Manner::EATING, Interruptible::Rules);
+        self.push(ActivityStep::Meet(BodilyNeed::Thirst));
+    }
+
+    fn snack(&mut self, lasts: Span) {
+        self.station(Role::Fridge, lasts);
+        self.at(Role::DiningSeat, None, lasts, Manner::EATING, Interruptible::Rules);
+        self.push(ActivityStep::Meet(BodilyNeed::Hunger));
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::routine::USUAL;
+    use homebody_core::home::form::HomeFile;
+    use homebody_core::plan::Plan;
+    use homebody_walk::Mesh;
+    use std::collections::BTreeSet;
+
+    /// The places of an activity in the example apartment, over many days, by name.
+    fn ways(activity: &Activity, places: &HomePlaces) -> BTreeSet<String> {
+        let steps = (0..40).flat_map(|seed| {
+            let mut stream = Stream::named(seed, "script");
+            let at = places.of(Role::Armchair).unwrap().at;
+            let mut setting = ActivitySetting { places, at, stream: &mut stream, forgotten: Vec::new(), movement: 1.0 };
+            script(activity, None, 20 * MINUTE, None, &mut setting)
+        });
+        let goes = steps.filter_map(|step| match step {
+            ActivityStep::Go(spot) => Some(spot.name),
+            _ => None,
+        });
+        goes.collect()
+    }
+
+    #[test]
+    fn the_roles_that_are_acted_on_are_those_of_the_scripts() {
+        let home = include_str!("../../../../scenarios/tigerplace/home.json");
+        let home: HomeFile = serde_json::from_str(&home.replace("\"nightstand\"", "\"medicine cabinet\"")).unwrap();
+        let plan = Plan::new(&home);
+        let places = HomePlaces::new(&home, &plan, &Mesh::new(&plan, 0.22), "margaret");
+        let mut acted = BTreeSet::new();
+        for activity in USUAL.iter().chain(&[Activity::Shower, Activity::TakeMedicine, Activity::Visit]) {
+            for seed in 0..40 {
+                let (mut stream, at) = (Stream::named(seed, "script"), places.of(Role::Armchair).unwrap().at);
+                let mut setting =
+                    ActivitySetting { places: &places, at, stream: &mut stream, forgotten: Vec::new(), movement: 1.0 };
+                let steps = script(activity, None, 20 * MINUTE, None, &mut setting);
+                acted.extend(steps.into_iter().filter_map(|step| match step {
+                    ActivityStep::Act(thing, _) => Some(places.thing_name(thing).to_owned()),
+                    _ => None,
+                }));
+            }
+        }
+        let things = ACTED_ON.iter().filter_map(|&role| places.thing(role));
+        assert_eq!(acted, things.map(|thing| places.thing_name(thing).to_owned()).collect());
+    }
+
+    #[test]
+    fn the_roles_of_an_activity_are_those_that_its_script_goes_to() {
+        let home = include_str!("../../../../scenarios/tigerplace/home.json");
+        let home: HomeFile = serde_json::from_str(home).unwrap();
+        let plan = Plan::new(&home);
+        let places = HomePlaces::new(&home, &plan, &Mesh::new(&plan, 0.22), "margaret");
+        let more = [
+            Activity::Shower,
+            Activity::TakeMedicine,
+            Activity::Nap,
+            Activity::Exercise,
+            Activity::UseComputer,
+            Activity::Relax,
+            Activity::ComeHome,
+            Activity::Other("knits".into()),
+        ];
+        for activity in USUAL.iter().chain(&more) {
+            // The night and rising have steps of their own.
+            if matches!(activity, Activity::GetUp | Activity::GoToBed) {
+                continue;
+            }
+            let names = activity.roles().iter().map(|&role| places.of(role).unwrap().name.clone());
+            assert_eq!(ways(activity, &places), names.collect(), "{activity:?}");
+        }
+        // A visitor's seat is not part of the host's steps.
+        let names = [Role::FrontDoor, Role::Armchair].map(|role| places.of(role).unwrap().name.clone());
+        assert_eq!(ways(&Activity::Visit, &places), names.into());
+    }
+}

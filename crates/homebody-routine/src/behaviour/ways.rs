@@ -1,0 +1,111 @@
+use super::driver::{RoutineDriver, WalkPurpose};
+use super::manner::Manner;
+use super::places::HomePlace;
+use super::script::{ActivityStep, Interruptible, StayStep};
+use homebody_core::drivers::Next;
+use homebody_core::motion::{MotionSegment, MotionState};
+use homebody_core::posture::Posture;
+use homebody_core::time::{RunTime, SECOND, Span};
+use std::collections::VecDeque;
+
+homebody_core::numbers! {
+    /// Time that a person who finds no way stands still, so that an attempt always takes time.
+    static AT_A_LOSS_S = "driver.at_a_loss": 60.0, "s", [1.0, 3_600.0];
+}
+
+fn metres(segment: &MotionSegment) -> f64 {
+    match segment.doing {
+        MotionState::Stride { from, to } => from.distance(to),
+        _ => 0.0,
+    }
+}
+
+impl RoutineDriver {
+    pub(super) fn go(&mut self, spot: HomePlace, now: RunTime) {
+        let Some(spot) = self.free_spot(spot.clone()) else {
+            if !self.queue(spot) {
+                self.give_up(now);
+            }
+            return;
+        };
+        // Mere waiting does not end the queue.
+        if !spot.name.is_empty() {
+            self.queues = 0;
+        }
+        let hour = self.hour(now);
+        let Some(playing) = self.scripts.last_mut() else { return };
+        let from = self.body.room();
+        let Some(moves) = self.body.go(&spot, now, hour, self.parameters.pace, &mut playing.stream) else {
+            return self.give_up(now);
+        };
+        playing.spot = Some(spot.clone());
+        let metres: f64 = moves.iter().map(metres).sum();
+        match playing.walks {
+            WalkPurpose::Need => self.errands.need(hour, metres),
+            WalkPurpose::Errand => self.errands.errand(metres),
+            WalkPurpose::Back => {
+                self.errands.errand(metres);
+                // After an interruption, the way back to sitting down is necessary.
+                playing.walks = WalkPurpose::Need;
+            }
+            WalkPurpose::Cooking | WalkPurpose::Roaming => {}
+        }
+        let is_errand = playing.walks == WalkPurpose::Errand;
+        let arrival = moves.last().map_or(now, |last| last.end);
+        self.lamps(from, spot.room, now, moves);
+        self.watches.arrive(spot.room, &spot.name, &self.home.plan, arrival, &self.life);
+        // A passing resident notices things left on; on an errand only the thing itself.
+        for thing in self.watches.left_on() {
+            if self.home.plan.room_at(self.home.plan.things[thing as usize].at) == spot.room
+                && (!is_errand || spot.name == self.places.thing_name(thing))
+            {
+                self.act(thing, false, arrival);
+            }
+        }
+    }
+
+    /// Without a route, the rest of the activity is dropped. A night is spent on the spot, and visitors stay where they
+    /// are.
+    pub(super) fn give_up(&mut self, now: RunTime) {
+        let is_visit = self.visitor.is_some();
+        let Some(playing) = self.scripts.last_mut() else { return };
+        if is_visit || playing.steps.iter().any(|step| matches!(step, ActivityStep::Wake)) {
+            return;
+        }
+        let at_a_loss = StayStep {
+            posture: self.body.posture(),
+            manner: Manner::BUSY.with_numbers(&self.life.numbers),
+            left: Span::from_seconds(self.life.numbers.of(&AT_A_LOSS_S)),
+            until: None,
+            may: Interruptible::Nothing,
+        };
+        self.tally.no_way(playing.of.take());
+        let left = std::mem::replace(&mut playing.steps, VecDeque::from([ActivityStep::Stay(at_a_loss)]));
+        let mut stays_on = Vec::new();
+        for step in left {
+            match step {
+                ActivityStep::Meet(need) => self.needs.put_off(need, now),
+                ActivityStep::Act(thing, false) if self.watches.is_on(thing) => stays_on.push(thing),
+                _ => {}
+            }
+        }
+        // The next passer-by turns it off.
+        self.watches.forget(stays_on);
+    }
+
+    pub(super) fn away(&mut self, lasts: Span, until: Option<RunTime>, now: RunTime) {
+        let end = until.unwrap_or(now.saturating_add(lasts));
+        let end = self.watches.leave(now, end, &self.life).max(now + SECOND);
+        self.needs.pause(now);
+        self.put_out_the_lamp(now);
+        self.ready.push_back(Next::Segment(MotionSegment {
+            begin: now,
+            end,
+            doing: MotionState::Away,
+            posture: Posture::Standing,
+        }));
+        if self.visitor.is_none() {
+            self.needs.waking(end, &self.life, self.agenda.day, &self.parameters);
+        }
+    }
+}

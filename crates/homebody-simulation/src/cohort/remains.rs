@@ -1,0 +1,111 @@
+//! The files of a cohort at its place: which members are complete there, and whether the files are theirs.
+
+use crate::cohort::Cohort;
+use crate::cohort::list::ListedMember;
+use crate::cohort::members::{Member, MemberSummary, Members};
+use crate::cohort::place::CohortPlace;
+use crate::error::SimulationError;
+use crate::recording_file;
+use homebody_core::messages::Diagnose;
+use homebody_core::recording::Recording;
+use homebody_core::time::RunTime;
+use rayon::prelude::*;
+use std::path::Path;
+
+impl Cohort {
+    /// By member: the results of those that are complete there. No home is made for it.
+    pub(crate) fn found_in(&self, place: &CohortPlace) -> Result<Vec<Option<MemberSummary>>, SimulationError> {
+        (0..self.count()).into_par_iter().map(|index| self.found(place, index)).collect()
+    }
+
+    /// The result of a member that is complete there.
+    pub(crate) fn found(&self, place: &CohortPlace, index: usize) -> Result<Option<MemberSummary>, SimulationError> {
+        let member = self.members.who(self.recording.seed, index);
+        let here = place.here()?;
+        place.bring(&here, &[self.layout.recording(here.path(), &member.name)])?;
+        let left = self.left_of(place, here.path(), &member, index)?;
+        let Some(left) = left.filter(Recording::is_whole) else { return Ok(None) };
+        place.bring(&here, &self.layout.files(here.path(), &member.name, self.kept))?;
+        match self.layout.is_all_there(here.path(), &member.name, self.scenario.scenario(), self.kept) {
+            true => self.ended(here.path(), &member, &left).map(Some),
+            false => Ok(None),
+        }
+    }
+
+    /// The recording that a member has left here, complete or not; [`SimulationError::Member`] if the folder has something else.
+    fn left_of(
+        &self,
+        place: &CohortPlace,
+        here: &Path,
+        member: &Member,
+        index: usize,
+    ) -> Result<Option<Recording>, SimulationError> {
+        let path = self.layout.recording(here, &member.name);
+        let folder = path.parent().unwrap_or(here);
+        // People know it by where the cohort lies.
+        let there = |path: &Path| place.path().join(path.strip_prefix(here).unwrap_or(path));
+        let wrong = |why: String| SimulationError::Member { folder: there(folder), why };
+        if folder.is_file() {
+            let is_file = there(folder);
+            return Err(wrong(format!("{} is a file, and a member's folder is to be there", is_file.display())));
+        }
+        match recording_file::recording(&path) {
+            Err(SimulationError::NoRecording { .. }) => Ok(None),
+            Err(error) => {
+                let [told, known] = [here, place.path()].map(|path| path.display().to_string());
+                Err(wrong(error.diagnostic().what.replace(&told, &known)))
+            }
+            Ok(left) if self.is_of(&left, member, index) => Ok(Some(left)),
+            Ok(_) => Err(wrong(format!("{}: it is of another cohort", there(&path).display()))),
+        }
+    }
+
+    /// Whether a recording is of this member's life, by its texts alone.
+    fn is_of(&self, left: &Recording, member: &Member, index: usize) -> bool {
+        let mut expected = self.recording_of(member);
+        if let Members::Listed(profiles) = &self.members {
+            let profile = &profiles[index];
+            let own = self.scenario.base().own_texts(profile);
+            // Which of the scenario's texts are left over where something else is in their place only loading tells.
+            let is_same = |(name, text): (&String, &String)| {
+                own.get(name).or(expected.files.get(name)).is_none_or(|expected| expected == text)
+            };
+            if !own.keys().all(|name| left.files.contains_key(name)) || !left.files.iter().all(is_same) {
+                return false;
+            }
+            expected.without.clone_from(&profile.without);
+            if !own.is_empty() {
+                expected.files = left.files.clone();
+            }
+        }
+        let length = left.stopped_of_us.unwrap_or(left.length_us);
+        left.run_id() == expected.run_id() && length == expected.length_us
+    }
+
+    /// The recording of a member, with the scenario's own texts.
+    pub(crate) fn recording_of(&self, member: &Member) -> Recording {
+        Recording { seed: member.seed, home: Some(member.name.clone()), ..self.recording.clone() }
+    }
+
+    /// The result of a member.
+    pub(crate) fn ended(
+        &self,
+        folder: &Path,
+        member: &Member,
+        recording: &Recording,
+    ) -> Result<MemberSummary, SimulationError> {
+        Ok(MemberSummary {
+            listed: ListedMember {
+                name: member.name.clone(),
+                seed: member.seed,
+                firings: recording.firings,
+                rows: recording.rows.unwrap_or(recording.firings),
+                days: self.scenario.scenario().calendar.days_lived(RunTime::START + recording.length_us),
+                profile: member.row.clone(),
+                sha256: self.layout.digest(folder, &member.name, self.kept)?,
+            },
+            length: recording.length_us,
+            is_early: recording.stopped_of_us.is_some(),
+        })
+    }
+}
