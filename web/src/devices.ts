@@ -1,6 +1,6 @@
 // Made from crates/homebody-core/src/sensors/products.rs, which says what each means.
 
-export type Device = {
+export type Product = {
   /** What `preset` calls it. */
   key: string;
   name: string;
@@ -13,7 +13,7 @@ export type Device = {
   sources: { height: string; field: string; reach: string; timing: string };
 };
 
-export const DEVICES: readonly Device[] = [
+export const DEVICES: readonly Product[] = [
   { key: "paper", name: "motion sensor, as measured by Godsey & Skubic 2009", network: "", height_m: 2.1, field_deg: [145, 50], reach_m: 10, refire_s: [6.0, 8.0], sources: {"height":"not stated; our choice","field":"Godsey & Skubic 2009, section III.D","reach":"not stated; our choice","timing":"Godsey & Skubic 2009, section III.D"} },
   { key: "x10_ms16a", name: "X10 ActiveEye MS16A", network: "X10 radio", height_m: 2.1, field_deg: [145, 50], reach_m: 10, refire_s: [10.0, 10.0], sources: {"height":"our choice, above the 6 ft (1.83 m) in the manual of the related HawkEye MS13A","field":"not stated by the maker; value of Godsey & Skubic 2009","reach":"not stated; our choice","timing":"X10 Active Eye setup guide"} },
   { key: "casas_pulse", name: "Bosch unit of CASAS homes", network: "", height_m: 2.1, field_deg: [145, 50], reach_m: 10, refire_s: [5.4, 5.6], sources: {"height":"not stated; our choice","field":"not stated by the maker; value of Godsey & Skubic 2009","reach":"not stated; our choice","timing":"measured in the log of a CASAS home"} },

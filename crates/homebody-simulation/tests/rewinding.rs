@@ -24,7 +24,7 @@ fn a_run_continues_from_a_snapshot_as_before_and_stores_each_row_once() {
     let mut run = studio();
     let places = RunPlaces::run(folder.path(), run.scenario()).unwrap();
     let recording = places.recording.clone().unwrap();
-    run.open_output(places, WriteMode::New).unwrap();
+    run.open_output(places, WriteMode::Create).unwrap();
     let whole = firings(&mut run);
     let snapshot = run.rewind(RunTime::START + DAY).unwrap();
     assert!(snapshot <= RunTime::START + DAY && snapshot > RunTime::START + DAY - 12 * HOUR);
