@@ -264,7 +264,7 @@ impl<'a> Sum<&'a Span> for Span {
 }
 
 /// An instant of one scale: what [`Interval`] and functions over any scale need.
-pub trait Instant:
+pub trait TimePoint:
     Copy + Ord + fmt::Debug + Add<Span, Output = Self> + Sub<Span, Output = Self> + Sub<Output = Span>
 {
     /// The earliest instant.
@@ -332,7 +332,7 @@ macro_rules! instant {
             }
         }
 
-        impl Instant for $name {
+        impl TimePoint for $name {
             const MIN: $name = $name::MIN;
             const MAX: $name = $name::MAX;
         }

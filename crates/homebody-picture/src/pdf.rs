@@ -4,10 +4,13 @@
 //!
 //! Left out: gradients, images, masks and filters, which our pictures do not have; a picture that has one is refused.
 
+mod error;
 mod fonts;
 
 use super::font;
 
+pub use error::PdfError;
+use error::packed;
 use fonts::Fonts;
 use pdf_writer::types::{LineCapStyle, LineJoinStyle, PaintType, TextRenderingMode, TilingType};
 use pdf_writer::{Content, Filter, Finish, Name, Pdf, Rect, Ref, Str, TextStr};
@@ -28,25 +31,6 @@ pub fn pdf(title: &str, pages: &[String]) -> Result<Vec<u8>, PdfError> {
         all.push(book.page(&tree)?);
     }
     book.finish(title, &all)
-}
-
-homebody_core::messages! {
-    /// Reasons why pictures do not become a PDF.
-    pub enum PdfError in "pdf" {
-        /// Homebody draws pages as SVG, and makes PDF from them. A program that uses the library can pass SVG of its own, which must be
-        /// valid.
-        Svg(why: String) error "invalid-svg" ("cannot draw this SVG: {why}");
-        /// Pages of a PDF have paths, patterns and letters. The SVG has something else.
-        Unknown(what: &'static str) error "not-supported" ("Homebody does not write {what} into a PDF");
-        /// A PDF contains the letters of its fonts. They could not be taken out of the font.
-        Font(why: String) error "font" ("cannot put a font into the PDF: {why}");
-    }
-}
-
-impl From<usvg::Error> for PdfError {
-    fn from(error: usvg::Error) -> PdfError {
-        PdfError::Svg(error.to_string())
-    }
 }
 
 /// A PDF that is being written.
@@ -345,11 +329,4 @@ fn matrix(t: Transform) -> [f32; 6] {
 
 fn parts(colour: &usvg::Color) -> [f32; 3] {
     [colour.red, colour.green, colour.blue].map(|part| f32::from(part) / 255.0)
-}
-
-/// Bytes as a stream that is inflated has them.
-pub fn packed(bytes: &[u8]) -> Vec<u8> {
-    /// As zlib has it where nothing else is said.
-    const LEVEL: u8 = 6;
-    miniz_oxide::deflate::compress_to_vec_zlib(bytes, LEVEL)
 }

@@ -12,7 +12,7 @@ pub use hours::{DayHours, HoursMessage, SearchDay};
 
 use homebody_analysis::signs::{Says, SensorCourse, says};
 use homebody_core::nearest::nearest;
-use homebody_core::time::{Instant, Interval, MINUTE, Span, intersection, joined, without};
+use homebody_core::time::{Interval, MINUTE, Span, TimePoint, intersection, joined, without};
 use std::borrow::Cow;
 
 /// Time within which the same event again belongs to one match (our choice).
@@ -206,7 +206,10 @@ homebody_core::messages! {
 /// # Errors
 ///
 /// If a name leads nowhere, if only a truth would tell, or if the rows cannot be read.
-pub fn find<T: Instant + Default>(query: &Query, ground: &mut SearchGround<T>) -> Result<SearchResult<T>, SearchError> {
+pub fn find<T: TimePoint + Default>(
+    query: &Query,
+    ground: &mut SearchGround<T>,
+) -> Result<SearchResult<T>, SearchError> {
     let kind = match query.what {
         SearchSubject::Room => "room",
         SearchSubject::On => "sensor",
@@ -256,7 +259,7 @@ pub fn find<T: Instant + Default>(query: &Query, ground: &mut SearchGround<T>) -
 }
 
 /// The parts of what was found that lie in intervals in order; what has no length is in them or not.
-fn parts<T: Instant>(hit: &Hit<T>, within: &[Interval<T>]) -> Vec<Hit<T>> {
+fn parts<T: TimePoint>(hit: &Hit<T>, within: &[Interval<T>]) -> Vec<Hit<T>> {
     let within = &within[within.partition_point(|interval| interval.end <= hit.begin)..];
     if hit.begin == hit.end {
         return within.first().filter(|first| first.contains(hit.begin)).map(|_| hit.clone()).into_iter().collect();
@@ -286,7 +289,7 @@ fn named<'n>(kind: &'static str, name: &str, known: impl Iterator<Item = &'n str
     Err(SearchError::Unknown { kind, name: name.to_owned(), hint })
 }
 
-fn hit<T: Instant>(stay: &KnownStay<T>) -> Hit<T> {
+fn hit<T: TimePoint>(stay: &KnownStay<T>) -> Hit<T> {
     let words = match (&stay.who, &*stay.words) {
         (Some(who), "") => who.to_string(),
         (Some(who), words) => format!("{who}: {words}"),
@@ -296,7 +299,7 @@ fn hit<T: Instant>(stay: &KnownStay<T>) -> Hit<T> {
 }
 
 /// The stays of one name by person; stays with a short pause between are one.
-fn merged<T: Instant>(told: Vec<KnownStay<T>>, name: &str) -> Vec<Hit<T>> {
+fn merged<T: TimePoint>(told: Vec<KnownStay<T>>, name: &str) -> Vec<Hit<T>> {
     let mut all: Vec<Hit<T>> = Vec::new();
     let mut last: Vec<(Option<Cow<str>>, usize)> = Vec::new();
     for stay in told.into_iter().filter(|stay| *stay.name == *name) {
@@ -317,7 +320,7 @@ fn merged<T: Instant>(told: Vec<KnownStay<T>>, name: &str) -> Vec<Hit<T>> {
 }
 
 /// Intervals of which nothing more is said.
-fn wordless<T: Instant>(spans: Vec<Interval<T>>, name: &str) -> Vec<Hit<T>> {
+fn wordless<T: TimePoint>(spans: Vec<Interval<T>>, name: &str) -> Vec<Hit<T>> {
     let hit = |Interval { begin, end }| Hit { begin, end, name: name.to_owned(), words: String::new() };
     spans.into_iter().map(hit).collect()
 }
@@ -327,7 +330,7 @@ fn meanings(values: &[String]) -> Vec<Says> {
     values.iter().map(|value| says(value)).collect()
 }
 
-fn by_sensors<T: Instant + Default>(
+fn by_sensors<T: TimePoint + Default>(
     name: &str,
     ground: &mut SearchGround<T>,
     remarks: &mut Vec<String>,
@@ -373,7 +376,7 @@ enum OnOff {
     Unknown,
 }
 
-fn on<T: Instant + Default>(
+fn on<T: TimePoint + Default>(
     name: &str,
     ground: &mut SearchGround<T>,
     remarks: &mut Vec<String>,
@@ -418,7 +421,7 @@ fn on<T: Instant + Default>(
     Ok(wordless(spans, &name))
 }
 
-fn still<T: Instant>(ground: &mut SearchGround<T>, remarks: &mut Vec<String>) -> Result<Vec<Hit<T>>, SearchError> {
+fn still<T: TimePoint>(ground: &mut SearchGround<T>, remarks: &mut Vec<String>) -> Result<Vec<Hit<T>>, SearchError> {
     let said = meanings(ground.values);
     let Interval { begin, end } = ground.span;
     let mut spans: Vec<Interval<T>> = Vec::new();
@@ -449,7 +452,7 @@ fn still<T: Instant>(ground: &mut SearchGround<T>, remarks: &mut Vec<String>) ->
 }
 
 /// Falls, and in which room each was, by who was where. `by` says who tells of them, and may be empty.
-pub fn falls_in_rooms<'a, T: Instant>(
+pub fn falls_in_rooms<'a, T: TimePoint>(
     falls: Vec<KnownStay<'a, T>>,
     stays: &[KnownStay<T>],
     by: &str,
@@ -465,7 +468,7 @@ pub fn falls_in_rooms<'a, T: Instant>(
 }
 
 /// The times with a person at home: all stays in rooms together, with short ways between rooms.
-pub fn at_home<T: Instant>(stays: impl IntoIterator<Item = Interval<T>>) -> Vec<Interval<T>> {
+pub fn at_home<T: TimePoint>(stays: impl IntoIterator<Item = Interval<T>>) -> Vec<Interval<T>> {
     let mut stays: Vec<Interval<T>> = stays.into_iter().collect();
     stays.sort_unstable();
     joined(stays, PAUSE)

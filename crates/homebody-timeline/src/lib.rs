@@ -10,7 +10,7 @@ mod builder;
 
 pub use builder::TimelineBuilder;
 
-use homebody_core::time::{Instant, Interval, RunTime, Span};
+use homebody_core::time::{Interval, RunTime, Span, TimePoint};
 
 /// An interval of a person's time and its label: an activity, such as `sleeping`, or a room.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -46,7 +46,7 @@ impl<T, L> Episode<T, L> {
     }
 }
 
-impl<T: Instant, L> Episode<T, L> {
+impl<T: TimePoint, L> Episode<T, L> {
     /// The first instant of the episode.
     pub fn begin(&self) -> T {
         self.time.begin
@@ -76,7 +76,7 @@ impl<T> Default for Timeline<T> {
     }
 }
 
-impl<T: Instant> PersonTimeline<T> {
+impl<T: TimePoint> PersonTimeline<T> {
     /// Whether nothing is known of the person.
     pub fn is_empty(&self) -> bool {
         self.activities.is_empty() && self.rooms.is_empty()
@@ -108,7 +108,7 @@ impl<T: Instant> PersonTimeline<T> {
     }
 }
 
-impl<T: Instant> Timeline<T> {
+impl<T: TimePoint> Timeline<T> {
     /// The same on another scale.
     pub fn map<U>(self, mut change: impl FnMut(T) -> U) -> Timeline<U> {
         Timeline { people: self.people.into_iter().map(|person| person.map(&mut change)).collect() }
@@ -123,7 +123,7 @@ impl<T: Instant> Timeline<T> {
 }
 
 /// The label at an instant of episodes in order, of which no two overlap.
-fn label_at<T: Instant>(episodes: &[Episode<T>], at: T) -> Option<&str> {
+fn label_at<T: TimePoint>(episodes: &[Episode<T>], at: T) -> Option<&str> {
     let next = episodes.partition_point(|episode| episode.begin() <= at);
     let last = episodes[..next].last()?;
     last.time.contains(at).then_some(&last.label)

@@ -5,7 +5,6 @@ mod commands;
 mod failure;
 mod installation;
 mod length;
-pub mod messages;
 mod old_names;
 mod pace;
 mod print;
@@ -15,6 +14,11 @@ mod start;
 mod suggestions;
 mod prometheus;
 mod watched;
+
+/// All messages of the program.
+pub mod messages {
+    pub use crate::commands::catalogue::all;
+}
 
 /// The parts of commands that the program `homebody-lab` uses, too.
 pub mod shared {
@@ -26,9 +30,7 @@ pub mod shared {
     pub use crate::commands::read_log::{HowRead, read_log};
     pub use crate::commands::scenario::Trust;
     pub use crate::failure::Failure;
-    pub use crate::print::{
-        LogFormat, json_text, print_json, print_text, tell_as as write_messages_as, write_file,
-    };
+    pub use crate::print::{LogFormat, json_text, print_json, print_text, tell_as as write_messages_as, write_file};
     pub use crate::progress::bar;
     pub use crate::{exit_code, prepare};
 }

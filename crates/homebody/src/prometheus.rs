@@ -1,8 +1,13 @@
 //! Numbers in the text format of Prometheus.
 
+use homebody_fleet::{DestinationReport, FleetReport};
 use std::fmt::{Display, Write};
+use std::sync::{Arc, Mutex};
 
-/// Some of them.
+/// The last report of a fleet, for other threads.
+pub type LastReport = Arc<Mutex<FleetReport>>;
+
+/// Numbers in this format.
 pub struct Numbers {
     pub text: String,
     scenario: String,
@@ -39,4 +44,26 @@ pub fn label(name: &str, value: &str) -> String {
 /// A label's value, as the format wants it.
 fn escaped(text: &str) -> String {
     text.replace('\\', "\\\\").replace('"', "\\\"").replace('\n', "\\n")
+}
+
+/// The numbers of a fleet.
+pub fn fleet_numbers(scenario: &str, report: &FleetReport) -> String {
+    let mut numbers = Numbers::of(scenario);
+    let mut one = |name: &str, help: &str, value: f64| numbers.add(name, "gauge", help, [(String::new(), value)]);
+    one("homebody_homes", "Homes that are online.", report.homes as f64);
+    one("homebody_messages_per_second", "Messages sent a second.", report.messages_per_s);
+    one("homebody_behind_seconds", "Age of the oldest message that is due and not sent.", report.behind_s);
+    one("homebody_ahead_seconds", "How far homes are simulated ahead of the clock.", report.ahead_s);
+    let late = [("0.5", report.late_median_ms), ("0.99", report.late_99_ms), ("1", report.late_most_ms)];
+    let late = late.map(|(share, ms)| (label("quantile", share), ms / 1000.0));
+    numbers.add("homebody_late_seconds", "gauge", "Delay of messages since the last report.", late);
+    let of = |value: fn(&DestinationReport) -> u64| {
+        report.destinations.iter().map(move |one| (label("destination", &one.place), value(one)))
+    };
+    let retries = "Repeated calls to a destination.";
+    numbers.add("homebody_retries_total", "counter", retries, of(|one| one.retries));
+    numbers.add("homebody_waiting", "gauge", "Messages that are due and not sent.", of(|one| one.waiting as u64));
+    let up = "1 if a destination is reachable, else 0.";
+    numbers.add("homebody_destination_up", "gauge", up, of(|one| u64::from(!one.is_away)));
+    numbers.text
 }

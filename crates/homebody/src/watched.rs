@@ -1,12 +1,11 @@
 //! How a run is watched from outside: its numbers in the text format of Prometheus, by `--metrics`.
 
-use crate::commands::fleet::told::{Look, numbers};
 use crate::failure::Failure;
 use crate::print::{tell, warn};
-use crate::prometheus::{Numbers, label};
+use crate::prometheus::{LastReport, Numbers, fleet_numbers, label};
 use homebody_core::time::UtcTime;
-use homebody_simulation::{RunMetrics, RunReading};
 use homebody_log::policy::MetricsReading;
+use homebody_simulation::{RunMetrics, RunReading};
 use homebody_web::serve_metrics;
 use jiff::Timestamp;
 use std::net::{Ipv4Addr, SocketAddr};
@@ -54,10 +53,10 @@ impl Watched {
     }
 
     /// The same for a fleet, of which the last report is served.
-    pub fn begin_fleet(&self, scenarios: &str) -> Result<Look, Failure> {
-        let look = Look::default();
+    pub fn begin_fleet(&self, scenarios: &str) -> Result<LastReport, Failure> {
+        let look = LastReport::default();
         let (seen, name) = (look.clone(), scenarios.to_owned());
-        self.serve(move || numbers(&name, &seen.lock().unwrap_or_else(PoisonError::into_inner)))?;
+        self.serve(move || fleet_numbers(&name, &seen.lock().unwrap_or_else(PoisonError::into_inner)))?;
         Ok(look)
     }
 
@@ -107,8 +106,14 @@ mod tests {
 
     #[test]
     fn numbers_are_told_as_prometheus_reads_them() {
-        let reading =
-            MetricsReading { rows: 12, durable: 10, retries: 1, spooled_bytes: 99, is_away: true, last: RunTime::START };
+        let reading = MetricsReading {
+            rows: 12,
+            durable: 10,
+            retries: 1,
+            spooled_bytes: 99,
+            is_away: true,
+            last: RunTime::START,
+        };
         let now = Timestamp::from_second(1000).unwrap();
         let seen = RunReading {
             now: Timestamp::from_second(998).ok(),

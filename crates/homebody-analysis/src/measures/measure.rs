@@ -115,7 +115,7 @@ pub enum NoteMeaning {
 /// A measure in the report for carers.
 #[derive(Clone, Copy, Debug)]
 pub struct CareUse {
-    /// The least standard deviation of the usual values (our choice).
+    /// The least standard deviation of the usual values.
     pub least_sd: f64,
     /// The coarser measure of the same thing. The report has the coarser one if the finer has no value at all.
     pub instead_of: Option<&'static str>,

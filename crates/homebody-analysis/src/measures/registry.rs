@@ -4,6 +4,7 @@
 
 use super::measure::*;
 use super::rooms::Purpose;
+use homebody_core::activity::LAPPING;
 
 /// All measures. Figures without a source are our choice.
 pub static MEASURES: &[DailyMeasure] = &[
@@ -304,7 +305,7 @@ pub static MEASURES: &[DailyMeasure] = &[
         ..DAY
     },
     DailyMeasure {
-        name: "lapping",
+        name: LAPPING,
         unit: TIMES,
         title: "Lapping",
         definition: "Walks round three rooms or more, three times or more, without a stay of over a minute",

@@ -2,7 +2,7 @@
 
 use super::meanings::Meanings;
 use homebody_core::states::Says;
-use homebody_core::time::{Instant, Interval, WallTime};
+use homebody_core::time::{Interval, TimePoint, WallTime};
 use homebody_log::Log;
 
 /// The meaning of a row after the rows of its sensor before it.
@@ -39,7 +39,7 @@ pub struct SensorCourse<T = WallTime> {
     unknown_from: Option<T>,
 }
 
-impl<T: Instant> SensorCourse<T> {
+impl<T: TimePoint> SensorCourse<T> {
     /// Takes a row. `gaps` are those of the recorder, in the order of time.
     pub fn take(&mut self, at: T, says: Says, gaps: &[Interval<T>]) -> RowMeaning<T> {
         let gap = self.at.and_then(|before| gap_between(gaps, before, at));
@@ -64,13 +64,13 @@ impl<T: Instant> SensorCourse<T> {
 }
 
 /// When the first gap begins that lies between two rows.
-fn gap_between<T: Instant>(gaps: &[Interval<T>], before: T, at: T) -> Option<T> {
+fn gap_between<T: TimePoint>(gaps: &[Interval<T>], before: T, at: T) -> Option<T> {
     let next = gaps.get(gaps.partition_point(|gap| gap.begin < before))?;
     (next.begin < at).then_some(next.begin)
 }
 
 /// The meaning of each row of a log, in the order of its rows.
-pub fn said<T: Instant + Default>(log: &Log<T>) -> Vec<RowMeaning<T>> {
+pub fn said<T: TimePoint + Default>(log: &Log<T>) -> Vec<RowMeaning<T>> {
     let meanings = Meanings::from_log(log);
     let mut courses = vec![SensorCourse::default(); log.sensors.len()];
     let mut take = |number: usize| {

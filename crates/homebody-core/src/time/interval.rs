@@ -1,6 +1,6 @@
 //! Intervals of time, and sets of them.
 
-use super::{Instant, Span};
+use super::{Span, TimePoint};
 use serde::{Deserialize, Serialize};
 
 /// From one instant to another of the same scale; the end is not part of it.
@@ -16,7 +16,7 @@ pub struct Interval<T> {
     pub end: T,
 }
 
-impl<T: Instant> Interval<T> {
+impl<T: TimePoint> Interval<T> {
     /// All time.
     pub const ALL: Interval<T> = Interval { begin: T::MIN, end: T::MAX };
 
@@ -78,7 +78,7 @@ impl<T: Instant> Interval<T> {
 }
 
 /// Intervals, of which those that are no farther apart than `apart` become one.
-pub fn joined<T: Instant>(intervals: impl IntoIterator<Item = Interval<T>>, apart: Span) -> Vec<Interval<T>> {
+pub fn joined<T: TimePoint>(intervals: impl IntoIterator<Item = Interval<T>>, apart: Span) -> Vec<Interval<T>> {
     let mut joined: Vec<Interval<T>> = Vec::new();
     for interval in intervals {
         match joined.last_mut().filter(|last| interval.begin - last.end <= apart) {
@@ -90,7 +90,7 @@ pub fn joined<T: Instant>(intervals: impl IntoIterator<Item = Interval<T>>, apar
 }
 
 /// The time of all of these; those that overlap or touch become one.
-pub fn union<T: Instant>(intervals: impl IntoIterator<Item = Interval<T>>) -> Vec<Interval<T>> {
+pub fn union<T: TimePoint>(intervals: impl IntoIterator<Item = Interval<T>>) -> Vec<Interval<T>> {
     let mut all: Vec<Interval<T>> = intervals.into_iter().collect();
     all.sort_unstable();
     let mut union: Vec<Interval<T>> = Vec::with_capacity(all.len());
@@ -104,7 +104,7 @@ pub fn union<T: Instant>(intervals: impl IntoIterator<Item = Interval<T>>) -> Ve
 }
 
 /// The time that two lists have in common.
-pub fn intersection<T: Instant>(some: &[Interval<T>], others: &[Interval<T>]) -> Vec<Interval<T>> {
+pub fn intersection<T: TimePoint>(some: &[Interval<T>], others: &[Interval<T>]) -> Vec<Interval<T>> {
     let mut all = Vec::new();
     let (mut some, mut others) = (some.iter().peekable(), others.iter().peekable());
     while let (Some(&&one), Some(&&other)) = (some.peek(), others.peek()) {
@@ -122,7 +122,7 @@ pub fn intersection<T: Instant>(some: &[Interval<T>], others: &[Interval<T>]) ->
 }
 
 /// The time of some that lies outside others: with one interval as `some`, the gaps between the others in it.
-pub fn without<T: Instant>(some: &[Interval<T>], others: &[Interval<T>]) -> Vec<Interval<T>> {
+pub fn without<T: TimePoint>(some: &[Interval<T>], others: &[Interval<T>]) -> Vec<Interval<T>> {
     let mut left = Vec::new();
     let mut first = 0;
     for interval in some {

@@ -1,6 +1,6 @@
 //! Converts instants between the scales of a run, of the world and of a clock on a wall.
 
-use super::{DAY, Instant, Interval, RunTime, SECOND, Span, UtcTime, WallTime};
+use super::{DAY, Interval, RunTime, SECOND, Span, TimePoint, UtcTime, WallTime};
 use jiff::tz::TimeZone;
 use std::cmp::Reverse;
 
@@ -129,7 +129,7 @@ impl TimeScale {
     }
 }
 
-impl<T: Instant> ClockChange<T> {
+impl<T: TimePoint> ClockChange<T> {
     /// Whether the wall shows a time again that it has shown before.
     pub fn is_back(self) -> bool {
         self.by < Span::ZERO

@@ -1,6 +1,6 @@
 //! The fonts of a PDF: of each only the letters that are on its pages, with what they mean.
 
-use super::{PdfError, packed};
+use super::error::{PdfError, packed};
 use crate::font;
 use pdf_writer::types::{CidFontType, FontFlags, SystemInfo, UnicodeCmap};
 use pdf_writer::{Filter, Finish, Name, Pdf, Rect, Ref, Str};

@@ -1,6 +1,6 @@
 //! DayHours of the day on the clock on the wall, over the days of a log or a run.
 
-use homebody_core::time::{ClockChange, DAY, Instant, Interval, MINUTE, Span, joined};
+use homebody_core::time::{ClockChange, DAY, Interval, MINUTE, Span, TimePoint, joined};
 use std::fmt;
 use std::str::FromStr;
 
@@ -47,7 +47,7 @@ impl DayHours {
     }
 
     /// The times between these hours, in order; one over midnight is one interval.
-    pub fn over<T: Instant>(self, days: &[SearchDay<T>]) -> Vec<Interval<T>> {
+    pub fn over<T: TimePoint>(self, days: &[SearchDay<T>]) -> Vec<Interval<T>> {
         let [from, to] = [self.from_min, self.to_min].map(|minutes| i64::from(minutes) * MINUTE);
         let pieces = if from < to { vec![(from, to)] } else { vec![(Span::ZERO, to), (from, DAY)] };
         let mut all: Vec<Interval<T>> = Vec::new();

@@ -9,13 +9,18 @@ use super::fleet::told::FleetEndMessage;
 use super::follow::FollowMessage;
 use super::live::LiveMessage;
 use super::measures::MeasuresMessage;
-use super::messages::{LogContentMessage, MomentMessage, NewHomeMessage, PictureMessage};
+use super::messages::{ExplainMessage, LogContentMessage, MomentMessage, NewHomeMessage, PictureMessage};
 use super::parameters::ParametersMessage;
 use super::routine::messages::RoutinesMessage;
 use super::run_messages::{ReplayMessage, RunMessage};
 use super::serve::ServeMessage;
 use super::silhouettes::messages::SilhouettesMessage;
 use super::suggest_sensors::GoalsMessage;
+use crate::failure::SimulationMessage;
+use crate::old_names::GoneMessage;
+use crate::pace::ControlMessage;
+use crate::print::ResultMessage;
+use crate::watched::MetricsMessage;
 use homebody_core::messages::{Catalogue, CatalogueEntry};
 
 /// The messages by area.
@@ -41,3 +46,41 @@ pub const MESSAGES: &[&[CatalogueEntry]] = &[
     GoalsMessage::ENTRIES,
     DoctorMessage::ENTRIES,
 ];
+
+/// The messages of all crates, by area.
+pub fn all() -> impl Iterator<Item = &'static CatalogueEntry> + Clone {
+    [
+        homebody_core::catalogue::MESSAGES,
+        homebody_log::catalogue::MESSAGES,
+        homebody_routine::catalogue::MESSAGES,
+        homebody_import::catalogue::MESSAGES,
+        &[
+            homebody_simulation::catalogue::ERRORS,
+            homebody_query::catalogue::ERRORS,
+            homebody_scaffold::catalogue::ERRORS,
+        ],
+        homebody_query::catalogue::MESSAGES,
+        homebody_simulation::catalogue::MESSAGES,
+        homebody_fleet::catalogue::MESSAGES,
+        homebody_scaffold::catalogue::MESSAGES,
+        homebody_tracking::catalogue::MESSAGES,
+        homebody_analysis::catalogue::MESSAGES,
+        homebody_picture::catalogue::MESSAGES,
+        homebody_placement::catalogue::MESSAGES,
+        homebody_web::catalogue::MESSAGES,
+        MESSAGES,
+        &[
+            ControlMessage::ENTRIES,
+            MetricsMessage::ENTRIES,
+            ResultMessage::ENTRIES,
+            SimulationMessage::ENTRIES,
+            ExplainMessage::ENTRIES,
+            GoneMessage::ENTRIES,
+        ],
+    ]
+    .into_iter()
+    .chain(homebody_simulation::catalogue::EXTENSIONS.iter().copied())
+    .flatten()
+    .copied()
+    .flatten()
+}

@@ -1,7 +1,8 @@
 //! `homebody explain`: the long form of a message.
 
+use super::catalogue;
+use super::messages::ExplainMessage;
 use crate::failure::Failure;
-use crate::messages::{self, ExplainMessage};
 use crate::print::print_text;
 use homebody_core::messages::CatalogueEntry;
 use homebody_core::nearest::nearest;
@@ -22,7 +23,7 @@ pub struct Arguments {
 
 impl Arguments {
     pub fn run(self) -> Result<(), Failure> {
-        explain(self.code, messages::all())
+        explain(self.code, catalogue::all())
     }
 }
 

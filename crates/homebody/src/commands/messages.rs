@@ -143,3 +143,20 @@ homebody_core::messages! {
         } warning "routine-lacks" ("the ordinary routine cannot run yet: {lack}");
     }
 }
+
+homebody_core::messages! {
+    /// Errors of `homebody explain`.
+    pub enum ExplainMessage in "explain" {
+        /// Messages have codes such as `log::exists`. No message has the code that was asked for.
+        UnknownCode {
+            /// The code asked for.
+            code: String,
+            /// The most similar code.
+            nearest: Option<String>,
+        } error "unknown-code" ("no message has the code {code:?}")
+            advice (Some(match nearest {
+                Some(nearest) => format!("did you mean {nearest}?"),
+                None => "homebody explain lists all codes".to_owned(),
+            }));
+    }
+}

@@ -1,16 +1,16 @@
-//! What people and programs are told of a fleet: a line every few seconds, a file of reports, numbers for Prometheus.
+//! What people and programs are told of a fleet: a line every few seconds and a file of reports.
 
 use crate::commands::lived::span_in_words;
 use crate::failure::Failure;
 use crate::print::{counted, grouped, not_written, print_json, tell, tell_with, warn};
-use crate::prometheus::{Numbers, label};
+use crate::prometheus::LastReport;
 use homebody_core::time::SECOND;
-use homebody_fleet::{DestinationReport, FleetHomes, FleetReport, FleetStatus};
+use homebody_fleet::{FleetHomes, FleetReport, FleetStatus};
 use homebody_log::files::fresh::FreshFile;
 use homebody_log::sink::csv_line;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use std::fmt::Write;
-use std::sync::{Arc, Mutex, PoisonError};
+use std::sync::PoisonError;
 use std::time::{Duration, Instant};
 
 homebody_core::messages! {
@@ -29,16 +29,13 @@ homebody_core::messages! {
     }
 }
 
-/// The last report, for other threads.
-pub type Look = Arc<Mutex<FleetReport>>;
-
 /// Who tells it.
 pub struct Telling {
     is_quiet: bool,
     is_json: bool,
     bar: ProgressBar,
     file: Option<FreshFile>,
-    look: Look,
+    look: LastReport,
     /// Of how long a time was behind at the beginning, in seconds.
     caught_up_s: f64,
     told_at: Instant,
@@ -49,7 +46,7 @@ const BEHIND_TOLD: Duration = Duration::from_secs(10);
 
 impl Telling {
     /// `file` is where reports are kept.
-    pub fn begin(is_quiet: bool, is_json: bool, file: Option<FreshFile>, look: Look) -> Telling {
+    pub fn begin(is_quiet: bool, is_json: bool, file: Option<FreshFile>, look: LastReport) -> Telling {
         let bar = bar(is_quiet, "", None);
         Telling { is_quiet, is_json, bar, file, look, caught_up_s: 0.0, told_at: Instant::now() }
     }
@@ -206,28 +203,6 @@ pub fn list(of: &FleetHomes) -> String {
     text
 }
 
-/// Numbers for Prometheus.
-pub fn numbers(scenario: &str, report: &FleetReport) -> String {
-    let mut numbers = Numbers::of(scenario);
-    let mut one = |name: &str, help: &str, value: f64| numbers.add(name, "gauge", help, [(String::new(), value)]);
-    one("homebody_homes", "Homes that are online.", report.homes as f64);
-    one("homebody_messages_per_second", "Messages sent a second.", report.messages_per_s);
-    one("homebody_behind_seconds", "Age of the oldest message that is due and not sent.", report.behind_s);
-    one("homebody_ahead_seconds", "How far homes are simulated ahead of the clock.", report.ahead_s);
-    let late = [("0.5", report.late_median_ms), ("0.99", report.late_99_ms), ("1", report.late_most_ms)];
-    let late = late.map(|(share, ms)| (label("quantile", share), ms / 1000.0));
-    numbers.add("homebody_late_seconds", "gauge", "Delay of messages since the last report.", late);
-    let of = |value: fn(&DestinationReport) -> u64| {
-        report.destinations.iter().map(move |one| (label("destination", &one.place), value(one)))
-    };
-    let retries = "Repeated calls to a destination.";
-    numbers.add("homebody_retries_total", "counter", retries, of(|one| one.retries));
-    numbers.add("homebody_waiting", "gauge", "Messages that are due and not sent.", of(|one| one.waiting as u64));
-    let up = "1 if a destination is reachable, else 0.";
-    numbers.add("homebody_destination_up", "gauge", up, of(|one| u64::from(!one.is_away)));
-    numbers.text
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -245,7 +220,7 @@ mod tests {
             line(&report),
             "12,345 homes  612 messages/s  late 0.4 ms median, 31 ms 99 %, 0.0 ms most  simulated 0.0 s ahead"
         );
-        let numbers = numbers("a\"b", &report);
+        let numbers = crate::prometheus::fleet_numbers("a\"b", &report);
         assert!(numbers.contains("homebody_late_seconds{scenario=\"a\\\"b\",quantile=\"0.99\"} 0.031\n"), "{numbers}");
         assert_eq!((grouped(7), grouped(1_000), grouped(1_234_567)), ("7".into(), "1,000".into(), "1,234,567".into()));
     }
