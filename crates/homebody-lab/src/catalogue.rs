@@ -1,7 +1,7 @@
 //! The messages of this crate, for lists of all messages.
 
-use crate::commands::messages::ExperimentMessage;
 use crate::locating::LocatingError;
+use crate::messages::ExperimentMessage;
 use crate::{recogniser, sphere};
 use homebody_core::messages::{Catalogue, CatalogueEntry};
 

@@ -8,7 +8,6 @@ mod falls;
 mod godsey2009;
 mod locate;
 mod measures;
-pub(crate) mod messages;
 mod possible;
 mod realism;
 mod recogniser;

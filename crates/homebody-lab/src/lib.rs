@@ -6,6 +6,7 @@
 /// The messages of this crate.
 pub mod catalogue;
 mod commands;
+mod messages;
 
 /// The quality of alerts of a condition.
 pub mod alerting;

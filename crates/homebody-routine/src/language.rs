@@ -72,6 +72,7 @@ use set_aside::set_aside;
 use std::ops::Range;
 use words::{Sentence, SentenceWord, TextSpan};
 
+/// Largest length of a line.
 pub const LONGEST_LINE: usize = 2_000;
 /// Number of problems of a text after which no meanings of sentences are searched for, because this takes time (our
 /// choice).
@@ -81,6 +82,7 @@ const MOST_MENDED: usize = 10;
 /// time (our choice).
 const MOST_FREE_WORDS: usize = 600;
 
+/// Largest number of sentences.
 pub const MOST_SENTENCES: usize = 2_000;
 
 pub fn routine(file: &str, text: &str, known: &KnownNames) -> (Routine, Vec<Problem>) {

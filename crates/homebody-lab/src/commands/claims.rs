@@ -1,8 +1,8 @@
 //! `homebody-lab claims`.
 
 use super::ask_each;
-use super::messages::ExperimentMessage;
 use crate::claims::{CLAIMS, Case, Experiment, Row};
+use crate::messages::ExperimentMessage;
 use homebody::shared::{Failure, Figures};
 
 /// Measure whether simulations follow the sentences of routines

@@ -1,8 +1,8 @@
 //! `homebody-lab measures`.
 
 use super::locate::{of_one, with_and_without_faults};
-use super::messages::ExperimentMessage;
 use crate::measures::{Error, beside, case};
+use crate::messages::ExperimentMessage;
 use homebody::shared::{Failure, Figures, HowRead, not_measurable, read_log, within};
 use homebody_analysis::measures::Measures;
 use homebody_query::LoadedLog;

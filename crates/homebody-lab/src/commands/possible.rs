@@ -2,7 +2,7 @@
 
 use super::ask_each;
 use super::locate::is_person;
-use super::messages::ExperimentMessage;
+use crate::messages::ExperimentMessage;
 use crate::possible::{HouseholdTruth, Possible, Row};
 use homebody::shared::{Failure, Trust, print_json, print_text};
 use homebody_core::drivers::error::DriverError;

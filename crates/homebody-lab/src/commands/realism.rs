@@ -1,6 +1,6 @@
 //! `homebody-lab realism`.
 
-use super::messages::ExperimentMessage;
+use crate::messages::ExperimentMessage;
 use homebody::shared::{Answer, Failure, HowRead, not_comparable, read_log};
 use homebody_analysis::realism::{ComparedLog, Realism, realism};
 use homebody_core::scenario::logger::{LoggerFile, LumpFile, MessagesFile, OnOffFile, TimeFormat};

@@ -1,7 +1,7 @@
 //! `homebody-lab recogniser`.
 
 use super::ask_each;
-use super::messages::ExperimentMessage;
+use crate::messages::ExperimentMessage;
 use crate::recogniser::{NotRecognised, Prepared};
 use homebody::shared::{Failure, HowRead, json_text, print_json, print_text, read_log, write_file};
 use homebody_core::messages::Diagnose;

@@ -1,6 +1,6 @@
 //! `homebody-lab sphere`.
 
-use super::messages::ExperimentMessage;
+use crate::messages::ExperimentMessage;
 use crate::sphere::{AnnotatedRun, BadRow, Experiment, Interval, Recording, Texts, parse};
 use homebody::shared::{Answer, Failure};
 use homebody_core::messages::Diagnose;

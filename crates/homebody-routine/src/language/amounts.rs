@@ -27,11 +27,15 @@ pub struct Amount {
     pub span: TextSpan,
 }
 
+/// How far "about" reaches, as a share of the number.
 pub const ABOUT_SHARE: f64 = 0.25;
+/// How far a duration said without "about" reaches.
 pub const PLAIN_SHARE: f64 = 0.1;
+/// How far "about" reaches for a walking speed, which hardly varies from day to day.
 pub const ABOUT_PACE_SHARE: f64 = 0.1;
 
 pub const DAY_S: f64 = 86_400.0;
+/// What a month is worth where days are counted.
 pub const MONTH_DAYS: f64 = 30.0;
 pub const YEAR_DAYS: f64 = 365.0;
 

@@ -281,6 +281,7 @@ fn half_by_doing(reader: &mut SentenceReader, from: usize, face: Face) -> Option
         "asleep" if (7.0..12.0).contains(&hour) => return Some(true),
         _ => {}
     }
+    /// Further away, something else is meant.
     const NEAR: usize = 20;
     let near = |reader: &mut SentenceReader, named: fn(&mut SentenceReader) -> Option<Activity>| {
         let at = |reader: &mut SentenceReader, at: usize| {

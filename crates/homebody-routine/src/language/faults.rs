@@ -5,6 +5,7 @@ use homebody_core::nearest::nearest;
 use homebody_core::problem::{Advice, Diagnostic, Excerpt, Problem};
 use homebody_core::problems::ProblemsMessage;
 
+/// Number of problems above which they are counted instead of listed.
 pub const MOST: usize = 100;
 
 #[derive(Clone, Debug, PartialEq)]

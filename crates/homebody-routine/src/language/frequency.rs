@@ -69,6 +69,7 @@ pub fn often(reader: &mut SentenceReader) -> Option<Often> {
     Some(found)
 }
 
+/// Every so many days.
 const EVERY_OTHER_WEEK: u32 = 14;
 
 /// "every other day", "every 3 days", "every week".

@@ -15,6 +15,7 @@ use std::sync::{Arc, LazyLock};
 const ENGLISH: &str = include_str!("english.words");
 
 pub const OWN_FILE: &str = "own.words";
+/// Largest number of lines, and of characters of a line.
 pub const MOST_LINES: usize = 2_000;
 const LONGEST_LINE: usize = 300;
 

@@ -22,6 +22,7 @@ use super::visits::visits;
 use super::words::{SentenceWord, TextSpan, Token};
 use crate::routine::{Activity, Routine};
 
+/// Number of words above which a clause is read literally.
 const LONGEST: usize = 30;
 /// Largest share of the words that are passed over (our choice): beyond it, the sentence has another subject.
 const MOST_PASSED: f64 = 0.67;

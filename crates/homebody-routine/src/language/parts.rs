@@ -24,13 +24,16 @@ use super::words::{SentenceWord, TextSpan, Token};
 use crate::routine::{Activity, Routine};
 use std::collections::BTreeMap;
 
+/// Largest number of parts of a sentence. A longer one is several sentences.
 const MOST_PARTS: usize = 9;
 /// Cost of a clause that is not understood, in clauses, and of each of its words (our choice): the fewest words are
 /// left out.
 const LEFT_OUT: usize = 3;
 /// Smallest share of the words that are used (our choice).
 const LEAST_LIVED: f64 = 0.34;
+/// Largest number of attempts to read a sentence without some of its parts.
 const MOST_TRIES: usize = 40;
+/// Number of words above which a sentence is read literally.
 const LONGEST: usize = 60;
 
 #[derive(Default)]

@@ -24,6 +24,7 @@ use super::unknown_word;
 use super::words::{TextSpan, Token};
 use crate::routine::{Activity, HabitTime};
 
+/// Largest number of activities in a sequence. More need several sentences.
 const MOST_CLAUSES: usize = 12;
 
 pub fn sentence(reader: &mut SentenceReader, draft: &mut RoutineDraft, heading: Option<&Adverbs>) -> Option<Adverbs> {

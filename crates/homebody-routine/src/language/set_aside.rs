@@ -20,8 +20,11 @@ use crate::routine::Routine;
 use std::collections::BTreeSet;
 use std::sync::LazyLock;
 
+/// Largest number of words set aside: more are another sentence.
 const LONGEST: usize = 12;
+/// Largest number of ways of setting words aside that are tried for a sentence.
 const MOST_TRIES: usize = 30;
+/// Length above which no words of a sentence are set aside: too many ways would have to be tried.
 const LONGEST_SENTENCE: usize = 40;
 
 pub static TELLING: LazyLock<BTreeSet<&str>> = LazyLock::new(|| {

@@ -17,6 +17,7 @@ use super::synonym::reworded;
 use super::times;
 use super::words::{SentenceWord, TextSpan, Token};
 
+/// Number of words above which a sentence is read literally.
 const LONGEST: usize = 60;
 
 pub fn in_shape(

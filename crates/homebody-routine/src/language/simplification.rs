@@ -14,7 +14,9 @@ use super::synonym::reworded;
 use super::words::{self, SentenceWord, TextSpan, Token};
 use crate::routine::{Activity, Routine};
 
+/// Largest number of ways of leaving words out that are tried for a sentence.
 const MOST_TRIES: usize = 120;
+/// Length above which no words of a sentence are left out.
 const LONGEST: usize = 40;
 
 /// Largest number of problems of a text whose hints are searched for (our choice).

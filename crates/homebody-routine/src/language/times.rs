@@ -7,7 +7,9 @@ use super::reader::SentenceReader;
 use crate::routine::PartOfDay;
 use homebody_core::fuzzy::Fuzzy;
 
+/// How far "about" a time of day reaches, in seconds.
 pub const ABOUT_TIME_S: f64 = 20.0 * 60.0;
+/// How far a time of day said without "about" reaches.
 pub const PLAIN_TIME_S: f64 = 5.0 * 60.0;
 
 const HOUR_S: f64 = 3600.0;

@@ -5,10 +5,11 @@ use std::fs;
 use toml::{Table, Value};
 
 /// On which of our crates each of them may depend.
-const ARROWS: [(&str, &[&str]); 24] = [
+const ARROWS: [(&str, &[&str]); 25] = [
     ("homebody-core", &[]),
     ("homebody-import", &["homebody-core", "homebody-walk"]),
     ("homebody-walk", &["homebody-core"]),
+    ("homebody-oracle", &["homebody-core"]),
     ("homebody-log", &["homebody-core", "homebody-timeline"]),
     ("homebody-postgres", &["homebody-core", "homebody-log"]),
     ("homebody-arrow", &["homebody-core", "homebody-log"]),
@@ -163,7 +164,8 @@ const ARROWS: [(&str, &[&str]); 24] = [
 ];
 
 /// Dev-dependencies besides, and why.
-const BACKWARD: [(&str, &str, &str); 4] = [
+const BACKWARD: [(&str, &str, &str); 5] = [
+    ("homebody-core", "homebody-oracle", "the tests compare the kernel with the update loop of the paper"),
     ("homebody", "homebody-lab", "the rules read the messages and the command line of the experiments"),
     ("homebody", "homebody-walk", "the tests count to how much of an imported plan there is a way"),
     ("homebody-core", "homebody-log", "the benchmarks hold the kernel beside the database that stores its firings"),
