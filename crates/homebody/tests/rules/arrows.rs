@@ -7,9 +7,9 @@ use toml::{Table, Value};
 /// On which of our crates each of them may depend.
 const ARROWS: [(&str, &[&str]); 25] = [
     ("homebody-core", &[]),
-    ("homebody-oracle", &["homebody-core"]),
     ("homebody-import", &["homebody-core", "homebody-walk"]),
     ("homebody-walk", &["homebody-core"]),
+    ("homebody-oracle", &["homebody-core"]),
     ("homebody-log", &["homebody-core", "homebody-timeline"]),
     ("homebody-postgres", &["homebody-core", "homebody-log"]),
     ("homebody-arrow", &["homebody-core", "homebody-log"]),
@@ -165,10 +165,10 @@ const ARROWS: [(&str, &[&str]); 25] = [
 
 /// Dev-dependencies besides, and why.
 const BACKWARD: [(&str, &str, &str); 5] = [
+    ("homebody-core", "homebody-oracle", "the tests compare the kernel with the update loop of the paper"),
     ("homebody", "homebody-lab", "the rules read the messages and the command line of the experiments"),
     ("homebody", "homebody-walk", "the tests count to how much of an imported plan there is a way"),
     ("homebody-core", "homebody-log", "the benchmarks hold the kernel beside the database that stores its firings"),
-    ("homebody-core", "homebody-oracle", "the tests compare the kernel with the update loop of the paper"),
     ("homebody-picture", "homebody-log", "the tests draw what was analysed of logs"),
 ];
 
