@@ -105,7 +105,8 @@ fn an_hour_that_is_told_twice_is_known_by_who_moves() {
             // Without the run, an activity on a wall that is set back is in two pieces, whose lengths are right.
             let pieces = &lives(&url, &TimeScale::one()).unwrap()[0].activities;
             let is_local = time == TimeFormat::Local;
-            let slept: Span = pieces.iter().filter(|piece| piece.name == "sleeping").map(|piece| piece.end - piece.begin).sum();
+            let slept: Span =
+                pieces.iter().filter(|piece| piece.name == "sleeping").map(|piece| piece.end - piece.begin).sum();
             let between_pieces = if is_local { Span::MICROSECOND } else { Span::ZERO };
             assert_eq!(slept + between_pieces, up.since_zero(), "{pieces:?}");
             assert!(pieces.iter().all(|piece| piece.begin < piece.end), "{pieces:?}");

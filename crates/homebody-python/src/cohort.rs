@@ -128,8 +128,7 @@ impl PythonCohort {
                 Err(SimulationError::Complete { .. }) => return Ok(false),
                 opened => opened.map_err(raised)?,
             };
-            let progress =
-                |now: RunProgress| watched.tell(now.done.micros() as f64, now.length.micros() as f64);
+            let progress = |now: RunProgress| watched.tell(now.done.micros() as f64, now.length.micros() as f64);
             let lived = watched.beside(|| unfinished.cancel(&watched.cancel).resume(progress)).map_err(raised)?;
             Ok(CohortSummary::is_stopped(&lived))
         });

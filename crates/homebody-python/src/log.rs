@@ -1,10 +1,10 @@
 //! Logs, and what the truth beside them tells: read, cut into windows, labelled, drawn, compared.
 
-use arrow_array::{ArrayRef, RecordBatch};
 use crate::fault::{json, named, raised};
 use crate::scenario::Scenario;
 use crate::table::Stream;
 use crate::work::Watched;
+use arrow_array::{ArrayRef, RecordBatch};
 use homebody_analysis::dates::DayChoice;
 use homebody_analysis::day::DayRecord;
 use homebody_analysis::density::density;
@@ -180,7 +180,8 @@ impl Log {
             let all = tables();
             let columns = all.iter().find(|known| known.name == table).map_or(&[][..], |table| &table.columns);
             let mut cells: Vec<Cells> = columns.iter().map(|column| Cells::of(column.kind)).collect();
-            let mut take = |row: &[TruthValue<'_>]| cells.iter_mut().zip(row).for_each(|(cells, cell)| cells.push(*cell));
+            let mut take =
+                |row: &[TruthValue<'_>]| cells.iter_mut().zip(row).for_each(|(cells, cell)| cells.push(*cell));
             self.named().and_then(|named| named.truth_rows(table, &mut take)).map_err(raised)?;
             let mut frame = Ok(Frame::default());
             for (column, cells) in columns.iter().zip(cells) {

@@ -1,8 +1,8 @@
 //! Tables on their way to Python: a stream of Arrow's, which pandas, polars, pyarrow and others take without a copy.
 
+use crate::fault::named;
 use arrow_array::ffi_stream::FFI_ArrowArrayStream;
 use arrow_array::{RecordBatch, RecordBatchIterator};
-use crate::fault::named;
 use homebody_arrow::SchemaRef;
 use pyo3::prelude::*;
 use pyo3::types::PyCapsule;

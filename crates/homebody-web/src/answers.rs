@@ -1,12 +1,12 @@
 //! How answers are made: by threads for what takes its time, in JSON or MessagePack.
 
+use crate::messages::PageMessage;
+use crate::refusal::{Refusal, sentence};
+use crate::wire::RefusedView;
 use axum::Json;
 use axum::body::{Body, Bytes};
 use axum::http::{HeaderMap, StatusCode, header};
 use axum::response::{IntoResponse, Response};
-use crate::messages::PageMessage;
-use crate::refusal::{Refusal, sentence};
-use crate::wire::RefusedView;
 use futures_util::StreamExt;
 use homebody_core::problem::{Diagnose, Diagnostic};
 use homebody_import::MOST_BYTES;

@@ -1,8 +1,8 @@
 //! The connections of a server: nobody waits to be let in, and nobody stays who says or takes nothing.
 
+use crate::visit::{Places, Stream};
 use axum::Router;
 use axum::extract::Request;
-use crate::visit::{Places, Stream};
 use hyper::server::conn::http1;
 use hyper::service::service_fn;
 use hyper_util::rt::{TokioIo, TokioTimer};

@@ -13,7 +13,9 @@ mod suggesting;
 use crate::messages::DeskMessage;
 use crate::shelf::Shelf;
 use crate::turns::Turns;
-use crate::wire::{CheckView, Draft, FileView, FilesView, FixView, LivesView, ProblemView, Save, SaveFile, SavedView, UnderlayView};
+use crate::wire::{
+    CheckView, Draft, FileView, FilesView, FixView, LivesView, ProblemView, Save, SaveFile, SavedView, UnderlayView,
+};
 use homebody_core::problem::{Diagnose, Diagnostic, Fix, Problem, readable};
 use homebody_core::scenario::load::{Files, Overlay, Scenario};
 use homebody_core::scenario::remarks;

@@ -1,6 +1,9 @@
 //! A home and what is in it, in the words of the wire.
 
-use crate::wire::{At, BodyView, CameraView, DoorView, HomeView, Posture, RoomView, SensorView, SolidKind, SolidView, ThingKind, ThingView};
+use crate::wire::{
+    At, BodyView, CameraView, DoorView, HomeView, Posture, RoomView, SensorView, SolidKind, SolidView, ThingKind,
+    ThingView,
+};
 use homebody_analysis::coverage::cameras::CameraFloor;
 use homebody_core::geometry::{self, Point};
 use homebody_core::home::bake;

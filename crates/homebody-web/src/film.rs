@@ -80,8 +80,10 @@ impl Film {
             let Some(first) = now.first() else { return };
             let persons: Vec<PersonView> =
                 open.scenes.persons(now).iter().map(|person| told(person, corner.extend(0.0))).collect();
-            let picture =
-                |seen: &CameraPicture| PictureView { sensor: open.numbers[seen.camera], packed: seen.silhouette.packed() };
+            let picture = |seen: &CameraPicture| PictureView {
+                sensor: open.numbers[seen.camera],
+                packed: seen.silhouette.packed(),
+            };
             view.moments.push(MomentView {
                 at_us: first.at.micros(),
                 pictures: now.iter().map(picture).collect(),
@@ -93,8 +95,9 @@ impl Film {
         let mut next = span.begin;
         while let Some(at) = open.silhouettes.next_from(next).map_err(damaged)?.filter(|at| *at < span.end) {
             let end = if every > Span::ZERO { at + Span::MICROSECOND } else { span.end };
-            let read =
-                open.silhouettes.for_each_within(Interval::new(at, end), |KeptSilhouettes { at, camera, silhouette, .. }| {
+            let read = open.silhouettes.for_each_within(
+                Interval::new(at, end),
+                |KeptSilhouettes { at, camera, silhouette, .. }| {
                     if now.first().is_some_and(|seen| seen.at != at) {
                         tell(&mut now, &mut view);
                         if is_enough(&view) {
@@ -104,7 +107,8 @@ impl Film {
                     }
                     now.push(CameraPicture { at, camera, silhouette });
                     Ok(())
-                });
+                },
+            );
             match read {
                 Ok(()) => tell(&mut now, &mut view),
                 Err(Ends::Full) => return Ok(view),

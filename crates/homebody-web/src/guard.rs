@@ -6,14 +6,14 @@
 //! server began. The token comes in a header or, over the socket, in the first message: never in an address, which is logged and
 //! kept.
 
+use crate::answers::Refused;
+use crate::messages::PageMessage;
+use crate::visit::Visit;
 use axum::Extension;
 use axum::extract::{Request, State};
 use axum::http::{HeaderMap, HeaderName, HeaderValue, StatusCode, Uri, header};
 use axum::middleware::Next;
 use axum::response::{IntoResponse, Response};
-use crate::answers::Refused;
-use crate::messages::PageMessage;
-use crate::visit::Visit;
 use std::collections::HashMap;
 use std::net::{IpAddr, Ipv4Addr, Ipv6Addr, SocketAddr};
 use std::sync::{Arc, Mutex, PoisonError};

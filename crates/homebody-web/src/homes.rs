@@ -3,13 +3,6 @@
 //! A home is opened when its page first asks for something. Where too many are open, one that nobody looks at and in which nothing
 //! goes on makes room.
 
-use axum::body::Body;
-use axum::extract::ws::WebSocketUpgrade;
-use axum::extract::{DefaultBodyLimit, Path, Request, State};
-use axum::http::{Extensions, HeaderMap, StatusCode, Uri};
-use axum::response::{IntoResponse, Redirect, Response};
-use axum::routing::{any, get, post};
-use axum::{Extension, Json, Router};
 use crate::answers::{Refused, found, json, plan_of, received, refused, told_length};
 use crate::guard::{Guard, HOMES};
 use crate::house::{House, LARGEST_BODY_BYTES};
@@ -20,6 +13,13 @@ use crate::socket;
 use crate::visit::Visit;
 use crate::walks::LARGEST_LOG_BYTES;
 use crate::wire::{CallHome, CardView, MadeView, NewHome, PutAside};
+use axum::body::Body;
+use axum::extract::ws::WebSocketUpgrade;
+use axum::extract::{DefaultBodyLimit, Path, Request, State};
+use axum::http::{Extensions, HeaderMap, StatusCode, Uri};
+use axum::response::{IntoResponse, Redirect, Response};
+use axum::routing::{any, get, post};
+use axum::{Extension, Json, Router};
 use std::sync::Arc;
 use tokio::sync::{Mutex, Semaphore};
 use tower_service::Service;

@@ -1,12 +1,5 @@
 //! An opened home: what its page asks, and who answers.
 
-use axum::body::Body;
-use axum::extract::ws::{WebSocket, WebSocketUpgrade};
-use axum::extract::{DefaultBodyLimit, Path, State};
-use axum::http::{HeaderMap, StatusCode, header};
-use axum::response::{IntoResponse, Response};
-use axum::routing::{get, post};
-use axum::{Extension, Json, Router};
 use crate::answers::{Refused, found, found_while_waited_for, json, packed, plan_of, received, refused, told_length};
 use crate::desk::Desk;
 use crate::guard::{Guard, SOCKET};
@@ -19,8 +12,17 @@ use crate::stage::Stage;
 use crate::told::{Logs, Which};
 use crate::visit::Visit;
 use crate::walks::{HomeOf, LARGEST_LOG_BYTES, Unwalked, Walks};
-use crate::wire::{Connect, Draft, Explain, Find, Forget, Layouts, Month, NoteIt, Rename, RunAbout, Save, Suggest, WalkingView};
+use crate::wire::{
+    Connect, Draft, Explain, Find, Forget, Layouts, Month, NoteIt, Rename, RunAbout, Save, Suggest, WalkingView,
+};
 use crate::{keeping, page, socket};
+use axum::body::Body;
+use axum::extract::ws::{WebSocket, WebSocketUpgrade};
+use axum::extract::{DefaultBodyLimit, Path, State};
+use axum::http::{HeaderMap, StatusCode, header};
+use axum::response::{IntoResponse, Response};
+use axum::routing::{get, post};
+use axum::{Extension, Json, Router};
 use futures_util::stream::{Stream, try_unfold};
 use homebody_core::problem::{Diagnose, Diagnostic};
 use homebody_core::time::{Interval, RunTime, Span};

@@ -54,8 +54,9 @@ pub fn call(shelf: &Shelf, run: &str, about: RunAbout) -> Result<RunAbout, Refus
 
 /// Puts a run aside; of a log that was walked back all that was made of it.
 pub fn put_aside(shelf: &Shelf, run: &str) -> Result<PutAside, Refusal> {
-    let name =
-        shelf.run(run).map(|_| run.strip_suffix(SIMULATED_RUN).and_then(|folder| folder.strip_suffix('/')).unwrap_or(run));
+    let name = shelf
+        .run(run)
+        .map(|_| run.strip_suffix(SIMULATED_RUN).and_then(|folder| folder.strip_suffix('/')).unwrap_or(run));
     let name = name.ok_or_else(|| no_run(run))?;
     let key = aside::put(&shelf.runs, name);
     let undeleted = |error: io::Error| damaged(PageMessage::NotDeleted { name: name.into(), why: error.to_string() });

@@ -136,7 +136,8 @@ impl Library {
         let shelf = self.home(name)?;
         let no_run = || unknown(PageMessage::NoRun { run: readable(run.to_owned()) });
         let folder = shelf.run(run).ok_or_else(no_run)?;
-        let written = fs::metadata(folder.join(homebody_log::run::places::RECORDING)).and_then(|meta| meta.modified()).ok();
+        let written =
+            fs::metadata(folder.join(homebody_log::run::places::RECORDING)).and_then(|meta| meta.modified()).ok();
         let key = (name.to_owned(), run.to_owned());
         // Held while one is drawn: a page of many homes asks for one after the other.
         let mut pictures = self.pictures.lock().unwrap_or_else(PoisonError::into_inner);

@@ -1,11 +1,11 @@
 //! Numbers of a run for who watches programs from outside: a text, asked for again and again, at an address of its own.
 
-use axum::http::header;
-use axum::routing::get;
-use axum::{Router, middleware};
 use crate::connections;
 use crate::guard::{Guard, watch};
 use crate::server::{ServeError, bind};
+use axum::http::header;
+use axum::routing::get;
+use axum::{Router, middleware};
 use std::io::{self, ErrorKind};
 use std::net::SocketAddr;
 use std::sync::mpsc::sync_channel;

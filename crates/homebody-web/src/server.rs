@@ -1,7 +1,5 @@
 //! The server: its address, what it serves, its limits.
 
-use axum::Router;
-use axum::http::{Extensions, HeaderMap, StatusCode, Version, header};
 use crate::connections;
 use crate::doorway::Doorway;
 use crate::guard::{self, Guard};
@@ -12,6 +10,8 @@ use crate::library::Library;
 use crate::page::FIRST_PAGE;
 use crate::shelf::Shelf;
 use crate::visit::LONGEST_UNTAKEN;
+use axum::Router;
+use axum::http::{Extensions, HeaderMap, StatusCode, Version, header};
 use homebody_core::problem::Diagnostic;
 use homebody_simulation::Cancel;
 use std::io::{self, ErrorKind};

@@ -2,9 +2,6 @@
 //!
 //! A page that does not read holds up nobody: the next picture is made when the one before has gone out.
 
-use axum::extract::ws::{CloseFrame, Message, WebSocket, WebSocketUpgrade};
-use axum::http::{HeaderMap, StatusCode};
-use axum::response::{IntoResponse, Response};
 use crate::answers::Refused;
 use crate::guard::Guard;
 use crate::messages::{PageMessage, StageMessage};
@@ -12,6 +9,9 @@ use crate::refusal::note;
 use crate::stage::{Seen, Stage, Voice};
 use crate::visit::Visit;
 use crate::wire::Say;
+use axum::extract::ws::{CloseFrame, Message, WebSocket, WebSocketUpgrade};
+use axum::http::{HeaderMap, StatusCode};
+use axum::response::{IntoResponse, Response};
 use futures_util::StreamExt;
 use futures_util::stream::{SplitSink, SplitStream};
 use homebody_core::problem::Diagnose;

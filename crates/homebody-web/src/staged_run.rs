@@ -243,9 +243,8 @@ impl StagedRun {
         let (is_replay, residents) = (self.simulation.is_replay(), &self.simulation.scenario().file.residents);
         let files = self.simulation.recording().files.iter().filter(|(name, _)| !is_replay && !made(name));
         // The file of a resident who is moved by hand is not in use, so its version does not count.
-        let files = files.filter(|(name, _)| {
-            self.start.driven.is_none_or(|who| residents.get(who as usize) != Some(name))
-        });
+        let files =
+            files.filter(|(name, _)| self.start.driven.is_none_or(|who| residents.get(who as usize) != Some(name)));
         files.map(|(name, text)| (name.clone(), desk::version(text))).collect()
     }
 

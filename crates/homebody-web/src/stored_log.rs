@@ -169,8 +169,8 @@ mod tests {
     use super::*;
     use homebody_core::scenario::load::{Files, Scenario};
     use homebody_core::time::DAY;
-    use homebody_simulation::Template;
     use homebody_log::Url;
+    use homebody_simulation::Template;
     use std::collections::BTreeMap;
     use std::fs;
 

@@ -243,7 +243,8 @@ fn the_page_has_the_rows_of_measures() {
     text += "]);\n\n/** Measures of a part of the day, with its first hour. */\nexport const FIRST_HOURS: Readonly<Record<string, number>> = {";
     let parts = MEASURES.iter().filter_map(|measure| Some(format!(" {}: {}", measure.name, measure.first_hour?)));
     text += &parts.collect::<Vec<_>>().join(",");
-    text += " };\n\n/** Measures that the page offers as goals of suggested sensors. */\nexport const MEASURE_GOALS = [\n";
+    text +=
+        " };\n\n/** Measures that the page offers as goals of suggested sensors. */\nexport const MEASURE_GOALS = [\n";
     for (name, goal) in MEASURES.iter().filter_map(|measure| Some((measure.name, measure.goal?))) {
         text += &format!("  {{ id: '{name}', title: '{goal}' }},\n");
     }

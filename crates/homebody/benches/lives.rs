@@ -25,7 +25,7 @@ use homebody_core::world::World;
 use homebody_log::run::places::SILHOUETTES;
 use homebody_log::run_log::destinations;
 use homebody_log::silhouettes::{SilhouetteLog, cameras};
-use homebody_log::{WriteMode, Logger, RunInfo, Url};
+use homebody_log::{Logger, RunInfo, Url, WriteMode};
 use homebody_routine::household::Household;
 use measure::{Spread, insert, rows};
 use std::fs;

@@ -2,9 +2,9 @@
 
 use homebody_core::calendar::Calendar;
 use homebody_core::scenario::scheme::SCHEMES;
+use homebody_log::examine::sqlite_version;
 use homebody_query::Check;
 use homebody_simulation::VERSION;
-use homebody_log::examine::sqlite_version;
 use homebody_web::has_page;
 use jiff::Timestamp;
 use jiff::tz::TimeZone;

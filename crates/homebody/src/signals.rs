@@ -1,8 +1,8 @@
 //! What the system says to the program while it works: signals that ask it to end, and one that it does not want.
 
 use crate::failure::Failure;
-use homebody_simulation::Cancel;
 use homebody_log::error::no_thread;
+use homebody_simulation::Cancel;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, AtomicI32, Ordering};
 

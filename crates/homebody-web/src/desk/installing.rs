@@ -1,9 +1,14 @@
 //! The installer's desk: what is put up by a draft, beside another layout, on paper, and where sensors might go.
 
+use super::plan::{build, covered, home, step_m};
+use super::{Desk, problems};
 use crate::draw;
 use crate::messages::DeskMessage;
 use crate::refusal::sentence;
-use crate::wire::{DiffersView, Draft, LayoutView, Layouts, LayoutsView, PartView, PartsView, ProblemView, ReachedView, StepView, Suggest, SuggestionView};
+use crate::wire::{
+    DiffersView, Draft, LayoutView, Layouts, LayoutsView, PartView, PartsView, ProblemView, ReachedView, StepView,
+    Suggest, SuggestionView,
+};
 use homebody_analysis::alerts::{Rules, USUAL};
 use homebody_analysis::coverage;
 use homebody_analysis::parts::{PartsList, SensorLayout, SensorPart, beside};
@@ -18,8 +23,6 @@ use homebody_placement::search;
 use homebody_simulation::Cancel;
 use std::sync::PoisonError;
 use std::sync::atomic::{AtomicU32, Ordering};
-use super::plan::{build, covered, home, step_m};
-use super::{Desk, problems};
 
 /// Largest number of sensors that are suggested at once, and of people that are simulated for it (our choice). The
 /// command has no such limits.

@@ -1,8 +1,12 @@
 //! Routines that are being written: how they are understood, and some days of the life that they come to.
 
+use super::lived_draft::LivedDraft;
+use super::{Desk, problems};
 use crate::dates;
 use crate::messages::DeskMessage;
-use crate::wire::{ConditionView, Explain, ExplainView, Month, MonthView, ProblemView, SentenceView, WordKind, WordView};
+use crate::wire::{
+    ConditionView, Explain, ExplainView, Month, MonthView, ProblemView, SentenceView, WordKind, WordView,
+};
 use homebody_core::problem::{Diagnose, Problem};
 use homebody_core::scenario::load::{ResidentDriver, Scenario};
 use homebody_routine::completion;
@@ -11,8 +15,6 @@ use homebody_routine::household::{Household, RoutineReading};
 use homebody_routine::routine::Routine;
 use homebody_simulation::Cancel;
 use std::sync::PoisonError;
-use super::lived_draft::LivedDraft;
-use super::{Desk, problems};
 
 /// Largest number of days of a month.
 const LONGEST: u32 = 31;

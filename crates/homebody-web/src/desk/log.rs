@@ -1,5 +1,6 @@
 //! A logger's file that is being written: its first rows, as they would be stored, and whether its places take a log.
 
+use super::{Desk, problems};
 use crate::effort::Effort;
 use crate::wire::{Connect, ConnectView, Draft, PlaceRowsView, RowsView};
 use homebody_core::event::Events;
@@ -17,7 +18,6 @@ use homebody_routine::household::Household;
 use homebody_simulation::Cancel;
 use std::path::Path;
 use std::sync::{Arc, PoisonError};
-use super::{Desk, problems};
 
 /// Number of rows that are shown (our choice).
 const MOST_ROWS: usize = 40;
@@ -98,7 +98,8 @@ fn first_rows(
     let mut run = Run::new(scenario, household, seed, length);
     let recording = Recording::new(scenario, homebody_simulation::VERSION, "", seed, length);
     let info = Arc::new(RunInfo::of(scenario, &run, &recording));
-    let mut logger = Logger::open(destinations(&hidden, WriteMode::Create)?, &scenario.logger, &info, WriteMode::Create)?;
+    let mut logger =
+        Logger::open(destinations(&hidden, WriteMode::Create)?, &scenario.logger, &info, WriteMode::Create)?;
     let (mut events, mut count, mut cut) = (Events::default(), 0, None);
     let mut effort = Effort::new(cancel, LONGEST_STRETCH);
     let end = RunTime::START + length;

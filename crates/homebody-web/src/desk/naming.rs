@@ -3,13 +3,13 @@
 //! In files of JSON a name counts where it leads to a thing; in routines where it stands as one, such as "in the armchair" and not
 //! "to bed". Where another thing of the home has the same name, sentences may mean that one and are left as they are.
 
+use super::Desk;
+use super::entries::{Entry, entries, without};
 use crate::wire::{Draft, Forget, MendView, MentionView, Named, NamesView, Rename};
 use homebody_core::scenario::load::{Files, Overlay};
 use serde_json::Value;
 use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Range;
-use super::Desk;
-use super::entries::{Entry, entries, without};
 
 /// Words before which a name stands as one.
 const ARTICLES: [&str; 9] = ["the", "her", "his", "their", "its", "a", "an", "my", "your"];

@@ -1,5 +1,6 @@
 //! A home that is being drawn: what is wrong with it, what it looks like, and where its sensors see.
 
+use super::{Desk, problems};
 use crate::draw;
 use crate::messages::DeskMessage;
 use crate::wire::{CoverageView, DeadZoneView, Draft, FloorView, ImportView, PlanView, SeenView};
@@ -12,7 +13,6 @@ use homebody_core::scenario::load::{Files, NoText, Scenario};
 use homebody_import::{ImportError, Imported, SCHEMA, sweet_home};
 use serde_json::{Value, json};
 use std::collections::{BTreeMap, BTreeSet};
-use super::{Desk, problems};
 
 /// Number of cells that are examined in a tenth of a second or two (our choice): those of a home of 20 by 20 m.
 const MOST_CELLS: f64 = 160_000.0;

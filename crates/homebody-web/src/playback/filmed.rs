@@ -1,5 +1,6 @@
 //! What cameras of a stored run have kept, and what they take for falls.
 
+use super::{Opened, PIECE, Playback, Refusal};
 use crate::messages::PageMessage;
 use crate::refusal::unknown;
 use crate::wire::FilmView;
@@ -7,7 +8,6 @@ use homebody_core::problem::readable;
 use homebody_core::time::{Interval, RunTime, Span};
 use homebody_query::search::KnownStay;
 use homebody_simulation::Cancel;
-use super::{Opened, PIECE, Playback, Refusal};
 
 impl Playback {
     /// The silhouettes of a span of a stored run, as many as there is time for: all, or those of instants so far apart.

@@ -1,5 +1,6 @@
 //! Searches over a whole stored run.
 
+use super::{Opened, Playback, Refusal};
 use crate::messages::PageMessage;
 use crate::refusal::{damaged, unknown};
 use crate::wire::{AlertView, DateView, Find, FindWhat, FoundView, HitView, PlaybackView};
@@ -8,11 +9,13 @@ use homebody_core::time::{Interval, RunTime, SECOND};
 use homebody_log::source::TruthValue;
 use homebody_log::table::truth::Truth;
 use homebody_log::truth::truth_rows;
-use homebody_query::search::{BY_TRUTH, DayHours, Hit, KnownStay, Listener, Query, SearchError, SearchGround, SearchSubject, TakeSearchRow, at_home, falls_in_rooms, find};
+use homebody_query::search::{
+    BY_TRUTH, DayHours, Hit, KnownStay, Listener, Query, SearchError, SearchGround, SearchSubject, TakeSearchRow,
+    at_home, falls_in_rooms, find,
+};
 use homebody_simulation::Cancel;
 use std::borrow::Cow;
 use std::collections::HashMap;
-use super::{Opened, Playback, Refusal};
 
 /// Largest number of matches in a list (our choice). The total is given as well.
 const MOST_HITS: usize = 5000;

@@ -1,8 +1,8 @@
 //! How often each sensor of a stored run spoke, over the whole of it: what a time line shows of months.
 
+use super::{Opened, Playback, Refusal};
 use crate::wire::LanesView;
 use homebody_core::time::{DAY, HOUR, RunTime, Span};
-use super::{Opened, Playback, Refusal};
 
 /// Largest number of counts in an answer (our choice): a hundred sensors by the hour over two years.
 const MOST_COUNTS: i64 = 2_000_000;

@@ -1,11 +1,11 @@
 //! What residents did and where they were, of a run whose truth is read while the run is open already, as its log is.
 
+use super::coming::{Coming, Grows, HowFar, read_in};
 use crate::refusal::{Refusal, damaged};
 use homebody_core::time::{DAY, Interval, RunTime, Span, TimeScale};
 use homebody_log::{LifeSpan, LogError, SpanKind, Url};
 use std::collections::HashMap;
 use std::sync::Arc;
-use super::coming::{Coming, Grows, HowFar, read_in};
 
 /// Longest activity (our choice): a truth has an activity only once it is over, so rows may still arrive from this far
 /// back.

@@ -1,6 +1,7 @@
 //! The log of a run that is read while the run is open already: of ten years the first days are seen at once, and the last as soon as they
 //! have come.
 
+use super::coming::{Coming, Grows, HowFar, read_in};
 use crate::refusal::{Refusal, damaged, failed};
 use crate::stored_log::{MOST_ROWS, StoredRows, stranger, told_of};
 use crate::wire::PlaybackView;
@@ -8,7 +9,6 @@ use homebody_core::scenario::load::Scenario;
 use homebody_core::time::{DAY, RunTime, Span, TimeScale};
 use homebody_log::{Event, Log, LogError, Url};
 use std::collections::HashMap;
-use super::coming::{Coming, Grows, HowFar, read_in};
 
 /// Longest delay of a message after others of its time (our choice): a log that is being read may still get rows from
 /// this far back.

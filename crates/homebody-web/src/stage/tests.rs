@@ -1,3 +1,4 @@
+use super::*;
 use homebody_core::drivers::{Driver, Next, Surroundings};
 use homebody_core::event::Events;
 use homebody_core::geometry::Point;
@@ -9,7 +10,6 @@ use homebody_core::run::{DriverProvider, Guest};
 use homebody_core::time::{HOUR, SECOND};
 use homebody_routine::household::Household;
 use homebody_simulation::Template;
-use super::*;
 use tempfile::TempDir;
 
 /// How long everything goes well.

@@ -1,9 +1,9 @@
 //! What is said about files that somebody writes in the page: drafts, until they are saved.
 
+use super::{At, DateView, HomeView};
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
 use std::collections::BTreeMap;
-use super::{At, DateView, HomeView};
 use ts_rs::TS;
 
 /// The files of the scenario's folder, as they are on disk.

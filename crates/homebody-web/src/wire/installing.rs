@@ -1,7 +1,7 @@
 //! What is put up in a home: parts, layouts side by side, places that are suggested.
 
-use serde::{Deserialize, Serialize};
 use super::{CoverageView, Draft, HomeView, ProblemView};
+use serde::{Deserialize, Serialize};
 use ts_rs::TS;
 
 /// A sensor as who puts it up has to know it.

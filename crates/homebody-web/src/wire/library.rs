@@ -1,7 +1,7 @@
 //! What is said about a folder of homes.
 
-use serde::{Deserialize, Serialize};
 use super::StoredView;
+use serde::{Deserialize, Serialize};
 use ts_rs::TS;
 
 /// A folder of homes.

@@ -1,7 +1,7 @@
 //! Cameras, and what they keep: silhouettes, and who is told by them.
 
-use serde::Serialize;
 use super::At;
+use serde::Serialize;
 use ts_rs::TS;
 
 /// A camera of the home.

@@ -1,5 +1,6 @@
 //! Files that are written in the page: what is asked about them, and how they are saved.
 
+use super::served::Served;
 use homebody_core::event::Events;
 use homebody_core::ids::SensorId;
 use homebody_core::run::Run;
@@ -12,7 +13,6 @@ use serde_json::{Value, json};
 use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
-use super::served::Served;
 
 impl Served {
     pub fn told(&self, path: &str, body: &Value) -> Value {

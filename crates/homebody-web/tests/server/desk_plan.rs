@@ -1,10 +1,10 @@
 //! The plan at the desk, with its coverage and its problems.
 
+use super::desk::draft;
+use super::served::Served;
 use serde::Deserialize;
 use serde_json::{Value, json};
 use std::fs;
-use super::desk::draft;
-use super::served::Served;
 
 /// The parts of a plan, as a page reads it, that these tests check.
 #[derive(Deserialize)]

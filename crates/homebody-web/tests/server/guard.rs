@@ -1,8 +1,8 @@
 //! Who is heard, and who is not.
 
+use super::served::Served;
 use std::fs;
 use std::net::{IpAddr, TcpListener};
-use super::served::Served;
 use tungstenite::client::IntoClientRequest;
 
 const SECRET: &str = "nobody outside shall read this";

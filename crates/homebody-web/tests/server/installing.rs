@@ -1,9 +1,9 @@
 //! The installer's desk, and what is sent compressed.
 
+use super::served::{Answer, Served};
 use serde::Deserialize;
 use serde::de::IgnoredAny;
 use serde_json::{Value, json};
-use super::served::{Answer, Served};
 
 /// A draft that changes nothing.
 fn as_it_is() -> Value {

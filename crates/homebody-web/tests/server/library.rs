@@ -1,5 +1,6 @@
 //! A folder of homes: what its first page is told, and what becomes of homes by what is asked there.
 
+use super::served::{Heard, LONGEST_WAIT, Page, Served};
 use homebody_web::library::Library;
 use homebody_web::{Options, kept_address};
 use serde_json::{Value, json};
@@ -7,7 +8,6 @@ use std::fs;
 use std::io::{Cursor, Write};
 use std::path::Path;
 use std::time::Instant;
-use super::served::{Heard, LONGEST_WAIT, Page, Served};
 use tungstenite::Message;
 use zip::ZipWriter;
 use zip::write::SimpleFileOptions;

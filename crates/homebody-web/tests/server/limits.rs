@@ -1,12 +1,12 @@
 //! Those who would keep the server busy for nothing.
 
+use super::served::Served;
 use serde_json::{Value, json};
 use std::io::{Read, Write};
 use std::net::TcpStream;
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 use std::{fs, thread};
-use super::served::Served;
 
 #[test]
 fn who_never_ends_a_request_is_sent_away() {

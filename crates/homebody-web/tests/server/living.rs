@@ -1,5 +1,6 @@
 //! What a page does to a run, and what it does not.
 
+use super::served::{LONGEST_WAIT, Page, Seen, Served};
 use homebody_core::event::Events;
 use homebody_core::recording::{Recording, RunDigest};
 use homebody_core::run::Run;
@@ -9,7 +10,6 @@ use serde_json::{Value, json};
 use std::path::Path;
 use std::time::{Duration, Instant};
 use std::{fs, thread};
-use super::served::{LONGEST_WAIT, Page, Seen, Served};
 
 /// The rows of a run's log: time, sensor, message.
 fn rows(run: &Path) -> Vec<Value> {

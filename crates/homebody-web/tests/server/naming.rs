@@ -1,8 +1,8 @@
 //! Things are called otherwise, and go, in all files at once; and what has one answer is mended.
 
+use super::served::Served;
 use serde_json::{Value, json};
 use std::fs;
-use super::served::Served;
 
 fn text(served: &Served, name: &str) -> String {
     fs::read_to_string(served.file("tigerplace", name)).unwrap()

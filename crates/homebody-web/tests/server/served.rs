@@ -69,8 +69,10 @@ impl Served {
     pub fn library(templates: &[&str]) -> Served {
         let folder = tempfile::tempdir().unwrap();
         for name in templates {
-            create(&folder.path().join(name), |part, _| write(part, &from_template(Template::named(name).unwrap(), name)))
-                .unwrap();
+            create(&folder.path().join(name), |part, _| {
+                write(part, &from_template(Template::named(name).unwrap(), name))
+            })
+            .unwrap();
         }
         let library = Library::new(folder.path().to_owned(), false);
         Served::of(folder, Options { port: Some(0), ..Options::new(library) })

@@ -2,6 +2,7 @@
 //!
 //! `HOMEBODY_SLOW_S=60 cargo test --release -p homebody-web --test server slow -- --nocapture` has a minute of each kind.
 
+use super::served::{Page, Served};
 use serde_json::Value;
 use std::io::{ErrorKind, Read, Write};
 use std::net::{SocketAddr, TcpStream};
@@ -9,7 +10,6 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::thread;
 use std::time::{Duration, Instant};
-use super::served::{Page, Served};
 
 /// So many of a kind at once: more than there are places for strangers.
 const CLIENTS: usize = 300;

@@ -1,11 +1,11 @@
 //! Two servers that serve one folder: each save that one of them has accepted is there.
 
+use super::served::Served;
 use homebody_web::Options;
 use homebody_web::library::Library;
 use serde_json::{Value, json};
 use std::collections::BTreeSet;
 use std::{fs, thread};
-use super::served::Served;
 
 /// So many saves each page makes.
 const SAVES: usize = 25;

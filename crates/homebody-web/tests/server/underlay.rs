@@ -1,8 +1,8 @@
 //! The picture below the plan, where the scenario's folder has one.
 
+use super::served::Served;
 use serde_json::{Value, json};
 use std::fs;
-use super::served::Served;
 
 #[test]
 fn a_picture_of_the_scenarios_folder_lies_below_its_plan() {

@@ -1,11 +1,11 @@
 //! Logs that are opened in the page: walked back in the background, played as they were, and told of.
 
+use super::served::{Answer, Served};
 use homebody_simulation::Destinations;
 use serde_json::Value;
 use std::path::Path;
 use std::time::{Duration, Instant};
 use std::{fs, thread};
-use super::served::{Answer, Served};
 
 const MINUTE: i64 = 60_000_000;
 

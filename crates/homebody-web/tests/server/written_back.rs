@@ -1,9 +1,9 @@
 //! A home whose folder is gone.
 
-use serde_json::{Value, json};
-use std::fs;
 use super::desk::all_files;
 use super::served::Served;
+use serde_json::{Value, json};
+use std::fs;
 
 /// Whoever has read the files of a home that is gone can write them back.
 #[test]

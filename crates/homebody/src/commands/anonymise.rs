@@ -1,6 +1,5 @@
 //! `homebody anonymise`: a log without names, places and dates.
 
-use homebody_core::calendar::Calendar;
 use super::convert::{keep, rows_bar};
 use super::read_log::Mapped;
 use super::replacing::Replacing;
@@ -8,10 +7,11 @@ use crate::failure::{EXIT_CODES, Failure};
 use crate::print::{counted, tell, write_file};
 use homebody_analysis::look::{LogOverview, Looker, looked};
 use homebody_analysis::signs::{Kind, Says, is_number, says};
+use homebody_core::calendar::Calendar;
+use homebody_log::anonymise;
 use homebody_log::run::places::can_be_written;
 use homebody_log::sink::csv_line;
 use homebody_log::{Anonymising, Log, Transfer, Url};
-use homebody_log::anonymise;
 use std::collections::BTreeMap;
 use std::path::PathBuf;
 

@@ -4,8 +4,8 @@ use super::read_log::{HowRead, tell_remarks, tell_unfinished};
 use crate::failure::Failure;
 use crate::print::{counted, print_json, print_text, tell};
 use homebody_analysis::compare::{MEASURES, begins, compare};
-use homebody_query::LogRef;
 use homebody_log::{Log, SensorMap};
+use homebody_query::LogRef;
 use std::path::PathBuf;
 
 /// Compare the event counts and gaps of two logs

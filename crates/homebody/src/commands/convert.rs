@@ -1,6 +1,5 @@
 //! `homebody convert`: write a log in another form.
 
-use homebody_core::calendar::Calendar;
 use super::messages::LogContentMessage;
 use super::read_log::{Mapped, tell_remarks};
 use super::replacing::Replacing;
@@ -8,14 +7,15 @@ use crate::failure::{EXIT_CODES, Failure};
 use crate::print::{counted, tell};
 use crate::progress;
 use homebody_analysis::look::{Looker, looked};
+use homebody_core::calendar::Calendar;
 use homebody_core::scenario::scheme::{KNOWN_EXTENSIONS, SCHEMES, SchemeRow};
 use homebody_core::time::{TimeScale, WallTime};
+use homebody_log::convert;
 use homebody_log::files::fresh::same_file;
+use homebody_log::lives;
 use homebody_log::registry::forms;
 use homebody_log::source::LogForm;
 use homebody_log::table::truth::tables;
-use homebody_log::convert;
-use homebody_log::lives;
 use homebody_log::{Activity, Life, LogError, Transfer, Url};
 use indicatif::ProgressBar;
 use std::path::{Path, PathBuf};

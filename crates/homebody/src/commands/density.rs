@@ -11,9 +11,9 @@ use homebody_analysis::density::{DensityOptions, EntranceSource, NoMap, Textured
 use homebody_core::nearest::nearest;
 use homebody_core::problem::{Diagnostic, counted};
 use homebody_core::time::Span;
-use homebody_query::LoadedLog;
 use homebody_log::log::{ColumnRole, ColumnUse};
 use homebody_picture::density_map;
+use homebody_query::LoadedLog;
 use std::collections::BTreeSet;
 use std::path::PathBuf;
 

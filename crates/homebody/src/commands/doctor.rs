@@ -4,9 +4,9 @@ use crate::failure::{EXIT_CODES, Failure};
 use crate::installation;
 use crate::print::{print_json, print_text, tell};
 use homebody_core::problem::counted;
-use homebody_query::{Check, PlaceCheck, PlaceReport, CheckVerdict};
-use homebody_log::run::places::RUNS;
 use homebody_log::read_mapping;
+use homebody_log::run::places::RUNS;
+use homebody_query::{Check, CheckVerdict, PlaceCheck, PlaceReport};
 use serde_json::json;
 use std::path::{Path, PathBuf};
 

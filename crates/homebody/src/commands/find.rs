@@ -7,8 +7,8 @@ use crate::length::span;
 use clap::builder::PossibleValue;
 use homebody_analysis::dates::clock_s;
 use homebody_core::time::{SECOND, Span, WallTime};
-use homebody_query::{search::DayHours, search::Query, search::SearchSubject};
 use homebody_query::find_in_log;
+use homebody_query::{search::DayHours, search::Query, search::SearchSubject};
 use serde::Serialize;
 use std::fmt;
 

@@ -3,8 +3,8 @@
 use crate::failure::Failure;
 use crate::print::{ResultMessage, json_text, print_json_text, write_file};
 use homebody_core::scenario::scheme::Scheme;
-use homebody_log::run::places::can_be_written;
 use homebody_log::records::Records;
+use homebody_log::run::places::can_be_written;
 use serde_json::Value;
 use std::path::PathBuf;
 use std::str::FromStr;

@@ -6,10 +6,10 @@ use crate::print::{tell, warn};
 use homebody_core::problem::{Problem, counted};
 use homebody_core::scenario::load::Scenario;
 use homebody_import::{MOST_BYTES, sweet_home};
-use homebody_scaffold::{NewScenario, create, furnish, inhabited_texts, lack, write};
 use homebody_log::LogError;
 use homebody_log::files::plain;
 use homebody_routine::household::RoutineLanguage;
+use homebody_scaffold::{NewScenario, create, furnish, inhabited_texts, lack, write};
 use std::io::Read;
 use std::path::{Path, PathBuf};
 

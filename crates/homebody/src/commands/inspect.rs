@@ -8,10 +8,10 @@ use crate::progress::Working;
 use homebody_analysis::density::density;
 use homebody_analysis::look::{HomeSensor, LogOverview, Looker, looked};
 use homebody_core::calendar::Calendar;
-use homebody_query::{LoadedLog, LogRef, home_sensors};
 use homebody_log::SensorMap;
 use homebody_log::run::places::can_be_written;
 use homebody_picture::{density_map, look_map, look_page};
+use homebody_query::{LoadedLog, LogRef, home_sensors};
 use std::path::{Path, PathBuf};
 
 /// Describe a log: its sensors, its days and its oddities

@@ -8,9 +8,9 @@ use homebody_analysis::coverage::{self, STEP_M};
 use homebody_analysis::parts::{PartsList, SensorLayout, beside};
 use homebody_core::resident::Build;
 use homebody_core::scenario::load::Scenario;
-use homebody_simulation::ScenarioSource;
 use homebody_log::run::places::can_be_written;
 use homebody_picture::{coverage_map, installing, pdf};
+use homebody_simulation::ScenarioSource;
 use std::path::PathBuf;
 
 /// List the sensors of a home for the installer, with positions

@@ -1,14 +1,14 @@
 //! `homebody label`: a log with the ground truth of each row.
 
-use homebody_core::calendar::Calendar;
 use super::convert::{LOG_COLUMNS, files_of, forms_of_logs, keep, rows_bar};
 use super::messages::LogContentMessage;
 use super::read_log::{HowRead, tell_remarks, tell_unfinished};
 use super::replacing::Replacing;
 use crate::failure::{EXIT_CODES, Failure};
 use crate::print::{counted, grouped, tell};
-use homebody_log::{Labelled, Transfer, Url, truth_at};
+use homebody_core::calendar::Calendar;
 use homebody_log::label;
+use homebody_log::{Labelled, Transfer, Url, truth_at};
 
 /// Add the ground truth to each row of a log, to train recognisers
 ///

@@ -12,9 +12,11 @@ use homebody_core::problem::Diagnostic;
 use homebody_core::recording::Recording;
 use homebody_core::scenario::scheme::{NoPlace, Scheme, SchemeRow};
 use homebody_core::time::{DAY, HOUR, MINUTE, RunTime, SECOND, Span, UtcTime};
-use homebody_simulation::{Destinations, Difference, RunProgress, RunSummary, Simulation, SimulationError, Treatment, Url, VERSION, WhenDown};
 use homebody_log::LogError;
 use homebody_log::files::open::log_beside;
+use homebody_simulation::{
+    Destinations, Difference, RunProgress, RunSummary, Simulation, SimulationError, Treatment, Url, VERSION, WhenDown,
+};
 use indicatif::ProgressBar;
 use jiff::Timestamp;
 use serde_json::json;

@@ -6,8 +6,8 @@ use super::scenario::Trust;
 use crate::failure::{EXIT_CODES, Failure};
 use crate::print::{print_json, print_text, tell};
 use crate::progress;
-use homebody_tracking::located_folder::locate_into;
 use homebody_simulation::{Cancel, SimulationError};
+use homebody_tracking::located_folder::locate_into;
 use std::path::PathBuf;
 
 /// Locate residents over time from the log of their home

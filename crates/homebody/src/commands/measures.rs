@@ -9,9 +9,9 @@ use crate::print::warn;
 use homebody_analysis::measures::{DayMeasures, Measures, TruthDetails};
 use homebody_core::names::capitalised;
 use homebody_core::time::{Interval, Span, WallTime};
-use homebody_query::LoadedLog;
 use homebody_log::records::Records;
 use homebody_picture::measures_picture;
+use homebody_query::LoadedLog;
 use serde_json::{Map, Value, json};
 use std::path::{Path, PathBuf};
 

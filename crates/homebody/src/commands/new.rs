@@ -6,8 +6,10 @@ use crate::failure::{EXIT_CODES, Failure};
 use crate::print::{tell, warn, write_file};
 use homebody_core::calendar::Calendar;
 use homebody_core::problem::counted;
+use homebody_scaffold::{
+    GivenLog, KnownPoint, PlanPicture, ScenarioFromLog, create, empty, from_log, from_template, read_table, write,
+};
 use homebody_simulation::Template;
-use homebody_scaffold::{GivenLog, KnownPoint, PlanPicture, ScenarioFromLog, create, empty, from_log, from_template, read_table, write};
 use std::path::{Path, PathBuf};
 
 /// Make a scenario from a template, a log or an image of a plan

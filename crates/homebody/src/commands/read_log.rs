@@ -4,10 +4,10 @@ use super::messages::LogContentMessage;
 use crate::failure::Failure;
 use crate::print::{counted, tell, warn};
 use crate::progress::Working;
-use homebody_query::{IncompleteLog, LoadedLog, LogRef};
 use homebody_log::log::{Clock, ColumnRole};
 use homebody_log::source::{DateOrder, DecimalMark, HomeColumn, TableOptions};
 use homebody_log::{Log, read_mapping};
+use homebody_query::{IncompleteLog, LoadedLog, LogRef};
 use std::path::PathBuf;
 
 /// A log, and how its table is read.

@@ -6,8 +6,8 @@ use super::read_log::{HowRead, read_log};
 use crate::failure::Failure;
 use crate::progress::Working;
 use homebody_analysis::realism::{ComparedLog, MEASURES, realism};
-use homebody_query::LoadedLog;
 use homebody_picture::{realism_chart, realism_page};
+use homebody_query::LoadedLog;
 use std::path::PathBuf;
 
 /// Measure how realistic a log is, compared with a real log

@@ -1,6 +1,6 @@
 //! The options that allow a command to replace files, and rows in a server's database.
 
-use homebody_log::{WriteMode, Url};
+use homebody_log::{Url, WriteMode};
 
 /// Permission to replace files and rows.
 #[derive(clap::Args)]

@@ -15,7 +15,10 @@ use crate::watched::Watched;
 use clap::builder::UnknownArgumentValueParser;
 use homebody_core::problem::Diagnostic;
 use homebody_core::time::Span;
-use homebody_simulation::{CohortLayout, CohortSetup, CohortSummary, IncompleteCohort, IncompleteRun, LIST, MOST_MEMBERS, OpenScenario, SimulationError, TruthKept, Url};
+use homebody_simulation::{
+    CohortLayout, CohortSetup, CohortSummary, IncompleteCohort, IncompleteRun, LIST, MOST_MEMBERS, OpenScenario,
+    SimulationError, TruthKept, Url,
+};
 use indicatif::ProgressBar;
 use std::path::{Path, PathBuf};
 
@@ -311,7 +314,13 @@ impl Arguments {
     }
 
     /// A signal before the run has caught up with its folder leaves the folder unchanged; the message names the command that resumes.
-    fn not_yet<T>(&self, error: SimulationError, folder: &Path, progress: &ProgressBar, signals: &Signals) -> Result<T, Failure> {
+    fn not_yet<T>(
+        &self,
+        error: SimulationError,
+        folder: &Path,
+        progress: &ProgressBar,
+        signals: &Signals,
+    ) -> Result<T, Failure> {
         progress.finish_and_clear();
         let ended = signals.ended(is_not_yet(&error));
         if ended.is_err() && !self.output.quiet && !self.output.json {

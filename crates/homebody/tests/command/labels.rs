@@ -5,7 +5,7 @@ use crate::folder::Folder;
 use homebody_core::scenario::logger::LoggerFile;
 use homebody_core::time::TimeScale;
 use homebody_log::label;
-use homebody_log::{WriteMode, LogSource, Transfer, Url, survey};
+use homebody_log::{LogSource, Transfer, Url, WriteMode, survey};
 use rusqlite::Connection;
 use std::fs;
 
@@ -44,8 +44,14 @@ fn the_hour_that_clocks_tell_twice_is_labelled_as_two() {
         .map(|url| url.parse::<Url>().unwrap().within(&folder.path("")));
     let mapping = LoggerFile::default();
     let about = survey(&from, &mapping).unwrap();
-    let transfer =
-        Transfer { from: &LogSource::from(&from), mapping: &mapping, to: &to, name: "told", zone: "UTC", how: WriteMode::Create };
+    let transfer = Transfer {
+        from: &LogSource::from(&from),
+        mapping: &mapping,
+        to: &to,
+        name: "told",
+        zone: "UTC",
+        how: WriteMode::Create,
+    };
     label(&transfer, &about, &truth, &TimeScale::one(), |_| ()).unwrap();
     let wrong = differing(&labels(&folder, "told.csv"), &reference);
     println!("{} rows, {wrong} wrong by what is told alone", reference.len());

@@ -6,7 +6,8 @@ use super::repository;
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 
-const BEGIN: &str = "<!-- The picture of the crates: made by HOMEBODY_REWRITE=1 and the test `the_picture_shows_the_crates`. -->\n";
+const BEGIN: &str =
+    "<!-- The picture of the crates: made by HOMEBODY_REWRITE=1 and the test `the_picture_shows_the_crates`. -->\n";
 const END: &str = "<!-- The end of the picture. -->\n";
 
 /// For each crate the crates that it depends on.

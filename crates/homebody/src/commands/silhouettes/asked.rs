@@ -7,9 +7,9 @@ use homebody_core::nearest::nearest;
 use homebody_core::problem::Diagnostic;
 use homebody_core::sensors::camera::CameraFile;
 use homebody_core::time::{Interval, RunTime, Span};
-use homebody_query::RunSilhouettes;
 use homebody_log::LogError;
 use homebody_log::silhouettes::KeptSilhouettes;
+use homebody_query::RunSilhouettes;
 
 /// What is asked for, by numbers.
 pub struct Asked {
