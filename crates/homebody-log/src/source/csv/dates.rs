@@ -35,6 +35,11 @@ pub(crate) fn order_of(
     if asked.is_some() {
         return Ok((asked, Some("--dates says the order of its dates".into())));
     }
+    // A damaged year among dates with the year first: the reader skips that line.
+    let cells = &first.cells[time.column];
+    if 2 * (orders.day + orders.month + orders.both) < cells.instants + cells.dates {
+        return Ok((None, None));
+    }
     let name = beginning(&first.names[time.column]);
     if orders.day > 0 && orders.month > 0 {
         let (day_first, month_first) = (orders.day, orders.month);
