@@ -194,7 +194,7 @@ impl TransitionStep {
 }
 
 impl StateTransitions {
-    fn from_state(&self, from: usize) -> &[(u32, f32)] {
+    fn turns_of(&self, from: usize) -> &[(u32, f32)] {
         &self.turns[self.first[from] as usize..self.first[from + 1] as usize]
     }
 
@@ -202,7 +202,7 @@ impl StateTransitions {
         to.clear();
         to.resize(columns * states, 0.0);
         for (from, row) in rows.chunks_exact(columns.max(1)).enumerate() {
-            for &(state, chance) in self.from_state(from) {
+            for &(state, chance) in self.turns_of(from) {
                 add(&mut to[state as usize * columns..][..columns], chance, row);
             }
         }
@@ -212,7 +212,7 @@ impl StateTransitions {
         from.clear();
         from.resize(columns * (self.first.len() - 1), 0.0);
         for (state, sums) in from.chunks_exact_mut(columns.max(1)).enumerate() {
-            for &(to, chance) in self.from_state(state) {
+            for &(to, chance) in self.turns_of(state) {
                 add(sums, chance, &rows[to as usize * columns..][..columns]);
             }
         }

@@ -148,9 +148,8 @@ fn gathered(url: &Url, wanted: &[&Table], read: ReadTables) -> Result<RecordedTr
             wanted.iter().map(insert).collect::<rusqlite::Result<_>>().map_err(database)?;
         read(url, wanted, &mut |table, values| {
             for value in values {
-                match value {
-                    TruthValue::Instant(at) => told_by.set(Some(at.clock())),
-                    _ => {}
+                if let TruthValue::Instant(at) = value {
+                    told_by.set(Some(at.clock()));
                 }
             }
             inserts[table].execute(params_from_iter(values)).map_err(database).map(|_| ())
