@@ -5,7 +5,7 @@
 //! ([`rules`]) turn the shape of each instant into how far somebody is upright, in between or on the ground, and a second level of
 //! rules ([`watch`]) looks at these over time.
 //!
-//! Passive sensors ([`heard`]) tell of somebody who has kept still too long ([`long_lie`]), and both together of more ([`fused`]).
+//! Passive sensors ([`passive`]) tell of somebody who has kept still too long ([`long_lie`]), and both together of more ([`fused`]).
 //!
 //! We assume that one person is in view at a time.
 //!
