@@ -3,7 +3,7 @@
 
 import type { Drafts } from '../../drafts.svelte';
 import type { Forget, Named, NamesView, Rename } from '../../wire';
-import type { Device } from '../../devices';
+import type { Product } from '../../devices';
 import { History } from '../../history.svelte';
 import { type Change, type Fault, apply, insert } from '../../json';
 import type { At } from '../../plan/geometry';
@@ -20,7 +20,7 @@ export type Tool =
   | { tool: 'door' }
   | { tool: 'place' }
   | { tool: 'furniture'; piece: Piece }
-  | { tool: 'sensor'; kind: SensorKind; device?: Device }
+  | { tool: 'sensor'; kind: SensorKind; device?: Product }
   | { tool: 'scale' };
 
 /** Texts of other files that a step has changed, with what they were and what it made of them. */

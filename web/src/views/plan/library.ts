@@ -1,6 +1,6 @@
 // What can be put into a home: furniture of usual sizes, and sensors of all kinds. The sizes are typical ones, ours.
 
-import type { Device } from '../../devices';
+import type { Product } from '../../devices';
 import { type At, inside } from '../../plan/geometry';
 import { rowOf } from '../../plan/kinds';
 import { spoken } from '../../plan/words';
@@ -103,7 +103,7 @@ export function newPiece(home: Home, { name, size_m, height_m, enterable }: Piec
 }
 
 /** A sensor where somebody has clicked; a sentence that says what to do, where it cannot be there. */
-export function newSensor(home: Home, kind: SensorKind, at: At, targets: Targets, grid_m: number | null, device?: Device): Value | string {
+export function newSensor(home: Home, kind: SensorKind, at: At, targets: Targets, grid_m: number | null, device?: Product): Value | string {
   const word = spoken(kind);
   const named = (of: string) => freshName(home, `${of} ${word}`.trim().slice(0, 90), ['sensors']);
   const room = roomAt(home, at);
