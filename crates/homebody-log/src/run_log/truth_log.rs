@@ -68,24 +68,21 @@ impl SetBacks {
         SetBacks { calendar: calendar.clone(), known: Vec::new(), until: RunTime::START }
     }
 
-    /// The pieces of an interval between these instants. Told on the wall, an interval would end before it begins, or an hour early. A
-    /// piece ends a microsecond before the clock is set back: the instant itself is on the wall an hour earlier.
-    fn pieces(&mut self, time: Interval<RunTime>) -> Vec<Interval<RunTime>> {
+    /// The first piece of an interval, up to the next of these instants, and the rest. Told on the wall, an interval over one of them would
+    /// end before it begins, or an hour early. A piece ends a microsecond before the clock is set back: the instant itself is on the wall
+    /// an hour earlier.
+    fn split(&mut self, time: Interval<RunTime>) -> (Interval<RunTime>, Option<Interval<RunTime>>) {
         if time.end > self.until {
             let length = time.end.since_zero().saturating_add(400 * DAY);
             let changes = self.calendar.scale(length);
             self.known = changes.run_changes().filter(|change| change.is_back()).map(|change| change.at).collect();
             self.until = RunTime::START + length;
         }
-        let first = self.known.partition_point(|&at| at <= time.begin);
-        let within = self.known[first..].iter().take_while(|&&at| at < time.end);
-        let (mut begin, mut pieces) = (time.begin, Vec::new());
-        for &at in within {
-            pieces.push(Interval::new(begin, at - Span::MICROSECOND));
-            begin = at;
+        let next = self.known.partition_point(|&at| at <= time.begin);
+        match self.known.get(next).filter(|&&at| at < time.end) {
+            Some(&at) => (Interval::new(time.begin, at - Span::MICROSECOND), Some(Interval::new(at, time.end))),
+            None => (time, None),
         }
-        pieces.push(Interval::new(begin, time.end));
-        pieces
     }
 }
 
@@ -266,8 +263,11 @@ impl TruthLog {
                 // What begins at its end belongs to the next.
                 self.enter_rooms(resident, end - Span::MICROSECOND);
                 let whole = MotionSegment { begin, end, doing, posture };
-                for piece in self.pieces(Interval::new(begin, end)) {
+                let mut left = Some(Interval::new(begin, end));
+                while let Some(time) = left {
+                    let (piece, rest) = self.split(time);
                     self.push_movement(resident, &whole.within(piece));
+                    left = rest;
                 }
             }
             Fact::Room { resident, at, room } => self.coming.push((resident, at, room)),
@@ -350,16 +350,20 @@ impl TruthLog {
     fn turn(&mut self, resident: ResidentId, at: RunTime, next: Option<TextId>) {
         let next = next.map(|name| (at, name));
         if let Some((begin, name)) = std::mem::replace(&mut self.doing[resident.index()], next) {
-            for Interval { begin, end } in self.pieces(Interval::new(begin, at)) {
-                let cells = [self.who(resident), Cell::Instant(begin), Cell::Instant(end), Cell::Text(name)];
+            let mut left = Some(Interval::new(begin, at));
+            while let Some(time) = left {
+                let (piece, rest) = self.split(time);
+                let cells =
+                    [self.who(resident), Cell::Instant(piece.begin), Cell::Instant(piece.end), Cell::Text(name)];
                 self.push(Truth::Activity, cells);
+                left = rest;
             }
         }
     }
 
-    /// An interval in the pieces in which its table has it.
-    fn pieces(&mut self, time: Interval<RunTime>) -> Vec<Interval<RunTime>> {
-        self.set_backs.as_mut().map_or_else(|| vec![time], |set_backs| set_backs.pieces(time))
+    /// The first row of an interval, and the rest, which has rows of its own.
+    fn split(&mut self, time: Interval<RunTime>) -> (Interval<RunTime>, Option<Interval<RunTime>>) {
+        self.set_backs.as_mut().map_or((time, None), |set_backs| set_backs.split(time))
     }
 
     /// The rooms that a resident has come to by an instant.
