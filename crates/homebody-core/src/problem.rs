@@ -116,6 +116,9 @@ fn is_one(width: &u32) -> bool {
 /// Largest number of problems of a file in a report (our choice): a file with errors throughout would hide the others.
 pub const MOST_PER_FILE: usize = 100;
 
+/// Largest number of problems of a URL in a report (our choice): a URL has a dozen parts.
+pub const MOST_PER_URL: usize = 20;
+
 /// The words between a text and its hint.
 const BEFORE_HINT: &str = "\n  hint: ";
 

@@ -1,6 +1,6 @@
 //! All problems of the files of a scenario, in one list.
 
-use crate::problem::{Diagnose, Diagnostic, MOST_PER_FILE, Problem, counted};
+use crate::problem::{Diagnose, Diagnostic, MOST_PER_FILE, MOST_PER_URL, Problem, counted};
 use serde::Serialize;
 use std::fmt;
 
@@ -12,7 +12,7 @@ crate::messages! {
         More {
             /// The number of problems that are not shown.
             count: usize,
-        } error "more" ("the file has {more}", more = counted(*count, "more problem", "more problems"))
+        } error "more" ("there are {more}", more = counted(*count, "more problem", "more problems"))
             hint ("solve the problems above, and check again");
     }
 }
@@ -24,11 +24,20 @@ pub struct Problems(pub Vec<Problem>);
 impl Problems {
     /// The first [`MOST_PER_FILE`] problems of each file and a count of the others. The problems of a file must follow each other.
     pub fn truncated(problems: &[Problem]) -> Problems {
+        Problems::first(problems, MOST_PER_FILE)
+    }
+
+    /// The first [`MOST_PER_URL`] problems of a URL and a count of the others.
+    pub fn of_url(problems: &[Problem]) -> Problems {
+        Problems::first(problems, MOST_PER_URL)
+    }
+
+    fn first(problems: &[Problem], most: usize) -> Problems {
         let mut kept = Vec::new();
         for of_file in problems.chunk_by(|a, b| a.file == b.file) {
-            kept.extend_from_slice(&of_file[..of_file.len().min(MOST_PER_FILE)]);
-            if of_file.len() > MOST_PER_FILE {
-                let more = ProblemsMessage::More { count: of_file.len() - MOST_PER_FILE };
+            kept.extend_from_slice(&of_file[..of_file.len().min(most)]);
+            if of_file.len() > most {
+                let more = ProblemsMessage::More { count: of_file.len() - most };
                 kept.push(Problem::of_file(&of_file[0].file, more, None));
             }
         }

@@ -227,7 +227,7 @@ impl Wrong {
     }
 
     fn or(self, address: Address) -> Result<Address, Problems> {
-        if self.0.is_empty() { Ok(address) } else { Err(Problems(self.0)) }
+        if self.0.is_empty() { Ok(address) } else { Err(Problems::of_url(&self.0)) }
     }
 
     /// The name before the `@`. A password there is not told again.
@@ -377,6 +377,12 @@ mod tests {
         assert_eq!(all.ca.as_deref(), Some(Path::new("my ca.pem")));
         assert_eq!(all.place(), "mqtts://[::1]:99/care/north");
         assert_eq!(read("mqtt://broker?style=plain").unwrap().discovery, Discovery::Off);
+    }
+
+    #[test]
+    fn counts_problems_of_a_long_url() {
+        let error = read(&format!("mqtt://broker?{}", "what=1&".repeat(100_000))).unwrap_err();
+        assert!(error.len() < 20_000 && error.contains("there are 99980 more problems"), "{} bytes", error.len());
     }
 
     #[test]

@@ -244,9 +244,7 @@ struct Problems {
 
 impl Problems {
     fn add(&mut self, message: ServerUrlMessage) {
-        if self.all.len() < MOST_TOLD {
-            self.all.push(message.into());
-        }
+        self.all.push(message.into());
     }
 
     /// Percent signs and two digits are bytes.
@@ -275,24 +273,13 @@ impl Problems {
         if self.all.is_empty() {
             return Ok(());
         }
-        let place = brief(&self.place);
+        let place = readable(self.place);
         let of_place = |problem: Problem| {
-            let problem = Problem { what: brief(&problem.what), ..problem };
+            let problem = Problem { what: readable(problem.what), ..problem };
             Problem::of_file(&place, problem, None)
         };
-        Err(LogError::BadUrl(homebody_core::problem::Problems(self.all.into_iter().map(of_place).collect())))
-    }
-}
-
-/// Largest number of problems of a URL that are reported, and characters of each (our choice).
-const MOST_TOLD: usize = 20;
-const LONGEST_TOLD: usize = 300;
-
-/// The beginning of a text that somebody may have made as long as they like.
-fn brief(text: &str) -> String {
-    match text.char_indices().nth(LONGEST_TOLD) {
-        Some((end, _)) => format!("{}...", &text[..end]),
-        None => text.to_owned(),
+        let all: Vec<Problem> = self.all.into_iter().map(of_place).collect();
+        Err(LogError::BadUrl(homebody_core::problem::Problems::of_url(&all)))
     }
 }
 

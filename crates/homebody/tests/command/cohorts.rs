@@ -437,6 +437,6 @@ fn a_list_that_is_none_is_refused() {
 fn a_long_list_of_faults_is_cut() {
     let rows: String = (0..300).map(|row| format!("m{row},x\n")).collect();
     let folder = listed(&format!("name,age\n{rows}"));
-    let said = folder.run("run tigerplace --profiles people.csv").fails(2, "the file has 200 more problems").err;
+    let said = folder.run("run tigerplace --profiles people.csv").fails(2, "there are 200 more problems").err;
     assert_eq!(said.matches("error[members::number]").count(), 100);
 }
