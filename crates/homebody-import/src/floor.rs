@@ -1,4 +1,4 @@
-//! One floor: what is drawn on a level, as rooms, walls, doors and furniture that fit together.
+//! One floor: the drawing of a level as rooms, walls, doors and furniture that fit together.
 
 use crate::doors::WallDoor;
 use crate::drawing::{self, PlanDrawing, PlanPiece};
@@ -22,20 +22,19 @@ pub struct BuiltFloor {
     pub furniture: Vec<Furniture>,
     /// The flights of stairs that begin here.
     pub stairs: Vec<PlanPiece>,
-    /// True if its way out leads into a room that lies in the open.
+    /// True if its way out leads into an open-air room.
     pub is_open: bool,
 }
 
-/// The names of a home. Rooms and furniture share theirs: paths go to either, and lamps are called after rooms.
+/// The names of a home. Rooms and furniture share theirs: paths go to either, and lamps are named after rooms.
 #[derive(Default)]
 pub struct AllNames {
     pub spots: NamePool,
     pub doors: NamePool,
 }
 
-/// The floor of what is drawn on one level.
-///
-/// `is_home` says whether people may come home to it: then what lies in the open before its front door is outside.
+/// Builds the floor of one level. With `is_home`, people may come home to it: the open-air rooms before its front door
+/// are then outside.
 pub fn build(
     drawing: &PlanDrawing,
     is_home: bool,
@@ -106,7 +105,7 @@ impl BuiltFloor {
         doors::way_out(&self.doors)
     }
 
-    /// Puts the way out before all other doors: of several that lead out, the first is taken.
+    /// Puts the way out before all other doors: the first door that leads out is used.
     pub fn put_way_out_first(&mut self) {
         let best = (0..self.doors.len()).filter(|&index| self.doors[index].is_outside);
         let best = best.rev().max_by_key(|&index| self.doors[index].leads_home);
@@ -115,7 +114,6 @@ impl BuiltFloor {
         }
     }
 
-    /// All corners of rooms and ends of walls.
     pub fn points(&self) -> impl Iterator<Item = Point> + '_ {
         let ends = self.walls.iter().flat_map(|wall| [wall.from, wall.to]);
         ends.chain(self.rooms.iter().flat_map(|room| room.outline.iter().copied()))

@@ -13,26 +13,26 @@ use homebody_core::home::form::{HomeFile, latitude};
 use homebody_core::plan::form::{DoorFile, FurnitureFile, PlaceFile, RoomFile, WallFile};
 use homebody_core::problem::counted;
 
-/// A home, and what was left out of the plan or guessed.
+/// A home, and the omissions from and guesses about the plan.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Imported {
-    /// The text of a `home.json` that passes the check; its schemas are expected in a folder beside it.
+    /// The text of a `home.json` that passes the check; its schemas are expected in a folder next to it.
     pub home_json: String,
     /// Omissions and guesses, a sentence each, at most some dozens.
     pub remarks: Vec<String>,
 }
 
-/// The path of the schema, in a folder beside the home.
+/// The path of the schema, relative to the home's folder.
 pub const SCHEMA: &str = "./schemas/home.schema.json";
 
 /// Largest number of remarks (our choice).
 const MOST_REMARKS: usize = 40;
 
-/// Makes a home of this name of the bytes of a `.sh3d` file.
+/// Makes a home with this name from the bytes of a `.sh3d` file.
 ///
-/// `level` is the name of a level, or its number counted from the lowest. Without it, the level is taken by which people come
-/// home, and those that stairs join to it are drawn beside it. The lower left corner of the walls' middle lines is the origin,
-/// and lengths are rounded to millimetres.
+/// `level` is the name of a level, or its number counted from the lowest. By default, the home is on the level with the
+/// front door, and the levels joined to it by stairs are drawn next to it. The lower left corner of the walls' middle
+/// lines is the origin, and lengths are rounded to millimetres.
 pub fn sweet_home(bytes: &[u8], name: &str, level: Option<&str>) -> Result<Imported, ImportError> {
     let xml = archive::home_xml(bytes)?;
     let drawing = drawing::read(&markup::parse(&xml)?);
@@ -66,8 +66,8 @@ pub fn sweet_home(bytes: &[u8], name: &str, level: Option<&str>) -> Result<Impor
     Ok(Imported { home_json, remarks })
 }
 
-/// The floor on which people come home, and those that stairs join to it; the names that are taken, and what the home says of
-/// itself.
+/// The floor with the front door, joined to those that its stairs reach; the names in use, and the description of the
+/// home.
 fn whole(levels: &PlanLevels, remarks: &mut Vec<String>) -> Result<(BuiltFloor, AllNames, String), ImportError> {
     let built = |index: usize, is_home: bool, names: &mut AllNames, remarks: &mut Vec<String>| {
         let storey = &levels.storeys[index];
@@ -81,7 +81,7 @@ fn whole(levels: &PlanLevels, remarks: &mut Vec<String>) -> Result<(BuiltFloor, 
         levels.tell(&[0], "the only one on which something is drawn", remarks);
         return Ok((floor, names, about));
     }
-    // First each by itself: which are taken decides about names and remarks.
+    // First each floor by itself: the choice of floors decides about names and remarks.
     let alone: Vec<_> = (0..levels.storeys.len()).map(|index| unheard(index, true)).collect();
     let sound: Vec<usize> = (0..alone.len()).filter(|&index| alone[index].is_ok()).collect();
     let fits = |&index: &usize| {
@@ -93,7 +93,7 @@ fn whole(levels: &PlanLevels, remarks: &mut Vec<String>) -> Result<(BuiltFloor, 
         return Err(first.unwrap_or(ImportError::NoRooms));
     };
     let leads_out = fits(&home).is_some_and(|(way_out, ..)| way_out > 0);
-    // People come home to one of them: what lies in the open before the others is no outside.
+    // Only the floor with the front door has rooms outside of the home.
     let again = |(index, floor): (usize, Result<(f64, BuiltFloor), ImportError>)| match floor {
         Ok((_, floor)) if floor.is_open && index != home => unheard(index, false),
         floor => floor,
@@ -134,7 +134,6 @@ fn whole(levels: &PlanLevels, remarks: &mut Vec<String>) -> Result<(BuiltFloor, 
     Ok((floor, names, about(levels, &taken)))
 }
 
-/// The `about` of a home of these levels.
 fn about(levels: &PlanLevels, taken: &[usize]) -> String {
     let names = listed(levels, taken);
     match taken {
@@ -144,13 +143,13 @@ fn about(levels: &PlanLevels, taken: &[usize]) -> String {
     }
 }
 
-/// The names of levels in a sentence; nothing where the plan has one.
+/// The names of levels in a sentence; empty for a plan with one level.
 fn listed(levels: &PlanLevels, taken: &[usize]) -> String {
     let names = taken.iter().filter_map(|&index| levels.storeys[index].name.as_ref());
     names.map(|name| format!("{name:?}")).collect::<Vec<_>>().join(", ")
 }
 
-/// Says that no door leads out, and where one could: a line for `home.json` that works as it is.
+/// Remark that no door leads out, with a complete line for `home.json` that adds one.
 fn no_way_out(floor: &BuiltFloor, names: &mut AllNames) -> String {
     let what = "no door leads out of the home";
     let Some(exit) = exits::front_door(floor) else {
@@ -185,7 +184,7 @@ fn home(name: String, about: String, latitude_deg: Option<f64>, floor: BuiltFloo
     }
 }
 
-/// The lower left corner of all walls, or of all rooms where there are none.
+/// The lower left corner of all walls, or of all rooms in a plan without walls.
 fn origin(walls: &[StraightWall], rooms: &[NamedRoom]) -> Point {
     let ends = walls.iter().flat_map(|wall| [wall.from, wall.to]);
     let corners = rooms.iter().flat_map(|room| room.outline.iter().copied());

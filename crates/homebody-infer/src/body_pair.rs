@@ -41,7 +41,6 @@ pub(crate) struct BodyPair<'a> {
     work: PairBuffers,
 }
 
-/// Buffers that each step reuses.
 struct PairBuffers {
     turns: [TransitionStep; 2],
     between: [StateTransitions; 2],

@@ -1,4 +1,4 @@
-//! Intervals in which a sensor is stuck or dead, found from messages alone.
+//! Intervals during which a sensor is stuck or dead, found from messages alone.
 //!
 //! A sensor that repeats itself at even intervals is stuck. One with daily messages that is silent while others are as
 //! active as usual is dead.

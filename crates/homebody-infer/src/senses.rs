@@ -56,7 +56,7 @@ pub struct Senses {
     pub(crate) rates: Vec<Vec<f32>>,
     /// The rates of ON, by state and sensor.
     on_rates: Vec<f32>,
-    /// By channel: the states in which it exceeds the rate without a cause, and by how much.
+    /// By channel: the states that raise its rate above that without a cause, and by how much.
     heard_of: Vec<Vec<(u32, f32)>>,
     pub(crate) flow: TransitionMatrices,
     counted: StateCounts,
@@ -130,7 +130,7 @@ struct SensorCounts {
     time_s: Vec<f64>,
     /// By channel and state.
     messages: Vec<Vec<f64>>,
-    /// In seconds, by sensor and state: time in which it could send ON, and OFF.
+    /// In seconds, by sensor and state: time during which it could send ON, and OFF.
     may_begin_s: Vec<Vec<f64>>,
     may_end_s: Vec<Vec<f64>>,
     /// Transitions, from state to state.
@@ -202,7 +202,6 @@ impl Senses {
         &self.heard_of[channel(sensor, said)]
     }
 
-    /// The probabilities of the states at the start.
     pub(crate) fn begins(&self) -> Vec<f32> {
         let size = self.states.len();
         match self.visits {
@@ -347,7 +346,6 @@ fn enter_all(
     }
 }
 
-/// Whether each sensor sends OFF, and its dead time after a message.
 fn timing(messages: &[LogMessage], feels: &[bool]) -> Vec<ReportTiming> {
     /// Share of the shortest gaps that is left out, because they may be chance or a fault (our choice).
     const SHORTEST: f64 = 0.02;
@@ -416,7 +414,7 @@ impl SensorCounts {
         counts
     }
 
-    /// Moves the time in which a sensor was on, and could not send ON, to that in which it could send OFF.
+    /// Counts the time during which a sensor was on, and could not send ON, as time during which it could send OFF.
     fn unheard(&mut self, track: &[(RunTime, usize)], sensor: usize, last: &LastMessage, span: Interval<RunTime>) {
         let until = span.begin + last.deaf(span);
         let first = track.partition_point(|&(at, _)| at <= span.begin).saturating_sub(1);

@@ -155,7 +155,6 @@ pub(crate) struct Smoother<'a> {
 }
 
 impl<'a> Smoother<'a> {
-    /// `nobody` is [`Senses::nobody`] of the first body.
     pub fn new(bodies: &'a [Senses], nobody: &'a Senses, steps: LogSteps<'a>) -> Smoother<'a> {
         let (residents, visits) = match bodies {
             [alone, guest] if guest.visits && !alone.visits => (&bodies[..1], Some(Visits::new([alone, guest]))),

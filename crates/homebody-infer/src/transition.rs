@@ -1,4 +1,4 @@
-//! Transitions of one body in a span in which some sensors cannot send.
+//! Transitions of one body while some sensors cannot send.
 
 use crate::exponential::exp;
 use crate::log_step::Unusual;
@@ -44,7 +44,6 @@ pub(crate) struct StateTransitions {
     first: Vec<u32>,
     /// State at the end, and probability.
     turns: Vec<(u32, f32)>,
-    /// Buffers.
     passing: Vec<f32>,
     chances: Vec<f32>,
 }
@@ -253,7 +252,6 @@ fn chosen<const ROWS: usize>(rows: [&[f32]; ROWS], places: &[u32], factors: &[f3
     std::array::from_fn(|row| rest[row] + (sums[0][row] + sums[1][row]) + (sums[2][row] + sums[3][row]))
 }
 
-/// Transposes.
 pub(crate) fn turned_over(rows: &[f32], columns: usize, over: &mut Vec<f32>) {
     let height = rows.len() / columns.max(1);
     over.clear();

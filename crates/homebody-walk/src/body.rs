@@ -51,7 +51,6 @@ impl WalkingBody {
         }
     }
 
-    /// Limits the number of remembered routes.
     pub fn remembering(self, ways: usize) -> WalkingBody {
         WalkingBody { routes: self.routes.at_most(ways), ..self }
     }
@@ -61,7 +60,6 @@ impl WalkingBody {
         (self.at, self.posture, self.spot) = (spot.at, posture, Some(spot));
     }
 
-    /// Moves the body to the end of a segment that has begun.
     pub fn follow(&mut self, next: &MotionSegment) {
         match next.doing {
             MotionState::Stride { to, .. } => self.at = to,

@@ -1,11 +1,11 @@
-//! How a body walks along a path: its speed, how it sets off, turns and stops, and how it gets up and sits down.
+//! Walking along a path: speed, setting off, turning and stopping; getting up and sitting down.
 //!
-//! A walk sets off, goes at one speed, slows down before sharp turns and its end, and turns sharply on the spot. Getting
-//! up and sitting down take seconds in which the body moves on the spot.
+//! A walk sets off, goes at one speed, slows down before sharp turns and its end, and turns sharply on the spot. The
+//! body moves on the spot for some seconds while it gets up or sits down.
 //!
 //! We assume the speeds of people of 86 years in their homes: on average a person's own pace, from walk to walk with the
-//! spread that Kaye et al. (2012) saw between persons, faster in the morning, slower in the evening. Who is frail or has
-//! a walking aid is slower, varies more, and takes longer to set off, turn, get up and sit down.
+//! spread that Kaye et al. (2012) saw between persons, faster in the morning, slower in the evening. A person who is
+//! frail or has a walking aid is slower, varies more, and takes longer to set off, turn, get up and sit down.
 //!
 //! The speed of a walk is lognormal. Speeding up evenly from nothing over a stretch takes as long as going through it at
 //! half the speed, so it is one stride at half the speed, and slowing down likewise. All times are counted from the

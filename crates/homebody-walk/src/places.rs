@@ -291,7 +291,7 @@ impl HomePlaces {
             return thing.map(|thing| thing as u32);
         }
         let names = role.row().names;
-        // A kitchen's lamp is no stove.
+        // A lamp in the kitchen does not count as a stove.
         let things = &self.things[..self.lamps];
         let said =
             |fits: &dyn Fn(&str) -> bool| things.iter().position(|(thing, said)| *said == Some(role) && fits(thing));
@@ -389,8 +389,8 @@ impl HomePlaces {
     }
 }
 
-/// Marks reachable places. A place with sides uses the first reachable side; a room whose middle is blocked uses a point
-/// beside it.
+/// Marks reachable places. A place with sides uses the first reachable side; a room with a blocked middle uses a point
+/// near it.
 fn find_ways(
     plan: &Plan,
     spots: &mut [HomePlace],
@@ -435,7 +435,7 @@ fn is_toilet(spot: &HomePlace) -> bool {
     spot.is_of(Role::Toilet)
 }
 
-/// Enterable places in which people stand.
+/// Enterable places for standing.
 fn is_stood_in(name: &str) -> bool {
     words(name).any(|word| ["shower", "rug", "mat", "carpet"].iter().any(|end| word.ends_with(end)))
 }

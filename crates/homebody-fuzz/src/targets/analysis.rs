@@ -1,4 +1,4 @@
-//! All that the program does with a log that it can read, whatever its form.
+//! All uses of a readable log, whatever its form.
 
 use super::messages;
 use crate::target::ReadVerdict;
@@ -62,7 +62,7 @@ pub fn all(from: &LogSource, mapping: &LoggerFile, truth: &Path, folder: &Path) 
     if look.rows != survey.rows || look.sensors.iter().map(|sensor| sensor.rows).sum::<u64>() != survey.rows {
         return Err(format!("{} rows are looked at, {} are surveyed", look.rows, survey.rows));
     }
-    // As the commands for days and density read it, on the wall of a home.
+    // In the wall time of a home, as the commands for days and density read it.
     match LoadedLog::read(&from.to_string(), Some(ZONE)) {
         Ok(given) => drawn(&given)?,
         Err(error) => messages::message(&error.to_string())?,
@@ -75,7 +75,7 @@ fn refused(error: &LogError) -> Result<(), String> {
     messages::message(&error.to_string())
 }
 
-/// Carries a log into another form and back: rows are as many, and at the same instants.
+/// Converts a log into another form and back: rows keep their number and instants.
 fn carried(
     from: &LogSource,
     mapping: &LoggerFile,
@@ -88,7 +88,7 @@ fn carried(
     let transfer = Transfer { from, mapping, to: &to, name: "a log", zone: ZONE, how: WriteMode::Create };
     let rows = match convert(&transfer, survey, |_| ()) {
         Ok(rows) => rows,
-        // Two sensors that a form cannot tell apart.
+        // The form cannot distinguish two sensors.
         Err(error) => return refused(&error),
     };
     if rows != survey.rows {
@@ -128,7 +128,7 @@ fn drawn(given: &LoadedLog) -> Result<(), String> {
             let day = DayRecord::from_log(&given.name, &given.log, &given.lives, given.ended(), date);
             let _ = day.to_string();
             let svg = day_chart(&DayChart::new(&day));
-            // Pixels take their time: some days have to do.
+            // Rasterising takes time, so only some days are drawn.
             if svg.len().is_multiple_of(32)
                 && let Err(error) = png(&svg, 400)
             {

@@ -1,4 +1,4 @@
-//! Homes: what is seen of them, and how they are drawn.
+//! Homes: coverage and pictures.
 
 use super::messages;
 use crate::choices::Choices;
@@ -16,7 +16,7 @@ use std::path::Path;
 
 pub const TARGET: Target = Target { name: "home", cases: 2_000, seeds, mutate, run };
 
-/// A scenario in which nobody lives.
+/// A scenario without residents.
 const SCENARIO: &str =
     r#"{ "name": "a", "start": "2026-01-05T00:00:00", "days": 1, "home": "home.json", "residents": [] }"#;
 

@@ -1,4 +1,4 @@
-//! Plans of Sweet Home 3D: what is imported passes the check, and somebody can look for ways in it.
+//! Plans of Sweet Home 3D: imported homes pass the check, and the search for ways works in them.
 
 use super::messages;
 use crate::choices::Choices;
@@ -15,11 +15,11 @@ use std::path::Path;
 
 pub const TARGET: Target = Target { name: "plan", cases: 2_000, seeds, mutate, run };
 
-/// The plan, and the archive that it is in.
+/// The plan, and its archive.
 const XML: &str = "Home.xml";
 const ARCHIVE: &str = "plan.sh3d";
 
-/// The smallest scenario in which a home can be checked.
+/// The smallest scenario for the check of a home.
 const SCENARIO: &str =
     r#"{ "name": "a", "start": "2026-01-05T00:00:00", "days": 1, "home": "home.json", "residents": [] }"#;
 
@@ -74,7 +74,7 @@ fn run(files: &CaseFiles, _: &Path) -> Result<ReadVerdict, String> {
     Ok(verdict)
 }
 
-/// Goes from each room and piece of furniture to the next, and in by each door.
+/// Finds ways from each room and piece of furniture to the next, and in by each door.
 fn find_ways(home_json: &str) -> Result<(), String> {
     let files = [("scenario.json", SCENARIO), ("home.json", home_json)];
     let files: BTreeMap<String, String> = files.map(|(name, text)| (name.to_owned(), text.to_owned())).into();

@@ -1,4 +1,4 @@
-//! Lists of profiles, of which cohorts are made.
+//! Lists of profiles for cohorts.
 
 use super::{messages, simulation};
 use crate::choices::Choices;

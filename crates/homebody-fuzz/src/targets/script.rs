@@ -1,4 +1,5 @@
-//! Scripts: read, and lived by where nothing is wrong. A script may give up in the middle of a run, in words with its line.
+//! Scripts: parsed, and simulated if they are valid. A script may fail in the middle of a run, with a message that
+//! names its line.
 
 use super::{messages, simulation};
 use crate::choices::Choices;
@@ -12,7 +13,6 @@ use std::path::Path;
 
 pub const TARGET: Target = Target { name: "script", cases: 10_000, seeds, mutate, run };
 
-/// The file of a case.
 const FILE: &str = "clara.rhai";
 
 /// Time of simulation of an input that passes the check (our choice).

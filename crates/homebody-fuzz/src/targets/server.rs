@@ -1,4 +1,4 @@
-//! Input from servers: URLs of databases and brokers, orders to a run, and notes on confirmed rows.
+//! Input from servers: URLs of databases and brokers, orders to a run, and records of confirmed rows.
 
 use super::messages;
 use crate::choices::Choices;
@@ -25,7 +25,7 @@ const URLS: &str = "urls.txt";
 const ORDERS: &str = "orders.jsonl";
 const NOTE: &str = "note.json";
 
-/// The password in the seeds, which no message may have.
+/// The password in the seeds, which must not appear in messages.
 const SECRET: &str = "s3cr3t-canary";
 
 fn seeds() -> Vec<CaseFiles> {
@@ -47,7 +47,7 @@ fn mutate(files: &mut CaseFiles, seeds: &[CaseFiles], choices: &mut Choices) {
     });
 }
 
-/// A URL of which one part is another.
+/// A URL with one part replaced.
 fn part(line: &str, choices: &mut Choices) -> String {
     let marks = ['/', '?', '&', '=', ':', '@', '%', '[', ']', ',', '+'];
     let mut letters: Vec<char> = line.chars().collect();
@@ -84,9 +84,8 @@ fn run(files: &CaseFiles, folder: &Path) -> Result<ReadVerdict, String> {
     Ok(verdict)
 }
 
-/// True if a text names a server.
 fn named(text: &str) -> Result<bool, String> {
-    // Outside of the place of a password, a text is not known to be one.
+    // A text outside of the place of a password may be anything.
     let has_secret = text.contains(SECRET) && !without_password(text).contains(SECRET);
     let said = |error: LogError| {
         let error = error.to_string();
@@ -119,7 +118,7 @@ fn named(text: &str) -> Result<bool, String> {
     Ok(is_one)
 }
 
-/// Checks that a destination never gets more rows than there are, whatever its note of confirmed rows says.
+/// Checks that a destination never gets more rows than exist, whatever its record of confirmed rows contains.
 fn noted(note: &[u8], folder: &Path) -> Result<(), String> {
     const ROWS: u64 = 5;
     let taken = Arc::new(AtomicU64::new(0));
@@ -149,7 +148,6 @@ fn noted(note: &[u8], folder: &Path) -> Result<(), String> {
     }
 }
 
-/// Counts what it is given.
 struct Counting {
     taken: Arc<AtomicU64>,
     now: u64,

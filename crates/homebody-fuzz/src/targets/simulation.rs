@@ -1,4 +1,4 @@
-//! Living what has passed the check: for an hour of the run's time, and once more into files.
+//! Simulation of checked scenarios: for an hour of run time, and once more into files.
 
 use super::messages;
 use crate::target::ReadVerdict;
@@ -17,7 +17,7 @@ const STORED: Span = MINUTE.times(10);
 /// Time after which a run is stopped, as a user may stop it between two batches (our choice).
 const LONGEST: Duration = Duration::from_millis(250);
 
-/// Checks a scenario, and lives it where nothing is wrong.
+/// Checks a scenario, and simulates it if it is valid.
 ///
 /// # Errors
 ///
@@ -25,7 +25,7 @@ const LONGEST: Duration = Duration::from_millis(250);
 pub fn check_and_live(texts: &BTreeMap<String, String>, folder: &Path) -> Result<ReadVerdict, String> {
     let source = ScenarioSource::from_texts(texts.clone(), "scenario.json");
     let opened = source.clone().open();
-    // Without its routines asked whether they can be lived, a scenario has no more problems.
+    // A scenario without a check of its routines has no more problems than with it.
     if let (Ok(_), Err(error)) = (&opened, source.scenario()) {
         return Err(format!("it passes the whole check, but not its first part: {error}"));
     }
@@ -35,22 +35,21 @@ pub fn check_and_live(texts: &BTreeMap<String, String>, folder: &Path) -> Result
     }
 }
 
-/// Lives a scenario that has passed the check.
+/// Simulates a scenario that has passed the check.
 ///
 /// # Errors
 ///
-/// An invariant does not hold: the check lets pass what no run can live, or rows are not in order.
+/// An invariant does not hold: the check accepts a scenario that cannot be simulated, or rows are not in order.
 pub fn live(opened: &OpenScenario, folder: &Path) -> Result<(), String> {
     let is_whole = batches(opened)?;
     if is_whole { files(opened, folder) } else { Ok(()) }
 }
 
-/// The failure of a scenario that passes the check.
 fn disagreed(error: SimulationError) -> String {
     format!("the check lets it pass, and the run says: {error}")
 }
 
-/// Lives an hour batch by batch; false where it was ended before.
+/// Simulates an hour in batches; false if it was stopped.
 fn batches(opened: &OpenScenario) -> Result<bool, String> {
     let begun = Instant::now();
     let mut run = opened.run().length(HOUR).start().map_err(disagreed)?;
@@ -77,7 +76,7 @@ fn batches(opened: &OpenScenario) -> Result<bool, String> {
     Ok(true)
 }
 
-/// Lives the beginning into files, reads the log back, and lives the recording again.
+/// Simulates the beginning into files, reads the log back, and replays the recording.
 fn files(opened: &OpenScenario, folder: &Path) -> Result<(), String> {
     let begun = Instant::now();
     let cancel = Cancel::new();
@@ -86,7 +85,7 @@ fn files(opened: &OpenScenario, folder: &Path) -> Result<(), String> {
             cancel.cancel();
         }
     };
-    // Never where the scenario's own logger would have it.
+    // The scenario's own destination is never used.
     let url = Url::new(homebody_core::scenario::scheme::Scheme::Csv, folder.join("log.csv"));
     let recording = folder.join("recording.json");
     let to = Destinations {
@@ -103,7 +102,7 @@ fn files(opened: &OpenScenario, folder: &Path) -> Result<(), String> {
             return Err(format!("{rows} rows were stored, {} are read, {} are not understood", log.rows, log.skipped));
         }
         Ok(_) => {}
-        // A log without a row has nothing by which its columns are known.
+        // The columns of a log without rows are unknown.
         Err(error) if rows > 0 => return Err(format!("what was stored cannot be read: {error}")),
         Err(_) => {}
     }

@@ -1,4 +1,4 @@
-//! Short texts that people say: places of logs, dates, time zones, speeds, commands for a run that is lived.
+//! Short inputs: names of logs, dates, time zones, speeds, commands for a run.
 
 use super::messages;
 use crate::choices::Choices;
@@ -53,7 +53,7 @@ fn run(files: &CaseFiles, folder: &Path) -> Result<ReadVerdict, String> {
     Ok(verdict)
 }
 
-/// Reads a text as all that it may be; whether it is anything.
+/// Parses a text in all ways; true if one succeeds.
 fn understood(text: &str, folder: &Path) -> Result<bool, String> {
     let url = text.parse::<Url>().map_err(LogError::NoPlace);
     if let Ok(url) = &url {
@@ -83,7 +83,7 @@ fn understood(text: &str, folder: &Path) -> Result<bool, String> {
     Ok(found.contains(&true))
 }
 
-/// True if it is understood; otherwise checks the message.
+/// True if it is valid; otherwise checks the message.
 fn spoken<T, E: Display>(read: Result<T, E>) -> Result<bool, String> {
     match read {
         Ok(_) => Ok(true),

@@ -1,4 +1,4 @@
-//! Truths: what residents did, why sensors spoke, how bodies moved.
+//! Truths: activities of residents, causes of firings, movements of bodies.
 
 use super::{database, log, messages};
 use crate::choices::Choices;
@@ -14,7 +14,7 @@ use std::path::Path;
 
 pub const TARGET: Target = Target { name: "truth", cases: 1_000, seeds, mutate, run };
 
-/// A log of which such a truth may tell.
+/// A log for the truth.
 const LOG: &str = "seq,time,sensor,value\n\
                    0,2009-03-02 07:12:03.000000,bed motion,ON\n\
                    1,2009-03-02 07:12:05.500000,hall motion,ON\n\

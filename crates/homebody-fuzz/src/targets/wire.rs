@@ -40,7 +40,7 @@ fn mutate(files: &mut CaseFiles, seeds: &[CaseFiles], choices: &mut Choices) {
     });
 }
 
-/// Changes a text of a draft as its writer would; false where there is none.
+/// Changes a text of a draft, as its user would; false without one.
 fn drafted(message: &mut Value, choices: &mut Choices) -> bool {
     let at = if message["texts"].is_object() { "/texts" } else { "/draft/texts" };
     let Some(Value::Object(texts)) = message.pointer_mut(at) else { return false };
@@ -61,21 +61,21 @@ fn run(files: &CaseFiles, folder: &Path) -> Result<ReadVerdict, String> {
     let desk = Desk::new(shelf.clone());
     let text = target::texts(files).remove(FILE).unwrap_or_default();
     let mut is_understood = asked(&desk, &text)?;
-    // One message, or what a page says one after the other.
+    // One message, or a series.
     let says: Vec<Say> =
         serde_json::from_str(&text).or_else(|_| serde_json::from_str(&text).map(|say| vec![say])).unwrap_or_default();
     if !says.is_empty() {
         is_understood = true;
         staged(shelf, says)?;
     }
-    // Anybody's plan is dropped onto the page.
+    // A plan of unknown origin, dropped onto the page.
     if let Err(error) = desk.import(text.as_bytes()) {
         messages::message(&error.to_string())?;
     }
     Ok(if is_understood { ReadVerdict::Accepted } else { ReadVerdict::Refused })
 }
 
-/// Asks the desk what the message asks; whether it is a question.
+/// Passes a question to the desk; false for other messages.
 fn asked(desk: &Desk, text: &str) -> Result<bool, String> {
     let mut is_understood = true;
     if let Ok(draft) = serde_json::from_str::<Draft>(text) {
@@ -109,7 +109,7 @@ fn problems(problems: &[ProblemView]) -> Result<(), String> {
     Ok(())
 }
 
-/// Has a run on a stage of its own do what it is told.
+/// Sends messages to a run on a stage of its own.
 fn staged(shelf: Shelf, says: Vec<Say>) -> Result<(), String> {
     let stage = Stage::open(shelf).map_err(|error| error.to_string())?;
     let mut seen = Seen::default();
@@ -127,7 +127,6 @@ fn staged(shelf: Shelf, says: Vec<Say>) -> Result<(), String> {
     Ok(())
 }
 
-/// The flat that tests share, as a scenario on disk.
 fn shelf(folder: &Path) -> std::io::Result<Shelf> {
     let scenario = folder.join("flat");
     fs::create_dir_all(&scenario)?;

@@ -1,4 +1,4 @@
-//! A schematic home, put together.
+//! Assembles a schematic home.
 
 use super::arrangement::{RoomNeed, arranged};
 use super::doors::{DoorGap, between, out};
@@ -18,14 +18,13 @@ use homebody_core::plan::form::{DoorFile, FurnitureFile, RoomFile, WallFile};
 use homebody_core::problem::counted;
 use std::collections::{BTreeMap, BTreeSet};
 
-/// A schematic home.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Schematic {
     /// The text of a `home.json` that passes the check.
     pub home_json: String,
-    /// By sensor of the home, what the log calls it.
+    /// By sensor of the home, its id in the log.
     pub ids: BTreeMap<String, String>,
-    /// For how long an ON is held, where the log tells OFF.
+    /// Duration of an ON, if the log has OFF.
     pub hold_s: Option<f64>,
     /// Guesses and omissions, a sentence each.
     pub remarks: Vec<String>,
@@ -81,7 +80,7 @@ fn listed(names: &[String]) -> String {
     names.iter().take(LISTED).map(String::as_str).collect::<Vec<_>>().join(", ") + more
 }
 
-/// Makes a home of this name of what a log tells. `about` is what its file says of itself.
+/// Makes a home with this name from a log. `about` is its description.
 ///
 /// # Errors
 ///
@@ -122,7 +121,7 @@ pub fn schematic(name: &str, about: &str, sensors: &[LogSensor], ways: &[LogWay]
     Ok(Schematic { home_json, ids, hold_s, remarks })
 }
 
-/// Rooms and all that is in them, each in its place.
+/// The places of rooms and their content.
 struct HomeLayout {
     rects: Vec<Rect>,
     walls: Vec<(Point, Point)>,
@@ -130,7 +129,7 @@ struct HomeLayout {
     places: Placement,
 }
 
-/// Lays rooms out, each so many times as large as is usual, and places everything.
+/// Lays rooms out, each enlarged by its factor, and places everything.
 fn lay(
     understood: &Interpretation,
     (sensors, ways): (&[LogSensor], &[LogWay]),
@@ -141,7 +140,7 @@ fn lay(
     let rects = match sensors.iter().any(|sensor| sensor.at.is_some()) {
         true => measured(understood, sensors, pieces)?,
         false => {
-            // Ways that are gone every day count more than seldom ones, but not a hundred times.
+            // Daily ways count more than rare ones, but not a hundred times.
             let ties = between_rooms(understood, ways, |way| (way.times as f64).sqrt());
             let mut wanted = wanted(understood, ways, pieces, outs.first().copied());
             wanted.iter_mut().zip(larger).for_each(|(room, larger)| room.area_m2 *= larger);
@@ -160,7 +159,7 @@ fn lay(
     Ok(HomeLayout { walls: walls(&rects), rects, doors, places })
 }
 
-/// By two rooms, the sum of what their ways count.
+/// By two rooms, the sum of the weights of their ways.
 fn between_rooms(understood: &Interpretation, ways: &[LogWay], counts: impl Fn(&LogWay) -> f64) -> Vec<Vec<f64>> {
     let mut sums = vec![vec![0.0; understood.rooms.len()]; understood.rooms.len()];
     for way in ways {
@@ -203,7 +202,6 @@ fn ways_out(understood: &Interpretation, sensors: &[LogSensor]) -> Vec<usize> {
     rooms
 }
 
-/// The area of each room.
 fn wanted(
     understood: &Interpretation,
     ways: &[LogWay],
@@ -222,7 +220,7 @@ fn wanted(
     understood.rooms.iter().enumerate().map(of).collect()
 }
 
-/// The area of a passage with its sensors one after the other.
+/// The area of a passage with its sensors in a row.
 fn way_area(understood: &Interpretation, ways: &[LogWay], room: usize) -> f64 {
     let is_here =
         |sensor: &usize| understood.sensors[*sensor].0 == room && understood.sensors[*sensor].1 != SensorAim::Area;
@@ -241,9 +239,9 @@ fn way_area(understood: &Interpretation, ways: &[LogWay], room: usize) -> f64 {
     (length_m + WAY_BEYOND_M) * WAY_WIDE_M
 }
 
-/// The walls of rooms that fill a rectangle: each drawn once.
+/// The walls of rooms in a rectangle, each drawn once.
 fn walls(rects: &[Rect]) -> Vec<(Point, Point)> {
-    /// By where a line is, from where to where there are walls on it.
+    /// By position of a line, the spans of its walls.
     type Lines = BTreeMap<i64, Vec<(f64, f64)>>;
     let (mut upright, mut level) = (Lines::new(), Lines::new());
     let key = |at: f64| (at * 100.0).round() as i64;
@@ -274,7 +272,7 @@ fn walls(rects: &[Rect]) -> Vec<(Point, Point)> {
     upright.chain(level).collect()
 }
 
-/// The rooms where somebody has measured the sensors; those without any share the largest of the others.
+/// Rooms around measured sensors; rooms without one share the largest of the others.
 fn measured(
     understood: &Interpretation,
     sensors: &[LogSensor],
@@ -298,7 +296,7 @@ fn measured(
             let Some(from) = largest(&rects) else { continue };
             let Some(rect) = rects[from] else { continue };
             let is_upright = rect.size().x > rect.size().y;
-            // The end that is farthest from the sensors of the room that gives it.
+            // The end of the shared room that is farthest from its own sensors.
             let share = if needs > 1 { 0.4 } else { 0.3 };
             let at = rect.least + rect.size() * share;
             let [first, second] = super::shape::cut(&rect, is_upright, if is_upright { at.x } else { at.y });
@@ -309,7 +307,6 @@ fn measured(
     rects.ok_or_else(|| SchematicError::Unsound("no sensor has a place on the image".into()))
 }
 
-/// A home, and the ids of its sensors in the log.
 struct AssembledHome {
     home: HomeFile,
     ids: BTreeMap<String, String>,

@@ -1,5 +1,5 @@
-//! The room and purpose of each sensor of a log: by the user's table, by its name, by the activities during its firings, and
-//! last by which sensors speak before and after it.
+//! The room and purpose of each sensor of a log: by the user's table, by its name, by the activities during its
+//! firings, and last by the sensors that fire before and after it.
 
 use super::words::{ACTIVITY_SITES, ActivitySite, ROOM_KINDS, RoomKind, RoomThing};
 use super::{LogSensor, LogWay, Speaks};
@@ -7,7 +7,6 @@ use crate::names::clean;
 use homebody_core::names::words;
 use std::collections::BTreeMap;
 
-/// A room that a log tells of.
 #[derive(Clone, Debug)]
 pub struct LogRoom {
     pub name: String,
@@ -16,7 +15,6 @@ pub struct LogRoom {
     pub is_told: bool,
 }
 
-/// The target of a sensor.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum SensorAim {
     /// Its whole room.
@@ -25,7 +23,7 @@ pub enum SensorAim {
     Wide,
     /// A thing in it, or the floor before it.
     Thing(&'static RoomThing),
-    /// The door to the room that it has most to do with.
+    /// The door to the room with its strongest tie.
     Door,
     /// The way out of the home.
     FrontDoor,
@@ -33,7 +31,7 @@ pub enum SensorAim {
     Spot,
 }
 
-/// The rooms of a log, and of each sensor its room and what it is for.
+/// The rooms of a log, and by sensor its room and aim.
 #[derive(Debug)]
 pub struct Interpretation {
     pub rooms: Vec<LogRoom>,
@@ -52,7 +50,7 @@ const AT_ONCE_S: f64 = 0.3;
 const AT_ONCE_SHARE: f64 = 0.38;
 /// Share of its ways that lead to one room if a sensor is in that room (our choice).
 const BELONGS_SHARE: f64 = 0.7;
-/// Words of names that tell nothing of a place.
+/// Words of names without information on a place.
 const NOISE: [&str; 16] = [
     "area",
     "sensor",
@@ -71,7 +69,7 @@ const NOISE: [&str; 16] = [
     "m",
     "d",
 ];
-/// Words that tell rooms of one kind apart.
+/// Words that distinguish rooms of one kind.
 const APART: [&str; 14] = [
     "main",
     "master",
@@ -116,12 +114,10 @@ fn told(name: &str) -> NameParts {
     NameParts { room: Some((kind, label)), rest }
 }
 
-/// The rooms while they are found.
 #[derive(Default)]
 struct RoomList(Vec<LogRoom>);
 
 impl RoomList {
-    /// The room of a name, a new one if there is none.
     fn of_name(&mut self, kind: &'static RoomKind, name: &str) -> usize {
         let name = clean(name);
         let known = self.0.iter().position(|room| room.name.to_lowercase() == name.to_lowercase());
@@ -131,7 +127,6 @@ impl RoomList {
         })
     }
 
-    /// A room of a kind, a new one if there is none.
     fn of_kind(&mut self, kind: &'static RoomKind) -> usize {
         match self.0.iter().position(|room| *room.kind == *kind) {
             Some(known) => known,
@@ -140,8 +135,6 @@ impl RoomList {
     }
 }
 
-/// The rooms and aims of all sensors.
-///
 /// # Errors
 ///
 /// The ids of the sensors without a room.
@@ -182,7 +175,7 @@ fn by_name(sensor: &LogSensor, rooms: &mut RoomList) -> Option<(usize, SensorAim
     };
     let rest = sensor.place.as_deref().map_or(own.rest, |place| {
         let place = told(place);
-        // A place may be called as a room is: the bath in a bathroom.
+        // A place may have the name of a room: the bath in a bathroom.
         place.room.map(|(_, label)| words(&label)).into_iter().flatten().chain(place.rest).collect()
     });
     let kind = room.as_ref().map(|(kind, _)| *kind);
@@ -196,7 +189,7 @@ fn by_name(sensor: &LogSensor, rooms: &mut RoomList) -> Option<(usize, SensorAim
     Some((room, what.unwrap_or(SensorAim::Spot)))
 }
 
-/// The aim of a sensor by the words beside its room.
+/// The aim of a sensor by the other words of its name.
 fn what(sensor: &LogSensor, rest: &[String], room: Option<&'static RoomKind>) -> Option<SensorAim> {
     let has = |wanted: &[&str]| rest.iter().any(|word| wanted.contains(&word.as_str()));
     let is_outside = has(&["front", "outside", "outer", "main", "exterior", "frontdoor", "apartment"]);
@@ -217,8 +210,8 @@ fn what(sensor: &LogSensor, rest: &[String], room: Option<&'static RoomKind>) ->
     }
 }
 
-/// Gives rooms to sensors without them by what was done as they spoke, all those together that see a person at once; whether it
-/// gave any.
+/// Assigns rooms to sensors by the activities during their firings, together for all that see a person at once; true if
+/// it assigned any.
 fn by_activities(
     sensors: &[LogSensor],
     ways: &[LogWay],
@@ -240,7 +233,7 @@ fn by_activities(
     !of_room.is_empty()
 }
 
-/// Of a room's sensors the one that speaks most while something is done is at what it is done with.
+/// Aims the sensor of a room that fires most during an activity at its thing.
 fn at_their_things(sensors: &[LogSensor], here: &[usize], room: &RoomKind, placed: &mut [Option<(usize, SensorAim)>]) {
     // The activities of such rooms come first; people rest and eat in any room.
     let is_seat = |thing: &RoomThing| thing.enterable && thing.home != room.name && SEATS.contains(&thing.name);
@@ -298,7 +291,7 @@ fn counted(sensor: &LogSensor, at: &str) -> u64 {
         .sum()
 }
 
-/// The deed that tells where sensors are: that of the room in which most was done as they spoke.
+/// The site of the activity with most firings of these sensors.
 fn prevailing(sensors: &[LogSensor], together: &[usize]) -> Option<&'static ActivitySite> {
     let mut of_room: BTreeMap<Option<&str>, (u64, &'static ActivitySite)> = BTreeMap::new();
     let firings: u64 = together.iter().map(|&number| sensors[number].firings).sum();
@@ -311,7 +304,7 @@ fn prevailing(sensors: &[LogSensor], together: &[usize]) -> Option<&'static Acti
     (firings >= LEAST_FIRINGS && count as f64 >= LEAST_SHARE * firings as f64).then_some(site)
 }
 
-/// The aim of a sensor by a name of CASAS, which gives only its kind: `MA` sees an area.
+/// The aim of a sensor by a name of CASAS, which only gives its kind: `MA` sees an area.
 fn nameless(sensor: &LogSensor) -> SensorAim {
     match (sensor.speaks, words(&sensor.id).first().map(String::as_str)) {
         (Speaks::Contact, _) if counted(sensor, "front door") > 0 => SensorAim::FrontDoor,
@@ -321,7 +314,7 @@ fn nameless(sensor: &LogSensor) -> SensorAim {
     }
 }
 
-/// Gives rooms to the sensors that are left: that of whom nearly all ways lead to, or one of their own, through which one goes.
+/// Assigns the remaining sensors: to the room at the other end of nearly all ways, or to a passage of their own.
 fn by_ways(sensors: &[LogSensor], ways: &[LogWay], placed: &mut [Option<(usize, SensorAim)>], rooms: &mut RoomList) {
     if placed.iter().all(Option::is_none) {
         return;
@@ -348,7 +341,7 @@ fn by_ways(sensors: &[LogSensor], ways: &[LogWay], placed: &mut [Option<(usize, 
     }
 }
 
-/// A motion sensor at a door hangs on that side of it where one is seen next.
+/// A motion sensor at a door is on the side with the next firings.
 fn settle_doors(sensors: &[LogSensor], ways: &[LogWay], placed: &mut [(usize, SensorAim)]) {
     let before = placed.to_vec();
     for (number, (room, what)) in placed.iter_mut().enumerate() {
@@ -370,8 +363,8 @@ fn settle_doors(sensors: &[LogSensor], ways: &[LogWay], placed: &mut [(usize, Se
     }
 }
 
-/// In a passage, each of several sensors sees a part of the way; of several over one room the one that speaks most sees
-/// all of it.
+/// In a passage, each of several sensors sees a part of the way. Of several sensors over one room, the one with most
+/// firings sees all of it.
 fn several_spots(rooms: &[LogRoom], sensors: &[LogSensor], placed: &mut [(usize, SensorAim)]) {
     for (room, LogRoom { kind, .. }) in rooms.iter().enumerate() {
         let is_here = |number: &usize| placed[*number].0 == room && sensors[*number].speaks == Speaks::Motion;
@@ -387,7 +380,7 @@ fn several_spots(rooms: &[LogRoom], sensors: &[LogSensor], placed: &mut [(usize,
     }
 }
 
-/// A letter or a number at the end of a room's name tells nothing where there is no other of its kind.
+/// A letter or a number at the end of a room's name is dropped if no other room is of its kind.
 fn renamed(mut rooms: Vec<LogRoom>) -> Vec<LogRoom> {
     for number in 0..rooms.len() {
         let has_sibling =
@@ -464,7 +457,7 @@ mod tests {
             motion("MA4"),
             LogSensor { speaks: Speaks::Contact, ..done("D1", "Leave_Home") },
         ];
-        // M3 lies between both, MA4 is beside the bed.
+        // M3 lies between both, MA4 is next to the bed.
         let told = told_of(&sensors, &[way(0, 2, 50), way(1, 2, 50), way(0, 3, 90), way(2, 3, 5)]);
         let wanted =
             [("bedroom", "bed"), ("kitchen", "stove"), ("hall", "Spot"), ("bedroom", "Area"), ("entry", "FrontDoor")];

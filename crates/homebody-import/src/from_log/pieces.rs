@@ -1,11 +1,10 @@
-//! The furniture of a schematic home: the things that sensors look at, and those that a life needs.
+//! The furniture of a schematic home: the aims of sensors, and the things that a resident needs.
 
 use super::interpretation::{Interpretation, LogRoom, SensorAim};
 use super::words::{RoomKind, RoomThing};
 use super::{LogSensor, Speaks};
 use homebody_core::role::Role;
 
-/// A piece of furniture that is to have a place.
 #[derive(Clone, Debug)]
 pub struct NeededPiece {
     pub room: usize,
@@ -14,7 +13,7 @@ pub struct NeededPiece {
     pub sensors: Vec<usize>,
 }
 
-/// The things that a life needs, by the name of the thing and the kinds of rooms that may have it, the best first.
+/// The things that a resident needs: the name of the thing and its possible kinds of rooms, the best first.
 const NEEDED: [(&str, &[&str]); 8] = [
     ("bed", &["bedroom", "room", "study", "living room"]),
     ("toilet", &["bathroom", "toilet"]),
