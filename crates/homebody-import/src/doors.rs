@@ -44,7 +44,7 @@ const MOST_BESIDE: usize = 2;
 const BEHIND_M: [f64; 5] = [0.05, 0.15, 0.25, 0.35, 0.45];
 
 /// The doors among the openings, without windows.
-pub fn only(openings: Vec<PlanPiece>, remarks: &mut Vec<String>) -> Result<Vec<PlanPiece>, ImportError> {
+pub fn without_windows(openings: Vec<PlanPiece>, remarks: &mut Vec<String>) -> Result<Vec<PlanPiece>, ImportError> {
     let (windows, doors): (Vec<PlanPiece>, Vec<PlanPiece>) = openings.into_iter().partition(kinds::is_window);
     if !windows.is_empty() {
         let windows = counted(windows.len(), "window, which makes", "windows, which make");

@@ -3,7 +3,7 @@
 use crate::drawing::PlanPiece;
 use crate::floor::BuiltFloor;
 use crate::outline::NamedRoom;
-use crate::walls::StraightWall;
+use crate::walls::{MOST_SEARCHED, StraightWall};
 use homebody_core::geometry::{self, Point};
 use homebody_core::languages::{RoomUse, room_use};
 use homebody_core::plan::FLAT_M;
@@ -12,9 +12,6 @@ use homebody_core::role::Role;
 /// Width of the way through the wall, and of the flight of stairs between the centre lines of its walls (our choice).
 pub const DOOR_M: f64 = 0.9;
 pub const FLIGHT_M: f64 = 1.0;
-
-/// Largest number of walls of a floor that is unfolded (our choice): each wall is searched.
-const MOST_WALLS: usize = 400;
 
 /// Distance between places in one wall, with room for another flight of stairs, and largest numbers of places tried on
 /// a floor and in a wall, the nearest to the stairs first (our choice).
@@ -48,7 +45,7 @@ pub struct WallExit {
 /// Places for a door in outer walls: of the rooms of the drawn stairs, then of those around them and next to these; the
 /// nearest first.
 pub fn exits(floor: &BuiltFloor, stairs: &PlanPiece) -> Vec<WallExit> {
-    if floor.walls.len() > MOST_WALLS {
+    if floor.walls.len() > MOST_SEARCHED {
         return Vec::new();
     }
     let area = corners(stairs);
@@ -108,7 +105,7 @@ fn are_joined(floor: &BuiltFloor, one: usize, other: usize) -> bool {
 
 /// A place for a front door: in a hall if possible, else in the largest room with a place for it.
 pub fn front_door(floor: &BuiltFloor) -> Option<WallExit> {
-    if floor.walls.is_empty() || floor.walls.len() > MOST_WALLS {
+    if floor.walls.is_empty() || floor.walls.len() > MOST_SEARCHED {
         return None;
     }
     let is_hall = |room: &NamedRoom| room_use(&room.name) == Some(RoomUse::Hall);

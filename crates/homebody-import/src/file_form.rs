@@ -209,14 +209,14 @@ mod tests {
     }
 
     #[test]
-    fn leaves_unnamed_what_it_does_not_know() {
+    fn leaves_unknown_forms_unnamed() {
         for bytes in [&b""[..], b"PK", b"<home/>", b"a line of words", &[0; 100], b"<svgs/>", b"http://a"] {
             assert_eq!(refused(bytes), ImportError::NoArchive, "{}", String::from_utf8_lossy(bytes));
         }
     }
 
     #[test]
-    fn names_archives_by_what_is_in_them() {
+    fn names_archives_by_their_entries() {
         let named = |names: &[&'static str]| archive_error(names.iter().map(|name| (*name).to_owned())).to_string();
         assert!(named(&["a.txt", "mine.sh3d"]).contains("a plan of Sweet Home 3D in it\n  hint: unpack it"));
         assert!(named(&["PluginFurnitureCatalog.properties"]).contains("has no plan"));

@@ -41,7 +41,7 @@ pub fn build(
     names: &mut AllNames,
     remarks: &mut Vec<String>,
 ) -> Result<BuiltFloor, ImportError> {
-    let openings = doors::only(drawing.openings.clone(), remarks)?;
+    let openings = doors::without_windows(drawing.openings.clone(), remarks)?;
     let drawn_rooms = rooms::named(drawing, remarks);
     let outlines = if drawing.walls.is_empty() { rooms::outlines(&drawn_rooms, &openings) } else { Vec::new() };
     if !outlines.is_empty() {
@@ -49,12 +49,12 @@ pub fn build(
     }
     let all_walls = [&drawing.walls[..], &outlines].concat();
     let mut walls = walls::joined(walls::straight(&all_walls, &openings, remarks)?);
-    let drawn_rooms = spaces::parted(drawn_rooms, &walls, remarks);
+    let drawn_rooms = spaces::split_rooms(drawn_rooms, &walls, remarks);
     let drawn = walls.len();
     walls.extend(doors::gaps(&openings, &walls, remarks));
     let in_gaps = drawn..walls.len();
     let at: Vec<Point> = openings.iter().map(|door| door.at).collect();
-    let mut passages = passages::found(&walls, &at, &drawn_rooms);
+    let mut passages = passages::gaps(&walls, &at, &drawn_rooms);
     walls.extend(passages.iter().map(|passage| passage.wall.clone()));
     let mut rooms = rooms::place(&drawn_rooms, &walls, &mut names.spots, remarks)?;
     let spaces = spaces::without_room(&walls, &rooms);
@@ -93,7 +93,7 @@ pub fn build(
         let name = names.doors.give("passage", "passage");
         WallDoor { name, from, to, is_outside: false, leads_home: 0 }
     }));
-    let is_open = is_home && outdoors::leave_out(&mut rooms, &walls, &mut doors, remarks);
+    let is_open = is_home && outdoors::remove_open_rooms(&mut rooms, &walls, &mut doors, remarks);
     let furniture = furniture::place(drawing.pieces.clone(), &rooms, &mut names.spots, remarks)?;
     let stairs = drawing.pieces.iter().filter(|piece| piece.is_visible && kinds::is_stairs(piece)).cloned().collect();
     Ok(BuiltFloor { rooms, walls, doors, furniture, stairs, is_open })

@@ -76,14 +76,14 @@ fn furniture(piece: &PlanPiece, meaning: PieceMeaning, names: &mut NamePool) -> 
         name,
         at: piece.at,
         size_m: [piece.width_m, piece.depth_m].map(|size| millimetres(size).clamp(SIZE_M[0], SIZE_M[1])),
-        turn_deg: turned(piece.turn_rad.to_degrees()),
+        turn_deg: normalised_turn(piece.turn_rad.to_degrees()),
         height_m: millimetres(piece.elevation_m + piece.height_m).clamp(0.0, MOST_HEIGHT_M),
         is_enterable: meaning.is_enterable,
     }
 }
 
 /// A turn in the range of homes: up to half a circle either way, in thousandths of a degree.
-pub fn turned(turn_deg: f64) -> f64 {
+pub fn normalised_turn(turn_deg: f64) -> f64 {
     let turn = turn_deg.rem_euclid(360.0);
     ((if turn > 180.0 { turn - 360.0 } else { turn }) * 1e3).round() / 1e3 + 0.0
 }

@@ -38,7 +38,7 @@ pub struct Storey {
 /// The levels with content, or only the requested one.
 ///
 /// Things without a level are on all of them; only plans without levels have such things.
-pub fn parted(mut drawing: PlanDrawing, wanted: Option<&str>) -> Result<PlanLevels, ImportError> {
+pub fn split(mut drawing: PlanDrawing, wanted: Option<&str>) -> Result<PlanLevels, ImportError> {
     let mut levels = std::mem::take(&mut drawing.levels);
     levels.sort_by(|a, b| a.elevation_m.total_cmp(&b.elevation_m).then(a.index.total_cmp(&b.index)));
     let named = (0..levels.len()).map(|index| named(&levels, index)).collect();
@@ -71,7 +71,7 @@ pub fn parted(mut drawing: PlanDrawing, wanted: Option<&str>) -> Result<PlanLeve
 
 impl PlanLevels {
     /// Reports these storeys, the reason, and those that are left out.
-    pub fn tell(&self, taken: &[usize], why: &str, remarks: &mut Vec<String>) {
+    pub fn report(&self, taken: &[usize], why: &str, remarks: &mut Vec<String>) {
         let taken: Vec<usize> = taken.iter().map(|&storey| self.storeys[storey].index).collect();
         let others: Vec<usize> = (0..self.named.len()).filter(|index| !taken.contains(index)).collect();
         if others.is_empty() {

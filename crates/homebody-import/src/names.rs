@@ -48,7 +48,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn names_are_numbered_where_they_are_taken_or_missing() {
+    fn taken_and_missing_names_get_numbers() {
         let mut names = NamePool::default();
         let given = ["Chair", " chair", "chair 2", "", "\u{7}", "Chair"].map(|name| names.give(name, "piece"));
         assert_eq!(given, ["Chair", "chair 2", "chair 2 2", "piece 1", "piece 2", "Chair 3"]);

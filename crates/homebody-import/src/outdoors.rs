@@ -3,7 +3,7 @@
 
 use crate::doors::{self, WallDoor};
 use crate::outline::NamedRoom;
-use crate::walls::StraightWall;
+use crate::walls::{MOST_SEARCHED, StraightWall};
 use homebody_core::geometry::{self, Point};
 
 /// Smallest share of the outline of an open-air room without a wall or another room along it (our choice): for a
@@ -20,23 +20,20 @@ const ALONG_M: f64 = 0.3;
 /// Distances before a door at which its room is searched (our choice): beyond a thick wall and a step.
 const BEFORE_M: [f64; 6] = [0.1, 0.2, 0.3, 0.4, 0.55, 0.7];
 
-/// Largest number of walls of a floor that is checked (our choice): each point is compared with all.
-const MOST_WALLS: usize = 400;
-
 /// Preferences of a door and of a front door as the way home.
 const BY_DOOR: usize = 2;
 const BY_FRONT_DOOR: usize = 3;
 
 /// Removes the open-air rooms before the doors that people come home by, if no such door leads out yet; these doors
 /// then lead out. Returns true if there are any.
-pub fn leave_out(
+pub fn remove_open_rooms(
     rooms: &mut Vec<NamedRoom>,
     walls: &[StraightWall],
     doors: &mut [WallDoor],
     remarks: &mut Vec<String>,
 ) -> bool {
     let now = doors::way_out(doors);
-    if now == BY_FRONT_DOOR || walls.is_empty() || walls.len() > MOST_WALLS {
+    if now == BY_FRONT_DOOR || walls.is_empty() || walls.len() > MOST_SEARCHED {
         return false;
     }
     let open: Vec<bool> = rooms.iter().map(|room| is_open(room, rooms, walls)).collect();

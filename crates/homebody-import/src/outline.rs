@@ -123,7 +123,7 @@ mod tests {
     }
 
     #[test]
-    fn corners_that_are_none_go() {
+    fn superfluous_corners_are_removed() {
         let square = outline(&[(0.0, 0.0), (4.0, 0.0), (4.0, 3.0), (0.0, 3.0)]);
         let rich = [(0.0, 0.0), (2.0, 0.0), (4.0, 0.0), (4.0, 0.0), (4.0, 3.0), (6.0, 3.0), (0.0, 3.0), (0.0, 1.0)];
         assert_eq!(tidy(&outline(&rich)), square);

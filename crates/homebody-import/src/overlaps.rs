@@ -16,7 +16,7 @@ const MOST_LOST_SHARE: f64 = 0.25;
 const MOST_TRIED: usize = 8;
 
 /// The rooms without overlaps, in their order.
-pub fn parted(mut rooms: Vec<NamedRoom>, remarks: &mut Vec<String>) -> Vec<NamedRoom> {
+pub fn removed(mut rooms: Vec<NamedRoom>, remarks: &mut Vec<String>) -> Vec<NamedRoom> {
     leave_out_around(&mut rooms, remarks);
     let mut parted: Vec<NamedRoom> = Vec::new();
     // Larger rooms keep their shape.
@@ -108,7 +108,7 @@ mod tests {
     }
 
     #[test]
-    fn rooms_that_overlap_are_parted() {
+    fn overlapping_rooms_are_cut() {
         let mut remarks = Vec::new();
         let rooms = vec![
             room("flat", [0.0, 0.0, 8.0, 4.0]),
@@ -116,7 +116,7 @@ mod tests {
             room("east", [4.0, 0.0, 4.0, 4.0]),
             room("corner", [7.0, 3.0, 0.8, 0.8]),
         ];
-        let parted = parted(rooms, &mut remarks);
+        let parted = removed(rooms, &mut remarks);
         let areas: Vec<(&str, f64)> = parted.iter().map(|room| (&room.name[..], area(&room.outline))).collect();
         assert_eq!(areas.len(), 2, "{areas:?} {remarks:?}");
         assert!((areas[0].1 - 16.4).abs() < 1e-9 && (areas[1].1 - 15.6).abs() < 1e-9, "{areas:?}");

@@ -3,7 +3,7 @@
 
 use crate::drawing;
 use crate::outline::NamedRoom;
-use crate::walls::StraightWall;
+use crate::walls::{MOST_SEARCHED, StraightWall};
 use homebody_core::geometry::{self, Point};
 
 /// Smallest and largest width of such a gap (our choice): a narrower one is an error, and no one draws two rooms with a
@@ -17,9 +17,6 @@ const ASIDE_M: f64 = 0.1;
 /// Largest distance of rooms from the middle of a gap (our choice): half of a thick wall, drawn carelessly.
 const BEYOND_M: f64 = 0.4;
 
-/// Largest number of walls of a floor that is checked (our choice): each end is compared with all.
-const MOST_WALLS: usize = 400;
-
 pub struct WallGap {
     pub wall: StraightWall,
     pub from: Point,
@@ -27,9 +24,9 @@ pub struct WallGap {
 }
 
 /// The gaps without a door between rooms of the plan.
-pub fn found(walls: &[StraightWall], doors: &[Point], rooms: &[drawing::PlanRoom]) -> Vec<WallGap> {
+pub fn gaps(walls: &[StraightWall], doors: &[Point], rooms: &[drawing::PlanRoom]) -> Vec<WallGap> {
     let mut passages: Vec<WallGap> = Vec::new();
-    if walls.len() > MOST_WALLS {
+    if walls.len() > MOST_SEARCHED {
         return passages;
     }
     for wall in walls {
@@ -104,7 +101,7 @@ const MOST_SEAMS: usize = 100;
 /// The seams without a wall between rooms that nearly meet.
 pub fn seams(walls: &[StraightWall], rooms: &[NamedRoom]) -> Vec<WallGap> {
     let mut seams = Vec::new();
-    if walls.len() > MOST_WALLS {
+    if walls.len() > MOST_SEARCHED {
         return seams;
     }
     let simple: Vec<&NamedRoom> = rooms.iter().filter(|room| room.outline.len() <= MOST_CORNERS).collect();

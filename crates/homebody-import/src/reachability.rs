@@ -1,5 +1,6 @@
 //! Moves unreachable pieces: chairs under a table, and pieces that stand into a wall.
 
+use crate::walls::MOST_SEARCHED;
 use homebody_core::geometry::{self, At, Point, overlap};
 use homebody_core::home::form::HomeFile;
 use homebody_core::plan::form::FurnitureFile;
@@ -12,8 +13,7 @@ use std::collections::BTreeSet;
 /// Radius of the body in the search: the default of a resident.
 const BODY_M: f64 = 0.22;
 
-/// Largest numbers of walls, pieces and rooms of a home that is checked: each round searches the whole home for ways.
-const MOST_WALLS: usize = 400;
+/// Largest numbers of pieces and rooms of a home that is checked: each round searches the whole home for ways.
 const MOST_PIECES: usize = 400;
 const MOST_ROOMS: usize = 100;
 
@@ -45,8 +45,8 @@ struct Move {
 
 /// Moves unreachable furniture that people use, and reports the rooms without a way in. Reachable pieces stay, and no
 /// other piece becomes unreachable.
-pub fn mended(home: &mut HomeFile, remarks: &mut Vec<String>) {
-    if home.walls.len() > MOST_WALLS || home.furniture.len() > MOST_PIECES || home.rooms.len() > MOST_ROOMS {
+pub fn make_reachable(home: &mut HomeFile, remarks: &mut Vec<String>) {
+    if home.walls.len() > MOST_SEARCHED || home.furniture.len() > MOST_PIECES || home.rooms.len() > MOST_ROOMS {
         return;
     }
     if home.rooms.len() < 2 && !home.furniture.iter().any(is_used) {
@@ -76,7 +76,7 @@ pub fn mended(home: &mut HomeFile, remarks: &mut Vec<String>) {
             }
         }
     }
-    remarks.extend(told(home, &drawn));
+    remarks.extend(moves_remark(home, &drawn));
     remarks.extend(closed_rooms(home));
 }
 
@@ -188,7 +188,7 @@ fn is_apart(home: &HomeFile, index: usize, moved: &[Point]) -> bool {
 }
 
 /// The remark on moved pieces.
-fn told(home: &HomeFile, drawn: &[Option<At>]) -> Option<String> {
+fn moves_remark(home: &HomeFile, drawn: &[Option<At>]) -> Option<String> {
     /// Largest number of names in it (our choice).
     const NAMED: usize = 6;
     let moved = home.furniture.iter().zip(drawn).filter_map(|(piece, drawn)| {

@@ -70,7 +70,7 @@ pub fn place(
         let outline = Some(to_walls(&sides, walls)).filter(|outline| is_sound(outline)).unwrap_or(outline);
         rooms.push(NamedRoom::new(name, outline));
     }
-    Ok(overlaps::parted(rooms, remarks))
+    Ok(overlaps::removed(rooms, remarks))
 }
 
 /// The rooms of a level that people can be in; those without a name take the text in them.

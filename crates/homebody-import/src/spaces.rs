@@ -53,7 +53,7 @@ pub fn without_room(walls: &[StraightWall], rooms: &[NamedRoom]) -> Vec<Vec<Poin
 }
 
 /// Replaces each room that is drawn around several enclosed spaces by a room for each; the largest keeps the name.
-pub fn parted(
+pub fn split_rooms(
     rooms: Vec<drawing::PlanRoom>,
     walls: &[StraightWall],
     remarks: &mut Vec<String>,

@@ -62,7 +62,7 @@ struct UnfoldedFloor {
 /// Returns the indices of the joined floors, including the first.
 ///
 /// Floors come from below. A floor without stairs, such as a gallery, does not stop those beyond it.
-pub fn unfolded(floors: &[(f64, BuiltFloor)], first: usize, names: &mut AllNames) -> (BuiltFloor, Vec<usize>) {
+pub fn unfold(floors: &[(f64, BuiltFloor)], first: usize, names: &mut AllNames) -> (BuiltFloor, Vec<usize>) {
     let mut all = floors[first].1.clone();
     let mut drawn = vec![UnfoldedFloor { index: first, motion: STILL, used: Vec::new() }];
     let beyond = (first + 1..floors.len()).chain((0..first).rev());
@@ -80,7 +80,7 @@ pub fn unfolded(floors: &[(f64, BuiltFloor)], first: usize, names: &mut AllNames
         let piece = &floors[lower].1.stairs[stairs];
         // The passage replaces them.
         let drawn_at = if is_up { drawn[at].motion.apply(piece.at) } else { join.motion.apply(piece.at) };
-        all = and(and(all, flight(&join, is_up, names)), moved(&floors[next].1, join.motion));
+        all = combined(combined(all, flight(&join, is_up, names)), moved(&floors[next].1, join.motion));
         all.furniture.retain(|piece| piece.at != drawn_at);
         drawn.push(UnfoldedFloor { index: next, motion: join.motion, used: Vec::new() });
         let of_lower = if is_up { at } else { drawn.len() - 1 };
@@ -121,13 +121,13 @@ fn up(floor: &BuiltFloor, rise_m: f64, used: &[usize]) -> Option<usize> {
     let reach_m = |stairs: usize| floor.stairs[stairs].elevation_m + floor.stairs[stairs].height_m;
     let free = (0..floor.stairs.len()).filter(|stairs| !used.contains(stairs));
     let leads_up: Vec<usize> = free.filter(|&stairs| reach_m(stairs) >= LEAST_RISE * rise_m).collect();
-    let (ends, goes_on): (Vec<usize>, Vec<usize>) =
+    let (ends, continues): (Vec<usize>, Vec<usize>) =
         leads_up.into_iter().partition(|&stairs| reach_m(stairs) <= rise_m / LEAST_RISE);
     let highest = ends.into_iter().max_by(|&a, &b| reach_m(a).total_cmp(&reach_m(b)));
-    highest.or_else(|| goes_on.into_iter().min_by(|&a, &b| reach_m(a).total_cmp(&reach_m(b))))
+    highest.or_else(|| continues.into_iter().min_by(|&a, &b| reach_m(a).total_cmp(&reach_m(b))))
 }
 
-fn and(mut one: BuiltFloor, other: BuiltFloor) -> BuiltFloor {
+fn combined(mut one: BuiltFloor, other: BuiltFloor) -> BuiltFloor {
     one.rooms.extend(other.rooms);
     one.walls.extend(other.walls);
     one.doors.extend(other.doors);
@@ -184,7 +184,7 @@ fn moved(floor: &BuiltFloor, motion: FloorMotion) -> BuiltFloor {
     floor.doors.iter_mut().flat_map(|door| [&mut door.from, &mut door.to]).for_each(|p| *p = motion.apply(*p));
     for piece in &mut floor.furniture {
         piece.at = motion.apply(piece.at);
-        piece.turn_deg = crate::furniture::turned(piece.turn_deg + turn_deg);
+        piece.turn_deg = crate::furniture::normalised_turn(piece.turn_deg + turn_deg);
     }
     floor
 }

@@ -37,20 +37,20 @@ pub fn sweet_home(bytes: &[u8], name: &str, level: Option<&str>) -> Result<Impor
     let xml = archive::home_xml(bytes)?;
     let drawing = drawing::read(&markup::parse(&xml)?);
     let (latitude_deg, unread) = (drawing.latitude_deg, drawing.unread);
-    let levels = levels::parted(drawing, level)?;
+    let levels = levels::split(drawing, level)?;
     let mut remarks = Vec::new();
     if unread > 0 {
         let things = counted(unread, "thing without place or size", "things without place or size");
         remarks.push(format!("left out: {things}"));
     }
-    let (mut floor, mut names, about) = whole(&levels, &mut remarks)?;
+    let (mut floor, mut names, about) = joined_floors(&levels, &mut remarks)?;
     floor.put_way_out_first();
     remarks.extend((floor.way_out() == 0).then(|| no_way_out(&floor, &mut names)));
     let name = Some(names::clean(name)).filter(|name| !name.is_empty()).unwrap_or_else(|| "home".to_owned());
     let home = home(name, about, latitude_deg, floor, names);
     let home = soundness::passing(home, &mut remarks)?;
     let (mut mended, mut told) = (home.clone(), Vec::new());
-    reachability::mended(&mut mended, &mut told);
+    reachability::make_reachable(&mut mended, &mut told);
     let home_json = match mended == home || soundness::is_passing(&mended) {
         true => {
             remarks.extend(told);
@@ -68,21 +68,25 @@ pub fn sweet_home(bytes: &[u8], name: &str, level: Option<&str>) -> Result<Impor
 
 /// The floor with the front door, joined to those that its stairs reach; the names in use, and the description of the
 /// home.
-fn whole(levels: &PlanLevels, remarks: &mut Vec<String>) -> Result<(BuiltFloor, AllNames, String), ImportError> {
+fn joined_floors(
+    levels: &PlanLevels,
+    remarks: &mut Vec<String>,
+) -> Result<(BuiltFloor, AllNames, String), ImportError> {
     let built = |index: usize, is_home: bool, names: &mut AllNames, remarks: &mut Vec<String>| {
         let storey = &levels.storeys[index];
         floor::build(&storey.drawing, is_home, names, remarks).map(|floor| (storey.elevation_m, floor))
     };
-    let unheard = |index: usize, is_home: bool| built(index, is_home, &mut AllNames::default(), &mut Vec::new());
+    let without_remarks =
+        |index: usize, is_home: bool| built(index, is_home, &mut AllNames::default(), &mut Vec::new());
     let mut names = AllNames::default();
     if levels.storeys.len() == 1 {
         let (_, floor) = built(0, true, &mut names, remarks)?;
         let about = about(levels, &[0]);
-        levels.tell(&[0], "the only one on which something is drawn", remarks);
+        levels.report(&[0], "the only one on which something is drawn", remarks);
         return Ok((floor, names, about));
     }
     // First each floor by itself: the choice of floors decides about names and remarks.
-    let alone: Vec<_> = (0..levels.storeys.len()).map(|index| unheard(index, true)).collect();
+    let alone: Vec<_> = (0..levels.storeys.len()).map(|index| without_remarks(index, true)).collect();
     let sound: Vec<usize> = (0..alone.len()).filter(|&index| alone[index].is_ok()).collect();
     let fits = |&index: &usize| {
         let floor = alone[index].as_ref();
@@ -95,14 +99,14 @@ fn whole(levels: &PlanLevels, remarks: &mut Vec<String>) -> Result<(BuiltFloor, 
     let leads_out = fits(&home).is_some_and(|(way_out, ..)| way_out > 0);
     // Only the floor with the front door has rooms outside of the home.
     let again = |(index, floor): (usize, Result<(f64, BuiltFloor), ImportError>)| match floor {
-        Ok((_, floor)) if floor.is_open && index != home => unheard(index, false),
+        Ok((_, floor)) if floor.is_open && index != home => without_remarks(index, false),
         floor => floor,
     };
     let floors: Vec<_> = alone.into_iter().enumerate().map(again).collect();
     let sound: Vec<usize> = (0..floors.len()).filter(|&index| floors[index].is_ok()).collect();
     let floors: Vec<(f64, BuiltFloor)> = floors.into_iter().flatten().collect();
     let first = sound.iter().position(|&index| index == home).unwrap_or_default();
-    let (_, taken) = stairs::unfolded(&floors, first, &mut AllNames::default());
+    let (_, taken) = stairs::unfold(&floors, first, &mut AllNames::default());
     let taken: Vec<usize> = taken.into_iter().map(|floor| sound[floor]).collect();
 
     let mut floors = Vec::new();
@@ -120,13 +124,13 @@ fn whole(levels: &PlanLevels, remarks: &mut Vec<String>) -> Result<(BuiltFloor, 
         floors.push((height_m, floor));
     }
     let first = taken.iter().position(|&index| index == home).unwrap_or_default();
-    let (floor, _) = stairs::unfolded(&floors, first, &mut names);
+    let (floor, _) = stairs::unfold(&floors, first, &mut names);
     let why = match (taken.len(), leads_out) {
         (1, true) => "by which people come home",
         (1, false) => "which has the most walls",
         _ => "which stairs join",
     };
-    levels.tell(&taken, why, remarks);
+    levels.report(&taken, why, remarks);
     if taken.len() > 1 {
         let floors = listed(levels, &taken);
         remarks.push(format!("the floors {floors} are drawn beside each other, with the stairs as a passage between"));

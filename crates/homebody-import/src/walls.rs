@@ -32,6 +32,10 @@ const ARC_RAD: [f64; 2] = [1e-3, TAU - 1e-3];
 /// Largest distance of the middle of a door from its wall, beyond half the wall's thickness (our choice).
 pub const DOOR_OFF_M: f64 = 0.3;
 
+/// Largest number of walls of a floor that is searched for exits, gaps, open-air rooms or moves (our choice): the time
+/// grows with its square.
+pub const MOST_SEARCHED: usize = 400;
+
 /// Largest number of walls of a home.
 const MOST_WALLS: usize = 5_000;
 

@@ -28,7 +28,7 @@ mod visits;
 mod sensor_day;
 
 pub use examination::{Examination, ExaminationPass, FaultFinding, PassCounts, SensorFault, health};
-pub use fault_interval::{FaultInterval, FaultIntervalKind, spells};
+pub use fault_interval::{FaultInterval, FaultIntervalKind, fault_intervals};
 pub use log_step::MessageContent;
 pub use message::{LogMessage, MessageKind};
 pub use senses::{ResponseError, Senses};

@@ -86,12 +86,12 @@ impl<E: Eye> Loop<E> {
     }
 
     /// Runs some residents until `until`.
-    pub fn live(&mut self, lives: &mut [Player], until: RunTime, firings: &mut Vec<Firing>) {
-        let mut poses = Vec::with_capacity(lives.len());
+    pub fn run(&mut self, players: &mut [Player], until: RunTime, firings: &mut Vec<Firing>) {
+        let mut poses = Vec::with_capacity(players.len());
         while self.next_update() < until {
             let now = self.next_update();
             poses.clear();
-            poses.extend(lives.iter_mut().map(|life| life.pose(now)));
+            poses.extend(players.iter_mut().map(|life| life.pose(now)));
             self.update(&poses, firings);
         }
     }

@@ -70,7 +70,7 @@ pub struct LoadedScenario {
 }
 
 impl LoadedScenario {
-    pub fn of(edit: ScenarioEdit) -> Result<LoadedScenario, Problems> {
+    pub fn from_edit(edit: ScenarioEdit) -> Result<LoadedScenario, Problems> {
         let entry = edit.entry().to_owned();
         let (scenario, household) = Household::load(&edit.into_texts(), &entry, &[])?;
         Ok(LoadedScenario { scenario, household })
@@ -88,7 +88,7 @@ pub struct People {
 
 impl People {
     /// People in the home of a scenario, each with one of the conditions or none, in turn.
-    pub fn of(
+    pub fn new(
         home: &LoadedScenario,
         conditions: &[(&'static str, usize)],
         count: u32,

@@ -50,7 +50,7 @@ pub struct Proposal {
 /// The goals of some names, or all unknown names.
 pub fn goals(names: &[String]) -> Result<Vec<Goal>, Vec<String>> {
     let conditions: Vec<&'static str> = CONDITIONS.iter().map(|(name, _)| *name).collect();
-    let of = |name: &String| Goal::of(name.trim(), &conditions).ok_or_else(|| name.trim().to_owned());
+    let of = |name: &String| Goal::from_name(name.trim(), &conditions).ok_or_else(|| name.trim().to_owned());
     let (known, unknown): (Vec<_>, Vec<_>) = names.iter().map(of).partition(Result::is_ok);
     match unknown.is_empty() {
         true => Ok(known.into_iter().filter_map(Result::ok).collect()),
@@ -90,7 +90,7 @@ pub fn propose(
         // Candidates are tried on a coarse grid, and scored on the fine one.
         let seen = coverage::of_home(&with_all, request.build, request.step_m).coverage;
         trial.rescore_falls(found.layouts_mut().chain(&mut own), &seen);
-        found.take_back();
+        found.drop_useless_swaps();
     }
     let chosen: &[String] = found.last().map_or(&[], |layout| &layout.sensors);
     let sensor = |name: &String| candidates.iter().find(|sensor| sensor.name() == name).cloned();
@@ -105,10 +105,11 @@ fn simulate(
     request: &Request,
     goes_on: &(dyn Fn(Step) -> bool + Sync),
 ) -> Result<Vec<SimulatedPerson>, PeopleError> {
-    let with_all = LoadedScenario::of(home.scenario.edit().home(|home| home.sensors.extend_from_slice(candidates)))?;
+    let with_all =
+        LoadedScenario::from_edit(home.scenario.edit().home(|home| home.sensors.extend_from_slice(candidates)))?;
     let wanted = |name: &str| request.goals.iter().any(|goal| matches!(goal, Goal::Condition(goal) if *goal == name));
     let conditions: Vec<(&str, usize)> = CONDITIONS.into_iter().filter(|(name, _)| wanted(name)).collect();
-    let people = People::of(&with_all, &conditions, request.people, (ONSET as u32 + AFTER, request.seed))?;
+    let people = People::new(&with_all, &conditions, request.people, (ONSET as u32 + AFTER, request.seed))?;
     let simulate = |person: &PersonRun| -> Result<_, PeopleError> {
         let log = person.simulate(&LinkFile::default())?;
         let truth = log.true_measures();

@@ -58,11 +58,11 @@ pub enum Goal {
 
 impl Goal {
     /// The goal with a name: a condition, a measure, `falls`, or `night-bathroom`.
-    pub fn of(name: &str, conditions: &[&'static str]) -> Option<Goal> {
+    pub fn from_name(name: &str, conditions: &[&'static str]) -> Option<Goal> {
         let is_named = |measure: &DailyMeasure| measure.name == name.replace('-', "_");
         match name {
             "falls" => Some(Goal::Falls),
-            "night-bathroom" => Goal::of("bathroom_night", conditions),
+            "night-bathroom" => Goal::from_name("bathroom_night", conditions),
             _ => {
                 let condition = conditions.iter().find(|condition| **condition == name).copied();
                 condition.map(Goal::Condition).or(MEASURES.iter().position(is_named).map(Goal::Measure))
@@ -112,7 +112,7 @@ impl Found {
     }
 
     /// Removes the last swaps, as long as they gain nothing.
-    pub fn take_back(&mut self) {
+    pub fn drop_useless_swaps(&mut self) {
         let is_worse = |found: &Found| {
             let (last, before) = found.swapped.split_last()?;
             let before = before.last().map(|swap| &swap.layout).or(found.steps.last())?;
@@ -311,8 +311,8 @@ impl Trial<'_> {
         let shows = |goal: &Goal| matches!(goal, Goal::Condition(_));
         let found = self.goals.iter().any(shows).then(|| adequacy(&watched, self.rules));
         let reached = |goal: &Goal| match *goal {
-            Goal::Condition(name) => of_condition(name, found.as_ref()),
-            Goal::Measure(number) => self.of_measure(number, &heard),
+            Goal::Condition(name) => condition_score(name, found.as_ref()),
+            Goal::Measure(number) => self.measure_score(number, &heard),
             Goal::Falls => {
                 let seen = share_seen(coverage, &sensors);
                 Reached { goal: "falls", score: seen, value: seen, unit: "of the floor" }
@@ -323,7 +323,7 @@ impl Trial<'_> {
     }
 
     /// Compares the log with the truth of the people without a condition. A day without a value in the log counts as wholly wrong.
-    fn of_measure(&self, number: usize, heard: &[Option<Measures>]) -> Reached {
+    fn measure_score(&self, number: usize, heard: &[Option<Measures>]) -> Reached {
         let (mut wrong, mut truth, mut days) = (0.0, 0.0, 0.0);
         for (one, heard) in self.people.iter().zip(heard).filter(|(one, _)| one.person.condition.is_none()) {
             for (day, lived) in one.truth.days.iter().enumerate() {
@@ -343,7 +343,7 @@ fn mean_score(goals: &[Reached]) -> f64 {
     goals.iter().map(|goal| goal.score).sum::<f64>() / goals.len().max(1) as f64
 }
 
-fn of_condition(name: &'static str, found: Option<&Adequacy>) -> Reached {
+fn condition_score(name: &'static str, found: Option<&Adequacy>) -> Reached {
     let days = found
         .into_iter()
         .flat_map(|found| &found.by_condition)
@@ -373,7 +373,7 @@ pub fn candidates(home: &HomeFile, device: Option<Product>) -> Vec<SensorFile> {
             let at = [at.x, at.y].map(in_centimetres);
             let file =
                 json!({ "kind": "motion", "name": name, "at": at, "height_m": HEIGHT_M, "facing_deg": facing_deg });
-            of_device(sensor(file), device)
+            with_product(sensor(file), device)
         });
         let sensors: Vec<SensorFile> = sensors.collect();
         all.extend(best_in_room(home, &plan, room, sensors).map(|mut best| {
@@ -382,7 +382,7 @@ pub fn candidates(home: &HomeFile, device: Option<Product>) -> Vec<SensorFile> {
         }));
     }
     for piece in &home.furniture {
-        all.extend(of_device(of_piece(piece, &plan), device));
+        all.extend(with_product(piece_sensor(piece, &plan), device));
     }
     for door in home.doors.iter().filter(|door| door.outside) {
         all.extend(sensor(json!({ "kind": "contact", "name": format!("{} contact", door.name), "on": door.name })));
@@ -400,7 +400,7 @@ fn sensor(file: serde_json::Value) -> Option<SensorFile> {
     serde_json::from_value(file).ok()
 }
 
-fn of_device(sensor: Option<SensorFile>, device: Option<Product>) -> Option<SensorFile> {
+fn with_product(sensor: Option<SensorFile>, device: Option<Product>) -> Option<SensorFile> {
     sensor.map(|mut sensor| {
         device.inspect(|device| device.put_into(&mut sensor));
         sensor
@@ -442,7 +442,7 @@ fn best_in_room(home: &HomeFile, plan: &Plan, room: usize, sensors: Vec<SensorFi
 }
 
 /// The sensor of an enterable piece of furniture: one in a bed, else one above it.
-fn of_piece(piece: &FurnitureFile, plan: &Plan) -> Option<SensorFile> {
+fn piece_sensor(piece: &FurnitureFile, plan: &Plan) -> Option<SensorFile> {
     if !piece.enterable {
         return None;
     }
@@ -481,11 +481,11 @@ mod tests {
     }
 
     #[test]
-    fn goals_have_names_that_people_use() {
+    fn goals_are_known_by_name() {
         let known = ["depression"];
-        assert!(matches!(Goal::of("depression", &known), Some(Goal::Condition("depression"))));
-        assert_eq!(Goal::of("night-bathroom", &known).map(Goal::name), Some("bathroom_night"));
-        assert_eq!(Goal::of("time-out", &known).map(Goal::name), Some("time_out"));
-        assert!(Goal::of("luck", &known).is_none());
+        assert!(matches!(Goal::from_name("depression", &known), Some(Goal::Condition("depression"))));
+        assert_eq!(Goal::from_name("night-bathroom", &known).map(Goal::name), Some("bathroom_night"));
+        assert_eq!(Goal::from_name("time-out", &known).map(Goal::name), Some("time_out"));
+        assert!(Goal::from_name("luck", &known).is_none());
     }
 }

@@ -143,7 +143,7 @@ mod tests {
     }
 
     #[test]
-    fn two_points_tell_where_all_of_a_picture_is() {
+    fn two_points_place_a_picture() {
         let flat = traced(["0,500=0,0", "1000,500=10,0"]);
         assert!(flat.at([500.0, 250.0]).distance(Point::new(5.0, 2.5)) < 1e-9);
         let lies: serde_json::Value = serde_json::from_str(&flat.lies()).unwrap();
@@ -155,7 +155,7 @@ mod tests {
     }
 
     #[test]
-    fn the_size_of_a_jpeg_is_in_one_of_its_segments() {
+    fn reads_the_size_of_a_jpeg_from_its_segments() {
         let bytes = [0xff, 0xd8, 0xff, 0xe0, 0, 4, 1, 2, 0xff, 0xc0, 0, 11, 8, 1, 0, 2, 0, 3];
         assert_eq!(size(&bytes), Some(("plan.jpg", Point::new(512.0, 256.0))));
         assert_eq!((size(b"GIF89a"), size(b"\xff\xd8\xff")), (None, None));

@@ -85,7 +85,7 @@ pub struct Gait {
 
 impl Gait {
     /// Draws two values. `pace_mps` is the person's usual speed, `hour_of_day` 0 to 24, `frailty` 0 to 1.
-    pub fn of_walk(pace_mps: f64, hour_of_day: f64, frailty: f64, numbers: &Numbers, stream: &mut Stream) -> Gait {
+    pub fn for_walk(pace_mps: f64, hour_of_day: f64, frailty: f64, numbers: &Numbers, stream: &mut Stream) -> Gait {
         let frailty = frailty.clamp(0.0, 1.0);
         let time_of_day = match hour_of_day {
             hour if (5.0..12.0).contains(&hour) => numbers.of(&MORNING),
@@ -308,7 +308,7 @@ mod tests {
         for _ in 0..500 {
             let path: Vec<Point> =
                 (0..1 + stream.poisson(4.0)).map(|_| p(stream.between(-5.0, 5.0), stream.between(-5.0, 5.0))).collect();
-            let gait = Gait::of_walk(0.65, stream.between(0.0, 24.0), stream.unit(), &Numbers::default(), &mut stream);
+            let gait = Gait::for_walk(0.65, stream.between(0.0, 24.0), stream.unit(), &Numbers::default(), &mut stream);
             let moves = walked(&path, RunTime::from_micros(77), &gait);
             let stops = moves.iter().filter(|step| matches!(step.doing, MotionState::InPlace { .. })).count();
             assert!(moves.len() <= path.len() + 2 + 3 * stops, "{} moves for {}", moves.len(), path.len());
@@ -331,7 +331,7 @@ mod tests {
         let mut stream = Stream::named(1, "speeds");
         let mut speeds = |pace, hour, frailty| -> (f64, f64) {
             let drawn: Vec<f64> = (0..20_000)
-                .map(|_| Gait::of_walk(pace, hour, frailty, &Numbers::default(), &mut stream).speed_mps)
+                .map(|_| Gait::for_walk(pace, hour, frailty, &Numbers::default(), &mut stream).speed_mps)
                 .collect();
             assert!(drawn.iter().all(|speed| (0.2..=1.2).contains(speed)));
             let mean = drawn.iter().sum::<f64>() / drawn.len() as f64;

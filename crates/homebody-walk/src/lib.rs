@@ -28,7 +28,7 @@
 //! let path = mesh.path(from, to).expect("the table leaves a way");
 //! assert!(path.len() > 1, "around the table");
 //!
-//! let gait = Gait::of_walk(0.65, 9.0, 0.0, &Numbers::default(), &mut Stream::named(1, "gait"));
+//! let gait = Gait::for_walk(0.65, 9.0, 0.0, &Numbers::default(), &mut Stream::named(1, "gait"));
 //! let segments = walk(&path, from, RunTime::START, &gait);
 //! assert!(segments.windows(2).all(|pair| pair[0].end == pair[1].begin));
 //!
@@ -59,7 +59,7 @@ use homebody_core::numbers::Number;
 
 pub use gait::{Gait, rise, sit, walk};
 pub use mesh::Mesh;
-pub use pattern::{Pattern, pattern_of};
+pub use pattern::{Pattern, travel_pattern};
 pub use routes::Routes;
 pub use schemas::{Gains, WanderStyle, Wanderers, wander};
 

@@ -113,7 +113,7 @@ impl Manner {
     }
 
     /// Only in these does restlessness count.
-    pub fn is_of_bed(&self) -> bool {
+    pub fn is_in_bed(&self) -> bool {
         [Manner::ASLEEP.name, Manner::AWAKE_IN_BED.name].contains(&self.name)
     }
 
@@ -196,7 +196,7 @@ mod tests {
     }
 
     #[test]
-    fn who_is_more_active_has_more_clusters_not_longer_ones() {
+    fn activity_adds_clusters_and_does_not_lengthen_them() {
         let manner = Manner { more: 0.5, soon_s: 1.0, gap_s: 1_000.0, sigma: 0.1, ..Manner::STILL };
         let mean_long = |activity| {
             let long: Vec<f64> = gaps(manner, activity).into_iter().filter(|&gap| gap > 100.0).collect();

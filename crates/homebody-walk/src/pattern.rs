@@ -22,7 +22,7 @@ pub(super) const LAP_PLACES: usize = 6;
 /// there: of two places (A-B-A) they are pacing, of three to six lapping. The remainder is direct if nothing in it
 /// repeats, else random. The result is the most frequent of random, lapping and pacing, the first in this order if
 /// equal. Staying in a place does not count as a repetition.
-pub fn pattern_of(rooms_or_places: &[usize]) -> Pattern {
+pub fn travel_pattern(rooms_or_places: &[usize]) -> Pattern {
     let mut places = rooms_or_places.to_vec();
     places.dedup();
     if !repeats(&places) {
@@ -60,7 +60,7 @@ mod tests {
     use super::*;
 
     fn of(places: &str) -> Pattern {
-        pattern_of(&places.bytes().map(usize::from).collect::<Vec<_>>())
+        travel_pattern(&places.bytes().map(usize::from).collect::<Vec<_>>())
     }
 
     #[test]

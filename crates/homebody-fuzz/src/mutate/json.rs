@@ -19,7 +19,7 @@ enum Tree {
 /// Changes a text in JSON in a few places; false for other texts. `others` are sources of parts.
 pub fn json(text: &mut String, others: &[&str], choices: &mut Choices) -> bool {
     let Ok(value) = serde_json::from_str::<Value>(text) else { return false };
-    let mut tree = Tree::of(value);
+    let mut tree = Tree::from_value(value);
     for _ in 0..choices.size(3) {
         once(&mut tree, others, choices);
     }
@@ -129,7 +129,7 @@ fn anything(tree: &mut Tree, others: &[&str], choices: &mut Choices) -> Tree {
         }
         2 => Tree::Text(texts::other("", choices)),
         3 if !others.is_empty() => {
-            let other = serde_json::from_str(choices.one::<&str>(others)).map(Tree::of);
+            let other = serde_json::from_str(choices.one::<&str>(others)).map(Tree::from_value);
             other.ok().and_then(|mut other| other.pick(choices, &|_| true).cloned()).unwrap_or(Tree::Other("1".into()))
         }
         _ => tree.pick(choices, &|_| true).cloned().unwrap_or(Tree::Other("1".into())),
@@ -148,12 +148,12 @@ fn misspelt(key: &str, choices: &mut Choices) -> String {
 }
 
 impl Tree {
-    fn of(value: Value) -> Tree {
+    fn from_value(value: Value) -> Tree {
         match value {
             Value::Object(entries) => {
-                Tree::Object(entries.into_iter().map(|(key, value)| (key, Tree::of(value))).collect())
+                Tree::Object(entries.into_iter().map(|(key, value)| (key, Tree::from_value(value))).collect())
             }
-            Value::Array(items) => Tree::List(items.into_iter().map(Tree::of).collect()),
+            Value::Array(items) => Tree::List(items.into_iter().map(Tree::from_value).collect()),
             Value::String(text) => Tree::Text(text),
             other => Tree::Other(other.to_string()),
         }

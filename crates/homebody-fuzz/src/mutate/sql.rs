@@ -201,7 +201,7 @@ mod tests {
                           INSERT INTO firing VALUES (0, '2009-03-02 07:12:03', 'a', 'ON');\n";
 
     #[test]
-    fn a_script_makes_a_database_and_mutants_are_others() {
+    fn mutants_of_a_script_make_other_databases() {
         let whole = plain(SCRIPT);
         assert!(whole.starts_with(b"SQLite format 3\0"));
         let mutants: Vec<Vec<u8>> =

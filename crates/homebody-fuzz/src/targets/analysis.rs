@@ -31,7 +31,7 @@ pub fn all(from: &LogSource, mapping: &LoggerFile, truth: &Path, folder: &Path) 
     let survey = match survey(from, mapping) {
         Ok(survey) => survey,
         Err(error) => {
-            refused(&error)?;
+            check_refusal(&error)?;
             if read(from, mapping).is_ok() {
                 return Err("what cannot be surveyed can be read".into());
             }
@@ -52,7 +52,7 @@ pub fn all(from: &LogSource, mapping: &LoggerFile, truth: &Path, folder: &Path) 
             let on_wall = known.into_iter().map(|activity| activity.map(|at| scale.run_to_wall(at)));
             log.activities = on_wall.collect();
         }
-        Err(error) => refused(&error)?,
+        Err(error) => check_refusal(&error)?,
     }
     let _ = compare(&log, &log).to_string();
     let mut looker = Looker::new(None);
@@ -71,7 +71,7 @@ pub fn all(from: &LogSource, mapping: &LoggerFile, truth: &Path, folder: &Path) 
 }
 
 /// Checks the message of a refusal.
-fn refused(error: &LogError) -> Result<(), String> {
+fn check_refusal(error: &LogError) -> Result<(), String> {
     messages::message(&error.to_string())
 }
 
@@ -89,7 +89,7 @@ fn carried(
     let rows = match convert(&transfer, survey, |_| ()) {
         Ok(rows) => rows,
         // The form cannot distinguish two sensors.
-        Err(error) => return refused(&error),
+        Err(error) => return check_refusal(&error),
     };
     if rows != survey.rows {
         return Err(format!("{rows} rows of {} came into {}", survey.rows, scheme.row().name));
@@ -118,7 +118,7 @@ fn labelled(from: &LogSource, mapping: &LoggerFile, survey: &Log, truth: &Path, 
     match label(&transfer, survey, &truth_at(&truth.to_string_lossy()), &TimeScale::one(), |_| ()) {
         Ok(labelled) if labelled.rows != survey.rows => Err(format!("{} rows of {}", labelled.rows, survey.rows)),
         Ok(_) => Ok(()),
-        Err(error) => refused(&error),
+        Err(error) => check_refusal(&error),
     }
 }
 

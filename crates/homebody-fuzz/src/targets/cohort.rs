@@ -22,8 +22,8 @@ fn seeds() -> Vec<CaseFiles> {
 fn made(members: u32) -> Option<CaseFiles> {
     let folder = tempfile::tempdir().ok()?;
     let cohort = template("studio").ok()?.cohort(members).length(10 * SECOND).start().ok()?;
-    let lived = cohort.store_in(folder.path(), |_| ()).ok()?;
-    let text = fs::read(lived.folder.join(LIST)).ok()?;
+    let stored = cohort.store_in(folder.path(), |_| ()).ok()?;
+    let text = fs::read(stored.folder.join(LIST)).ok()?;
     Some(CaseFiles::from([(LIST.to_owned(), text)]))
 }
 

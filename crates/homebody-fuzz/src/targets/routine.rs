@@ -46,9 +46,9 @@ fn run(files: &CaseFiles, folder: &Path) -> Result<ReadVerdict, String> {
     let begun: String = text.chars().take(200).collect();
     let _ = words(&known, &begun);
     let template = Template::named("tigerplace").map_err(|error| error.to_string())?;
-    let mut lived: BTreeMap<String, String> = template.files().collect();
-    lived.insert(FILE.to_owned(), text);
-    simulation::check_and_live(&lived, folder)
+    let mut texts: BTreeMap<String, String> = template.files().collect();
+    texts.insert(FILE.to_owned(), text);
+    simulation::check_and_simulate(&texts, folder)
 }
 
 fn known() -> KnownNames {

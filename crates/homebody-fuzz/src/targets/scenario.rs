@@ -41,5 +41,5 @@ fn links(files: &mut CaseFiles, choices: &mut Choices) {
 }
 
 fn run(files: &CaseFiles, folder: &Path) -> Result<ReadVerdict, String> {
-    simulation::check_and_live(&target::texts(files), folder)
+    simulation::check_and_simulate(&target::texts(files), folder)
 }

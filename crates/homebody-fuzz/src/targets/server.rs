@@ -70,7 +70,7 @@ fn run(files: &CaseFiles, folder: &Path) -> Result<ReadVerdict, String> {
     let mut verdict = ReadVerdict::Refused;
     for (number, line) in target::texts(files).get(URLS).iter().flat_map(|text| text.lines().enumerate()) {
         // Of many lines some always name a server: the first decides.
-        if named(line)? && number == 0 {
+        if names_server(line)? && number == 0 {
             verdict = ReadVerdict::Accepted;
         }
     }
@@ -80,11 +80,11 @@ fn run(files: &CaseFiles, folder: &Path) -> Result<ReadVerdict, String> {
             messages::message(&why)?;
         }
     }
-    noted(files.get(NOTE).map(Vec::as_slice).unwrap_or_default(), folder)?;
+    check_watermark(files.get(NOTE).map(Vec::as_slice).unwrap_or_default(), folder)?;
     Ok(verdict)
 }
 
-fn named(text: &str) -> Result<bool, String> {
+fn names_server(text: &str) -> Result<bool, String> {
     // A text outside of the place of a password may be anything.
     let has_secret = text.contains(SECRET) && !without_password(text).contains(SECRET);
     let said = |error: LogError| {
@@ -119,10 +119,10 @@ fn named(text: &str) -> Result<bool, String> {
 }
 
 /// Checks that a destination never gets more rows than exist, whatever its record of confirmed rows contains.
-fn noted(note: &[u8], folder: &Path) -> Result<(), String> {
+fn check_watermark(note: &[u8], folder: &Path) -> Result<(), String> {
     const ROWS: u64 = 5;
     let taken = Arc::new(AtomicU64::new(0));
-    let live = |how: WriteMode| -> Result<(), LogError> {
+    let simulate = |how: WriteMode| -> Result<(), LogError> {
         let sink = Counting { taken: taken.clone(), now: 0 };
         let place = Destination::own("a broker", sink, Policy::default()).remembered_in(folder);
         let calendar =
@@ -135,13 +135,13 @@ fn noted(note: &[u8], folder: &Path) -> Result<(), String> {
         logger.store(&(0..ROWS).map(firing).collect::<Vec<_>>(), at(ROWS))?;
         logger.finish().map(drop)
     };
-    live(WriteMode::Create).map_err(|error| error.to_string())?;
+    simulate(WriteMode::Create).map_err(|error| error.to_string())?;
     let path = fs::read_dir(folder).into_iter().flatten().flatten().map(|entry| entry.path());
     let path = path.into_iter().find(|path| path.to_string_lossy().ends_with(".confirmed.json"));
     let path = path.ok_or("nothing is noted")?;
     fs::write(&path, note).map_err(|error| error.to_string())?;
     taken.store(0, Ordering::SeqCst);
-    match live(WriteMode::Resume) {
+    match simulate(WriteMode::Resume) {
         Ok(()) if taken.load(Ordering::SeqCst) > ROWS => Err("more rows are given than there are".into()),
         Ok(()) => Ok(()),
         Err(error) => messages::message(&error.to_string()),

@@ -22,7 +22,7 @@ const LONGEST: Duration = Duration::from_millis(250);
 /// # Errors
 ///
 /// An invariant does not hold.
-pub fn check_and_live(texts: &BTreeMap<String, String>, folder: &Path) -> Result<ReadVerdict, String> {
+pub fn check_and_simulate(texts: &BTreeMap<String, String>, folder: &Path) -> Result<ReadVerdict, String> {
     let source = ScenarioSource::from_texts(texts.clone(), "scenario.json");
     let opened = source.clone().open();
     // A scenario without a check of its routines has no more problems than with it.
@@ -30,7 +30,7 @@ pub fn check_and_live(texts: &BTreeMap<String, String>, folder: &Path) -> Result
         return Err(format!("it passes the whole check, but not its first part: {error}"));
     }
     match opened {
-        Ok(opened) => live(&opened, folder).map(|()| ReadVerdict::Accepted),
+        Ok(opened) => simulate(&opened, folder).map(|()| ReadVerdict::Accepted),
         Err(error) => messages::error(&error, texts).map(|()| ReadVerdict::Refused),
     }
 }
@@ -40,9 +40,9 @@ pub fn check_and_live(texts: &BTreeMap<String, String>, folder: &Path) -> Result
 /// # Errors
 ///
 /// An invariant does not hold: the check accepts a scenario that cannot be simulated, or rows are not in order.
-pub fn live(opened: &OpenScenario, folder: &Path) -> Result<(), String> {
+pub fn simulate(opened: &OpenScenario, folder: &Path) -> Result<(), String> {
     let is_whole = batches(opened)?;
-    if is_whole { files(opened, folder) } else { Ok(()) }
+    if is_whole { store_and_replay(opened, folder) } else { Ok(()) }
 }
 
 fn disagreed(error: SimulationError) -> String {
@@ -77,7 +77,7 @@ fn batches(opened: &OpenScenario) -> Result<bool, String> {
 }
 
 /// Simulates the beginning into files, reads the log back, and replays the recording.
-fn files(opened: &OpenScenario, folder: &Path) -> Result<(), String> {
+fn store_and_replay(opened: &OpenScenario, folder: &Path) -> Result<(), String> {
     let begun = Instant::now();
     let cancel = Cancel::new();
     let hurry = |_: RunProgress| {
@@ -95,8 +95,8 @@ fn files(opened: &OpenScenario, folder: &Path) -> Result<(), String> {
         ..Destinations::default()
     };
     let run = opened.run().length(STORED).cancel(&cancel).start().map_err(disagreed)?;
-    let lived = run.store(&to, hurry).map_err(disagreed)?;
-    let rows = lived.stored.rows;
+    let stored = run.store(&to, hurry).map_err(disagreed)?;
+    let rows = stored.stored.rows;
     match read(&url, &opened.scenario().logger) {
         Ok(log) if log.rows != rows || log.skipped > 0 => {
             return Err(format!("{rows} rows were stored, {} are read, {} are not understood", log.rows, log.skipped));
@@ -107,9 +107,9 @@ fn files(opened: &OpenScenario, folder: &Path) -> Result<(), String> {
         Err(_) => {}
     }
     let again = RecordedRun::open(&recording).map_err(|error| format!("its own recording is refused: {error}"))?;
-    let lived = again.start().store(&Destinations::own(), |_| ()).map_err(disagreed)?;
-    match lived.agrees {
-        Some(false) => Err("its recording is lived to another log".into()),
+    let stored = again.start().store(&Destinations::own(), |_| ()).map_err(disagreed)?;
+    match stored.agrees {
+        Some(false) => Err("its recording replays to another log".into()),
         _ => Ok(()),
     }
 }

@@ -27,10 +27,10 @@ const LOG: &str = "log.csv";
 /// A log, and the tables of its labels, in each of the forms: some minutes in the flat.
 fn seeds() -> Vec<CaseFiles> {
     install(Registry::new(vec![homebody_arrow::PLUGIN]));
-    ENDINGS.iter().filter_map(|ending| lived(ending)).collect()
+    ENDINGS.iter().filter_map(|ending| tables(ending)).collect()
 }
 
-fn lived(ending: &str) -> Option<CaseFiles> {
+fn tables(ending: &str) -> Option<CaseFiles> {
     let texts: BTreeMap<String, String> =
         seeds::flat().into_iter().filter_map(|(name, bytes)| Some((name, String::from_utf8(bytes).ok()?))).collect();
     let folder = tempfile::tempdir().ok()?;

@@ -46,7 +46,7 @@ fn mutate(files: &mut CaseFiles, seeds: &[CaseFiles], choices: &mut Choices) {
 fn run(files: &CaseFiles, folder: &Path) -> Result<ReadVerdict, String> {
     let mut verdict = ReadVerdict::Refused;
     for text in target::texts(files).values().flat_map(|text| text.lines()) {
-        if understood(text, folder)? {
+        if is_valid(text, folder)? {
             verdict = ReadVerdict::Accepted;
         }
     }
@@ -54,7 +54,7 @@ fn run(files: &CaseFiles, folder: &Path) -> Result<ReadVerdict, String> {
 }
 
 /// Parses a text in all ways; true if one succeeds.
-fn understood(text: &str, folder: &Path) -> Result<bool, String> {
+fn is_valid(text: &str, folder: &Path) -> Result<bool, String> {
     let url = text.parse::<Url>().map_err(LogError::NoPlace);
     if let Ok(url) = &url {
         let within = url.within(folder).to_string();
@@ -72,12 +72,12 @@ fn understood(text: &str, folder: &Path) -> Result<bool, String> {
     }
     let start = Calendar::new(text, "Europe/Berlin").map(drop);
     let found = [
-        spoken(url)?,
-        spoken(asked)?,
-        spoken(start)?,
-        spoken(Calendar::zone(text))?,
-        spoken(text.parse::<Speed>())?,
-        spoken(text.parse::<RunCommand>())?,
+        checked(url)?,
+        checked(asked)?,
+        checked(start)?,
+        checked(Calendar::zone(text))?,
+        checked(text.parse::<Speed>())?,
+        checked(text.parse::<RunCommand>())?,
         time_of_day(text).is_some(),
     ];
     Ok(found.contains(&true))

@@ -60,13 +60,13 @@ fn run(files: &CaseFiles, folder: &Path) -> Result<ReadVerdict, String> {
     let shelf = shelf(folder).map_err(|error| format!("the folder of the case: {error}"))?;
     let desk = Desk::new(shelf.clone());
     let text = target::texts(files).remove(FILE).unwrap_or_default();
-    let mut is_understood = asked(&desk, &text)?;
+    let mut is_understood = ask(&desk, &text)?;
     // One message, or a series.
     let says: Vec<Say> =
         serde_json::from_str(&text).or_else(|_| serde_json::from_str(&text).map(|say| vec![say])).unwrap_or_default();
     if !says.is_empty() {
         is_understood = true;
-        staged(shelf, says)?;
+        run_on_stage(shelf, says)?;
     }
     // A plan of unknown origin, dropped onto the page.
     if let Err(error) = desk.import(text.as_bytes()) {
@@ -76,7 +76,7 @@ fn run(files: &CaseFiles, folder: &Path) -> Result<ReadVerdict, String> {
 }
 
 /// Passes a question to the desk; false for other messages.
-fn asked(desk: &Desk, text: &str) -> Result<bool, String> {
+fn ask(desk: &Desk, text: &str) -> Result<bool, String> {
     let mut is_understood = true;
     if let Ok(draft) = serde_json::from_str::<Draft>(text) {
         let checked = desk.check(draft.clone());
@@ -110,7 +110,7 @@ fn problems(problems: &[ProblemView]) -> Result<(), String> {
 }
 
 /// Sends messages to a run on a stage of its own.
-fn staged(shelf: Shelf, says: Vec<Say>) -> Result<(), String> {
+fn run_on_stage(shelf: Shelf, says: Vec<Say>) -> Result<(), String> {
     let stage = Stage::open(shelf).map_err(|error| error.to_string())?;
     let mut seen = Seen::default();
     let voice = stage.voice();

@@ -39,13 +39,13 @@ const WAY_OUT: f64 = 0.5;
 const MOST_TRIALS: usize = 60_000;
 
 /// The rectangles of rooms, in metres from the corner of the home. `ties` are the strengths of the ties of two rooms.
-pub fn arranged(rooms: &[RoomNeed], ties: &[Vec<f64>]) -> Vec<Rect> {
+pub fn arrange(rooms: &[RoomNeed], ties: &[Vec<f64>]) -> Vec<Rect> {
     let area: f64 = rooms.iter().map(|room| room.area_m2).sum();
     let width = (area * WIDTH).sqrt();
     let whole = Rect { least: Point::ZERO, most: Point::new(width, area / width) };
     let laid = |tree: &CutTree| {
         let mut rects = vec![whole; rooms.len()];
-        lay(tree, whole, rooms, &mut rects);
+        lay_out(tree, whole, rooms, &mut rects);
         rects
     };
     let mut best = by_ties(rooms.len(), ties);
@@ -91,7 +91,7 @@ fn by_ties(count: usize, ties: &[Vec<f64>]) -> CutTree {
     clusters.into_iter().next().map_or(CutTree::Room(0), |(_, tree, _)| tree)
 }
 
-fn lay(tree: &CutTree, rect: Rect, rooms: &[RoomNeed], rects: &mut [Rect]) {
+fn lay_out(tree: &CutTree, rect: Rect, rooms: &[RoomNeed], rects: &mut [Rect]) {
     match tree {
         CutTree::Room(room) => rects[*room] = rect,
         CutTree::Cut { is_upright, parts } => {
@@ -99,8 +99,8 @@ fn lay(tree: &CutTree, rect: Rect, rooms: &[RoomNeed], rects: &mut [Rect]) {
             let share = first / (first + second);
             let at = rect.least + rect.size() * share;
             let [a, b] = cut(&rect, *is_upright, if *is_upright { at.x } else { at.y });
-            lay(&parts[0], a, rooms, rects);
-            lay(&parts[1], b, rooms, rects);
+            lay_out(&parts[0], a, rooms, rects);
+            lay_out(&parts[1], b, rooms, rects);
         }
     }
 }
@@ -241,14 +241,14 @@ mod tests {
     }
 
     #[test]
-    fn rooms_with_ties_are_beside_each_other_and_fill_the_home() {
+    fn rooms_with_ties_are_adjacent_and_fill_the_home() {
         let rooms: Vec<RoomNeed> =
             [13.0, 6.0, 11.0, 19.0, 9.0, 6.0].into_iter().enumerate().map(|(n, area)| wanted(area, n == 5)).collect();
         let mut ties = vec![vec![0.0; 6]; 6];
         for (a, b) in [(0, 1), (0, 5), (2, 3), (3, 5), (4, 5), (2, 4)] {
             (ties[a][b], ties[b][a]) = (10.0, 10.0);
         }
-        let rects = arranged(&rooms, &ties);
+        let rects = arrange(&rooms, &ties);
         let whole: f64 = rects.iter().map(|rect| rect.size().x * rect.size().y).sum();
         assert!((whole - 64.0).abs() < 1e-6);
         for a in 0..6 {

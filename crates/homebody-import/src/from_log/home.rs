@@ -1,9 +1,9 @@
 //! Assembles a schematic home.
 
-use super::arrangement::{RoomNeed, arranged};
+use super::arrangement::{RoomNeed, arrange};
 use super::doors::{DoorGap, between, out};
-use super::interpretation::{Interpretation, LogRoom, SensorAim, understand};
-use super::measured_rooms::parted;
+use super::interpretation::{Interpretation, LogRoom, SensorAim, interpret};
+use super::measured_rooms::rectangles;
 use super::pieces::{NeededPiece, pieces};
 use super::placement::{Placement, PlacementSite, placed};
 use super::sensors::{Furnished, hung, make};
@@ -89,15 +89,15 @@ pub fn schematic(name: &str, about: &str, sensors: &[LogSensor], ways: &[LogWay]
     if sensors.is_empty() {
         return Err(SchematicError::NoSensors);
     }
-    let mut understood = understand(sensors, ways).map_err(SchematicError::UnknownRooms)?;
+    let mut interpretation = interpret(sensors, ways).map_err(SchematicError::UnknownRooms)?;
     let is_measured = sensors.iter().any(|sensor| sensor.at.is_some());
-    let told = understood.rooms.len();
-    let pieces = pieces(&mut understood, sensors);
-    if understood.rooms.len() > MOST_ROOMS {
+    let told = interpretation.rooms.len();
+    let pieces = pieces(&mut interpretation, sensors);
+    if interpretation.rooms.len() > MOST_ROOMS {
         return Err(SchematicError::TooManyRooms(told));
     }
-    let mut larger = vec![1.0; understood.rooms.len()];
-    let mut laid = lay(&understood, (sensors, ways), &pieces, &larger)?;
+    let mut larger = vec![1.0; interpretation.rooms.len()];
+    let mut laid = lay_out(&interpretation, (sensors, ways), &pieces, &larger)?;
     for _ in 0..ROUNDS {
         let without = (0..pieces.len()).filter(|&piece| laid.places.pieces[piece].is_none());
         let rooms: BTreeSet<usize> = without.map(|piece| pieces[piece].room).collect();
@@ -105,13 +105,13 @@ pub fn schematic(name: &str, about: &str, sensors: &[LogSensor], ways: &[LogWay]
             break;
         }
         rooms.into_iter().for_each(|room| larger[room] *= LARGER);
-        laid = lay(&understood, (sensors, ways), &pieces, &larger)?;
+        laid = lay_out(&interpretation, (sensors, ways), &pieces, &larger)?;
     }
-    let mut remarks = std::mem::take(&mut understood.guesses);
+    let mut remarks = std::mem::take(&mut interpretation.guesses);
     if is_measured {
         remarks.push("walls are drawn half way between the sensors of two rooms: move them to where they are".into());
     }
-    let AssembledHome { mut home, ids, hold_s } = put_together(&understood, sensors, laid, &pieces, &mut remarks);
+    let AssembledHome { mut home, ids, hold_s } = put_together(&interpretation, sensors, laid, &pieces, &mut remarks);
     home.name = Some(clean(name)).filter(|name| !name.is_empty()).unwrap_or_else(|| "home".to_owned());
     home.about = about.to_owned();
     let home_json = soundness::text(home, &mut remarks).map_err(|error| match error {
@@ -130,40 +130,40 @@ struct HomeLayout {
 }
 
 /// Lays rooms out, each enlarged by its factor, and places everything.
-fn lay(
-    understood: &Interpretation,
+fn lay_out(
+    interpretation: &Interpretation,
     (sensors, ways): (&[LogSensor], &[LogWay]),
     pieces: &[NeededPiece],
     larger: &[f64],
 ) -> Result<HomeLayout, SchematicError> {
-    let outs = ways_out(understood, sensors);
+    let outs = ways_out(interpretation, sensors);
     let rects = match sensors.iter().any(|sensor| sensor.at.is_some()) {
-        true => measured(understood, sensors, pieces)?,
+        true => measured(interpretation, sensors, pieces)?,
         false => {
             // Daily ways count more than rare ones, but not a hundred times.
-            let ties = between_rooms(understood, ways, |way| (way.times as f64).sqrt());
-            let mut wanted = wanted(understood, ways, pieces, outs.first().copied());
+            let ties = between_rooms(interpretation, ways, |way| (way.times as f64).sqrt());
+            let mut wanted = room_areas(interpretation, ways, pieces, outs.first().copied());
             wanted.iter_mut().zip(larger).for_each(|(room, larger)| room.area_m2 *= larger);
-            arranged(&wanted, &ties)
+            arrange(&wanted, &ties)
         }
     };
     let metric = |at: Point| Point::from(rounded(at.into()));
     let rects: Vec<Rect> =
         rects.iter().map(|rect| Rect { least: metric(rect.least), most: metric(rect.most) }).collect();
-    let is_way: Vec<bool> = understood.rooms.iter().map(|room| room.kind.is_way).collect();
-    let times = between_rooms(understood, ways, |way| way.times as f64);
+    let is_way: Vec<bool> = interpretation.rooms.iter().map(|room| room.kind.is_way).collect();
+    let times = between_rooms(interpretation, ways, |way| way.times as f64);
     let mut doors = between(&rects, &times, &is_way);
     doors.extend(out(&rects, &outs));
-    let site = PlacementSite { sensors, ways, what: &understood.sensors, rects: &rects, doors: &doors, pieces };
+    let site = PlacementSite { sensors, ways, what: &interpretation.sensors, rects: &rects, doors: &doors, pieces };
     let places = placed(&site);
     Ok(HomeLayout { walls: walls(&rects), rects, doors, places })
 }
 
 /// By two rooms, the sum of the weights of their ways.
-fn between_rooms(understood: &Interpretation, ways: &[LogWay], counts: impl Fn(&LogWay) -> f64) -> Vec<Vec<f64>> {
-    let mut sums = vec![vec![0.0; understood.rooms.len()]; understood.rooms.len()];
+fn between_rooms(interpretation: &Interpretation, ways: &[LogWay], counts: impl Fn(&LogWay) -> f64) -> Vec<Vec<f64>> {
+    let mut sums = vec![vec![0.0; interpretation.rooms.len()]; interpretation.rooms.len()];
     for way in ways {
-        let [a, b] = way.between.map(|sensor| understood.sensors[sensor].0);
+        let [a, b] = way.between.map(|sensor| interpretation.sensors[sensor].0);
         if a != b {
             sums[a][b] += counts(way);
             sums[b][a] += counts(way);
@@ -173,37 +173,37 @@ fn between_rooms(understood: &Interpretation, ways: &[LogWay], counts: impl Fn(&
 }
 
 /// The rooms that may have the way out, the likeliest first.
-fn ways_out(understood: &Interpretation, sensors: &[LogSensor]) -> Vec<usize> {
+fn ways_out(interpretation: &Interpretation, sensors: &[LogSensor]) -> Vec<usize> {
     let has_contact =
-        |room: usize| understood.sensors.iter().any(|&(of, what)| of == room && what == SensorAim::FrontDoor);
+        |room: usize| interpretation.sensors.iter().any(|&(of, what)| of == room && what == SensorAim::FrontDoor);
     let at_silence = |room: usize| -> u64 {
         sensors
             .iter()
-            .zip(&understood.sensors)
+            .zip(&interpretation.sensors)
             .filter(|(_, (of, _))| *of == room)
             .map(|(sensor, _)| sensor.at_silence)
             .sum()
     };
     let rank = |room: &usize| {
-        let LogRoom { name, kind, is_told } = &understood.rooms[*room];
+        let LogRoom { name, kind, is_in_log } = &interpretation.rooms[*room];
         let is_front = name.split(' ').any(|word| ["main", "front"].contains(&word));
         let place = match kind.name {
             _ if has_contact(*room) => 0,
             "entry" if is_front => 1,
             "entry" => 2,
             "bedroom" | "bathroom" | "toilet" | "closet" => 5,
-            _ if *is_told => 3,
+            _ if *is_in_log => 3,
             _ => 4,
         };
         (place, std::cmp::Reverse(at_silence(*room)))
     };
-    let mut rooms: Vec<usize> = (0..understood.rooms.len()).collect();
+    let mut rooms: Vec<usize> = (0..interpretation.rooms.len()).collect();
     rooms.sort_by_key(rank);
     rooms
 }
 
-fn wanted(
-    understood: &Interpretation,
+fn room_areas(
+    interpretation: &Interpretation,
     ways: &[LogWay],
     pieces: &[NeededPiece],
     way_out: Option<usize>,
@@ -214,17 +214,18 @@ fn wanted(
             width * depth + THING_TAKES_M2
         });
         let usual = room.kind.area_m2.max(things.sum::<f64>());
-        let area_m2 = if room.kind.is_way { usual.max(way_area(understood, ways, number)) } else { usual };
+        let area_m2 = if room.kind.is_way { usual.max(way_area(interpretation, ways, number)) } else { usual };
         RoomNeed { area_m2, is_way: room.kind.is_way, has_way_out: way_out == Some(number) }
     };
-    understood.rooms.iter().enumerate().map(of).collect()
+    interpretation.rooms.iter().enumerate().map(of).collect()
 }
 
 /// The area of a passage with its sensors in a row.
-fn way_area(understood: &Interpretation, ways: &[LogWay], room: usize) -> f64 {
-    let is_here =
-        |sensor: &usize| understood.sensors[*sensor].0 == room && understood.sensors[*sensor].1 != SensorAim::Area;
-    let here: Vec<usize> = (0..understood.sensors.len()).filter(is_here).collect();
+fn way_area(interpretation: &Interpretation, ways: &[LogWay], room: usize) -> f64 {
+    let is_here = |sensor: &usize| {
+        interpretation.sensors[*sensor].0 == room && interpretation.sensors[*sensor].1 != SensorAim::Area
+    };
+    let here: Vec<usize> = (0..interpretation.sensors.len()).filter(is_here).collect();
     let mut inner: Vec<&LogWay> = ways.iter().filter(|way| way.between.iter().all(|end| here.contains(end))).collect();
     inner.sort_by_key(|way| std::cmp::Reverse(way.times));
     let mut group: Vec<usize> = here.clone();
@@ -274,12 +275,12 @@ fn walls(rects: &[Rect]) -> Vec<(Point, Point)> {
 
 /// Rooms around measured sensors; rooms without one share the largest of the others.
 fn measured(
-    understood: &Interpretation,
+    interpretation: &Interpretation,
     sensors: &[LogSensor],
     pieces: &[NeededPiece],
 ) -> Result<Vec<Rect>, SchematicError> {
-    let mut places: Vec<Vec<Point>> = vec![Vec::new(); understood.rooms.len()];
-    for (sensor, &(room, _)) in sensors.iter().zip(&understood.sensors) {
+    let mut places: Vec<Vec<Point>> = vec![Vec::new(); interpretation.rooms.len()];
+    for (sensor, &(room, _)) in sensors.iter().zip(&interpretation.sensors) {
         places[room].extend(sensor.at);
     }
     let mut rects = parted(&places);
@@ -314,7 +315,7 @@ struct AssembledHome {
 }
 
 fn put_together(
-    understood: &Interpretation,
+    interpretation: &Interpretation,
     sensors: &[LogSensor],
     laid: HomeLayout,
     pieces: &[NeededPiece],
@@ -322,8 +323,11 @@ fn put_together(
 ) -> AssembledHome {
     let HomeLayout { rects, walls, doors, places } = laid;
     let mut names = NamePool::default();
-    let rooms: Vec<LogRoom> =
-        understood.rooms.iter().map(|room| LogRoom { name: names.give(&room.name, "room"), ..room.clone() }).collect();
+    let rooms: Vec<LogRoom> = interpretation
+        .rooms
+        .iter()
+        .map(|room| LogRoom { name: names.give(&room.name, "room"), ..room.clone() })
+        .collect();
     let stand = |piece: usize| places.pieces[piece].is_some();
     let no_room: Vec<String> =
         (0..pieces.len()).filter(|&piece| !stand(piece)).map(|piece| pieces[piece].thing.name.to_owned()).collect();
@@ -344,7 +348,7 @@ fn put_together(
     let home =
         Furnished { rooms: &rooms, rects: &rects, doors: &doors, pieces, piece_names: &piece_names, places: &places };
     let make = make(sensors);
-    let (hung, left) = hung(sensors, &understood.sensors, &home, make);
+    let (hung, left) = place_sensors(sensors, &interpretation.sensors, &home, make);
     if !left.is_empty() {
         remarks.push(format!("for these sensors there is no place: {}", listed(&left)));
     }

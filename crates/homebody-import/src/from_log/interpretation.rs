@@ -12,7 +12,7 @@ pub struct LogRoom {
     pub name: String,
     pub kind: &'static RoomKind,
     /// False for a room that is only added because a home needs it.
-    pub is_told: bool,
+    pub is_in_log: bool,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -93,7 +93,7 @@ struct NameParts {
     rest: Vec<String>,
 }
 
-fn told(name: &str) -> NameParts {
+fn name_parts(name: &str) -> NameParts {
     let words = words(name);
     let hit = (0..words.len()).find_map(|at| {
         let long = (1..=3usize).rev().filter(|count| at + count <= words.len());
@@ -118,19 +118,19 @@ fn told(name: &str) -> NameParts {
 struct RoomList(Vec<LogRoom>);
 
 impl RoomList {
-    fn of_name(&mut self, kind: &'static RoomKind, name: &str) -> usize {
+    fn named(&mut self, kind: &'static RoomKind, name: &str) -> usize {
         let name = clean(name);
         let known = self.0.iter().position(|room| room.name.to_lowercase() == name.to_lowercase());
         known.unwrap_or_else(|| {
-            self.0.push(LogRoom { name, kind, is_told: true });
+            self.0.push(LogRoom { name, kind, is_in_log: true });
             self.0.len() - 1
         })
     }
 
-    fn of_kind(&mut self, kind: &'static RoomKind) -> usize {
+    fn room_of_kind(&mut self, kind: &'static RoomKind) -> usize {
         match self.0.iter().position(|room| *room.kind == *kind) {
             Some(known) => known,
-            None => self.of_name(kind, kind.name),
+            None => self.named(kind, kind.name),
         }
     }
 }
@@ -138,7 +138,7 @@ impl RoomList {
 /// # Errors
 ///
 /// The ids of the sensors without a room.
-pub fn understand(sensors: &[LogSensor], ways: &[LogWay]) -> Result<Interpretation, Vec<String>> {
+pub fn interpret(sensors: &[LogSensor], ways: &[LogWay]) -> Result<Interpretation, Vec<String>> {
     let mut rooms = RoomList::default();
     let mut guesses = Vec::new();
     let mut placed: Vec<Option<(usize, SensorAim)>> =
@@ -160,37 +160,37 @@ pub fn understand(sensors: &[LogSensor], ways: &[LogWay]) -> Result<Interpretati
             "rooms of sensors without names are guessed: from what was done there, and from who follows whom".into(),
         );
     }
-    settle_doors(sensors, ways, &mut placed);
+    choose_door_sides(sensors, ways, &mut placed);
     several_spots(&rooms.0, sensors, &mut placed);
     Ok(Interpretation { rooms: renamed(rooms.0), sensors: placed, guesses })
 }
 
 /// The room and aim of a sensor by its name and by the user's table.
 fn by_name(sensor: &LogSensor, rooms: &mut RoomList) -> Option<(usize, SensorAim)> {
-    let own = told(&sensor.id);
+    let own = name_parts(&sensor.id);
     let said = sensor.room.as_deref().filter(|room| !room.trim().is_empty());
     let room = match said {
-        Some(name) => Some((told(name).room.map_or(RoomKind::named("room"), |(kind, _)| kind), name.to_owned())),
+        Some(name) => Some((name_parts(name).room.map_or(RoomKind::named("room"), |(kind, _)| kind), name.to_owned())),
         None => own.room,
     };
     let rest = sensor.place.as_deref().map_or(own.rest, |place| {
-        let place = told(place);
+        let place = name_parts(place);
         // A place may have the name of a room: the bath in a bathroom.
         place.room.map(|(_, label)| words(&label)).into_iter().flatten().chain(place.rest).collect()
     });
     let kind = room.as_ref().map(|(kind, _)| *kind);
-    let what = what(sensor, &rest, kind);
+    let what = aim(sensor, &rest, kind);
     let room = match (room, what) {
-        (Some((kind, name)), _) => rooms.of_name(kind, &name),
-        (None, Some(SensorAim::Thing(thing))) => rooms.of_kind(RoomKind::named(thing.home)),
-        (None, Some(SensorAim::FrontDoor)) => rooms.of_kind(RoomKind::named("entry")),
+        (Some((kind, name)), _) => rooms.named(kind, &name),
+        (None, Some(SensorAim::Thing(thing))) => rooms.room_of_kind(RoomKind::named(thing.home)),
+        (None, Some(SensorAim::FrontDoor)) => rooms.room_of_kind(RoomKind::named("entry")),
         (None, _) => return None,
     };
     Some((room, what.unwrap_or(SensorAim::Spot)))
 }
 
 /// The aim of a sensor by the other words of its name.
-fn what(sensor: &LogSensor, rest: &[String], room: Option<&'static RoomKind>) -> Option<SensorAim> {
+fn aim(sensor: &LogSensor, rest: &[String], room: Option<&'static RoomKind>) -> Option<SensorAim> {
     let has = |wanted: &[&str]| rest.iter().any(|word| wanted.contains(&word.as_str()));
     let is_outside = has(&["front", "outside", "outer", "main", "exterior", "frontdoor", "apartment"]);
     let is_entry = room.is_some_and(|room| room.name == "entry");
@@ -221,7 +221,7 @@ fn by_activities(
     let mut of_room: BTreeMap<usize, Vec<usize>> = BTreeMap::new();
     for together in at_once(sensors, ways, placed) {
         let Some(site) = prevailing(sensors, &together) else { continue };
-        let room = rooms.of_kind(RoomKind::named(site.room.unwrap_or("entry")));
+        let room = rooms.room_of_kind(RoomKind::named(site.room.unwrap_or("entry")));
         for number in together {
             placed[number] = Some((room, nameless(&sensors[number])));
             of_room.entry(room).or_default().push(number);
@@ -241,7 +241,7 @@ fn at_their_things(sensors: &[LogSensor], here: &[usize], room: &RoomKind, place
         let sites = ACTIVITY_SITES.iter().filter_map(|site| Some((site, RoomThing::named(site.at)?)));
         let sites = sites.filter(|(site, thing)| if own { site.room == Some(room.name) } else { is_seat(thing) });
         let counts = sites.flat_map(|(site, thing)| {
-            here.iter().map(move |&number| (counted(&sensors[number], site.at), thing, number))
+            here.iter().map(move |&number| (firings_at(&sensors[number], site.at), thing, number))
         });
         let mut counts: Vec<(u64, &'static RoomThing, usize)> =
             counts.filter(|(count, ..)| *count >= LEAST_FIRINGS / 4).collect();
@@ -282,7 +282,7 @@ fn at_once(sensors: &[LogSensor], ways: &[LogWay], placed: &[Option<(usize, Sens
 }
 
 /// Firings of a sensor during the activities at a thing.
-fn counted(sensor: &LogSensor, at: &str) -> u64 {
+fn firings_at(sensor: &LogSensor, at: &str) -> u64 {
     sensor
         .done
         .iter()
@@ -307,7 +307,7 @@ fn prevailing(sensors: &[LogSensor], together: &[usize]) -> Option<&'static Acti
 /// The aim of a sensor by a name of CASAS, which only gives its kind: `MA` sees an area.
 fn nameless(sensor: &LogSensor) -> SensorAim {
     match (sensor.speaks, words(&sensor.id).first().map(String::as_str)) {
-        (Speaks::Contact, _) if counted(sensor, "front door") > 0 => SensorAim::FrontDoor,
+        (Speaks::Contact, _) if firings_at(sensor, "front door") > 0 => SensorAim::FrontDoor,
         (Speaks::Contact, _) => RoomThing::named("drawers").map_or(SensorAim::Spot, SensorAim::Thing),
         (_, Some("ma")) => SensorAim::Area,
         _ => SensorAim::Spot,
@@ -336,13 +336,13 @@ fn by_ways(sensors: &[LogSensor], ways: &[LogWay], placed: &mut [Option<(usize, 
     }
     let left: Vec<usize> = (0..sensors.len()).filter(|&number| placed[number].is_none()).collect();
     for &number in left.iter().filter(|&&number| ways.iter().any(|way| way.other(number).is_some())) {
-        let hall = rooms.of_kind(RoomKind::named("hall"));
+        let hall = rooms.room_of_kind(RoomKind::named("hall"));
         placed[number] = Some((hall, nameless(&sensors[number])));
     }
 }
 
 /// A motion sensor at a door is on the side with the next firings.
-fn settle_doors(sensors: &[LogSensor], ways: &[LogWay], placed: &mut [(usize, SensorAim)]) {
+fn choose_door_sides(sensors: &[LogSensor], ways: &[LogWay], placed: &mut [(usize, SensorAim)]) {
     let before = placed.to_vec();
     for (number, (room, what)) in placed.iter_mut().enumerate() {
         if *what != SensorAim::Door || sensors[number].speaks != Speaks::Motion || sensors[number].at.is_some() {
@@ -374,7 +374,7 @@ fn several_spots(rooms: &[LogRoom], sensors: &[LogSensor], placed: &mut [(usize,
         areas.sort_by_key(|&number| std::cmp::Reverse(sensors[number].firings));
         let is_parted = kind.is_way && here.len() > 1;
         for number in areas.into_iter().skip(usize::from(!is_parted)) {
-            let is_code = told(&sensors[number].id).room.is_none();
+            let is_code = name_parts(&sensors[number].id).room.is_none();
             placed[number].1 = if kind.is_way && !is_code { SensorAim::Spot } else { SensorAim::Wide };
         }
     }
@@ -407,17 +407,17 @@ mod tests {
         LogWay { between: [a, b], times, soon_s: 1.0 }
     }
 
-    fn told_of(sensors: &[LogSensor], ways: &[LogWay]) -> Vec<(String, String)> {
-        let understood = understand(sensors, ways).unwrap();
+    fn rooms_and_aims(sensors: &[LogSensor], ways: &[LogWay]) -> Vec<(String, String)> {
+        let interpretation = interpret(sensors, ways).unwrap();
         let what = |what: SensorAim| match what {
             SensorAim::Thing(thing) => thing.name.to_owned(),
             other => format!("{other:?}"),
         };
-        understood.sensors.iter().map(|&(room, of)| (understood.rooms[room].name.clone(), what(of))).collect()
+        interpretation.sensors.iter().map(|&(room, of)| (interpretation.rooms[room].name.clone(), what(of))).collect()
     }
 
     #[test]
-    fn names_tell_rooms_and_things() {
+    fn names_decide_rooms_and_things() {
         let ids = [
             "BedroomAArea",
             "BedroomABed",
@@ -443,12 +443,12 @@ mod tests {
             ("living room", "armchair"),
             ("kitchen", "stove"),
         ];
-        let told = told_of(&sensors, &[]);
+        let told = rooms_and_aims(&sensors, &[]);
         assert_eq!(told.iter().map(|(room, what)| (room.as_str(), what.as_str())).collect::<Vec<_>>(), wanted);
     }
 
     #[test]
-    fn what_is_done_and_who_follows_whom_tell_the_rest() {
+    fn activities_and_ways_decide_about_nameless_sensors() {
         let done = |id: &str, label: &str| LogSensor { done: vec![(label.into(), 80)], ..motion(id) };
         let sensors = [
             done("M1", "Sleep"),
@@ -458,21 +458,21 @@ mod tests {
             LogSensor { speaks: Speaks::Contact, ..done("D1", "Leave_Home") },
         ];
         // M3 lies between both, MA4 is next to the bed.
-        let told = told_of(&sensors, &[way(0, 2, 50), way(1, 2, 50), way(0, 3, 90), way(2, 3, 5)]);
+        let told = rooms_and_aims(&sensors, &[way(0, 2, 50), way(1, 2, 50), way(0, 3, 90), way(2, 3, 5)]);
         let wanted =
             [("bedroom", "bed"), ("kitchen", "stove"), ("hall", "Spot"), ("bedroom", "Area"), ("entry", "FrontDoor")];
         assert_eq!(told.iter().map(|(room, what)| (room.as_str(), what.as_str())).collect::<Vec<_>>(), wanted);
     }
 
     #[test]
-    fn a_sensor_at_a_door_is_where_one_is_seen_next() {
+    fn a_sensor_at_a_door_is_on_the_side_of_the_next_firing() {
         let sensors = ["BedroomArea", "BedroomDoor", "Hallway"].map(motion);
-        assert_eq!(told_of(&sensors, &[way(0, 1, 10), way(1, 2, 90)])[1].0, "hallway");
-        assert_eq!(told_of(&sensors, &[way(0, 1, 90), way(1, 2, 10)])[1].0, "bedroom");
+        assert_eq!(rooms_and_aims(&sensors, &[way(0, 1, 10), way(1, 2, 90)])[1].0, "hallway");
+        assert_eq!(rooms_and_aims(&sensors, &[way(0, 1, 90), way(1, 2, 10)])[1].0, "bedroom");
     }
 
     #[test]
-    fn those_of_which_nothing_tells_are_named() {
-        assert_eq!(understand(&["M1", "Kitchen", "M2"].map(motion), &[]).unwrap_err(), ["M1", "M2"]);
+    fn unknown_sensors_are_named() {
+        assert_eq!(interpret(&["M1", "Kitchen", "M2"].map(motion), &[]).unwrap_err(), ["M1", "M2"]);
     }
 }

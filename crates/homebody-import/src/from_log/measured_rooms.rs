@@ -9,7 +9,7 @@ const MARGIN_M: f64 = 1.3;
 const LEAST_M: f64 = 1.3;
 
 /// The rectangles of rooms by the places of their sensors; `None` for a room without a sensor.
-pub fn parted(places: &[Vec<Point>]) -> Vec<Option<Rect>> {
+pub fn rectangles(places: &[Vec<Point>]) -> Vec<Option<Rect>> {
     let all = || places.iter().flatten();
     let Some(&first) = all().next() else { return vec![None; places.len()] };
     let (least, most) = all().fold((first, first), |(least, most), &at| (least.min(at), most.max(at)));
@@ -80,7 +80,7 @@ mod tests {
     fn sensors_of_one_room_are_together() {
         let at = |x: f64, y: f64| Point::new(x, y);
         let places = [vec![at(0.0, 0.0), at(2.0, 1.0)], vec![at(5.0, 0.0)], vec![], vec![at(0.0, 6.0), at(6.0, 7.0)]];
-        let rects = parted(&places);
+        let rects = rectangles(&places);
         assert!(rects[2].is_none());
         for (room, rect) in rects.iter().enumerate() {
             for (other, places) in places.iter().enumerate() {

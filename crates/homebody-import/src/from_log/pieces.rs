@@ -26,9 +26,9 @@ const NEEDED: [(&str, &[&str]); 8] = [
 ];
 
 /// The pieces of all rooms. Missing ones are added, with a room if no room may have them, and reported.
-pub fn pieces(understood: &mut Interpretation, sensors: &[LogSensor]) -> Vec<NeededPiece> {
+pub fn pieces(interpretation: &mut Interpretation, sensors: &[LogSensor]) -> Vec<NeededPiece> {
     let mut pieces: Vec<NeededPiece> = Vec::new();
-    for (number, &(room, what)) in understood.sensors.iter().enumerate() {
+    for (number, &(room, what)) in interpretation.sensors.iter().enumerate() {
         let SensorAim::Thing(thing) = what else { continue };
         // Each contact hangs on a piece of its own.
         let is_contact = |sensor: &usize| sensors[*sensor].speaks == Speaks::Contact;
@@ -48,12 +48,12 @@ pub fn pieces(understood: &mut Interpretation, sensors: &[LogSensor]) -> Vec<Nee
         if pieces.iter().any(|piece| will_do(piece.thing.role)) {
             continue;
         }
-        let of_kind = |kind: &&str| understood.rooms.iter().position(|room| room.kind.name == *kind);
-        let room = kinds.iter().find_map(of_kind).unwrap_or_else(|| {
+        let room_of_kind = |kind: &&str| interpretation.rooms.iter().position(|room| room.kind.name == *kind);
+        let room = kinds.iter().find_map(room_of_kind).unwrap_or_else(|| {
             let kind = RoomKind::named(kinds[0]);
             rooms.push(kind.name);
-            understood.rooms.push(LogRoom { name: kind.name.to_owned(), kind, is_told: false });
-            understood.rooms.len() - 1
+            interpretation.rooms.push(LogRoom { name: kind.name.to_owned(), kind, is_in_log: false });
+            interpretation.rooms.len() - 1
         });
         things.push(name);
         pieces.push(NeededPiece { room, thing, sensors: Vec::new() });
@@ -61,7 +61,7 @@ pub fn pieces(understood: &mut Interpretation, sensors: &[LogSensor]) -> Vec<Nee
     for (what, names) in [("rooms", rooms), ("things", things)] {
         if !names.is_empty() {
             let names = names.join(", ");
-            understood
+            interpretation
                 .guesses
                 .push(format!("{what} that no sensor tells of, and that a life needs, are added: {names}"));
         }

@@ -69,7 +69,7 @@ pub struct Furnished<'a> {
 }
 
 /// The sensors with their ids in the log; those without a place are reported.
-pub fn hung(
+pub fn place_sensors(
     sensors: &[LogSensor],
     what: &[(usize, SensorAim)],
     home: &Furnished,
@@ -166,7 +166,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_make_is_known_by_how_long_its_ons_last() {
+    fn durations_of_on_decide_the_make() {
         let make_of = |on_s: Option<[f64; 3]>| make(&[LogSensor { on_s, ..LogSensor::new("M1", Speaks::Motion, 9) }]);
         assert_eq!(make_of(Some([3.9, 4.0, 4.3])), Make { preset: Preset::CasasPulse, hold_s: Some(4.0) });
         assert_eq!(make_of(Some([1.1, 1.8, 4.3])), Make { preset: Preset::CasasFollow, hold_s: Some(1.1) });

@@ -163,7 +163,7 @@ mod tests {
     use homebody_core::names::words;
 
     #[test]
-    fn words_tell_of_things_by_their_room() {
+    fn a_word_means_a_thing_of_its_room() {
         let name = |text: &str, room: &str| {
             RoomThing::from_words(&words(text), Some(RoomKind::named(room))).map(|thing| thing.name)
         };
@@ -175,7 +175,7 @@ mod tests {
     }
 
     #[test]
-    fn labels_tell_where_something_is_done() {
+    fn labels_decide_the_site_of_an_activity() {
         let at = |label: &str| ActivitySite::from_label(label).map(|site| site.at);
         assert_eq!(
             [at("Bed_Toilet_Transition"), at("Sleep"), at("Personal_Hygiene")],
@@ -188,7 +188,7 @@ mod tests {
     }
 
     #[test]
-    fn every_thing_has_a_room_of_a_kind_that_there_is() {
+    fn every_thing_has_a_room_of_a_known_kind() {
         let is_kind = |name: &str| ROOM_KINDS.iter().any(|kind| kind.name == name);
         for thing in &THINGS {
             assert!(is_kind(thing.home) && thing.only_in.iter().all(|room| is_kind(room)), "{}", thing.name);
