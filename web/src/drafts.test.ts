@@ -3,15 +3,15 @@ import { Drafts } from './drafts.svelte';
 import { Server } from './server';
 import type { FileView, Save, SavedView } from './wire';
 
-/** A disk with two files, which others change as well. */
+/** A disk with two files that others change, too. */
 class Disk {
   files: Record<string, string> = { 'home.json': '{}', 'a.routine': 'She reads.' };
   notes: string[] = [];
   saves: Save[] = [];
-  /** Whether answers wait in `held` until they are let go. */
+  /** Answers wait in `held` until they are released. */
   slow = false;
   held: (() => void)[] = [];
-  /** Whether the files cannot be read. */
+  /** The files cannot be read. */
   broken = false;
   readonly server = new Server('token', () => {}, (path, init) => {
     const answer = this.answer(path, init);
@@ -89,7 +89,7 @@ test('what is written here and changed there is asked about before it is replace
   expect(await drafts.save()).toBe(false);
   expect(disk.files['a.routine']).toBe('Theirs.');
   drafts.insist('a.routine');
-  // What has been seen once is not asked again, but what came after it is.
+  // Known versions are not requested again, but later ones are.
   await later();
   expect(drafts.changed).toEqual([]);
   disk.files['a.routine'] = 'Theirs again.';
@@ -147,7 +147,7 @@ test('what was loaded before a save does not come after it', async () => {
   disk.slow = false;
   drafts.write('a.routine', 'Mine.');
   expect(await drafts.save()).toBe(true);
-  // The answer from before the save comes now.
+  // The answer from before the save arrives.
   for (const answer of disk.held.splice(0)) answer();
   await vi.advanceTimersByTimeAsync(0);
   expect([drafts.text('a.routine'), drafts.unsaved]).toEqual(['Mine.', []]);

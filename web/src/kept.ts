@@ -1,4 +1,4 @@
-// What the browser keeps for this page. A browser may forbid it; then it is kept until the page is left.
+// Settings of the page in the browser's storage. If the browser forbids storage, they last until the page is closed.
 
 export type Keeper = Pick<Storage, 'getItem' | 'setItem' | 'removeItem'>;
 
@@ -15,6 +15,6 @@ export function keep(keeper: () => Keeper, name: string, value: string | null): 
     if (value === null) keeper().removeItem(name);
     else keeper().setItem(name, value);
   } catch {
-    // Nothing is lost but that the choice has to be made again.
+    // The user only has to choose again.
   }
 }

@@ -1,33 +1,33 @@
-// What this page has seen of the run that is being lived: which sensors fired when, and what everybody did where. What was told of but
-// not shown, as at the greatest speeds or where somebody goes to another time, is not in it, and when that was is known.
+// The page's history of the present run: firings of sensors, and activities and rooms of people. Parts that were not
+// sent, as at the greatest speeds or after a jump, are missing, and the history knows when they were.
 
 import { AWAY } from './activities';
 import type { Unseen } from './charts/unseen';
 import type { BodyView, FiringView, Frame, RunView } from './wire';
 
-/** So far back it is kept. */
+/** Length of the history. */
 export const KEPT_US = 36 * 3_600e6;
 
-/** Of a sensor no more firings are kept, of a person no more spans. */
+/** Largest numbers of firings of a sensor, and of intervals of a person. */
 const MOST = 10_000;
 
-/** What lies farther apart was jumped over, or went by too fast to be seen: what was done meanwhile is not known (ours). */
+/** A longer gap between two frames is a jump, or was too fast to see: the activities in it are unknown (our choice). */
 const SEEN_US = 600e6;
 
 type Span = [begin: number, end: number, what: number];
 
 export class Lived {
-  /** By sensor, in order, and what was said with each. */
+  /** By sensor, in order: its firings, and their values. */
   fired: number[][] = [];
   said: string[][] = [];
-  /** By resident: what they did and in which room they were, by the numbers of `names` and of the home's rooms. */
+  /** By resident: activities and rooms, by their indices in `names` and in the home's rooms. */
   activities: Span[][] = [];
   rooms: Span[][] = [];
-  /** What was done by anybody. */
+  /** The activities of all residents. */
   names: string[] = [];
-  /** By sensor: when firings were that are not in `fired`. With those that are forgotten they come to what the server counts. */
+  /** By sensor: intervals with firings that are not in `fired`. Together with the dropped ones, they add up to the server's counts. */
   missed: Unseen[][] = [];
-  /** When it was not seen what people did. */
+  /** Intervals with unknown activities. */
   unseen: Unseen[] = [];
   private forgotten: number[] = [];
   /** By resident. */
@@ -42,7 +42,7 @@ export class Lived {
     this.activities = residents.map(() => []);
     this.rooms = residents.map(() => []);
     this.names = [];
-    // They are called after their hosts.
+    // Visitors are named after their hosts.
     this.visitors = residents.map(({ name }) => residents.some((host) => name.startsWith(`${host.name}'s `)));
     this.missed = home.sensors.map(() => []);
     this.unseen = [];
@@ -73,7 +73,7 @@ export class Lived {
     this.forget();
   }
 
-  /** What somebody does, also out of the home; but what visitors do elsewhere is not of this home. */
+  /** The activity of a person, also out of the home; visitors elsewhere have none. */
   doing(who: number, body: BodyView | null): string {
     if (body === null) return this.visitors[who] ? '' : AWAY;
     return body.activity ?? '';
@@ -84,29 +84,29 @@ export class Lived {
     return known >= 0 ? known : this.names.push(activity) - 1;
   }
 
-  /** What was so at the last look is taken to have been so until now, if that was not long ago. */
+  /** Extends the last value until now, if the last frame is recent. */
   private goOn(spans: Span[] | undefined, what: number | null, now_us: number): void {
     if (spans === undefined) return;
     const last = spans.at(-1);
     const goes_on = last !== undefined && last[1] === this.now_us && now_us - this.now_us <= SEEN_US;
     if (goes_on) last[1] = now_us;
     if (what !== null && (!goes_on || last[2] !== what)) spans.push([now_us, now_us, what]);
-    // What ended at this look ended before the next.
+    // An interval that ends with this frame ended before the next.
     if (goes_on && what === null) last[1] = now_us - 1;
   }
 
-  /** What the server counts and has not sent was before the first of what it sends. */
+  /** Firings that the server counts and has not sent happened before the first that it sends. */
   private miss(counts: number[], firings: FiringView[], before_us: number): void {
     this.missed.forEach((parts, sensor) => {
       if (counts[sensor] === undefined) return;
       const known = parts.filter(({ missing }) => missing > 0);
       const fresh = firings.reduce((sum, firing) => sum + (firing.sensor === sensor ? 1 : 0), 0);
       const missing = counts[sensor] - this.forgotten[sensor]! - known.reduce((sum, part) => sum + part.missing, 0) - this.fired[sensor]!.length - fresh;
-      // Of a part that was cut short it is found anew how many there are in it.
+      // The count of a part that was cut is computed anew.
       const from_us = parts.reduce((from, part) => (part.missing > 0 ? from : Math.min(from, part.from_us)), Math.max(this.now_us, 0));
       this.missed[sensor] = known;
       if (missing > 0) add(known, { from_us, to_us: Math.max(before_us, from_us + 1), missing });
-      // The run was taken back to before what is forgotten.
+      // The run went back to before the dropped firings.
       else this.forgotten[sensor]! += missing;
     });
   }
@@ -131,7 +131,7 @@ export class Lived {
     }
   }
 
-  /** The run was taken back: what has not happened yet is forgotten, and what is told again is not kept twice. */
+  /** The run went back: drops later firings, and does not keep repeated ones twice. */
   private goBack({ now_us, firings }: Frame): void {
     const again_us = firings[0]?.at_us ?? Infinity;
     this.fired.forEach((fired, sensor) => {
@@ -149,14 +149,14 @@ export class Lived {
   }
 }
 
-/** One that goes on where another ends is one with it. */
+/** Adjacent intervals become one. */
 function add(all: Unseen[], part: Unseen): void {
   const at = all.findIndex(({ to_us }) => to_us === part.from_us);
   if (at < 0) all.push(part);
   else all[at] = { from_us: all[at]!.from_us, to_us: part.to_us, missing: all[at]!.missing + part.missing };
 }
 
-/** What there is of it until then; how much is missing from what is cut short is not known. */
+/** The parts until an instant; the count of a part that is cut is unknown. */
 function cut(all: Unseen[], until_us: number): Unseen[] {
   return all.flatMap((part) => (part.from_us >= until_us ? [] : part.to_us <= until_us ? [part] : [{ ...part, to_us: until_us, missing: 0 }]));
 }

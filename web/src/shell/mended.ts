@@ -1,4 +1,4 @@
-// Where in the page what is wrong is mended, in which words that is said, and what does it where there is one answer.
+// The view of a problem, its wording, and its fix, if it is unique.
 
 import { apply, insert, isObject, valueOf } from '../json';
 import { offsetOf, unitsAfter } from '../places';
@@ -10,24 +10,24 @@ export type Way = { word: string; href: string };
 
 /** A problem's fix as a button. */
 export type Mend = {
-  /** As a button says it. */
+  /** The label of the button. */
   what: string;
-  /** The hint without that. */
+  /** The hint without the fix. */
   rest: string;
-  /** The texts that change, as they are then. */
+  /** The changed texts, computed on demand. */
   texts: () => Record<string, string>;
 };
 
-/** The files of a scenario, their texts as they are written now, and what is wrong with them. */
+/** The files of a scenario, their present texts, and their problems. */
 type Texts = { files: FilesView | null; check: CheckView | null; text(name: string): string | undefined };
 
-/** So many problems of a file are told one by one; another of the whole file then stands for the rest. */
+/** Largest number of problems of a file that are reported one by one; another of the whole file then stands for the rest. */
 const MOST_TOLD = 100;
 
 /** A JSON string. */
 const LITERAL = /"(?:[^"\\]|\\.)*"/y;
 
-/** The button for a problem's fix; null without a fix, or where the page has not the file or the place that it changes. */
+/** The button for a problem's fix; null without a fix, or if the page lacks the file or the place that it changes. */
 export function mendOf(problem: ProblemView, texts: Texts): Mend | null {
   const { fix } = problem;
   if (fix === undefined) return null;
@@ -49,7 +49,7 @@ export function mendOf(problem: ProblemView, texts: Texts): Mend | null {
   return { what: `Add ${quoted(String(fix.piece.name))}${into}`, rest: fix.rest, texts: () => ({ [home]: insert(ofHome, 'furniture', fix.piece) }) };
 }
 
-/** Where the name or the words stand that a problem is about. */
+/** The position of the name or the words of a problem. */
 function placeOf({ file, line, column, width }: ProblemView, text: string): { from: number; to: number } | null {
   if (line <= 0) return null;
   const from = offsetOf(text, line, column);
@@ -66,12 +66,12 @@ function enterable(home: string, name: string): string {
   return index < 0 ? home : apply(home, [{ path: ['furniture', index, 'enterable'], value: true }]);
 }
 
-/** The view in which a problem's file is written; nothing for a file that none of them writes. */
+/** The view of a problem's file; null for a file without a view. */
 export function wayTo({ file, line }: ProblemView, texts: Texts): Way | null {
   const { files } = texts;
   if (files === null) return null;
   const told = texts.check?.problems.filter((other) => other.file === file && other.line > 0).length ?? 0;
-  // Of a routine that can be read no sentence is wrong: the home lacks what the life needs, or is in its way.
+  // A readable routine has no wrong sentence: the home lacks something for it, or blocks a way.
   const isOfHome = line === 0 && files.lives.some(({ routine }) => routine === file) && texts.text(file) !== undefined && told < MOST_TOLD;
   if (isOfHome && files.home !== null) return { word: 'Plan', href: '#/plan' };
   if (file === files.home) return { word: 'Plan', href: line > 0 ? hashOf('plan', `line ${line}`) : '#/plan' };

@@ -1,20 +1,20 @@
-// What a problem is about, in words: the thing in its file, not the file and its line.
+// The subject of a problem, in words: the thing in its file, not the file and its line.
 
 import { type Node, findNodeAtLocation, findNodeAtOffset, getNodePath } from 'jsonc-parser';
 import { isFault, tree } from '../json';
 import { offsetOf } from '../places';
 import type { FilesView, ProblemView } from '../wire';
 
-/** What one of a list is called. */
+/** The noun for an element of a list. */
 const ONE: Record<string, string> = {
   sensors: 'sensor', rooms: 'room', doors: 'door', furniture: 'furniture', places: 'place', walls: 'wall', faults: 'fault', residents: 'resident', windows: 'window', steps: 'step', rules: 'rule',
 };
 
 const LONGEST = 60;
-/** A name in quotes, cut where it is long. */
+/** A name in quotes, cut if it is long. */
 export const quoted = (name: string) => `“${name.length > LONGEST ? `${name.slice(0, LONGEST)}…` : name}”`;
 
-/** Whose file it is, as people call it. */
+/** The name of a file for people. */
 function fileInWords(file: string, files: FilesView): string {
   if (file === files.home) return 'Home';
   if (file === files.logger) return 'Logger';
@@ -23,7 +23,7 @@ function fileInWords(file: string, files: FilesView): string {
   return life === undefined ? file : `${life.name.slice(0, LONGEST)}’s routine`;
 }
 
-/** The thing of a file of JSON that a place in its text belongs to. */
+/** The thing of a JSON file at a position in its text. */
 function thingAt(text: string, line: number, column: number): string | null {
   const root = tree(text);
   const node = isFault(root) ? undefined : findNodeAtOffset(root, offsetOf(text, line, column), true);
@@ -40,7 +40,7 @@ function thingAt(text: string, line: number, column: number): string | null {
   return list.replaceAll('_', ' ');
 }
 
-/** Where it is, in words: `Sensor “hall motion”`, `Logger, id of “old chair”`, `margaret’s routine, line 4`. */
+/** A place in words: `Sensor “hall motion”`, `Logger, id of “old chair”`, `margaret’s routine, line 4`. */
 export function placeOf({ file, line, column }: ProblemView, files: FilesView | null, text: string | undefined): string {
   if (files === null) return line > 0 ? `${file} ${line}` : file;
   const whose = fileInWords(file, files);

@@ -5,7 +5,7 @@ import { LONGEST_HINT, isReached, remember, wholesOf } from './whole';
 
 afterEach(() => document.body.replaceChildren());
 
-/** A name that is shown in an element, so wide and with so much room. */
+/** A name in an element, with its width and its room. */
 function shown(name: string, [wide, room]: [number, number], within = document.body): HTMLElement {
   const element = document.createElement('bdi');
   element.className = 'name';

@@ -1,34 +1,34 @@
-// Names that are longer than their place: what they are as a whole, and where that is asked for.
+// Full texts of cut names, for the focus and the pointer.
 
-/** So much of a name is in a browser's own hint, and in a line at all. */
+/** Longest text in a browser's tooltip, and of a name in a line at all. */
 export const LONGEST_HINT = 300;
 
 /** By the element that shows a name. */
 const names = new WeakMap<Element, string>();
 
-/** What can have the keys. */
+/** Elements that can have the focus. */
 const FOCUSED = 'a[href], button, summary, input, select, textarea, label, [tabindex]';
 
 export function remember(element: Element, name: string): void {
   names.set(element, name);
 }
 
-/** Whether a browser's own hint has less of a name than there is. */
+/** The browser's tooltip has only a part of the name. */
 function isLong(element: Element): boolean {
   return (names.get(element)?.length ?? 0) > LONGEST_HINT;
 }
 
-/** Whether less of a name is shown than there is. */
+/** The element shows only a part of the name. */
 export function isCut(element: Element): boolean {
   return element.scrollWidth > element.clientWidth + 1 || isLong(element);
 }
 
-/** Whether the keys come to it by what is around it. */
+/** An element around it has the keyboard focus. */
 export function isReached(element: Element): boolean {
   return element.parentElement?.closest(FOCUSED) != null;
 }
 
-/** The whole names that are cut in what has the keys, or, below the pointer, those that no hint of the browser's has. */
+/** The cut names in the focused element, or, below the pointer, those that no tooltip shows in full. */
 export function wholesOf(target: Element, by: 'keys' | 'pointer'): string[] {
   const within = target.closest('.name') ? [target.closest('.name')!] : [...target.querySelectorAll('.name')];
   return within.filter((element) => names.has(element) && (by === 'keys' ? isCut : isLong)(element)).map((element) => names.get(element)!);
