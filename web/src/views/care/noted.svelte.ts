@@ -1,28 +1,27 @@
-// What somebody has noted about alerts and days. It is kept beside the run, so that whoever opens it later sees it, too.
+// Notes on alerts and days. They are stored with the run, so that other users see them.
 
 import { Refused, type Server, notesPath, said } from '../../server';
 import type { AlertView, NoteIt, NoteView } from '../../wire';
 
-/** What is noted of: an alert, or with an empty rule a day. */
+/** The subject of a note: an alert, or with an empty rule a day. */
 export type Of = Pick<AlertView, 'day' | 'rule'>;
 
-/** Another page has noted something that this one has not seen. */
+/** The server's answer if another page has changed the notes meanwhile. */
 const CHANGED = 409;
 
 export class Noted {
   notes = $state.raw<readonly NoteView[]>([]);
   problem = $state('');
-  /** Grows when the notes of a run have come. */
+  /** Grows when the notes of a run arrive. */
   came = $state(0);
   private run: string | null = null;
-  /** As the server has them. */
+  /** The notes on the server. */
   private kept: readonly NoteView[] = [];
-  /** One after the other: what is noted next has seen what was noted before. */
+  /** One after the other: each note is based on the one before. */
   private queue: Promise<void> = Promise.resolve();
 
   constructor(private readonly server: Pick<Server, 'json' | 'post'>) {}
 
-  /** Fetches the notes of a run. */
   async open(run: string): Promise<void> {
     this.run = run;
     this.take(run, []);
@@ -39,7 +38,7 @@ export class Noted {
     return find(this.notes, { day, rule }) ?? { day, rule, seen: false, note: '' };
   }
 
-  /** Notes something: it is shown at once, and what was there comes back if it cannot be kept. */
+  /** Shows a note at once, and restores the old one if it cannot be stored. */
   change(of: Of, changed: Partial<Pick<NoteView, 'seen' | 'note'>>): Promise<void> {
     const { run } = this;
     if (run === null) return Promise.resolve();

@@ -199,7 +199,7 @@ test('without a usual nothing is called usual or unusual', async () => {
   expect(text()).toContain('Not enough days yet to know the usual range');
   expect(text()).toContain('Not enough days yet to compare');
   expect(text()).not.toContain('Everything was as usual');
-  // Neither good nor bad is drawn.
+  // Draws neither good nor bad.
   const drawn = () => [...one('[aria-label="Latest day"] ul').children].map((row) => row.className.match(/odd|unknown/)?.[0] ?? 'usual');
   expect(drawn()).toEqual(['odd', 'unknown']);
   await unmount(view);

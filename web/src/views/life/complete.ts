@@ -1,11 +1,11 @@
-// What could be written where the cursor is. Completions may be several words long, and begin as far back in the sentence as
-// what stands there already is the beginning of them.
+// Completions at the cursor. They may be several words long, and begin as far back in the sentence as the text there is
+// the beginning of them.
 
 import type { WordKind, WordView } from '../../wire';
 
 type Offer = {
   word: WordView;
-  /** Where in the line it begins to replace what stands there. */
+  /** The column of the first replaced character. */
   from: number;
 };
 
@@ -15,7 +15,7 @@ const SHOWS = /(^|\s)(shows?|has|have)(\s+signs\s+of)?(\s+an?)?$/i;
 const VERB_OF_CONDITION = /^(shows?|has|have)\b/i;
 const SUBJECT = /(^|\s)(she|he|they|person|then|and|or)$/i;
 
-/** The sentence that a line is in the middle of, and where it begins; nothing in a comment. */
+/** The sentence at the end of a line, and its start; null in a comment. */
 function sentence(before: string): { begin: number; said: string } | null {
   if (before.includes('#')) return null;
   const stop = before.lastIndexOf('. ');
@@ -24,7 +24,7 @@ function sentence(before: string): { begin: number; said: string } | null {
   return { begin: begin + blank, said: before.slice(begin + blank) };
 }
 
-/** Whether words of this kind may follow what stands before them in the sentence. */
+/** Words of this kind may follow the text before them in the sentence. */
 function fits({ text, kind }: WordView, lead: string, subjects: RegExp): boolean {
   const place = BEFORE_PLACE.test(lead);
   const shows = SHOWS.test(lead);
@@ -45,10 +45,10 @@ function subjectsOf(names: string[]): RegExp {
 }
 
 /**
- * What may be written after `before`, the line up to the cursor, the likeliest first.
+ * The possible continuations of `before`, the line up to the cursor, the likeliest first.
  *
- * @param names of the person, who may be called by it.
- * @param asked whether somebody asked for it; while one writes less is offered.
+ * @param names of the person.
+ * @param asked by the user; while typing, fewer are offered.
  */
 export function offers(before: string, words: readonly WordView[], names: string[], asked: boolean): Offer[] {
   const found = sentence(before);
@@ -65,11 +65,11 @@ export function offers(before: string, words: readonly WordView[], names: string
     const text = word.text.toLowerCase();
     const whole = starts.find((start) => text.startsWith(low.slice(start)) && fits(word, leads(start), subjects));
     if (whole !== undefined) {
-      // What can follow the words that are there comes before whole sentences that begin with them.
+      // Continuations of complete words come before sentences that begin with them.
       const rank = (word.kind === 'sentence' ? 50 : 1000) + low.length - whole;
       if (text !== low.slice(whole)) ranked.push({ word, from: begin + whole, rank });
     } else if (blank) {
-      // After a blank everything fits that may follow; a sentence is offered as a whole only to who asks.
+      // After a blank everything that may follow fits; whole sentences are offered only on request.
       const told = asked || (word.kind !== 'time' && word.kind !== 'sentence' && !(word.kind === 'place' && PREPOSITION.test(word.text)));
       if (told && fits(word, leads(said.length), subjects)) ranked.push({ word, from: before.length, rank: 500 });
     } else if ((asked || word.kind !== 'time') && word.kind !== 'sentence' && low.length - last >= 2 && text.split(/\s+/).some((part) => part.startsWith(low.slice(last))) && fits(word, leads(last), subjects)) {
@@ -79,7 +79,7 @@ export function offers(before: string, words: readonly WordView[], names: string
   return ranked.sort((a, b) => b.rank - a.rank).map(({ word, from }) => ({ word, from }));
 }
 
-/** What could stand instead of words that were not understood: those that fit after `lead`, the most alike first. */
+/** Replacements for unknown words: those that fit after `lead`, the most similar first. */
 export function instead(wrong: string, lead: string, words: readonly WordView[], names: string[]): WordView[] {
   const found = sentence(lead);
   if (found === null) return [];
@@ -92,7 +92,7 @@ export function instead(wrong: string, lead: string, words: readonly WordView[],
     .map(({ word }) => word);
 }
 
-/** From 0 to 1: how many pairs of letters two texts share. */
+/** From 0 to 1: the share of pairs of letters that two texts share. */
 function alike(a: string, b: string): number {
   const pairs = (text: string) => {
     const low = text.toLowerCase().slice(0, 200);

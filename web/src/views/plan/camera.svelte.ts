@@ -1,11 +1,11 @@
-// What part of the plan is seen. All of it, until somebody looks nearer.
+// The visible part of the plan: all of it, until the user zooms.
 
 import type { At } from '../../plan/geometry';
 import { type Bounds, type Size, type View, fit, pan, toPlan, toScreen, zoom } from '../../plan/transform';
 
-/** Dimension lines, tools and the scale lie at the edges. */
+/** Dimension lines, tools and the scale are at the edges. */
 const INSETS = { left: 58, top: 48, right: 60, bottom: 84 };
-/** Nearer to the edge than this, what is asked for is brought to the middle. */
+/** Points nearer to the edge are moved to the middle when they are shown. */
 const EDGE = 50;
 
 export class Camera {
@@ -14,7 +14,7 @@ export class Camera {
   private fitted = true;
   private bounds: Bounds = [[0, 0], [10, 7]];
 
-  /** All that was seen is seen still: another home is shown whole, while one that is edited does not jump. */
+  /** Keeps all visible parts visible: another home is shown as a whole, while an edited one does not jump. */
   know(bounds: Bounds): void {
     this.bounds = bounds;
     const { width, height } = this.size;
@@ -48,7 +48,6 @@ export class Camera {
     this.view = pan(this.view, dx, dy);
   }
 
-  /** Brings a point into sight. */
   show(at: At): void {
     const [x, y] = toScreen(this.view, at);
     const { width, height } = this.size;

@@ -1,6 +1,6 @@
-// Where in what is in order.
+// Binary search in a sorted list.
 
-/** The first place in `all`, in order, whose number is above `limit`. */
+/** The index of the first element of the sorted `all` above `limit`. */
 export function above<T>(all: ArrayLike<T>, limit: number, of: (one: T) => number): number {
   let [low, high] = [0, all.length];
   while (low < high) {

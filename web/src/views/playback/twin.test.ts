@@ -15,7 +15,7 @@ const DAY = 24 * HOUR;
 const one = storedRun('one');
 const day = prepare(one, 0, storedDay(one, 0));
 const busiest = day.fired.reduce((most, fired, sensor) => (fired.length > day.fired[most]!.length ? sensor : most), 0);
-/** The same day without the first firing of the busiest sensor, and with one more of its own. */
+/** The same day without the first firing of the busiest sensor, and with an additional one. */
 const twin = storedRun('two');
 const other = (() => {
   const view = storedDay(twin, 0);
@@ -60,7 +60,7 @@ test('lanes and bands of both runs are by the first one’s time', () => {
 });
 
 test('of many days the counts of both runs are by the first one’s time; what the second does not know differs in nothing', () => {
-  // The second began a day earlier, and has a sensor that the first has not; it ends a day before the first does.
+  // The second began a day earlier, has an additional sensor, and ends a day before the first.
   const early = storedRun('early', 3, { days: daysFrom('2009-03-01', 3 * DAY), home: { ...twin.home, sensors: twin.home.sensors.map((sensor, index) => (index === 1 ? { ...sensor, name: 'a new one' } : sensor)) } });
   const whole = { bucket_us: HOUR, counts: one.sensors.map(() => Array.from({ length: 72 }, () => 4)) };
   const other = { bucket_us: HOUR, counts: early.sensors.map((_, sensor) => Array.from({ length: 72 }, (_, part) => (part < 24 ? 100 : part < 48 ? 4 + sensor : 0))) };
@@ -74,12 +74,12 @@ test('of many days the counts of both runs are by the first one’s time; what t
   expect([days(lanes[1]!)[0], days(lanes.at(-1)!)[0]]).toEqual([[96, 0, 96], [0, 24 * 5, 0]]);
   expect(countIn(lanes[2]!, { from_us: 0, to_us: DAY })).toBe(96 + 24 * 6);
   expect(laneAt(lanes[2]!, HOUR, HOUR)!.words).toBe('about 8 events here, in the second run 12');
-  // Bands stand below each other, those of the second a day earlier than by its own time.
+  // Bands are below each other, those of the second a day earlier than in its own time.
   expect(bands.map(({ isBeside, spans }) => [isBeside ?? false, spans[0]![0], spans.length])).toEqual([[false, 0, 6], [true, 0, 4], [false, 0, 6], [true, 0, 4]]);
   const table = tableOf({ from_us: 0, to_us: HOUR }, bands.slice(0, 2), [lanes[2]!], String, { first: 'one', second: 'early' });
   const of = (row: string) => [2, 5].map((column) => row.split(',')[column]);
   expect(table.trim().split('\n').map(of)).toEqual([['what', 'run'], ['activity', 'one'], ['activity beside', 'early'], ['count', 'one'], ['count beside', 'early']]);
-  // As long as the counts of one are on their way, there are none of it.
+  // Until the counts of one arrive, there are none of it.
   expect(wholeOf({ view: one, whole }, true, { view: early, whole: null }).lanes[2]!.densityBeside).toBeUndefined();
   expect(wholeOf({ view: one, whole: null }, true, { view: early, whole: other }).lanes).toHaveLength(lanes.length);
 });
@@ -106,7 +106,7 @@ test('numbers of both runs are curves between the lowest and the highest of both
   const numbers = { curve: lanes[0]!.curve!, beside: lanes[0]!.beside!.curve! };
   expect([Array.from(numbers.curve.values), Array.from(numbers.beside.values)]).toEqual([[20.5, 21], [20.5, 19]]);
   expect([numbers.curve, numbers.beside].map(({ low, high }) => [low, high])).toEqual([[19, 21], [19, 21]]);
-  // A word in one of both, and neither is a curve.
+  // One has a word as a value, so neither is a curve.
   expect([lanes[1]!.curve, lanes[1]!.beside!.curve]).toEqual([undefined, undefined]);
 });
 

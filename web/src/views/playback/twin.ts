@@ -1,27 +1,27 @@
-// Two runs side by side: which sensors, days and firings of theirs belong together, and what one has and the other lacks.
+// Two runs side by side: the corresponding sensors, days and firings, and the differences.
 
 import { dayAt, follow } from '../../localtime';
 import type { PlaybackView } from '../../wire';
 import type { Day } from './day';
 
-/** A firing that the other run has not within this of it is one that it lacks (ours). */
+/** Firings within this time correspond to each other (our choice). */
 export const ALIKE_US = 60_000_000;
 
-/** A sensor of either run, and its firings on a day, all by the first run's time. */
+/** A sensor of either run, and its firings on a day, all in the first run's time. */
 export type Pair = {
   name: string;
   kind: string;
   first: ArrayLike<number>;
   second: ArrayLike<number>;
-  /** What each of these said, by the number of the value in its run. */
+  /** The value of each firing, by its number in the run. */
   saidFirst: ArrayLike<number>;
   saidSecond: ArrayLike<number>;
-  /** Of the first what the second lacks, and the other way round. */
+  /** Firings of the first without a counterpart in the second, and the reverse. */
   onlyFirst: number[];
   onlySecond: number[];
 };
 
-/** What the second run has of a day of the first: which of its days, and how much later it is by its own time. */
+/** The second run's day that corresponds to a day of the first, and its time difference. */
 export function dayBeside(first: PlaybackView, number: number, second: PlaybackView): { number: number; later_us: number } | null {
   const day = first.days[number];
   if (day === undefined) return null;
@@ -33,7 +33,7 @@ export function dayBeside(first: PlaybackView, number: number, second: PlaybackV
   return null;
 }
 
-/** The firings of `these` to which no one of `others` is near enough; each of them stands for one only. Both are in order. */
+/** The firings of `these` without a counterpart among `others`; each counterpart counts once. Both are in order. */
 export function lacking(these: ArrayLike<number>, others: ArrayLike<number>, alike_us = ALIKE_US): number[] {
   const alone: number[] = [];
   let next = 0;
@@ -50,7 +50,7 @@ export function sensorName(view: PlaybackView, sensor: number): string {
   return view.home.sensors[sensor]?.name ?? view.sensors[sensor] ?? '';
 }
 
-/** The sensors of both runs by name, in the first's order, those that only the second has behind them; with their numbers in each. */
+/** The sensors of both runs by name, in the first's order, then those of the second only; with their numbers in each. */
 export function sensorPairs(first: PlaybackView, second: PlaybackView): { name: string; kind: string; first?: number; second?: number }[] {
   const left = new Map(second.sensors.map((_, index) => [sensorName(second, index), index]));
   const pairs = first.sensors.map((_, index) => {
@@ -72,7 +72,7 @@ export function pairsOf(first: PlaybackView, day: Day | null, second: PlaybackVi
   });
 }
 
-/** For how many seconds of a day something went on, by name. */
+/** Seconds of a day by name. */
 function lasting(day: Day | null, [begin_us, end_us]: [number, number], of: 'rooms' | 'activities', name: (number: number) => string): Map<string, number> {
   const all = new Map<string, number>();
   for (const life of day?.view.lives ?? []) {
@@ -86,7 +86,7 @@ function lasting(day: Day | null, [begin_us, end_us]: [number, number], of: 'roo
 
 export type Spent = { name: string; first: number; second: number };
 
-/** Rooms or activities and the seconds of a day in each run, what differs most first. */
+/** Rooms or activities and the seconds of a day in each run, the largest difference first. */
 export function spent(first: PlaybackView, day: Day | null, second: PlaybackView, beside: Day | null, of: 'rooms' | 'activities'): Spent[] {
   const sums = ([[first, day], [second, beside]] as const).map(([view, one]) => {
     const date = one === null ? undefined : view.days[one.number];
@@ -98,7 +98,7 @@ export function spent(first: PlaybackView, day: Day | null, second: PlaybackView
   return rows.sort((a, b) => Math.abs(b.second - b.first) - Math.abs(a.second - a.first));
 }
 
-/** How many rows more the second run has in each hour of each day of the first; null where it does not know that day. */
+/** The second run's excess of rows in each hour of each day of the first; null for a day that it lacks. */
 export function hoursMore(first: PlaybackView, second: PlaybackView): (number[] | null)[] {
   return first.hours.map((hours, number) => {
     const other = second.hours[dayBeside(first, number, second)?.number ?? -1];

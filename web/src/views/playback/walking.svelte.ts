@@ -1,23 +1,23 @@
-// A log that is opened here: it goes to the server, which walks it back through a home while everything else goes on.
+// Locating people from a log: the server does it in the background.
 
 import { type Server, keepPath, said, walkPath } from '../../server';
 import type { WalkingView } from '../../wire';
 
-/** How often is asked how far it is. */
+/** Interval of progress requests. */
 const EVERY_MS = 300;
 
-/** As much as the server takes; what is larger is not sent. */
+/** The server's limit; larger files are not sent. */
 const LARGEST_BYTES = 64 << 20;
 
 export class Walking {
   view = $state.raw<WalkingView | null>(null);
   problem = $state('');
   private asked = 0;
-  /** Whether it has been seen on its way: else it was over before anybody looked. */
+  /** It has been seen in progress: otherwise it was over before anyone looked. */
   private goes = false;
   private timer: ReturnType<typeof setTimeout> | null = null;
 
-  /** @param ondone is told the run that came of a log. */
+  /** @param ondone gets the run of the located people. */
   constructor(
     private readonly server: Pick<Server, 'json' | 'post' | 'remove'>,
     private readonly ondone: (run: string) => void,
@@ -27,18 +27,18 @@ export class Walking {
     return this.view?.state === 'coming' || this.view?.state === 'walking';
   }
 
-  /** Looks whether one is on its way already: another page may have opened it, or this one before. */
+  /** Watches a log in progress: this page or another may have opened it earlier. */
   watch(): void {
     void this.look(++this.asked);
   }
 
-  /** Nobody looks any more; the server goes on. */
+  /** Stops watching; the server continues. */
   leave(): void {
     this.asked += 1;
     if (this.timer !== null) clearTimeout(this.timer);
   }
 
-  /** Through the home of a run, or of the scenario where that is null; of no home at all it is kept as it is. */
+  /** In the home of a run, or of the scenario for null; without any home the log is only stored. */
   async open(log: File, run: string | null, ofNoHome = false): Promise<void> {
     this.problem = '';
     if (log.size > LARGEST_BYTES) {
