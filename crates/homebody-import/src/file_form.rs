@@ -2,6 +2,7 @@
 
 use crate::error::ImportError;
 
+/// Number of bytes at the beginning that decide the form (our choice).
 const LOOKED_AT: usize = 64 << 10;
 
 /// The command for a picture in a form that the command reads.

@@ -189,7 +189,7 @@ fn is_apart(home: &HomeFile, index: usize, moved: &[Point]) -> bool {
 
 /// The remark on moved pieces.
 fn moves_remark(home: &HomeFile, drawn: &[Option<At>]) -> Option<String> {
-    /// Largest number of names in it (our choice).
+    /// Largest number of names in it.
     const NAMED: usize = 6;
     let moved = home.furniture.iter().zip(drawn).filter_map(|(piece, drawn)| {
         let by_m = geometry::point((*drawn)?).distance(geometry::point(piece.at?));

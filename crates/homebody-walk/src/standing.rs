@@ -57,6 +57,7 @@ fn reaching(plan: &Plan, outline: &[Point]) -> Vec<Point> {
     /// Distances from the edge, and room for a body, in metres (our choice): an arm's length at most.
     const OFF_M: [f64; 3] = [0.32, 0.45, 0.6];
     const BODY_M: f64 = 0.23;
+    /// As a share of the side.
     const ALONG: [f64; 3] = [0.5, 0.25, 0.75];
     let spots = OFF_M.into_iter().flat_map(|off_m| {
         geometry::sides(outline).flat_map(move |(a, b)| {

@@ -46,7 +46,7 @@ const MARKS: [&[u8]; 40] = [
     "\u{0301}".as_bytes(),
 ];
 
-/// Largest length of a mutant in bytes (our choice): other tests measure readers with large files.
+/// Largest length of a mutant in bytes: other tests measure readers with large files.
 const LONGEST: usize = 2 << 20;
 
 /// Changes bytes in a few places; `other` is a source of parts.
