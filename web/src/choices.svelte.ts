@@ -1,6 +1,6 @@
 // The user's choices: colours and units. They stay in the browser.
 
-import { keep, read } from './kept';
+import { keep, read } from './browser-storage';
 import type { Units } from './units';
 
 export type Theme = 'system' | 'light' | 'dark';

@@ -11,7 +11,7 @@ const PAUSE_MS = 250;
 const LOOK_MS = 2000;
 
 /** The label of a fix, and the texts before and after it. */
-type Mended = { what: string; changed: { name: string; was: string; is: string }[] };
+type AppliedFix = { what: string; changed: { name: string; was: string; is: string }[] };
 
 export class Drafts {
   files = $state.raw<FilesView | null>(null);
@@ -24,7 +24,7 @@ export class Drafts {
   /** Files on disk that another program changed while there are drafts of them; without a version if they are deleted. */
   changed = $state.raw<FileView[]>([]);
   saving = $state(false);
-  private lastMend = $state.raw<Mended | null>(null);
+  private lastMend = $state.raw<AppliedFix | null>(null);
   /** The last existing files: they can be written back after all are deleted. */
   private whole = $state.raw<FileView[]>([]);
 
@@ -48,7 +48,7 @@ export class Drafts {
   }
 
   /** The server has restarted: unsaved texts stay. */
-  meet(server: Server, note: (text: string, bad: boolean) => void): void {
+  reconnect(server: Server, note: (text: string, bad: boolean) => void): void {
     [this.server, this.note] = [server, note];
   }
 
@@ -57,7 +57,7 @@ export class Drafts {
   }
 
   /** No file of the scenario is on disk any more; there may still be drafts. */
-  get isGone(): boolean {
+  get isDeleted(): boolean {
     const gone = new Set(this.changed.flatMap(({ name, version }) => (version === '' ? [name] : [])));
     return this.files !== null && this.files.files.every(({ name, version }) => version === '' || gone.has(name));
   }
@@ -91,7 +91,7 @@ export class Drafts {
   }
 
   /** Replaces texts by fixed ones. */
-  mend(what: string, texts: Record<string, string>): void {
+  applyFix(what: string, texts: Record<string, string>): void {
     const changed = Object.entries(texts).flatMap(([name, is]) => {
       const was = this.text(name);
       return was === undefined || was === is ? [] : [{ name, was, is }];
@@ -101,14 +101,14 @@ export class Drafts {
   }
 
   /** The last fix, until one of its texts changes. */
-  get mended(): Mended | null {
+  get lastFix(): AppliedFix | null {
     const { lastMend } = this;
     return lastMend !== null && lastMend.changed.length > 0 && lastMend.changed.every(({ name, is }) => this.text(name) === is) ? lastMend : null;
   }
 
   /** Undoes the last fix. */
-  unmend(): void {
-    for (const { name, was } of this.mended?.changed ?? []) this.write(name, was);
+  undoFix(): void {
+    for (const { name, was } of this.lastFix?.changed ?? []) this.write(name, was);
     this.lastMend = null;
   }
 
@@ -122,7 +122,7 @@ export class Drafts {
   }
 
   /** Keeps a draft although its file has changed: saving replaces the version that is known now. */
-  insist(name: string): void {
+  keepDraft(name: string): void {
     const theirs = this.changed.find((file) => file.name === name);
     if (theirs) this.take(theirs);
   }

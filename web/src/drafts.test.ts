@@ -88,7 +88,7 @@ test('what is written here and changed there is asked about before it is replace
   expect(drafts.changed.map(({ text }) => text)).toEqual(['Theirs.']);
   expect(await drafts.save()).toBe(false);
   expect(disk.files['a.routine']).toBe('Theirs.');
-  drafts.insist('a.routine');
+  drafts.keepDraft('a.routine');
   // Known versions are not requested again, but later ones are.
   await later();
   expect(drafts.changed).toEqual([]);
@@ -105,7 +105,7 @@ test('a file that has gone is let go or made again', async () => {
   await later();
   expect(drafts.changed).toEqual([{ name: 'a.routine', text: '', version: '' }]);
   expect(drafts.text('a.routine')).toBe('Mine.');
-  drafts.insist('a.routine');
+  drafts.keepDraft('a.routine');
   await later();
   expect([drafts.changed, drafts.text('a.routine')]).toEqual([[], 'Mine.']);
   expect(await drafts.save()).toBe(true);
@@ -135,7 +135,7 @@ test('a file that another program makes meanwhile is asked about before it is re
   expect(drafts.changed.map(({ text }) => text)).toEqual(['Theirs.']);
   expect(await drafts.save()).toBe(false);
   expect(disk.files['new.json']).toBe('Theirs.');
-  drafts.insist('new.json');
+  drafts.keepDraft('new.json');
   expect(await drafts.save()).toBe(true);
   expect(disk.files['new.json']).toBe('Mine.');
 });
@@ -168,27 +168,27 @@ test('what was written outlives a server that begins anew', async () => {
   drafts.write('a.routine', 'Mine.');
   const next = new Disk();
   const notes: string[] = [];
-  drafts.meet(next.server, (text) => notes.push(text));
+  drafts.reconnect(next.server, (text) => notes.push(text));
   await later();
   expect(await drafts.save()).toBe(true);
   expect([next.files['a.routine'], disk.files['a.routine'], notes]).toEqual(['Mine.', 'She reads.', []]);
 });
 
 test('a home is gone once none of its files is on the disk, also where drafts of some are here still', async () => {
-  expect(drafts.isGone).toBe(false);
+  expect(drafts.isDeleted).toBe(false);
   drafts.write('home.json', '{ "rooms": [] }');
   const { 'a.routine': routine } = disk.files;
   disk.files = { 'a.routine': routine! };
   await later();
-  expect(drafts.isGone).toBe(false);
+  expect(drafts.isDeleted).toBe(false);
   disk.files = {};
   await later();
-  expect(drafts.isGone).toBe(true);
+  expect(drafts.isDeleted).toBe(true);
   drafts.discard('home.json');
-  expect(drafts.isGone).toBe(true);
+  expect(drafts.isDeleted).toBe(true);
   disk.files = { 'a.routine': routine! };
   await later();
-  expect(drafts.isGone).toBe(false);
+  expect(drafts.isDeleted).toBe(false);
 });
 
 test('the files of a home that is gone are written back, with what was written since', async () => {
@@ -196,9 +196,9 @@ test('the files of a home that is gone are written back, with what was written s
   drafts.write('home.json', '{ "rooms": [] }');
   disk.files = {};
   await later();
-  expect([drafts.isGone, drafts.kept]).toEqual([true, Object.keys(whole).length]);
+  expect([drafts.isDeleted, drafts.kept]).toEqual([true, Object.keys(whole).length]);
   await drafts.writeBack();
   await later();
   expect(disk.files).toEqual({ ...whole, 'home.json': '{ "rooms": [] }' });
-  expect([drafts.isGone, drafts.unsaved, drafts.changed, disk.notes]).toEqual([false, [], [], []]);
+  expect([drafts.isDeleted, drafts.unsaved, drafts.changed, disk.notes]).toEqual([false, [], [], []]);
 });

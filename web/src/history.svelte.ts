@@ -23,9 +23,9 @@ export class History<State extends { text: string }> {
   /** Records the state before a change; a change with the tag of the last one that follows at once belongs to its step. */
   keep(former: State, tag = ''): void {
     const now = performance.now();
-    const goesOn = tag !== '' && tag === this.last.tag && now - this.last.at_ms < ONE_STEP_MS;
+    const continues = tag !== '' && tag === this.last.tag && now - this.last.at_ms < ONE_STEP_MS;
     this.last = { tag, at_ms: now };
-    if (goesOn) return;
+    if (continues) return;
     const past = [...this.past, former].slice(-MOST_STEPS);
     let letters = past.reduce((sum, { text }) => sum + text.length, 0);
     while (past.length > 1 && letters > MOST_LETTERS) letters -= past.shift()!.text.length;

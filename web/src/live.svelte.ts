@@ -4,7 +4,7 @@ import { Announcer } from './announce';
 import { date, time } from './clock';
 import { Drafts } from './drafts.svelte';
 import { Firings } from './firings';
-import { Lived } from './lived';
+import { RunHistory } from './run-history';
 import { clockOf } from './localtime';
 import { Throttle } from './plan/glow';
 import { Server } from './server';
@@ -29,12 +29,12 @@ export class Live {
   /** Grows when `firings` has changed. */
   heard = $state(0);
   /** The reason why a run could not start, and the problems of the scenario; until a run starts or the user closes the message. */
-  unbegun = $state.raw<{ why: string; problems: ProblemView[] } | null>(null);
+  startFailure = $state.raw<{ why: string; problems: ProblemView[] } | null>(null);
   /** The last run that was stored in a folder and has ended. */
   stored = $state<string | null>(null);
 
   readonly firings = new Firings();
-  readonly lived = new Lived();
+  readonly lived = new RunHistory();
   readonly server: Server;
   readonly drafts: Drafts;
   latest: Frame | null = null;
@@ -54,7 +54,7 @@ export class Live {
   constructor(token: string, onWrongToken: () => void, make?: () => Wire, drafts?: Drafts, api = '/api') {
     this.server = new Server(token, onWrongToken, undefined, api);
     const note = (text: string, bad: boolean) => this.note(text, bad);
-    drafts?.meet(this.server, note);
+    drafts?.reconnect(this.server, note);
     this.drafts = drafts ?? new Drafts(this.server, note);
     this.socket = new Socket(
       token,
@@ -76,7 +76,7 @@ export class Live {
   }
 
   /** The folder of the present run, which is not complete yet. */
-  get goesOn(): string | null {
+  get ongoing(): string | null {
     return this.run === null || this.run.replay || this.frame?.state === 'over' ? null : this.run.id;
   }
 
@@ -147,7 +147,7 @@ export class Live {
     if (tell.tell === 'unbegun') {
       this.begun?.(false);
       this.begun = null;
-      this.unbegun = { why: tell.why, problems: tell.problems };
+      this.startFailure = { why: tell.why, problems: tell.problems };
       return;
     }
     if (tell.tell === 'note') {
@@ -156,7 +156,7 @@ export class Live {
     }
     this.tellOfEnd(tell.run);
     this.run = tell.run;
-    this.unbegun = null;
+    this.startFailure = null;
     this.frame = null;
     this.latest = null;
     this.firings.clear(tell.run.home.sensors.length);

@@ -1,14 +1,14 @@
 import { expect, test } from 'vitest';
 import { activityKind } from './charts/kinds-of-activities';
-import { KEPT_US, Lived } from './lived';
+import { KEPT_US, RunHistory } from './run-history';
 import { firing, frame } from './testing/frames';
 import { madeUpHome } from './testing/home';
 import type { BodyView } from './wire';
 
 const body = (activity: string, room: number | null): BodyView => ({ at: [0, 0], heading_deg: 0, posture: 'standing', room, activity });
 
-function lived(): Lived {
-  const made = new Lived();
+function lived(): RunHistory {
+  const made = new RunHistory();
   made.clear({ home: madeUpHome(3), residents: [{ name: 'Agnes', radius_m: 0.2 }] });
   return made;
 }
@@ -26,7 +26,7 @@ test('firings and what people did are kept as they come', () => {
 });
 
 test('who is out of the home is so for as long as they are; what visitors do elsewhere is not told', () => {
-  const all = new Lived();
+  const all = new RunHistory();
   all.clear({ home: madeUpHome(3), residents: ['Agnes', "Agnes's nurse"].map((name) => ({ name, radius_m: 0.2 })) });
   for (const now_us of [0, 10, 20]) all.take(frame({ now_us, bodies: [null, null] }));
   all.take(frame({ now_us: 30, bodies: [body('coming_home', 1), body('visiting', 1)] }));

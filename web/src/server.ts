@@ -2,7 +2,7 @@
 // gives all rights of the page.
 
 import { decode } from '@msgpack/msgpack';
-import { type Keeper, keep, read } from './kept';
+import { type Keeper, keep, read } from './browser-storage';
 import type { RefusedView } from './wire';
 
 const TOKEN = 'homebody-token';

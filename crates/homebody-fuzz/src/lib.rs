@@ -3,8 +3,6 @@
 //! `tests/targets.rs` runs them. proptest draws, repeats and shrinks the cases, and runs them in a child process, which
 //! a case may hang or kill. The crate checks properties of homes and logs, not their content.
 
-#![warn(missing_docs)]
-
 pub mod case;
 pub mod target;
 pub mod targets;

@@ -4,8 +4,6 @@
 //! omissions and guesses. Files are not trusted: all sizes have bounds, and no file makes this crate panic. It does not
 //! know files on disk, nor the residents of a home. Reading order:
 
-#![warn(missing_docs)]
-
 pub mod error;
 
 // From bytes to a drawing: the archive or another form, its XML, its content, one of its levels.

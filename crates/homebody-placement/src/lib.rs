@@ -3,8 +3,6 @@
 //! People with and without health conditions are simulated in the home with every candidate sensor. Each layout of
 //! sensors is scored by its log alone. This crate reads and writes no files.
 
-#![warn(missing_docs)]
-
 pub mod adequacy;
 pub mod catalogue;
 pub mod people;

@@ -471,7 +471,7 @@ mod tests {
     #[test]
     fn places_named_after_a_resident_are_their_own() {
         let all = ["Henry's bed", "Ruth's bed", "armchair"];
-        let name = |resident, role| places(&all, resident).of(role).unwrap().name.clone();
+        let name = |resident, role| places(&all, resident).for_role(role).unwrap().name.clone();
         assert_eq!(name("henry", Role::Bed), "henry's bed");
         assert_eq!(name("Ruth", Role::Bed), "ruth's bed");
         assert_eq!(name("anna", Role::Bed), "armchair");

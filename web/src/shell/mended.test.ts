@@ -1,12 +1,12 @@
 import { expect, test } from 'vitest';
 import type { FilesView, FixView, ProblemView } from '../wire';
-import { mendOf, wayTo } from './mended';
+import { fixOf, linkTo } from './fixes';
 
 const files: FilesView = { entry: 'scenario.json', home: 'home.json', logger: 'logger.json', lives: [{ name: 'ann / b', routine: 'ann.routine' }], files: [] };
 const problem = (file: string, line: number): ProblemView => ({ file, line, column: 1, width: 1, what: '', hint: null });
 
 test('what is wrong leads to where it is mended', () => {
-  const at = (of: ProblemView, more: Partial<Parameters<typeof wayTo>[1]> = {}) => wayTo(of, { files, check: null, text: () => '', ...more });
+  const at = (of: ProblemView, more: Partial<Parameters<typeof linkTo>[1]> = {}) => linkTo(of, { files, check: null, text: () => '', ...more });
   expect(at(problem('home.json', 12))).toEqual({ word: 'Plan', href: '#/plan/line%2012' });
   expect(at(problem('home.json', 0))!.href).toBe('#/plan');
   expect(at(problem('logger.json', 5))!.href).toBe('#/log');
@@ -26,7 +26,7 @@ test('what is wrong leads to where it is mended', () => {
 
 const home = '{\n  "furniture": [\n    { "name": "table", "at": [1, 1] }\n  ],\n  "sensors": [\n    { "kind": "contact", "on": "dor \\"1\\"", "nam": "x" }\n  ]\n}\n';
 const texts: Record<string, string> = { 'home.json': home, 'ann.routine': 'Ann is 80.\nShe 😀 wtches television at 8.\n' };
-const mend = (of: Partial<ProblemView>) => mendOf({ ...problem('home.json', 1), ...of }, { files, check: null, text: (name) => texts[name] });
+const mend = (of: Partial<ProblemView>) => fixOf({ ...problem('home.json', 1), ...of }, { files, check: null, text: (name) => texts[name] });
 const meant = (name: string): FixView => ({ kind: 'replace', with: name });
 
 test('a name that is nearly one is written as it was meant, in files of JSON and in sentences', () => {

@@ -6,7 +6,7 @@ use super::interpretation::{Interpretation, LogRoom, SensorAim, interpret};
 use super::measured_rooms::rectangles;
 use super::pieces::{NeededPiece, pieces};
 use super::placement::{Placement, PlacementSite, placed};
-use super::sensors::{Furnished, hung, make};
+use super::sensors::{Furnished, make, place_sensors};
 use super::shape::{Rect, rounded};
 use super::{LogSensor, LogWay};
 use crate::error::ImportError;
@@ -283,7 +283,7 @@ fn measured(
     for (sensor, &(room, _)) in sensors.iter().zip(&interpretation.sensors) {
         places[room].extend(sensor.at);
     }
-    let mut rects = parted(&places);
+    let mut rects = rectangles(&places);
     let largest = |rects: &[Option<Rect>]| {
         let area = |rect: &Rect| rect.size().x * rect.size().y;
         (0..rects.len()).filter(|&room| rects[room].is_some()).max_by(|&a, &b| {

@@ -290,7 +290,7 @@ impl RoutineDriver {
         }
     }
 
-    /// A place beside the door, for a host who blocks the doorway.
+    /// A place next to the door, for a host who blocks the doorway.
     fn beside_the_door(&self) -> Option<HomePlace> {
         /// Distance from it, in metres (our choice).
         const ASIDE_M: f64 = 0.8;

@@ -1,6 +1,6 @@
 //! Falls: those of the routine, and those caused from outside.
 //!
-//! As stated, a fall follows walking, rising, sitting or lying, and ends there or beside the seat or bed; one who sinks
+//! As stated, a fall follows walking, rising, sitting or lying, and ends there or next to the seat or bed; one who sinks
 //! down goes through the knees. Then the resident lies for a while, until found, or until they have crawled to the
 //! telephone.
 //!
@@ -130,7 +130,7 @@ impl RoutineDriver {
         stations.get((setting.stream.unit() * stations.len() as f64) as usize).map(|one| one.spot.clone())
     }
 
-    /// A point to stand beside a seat or a bed.
+    /// A point to stand next to a seat or a bed.
     fn beside(&self, spot: &HomePlace) -> Option<HomePlace> {
         let at = self.body.mesh().approach(spot.at)?;
         Some(HomePlace::to_stand(at, self.home.plan.room_at(at)?))

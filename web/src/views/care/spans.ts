@@ -10,7 +10,7 @@ export interface Span {
   to: string;
 }
 
-export interface Beside {
+export interface MeasureComparison {
   measure: string;
   title: string;
   is_guess: boolean;
@@ -46,7 +46,7 @@ export function usualSpans(care: Pick<CareView, 'days' | 'day'>): [Span, Span] |
   return [{ from: middle, to: last }, { from: shifted(middle, -length), to: before < first ? first : before }];
 }
 
-export function beside(care: Pick<CareView, 'charts'>, first: Span, second: Span): Beside[] {
+export function compared(care: Pick<CareView, 'charts'>, first: Span, second: Span): MeasureComparison[] {
   return care.charts.map((chart) => {
     const [one, other] = [sideOf(chart, first), sideOf(chart, second)];
     const { words, is_more } = difference(chart, one, other);
@@ -60,7 +60,7 @@ function sideOf(chart: ChartView, { from, to }: Span): Side {
   return { values, mean, words: mean === null ? 'no data' : said(chart.unit, mean) };
 }
 
-function difference(chart: ChartView, one: Side, other: Side): Pick<Beside, 'words' | 'is_more'> {
+function difference(chart: ChartView, one: Side, other: Side): Pick<MeasureComparison, 'words' | 'is_more'> {
   if (one.mean === null || other.mean === null || Math.min(one.values.length, other.values.length) < LEAST_DAYS) {
     return { words: 'too few days', is_more: null };
   }

@@ -50,7 +50,7 @@ async function settle() {
   }
 }
 
-async function begin(hash = '#/care', goesOn: string | null = null) {
+async function begin(hash = '#/care', ongoing: string | null = null) {
   window.location.hash = hash;
   const fetch = async (path: string, init: RequestInit) => {
     if (init.method === 'POST') {
@@ -66,7 +66,7 @@ async function begin(hash = '#/care', goesOn: string | null = null) {
     return path in answers ? Response.json(answers[path]) : new Response('There is no such run.', { status: 404 });
   };
   const server = new Server('token', () => {}, fetch);
-  view = mount(CarePage, { target: document.body, props: { live: { server, goesOn } as Live } });
+  view = mount(CarePage, { target: document.body, props: { live: { server, ongoing } as Live } });
   await settle();
 }
 

@@ -7,7 +7,7 @@ import { type Diagnostic, forEachDiagnostic, lintKeymap, setDiagnostics } from '
 import { Annotation, EditorState, type Extension, type Range, StateEffect, StateField, type Text } from '@codemirror/state';
 import { Decoration, type DecorationSet, EditorView, ViewPlugin, type ViewUpdate, highlightActiveLine, highlightActiveLineGutter, highlightSpecialChars, keymap, lineNumbers } from '@codemirror/view';
 import type { ProblemView, WordView } from '../../wire';
-import { instead, offers } from './complete';
+import { replacements, offers } from './completions';
 import { placeOf } from './marks';
 import { look } from './look';
 import { MOST_ROWS } from './rows';
@@ -184,7 +184,7 @@ export class RoutineEditor {
     const options = found.map(({ word, from }) => option(word, line.from + from, pos));
     const wrong = explicit ? this.underlined(state, pos) : null;
     if (wrong !== null && (pos < wrong.to || options.length === 0)) {
-      const words = instead(state.sliceDoc(wrong.from, wrong.to), line.text.slice(0, wrong.from - line.from), this.host.words(), this.host.names());
+      const words = replacements(state.sliceDoc(wrong.from, wrong.to), line.text.slice(0, wrong.from - line.from), this.host.words(), this.host.names());
       if (words.length > 0) return { from: pos, options: words.map((word) => option(word, wrong.from, wrong.to)), filter: false };
     }
     return options.length === 0 ? null : { from: pos, options, filter: false };

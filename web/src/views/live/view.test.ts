@@ -63,12 +63,12 @@ test('what is recorded is known to go on until it is over, and a replay records 
   const folder = live.run!.id;
   expect(folder).not.toBeNull();
   show({ state: 'paused' });
-  expect(live.goesOn).toBe(folder);
+  expect(live.ongoing).toBe(folder);
   show({ state: 'over' });
-  expect(live.goesOn).toBeNull();
+  expect(live.ongoing).toBeNull();
   wire.onmessage!({ data: JSON.stringify({ tell: 'run', run: { ...live.run, replay: true } }) });
   show({});
-  expect(live.goesOn).toBeNull();
+  expect(live.ongoing).toBeNull();
 });
 
 test('keys walk after any button of the panel, and not while something is written or chosen', () => {

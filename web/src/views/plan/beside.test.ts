@@ -7,7 +7,7 @@ import { FakeFiles } from '../../testing/files';
 import { FLAT } from '../../testing/flat';
 import { madeUpHome } from '../../testing/home';
 import type { CoverageView, Layouts as Asked, LayoutsView } from '../../wire';
-import Beside from './Beside.svelte';
+import LayoutComparison from './LayoutComparison.svelte';
 import { Editor } from './editor.svelte';
 import { Layouts, sensorsOf } from './layouts.svelte';
 
@@ -37,7 +37,7 @@ beforeEach(async () => {
   await vi.advanceTimersByTimeAsync(10);
   editor = new Editor(drafts);
   editor.notice();
-  view = mount(Beside, { target: document.body, props: { editor, server, layouts: new Layouts() } });
+  view = mount(LayoutComparison, { target: document.body, props: { editor, server, layouts: new Layouts() } });
 });
 
 afterEach(async () => {

@@ -1,6 +1,6 @@
 // Aids for drawing on the plan: the grid and dimension lines. The browser stores the choice.
 
-import { keep, read } from '../../kept';
+import { keep, read } from '../../browser-storage';
 
 type Mark = 'grid' | 'sizes';
 

@@ -1,8 +1,8 @@
 // A day of a stored run, prepared for drawing: its rows by sensor, and its quiet intervals.
 
 import type { DayView, LifeView, PlaybackView } from '../../wire';
-import { above } from './above';
-import { type Doubt, doubtOf } from './doubt';
+import { above } from './sorted-search';
+import { type Uncertainty, uncertaintyOf } from './uncertainty';
 
 /** Shorter quiet intervals are not skipped. */
 export const STILL_US = 60_000_000;
@@ -20,7 +20,7 @@ export type Day = {
   quiet: Span[];
   still: Span[];
   /** By resident; empty without located people. */
-  doubts: Doubt[];
+  doubts: Uncertainty[];
 };
 
 /** Messages after an event in front of the sensor. */
@@ -47,7 +47,7 @@ export function prepare(run: PlaybackView, number: number, view: DayView): Day {
     said: said.map((all) => Uint32Array.from(all)),
     quiet: gaps(rows, begin_us, end_us),
     still: gaps([...rows, ...strides].sort((a, b) => a[0] - b[0]), begin_us, end_us),
-    doubts: run.walk === null ? [] : view.lives.map((life) => doubtOf(run, life)),
+    doubts: run.walk === null ? [] : view.lives.map((life) => uncertaintyOf(run, life)),
   };
 }
 

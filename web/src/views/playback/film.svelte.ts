@@ -5,7 +5,7 @@ import type { Look } from '../../cameras/silhouette';
 import type { At } from '../../plan/geometry';
 import { type Server, filmPath, said } from '../../server';
 import type { FilmView, MomentView, PersonView, PlaybackView } from '../../wire';
-import { above } from './above';
+import { above } from './sorted-search';
 
 /** Length of a part, in the run's time. */
 const PART_US = 10e6;

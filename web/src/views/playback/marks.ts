@@ -1,6 +1,6 @@
 // The user's marks in a run; the browser stores them, and the server does not get them.
 
-import { keep, read } from '../../kept';
+import { keep, read } from '../../browser-storage';
 
 const storage = () => window.localStorage;
 const nameOf = (run: string) => `homebody-marks/${run}`;

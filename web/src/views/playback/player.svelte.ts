@@ -5,11 +5,11 @@ import { Refused, type Server } from '../../server';
 import type { StoredView } from '../../wire';
 import { read } from '../../clock';
 import { dayAt, follow, instantOf } from '../../localtime';
-import { calledOf } from './called';
+import { runName } from './run-names';
 import { MOST_DAYS, type Other, Stored } from './stored';
 import { keepMarks, marksOf } from './marks';
 import { Ticker } from './ticker';
-import { dayBeside } from './twin';
+import { correspondingDay } from './comparison';
 
 /** Text changes at most this often, so that it can be read. */
 const TEXT_MS = 100;
@@ -144,14 +144,14 @@ export class Player {
   /** The name of a run next to another one. */
   called({ view }: Stored): string {
     const listed = this.list?.find(({ name }) => name === view.name);
-    return listed === undefined ? view.name : calledOf(listed);
+    return listed === undefined ? view.name : runName(listed);
   }
 
   /** The second run's day that corresponds to a day of the first; it may not have arrived. */
   besideOn(number: number): Other | null {
     if (this.first === null || this.second === null) return null;
     const { view } = this.second;
-    const beside = dayBeside(this.first.view, number, view);
+    const beside = correspondingDay(this.first.view, number, view);
     return { view, day: beside === null ? null : this.second.at(view.days[beside.number]!.begin_us), later_us: beside?.later_us ?? 0 };
   }
 
@@ -174,7 +174,7 @@ export class Player {
     }
     for (const number of numbers) {
       if (first.known(number) === null) await this.fetch(first, number, false);
-      const beside = second === null ? null : dayBeside(first.view, number, second.view);
+      const beside = second === null ? null : correspondingDay(first.view, number, second.view);
       if (second !== null && beside !== null && second.known(beside.number) === null) await this.fetch(second, beside.number, false);
     }
   }

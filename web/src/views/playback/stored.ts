@@ -8,8 +8,8 @@ import { dayAt } from '../../localtime';
 import { type Server, lanesPath, readingPath, restPath, storedPath } from '../../server';
 import type { DayView, LanesView, PlaybackView, ReadingView } from '../../wire';
 import { type Day, prepare } from './day';
-import { OUT, placeName, spansIn } from './doubt';
-import { type Pair, dayBeside, pairsOf, sensorName, sensorPairs } from './twin';
+import { OUT, placeName, spansIn } from './uncertainty';
+import { type Pair, correspondingDay, pairsOf, sensorName, sensorPairs } from './comparison';
 
 /** Number of days that are kept; the least recently used go first. */
 const KEPT = 12;
@@ -199,7 +199,7 @@ export function wholeOf({ view, whole }: Whole, truth: boolean, other: Whole | n
     const lanes = view.sensors.map((_, sensor) => ({ ...laneOf(view, sensor, []), ...(whole === null ? {} : { density: countsFor(whole, sensor) }) }));
     return { bands: longBands(view, truth, view.spans), lanes };
   }
-  const days = view.days.map((_, number) => dayBeside(view, number, other.view));
+  const days = view.days.map((_, number) => correspondingDay(view, number, other.view));
   const beside = longBands(other.view, truth, spansBeside(other.view, days));
   return { bands: besideEachOther(longBands(view, truth, view.spans), beside), lanes: pairedCounts({ view, whole }, other, days) };
 }
@@ -294,7 +294,7 @@ function pairedLanes(view: PlaybackView, days: readonly (Day | null)[], others: 
 }
 
 /** By day of the first run, the corresponding day of the other. */
-type DaysBeside = readonly ReturnType<typeof dayBeside>[];
+type DaysBeside = readonly ReturnType<typeof correspondingDay>[];
 
 /** The other run's longest activities in the first one's time, on days that the first has. */
 function spansBeside(other: PlaybackView, days: DaysBeside): PlaybackView['spans'] {

@@ -4,11 +4,11 @@ import { laneAt } from '../../timeline/read';
 import { tableOf } from '../../timeline/table';
 import { date, daysFrom } from '../../testing/dates';
 import { storedDay, storedRun } from '../../testing/stored';
-import { calledOf } from './called';
+import { runName } from './run-names';
 import { prepare } from './day';
 import { heatMore, heatOf } from './heat';
 import { drawingOf, wholeOf } from './stored';
-import { dayBeside, hoursMore, lacking, pairsOf, spent } from './twin';
+import { correspondingDay, hoursMore, withoutCounterpart, pairsOf, spent } from './comparison';
 
 const HOUR = 3_600_000_000;
 const DAY = 24 * HOUR;
@@ -26,10 +26,10 @@ const other = (() => {
 })();
 
 test('a firing stands for one of the other run that is near; what has none is lacking there', () => {
-  expect(lacking([10, 20, 30], [11, 31], 2)).toEqual([20]);
-  expect(lacking([10, 11], [10], 2)).toEqual([11]);
-  expect(lacking([5], [8], 2)).toEqual([5]);
-  expect(lacking([], [8], 2)).toEqual([]);
+  expect(withoutCounterpart([10, 20, 30], [11, 31], 2)).toEqual([20]);
+  expect(withoutCounterpart([10, 11], [10], 2)).toEqual([11]);
+  expect(withoutCounterpart([5], [8], 2)).toEqual([5]);
+  expect(withoutCounterpart([], [8], 2)).toEqual([]);
 });
 
 test('what one run has and the other lacks is told by sensor; the same run twice lacks nothing', () => {
@@ -50,8 +50,8 @@ test('a sensor that only the second run has is a lane of its own, and what is no
 
 test('lanes and bands of both runs are by the first one’s time', () => {
   const late = storedRun('late', 3, { days: [date('2009-03-01', 0), date('2009-03-02', DAY), date('2009-03-03', 2 * DAY)] });
-  expect(dayBeside(one, 0, late)).toEqual({ number: 1, later_us: DAY });
-  expect(dayBeside(one, 2, late)).toBeNull();
+  expect(correspondingDay(one, 0, late)).toEqual({ number: 1, later_us: DAY });
+  expect(correspondingDay(one, 2, late)).toBeNull();
   const there = prepare(late, 1, storedDay(late, 1));
   const drawing = drawingOf(one, { from_us: 0, to_us: DAY }, [day], true, { others: [{ view: late, day: there, later_us: DAY }] });
   expect(drawing.bands).toHaveLength(4);
@@ -112,9 +112,9 @@ test('numbers of both runs are curves between the lowest and the highest of both
 
 test('twins are called by what they were lived without, behind the name that somebody gave them', () => {
   const run = { name: 'flat-2', about: { title: '', note: '' }, without: ['low_mood', 'insomnia'] };
-  expect(calledOf({ ...run, without: [] })).toBe('flat-2');
-  expect(calledOf(run)).toBe('flat-2 without low mood, insomnia');
-  expect(calledOf({ ...run, about: { title: 'the well one', note: '' } })).toBe('the well one (flat-2) without low mood, insomnia');
+  expect(runName({ ...run, without: [] })).toBe('flat-2');
+  expect(runName(run)).toBe('flat-2 without low mood, insomnia');
+  expect(runName({ ...run, about: { title: 'the well one', note: '' } })).toBe('the well one (flat-2) without low mood, insomnia');
 });
 
 test('time in rooms and hours of the log differ by what the second has more', () => {

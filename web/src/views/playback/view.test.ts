@@ -16,9 +16,9 @@ async function settle(): Promise<void> {
   flushSync();
 }
 
-async function begin(names = ['cottage-2', 'cottage-1'], make: (name: string) => PlaybackView = storedRun, listed: Record<string, Partial<StoredView>> = {}, goesOn: string | null = null): Promise<void> {
+async function begin(names = ['cottage-2', 'cottage-1'], make: (name: string) => PlaybackView = storedRun, listed: Record<string, Partial<StoredView>> = {}, ongoing: string | null = null): Promise<void> {
   const server = new Server('token', () => {}, fakeRuns(names, make, listed));
-  view = mount(PlaybackPage, { target: document.body, props: { live: { server, goesOn } as Live } });
+  view = mount(PlaybackPage, { target: document.body, props: { live: { server, ongoing } as Live } });
   for (let turn = 0; turn < 10; turn++) await settle();
 }
 

@@ -8,7 +8,7 @@ const INSETS = { left: 58, top: 48, right: 60, bottom: 84 };
 /** Points nearer to the edge are moved to the middle when they are shown. */
 const EDGE = 50;
 
-export class Camera {
+export class Viewport {
   view = $state.raw<View>({ scale: 50, x: 0, y: 0 });
   size = $state.raw<Size>({ width: 0, height: 0 });
   private fitted = true;

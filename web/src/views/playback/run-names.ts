@@ -4,7 +4,7 @@ import { spoken } from '../../plan/words';
 import type { StoredView } from '../../wire';
 
 /** A run's own name, after its description, and the conditions that it was simulated without. */
-export function calledOf({ name, about, without }: Pick<StoredView, 'name' | 'about' | 'without'>): string {
+export function runName({ name, about, without }: Pick<StoredView, 'name' | 'about' | 'without'>): string {
   const own = about.title !== '' ? `${about.title.slice(0, 60)} (${name.slice(0, 40)})` : name.slice(0, 60);
   return [own, withoutOf({ without })].filter(Boolean).join(' ');
 }
@@ -15,12 +15,12 @@ export function withoutOf({ without }: Pick<StoredView, 'without'>): string {
 }
 
 /** The length of a run; unknown while it continues. */
-export function lengthOf({ name, days }: Pick<StoredView, 'name' | 'days'>, goesOn: string | null): string {
-  if (name === goesOn) return 'running';
+export function lengthOf({ name, days }: Pick<StoredView, 'name' | 'days'>, ongoing: string | null): string {
+  if (name === ongoing) return 'running';
   return days === 1 ? '1 day' : `${days} days`;
 }
 
 /** The start and length of a run. */
-export function spanOf(run: Pick<StoredView, 'name' | 'start' | 'days'>, goesOn: string | null): string {
-  return `${run.start.slice(0, 10)}, ${lengthOf(run, goesOn)}`;
+export function spanOf(run: Pick<StoredView, 'name' | 'start' | 'days'>, ongoing: string | null): string {
+  return `${run.start.slice(0, 10)}, ${lengthOf(run, ongoing)}`;
 }

@@ -29,7 +29,7 @@ export function isReached(element: Element): boolean {
 }
 
 /** The cut names in the focused element, or, below the pointer, those that no tooltip shows in full. */
-export function wholesOf(target: Element, by: 'keys' | 'pointer'): string[] {
+export function fullNamesOf(target: Element, by: 'keys' | 'pointer'): string[] {
   const within = target.closest('.name') ? [target.closest('.name')!] : [...target.querySelectorAll('.name')];
   return within.filter((element) => names.has(element) && (by === 'keys' ? isCut : isLong)(element)).map((element) => names.get(element)!);
 }

@@ -16,7 +16,7 @@ const SEEN_US = 600e6;
 
 type Span = [begin: number, end: number, what: number];
 
-export class Lived {
+export class RunHistory {
   /** By sensor, in order: its firings, and their values. */
   fired: number[][] = [];
   said: string[][] = [];
@@ -65,8 +65,8 @@ export class Lived {
     if (now_us - this.now_us > SEEN_US) add(this.unseen, { from_us: Math.max(this.now_us, 0), to_us: now_us, missing: 0 });
     frame.bodies.forEach((body, who) => {
       const activity = this.doing(who, body);
-      this.goOn(this.activities[who], activity === '' ? null : this.nameOf(activity), now_us);
-      this.goOn(this.rooms[who], body?.room ?? null, now_us);
+      this.extend(this.activities[who], activity === '' ? null : this.nameOf(activity), now_us);
+      this.extend(this.rooms[who], body?.room ?? null, now_us);
     });
     this.now_us = now_us;
     this.from_us = Math.max(this.from_us, now_us - KEPT_US);
@@ -85,14 +85,14 @@ export class Lived {
   }
 
   /** Extends the last value until now, if the last frame is recent. */
-  private goOn(spans: Span[] | undefined, what: number | null, now_us: number): void {
+  private extend(spans: Span[] | undefined, what: number | null, now_us: number): void {
     if (spans === undefined) return;
     const last = spans.at(-1);
-    const goes_on = last !== undefined && last[1] === this.now_us && now_us - this.now_us <= SEEN_US;
-    if (goes_on) last[1] = now_us;
-    if (what !== null && (!goes_on || last[2] !== what)) spans.push([now_us, now_us, what]);
+    const continues = last !== undefined && last[1] === this.now_us && now_us - this.now_us <= SEEN_US;
+    if (continues) last[1] = now_us;
+    if (what !== null && (!continues || last[2] !== what)) spans.push([now_us, now_us, what]);
     // An interval that ends with this frame ended before the next.
-    if (goes_on && what === null) last[1] = now_us - 1;
+    if (continues && what === null) last[1] = now_us - 1;
   }
 
   /** Firings that the server counts and has not sent happened before the first that it sends. */

@@ -9,7 +9,7 @@ export type Of = Pick<AlertView, 'day' | 'rule'>;
 /** The server's answer if another page has changed the notes meanwhile. */
 const CHANGED = 409;
 
-export class Noted {
+export class Notes {
   notes = $state.raw<readonly NoteView[]>([]);
   problem = $state('');
   /** Grows when the notes of a run arrive. */

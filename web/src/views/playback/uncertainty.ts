@@ -5,7 +5,7 @@ import { type Pen, trace } from '../../plan/pen';
 import { colourOf } from '../../plan/moving';
 import type { View } from '../../plan/transform';
 import type { HomeView, LifeView, PlaybackView } from '../../wire';
-import { above } from './above';
+import { above } from './sorted-search';
 
 export const OUT = -1;
 export const BETWEEN = -2;
@@ -17,9 +17,9 @@ const TOLD = 0.05;
 const STRONGEST = 0.45;
 
 /** By instant of a change: the probability of each place, from -2 on. They sum to 1. */
-export type Doubt = { at: Float64Array; chances: Float32Array[] };
+export type Uncertainty = { at: Float64Array; chances: Float32Array[] };
 
-export function doubtOf(run: PlaybackView, life: LifeView): Doubt {
+export function uncertaintyOf(run: PlaybackView, life: LifeView): Uncertainty {
   const at: number[] = [];
   const chances: Float32Array[] = [];
   let now = new Float32Array(run.home.rooms.length + 2);
@@ -37,7 +37,7 @@ export function doubtOf(run: PlaybackView, life: LifeView): Doubt {
 }
 
 /** The probabilities at an instant; null before the first. */
-export function chancesAt(doubt: Doubt | undefined, at_us: number): Float32Array | null {
+export function chancesAt(doubt: Uncertainty | undefined, at_us: number): Float32Array | null {
   return doubt?.chances[above(doubt.at, at_us, (at) => at) - 1] ?? null;
 }
 
@@ -66,7 +66,7 @@ export function percent(chance: number): string {
 }
 
 /** The intervals of a likely place, with the probability. */
-export function spansIn(doubt: Doubt, place: number, end_us: number): Chance[] {
+export function spansIn(doubt: Uncertainty, place: number, end_us: number): Chance[] {
   return doubt.chances.flatMap((chances, index): Chance[] => {
     const chance = chanceOf(chances, place);
     return chance < TOLD ? [] : [[doubt.at[index]!, doubt.at[index + 1] ?? end_us, chance]];
@@ -74,7 +74,7 @@ export function spansIn(doubt: Doubt, place: number, end_us: number): Chance[] {
 }
 
 /** Rooms in the colour of the people who may be there, by probability. */
-export function drawDoubt(pen: Pen, view: View, home: HomeView, of: (Float32Array | null)[]): void {
+export function drawUncertainty(pen: Pen, view: View, home: HomeView, of: (Float32Array | null)[]): void {
   of.forEach((chances, resident) => {
     if (chances === null) return;
     home.rooms.forEach((room, index) => {

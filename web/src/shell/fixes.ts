@@ -4,12 +4,12 @@ import { apply, insert, isObject, valueOf } from '../json';
 import { offsetOf, unitsAfter } from '../places';
 import { hashOf } from '../routes';
 import type { CheckView, FilesView, ProblemView } from '../wire';
-import { quoted } from './thing';
+import { quoted } from './problem-place';
 
-export type Way = { word: string; href: string };
+export type ViewLink = { word: string; href: string };
 
 /** A problem's fix as a button. */
-export type Mend = {
+export type FixButton = {
   /** The label of the button. */
   what: string;
   /** The hint without the fix. */
@@ -28,7 +28,7 @@ const MOST_TOLD = 100;
 const LITERAL = /"(?:[^"\\]|\\.)*"/y;
 
 /** The button for a problem's fix; null without a fix, or if the page lacks the file or the place that it changes. */
-export function mendOf(problem: ProblemView, texts: Texts): Mend | null {
+export function fixOf(problem: ProblemView, texts: Texts): FixButton | null {
   const { fix } = problem;
   if (fix === undefined) return null;
   const hint = problem.hint ?? '';
@@ -67,7 +67,7 @@ function enterable(home: string, name: string): string {
 }
 
 /** The view of a problem's file; null for a file without a view. */
-export function wayTo({ file, line }: ProblemView, texts: Texts): Way | null {
+export function linkTo({ file, line }: ProblemView, texts: Texts): ViewLink | null {
   const { files } = texts;
   if (files === null) return null;
   const told = texts.check?.problems.filter((other) => other.file === file && other.line > 0).length ?? 0;

@@ -9,7 +9,7 @@ const EVERY_MS = 300;
 /** The server's limit; larger files are not sent. */
 const LARGEST_BYTES = 64 << 20;
 
-export class Walking {
+export class Locating {
   view = $state.raw<WalkingView | null>(null);
   problem = $state('');
   private asked = 0;
@@ -23,7 +23,7 @@ export class Walking {
     private readonly ondone: (run: string) => void,
   ) {}
 
-  get isGoingOn(): boolean {
+  get isRunning(): boolean {
     return this.view?.state === 'coming' || this.view?.state === 'walking';
   }
 
@@ -80,7 +80,7 @@ export class Walking {
     if (asked !== this.asked) return;
     const went = this.goes;
     this.view = view;
-    this.goes = this.isGoingOn;
+    this.goes = this.isRunning;
     if (this.goes) this.timer = setTimeout(() => void this.look(asked), EVERY_MS);
     else if (went && view !== null) {
       if (view.state === 'failed') this.problem = `Cannot open ${view.log}: ${view.problem ?? ''}`;

@@ -22,7 +22,7 @@ export type Pair = {
 };
 
 /** The second run's day that corresponds to a day of the first, and its time difference. */
-export function dayBeside(first: PlaybackView, number: number, second: PlaybackView): { number: number; later_us: number } | null {
+export function correspondingDay(first: PlaybackView, number: number, second: PlaybackView): { number: number; later_us: number } | null {
   const day = first.days[number];
   if (day === undefined) return null;
   const middle = day.begin_us + (day.end_us - day.begin_us) / 2;
@@ -34,7 +34,7 @@ export function dayBeside(first: PlaybackView, number: number, second: PlaybackV
 }
 
 /** The firings of `these` without a counterpart among `others`; each counterpart counts once. Both are in order. */
-export function lacking(these: ArrayLike<number>, others: ArrayLike<number>, alike_us = ALIKE_US): number[] {
+export function withoutCounterpart(these: ArrayLike<number>, others: ArrayLike<number>, alike_us = ALIKE_US): number[] {
   const alone: number[] = [];
   let next = 0;
   for (let index = 0; index < these.length; index++) {
@@ -68,7 +68,7 @@ export function pairsOf(first: PlaybackView, day: Day | null, second: PlaybackVi
   const both = day !== null && beside !== null;
   return sensorPairs(first, second).map(({ name, kind, first: own, second: other }) => {
     const [a, b] = [own === undefined ? [] : (day?.fired[own] ?? []), moved(other)];
-    return { name, kind, first: a, second: b, saidFirst: (own === undefined ? undefined : day?.said[own]) ?? [], saidSecond: (other === undefined ? undefined : beside?.said[other]) ?? [], onlyFirst: both ? lacking(a, b) : [], onlySecond: both ? lacking(b, a) : [] };
+    return { name, kind, first: a, second: b, saidFirst: (own === undefined ? undefined : day?.said[own]) ?? [], saidSecond: (other === undefined ? undefined : beside?.said[other]) ?? [], onlyFirst: both ? withoutCounterpart(a, b) : [], onlySecond: both ? withoutCounterpart(b, a) : [] };
   });
 }
 
@@ -101,7 +101,7 @@ export function spent(first: PlaybackView, day: Day | null, second: PlaybackView
 /** The second run's excess of rows in each hour of each day of the first; null for a day that it lacks. */
 export function hoursMore(first: PlaybackView, second: PlaybackView): (number[] | null)[] {
   return first.hours.map((hours, number) => {
-    const other = second.hours[dayBeside(first, number, second)?.number ?? -1];
+    const other = second.hours[correspondingDay(first, number, second)?.number ?? -1];
     return other === undefined ? null : hours.map((count, hour) => (other[hour] ?? 0) - count);
   });
 }

@@ -80,7 +80,7 @@ export function offers(before: string, words: readonly WordView[], names: string
 }
 
 /** Replacements for unknown words: those that fit after `lead`, the most similar first. */
-export function instead(wrong: string, lead: string, words: readonly WordView[], names: string[]): WordView[] {
+export function replacements(wrong: string, lead: string, words: readonly WordView[], names: string[]): WordView[] {
   const found = sentence(lead);
   if (found === null) return [];
   const before = found.said.replace(/[\s,]+$/, '');
