@@ -1,6 +1,6 @@
 //! Falls: those of the routine, and those caused from outside.
 //!
-//! As stated, a fall follows walking, rising, sitting or lying, and ends there or next to the seat or bed; one who sinks
+//! As stated, a fall follows walking, rising, sitting or lying, and ends there or beside the seat or bed; one who sinks
 //! down goes through the knees. Then the resident lies for a while, until found, or until they have crawled to the
 //! telephone.
 //!
@@ -71,7 +71,7 @@ impl RoutineDriver {
             }
             FallEnds::Phone => {
                 steps.push_back(stay(Posture::Down, Manner::FALLEN, item.lasts));
-                let telephone = self.places.for_role(Role::Telephone).and_then(|spot| self.beside(spot));
+                let telephone = self.places.of(Role::Telephone).and_then(|spot| self.beside(spot));
                 steps.extend(telephone.map(|to| ActivityStep::AlongFloor { to: to.at, mps: CRAWLS_MPS }));
                 steps.push_back(stay(Posture::Down, Manner::TALKING, CALLS));
                 steps.push_back(stay(Posture::Down, Manner::FALLEN, HELP_COMES));
@@ -93,8 +93,8 @@ impl RoutineDriver {
     ) -> VecDeque<ActivityStep> {
         let is_seat = |spot: &&HomePlace| spot.posture != Posture::Standing;
         let seat = place.filter(is_seat).or_else(|| match falling.from {
-            FallsFrom::Bed => self.places.for_role(Role::Bed),
-            _ => self.places.for_role(Role::Armchair),
+            FallsFrom::Bed => self.places.of(Role::Bed),
+            _ => self.places.of(Role::Armchair),
         });
         let name = ActivityStep::Name(FALLEN.into());
         let beside = seat.and_then(|seat| self.beside(seat));
@@ -130,7 +130,7 @@ impl RoutineDriver {
         stations.get((setting.stream.unit() * stations.len() as f64) as usize).map(|one| one.spot.clone())
     }
 
-    /// A point to stand next to a seat or a bed.
+    /// A point to stand beside a seat or a bed.
     fn beside(&self, spot: &HomePlace) -> Option<HomePlace> {
         let at = self.body.mesh().approach(spot.at)?;
         Some(HomePlace::to_stand(at, self.home.plan.room_at(at)?))
