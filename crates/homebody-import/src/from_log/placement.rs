@@ -248,7 +248,7 @@ fn leaves_ways(site: &PlacementSite, piece: &NeededPiece, stands: &PieceSpot, pl
     };
     let doors = site.doors.iter().filter(|door| door.rooms.contains(&Some(piece.room)));
     let doors = doors.map(|door| (door.middle(), 0.0));
-    // A person steps into an enterable piece from beside it.
+    // A person steps into an enterable piece from its side.
     let used = all.iter().map(|stands| {
         let reach_m = if stands.free.is_none() { stands.rect.size().max_element() / 2.0 } else { 0.0 };
         (stands.used_at, reach_m)
