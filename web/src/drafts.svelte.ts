@@ -24,7 +24,7 @@ export class Drafts {
   /** Files on disk that another program changed while there are drafts of them; without a version if they are deleted. */
   changed = $state.raw<FileView[]>([]);
   saving = $state(false);
-  private lastMend = $state.raw<AppliedFix | null>(null);
+  private applied = $state.raw<AppliedFix | null>(null);
   /** The last existing files: they can be written back after all are deleted. */
   private whole = $state.raw<FileView[]>([]);
 
@@ -97,19 +97,19 @@ export class Drafts {
       return was === undefined || was === is ? [] : [{ name, was, is }];
     });
     for (const { name, is } of changed) this.write(name, is);
-    this.lastMend = { what, changed };
+    this.applied = { what, changed };
   }
 
   /** The last fix, until one of its texts changes. */
   get lastFix(): AppliedFix | null {
-    const { lastMend } = this;
-    return lastMend !== null && lastMend.changed.length > 0 && lastMend.changed.every(({ name, is }) => this.text(name) === is) ? lastMend : null;
+    const { applied } = this;
+    return applied !== null && applied.changed.length > 0 && applied.changed.every(({ name, is }) => this.text(name) === is) ? applied : null;
   }
 
   /** Undoes the last fix. */
   undoFix(): void {
     for (const { name, was } of this.lastFix?.changed ?? []) this.write(name, was);
-    this.lastMend = null;
+    this.applied = null;
   }
 
   /** Drops a draft. */

@@ -41,7 +41,7 @@ type Row = { fired?: ArrayLike<number>; unseen?: readonly Unseen[] };
 
 const counted = (count: number) => count.toLocaleString('en-GB');
 
-/** The hatched part of the visible interval, in words; empty if all is known. */
+/** The hatched part of the visible interval, in words; null if all is known. */
 export function unseenWords(bands: readonly Row[], lanes: readonly Row[], sight: Sight): string | null {
   const parts = lanes.flatMap(({ unseen }) => unseenIn(unseen, sight));
   const missing = parts.reduce((sum, part) => sum + part.missing, 0);

@@ -92,7 +92,7 @@ export function headsOf(name: string, { right, back }: Frame): At[] {
   return Math.hypot(...right) < Math.hypot(...back) * LONG ? [back] : [right, [-right[0], -right[1]]];
 }
 
-/** The distance of a point from an outline; 0 inside of it. */
+/** The distance of a point from the sides of an outline. */
 function distanceTo(outline: At[], at: At): number {
   return Math.min(...outline.map((from, index) => toLine(at, from, outline[(index + 1) % outline.length]!)));
 }

@@ -23,7 +23,7 @@ export function shortened(name: string, most: number): string {
   return begin.length < name.length ? `${text}…` : text;
 }
 
-/** The longest beginning of `name` within a width; empty if fewer than two letters fit. */
+/** The longest beginning of `name` within a width; null if fewer than two letters fit. */
 export function fitting(name: string, width: number, measure: (text: string) => number): string | null {
   const whole = shortened(name, 48);
   if (measure(whole) <= width) return whole;

@@ -84,7 +84,7 @@ fn is_valid(text: &str, folder: &Path) -> Result<bool, String> {
 }
 
 /// True if it is valid; otherwise checks the message.
-fn spoken<T, E: Display>(read: Result<T, E>) -> Result<bool, String> {
+fn checked<T, E: Display>(read: Result<T, E>) -> Result<bool, String> {
     match read {
         Ok(_) => Ok(true),
         Err(error) => messages::message(&error.to_string()).map(|()| false),
