@@ -12,7 +12,7 @@ export const KINDS = {
   other: { name: 'other', colour: 'yellow' },
 } as const;
 
-/** What lives tell of, by the label of the truth. */
+/** Kinds of the activities of residents, by their label in the truth. */
 export const KNOWN: ReadonlyMap<string, keyof typeof KINDS> = new Map([
   ['getting_up', 'care'],
   ['using_bathroom', 'care'],
@@ -76,7 +76,7 @@ export const KNOWN: ReadonlyMap<string, keyof typeof KINDS> = new Map([
   ['roaming', 'other'],
 ]);
 
-/** How the words of other names begin, by kind; the first that fits counts. */
+/** Beginnings of words in other names, by kind; the first match counts. */
 export const KIND_WORDS: readonly (readonly [keyof typeof KINDS, readonly string[]])[] = [
   ['medicine', ['medic', 'pill', 'tablet']],
   ['food', ['dish', 'washing up', 'wash up']],
@@ -88,5 +88,5 @@ export const KIND_WORDS: readonly (readonly [keyof typeof KINDS, readonly string
   ['leisure', ['relax', 'rest', 'read', 'tele', 'tv', 'watch', 'knit', 'phone', 'work', 'desk', 'comput', 'music', 'sit', 'hobby']],
 ];
 
-/** What the truth says of who is out of the home. */
+/** The activity of a person who is out of the home. */
 export const AWAY = 'away';

@@ -1,4 +1,4 @@
-// What a screen reader is told of firings: rarely, and in one sentence, however many there are.
+// Announcements of firings for screen readers: rarely, and in one sentence, however many there are.
 
 const EVERY_MS = 5000;
 const NAMED = 4;
@@ -11,7 +11,6 @@ export class Announcer {
     this.waiting.set(sensor, (this.waiting.get(sensor) ?? 0) + 1);
   }
 
-  /** The next sentence, if one is due. */
   due(now_ms: number): string | null {
     if (this.waiting.size === 0 || now_ms - this.last_ms < EVERY_MS) return null;
     this.last_ms = now_ms;

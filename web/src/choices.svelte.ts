@@ -1,6 +1,6 @@
-// What the person in front of the page has chosen: colours and units. It is kept in the browser and sent to nobody.
+// The user's choices: colours and units. They stay in the browser.
 
-import { keep, read } from './kept';
+import { keep, read } from './browser-storage';
 import type { Units } from './units';
 
 export type Theme = 'system' | 'light' | 'dark';
@@ -13,7 +13,6 @@ class Choices {
   private systemDark = $state(false);
   reducedMotion = $state(false);
 
-  /** Whether the page is dark now. */
   readonly dark = $derived(this.theme === 'dark' || (this.theme === 'system' && this.systemDark));
 
   constructor() {

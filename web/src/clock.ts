@@ -1,7 +1,7 @@
-// Times on the home's clock, which comes as `2009-03-02 07:12:03`. The page knows no time zone and wants none: a clock is
-// read as if it were that of Greenwich, and only said again.
+// Times on the home's clock, such as `2009-03-02 07:12:03`. The page knows no time zone: it reads a clock as UTC, and
+// writes it the same way.
 
-/** Milliseconds of a clock; NaN where it is none. */
+/** Milliseconds of a clock; NaN for other texts. */
 export function read(clock: string): number {
   return Date.parse(`${clock.slice(0, 19).replace(' ', 'T')}Z`);
 }
@@ -41,12 +41,12 @@ export function time(ms: number): string {
   return Number.isFinite(ms) ? new Date(ms).toISOString().slice(11, 19) : '';
 }
 
-/** `07`, of an hour or a minute. */
+/** `07`, for an hour or a minute. */
 export function twoDigits(number: number): string {
   return String(number).padStart(2, '0');
 }
 
-/** As a field for date and time wants it: `2009-03-02T07:12:03`. */
+/** In the form of a field for date and time: `2009-03-02T07:12:03`. */
 export function field(ms: number): string {
   return Number.isFinite(ms) ? new Date(ms).toISOString().slice(0, 19) : '';
 }

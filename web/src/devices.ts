@@ -1,7 +1,7 @@
 // Made from crates/homebody-core/src/sensors/products.rs, which says what each means.
 
 export type Product = {
-  /** What `preset` calls it. */
+  /** The key of `preset`. */
   key: string;
   name: string;
   network: string;
@@ -9,7 +9,7 @@ export type Product = {
   field_deg: [number, number];
   reach_m: number;
   refire_s: [number, number];
-  /** Where each is from. */
+  /** The sources of the numbers. */
   sources: { height: string; field: string; reach: string; timing: string };
 };
 

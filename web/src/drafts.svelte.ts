@@ -1,40 +1,40 @@
-// The scenario's files as somebody writes them: what is on disk, what was written since, and what is wrong with it. The views
-// that edit share one of these, so that a wall moved in one and a sentence written in another are checked and saved together.
+// The scenario's files as the user edits them: the text on disk, the changes since, and their problems. All editing
+// views share one object, so that a moved wall and a new sentence are checked and saved together.
 
 import { Latest } from './latest';
 import { type Server, said } from './server';
 import type { CheckView, Draft, FileView, FilesView, Save, SavedView } from './wire';
 
-/** How long after the last key everything is checked. */
+/** Time from the last key until the check. */
 const PAUSE_MS = 250;
-/** How often is looked whether somebody else has changed a file. */
+/** Interval of looking for changes by others. */
 const LOOK_MS = 2000;
 
-/** What a button has mended, and the texts as they were before. */
-type Mended = { what: string; changed: { name: string; was: string; is: string }[] };
+/** The label of a fix, and the texts before and after it. */
+type AppliedFix = { what: string; changed: { name: string; was: string; is: string }[] };
 
 export class Drafts {
   files = $state.raw<FilesView | null>(null);
-  /** What was written and is not saved yet, by the file's name. */
+  /** Unsaved texts, by file name. */
   texts = $state.raw<Record<string, string>>({});
-  /** What is wrong with all of it; of a moment ago, while somebody writes. */
+  /** Problems of all files; while the user types, those of a moment ago. */
   check = $state.raw<CheckView | null>(null);
-  /** The drafts that it is of. */
+  /** The drafts that were checked. */
   private checkedTexts = $state.raw<Draft['texts'] | null>(null);
-  /** Files that another program has changed while there are drafts of them, as they are on disk now; without a version where they are gone. */
+  /** Files on disk that another program changed while there are drafts of them; without a version if they are deleted. */
   changed = $state.raw<FileView[]>([]);
   saving = $state(false);
-  private lastMend = $state.raw<Mended | null>(null);
-  /** The files as they were when some were there last: they can be written back once none is. */
+  private applied = $state.raw<AppliedFix | null>(null);
+  /** The last existing files: they can be written back after all are deleted. */
   private whole = $state.raw<FileView[]>([]);
 
   private readonly checks: Latest<Draft, CheckView>;
-  /** Grows with each load and each save: what was asked before is older than what is known. */
+  /** Grows with each load and each save: answers to earlier requests are outdated. */
   private loads = 0;
-  /** Whether what was saved has not been loaded yet: with a file of the scenario the others may be other ones. */
+  /** Saved files have not been loaded yet: a change of the scenario's file may change the list of files. */
   private behind = false;
 
-  /** @param note tells people what happened. */
+  /** @param note shows a message. */
   constructor(
     public server: Server,
     private note: (text: string, bad: boolean) => void,
@@ -47,8 +47,8 @@ export class Drafts {
     );
   }
 
-  /** The server has begun anew: what was written here stays. */
-  meet(server: Server, note: (text: string, bad: boolean) => void): void {
+  /** The server has restarted: unsaved texts stay. */
+  reconnect(server: Server, note: (text: string, bad: boolean) => void): void {
     [this.server, this.note] = [server, note];
   }
 
@@ -56,8 +56,8 @@ export class Drafts {
     return Object.keys(this.texts).sort();
   }
 
-  /** Whether none of the scenario's files is on the disk any more; drafts of some may be here still. */
-  get isGone(): boolean {
+  /** No file of the scenario is on disk any more; there may still be drafts. */
+  get isDeleted(): boolean {
     const gone = new Set(this.changed.flatMap(({ name, version }) => (version === '' ? [name] : [])));
     return this.files !== null && this.files.files.every(({ name, version }) => version === '' || gone.has(name));
   }
@@ -66,19 +66,19 @@ export class Drafts {
     return { texts: this.texts };
   }
 
-  /** Whether what is known to be wrong is wrong with what is written now. */
+  /** The known problems are those of the present texts. */
   get isChecked(): boolean {
     return this.checkedTexts === this.texts;
   }
 
-  /** Loads what is on disk, and looks at it until the function that is returned is called. */
+  /** Loads the files, and polls them until the returned function is called. */
   open(): () => void {
     void this.look();
     const timer = setInterval(() => void this.look(), LOOK_MS);
     return () => clearInterval(timer);
   }
 
-  /** The text as it was written, or as it is on disk. */
+  /** The draft, or the text on disk. */
   text(name: string): string | undefined {
     return this.texts[name] ?? this.onDisk(name)?.text;
   }
@@ -90,29 +90,29 @@ export class Drafts {
     this.checkSoon();
   }
 
-  /** Texts that mend something take the places of those there are. */
-  mend(what: string, texts: Record<string, string>): void {
+  /** Replaces texts by fixed ones. */
+  applyFix(what: string, texts: Record<string, string>): void {
     const changed = Object.entries(texts).flatMap(([name, is]) => {
       const was = this.text(name);
       return was === undefined || was === is ? [] : [{ name, was, is }];
     });
     for (const { name, is } of changed) this.write(name, is);
-    this.lastMend = { what, changed };
+    this.applied = { what, changed };
   }
 
-  /** The last mend, as long as nothing was written over it. */
-  get mended(): Mended | null {
-    const { lastMend } = this;
-    return lastMend !== null && lastMend.changed.length > 0 && lastMend.changed.every(({ name, is }) => this.text(name) === is) ? lastMend : null;
+  /** The last fix, until one of its texts changes. */
+  get lastFix(): AppliedFix | null {
+    const { applied } = this;
+    return applied !== null && applied.changed.length > 0 && applied.changed.every(({ name, is }) => this.text(name) === is) ? applied : null;
   }
 
-  /** What the last mend has changed is as it was. */
-  unmend(): void {
-    for (const { name, was } of this.mended?.changed ?? []) this.write(name, was);
-    this.lastMend = null;
+  /** Undoes the last fix. */
+  undoFix(): void {
+    for (const { name, was } of this.lastFix?.changed ?? []) this.write(name, was);
+    this.applied = null;
   }
 
-  /** Back to what is on disk. */
+  /** Drops a draft. */
   discard(name: string): void {
     const theirs = this.changed.find((file) => file.name === name);
     if (theirs) this.take(theirs);
@@ -121,13 +121,13 @@ export class Drafts {
     this.checkSoon();
   }
 
-  /** What was written stays, though the file has changed: saving it replaces what has been seen now. */
-  insist(name: string): void {
+  /** Keeps a draft although its file has changed: saving replaces the version that is known now. */
+  keepDraft(name: string): void {
     const theirs = this.changed.find((file) => file.name === name);
     if (theirs) this.take(theirs);
   }
 
-  /** Writes all drafts, or those of some files; nothing where a file has changed meanwhile. */
+  /** Saves all drafts, or those of some files; nothing if a file has changed meanwhile. */
   async save(names = this.unsaved): Promise<boolean> {
     const files = names.flatMap((name) => {
       const text = this.texts[name];
@@ -144,14 +144,14 @@ export class Drafts {
       }
       for (const { name, text } of files) {
         this.take({ name, text, version: saved[name]! });
-        // What was written while it was being saved is a draft still.
+        // Texts that changed during the save remain drafts.
         if (this.texts[name] === text) {
           const { [name]: _, ...texts } = this.texts;
           this.texts = texts;
         }
       }
       this.behind = true;
-      // It is saved all the same; the next look loads it.
+      // The files are saved all the same; the next poll loads them.
       await this.reload().catch(() => {});
       return true;
     } catch (error) {
@@ -162,12 +162,12 @@ export class Drafts {
     }
   }
 
-  /** How many files are written back where the home is gone. */
+  /** The number of files to write back if the home is deleted. */
   get kept(): number {
     return this.whole.length;
   }
 
-  /** Writes the files that were there last, with what was written since, where none is on the disk any more. */
+  /** Writes the last existing files with their drafts, if none is on disk any more. */
   async writeBack(): Promise<void> {
     if (this.saving || this.files === null) return;
     this.texts = { ...Object.fromEntries(this.whole.map(({ name, text }) => [name, text])), ...this.texts };
@@ -179,7 +179,6 @@ export class Drafts {
     return this.files?.files.find((file) => file.name === name);
   }
 
-  /** Another text is on disk now. */
   private take(file: FileView): void {
     if (this.files === null) return;
     const others = this.files.files.filter(({ name }) => name !== file.name);
@@ -187,7 +186,7 @@ export class Drafts {
     this.changed = this.changed.filter(({ name }) => name !== file.name);
   }
 
-  /** Files that are another on disk than was thought. */
+  /** Notes files that differ from the known versions. */
   private differ(theirs: FileView[]): void {
     const drafted = theirs.filter(({ name, text }) => name in this.texts && this.texts[name] !== text);
     for (const file of theirs) if (!drafted.includes(file)) this.take(file);
@@ -206,7 +205,7 @@ export class Drafts {
       const names = new Set([...known.keys(), ...Object.keys(versions)]);
       if (!this.saving && [...names].some((name) => known.get(name) !== versions[name])) await this.reload();
     } catch {
-      // The header says that there is no connection; it is tried again.
+      // The header reports the lost connection; the poll tries again.
     }
   }
 
@@ -219,7 +218,7 @@ export class Drafts {
     if (before === null) {
       this.files = fresh;
     } else {
-      // Of a file that has a draft, what the draft was made from stays until somebody has decided.
+      // A file with a draft keeps the base of the draft until the user decides.
       const there = (files: FileView[], name: string) => files.find((file) => file.name === name) ?? { name, text: '', version: '' };
       const drafted = Object.keys(this.texts).map((name) => there(before.files, name));
       const now = (name: string) => there(fresh.files, name);

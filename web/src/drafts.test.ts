@@ -3,15 +3,15 @@ import { Drafts } from './drafts.svelte';
 import { Server } from './server';
 import type { FileView, Save, SavedView } from './wire';
 
-/** A disk with two files, which others change as well. */
+/** A disk with two files that others change, too. */
 class Disk {
   files: Record<string, string> = { 'home.json': '{}', 'a.routine': 'She reads.' };
   notes: string[] = [];
   saves: Save[] = [];
-  /** Whether answers wait in `held` until they are let go. */
+  /** Answers wait in `held` until they are released. */
   slow = false;
   held: (() => void)[] = [];
-  /** Whether the files cannot be read. */
+  /** The files cannot be read. */
   broken = false;
   readonly server = new Server('token', () => {}, (path, init) => {
     const answer = this.answer(path, init);
@@ -88,8 +88,8 @@ test('what is written here and changed there is asked about before it is replace
   expect(drafts.changed.map(({ text }) => text)).toEqual(['Theirs.']);
   expect(await drafts.save()).toBe(false);
   expect(disk.files['a.routine']).toBe('Theirs.');
-  drafts.insist('a.routine');
-  // What has been seen once is not asked again, but what came after it is.
+  drafts.keepDraft('a.routine');
+  // Known versions are not requested again, but later ones are.
   await later();
   expect(drafts.changed).toEqual([]);
   disk.files['a.routine'] = 'Theirs again.';
@@ -105,7 +105,7 @@ test('a file that has gone is let go or made again', async () => {
   await later();
   expect(drafts.changed).toEqual([{ name: 'a.routine', text: '', version: '' }]);
   expect(drafts.text('a.routine')).toBe('Mine.');
-  drafts.insist('a.routine');
+  drafts.keepDraft('a.routine');
   await later();
   expect([drafts.changed, drafts.text('a.routine')]).toEqual([[], 'Mine.']);
   expect(await drafts.save()).toBe(true);
@@ -135,7 +135,7 @@ test('a file that another program makes meanwhile is asked about before it is re
   expect(drafts.changed.map(({ text }) => text)).toEqual(['Theirs.']);
   expect(await drafts.save()).toBe(false);
   expect(disk.files['new.json']).toBe('Theirs.');
-  drafts.insist('new.json');
+  drafts.keepDraft('new.json');
   expect(await drafts.save()).toBe(true);
   expect(disk.files['new.json']).toBe('Mine.');
 });
@@ -147,7 +147,7 @@ test('what was loaded before a save does not come after it', async () => {
   disk.slow = false;
   drafts.write('a.routine', 'Mine.');
   expect(await drafts.save()).toBe(true);
-  // The answer from before the save comes now.
+  // The answer from before the save arrives.
   for (const answer of disk.held.splice(0)) answer();
   await vi.advanceTimersByTimeAsync(0);
   expect([drafts.text('a.routine'), drafts.unsaved]).toEqual(['Mine.', []]);
@@ -168,27 +168,27 @@ test('what was written outlives a server that begins anew', async () => {
   drafts.write('a.routine', 'Mine.');
   const next = new Disk();
   const notes: string[] = [];
-  drafts.meet(next.server, (text) => notes.push(text));
+  drafts.reconnect(next.server, (text) => notes.push(text));
   await later();
   expect(await drafts.save()).toBe(true);
   expect([next.files['a.routine'], disk.files['a.routine'], notes]).toEqual(['Mine.', 'She reads.', []]);
 });
 
 test('a home is gone once none of its files is on the disk, also where drafts of some are here still', async () => {
-  expect(drafts.isGone).toBe(false);
+  expect(drafts.isDeleted).toBe(false);
   drafts.write('home.json', '{ "rooms": [] }');
   const { 'a.routine': routine } = disk.files;
   disk.files = { 'a.routine': routine! };
   await later();
-  expect(drafts.isGone).toBe(false);
+  expect(drafts.isDeleted).toBe(false);
   disk.files = {};
   await later();
-  expect(drafts.isGone).toBe(true);
+  expect(drafts.isDeleted).toBe(true);
   drafts.discard('home.json');
-  expect(drafts.isGone).toBe(true);
+  expect(drafts.isDeleted).toBe(true);
   disk.files = { 'a.routine': routine! };
   await later();
-  expect(drafts.isGone).toBe(false);
+  expect(drafts.isDeleted).toBe(false);
 });
 
 test('the files of a home that is gone are written back, with what was written since', async () => {
@@ -196,9 +196,9 @@ test('the files of a home that is gone are written back, with what was written s
   drafts.write('home.json', '{ "rooms": [] }');
   disk.files = {};
   await later();
-  expect([drafts.isGone, drafts.kept]).toEqual([true, Object.keys(whole).length]);
+  expect([drafts.isDeleted, drafts.kept]).toEqual([true, Object.keys(whole).length]);
   await drafts.writeBack();
   await later();
   expect(disk.files).toEqual({ ...whole, 'home.json': '{ "rooms": [] }' });
-  expect([drafts.isGone, drafts.unsaved, drafts.changed, disk.notes]).toEqual([false, [], [], []]);
+  expect([drafts.isDeleted, drafts.unsaved, drafts.changed, disk.notes]).toEqual([false, [], [], []]);
 });

@@ -1,26 +1,26 @@
-// The firings that have been heard of: the last few hundred for the table, the last ten minutes for the time line, and
-// how many there were of each sensor. What was told of but not shown is counted, never passed over.
+// The firings that arrived: the last few hundred for the table, the last ten minutes for the time line, and the counts
+// of each sensor. Firings that are reported but not sent are counted, never ignored.
 
 import type { FiringView, Frame } from './wire';
 
-/** A firing; or how many there were of which no more is known. */
+/** A firing, or a number of firings without details. */
 type Row = { firing: FiringView } | { missing: number; until_us: number };
 
 const KEPT = 500;
 
 export const LANE_US = 600_000_000;
 
-/** Beyond this a lane is a solid bar anyway. */
+/** A lane with more ticks is a solid bar. */
 const KEPT_A_LANE = 4000;
 
 export class Firings {
-  /** The oldest first. */
+  /** Oldest first. */
   rows: Row[] = [];
-  /** By sensor: the instants at which it fired, within the last ten minutes. */
+  /** By sensor: the instants of its firings within the last ten minutes. */
   lanes: number[][] = [];
-  /** By sensor: how often it has fired since the run began. */
+  /** By sensor: its firings since the start of the run. */
   counts: number[] = [];
-  /** Grows with every row, also where old ones fall off the other end. */
+  /** Grows with every row, also when old rows are dropped. */
   added = 0;
   now_us = 0;
   private told: number | null = null;
@@ -34,7 +34,7 @@ export class Firings {
     this.told = null;
   }
 
-  /** Those of the frame that are new. */
+  /** Returns the new firings of the frame. */
   take(frame: Frame): FiringView[] {
     if (frame.now_us < this.now_us || (this.told !== null && frame.told < this.told)) this.goBack(frame);
     this.now_us = frame.now_us;
@@ -65,7 +65,7 @@ export class Firings {
     }
   }
 
-  /** The run was taken back: what has not happened yet is forgotten, and what is told again is not kept twice. */
+  /** The run went back: drops later firings, and does not keep repeated ones twice. */
   private goBack(frame: Frame): void {
     const again = frame.firings[0]?.seq ?? Infinity;
     const from_us = frame.firings[0]?.at_us ?? Infinity;

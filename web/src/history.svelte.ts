@@ -1,9 +1,9 @@
-// The way back of what is edited, and forth again. What is kept of a step is up to the editor: a text, and what goes with it.
+// Undo and redo of an editor. The state is up to the editor: a text, and other data.
 
-/** Steps back that are kept, and letters in all of them. */
+/** Largest number of steps, and of letters in all of them. */
 const MOST_STEPS = 300;
 const MOST_LETTERS = 60_000_000;
-/** Changes of one kind that follow each other faster than this are one step. */
+/** Changes of one kind within this time are one step. */
 const ONE_STEP_MS = 1000;
 
 export class History<State extends { text: string }> {
@@ -20,12 +20,12 @@ export class History<State extends { text: string }> {
     return this.future.length > 0;
   }
 
-  /** What there was before a change; a change that has the same tag as the last one and follows at once belongs to its step. */
+  /** Records the state before a change; a change with the tag of the last one that follows at once belongs to its step. */
   keep(former: State, tag = ''): void {
     const now = performance.now();
-    const goesOn = tag !== '' && tag === this.last.tag && now - this.last.at_ms < ONE_STEP_MS;
+    const continues = tag !== '' && tag === this.last.tag && now - this.last.at_ms < ONE_STEP_MS;
     this.last = { tag, at_ms: now };
-    if (goesOn) return;
+    if (continues) return;
     const past = [...this.past, former].slice(-MOST_STEPS);
     let letters = past.reduce((sum, { text }) => sum + text.length, 0);
     while (past.length > 1 && letters > MOST_LETTERS) letters -= past.shift()!.text.length;
@@ -33,7 +33,7 @@ export class History<State extends { text: string }> {
     this.future = [];
   }
 
-  /** What there was a step before; nothing where there is none. */
+  /** The state before the last step, if there is one. */
   undo(now: State): State | undefined {
     const former = this.past.at(-1);
     if (former === undefined) return undefined;

@@ -43,7 +43,7 @@ test('changes of one kind that follow at once are one step', () => {
   vi.advanceTimersByTime(2000);
   write('e', 'other');
   expect([step('undo'), step('undo'), step('undo')]).toEqual(['d', 'c', 'a']);
-  // What is written after a step back is a step of its own.
+  // A change after an undo is a step of its own.
   step('redo');
   write('f', 'typed');
   write('g', 'typed');

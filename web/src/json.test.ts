@@ -97,7 +97,6 @@ test('a place in the text is a path, counted in characters', () => {
   expect(pathAt(FILE, 99, 1)).toBe(null);
 });
 
-/** The lines in which two texts differ. */
 function differing(before: string, after: string): string[] {
   const old = before.split('\n');
   return after.split('\n').filter((line) => !old.includes(line));

@@ -1,19 +1,19 @@
-// Small edits of a JSON text: line ends, indentation, blank lines and all else that is not meant stay as somebody wrote them, so
-// that an edited file differs from the one before in few lines. What is new is laid out as its neighbours are.
+// Small edits of a JSON text: line ends, indentation and blank lines outside of the change stay, so that an edited file
+// differs in few lines. New parts take the layout of their neighbours.
 
 import { type Node, type ParseError, findNodeAtOffset, getNodePath, parseTree, printParseErrorCode } from 'jsonc-parser';
 import { offsetOf } from './places';
 
 export type Path = (string | number)[];
 
-/** A value takes the place of another, or is added with all that is missing on the way there; `undefined` takes away what is there. */
+/** Replaces a value, or adds it with all missing parents; `undefined` removes it. */
 export type Change = { path: Path; value: unknown };
 
 export type Fault = { what: string; offset: number };
 
 type Edit = { offset: number; length: number; content: string };
 
-/** A line that would grow longer is broken. */
+/** Longer lines are broken. */
 const WIDEST = 100;
 
 const WORDS: Record<string, string> = {
@@ -30,7 +30,7 @@ const WORDS: Record<string, string> = {
   UnexpectedEndOfString: 'the closing quote is missing',
 };
 
-/** What a text says; nothing where it is not JSON. */
+/** The value of a text; `undefined` for invalid JSON. */
 export function valueOf(text: string): unknown {
   try {
     return JSON.parse(text) as unknown;
@@ -43,7 +43,7 @@ export function isObject(value: unknown): value is Record<string, unknown> {
   return typeof value === 'object' && value !== null && !Array.isArray(value);
 }
 
-/** The tree of a text, or why there is none. */
+/** The tree of a text, or its syntax error. */
 export function tree(text: string): Node | Fault {
   const errors: ParseError[] = [];
   let root: Node | undefined;
@@ -61,25 +61,25 @@ export function isFault(read: Node | Fault): read is Fault {
   return 'what' in read;
 }
 
-/** The text with the changes, of which none is inside another; a text that is not JSON stays as it is. */
+/** Applies changes that do not contain each other; invalid JSON stays unchanged. */
 export function apply(text: string, changes: Change[]): string {
   const root = tree(text);
   if (isFault(root)) return text;
   const found = changes.map(({ path, value }) => ({ path, value, node: nodeAt(root, path) }));
   let next = splice(text, found.flatMap(({ node, value }) => (node === null || value === undefined ? [] : replace(text, node, value))));
-  // What is added or taken away may stand beside what was so before it.
+  // Additions and removals may be next to earlier ones.
   const edit = (edits: (root: Node) => Edit[]) => {
     const now = tree(next);
     if (!isFault(now)) next = splice(next, edits(now));
   };
   for (const { path, value, node } of found) if (node === null && value !== undefined) edit((now) => put(next, now, path, value));
-  // From the end, so that what stands before in a list keeps its number.
+  // From the end, so that earlier elements keep their index.
   const gone = found.filter(({ node, value }) => node !== null && value === undefined).sort((a, b) => b.node!.offset - a.node!.offset);
   for (const { path } of gone) edit((now) => takeOut(next, nodeAt(now, path)));
   return next;
 }
 
-/** The text with one more element at the end of a list of its object; it comes on a line of its own, if the others have one. */
+/** Appends an element to a list of the root object, on a line of its own if the others have one. */
 export function insert(text: string, list: string, value: unknown): string {
   const root = tree(text);
   if (isFault(root) || root.type !== 'object') return text;
@@ -88,7 +88,7 @@ export function insert(text: string, list: string, value: unknown): string {
   return array.type === 'array' ? splice(text, [add(text, array, array.children!.length, value)]) : text;
 }
 
-/** The path of what stands at a line and a column; nothing where nothing stands there. */
+/** The path of the value at a line and a column, if there is one. */
 export function pathAt(text: string, line: number, column: number): Path | null {
   const root = tree(text);
   if (isFault(root) || line < 1 || line > text.split('\n').length) return null;
@@ -106,7 +106,7 @@ function splice(text: string, edits: Edit[]): string {
   return done + text.slice(at);
 }
 
-/** Of a key that stands twice the last one counts, as the program reads it. */
+/** Of a repeated key, the last one counts, as in the program. */
 function childAt(node: Node, part: string | number): Node | null {
   if (node.type === 'array') return typeof part === 'number' ? (node.children![part] ?? null) : null;
   if (node.type !== 'object') return null;
@@ -117,7 +117,7 @@ function nodeAt(root: Node, path: Path): Node | null {
   return path.reduce<Node | null>((node, part) => node && childAt(node, part), root);
 }
 
-/** What is of another kind than the path wants gives way. */
+/** A value of another kind than the path needs is replaced. */
 function put(text: string, root: Node, path: Path, value: unknown): Edit[] {
   let node = root;
   for (const [index, part] of path.entries()) {
@@ -125,7 +125,7 @@ function put(text: string, root: Node, path: Path, value: unknown): Edit[] {
     if (next === null) {
       const rest = nested(path.slice(index + 1), value);
       if (node.type !== (typeof part === 'string' ? 'object' : 'array')) return replace(text, node, nested([part], rest));
-      // An element far behind the end of a list is of a list that is not there any more.
+      // An index far beyond the end belongs to a list that has changed meanwhile.
       return typeof part === 'number' && part !== node.children!.length ? [] : [add(text, node, part, rest)];
     }
     node = next;
@@ -137,7 +137,7 @@ function nested(path: Path, value: unknown): unknown {
   return path.reduceRight((inner, part) => (typeof part === 'string' ? { [part]: inner } : [inner]), value);
 }
 
-/** Only the numbers that differ, where the forms are the same. */
+/** Replaces only the numbers that differ, if both have the same structure. */
 function replace(text: string, node: Node, value: unknown): Edit[] {
   const children = node.children ?? [];
   if (node.type === 'array' && Array.isArray(value) && value.length === children.length) {
@@ -173,7 +173,7 @@ function add(text: string, into: Node, key: string | number, value: unknown): Ed
   return within(`${parts.map((one) => `${newline}${outer}${unit}${one}`).join(',')}${newline}${outer}`);
 }
 
-/** An element or a property goes, with the comma that is left over, and with its line if it has one to itself. */
+/** Removes an element or a property with its surplus comma, and its line if it has one to itself. */
 function takeOut(text: string, value: Node | null): Edit[] {
   const node = value?.parent?.type === 'property' ? value.parent : value;
   if (node?.parent === undefined) return [];
@@ -216,7 +216,7 @@ function onLine(value: unknown): string {
   return parts.length === 0 ? '{}' : `{ ${parts.join(', ')} }`;
 }
 
-/** An element of a list, such as a wall, keeps to one line, however long; and so does all in it. */
+/** An element of a list, such as a wall, and everything in it stays on one line, however long. */
 function isInList({ parent }: Node): boolean {
   return parent !== undefined && (parent.type === 'array' || isInList(parent));
 }
@@ -229,7 +229,7 @@ function newlineOf(text: string): string {
   return text.includes('\r\n') ? '\r\n' : '\n';
 }
 
-/** By how much the file indents. */
+/** The indentation of the file. */
 function unitOf(text: string): string {
   return /\n([ \t]+)\S/.exec(text)?.[1] ?? '  ';
 }
@@ -244,7 +244,7 @@ function indentAt(text: string, offset: number): string {
   return /^[ \t]*/.exec(lineAt(text, offset))![0];
 }
 
-/** What stands before something on its line, if that is only blanks, and if the text has more lines before. */
+/** The blanks before a position on its line, if nothing else precedes it and earlier lines exist. */
 function indentOf(text: string, offset: number): string | null {
   const begin = text.lastIndexOf('\n', offset - 1) + 1;
   const before = text.slice(begin, offset);

@@ -1,4 +1,4 @@
-// What is asked of the server while somebody edits: a while after the last change, one question at a time, the latest next.
+// Requests to the server during editing: after a pause, one at a time, always for the latest state.
 
 import { said } from './server';
 
@@ -9,8 +9,8 @@ export class Latest<Asked, Answer> {
   private closed = false;
 
   /**
-   * @param pause_ms without one the first question is asked at once.
-   * @param fail is told in words why there is no answer.
+   * @param pause_ms without it, the first request is sent at once.
+   * @param fail gets the reason for a missing answer.
    */
   constructor(
     private readonly pause_ms: number,
@@ -29,12 +29,12 @@ export class Latest<Asked, Answer> {
     }, this.pause_ms);
   }
 
-  /** Whether something else has been wanted since what was asked last. */
+  /** A later state than the last request is waiting. */
   get wants(): boolean {
     return this.wanted !== undefined;
   }
 
-  /** Answers that come from now on are not wanted any more. */
+  /** Ignores all further answers. */
   close(): void {
     this.closed = true;
     clearTimeout(this.timer);
@@ -53,7 +53,7 @@ export class Latest<Asked, Answer> {
     } finally {
       this.busy = false;
     }
-    // What was wanted meanwhile has waited long enough, unless its pause still runs.
+    // A waiting request has waited long enough, unless its pause still runs.
     if (!this.closed && this.timer === undefined) void this.go();
   }
 }

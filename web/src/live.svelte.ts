@@ -1,10 +1,10 @@
-// The run that is being lived, as this page knows it. All views share it, and it goes on while another view is looked at.
+// The present run. All views share it, and it continues while another view is open.
 
 import { Announcer } from './announce';
 import { date, time } from './clock';
 import { Drafts } from './drafts.svelte';
 import { Firings } from './firings';
-import { Lived } from './lived';
+import { RunHistory } from './run-history';
 import { clockOf } from './localtime';
 import { Throttle } from './plan/glow';
 import { Server } from './server';
@@ -13,7 +13,7 @@ import type { FiringView, Frame, ProblemView, RunView, Say, Tell } from './wire'
 
 type Note = { id: number; text: string; bad: boolean };
 
-/** What is read as text need not change more often than one can read. */
+/** Text changes at most this often, so that it can be read. */
 const TEXT_MS = 120;
 const NOTES = 4;
 const NOTE_MS = 9000;
@@ -21,22 +21,21 @@ const NOTE_MS = 9000;
 export class Live {
   status = $state<Status>('closed');
   run = $state.raw<RunView | null>(null);
-  /** The frame as text shows it; drawings have every one. */
+  /** The frame of texts; drawings use every frame. */
   frame = $state.raw<Frame | null>(null);
   notes = $state.raw<Note[]>([]);
-  /** For a screen reader: which sensors fired of late. */
+  /** For screen readers: the sensors that fired recently. */
   spoken = $state('');
   /** Grows when `firings` has changed. */
   heard = $state(0);
-  /** Why no run could be begun, and what is wrong with the scenario; until one is begun or that is read. */
-  unbegun = $state.raw<{ why: string; problems: ProblemView[] } | null>(null);
+  /** The reason why a run could not start, and the problems of the scenario; until a run starts or the user closes the message. */
+  startFailure = $state.raw<{ why: string; problems: ProblemView[] } | null>(null);
   /** The last run that was stored in a folder and has ended. */
   stored = $state<string | null>(null);
 
   readonly firings = new Firings();
-  readonly lived = new Lived();
+  readonly lived = new RunHistory();
   readonly server: Server;
-  /** The scenario's files, as this page writes them. */
   readonly drafts: Drafts;
   latest: Frame | null = null;
   private readonly socket: Socket;
@@ -45,17 +44,17 @@ export class Live {
   private readonly texts = new Throttle(TEXT_MS);
   private readonly announcer = new Announcer();
   private noted = 0;
-  /** Whether the connection was gone since the run was told of. */
+  /** The connection was lost since the last report of the run. */
   private wasCut = false;
-  /** Is told whether the run that was asked for has begun. */
+  /** Gets true if the requested run has started. */
   private begun: ((has: boolean) => void) | null = null;
   private timer: ReturnType<typeof setInterval> | undefined;
 
-  /** @param api below which path the server answers for the home. */
+  /** @param api the path of the home on the server. */
   constructor(token: string, onWrongToken: () => void, make?: () => Wire, drafts?: Drafts, api = '/api') {
     this.server = new Server(token, onWrongToken, undefined, api);
     const note = (text: string, bad: boolean) => this.note(text, bad);
-    drafts?.meet(this.server, note);
+    drafts?.reconnect(this.server, note);
     this.drafts = drafts ?? new Drafts(this.server, note);
     this.socket = new Socket(
       token,
@@ -76,14 +75,14 @@ export class Live {
     );
   }
 
-  /** The folder of the run that is being lived: what is stored of it is not whole yet. */
-  get goesOn(): string | null {
+  /** The folder of the present run, which is not complete yet. */
+  get ongoing(): string | null {
     return this.run === null || this.run.replay || this.frame?.state === 'over' ? null : this.run.id;
   }
 
   open(): void {
     this.socket.open();
-    // The last frames and firings before a pause are shown, too, though no other comes after them.
+    // The last frames and firings before a pause are shown, too, although no other follows.
     this.timer = setInterval(() => this.catchUp(performance.now()), TEXT_MS);
   }
 
@@ -96,44 +95,43 @@ export class Live {
     this.socket.hurry();
   }
 
-  /** What cannot be sent is said so: a click that does nothing would be worse. */
+  /** Reports commands that cannot be sent, so that no click is silently ignored. */
   say(say: Say): boolean {
     const sent = this.socket.say(say);
     if (!sent && say.say !== 'hold') this.note('Not connected to the server. Nothing was changed.', true);
     return sent;
   }
 
-  /** Begins a run in which everybody lives as the scenario says. @returns whether there is one. */
+  /** Starts a run with the drivers of the scenario. @returns whether it has started. */
   begin(without: string[]): Promise<boolean> {
     if (!this.say({ say: 'start', driven: null, without, seed: null })) return Promise.resolve(false);
     this.begun?.(false);
     return new Promise((begun) => (this.begun = begun));
   }
 
-  /** Plays, or pauses. */
   toggle(): void {
     const state = this.frame?.state ?? 'over';
     if (state !== 'over') this.say({ say: state === 'playing' ? 'pause' : 'play' });
   }
 
-  /** @returns how to stop being told. */
+  /** @returns a function that ends the subscription. */
   watch(watcher: (frame: Frame, fresh: FiringView[]) => void): () => void {
     this.watchers.add(watcher);
     return () => this.watchers.delete(watcher);
   }
 
-  /** @returns how to stop being told when the line is cut. */
+  /** @returns a function that ends the subscription to lost connections. */
   whenCut(cut: () => void): () => void {
     this.cuts.add(cut);
     return () => this.cuts.delete(cut);
   }
 
   note(text: string, bad: boolean): void {
-    // Said again while it is still there to be read, it would only be read out again.
+    // A visible note is not repeated, as screen readers would read it again.
     if (this.notes.some((old) => old.text === text && old.bad === bad)) return;
     const note = { id: ++this.noted, text, bad };
     this.notes = [...this.notes, note].slice(-NOTES);
-    // What went wrong stays until somebody has read it.
+    // An error stays until the user closes it.
     if (!bad) setTimeout(() => this.dismiss(note.id), NOTE_MS);
   }
 
@@ -149,7 +147,7 @@ export class Live {
     if (tell.tell === 'unbegun') {
       this.begun?.(false);
       this.begun = null;
-      this.unbegun = { why: tell.why, problems: tell.problems };
+      this.startFailure = { why: tell.why, problems: tell.problems };
       return;
     }
     if (tell.tell === 'note') {
@@ -158,7 +156,7 @@ export class Live {
     }
     this.tellOfEnd(tell.run);
     this.run = tell.run;
-    this.unbegun = null;
+    this.startFailure = null;
     this.frame = null;
     this.latest = null;
     this.firings.clear(tell.run.home.sensors.length);
@@ -167,7 +165,7 @@ export class Live {
     this.heard += 1;
   }
 
-  /** Another run after a cut: the server was ended, and the run with it. */
+  /** A new run after a lost connection: the server was stopped, and its run with it. */
   private tellOfEnd(next: RunView): void {
     const { run, latest, wasCut } = this;
     this.wasCut = false;
@@ -178,7 +176,7 @@ export class Live {
   }
 
   private take(frame: Frame): void {
-    // Before a run is told of there is no home in which a frame could be shown.
+    // No frame can be shown before the home of the run is known.
     if (this.run === null) return;
     const turns = this.latest?.state !== frame.state;
     this.latest = frame;

@@ -1,14 +1,14 @@
 import { expect, test } from 'vitest';
 import { activityKind } from './charts/kinds-of-activities';
-import { KEPT_US, Lived } from './lived';
+import { KEPT_US, RunHistory } from './run-history';
 import { firing, frame } from './testing/frames';
 import { madeUpHome } from './testing/home';
 import type { BodyView } from './wire';
 
 const body = (activity: string, room: number | null): BodyView => ({ at: [0, 0], heading_deg: 0, posture: 'standing', room, activity });
 
-function lived(): Lived {
-  const made = new Lived();
+function lived(): RunHistory {
+  const made = new RunHistory();
   made.clear({ home: madeUpHome(3), residents: [{ name: 'Agnes', radius_m: 0.2 }] });
   return made;
 }
@@ -26,7 +26,7 @@ test('firings and what people did are kept as they come', () => {
 });
 
 test('who is out of the home is so for as long as they are; what visitors do elsewhere is not told', () => {
-  const all = new Lived();
+  const all = new RunHistory();
   all.clear({ home: madeUpHome(3), residents: ['Agnes', "Agnes's nurse"].map((name) => ({ name, radius_m: 0.2 })) });
   for (const now_us of [0, 10, 20]) all.take(frame({ now_us, bodies: [null, null] }));
   all.take(frame({ now_us: 30, bodies: [body('coming_home', 1), body('visiting', 1)] }));
@@ -72,10 +72,10 @@ test('what was told of but not shown is known to be missing, sensor by sensor, a
   all.take(frame({ now_us: 19 * hour, told: 12, counts: [2, 10, 0], firings: [firing(10, 15 * hour, 1), firing(11, 18 * hour, 1)] }));
   expect(all.missed).toEqual([[{ from_us: 0, to_us: 15 * hour, missing: 2 }], [{ from_us: 0, to_us: 15 * hour, missing: 8 }], []]);
   expect(all.unseen).toEqual([{ from_us: 0, to_us: 19 * hour, missing: 0 }]);
-  // What is shown from then on is all there is.
+  // The page sees everything from here on.
   all.take(frame({ now_us: 19 * hour + 60e6, told: 13, counts: [3, 10, 0], firings: [firing(12, 19 * hour + 1, 0)] }));
   expect([all.missed[0]!.length, all.missed[1]!.length, all.unseen.length]).toEqual([1, 1, 1]);
-  // Taken back into what was not seen, and on from there.
+  // Back to a part that was not seen, and on from there.
   all.take(frame({ now_us: 10 * hour, told: 6, counts: [1, 5, 0], firings: [firing(5, 9 * hour, 1)] }));
   expect(all.missed).toEqual([[{ from_us: 0, to_us: 9 * hour, missing: 1 }], [{ from_us: 0, to_us: 9 * hour, missing: 4 }], []]);
   expect([all.fired[1], all.unseen]).toEqual([[9 * hour], [{ from_us: 0, to_us: 10 * hour, missing: 0 }]]);
@@ -88,7 +88,7 @@ test('what was gone over while the run went back and on again is not known', () 
   const hour = 3_600e6;
   all.take(frame({ now_us: 0, bodies: [body('sleeping', 1)] }));
   all.take(frame({ now_us: 60e6, told: 1, counts: [1, 0, 0], firings: [firing(0, 50e6)], bodies: [body('sleeping', 1)] }));
-  // It was taken back to the start, and is told of next when it is later than before.
+  // The run restarted, and the next report comes from a later time than before.
   all.take(frame({ now_us: 3 * hour, told: 1, counts: [1, 0, 0], firings: [firing(0, 2 * hour)], bodies: [body('cooking', 1)] }));
   expect(all.unseen).toEqual([{ from_us: 60e6, to_us: 3 * hour, missing: 0 }]);
   expect(all.activities[0]).toEqual([[0, 60e6, 0], [3 * hour, 3 * hour, 1]]);

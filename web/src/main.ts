@@ -5,7 +5,7 @@ import './theme.css';
 
 const target = document.getElementById('page')!;
 
-/** With `--mode fake` the page plays with a made-up home instead of a server; otherwise none of it is in the page. */
+/** With `--mode fake`, a made-up home replaces the server; other builds leave it out. */
 async function begin(): Promise<void> {
   let fake: (() => Wire) | undefined;
   if (import.meta.env.MODE === 'fake') {

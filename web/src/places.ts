@@ -1,7 +1,7 @@
-// Places in a text. Problems come with lines and columns, both from 1, the column in characters as Unicode counts them;
-// JavaScript counts in units, of which a rare character has two.
+// Positions in a text. Problems have lines and columns, both from 1, with columns in Unicode characters; JavaScript
+// counts code units, and rare characters have two.
 
-/** The place in a text after so many of its characters. */
+/** The index after a number of characters. */
 export function unitsAfter(text: string, characters: number): number {
   let [units, left] = [0, characters];
   while (left > 0 && units < text.length) {
@@ -17,7 +17,7 @@ export function lineOf(text: string, offset: number): { line: number; column: nu
   return { line: before.split('\n').length, column: [...before.slice(begin)].length + 1 };
 }
 
-/** Where a line and a column are in the text; behind its last line that is in the last one, behind a line's end its end. */
+/** The index of a line and a column; beyond the last line it is in the last one, beyond a line's end at its end. */
 export function offsetOf(text: string, line: number, column: number): number {
   let begin = 0;
   for (let at = 1; at < line; at++) {

@@ -1,8 +1,8 @@
-// Lists of what is wrong, as they come from several answers of the server.
+// Lists of problems from several answers of the server.
 
 import type { ProblemView } from './wire';
 
-/** Each thing once, though more than one answer has it. */
+/** Removes problems that several answers contain. */
 export function distinct<P extends ProblemView>(problems: P[]): P[] {
   const seen = new Set<string>();
   return problems.filter(({ file, line, column, what }) => {

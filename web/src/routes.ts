@@ -1,4 +1,4 @@
-// The six views, and which of them the address asks for. The part after # is never sent to a server.
+// The six views, and the address of each. The part after # is never sent to a server.
 
 export const ROUTES = [
   { id: 'live', title: 'Live' },
@@ -11,16 +11,16 @@ export const ROUTES = [
 
 export type Route = (typeof ROUTES)[number]['id'];
 
-/** The view of `#/plan` or `#/plan/anything`; the first one where it is none of ours. */
+/** The view of `#/plan` or `#/plan/anything`; the first view for unknown addresses. */
 export function routeOf(hash: string): Route {
   const asked = hash.replace(/^#\/?/, '').split('/')[0];
   return ROUTES.find((route) => route.id === asked)?.id ?? 'live';
 }
 
-/** NAME of `#/life/NAME` or `#/life/NAME@MOMENT`; nothing where the address is of another view, or names nothing. */
+/** NAME of `#/life/NAME` or `#/life/NAME@MOMENT`; null for another view, or without a name. */
 export function nameIn(hash: string, route: Route): string | null {
   const begin = `#/${route}/`;
-  // An @ of the name itself is written otherwise.
+  // An @ in the name itself is encoded.
   const name = hash.startsWith(begin) ? hash.slice(begin.length).split('@')[0]! : '';
   if (name === '') return null;
   try {
@@ -30,12 +30,12 @@ export function nameIn(hash: string, route: Route): string | null {
   }
 }
 
-/** PANEL of `#/plan/@PANEL`, which is what the view shows first; nothing where the address is of another view, or names none. */
+/** PANEL of `#/plan/@PANEL`, the panel that the view opens; null for another view, or without a panel. */
 export function panelIn(hash: string, route: Route): string | null {
   return new RegExp(`^#/${route}/@([a-z]+)$`).exec(hash)?.[1] ?? null;
 }
 
-/** MOMENT of `#/playback/NAME@MOMENT`, a date and perhaps a time on the home's clock; nothing where there is none. */
+/** MOMENT of `#/playback/NAME@MOMENT`, a date and perhaps a time on the home's clock; null without one. */
 export function momentIn(hash: string): string | null {
   return /@(\d{4}-\d{2}-\d{2}(T\d{2}:\d{2}:\d{2})?)$/.exec(hash)?.[1] ?? null;
 }

@@ -1,16 +1,16 @@
-// The server by HTTP, and the token that it asks for. `homebody serve` prints an address such as
-// http://127.0.0.1:8642/#token=HEX; whoever has it may do what the page can.
+// The server by HTTP, and its token. `homebody serve` prints an address such as http://127.0.0.1:8642/#token=HEX, which
+// gives all rights of the page.
 
 import { decode } from '@msgpack/msgpack';
-import { type Keeper, keep, read } from './kept';
+import { type Keeper, keep, read } from './browser-storage';
 import type { RefusedView } from './wire';
 
 const TOKEN = 'homebody-token';
 
-/** What a token looks like, so that other fragments are left alone. */
+/** The form of a token, so that other fragments are ignored. */
 const FORM = /^[0-9A-Za-z_-]{8,256}$/;
 
-/** The token in a fragment such as `#token=HEX`, or in a whole address that was pasted, or by itself. */
+/** The token in a fragment such as `#token=HEX`, in a pasted address, or by itself. */
 export function tokenIn(text: string): string | null {
   const pasted = text.trim();
   const named = /[#&?]token=([^&\s]+)/.exec(pasted)?.[1];
@@ -18,7 +18,7 @@ export function tokenIn(text: string): string | null {
   return FORM.test(token) ? token : null;
 }
 
-/** The token from the address, or the one that was kept; it is gone from the address bar afterwards, where `then` is instead. */
+/** The token from the address, or the stored one; `then` replaces it in the address bar. */
 export function takeToken(location: Pick<Location, 'hash'>, history: Pick<History, 'replaceState'>, keeper: () => Keeper, then = '#/live') {
   if (/^#(.*&)?token=/.test(location.hash)) {
     const token = tokenIn(location.hash);
@@ -35,7 +35,7 @@ export function keepToken(keeper: () => Keeper, token: string | null): void {
   keep(keeper, TOKEN, token);
 }
 
-/** Why the server did not do what it was asked. */
+/** The server's reason for refusing a request. */
 export class Refused extends Error {
   constructor(
     readonly status: number,
@@ -47,7 +47,7 @@ export class Refused extends Error {
   }
 }
 
-/** The reason in an answer without success. An answer that is not from Homebody has plain text. */
+/** The reason in an answer without success. An answer that is not from Homebody is plain text. */
 async function refusal(answer: Response): Promise<Refused> {
   const text = (await answer.text()).trim();
   if (answer.headers.get('content-type')?.startsWith('application/json')) {
@@ -60,12 +60,12 @@ async function refusal(answer: Response): Promise<Refused> {
 export type Fetch = (path: string, init: RequestInit) => Promise<Response>;
 
 export class Server {
-  /** @param onWrongToken is told when the server does not know the token. */
+  /** @param onWrongToken is called if the server does not know the token. */
   constructor(
     private readonly token: string,
     private readonly onWrongToken: () => void,
     private readonly fetch: Fetch = (path, init) => window.fetch(path, init),
-    /** What stands for `/api` in paths: each home of a library has its own. */
+    /** Replaces `/api` in paths: each home of a library has its own. */
     private readonly api = '/api',
   ) {}
 
@@ -73,7 +73,7 @@ export class Server {
     return (await (await this.ask('GET', path)).json()) as T;
   }
 
-  /** What comes as MessagePack; with a body it is posted. */
+  /** An answer in MessagePack; with a body, the request is a POST. */
   async packed<T>(path: string, body?: unknown): Promise<T> {
     return decode(await (await this.ask(body === undefined ? 'GET' : 'POST', path, body)).arrayBuffer()) as T;
   }
@@ -86,17 +86,17 @@ export class Server {
     return (await this.ask('GET', path)).text();
   }
 
-  /** @param stop ends the waiting; the server then stops as well. */
+  /** @param stop cancels the request, and the server's work. */
   async post<T>(path: string, body: unknown, stop?: AbortSignal): Promise<T> {
     return (await (await this.ask('POST', path, body, stop)).json()) as T;
   }
 
-  /** A file that is made of what is posted. */
+  /** A file made from the posted data. */
   async made(path: string, body: unknown): Promise<Blob> {
     return (await this.ask('POST', path, body)).blob();
   }
 
-  /** A file, and the name that the server gives it. */
+  /** A file, and its name by the server. */
   async file(path: string, otherwise: string): Promise<{ blob: Blob; name: string }> {
     const answer = await this.ask('GET', path);
     const named = /filename="([^"\\/]+)"/.exec(answer.headers.get('content-disposition') ?? '')?.[1];
@@ -131,23 +131,22 @@ export class Server {
   }
 }
 
-/** What an error says. */
+/** The message of an error. */
 export function said(error: unknown): string {
   return error instanceof Error ? error.message : String(error);
 }
 
-/** The path of a run's file; a run is a folder's name, which may hold anything. */
+/** The path of a run's file; a run is the name of a folder, with any characters. */
 export function runPath(id: string, file: 'log' | 'recording'): string {
   return `/api/runs/${encodeURIComponent(id)}/${file}`;
 }
 
-/** The path of a stored run, or of a day of it. */
 export function storedPath(name: string, day?: number): string {
   const run = `/api/runs/${encodeURIComponent(name)}`;
   return day === undefined ? run : `${run}/days/${day}`;
 }
 
-/** The path of what a run is called, and of a run that was put aside. */
+/** The path of the description of a run, stored or deleted. */
 export function aboutPath(name: string): string {
   return `${storedPath(name)}/about`;
 }
@@ -156,17 +155,16 @@ export function asidePath(key: string): string {
   return `/api/put-aside/${encodeURIComponent(key)}`;
 }
 
-/** The path on which something is looked for over a whole run. */
 export function findPath(name: string): string {
   return `${storedPath(name)}/find`;
 }
 
-/** The path of what a run's cameras kept between two instants, of instants so far apart. */
+/** The path of the camera pictures of a run between two instants, at an interval. */
 export function filmPath(name: string, from_us: number, to_us: number, every_us: number): string {
   return `${storedPath(name)}/silhouettes/${from_us}/${to_us}/${every_us}`;
 }
 
-/** The path of how often each sensor of a run spoke. */
+/** The path of the firing counts of each sensor of a run. */
 export function readingPath(name: string): string {
   return `${storedPath(name)}/reading`;
 }
@@ -175,38 +173,37 @@ export function lanesPath(name: string): string {
   return `${storedPath(name)}/lanes`;
 }
 
-/** The path of what a day's answer had no time for. */
+/** The path of the rest of a day after an incomplete answer. */
 export function restPath(name: string, day: number, from_us: number): string {
   return `${storedPath(name, day)}/from/${from_us}`;
 }
 
-/** The path on which a log is sent to be walked back through the home of a stored run, or of the scenario. */
+/** The path for locating people from a log in the home of a stored run, or of the scenario. */
 export function walkPath(log: string, run: string | null): string {
   const path = `/api/walk/${encodeURIComponent(log)}`;
   return run === null ? path : `${path}/${encodeURIComponent(run)}`;
 }
 
-/** The path of what the log of a run holds, or of how near another one is to it. */
+/** The path of the summary of a run's log, or of its comparison with another one. */
 export function toldPath(run: string, beside: string | null): string {
   return beside === null ? `${storedPath(run)}/look` : `${storedPath(run)}/realism/${encodeURIComponent(beside)}`;
 }
 
-/** The path of what was noted about a run. */
 export function notesPath(run: string): string {
   return `${storedPath(run)}/notes`;
 }
 
-/** The path on which a log is sent to be kept without a home. */
+/** The path for storing a log without a home. */
 export function keepPath(log: string): string {
   return `/api/logs/${encodeURIComponent(log)}`;
 }
 
-/** The path of how the resident of a run is. */
+/** The path of the care view of a run. */
 export function carePath(run: string): string {
   return `${storedPath(run)}/care`;
 }
 
-/** Has the browser save a file, as if its link had been clicked. */
+/** Makes the browser save a file. */
 export function save(blob: Blob, name: string): void {
   const link = document.createElement('a');
   link.href = URL.createObjectURL(blob);

@@ -1,8 +1,7 @@
-// What this page is of, by its address: a server's only scenario, a folder of homes, or a home of that folder.
+// The subject of this page, by its address: a server's only scenario, a folder of homes, or a home of that folder.
 
 export type Site = { kind: 'alone' } | { kind: 'library' } | { kind: 'home'; name: string };
 
-/** The address of the first page of a library. */
 export const LIBRARY = '/library/';
 
 export function siteOf(pathname: string): Site {
@@ -16,12 +15,11 @@ export function siteOf(pathname: string): Site {
   }
 }
 
-/** Below which path the server answers for it. */
+/** The path of its requests. */
 export function apiOf(site: Site): string {
   return site.kind === 'home' ? `/api/homes/${encodeURIComponent(site.name)}` : '/api';
 }
 
-/** The address of a home's page, and of a view of it. */
 export function homeHref(name: string, hash = '#/live'): string {
   return `/homes/${encodeURIComponent(name)}/${hash}`;
 }

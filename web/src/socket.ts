@@ -1,18 +1,18 @@
-// The line to the server over which a run is watched and steered. It says hello first, tries again when it is cut, and
-// passes on everything it hears: what it cannot read is told, too.
+// The WebSocket for watching and controlling a run. It introduces itself first, reconnects after a cut, and passes on
+// all messages, including a report of those that it cannot read.
 
 import { decode } from '@msgpack/msgpack';
 import type { Frame, Say, Tell } from './wire';
 
 export type Status = 'connecting' | 'open' | 'lost' | 'refused' | 'gone' | 'closed';
 
-/** The server closes the socket with this where it does not know the token. */
+/** The server closes the socket with this code if it does not know the token. */
 export const WRONG_TOKEN = 4401;
 
-/** And with this where the home is not there, or not any more. */
+/** The server closes the socket with this code if the home does not exist. */
 export const NO_HOME = 4404;
 
-/** The part of a WebSocket that is used, so that tests can stand in for it. */
+/** The part of a WebSocket that is used, so that tests can replace it. */
 export type Wire = {
   binaryType: string;
   onopen: (() => void) | null;
@@ -27,7 +27,7 @@ type Hears = {
   status(status: Status): void;
   frame(frame: Frame): void;
   tell(tell: Tell): void;
-  /** Something came that could not be read. */
+  /** A message could not be read. */
   trouble(text: string): void;
 };
 
@@ -44,7 +44,7 @@ export class Socket {
     private readonly token: string,
     private readonly hears: Hears,
     private readonly make: () => Wire = () => dial('/api'),
-    /** From 0 to 1: pages that lost the same server do not all come back at once. */
+    /** From 0 to 1: pages that lost the same server should not all reconnect at once. */
     private readonly chance: () => number = Math.random,
   ) {}
 
@@ -64,7 +64,7 @@ export class Socket {
     };
     wire.onmessage = ({ data }) => {
       if (this.wire !== wire) return;
-      // The server has let us in: a wait after the next cut begins small again.
+      // The server has accepted the page: the next wait after a cut is short again.
       this.waits = 0;
       this.hear(data);
     };
@@ -78,14 +78,14 @@ export class Socket {
     };
   }
 
-  /** Whether it could be sent. */
+  /** @returns whether it could be sent. */
   say(say: Say): boolean {
     if (this.wire === null || this.now !== 'open') return false;
     this.wire.send(JSON.stringify(say));
     return true;
   }
 
-  /** Tries at once instead of waiting longer. */
+  /** Reconnects at once. */
   hurry(): void {
     if (this.wire !== null || this.now !== 'lost') return;
     clearTimeout(this.timer);
@@ -130,7 +130,7 @@ export class Socket {
   }
 }
 
-/** A line to what the server has below this path. */
+/** Opens a WebSocket to a path of the server. */
 export function dial(api: string): Wire {
   const scheme = window.location.protocol === 'https:' ? 'wss' : 'ws';
   return new WebSocket(`${scheme}://${window.location.host}${api}/live`) as unknown as Wire;

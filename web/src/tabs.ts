@@ -1,11 +1,11 @@
-// Tabs of one server tell each other the token: who opens a second one need not go back to the terminal. Only pages of the same
-// address hear it, and nothing is kept.
+// Tabs of one server share the token, so that a second tab needs no address from the terminal. Only pages of the same
+// origin receive it, and nothing is stored.
 
 const CHANNEL = 'homebody-token';
-/** How long another tab is waited for (ours): one that is there answers in some milliseconds. */
+/** Time to wait for another tab (our choice): tabs answer within some milliseconds. */
 const PATIENCE_MS = 250;
 
-/** The token that another tab has; nothing where there is none. */
+/** The token of another tab, if there is one. */
 export function tokenOfOthers(): Promise<string | null> {
   if (typeof BroadcastChannel === 'undefined') return Promise.resolve(null);
   const channel = new BroadcastChannel(CHANNEL);
@@ -23,7 +23,7 @@ export function tokenOfOthers(): Promise<string | null> {
   });
 }
 
-/** Answers tabs that ask; the function that comes back ends that. */
+/** Answers other tabs; the returned function ends that. */
 export function answerOthers(token: () => string | null): () => void {
   if (typeof BroadcastChannel === 'undefined') return () => {};
   const channel = new BroadcastChannel(CHANNEL);

@@ -1,4 +1,4 @@
-// Lengths and shares as they are shown. Files and messages are in metres; what is shown may be in feet.
+// Lengths and shares for display. Files and messages are in metres; the display may be in feet.
 
 export type Units = 'metric' | 'feet';
 
@@ -18,7 +18,7 @@ export function length(metres: number, units: Units): string {
   return rest === 0 ? `${feet} ft` : `${feet} ft ${rest} in`;
 }
 
-/** A round length for a scale bar of at most `widest` pixels, and how many pixels it takes. */
+/** A round length for a scale bar of at most `widest` pixels, and its width in pixels. */
 export function scaleBar(pixelsPerMetre: number, widest: number, units: Units): { label: string; pixels: number } {
   const unit = units === 'metric' ? 1 : FOOT_M;
   const most = widest / (pixelsPerMetre * unit);
@@ -36,14 +36,14 @@ export function inMetres(value: number, units: Units): number {
   return units === 'metric' ? value : value * FOOT_M;
 }
 
-/** A share in percent, to the nearest tenth; but less than all is never 100 %, and what is not nothing is never 0 %. */
+/** A share in percent, to the nearest tenth; only 1 is 100 %, and only 0 is 0 %. */
 export function percent(share: number): string {
   const tenths = Math.round(share * 1000);
   if (tenths === 0 && share > NOTHING) return '<0.1 %';
   return `${((tenths === 1000 && share < 1 - NOTHING ? 999 : tenths) / 10).toFixed(1)} %`;
 }
 
-/** Such as `12.5 m²` or `134.5 ft²`; what is small has one digit more. */
+/** Such as `12.5 m²` or `134.5 ft²`; small areas have one digit more. */
 export function area(square_m: number, units: Units): string {
   const value = units === 'metric' ? square_m : square_m / FOOT_M ** 2;
   return `${value.toFixed(value < 1 ? 2 : 1)} ${units === 'metric' ? 'm²' : 'ft²'}`;

@@ -105,7 +105,7 @@ fn naive(eye: impl Eye, home: &Home, build: Build, excerpts: &[MotionSegment]) -
     let mut firings = Vec::new();
     let until = excerpts[excerpts.len() - 1].end;
     let start = Instant::now();
-    naive.live(&mut [Player::new(excerpts, build.radius_m)], until, &mut firings);
+    naive.run(&mut [Player::new(excerpts, build.radius_m)], until, &mut firings);
     start.elapsed().as_secs_f64() / until.seconds()
 }
 

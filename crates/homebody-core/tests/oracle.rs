@@ -93,7 +93,7 @@ impl Case {
     fn looped<E: homebody_oracle::Eye>(&self, mut naive: Loop<E>) -> Vec<Firing> {
         let mut firings = Vec::new();
         let mut lives = [Player::new(&self.life, self.build.radius_m)];
-        naive.live(&mut lives, END, &mut firings);
+        naive.run(&mut lives, END, &mut firings);
         firings
     }
 

@@ -20,7 +20,6 @@ const GREATEST_BYTES: usize = 1 << 30;
 /// The exit code of a process whose case takes too much memory.
 pub const GREEDY: i32 = 86;
 
-/// The panics of all threads during a case.
 static PANICS: Mutex<Vec<String>> = Mutex::new(Vec::new());
 
 fn panics() -> std::sync::MutexGuard<'static, Vec<String>> {
@@ -74,7 +73,7 @@ fn measured(target: &Target, files: &CaseFiles) -> Result<(ReadVerdict, Option<S
     Ok((verdict, (!is_within).then(|| format!("{:.1} s, {} MiB", took.as_secs_f64(), bytes >> 20))))
 }
 
-/// The memory of the process at a moment, by its allocator and by Linux, which also counts that of C libraries.
+/// Memory at a moment, by the allocator and by Linux, which also counts that of C libraries.
 struct Memory {
     allocated: usize,
     resident: Option<usize>,
@@ -88,7 +87,7 @@ impl Memory {
         Memory { allocated: ALLOCATOR.current_usage(), resident: status("VmRSS:") }
     }
 
-    /// Bytes beyond those at the beginning, by a key of Linux's status or by the allocator.
+    /// Growth in bytes since the beginning, by a key of Linux's status or by the allocator.
     fn bytes(&self, key: &str, allocated: usize) -> usize {
         let resident = self.resident.zip(status(key)).map_or(0, |(before, now)| now.saturating_sub(before));
         allocated.saturating_sub(self.allocated).max(resident)

@@ -1,15 +1,10 @@
 //! Hostile inputs for every reader of foreign data: the targets, their seeds, the mutators and the limits of a case.
 //!
-//! `tests/targets.rs` runs them. proptest draws, repeats and shrinks the cases, and runs them in a child process, which a
-//! case may hang or kill. This crate knows no homes and no logs, only the properties that must hold of each.
+//! `tests/targets.rs` runs them. proptest draws, repeats and shrinks the cases, and runs them in a child process, which
+//! a case may hang or kill. The crate checks properties of homes and logs, not their content.
 
-#![warn(missing_docs)]
-
-/// One case, measured.
 pub mod case;
-/// Targets and their cases.
 pub mod target;
-/// The targets.
 pub mod targets;
 
 mod choices;

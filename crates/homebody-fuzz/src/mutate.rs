@@ -1,5 +1,5 @@
-//! Mutators, by the grammar of what they change. Libraries mutate bytes, or values of Rust types; files of JSON, SQL, markup and
-//! sentences that keep their form and break its rules need these.
+//! Mutators of JSON, SQL, markup and sentences by their grammar. Libraries mutate bytes, or values of Rust types; they
+//! cannot keep the form of a file and break its rules.
 
 use crate::choices::Choices;
 use std::collections::BTreeMap;
@@ -19,12 +19,11 @@ pub mod texts;
 /// Largest size in bytes of an input that repetition enlarges (our choice).
 const MOST_REPEATED_BYTES: usize = 300_000;
 
-/// Largest number of repetitions of something of this length, at most `most`.
+/// Largest number of repetitions of an item of this length, at most `most`.
 fn times(length: usize, most: usize) -> usize {
     (MOST_REPEATED_BYTES / (length + 1)).clamp(1, most)
 }
 
-/// The words of a list in `words.json`.
 fn words(list: &str) -> &'static [String] {
     static WORDS: OnceLock<BTreeMap<String, Vec<String>>> = OnceLock::new();
     let words = WORDS.get_or_init(|| {
@@ -34,7 +33,6 @@ fn words(list: &str) -> &'static [String] {
     &words[list]
 }
 
-/// One of the words of a list.
 fn word(choices: &mut Choices, list: &str) -> &'static str {
     choices.one::<String>(words(list))
 }

@@ -17,7 +17,7 @@ pub fn scenarios() -> Vec<CaseFiles> {
     Template::all().map(files).chain([flat()]).collect()
 }
 
-/// The flat that tests share: a resident who follows a path, and one whom keys move.
+/// The flat that tests share: one resident follows a path, keys move the other.
 pub fn flat() -> CaseFiles {
     let mut flat = all_in(&Path::new(env!("CARGO_MANIFEST_DIR")).join("../../tests/flat"));
     flat.insert("bob.keys.json".to_owned(), br#"{ "keys": [{ "at_s": 1, "held": ["right"] }] }"#.to_vec());
@@ -33,7 +33,6 @@ fn all_in(folder: &Path) -> CaseFiles {
     entries(folder).iter().filter(|path| path.is_file()).flat_map(|path| one(path)).collect()
 }
 
-/// The entries of a folder by name; empty without the folder.
 fn entries(folder: &Path) -> Vec<PathBuf> {
     let entries = fs::read_dir(folder).into_iter().flatten().flatten().map(|entry| entry.path());
     let mut entries: Vec<PathBuf> = entries.collect();

@@ -5,30 +5,28 @@ use crate::mutate::bytes;
 use std::collections::BTreeMap;
 use std::path::Path;
 
-/// The files of a case, by name.
 pub type CaseFiles = BTreeMap<String, Vec<u8>>;
 
 /// The answer of a reader that works.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ReadVerdict {
-    /// The files were read and used.
+    /// It read and used the files.
     Accepted,
-    /// They were refused, with place and reason.
+    /// It refused them, with place and reason.
     Refused,
 }
 
 /// A reader of foreign data that is fuzzed.
 #[derive(Clone, Copy)]
 pub struct Target {
-    /// The name of the target and of its folder of seeds.
     pub name: &'static str,
     /// Largest number of mutants in a run of its test.
     pub cases: u32,
     /// Its seeds: valid files, and files that once failed. Mutants are made of them.
     pub seeds: fn() -> Vec<CaseFiles>,
-    /// Makes a mutant of a seed; all seeds are there to take parts from.
+    /// Makes a mutant of a seed, with parts of all seeds.
     pub mutate: fn(&mut CaseFiles, &[CaseFiles], &mut Choices),
-    /// Does with the files all that the program does; the folder is empty, and all of it may be used.
+    /// Exercises the program with the files in an empty folder.
     ///
     /// # Errors
     ///
@@ -37,7 +35,7 @@ pub struct Target {
 }
 
 impl Target {
-    /// The mutant that follows from bytes.
+    /// The mutant that bytes select.
     pub fn mutant(&self, seeds: &[CaseFiles], bytes: &[u8]) -> CaseFiles {
         let mut choices = Choices::new(bytes);
         let mut files = choices.one(seeds).clone();
@@ -57,7 +55,7 @@ pub(crate) fn texts(files: &CaseFiles) -> BTreeMap<String, String> {
     files.iter().map(|(name, bytes)| (name.clone(), text(bytes))).collect()
 }
 
-/// Changes one file of a case by a mutator of texts, and that of another case's file of any name to take from.
+/// Changes one file of a case by a mutator of texts, with a file of another case as a source of parts.
 pub(crate) fn change(
     files: &mut CaseFiles,
     seeds: &[CaseFiles],

@@ -24,7 +24,6 @@ mod wire;
 
 use crate::target::Target;
 
-/// All targets.
 pub const TARGETS: [Target; 17] = [
     scenario::TARGET,
     home::TARGET,
@@ -45,7 +44,7 @@ pub const TARGETS: [Target; 17] = [
     wire::TARGET,
 ];
 
-/// The target of a name; `trial`, which is in no list, fails in each way that there is.
+/// The target with a name, also `trial`, which is not in the list and fails in each possible way.
 pub fn named(name: &str) -> Option<Target> {
     TARGETS.into_iter().chain([trial::TARGET]).find(|target| target.name == name)
 }

@@ -17,7 +17,7 @@ const SEED: u64 = 1;
 /// Time after which a target gets no more mutants, without `HOMEBODY_FUZZ_S` (our choice).
 const SECONDS: u64 = 10;
 
-/// Time after which a case hangs (our choice): a build that is not optimised is slow, and other tests run beside it.
+/// Time after which a case hangs (our choice): a debug build is slow, and other tests run at the same time.
 const HANGS_AFTER_MS: u32 = if cfg!(debug_assertions) { 60_000 } else { 10_000 };
 
 /// Largest number of bytes from which a mutant is made (our choice).
@@ -163,7 +163,7 @@ each! {
     messages_of_the_page: "wire",
 }
 
-/// What a case of the target `trial` comes to, which fails on purpose.
+/// A case of the target `trial`, which fails on purpose.
 fn trial(test: &'static str, way: &str) -> Result<(), String> {
     let target = named("trial").unwrap();
     let files = CaseFiles::from([("way".to_owned(), way.as_bytes().to_vec())]);

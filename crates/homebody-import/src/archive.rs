@@ -1,4 +1,4 @@
-//! The archive: the text of the one entry that is read, `Home.xml`; or that file by itself, unpacked.
+//! The archive: the text of its entry `Home.xml`, or that file by itself, unpacked.
 //!
 //! The entry `Home`, a dump of Java objects, is never read.
 
@@ -28,10 +28,8 @@ const MOST_SHRUNK: u64 = 200;
 /// Size above which the compression ratio is checked (our choice).
 const SMALL_BYTES: u64 = 1 << 20;
 
-/// The signature of an entry in the directory of an archive.
 const ENTRY_SIGN: &[u8] = b"PK\x01\x02";
 
-/// The text of the plan in a file.
 pub fn home_xml(bytes: &[u8]) -> Result<String, ImportError> {
     let hint = "delete furniture whose models are large, in a copy";
     within("bytes", bytes.len() as u64, MOST_BYTES, hint)?;
@@ -62,10 +60,9 @@ pub fn home_xml(bytes: &[u8]) -> Result<String, ImportError> {
     text(xml)
 }
 
-/// The hint for a plan that is larger than one of a home.
 const SAVE_AGAIN: &str = "a plan of one home is smaller: open it in Sweet Home 3D and save it again";
 
-/// True if the bytes are the text of a plan, without an archive around it.
+/// Unpacked text: a plan without an archive around it.
 fn is_unpacked(bytes: &[u8]) -> bool {
     /// Number of bytes within which the root element begins (our choice).
     const HEAD: usize = 4_096;

@@ -9,7 +9,6 @@ use crate::walls::{DOOR_OFF_M, StraightWall};
 use homebody_core::geometry::{self, Point};
 use homebody_core::problem::counted;
 
-/// A door in a wall.
 #[derive(Clone, Debug)]
 pub struct WallDoor {
     pub name: String,
@@ -45,7 +44,7 @@ const MOST_BESIDE: usize = 2;
 const BEHIND_M: [f64; 5] = [0.05, 0.15, 0.25, 0.35, 0.45];
 
 /// The doors among the openings, without windows.
-pub fn only(openings: Vec<PlanPiece>, remarks: &mut Vec<String>) -> Result<Vec<PlanPiece>, ImportError> {
+pub fn without_windows(openings: Vec<PlanPiece>, remarks: &mut Vec<String>) -> Result<Vec<PlanPiece>, ImportError> {
     let (windows, doors): (Vec<PlanPiece>, Vec<PlanPiece>) = openings.into_iter().partition(kinds::is_window);
     if !windows.is_empty() {
         let windows = counted(windows.len(), "window, which makes", "windows, which make");
@@ -64,7 +63,7 @@ const BESIDE_GAP_M: f64 = 0.35;
 /// Smallest share along a wall of a door in that wall (our choice). For another door, a gap is searched.
 const IN_WALL_SHARE: f64 = 0.5;
 
-/// Walls for the doors that are drawn in gaps between walls: from the one end to the other.
+/// Walls for doors that are drawn in gaps between walls.
 pub fn gaps(doors: &[PlanPiece], walls: &[StraightWall], remarks: &mut Vec<String>) -> Vec<StraightWall> {
     let gaps: Vec<StraightWall> = doors.iter().filter_map(|door| gap(door, walls)).collect();
     if !gaps.is_empty() {
@@ -100,7 +99,7 @@ fn gap(door: &PlanPiece, walls: &[StraightWall]) -> Option<StraightWall> {
     (is_across && wall.length() >= LEAST_WIDTH_M.max(door.width_m / 2.0)).then_some(wall)
 }
 
-/// The doors in their walls; those between a room and none lead out.
+/// The doors in their walls. A door with a room on one side only leads out.
 pub fn place(
     doors: &[PlanPiece],
     walls: &[StraightWall],
@@ -148,7 +147,6 @@ pub fn way_out(doors: &[WallDoor]) -> usize {
     doors.iter().filter(|door| door.is_outside).map(|door| door.leads_home + 1).max().unwrap_or(0)
 }
 
-/// The walls that a door may stand in.
 fn near<'a>(door: &PlanPiece, walls: &'a [StraightWall]) -> impl Iterator<Item = &'a StraightWall> {
     let across = geometry::direction(door.turn_rad.to_degrees());
     walls.iter().filter(move |wall| {
@@ -159,9 +157,8 @@ fn near<'a>(door: &PlanPiece, walls: &'a [StraightWall]) -> impl Iterator<Item =
     })
 }
 
-/// The wall that a door stands in.
 fn wall_of<'a>(door: &PlanPiece, walls: &'a [StraightWall]) -> Option<&'a StraightWall> {
-    // Of walls that meet, the one with more of the door; of walls side by side, the nearer one.
+    // Of walls that meet, the one with more of the door; of adjacent walls, the nearer one.
     let fit = |wall: &StraightWall| {
         let at = (door.at - wall.from).dot(wall.along());
         let shared = (at + door.width_m / 2.0).min(wall.length()) - (at - door.width_m / 2.0).max(0.0);
@@ -170,15 +167,15 @@ fn wall_of<'a>(door: &PlanPiece, walls: &'a [StraightWall]) -> Option<&'a Straig
     near(door, walls).max_by(|a, b| fit(a).total_cmp(&fit(b)))
 }
 
-/// The span of a door in a wall, moved into it as far as it must, and no wider than it.
+/// The span of a door in a wall, no wider than the wall, moved into it if necessary.
 fn span(door: &PlanPiece, wall: &StraightWall) -> (Point, Point) {
     let half = door.width_m.min(wall.length()) / 2.0;
     let at = (door.at - wall.from).dot(wall.along()).clamp(half, (wall.length() - half).max(half));
     (wall.from + wall.along() * (at - half), wall.from + wall.along() * (at + half))
 }
 
-/// The part of a span that no earlier door covers. Only what overlaps by the width of a frame at most is cut, as two leaves do; of
-/// doors that overlap more the check leaves one out.
+/// The part of a span that no earlier door covers. Only overlaps up to the width of a frame are cut, as between two
+/// leaves; the check removes one of two doors that overlap more.
 fn beside_others(
     placed: &[WallDoor],
     name: &str,
@@ -210,7 +207,7 @@ fn beside_others(
     (from, to)
 }
 
-/// True if a door also goes through a wall that stands beside its own, as where two houses meet.
+/// True if a door also goes through the adjacent wall, as between two houses.
 fn goes_through_both(door: &PlanPiece, own: &StraightWall, other: &StraightWall) -> bool {
     let way = other.along();
     let at = (door.at - other.from).dot(way);
@@ -223,7 +220,6 @@ fn goes_through_both(door: &PlanPiece, own: &StraightWall, other: &StraightWall)
         && at <= other.length() - door.width_m / 2.0
 }
 
-/// True if a room is on this side of a place in a wall.
 fn is_inside(middle: Point, wall: &StraightWall, rooms: &[NamedRoom], side: f64) -> bool {
     let out = wall.along().perp() * side;
     let at = BEHIND_M.map(|behind| middle + out * (wall.thickness_m / 2.0 + behind));

@@ -1,7 +1,6 @@
 //! The content of a plan, in metres, with y to the north and angles counter-clockwise.
 //!
-//! Sweet Home 3D writes centimetres, y to the south and radians clockwise; they are turned into ours here and nowhere
-//! else.
+//! Sweet Home 3D writes centimetres, y to the south and radians clockwise; only this module converts them.
 
 use homebody_core::geometry::{self, Point};
 use homebody_core::names::words;
@@ -11,7 +10,7 @@ use std::collections::BTreeMap;
 /// Largest number in a plan, in centimetres or radians (our choice): ten kilometres.
 const GREATEST: f64 = 1e6;
 
-/// Everything in a plan that a home may be made of, on all levels.
+/// Everything in a plan that may become part of a home, on all levels.
 #[derive(Debug, Default)]
 pub struct PlanDrawing {
     pub levels: Vec<PlanLevel>,
@@ -20,17 +19,16 @@ pub struct PlanDrawing {
     pub openings: Vec<PlanPiece>,
     pub pieces: Vec<PlanPiece>,
     pub labels: Vec<Label>,
-    /// The latitude by the plan's compass.
+    /// The latitude of the plan's compass.
     pub latitude_deg: Option<f64>,
     /// The number of things without a usable place or size.
     pub unread: usize,
 }
 
-/// The number that the text of a level's id has in a plan: a group hands its level on to all that is in it, and the text
-/// may be long.
+/// The number of a level's id in a plan: a group passes its level on to its content, and the id may be long.
 pub type LevelId = usize;
 
-/// The texts of the levels' ids, each with its number.
+/// The ids of the levels, each with its number.
 #[derive(Default)]
 struct LevelIds<'a>(BTreeMap<&'a str, LevelId>);
 
@@ -46,7 +44,6 @@ pub struct PlanLevel {
     pub id: LevelId,
     pub name: String,
     pub elevation_m: f64,
-    /// From floor to ceiling.
     pub height_m: Option<f64>,
     /// The order of levels of one elevation.
     pub index: f64,
@@ -72,7 +69,6 @@ pub struct PlanRoom {
     pub has_floor: bool,
 }
 
-/// A text that is written somewhere.
 #[derive(Clone, Debug)]
 pub struct Label {
     pub level: Option<LevelId>,
@@ -80,16 +76,13 @@ pub struct Label {
     pub at: Point,
 }
 
-/// A piece of furniture, or a door or window.
 #[derive(Clone, Debug)]
 pub struct PlanPiece {
     pub level: Option<LevelId>,
     pub name: String,
-    /// The words of its name.
     pub words: Vec<String>,
-    /// The words of what the catalogue calls it, which are English in any language of the program.
+    /// The words of its name in the catalogue, which are English in any language of the program.
     pub catalog: Vec<String>,
-    /// The middle of its rectangle.
     pub at: Point,
     pub width_m: f64,
     pub depth_m: f64,
@@ -101,7 +94,6 @@ pub struct PlanPiece {
     pub is_cut_out: bool,
 }
 
-/// Reads a plan.
 pub fn read(document: &Document) -> PlanDrawing {
     let mut drawing = PlanDrawing::default();
     let mut ids = LevelIds::default();
@@ -181,10 +173,10 @@ fn label(node: Node, level: Option<LevelId>) -> Option<Label> {
     Some(Label { level, text: text.unwrap_or_default().to_owned(), at: point(node, "x", "y")? })
 }
 
-/// A piece, if it has all sizes; `unsaid_m` stands for a depth or height that it does not have.
+/// A piece, if it has all sizes; `unsaid_m` replaces a missing depth or height.
 fn piece(node: Node, level: Option<LevelId>, is_visible: bool, unsaid_m: Option<f64>) -> Option<PlanPiece> {
     let positive = |key| length(node, key).filter(|&size| size > 0.0);
-    // A piece that leans has another size as seen from above.
+    // A leaning piece has another size as seen from above.
     let size = |in_plan, upright| positive(in_plan).or_else(|| positive(upright));
     let name = node.attribute("name").unwrap_or_default().to_owned();
     let catalog = words(node.attribute("catalogId").unwrap_or_default());
@@ -204,7 +196,7 @@ fn piece(node: Node, level: Option<LevelId>, is_visible: bool, unsaid_m: Option<
     })
 }
 
-/// A door or window, as wide as the hole that it makes in a wall, and where that hole is.
+/// A door or window, as wide as its hole in the wall, at the place of that hole.
 fn opening(node: Node, level: Option<LevelId>, is_visible: bool) -> Option<PlanPiece> {
     let mut piece = piece(node, level, is_visible, Some(0.0))?;
     let across = geometry::direction(piece.turn_rad.to_degrees());
@@ -220,15 +212,14 @@ fn opening(node: Node, level: Option<LevelId>, is_visible: bool) -> Option<PlanP
     Some(piece)
 }
 
-/// The part of a piece that is in the wall: how far its middle is from that of the piece, and how large it is, both as
-/// shares of the piece.
+/// The part of a piece that is in the wall: the offset of its middle, and its size, both as shares of the piece.
 fn hole(node: Node, begin: &str, size: &str) -> Option<(f64, f64)> {
     let share = |key, usual| number(node, key).filter(|share| (0.0..=1.0).contains(share)).unwrap_or(usual);
     let (begin, size) = (share(begin, 0.0), share(size, 1.0));
     (size > 0.0 && begin + size <= 1.0).then_some((begin + size / 2.0 - 0.5, size))
 }
 
-/// The compass's latitude as far as homes know days to be long and short.
+/// The compass's latitude, limited to the range of homes.
 fn latitude_deg(node: Node) -> Option<f64> {
     /// The range of latitudes of a home.
     const MOST_DEG: f64 = 65.0;
@@ -240,7 +231,6 @@ fn point(node: Node, x: &str, y: &str) -> Option<Point> {
     Some(Point::new(length(node, x)?, -length(node, y)?))
 }
 
-/// A length in metres.
 fn length(node: Node, key: &str) -> Option<f64> {
     number(node, key).map(|centimetres| centimetres / 100.0)
 }

@@ -1,4 +1,4 @@
-//! Why a file is not imported.
+//! Errors of importing a file.
 
 homebody_core::messages! {
     /// Errors of importing a plan.

@@ -1,9 +1,9 @@
-//! Exits of a floor to stairs, for floors drawn beside each other: gaps for a door in its outer walls.
+//! Exits of a floor to stairs, for floors drawn next to each other: gaps for a door in its outer walls.
 
 use crate::drawing::PlanPiece;
 use crate::floor::BuiltFloor;
 use crate::outline::NamedRoom;
-use crate::walls::StraightWall;
+use crate::walls::{MOST_SEARCHED, StraightWall};
 use homebody_core::geometry::{self, Point};
 use homebody_core::languages::{RoomUse, room_use};
 use homebody_core::plan::FLAT_M;
@@ -12,9 +12,6 @@ use homebody_core::role::Role;
 /// Width of the way through the wall, and of the flight of stairs between the centre lines of its walls (our choice).
 pub const DOOR_M: f64 = 0.9;
 pub const FLIGHT_M: f64 = 1.0;
-
-/// Largest number of walls of a floor that is unfolded (our choice): each wall is searched.
-const MOST_WALLS: usize = 400;
 
 /// Distance between places in one wall, with room for another flight of stairs, and largest numbers of places tried on
 /// a floor and in a wall, the nearest to the stairs first (our choice).
@@ -32,24 +29,23 @@ const MOST_STEPS: f64 = 100.0;
 /// Depth before the wall that has to be free (our choice): a person turns there.
 const FREE_M: f64 = 0.75;
 
-/// A place for a door in an outer wall.
 #[derive(Clone, Copy, Debug)]
 pub struct WallExit {
-    /// Its middle, on the middle line of the wall.
+    /// On the middle line of the wall.
     pub at: Point,
     /// The way out, of length 1.
     pub out: Point,
     pub thickness_m: f64,
-    /// Its distance from the drawn stairs.
+    /// Distance from the drawn stairs.
     pub away_m: f64,
-    /// The room that it leads out of.
+    /// The room inside of the door.
     pub room: usize,
 }
 
-/// Places for a door in outer walls: of the rooms that the stairs are drawn in, then of those around them and next to these; the
+/// Places for a door in outer walls: of the rooms of the drawn stairs, then of those around them and next to these; the
 /// nearest first.
 pub fn exits(floor: &BuiltFloor, stairs: &PlanPiece) -> Vec<WallExit> {
-    if floor.walls.len() > MOST_WALLS {
+    if floor.walls.len() > MOST_SEARCHED {
         return Vec::new();
     }
     let area = corners(stairs);
@@ -57,10 +53,10 @@ pub fn exits(floor: &BuiltFloor, stairs: &PlanPiece) -> Vec<WallExit> {
     let near_m = stairs.width_m.min(stairs.depth_m) / 2.0 + FREE_M;
     let is_near = |room: &usize| geometry::distance_to_area(&floor.rooms[*room].outline, stairs.at) <= near_m;
     let near: Vec<usize> = (0..floor.rooms.len()).filter(is_near).collect();
-    // Some plans leave a hole in the floor where stairs are.
+    // Some plans leave a hole in the floor for stairs.
     let at = if within.is_empty() { &near } else { &within };
     let is_next = |room: usize| at.iter().any(|&known| known != room && are_joined(floor, room, known));
-    // Nobody goes upstairs through a bathroom, nor through a bedroom if it can be helped.
+    // People do not go upstairs through a bathroom, nor through a bedroom if another room has a place.
     let has = |room: usize, role: Role| {
         let pieces = floor.furniture.iter().filter(|piece| piece.is_for(role));
         pieces.into_iter().any(|piece| geometry::contains(&floor.rooms[room].outline, piece.at))
@@ -81,7 +77,6 @@ pub fn exits(floor: &BuiltFloor, stairs: &PlanPiece) -> Vec<WallExit> {
     all
 }
 
-/// The corners of a piece of a plan.
 pub fn corners(piece: &PlanPiece) -> [Point; 4] {
     let along = geometry::direction(piece.turn_rad.to_degrees());
     let (x, y) = (along * (piece.width_m / 2.0), along.perp() * (piece.depth_m / 2.0));
@@ -108,9 +103,9 @@ fn are_joined(floor: &BuiltFloor, one: usize, other: usize) -> bool {
     through_door() || geometry::sides(&floor.rooms[one].outline).any(|(a, b)| is_open((a + b) / 2.0))
 }
 
-/// A place for a front door: in a hall if there is one, else in the largest room that has a place for it.
+/// A place for a front door: in a hall if possible, else in the largest room with a place for it.
 pub fn front_door(floor: &BuiltFloor) -> Option<WallExit> {
-    if floor.walls.is_empty() || floor.walls.len() > MOST_WALLS {
+    if floor.walls.is_empty() || floor.walls.len() > MOST_SEARCHED {
         return None;
     }
     let is_hall = |room: &NamedRoom| room_use(&room.name) == Some(RoomUse::Hall);
@@ -124,7 +119,7 @@ pub fn front_door(floor: &BuiltFloor) -> Option<WallExit> {
     })
 }
 
-/// In each outer wall of a room the places that are nearest to a point. What is drawn at that very point is not in the way.
+/// The places in each outer wall of a room that are nearest to a point. A drawing at that very point is not in the way.
 fn room_exits(floor: &BuiltFloor, room: usize, near: Point) -> Vec<WallExit> {
     let mut found = Vec::new();
     let outline = &floor.rooms[room].outline;
@@ -155,14 +150,14 @@ fn room_exits(floor: &BuiltFloor, room: usize, near: Point) -> Vec<WallExit> {
     found
 }
 
-/// The points in a grid on one side of an exit, from so far before its wall's middle to so far.
+/// The points in a grid on one side of an exit, between two depths from the middle of the wall.
 fn grid(exit: &WallExit, depths_m: [f64; 3]) -> impl Iterator<Item = Point> {
     let along = exit.out.perp() * (DOOR_M / 2.0 - 0.05);
     let (at, out) = (exit.at, exit.out);
     depths_m.into_iter().flat_map(move |depth| [-1.0, 0.0, 1.0].map(|side| at + along * side + out * depth))
 }
 
-/// True if one side is in the room, deep enough to turn there, and the other in no room.
+/// True if one side is in the room, deep enough to turn there, and the other side in no room.
 fn is_outer(floor: &BuiltFloor, exit: &WallExit) -> bool {
     let face_m = exit.thickness_m / 2.0;
     let outline = &floor.rooms[exit.room].outline;

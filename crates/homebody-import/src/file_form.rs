@@ -5,11 +5,11 @@ use crate::error::ImportError;
 /// Number of bytes at the beginning that decide the form (our choice).
 const LOOKED_AT: usize = 64 << 10;
 
-/// The command for a picture in one of the forms that the command reads.
+/// The command for a picture in a form that the command reads.
 const PICTURE: &str = "homebody new my-home --image plan.png --known X,Y=EAST,NORTH --known X,Y=EAST,NORTH takes images, with two \
      points in pixels and in metres; homebody serve my-home then draws over it. Where you have a log of its sensors, add --from-log LOG";
 
-/// The command for a picture that the page alone reads.
+/// The command for a picture in a form that only the page reads.
 const IN_PAGE: &str = "homebody serve takes images in PNG, JPEG and SVG: \"New home\", from an image, and draw over it";
 
 /// The command for a picture in another form.
@@ -24,10 +24,8 @@ const OTHER_PROGRAM: &str = "draw the plan in Sweet Home 3D and name the .sh3d f
 const OWN: &str =
     "it needs no import: put it into the folder of a scenario, and name that folder: homebody check FOLDER";
 
-/// The hint for a plan inside of another archive.
 const PACKED: &str = "unpack it, and name the .sh3d file or the Home.xml that is in it";
 
-/// The first bytes of binary forms.
 const SIGNS: [(&[u8], &str, &str); 14] = [
     (b"\x89PNG\r\n\x1a\n", "an image in PNG", PICTURE),
     (b"\xff\xd8\xff", "an image in JPEG", PICTURE),
@@ -95,7 +93,6 @@ fn container_form(bytes: &[u8]) -> Option<(&'static str, &'static str)> {
     }
 }
 
-/// The form of a text.
 fn text_form(text: &str) -> Option<(&'static str, &'static str)> {
     let text = text.trim_start_matches('\u{feff}').trim_start();
     let is_markup = text.starts_with('<');
@@ -117,7 +114,6 @@ fn text_form(text: &str) -> Option<(&'static str, &'static str)> {
 /// The command that brings the file behind a pointer.
 const LFS: &str = "fetch the file itself with: git lfs pull";
 
-/// The kind of a drawing in SVG.
 fn svg_form(text: &str) -> &'static str {
     /// Prefixes of entities of Home Assistant in a floor plan.
     const ENTITIES: [&str; 5] = ["binary_sensor.", "light.", "sensor.", "switch.", "area."];
@@ -129,7 +125,6 @@ fn svg_form(text: &str) -> &'static str {
     }
 }
 
-/// The kind of data in JSON.
 fn json_form(text: &str) -> (&'static str, &'static str) {
     let has = |keys: &[&str]| keys.iter().all(|key| text.contains(&format!("\"{key}\"")));
     match () {
@@ -143,7 +138,6 @@ fn json_form(text: &str) -> (&'static str, &'static str) {
     }
 }
 
-/// The kind of settings in YAML.
 fn yaml_form(text: &str) -> (&'static str, &'static str) {
     let has = |key: &str| text.lines().any(|line| line.trim_start_matches([' ', '-']).starts_with(key));
     if has("floors:") && has("rooms:") || has("rooms:") && has("points:") {
@@ -160,13 +154,13 @@ fn has_tag(text: &str, name: &str) -> bool {
     })
 }
 
-/// True if lines are pairs of a number and a value, as in DXF.
+/// True if lines are pairs of a number and a value.
 fn is_dxf(text: &str) -> bool {
     let mut lines = text.lines().map(str::trim);
     matches!((lines.next(), lines.next()), (Some("0"), Some("SECTION")) | (Some("999"), Some(_)))
 }
 
-/// True if the first line with content is a key, or an item of a list with one.
+/// True if the first line with content is a key, or a list item with one.
 fn is_yaml(text: &str) -> bool {
     let said =
         text.lines().map(str::trim_end).find(|line| !line.is_empty() && !line.starts_with('#') && *line != "---");
@@ -216,14 +210,14 @@ mod tests {
     }
 
     #[test]
-    fn leaves_unnamed_what_it_does_not_know() {
+    fn leaves_unknown_forms_unnamed() {
         for bytes in [&b""[..], b"PK", b"<home/>", b"a line of words", &[0; 100], b"<svgs/>", b"http://a"] {
             assert_eq!(refused(bytes), ImportError::NoArchive, "{}", String::from_utf8_lossy(bytes));
         }
     }
 
     #[test]
-    fn names_archives_by_what_is_in_them() {
+    fn names_archives_by_their_entries() {
         let named = |names: &[&'static str]| archive_error(names.iter().map(|name| (*name).to_owned())).to_string();
         assert!(named(&["a.txt", "mine.sh3d"]).contains("a plan of Sweet Home 3D in it\n  hint: unpack it"));
         assert!(named(&["PluginFurnitureCatalog.properties"]).contains("has no plan"));

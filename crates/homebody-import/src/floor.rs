@@ -1,4 +1,4 @@
-//! One floor: what is drawn on a level, as rooms, walls, doors and furniture that fit together.
+//! One floor: the drawing of a level as rooms, walls, doors and furniture that fit together.
 
 use crate::doors::WallDoor;
 use crate::drawing::{self, PlanDrawing, PlanPiece};
@@ -22,27 +22,26 @@ pub struct BuiltFloor {
     pub furniture: Vec<Furniture>,
     /// The flights of stairs that begin here.
     pub stairs: Vec<PlanPiece>,
-    /// True if its way out leads into a room that lies in the open.
+    /// True if its way out leads into an open-air room.
     pub is_open: bool,
 }
 
-/// The names of a home. Rooms and furniture share theirs: paths go to either, and lamps are called after rooms.
+/// The names of a home. Rooms and furniture share theirs: paths go to either, and lamps are named after rooms.
 #[derive(Default)]
 pub struct AllNames {
     pub spots: NamePool,
     pub doors: NamePool,
 }
 
-/// The floor of what is drawn on one level.
-///
-/// `is_home` says whether people may come home to it: then what lies in the open before its front door is outside.
+/// Builds the floor of one level. With `is_home`, people may come home to it: the open-air rooms before its front door
+/// are then outside.
 pub fn build(
     drawing: &PlanDrawing,
     is_home: bool,
     names: &mut AllNames,
     remarks: &mut Vec<String>,
 ) -> Result<BuiltFloor, ImportError> {
-    let openings = doors::only(drawing.openings.clone(), remarks)?;
+    let openings = doors::without_windows(drawing.openings.clone(), remarks)?;
     let drawn_rooms = rooms::named(drawing, remarks);
     let outlines = if drawing.walls.is_empty() { rooms::outlines(&drawn_rooms, &openings) } else { Vec::new() };
     if !outlines.is_empty() {
@@ -50,12 +49,12 @@ pub fn build(
     }
     let all_walls = [&drawing.walls[..], &outlines].concat();
     let mut walls = walls::joined(walls::straight(&all_walls, &openings, remarks)?);
-    let drawn_rooms = spaces::parted(drawn_rooms, &walls, remarks);
+    let drawn_rooms = spaces::split_rooms(drawn_rooms, &walls, remarks);
     let drawn = walls.len();
     walls.extend(doors::gaps(&openings, &walls, remarks));
     let in_gaps = drawn..walls.len();
     let at: Vec<Point> = openings.iter().map(|door| door.at).collect();
-    let mut passages = passages::found(&walls, &at, &drawn_rooms);
+    let mut passages = passages::gaps(&walls, &at, &drawn_rooms);
     walls.extend(passages.iter().map(|passage| passage.wall.clone()));
     let mut rooms = rooms::place(&drawn_rooms, &walls, &mut names.spots, remarks)?;
     let spaces = spaces::without_room(&walls, &rooms);
@@ -94,7 +93,7 @@ pub fn build(
         let name = names.doors.give("passage", "passage");
         WallDoor { name, from, to, is_outside: false, leads_home: 0 }
     }));
-    let is_open = is_home && outdoors::leave_out(&mut rooms, &walls, &mut doors, remarks);
+    let is_open = is_home && outdoors::remove_open_rooms(&mut rooms, &walls, &mut doors, remarks);
     let furniture = furniture::place(drawing.pieces.clone(), &rooms, &mut names.spots, remarks)?;
     let stairs = drawing.pieces.iter().filter(|piece| piece.is_visible && kinds::is_stairs(piece)).cloned().collect();
     Ok(BuiltFloor { rooms, walls, doors, furniture, stairs, is_open })
@@ -106,7 +105,7 @@ impl BuiltFloor {
         doors::way_out(&self.doors)
     }
 
-    /// Puts the way out before all other doors: of several that lead out, the first is taken.
+    /// Puts the way out before all other doors: the first door that leads out is used.
     pub fn put_way_out_first(&mut self) {
         let best = (0..self.doors.len()).filter(|&index| self.doors[index].is_outside);
         let best = best.rev().max_by_key(|&index| self.doors[index].leads_home);
@@ -115,7 +114,6 @@ impl BuiltFloor {
         }
     }
 
-    /// All corners of rooms and ends of walls.
     pub fn points(&self) -> impl Iterator<Item = Point> + '_ {
         let ends = self.walls.iter().flat_map(|wall| [wall.from, wall.to]);
         ends.chain(self.rooms.iter().flat_map(|room| room.outline.iter().copied()))

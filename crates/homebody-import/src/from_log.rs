@@ -1,12 +1,12 @@
-//! A schematic home of a place that nobody has drawn: from the names of a log's sensors, from what was done as they spoke, and from
-//! which of them follow each other.
+//! A schematic home of a place without a plan: from the names of a log's sensors, the activities during their firings,
+//! and their order.
 //!
-//! Rooms become rectangles of a usual size that fill one large rectangle, so arranged that those between which somebody went are
-//! beside each other. Doors are where somebody went through, things where their names say, and sensors over them. Where somebody
-//! has measured on a picture where the sensors are, they are there, and the rooms are parted between them.
+//! Rooms become rectangles of a usual size that fill one large rectangle, arranged so that people can go between rooms
+//! as the log shows. Doors are on the routes of people, things are placed by their names, and sensors over them. With
+//! sensor positions measured on a picture, sensors keep these positions, and the rooms are divided between them.
 //!
-//! We assume that one who walks goes about 0.8 m a second. Left out: windows, levels, anything that no sensor tells of but what a
-//! life needs.
+//! We assume a walking speed of about 0.8 m/s. Left out: windows, levels, and things without a sensor, except those
+//! that a resident needs.
 
 mod words;
 
@@ -27,37 +27,33 @@ use homebody_core::geometry::Point;
 /// The meaning of a sensor's firing.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Speaks {
-    /// That something moves.
+    /// Movement.
     Motion,
-    /// That a door is opened or closed.
+    /// Opening or closing of a door.
     Contact,
 }
 
-/// A sensor of a log.
 #[derive(Clone, Debug, PartialEq)]
 pub struct LogSensor {
-    /// Its id in the log.
     pub id: String,
-    /// The meaning of its firing.
     pub speaks: Speaks,
-    /// The number of its firings.
     pub firings: u64,
-    /// Its room by the user's table.
+    /// Its room in the user's table.
     pub room: Option<String>,
-    /// At what it is there, in any words.
+    /// The thing or place that it watches, in any words.
     pub place: Option<String>,
     /// Its measured position, in metres.
     pub at: Option<Point>,
-    /// By label, how often it spoke while that was done.
+    /// By label: its firings during that activity.
     pub done: Vec<(String, u64)>,
-    /// The number of long silences that it began or ended.
+    /// The number of long silences before or after it.
     pub at_silence: u64,
-    /// The first decile, the median and the last decile of how long its ONs last, where that is told.
+    /// The first decile, the median and the last decile of the durations of ON, if the log has OFF.
     pub on_s: Option<[f64; 3]>,
 }
 
 impl LogSensor {
-    /// A sensor of which no more is known.
+    /// A sensor without further information.
     pub fn new(id: &str, speaks: Speaks, firings: u64) -> LogSensor {
         LogSensor {
             id: id.into(),
@@ -76,16 +72,16 @@ impl LogSensor {
 /// A way between two sensors.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LogWay {
-    /// Their numbers.
+    /// Indices of sensors.
     pub between: [usize; 2],
-    /// The number of times that a person took it.
+    /// The number of times that people took it.
     pub times: u64,
-    /// The time from the one firing to the other.
+    /// Time between the two firings.
     pub soon_s: f64,
 }
 
 impl LogWay {
-    /// The other end of the way, if this sensor is at one.
+    /// The other end of the way, if this sensor is at one end.
     fn other(&self, sensor: usize) -> Option<usize> {
         match self.between {
             [a, b] if a == sensor => Some(b),

@@ -1,4 +1,4 @@
-//! Furniture: rectangles on the floor of rooms, as high as they reach.
+//! Furniture: rectangles on the floor of rooms, from the floor to their height.
 
 use crate::drawing::PlanPiece;
 use crate::error::ImportError;
@@ -11,7 +11,6 @@ use homebody_core::home::form::REACH_OUT_M;
 use homebody_core::problem::counted;
 use homebody_core::role::Role;
 
-/// A piece of furniture of the home.
 #[derive(Clone, Debug)]
 pub struct Furniture {
     pub name: String,
@@ -32,7 +31,6 @@ const SIZE_M: [f64; 2] = [0.001, 1_000.0];
 /// Greatest height of a piece.
 const MOST_HEIGHT_M: f64 = 10.0;
 
-/// The pieces that stand in rooms.
 pub fn place(
     pieces: Vec<PlanPiece>,
     rooms: &[NamedRoom],
@@ -78,33 +76,32 @@ fn furniture(piece: &PlanPiece, meaning: PieceMeaning, names: &mut NamePool) -> 
         name,
         at: piece.at,
         size_m: [piece.width_m, piece.depth_m].map(|size| millimetres(size).clamp(SIZE_M[0], SIZE_M[1])),
-        turn_deg: turned(piece.turn_rad.to_degrees()),
+        turn_deg: normalised_turn(piece.turn_rad.to_degrees()),
         height_m: millimetres(piece.elevation_m + piece.height_m).clamp(0.0, MOST_HEIGHT_M),
         is_enterable: meaning.is_enterable,
     }
 }
 
-/// A turn as homes have it: up to half a circle either way, in thousandths of a degree.
-pub fn turned(turn_deg: f64) -> f64 {
+/// A turn in the range of homes: up to half a circle either way, in thousandths of a degree.
+pub fn normalised_turn(turn_deg: f64) -> f64 {
     let turn = turn_deg.rem_euclid(360.0);
     ((if turn > 180.0 { turn - 360.0 } else { turn }) * 1e3).round() / 1e3 + 0.0
 }
 
 impl Furniture {
-    /// Its corners.
     pub fn outline(&self) -> [Point; 4] {
         let along = geometry::direction(self.turn_deg);
         let (x, y) = (along * (self.size_m[0] / 2.0), along.perp() * (self.size_m[1] / 2.0));
         [x + y, y - x, -x - y, x - y].map(|corner| self.at + corner)
     }
 
-    /// True if it has this role or is called so.
+    /// True if its role or its name fits the role.
     pub fn is_for(&self, role: Role) -> bool {
         self.role.map_or_else(|| role.is_called(&self.name.to_lowercase()), |said| said == role)
     }
 }
 
-/// True for a piece in a room that reaches no further than into its walls.
+/// True for a piece in a room that overlaps nothing but walls.
 fn is_in(piece: &PlanPiece, rooms: &[NamedRoom]) -> bool {
     let along = geometry::direction(piece.turn_rad.to_degrees());
     let (x, y) = (along * (piece.width_m / 2.0), along.perp() * (piece.depth_m / 2.0));

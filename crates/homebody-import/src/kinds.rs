@@ -13,10 +13,9 @@ const HEADROOM_M: f64 = 1.8;
 /// Words for a window that people walk through.
 const DOOR: &str = "door french porte -tür türe puerta porta deur balcony";
 
-/// Windows that nobody opens far enough, however low they reach.
+/// Windows that people do not open far enough, however low they reach.
 const FIXED: &str = "fixed fixe fisso fissa fest festes fijo fija fixo hung panes";
 
-/// The words for stairs.
 const STAIRS: &str = "stair stairs staircase stairway treppe -treppe escalier scala scale escalera escada trap trappa \
     schody schodiště лестница 楼梯 階段";
 
@@ -28,8 +27,8 @@ pub fn is_window(opening: &PlanPiece) -> bool {
     opening.elevation_m > SILL_M || is_called_window(opening) && !reaches_floor(opening)
 }
 
-/// The preference for an opening as the way home: 2 for a front door, 1 for other doors, 0 for windows
-/// that reach the floor.
+/// The preference for an opening as the way home: 2 for a front door, 1 for other doors, 0 for windows that reach the
+/// floor.
 pub fn leads_home(opening: &PlanPiece) -> usize {
     if has(opening, FRONT_WORDS) { 2 } else { usize::from(!is_called_window(opening)) }
 }
@@ -38,7 +37,7 @@ fn is_called_window(opening: &PlanPiece) -> bool {
     has(opening, WINDOW_WORDS) && !has(opening, DOOR)
 }
 
-/// True if an opening is as high as a door and can be opened as one, whatever it is called.
+/// True if an opening is as high as a door and can be opened, by whatever name.
 fn reaches_floor(opening: &PlanPiece) -> bool {
     let top_m = opening.elevation_m + opening.height_m;
     opening.elevation_m <= STEP_M && top_m >= HEADROOM_M && !has(opening, FIXED)

@@ -1,4 +1,4 @@
-//! The levels of a plan, each with what is drawn on it.
+//! The levels of a plan, each with its drawing.
 
 use crate::drawing::{LevelId, PlanDrawing, PlanLevel};
 use crate::error::ImportError;
@@ -20,12 +20,11 @@ const LEAST_HEIGHT_M: f64 = 1.2;
 #[derive(Debug)]
 pub struct PlanLevels {
     pub storeys: Vec<Storey>,
-    /// All levels by number and name, also those that nothing is drawn on.
+    /// All levels by number and name, including empty ones.
     named: Vec<String>,
     is_asked_for: bool,
 }
 
-/// A level with what is drawn on it.
 #[derive(Debug)]
 pub struct Storey {
     /// `None` in a plan with one level.
@@ -36,10 +35,10 @@ pub struct Storey {
     pub drawing: PlanDrawing,
 }
 
-/// The levels on which something is drawn; of those that were asked for, that one alone.
+/// The levels with content, or only the requested one.
 ///
 /// Things without a level are on all of them; only plans without levels have such things.
-pub fn parted(mut drawing: PlanDrawing, wanted: Option<&str>) -> Result<PlanLevels, ImportError> {
+pub fn split(mut drawing: PlanDrawing, wanted: Option<&str>) -> Result<PlanLevels, ImportError> {
     let mut levels = std::mem::take(&mut drawing.levels);
     levels.sort_by(|a, b| a.elevation_m.total_cmp(&b.elevation_m).then(a.index.total_cmp(&b.index)));
     let named = (0..levels.len()).map(|index| named(&levels, index)).collect();
@@ -71,8 +70,8 @@ pub fn parted(mut drawing: PlanDrawing, wanted: Option<&str>) -> Result<PlanLeve
 }
 
 impl PlanLevels {
-    /// Says which levels these storeys are, why, and which are left out, if any is.
-    pub fn tell(&self, taken: &[usize], why: &str, remarks: &mut Vec<String>) {
+    /// Reports these storeys, the reason, and those that are left out.
+    pub fn report(&self, taken: &[usize], why: &str, remarks: &mut Vec<String>) {
         let taken: Vec<usize> = taken.iter().map(|&storey| self.storeys[storey].index).collect();
         let others: Vec<usize> = (0..self.named.len()).filter(|index| !taken.contains(index)).collect();
         if others.is_empty() {
@@ -103,7 +102,7 @@ fn storey(levels: &[PlanLevel], index: usize, all: &PlanDrawing) -> Storey {
     Storey { name, index, elevation_m: level.elevation_m, drawing }
 }
 
-/// The level of a name, or of a number counted from the lowest.
+/// The level with a name, or a number counted from the lowest.
 fn find(levels: &[PlanLevel], wanted: &str) -> Result<usize, ImportError> {
     let folded = |name: &str| name.trim().to_lowercase();
     let by_name = || levels.iter().position(|level| folded(&level.name) == folded(wanted));

@@ -1,14 +1,12 @@
-//! Homes from the plans of other programs, so far those of Sweet Home 3D; and schematic ones from what a log tells of its home.
+//! Homes from the plans of other programs, so far those of Sweet Home 3D, and schematic homes from logs.
 //!
-//! A file comes in as bytes and goes out as the text of a `home.json` that passes every check, with remarks on what
-//! was left out or guessed. Whoever made the file is not trusted: all sizes have bounds, and no file makes this crate
-//! panic. It does not know files on disk, nor who lives in a home. Reading order:
-
-#![warn(missing_docs)]
+//! The input is the bytes of a file, the output the text of a `home.json` that passes every check, with remarks on
+//! omissions and guesses. Files are not trusted: all sizes have bounds, and no file makes this crate panic. It does not
+//! know files on disk, nor the residents of a home. Reading order:
 
 pub mod error;
 
-// From bytes to a drawing: the archive or what else the bytes are, its XML, what that draws, which level of it.
+// From bytes to a drawing: the archive or another form, its XML, its content, one of its levels.
 mod file_form;
 mod archive;
 mod markup;
@@ -16,7 +14,7 @@ mod drawing;
 mod levels;
 mod kinds;
 
-// From what is drawn on a level to a floor: walls, rooms, doors, furniture, and the names of all.
+// From the drawing of a level to a floor: walls, rooms, doors, furniture, and the names of all.
 mod names;
 mod walls;
 mod outline;
@@ -30,12 +28,12 @@ mod meaning;
 mod furniture;
 mod floor;
 
-// From floors to a home: where stairs lead out of each, how they are unfolded, what places are called.
+// From floors to a home: the places of stairs, unfolding, the names of places.
 mod exits;
 mod stairs;
 mod places;
 
-// The text of the home, what of it has to go so that it passes the check, and what is moved so that people get to it.
+// The text of the home, removal of the parts that the check refuses, and moves of unreachable pieces.
 mod text;
 mod soundness;
 mod reachability;

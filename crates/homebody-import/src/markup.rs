@@ -1,7 +1,7 @@
-//! The XML of a plan as a tree, after a look at whether it is as plans are.
+//! The XML of a plan as a tree, after a check of the features that plans use.
 //!
-//! The parser counts nodes and refuses entities of its own. It compares all attributes of a tag with each other, and
-//! all namespaces in sight with those of each tag, so these are bounded before.
+//! The parser counts nodes and refuses custom entities. It compares all attributes of a tag with each other, and all
+//! namespaces in scope with those of each tag, so these are bounded before.
 
 use crate::error::ImportError;
 use roxmltree::{Document, ParsingOptions};
@@ -18,14 +18,13 @@ const MOST_ATTRIBUTES_OF_ONE: usize = 256;
 /// Largest depth of groups within groups (our choice): plans have a handful.
 const GREATEST_DEPTH: usize = 100;
 
-/// Parses the text.
 pub fn parse(text: &str) -> Result<Document<'_>, ImportError> {
     look_over(text)?;
     let options = ParsingOptions { allow_dtd: false, nodes_limit: MOST_NODES as u32, ..ParsingOptions::default() };
     Document::parse_with_options(text, options).map_err(|error| ImportError::Disorder(error.to_string()))
 }
 
-/// Refuses what no plan has. What is no XML at all is left to the parser.
+/// Refuses features that no plan uses. Invalid XML is left to the parser.
 fn look_over(text: &str) -> Result<(), ImportError> {
     let count = |wanted: u8| text.bytes().filter(|&byte| byte == wanted).count();
     if count(b'<') > MOST_NODES || count(b'=') > MOST_ATTRIBUTES {
@@ -66,8 +65,8 @@ fn look_over(text: &str) -> Result<(), ImportError> {
     Ok(())
 }
 
-/// Where a text that begins with one mark goes on after another, which shares no sign with the first: `<!-->` is the
-/// beginning of a comment, and not the end of it.
+/// The position after an item that begins with one mark and ends with another. The marks share no character: in
+/// `<!-->`, the comment has only begun.
 fn after(text: &str, begin: &str, end: &str) -> Option<usize> {
     text[begin.len()..].find(end).map(|at| begin.len() + at + end.len())
 }
@@ -85,7 +84,7 @@ enum TagKind {
     Empty,
 }
 
-/// The tag at the beginning of the text, if it comes to an end.
+/// The tag at the beginning of the text, if it is complete.
 fn tag(text: &str) -> Option<Tag> {
     let (mut attributes, mut has_namespace, mut quote) = (0, false, None);
     let bytes = text.as_bytes();

@@ -1,4 +1,4 @@
-//! The purpose of a piece of furniture: by its name in the catalogue and its shape, then by its own name in some languages.
+//! The purpose of a piece of furniture: by its catalogue name and its shape, then by its own name in some languages.
 
 use crate::drawing::PlanPiece;
 use homebody_core::role::Role;
@@ -8,7 +8,7 @@ use homebody_core::vocabulary::{ROLE_WORDS, has_any};
 const ENTERABLE: &str = "bunk crib cot wheelchair deckchair seat ottoman rocker bidet rug carpet mat doormat teppich tapis \
     tappeto alfombra tapete";
 
-/// Seats that are taken at table where there is no chair.
+/// Seats at table without a chair.
 const STOOL: &str = "stool bench pouf hocker bank tabouret sgabello taburete banco kruk pall 凳";
 
 /// Words for things whose name contains that of an enterable one, such as a bed table.
@@ -23,12 +23,12 @@ const ABOVE: &str = "upper hood wall+cabinet dunstabzug hängeschrank";
 pub struct PieceMeaning {
     pub role: Option<Role>,
     pub is_enterable: bool,
-    /// True for a stool, which is a seat at table if there is no chair.
+    /// True for a stool, which is a seat at table without a chair.
     pub is_stool: bool,
 }
 
 pub fn piece_meaning(piece: &PlanPiece) -> PieceMeaning {
-    // The name in the catalogue is in one language and chosen by its maker; the piece's own name may be anything.
+    // The catalogue name is in one language and chosen by its maker; the piece's own name may be anything.
     let role = role(piece, &piece.catalog).or_else(|| role(piece, &piece.words));
     let is = |known: &str| {
         let is_in = |words: &[String]| has_any(words, known) && !has_any(words, BESIDE);
@@ -45,15 +45,14 @@ fn is_entered(role: Role) -> bool {
     matches!(role, Role::Bed | Role::Toilet | Role::Shower | Role::Sofa | Role::Armchair | Role::DiningSeat)
 }
 
-/// The role that some words say, if the piece has the shape of it.
+/// The role in some words, if the piece has the shape of it.
 fn role(piece: &PlanPiece, words: &[String]) -> Option<Role> {
     let is_out = |role| has_any(words, if is_entered(role) { BESIDE } else { ABOVE });
     let said = ROLE_WORDS.iter().find(|(role, known)| has_any(words, known) && !is_out(*role));
     said.map(|(role, _)| *role).filter(|role| has_shape(piece, *role))
 }
 
-/// True for a piece that is large enough to be used, and no larger than such things are: there are beds of dolls, and fridges
-/// for the top of a counter.
+/// True for a piece of a plausible size: plans also contain beds of dolls, and fridges for the top of a counter.
 fn has_shape(piece: &PlanPiece, role: Role) -> bool {
     let (long_m, short_m) = (piece.width_m.max(piece.depth_m), piece.width_m.min(piece.depth_m));
     let top_m = piece.elevation_m + piece.height_m;
@@ -67,7 +66,6 @@ fn has_shape(piece: &PlanPiece, role: Role) -> bool {
     }
 }
 
-/// True if a person can sit on it.
 fn is_seat(piece: &PlanPiece) -> bool {
     piece.width_m.min(piece.depth_m) >= 0.28 && piece.elevation_m <= 0.4 && (0.25..=1.8).contains(&piece.height_m)
 }

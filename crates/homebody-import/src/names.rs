@@ -1,4 +1,4 @@
-//! Names that tell things apart, as the check asks: case and blanks around make no difference to it.
+//! Unique names, as the check requires: it ignores case and blanks around them.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -9,7 +9,7 @@ const LONGEST: usize = 90;
 #[derive(Default)]
 pub struct NamePool {
     taken: BTreeSet<String>,
-    /// The last number that each name was given.
+    /// The last number given to each name.
     last: BTreeMap<String, usize>,
 }
 
@@ -18,8 +18,7 @@ impl NamePool {
         !self.taken.contains(&name.to_lowercase())
     }
 
-    /// A name that nothing else has: the wanted one, with a number where it is taken; `kind` with a number where there
-    /// is none.
+    /// A unique name: the wanted one, with a number if it is taken; without a wanted one, `kind` with a number.
     pub fn give(&mut self, wanted: &str, kind: &str) -> String {
         let wanted = clean(wanted);
         let (name, is_named) = if wanted.is_empty() { (kind.to_owned(), false) } else { (wanted, true) };
@@ -37,7 +36,7 @@ impl NamePool {
     }
 }
 
-/// The name in one line, without what would break a table or a terminal.
+/// The name in one line, without characters that break a table or a terminal.
 pub fn clean(name: &str) -> String {
     let plain: String = name.chars().map(|c| if c.is_control() { ' ' } else { c }).collect();
     let words: Vec<&str> = plain.split_whitespace().collect();
@@ -49,7 +48,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn names_are_numbered_where_they_are_taken_or_missing() {
+    fn taken_and_missing_names_get_numbers() {
         let mut names = NamePool::default();
         let given = ["Chair", " chair", "chair 2", "", "\u{7}", "Chair"].map(|name| names.give(name, "piece"));
         assert_eq!(given, ["Chair", "chair 2", "chair 2 2", "piece 1", "piece 2", "Chair 3"]);

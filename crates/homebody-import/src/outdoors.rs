@@ -1,12 +1,12 @@
-//! Rooms that lie in the open, such as a terrace or the paving before a front door: where the way out leads into one, it is
-//! outside, and not a room of the home.
+//! Open-air rooms, such as a terrace or the paving before a front door: if the way out leads into one, it is outside,
+//! and does not belong to the home.
 
 use crate::doors::{self, WallDoor};
 use crate::outline::NamedRoom;
-use crate::walls::StraightWall;
+use crate::walls::{MOST_SEARCHED, StraightWall};
 use homebody_core::geometry::{self, Point};
 
-/// Smallest share of the outline of a room in the open that has no wall or other room along it (our choice): for a
+/// Smallest share of the outline of an open-air room without a wall or another room along it (our choice): for a
 /// terrace in the corner of a house it is half.
 const OPEN_SHARE: f64 = 0.4;
 
@@ -20,28 +20,25 @@ const ALONG_M: f64 = 0.3;
 /// Distances before a door at which its room is searched (our choice): beyond a thick wall and a step.
 const BEFORE_M: [f64; 6] = [0.1, 0.2, 0.3, 0.4, 0.55, 0.7];
 
-/// Largest number of walls of a floor that is checked (our choice): each point is compared with all.
-const MOST_WALLS: usize = 400;
-
 /// Preferences of a door and of a front door as the way home.
 const BY_DOOR: usize = 2;
 const BY_FRONT_DOOR: usize = 3;
 
-/// Leaves out the rooms in the open before the doors by which people come home, if no such door leads out yet: these doors lead
-/// out then. Says whether there are any.
-pub fn leave_out(
+/// Removes the open-air rooms before the doors that people come home by, if no such door leads out yet; these doors
+/// then lead out. Returns true if there are any.
+pub fn remove_open_rooms(
     rooms: &mut Vec<NamedRoom>,
     walls: &[StraightWall],
     doors: &mut [WallDoor],
     remarks: &mut Vec<String>,
 ) -> bool {
     let now = doors::way_out(doors);
-    if now == BY_FRONT_DOOR || walls.is_empty() || walls.len() > MOST_WALLS {
+    if now == BY_FRONT_DOOR || walls.is_empty() || walls.len() > MOST_SEARCHED {
         return false;
     }
     let open: Vec<bool> = rooms.iter().map(|room| is_open(room, rooms, walls)).collect();
     let between: Vec<[Option<usize>; 2]> = doors.iter().map(|door| sides(door, rooms)).collect();
-    // The room in the open that a door leads to from one that is not.
+    // The open-air room that a door leads to from another room.
     let to_open = |two: &[Option<usize>; 2]| match *two {
         [Some(one), Some(other)] if open[one] != open[other] => Some(if open[one] { one } else { other }),
         _ => None,
@@ -56,7 +53,7 @@ pub fn leave_out(
     for (door, room) in doors.iter().zip(&to_open) {
         left.extend(room.filter(|_| door.leads_home + 1 == best));
     }
-    // Other rooms in the open that are reached through these alone, such as a garden behind a porch, are outside, too.
+    // Other open-air rooms that are reached only through these, such as a garden behind a porch, are outside, too.
     let beyond = |left: &[usize]| {
         let reached = |room: usize| between.iter().filter(move |two| two.contains(&Some(room)));
         let is_behind = |room: &usize| {
@@ -84,7 +81,7 @@ pub fn leave_out(
     true
 }
 
-/// True if enough of a room's outline is along no wall and no other room.
+/// True if enough of a room's outline has no wall and no other room along it.
 fn is_open(room: &NamedRoom, rooms: &[NamedRoom], walls: &[StraightWall]) -> bool {
     let length_m: f64 = geometry::sides(&room.outline).map(|(a, b)| a.distance(b)).sum();
     let step_m = STEP_M.max(length_m / MOST_STEPS);
@@ -104,7 +101,6 @@ fn is_open(room: &NamedRoom, rooms: &[NamedRoom], walls: &[StraightWall]) -> boo
     f64::from(free) >= OPEN_SHARE * f64::from(all)
 }
 
-/// The rooms on both sides of a door.
 fn sides(door: &WallDoor, rooms: &[NamedRoom]) -> [Option<usize>; 2] {
     let middle = (door.from + door.to) / 2.0;
     let across = (door.to - door.from).normalize_or_zero().perp();

@@ -1,13 +1,12 @@
-//! Rooms, and their outlines in order: no corner twice, none in the middle of a side, and no side across another.
+//! Rooms, and their outlines in order: without repeated corners, corners within a side, and crossing sides.
 
 use homebody_core::geometry::{self, Point};
 
-/// A room with a name of its own.
 #[derive(Clone, Debug)]
 pub struct NamedRoom {
     pub name: String,
     pub outline: Vec<Point>,
-    /// The floor that it is on, in a home of several.
+    /// The floor in a home with several.
     pub floor: Option<String>,
 }
 
@@ -27,7 +26,7 @@ const MOST_HOLES: usize = 20;
 /// Area below which a room is a slip of the mouse (our choice).
 const LEAST_AREA_M2: f64 = 0.05;
 
-/// The outline without corners that are none; nothing is left of one that encloses nothing.
+/// The outline without superfluous corners; empty if it encloses nothing.
 pub fn tidy(outline: &[Point]) -> Vec<Point> {
     let mut outline: Vec<Point> = outline.iter().map(|&corner| rounded(corner)).collect();
     let mut at = 0;
@@ -49,14 +48,13 @@ pub fn tidy(outline: &[Point]) -> Vec<Point> {
     if outline.len() > 2 { outline } else { Vec::new() }
 }
 
-/// True for an outline that a room can have.
 pub fn is_sound(outline: &[Point]) -> bool {
     outline.len() > 2 && !geometry::crosses_itself(outline) && geometry::signed_area(outline).abs() >= LEAST_AREA_M2
 }
 
-/// The outline with its corners in an order in which no side crosses another, if there is one nearby.
+/// The outline in an order without crossing sides, if one is nearby.
 ///
-/// If two sides cross, the way between them is gone the other way round: that makes the outline shorter, so it ends.
+/// The part between two crossing sides is reversed: that makes the outline shorter, so the loop ends.
 pub fn untangled(outline: &[Point]) -> Option<Vec<Point>> {
     let mut outline = tidy(outline);
     for _ in 0..=outline.len() {
@@ -77,9 +75,9 @@ pub fn untangled(outline: &[Point]) -> Option<Vec<Point>> {
     None
 }
 
-/// The outline without the holes in it, and how many it had.
+/// The outline without the holes in it, and their number.
 ///
-/// Plans draw a hole, such as one for stairs, by a way to it, around it and back by the same way. A room has none: it is filled.
+/// Plans draw a hole, such as one for stairs, by a way to it, around it and back by the same way. A hole is filled.
 pub fn filled(mut outline: Vec<Point>) -> (Vec<Point>, usize) {
     let mut holes = 0;
     while holes < MOST_HOLES
@@ -95,7 +93,7 @@ pub fn filled(mut outline: Vec<Point>) -> (Vec<Point>, usize) {
     (outline, holes)
 }
 
-/// Two sides that go the same way there and back.
+/// Two sides along the same line, in opposite directions.
 fn bridge(outline: &[Point]) -> Option<(usize, usize)> {
     /// Length below which a side is a spike (our choice).
     const LEAST_M: f64 = 0.02;
@@ -110,9 +108,9 @@ fn bridge(outline: &[Point]) -> Option<(usize, usize)> {
     (0..sides.len()).find_map(|i| (i + 1..sides.len()).find(|&j| is_bridge(sides[i], sides[j])).map(|j| (i, j)))
 }
 
-/// The point as it is written: in whole millimetres.
+/// The point in whole millimetres, as in the file.
 pub fn rounded(p: Point) -> Point {
-    // Adding zero makes of a negative zero a plain one.
+    // Adding zero turns a negative zero into a positive one.
     (p * 1e3).round() / 1e3 + Point::ZERO
 }
 
@@ -125,7 +123,7 @@ mod tests {
     }
 
     #[test]
-    fn corners_that_are_none_go() {
+    fn superfluous_corners_are_removed() {
         let square = outline(&[(0.0, 0.0), (4.0, 0.0), (4.0, 3.0), (0.0, 3.0)]);
         let rich = [(0.0, 0.0), (2.0, 0.0), (4.0, 0.0), (4.0, 0.0), (4.0, 3.0), (6.0, 3.0), (0.0, 3.0), (0.0, 1.0)];
         assert_eq!(tidy(&outline(&rich)), square);

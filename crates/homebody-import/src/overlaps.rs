@@ -1,4 +1,4 @@
-//! Rooms that overlap: each floor belongs to one of them.
+//! Overlapping rooms: each patch of floor belongs to one of them.
 
 use crate::outline::{NamedRoom, is_sound, tidy};
 use homebody_core::geometry::{self, Point, overlap};
@@ -15,11 +15,11 @@ const MOST_LOST_SHARE: f64 = 0.25;
 /// Largest number of sides that are tried for cutting (our choice): rooms that overlap by accident share one.
 const MOST_TRIED: usize = 8;
 
-/// The rooms, in their order, none of which overlaps another.
-pub fn parted(mut rooms: Vec<NamedRoom>, remarks: &mut Vec<String>) -> Vec<NamedRoom> {
+/// The rooms without overlaps, in their order.
+pub fn removed(mut rooms: Vec<NamedRoom>, remarks: &mut Vec<String>) -> Vec<NamedRoom> {
     leave_out_around(&mut rooms, remarks);
     let mut parted: Vec<NamedRoom> = Vec::new();
-    // The larger keep their shape.
+    // Larger rooms keep their shape.
     let mut order: Vec<usize> = (0..rooms.len()).collect();
     order.sort_by(|&a, &b| area(&rooms[b].outline).total_cmp(&area(&rooms[a].outline)));
     let mut kept: Vec<usize> = Vec::new();
@@ -50,7 +50,7 @@ pub fn parted(mut rooms: Vec<NamedRoom>, remarks: &mut Vec<String>) -> Vec<Named
     parted.into_iter().map(|(_, room)| room).collect()
 }
 
-/// Leaves out rooms that are drawn around others.
+/// Removes rooms that are drawn around others.
 fn leave_out_around(rooms: &mut Vec<NamedRoom>, remarks: &mut Vec<String>) {
     let covered = |room: &NamedRoom| -> f64 {
         let own = area(&room.outline);
@@ -72,7 +72,7 @@ fn area(outline: &[Point]) -> f64 {
     geometry::signed_area(outline).abs()
 }
 
-/// The outline up to that side of another that takes least away, if there is one beyond which nothing is shared.
+/// The outline cut along the side of another that costs least area, if a cut along one side removes the overlap.
 fn cut_off(outline: &[Point], other: &[Point]) -> Option<Vec<Point>> {
     let least = (1.0 - MOST_LOST_SHARE) * area(outline);
     let turn = geometry::signed_area(other).signum();
@@ -82,8 +82,8 @@ fn cut_off(outline: &[Point], other: &[Point]) -> Option<Vec<Point>> {
     cut.into_iter().take(MOST_TRIED).find(|cut| overlap::area(cut, other) <= MOST_SHARED_M2)
 }
 
-/// The part of an outline beyond a line, by Sutherland & Hodgman (1974): its corners keep their very numbers, which boolean
-/// operations on a grid would move.
+/// The part of an outline beyond a line, by Sutherland & Hodgman (1974): its corners keep their exact coordinates,
+/// which boolean operations on a grid would move.
 fn beyond(outline: &[Point], on_line: Point, outward: Point) -> Vec<Point> {
     let side = |p: Point| (p - on_line).dot(outward);
     let mut kept = Vec::new();
@@ -108,7 +108,7 @@ mod tests {
     }
 
     #[test]
-    fn rooms_that_overlap_are_parted() {
+    fn overlapping_rooms_are_cut() {
         let mut remarks = Vec::new();
         let rooms = vec![
             room("flat", [0.0, 0.0, 8.0, 4.0]),
@@ -116,7 +116,7 @@ mod tests {
             room("east", [4.0, 0.0, 4.0, 4.0]),
             room("corner", [7.0, 3.0, 0.8, 0.8]),
         ];
-        let parted = parted(rooms, &mut remarks);
+        let parted = removed(rooms, &mut remarks);
         let areas: Vec<(&str, f64)> = parted.iter().map(|room| (&room.name[..], area(&room.outline))).collect();
         assert_eq!(areas.len(), 2, "{areas:?} {remarks:?}");
         assert!((areas[0].1 - 16.4).abs() < 1e-9 && (areas[1].1 - 15.6).abs() < 1e-9, "{areas:?}");

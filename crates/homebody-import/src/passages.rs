@@ -1,9 +1,9 @@
-//! Gaps between walls in which no door is drawn, and where the rooms on both sides end at the walls' faces; and seams between
-//! rooms that nearly meet: people go through.
+//! Passages without a door: gaps between walls at which the rooms on both sides end, and seams between rooms that
+//! nearly meet.
 
 use crate::drawing;
 use crate::outline::NamedRoom;
-use crate::walls::StraightWall;
+use crate::walls::{MOST_SEARCHED, StraightWall};
 use homebody_core::geometry::{self, Point};
 
 /// Smallest and largest width of such a gap (our choice): a narrower one is an error, and no one draws two rooms with a
@@ -17,27 +17,23 @@ const ASIDE_M: f64 = 0.1;
 /// Largest distance of rooms from the middle of a gap (our choice): half of a thick wall, drawn carelessly.
 const BEYOND_M: f64 = 0.4;
 
-/// Largest number of walls of a floor that is checked (our choice): each end is compared with all.
-const MOST_WALLS: usize = 400;
-
-/// A gap: a wall for it, and where in that wall people go through.
 pub struct WallGap {
     pub wall: StraightWall,
     pub from: Point,
     pub to: Point,
 }
 
-/// The gaps between rooms that the plan draws, which no door fills.
-pub fn found(walls: &[StraightWall], doors: &[Point], rooms: &[drawing::PlanRoom]) -> Vec<WallGap> {
+/// The gaps without a door between rooms of the plan.
+pub fn gaps(walls: &[StraightWall], doors: &[Point], rooms: &[drawing::PlanRoom]) -> Vec<WallGap> {
     let mut passages: Vec<WallGap> = Vec::new();
-    if walls.len() > MOST_WALLS {
+    if walls.len() > MOST_SEARCHED {
         return passages;
     }
     for wall in walls {
         for (end, out) in [(wall.from, -wall.along()), (wall.to, wall.along())] {
             let Some((width_m, other)) = next(walls, wall, end, out) else { continue };
             let to = end + out * width_m;
-            // A wall that goes on ends there; one across is as thick as half of it.
+            // A continuing wall ends there; a crossing wall is within half of its thickness.
             let is_across = other.along().dot(out).abs() < 0.7;
             let reveal_m = if is_across { other.thickness_m / 2.0 } else { 0.0 };
             let passage = WallGap {
@@ -102,10 +98,10 @@ const MOST_CORNERS: usize = 100;
 /// Largest number of seams of a home (our choice).
 const MOST_SEAMS: usize = 100;
 
-/// The seams between rooms that nearly meet where no wall is: people go through as if they met.
+/// The seams without a wall between rooms that nearly meet.
 pub fn seams(walls: &[StraightWall], rooms: &[NamedRoom]) -> Vec<WallGap> {
     let mut seams = Vec::new();
-    if walls.len() > MOST_WALLS {
+    if walls.len() > MOST_SEARCHED {
         return seams;
     }
     let simple: Vec<&NamedRoom> = rooms.iter().filter(|room| room.outline.len() <= MOST_CORNERS).collect();
@@ -127,7 +123,7 @@ pub fn seams(walls: &[StraightWall], rooms: &[NamedRoom]) -> Vec<WallGap> {
     seams
 }
 
-/// The parts of two sides between which nothing is.
+/// The empty parts between two sides.
 fn seam((a, b): (Point, Point), (c, d): (Point, Point), walls: &[StraightWall], rooms: &[NamedRoom]) -> Vec<WallGap> {
     let (along, length_m) = ((b - a).normalize_or_zero(), a.distance(b));
     let off_m = ((c + d) / 2.0 - a).perp_dot(along);
@@ -154,13 +150,14 @@ fn seam((a, b): (Point, Point), (c, d): (Point, Point), walls: &[StraightWall], 
     }
     let passage = |[begin, end]: [f64; 2]| {
         let (from, to) = (middle(begin), middle(end));
-        // A little more than the gap, so that rounding leaves none.
+        // A little more than the gap, so that rounding leaves no gap.
         WallGap { wall: StraightWall { from, to, thickness_m: off_m.abs() + 0.02 }, from, to }
     };
     runs.into_iter().filter(|[begin, end]| end - begin >= WIDE_M[0]).map(passage).collect()
 }
 
-/// Walls in gaps as thick as rooms are apart there, so that whoever goes through their doors is in a room or in the door.
+/// Makes walls in gaps as thick as the distance between the rooms, so that a body in such a door is in a room or in the
+/// door.
 pub fn thick_enough(walls: &mut [StraightWall], rooms: &[NamedRoom]) {
     /// Largest distance of rooms that were meant to meet at a door (our choice).
     const MOST_M: f64 = 0.4;

@@ -1,4 +1,4 @@
-//! Places whose names say what roles know, where only the plan's own words, or what stands there, do.
+//! Places with names that roles know, for things that only the plan's own words or furniture reveal.
 
 use crate::floor::BuiltFloor;
 use crate::furniture::Furniture;
@@ -8,14 +8,14 @@ use homebody_core::languages::{RoomUse, room_use};
 use homebody_core::plan::FLAT_M;
 use homebody_core::role::Role;
 
-/// The name of a place that stands for a role, and the rooms where it is.
+/// The name of a place that stands for a role, and its rooms.
 const CALLED: [(Role, &str, RoomUse); 3] = [
     (Role::Fridge, "kitchen", RoomUse::Kitchen),
     (Role::Toilet, "bathroom", RoomUse::Bathroom),
     (Role::Armchair, "living room", RoomUse::LivingRoom),
 ];
 
-/// Roles of a kitchen besides the fridge.
+/// Other roles of a kitchen than the fridge.
 const IN_KITCHENS: [Role; 2] = [Role::Stove, Role::Sink];
 
 /// Step between the places tried in a room, and smallest distance from walls and furniture (our choice).
@@ -25,7 +25,7 @@ const CLEAR_M: f64 = 0.3;
 /// Largest number of places tried in a room (our choice). A larger room is a hall.
 const MOST_TRIED: f64 = 10_000.0;
 
-/// The places, by name, of what no piece of furniture and no room is under a name that roles know.
+/// Places, by name, for roles without a piece of furniture or a room under a known name.
 pub fn named(floor: &BuiltFloor, names: &mut NamePool) -> Vec<(String, Point)> {
     let mut places = Vec::new();
     for (role, name, used_as) in CALLED {
@@ -39,13 +39,13 @@ pub fn named(floor: &BuiltFloor, names: &mut NamePool) -> Vec<(String, Point)> {
         let within = |p: Point| floor.rooms.iter().position(|room| geometry::contains(&room.outline, p));
         let called = || floor.rooms.iter().position(|room| room_use(&room.name) == Some(used_as));
         let spot = beside.and_then(|p| free(floor, within(p)?, Some(p))).or_else(|| free(floor, called()?, None));
-        // With a number it would not be known.
+        // Roles do not know names with a number.
         places.extend(spot.filter(|_| names.is_free(name)).map(|p| (names.give(name, name), p)));
     }
     places
 }
 
-/// A place in a room where a person can stand: the nearest to a point, else the one with the most room around it.
+/// A place in a room to stand: the nearest to a point, or the one with the most room around it.
 fn free(floor: &BuiltFloor, room: usize, near: Option<Point>) -> Option<Point> {
     let outline = &floor.rooms[room].outline;
     let (least, most) = geometry::bounds(outline.iter().copied());

@@ -1,5 +1,6 @@
 //! Moves unreachable pieces: chairs under a table, and pieces that stand into a wall.
 
+use crate::walls::MOST_SEARCHED;
 use homebody_core::geometry::{self, At, Point, overlap};
 use homebody_core::home::form::HomeFile;
 use homebody_core::plan::form::FurnitureFile;
@@ -9,11 +10,10 @@ use homebody_walk::Mesh;
 use homebody_walk::places::HomePlaces;
 use std::collections::BTreeSet;
 
-/// The radius of a body that looks for ways: a resident has it by default.
+/// Radius of the body in the search: the default of a resident.
 const BODY_M: f64 = 0.22;
 
-/// Largest numbers of walls, pieces and rooms of a home that is checked: each round searches the whole home for ways.
-const MOST_WALLS: usize = 400;
+/// Largest numbers of pieces and rooms of a home that is checked: each round searches the whole home for ways.
 const MOST_PIECES: usize = 400;
 const MOST_ROOMS: usize = 100;
 
@@ -37,17 +37,16 @@ const BEYOND_EDGE_M: f64 = 0.1;
 /// The overlap of two pieces that counts as none, in square metres.
 const SHARED_M2: f64 = 0.01;
 
-/// A move of a piece.
 #[derive(Clone, Copy)]
 struct Move {
     to: Point,
     by_m: f64,
 }
 
-/// Moves unreachable furniture that people use, and names the rooms without a way in. Nothing is moved
-/// that there is a way to, and no way is lost.
-pub fn mended(home: &mut HomeFile, remarks: &mut Vec<String>) {
-    if home.walls.len() > MOST_WALLS || home.furniture.len() > MOST_PIECES || home.rooms.len() > MOST_ROOMS {
+/// Moves unreachable furniture that people use, and reports the rooms without a way in. Reachable pieces stay, and no
+/// other piece becomes unreachable.
+pub fn make_reachable(home: &mut HomeFile, remarks: &mut Vec<String>) {
+    if home.walls.len() > MOST_SEARCHED || home.furniture.len() > MOST_PIECES || home.rooms.len() > MOST_ROOMS {
         return;
     }
     if home.rooms.len() < 2 && !home.furniture.iter().any(is_used) {
@@ -77,11 +76,11 @@ pub fn mended(home: &mut HomeFile, remarks: &mut Vec<String>) {
             }
         }
     }
-    remarks.extend(told(home, &drawn));
+    remarks.extend(moves_remark(home, &drawn));
     remarks.extend(closed_rooms(home));
 }
 
-/// Moves pieces, and keeps those moves that make a way where there was none; none of them where a way is lost.
+/// Moves pieces, and keeps the moves that make a piece reachable; undoes all of them if another becomes unreachable.
 fn try_moves(home: &mut HomeFile, moves: &[(usize, Move)], reached: &mut BTreeSet<String>) -> bool {
     let mut moved = home.clone();
     for (index, to) in moves {
@@ -107,7 +106,7 @@ fn try_moves(home: &mut HomeFile, moves: &[(usize, Move)], reached: &mut BTreeSe
     is_better
 }
 
-/// The names of the places that a way leads to.
+/// The names of the reachable places.
 fn ways(home: &HomeFile, plan: &Plan) -> BTreeSet<String> {
     let places = HomePlaces::new(home, plan, &Mesh::new(plan, BODY_M), "");
     places.all().iter().filter(|spot| spot.is_reachable).map(|spot| spot.name.clone()).collect()
@@ -117,7 +116,7 @@ fn key(piece: &FurnitureFile) -> String {
     piece.name.to_lowercase()
 }
 
-/// True for a piece that people sit or lie on, or with a role.
+/// True for a piece with a role, or one to sit or lie on.
 fn is_used(piece: &FurnitureFile) -> bool {
     piece.enterable || piece.role.is_some() || Role::of_name(&key(piece)).next().is_some()
 }
@@ -126,7 +125,7 @@ fn at(p: Point) -> At {
     [p.x, p.y].map(|length| (length * 1e3).round() / 1e3)
 }
 
-/// Other places for a piece, the nearest first: out of the piece or wall that it stands in, along the sides of either.
+/// Other places for a piece, the nearest first: out of the overlapping piece or wall, along the sides of either.
 fn moves(home: &HomeFile, plan: &Plan, index: usize) -> Vec<Move> {
     let piece = &home.furniture[index];
     let Some(from) = piece.at.map(geometry::point) else { return Vec::new() };
@@ -150,7 +149,7 @@ fn moves(home: &HomeFile, plan: &Plan, index: usize) -> Vec<Move> {
     let stands = |p: Point| {
         let moved: Vec<Point> = outline.iter().map(|&corner| corner + (p - from)).collect();
         let clear = |solid: &&Solid| match piece.enterable {
-            // Seats stay under a table with their front.
+            // The front of a seat stays under the table.
             true => {
                 let is_wall = !matches!(solid.origin, Origin::Furniture(_));
                 geometry::distance_to_area(&solid.outline, p) >= BEYOND_EDGE_M
@@ -165,7 +164,7 @@ fn moves(home: &HomeFile, plan: &Plan, index: usize) -> Vec<Move> {
     for out in directions {
         let way = (1..=steps).map(|step| STEP_M * f64::from(step));
         let fit = way.map(|by_m| Move { to: from + out * by_m, by_m }).filter(|step| stands(step.to));
-        // The first that fits may still be too near to something.
+        // The first fit may still be too near to something.
         found.extend(fit.step_by(3).take(3));
     }
     found.sort_by(|a, b| a.by_m.total_cmp(&b.by_m));
@@ -189,8 +188,8 @@ fn is_apart(home: &HomeFile, index: usize, moved: &[Point]) -> bool {
 }
 
 /// The remark on moved pieces.
-fn told(home: &HomeFile, drawn: &[Option<At>]) -> Option<String> {
-    /// So many are named.
+fn moves_remark(home: &HomeFile, drawn: &[Option<At>]) -> Option<String> {
+    /// Largest number of names in it.
     const NAMED: usize = 6;
     let moved = home.furniture.iter().zip(drawn).filter_map(|(piece, drawn)| {
         let by_m = geometry::point((*drawn)?).distance(geometry::point(piece.at?));
@@ -204,7 +203,6 @@ fn told(home: &HomeFile, drawn: &[Option<At>]) -> Option<String> {
     (!moved.is_empty()).then(|| format!("{what}: {named}{more}"))
 }
 
-/// Names the rooms without a way in.
 fn closed_rooms(home: &HomeFile) -> Option<String> {
     let plan = Plan::new(home);
     let places = HomePlaces::new(home, &plan, &Mesh::new(&plan, BODY_M), "");

@@ -1,7 +1,7 @@
-//! Rooms: outlines in order, drawn out to the middle of the walls around them, apart from each other.
+//! Rooms: outlines in order, extended to the middle of the walls around them, without overlaps.
 //!
 //! Plans draw rooms between the faces of walls, and into doorways; a home's rooms meet in the middle of walls. So each
-//! side that runs along a wall moves onto its middle line, and the corners are where the moved sides meet.
+//! side along a wall moves onto its middle line, and the moved sides meet in the corners.
 
 use crate::drawing::{self, Label, PlanDrawing, PlanPiece};
 use crate::error::ImportError;
@@ -34,7 +34,6 @@ const ALONG_SHARE: f64 = 0.4;
 /// Largest distance that a corner is moved (our choice): in sharp angles, the lines of walls meet far away.
 const FARTHEST_M: f64 = 0.6;
 
-/// The rooms of a plan, in its order.
 pub fn place(
     drawn: &[drawing::PlanRoom],
     walls: &[StraightWall],
@@ -71,10 +70,10 @@ pub fn place(
         let outline = Some(to_walls(&sides, walls)).filter(|outline| is_sound(outline)).unwrap_or(outline);
         rooms.push(NamedRoom::new(name, outline));
     }
-    Ok(overlaps::parted(rooms, remarks))
+    Ok(overlaps::removed(rooms, remarks))
 }
 
-/// The rooms of a level that people can be in; those without a name have that of the text in them.
+/// The rooms of a level that people can be in; those without a name take the text in them.
 ///
 /// A room drawn for its ceiling alone lies over others, and is left out unless all are drawn so.
 pub fn named(drawing: &PlanDrawing, remarks: &mut Vec<String>) -> Vec<drawing::PlanRoom> {
@@ -89,7 +88,7 @@ pub fn named(drawing: &PlanDrawing, remarks: &mut Vec<String>) -> Vec<drawing::P
     rooms
 }
 
-/// A room without a name takes the one text that stands in it.
+/// A room without a name takes its text, if it has only one.
 pub fn name_by_label(room: &mut drawing::PlanRoom, labels: &[Label]) {
     if room.name.trim().is_empty() && room.corners.len() <= MOST_CORNERS && labels.len() <= MOST_ROOMS {
         let mut within = labels.iter().filter(|label| geometry::contains(&room.corners, label.at));
@@ -99,7 +98,7 @@ pub fn name_by_label(room: &mut drawing::PlanRoom, labels: &[Label]) {
     }
 }
 
-/// Walls along the rooms in a plan that has doors but no walls: of the rooms that a door is at.
+/// Walls along the rooms with a door, in a plan that has doors but no walls.
 pub fn outlines(rooms: &[drawing::PlanRoom], doors: &[PlanPiece]) -> Vec<drawing::PlanWall> {
     /// Thickness of these walls, and largest distance of a door from them (our choice).
     const THICKNESS_M: f64 = 0.1;
@@ -123,7 +122,6 @@ pub fn outlines(rooms: &[drawing::PlanRoom], doors: &[PlanPiece]) -> Vec<drawing
     walls
 }
 
-/// A line through a point.
 #[derive(Clone, Copy)]
 struct GuideLine {
     through: Point,
@@ -143,7 +141,7 @@ impl GuideLine {
     }
 }
 
-/// The outline with the drawn corners in the middle of its sides: there a wall ends, or another room.
+/// The outline with the drawn corners in the middle of its sides: a wall or another room ends there.
 fn with_corners(outline: &[Point], drawn: &[Point]) -> Vec<Point> {
     let mut all = Vec::with_capacity(drawn.len());
     for (a, b) in geometry::sides(outline) {
@@ -163,7 +161,7 @@ fn with_corners(outline: &[Point], drawn: &[Point]) -> Vec<Point> {
     all
 }
 
-/// The outline with its sides moved onto the middle of the walls that they run along.
+/// The outline with its sides moved onto the middle of their walls.
 fn to_walls(outline: &[Point], walls: &[StraightWall]) -> Vec<Point> {
     let lines: Vec<GuideLine> = geometry::sides(outline).map(|(a, b)| line(a, b, walls)).collect();
     let n = outline.len();
@@ -179,7 +177,7 @@ fn to_walls(outline: &[Point], walls: &[StraightWall]) -> Vec<Point> {
     tidy(&moved)
 }
 
-/// The line that a side runs along: that of the wall which has most of it, or its own.
+/// The line of a side: the middle line of the wall with most of it, or its own.
 fn line(a: Point, b: Point, walls: &[StraightWall]) -> GuideLine {
     let (length, along) = (a.distance(b), (b - a).normalize_or_zero());
     let middle = (a + b) / 2.0;
@@ -199,7 +197,7 @@ fn line(a: Point, b: Point, walls: &[StraightWall]) -> GuideLine {
         let most_m = wall.thickness_m / 2.0 + OFF_FACE_M;
         is_along && off_m(a).max(off_m(b)) <= most_m && off_m(middle) <= most_m
     });
-    // Of walls side by side, the nearer one.
+    // Of adjacent walls, the nearer one.
     let off_m = |wall: &StraightWall| (middle - wall.from).perp_dot(wall.along()).abs();
     let fit = |wall: &StraightWall| shared_m(wall) - 2.0 * off_m(wall);
     let most = near.map(|wall| (shared_m(wall), wall)).max_by(|(_, a), (_, b)| fit(a).total_cmp(&fit(b)));

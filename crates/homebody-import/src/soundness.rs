@@ -14,11 +14,11 @@ const ROUNDS: usize = 30;
 /// Largest number of problems that are reported in their own words (our choice).
 const MOST_TOLD: usize = 10;
 
-/// The smallest scenario in which a home can be checked.
+/// The smallest scenario for the check of a home.
 const SCENARIO: &str =
     r#"{ "name": "check", "start": "2026-01-05T00:00:00", "days": 1, "home": "home.json", "residents": [] }"#;
 
-/// The text of the home that passes the check, after taking out what does not.
+/// The text of the home after removal of the parts that the check refuses.
 pub fn text(home: HomeFile, remarks: &mut Vec<String>) -> Result<String, ImportError> {
     passing(home, remarks).map(|home| text::home_text(&home))
 }
@@ -27,7 +27,6 @@ pub fn is_passing(home: &HomeFile) -> bool {
     problems(&text::home_text(home)).is_empty()
 }
 
-/// The home without what does not pass the check.
 pub fn passing(mut home: HomeFile, remarks: &mut Vec<String>) -> Result<HomeFile, ImportError> {
     let mut told = Vec::new();
     for _ in 0..ROUNDS {
@@ -65,7 +64,6 @@ pub fn passing(mut home: HomeFile, remarks: &mut Vec<String>) -> Result<HomeFile
     Err(ImportError::Unsound("it has too many problems".to_owned()))
 }
 
-/// Everything that the check has to say.
 fn problems(text: &str) -> Vec<Problem> {
     let files = [("scenario.json", SCENARIO), ("home.json", text)];
     let files: BTreeMap<String, String> = files.map(|(name, text)| (name.to_owned(), text.to_owned())).into();

@@ -1,7 +1,7 @@
-//! Rooms that a plan does not draw: the spaces that its walls enclose.
+//! Undrawn rooms of a plan: the spaces that its walls enclose.
 //!
-//! Walls are cut where they meet, dead ends are taken off, and each space is walked around with the space at its left
-//! hand. A space around what stands free, such as the garden around a house, overlaps it and is left out.
+//! Walls are cut at their crossings, dead ends are removed, and each space is followed along its walls, on the left. A
+//! space around a free-standing building, such as a garden, overlaps it and is left out.
 
 use crate::drawing;
 use crate::outline::{NamedRoom, is_sound, tidy};
@@ -21,7 +21,7 @@ const LEAST_AREA_M2: f64 = 0.5;
 const MOST_WALLS: usize = 2_000;
 const MOST_PIECES: usize = 10_000;
 
-/// Largest share of a space that rooms may cover if it has no room of its own (our choice).
+/// Largest share of a space covered by other rooms if it has no room of its own (our choice).
 const COVERED_SHARE: f64 = 0.2;
 
 /// Smallest area of the ground around a house, and of a space in it that is large enough for a home (our choice).
@@ -31,7 +31,7 @@ const HOUSE_M2: f64 = 15.0;
 /// Largest number of spaces on a floor of a home (our choice).
 const MOST_SPACES: usize = 400;
 
-/// The enclosed spaces in which there is no room.
+/// The enclosed spaces without a room.
 pub fn without_room(walls: &[StraightWall], rooms: &[NamedRoom]) -> Vec<Vec<Point>> {
     let mut spaces = spaces(walls);
     if spaces.len() > MOST_SPACES {
@@ -52,9 +52,8 @@ pub fn without_room(walls: &[StraightWall], rooms: &[NamedRoom]) -> Vec<Vec<Poin
     spaces
 }
 
-/// The rooms without those that are drawn around several spaces that walls enclose, each of which is a room instead; the largest
-/// keeps the name.
-pub fn parted(
+/// Replaces each room that is drawn around several enclosed spaces by a room for each; the largest keeps the name.
+pub fn split_rooms(
     rooms: Vec<drawing::PlanRoom>,
     walls: &[StraightWall],
     remarks: &mut Vec<String>,
@@ -89,7 +88,7 @@ pub fn parted(
         let its: Vec<&Vec<Point>> =
             spaces.iter().zip(&shares).filter(|(_, shares)| is_its(shares)).map(|(space, _)| space).collect();
         let covered: f64 = its.iter().map(|space| area(space)).sum();
-        // A name for two spaces makes them one room.
+        // A name for two spaces joins them to one room.
         let least = if room.name.trim().is_empty() { 2 } else { 3 };
         if its.len() < least || covered < OF_ROOM_SHARE * area(&room.corners) {
             parted.push(room);
@@ -109,7 +108,7 @@ pub fn parted(
     parted
 }
 
-/// The spaces that walls enclose, along their middle lines; none where there are too many walls to tell.
+/// The enclosed spaces, along the middle lines of walls; none with too many walls.
 fn spaces(walls: &[StraightWall]) -> Vec<Vec<Point>> {
     let graph = if walls.len() > MOST_WALLS { None } else { Graph::new(walls) };
     let Some(mut graph) = graph else { return Vec::new() };
@@ -118,7 +117,7 @@ fn spaces(walls: &[StraightWall]) -> Vec<Vec<Point>> {
     outlines.filter(|face| is_sound(face) && geometry::signed_area(face) >= LEAST_AREA_M2).collect()
 }
 
-/// Places where walls meet, and which are joined.
+/// The joints of walls, and the walls between them.
 struct Graph {
     places: Vec<Point>,
     joined: Vec<BTreeSet<usize>>,
@@ -151,8 +150,8 @@ impl Graph {
         Some(graph)
     }
 
-    /// Joins walls that end inside of another, or at its face, to its middle line: pillars are drawn as short thick walls, which
-    /// others meet from all sides.
+    /// Extends walls that end inside of another, or at its face, to its middle line: pillars are drawn as short thick
+    /// walls, and other walls meet them from all sides.
     fn link(&mut self, walls: &[StraightWall]) {
         for wall in walls.iter().filter(|wall| wall.thickness_m / 2.0 + OFF_FACE_M > JOINED_M) {
             for other in walls.iter().filter(|other| *other != wall) {
@@ -171,7 +170,7 @@ impl Graph {
         }
     }
 
-    /// The place at a point, or the one that is joined with it.
+    /// The joint at a point, existing or new.
     fn place(&mut self, p: Point) -> usize {
         let near = (0..self.places.len()).filter(|&place| self.places[place].distance(p) <= JOINED_M);
         let nearest = near.min_by(|&a, &b| self.places[a].distance(p).total_cmp(&self.places[b].distance(p)));
@@ -193,7 +192,7 @@ impl Graph {
         }
     }
 
-    /// All ways around spaces; those around the whole run clockwise.
+    /// The outlines of all spaces; outer outlines run clockwise.
     fn faces(&self) -> Vec<Vec<Point>> {
         let mut next: BTreeMap<(usize, usize), (usize, usize)> = BTreeMap::new();
         for (place, joined) in self.joined.iter().enumerate() {
@@ -204,7 +203,7 @@ impl Graph {
             let mut around: Vec<usize> = joined.iter().copied().collect();
             around.sort_by(|a, b| angle(a).total_cmp(&angle(b)));
             for (index, &from) in around.iter().enumerate() {
-                // The walk from there leaves by the next way clockwise: the sharpest left turn.
+                // The walk continues on the next way clockwise: the sharpest left turn.
                 let to = around[(index + around.len() - 1) % around.len()];
                 next.insert((from, place), (place, to));
             }
@@ -222,7 +221,7 @@ impl Graph {
     }
 }
 
-/// The place at which another wall meets this one, as a share of its length: by crossing it, or by ending at it.
+/// The crossing or end of another wall on this one, as a share of its length.
 fn cut(wall: &StraightWall, other: &StraightWall) -> impl Iterator<Item = f64> {
     let (way, across) = (wall.to - wall.from, other.to - other.from);
     let turn = way.perp_dot(across);

@@ -1,5 +1,4 @@
-//! Floors that stairs join, unfolded into one plane: beside each other, with a passage between them that is as long as the stairs
-//! are to walk.
+//! Floors joined by stairs, unfolded into one plane: next to each other, with a passage as long as the stairs.
 
 use crate::doors::WallDoor;
 use crate::drawing::PlanPiece;
@@ -36,7 +35,6 @@ struct FloorMotion {
     by: Point,
 }
 
-/// No motion.
 const STILL: FloorMotion = FloorMotion { turn: Point::X, by: Point::ZERO };
 
 impl FloorMotion {
@@ -53,24 +51,24 @@ struct FloorJoin {
     length_m: f64,
 }
 
-/// A floor that is drawn already: which it is, how it moved, and which of its flights of stairs are passages now.
+/// A floor in the drawing: its index, its motion, and its flights of stairs that became passages.
 struct UnfoldedFloor {
     index: usize,
     motion: FloorMotion,
     used: Vec<usize>,
 }
 
-/// Joins to one floor those that stairs lead to, each as high as it says: they are drawn beside it, with the passages between
-/// them. Gives which they are, that one included.
+/// Joins floors to the first one by their stairs, in the heights that the plan gives, with passages between them.
+/// Returns the indices of the joined floors, including the first.
 ///
 /// Floors come from below. A floor without stairs, such as a gallery, does not stop those beyond it.
-pub fn unfolded(floors: &[(f64, BuiltFloor)], first: usize, names: &mut AllNames) -> (BuiltFloor, Vec<usize>) {
+pub fn unfold(floors: &[(f64, BuiltFloor)], first: usize, names: &mut AllNames) -> (BuiltFloor, Vec<usize>) {
     let mut all = floors[first].1.clone();
     let mut drawn = vec![UnfoldedFloor { index: first, motion: STILL, used: Vec::new() }];
     let beyond = (first + 1..floors.len()).chain((0..first).rev());
     for next in beyond {
         let is_up = next > first;
-        // From the nearest of those between, which were looked at before.
+        // From the nearest of those between, which were joined before.
         let mut from: Vec<usize> =
             (0..drawn.len()).filter(|&at| (drawn[at].index >= first) == is_up || at == 0).collect();
         from.sort_by_key(|&at| drawn[at].index.abs_diff(next));
@@ -80,9 +78,9 @@ pub fn unfolded(floors: &[(f64, BuiltFloor)], first: usize, names: &mut AllNames
         });
         let Some((at, (lower, stairs), join)) = found else { continue };
         let piece = &floors[lower].1.stairs[stairs];
-        // The passage stands for them.
+        // The passage replaces them.
         let drawn_at = if is_up { drawn[at].motion.apply(piece.at) } else { join.motion.apply(piece.at) };
-        all = and(and(all, flight(&join, is_up, names)), moved(&floors[next].1, join.motion));
+        all = combined(combined(all, flight(&join, is_up, names)), moved(&floors[next].1, join.motion));
         all.furniture.retain(|piece| piece.at != drawn_at);
         drawn.push(UnfoldedFloor { index: next, motion: join.motion, used: Vec::new() });
         let of_lower = if is_up { at } else { drawn.len() - 1 };
@@ -93,7 +91,7 @@ pub fn unfolded(floors: &[(f64, BuiltFloor)], first: usize, names: &mut AllNames
     (all, taken)
 }
 
-/// The stairs between a floor that is drawn and the next, by the floor where they begin, and the best way to join both.
+/// The stairs between a drawn floor and the next, by their lower floor, and the best way to join both.
 fn flight_to(
     floors: &[(f64, BuiltFloor)],
     there: &UnfoldedFloor,
@@ -117,19 +115,19 @@ fn flight_to(
     joins.min_by(|a, b| a.0.total_cmp(&b.0)).map(|(_, join)| ((lower, stairs), join))
 }
 
-/// The unused stairs of a floor that lead up to one so much higher: the highest of those that end there, else the lowest of
-/// those that lead further up.
+/// The unused stairs of a floor that rise to another at this height: the highest that end there, else the lowest that
+/// lead further up.
 fn up(floor: &BuiltFloor, rise_m: f64, used: &[usize]) -> Option<usize> {
     let reach_m = |stairs: usize| floor.stairs[stairs].elevation_m + floor.stairs[stairs].height_m;
     let free = (0..floor.stairs.len()).filter(|stairs| !used.contains(stairs));
     let leads_up: Vec<usize> = free.filter(|&stairs| reach_m(stairs) >= LEAST_RISE * rise_m).collect();
-    let (ends, goes_on): (Vec<usize>, Vec<usize>) =
+    let (ends, continues): (Vec<usize>, Vec<usize>) =
         leads_up.into_iter().partition(|&stairs| reach_m(stairs) <= rise_m / LEAST_RISE);
     let highest = ends.into_iter().max_by(|&a, &b| reach_m(a).total_cmp(&reach_m(b)));
-    highest.or_else(|| goes_on.into_iter().min_by(|&a, &b| reach_m(a).total_cmp(&reach_m(b))))
+    highest.or_else(|| continues.into_iter().min_by(|&a, &b| reach_m(a).total_cmp(&reach_m(b))))
 }
 
-fn and(mut one: BuiltFloor, other: BuiltFloor) -> BuiltFloor {
+fn combined(mut one: BuiltFloor, other: BuiltFloor) -> BuiltFloor {
     one.rooms.extend(other.rooms);
     one.walls.extend(other.walls);
     one.doors.extend(other.doors);
@@ -137,7 +135,7 @@ fn and(mut one: BuiltFloor, other: BuiltFloor) -> BuiltFloor {
     one
 }
 
-/// One way to join them, with how little it is liked.
+/// One way to join them, with its cost.
 fn join(there: &BuiltFloor, next: &BuiltFloor, from: WallExit, to: WallExit, run_m: f64) -> Option<(f64, FloorJoin)> {
     let beyond = |floor: &BuiltFloor, exit: &WallExit| {
         floor.points().map(|p| (p - exit.at).dot(exit.out)).fold(exit.thickness_m / 2.0, f64::max)
@@ -147,7 +145,7 @@ fn join(there: &BuiltFloor, next: &BuiltFloor, from: WallExit, to: WallExit, run
     if length_m > run_m + MOST_LONGER_M || !is_clear(there, &from, beyond_there) || !is_clear(next, &to, beyond_next) {
         return None;
     }
-    // The turn from the one way out to the opposite of the other.
+    // The turn from one exit to the opposite direction of the other.
     let back = -from.out;
     let turn = Point::new(to.out.dot(back), to.out.perp_dot(back));
     let by = from.at + from.out * length_m - turn.rotate(to.at);
@@ -161,7 +159,7 @@ fn join(there: &BuiltFloor, next: &BuiltFloor, from: WallExit, to: WallExit, run
     Some((disliked, FloorJoin { from, motion: FloorMotion { turn, by }, length_m }))
 }
 
-/// True if nothing of a floor is in the way out of it.
+/// True if the way out of a floor is clear of its parts.
 fn is_clear(floor: &BuiltFloor, exit: &WallExit, beyond_m: f64) -> bool {
     let begin = exit.at + exit.out * (exit.thickness_m / 2.0 + 0.01);
     let end = exit.at + exit.out * (beyond_m + 0.02);
@@ -171,13 +169,12 @@ fn is_clear(floor: &BuiltFloor, exit: &WallExit, beyond_m: f64) -> bool {
     };
     !floor.rooms.iter().any(|room| overlap::area(&room.outline, &way) > 0.004)
         && !floor.walls.iter().any(|wall| {
-            // The wall that it leads through, and those in line with it, end where the way begins.
+            // The wall of the exit, and those in line with it, end where the way begins.
             let is_own = geometry::distance_to_segment(exit.at, wall.from, wall.to) < 0.02;
             !is_own && is_crossed(wall)
         })
 }
 
-/// A floor somewhere else.
 fn moved(floor: &BuiltFloor, motion: FloorMotion) -> BuiltFloor {
     let turn_deg = motion.turn.y.atan2(motion.turn.x).to_degrees();
     let mut floor = floor.clone();
@@ -187,7 +184,7 @@ fn moved(floor: &BuiltFloor, motion: FloorMotion) -> BuiltFloor {
     floor.doors.iter_mut().flat_map(|door| [&mut door.from, &mut door.to]).for_each(|p| *p = motion.apply(*p));
     for piece in &mut floor.furniture {
         piece.at = motion.apply(piece.at);
-        piece.turn_deg = crate::furniture::turned(piece.turn_deg + turn_deg);
+        piece.turn_deg = crate::furniture::normalised_turn(piece.turn_deg + turn_deg);
     }
     floor
 }

@@ -13,44 +13,44 @@ use homebody_core::home::form::{HomeFile, latitude};
 use homebody_core::plan::form::{DoorFile, FurnitureFile, PlaceFile, RoomFile, WallFile};
 use homebody_core::problem::counted;
 
-/// A home, and what was left out of the plan or guessed.
+/// A home, and the omissions from and guesses about the plan.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Imported {
-    /// The text of a `home.json` that passes the check; its schemas are expected in a folder beside it.
+    /// The text of a `home.json` that passes the check; its schemas are expected in a folder next to it.
     pub home_json: String,
     /// Omissions and guesses, a sentence each, at most some dozens.
     pub remarks: Vec<String>,
 }
 
-/// The path of the schema, in a folder beside the home.
+/// The path of the schema, relative to the home's folder.
 pub const SCHEMA: &str = "./schemas/home.schema.json";
 
 /// Largest number of remarks (our choice).
 const MOST_REMARKS: usize = 40;
 
-/// Makes a home of this name of the bytes of a `.sh3d` file.
+/// Makes a home with this name from the bytes of a `.sh3d` file.
 ///
-/// `level` is the name of a level, or its number counted from the lowest. Without it, the level is taken by which people come
-/// home, and those that stairs join to it are drawn beside it. The lower left corner of the walls' middle lines is the origin,
-/// and lengths are rounded to millimetres.
+/// `level` is the name of a level, or its number counted from the lowest. By default, the home is on the level with the
+/// front door, and the levels joined to it by stairs are drawn next to it. The lower left corner of the walls' middle
+/// lines is the origin, and lengths are rounded to millimetres.
 pub fn sweet_home(bytes: &[u8], name: &str, level: Option<&str>) -> Result<Imported, ImportError> {
     let xml = archive::home_xml(bytes)?;
     let drawing = drawing::read(&markup::parse(&xml)?);
     let (latitude_deg, unread) = (drawing.latitude_deg, drawing.unread);
-    let levels = levels::parted(drawing, level)?;
+    let levels = levels::split(drawing, level)?;
     let mut remarks = Vec::new();
     if unread > 0 {
         let things = counted(unread, "thing without place or size", "things without place or size");
         remarks.push(format!("left out: {things}"));
     }
-    let (mut floor, mut names, about) = whole(&levels, &mut remarks)?;
+    let (mut floor, mut names, about) = joined_floors(&levels, &mut remarks)?;
     floor.put_way_out_first();
     remarks.extend((floor.way_out() == 0).then(|| no_way_out(&floor, &mut names)));
     let name = Some(names::clean(name)).filter(|name| !name.is_empty()).unwrap_or_else(|| "home".to_owned());
     let home = home(name, about, latitude_deg, floor, names);
     let home = soundness::passing(home, &mut remarks)?;
     let (mut mended, mut told) = (home.clone(), Vec::new());
-    reachability::mended(&mut mended, &mut told);
+    reachability::make_reachable(&mut mended, &mut told);
     let home_json = match mended == home || soundness::is_passing(&mended) {
         true => {
             remarks.extend(told);
@@ -66,23 +66,27 @@ pub fn sweet_home(bytes: &[u8], name: &str, level: Option<&str>) -> Result<Impor
     Ok(Imported { home_json, remarks })
 }
 
-/// The floor on which people come home, and those that stairs join to it; the names that are taken, and what the home says of
-/// itself.
-fn whole(levels: &PlanLevels, remarks: &mut Vec<String>) -> Result<(BuiltFloor, AllNames, String), ImportError> {
+/// The floor with the front door, joined to those that its stairs reach; the names in use, and the description of the
+/// home.
+fn joined_floors(
+    levels: &PlanLevels,
+    remarks: &mut Vec<String>,
+) -> Result<(BuiltFloor, AllNames, String), ImportError> {
     let built = |index: usize, is_home: bool, names: &mut AllNames, remarks: &mut Vec<String>| {
         let storey = &levels.storeys[index];
         floor::build(&storey.drawing, is_home, names, remarks).map(|floor| (storey.elevation_m, floor))
     };
-    let unheard = |index: usize, is_home: bool| built(index, is_home, &mut AllNames::default(), &mut Vec::new());
+    let without_remarks =
+        |index: usize, is_home: bool| built(index, is_home, &mut AllNames::default(), &mut Vec::new());
     let mut names = AllNames::default();
     if levels.storeys.len() == 1 {
         let (_, floor) = built(0, true, &mut names, remarks)?;
         let about = about(levels, &[0]);
-        levels.tell(&[0], "the only one on which something is drawn", remarks);
+        levels.report(&[0], "the only one on which something is drawn", remarks);
         return Ok((floor, names, about));
     }
-    // First each by itself: which are taken decides about names and remarks.
-    let alone: Vec<_> = (0..levels.storeys.len()).map(|index| unheard(index, true)).collect();
+    // First each floor by itself: the choice of floors decides about names and remarks.
+    let alone: Vec<_> = (0..levels.storeys.len()).map(|index| without_remarks(index, true)).collect();
     let sound: Vec<usize> = (0..alone.len()).filter(|&index| alone[index].is_ok()).collect();
     let fits = |&index: &usize| {
         let floor = alone[index].as_ref();
@@ -93,16 +97,16 @@ fn whole(levels: &PlanLevels, remarks: &mut Vec<String>) -> Result<(BuiltFloor, 
         return Err(first.unwrap_or(ImportError::NoRooms));
     };
     let leads_out = fits(&home).is_some_and(|(way_out, ..)| way_out > 0);
-    // People come home to one of them: what lies in the open before the others is no outside.
+    // Only the floor with the front door has rooms outside of the home.
     let again = |(index, floor): (usize, Result<(f64, BuiltFloor), ImportError>)| match floor {
-        Ok((_, floor)) if floor.is_open && index != home => unheard(index, false),
+        Ok((_, floor)) if floor.is_open && index != home => without_remarks(index, false),
         floor => floor,
     };
     let floors: Vec<_> = alone.into_iter().enumerate().map(again).collect();
     let sound: Vec<usize> = (0..floors.len()).filter(|&index| floors[index].is_ok()).collect();
     let floors: Vec<(f64, BuiltFloor)> = floors.into_iter().flatten().collect();
     let first = sound.iter().position(|&index| index == home).unwrap_or_default();
-    let (_, taken) = stairs::unfolded(&floors, first, &mut AllNames::default());
+    let (_, taken) = stairs::unfold(&floors, first, &mut AllNames::default());
     let taken: Vec<usize> = taken.into_iter().map(|floor| sound[floor]).collect();
 
     let mut floors = Vec::new();
@@ -120,13 +124,13 @@ fn whole(levels: &PlanLevels, remarks: &mut Vec<String>) -> Result<(BuiltFloor, 
         floors.push((height_m, floor));
     }
     let first = taken.iter().position(|&index| index == home).unwrap_or_default();
-    let (floor, _) = stairs::unfolded(&floors, first, &mut names);
+    let (floor, _) = stairs::unfold(&floors, first, &mut names);
     let why = match (taken.len(), leads_out) {
         (1, true) => "by which people come home",
         (1, false) => "which has the most walls",
         _ => "which stairs join",
     };
-    levels.tell(&taken, why, remarks);
+    levels.report(&taken, why, remarks);
     if taken.len() > 1 {
         let floors = listed(levels, &taken);
         remarks.push(format!("the floors {floors} are drawn beside each other, with the stairs as a passage between"));
@@ -134,7 +138,6 @@ fn whole(levels: &PlanLevels, remarks: &mut Vec<String>) -> Result<(BuiltFloor, 
     Ok((floor, names, about(levels, &taken)))
 }
 
-/// The `about` of a home of these levels.
 fn about(levels: &PlanLevels, taken: &[usize]) -> String {
     let names = listed(levels, taken);
     match taken {
@@ -144,13 +147,13 @@ fn about(levels: &PlanLevels, taken: &[usize]) -> String {
     }
 }
 
-/// The names of levels in a sentence; nothing where the plan has one.
+/// The names of levels in a sentence; empty for a plan with one level.
 fn listed(levels: &PlanLevels, taken: &[usize]) -> String {
     let names = taken.iter().filter_map(|&index| levels.storeys[index].name.as_ref());
     names.map(|name| format!("{name:?}")).collect::<Vec<_>>().join(", ")
 }
 
-/// Says that no door leads out, and where one could: a line for `home.json` that works as it is.
+/// Remark that no door leads out, with a complete line for `home.json` that adds one.
 fn no_way_out(floor: &BuiltFloor, names: &mut AllNames) -> String {
     let what = "no door leads out of the home";
     let Some(exit) = exits::front_door(floor) else {
@@ -185,7 +188,7 @@ fn home(name: String, about: String, latitude_deg: Option<f64>, floor: BuiltFloo
     }
 }
 
-/// The lower left corner of all walls, or of all rooms where there are none.
+/// The lower left corner of all walls, or of all rooms in a plan without walls.
 fn origin(walls: &[StraightWall], rooms: &[NamedRoom]) -> Point {
     let ends = walls.iter().flat_map(|wall| [wall.from, wall.to]);
     let corners = rooms.iter().flat_map(|room| room.outline.iter().copied());

@@ -1,4 +1,4 @@
-//! The text of a home as people write it: a line for each room, wall, door and piece of furniture.
+//! The text of a home in the usual layout: a line for each room, wall, door and piece of furniture.
 
 use homebody_core::geometry::At;
 use homebody_core::home::form::HomeFile;
@@ -7,7 +7,6 @@ use homebody_core::role::Role;
 use homebody_core::sensors::kinds::SensorFile;
 use serde_json::Value;
 
-/// A list of a home.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum List {
     Rooms,
@@ -18,12 +17,11 @@ pub enum List {
     Sensors,
 }
 
-/// The text of a home.
 pub fn home_text(home: &HomeFile) -> String {
     with_elements(home).0
 }
 
-/// The text, and of which list each of its lines has which element.
+/// The text, and by line, its list and its index in that list.
 pub fn with_elements(home: &HomeFile) -> (String, Vec<Option<(List, usize)>>) {
     let mut lines: Vec<(String, Option<(List, usize)>)> = vec![("{".into(), None)];
     let heads = [("$schema", home.schema.as_deref().unwrap_or_default()), ("name", &home.name), ("about", &home.about)];
@@ -104,7 +102,7 @@ fn place(place: &PlaceFile) -> String {
     format!("\"name\": {}, \"at\": {}", quoted(&place.name), at(&place.at))
 }
 
-/// As its form has it, with blanks between.
+/// In the layout of the file, with blanks between.
 fn sensor(sensor: &SensorFile) -> String {
     let text = serde_json::to_string(sensor).unwrap_or_default();
     let inner = text.strip_prefix('{').and_then(|text| text.strip_suffix('}')).unwrap_or_default();

@@ -1,4 +1,4 @@
-//! Walls as a home has them: straight. Curved ones become chords, cut so that each door is in one of them.
+//! Straight walls, as in the file of a home. Curved ones become chords, cut so that each door is in one of them.
 
 use crate::drawing::{self, PlanPiece};
 use crate::error::ImportError;
@@ -6,7 +6,6 @@ use homebody_core::geometry::{self, Point};
 use homebody_core::problem::counted;
 use std::f64::consts::TAU;
 
-/// A straight wall.
 #[derive(Clone, Debug, PartialEq)]
 pub struct StraightWall {
     pub from: Point,
@@ -17,7 +16,7 @@ pub struct StraightWall {
 /// Shorter walls are slips of the mouse: the check refuses those under a millimetre, and ends are rounded to one.
 const LEAST_LENGTH_M: f64 = 0.003;
 
-/// The range that a home has for the thickness of walls.
+/// The range of the thickness of walls in a home.
 const THICKNESS_M: [f64; 2] = [0.001, 2.0];
 
 /// Largest distance of a chord from its arc (our choice): less than the plaster.
@@ -32,6 +31,10 @@ const ARC_RAD: [f64; 2] = [1e-3, TAU - 1e-3];
 
 /// Largest distance of the middle of a door from its wall, beyond half the wall's thickness (our choice).
 pub const DOOR_OFF_M: f64 = 0.3;
+
+/// Largest number of walls of a floor that is searched for exits, gaps, open-air rooms or moves (our choice): the time
+/// grows with its square.
+pub const MOST_SEARCHED: usize = 400;
 
 /// Largest number of walls of a home.
 const MOST_WALLS: usize = 5_000;
@@ -81,7 +84,8 @@ const MEET_SINE: f64 = 0.26;
 /// tens.
 const MOST_JOINED: usize = 1_000;
 
-/// The walls with those that end at the face of another, or inside of it, drawn on to its middle line: that is where rooms meet.
+/// The walls, with those that end at the face of another, or inside of it, extended to its middle line: rooms meet
+/// there.
 pub fn joined(walls: Vec<StraightWall>) -> Vec<StraightWall> {
     if walls.len() > MOST_JOINED {
         return walls;
@@ -92,7 +96,7 @@ pub fn joined(walls: Vec<StraightWall>) -> Vec<StraightWall> {
             let turn = along.perp_dot(other.along());
             let is_met = turn.abs() >= MEET_SINE && geometry::distance_to_segment(end, other.from, other.to) <= reach_m;
             let way = (other.from - end).perp_dot(other.along()) / turn;
-            // Beyond the end, or before it where the wall reaches through the other's middle.
+            // Beyond the end, or before it if the wall reaches through the other's middle.
             let is_near = way.abs() <= reach_m / MEET_SINE && way > -wall.length() / 2.0;
             let meeting = end + along * way;
             let is_on = geometry::distance_to_segment(meeting, other.from, other.to) <= reach_m;
@@ -142,7 +146,6 @@ impl Arc {
         (radius_m > LEAST_LENGTH_M).then_some(Arc { middle, start, end, radius_m, extent_rad, thickness_m })
     }
 
-    /// The ends of its chords, from start to end.
     fn points(&self, doors: &[PlanPiece]) -> Vec<Point> {
         let mut cuts = vec![(0.0, 0.0), (1.0, 1.0)];
         cuts.extend(doors.iter().filter_map(|door| self.span(door)));
@@ -150,7 +153,7 @@ impl Arc {
         let mut shares: Vec<f64> = vec![0.0];
         for (start, end) in cuts {
             let last = shares[shares.len() - 1];
-            // Of doors that overlap the first has its chord.
+            // Of doors that overlap, the first has its chord.
             if start < last {
                 continue;
             }
@@ -168,18 +171,16 @@ impl Arc {
         shares.iter().enumerate().map(place).collect()
     }
 
-    /// The number of chords for a share of the arc.
     fn chords(&self, share: f64) -> f64 {
         let flat = (1.0 - (CHORD_OFF_M / self.radius_m).min(1.0)).acos() * 2.0;
         (self.extent_rad.abs() * share / flat).ceil().clamp(1.0, MOST_CHORDS)
     }
 
-    /// The place at a share of the way from start to end.
     fn at(&self, share: f64) -> Point {
         self.middle + geometry::direction((self.extent_rad * share).to_degrees()).rotate(self.start - self.middle)
     }
 
-    /// From which share of the way to which one a door is, if it is in this wall as a whole.
+    /// The start and end of a door as shares of the way, if it is in this wall as a whole.
     fn span(&self, door: &PlanPiece) -> Option<(f64, f64)> {
         let out = door.at - self.middle;
         if (out.length() - self.radius_m).abs() > self.thickness_m / 2.0 + DOOR_OFF_M {

@@ -62,7 +62,7 @@ fn what_is_made_of_any_log_is_sound() {
         let left: Vec<&String> = home.remarks.iter().filter(|remark| remark.starts_with("left out")).collect();
         assert!(left.is_empty(), "case {case}: {left:?}\n{}", home.home_json);
         assert!(file.doors.iter().any(|door| door.outside), "case {case}: no way out");
-        // Every sensor is hung by its own id, or it is said that there is no place for it.
+        // Every sensor is placed with its own id, or reported as without a place.
         let unplaced = home.remarks.iter().any(|remark| remark.starts_with("for these sensors there is no place"));
         let ids: BTreeSet<&String> = home.ids.values().collect();
         assert_eq!((ids.len(), home.ids.len()), (file.sensors.len(), file.sensors.len()), "case {case}");

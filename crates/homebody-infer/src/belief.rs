@@ -26,13 +26,13 @@ impl Belief {
         self.states.iter_mut().zip(&other.states).for_each(|(own, other)| own.clone_from(other));
     }
 
-    pub fn alone(&self, body: usize) -> Vec<f32> {
+    pub fn marginal(&self, body: usize) -> Vec<f32> {
         let mut sums = Vec::new();
-        self.alone_into(body, &mut sums);
+        self.marginal_into(body, &mut sums);
         sums
     }
 
-    pub fn alone_into(&self, body: usize, sums: &mut Vec<f32>) {
+    pub fn marginal_into(&self, body: usize, sums: &mut Vec<f32>) {
         let columns = self.states[1].len().max(1);
         sums.clear();
         if body == 0 {
@@ -47,7 +47,7 @@ impl Belief {
 
     pub fn out(&self, body: usize) -> f32 {
         let of = |(chance, state): (f32, &u32)| if *state == OUT { chance } else { 0.0 };
-        self.alone(body).into_iter().zip(&self.states[body]).map(of).sum()
+        self.marginal(body).into_iter().zip(&self.states[body]).map(of).sum()
     }
 
     /// Scales the probabilities to a sum of 1, and returns the logarithm of the sum before.
@@ -153,7 +153,7 @@ mod tests {
     }
 
     #[test]
-    fn states_count_that_are_likely_or_that_what_is_said_next_would_need() {
+    fn tracks_likely_states_and_those_of_the_next_message() {
         let chances = [0.5, 1e-7, 0.4, 1e-9, 0.1];
         assert_eq!(kept(&chances, (9, 1e-4), None), [0, 2, 4]);
         assert_eq!(kept(&chances, (2, 1e-4), None), [0, 2]);
@@ -164,11 +164,11 @@ mod tests {
     }
 
     #[test]
-    fn what_is_thought_of_one_is_what_is_thought_of_both_whatever_the_other_does() {
+    fn marginal_sums_over_the_other_body() {
         let mut belief = Belief { states: [vec![0, 3], vec![1, 2, 5]], chances: vec![1.0, 2.0, 3.0, 4.0, 5.0, 5.0] };
         assert!((belief.normalise() - libm::log(20.0)).abs() < 1e-6);
         let near = |a: &[f32], b: &[f32]| a.iter().zip(b).all(|(a, b)| (a - b).abs() < 1e-6);
-        assert!(near(&belief.alone(0), &[0.3, 0.7]) && near(&belief.alone(1), &[0.25, 0.35, 0.4]));
+        assert!(near(&belief.marginal(0), &[0.3, 0.7]) && near(&belief.marginal(1), &[0.25, 0.35, 0.4]));
         assert!((belief.out(0) - 0.3).abs() < 1e-6);
         belief.chances.fill(0.0);
         belief.normalise();

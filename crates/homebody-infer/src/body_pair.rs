@@ -6,10 +6,10 @@
 
 use crate::belief::{Belief, OUT, likely};
 use crate::exponential::exp;
-use crate::log_step::{LogSteps, MessageContent, Unusual};
+use crate::log_step::{LimitedSensor, LogSteps, MessageContent};
 use crate::message::MessageKind;
 use crate::senses::Senses;
-use crate::transition::{Odd, StateTransitions, TransitionStep, turned_over};
+use crate::transition::{StateTransitions, TransitionStep, UnusualState, transposed};
 
 /// Rate of events without a cause, in any state (our choice).
 const OF_NOTHING: f32 = 3e-6;
@@ -28,7 +28,7 @@ pub(crate) struct BodyPair<'a> {
     /// One per step, from the messages so far; later, for smoothed steps, from all messages.
     pub beliefs: Vec<Belief>,
     /// By step and body, the states with an unusual span.
-    odd: Vec<[Vec<Odd>; 2]>,
+    odd: Vec<[Vec<UnusualState>; 2]>,
     /// By step: the rate at which other bodies would cause its message.
     others: Vec<f32>,
     /// The logarithm of the likelihood of all messages and silences so far.
@@ -41,7 +41,6 @@ pub(crate) struct BodyPair<'a> {
     work: PairBuffers,
 }
 
-/// Buffers that each step reuses.
 struct PairBuffers {
     turns: [TransitionStep; 2],
     between: [StateTransitions; 2],
@@ -53,18 +52,18 @@ struct PairBuffers {
     over: Vec<f32>,
     /// Discarded beliefs, whose memory is reused.
     spare: Vec<Belief>,
-    spare_odd: Vec<[Vec<Odd>; 2]>,
+    spare_odd: Vec<[Vec<UnusualState>; 2]>,
 }
 
 impl<'a> BodyPair<'a> {
     pub fn new(senses: [&'a Senses; 2]) -> BodyPair<'a> {
-        let begins = senses.map(Senses::begins);
+        let initial_chances = senses.map(Senses::initial_chances);
         let states = [0, 1].map(|body| {
             let mut states = Vec::new();
-            likely(&begins[body], (usize::MAX, HOPELESS), None, &mut states);
+            likely(&initial_chances[body], (usize::MAX, HOPELESS), None, &mut states);
             states
         });
-        let of = |body: usize, place: u32| begins[body][place as usize];
+        let of = |body: usize, place: u32| initial_chances[body][place as usize];
         let chances = states[0].iter().flat_map(|&a| states[1].iter().map(move |&b| of(0, a) * of(1, b))).collect();
         BodyPair::after_belief(senses, Belief { states, chances })
     }
@@ -171,7 +170,7 @@ impl<'a> BodyPair<'a> {
     fn after(
         &mut self,
         from: &Belief,
-        (span, unusual): (usize, &[Unusual]),
+        (span, unusual): (usize, &[LimitedSensor]),
         said: Option<MessageContent>,
         to: &mut Belief,
     ) {
@@ -183,7 +182,7 @@ impl<'a> BodyPair<'a> {
                 continue;
             }
             turns[body].set(senses, span, unusual);
-            from.alone_into(body, alone);
+            from.marginal_into(body, alone);
             turns[body].forward(senses, alone, &from.states[body], &mut all[body]);
             let said = said.map(|heard| (senses.rate(heard.sensor, heard.said), OF_NOTHING));
             likely(&all[body], limits, said, &mut to.states[body]);
@@ -200,13 +199,13 @@ impl<'a> BodyPair<'a> {
         }
         let (rows, columns) = (to.states[0].len(), from.states[1].len());
         between[0].forward(&from.chances, [columns, rows], half);
-        turned_over(half, columns, over);
+        transposed(half, columns, over);
         between[1].forward(over, [rows, to.states[1].len()], half);
-        turned_over(half, rows, &mut to.chances);
+        transposed(half, rows, &mut to.chances);
     }
 
     /// A presence sensor that stays on is explained by either body: each gets half of its weight.
-    fn ends(&mut self, belief: &mut Belief, unusual: &[Unusual]) {
+    fn ends(&mut self, belief: &mut Belief, unusual: &[LimitedSensor]) {
         let timing = &self.senses[0].timing;
         for one in unusual.iter().filter(|one| one.may_end_s > 0.0 && timing[one.sensor].feels) {
             let seconds = one.may_end_s / 2.0;
@@ -222,18 +221,18 @@ impl<'a> BodyPair<'a> {
     }
 
     /// Smooths backward from `after`, the likelihood of all that follows the last step, and passes each step's to `look`.
-    /// The first `told` beliefs become smoothed.
+    /// The first `reported` beliefs become smoothed.
     pub fn go_back(
         &mut self,
         steps: &LogSteps,
-        (first, told): (usize, usize),
+        (first, reported): (usize, usize),
         mut after: Belief,
         mut look: impl FnMut(usize, &Belief),
     ) {
         let mut before = self.work.spare.pop().unwrap_or_default();
         for place in (0..self.beliefs.len()).rev() {
             look(first + place, &after);
-            if place < told {
+            if place < reported {
                 let belief = &mut self.beliefs[place];
                 belief.chances.iter_mut().zip(&after.chances).for_each(|(chance, after)| *chance *= after);
                 belief.normalise();
@@ -285,10 +284,10 @@ impl<'a> BodyPair<'a> {
                     }
                     let columns = after.states[1].len();
                     between[0].back(&after.chances, columns, half);
-                    turned_over(half, columns, over);
+                    transposed(half, columns, over);
                     let rows = before.states[0].len();
                     between[1].back(over, rows, half);
-                    turned_over(half, rows, &mut before.chances);
+                    transposed(half, rows, &mut before.chances);
                 }
             }
         }
@@ -337,7 +336,10 @@ mod tests {
         let of = |belief: &Belief| {
             [0, 1].map(|body| {
                 let mut all = vec![0.0; senses[body].states().len()];
-                belief.states[body].iter().zip(belief.alone(body)).for_each(|(&state, one)| all[state as usize] = one);
+                belief.states[body]
+                    .iter()
+                    .zip(belief.marginal(body))
+                    .for_each(|(&state, one)| all[state as usize] = one);
                 all
             })
         };
@@ -356,19 +358,19 @@ mod tests {
     }
 
     #[test]
-    fn what_is_left_out_of_one_moves_little_of_what_is_thought() {
+    fn untracked_states_of_one_body_change_little() {
         let one = senses();
-        let nobody = one.nobody();
-        let exact = thought([&one, &nobody], Some((usize::MAX, 0.0)));
-        let (most, mean) = apart(&exact, &thought([&one, &nobody], None));
+        let empty_body = one.empty_body();
+        let exact = thought([&one, &empty_body], Some((usize::MAX, 0.0)));
+        let (most, mean) = apart(&exact, &thought([&one, &empty_body], None));
         assert!(most < 0.01 && mean < 0.01, "{most} {mean}");
         // Control: too few states change the result.
-        let (most, _) = apart(&exact, &thought([&one, &nobody], Some((usize::MAX, 10.0 * HOPELESS))));
+        let (most, _) = apart(&exact, &thought([&one, &empty_body], Some((usize::MAX, 10.0 * HOPELESS))));
         assert!(most > 0.05, "{most}");
     }
 
     #[test]
-    fn what_is_left_out_of_two_moves_little_of_what_is_thought() {
+    fn untracked_states_of_two_bodies_change_little() {
         let one = senses();
         let exact = thought([&one, &one], Some((usize::MAX, 0.0)));
         let (most, mean) = apart(&exact, &thought([&one, &one], None));

@@ -1,6 +1,6 @@
 //! Sensor faults, found by comparing each sensor with the people that all sensors together locate.
 
-use crate::fault_interval::{FaultInterval, FaultIntervalKind, spells};
+use crate::fault_interval::{FaultInterval, FaultIntervalKind, fault_intervals};
 use crate::log_step::LogSteps;
 use crate::message::LogMessage;
 use crate::senses::Senses;
@@ -86,11 +86,11 @@ pub struct Examination<'a> {
     messages: &'a [LogMessage],
     end: RunTime,
     own: Vec<Vec<LogMessage>>,
-    spells: Vec<FaultInterval>,
+    faults: Vec<FaultInterval>,
     /// By pass: the intervals of all sensors, and the whole log for those that the pass leaves out.
-    spells_of: Vec<Vec<FaultInterval>>,
+    intervals_by_pass: Vec<Vec<FaultInterval>>,
     feel: Vec<usize>,
-    nobody: Senses,
+    empty_body: Senses,
 }
 
 pub struct ExaminationPass<'a> {
@@ -111,13 +111,13 @@ impl<'a> Examination<'a> {
         let mut own = vec![Vec::new(); sensors];
         messages.iter().for_each(|message| own[message.sensor].push(*message));
         let feel: Vec<usize> = (0..sensors).filter(|&sensor| bodies[0].timing[sensor].feels).collect();
-        let spells = spells(messages.iter().copied(), sensors, end);
+        let faults = fault_intervals(messages.iter().copied(), sensors, end);
         let dead =
             |sensor: usize| FaultInterval { sensor, from: RunTime::START, to: end, ill: FaultIntervalKind::Dead };
-        let of_pass = |pass: usize| spells.iter().copied().chain(left_out(&feel, pass).into_iter().map(dead)).collect();
-        let spells_of = (0..Examination::PASSES).map(of_pass).collect();
-        let nobody = bodies[0].nobody();
-        Some(Examination { bodies, messages, end, own, spells, spells_of, feel, nobody })
+        let of_pass = |pass: usize| faults.iter().copied().chain(left_out(&feel, pass).into_iter().map(dead)).collect();
+        let intervals_by_pass = (0..Examination::PASSES).map(of_pass).collect();
+        let empty_body = bodies[0].empty_body();
+        Some(Examination { bodies, messages, end, own, faults, intervals_by_pass, feel, empty_body })
     }
 
     pub fn pass(&self, pass: usize) -> ExaminationPass<'_> {
@@ -125,20 +125,24 @@ impl<'a> Examination<'a> {
         ExaminationPass {
             messages: self.messages.iter(),
             end: self.end,
-            smoother: Smoother::new(self.bodies, &self.nobody, LogSteps::new(timing, &self.spells_of[pass])),
+            smoother: Smoother::new(
+                self.bodies,
+                &self.empty_body,
+                LogSteps::new(timing, &self.intervals_by_pass[pass]),
+            ),
             watch: SensorWatch::new(timing, &self.own),
         }
     }
 
     /// In order of time.
     pub fn findings(&self, passes: &[PassCounts]) -> Vec<FaultFinding> {
-        let mut findings: Vec<FaultFinding> = self.spells.iter().map(FaultFinding::of_spell).collect();
+        let mut findings: Vec<FaultFinding> = self.faults.iter().map(FaultFinding::from_interval).collect();
         let Some((PassCounts(all), others)) = passes.split_first() else { return findings };
         for &sensor in &self.feel {
             // The messages alone give these intervals to the second.
             let known: Vec<FaultFinding> =
                 findings.iter().filter(|finding| finding.sensor == sensor).copied().collect();
-            for finding in of_days(&all[sensor]).into_iter().map(|of_days| FaultFinding::of_days(sensor, of_days)) {
+            for finding in fault_days(&all[sensor]).into_iter().map(|days| FaultFinding::from_days(sensor, days)) {
                 match known.iter().find(|known| known.from < finding.to && finding.from < known.to) {
                     Some(known) if finding.ailment == SensorFault::Fading => {
                         findings.retain(|one| one != known);
@@ -156,7 +160,7 @@ impl<'a> Examination<'a> {
                 let of_all_time = |ailment| FaultFinding { sensor, from: RunTime::START, to: self.end, ailment };
                 clocks.extend(clock(days).map(of_all_time));
                 let is_doubtful = findings.iter().any(|finding| finding.sensor == sensor);
-                let moved = moved(days).filter(|_| is_doubtful).map(|found| FaultFinding::of_days(sensor, found));
+                let moved = moved(days).filter(|_| is_doubtful).map(|found| FaultFinding::from_days(sensor, found));
                 moved.into_iter().for_each(|moved| moved.put_into(&mut findings));
             }
         }
@@ -203,12 +207,12 @@ impl ExaminationPass<'_> {
 }
 
 impl FaultFinding {
-    fn of_spell(spell: &FaultInterval) -> FaultFinding {
-        let ailment = match spell.ill {
+    fn from_interval(interval: &FaultInterval) -> FaultFinding {
+        let ailment = match interval.ill {
             FaultIntervalKind::Stuck => SensorFault::Stuck,
             FaultIntervalKind::Dead => SensorFault::Dead,
         };
-        FaultFinding { sensor: spell.sensor, from: spell.from, to: spell.to, ailment }
+        FaultFinding { sensor: interval.sensor, from: interval.from, to: interval.to, ailment }
     }
 
     fn put_into(self, findings: &mut Vec<FaultFinding>) {
@@ -216,7 +220,7 @@ impl FaultFinding {
         findings.push(self);
     }
 
-    fn of_days(sensor: usize, FaultDays { first, last, ailment }: FaultDays) -> FaultFinding {
+    fn from_days(sensor: usize, FaultDays { first, last, ailment }: FaultDays) -> FaultFinding {
         let midnight = |day: usize| RunTime::START + day as i64 * DAY;
         FaultFinding { sensor, from: midnight(first), to: midnight(last + 1), ailment }
     }
@@ -229,7 +233,7 @@ struct FaultDays {
     ailment: SensorFault,
 }
 
-fn of_days(days: &[SensorDayCounts]) -> Vec<FaultDays> {
+fn fault_days(days: &[SensorDayCounts]) -> Vec<FaultDays> {
     let mut found: Vec<FaultDays> = noisy(days).into_iter().collect();
     found.extend(lost(days).into_iter().map(|LossDays { first, last, left, parts }| {
         let ailment = match () {
@@ -353,18 +357,20 @@ fn looks_elsewhere(days: &[SensorDayCounts]) -> bool {
 
 /// The error must occur on most of the days that have an estimate, and be steady.
 fn clock(days: &[SensorDayCounts]) -> Option<SensorFault> {
-    let told: Vec<(f64, f64)> =
+    let estimates: Vec<(f64, f64)> =
         days.iter().enumerate().filter_map(|(day, of)| Some((day as f64 + 0.5, of.ahead_s?))).collect();
-    if told.len() < CLOCK_DAYS {
+    if estimates.len() < CLOCK_DAYS {
         return None;
     }
     // The median of all slopes is robust to single outliers.
-    let slopes =
-        told.iter().enumerate().flat_map(|(place, a)| told[place + 1..].iter().map(move |b| (b.1 - a.1) / (b.0 - a.0)));
+    let slopes = estimates
+        .iter()
+        .enumerate()
+        .flat_map(|(place, a)| estimates[place + 1..].iter().map(move |b| (b.1 - a.1) / (b.0 - a.0)));
     let slope = median(slopes.collect());
-    let begin = median(told.iter().map(|(day, ahead)| ahead - slope * day).collect());
-    let off = median(told.iter().map(|(day, ahead)| (ahead - begin - slope * day).abs()).collect());
-    let is_off = median(told.iter().map(|one| one.1.abs()).collect()) >= CLOCK_S && off <= CLOCK_S;
+    let begin = median(estimates.iter().map(|(day, ahead)| ahead - slope * day).collect());
+    let off = median(estimates.iter().map(|(day, ahead)| (ahead - begin - slope * day).abs()).collect());
+    let is_off = median(estimates.iter().map(|one| one.1.abs()).collect()) >= CLOCK_S && off <= CLOCK_S;
     let end = days.len() as f64;
     is_off.then_some(SensorFault::Clock { ahead_s: begin + slope * end, ppm: slope / 86_400.0 * 1e6 })
 }
@@ -383,19 +389,19 @@ mod tests {
     }
 
     fn only(days: &[SensorDayCounts]) -> Option<SensorFault> {
-        let found = of_days(days);
+        let found = fault_days(days);
         assert!(found.len() < 2, "{found:?}");
         found.first().map(|one| one.ailment)
     }
 
     #[test]
-    fn a_sensor_that_notices_what_it_should_is_well() {
+    fn sensor_with_expected_detections_has_no_fault() {
         let parts = [40, 44, 38, 30, 41, 39, 45, 28, 40, 42];
         assert_eq!(only(&parts.map(|noticed| day(42.0, noticed))), None);
     }
 
     #[test]
-    fn one_that_notices_nothing_less_and_less_or_a_part_is_dead_fading_or_on_a_bad_way() {
+    fn missing_detections_mean_dead_fading_or_lossy() {
         let of = |parts: &[u32]| only(&parts.iter().map(|&noticed| day(40.0, noticed)).collect::<Vec<_>>());
         assert_eq!(of(&[40, 38, 41, 39, 40, 0, 0]), Some(SensorFault::Dead));
         assert_eq!(of(&[40, 38, 41, 39, 40, 25, 16, 9, 2]), Some(SensorFault::Fading));
@@ -404,7 +410,7 @@ mod tests {
     }
 
     #[test]
-    fn what_has_no_reason_is_noise_and_what_has_one_elsewhere_is_moved() {
+    fn unexplained_firings_mean_noise_or_a_moved_sensor() {
         let mut noisy: Vec<SensorDayCounts> = (0..6).map(|_| day(40.0, 40)).collect();
         noisy[4].unexplained = (0..24).map(|one| (one % 3 > 0).then(|| Point::new(f64::from(one), 0.0))).collect();
         assert_eq!(only(&noisy), Some(SensorFault::Noisy { per_h: 1.0 }));
@@ -418,7 +424,7 @@ mod tests {
     }
 
     #[test]
-    fn a_clock_that_runs_too_fast_is_further_ahead_each_day() {
+    fn fast_clock_has_a_growing_error() {
         let days: Vec<SensorDayCounts> = (0..6)
             .map(|number| SensorDayCounts { ahead_s: Some(20.0 + 10.0 * f64::from(number)), ..day(40.0, 10) })
             .collect();

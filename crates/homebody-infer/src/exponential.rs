@@ -25,7 +25,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn it_is_the_exponential_to_a_millionth() {
+    fn exp_is_exact_to_a_millionth() {
         for step in -8_600..8_700 {
             let exponent = step as f32 / 100.0;
             let right = libm::exp(f64::from(exponent));

@@ -1,4 +1,4 @@
-//! Intervals in which a sensor is stuck or dead, found from messages alone.
+//! Intervals during which a sensor is stuck or dead, found from messages alone.
 //!
 //! A sensor that repeats itself at even intervals is stuck. One with daily messages that is silent while others are as
 //! active as usual is dead.
@@ -53,12 +53,16 @@ struct MessageHistory {
 }
 
 /// `messages` are in order of time, up to `end`.
-pub fn spells(messages: impl IntoIterator<Item = LogMessage>, sensors: usize, end: RunTime) -> Vec<FaultInterval> {
+pub fn fault_intervals(
+    messages: impl IntoIterator<Item = LogMessage>,
+    sensors: usize,
+    end: RunTime,
+) -> Vec<FaultInterval> {
     let mut heard = vec![MessageHistory::default(); sensors];
     // By day and sensor, the hours with messages.
     let mut days: Vec<Vec<HourMask>> = Vec::new();
-    let mut spells = Vec::new();
-    let spell = |sensor, of: Interval<RunTime>, ill| FaultInterval { sensor, from: of.begin, to: of.end, ill };
+    let mut faults = Vec::new();
+    let interval = |sensor, of: Interval<RunTime>, ill| FaultInterval { sensor, from: of.begin, to: of.end, ill };
     for message in messages {
         let at = message.at.max(RunTime::START).since_zero();
         let day = (at / DAY) as usize;
@@ -68,22 +72,22 @@ pub fn spells(messages: impl IntoIterator<Item = LogMessage>, sensors: usize, en
         days[day][message.sensor] |= 1 << (at % DAY / HOUR);
         if message.said != MessageKind::Off {
             heard[message.sensor]
-                .hear(message.at, |stuck| spells.push(spell(message.sensor, stuck, FaultIntervalKind::Stuck)));
+                .hear(message.at, |stuck| faults.push(interval(message.sensor, stuck, FaultIntervalKind::Stuck)));
         }
     }
     for (sensor, heard) in heard.iter_mut().enumerate() {
-        heard.hear_end(end, |stuck| spells.push(spell(sensor, stuck, FaultIntervalKind::Stuck)));
+        heard.hear_end(end, |stuck| faults.push(interval(sensor, stuck, FaultIntervalKind::Stuck)));
         for &silence in &heard.silences {
             // A sensor with several such silences is not faulty.
             let is_usual =
                 |other: &Interval<RunTime>| other.begin != silence.begin && other.length() * 2 > silence.length();
             if !heard.silences.iter().any(is_usual) && is_missed(sensor, silence, &days) {
-                spells.push(spell(sensor, silence, FaultIntervalKind::Dead));
+                faults.push(interval(sensor, silence, FaultIntervalKind::Dead));
             }
         }
     }
-    spells.sort_by_key(|spell| (spell.from, spell.sensor));
-    spells
+    faults.sort_by_key(|interval| (interval.from, interval.sensor));
+    faults
 }
 
 impl MessageHistory {
@@ -180,26 +184,26 @@ mod tests {
     }
 
     #[test]
-    fn sensors_that_are_well_have_no_spells() {
-        assert_eq!(spells(usual(), 2, END), []);
+    fn working_sensors_have_no_fault_interval() {
+        assert_eq!(fault_intervals(usual(), 2, END), []);
     }
 
     #[test]
-    fn one_that_is_silent_while_others_speak_is_dead_and_one_of_an_empty_home_is_not() {
+    fn silence_is_a_fault_only_while_others_are_active() {
         let is_silent = |message: &LogMessage| (day(4)..day(6)).contains(&message.at);
         let dead: Vec<LogMessage> = usual().into_iter().filter(|one| one.sensor == 0 || !is_silent(one)).collect();
-        let found = spells(dead, 2, END);
+        let found = fault_intervals(dead, 2, END);
         assert_eq!(
-            found.iter().map(|spell| (spell.sensor, spell.ill)).collect::<Vec<_>>(),
+            found.iter().map(|interval| (interval.sensor, interval.ill)).collect::<Vec<_>>(),
             [(1, FaultIntervalKind::Dead)]
         );
         assert!(found[0].from < day(4) && found[0].to > day(6), "{found:?}");
         let away: Vec<LogMessage> = usual().into_iter().filter(|one| !is_silent(one)).collect();
-        assert_eq!(spells(away, 2, END), []);
+        assert_eq!(fault_intervals(away, 2, END), []);
     }
 
     #[test]
-    fn who_is_away_for_days_leaves_no_sensor_dead_however_late_each_is_heard_again() {
+    fn absence_for_days_leaves_no_sensor_dead() {
         // Away from noon of one day to the evening of another; the second sensor is active the day after.
         let (out, back) = (day(3) + 12 * HOUR, day(5) + 18 * HOUR);
         let is_said = |message: &LogMessage| {
@@ -207,24 +211,24 @@ mod tests {
             !(out..back).contains(&message.at)
         };
         let away: Vec<LogMessage> = usual().into_iter().filter(is_said).collect();
-        assert_eq!(spells(away.clone(), 2, END), []);
+        assert_eq!(fault_intervals(away.clone(), 2, END), []);
         // Control: if the first were active all the while, the second would be dead.
         let of_one = |message: &LogMessage| message.sensor == 0 && (out..back).contains(&message.at);
         let mut at_home: Vec<LogMessage> = away.into_iter().chain(usual().into_iter().filter(of_one)).collect();
         at_home.sort_by_key(|message| message.at);
-        let found = spells(at_home, 2, END);
+        let found = fault_intervals(at_home, 2, END);
         assert_eq!(
-            found.iter().map(|spell| (spell.sensor, spell.ill)).collect::<Vec<_>>(),
+            found.iter().map(|interval| (interval.sensor, interval.ill)).collect::<Vec<_>>(),
             [(1, FaultIntervalKind::Dead)]
         );
     }
 
     #[test]
-    fn one_that_repeats_itself_at_even_spaces_is_stuck_for_as_long_as_it_does() {
+    fn even_repetitions_are_stuck_while_they_last() {
         let mut messages = usual();
         messages.extend((0..60).map(|turn| message(1, day(3) + HOUR + turn * MINUTE)));
         messages.sort_by_key(|message| message.at);
-        let found = spells(messages, 2, END);
+        let found = fault_intervals(messages, 2, END);
         assert_eq!(found.len(), 1, "{found:?}");
         assert_eq!((found[0].sensor, found[0].ill), (1, FaultIntervalKind::Stuck));
         assert_eq!(found[0].to - found[0].from, 59 * MINUTE);

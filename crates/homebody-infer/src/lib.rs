@@ -2,8 +2,7 @@
 //!
 //! [`Senses::learn`] simulates a body that goes everywhere and does everything equally often, and counts the responses of
 //! the sensors. The result holds the home, the fields, timing and link of its sensors and the time of walks, but no habits
-//! of residents. [`translate`] then computes the places in which such a body explains the messages and silences of a log
-//! best.
+//! of residents. [`translate`] then computes the places that explain the messages and silences of a log best.
 //!
 //! The model is a Markov-modulated Poisson process: in each state (walking or standing on a patch of floor, a seat, a bed,
 //! being out) every sensor sends messages at a rate of its own. Messages and silences both count.
@@ -29,7 +28,7 @@ mod visits;
 mod sensor_day;
 
 pub use examination::{Examination, ExaminationPass, FaultFinding, PassCounts, SensorFault, health};
-pub use fault_interval::{FaultInterval, FaultIntervalKind, spells};
+pub use fault_interval::{FaultInterval, FaultIntervalKind, fault_intervals};
 pub use log_step::MessageContent;
 pub use message::{LogMessage, MessageKind};
 pub use senses::{ResponseError, Senses};

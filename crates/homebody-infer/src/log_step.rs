@@ -30,7 +30,7 @@ pub struct MessageContent {
 
 /// A sensor that cannot send ON, or can send OFF, for part of a span.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Unusual {
+pub(crate) struct LimitedSensor {
     pub sensor: usize,
     pub deaf_s: f32,
     pub may_end_s: f32,
@@ -38,19 +38,19 @@ pub(crate) struct Unusual {
 
 pub(crate) struct LogSteps<'a> {
     timing: &'a [ReportTiming],
-    spells: &'a [FaultInterval],
+    faults: &'a [FaultInterval],
     last: Vec<LastMessage>,
     unusual: Vec<usize>,
     now: RunTime,
     steps: Vec<LogStep>,
-    all_unusual: Vec<Unusual>,
+    all_unusual: Vec<LimitedSensor>,
 }
 
 impl<'a> LogSteps<'a> {
-    pub fn new(timing: &'a [ReportTiming], spells: &'a [FaultInterval]) -> LogSteps<'a> {
+    pub fn new(timing: &'a [ReportTiming], faults: &'a [FaultInterval]) -> LogSteps<'a> {
         let last = vec![LastMessage::default(); timing.len()];
         let now = RunTime::START;
-        LogSteps { timing, spells, last, unusual: Vec::new(), now, steps: Vec::new(), all_unusual: Vec::new() }
+        LogSteps { timing, faults, last, unusual: Vec::new(), now, steps: Vec::new(), all_unusual: Vec::new() }
     }
 
     pub fn len(&self) -> usize {
@@ -65,16 +65,17 @@ impl<'a> LogSteps<'a> {
         &self.steps[number]
     }
 
-    pub fn unusual(&self, number: usize) -> &[Unusual] {
+    pub fn unusual(&self, number: usize) -> &[LimitedSensor] {
         let end = self.steps.get(number + 1).map_or(self.all_unusual.len(), |next| next.first);
         &self.all_unusual[self.steps[number].first..end]
     }
 
     /// A late message counts as if it came now.
     pub fn hear(&mut self, message: &LogMessage) {
-        let is_ill =
-            |spell: &FaultInterval| spell.sensor == message.sensor && (spell.from..=spell.to).contains(&message.at);
-        if self.spells.iter().any(is_ill) {
+        let is_ill = |interval: &FaultInterval| {
+            interval.sensor == message.sensor && (interval.from..=interval.to).contains(&message.at)
+        };
+        if self.faults.iter().any(is_ill) {
             return;
         }
         self.advance(message.at, Some(MessageContent { sensor: message.sensor, said: message.said }));
@@ -110,16 +111,16 @@ impl<'a> LogSteps<'a> {
             let deaf_s = (last.deaf(silent).seconds() * part) as f32;
             let may_end_s = (last.may_end(silent).seconds() * part) as f32;
             if deaf_s > 0.0 || may_end_s > 0.0 {
-                all_unusual.push(Unusual { sensor, deaf_s, may_end_s });
+                all_unusual.push(LimitedSensor { sensor, deaf_s, may_end_s });
             }
             last.is_on || last.blind_until > end
         });
-        for spell in self.spells.iter().filter(|spell| spell.from < end && spell.to > begin) {
-            let deaf_s = ((spell.to.min(end) - spell.from.max(begin)).seconds() * part) as f32;
-            let known = all_unusual[first..].iter_mut().find(|one| one.sensor == spell.sensor);
+        for interval in self.faults.iter().filter(|interval| interval.from < end && interval.to > begin) {
+            let deaf_s = ((interval.to.min(end) - interval.from.max(begin)).seconds() * part) as f32;
+            let known = all_unusual[first..].iter_mut().find(|one| one.sensor == interval.sensor);
             match known {
                 Some(one) => (one.deaf_s, one.may_end_s) = (one.deaf_s.max(deaf_s), 0.0),
-                None => all_unusual.push(Unusual { sensor: spell.sensor, deaf_s, may_end_s: 0.0 }),
+                None => all_unusual.push(LimitedSensor { sensor: interval.sensor, deaf_s, may_end_s: 0.0 }),
             }
         }
         self.steps.push(LogStep { end, span, said, first });
@@ -150,7 +151,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn parts_of_a_span_are_short_at_both_ends_and_are_the_span() {
+    fn parts_of_a_span_sum_to_it_and_are_short_at_both_ends() {
         for span_s in [0.0, 0.3, 5.9, 6.1, 77.7, 3_600.0, 100_000.0] {
             let parts = split(span_s);
             assert!((parts.iter().sum::<f64>() - span_s).abs() < 1e-9, "{span_s}");

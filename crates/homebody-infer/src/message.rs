@@ -41,18 +41,15 @@ pub(crate) fn channel(sensor: usize, said: MessageKind) -> usize {
 
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct ReportTiming {
-    /// Whether it sends OFF.
     pub has_off: bool,
     /// Whether it detects presence, and not movement.
     pub feels: bool,
-    /// Dead time after a message.
     pub blind: Span,
 }
 
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct LastMessage {
     pub is_on: bool,
-    /// The end of the dead time.
     pub blind_until: RunTime,
 }
 
@@ -66,13 +63,13 @@ impl LastMessage {
         self.blind_until = message.at + timing.blind;
     }
 
-    /// The time in a span in which it cannot send ON.
+    /// The part of a span during which it cannot send ON.
     pub fn deaf(&self, span: Interval<RunTime>) -> Span {
         let until = if self.is_on { span.end } else { span.end.min(self.blind_until).max(span.begin) };
         until - span.begin
     }
 
-    /// The time in a span in which it can send OFF.
+    /// The part of a span during which it can send OFF.
     pub fn may_end(&self, span: Interval<RunTime>) -> Span {
         if self.is_on { span.length() } else { Span::ZERO }
     }

@@ -64,7 +64,7 @@ impl RandomWalkModel {
 
     fn plan(&mut self) {
         let chance = self.stream.unit();
-        let door = self.places.of(Role::FrontDoor).filter(|spot| spot.is_reachable).cloned();
+        let door = self.places.for_role(Role::FrontDoor).filter(|spot| spot.is_reachable).cloned();
         match door {
             Some(door) if chance < OUT => self.go_out(&door),
             _ if chance < OUT + FLOOR || self.spots.is_empty() => self.stand(),

@@ -56,8 +56,8 @@ pub struct Senses {
     pub(crate) rates: Vec<Vec<f32>>,
     /// The rates of ON, by state and sensor.
     on_rates: Vec<f32>,
-    /// By channel: the states in which it exceeds the rate without a cause, and by how much.
-    heard_of: Vec<Vec<(u32, f32)>>,
+    /// By channel: the states that raise its rate above that without a cause, and by how much.
+    excess_rates: Vec<Vec<(u32, f32)>>,
     pub(crate) flow: TransitionMatrices,
     counted: StateCounts,
     /// Whether the body belongs to a visitor, who is out when a log begins.
@@ -101,7 +101,7 @@ impl From<LogError> for ResponseError {
 const FEELS: [&str; 2] = ["bed", "pressure"];
 
 /// One resident walks at random; all others are out.
-struct Alone<'a> {
+struct SingleResident<'a> {
     scenario: &'a Scenario,
     body: usize,
     places: Arc<HomePlaces>,
@@ -109,7 +109,7 @@ struct Alone<'a> {
     states: &'a States,
 }
 
-impl DriverProvider for Alone<'_> {
+impl DriverProvider for SingleResident<'_> {
     fn guests(&self) -> Vec<Guest> {
         Vec::new()
     }
@@ -130,7 +130,7 @@ struct SensorCounts {
     time_s: Vec<f64>,
     /// By channel and state.
     messages: Vec<Vec<f64>>,
-    /// In seconds, by sensor and state: time in which it could send ON, and OFF.
+    /// In seconds, by sensor and state: time during which it could send ON, and OFF.
     may_begin_s: Vec<Vec<f64>>,
     may_end_s: Vec<Vec<f64>>,
     /// Transitions, from state to state.
@@ -156,7 +156,7 @@ impl Senses {
         let mesh = Arc::new(Mesh::with_numbers(plan, resident.file.radius_m, scenario.home.numbers()));
         let places = Arc::new(HomePlaces::new(&scenario.home, plan, &mesh, &resident.file.name));
         let states = States::new(plan, &places, &mesh);
-        let alone = Alone { scenario, body, places, mesh, states: &states };
+        let alone = SingleResident { scenario, body, places, mesh, states: &states };
         let (track, messages, feels) = simulate(scenario, &alone, &states)?;
         let timing = timing(&messages, &feels);
         let counts = SensorCounts::from_track(&track, &messages, &timing, states.len());
@@ -164,29 +164,38 @@ impl Senses {
         smear(&mut rates, &counts.turns, &states);
         let counted = StateCounts { time_s: counts.time_s, turns: counts.turns };
         let flow = counted.flow(&states, &rates, OUT_S);
-        let heard_of = rates.iter().map(|rates| heard_of(rates)).collect();
+        let excess_rates = rates.iter().map(|rates| excess_rates(rates)).collect();
         let on_rates = on_rates(&rates, states.len());
-        Ok(Senses { states, timing, rates, on_rates, heard_of, flow, counted, visits: false })
+        Ok(Senses { states, timing, rates, on_rates, excess_rates, flow, counted, visits: false })
     }
 
     /// The same for a visitor, who is seldom at home.
-    pub fn of_visitor(&self) -> Senses {
+    pub fn for_visitor(&self) -> Senses {
         let flow = self.counted.flow(&self.states, &self.rates, BETWEEN_VISITS_S);
         Senses { flow, visits: true, ..self.clone() }
     }
 
     /// An empty body, as the partner of a body that is alone.
-    pub fn nobody(&self) -> Senses {
+    pub fn empty_body(&self) -> Senses {
         // A presence sensor turns off depending on the other body only.
         let is_over =
             |channel: usize| channel % KINDS == MessageKind::Off as usize && self.timing[channel / KINDS].feels;
         let of = |channel: usize| if is_over(channel) { f32::MAX } else { 0.0 };
         let rates: Vec<Vec<f32>> = (0..self.rates.len()).map(|channel| vec![of(channel)]).collect();
         let counted = StateCounts { time_s: Vec::new(), turns: Vec::new() };
-        let (states, timing) = (States::nobody(), self.timing.clone());
-        let heard_of = vec![Vec::new(); self.rates.len()];
+        let (states, timing) = (States::empty(), self.timing.clone());
+        let excess_rates = vec![Vec::new(); self.rates.len()];
         let on_rates = on_rates(&rates, 1);
-        Senses { states, timing, rates, on_rates, heard_of, flow: TransitionMatrices::nobody(), counted, visits: false }
+        Senses {
+            states,
+            timing,
+            rates,
+            on_rates,
+            excess_rates,
+            flow: TransitionMatrices::empty(),
+            counted,
+            visits: false,
+        }
     }
 
     pub(crate) fn rate(&self, sensor: usize, said: MessageKind) -> &[f32] {
@@ -198,12 +207,11 @@ impl Senses {
         &self.on_rates[state as usize * sensors..][..sensors]
     }
 
-    pub(crate) fn heard_of(&self, sensor: usize, said: MessageKind) -> &[(u32, f32)] {
-        &self.heard_of[channel(sensor, said)]
+    pub(crate) fn excess_rates(&self, sensor: usize, said: MessageKind) -> &[(u32, f32)] {
+        &self.excess_rates[channel(sensor, said)]
     }
 
-    /// The probabilities of the states at the start.
-    pub(crate) fn begins(&self) -> Vec<f32> {
+    pub(crate) fn initial_chances(&self) -> Vec<f32> {
         let size = self.states.len();
         match self.visits {
             true => (0..size).map(|state| if state == 0 { 1.0 } else { 0.0 }).collect(),
@@ -227,7 +235,7 @@ fn on_rates(rates: &[Vec<f32>], states: usize) -> Vec<f32> {
     (0..states).flat_map(of).collect()
 }
 
-fn heard_of(rates: &[f32]) -> Vec<(u32, f32)> {
+fn excess_rates(rates: &[f32]) -> Vec<(u32, f32)> {
     let of_nothing = OF_NOTHING as f32;
     let more = (0..).zip(rates).map(|(state, rate)| (state, rate - of_nothing));
     more.filter(|(_, more)| *more > of_nothing).collect()
@@ -269,7 +277,7 @@ fn silence(rates: &[Vec<f32>], states: usize) -> Vec<f64> {
 /// Instants of new states, the messages, and which sensors detect presence.
 type TrainingData = (Vec<(RunTime, usize)>, Vec<LogMessage>, Vec<bool>);
 
-fn simulate(scenario: &Scenario, alone: &Alone, states: &States) -> Result<TrainingData, ResponseError> {
+fn simulate(scenario: &Scenario, alone: &SingleResident, states: &States) -> Result<TrainingData, ResponseError> {
     const SEED: u64 = 1;
     // Cameras write no rows, and cost a hundred times as much as all other sensors.
     let all = scenario.home.placed_sensors();
@@ -347,7 +355,6 @@ fn enter_all(
     }
 }
 
-/// Whether each sensor sends OFF, and its dead time after a message.
 fn timing(messages: &[LogMessage], feels: &[bool]) -> Vec<ReportTiming> {
     /// Share of the shortest gaps that is left out, because they may be chance or a fault (our choice).
     const SHORTEST: f64 = 0.02;
@@ -405,19 +412,25 @@ impl SensorCounts {
             let place = track.partition_point(|&(at, _)| at <= message.at).saturating_sub(1);
             counts.messages[channel(sensor, message.said)][track[place].1] += 1.0;
             if message.said != MessageKind::Word {
-                counts.unheard(track, sensor, &last[sensor], Interval::new(since[sensor], message.at));
+                counts.count_off_time(track, sensor, &last[sensor], Interval::new(since[sensor], message.at));
                 last[sensor].hear(message, &timing[sensor]);
                 since[sensor] = message.at;
             }
         }
         for sensor in 0..sensors {
-            counts.unheard(track, sensor, &last[sensor], Interval::new(since[sensor], END));
+            counts.count_off_time(track, sensor, &last[sensor], Interval::new(since[sensor], END));
         }
         counts
     }
 
-    /// Moves the time in which a sensor was on, and could not send ON, to that in which it could send OFF.
-    fn unheard(&mut self, track: &[(RunTime, usize)], sensor: usize, last: &LastMessage, span: Interval<RunTime>) {
+    /// Counts the time during which a sensor was on, and could not send ON, as time during which it could send OFF.
+    fn count_off_time(
+        &mut self,
+        track: &[(RunTime, usize)],
+        sensor: usize,
+        last: &LastMessage,
+        span: Interval<RunTime>,
+    ) {
         let until = span.begin + last.deaf(span);
         let first = track.partition_point(|&(at, _)| at <= span.begin).saturating_sub(1);
         for (place, &(at, state)) in track.iter().enumerate().skip(first) {

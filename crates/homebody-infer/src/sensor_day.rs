@@ -156,7 +156,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_clock_that_is_ahead_is_found_by_when_somebody_was_there() {
+    fn finds_a_clock_that_is_ahead() {
         let steps = (DAY / LAG) as usize;
         let mut levels = vec![0.0; steps];
         let visits: Vec<usize> = (0..40).map(|visit| 1_000 + visit * 347 + visit * visit % 61).collect();

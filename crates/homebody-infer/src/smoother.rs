@@ -44,19 +44,19 @@ pub struct Chances {
 
 ///
 /// Locates each body by messages in order of time, up to `end`, and reports each instant in turn. Messages and silences
-/// within `spells` are ignored.
+/// within `faults` are ignored.
 ///
 /// Each two bodies in a row are estimated jointly; of other pairs, only the expected messages count.
 pub fn translate(
     bodies: &[Senses],
-    spells: &[FaultInterval],
+    faults: &[FaultInterval],
     messages: impl IntoIterator<Item = LogMessage>,
     end: RunTime,
     mut tell: impl FnMut(InstantEstimate),
 ) {
     let Some(first) = bodies.first() else { return };
-    let nobody = first.nobody();
-    let mut smoother = Smoother::new(bodies, &nobody, LogSteps::new(&first.timing, spells));
+    let empty_body = first.empty_body();
+    let mut smoother = Smoother::new(bodies, &empty_body, LogSteps::new(&first.timing, faults));
     messages.into_iter().for_each(|message| {
         smoother.hear(&message, &mut tell);
     });
@@ -71,8 +71,8 @@ pub fn follow(
     mut tell: impl FnMut(InstantEstimate),
 ) {
     let Some(first) = bodies.first() else { return };
-    let nobody = first.nobody();
-    let mut follower = Follower::new(bodies, &nobody);
+    let empty_body = first.empty_body();
+    let mut follower = Follower::new(bodies, &empty_body);
     for (at, message) in instants {
         match message {
             Some(message) => follower.hear(&message),
@@ -91,13 +91,13 @@ pub struct Follower<'a> {
 
 impl<'a> Follower<'a> {
     ///
-    /// `nobody` is [`Senses::nobody`] of the first body.
+    /// `empty_body` is [`Senses::empty_body`] of the first body.
     ///
     /// # Panics
     ///
     /// Without a body.
-    pub fn new(bodies: &'a [Senses], nobody: &'a Senses) -> Follower<'a> {
-        Follower { pairs: in_pairs(bodies, nobody), steps: LogSteps::new(&bodies[0].timing, &[]), said: None }
+    pub fn new(bodies: &'a [Senses], empty_body: &'a Senses) -> Follower<'a> {
+        Follower { pairs: in_pairs(bodies, empty_body), steps: LogSteps::new(&bodies[0].timing, &[]), said: None }
     }
 
     /// A late message counts as if it came now.
@@ -129,8 +129,8 @@ impl<'a> Follower<'a> {
     }
 }
 
-fn in_pairs<'a>(bodies: &'a [Senses], nobody: &'a Senses) -> Vec<BodyPair<'a>> {
-    bodies.chunks(2).map(|pair| BodyPair::new([&pair[0], pair.get(1).unwrap_or(nobody)])).collect()
+fn in_pairs<'a>(bodies: &'a [Senses], empty_body: &'a Senses) -> Vec<BodyPair<'a>> {
+    bodies.chunks(2).map(|pair| BodyPair::new([&pair[0], pair.get(1).unwrap_or(empty_body)])).collect()
 }
 
 /// Advances all pairs by a step; any of them may cause its message.
@@ -155,24 +155,23 @@ pub(crate) struct Smoother<'a> {
 }
 
 impl<'a> Smoother<'a> {
-    /// `nobody` is [`Senses::nobody`] of the first body.
-    pub fn new(bodies: &'a [Senses], nobody: &'a Senses, steps: LogSteps<'a>) -> Smoother<'a> {
+    pub fn new(bodies: &'a [Senses], empty_body: &'a Senses, steps: LogSteps<'a>) -> Smoother<'a> {
         let (residents, visits) = match bodies {
             [alone, guest] if guest.visits && !alone.visits => (&bodies[..1], Some(Visits::new([alone, guest]))),
             all => (all, None),
         };
-        Smoother { pairs: in_pairs(residents, nobody), visits, steps, gone: 0 }
+        Smoother { pairs: in_pairs(residents, empty_body), visits, steps, gone: 0 }
     }
 
     /// Returns true if `tell` received a full block.
     pub fn hear(&mut self, message: &LogMessage, tell: &mut impl FnMut(InstantEstimate)) -> bool {
         self.steps.hear(message);
-        let mut is_told = false;
+        let mut has_reported = false;
         while self.steps.len() >= BLOCK + AHEAD {
             self.smooth(BLOCK, tell);
-            is_told = true;
+            has_reported = true;
         }
-        is_told
+        has_reported
     }
 
     /// Reports the remaining steps, up to an instant.
@@ -182,22 +181,22 @@ impl<'a> Smoother<'a> {
     }
 
     fn smooth(&mut self, most: usize, tell: &mut impl FnMut(InstantEstimate)) {
-        let (steps, told) = (&self.steps, most.min(self.steps.len()));
+        let (steps, reported) = (&self.steps, most.min(self.steps.len()));
         for number in self.gone..steps.len() {
             advance(&mut self.pairs, steps, number);
         }
-        self.gone = steps.len() - told;
+        self.gone = steps.len() - reported;
         if let (Some(visits), [alone, ..]) = (&mut self.visits, &self.pairs[..]) {
-            visits.advance(alone, steps, told);
+            visits.advance(alone, steps, reported);
         }
-        let at_end = |pair: &BodyPair| told.checked_sub(1).map(|last| pair.beliefs[last].clone());
+        let at_end = |pair: &BodyPair| reported.checked_sub(1).map(|last| pair.beliefs[last].clone());
         let before: Vec<Option<Belief>> = self.pairs.iter().map(at_end).collect();
         for pair in &mut self.pairs {
-            pair.go_back(steps, (0, told), pair.nothing_known(), |number, after| {
+            pair.go_back(steps, (0, reported), pair.nothing_known(), |number, after| {
                 self.visits.iter_mut().for_each(|visits| visits.go_back(steps, number, after));
             });
         }
-        for number in 0..told {
+        for number in 0..reported {
             let visit = self.visits.as_ref().and_then(|visits| visits.reported(number));
             let pairs = match visit {
                 Some(visit) => vec![visit],
@@ -207,8 +206,8 @@ impl<'a> Smoother<'a> {
             tell(InstantEstimate { at: step.end, said: step.said, pairs });
         }
         let all = self.pairs.iter_mut().zip(before);
-        all.for_each(|(pair, before)| before.into_iter().for_each(|before| pair.begin_after(told, before)));
-        self.steps.forget(told);
+        all.for_each(|(pair, before)| before.into_iter().for_each(|before| pair.begin_after(reported, before)));
+        self.steps.forget(reported);
     }
 }
 
@@ -219,7 +218,7 @@ impl<'a> InstantEstimate<'a> {
         for (belief, senses) in &self.pairs {
             for (body, senses) in senses.iter().enumerate().filter(|(_, senses)| senses.states().len() > 1) {
                 let mut of_body = vec![0.0; sensors];
-                for (chance, &state) in belief.alone(body).into_iter().zip(&belief.states[body]) {
+                for (chance, &state) in belief.marginal(body).into_iter().zip(&belief.states[body]) {
                     let rates = senses.on_rates(state);
                     of_body.iter_mut().zip(rates).for_each(|(sum, rate)| *sum += chance * rate);
                 }
@@ -247,14 +246,14 @@ impl<'a> InstantEstimate<'a> {
     pub fn report(&self, mut tell: impl FnMut(Guess<'a>, &[f32])) {
         for (belief, senses) in &self.pairs {
             if senses[1].states().len() == 1 {
-                let (guess, chances) = alone(belief, senses[0], self.said);
+                let (guess, chances) = single_guess(belief, senses[0], self.said);
                 tell(guess, &chances);
                 tell(Guess { state: &senses[1].states().all[0], chance: guess.chance, says: 0.0 }, &NOBODY);
                 continue;
             }
-            let together = Together::new(belief, senses);
+            let together = JointPlaces::new(belief, senses);
             let ([first, second], [its, others]) = (together.guesses(self.said), together.chances());
-            let turned = is_alone_second(senses, &first);
+            let turned = is_resident_second(senses, &first);
             let all = if turned { [(second, others), (first, its)] } else { [(first, its), (second, others)] };
             all.into_iter().for_each(|(guess, chances)| tell(guess, &chances));
         }
@@ -270,7 +269,7 @@ impl Chances {
     }
 }
 
-fn alone<'a>(belief: &Belief, senses: &'a Senses, said: Option<MessageContent>) -> (Guess<'a>, Vec<f32>) {
+fn single_guess<'a>(belief: &Belief, senses: &'a Senses, said: Option<MessageContent>) -> (Guess<'a>, Vec<f32>) {
     let states = senses.states();
     let mut chances = vec![0.0f32; states.places()];
     for (&state, chance) in belief.states[0].iter().zip(&belief.chances) {
@@ -285,11 +284,11 @@ fn alone<'a>(belief: &Belief, senses: &'a Senses, said: Option<MessageContent>) 
 }
 
 /// If a resident and a guest may be swapped, the one who is alone at home is the resident.
-fn is_alone_second(senses: &[&Senses; 2], first: &Guess) -> bool {
+fn is_resident_second(senses: &[&Senses; 2], first: &Guess) -> bool {
     senses[1].visits && first.state.at.is_none()
 }
 
-struct Together<'b, 'a> {
+struct JointPlaces<'b, 'a> {
     belief: &'b Belief,
     senses: &'b [&'a Senses; 2],
     /// By body and tracked state, its place.
@@ -301,8 +300,8 @@ struct Together<'b, 'a> {
     best: usize,
 }
 
-impl<'b, 'a> Together<'b, 'a> {
-    fn new(belief: &'b Belief, senses: &'b [&'a Senses; 2]) -> Together<'b, 'a> {
+impl<'b, 'a> JointPlaces<'b, 'a> {
+    fn new(belief: &'b Belief, senses: &'b [&'a Senses; 2]) -> JointPlaces<'b, 'a> {
         let places = [0, 1].map(|body| {
             let states = belief.states[body].iter().map(|&state| senses[body].states().place(state));
             states.collect::<Vec<usize>>()
@@ -314,7 +313,7 @@ impl<'b, 'a> Together<'b, 'a> {
                 chances[a * columns + b] += chance;
             }
         }
-        let mut together = Together { belief, senses, places, columns, chances, best: 0 };
+        let mut together = JointPlaces { belief, senses, places, columns, chances, best: 0 };
         let by_chance = |a: &usize, b: &usize| {
             let either = together.either(*a).total_cmp(&together.either(*b));
             either.then(together.chances[*a].total_cmp(&together.chances[*b]))
@@ -330,7 +329,7 @@ impl<'b, 'a> Together<'b, 'a> {
     }
 
     fn guesses(&self, said: Option<MessageContent>) -> [Guess<'a>; 2] {
-        let Together { belief, senses, places, columns, best, .. } = self;
+        let JointPlaces { belief, senses, places, columns, best, .. } = self;
         let width = places[1].len();
         let is_there = |pair: &usize| places[0][pair / width] * columns + places[1][pair % width] == *best;
         let by_chance = |a: &usize, b: &usize| belief.chances[*a].total_cmp(&belief.chances[*b]);
@@ -365,11 +364,11 @@ mod tests {
     use crate::senses::tests::{END, senses, walk};
 
     #[test]
-    fn who_follows_a_log_thinks_what_going_forward_through_it_thinks() {
+    fn following_a_log_equals_its_forward_pass() {
         let bodies = [senses()];
-        let nobody = bodies[0].nobody();
-        let mut follower = Follower::new(&bodies, &nobody);
-        let (mut steps, mut pair) = (LogSteps::new(&bodies[0].timing, &[]), BodyPair::new([&bodies[0], &nobody]));
+        let empty_body = bodies[0].empty_body();
+        let mut follower = Follower::new(&bodies, &empty_body);
+        let (mut steps, mut pair) = (LogSteps::new(&bodies[0].timing, &[]), BodyPair::new([&bodies[0], &empty_body]));
         let mut gone = 0;
         for message in walk() {
             follower.hear(&message);

@@ -93,7 +93,7 @@ impl States {
         States { all, rooms: plan.rooms.len(), stations, grid }
     }
 
-    pub(crate) fn nobody() -> States {
+    pub(crate) fn empty() -> States {
         let grid = PatchGrid { corner: Point::ZERO, columns: 1, patch: vec![None], patches: 0 };
         let out = BodyState { kind: StateKind::Out, at: None, room: None, posture: Posture::Standing };
         States { all: vec![out], rooms: 0, stations: Vec::new(), grid }

@@ -1,7 +1,7 @@
-//! Transitions of one body in a span in which some sensors cannot send.
+//! Transitions of one body while some sensors cannot send.
 
 use crate::exponential::exp;
-use crate::log_step::Unusual;
+use crate::log_step::LimitedSensor;
 use crate::message::MessageKind;
 use crate::senses::{SILENCE, Senses};
 
@@ -16,7 +16,7 @@ const RARE: f32 = 1e-6;
 pub(crate) struct TransitionStep {
     span: usize,
     /// States with an unusual span.
-    odd: Vec<Odd>,
+    odd: Vec<UnusualState>,
     /// By state.
     passing: Vec<f32>,
     stays: Vec<f32>,
@@ -27,7 +27,7 @@ pub(crate) struct TransitionStep {
 }
 
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Odd {
+pub(crate) struct UnusualState {
     state: u32,
     /// Expected messages that the usual matrix assumes, but that cannot occur.
     unsaid: f32,
@@ -44,7 +44,6 @@ pub(crate) struct StateTransitions {
     first: Vec<u32>,
     /// State at the end, and probability.
     turns: Vec<(u32, f32)>,
-    /// Buffers.
     passing: Vec<f32>,
     chances: Vec<f32>,
 }
@@ -62,7 +61,7 @@ impl TransitionStep {
         }
     }
 
-    pub fn set(&mut self, senses: &Senses, span: usize, unusual: &[Unusual]) {
+    pub fn set(&mut self, senses: &Senses, span: usize, unusual: &[LimitedSensor]) {
         self.forget();
         self.span = span;
         let TransitionStep { odd, dense, powers, .. } = self;
@@ -70,15 +69,15 @@ impl TransitionStep {
             for &(state, rate) in rates {
                 let unsaid = &mut dense[state as usize];
                 if *unsaid == 0.0 {
-                    odd.push(Odd { state, unsaid: 0.0, passing: 1.0, stays: 0.0 });
+                    odd.push(UnusualState { state, unsaid: 0.0, passing: 1.0, stays: 0.0 });
                 }
                 *unsaid += rate * seconds;
             }
         };
         for one in unusual {
-            add(senses.heard_of(one.sensor, MessageKind::On), one.deaf_s * SILENCE as f32);
+            add(senses.excess_rates(one.sensor, MessageKind::On), one.deaf_s * SILENCE as f32);
             if one.may_end_s > 0.0 && !senses.timing[one.sensor].feels {
-                add(senses.heard_of(one.sensor, MessageKind::Off), -one.may_end_s);
+                add(senses.excess_rates(one.sensor, MessageKind::Off), -one.may_end_s);
             }
         }
         odd.iter_mut().for_each(|odd| odd.unsaid = std::mem::take(&mut dense[odd.state as usize]));
@@ -96,14 +95,14 @@ impl TransitionStep {
     }
 
     /// Restores a span from its unusual states.
-    pub fn set_again(&mut self, span: usize, odd: &[Odd]) {
+    pub fn set_again(&mut self, span: usize, odd: &[UnusualState]) {
         self.forget();
         self.span = span;
         self.odd.extend_from_slice(odd);
         self.spread();
     }
 
-    pub fn odd(&self) -> &[Odd] {
+    pub fn odd(&self) -> &[UnusualState] {
         &self.odd
     }
 
@@ -253,8 +252,7 @@ fn chosen<const ROWS: usize>(rows: [&[f32]; ROWS], places: &[u32], factors: &[f3
     std::array::from_fn(|row| rest[row] + (sums[0][row] + sums[1][row]) + (sums[2][row] + sums[3][row]))
 }
 
-/// Transposes.
-pub(crate) fn turned_over(rows: &[f32], columns: usize, over: &mut Vec<f32>) {
+pub(crate) fn transposed(rows: &[f32], columns: usize, over: &mut Vec<f32>) {
     let height = rows.len() / columns.max(1);
     over.clear();
     over.resize(rows.len(), 0.0);
@@ -287,7 +285,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_worth_it_comes_to_what_all_comes_to() {
+    fn sparse_product_equals_the_full_product() {
         let (mut to, mut from) = (Vec::new(), Vec::new());
         let was = [1.0, 2.0, 3.0, 4.0, 5.0, 6.0];
         between().forward(&was, [2, 4], &mut to);
@@ -302,7 +300,7 @@ mod tests {
     }
 
     #[test]
-    fn a_span_that_is_set_again_is_as_it_was() {
+    fn restored_span_equals_the_original() {
         let senses = senses();
         let states: Vec<u32> = (0..senses.states().len() as u32).collect();
         let chances = vec![1.0; states.len()];
@@ -312,7 +310,7 @@ mod tests {
             to
         };
         let mut turns = TransitionStep::new(states.len());
-        turns.set(&senses, 8, &[Unusual { sensor: 0, deaf_s: 1.5, may_end_s: 0.0 }]);
+        turns.set(&senses, 8, &[LimitedSensor { sensor: 0, deaf_s: 1.5, may_end_s: 0.0 }]);
         let (once, odd) = (forward(&turns), turns.odd().to_vec());
         turns.set(&senses, 8, &[]);
         assert_ne!(forward(&turns), once, "nothing is unusual any more");
@@ -321,17 +319,17 @@ mod tests {
     }
 
     #[test]
-    fn rows_turned_over_twice_are_as_they_were() {
+    fn transposing_twice_restores_rows() {
         let rows: Vec<f32> = (0..12).map(|number| number as f32).collect();
         let (mut once, mut twice) = (Vec::new(), Vec::new());
-        turned_over(&rows, 3, &mut once);
-        turned_over(&once, 4, &mut twice);
+        transposed(&rows, 3, &mut once);
+        transposed(&once, 4, &mut twice);
         assert_eq!(once[..5], [0.0, 3.0, 6.0, 9.0, 1.0]);
         assert_eq!(twice, rows);
     }
 
     #[test]
-    fn chosen_numbers_are_added_by_their_factors() {
+    fn sums_chosen_entries_with_their_factors() {
         let row: Vec<f32> = (0..20).map(|number| number as f32).collect();
         let places = [1, 4, 7, 10, 19];
         let twice: Vec<f32> = row.iter().map(|number| 2.0 * number).collect();

@@ -78,7 +78,7 @@ impl TransitionMatrices {
     }
 
     /// Of the empty body, which has one state.
-    pub fn nobody() -> TransitionMatrices {
+    pub fn empty() -> TransitionMatrices {
         TransitionMatrices { states: 1, steps: vec![vec![1.0]; SPANS], stays: stays(&[0.0]) }
     }
 }

@@ -41,8 +41,8 @@ impl<'a> Visits<'a> {
         Visits { senses, stretches: Vec::new(), open: None }
     }
 
-    /// Continues with the steps that the resident's forward pass has processed; the first `told` of them are reported.
-    pub fn advance(&mut self, alone: &BodyPair, steps: &LogSteps, told: usize) {
+    /// Continues with the steps that the resident's forward pass has processed; the first `reported` of them are reported.
+    pub fn advance(&mut self, alone: &BodyPair, steps: &LogSteps, reported: usize) {
         self.stretches.clear();
         let arrivals = possible_arrivals(alone);
         let mut now = self
@@ -60,11 +60,11 @@ impl<'a> Visits<'a> {
             let of_one = alone.evidences[number]
                 - number.checked_sub(1).map_or(alone.evidence_before, |before| alone.evidences[before]);
             stretch.advance(steps, number, of_one);
-            if number + 1 == told {
+            if number + 1 == reported {
                 self.open = Some((stretch.pair.last().clone(), stretch.gains[number + 1 - stretch.first]));
             }
             if !arrivals.get(number + 1).unwrap_or(&false) && stretch.pair.last().out(1) > SURELY {
-                if number + 1 == told {
+                if number + 1 == reported {
                     self.open = None;
                 }
                 self.stretches.extend(now.take());

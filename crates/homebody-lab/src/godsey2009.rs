@@ -223,7 +223,7 @@ impl Walk {
         let mut firings: Vec<Firing> = Vec::new();
         let mut players = [Player::new(&moves[0], build.radius_m)];
         let mut paper = Loop::new(eye, run.home(), 0, speed, Remainder::Lost);
-        paper.live(&mut players, RunTime::START + LENGTH, &mut firings);
+        paper.run(&mut players, RunTime::START + LENGTH, &mut firings);
         Ok(firings.len())
     }
 

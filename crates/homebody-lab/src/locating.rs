@@ -11,7 +11,7 @@ use baselines::{last_firing, rooms_only};
 use homebody_core::geometry::Point;
 use homebody_core::link::form::LinkFile;
 use homebody_core::time::{DAY, RunTime, SECOND, Span};
-use homebody_infer::{InstantEstimate, LogMessage, Senses, follow, spells, translate};
+use homebody_infer::{InstantEstimate, LogMessage, Senses, fault_intervals, follow, translate};
 use serde::Serialize;
 pub use truth::{Home, LocatingError};
 use truth::{MessagesWithTruth, Place, second_begins};
@@ -68,7 +68,7 @@ pub fn case(home: &Home, seed: u64, days: u32) -> Result<Case, LocatingError> {
     // A single resident may have a visitor; with two residents, the model has no room for a third person.
     let has_visitor = residents == 1;
     if has_visitor {
-        bodies.push(bodies[0].of_visitor());
+        bodies.push(bodies[0].for_visitor());
     }
     let simulated = MessagesWithTruth::simulate(home, seed, length)?;
     let mut judge = judged(&bodies, &simulated, &home.people, scenario.home.plan().rooms.len());
@@ -132,8 +132,8 @@ type Told = (RunTime, Vec<(Place, Option<Point>)>);
 fn told(bodies: &[Senses], simulated: &MessagesWithTruth, end: RunTime) -> Vec<Told> {
     let mut told = Vec::new();
     let messages = || simulated.messages.iter().copied();
-    let spells = spells(messages(), simulated.room_of.len(), end);
-    translate(bodies, &spells, messages(), end, |instant| told.push(places(&instant)));
+    let faults = fault_intervals(messages(), simulated.room_of.len(), end);
+    translate(bodies, &faults, messages(), end, |instant| told.push(places(&instant)));
     told
 }
 

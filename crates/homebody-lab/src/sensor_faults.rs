@@ -117,7 +117,7 @@ pub fn case(home: &Home, seed: u64, length: u32) -> Result<Case, LocatingError> 
     let residents = scenario.residents.len();
     let mut bodies = (0..residents).map(|body| Senses::learn(scenario, body)).collect::<Result<Vec<_>, _>>()?;
     if residents == 1 {
-        bodies.push(bodies[0].of_visitor());
+        bodies.push(bodies[0].for_visitor());
     }
     let simulated = MessagesWithTruth::simulate(home, seed, lasts)?;
     let names: Vec<&str> = scenario.home.placed_sensors().iter().map(|sensor| sensor.name.as_str()).collect();

@@ -1,10 +1,9 @@
-//! Plain arithmetic sixty times a second: every body against every beam, with no physics engine, no grid
-//! and no masks.
+//! Plain arithmetic sixty times a second: every body against every beam, without physics engine, grid or masks.
 //!
-//! What we assume: as the exact way does, a body that touches a beam and has changed since the last look is seen.
+//! We assume, as the kernel does, that a sensor sees a body that touches a beam and has changed since the last look.
 //!
-//! How: the beams come from the baked field, so walls cost nothing here; each look computes the distance of
-//! each body that has changed to each beam of each sensor.
+//! The beams come from the baked field, so walls cost nothing; each look computes the distance of each changed body to
+//! each beam of each sensor.
 //!
 //! Left out: the levels `sensitivity` and `zones`.
 
@@ -12,7 +11,6 @@ use crate::{Eye, Pose};
 use homebody_core::home::Home;
 use homebody_core::home::field::Field;
 
-/// The beams of all sensors for bodies of one size.
 pub struct BruteEye<'a> {
     field: &'a Field,
     sensors: usize,
@@ -20,7 +18,7 @@ pub struct BruteEye<'a> {
 }
 
 impl<'a> BruteEye<'a> {
-    /// An eye that has not looked yet, for the sensors of a home and its field of one size of body.
+    /// For the sensors of a home and its field of one body size.
     pub fn new(home: &Home, field: &'a Field) -> BruteEye<'a> {
         BruteEye { field, sensors: home.sensors.len(), last: Vec::new() }
     }
@@ -30,7 +28,7 @@ impl Eye for BruteEye<'_> {
     fn look(&mut self, bodies: &[Pose], changed: &mut [bool]) {
         for (sensor, changed) in changed.iter_mut().enumerate().take(self.sensors) {
             *changed = bodies.iter().enumerate().any(|(index, pose)| {
-                // A body is as large as it ever was since the last look.
+                // A body counts with its largest size since the last look.
                 self.last.get(index).is_some_and(|last| last != pose) && self.field.sees(sensor, pose.at)
             });
         }

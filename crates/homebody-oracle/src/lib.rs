@@ -1,8 +1,8 @@
-//! The naive way: look sixty times a second, compare, count. It lives on as the oracle that the exact
-//! way is tested against, and as the baseline that it is timed against.
+//! The naive simulation: looks sixty times a second, compares, counts. Tests compare the kernel with it, and benchmarks
+//! use it as the baseline.
 //!
-//! Two ways to look: [`paper`], where the physics engine casts every ray of every sensor, and
-//! [`brute`], plain arithmetic over the same beams.
+//! There are two kinds of looks: [`paper`], with the physics engine casting every ray of every sensor, and [`brute`],
+//! plain arithmetic on the same beams.
 
 pub mod brute;
 pub mod paper;
@@ -16,45 +16,45 @@ use homebody_core::random::Stream;
 use homebody_core::sensors::timing::FiringTiming;
 use homebody_core::time::{RunTime, SECOND};
 
-/// A way to look: which sensors notice a change since the last look.
+/// Reports the sensors that notice a change since the last look.
 pub trait Eye {
-    /// `bodies` is where each body is now; `changed[i]` becomes whether sensor i notices a change.
+    /// `bodies` are the present poses; `changed[i]` is set if sensor i notices a change.
     fn look(&mut self, bodies: &[Pose], changed: &mut [bool]);
 }
 
-/// A body at an instant. While it stirs, its outline breathes: an amplitude in, and out again.
+/// A body at an instant. While it stirs, its radius shrinks by an amplitude and recovers.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Pose {
-    /// Where its middle is, in metres.
+    /// The middle, in metres.
     pub at: Point,
-    /// Its radius at this instant, in metres.
+    /// In metres.
     pub radius_m: f64,
 }
 
-/// The game loop of Godsey & Skubic 2009: collect input, step the physics, update all objects with the
-/// time passed.
+/// The game loop of Godsey & Skubic 2009: collects input, steps the physics, and updates all objects by the time
+/// passed.
 pub struct Loop<E> {
     eye: E,
     counters: Vec<Counter>,
     changed: Vec<bool>,
     update: i64,
-    /// Simulated time between two updates, as a multiple of 1/60 s: how much faster than real the loop runs.
+    /// Simulated time between two updates, as a multiple of 1/60 s.
     speed: i64,
     remainder: Remainder,
     seq: u64,
 }
 
-/// What a counter does with the time by which it ran out before the update that notices.
+/// A counter's treatment of the time between its end and the update that notices it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Remainder {
-    /// The next wait is counted from when it ran out, so lateness does not add up.
+    /// The next wait begins at the end, so delays do not add up.
     Kept,
-    /// The next wait is counted from the update, as a plain counter does.
+    /// The next wait begins at the update, as in a plain counter.
     Lost,
 }
 
 impl<E: Eye> Loop<E> {
-    /// A loop at `speed` times real time: its step grows with its speed, as the paper's does.
+    /// A loop at `speed` times real time: its step grows with its speed, as in the paper.
     pub fn new(eye: E, home: &Home, seed: u64, speed: i64, remainder: Remainder) -> Loop<E> {
         let counter = |sensor: &homebody_core::sensors::Sensor| Counter {
             timing: sensor.timing,
@@ -66,16 +66,15 @@ impl<E: Eye> Loop<E> {
         Loop { eye, changed: vec![false; counters.len()], counters, update: 0, speed, remainder, seq: 0 }
     }
 
-    /// The instant of the next update.
     pub fn next_update(&self) -> RunTime {
         RunTime::START + self.update * self.speed * SECOND / 60
     }
 
-    /// One update: looks at the bodies as they are now, and adds what fires to `firings`.
+    /// One update: compares the present bodies with the last ones, and adds firings.
     pub fn update(&mut self, bodies: &[Pose], firings: &mut Vec<Firing>) {
         let now = self.next_update();
         self.eye.look(bodies, &mut self.changed);
-        // Nothing has changed before there was anything to compare with.
+        // The first look has nothing to compare with.
         let first = self.update == 0;
         for (sensor, counter) in self.counters.iter_mut().enumerate() {
             counter.update(now, self.changed[sensor] && !first, self.remainder, |at| {
@@ -86,19 +85,19 @@ impl<E: Eye> Loop<E> {
         self.update += 1;
     }
 
-    /// Runs the lives of some residents until `until`.
-    pub fn live(&mut self, lives: &mut [Player], until: RunTime, firings: &mut Vec<Firing>) {
-        let mut poses = Vec::with_capacity(lives.len());
+    /// Runs some residents until `until`.
+    pub fn run(&mut self, players: &mut [Player], until: RunTime, firings: &mut Vec<Firing>) {
+        let mut poses = Vec::with_capacity(players.len());
         while self.next_update() < until {
             let now = self.next_update();
             poses.clear();
-            poses.extend(lives.iter_mut().map(|life| life.pose(now)));
+            poses.extend(players.iter_mut().map(|life| life.pose(now)));
             self.update(&poses, firings);
         }
     }
 }
 
-/// One sensor's counter: the paper's timing, looked at once an update.
+/// One sensor's counter with the timing of the paper, checked once an update.
 struct Counter {
     timing: FiringTiming,
     stream: Stream,
@@ -144,23 +143,23 @@ impl Counter {
     }
 }
 
-/// Plays one resident's moves, and says where the body is.
+/// The place of a resident by planned moves.
 #[derive(Clone)]
 pub struct Player<'a> {
     moves: &'a [MotionSegment],
     next: usize,
-    /// How often the present move has been looked at.
+    /// Number of looks at the present move.
     looks: u32,
     radius_m: f64,
 }
 
 impl<'a> Player<'a> {
-    /// A player at the first of these moves, which follow each other without gaps; the body has this radius, in metres.
+    /// The moves follow each other without gaps; the radius is in metres.
     pub fn new(moves: &'a [MotionSegment], radius_m: f64) -> Player<'a> {
         Player { moves, next: 0, looks: 0, radius_m }
     }
 
-    /// The body at an instant, which must not be earlier than at the last call. The last move stays in force.
+    /// The body at an instant, which must not be earlier than at the last call. The last move continues.
     fn pose(&mut self, now: RunTime) -> Pose {
         while self.next + 1 < self.moves.len() && self.moves[self.next].end <= now {
             self.next += 1;

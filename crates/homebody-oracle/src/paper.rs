@@ -1,12 +1,12 @@
-//! The paper's own way to look: on each update every sensor shoots its rays, the physics engine returns
-//! their lengths, and a changed length is movement (Godsey & Skubic 2009, section III.D).
+//! The detection of the paper: on each update every sensor casts its rays, the physics engine returns their lengths,
+//! and a changed length is movement (Godsey & Skubic 2009, section III.D).
 //!
-//! What we assume: the paper's plane. Rays start where a beam begins for bodies of the one size looked for, and
-//! know of heights only that whatever is lower than the home's highest lens stops none of them. A ceiling sensor
-//! sees a body that has changed and intersects its area.
+//! We assume the paper's plane. Rays start at the beginning of a beam for bodies of one size. Their only rule about
+//! heights is that solids lower than the home's highest lens stop no ray. A ceiling sensor sees a body that has changed
+//! and intersects its area.
 //!
-//! How: rapier2d holds walls, doors and furniture as fixed colliders and bodies as kinematic balls, is stepped once
-//! an update, and casts each ray against all of them. Rays are not solid: from inside a body they run to its far side.
+//! rapier2d holds walls, doors and furniture as fixed colliders and bodies as kinematic balls, is stepped once an
+//! update, and casts each ray against all of them. Rays are not solid: from inside a body they run to its far side.
 //!
 //! Left out: shadows of furniture lower than the lens; the paper has none.
 
@@ -21,7 +21,6 @@ use rapier2d::parry::query;
 use rapier2d::parry::shape::{Ball, ConvexPolygon};
 use rapier2d::prelude::*;
 
-/// The rays of all sensors of a home, and the physics that casts them.
 pub struct PaperEye {
     physics: PhysicsWorld,
     bodies: Vec<(RigidBodyHandle, ColliderHandle)>,
@@ -40,12 +39,12 @@ struct SensorRay {
     length: f32,
 }
 
-/// Membership of solids that every ray meets, and of those that are lower than some lens.
+/// Membership of the solids that stop every ray, and of those lower than some lens.
 const TALL: Group = Group::GROUP_1;
 const LOW: Group = Group::GROUP_2;
 
 impl PaperEye {
-    /// Rays for bodies of one size, in a home with so many of them.
+    /// For bodies of one size, in a home with a number of them.
     pub fn new(home: &Home, size: BodySize, bodies: usize) -> PaperEye {
         let mut physics = PhysicsWorld { gravity: Vector::ZERO, ..PhysicsWorld::default() };
         physics.integration_parameters.dt = 1.0 / 60.0;
@@ -97,7 +96,7 @@ impl Eye for PaperEye {
                     any
                 }
                 Seeing::Area(area) => bodies.iter().enumerate().any(|(index, pose)| {
-                    // A body that breathes is as large as at either look.
+                    // A stirring body counts with its larger size at either look.
                     let radius = |last: &Pose| last.radius_m.max(pose.radius_m);
                     let change = self.last.get(index).filter(|last| *last != pose);
                     change.is_some_and(|last| intersects(area, pose.at, radius(last)))
@@ -127,7 +126,7 @@ fn seeing(sensor: &Sensor, size: BodySize, walls: &PhysicsWorld) -> Seeing {
     let tall = QueryFilter::default().groups(InteractionGroups::new(Group::ALL, TALL, InteractionTestMode::And));
     let rays = motion.blades.iter().filter_map(|blade| {
         let (near, far) = motion.ranges(blade, size.top_m)?;
-        // Nearer than that the beam passes over bodies, but not over walls.
+        // Closer to the lens, the beam passes over bodies, but not over walls.
         let from_lens = Ray::new(vector(motion.lens), vector(blade.direction));
         if walls.cast_ray(&from_lens, near as f32, false, tall).is_some() {
             return None;
@@ -138,7 +137,7 @@ fn seeing(sensor: &Sensor, size: BodySize, walls: &PhysicsWorld) -> Seeing {
     Seeing::Rays(rays.collect(), tall)
 }
 
-/// A solid as a fixed collider: a cuboid where it is a rectangle, for which rays are fastest.
+/// A rectangle becomes a cuboid, which is fastest for rays.
 fn collider(solid: &Solid) -> Option<ColliderBuilder> {
     let [a, b, c, d] = solid.outline[..] else {
         return ColliderBuilder::convex_hull(&solid.outline.iter().map(|&p| vector(p)).collect::<Vec<_>>());
@@ -151,7 +150,6 @@ fn collider(solid: &Solid) -> Option<ColliderBuilder> {
     Some(cuboid.translation(vector((a + c) / 2.0)).rotation(libm::atan2(x.y, x.x) as f32))
 }
 
-/// Whether the body's disc and the area have a point in common.
 fn intersects(area: &ConvexPolygon, at: Point, radius_m: f64) -> bool {
     let place = Pose2::from_translation(vector(at));
     let ball = Ball::new(radius_m as f32);

@@ -1,14 +1,14 @@
-//! How soon alerts find people with conditions, and how many alerts are false.
+//! The delay between conditions of people and the alerts about them, and the number of false alerts.
 //!
-//! Each person has one condition from a known day on, or none. An alert before that day is a false alarm, and so is any alert of a person
-//! without a condition.
+//! Each person has one condition from a known day on, or none. An alert before that day is a false alarm, and so is any
+//! alert of a person without a condition.
 
 use homebody_analysis::alerts::{Rules, SENSOR, Several, alerts};
 use homebody_analysis::measures::Measures;
 use homebody_core::statistics;
 use serde::Serialize;
 
-/// First day with alerts that count: before it, nobody has a usual.
+/// First day with alerts that count: before it, no person has a usual level.
 pub const FIRST: usize = 15;
 /// Days within which a person counts as found.
 pub const WITHIN: usize = 28;
@@ -19,10 +19,8 @@ const BEARABLE_PER_WEEK: f64 = 0.2;
 /// Half the width of an interval of 95 %, in standard deviations.
 pub const Z: f64 = 1.96;
 
-/// A person with a condition, or without one.
 #[derive(Clone, Copy)]
 pub struct Person {
-    /// The name of the condition.
     pub condition: Option<&'static str>,
     /// The day on which the condition begins, counted from 0. A person without a condition has the day of the others.
     pub onset: usize,
@@ -30,19 +28,16 @@ pub struct Person {
     pub height: usize,
 }
 
-/// A person and the measures of their days.
 #[derive(Clone, Copy)]
 pub struct Watched<'a> {
-    /// The person.
     pub person: &'a Person,
-    /// The days.
     pub measures: &'a Measures,
 }
 
-/// The alerts of a person: the day and the rule of each.
+/// The day and the rule of each alert.
 pub type Alerts = Vec<(usize, String)>;
 
-/// The alerts that rules give for a person. Alerts about sensors are left out.
+/// Without alerts about sensors.
 pub fn alerts_of(measures: &Measures, rules: &Rules) -> Alerts {
     let first = measures.days.first().map(|day| day.date);
     let number = |date: jiff::civil::Date| {
@@ -53,7 +48,6 @@ pub fn alerts_of(measures: &Measures, rules: &Rules) -> Alerts {
     of_person.map(|alert| (number(alert.date), alert.rule)).collect()
 }
 
-/// The alerts of each person with each number of standard deviations, the least first.
 pub fn swept(people: &[Watched], rules: &Rules) -> impl Iterator<Item = (f64, Vec<Alerts>)> {
     let with = move |k_sd: f64| {
         let mut rules = rules.clone();
@@ -64,14 +58,15 @@ pub fn swept(people: &[Watched], rules: &Rules) -> impl Iterator<Item = (f64, Ve
     SWEEP.into_iter().map(with)
 }
 
-/// How soon a layout of sensors finds people, with no more false alarms than are bearable.
+/// The performance of a layout of sensors, with no more false alarms than are bearable.
 #[derive(Clone, Debug, Serialize)]
 pub struct Adequacy {
-    /// The least number of standard deviations with which false alarms are bearable; the greatest one that was tried, if they never are.
+    /// The least number of standard deviations with bearable false alarms; the greatest one that was tried, if they
+    /// never are.
     pub k_sd: f64,
-    /// False alarms of one person in a week.
+    /// Per person.
     pub false_alarms_per_week: f64,
-    /// Share of those with a condition who are found within 28 days.
+    /// Share of the people with a condition who are found within 28 days.
     pub found: f64,
     /// Mean number of days until a person with a condition is found; 28 for a person who is not found by then.
     pub days: f64,
@@ -82,7 +77,6 @@ pub struct Adequacy {
     pub by_person: Vec<f64>,
 }
 
-/// How soon people are found by the measures of their days.
 pub fn adequacy(people: &[Watched], rules: &Rules) -> Adequacy {
     let per_week = |alerts: &[Alerts]| false_alarms(people, alerts, "any").per_week();
     let (mut k_sd, mut alerts) = Default::default();
@@ -110,12 +104,11 @@ pub fn adequacy(people: &[Watched], rules: &Rules) -> Adequacy {
     }
 }
 
-/// Mean, or 0 of nothing.
+/// Mean; 0 for an empty list.
 pub fn mean(of: &[f64]) -> f64 {
     statistics::mean(of).unwrap_or(0.0)
 }
 
-/// The conditions of people, in order.
 pub fn conditions(people: &[Watched]) -> Vec<&'static str> {
     let mut conditions: Vec<&'static str> = people.iter().filter_map(|watched| watched.person.condition).collect();
     conditions.sort_unstable();
@@ -123,7 +116,8 @@ pub fn conditions(people: &[Watched]) -> Vec<&'static str> {
     conditions
 }
 
-/// Days from the onset to the first alert of a rule (`any` for all rules), of each person with a condition, or of each without one.
+/// Days from the onset to the first alert of a rule (`any` for all rules), by person with a condition, or by person
+/// without one.
 pub fn delays(people: &[Watched], alerts: &[Alerts], condition: Option<&str>, rule: &str) -> Vec<Option<usize>> {
     let of = people.iter().map(|watched| watched.person).zip(alerts);
     let delay = |(person, alerts): (&Person, &Alerts)| {
@@ -133,23 +127,21 @@ pub fn delays(people: &[Watched], alerts: &[Alerts], condition: Option<&str>, ru
     of.filter(|(person, _)| person.condition == condition).map(delay).collect()
 }
 
-/// A count of false alarms.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct FalseAlarmCount {
-    /// The false alarms of all people.
+    /// Of all people.
     pub count: f64,
-    /// The weeks of all people in which an alarm is false.
+    /// Weeks of all people at risk of a false alarm.
     pub weeks: f64,
 }
 
 impl FalseAlarmCount {
-    /// False alarms of one person in a week.
+    /// False alarms a week of one person.
     pub fn per_week(self) -> f64 {
         if self.weeks > 0.0 { self.count / self.weeks } else { 0.0 }
     }
 }
 
-/// The false alarms of a rule, or of all rules for `any`.
 pub fn false_alarms(people: &[Watched], alerts: &[Alerts], rule: &str) -> FalseAlarmCount {
     let mut all = FalseAlarmCount::default();
     for (Watched { person, measures }, alerts) in people.iter().zip(alerts) {

@@ -4,5 +4,4 @@ use crate::people::PeopleError;
 use crate::simulated::SimulatedLogError;
 use homebody_core::messages::{Catalogue, CatalogueEntry};
 
-/// The messages by area.
 pub const MESSAGES: &[&[CatalogueEntry]] = &[SimulatedLogError::ENTRIES, PeopleError::ENTRIES];

@@ -1,4 +1,4 @@
-//! Simulated people who differ as those of a cohort do, each with a condition or without one.
+//! Simulated people with the variety of a cohort, each with or without a condition.
 
 use crate::adequacy::Person;
 use crate::simulated::{SimulatedLog, SimulatedLogError};
@@ -14,8 +14,9 @@ use rayon::prelude::*;
 /// The day on which conditions begin, counted from 0.
 pub const ONSET: usize = 60;
 
-/// The conditions that come with the program, each with the days in which it grows (our choice): infections take 2 to 5 days, heart failure 1
-/// to 3 weeks, depression 3 to 6 and frailty 3 to 8, of which this is the middle. Grief and the weeks after a hospital begin at once.
+/// The conditions that come with the program, each with the days until its height (our choice): infections take 2 to 5
+/// days, heart failure 1 to 3 weeks, depression 3 to 6 and frailty 3 to 8; the value is the middle. Grief and the weeks
+/// after a hospital begin at once.
 pub const CONDITIONS: [(&str, usize); 8] = [
     ("cognitive-decline", 42),
     ("depression", 28),
@@ -62,18 +63,14 @@ impl From<SimulatedLogError> for PeopleError {
     }
 }
 
-/// A scenario with the routines of its residents.
 #[derive(Clone)]
 pub struct LoadedScenario {
-    /// The scenario.
     pub scenario: Scenario,
-    /// The routines.
     pub household: Household,
 }
 
 impl LoadedScenario {
-    /// A scenario after a change.
-    pub fn of(edit: ScenarioEdit) -> Result<LoadedScenario, Problems> {
+    pub fn from_edit(edit: ScenarioEdit) -> Result<LoadedScenario, Problems> {
         let entry = edit.entry().to_owned();
         let (scenario, household) = Household::load(&edit.into_texts(), &entry, &[])?;
         Ok(LoadedScenario { scenario, household })
@@ -82,7 +79,7 @@ impl LoadedScenario {
 
 /// Variants of the first resident of a scenario.
 pub struct People {
-    /// Without a condition first, then with each of the conditions; of each the severities.
+    /// Without a condition first, then with each condition, each in all severities.
     kinds: Vec<(Person, LoadedScenario)>,
     count: u32,
     days: u32,
@@ -90,8 +87,8 @@ pub struct People {
 }
 
 impl People {
-    /// So many people in the home of a scenario, each with one of the conditions or none, in turn.
-    pub fn of(
+    /// People in the home of a scenario, each with one of the conditions or none, in turn.
+    pub fn new(
         home: &LoadedScenario,
         conditions: &[(&'static str, usize)],
         count: u32,
@@ -109,12 +106,12 @@ impl People {
         Ok(People { kinds, count, days, seed })
     }
 
-    /// The number of people.
     pub fn count(&self) -> u32 {
         self.count
     }
 
-    /// Asks something of each person, on all processors. `goes_on` is called after each person; if it returns false, the work stops.
+    /// Calls a function for each person, on all processors. `goes_on` is called after each person; if it returns false,
+    /// the work stops.
     pub fn each<T: Send, E: Send + From<PeopleError>>(
         &self,
         goes_on: impl Fn() -> bool + Sync,
@@ -133,11 +130,8 @@ impl People {
     }
 }
 
-/// A person who can be simulated.
 pub struct PersonRun<'a> {
-    /// The home, with the person's condition.
     pub home: &'a LoadedScenario,
-    /// The number of the person.
     pub number: usize,
     days: u32,
     seed: u64,
@@ -152,7 +146,7 @@ impl PersonRun<'_> {
     }
 }
 
-/// A home whose first resident has a condition.
+/// The home, with a condition of its first resident.
 fn with(home: &LoadedScenario, person: Person, severity: &str) -> Result<LoadedScenario, PeopleError> {
     let Some(condition) = person.condition else { return Ok(home.clone()) };
     let grows = if person.height > 0 { format!(", over {} days", person.height) } else { String::new() };

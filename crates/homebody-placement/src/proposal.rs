@@ -1,4 +1,4 @@
-//! Suggests a layout of sensors for a home, by what their logs tell of people who are simulated there.
+//! Suggests a layout of sensors for a home, by the logs of people who are simulated in it.
 
 use crate::people::{CONDITIONS, LoadedScenario, ONSET, People, PeopleError, PersonRun};
 use crate::search::{Found, Goal, Layout, SearchStep, SimulatedPerson, Trial, candidates};
@@ -11,44 +11,35 @@ use homebody_core::sensors::kinds::SensorFile;
 use homebody_core::sensors::products::Product;
 use serde::Serialize;
 
-/// Simulated days after conditions begin: no alert counts after them.
+/// Simulated days after the onset of conditions: later alerts do not count.
 const AFTER: u32 = 29;
 
-/// A request for a layout.
 pub struct Request<'a> {
-    /// The purposes of the sensors.
     pub goals: &'a [Goal],
-    /// Largest number of sensors.
     pub sensors: usize,
-    /// Number of simulated people.
     pub people: u32,
-    /// Seed of all random numbers.
     pub seed: u64,
-    /// The rules of alerts.
     pub rules: &'a Rules,
-    /// The device of motion sensors; `None` for the sensor of Godsey & Skubic 2009.
+    /// The product of motion sensors; `None` for the sensor of Godsey & Skubic 2009.
     pub device: Option<Product>,
-    /// The body that sensors look for.
+    /// The body that sensors should detect.
     pub build: Build,
-    /// The side of a cell of the grid on which the visible floor is counted, in metres.
+    /// Side of a cell of the grid of the visible floor, in metres.
     pub step_m: f64,
 }
 
-/// A step of the work.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Step {
     /// One more person was simulated.
     Simulated,
-    /// The search begins a step, with so many sensors so far.
+    /// The search begins a step, with this number of sensors so far.
     Searching(SearchStep, usize),
 }
 
-/// A suggested layout.
 #[derive(Clone, Debug, Serialize)]
 pub struct Proposal {
     /// The sensors in the form of a home's file, the most useful first.
     pub sensors: Vec<SensorFile>,
-    /// The layouts of the search.
     #[serde(flatten)]
     pub found: Found,
     /// The layout of the home's own sensors.
@@ -56,10 +47,10 @@ pub struct Proposal {
     pub own: Option<Layout>,
 }
 
-/// The goals of some names, or all names that are unknown.
+/// The goals of some names, or all unknown names.
 pub fn goals(names: &[String]) -> Result<Vec<Goal>, Vec<String>> {
     let conditions: Vec<&'static str> = CONDITIONS.iter().map(|(name, _)| *name).collect();
-    let of = |name: &String| Goal::of(name.trim(), &conditions).ok_or_else(|| name.trim().to_owned());
+    let of = |name: &String| Goal::from_name(name.trim(), &conditions).ok_or_else(|| name.trim().to_owned());
     let (known, unknown): (Vec<_>, Vec<_>) = names.iter().map(of).partition(Result::is_ok);
     match unknown.is_empty() {
         true => Ok(known.into_iter().filter_map(Result::ok).collect()),
@@ -68,14 +59,14 @@ pub fn goals(names: &[String]) -> Result<Vec<Goal>, Vec<String>> {
 }
 
 impl Request<'_> {
-    /// Whether people have to be simulated: the visible floor is known without.
+    /// False if the visible floor decides all goals.
     pub fn needs_people(&self) -> bool {
         self.goals.iter().any(|goal| !matches!(goal, Goal::Falls))
     }
 }
 
-/// Suggests a layout for a home. `load` gives the scenario, if people have to be simulated. `goes_on` gets each step; if it returns false, the
-/// work stops.
+/// Suggests a layout for a home. `load` loads the scenario, if people have to be simulated. `goes_on` gets each step;
+/// if it returns false, the work stops.
 pub fn propose(
     home: &HomeFile,
     request: &Request,
@@ -96,10 +87,10 @@ pub fn propose(
         if !goes_on(Step::Searching(SearchStep::Another, request.sensors)) {
             return Err(PeopleError::Stopped);
         }
-        // Tried on a coarse grid, and scored by the fine coverage of the home that takes them.
+        // Candidates are tried on a coarse grid, and scored on the fine one.
         let seen = coverage::of_home(&with_all, request.build, request.step_m).coverage;
         trial.rescore_falls(found.layouts_mut().chain(&mut own), &seen);
-        found.take_back();
+        found.drop_useless_swaps();
     }
     let chosen: &[String] = found.last().map_or(&[], |layout| &layout.sensors);
     let sensor = |name: &String| candidates.iter().find(|sensor| sensor.name() == name).cloned();
@@ -107,17 +98,18 @@ pub fn propose(
     Ok(Proposal { sensors, found, own })
 }
 
-/// Simulates people in the home with all candidates besides its own sensors.
+/// Simulates people in the home with its own sensors and all candidates.
 fn simulate(
     home: &LoadedScenario,
     candidates: &[SensorFile],
     request: &Request,
     goes_on: &(dyn Fn(Step) -> bool + Sync),
 ) -> Result<Vec<SimulatedPerson>, PeopleError> {
-    let with_all = LoadedScenario::of(home.scenario.edit().home(|home| home.sensors.extend_from_slice(candidates)))?;
+    let with_all =
+        LoadedScenario::from_edit(home.scenario.edit().home(|home| home.sensors.extend_from_slice(candidates)))?;
     let wanted = |name: &str| request.goals.iter().any(|goal| matches!(goal, Goal::Condition(goal) if *goal == name));
     let conditions: Vec<(&str, usize)> = CONDITIONS.into_iter().filter(|(name, _)| wanted(name)).collect();
-    let people = People::of(&with_all, &conditions, request.people, (ONSET as u32 + AFTER, request.seed))?;
+    let people = People::new(&with_all, &conditions, request.people, (ONSET as u32 + AFTER, request.seed))?;
     let simulate = |person: &PersonRun| -> Result<_, PeopleError> {
         let log = person.simulate(&LinkFile::default())?;
         let truth = log.true_measures();

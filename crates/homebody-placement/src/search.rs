@@ -1,15 +1,17 @@
-//! Searches the layout of sensors whose log tells most about given goals.
+//! Searches the layout of sensors with the most informative log for given goals.
 //!
-//! Candidates are a motion sensor in the corner of each room with the best view, a motion sensor on the ceiling above each piece of furniture
-//! that people enter, a sensor in each bed, and a contact on each outer door. People are simulated in the home with all candidates. The
-//! search starts with the sensor whose log alone tells most, then takes the one that adds most to it, and so on. If no single sensor adds
-//! anything, it tries pairs. At the end, a sensor is exchanged if another one tells more in its place.
+//! Candidates are a motion sensor in the corner of each room with the best view, a motion sensor on the ceiling above
+//! each enterable piece of furniture, a sensor in each bed, and a contact on each outer door. People are simulated in
+//! the home with all candidates. The search starts with the best single sensor, then adds the one that improves the
+//! score most, and so on. If no single sensor improves it, it tries pairs. At the end, a sensor is exchanged if another
+//! one in its place improves the score.
 //!
-//! Each goal has a score from 0 to 1. For a condition, the score is 1 if people with it are found at once, with few false alarms, and 0 if they
-//! are found after four weeks or never. For a measure of days, it compares the error of the log with the mean of the truth. For falls, it is
-//! the share of the floor that sensors see, because a fall that no sensor saw has no known place.
+//! Each goal has a score from 0 to 1. For a condition, the score is 1 if people with it are found at once, with few
+//! false alarms, and 0 if they are found after four weeks or never. For a measure of days, it compares the error of the
+//! log with the mean of the truth. For falls, it is the share of the floor in view of sensors, because a fall out of
+//! their view has no known place.
 //!
-//! The search knows no prices, wires and batteries, and no layouts of three or more sensors that tell much only together.
+//! The search ignores prices, wires and batteries, and layouts of three or more sensors that help only together.
 
 use crate::adequacy::{Adequacy, Person, WITHIN, Watched, adequacy};
 use crate::simulated::SimulatedLog;
@@ -39,29 +41,28 @@ const STEP_M: f64 = 0.1;
 
 /// Gain below which a sensor adds nothing (our choice).
 const ADDS: f64 = 1e-6;
-/// Pairs are made of this many sensors, those that add most, as there are too many pairs of all.
+/// Number of sensors, the best single ones, that pairs are made of: all pairs would be too many.
 const PAIRED: usize = 8;
 /// Largest number of sensors that are exchanged.
 const MOST_SWAPS: usize = 3;
 
-/// A purpose of sensors.
 #[derive(Clone, Copy, Debug)]
 pub enum Goal {
-    /// To find a condition soon.
+    /// Finding a condition soon.
     Condition(&'static str),
-    /// To measure days rightly; the number of the measure among the measures.
+    /// Measuring days; the index of the measure.
     Measure(usize),
-    /// To see falls.
+    /// Seeing falls.
     Falls,
 }
 
 impl Goal {
-    /// The goal of a name: a condition, a measure, `falls`, or `night-bathroom`.
-    pub fn of(name: &str, conditions: &[&'static str]) -> Option<Goal> {
+    /// The goal with a name: a condition, a measure, `falls`, or `night-bathroom`.
+    pub fn from_name(name: &str, conditions: &[&'static str]) -> Option<Goal> {
         let is_named = |measure: &DailyMeasure| measure.name == name.replace('-', "_");
         match name {
             "falls" => Some(Goal::Falls),
-            "night-bathroom" => Goal::of("bathroom_night", conditions),
+            "night-bathroom" => Goal::from_name("bathroom_night", conditions),
             _ => {
                 let condition = conditions.iter().find(|condition| **condition == name).copied();
                 condition.map(Goal::Condition).or(MEASURES.iter().position(is_named).map(Goal::Measure))
@@ -69,7 +70,6 @@ impl Goal {
         }
     }
 
-    /// The name of the goal.
     pub fn name(self) -> &'static str {
         match self {
             Goal::Condition(name) => name,
@@ -79,47 +79,40 @@ impl Goal {
     }
 }
 
-/// The score of a goal.
 #[derive(Clone, Debug, Serialize)]
 pub struct Reached {
-    /// The name of the goal.
     pub goal: &'static str,
     /// From 0 to 1.
     pub score: f64,
-    /// The same in its own unit: days until found, the mean error of a day, the share of the floor.
+    /// In `unit`: days until found, the mean error of a day, the share of the floor.
     pub value: f64,
-    /// That unit.
     pub unit: &'static str,
 }
 
-/// A layout of sensors with its score.
 #[derive(Clone, Debug, Serialize)]
 pub struct Layout {
-    /// The names of the sensors.
     pub sensors: Vec<String>,
     /// The mean over the goals.
     pub score: f64,
-    /// Each goal.
     pub goals: Vec<Reached>,
 }
 
-/// The layouts of a search.
 #[derive(Clone, Debug, Serialize)]
 pub struct Found {
     /// The layouts with one sensor, two, and so on.
     pub steps: Vec<Layout>,
-    /// The exchanges in the last of them.
+    /// The exchanges in the last step.
     pub swapped: Vec<Swap>,
 }
 
 impl Found {
-    /// Every layout: each step and each swap.
+    /// All steps and swaps.
     pub fn layouts_mut(&mut self) -> impl Iterator<Item = &mut Layout> {
         self.steps.iter_mut().chain(self.swapped.iter_mut().map(|swap| &mut swap.layout))
     }
 
-    /// Takes back the last swaps, as long as they gain nothing.
-    pub fn take_back(&mut self) {
+    /// Removes the last swaps, as long as they gain nothing.
+    pub fn drop_useless_swaps(&mut self) {
         let is_worse = |found: &Found| {
             let (last, before) = found.swapped.split_last()?;
             let before = before.last().map(|swap| &swap.layout).or(found.steps.last())?;
@@ -130,25 +123,22 @@ impl Found {
         }
     }
 
-    /// The layout that is suggested.
+    /// The suggested layout.
     pub fn last(&self) -> Option<&Layout> {
         self.swapped.last().map(|swap| &swap.layout).or(self.steps.last())
     }
 }
 
-/// An exchange of one sensor for another.
 #[derive(Clone, Debug, Serialize)]
 pub struct Swap {
-    /// The name of the sensor that is taken out.
+    /// The name of the removed sensor.
     pub gone: String,
-    /// The name of the sensor that comes in.
+    /// The name of the added sensor.
     pub come: String,
-    /// The layout after it.
     #[serde(flatten)]
     pub layout: Layout,
 }
 
-/// A step of the search.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum SearchStep {
     /// One more sensor.
@@ -159,17 +149,15 @@ pub enum SearchStep {
     Another,
 }
 
-/// The score and goals of layouts, by their sensors in order of name.
+/// The score and goals of layouts, by the sorted names of their sensors.
 type Known = BTreeMap<Vec<String>, (f64, Vec<Reached>)>;
 
-/// The best, and of those that are as good the first.
+/// The best; the first of equal ones.
 fn best_of(layouts: Vec<Layout>) -> Option<Layout> {
     layouts.into_iter().reduce(|best, other| if other.score > best.score { other } else { best })
 }
 
-/// A person who was simulated in the home with all candidates.
 pub struct SimulatedPerson {
-    /// The person.
     pub person: Person,
     /// The log of all sensors.
     pub log: SimulatedLog,
@@ -177,24 +165,21 @@ pub struct SimulatedPerson {
     pub truth: Measures,
 }
 
-/// A home and goals, for which layouts are tried.
 pub struct Trial<'a> {
-    /// The home with all candidates besides its own sensors.
+    /// The home with its own sensors and all candidates.
     pub home: &'a HomeFile,
-    /// The goals.
     pub goals: &'a [Goal],
-    /// The people who were simulated in it.
     pub people: &'a [SimulatedPerson],
-    /// The rules of alerts.
     pub rules: &'a Rules,
-    /// The body that sensors look for.
+    /// The body that sensors should detect.
     pub build: Build,
 }
 
 impl Trial<'_> {
-    /// The layouts with one sensor of the candidates, two, and so on: each the best that one more sensor makes of the last, or two
-    /// more where one adds nothing. The search ends when two add nothing either. In the last layout, sensors are exchanged as long as
-    /// another tells more. `goes_on` gets the next step and the number of sensors so far; if it returns false, the search stops.
+    /// The best layouts with one candidate, two, and so on: each adds the best sensor to the last layout, or the best
+    /// two if one adds nothing. The search ends when two add nothing either. In the last layout, sensors are exchanged
+    /// as long as the score rises. `goes_on` gets the next step and the number of sensors so far; if it returns false,
+    /// the search stops.
     pub fn best(
         &self,
         candidates: &[String],
@@ -215,7 +200,7 @@ impl Trial<'_> {
                 [&before[..], &names.iter().map(|name| (*name).clone()).collect::<Vec<_>>()].concat()
             };
             let mut ones = self.all(left.iter().map(|name| with(&[name])).collect(), &coverage, &mut known);
-            // Of those that are as good, the first.
+            // The first of equal ones.
             ones.sort_by(|a, b| b.score.total_cmp(&a.score));
             if ones.first().is_some_and(|one| one.score <= score + ADDS) && steps.len() + 2 <= count {
                 if !goes_on(SearchStep::TwoMore, steps.len()) {
@@ -274,7 +259,7 @@ impl Trial<'_> {
         Some(swaps)
     }
 
-    /// The scores of layouts, in their order. The order of the sensors does not matter.
+    /// In the order of the layouts. The order of the sensors does not matter.
     fn all(&self, layouts: Vec<Vec<String>>, coverage: &Coverage, known: &mut Known) -> Vec<Layout> {
         let sorted = |sensors: &[String]| {
             let mut sensors = sensors.to_vec();
@@ -295,12 +280,11 @@ impl Trial<'_> {
         layouts.into_iter().filter_map(layout).collect()
     }
 
-    /// The score of some of the sensors.
     pub fn of(&self, sensors: &[String]) -> Layout {
         self.layout(sensors.to_vec(), &self.coverage())
     }
 
-    /// Sets the share of the floor that each layout sees, by a finer coverage of all sensors.
+    /// Sets the visible share of the floor of each layout, by a finer coverage of all sensors.
     pub fn rescore_falls<'l>(&self, layouts: impl IntoIterator<Item = &'l mut Layout>, coverage: &Coverage) {
         for layout in layouts {
             let falls = self.goals.iter().zip(&mut layout.goals).filter(|(goal, _)| matches!(goal, Goal::Falls));
@@ -318,7 +302,7 @@ impl Trial<'_> {
 
     fn layout(&self, sensors: Vec<String>, coverage: &Coverage) -> Layout {
         let keep = |name: &str| sensors.iter().any(|sensor| sensor == name);
-        // Sensors that detect no motion measure no day.
+        // Sensors without motion measure no day.
         let heard: Vec<Option<Measures>> =
             self.people.iter().map(|person| person.log.measures_by(&keep).ok()).collect();
         let watched: Vec<Watched> = (self.people.iter().zip(&heard))
@@ -327,8 +311,8 @@ impl Trial<'_> {
         let shows = |goal: &Goal| matches!(goal, Goal::Condition(_));
         let found = self.goals.iter().any(shows).then(|| adequacy(&watched, self.rules));
         let reached = |goal: &Goal| match *goal {
-            Goal::Condition(name) => of_condition(name, found.as_ref()),
-            Goal::Measure(number) => self.of_measure(number, &heard),
+            Goal::Condition(name) => condition_score(name, found.as_ref()),
+            Goal::Measure(number) => self.measure_score(number, &heard),
             Goal::Falls => {
                 let seen = share_seen(coverage, &sensors);
                 Reached { goal: "falls", score: seen, value: seen, unit: "of the floor" }
@@ -339,7 +323,7 @@ impl Trial<'_> {
     }
 
     /// Compares the log with the truth of the people without a condition. A day without a value in the log counts as wholly wrong.
-    fn of_measure(&self, number: usize, heard: &[Option<Measures>]) -> Reached {
+    fn measure_score(&self, number: usize, heard: &[Option<Measures>]) -> Reached {
         let (mut wrong, mut truth, mut days) = (0.0, 0.0, 0.0);
         for (one, heard) in self.people.iter().zip(heard).filter(|(one, _)| one.person.condition.is_none()) {
             for (day, lived) in one.truth.days.iter().enumerate() {
@@ -359,7 +343,7 @@ fn mean_score(goals: &[Reached]) -> f64 {
     goals.iter().map(|goal| goal.score).sum::<f64>() / goals.len().max(1) as f64
 }
 
-fn of_condition(name: &'static str, found: Option<&Adequacy>) -> Reached {
+fn condition_score(name: &'static str, found: Option<&Adequacy>) -> Reached {
     let days = found
         .into_iter()
         .flat_map(|found| &found.by_condition)
@@ -369,7 +353,7 @@ fn of_condition(name: &'static str, found: Option<&Adequacy>) -> Reached {
     Reached { goal: name, score: 1.0 - value / WITHIN as f64, value, unit: "days until found" }
 }
 
-/// The share of the floor that at least one of the sensors sees.
+/// The share of the floor in view of at least one of the sensors.
 fn share_seen(coverage: &Coverage, sensors: &[String]) -> f64 {
     let kept: Vec<bool> = coverage.sensors.iter().map(|sensor| sensors.contains(&sensor.name)).collect();
     let floor = coverage.grid.cells.iter().flatten();
@@ -377,8 +361,8 @@ fn share_seen(coverage: &Coverage, sensors: &[String]) -> f64 {
     seen as f64 / floor.count().max(1) as f64
 }
 
-/// The candidate sensors of a home. Their names differ from those of its own sensors. Candidates that detect motion are of the device, if one is
-/// given.
+/// The candidate sensors of a home, with names that its own sensors do not have. Motion sensors are of the given
+/// product, if any.
 pub fn candidates(home: &HomeFile, device: Option<Product>) -> Vec<SensorFile> {
     let plan = Plan::new(home);
     let mut all: Vec<SensorFile> = Vec::new();
@@ -389,7 +373,7 @@ pub fn candidates(home: &HomeFile, device: Option<Product>) -> Vec<SensorFile> {
             let at = [at.x, at.y].map(in_centimetres);
             let file =
                 json!({ "kind": "motion", "name": name, "at": at, "height_m": HEIGHT_M, "facing_deg": facing_deg });
-            of_device(sensor(file), device)
+            with_product(sensor(file), device)
         });
         let sensors: Vec<SensorFile> = sensors.collect();
         all.extend(best_in_room(home, &plan, room, sensors).map(|mut best| {
@@ -398,7 +382,7 @@ pub fn candidates(home: &HomeFile, device: Option<Product>) -> Vec<SensorFile> {
         }));
     }
     for piece in &home.furniture {
-        all.extend(of_device(of_piece(piece, &plan), device));
+        all.extend(with_product(piece_sensor(piece, &plan), device));
     }
     for door in home.doors.iter().filter(|door| door.outside) {
         all.extend(sensor(json!({ "kind": "contact", "name": format!("{} contact", door.name), "on": door.name })));
@@ -416,7 +400,7 @@ fn sensor(file: serde_json::Value) -> Option<SensorFile> {
     serde_json::from_value(file).ok()
 }
 
-fn of_device(sensor: Option<SensorFile>, device: Option<Product>) -> Option<SensorFile> {
+fn with_product(sensor: Option<SensorFile>, device: Option<Product>) -> Option<SensorFile> {
     sensor.map(|mut sensor| {
         device.inspect(|device| device.put_into(&mut sensor));
         sensor
@@ -427,7 +411,7 @@ fn in_centimetres(metres: f64) -> f64 {
     (metres * 100.0).round() / 100.0
 }
 
-/// The corners of an outline that point outward, a little inside, with the direction in which they look into it.
+/// The corners of an outline that point outward, moved a little inside, with the direction into the outline.
 fn corners(outline: &[Point]) -> Vec<(Point, f64)> {
     let count = outline.len();
     let looks = |number: usize| {
@@ -442,7 +426,7 @@ fn corners(outline: &[Point]) -> Vec<(Point, f64)> {
     (0..count).filter_map(looks).collect()
 }
 
-/// That of the sensors that sees most of the room.
+/// The sensor with the best view of the room.
 fn best_in_room(home: &HomeFile, plan: &Plan, room: usize, sensors: Vec<SensorFile>) -> Option<SensorFile> {
     let with = HomeFile { sensors: sensors.clone(), ..home.clone() };
     let seen = coverage::of_home(&with, Build::adult(), STEP_M);
@@ -457,8 +441,8 @@ fn best_in_room(home: &HomeFile, plan: &Plan, room: usize, sensors: Vec<SensorFi
     counted.reduce(|best, other| if other.0 > best.0 { other } else { best }).map(|(_, sensor)| sensor)
 }
 
-/// The sensor of a piece of furniture that people enter: one in a bed, else one above it.
-fn of_piece(piece: &FurnitureFile, plan: &Plan) -> Option<SensorFile> {
+/// The sensor of an enterable piece of furniture: one in a bed, else one above it.
+fn piece_sensor(piece: &FurnitureFile, plan: &Plan) -> Option<SensorFile> {
     if !piece.enterable {
         return None;
     }
@@ -470,7 +454,7 @@ fn of_piece(piece: &FurnitureFile, plan: &Plan) -> Option<SensorFile> {
     let room = plan.rooms.get(plan.room_at(middle)?)?;
     let [width, depth] = piece.size_m?;
     let reach = f64::max(width, depth) / 2.0 + AROUND_M;
-    // As much of the square around it as is in the room.
+    // The part in the room of the square around it.
     let bound = |low: f64, high: f64, axis: fn(Point) -> f64| {
         let of_room = room.outline.iter().map(|corner| axis(*corner));
         let (least, most) = of_room.fold((f64::MAX, f64::MIN), |(least, most), at| (least.min(at), most.max(at)));
@@ -497,11 +481,11 @@ mod tests {
     }
 
     #[test]
-    fn goals_have_names_that_people_use() {
+    fn goals_are_known_by_name() {
         let known = ["depression"];
-        assert!(matches!(Goal::of("depression", &known), Some(Goal::Condition("depression"))));
-        assert_eq!(Goal::of("night-bathroom", &known).map(Goal::name), Some("bathroom_night"));
-        assert_eq!(Goal::of("time-out", &known).map(Goal::name), Some("time_out"));
-        assert!(Goal::of("luck", &known).is_none());
+        assert!(matches!(Goal::from_name("depression", &known), Some(Goal::Condition("depression"))));
+        assert_eq!(Goal::from_name("night-bathroom", &known).map(Goal::name), Some("bathroom_night"));
+        assert_eq!(Goal::from_name("time-out", &known).map(Goal::name), Some("time_out"));
+        assert!(Goal::from_name("luck", &known).is_none());
     }
 }

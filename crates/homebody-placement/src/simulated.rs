@@ -45,15 +45,14 @@ impl From<NoMap> for SimulatedLogError {
     }
 }
 
-/// The log of a simulated home, with the ground truth of its first resident, on the wall clock.
+/// Log and ground truth of the first resident of a simulated home, on the wall clock.
 pub struct SimulatedLog {
     log: Log,
     life: Life<WallTime>,
     beside: TruthDetails,
     rooms: BTreeMap<String, String>,
-    /// By sensor, the places of its rows in the log.
+    /// By sensor, the indices of its rows.
     of_sensors: Vec<Vec<u32>>,
-    /// Distances between sensors, where they are asked for.
     ways: Option<Ways>,
     recorded: Interval<WallTime>,
 }
@@ -99,12 +98,12 @@ impl SimulatedLog {
         })
     }
 
-    /// The same with the distances between sensors, which measures of walking need.
+    /// Adds the distances between sensors, for measures of walking.
     pub fn with_ways(self, ways: Option<Ways>) -> SimulatedLog {
         SimulatedLog { ways, ..self }
     }
 
-    /// Measures of the days by the log.
+    /// Measures of the days, from the log.
     ///
     /// # Errors
     ///
@@ -113,7 +112,7 @@ impl SimulatedLog {
         self.measures_of(&self.log)
     }
 
-    /// Measures of the days by some of the sensors alone.
+    /// Measures of the days, from some of the sensors.
     ///
     /// # Errors
     ///
@@ -125,7 +124,7 @@ impl SimulatedLog {
             rows.extend(places.iter().map(|&place| (place, sensor)));
             sensors.push(name.clone());
         }
-        // Those of each sensor are in order, so that a stable sort merges them.
+        // Those of each sensor are in order, so a stable sort merges them.
         rows.sort();
         let event = |&(place, sensor): &(u32, u32)| Event { sensor, ..self.log.events[place as usize] };
         let (values, events) = (self.log.values.clone(), rows.iter().map(event).collect());
@@ -133,7 +132,7 @@ impl SimulatedLog {
         self.measures_of(&log)
     }
 
-    /// The true measures: by what the resident did.
+    /// Measures of the days, from the ground truth.
     pub fn true_measures(&self) -> Measures {
         Measures::from_detailed_truth("", &self.life, &self.beside, self.recorded)
     }
@@ -145,15 +144,14 @@ impl SimulatedLog {
     }
 }
 
-/// The walks of the first resident that are long enough.
 #[derive(Default)]
 struct Walks {
     walks: Vec<TimedWalk>,
-    /// The time of the last walk, and its length in metres.
+    /// The last walk, and its length in metres.
     last: (Interval<RunTime>, f64),
 }
 
-/// Length below which a walk is a step or two (our choice).
+/// Length below which a walk is not counted (our choice): a step or two.
 const LEAST_WALK_M: f64 = 2.0;
 /// Stop after which a new walk begins (our choice).
 const STOPS: Span = SECOND;

@@ -65,7 +65,7 @@ fn lacking(
     places: &HomePlaces,
     texts: &[&Routine],
 ) -> MissingFurniture {
-    let is_there = |role: &Role| places.of(*role).is_some_and(|spot| spot.is_reachable);
+    let is_there = |role: &Role| places.for_role(*role).is_some_and(|spot| spot.is_reachable);
     let used = used_roles(places, texts).into_iter().map(|(role, _)| role);
     let unreached: Vec<Role> = used.filter(|&role| places.out_of_reach(role).is_some()).collect();
     if NEEDS.iter().all(is_there) && unreached.is_empty() {
@@ -89,7 +89,7 @@ pub fn used_things(
     let things = roles.chain([Role::FrontDoor, Role::Television]).filter_map(|role| places.thing(role));
     let things = things.map(|thing| places.thing_name(thing).to_owned());
     // All of these are used in turn.
-    let warmers = places.anybodys(Role::FoodWarmer).into_iter().map(|spot| spot.name.clone());
+    let warmers = places.all_for(Role::FoodWarmer).into_iter().map(|spot| spot.name.clone());
     let opened = places.stations().iter().filter(|station| station.opened.is_some());
     let opened = opened.map(|station| station.spot.name.clone());
     let answers = texts.iter().flat_map(|text| &text.rules).flat_map(RoutineRule::answers);
@@ -151,12 +151,12 @@ struct NeedsCheck<'a> {
 
 impl NeedsCheck<'_> {
     fn all(&mut self, places: &HomePlaces, texts: &[&Routine], is_person: bool) {
-        let anybodys = || places.anybodys(Role::Bed).into_iter().next().filter(|_| !is_person);
+        let anybodys = || places.all_for(Role::Bed).into_iter().next().filter(|_| !is_person);
         if is_person {
             self.lacking = lacking(self.home, self.resident, self.numbers, places, texts);
             self.missing(places);
         }
-        let Some(bed) = places.of(Role::Bed).or_else(anybodys) else {
+        let Some(bed) = places.for_role(Role::Bed).or_else(anybodys) else {
             if !is_person {
                 self.say(None, NeedMessage::NoBed { example: Advice::from("") });
             }
@@ -184,7 +184,7 @@ impl NeedsCheck<'_> {
         }
         let goes_out = |activity: &Activity| matches!(activity, Activity::Leave | Activity::Visit);
         let outing = texts[0].habits.iter().find(|habit| goes_out(&habit.activity));
-        if let (Some(habit), None) = (outing, places.of(Role::FrontDoor)) {
+        if let (Some(habit), None) = (outing, places.for_role(Role::FrontDoor)) {
             self.say(Some((self.file, &habit.said)), NeedMessage::NoWayOut);
         }
         self.unfound(texts);
@@ -206,7 +206,7 @@ impl NeedsCheck<'_> {
     /// Reports each missing basic piece with a place for it. With all of them, each routine can run.
     fn missing(&mut self, places: &HomePlaces) {
         for (role, message) in BASIC_NEEDS {
-            if places.of(role).is_none() {
+            if places.for_role(role).is_none() {
                 let piece = self.lacking.piece(role);
                 let example = piece.map_or_else(|| Advice::from(self.no_room()), |piece| self.example(piece));
                 self.say(None, message(example.after("; ")));

@@ -118,7 +118,8 @@ pub fn lacking(home: &HomeFile, unreached: &[Role], resident: &ResidentFile, num
         let is_there = |role: Role| {
             // Sleeping needs a place to lie or sit.
             let fits = |spot: &HomePlace| role != Role::Bed || spot.is_of(role) || spot.posture != Posture::Standing;
-            places.of(role).is_some_and(|spot| spot.is_reachable && fits(spot)) && places.out_of_reach(role).is_none()
+            places.for_role(role).is_some_and(|spot| spot.is_reachable && fits(spot))
+                && places.out_of_reach(role).is_none()
         };
         let missing: Vec<Role> = roles.iter().copied().filter(|&role| !is_there(role)).collect();
         let mut pieces = Vec::new();

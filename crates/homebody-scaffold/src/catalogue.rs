@@ -7,5 +7,4 @@ use homebody_core::messages::{Catalogue, CatalogueEntry};
 /// The errors of the area `kit`, which several crates share.
 pub const ERRORS: &[CatalogueEntry] = ScaffoldError::ENTRIES;
 
-/// The other messages by area.
 pub const MESSAGES: &[&[CatalogueEntry]] = &[NewMessage::ENTRIES];

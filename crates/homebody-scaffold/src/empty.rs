@@ -4,8 +4,8 @@ use crate::residents::{NewScenario, inhabited_texts};
 use crate::texts::ScenarioTexts;
 use serde_json::json;
 
-/// The files of a scenario with an empty home. Its resident has an ordinary routine; until the home has what that needs, the check
-/// reports the missing parts.
+/// The files of a scenario with an empty home. Its resident has an ordinary routine; the check reports the parts of the
+/// home that it lacks.
 pub fn empty(name: &str) -> ScenarioTexts {
     let lists = ["rooms", "walls", "doors", "furniture", "sensors"];
     let lists: String = lists.iter().map(|list| format!(",\n  \"{list}\": []")).collect();

@@ -1,4 +1,4 @@
-//! A scenario with a schematic home, made of a log and a table of its sensors.
+//! A scenario with a schematic home, from a log and a table of its sensors.
 
 use crate::error::ScaffoldError;
 use crate::messages::NewMessage;
@@ -17,27 +17,23 @@ use homebody_query::LoadedLog;
 use serde_json::json;
 use std::collections::BTreeMap;
 
-/// A log of a home without a plan, with what is known of the home.
 pub struct GivenLog<'a> {
-    /// The name that the user gave.
+    /// The user's name for the log.
     pub named: &'a str,
     /// The name of its file.
     pub file: &'a str,
-    /// Its rows.
     pub read: &'a LoadedLog,
-    /// The home's time zone, if it is known.
+    /// The home's time zone, if known.
     pub time_zone: Option<&'a str>,
     /// The rows of a table of its sensors, by id.
     pub table: BTreeMap<String, SensorRow>,
-    /// A picture of the plan.
     pub picture: Option<&'a PlanPicture>,
 }
 
-/// A scenario that was made of a log.
 pub struct ScenarioFromLog {
-    /// The scenario, with the problems of an ordinary routine.
+    /// With the problems of an ordinary routine.
     pub scenario: InhabitedHome,
-    /// The omissions and the guesses, in sentences.
+    /// Omissions and guesses, in sentences.
     pub remarks: Vec<String>,
 }
 
@@ -48,7 +44,7 @@ const ABOUT: &str = "Which rooms and things there are is from names and from wha
 /// Longest new scenario, in days (our choice).
 const MOST_DAYS: i64 = 365;
 
-/// A scenario whose schematic home has the rooms, things and places that a log shows. Its days are those of the log.
+/// A scenario with a schematic home, as far as the log shows rooms, things and places. Its days are those of the log.
 ///
 /// # Errors
 ///
@@ -93,14 +89,14 @@ fn inhabit(name: &str, given: &GivenLog, home: &Schematic) -> Result<InhabitedHo
     })
 }
 
-/// The sensors and ways of a log for the schematic home, and a sentence for each omission.
+/// The sensors and ways of a log, with a sentence for each omission.
 struct SensorsOfLog {
     sensors: Vec<LogSensor>,
     ways: Vec<LogWay>,
     remarks: Vec<String>,
 }
 
-/// Joins the sensors of a log with the rows of a table. `known` are the sensors in a table beside the log.
+/// Joins the sensors of a log with the rows of a table. `known` are the sensors in the table next to the log.
 fn sensors_of_log(
     walks: &SensorWalks,
     table: &BTreeMap<String, SensorRow>,
@@ -164,7 +160,6 @@ fn sensors_of_log(
     Ok(SensorsOfLog { ways: ways.collect(), sensors, remarks })
 }
 
-/// The first of some names.
 fn first(names: &[&str]) -> String {
     /// Largest number of items in a report (our choice).
     const MOST: usize = 8;
@@ -172,7 +167,7 @@ fn first(names: &[&str]) -> String {
     names.iter().take(MOST).copied().collect::<Vec<_>>().join(", ") + more
 }
 
-/// The meaning of a sensor's messages for the place of a person, if they have one.
+/// The meaning of a sensor's messages for the place of a person.
 fn speaks(speaker: &WalkSensor, row: Option<&SensorRow>) -> Option<Speaks> {
     match (row.and_then(|row| row.kind.as_deref()), speaker.kind) {
         (Some("motion"), _) | (None, Kind::Motion) => Some(Speaks::Motion),

@@ -11,11 +11,11 @@ use homebody_import::home_text;
 use homebody_routine::furniture::additions;
 use homebody_routine::household::RoutineLanguage;
 
-/// The most rounds of additions: after one piece is replaced, another can be out of reach.
+/// Largest number of rounds of additions: a new piece may block another.
 const ROUNDS: usize = 4;
 
-/// Adds the furniture that an ordinary routine needs to the home of a new scenario, as far as there is room. Returns a sentence for
-/// each piece.
+/// Adds the furniture of an ordinary routine to the home of a new scenario, as far as there is room. Returns a sentence
+/// for each piece.
 ///
 /// # Errors
 ///
@@ -36,7 +36,6 @@ pub fn furnish(new: &mut NewScenario) -> Result<Vec<String>, ScaffoldError> {
     Ok(added)
 }
 
-/// The sentence for a piece.
 fn sentence(home: &HomeFile, plan: &Plan, piece: &FurnitureFile) -> String {
     let room = plan.room_at(geometry::inner_point(&furniture_outline(piece)));
     let room = room.map(|room| format!(" in {:?}", home.rooms[room].name)).unwrap_or_default();

@@ -1,7 +1,5 @@
 //! New scenarios: a folder that appears as a whole, with the schemas of its files.
 
-#![warn(missing_docs)]
-
 mod error;
 pub mod catalogue;
 mod messages;

@@ -13,7 +13,7 @@ use std::str::FromStr;
 /// Largest number of bytes of a picture, as in the page (our choice).
 const LARGEST_BYTES: u64 = 50_000_000;
 
-/// A point of a picture, in pixels from its upper left corner, and where it is in the home, in metres.
+/// A point of a picture, in pixels from its upper left corner, and its position in the home, in metres.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct KnownPoint {
     pixel: Point,
@@ -36,25 +36,23 @@ impl FromStr for KnownPoint {
     }
 }
 
-/// A picture with its place in the home.
 pub struct PlanPicture {
-    /// As its file has it.
+    /// The bytes of its file.
     pub bytes: Vec<u8>,
     /// Its name in a scenario's folder.
     pub file: &'static str,
-    /// Pixels.
     size: Point,
     first: KnownPoint,
-    /// By how much a step on the picture, with y upward, is turned and stretched: as a complex number, in metres a pixel.
+    /// Rotation and scale of the picture with y upward, as a complex number, in metres a pixel.
     turn: Point,
 }
 
 impl PlanPicture {
-    /// Reads a picture of which two points are known.
+    /// Reads a picture with two known points.
     ///
     /// # Errors
     ///
-    /// [`ScaffoldError::Simulation`] where it cannot be read, [`ScaffoldError::Source`] where it is no picture or the points are not two.
+    /// [`ScaffoldError::Simulation`] for an unreadable file, [`ScaffoldError::Source`] without a picture or two points.
     pub fn read(path: &Path, known: &[KnownPoint]) -> Result<PlanPicture, ScaffoldError> {
         let bytes = plain::read(path, LARGEST_BYTES).map_err(|error| SimulationError::io(path, error))?;
         let (file, size) = size(&bytes).ok_or_else(|| {
@@ -82,13 +80,12 @@ impl PlanPicture {
         self.first.at + Point::new(x * step.x - y * step.y, y * step.x + x * step.y)
     }
 
-    /// Whether a pixel is on the picture.
     pub fn has(&self, pixel: [f64; 2]) -> bool {
         let pixel = Point::from(pixel);
         pixel.cmpge(Point::ZERO).all() && pixel.cmple(self.size).all()
     }
 
-    /// The position of the picture below the plan, as the page reads it.
+    /// The position of the picture below the plan, in the form of the page.
     pub fn lies(&self) -> String {
         let rounded = |metres: f64| (metres * 1e3).round() / 1e3 + 0.0;
         let middle = self.at((self.size / 2.0).into());
@@ -102,12 +99,12 @@ impl PlanPicture {
     }
 }
 
-/// A place of a picture, whose y grows downward.
+/// A pixel in coordinates with y upward.
 fn upward(pixel: Point) -> Point {
     Point::new(pixel.x, -pixel.y)
 }
 
-/// The name of a picture, and its width and height.
+/// The name of a picture, its width and height.
 fn size(bytes: &[u8]) -> Option<(&'static str, Point)> {
     let long = |at: usize| Some(u32::from_be_bytes(bytes.get(at..at + 4)?.try_into().ok()?));
     let short = |at: usize| Some(u16::from_be_bytes(bytes.get(at..at + 2)?.try_into().ok()?));
@@ -117,7 +114,7 @@ fn size(bytes: &[u8]) -> Option<(&'static str, Point)> {
     if !bytes.starts_with(b"\xff\xd8") {
         return None;
     }
-    // The segments of a JPEG up to the one with its size.
+    // The segments of a JPEG, up to the one with its size.
     let mut at = 2;
     loop {
         let (mark, kind) = (*bytes.get(at)?, *bytes.get(at + 1)?);
@@ -146,19 +143,19 @@ mod tests {
     }
 
     #[test]
-    fn two_points_tell_where_all_of_a_picture_is() {
+    fn two_points_place_a_picture() {
         let flat = traced(["0,500=0,0", "1000,500=10,0"]);
         assert!(flat.at([500.0, 250.0]).distance(Point::new(5.0, 2.5)) < 1e-9);
         let lies: serde_json::Value = serde_json::from_str(&flat.lies()).unwrap();
         assert_eq!(lies, json!({ "picture": "plan.png", "at": [5.0, 2.5], "width_m": 10.0, "turn_deg": 0.0 }));
-        // Turned against the clock by a quarter: the picture's right is north.
+        // Turned by a quarter: the picture's right is north.
         let turned = traced(["0,0=1,1", "100,0=1,3"]);
         assert!(turned.at([0.0, 100.0]).distance(Point::new(3.0, 1.0)) < 1e-9, "{}", turned.at([0.0, 100.0]));
         assert!(turned.lies().contains("\"turn_deg\": 90.0"), "{}", turned.lies());
     }
 
     #[test]
-    fn the_size_of_a_jpeg_is_in_one_of_its_segments() {
+    fn reads_the_size_of_a_jpeg_from_its_segments() {
         let bytes = [0xff, 0xd8, 0xff, 0xe0, 0, 4, 1, 2, 0xff, 0xc0, 0, 11, 8, 1, 0, 2, 0, 3];
         assert_eq!(size(&bytes), Some(("plan.jpg", Point::new(512.0, 256.0))));
         assert_eq!((size(b"GIF89a"), size(b"\xff\xd8\xff")), (None, None));

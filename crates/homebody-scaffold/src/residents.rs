@@ -12,43 +12,37 @@ use serde_json::json;
 /// The start of a scenario without a date.
 const MONDAY: &str = "2026-01-05T00:00:00";
 
-/// The content of a new scenario.
 pub struct NewScenario<'a> {
-    /// The name.
     pub name: &'a str,
-    /// The description; may be empty.
+    /// May be empty.
     pub about: &'a str,
-    /// The start, on the clock of its home.
+    /// On the clock of its home.
     pub start: &'a str,
-    /// The home's zone, as `Europe/Vienna`.
+    /// Such as `Europe/Vienna`.
     pub time_zone: &'a str,
-    /// The length in days.
     pub days: f64,
-    /// The text of its home.
+    /// The text of its home file.
     pub home: String,
-    /// The text of its logger.
+    /// The text of its logger file.
     pub logger: Option<String>,
 }
 
 impl<'a> NewScenario<'a> {
-    /// A week in a home of which only the plan is known.
+    /// A week in a home with nothing but a plan.
     pub fn week(name: &'a str, home: String) -> NewScenario<'a> {
         NewScenario { name, about: "", start: MONDAY, time_zone: "UTC", days: 7.0, home, logger: None }
     }
 }
 
-/// A new scenario with a resident.
 pub struct InhabitedHome {
-    /// Its files.
     pub texts: ScenarioTexts,
-    /// The loaded scenario.
     pub scenario: Scenario,
     /// The problems of an ordinary routine in its home.
     pub lack: Vec<String>,
 }
 
-/// The files of a scenario with a resident: one with an ordinary routine, or one who stands in place if the home lacks something for
-/// it.
+/// The files of a scenario with a resident: with an ordinary routine, or standing in place if the home lacks something
+/// for it.
 ///
 /// # Errors
 ///
@@ -63,7 +57,7 @@ pub fn inhabited(new: &NewScenario) -> Result<InhabitedHome, ScaffoldError> {
     let scenario = load(&empty)?;
     let path = path(roomiest(scenario.home.plan()));
     let standing = with(new, "\"anna.json\"", resident("path", "anna.path.json", path));
-    // Without a free place to stand, there is no resident.
+    // A home without a free place to stand gets no resident.
     Ok(match load(&standing) {
         Ok(scenario) => InhabitedHome { texts: standing, scenario, lack },
         Err(_) => InhabitedHome { texts: empty, scenario, lack },
@@ -89,7 +83,7 @@ fn with(new: &NewScenario, residents: &str, files: Vec<(String, String)>) -> Sce
     texts
 }
 
-/// The file of the scenario; residents as a list of JSON has them.
+/// The file of the scenario. `residents` is a list in JSON.
 fn scenario(new: &NewScenario, residents: &str) -> String {
     let NewScenario { name, about, start, time_zone, days, .. } = new;
     let about = if about.is_empty() { String::new() } else { format!("  \"about\": {},\n", json!(about)) };
@@ -118,7 +112,6 @@ const ROUTINE: &str = "\
 Anna is 80. She walks at about 0.65 m/s.
 ";
 
-/// The files of a resident.
 fn resident(driver: &str, file: &str, text: String) -> Vec<(String, String)> {
     let resident = format!(
         r#"{{
@@ -150,7 +143,7 @@ fn load(texts: &ScenarioTexts) -> Result<Scenario, Problems> {
     Ok(Household::load(texts, "scenario.json", &[])?.0)
 }
 
-/// The place of a home that has the most room around it.
+/// The place in a home with the most room around it.
 fn roomiest(plan: &Plan) -> Point {
     /// Number of places tried in each direction, in addition to the middle of each room (our choice).
     const STEPS: u32 = 60;

@@ -14,12 +14,9 @@ use std::path::Path;
 /// Largest number of bytes of a table (our choice): one of a thousand sensors has a tenth of it.
 const LARGEST_BYTES: u64 = 1 << 20;
 
-/// A row of the table.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct SensorRow {
-    /// The line of the row.
     pub line: u64,
-    /// The room of the sensor.
     pub room: Option<String>,
     /// The thing or place that it watches.
     pub place: Option<String>,
@@ -29,7 +26,6 @@ pub struct SensorRow {
     pub at: Option<[f64; 2]>,
 }
 
-/// The columns, each with the names that it may have.
 const COLUMNS: [(&str, &[&str]); 6] = [
     ("id", &["id", "sensor"]),
     ("room", &["room"]),
@@ -39,14 +35,14 @@ const COLUMNS: [(&str, &[&str]); 6] = [
     ("y", &["y", "y_m", "y_px"]),
 ];
 
-/// The kinds that a home is made with.
+/// The kinds of sensors for a home.
 const KINDS: [&str; 2] = ["motion", "contact"];
 
 /// Reads a table, by the ids of sensors.
 ///
 /// # Errors
 ///
-/// [`ScaffoldError::Simulation`] where it cannot be read, [`ScaffoldError::Source`] with all its problems.
+/// [`ScaffoldError::Simulation`] for an unreadable file, [`ScaffoldError::Source`] with all its problems.
 pub fn read_table(path: &Path) -> Result<BTreeMap<String, SensorRow>, ScaffoldError> {
     let bytes = plain::read(path, LARGEST_BYTES).map_err(|error| SimulationError::io(path, error))?;
     let mut reader = csv::ReaderBuilder::new().flexible(true).trim(csv::Trim::All).from_reader(&bytes[..]);
@@ -109,7 +105,6 @@ pub fn read_table(path: &Path) -> Result<BTreeMap<String, SensorRow>, ScaffoldEr
     }
 }
 
-/// A problem with a line of the table.
 fn at_line(path: &Path, line: u64, message: NewMessage) -> Problem {
     let line = u32::try_from(line).unwrap_or(u32::MAX);
     Problem { line, column: 1, ..Problem::of_file(&path.display().to_string(), message, None) }

@@ -13,13 +13,13 @@ use std::path::Path;
 /// A scenario's files by name.
 pub type ScenarioTexts = BTreeMap<String, String>;
 
-/// Creates a folder with the schemas of a scenario's files, and lets a function write the rest. The function gets the incomplete folder
-/// and the scenario's name.
+/// Creates a folder with the schemas of a scenario's files, and passes the incomplete folder and the scenario's name to
+/// a function that writes the rest.
 ///
 /// # Errors
 ///
-/// [`ScaffoldError::Simulation`] where something has that name, [`ScaffoldError::Simulation`] where the system refuses, and what the function says; then
-/// nothing is left behind.
+/// [`ScaffoldError::Simulation`] if the name exists or the system refuses, and errors of the function; the folder is
+/// then removed.
 pub fn create<T, E: From<ScaffoldError> + From<SimulationError>>(
     folder: &Path,
     write: impl FnOnce(&Path, &str) -> Result<T, E>,
@@ -40,7 +40,7 @@ pub fn create<T, E: From<ScaffoldError> + From<SimulationError>>(
 ///
 /// # Errors
 ///
-/// [`ScaffoldError::Simulation`] where one is there already, or the system refuses.
+/// [`ScaffoldError::Simulation`] if a file exists, or the system refuses.
 pub fn write(folder: &Path, texts: &ScenarioTexts) -> Result<(), ScaffoldError> {
     for (file, text) in texts {
         FreshFile::write_whole(&folder.join(file), text.as_bytes(), false)?;
@@ -48,11 +48,12 @@ pub fn write(folder: &Path, texts: &ScenarioTexts) -> Result<(), ScaffoldError> 
     Ok(())
 }
 
-/// The files of a template as those of a scenario of this name.
+/// The files of a template, for a scenario with this name.
 pub fn from_template(template: Template, name: &str) -> ScenarioTexts {
     let (name, own) = (json!(name), json!(template.name()));
     let text = |(file, text): (String, String)| {
-        // The schemas of the repository are two folders up, ours are right here; and it has a name of its own.
+        // In the repository, schemas are two folders up; here, they are in the folder. The scenario has a name of its
+        // own.
         let text = text.replace("\"../../schemas/", "\"./schemas/");
         (file, text.replace(&format!("\"name\": {own}"), &format!("\"name\": {name}")))
     };

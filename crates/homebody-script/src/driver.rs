@@ -383,7 +383,7 @@ impl ScriptDriver {
                     _ => self
                         .cast
                         .places
-                        .of(Role::Armchair)
+                        .for_role(Role::Armchair)
                         .cloned()
                         .ok_or_else(|| self.program.at_next(ScriptMessage::NoStart))?,
                 };
@@ -412,7 +412,7 @@ impl ScriptDriver {
     }
 
     fn front_door(&self) -> Result<HomePlace, String> {
-        let door = self.cast.places.of(Role::FrontDoor).cloned();
+        let door = self.cast.places.for_role(Role::FrontDoor).cloned();
         door.ok_or_else(|| self.program.at_next(ScriptMessage::NoFrontDoor))
     }
 

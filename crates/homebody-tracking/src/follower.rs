@@ -79,7 +79,7 @@ impl FollowedHome {
         let Some(first) = bodies.first() else {
             return Err(TrackingError::Translation(TranslationMessage::NoResidents.into()));
         };
-        let nobody = first.nobody();
+        let nobody = first.empty_body();
         let rooms = scenario.home.plan().rooms.iter().map(|room| room.name.clone()).collect();
         let sensors = scenario.home.placed_sensors().iter().map(|sensor| sensor.name.clone()).collect();
         Ok(FollowedHome { nobody, people, rooms, sensors, bodies })

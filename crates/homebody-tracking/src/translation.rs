@@ -10,8 +10,8 @@ use homebody_core::scenario::edit::text_of_path;
 use homebody_core::scenario::load::Scenario;
 use homebody_core::time::{DAY, HOUR, MINUTE, RunTime, Span, WallTime};
 use homebody_infer::{
-    FaultInterval, Guess, InstantEstimate, LogMessage, MessageKind, ResponseError, Senses, StateKind, Track, spells,
-    translate,
+    FaultInterval, Guess, InstantEstimate, LogMessage, MessageKind, ResponseError, Senses, StateKind, Track,
+    fault_intervals, translate,
 };
 use homebody_log::limits::LARGEST_OF_SCENARIO_BYTES;
 use homebody_log::{Cancel, Event, Log};
@@ -156,7 +156,7 @@ pub(crate) fn bodies(scenario: &Scenario) -> Result<(Vec<Senses>, Vec<String>), 
     let mut bodies = (0..scenario.residents.len()).map(learn).collect::<Result<Vec<_>, _>>()?;
     let mut people: Vec<String> = scenario.residents.iter().map(|resident| resident.file.name.clone()).collect();
     if let [alone] = &bodies[..] {
-        bodies.push(alone.of_visitor());
+        bodies.push(alone.for_visitor());
         people.push(GUEST.into());
     }
     Ok((bodies, people))
@@ -181,7 +181,7 @@ pub fn locate(
     let (bodies, people) = bodies(scenario)?;
     // Who has no messages left comes to an end soon.
     let messages = || heard.messages.iter().copied().take_while(|_| !cancel.is_cancelled());
-    let ill = spells(messages(), names.len(), heard.end);
+    let ill = fault_intervals(messages(), names.len(), heard.end);
     let mut told = TrackRecorder::new(bodies.len());
     let length = heard.end.since_zero();
     translate(&bodies, &ill, messages(), heard.end, |instant| {

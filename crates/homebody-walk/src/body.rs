@@ -51,7 +51,6 @@ impl WalkingBody {
         }
     }
 
-    /// Limits the number of remembered routes.
     pub fn remembering(self, ways: usize) -> WalkingBody {
         WalkingBody { routes: self.routes.at_most(ways), ..self }
     }
@@ -61,7 +60,6 @@ impl WalkingBody {
         (self.at, self.posture, self.spot) = (spot.at, posture, Some(spot));
     }
 
-    /// Moves the body to the end of a segment that has begun.
     pub fn follow(&mut self, next: &MotionSegment) {
         match next.doing {
             MotionState::Stride { to, .. } => self.at = to,
@@ -108,7 +106,7 @@ impl WalkingBody {
         self.spot = Some(spot.clone());
         let mut moves = self.stand_up(now, pace, stream);
         let set_out = moves.last().map_or(now, |last| last.end);
-        let gait = Gait::of_walk(self.pace_mps * pace, hour, 0.0, &self.home.numbers, stream);
+        let gait = Gait::for_walk(self.pace_mps * pace, hour, 0.0, &self.home.numbers, stream);
         moves.extend(walk(&path, self.at, set_out, &gait));
         if spot.posture != Posture::Standing {
             let arrived = moves.last().map_or(set_out, |last| last.end);
@@ -129,7 +127,7 @@ impl WalkingBody {
         stream: &mut Stream,
     ) -> Vec<MotionSegment> {
         let mut moves = self.stand_up(now, pace, stream);
-        let gait = Gait::of_walk(self.pace_mps * pace, hour, 0.0, &self.home.numbers, stream);
+        let gait = Gait::for_walk(self.pace_mps * pace, hour, 0.0, &self.home.numbers, stream);
         let from = self.step_out(now, &gait, &mut moves);
         let begin = moves.last().map_or(now, |last| last.end);
         let mesh = self.routes.mesh();
@@ -152,7 +150,7 @@ impl WalkingBody {
     /// The segments of rising and stepping out of a bed or chair; empty for a body that stands on free floor.
     pub fn get_up(&mut self, now: RunTime, hour: f64, pace: f64, stream: &mut Stream) -> Vec<MotionSegment> {
         let mut moves = self.stand_up(now, pace, stream);
-        let gait = Gait::of_walk(self.pace_mps * pace, hour, 0.0, &self.home.numbers, stream);
+        let gait = Gait::for_walk(self.pace_mps * pace, hour, 0.0, &self.home.numbers, stream);
         self.step_out(now, &gait, &mut moves);
         self.spot = None;
         moves

@@ -1,11 +1,11 @@
-//! How a body walks along a path: its speed, how it sets off, turns and stops, and how it gets up and sits down.
+//! Walking along a path: speed, setting off, turning and stopping; getting up and sitting down.
 //!
-//! A walk sets off, goes at one speed, slows down before sharp turns and its end, and turns sharply on the spot. Getting
-//! up and sitting down take seconds in which the body moves on the spot.
+//! A walk sets off, goes at one speed, slows down before sharp turns and its end, and turns sharply on the spot. The
+//! body moves on the spot for some seconds while it gets up or sits down.
 //!
 //! We assume the speeds of people of 86 years in their homes: on average a person's own pace, from walk to walk with the
-//! spread that Kaye et al. (2012) saw between persons, faster in the morning, slower in the evening. Who is frail or has
-//! a walking aid is slower, varies more, and takes longer to set off, turn, get up and sit down.
+//! spread that Kaye et al. (2012) saw between persons, faster in the morning, slower in the evening. A person who is
+//! frail or has a walking aid is slower, varies more, and takes longer to set off, turn, get up and sit down.
 //!
 //! The speed of a walk is lognormal. Speeding up evenly from nothing over a stretch takes as long as going through it at
 //! half the speed, so it is one stride at half the speed, and slowing down likewise. All times are counted from the
@@ -85,7 +85,7 @@ pub struct Gait {
 
 impl Gait {
     /// Draws two values. `pace_mps` is the person's usual speed, `hour_of_day` 0 to 24, `frailty` 0 to 1.
-    pub fn of_walk(pace_mps: f64, hour_of_day: f64, frailty: f64, numbers: &Numbers, stream: &mut Stream) -> Gait {
+    pub fn for_walk(pace_mps: f64, hour_of_day: f64, frailty: f64, numbers: &Numbers, stream: &mut Stream) -> Gait {
         let frailty = frailty.clamp(0.0, 1.0);
         let time_of_day = match hour_of_day {
             hour if (5.0..12.0).contains(&hour) => numbers.of(&MORNING),
@@ -308,7 +308,7 @@ mod tests {
         for _ in 0..500 {
             let path: Vec<Point> =
                 (0..1 + stream.poisson(4.0)).map(|_| p(stream.between(-5.0, 5.0), stream.between(-5.0, 5.0))).collect();
-            let gait = Gait::of_walk(0.65, stream.between(0.0, 24.0), stream.unit(), &Numbers::default(), &mut stream);
+            let gait = Gait::for_walk(0.65, stream.between(0.0, 24.0), stream.unit(), &Numbers::default(), &mut stream);
             let moves = walked(&path, RunTime::from_micros(77), &gait);
             let stops = moves.iter().filter(|step| matches!(step.doing, MotionState::InPlace { .. })).count();
             assert!(moves.len() <= path.len() + 2 + 3 * stops, "{} moves for {}", moves.len(), path.len());
@@ -331,7 +331,7 @@ mod tests {
         let mut stream = Stream::named(1, "speeds");
         let mut speeds = |pace, hour, frailty| -> (f64, f64) {
             let drawn: Vec<f64> = (0..20_000)
-                .map(|_| Gait::of_walk(pace, hour, frailty, &Numbers::default(), &mut stream).speed_mps)
+                .map(|_| Gait::for_walk(pace, hour, frailty, &Numbers::default(), &mut stream).speed_mps)
                 .collect();
             assert!(drawn.iter().all(|speed| (0.2..=1.2).contains(speed)));
             let mean = drawn.iter().sum::<f64>() / drawn.len() as f64;

@@ -1,12 +1,13 @@
-//! How a body gets from place to place in a home.
+//! Movements of a body from place to place in a home.
 //!
-//! [`Mesh`] knows where a body of one radius can be and the shortest ways, [`Routes`] remembers those that were found;
-//! [`walk`] makes a way into strides and turns of a [`Gait`], [`rise`] and [`sit`] lead out of seats and into them. [`wander`]
-//! needs no goal. What comes out is [`MotionSegment`]s that follow each other in time and place, which a driver hands on.
+//! [`Mesh`] holds the floor for a body of one radius and finds the shortest ways, [`Routes`] remembers them; [`walk`]
+//! turns a way into strides and turns of a [`Gait`], [`rise`] and [`sit`] lead out of seats and into them. [`wander`]
+//! needs no goal. All of them return [`MotionSegment`]s that follow each other in time and place, for a driver to pass
+//! on.
 //!
-//! Lengths are metres in the plane of the home, instants those of the run. Nothing here fails:
-//! where no way leads, there is `None`. It is as pure as the core: the same home, ends and stream give the same walk on every
-//! machine. It does not know who walks, why, or what sees it.
+//! Lengths are metres in the plane of the home, instants are run time. Functions return `None` without a route. The
+//! crate is as pure as the core: the same home, ends and stream give the same walk on every machine. It does not know
+//! the walker, the purpose, or the sensors.
 //!
 //! ```
 //! use homebody_core::geometry::Point;
@@ -27,7 +28,7 @@
 //! let path = mesh.path(from, to).expect("the table leaves a way");
 //! assert!(path.len() > 1, "around the table");
 //!
-//! let gait = Gait::of_walk(0.65, 9.0, 0.0, &Numbers::default(), &mut Stream::named(1, "gait"));
+//! let gait = Gait::for_walk(0.65, 9.0, 0.0, &Numbers::default(), &mut Stream::named(1, "gait"));
 //! let segments = walk(&path, from, RunTime::START, &gait);
 //! assert!(segments.windows(2).all(|pair| pair[0].end == pair[1].begin));
 //!
@@ -58,7 +59,7 @@ use homebody_core::numbers::Number;
 
 pub use gait::{Gait, rise, sit, walk};
 pub use mesh::Mesh;
-pub use pattern::{Pattern, pattern_of};
+pub use pattern::{Pattern, travel_pattern};
 pub use routes::Routes;
 pub use schemas::{Gains, WanderStyle, Wanderers, wander};
 

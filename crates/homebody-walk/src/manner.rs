@@ -1,15 +1,15 @@
-//! How bodies stir: how often a body that stays somewhere moves, for how long, and how far.
+//! Small movements of a resting body: intervals, durations and distances.
 //!
-//! Movement on the spot comes in short bouts with gaps between them that have a heavy tail, as the gaps between motion
+//! Movements on the spot come in short bouts. The gaps between bouts have a heavy tail, as the gaps between motion
 //! firings of real homes have.
 //!
-//! Movements come in clusters: after a movement another follows soon, with a chance for each manner of staying, or a long
-//! gap. We assume that gaps of both kinds and bouts are lognormal, with a set of numbers for each manner. Their numbers are ours,
-//! set so that a day of a generated older adult has about as many firings, and gaps as long, as the CASAS homes of single
-//! older adults; `homebody-lab daily-life` and `homebody-lab realism` say how near they come.
+//! Movements come in clusters: after a movement another follows soon, with a probability for each manner of staying, or
+//! a long gap. We assume that gaps of both kinds and bouts are lognormal. Their parameters for each manner are our
+//! choice: a day of a generated older adult then has about as many firings, and gaps as long, as the CASAS homes of
+//! single older adults. `homebody-lab daily-life` and `homebody-lab realism` report the remaining differences.
 //!
-//! A gap and a bout are drawn one after the other; a factor for activity shortens the long gaps. What shows of a movement in bed is
-//! what a blanket leaves of it: sleepers turn by 0.3 m, of which a quarter shows (ours).
+//! A gap and a bout are drawn one after the other; a factor for activity shortens the long gaps. A blanket hides most
+//! of a movement in bed: sleepers turn by 0.3 m, and a quarter of it is visible (our choice).
 //!
 //! Left out: which limb moves.
 
@@ -113,7 +113,7 @@ impl Manner {
     }
 
     /// Only in these does restlessness count.
-    pub fn is_of_bed(&self) -> bool {
+    pub fn is_in_bed(&self) -> bool {
         [Manner::ASLEEP.name, Manner::AWAKE_IN_BED.name].contains(&self.name)
     }
 
@@ -196,7 +196,7 @@ mod tests {
     }
 
     #[test]
-    fn who_is_more_active_has_more_clusters_not_longer_ones() {
+    fn activity_adds_clusters_and_does_not_lengthen_them() {
         let manner = Manner { more: 0.5, soon_s: 1.0, gap_s: 1_000.0, sigma: 0.1, ..Manner::STILL };
         let mean_long = |activity| {
             let long: Vec<f64> = gaps(manner, activity).into_iter().filter(|&gap| gap > 100.0).collect();

@@ -1,18 +1,18 @@
-//! Where a body can walk in a home, and the shortest way from place to place.
+//! The walkable floor of a home, and shortest ways on it.
 //!
-//! A mesh covers the floor that the middle of a body may be on. It is made once for a home and a radius; then a way costs
-//! some microseconds. Beds, chairs and toilets are walked around, and entered by one straight last step.
+//! A mesh covers the floor that the middle of a body may be on. It is built once for a home and a radius; a way then
+//! costs some microseconds. Ways lead around beds, chairs and toilets, and enter them by one straight last step.
 //!
-//! We assume that nothing in the home moves: doors stay as the plan has them, chairs where they are. Who does not fit
-//! through a gap turns sideways, so where the whole radius leads nowhere, three quarters of it are tried, then half. A step
+//! We assume that nothing in the home moves: doors stay as the plan has them, chairs where they are. A body turns
+//! sideways in a narrow gap: if no way exists for the whole radius, three quarters of it are tried, then half. A step
 //! into a seat may be 1.5 m long, any other step to a place too near to things half a metre.
 //!
-//! Every solid is grown by the radius, its corners rounded from outside, so that a way that keeps to the mesh never comes
-//! nearer to a solid. The free ground is triangulated, and polyanya finds the any-angle shortest way (Cui, Harabor &
-//! Grastien 2017). Borders of the home without a wall are fences. Where a place is not on free ground, points of the
-//! ground around it are tried, the nearest first, until nothing stands between.
+//! Every solid is grown by the radius, its corners rounded from outside, so that a way on the mesh keeps its distance
+//! from all solids. The free ground is triangulated, and polyanya finds the any-angle shortest way (Cui, Harabor &
+//! Grastien 2017). Borders of the home without a wall are fences. For a place off free ground, points of the ground
+//! around it are tried, the nearest first, until nothing stands between.
 //!
-//! Left out: other people, doors that are opened on the way, and that a body is not round.
+//! Left out: other people, doors that are opened on the way, and the shape of a body, which is not round.
 
 mod floor;
 mod ground;
@@ -122,8 +122,8 @@ impl Mesh {
         self.grounds.first().is_some_and(|ground| self.is_free_for(p, ground.clearance_m))
     }
 
-    /// The free point from which one straight step leads to `to`: `to` itself if it is free, else the nearest, preferably
-    /// in the largest area. `None` without one.
+    /// The free point for one straight step to `to`: `to` itself if it is free, else the nearest, preferably in the
+    /// largest area. `None` without one.
     pub fn approach(&self, to: Point) -> Option<Point> {
         if self.is_free(to) {
             return Some(to);
@@ -171,8 +171,8 @@ impl Mesh {
         })
     }
 
-    /// A free point of a room of the plan, uniform over those from which the room's own point can be reached. Draws at most
-    /// 64 values; if all tries fail, it is the room's own point.
+    /// A free point of a room of the plan, uniform over those with a route to the room's own point. Draws at most 64
+    /// values; if all tries fail, it is the room's own point.
     pub fn free_point(&self, room: usize, stream: &mut Stream) -> Point {
         let (own, area) = self.rooms[room];
         let room = &self.plan.rooms[room].outline;
@@ -269,7 +269,7 @@ impl Mesh {
         }
     }
 
-    /// By connected area, the point from which one straight step leads to `p`.
+    /// By connected area, the starting point of one straight step to `p`.
     fn footings(&self, ground: &WalkableGround, p: Point) -> Vec<GroundPoint> {
         if let Some(area) = ground.area_at(p) {
             return vec![GroundPoint { at: p, area, away_m: 0.0 }];
@@ -282,7 +282,7 @@ impl Mesh {
         let keeps_off = |at: Point| keeps_m <= 0.0 || self.is_clear(p, at, keeps_m);
         let around = ground.around(p, reach_m);
         let mut footings: Vec<GroundPoint> = Vec::new();
-        // Routes into bed avoid chairs unless there is no other.
+        // Routes into bed avoid chairs if possible.
         for climbs in [false, true] {
             for footing in &around {
                 let counts =
@@ -328,7 +328,7 @@ impl Mesh {
     }
 }
 
-/// Distance beside a border at which the home is looked up.
+/// Distance on both sides of a border at which the home is looked up.
 const BESIDE_M: f64 = 1e-3;
 
 fn borders(plan: &Plan) -> Vec<(Point, Point)> {

@@ -19,10 +19,10 @@ pub(super) const LAP_PLACES: usize = 6;
 /// Classifies a sequence of places or rooms.
 ///
 /// Without a repetition it is direct. Otherwise it is cut into cycles, each from the last time in a place to the return
-/// there: of two places (A-B-A) they are pacing, of three to six lapping. The remainder is direct if nothing in it repeats,
-/// else random. The result is the most frequent of random, lapping and pacing, the first in this order if equal. Staying in
-/// a place is no repetition.
-pub fn pattern_of(rooms_or_places: &[usize]) -> Pattern {
+/// there: of two places (A-B-A) they are pacing, of three to six lapping. The remainder is direct if nothing in it
+/// repeats, else random. The result is the most frequent of random, lapping and pacing, the first in this order if
+/// equal. Staying in a place does not count as a repetition.
+pub fn travel_pattern(rooms_or_places: &[usize]) -> Pattern {
     let mut places = rooms_or_places.to_vec();
     places.dedup();
     if !repeats(&places) {
@@ -39,7 +39,7 @@ pub fn pattern_of(rooms_or_places: &[usize]) -> Pattern {
         } else {
             lapping += 1
         }
-        // The place that closes a cycle may open the next one, but is no part of the remainder.
+        // The place that closes a cycle may open the next one, but does not belong to the remainder.
         (open_from, remaining_from) = (at, at + 1);
     }
     random += usize::from(places.get(remaining_from..).is_some_and(repeats));
@@ -60,7 +60,7 @@ mod tests {
     use super::*;
 
     fn of(places: &str) -> Pattern {
-        pattern_of(&places.bytes().map(usize::from).collect::<Vec<_>>())
+        travel_pattern(&places.bytes().map(usize::from).collect::<Vec<_>>())
     }
 
     #[test]

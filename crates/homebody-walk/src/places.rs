@@ -46,7 +46,7 @@ impl HomePlace {
 
     /// The best place first: the middle if it is not shared, else the side of this rank.
     pub fn sides_for(&self, rank: usize, is_shared: bool) -> impl Iterator<Item = Point> {
-        let has_own = is_shared && !self.sides.is_empty() && !is_somebodys(&self.name);
+        let has_own = is_shared && !self.sides.is_empty() && !has_owner(&self.name);
         let middle = (!has_own).then_some(self.at);
         let count = self.sides.len();
         middle.into_iter().chain((0..count).map(move |index| self.sides[(index + rank) % count]))
@@ -119,7 +119,7 @@ impl HomePlaces {
             let posture = match said.get(&lower).and_then(|role| role.row().posture) {
                 _ if !seats.contains(&name) => Posture::Standing,
                 Some(posture) => posture,
-                None if is_stood_in(&lower) => Posture::Standing,
+                None if is_for_standing(&lower) => Posture::Standing,
                 None if words(&lower).any(|word| word.ends_with("bed")) => Posture::Lying,
                 None => Posture::Sitting,
             };
@@ -193,7 +193,7 @@ impl HomePlaces {
     }
 
     /// The best reachable place for the role, or a substitute; else an unreachable one.
-    pub fn of(&self, role: Role) -> Option<&HomePlace> {
+    pub fn for_role(&self, role: Role) -> Option<&HomePlace> {
         self.of_role[role as usize].0.as_ref()
     }
 
@@ -203,7 +203,7 @@ impl HomePlaces {
         {
             return Some(spot);
         }
-        let all = || self.own(role).chain(self.instead(role));
+        let all = || self.own(role).chain(self.substitutes(role));
         all().find(|spot| spot.is_reachable).or_else(|| all().next())
     }
 
@@ -213,7 +213,7 @@ impl HomePlaces {
         let said = || self.spots.iter().filter(move |spot| spot.said == Some(role));
         let own = said().filter(|spot| self.own_name(&spot.name).is_some());
         let own = own.chain(names.iter().filter_map(|name| self.called(|spot| self.own_name(spot) == Some(name))));
-        own.chain(said().filter(|spot| !is_somebodys(&spot.name)))
+        own.chain(said().filter(|spot| !has_owner(&spot.name)))
             .chain(names.iter().filter_map(|name| self.called(|spot| spot == *name)))
     }
 
@@ -222,7 +222,7 @@ impl HomePlaces {
     }
 
     /// Places of substitute roles.
-    fn instead(&self, role: Role) -> impl Iterator<Item = &HomePlace> {
+    fn substitutes(&self, role: Role) -> impl Iterator<Item = &HomePlace> {
         role.row().instead.iter().flat_map(|&role| self.own(role))
     }
 
@@ -232,7 +232,7 @@ impl HomePlaces {
         let door = self.door.as_ref().map(|(spot, _)| spot).filter(|_| role == Role::FrontDoor);
         let mut all: Vec<&HomePlace> = door.map_or_else(|| self.own(role).collect(), |door| vec![door]);
         if all.is_empty() {
-            all = self.instead(role).collect();
+            all = self.substitutes(role).collect();
         }
         let best = *all.first()?;
         let is_as_good =
@@ -245,20 +245,20 @@ impl HomePlaces {
         self.spots.iter().any(|spot| spot.is_of(role))
     }
 
-    /// The nearest reachable toilet or washbasin in a straight line; for other roles, [`HomePlaces::of`].
+    /// The nearest reachable toilet or washbasin in a straight line; for other roles, [`HomePlaces::for_role`].
     pub fn nearest(&self, role: Role, at: Point) -> Option<&HomePlace> {
         let best = role.row().names[0];
         let is_of = |spot: &&HomePlace| spot.said.map_or_else(|| spot.name.ends_with(best), |said| said == role);
         let several = self.spots.iter().filter(|spot| spot.is_reachable && !spot.name.contains('\'')).filter(is_of);
         let nearest = several.min_by(|a, b| a.at.distance(at).total_cmp(&b.at.distance(at)));
-        let is_own = self.of(role).is_some_and(|spot| spot.name.starts_with(&self.whose));
-        if is_own { self.of(role) } else { nearest.or_else(|| self.of(role)) }
+        let is_own = self.for_role(role).is_some_and(|spot| spot.name.starts_with(&self.whose));
+        if is_own { self.for_role(role) } else { nearest.or_else(|| self.for_role(role)) }
     }
 
     /// Substitutes for an occupied place: others of its role and, for a seat, any seat that belongs to no other person, the
     /// nearest first.
-    pub fn instead_of(&self, spot: &HomePlace) -> Vec<&HomePlace> {
-        let is_mine = |other: &&HomePlace| !is_somebodys(&other.name) || self.own_name(&other.name).is_some();
+    pub fn substitutes_for(&self, spot: &HomePlace) -> Vec<&HomePlace> {
+        let is_mine = |other: &&HomePlace| !has_owner(&other.name) || self.own_name(&other.name).is_some();
         let is_alike = |other: &&HomePlace| {
             let shares_role = || ROLES.iter().any(|row| spot.is_of(row.role) && other.is_of(row.role));
             match spot.posture {
@@ -276,7 +276,7 @@ impl HomePlaces {
     }
 
     /// All reachable places of a role, including those of other residents, because pets use all.
-    pub fn anybodys(&self, role: Role) -> Vec<&HomePlace> {
+    pub fn all_for(&self, role: Role) -> Vec<&HomePlace> {
         self.spots.iter().filter(|spot| spot.is_reachable && spot.is_of(role)).collect()
     }
 
@@ -291,7 +291,7 @@ impl HomePlaces {
             return thing.map(|thing| thing as u32);
         }
         let names = role.row().names;
-        // A kitchen's lamp is no stove.
+        // A lamp in the kitchen does not count as a stove.
         let things = &self.things[..self.lamps];
         let said =
             |fits: &dyn Fn(&str) -> bool| things.iter().position(|(thing, said)| *said == Some(role) && fits(thing));
@@ -301,7 +301,7 @@ impl HomePlaces {
         };
         let thing = said(&|thing| self.own_name(thing).is_some())
             .or_else(|| called(&|thing, name| self.own_name(thing) == Some(name)))
-            .or_else(|| said(&|thing| !is_somebodys(thing)))
+            .or_else(|| said(&|thing| !has_owner(thing)))
             .or_else(|| called(&|thing, name| thing == name));
         thing.map(|thing| thing as u32)
     }
@@ -389,8 +389,8 @@ impl HomePlaces {
     }
 }
 
-/// Marks reachable places. A place with sides uses the first reachable side; a room whose middle is blocked uses a point
-/// beside it.
+/// Marks reachable places. A place with sides uses the first reachable side; a room with a blocked middle uses a point
+/// near it.
 fn find_ways(
     plan: &Plan,
     spots: &mut [HomePlace],
@@ -427,7 +427,7 @@ fn hub(spots: &[HomePlace], mesh: &Mesh) -> Option<Point> {
 }
 
 /// Such as `ruth's bed`.
-fn is_somebodys(name: &str) -> bool {
+fn has_owner(name: &str) -> bool {
     name.contains("'s ")
 }
 
@@ -435,8 +435,8 @@ fn is_toilet(spot: &HomePlace) -> bool {
     spot.is_of(Role::Toilet)
 }
 
-/// Enterable places in which people stand.
-fn is_stood_in(name: &str) -> bool {
+/// Enterable places for standing.
+fn is_for_standing(name: &str) -> bool {
     words(name).any(|word| ["shower", "rug", "mat", "carpet"].iter().any(|end| word.ends_with(end)))
 }
 
@@ -469,9 +469,9 @@ mod tests {
     }
 
     #[test]
-    fn what_is_called_after_somebody_is_theirs() {
+    fn places_named_after_a_resident_are_their_own() {
         let all = ["Henry's bed", "Ruth's bed", "armchair"];
-        let name = |resident, role| places(&all, resident).of(role).unwrap().name.clone();
+        let name = |resident, role| places(&all, resident).for_role(role).unwrap().name.clone();
         assert_eq!(name("henry", Role::Bed), "henry's bed");
         assert_eq!(name("Ruth", Role::Bed), "ruth's bed");
         assert_eq!(name("anna", Role::Bed), "armchair");
@@ -479,15 +479,15 @@ mod tests {
     }
 
     #[test]
-    fn a_pet_may_have_anybodys() {
+    fn pets_use_places_of_all_residents() {
         let places = places(&["henry's bed", "ruth's bed", "bed", "bunk bed", "sofa"], "minka");
-        assert_eq!(names(&places.anybodys(Role::Bed)), ["henry's bed", "ruth's bed", "bed"]);
-        assert_eq!(names(&places.anybodys(Role::Sofa)), ["sofa"]);
-        assert!(places.anybodys(Role::Basket).is_empty());
+        assert_eq!(names(&places.all_for(Role::Bed)), ["henry's bed", "ruth's bed", "bed"]);
+        assert_eq!(names(&places.all_for(Role::Sofa)), ["sofa"]);
+        assert!(places.all_for(Role::Basket).is_empty());
     }
 
     #[test]
-    fn the_way_out_is_before_a_door_however_thick_its_wall_is() {
+    fn way_out_is_inside_of_a_thick_wall() {
         for thickness_m in [0.1, 0.5, 0.6, 1.0] {
             let door = json!({ "name": "front door", "from": [4.0, 0.0], "to": [5.0, 0.0], "outside": true });
             let wall = json!({ "from": [0.0, 0.0], "to": [8.0, 0.0], "thickness_m": thickness_m });
@@ -510,7 +510,7 @@ mod tests {
     }
 
     #[test]
-    fn people_stand_beside_what_is_in_the_middle_of_a_room() {
+    fn blocked_middle_of_a_room_is_avoided() {
         let home = json!({
             "name": "island", "rooms": [{ "name": "kitchen", "outline": [[0, 0], [6, 0], [6, 4], [0, 4]] }], "walls": [],
             "furniture": [
@@ -527,14 +527,14 @@ mod tests {
     }
 
     #[test]
-    fn people_sit_at_a_desk() {
+    fn desk_has_a_seat() {
         let places = places(&["desk", "desk chair"], "anna");
-        let spot = places.of(Role::Desk).unwrap();
+        let spot = places.for_role(Role::Desk).unwrap();
         assert_eq!((spot.name.as_str(), spot.posture), ("desk chair", Posture::Sitting));
     }
 
     #[test]
-    fn how_one_is_in_something_is_told_by_its_words() {
+    fn name_decides_the_posture() {
         for (name, posture) in [
             ("henry's bed", Posture::Lying),
             ("daybed", Posture::Lying),
@@ -549,7 +549,7 @@ mod tests {
     }
 
     #[test]
-    fn what_stands_in_a_narrow_place_is_reached_over() {
+    fn furniture_in_a_narrow_place_is_used_from_its_edge() {
         let wall = json!({ "from": [0, 0], "to": [0, 4], "thickness_m": 0.1 });
         let outline = [[0, 0], [4, 0], [4, 4], [0, 4]];
         let is_reached = |tables: &[[f64; 4]]| {
@@ -561,7 +561,10 @@ mod tests {
             });
             let home: HomeFile = serde_json::from_value(home).unwrap();
             let plan = Plan::new(&home);
-            HomePlaces::new(&home, &plan, &Mesh::new(&plan, 0.22), "anna").of(Role::Washbasin).unwrap().is_reachable
+            HomePlaces::new(&home, &plan, &Mesh::new(&plan, 0.22), "anna")
+                .for_role(Role::Washbasin)
+                .unwrap()
+                .is_reachable
         };
         let before = [1.05, 2.0, 0.7, 0.6];
         assert!(is_reached(&[before, [0.9, 3.0, 0.6, 1.1], [0.9, 1.0, 0.6, 1.1]]));

@@ -50,7 +50,7 @@ mod tests {
     use crate::homes::tigerplace;
 
     #[test]
-    fn what_is_remembered_is_what_was_found_and_a_copy_answers_the_same() {
+    fn remembered_routes_equal_found_ones() {
         let plan = tigerplace();
         let mesh = Arc::new(Mesh::new(&plan, 0.22));
         let mut routes = Routes::new(mesh.clone());
@@ -67,7 +67,7 @@ mod tests {
     }
 
     #[test]
-    fn it_remembers_no_more_than_so_many() {
+    fn remembered_routes_are_bounded() {
         let mut routes = Routes::new(Arc::new(Mesh::new(&tigerplace(), 0.22)));
         let from = Point::new(4.65, 1.6);
         for step in 0..MOST + 10 {

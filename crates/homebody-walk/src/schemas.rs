@@ -1,20 +1,20 @@
-//! How somebody wanders: motor schemas on top of planned ways.
+//! Wandering: motor schemas on top of planned ways.
 //!
 //! A wanderer goes from place to place without an errand: at random, in laps over three to five places, or to and fro
 //! between two (Martino-Saltzman et al. 1991). The planned way gives the direction; what is in the way pushes aside, and
 //! noise makes the way crooked.
 //!
 //! We assume that a wanderer keeps one speed for the whole of it, and does not stop to turn. The order is one of the
-//! places come to. Where all rooms open on one hall, any order of places is to and fro between rooms.
+//! places that are reached: if all rooms open on one hall, any order of places is to and fro between rooms.
 //!
-//! Vectors are added (Arkin 1989): toward the next corner of the way that can be seen, away from the
-//! nearest obstacle (the largest repulsion, not the sum, so that walls of many points do not dominate), into a random
-//! direction that persists for a while, away from other people, and, of who fears open floor, back toward the nearest wall. [`Gains`]
-//! says how much of each, for whom. The sum is taken anew at every tenth of a second; where that leads within half a
-//! second is one straight step, if the body fits there with its whole radius. If not, the step follows the way planned
-//! anew from there, which leads to the goal through any gap; so does the rest of a leg that takes too long.
+//! Vectors are added (Arkin 1989): toward the next visible corner of the way, away from the nearest obstacle (the
+//! largest repulsion, not the sum, so that walls of many points do not dominate), into a random direction that persists
+//! for a while, away from other people, and, for a person who fears open floor, back toward the nearest wall. [`Gains`]
+//! holds the strength of each. The sum is computed anew at every tenth of a second. Its direction over half a second is
+//! one straight step, if the body fits there with its whole radius. If not, the step follows the way planned anew from
+//! there, which leads to the goal through any gap; so does the rest of a leg that takes too long.
 //!
-//! Now and then a wanderer stands still for a while. Other people are where they were as the wandering began.
+//! Now and then a wanderer stands still for a while. Other people stay where they were when the wandering began.
 //!
 //! Left out: setting off and slowing down, and what the wanderer looks for.
 
@@ -140,7 +140,7 @@ pub fn wander(
     between(kind, mesh, &goals, from, begin, lasting, gait, numbers, who, stream).0
 }
 
-/// Returns the goals in the order in which they were reached, too.
+/// Also returns the goals in the order of arrival.
 #[expect(clippy::too_many_arguments, reason = "they are the whole of what wandering depends on")]
 fn between(
     kind: WanderStyle,

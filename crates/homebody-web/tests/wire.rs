@@ -200,9 +200,9 @@ fn the_page_knows_our_devices() {
         "web/src/devices.ts",
         &format!(
             "// Made from crates/homebody-core/src/sensors/products.rs, which says what each means.\n\n\
-         export type Product = {{\n  /** What `preset` calls it. */\n  key: string;\n  name: string;\n  network: string;\n  \
+         export type Product = {{\n  /** The key of `preset`. */\n  key: string;\n  name: string;\n  network: string;\n  \
          height_m: number;\n  field_deg: [number, number];\n  reach_m: number;\n  refire_s: [number, number];\n  \
-         /** Where each is from. */\n  sources: {{ height: string; field: string; reach: string; timing: string }};\n}};\n\n\
+         /** The sources of the numbers. */\n  sources: {{ height: string; field: string; reach: string; timing: string }};\n}};\n\n\
          export const DEVICES: readonly Product[] = [\n{rows}];\n"
         ),
     );
@@ -219,17 +219,17 @@ fn the_page_knows_our_activities() {
         let colour = kind.colour().map_or("null".into(), colour);
         text += &format!("  {}: {{ name: '{}', colour: {colour} }},\n", key(kind), kind.in_words());
     }
-    text += "} as const;\n\n/** What lives tell of, by the label of the truth. */\n";
+    text += "} as const;\n\n/** Kinds of the activities of residents, by their label in the truth. */\n";
     text += "export const KNOWN: ReadonlyMap<string, keyof typeof KINDS> = new Map([\n";
     for known in ACTIVITIES {
         text += &format!("  ['{}', '{}'],\n", known.label, key(known.kind));
     }
-    text += "]);\n\n/** How the words of other names begin, by kind; the first that fits counts. */\n";
+    text += "]);\n\n/** Beginnings of words in other names, by kind; the first match counts. */\n";
     text += "export const KIND_WORDS: readonly (readonly [keyof typeof KINDS, readonly string[]])[] = [\n";
     for (kind, words) in KIND_WORDS {
         text += &format!("  ['{}', {}],\n", key(kind), format!("{words:?}").replace('"', "'"));
     }
-    text += &format!("];\n\n/** What the truth says of who is out of the home. */\nexport const AWAY = '{AWAY}';\n");
+    text += &format!("];\n\n/** The activity of a person who is out of the home. */\nexport const AWAY = '{AWAY}';\n");
     is_generated("web/src/activities.ts", &text);
 }
 

@@ -1,20 +1,20 @@
-// A silhouette as the server packs it, and how it is drawn: what a camera keeps, and all that it keeps.
+// Silhouettes in the server's packed form, and their drawing.
 
-/** A byte for each pixel, row by row: 1 where somebody is. What is no such picture has nobody in it. */
+/** A byte for each pixel, row by row: 1 for a person. Invalid data give an empty picture. */
 export function unpacked(packed: ArrayLike<number>, [columns, rows]: readonly [number, number]): Uint8Array {
   const pixels = new Uint8Array(columns * rows);
   for (const [from, to] of runs(packed)) pixels.fill(1, from, to);
   return pixels;
 }
 
-/** How many pixels are somebody's. */
+/** The number of pixels of people. */
 export function areaOf(packed: ArrayLike<number>): number {
   let area = 0;
   for (const [from, to] of runs(packed)) area += to - from;
   return area;
 }
 
-/** Runs of pixels that are on. Lengths of runs that are off and on stand in turns, of seven bits a byte, the lowest first; the last byte of each is below 128. */
+/** Runs of pixels that are on. Lengths of off and on runs alternate, in groups of seven bits, the lowest first; the last byte of each is below 128. */
 function* runs(packed: ArrayLike<number>): Generator<[number, number]> {
   let [at, length, factor, on] = [0, 0, 1, false];
   for (let index = 0; index < packed.length; index++) {
@@ -27,22 +27,21 @@ function* runs(packed: ArrayLike<number>): Generator<[number, number]> {
   }
 }
 
-/** What a camera shows: nothing while it sleeps, and its silhouette, perhaps an empty one, while it is awake. */
+/** The state of a camera: asleep, or awake with a silhouette, which may be empty. */
 export type Look = { awake: boolean; packed: ArrayLike<number> };
 
-/** The same in a word. */
 export function wordOf(look: Look | null): string {
   if (look === null) return 'not loaded';
   if (look.packed.length > 0) return 'person in view';
   return look.awake ? 'no person in view' : 'asleep';
 }
 
-/** Red, green and blue: these do not change with the page's theme, as a film's do not. */
+/** Red, green and blue: these do not change with the page's theme, like those of a film. */
 const ASLEEP = [12, 16, 21] as const;
 const GROUND = [43, 51, 61] as const;
 const BODY = [255, 255, 255] as const;
 
-/** Draws it, a pixel of the canvas for each of the camera's. */
+/** Draws a look, one pixel of the canvas for each pixel of the camera. */
 export function drawLook(canvas: HTMLCanvasElement, size: readonly [number, number], look: Look | null): void {
   const pen = canvas.getContext('2d');
   if (pen === null) return;
@@ -58,7 +57,7 @@ export function drawLook(canvas: HTMLCanvasElement, size: readonly [number, numb
   pen.putImageData(image, 0, 0);
 }
 
-/** Whether two looks are drawn alike. */
+/** Two looks have the same drawing. */
 export function isSame(one: Look | null, other: Look | null): boolean {
   if (one === other) return true;
   if (one === null || other === null || one.awake !== other.awake || one.packed.length !== other.packed.length) return false;

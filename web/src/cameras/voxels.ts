@@ -1,28 +1,28 @@
-// The voxel person: cubes that two cameras agree on, drawn from the south-east and from above.
+// The voxel person: cubes in which two cameras agree, drawn from the south-east and from above.
 
 import { mix, okabeIto, type Palette } from '../plan/palette';
 import { FONT, type Pen } from '../plan/pen';
 import type { At } from '../plan/geometry';
 import type { PersonView } from '../wire';
 
-/** How far from a person's middle the floor is drawn, in metres. */
+/** Distance from the middle of a person to the edges of the drawn floor, in metres. */
 const AROUND_M = 1.1;
-/** How much is drawn upwards, in metres. */
+/** Height of the drawing, in metres. */
 const UP_M = 2;
-/** How steeply it is looked down, as the sine of the angle. */
+/** Sine of the angle of the view below the horizon. */
 const DOWN = 0.42;
 const LEVEL = Math.sqrt(1 - DOWN * DOWN);
 const HALF = Math.SQRT1_2;
 
 type Space = { middle: At; scale: number; left: number; top: number };
 
-/** Where a point of the room is drawn: metres east, north and up. */
+/** The position on the screen of a point in metres east, north and up. */
 function onScreen({ middle, scale, left, top }: Space, x: number, y: number, z: number): At {
   const [east, north] = [x - middle[0], y - middle[1]];
   return [left + (east + north) * HALF * scale, top - ((north - east) * HALF * DOWN + z * LEVEL) * scale];
 }
 
-/** The cubes in the order in which they are drawn, the furthest first: three numbers each. */
+/** The cubes from the farthest to the nearest: three numbers each. */
 export function inOrder(cubes: readonly number[]): [number, number, number][] {
   const all = Array.from({ length: Math.floor(cubes.length / 3) }, (_, index): [number, number, number] => [cubes[index * 3]!, cubes[index * 3 + 1]!, cubes[index * 3 + 2]!]);
   return all.sort((a, b) => a[0] - a[1] - (b[0] - b[1]) || a[2] - b[2]);
@@ -39,7 +39,7 @@ export function drawPerson(pen: Pen, width: number, height: number, person: Pers
   for (const [x, y, z] of inOrder(person.cubes)) {
     const [east, north, up] = [corner[0] + x * edge_m, corner[1] + y * edge_m, z * edge_m];
     const at = (dx: number, dy: number, dz: number) => onScreen(space, east + dx * edge_m, north + dy * edge_m, up + dz * edge_m);
-    // Of a cube three sides are seen: the top, that to the south and that to the east.
+    // Three sides of a cube are visible: the top, the south and the east.
     face(pen, [at(0, 0, 1), at(1, 0, 1), at(1, 1, 1), at(0, 1, 1)], tones[0]);
     face(pen, [at(0, 0, 0), at(1, 0, 0), at(1, 0, 1), at(0, 0, 1)], tones[1]);
     face(pen, [at(1, 0, 0), at(1, 1, 0), at(1, 1, 1), at(1, 0, 1)], tones[2]);
@@ -69,7 +69,7 @@ function drawFloor(pen: Pen, space: Space, palette: Palette): void {
   pen.stroke();
 }
 
-/** How high half a metre, a metre and so on are, at the western corner. */
+/** The scale of heights at the western corner, every half a metre. */
 function drawHeights(pen: Pen, space: Space, palette: Palette): void {
   const [x, y] = [space.middle[0] - 1, space.middle[1] - 1];
   pen.font = `10px ${FONT}`;
@@ -90,7 +90,7 @@ function drawHeights(pen: Pen, space: Space, palette: Palette): void {
   pen.stroke();
 }
 
-/** How somebody is, in words. */
+/** The posture of a person, in words. */
 export function stateOf({ upright, in_between, on_the_ground }: PersonView): string {
   const states = [['upright', upright], ['in between', in_between], ['on the ground', on_the_ground]] as const;
   const best = states.reduce((a, b) => (b[1] > a[1] ? b : a));

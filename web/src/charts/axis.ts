@@ -1,19 +1,19 @@
-// The time from left to right: where an instant is, and which times of the clock are written.
+// The time axis from left to right: positions of instants, and the labelled times.
 
 import { dayMonth, read, time, year } from '../clock';
 import { type Calendar, clockOf, dayAt, sinceMidnight } from '../localtime';
 import type { Palette } from '../plan/palette';
 import { FONT, type Ink } from '../plan/pen';
 
-/** How high the row of times is. */
+/** Height of the row of times. */
 export const AXIS = 18;
 
 type Days = Pick<Calendar, 'days'>;
 
-/** What is in sight, in microseconds of the run. */
+/** The visible interval, in microseconds of the run. */
 export type Sight = { from_us: number; to_us: number };
 
-/** Where names end and time begins, in pixels. */
+/** The end of names and the start of time, in pixels. */
 export function left(width: number): number {
   return Math.min(150, width * 0.3);
 }
@@ -22,7 +22,7 @@ export function right(width: number): number {
   return width - 12;
 }
 
-/** Where on the drawing an instant is, and back. */
+/** The position of an instant on the drawing, and the instant of a position. */
 export function xOf(from_us: number, to_us: number, width: number, at_us: number): number {
   return left(width) + ((at_us - from_us) / Math.max(to_us - from_us, 1)) * (right(width) - left(width));
 }
@@ -32,7 +32,7 @@ export function instantAt(from_us: number, to_us: number, width: number, x: numb
   return from_us + share * (to_us - from_us);
 }
 
-/** The place in `all`, which is in order, of the first that is not before. */
+/** The index of the first element of a sorted list that is not before an instant. */
 export function firstFrom(all: ArrayLike<number>, at_us: number): number {
   let [low, high] = [0, all.length];
   while (low < high) {
@@ -45,17 +45,17 @@ export function firstFrom(all: ArrayLike<number>, at_us: number): number {
 
 const SECOND_US = 1e6;
 const DAY_US = 86_400 * SECOND_US;
-/** Round times within a day, and how many days and months are a round number of them. */
+/** Round times within a day, and round numbers of days and months. */
 const STEPS_US = [1, 2, 5, 10, 30, 60, 120, 300, 600, 1800, 3600, 7200, 10_800, 21_600, 43_200].map((seconds) => seconds * SECOND_US);
 const STEPS_DAYS = [1, 2, 7, 14];
 const STEPS_MONTHS = [1, 2, 3, 6, 12, 24, 60, 120];
 const MONTH_US = 30.44 * DAY_US;
-/** A label has so much room, in pixels. */
+/** Width of a label, in pixels. */
 const ROOM = 62;
 
 export type Tick = { at_us: number; label: string; isDay: boolean };
 
-/** The times that are written, as far apart as there is room for. */
+/** The labelled times, as close as their width permits. */
 export function ticksOf(calendar: Days, { from_us, to_us }: Sight, wide: number): Tick[] {
   const span = Math.max(to_us - from_us, 1);
   const has_room = (step_us: number) => (span / step_us) * ROOM <= wide;
@@ -79,7 +79,7 @@ export function ticksOf(calendar: Days, { from_us, to_us }: Sight, wide: number)
     const [begin, end] = [Math.max(day.begin_us, from_us), Math.min(day.end_us, to_us)];
     const offset = sinceMidnight(day, begin) % step;
     for (let at = begin - offset + (offset > 0 ? step : 0); at <= end; at += step) {
-      // The day's end is the next one's beginning.
+      // The day's end is the start of the next day.
       if (at === day.end_us && number < last) continue;
       const clock = clockOf(calendar, Math.min(at, day.end_us - 1));
       if (!Number.isFinite(clock)) continue;
@@ -95,7 +95,7 @@ function monthsSinceNought(date: string): number {
   return Number(date.slice(0, 4)) * 12 + Number(date.slice(5, 7)) - 1;
 }
 
-/** Where the days are of more than one year, the first date in sight and the first of each year have theirs; the first of a year is its number. */
+/** If the days are of several years, the first visible date and the first date of each year have a label with the year. */
 function withYears(calendar: Days, ticks: Tick[]): Tick[] {
   const yearAt = (number: number) => calendar.days.at(number)?.date.slice(0, 4);
   if (yearAt(0) === yearAt(-1)) return ticks;
@@ -109,7 +109,7 @@ function withYears(calendar: Days, ticks: Tick[]): Tick[] {
   });
 }
 
-/** Marks at round times of the clock, across the whole drawing, and the times in its first row. */
+/** Lines at round times of the clock, across the whole drawing, and the times in its first row. */
 export function drawAxis(pen: Ink, calendar: Days, sight: Sight, width: number, high: number, palette: Palette, labels = true): void {
   pen.font = `11px ${FONT}`;
   pen.textAlign = 'center';

@@ -1,4 +1,4 @@
-// Motion density: a column for each day, its hours from the top down, and how often sensors fired in each.
+// Motion density: a column for each day, its hours from top to bottom, coloured by the number of firings.
 
 import { date, dayMonth, read, twoDigits } from '../clock';
 import { livedOf } from '../localtime';
@@ -12,26 +12,26 @@ export type Density = {
   days: DateView[];
   /** By day and hour of the clock. */
   hours: number[][];
-  /** What comes later is not known yet. */
+  /** Later hours are not known yet. */
   until_us: number;
-  /** What is as bright as can be. */
+  /** The count with the brightest colour. */
   most: number;
 };
 
-/** A round number that nothing is above: as a log grows, its colours seldom change. */
+/** A round upper bound: the colours of a growing log seldom change. */
 export function scaleOf(hours: number[][]): number {
   const most = hours.reduce((a, row) => row.reduce((b, count) => Math.max(b, count), a), 0);
   const tens = 10 ** Math.floor(Math.log10(Math.max(most, 10)));
   return [1, 2, 5, 10].map((step) => step * tens).find((step) => step >= most) ?? most;
 }
 
-/** How often sensors fired; nothing where that hour was not lived. */
+/** The number of firings; null for an hour that was not simulated. */
 export function countAt({ days, hours, until_us }: Density, day: number, hour: number): number | null {
   const of = days[day];
   return of === undefined || livedOf(of, hour, until_us) <= 0 ? null : (hours[day]?.[hour] ?? 0);
 }
 
-/** From 0 to 1; few firings are seen beside many. */
+/** From 0 to 1; few firings are visible next to many. */
 function share(count: number, most: number): number {
   return most === 0 ? 0 : Math.sqrt(count / most);
 }
@@ -47,14 +47,14 @@ export function drawDensity(canvas: HTMLCanvasElement, width: number, high: numb
       const count = countAt(density, day, hour);
       if (count === null) continue;
       pen.fillStyle = count === 0 ? palette.halo : viridis(share(count, density.most));
-      // Neighbours meet at whole pixels, or a seam would be seen between them.
+      // Neighbours meet at whole pixels, to avoid visible seams.
       const [left, top] = [Math.round(day * wide * ratio) / ratio, Math.round(hour * tall * ratio) / ratio];
       pen.fillRect(left, top, Math.max(Math.round((day + 1) * wide * ratio) / ratio - left, 1), Math.round((hour + 1) * tall * ratio) / ratio - top);
     }
   }
 }
 
-/** Where there is more than elsewhere, and less; null is a day that is not known there. */
+/** Draws excess and deficit; null is a day that the other run lacks. */
 export function drawMore(canvas: HTMLCanvasElement, width: number, high: number, more: (number[] | null)[], most: number, palette: Palette): void {
   const pen = penOf(canvas, width, high);
   if (pen === null) return;
@@ -74,7 +74,7 @@ export function drawMore(canvas: HTMLCanvasElement, width: number, high: number,
   });
 }
 
-/** What nothing is drawn over is not known. */
+/** Hatches the unknown part. */
 function hatch(pen: CanvasRenderingContext2D, width: number, high: number, palette: Palette): void {
   pen.fillStyle = palette.outside;
   pen.fillRect(0, 0, width, high);
@@ -90,7 +90,7 @@ function hatch(pen: CanvasRenderingContext2D, width: number, high: number, palet
   pen.globalAlpha = 1;
 }
 
-/** The dates that are written below, as far apart as words are wide: where from the left, and what. */
+/** The dates below, as close as their width permits: position from the left, and text. */
 export function datesOf(days: DateView[], width: number): { x: number; label: string }[] {
   const apart = Math.max(Math.ceil((74 * days.length) / Math.max(width, 1)), 1);
   const step = [1, 2, 7, 14, 28, 56, 91, 182, 364].find((one) => one >= apart) ?? apart;

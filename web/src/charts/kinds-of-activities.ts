@@ -1,5 +1,5 @@
-// What kind of activity a name is of, so that one kind has one colour. What lives tell of has its kind in the program's table;
-// a scenario names its own activities as it likes, so there the beginnings of a name's words decide.
+// The kind of an activity, by its name, so that one kind has one colour. Labels of the program have a kind in its
+// table; a scenario names its own activities freely, so the beginnings of words decide.
 
 import { KINDS, KIND_WORDS, KNOWN } from '../activities';
 import { type Palette, okabeIto } from '../plan/palette';
@@ -15,7 +15,7 @@ export const ACTIVITY_KINDS: readonly ActivityKind[] = Object.entries(KINDS).map
   colour: (palette) => (colour === null ? palette.text : okabeIto[colour]),
 }));
 
-/** What was asked before: a year of a life has tens of thousands of spans, and some dozen names. */
+/** Known names: a year has tens of thousands of intervals, and some dozen names. */
 const asked = new Map<string, ActivityKind>();
 const MOST_ASKED = 2000;
 

@@ -1,4 +1,5 @@
-// A span of time as lanes: what residents did as bands, below them a lane for each sensor with a tick where it fired.
+// An interval as lanes: bands with the activities of residents, and below them a lane for each sensor with a tick for
+// each firing.
 
 import { type Calendar } from '../localtime';
 import { kindOf } from '../plan/kinds';
@@ -14,16 +15,16 @@ import { type Unseen, hatch, unseenIn } from './unseen';
 export const LANE = 15;
 export const BAND = 19;
 
-/** What somebody did, as a band above the lanes. `who` is a resident's number, whose colour stands before the name; `isBeside` is of another run; of `unseen` it is not known. */
+/** Activities of a person, as a band above the lanes. `who` is a resident's number, whose colour is shown before the name; `isBeside` marks another run; `unseen` is unknown. */
 export type Band = { name: string; who: number | null; spans: readonly Span[]; names: readonly string[]; isRoom?: boolean; isBeside?: boolean; unseen?: readonly Unseen[] };
 type Span = readonly [begin: number, end: number, what: number];
 
-/** Whose band it is; a long name is cut at its end. */
+/** The name of a band; a long name is cut at its end. */
 export function bandName({ name, isBeside }: Pick<Band, 'name' | 'isBeside'>): string {
   return isBeside ? `second: ${name}` : name;
 }
 
-/** A sensor, or several of one kind, and when they fired. */
+/** A sensor, or several of one kind, with its firings. */
 export type Lane = {
   name: string;
   kind: string;
@@ -31,22 +32,22 @@ export type Lane = {
   fired: ArrayLike<number>;
   /** The room that it is in. */
   place?: string;
-  /** What was said, by the place in `fired`. */
+  /** The value of a firing, by its index in `fired`. */
   said?: (index: number) => string;
-  /** Of a sensor that says numbers: those, by the place in `fired`. */
+  /** The values of a numeric sensor, by the index in `fired`. */
   curve?: Curve;
-  /** How often it fired in each part of the run; then this is drawn instead of each firing. */
+  /** Its firings in each part of the run, drawn instead of single firings. */
   density?: Counts;
   beside?: Beside;
-  /** When it fired without that being known one by one. */
+  /** Intervals with firings that are not known one by one. */
   unseen?: readonly Unseen[];
-  /** Where it is drawn as counts: another run's, and its own in those parts that the other run has. */
+  /** For counts: those of another run, and its own in the parts that both runs have. */
   densityBeside?: { counts: Counts; shared: Counts };
 };
 
 export type Curve = { values: ArrayLike<number>; low: number; high: number };
 
-/** Firings, counted in parts of equal length from the run's start on. `sums` has how many there were before each part. */
+/** Firings, counted in parts of equal length from the run's start on. `sums` has the total before each part. */
 export type Counts = { bucket_us: number; counts: ArrayLike<number>; sums: Float64Array; most: number };
 
 export function countsOf(bucket_us: number, counts: ArrayLike<number>): Counts {
@@ -59,7 +60,7 @@ export function countsOf(bucket_us: number, counts: ArrayLike<number>): Counts {
   return { bucket_us, counts, sums, most };
 }
 
-/** About how many firings there were between two instants. */
+/** Approximate number of firings between two instants. */
 export function countBetween({ bucket_us, counts, sums }: Counts, from_us: number, to_us: number): number {
   const before = (at_us: number) => {
     const place = Math.min(Math.max(at_us / bucket_us, 0), counts.length);
@@ -69,7 +70,7 @@ export function countBetween({ bucket_us, counts, sums }: Counts, from_us: numbe
   return before(to_us) - before(from_us);
 }
 
-/** How often a lane fired in what is in sight; of what was not seen all of it. */
+/** Firings of a lane in sight, including all of those that were not seen. */
 export function countIn({ fired, density, beside, densityBeside, unseen }: Lane, sight: Sight): number {
   const { from_us, to_us } = sight;
   if (density !== undefined) return countBetween(density, from_us, to_us) + (densityBeside === undefined ? 0 : countBetween(densityBeside.counts, from_us, to_us));
@@ -78,13 +79,13 @@ export function countIn({ fired, density, beside, densityBeside, unseen }: Lane,
   return of(fired) + missing + (beside === undefined ? 0 : of(beside.fired));
 }
 
-/** When the same sensor of another run fired and what it said, by the place in `fired`, and what each of both has alone. Its curve has the range of the lane's own. */
+/** Firings and values of the same sensor in another run, and those without a counterpart in each. Its curve has the range of the lane's own. */
 export type Beside = { fired: ArrayLike<number>; said: (index: number) => string; curve?: Curve; onlyFirst: ArrayLike<number>; onlySecond: ArrayLike<number> };
 
-/** What is drawn of a run: bands of what was done, shades of where it was unsure who is, lanes of firings. */
+/** The content of a drawing: bands of activities, shades of uncertain places, lanes of firings. */
 export type Drawing = { calendar: Pick<Calendar, 'days'>; sight: Sight; bands: Band[]; shades?: Shade[]; lanes: Lane[] };
 
-/** How high what stands above the lanes is. */
+/** The height of the part above the lanes. */
 export function headHeight({ bands, shades = [] }: Pick<Drawing, 'bands' | 'shades'>): number {
   return AXIS + bands.length * BAND + shades.length * LANE;
 }
@@ -149,7 +150,7 @@ function drawBand(pen: Ink, width: number, top: number, { from_us, to_us }: Sigh
     if (to <= from_us || from >= to_us) continue;
     const begin = Math.max(x(from), last);
     const end = Math.max(x(to), begin + 0.5);
-    // What is narrower than a pixel is drawn over by what comes next.
+    // The next interval is drawn over one that is narrower than a pixel.
     last = end - begin < 1 ? begin : end;
     const name = names[what] ?? '';
     const colour = isRoom ? palette.soft : activityKind(name).colour(palette);
@@ -170,7 +171,7 @@ function drawBand(pen: Ink, width: number, top: number, { from_us, to_us }: Sigh
   }
 }
 
-/** Nights behind all else; over months they would be stripes alone, and none are drawn. */
+/** Nights in the background; over months there are none, as they would be nothing but stripes. */
 export function drawNights(pen: Ink, width: number, top: number, high: number, { from_us, to_us }: Sight, nights: readonly (readonly [begin: number, end: number])[], palette: Palette): void {
   if (to_us - from_us > 45 * 86_400e6) return;
   const x = (at: number) => xOf(from_us, to_us, width, Math.min(Math.max(at, from_us), to_us));
@@ -182,12 +183,12 @@ export function drawNights(pen: Ink, width: number, top: number, high: number, {
   pen.globalAlpha = 1;
 }
 
-/** What is wider than so much of the drawing would colour all of it (ours). */
+/** Share of the drawing above which a mark is too wide to be filled (our choice). */
 const LONG_SHARE = 0.05;
-/** How high what is long is drawn. */
+/** Height of such a mark. */
 const THIN = 3;
 
-/** What somebody has marked, or has found: a flag in the row of times, and a stripe below it. Of what is long the stripe is in the first row alone, with a line where it begins and ends. */
+/** A mark of the user, or a hit: a flag in the row of times, and a stripe below it. A long one has its stripe in the first row only, with a line at its beginning and end. */
 export type Mark = { begin_us: number; end_us: number; isOwn?: boolean };
 
 export function drawMarks(pen: Ink, width: number, top: number, high: number, { from_us, to_us }: Sight, marks: readonly Mark[], palette: Palette, flags: boolean): void {
@@ -247,20 +248,20 @@ export function drawFirings(pen: Ink, width: number, top: number, { sight, lanes
   }
 }
 
-/** So many steps of shade are told apart; neighbours of one shade are one stroke. */
+/** Number of shades; neighbours of one shade are one stroke. */
 const SHADES = 12;
 
 type Between = (from_us: number, to_us: number) => number;
 
 const counted = (counts: Counts): Between => (from_us, to_us) => countBetween(counts, from_us, to_us);
 
-/** What there is more of than less; what is less than half a firing is none. */
+/** The excess of one count over another; less than half a firing counts as zero. */
 const more = (counts: Counts, less: Counts): Between => (from_us, to_us) => {
   const by = countBetween(counts, from_us, to_us) - countBetween(less, from_us, to_us);
   return by < 0.5 ? 0 : by;
 };
 
-/** Counts as shades: the more firings a pixel has, the darker; as dark as can be is the most of `all` of them. */
+/** Counts as shades: the more firings a pixel has, the darker; the darkest is the maximum of `all` counts. */
 function shadesOf(pen: Ink, width: number, { from_us, to_us }: Sight, all: readonly Counts[], between: Between, [top, high]: [number, number], colour: string, palest = 0.12): void {
   const [begin, wide] = [left(width), Math.max(Math.floor(right(width) - left(width)), 1)];
   const a_pixel = (to_us - from_us) / wide;
@@ -284,23 +285,23 @@ function shadesOf(pen: Ink, width: number, { from_us, to_us }: Sight, all: reado
   pen.globalAlpha = 1;
 }
 
-/** As firings of two runs are: the first run's counts above the line, the second's below it; what one has more of is in its colour, and farther out. */
+/** Two runs: the first run's counts above the line, the second's below it; the excess of each is in its colour, and farther out. */
 function shadesBeside(pen: Ink, width: number, sight: Sight, density: Counts, { counts, shared }: { counts: Counts; shared: Counts }, middle: number, palette: Palette): void {
   const both = [density, counts];
   shadesOf(pen, width, sight, both, counted(density), [middle - 4, 4], palette.text);
   shadesOf(pen, width, sight, both, counted(counts), [middle + 1, 4], palette.text);
-  // Little of a colour on a thin stripe would not be seen.
+  // A small excess on a thin stripe would be invisible.
   shadesOf(pen, width, sight, both, more(shared, counts), [middle - 7, 3], palette.seen, 0.4);
   shadesOf(pen, width, sight, both, more(counts, shared), [middle + 5, 3], palette.beam, 0.4);
 }
 
-/** What a sensor said as numbers; of two runs each in its colour, the first one's on top. */
+/** The values of a numeric sensor; two runs have their own colours, the first one's on top. */
 function drawCurves(pen: Ink, width: number, sight: Sight, { fired, beside }: Lane, curve: Curve, middle: number, palette: Palette): void {
   if (beside?.curve !== undefined) drawCurve(pen, width, sight, beside.fired, beside.curve, middle, palette.beam);
   drawCurve(pen, width, sight, fired, curve, middle, beside === undefined ? palette.beam : palette.seen);
 }
 
-/** Numbers as a line that steps from one to the next, between the lowest and the highest of all. */
+/** Values as a line in steps, between the lowest and the highest of all. */
 function drawCurve(pen: Ink, width: number, { from_us, to_us }: Sight, fired: ArrayLike<number>, { values, low, high }: Curve, middle: number, colour: string): void {
   const x = (at: number) => xOf(from_us, to_us, width, Math.min(Math.max(at, from_us), to_us));
   const y = (value: number) => middle + 5.5 - ((value - low) / Math.max(high - low, 1e-9)) * 11;
@@ -324,7 +325,7 @@ function drawCurve(pen: Ink, width: number, { from_us, to_us }: Sight, fired: Ar
   pen.stroke();
 }
 
-/** The first run's firings above the line, the second's below it; what one has alone is in its colour, and longer. */
+/** The first run's firings above the line, the second's below it; firings without a counterpart are in the run's colour, and longer. */
 function besides(pen: Ink, width: number, sight: Sight, fired: ArrayLike<number>, { fired: other, onlyFirst, onlySecond }: Beside, middle: number, palette: Palette): void {
   pen.globalAlpha = 0.5;
   ticks(pen, width, sight, fired, middle - 4, 4, palette.text);
@@ -339,7 +340,7 @@ function ticks(pen: Ink, width: number, { from_us, to_us }: Sight, fired: ArrayL
   let last = -Infinity;
   for (let index = firstFrom(fired, from_us); index < fired.length && fired[index]! <= to_us; index++) {
     const place = xOf(from_us, to_us, width, fired[index]!);
-    // Ticks nearer than half a pixel are one.
+    // Ticks within half a pixel are one.
     if (place - last < 0.5) continue;
     last = place;
     pen.fillRect(place - wide / 2, top, wide, high);

@@ -1,11 +1,11 @@
-// How likely everybody was in a place, over a day.
+// The probabilities of places of all residents, over a day.
 
-/** A place; by resident, from when to when they were how likely there, from 0 to 1. */
+/** A place; by resident, intervals with their probability of being there, from 0 to 1. */
 export type Shade = { name: string; by: readonly (readonly Chance[])[] };
 
 export type Chance = readonly [begin: number, end: number, chance: number];
 
-/** The mean chance in each of so many equal parts of a span, in which the chances are in order. */
+/** The mean probability in each of `count` equal parts of an interval; the probabilities are in order. */
 export function columns(chances: readonly Chance[], begin_us: number, end_us: number, count: number): Float32Array {
   const means = new Float32Array(count);
   const part = Math.max(end_us - begin_us, 1) / count;

@@ -1,11 +1,12 @@
-// The floor before cameras: what they see is shaded, and what furniture hides from them is hatched, so that colour is never alone.
+// The fields of cameras: their visible floor is shaded, and the floor hidden by furniture is hatched, so that colour is
+// never alone.
 
 import type { SensorView } from '../wire';
 import { kindOf } from './kinds';
 import type { Pen } from './pen';
 import { type View, toScreen } from './transform';
 
-/** Between two lines of a hatch, in pixels. */
+/** Distance between lines of a hatch, in pixels. */
 const HATCH = 7;
 
 type Rectangle = [left: number, lower: number, right: number, upper: number];
@@ -24,7 +25,7 @@ export function drawCameraFloors(pen: Pen, sensors: readonly SensorView[], view:
   }
 }
 
-/** The path of a rectangle, and where it is on the screen. */
+/** Adds a rectangle to the path, and returns its position on the screen. */
 function add(pen: Pen, view: View, [left, lower, right, upper]: Rectangle): Rectangle {
   const [x, bottom] = toScreen(view, [left, lower]);
   const [end, y] = toScreen(view, [right, upper]);

@@ -12,7 +12,7 @@ function house(floors: (string | null)[]): HomeView {
   return { ...madeUpHome(), rooms };
 }
 
-/** What is stroked and written by a drawing. */
+/** The strokes and texts of a drawing. */
 function drawn(home: HomeView): { frames: number; names: string[]; taken: number } {
   const seen = { frames: 0, names: [] as string[] };
   const taken: Box[] = [];

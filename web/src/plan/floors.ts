@@ -1,4 +1,4 @@
-// The floors of a home that has several, drawn beside each other: a frame around each, and its name.
+// The floors of a home with several, drawn next to each other: a frame around each, and its name.
 
 import type { HomeView } from '../wire';
 import { type At, box } from './geometry';
@@ -9,13 +9,13 @@ import { fitting, isolated } from './words';
 
 export type Floor = { name: string; least: At; most: At };
 
-/** How far a frame is from the rooms in it, so that walls and names of doors stay inside. */
+/** Distance from a frame to the rooms in it, so that walls and names of doors stay inside. */
 const AROUND_M = 0.35;
 
-/** How high a name is with the space around it, at most, in pixels. */
+/** Largest height of a name with the space around it, in pixels. */
 export const NAME_HIGH = 24;
 
-/** The floors that rooms say they are on, in the order of the rooms. */
+/** The floors in the order of the rooms. */
 export function floorsOf(rooms: HomeView['rooms']): Floor[] {
   const floors: Floor[] = [];
   for (const { floor, outline } of rooms) {
@@ -32,7 +32,6 @@ export function floorsOf(rooms: HomeView['rooms']): Floor[] {
   return floors;
 }
 
-/** The home with the frames around its floors. */
 export function framed({ bounds, rooms }: Pick<HomeView, 'bounds' | 'rooms'>): Bounds {
   const [least, most] = bounds;
   return floorsOf(rooms).reduce<Bounds>(
@@ -53,7 +52,7 @@ export function drawFrames(pen: Pen, home: HomeView, view: View, palette: Palett
   pen.setLineDash([]);
 }
 
-/** The names stand on their frames, where no room is; other names keep off them. */
+/** Names on the frames, outside of rooms; other names avoid them. */
 export function drawFloorNames(pen: Pen, home: HomeView, view: View, palette: Palette, taken: Box[]): void {
   pen.textAlign = 'left';
   pen.textBaseline = 'bottom';

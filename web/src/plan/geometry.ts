@@ -16,7 +16,7 @@ export function cross(a: At, b: At): number {
   return a[0] * b[1] - a[1] * b[0];
 }
 
-/** Whether the way from one point to another leads through an outline. */
+/** The way from one point to another crosses an outline. */
 function passes(outline: At[], from: At, to: At): boolean {
   const side = (a: At, b: At, p: At) => Math.sign(cross(minus(b, a), minus(p, a)));
   return outline.some((corner, index) => {
@@ -52,18 +52,18 @@ export function inside(outline: At[], [x, y]: At): boolean {
   return within;
 }
 
-/** The leaf of a door that stands open: from its hinge, the first jamb, a quarter turn against the clock. */
+/** The leaf of an open door: a quarter turn counter-clockwise from its hinge, the first jamb. */
 export function openLeaf(from: At, to: At): At {
   const [dx, dy] = [to[0] - from[0], to[1] - from[1]];
   return [from[0] - dy, from[1] + dx];
 }
 
-/** Where a sensor's glyph points, in radians from east against the clock. */
+/** The direction of a sensor's glyph, in radians counter-clockwise from east. */
 export function facing({ facing_deg }: Pick<SensorView, 'facing_deg'>): number {
   return ((facing_deg ?? 0) * Math.PI) / 180;
 }
 
-/** Which doors stand open now. What can be used says so; the others are as the home has them. */
+/** The state of doors. A usable door reports its state; others have that of the home. */
 export function openDoors(home: HomeView, on: number[]): boolean[] {
   const isOn = new Set(on);
   const things = new Map(home.things.flatMap((thing, index) => (thing.kind === 'door' ? [[thing.name, index]] : [])));
@@ -73,7 +73,7 @@ export function openDoors(home: HomeView, on: number[]): boolean[] {
   });
 }
 
-/** The things that somebody at `at` can reach, the nearest first; not through walls. */
+/** The things within reach of a person at `at`, the nearest first; not through walls. */
 export function within(home: HomeView, at: At, reach_m: number): number[] {
   const walls = home.solids.filter(({ kind }) => kind === 'wall');
   const far = home.things.map((thing) => distance(thing.at, at));

@@ -1,7 +1,7 @@
 import { expect, test } from 'vitest';
 import { Eased, Glow, Pulses, Throttle, isFast } from './glow';
 
-/** How often a brightness swings by more than a tenth up and down again: what WCAG 2.3.1 calls a flash. */
+/** Flashes by WCAG 2.3.1: a brightness rises and falls by more than a tenth. */
 function flashes(levels: number[]): number {
   let [count, low, high, rising] = [0, levels[0]!, levels[0]!, false];
   for (const level of levels) {

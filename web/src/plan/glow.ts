@@ -1,18 +1,17 @@
-// How brightly sensors are drawn, so that nothing on the plan flashes. WCAG 2.3.1 allows three flashes in a second; a run
-// in fast time would make hundreds.
+// The brightness of sensors without flashes. WCAG 2.3.1 allows three flashes a second; a fast run would have hundreds.
 
 const RISE_S = 0.15;
-/** So long one stays lit after it was last seen to be: shorter gaps, of which a second can hold many, are not seen at all. */
+/** A sensor stays lit this long after the last detection, so that shorter gaps, which may be frequent, are invisible. */
 const HOLD_MS = 300;
 const FALL_S = 0.9;
 
-/** By sensor or lamp, from 0 to 1: quick to light up, slow to fade, so that one that comes and goes stays lit. */
+/** By sensor or lamp, from 0 to 1: rises quickly and fades slowly, so that frequent changes keep it lit. */
 export class Glow {
   readonly levels: number[] = [];
   private readonly until_ms: number[] = [];
   private last_ms: number | null = null;
 
-  /** @returns whether anything is lit, or was until now. */
+  /** @returns whether something is lit, or was until now. */
   step(sensors: number, lit: Iterable<number>, now_ms: number): boolean {
     const past = this.last_ms === null ? 0 : Math.min(Math.max((now_ms - this.last_ms) / 1000, 0), 0.25);
     this.last_ms = now_ms;
@@ -30,12 +29,12 @@ export class Glow {
   }
 }
 
-/** A number that goes from 0 to 1 in no less than a second, however fast what it follows. */
+/** A value that takes at least a second from 0 to 1, however fast its target changes. */
 export class Eased {
   level: number | null = null;
   private last_ms = 0;
 
-  /** @returns whether it has moved. */
+  /** @returns whether it has changed. */
   step(target: number, now_ms: number): boolean {
     const most = Math.min(Math.max((now_ms - this.last_ms) / 1000, 0), 0.25);
     this.last_ms = now_ms;
@@ -50,12 +49,12 @@ type Pulse = { sensor: number; since_ms: number };
 const PULSE_MS = 1100;
 const MOST_A_SECOND = 3;
 
-/** The rings around sensors that have just fired: never more than three that begin within a second. */
+/** The rings around sensors that have just fired: at most three begin within a second. */
 export class Pulses {
   private begun: number[] = [];
   private running: Pulse[] = [];
 
-  /** @returns whether a ring begins; where none may, the count beside the sensor still grows. */
+  /** @returns whether a ring begins; otherwise the count next to the sensor still grows. */
   fire(sensor: number, now_ms: number): boolean {
     this.begun = this.begun.filter((at) => at > now_ms - 1000);
     this.running = this.running.filter((pulse) => now_ms - pulse.since_ms < PULSE_MS);
@@ -65,7 +64,7 @@ export class Pulses {
     return true;
   }
 
-  /** Each ring and its age, from 0 to 1. */
+  /** Each ring with its age, from 0 to 1. */
   at(now_ms: number): { sensor: number; age: number }[] {
     this.running = this.running.filter((pulse) => now_ms - pulse.since_ms < PULSE_MS);
     return this.running.map(({ sensor, since_ms }) => ({ sensor, age: (now_ms - since_ms) / PULSE_MS }));
@@ -76,14 +75,14 @@ export class Pulses {
   }
 }
 
-/** From this speed on sensors are not lit one by one: only their counts grow. */
+/** From this speed on, sensors are not lit one by one: only their counts grow. */
 const FAST = 20;
 
 export function isFast(speed: number | null): boolean {
   return speed === null || speed > FAST;
 }
 
-/** Lets something through at most so often. */
+/** Limits the rate of an action. */
 export class Throttle {
   private last_ms = -Infinity;
 

@@ -1,4 +1,4 @@
-// Kinds of sensors: each has a shape, a colour and a word, so that none of them stands alone.
+// Kinds of sensors: each has a shape, a colour and a word, so that none of these is needed alone.
 
 import { okabeIto } from './palette';
 import { SENSOR_KINDS } from '../sensors';
@@ -10,18 +10,18 @@ export type Kind = { word: string; shape: Shape; colour: string };
 type Row = (typeof SENSOR_KINDS)[keyof typeof SENSOR_KINDS];
 type Shape = Row['shape'] | 'square';
 
-/** What the core says of a kind; nothing of one that this page has not met yet. */
+/** The core's row of a kind; null for a kind that this page does not know. */
 export function rowOf(kind: string): Row | null {
   return Object.hasOwn(SENSOR_KINDS, kind) ? SENSOR_KINDS[kind as keyof typeof SENSOR_KINDS] : null;
 }
 
-/** A kind that this page has not met yet is drawn as a grey square under its own word. */
+/** A kind that this page does not know is a grey square with its own name. */
 export function kindOf(kind: string): Kind {
   const row = rowOf(kind);
   return row ? { word: row.label, shape: row.shape, colour: okabeIto[row.colour] } : { word: spoken(kind), shape: 'square', colour: '#8a949f' };
 }
 
-/** Outlines in a square from -1 to 1, x to where it faces, y to its left: canvas and SVG draw the same. */
+/** Outlines in a square from -1 to 1, x to the front, y to the left: canvas and SVG draw the same. */
 export const OUTLINES: Record<Shape, At[]> = {
   arrow: [[1.15, 0], [-0.85, 0.85], [-0.4, 0], [-0.85, -0.85]],
   ring: circle(0.8, 20),

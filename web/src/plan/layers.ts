@@ -1,4 +1,4 @@
-// What can be shown on a plan or left away.
+// The layers of a plan.
 
 export type Layers = {
   beams: boolean;
@@ -18,7 +18,7 @@ export const LAYERS: { id: keyof Layers; title: string }[] = [
   { id: 'trails', title: 'Trails' },
 ];
 
-/** Names of sensors would cover a plan that has many. */
+/** Many names of sensors would cover the plan. */
 export function usual(sensors: number): Layers {
   return { beams: true, areas: true, sensorNames: sensors <= 24, furnitureNames: true, trails: true, cameras: true };
 }

@@ -11,7 +11,7 @@ import { toPlan } from './transform';
 
 const view = { scale: 50, x: 0, y: 0 };
 
-/** Walls at which a bed has its head, along which axis it is long, and how far all of it is turned. */
+/** The wall at the head of a bed, the axis of its length, and its turn. */
 const WALLS: Record<string, { wall: At[]; long: 'x' | 'y'; turn_deg: number }> = {
   north: { wall: [[-3, 1], [3, 1], [3, 1.2], [-3, 1.2]], long: 'y', turn_deg: 0 },
   south: { wall: [[-3, -1.2], [3, -1.2], [3, -1], [-3, -1]], long: 'y', turn_deg: 0 },
@@ -31,7 +31,7 @@ function homeWith(name: string, wall: At[], outline: At[]): HomeView {
 
 const lying = (at: At, heading_deg: number): BodyView => ({ at, heading_deg, posture: 'lying', room: 0, activity: null });
 
-/** Where the head and the feet of a body are drawn, in metres. */
+/** The drawn head and feet of a body, in metres. */
 function drawn(body: BodyView): { head: At; feet: At } {
   let [centre, turn] = [[0, 0] as At, 0];
   let [head, feet] = [0, 0];
@@ -58,7 +58,7 @@ for (const [where, { wall, long, turn_deg }] of Object.entries(WALLS)) {
       const home = homeWith(name, wall, outline);
       const pillows = strokesOf(name, frameOf(name, outline, [wall])!).filter(({ closed }) => closed).map(({ points }) => points);
       expect(pillows).toHaveLength(name === 'bed' ? 1 : 2);
-      // Each in the middle of their half, or of the bed.
+      // In the middle of their half, or of the bed.
       const [spot] = turned([name === 'bed' ? [0, 0] : long === 'x' ? [0, wide / 4] : [wide / 4, 0]], turn_deg);
       for (const heading_deg of [-90, 0, 33, 90, 180, 270]) {
         const { head, feet } = drawn(laid(lying(spot!, heading_deg), lainIn(home)));
@@ -66,7 +66,7 @@ for (const [where, { wall, long, turn_deg }] of Object.entries(WALLS)) {
         expect(inside(outline, feet)).toBe(true);
         const far = (at: At) => Math.min(...pillows.map((pillow) => distance(middle(pillow), at)));
         expect(far(head)).toBeLessThan(far(feet) - 1);
-        // Negative control: as they have come to the bed, most do not.
+        // Negative control: with their heading on arrival, most do not.
         if (heading_deg === 180) expect(pillows.some((pillow) => inside(pillow, drawn(lying(spot!, heading_deg)).head))).toBe(where === 'west');
       }
     }

@@ -1,4 +1,5 @@
-// What changes from frame to frame: the floor's light, doors, what is on, what sensors see, and people.
+// The parts of a plan that change from frame to frame: the floor's light, doors, states of things, detections, and
+// people.
 
 import type { BodyView, HomeView, ResidentView } from '../wire';
 import { type At, box, distance, inside, openDoors, openLeaf } from './geometry';
@@ -10,10 +11,10 @@ import { type Step, Trails } from './trails';
 import { type Size, type View, toScreen } from './transform';
 import { isolated, shortened } from './words';
 
-/** An opening wider than this has no leaf. */
+/** A wider opening has no leaf. */
 const WIDEST_LEAF_M = 1.3;
 
-/** The floor by daylight, and by how bright the lamp of each room is. */
+/** The floor by daylight, and by the brightness of the lamp of each room. */
 export function drawFloor(pen: Pen, home: HomeView, view: View, palette: Palette, day: number, lamps: number[]): void {
   home.rooms.forEach((room, index) => {
     pen.beginPath();
@@ -23,13 +24,13 @@ export function drawFloor(pen: Pen, home: HomeView, view: View, palette: Palette
   });
 }
 
-/** The rooms whose lamp is on: a lamp has its room's name. */
+/** Rooms with their lamp on: a lamp has its room's name. */
 export function litRooms(home: HomeView, on: number[]): number[] {
   const lit = new Set(on.flatMap((index) => (home.things[index]?.kind === 'lamp' ? [home.things[index].name] : [])));
   return home.rooms.flatMap((room, index) => (lit.has(room.name) ? [index] : []));
 }
 
-/** On which side of their jambs the doors of a home open: 1 is a quarter turn against the clock from the second jamb. */
+/** The side to which each door opens: 1 is a quarter turn counter-clockwise from the second jamb. */
 export function sides(home: HomeView): number[] {
   const furniture = home.solids.filter(({ kind }) => kind === 'furniture').map(({ outline }) => ({ outline, box: box(outline) }));
   return home.doors.map((door) => {
@@ -108,9 +109,9 @@ export function drawOn(pen: Pen, home: HomeView, view: View, palette: Palette, o
   }
 }
 
-/** Beams and areas of sensors that see somebody, as bright as their glow. */
+/** Beams and areas of sensors that detect a person, as bright as their glow. */
 export function drawSeen(pen: Pen, home: HomeView, view: View, palette: Palette, levels: number[], layers: Layers): void {
-  // Many at once would cover the plan with a colour that then says nothing.
+  // Many at once would cover the plan with a colour without information.
   const alpha = Math.min(0.45, 2.2 / Math.max(levels.filter((level) => level > 0.3).length, 1));
   home.sensors.forEach((sensor, index) => {
     const level = levels[index] ?? 0;
@@ -158,7 +159,7 @@ export function drawPulses(pen: Pen, home: HomeView, view: View, palette: Palett
   pen.globalAlpha = 1;
 }
 
-/** In fast time: how often each sensor fired, beside it. */
+/** In fast time: the count of each sensor next to it. */
 export function drawCounts(pen: Pen, home: HomeView, view: View, palette: Palette, counts: number[]): void {
   pen.font = `600 11px ${FONT}`;
   pen.textAlign = 'center';
@@ -193,21 +194,21 @@ export function drawTrails(pen: Pen, view: View, trails: Step[][], now_ms: numbe
   pen.globalAlpha = 1;
 }
 
-/** How much is seen of a body of which nobody knows that it is there. */
+/** Smallest opacity of a body with an uncertain position. */
 const FAINTEST = 0.2;
 
-/** Who is less sure to be there has a question mark. */
+/** Probability below which a person has a question mark. */
 const SURE = 0.5;
 
 export function colourOf(resident: number): string {
   return people[resident % people.length]!;
 }
 
-/** Half of the length of somebody who lies, and half of their head's, as they are to half of the shoulders' breadth (ours). */
+/** Half of the length of a lying person, and half of the head's, relative to half of the shoulders' breadth (our choice). */
 const LYING = 3.65;
 const HEAD = 0.55;
 
-/** `sure` is how likely somebody is there, from 0 to 1: who is unsure is faint. */
+/** `sure` is the probability of the position, from 0 to 1: uncertain people are faint. */
 export type Person = { resident: ResidentView; body: BodyView; index: number; driven: boolean; sure: number };
 
 export function drawPeople(pen: Pen, view: View, palette: Palette, persons: Person[], size: Size): void {
@@ -227,7 +228,7 @@ function body(pen: Pen, view: View, palette: Palette, { resident, body, index, d
   pen.lineWidth = 1.6;
   pen.beginPath();
   if (body.posture === 'lying') {
-    // From above: trunk and head in one line, their middle where somebody is.
+    // From above: trunk and head in one line, centred on the position.
     const [feet, neck] = [-radius * LYING, radius * (LYING - 2 * HEAD + 0.15)];
     pen.roundRect(feet, -radius * 0.75, neck - feet, radius * 1.5, radius * 0.7);
     pen.fill();
@@ -273,7 +274,7 @@ function name(pen: Pen, view: View, palette: Palette, { resident, body, index, s
   pen.textAlign = 'center';
   pen.textBaseline = 'middle';
   const width = pen.measureText(words).width + 12;
-  // At an edge of the picture it stays inside, as long as the body does.
+  // At an edge of the picture the name stays inside, as long as the body does.
   const isIn = at >= 0 && at <= size.width;
   const x = isIn ? Math.min(Math.max(at, width / 2 + 2), Math.max(size.width - width / 2 - 2, width / 2 + 2)) : at;
   const reach = radius * Math.max(1.6, body.posture === 'lying' ? LYING * Math.abs(Math.sin((body.heading_deg * Math.PI) / 180)) : 0);

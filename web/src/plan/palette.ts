@@ -1,5 +1,5 @@
-// Colours of the plan. Kinds take theirs from Okabe and Ito's palette, which tells them apart for the colour-blind, too;
-// a glyph's outline, not its fill, is what stands out from the floor.
+// Colours of the plan. Kinds use the palette of Okabe and Ito, which colour-blind people can distinguish; the outline
+// of a glyph, not its fill, contrasts with the floor.
 
 export const okabeIto = {
   orange: '#E69F00',
@@ -12,7 +12,7 @@ export const okabeIto = {
   black: '#000000',
 } as const;
 
-/** Of residents, in their order; a name stands beside each, so that colour is never alone. */
+/** Of residents, in their order; a name is next to each, so that colour is never alone. */
 export const people: readonly string[] = [
   okabeIto.vermillion,
   okabeIto.blue,
@@ -23,7 +23,7 @@ export const people: readonly string[] = [
   okabeIto.yellow,
 ];
 
-/** Viridis at eleven steps, from Matplotlib; between them is mixed. */
+/** Viridis at eleven steps, from Matplotlib; colours in between are mixed. */
 const VIRIDIS = [
   '#440154', '#482475', '#414487', '#355f8d', '#2a788e', '#21918c', '#22a884', '#44bf70', '#7ad151', '#bddf26', '#fde725',
 ];
@@ -46,7 +46,7 @@ function channels(colour: string): number[] {
   return [1, 3, 5].map((at) => parseInt(colour.slice(at, at + 2), 16));
 }
 
-/** The contrast of two colours as WCAG counts it, from 1 to 21. */
+/** The contrast of two colours by WCAG, from 1 to 21. */
 export function contrast(a: string, b: string): number {
   const [dark, bright] = [luminance(a), luminance(b)].sort((x, y) => x - y) as [number, number];
   return (bright + 0.05) / (dark + 0.05);
@@ -74,9 +74,9 @@ export type Palette = {
   sensor: string;
   halo: string;
   beam: string;
-  /** Seen by a sensor; of two runs that are compared the first, as `beam` is the second. */
+  /** Detections; of two compared runs the first, as `beam` is the second. */
   seen: string;
-  /** On a time line: what was looked for and found, and what somebody has marked. */
+  /** On a time line: hits of a search, and marks of the user. */
   found: string;
   marked: string;
   area: string;
@@ -128,7 +128,7 @@ export const dark: Palette = {
   outline: '#f4f7fa',
 };
 
-/** How much of day there is under the sun, from 0 to 1: dark below the horizon, with some twilight on either side. */
+/** Daylight by the height of the sun, from 0 to 1: dark below the horizon, with some twilight on either side. */
 export function daylight(sun: number): number {
   return Math.min(Math.max((sun + 0.12) / 0.27, 0), 1);
 }

@@ -1,4 +1,4 @@
-// Strokes that still and moving things have in common.
+// Strokes that still and moving parts share.
 
 import type { At } from './geometry';
 import { type Kind, OUTLINES } from './kinds';
@@ -7,7 +7,7 @@ import { type View, toScreen } from './transform';
 
 export type Pen = CanvasRenderingContext2D;
 
-/** The strokes that charts are made of, which a picture of lines has as well as a canvas. */
+/** The strokes of charts, which SVG pictures support as well as a canvas. */
 export type Ink = Pick<
   Pen,
   'fillRect' | 'fillText' | 'measureText' | 'beginPath' | 'moveTo' | 'lineTo' | 'closePath' | 'arc' | 'fill' | 'stroke' | 'globalAlpha' | 'fillStyle' | 'strokeStyle' | 'lineWidth' | 'lineJoin' | 'font' | 'textAlign' | 'textBaseline'
@@ -18,18 +18,18 @@ export type Box = [number, number, number, number];
 
 export const FONT = 'system-ui, -apple-system, "Segoe UI", Roboto, "Noto Sans", sans-serif';
 
-/** Pixels of the screen for each of the page's; more than two are not seen. */
+/** Pixels of the screen for each pixel of the page; more than two are invisible. */
 export function pixelRatio(): number {
   return Math.min(window.devicePixelRatio, 2);
 }
 
-/** To draw on an empty canvas, in pixels of the page; nothing while it has no size. */
+/** Clears a canvas and returns its context, in pixels of the page; null while it has no size. */
 export function penOf(canvas: HTMLCanvasElement, width: number, height: number): Pen | null {
   const pen = canvas.getContext('2d');
   if (pen === null || width < 1) return null;
   const ratio = pixelRatio();
   const [wide, high] = [Math.round(width * ratio), Math.round(height * ratio)];
-  // Setting the size clears a canvas and gets it new memory.
+  // Setting the size clears a canvas and reallocates its memory.
   if (canvas.width !== wide || canvas.height !== high) [canvas.width, canvas.height] = [wide, high];
   pen.setTransform(ratio, 0, 0, ratio, 0, 0);
   pen.clearRect(0, 0, width, height);
@@ -54,7 +54,7 @@ export function segments(pen: Pen, view: View, beams: [At, At][]): void {
   }
 }
 
-/** A kind's sign around a point on the screen; `angle` is that to which it faces, from east against the clock. */
+/** A kind's sign around a point on the screen; `angle` is its direction, counter-clockwise from east. */
 export function glyph(pen: Ink, kind: Kind, [x, y]: At, size: number, angle: number, palette: Palette): void {
   const [cos, sin] = [Math.cos(angle), Math.sin(angle)];
   pen.beginPath();
@@ -82,7 +82,7 @@ export function glyph(pen: Ink, kind: Kind, [x, y]: At, size: number, angle: num
   }
 }
 
-/** Text around a point, with a rim in the colour of what it lies on, so that lines below it do not cross it. */
+/** Text around a point, with a rim in the colour of its ground, so that lines below do not cross it. */
 export function text(pen: Pen, words: string, x: number, y: number, colour: string, rim: string | null, width = 3.5): void {
   if (rim !== null) {
     pen.lineJoin = 'round';

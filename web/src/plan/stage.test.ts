@@ -20,7 +20,7 @@ const scene: Scene = { home: run.home, residents: run.residents, driven: null, l
 
 beforeEach(() => {
   calls = [];
-  // A canvas that draws nothing, and remembers what it was asked to draw.
+  // A canvas that draws nothing, and records the calls.
   vi.spyOn(HTMLCanvasElement.prototype, 'getContext').mockImplementation(function (this: HTMLCanvasElement) {
     return new Proxy({}, {
       get: (_, name: string) => (...args: unknown[]) => {
@@ -38,7 +38,7 @@ beforeEach(() => {
 
 afterEach(() => vi.restoreAllMocks());
 
-/** What was drawn since the last time, on the canvas that is seen and on the others. */
+/** The calls since the last time, on the visible canvas and on the others. */
 function drawn(now_ms: number, counts: number[] = []): { seen: Call[]; kept: Call[]; did: boolean } {
   calls = [];
   const did = stage.draw(now_ms, counts);
@@ -71,7 +71,7 @@ test('no door is drawn over names', () => {
   const last = (of: string) => seen.findLastIndex(({ name }) => name === of);
   expect(scene.home.doors.length).toBeGreaterThan(0);
   expect(last('stroke')).toBeGreaterThan(-1);
-  // Before a frame has come the sheet with all names is the last that is laid on.
+  // Before the first frame, the sheet with all names is drawn last.
   expect(last('drawImage')).toBeGreaterThan(last('stroke'));
 });
 
@@ -94,7 +94,7 @@ test('who lies in a bed has the head at the wall, whatever way they came', () =>
   take({ bodies: [{ ...body(1.2), at: [1.2, 6.4], heading_deg: 90, posture: 'lying' }, null] }, 0);
   expect(heads()).toEqual([['-1', '0']]);
   take({ bodies: [{ ...body(3), at: [3, 6.4], heading_deg: 90, posture: 'lying' }, null] }, 0);
-  // Beside it as they came.
+  // Next to each other, in the order of arrival.
   expect(heads()).toEqual([['0', '1']]);
 });
 
@@ -154,7 +154,7 @@ test('a clock with a long name hides nothing of the home', () => {
   expect(hides(corner(), clock)).toBe(true);
   stage.past(clock);
   expect(hides(corner(), clock)).toBe(false);
-  // Where somebody has moved the home, it stays.
+  // A home that the user has moved stays.
   stage.pan(-5, -5);
   const moved = stage.view;
   stage.past({ width: 100, height: 400 });
@@ -197,10 +197,10 @@ test('names of people and of sensors stay inside the picture', () => {
   const at = (words: string) => drawn(0).seen.filter((call) => call.name === 'fillText' && String(call.args[0]).includes(words)).map((call) => Number(call.args[2]));
   take({}, 0);
   const [first] = at('Agnes');
-  // The name is above her, and there is no room for it.
+  // Her name is above her, and has no room there.
   stage.pan(0, -first! - 4);
   expect(at('Agnes')[0]).toBeGreaterThan(8);
-  // Who is out of the picture has no name in it.
+  // A person out of the picture has no name in it.
   stage.pan(0, -400);
   expect(at('Agnes')[0]).toBeLessThan(0);
   stage.fit();

@@ -1,4 +1,4 @@
-// A plan on a canvas: it keeps what stands still on a canvas of its own, and draws over it only what moves.
+// A plan on a canvas: still parts are on a canvas of their own, and only the moving parts are drawn over it.
 
 import type { Frame, HomeView, ResidentView } from '../wire';
 import { type At, distance } from './geometry';
@@ -23,10 +23,10 @@ export function waysPast({ width, height }: Size): Insets[] {
   ];
 }
 
-/** How large the clock is until it is told. */
+/** The size of the clock until it is measured. */
 const CLOCK: Size = { width: 150, height: 92 };
 
-/** How near the pointer must come to a sensor to be told its name, in pixels. */
+/** Distance at which the pointer shows the name of a sensor, in pixels. */
 const NEAR = 14;
 
 export type Scene = {
@@ -43,12 +43,12 @@ export class Stage {
   private size: Size = { width: 0, height: 0 };
   private dpr = 1;
   private scene: Scene | null = null;
-  /** How large the clock was at most, or is until it is told. */
+  /** The largest size of the clock, or the default. */
   private clock = CLOCK;
   private fitted = true;
   private sides: number[] = [];
   private lain: Lain[] = [];
-  /** What lies below the beams that see somebody, and what must be read over them. */
+  /** The parts below the beams of detections, and the texts over them. */
   private readonly still = document.createElement('canvas');
   private readonly names = document.createElement('canvas');
   private stillIs = false;
@@ -57,7 +57,7 @@ export class Stage {
   private readonly day = new Eased();
   private readonly pulses = new Pulses();
   private readonly trails = new Trails();
-  /** What the counts were when they were last let grow. */
+  /** The counts at the last growth. */
   private shown: number[] = [];
   private readonly counting = new Throttle(400);
   private frame: Frame | null = null;
@@ -75,7 +75,7 @@ export class Stage {
       this.trails.clear();
       this.pulses.clear();
       this.frame = null;
-      // The same home is told of again with each run: it stays where somebody has moved it.
+      // Each run sends the same home again: it stays where the user has moved it.
       if (String(before?.bounds) !== String(scene.home.bounds)) this.fitted = true;
     }
     this.scene = scene;
@@ -85,7 +85,7 @@ export class Stage {
 
   resize(width: number, height: number, dpr: number): void {
     if (width < 1 || height < 1) return;
-    // Beyond two there is nothing more to see, but four times as much to fill.
+    // More than two is invisible, but takes four times as long.
     this.dpr = Math.min(dpr, 2);
     const before = toPlan(this.view, [this.size.width / 2, this.size.height / 2]);
     this.size = { width, height };
@@ -101,7 +101,7 @@ export class Stage {
     this.stale();
   }
 
-  /** A clock of this size hides nothing of the plan. What it says changes as time goes on, and the plan stays where it is when that is less. */
+  /** Keeps an area of this size free. The plan does not move if the clock becomes smaller. */
   past({ width, height }: Size): void {
     const clock = { width: Math.max(width, this.clock.width), height: Math.max(height, this.clock.height) };
     if (clock.width === this.clock.width && clock.height === this.clock.height) return;
@@ -109,13 +109,13 @@ export class Stage {
     if (this.fitted) this.fit();
   }
 
-  /** The clock says something else from now on: how large it was is no longer so. */
+  /** The content of the clock changes: forgets its size. */
   forgetClock(): void {
     this.clock = CLOCK;
     if (this.fitted) this.fit();
   }
 
-  /** All of the home, in the middle. */
+  /** Shows all of the home, in the middle. */
   fit(): void {
     this.fitted = true;
     if (this.scene) {
@@ -138,7 +138,7 @@ export class Stage {
     this.stale();
   }
 
-  /** What is painted over floor and furniture, below what sensors see, all names and people. */
+  /** Draws over floor and furniture, below detections, names and people. */
   over(paint: ((pen: Pen, view: View) => void) | null): void {
     this.paint = paint;
     this.dirty = true;
@@ -154,7 +154,7 @@ export class Stage {
     return nearest;
   }
 
-  /** `sure` is how likely each body is where it is, if that is not certain. */
+  /** `sure` is the probability of each body's position, if it is uncertain. */
   take(frame: Frame, now_ms: number, sure: readonly number[] | null = null): void {
     const goesBack = this.frame !== null && frame.now_us < this.frame.now_us;
     if (goesBack) this.trails.clear();
@@ -166,7 +166,7 @@ export class Stage {
     this.dirty = true;
   }
 
-  /** @returns whether anything was drawn: a run that is paused costs nothing. */
+  /** @returns whether it drew something: a paused run costs nothing. */
   draw(now_ms: number, counts: number[] = []): boolean {
     const scene = this.scene;
     const pen = this.canvas.getContext('2d');
@@ -193,7 +193,7 @@ export class Stage {
     this.copy(pen, this.still);
     this.paint?.(pen, view);
     drawSeen(pen, scene.home, view, scene.palette, this.glow.levels, scene.layers);
-    // Below all names, for a sensor on a door is where the door is.
+    // Below all names, as a sensor on a door is at the same place.
     drawDoors(pen, scene.home, view, scene.palette, frame?.on ?? [], this.sides);
     this.copy(pen, this.names);
     if (frame === null) return true;

@@ -1,5 +1,5 @@
-// What stands still: furniture, walls, sensors with their beams and areas, and all names. It is drawn once and copied into
-// each frame; the floor is not in it, for that changes with the sun and the lamps.
+// The still parts of a plan: furniture, walls, sensors with their beams and areas, and all names. They are drawn once
+// and copied into each frame; the floor changes with the sun and the lamps, and is not among them.
 
 import type { HomeView, SensorView } from '../wire';
 import { drawCameraFloors } from './cameras';
@@ -15,7 +15,7 @@ import { fitting, isolated, shortened } from './words';
 
 export const GLYPH = 6.5;
 
-/** Below so many pixels a metre, signs of furniture are blots, and names of sensors hide the home (ours). */
+/** Pixels a metre below which signs of furniture are blots, and names of sensors hide the home (our choice). */
 const LEAST_SYMBOL = 22;
 const LEAST_SENSOR_NAME = 20;
 
@@ -29,8 +29,8 @@ export function drawStill(pen: Pen, home: HomeView, view: View, layers: Layers, 
 }
 
 /**
- * Glyphs and names. None is written over another: what finds no place is left away.
- * @param marks what is drawn over them, which they keep off.
+ * Glyphs and names. None overlaps another: those without a place are omitted.
+ * @param marks later drawings, which they avoid.
  */
 export function drawNames(pen: Pen, home: HomeView, view: View, layers: Layers, palette: Palette, size: Size, marks: Box[] = []): void {
   const taken: Box[] = [...marks];
@@ -85,7 +85,7 @@ function areas(pen: Pen, sensors: SensorView[], view: View, palette: Palette): v
 function beams(pen: Pen, sensors: SensorView[], view: View, palette: Palette): void {
   pen.strokeStyle = palette.beam;
   pen.lineWidth = 0.8;
-  // The more there are, the fainter is each, so that the plan stays a plan.
+  // The more there are, the fainter is each, so that the plan remains readable.
   pen.globalAlpha = Math.min(0.22, 3 / Math.max(sensors.length, 1));
   for (const sensor of sensors) {
     pen.beginPath();
@@ -100,7 +100,7 @@ function walls(pen: Pen, home: HomeView, view: View, palette: Palette): void {
   for (const solid of home.solids) if (solid.kind === 'wall') trace(pen, view, solid.outline);
   pen.fillStyle = palette.wall;
   pen.fill();
-  // Walls that meet leave a hairline between them without it.
+  // Without it, walls that meet leave a hairline between them.
   pen.lineWidth = 0.6;
   pen.strokeStyle = palette.wall;
   pen.stroke();
@@ -114,7 +114,6 @@ function sensors(pen: Pen, sensors: SensorView[], view: View, palette: Palette, 
   }
 }
 
-/** Where a sensor's glyph is on the screen. */
 export function place(sensor: SensorView, view: View): At {
   return toScreen(view, sensor.at);
 }
@@ -166,7 +165,7 @@ function furnitureNames(pen: Pen, home: HomeView, view: View, palette: Palette, 
   }
 }
 
-/** A name on one line, or on two where it has two words; nothing where it would be cut to a stump. */
+/** A name on one line, or on two if it has two words; empty if hardly anything of it would remain. */
 function broken(name: string, width: number, lines: number, measure: (text: string) => number): string[] {
   const whole = shortened(name, 32);
   if (lines < 1) return [];

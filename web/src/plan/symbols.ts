@@ -1,5 +1,5 @@
-// What a piece of furniture is and which of its sides is the front, as strokes inside its outline. A file says no front: the back is
-// the side at a wall, or else the one that has it where a piece is put down unturned.
+// The symbol and the front of a piece of furniture, as strokes inside its outline. A file does not state the front: the
+// back is the side at a wall, or else the back of the unturned piece.
 
 import { type At, distance, middle, minus } from './geometry';
 import type { Pen } from './pen';
@@ -9,9 +9,9 @@ import { type View, toScreen } from './transform';
 type Line = { points: At[]; closed?: true } | { centre: At; radius: number };
 
 type Symbol = {
-  /** Words by which it is known. */
+  /** The words of its names. */
   names: RegExp;
-  /** Which sides can be its back: those as short as beds' heads, or as long as sofas' backs. */
+  /** The sides that can be its back: those as short as beds' heads, or as long as sofas' backs. */
   back: 'short' | 'long';
   lines: Line[];
   /** Whether people lie in it. */
@@ -40,26 +40,25 @@ const SYMBOLS: Symbol[] = [
   { names: /desk/, back: 'long', lines: [box(-0.3, 0.3, 0.3, 0.6)] },
 ];
 
-/** Farther than this from a wall's face no side is at it (ours). */
+/** Largest distance of a side at a wall from the wall's face (our choice). */
 const AT_WALL_M = 0.15;
-/** A piece is long whose sides differ by so much (ours): of others any side can be the back. */
+/** Ratio of the sides of a long piece (our choice): any side of other pieces can be the back. */
 const LONG = 1.15;
 
 /** A rectangle's own axes: half of its width to the right and half of its depth to the back, from its middle. */
 export type Frame = { at: At; right: At; back: At };
 
-/** What a piece is by its name. */
 function symbolOf(name: string): Symbol | undefined {
   const lower = name.toLowerCase();
   return SYMBOLS.find(({ names }) => names.test(lower));
 }
 
-/** Which of its two sides can be the back of a piece that is called so. */
+/** The possible back of a piece with a name. */
 export function backOf(name: string): 'short' | 'long' {
   return symbolOf(name)?.back ?? 'long';
 }
 
-/** The axes of a piece whose outline has four corners; nothing of one that is no rectangle. */
+/** The axes of a piece with four corners; null for other outlines. */
 export function frameOf(name: string, outline: At[], walls: At[][]): Frame | null {
   if (outline.length !== 4) return null;
   const [a, b, c, d] = outline as [At, At, At, At];
@@ -68,7 +67,7 @@ export function frameOf(name: string, outline: At[], walls: At[][]): Frame | nul
   const half = (from: At, to: At): At => [(to[0] - from[0]) / 2, (to[1] - from[1]) / 2];
   const [width, depth] = [half(a, b), half(b, c)];
   const opposite = ([x, y]: At): At => [-x, -y];
-  // Each side by the way to it from the middle; unturned, the back is above.
+  // Each side by the way to it from the middle; the back of an unturned piece is above.
   const ways: { to: At; along: number }[] = [depth, opposite(depth), opposite(width), width].map((to, index) => ({ to, along: Math.hypot(...(index < 2 ? width : depth)) }));
   const [least, most] = [Math.min(...ways.map(({ along }) => along)), Math.max(...ways.map(({ along }) => along))];
   const short = backOf(name) === 'short';
@@ -77,7 +76,7 @@ export function frameOf(name: string, outline: At[], walls: At[][]): Frame | nul
   const atWall = proper.map((way) => ({ way, far_m: far(way) })).filter(({ far_m }) => far_m <= AT_WALL_M);
   const nearest = atWall.sort((one, other) => one.far_m - other.far_m)[0]?.way;
   const back = (nearest ?? proper[0]!).to;
-  // To the right of who looks to the back.
+  // Right as seen toward the back.
   const turned: At = [back[1], -back[0]];
   const wide = Math.abs(turned[0] * width[0] + turned[1] * width[1]) > Math.abs(turned[0] * depth[0] + turned[1] * depth[1]) ? width : depth;
   const right = wide[0] * turned[0] + wide[1] * turned[1] < 0 ? opposite(wide) : wide;
@@ -85,15 +84,15 @@ export function frameOf(name: string, outline: At[], walls: At[][]): Frame | nul
 }
 
 /**
- * The ways from its middle to where the heads are of people who lie in a piece: at its back, where beds have their pillows, or at
- * either end of one that is wider than deep, as sofas are. None where nobody lies in it.
+ * The ways from its middle to the heads of people who lie in a piece: at its back, where beds have their pillows, or at
+ * either end of one that is wider than deep, as sofas are. Empty for other pieces.
  */
 export function headsOf(name: string, { right, back }: Frame): At[] {
   if (symbolOf(name)?.isLainIn === undefined) return [];
   return Math.hypot(...right) < Math.hypot(...back) * LONG ? [back] : [right, [-right[0], -right[1]]];
 }
 
-/** How far a point is from an outline; nothing inside of it. */
+/** The distance of a point from the sides of an outline. */
 function distanceTo(outline: At[], at: At): number {
   return Math.min(...outline.map((from, index) => toLine(at, from, outline[(index + 1) % outline.length]!)));
 }
@@ -105,7 +104,7 @@ function toLine(at: At, from: At, to: At): number {
   return distance(at, [from[0] + way[0] * held, from[1] + way[1] * held]);
 }
 
-/** The strokes of a piece, in metres; of one that has no sign of its own a small arrow at its front. */
+/** The strokes of a piece, in metres; a small arrow at the front of a piece without a symbol. */
 export function strokesOf(name: string, frame: Frame): { points: At[]; closed: boolean }[] {
   const place = ([across, back]: At): At => [
     frame.at[0] + frame.right[0] * across + frame.back[0] * back,
@@ -115,7 +114,7 @@ export function strokesOf(name: string, frame: Frame): { points: At[]; closed: b
   if (symbol === undefined) return [];
   return symbol.lines.map((one) => {
     if ('points' in one) return { points: one.points.map(place), closed: one.closed === true };
-    // A circle keeps its form in a piece that is longer than wide.
+    // A circle stays round in a piece that is longer than wide.
     const [wide, deep] = [Math.hypot(...frame.right), Math.hypot(...frame.back)];
     const radius = one.radius * Math.min(wide, deep);
     const points = Array.from({ length: 20 }, (_, index): At => {
@@ -126,7 +125,7 @@ export function strokesOf(name: string, frame: Frame): { points: At[]; closed: b
   });
 }
 
-/** Where the front of a piece is: a small arrow that stands out of it, in metres. */
+/** The front of a piece: a small arrow that stands out of it, in metres. */
 export function frontOf({ at, right, back }: Frame): At[] {
   const [wide, deep] = [Math.hypot(...right) || 1, Math.hypot(...back) || 1];
   const unit = (to: At, by: number, size: number): At => [(to[0] / size) * by, (to[1] / size) * by];

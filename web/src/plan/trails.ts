@@ -1,13 +1,13 @@
-// Where bodies have just been.
+// The recent ways of bodies.
 
 import { type At, distance } from './geometry';
 import type { Frame } from '../wire';
 
 const KEPT_MS = 9000;
 const LONGEST = 400;
-/** Nearer steps add nothing that one could see. */
+/** Shorter steps are invisible. */
 const STEP_M = 0.04;
-/** A body that is this far from where it was has been taken there: it has left no trail, and what was before is over. */
+/** A longer step is a jump: it leaves no trail, and ends the old one. */
 const LEAP_M = 0.8;
 
 export type Step = { at: At; since_ms: number };
@@ -27,12 +27,12 @@ export class Trails {
       const far = last === undefined ? Infinity : distance(last.at, body.at);
       if (far > LEAP_M) steps.length = 0;
       if (far > STEP_M) steps.push({ at: body.at, since_ms: now_ms });
-      // In a hidden tab frames come, but nothing is drawn that would fade them.
+      // In a hidden tab frames arrive, but no drawing fades them.
       if (steps.length > LONGEST) steps.splice(0, steps.length - LONGEST);
     });
   }
 
-  /** @returns whether any step is left. */
+  /** @returns whether any step remains. */
   fade(now_ms: number): boolean {
     for (const steps of this.of) {
       let old = 0;
@@ -42,7 +42,7 @@ export class Trails {
     return this.of.some((steps) => steps.length > 1);
   }
 
-  /** How much of a step is left, from 1 to 0. */
+  /** The strength of a step, from 1 to 0. */
   static left(step: Step, now_ms: number): number {
     return Math.max(1 - (now_ms - step.since_ms) / KEPT_MS, 0);
   }

@@ -1,22 +1,22 @@
-// The way from metres on the plan, y up, to CSS pixels on the screen, y down, and back.
+// The map from metres on the plan, y up, to CSS pixels on the screen, y down, and back.
 
 import type { At } from './geometry';
 
-/** How the plan lies on the screen: pixels a metre, and where the plan's origin is. */
+/** The position of the plan on the screen: pixels a metre, and the plan's origin. */
 export type View = { scale: number; x: number; y: number };
 
 export type Size = { width: number; height: number };
 
 export type Bounds = [At, At];
 
-/** Nearer than this a shoe fills the screen; farther, a house is a dot. */
+/** At a larger scale a shoe fills the screen; at a smaller one a house is a dot. */
 const NEAREST = 600;
 const FARTHEST = 4;
 
-/** What is kept free at the edges, in pixels. */
+/** Free space at the edges, in pixels. */
 export type Insets = { left: number; top: number; right: number; bottom: number };
 
-/** The view in which all of `bounds` is seen, in the middle of what the insets leave. */
+/** The view with all of `bounds`, in the middle of the space between the insets. */
 export function fit(bounds: Bounds, size: Size, insets: Insets): View {
   const [[left, bottom], [right, top]] = bounds;
   const wide = Math.max(right - left, 0.1);
@@ -30,7 +30,7 @@ export function fit(bounds: Bounds, size: Size, insets: Insets): View {
   };
 }
 
-/** Of several ways to leave room, the one in which the plan is largest. */
+/** Of several insets, those with the largest plan. */
 export function fitBest(bounds: Bounds, size: Size, ways: Insets[]): View {
   const views = ways.map((insets) => fit(bounds, size, insets));
   return views.reduce((best, view) => (view.scale > best.scale ? view : best));
@@ -44,7 +44,7 @@ export function toPlan(view: View, [x, y]: At): At {
   return [(x - view.x) / view.scale, (view.y - y) / view.scale];
 }
 
-/** Nearer by `factor`; what is under `at` on the screen stays there. */
+/** Zooms by `factor`; the point under `at` stays there. */
 export function zoom(view: View, factor: number, at: At): View {
   const scale = Math.min(Math.max(view.scale * factor, FARTHEST), NEAREST);
   const by = scale / view.scale;

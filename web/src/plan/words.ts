@@ -1,7 +1,7 @@
-// Names as they may be drawn. They come from files that anybody may have written: as long as a book, in any script, or
-// with marks that turn the text beside them around.
+// Names for drawings. They come from files of unknown origin: as long as a book, in any script, or with marks that
+// reverse the text next to them.
 
-/** Marks that reorder or break what stands around them. */
+/** Marks that reorder or break the text around them. */
 const UNRULY = /[\u0000-\u001f\u007f-\u009f\u200e\u200f\u2028-\u202e\u2066-\u2069]/g;
 
 const [ISOLATE, END] = ['\u2068', '\u2069'];
@@ -10,9 +10,9 @@ const letters = new Intl.Segmenter(undefined, { granularity: 'grapheme' });
 
 /** At most `most` letters of a name, on one line. */
 export function shortened(name: string, most: number): string {
-  // A letter has few code units, so that the whole of a long name is never taken apart.
+  // A letter has few code units, so a long name is never split as a whole.
   const begin = name.slice(0, most * 16).replace(UNRULY, ' ');
-  // Plain letters are code units, and need not be taken apart.
+  // Plain letters are single code units.
   if (/^[ -~]*$/.test(begin)) return begin.length > most ? `${begin.slice(0, most).trimEnd()}…` : begin;
   let [text, count] = ['', 0];
   for (const { segment } of letters.segment(begin)) {
@@ -23,7 +23,7 @@ export function shortened(name: string, most: number): string {
   return begin.length < name.length ? `${text}…` : text;
 }
 
-/** The longest beginning of `name` that is at most `width` pixels wide; nothing where not even two letters are. */
+/** The longest beginning of `name` within a width; null if fewer than two letters fit. */
 export function fitting(name: string, width: number, measure: (text: string) => number): string | null {
   const whole = shortened(name, 48);
   if (measure(whole) <= width) return whole;
@@ -34,12 +34,12 @@ export function fitting(name: string, width: number, measure: (text: string) => 
   return null;
 }
 
-/** A name whose direction is its own affair. */
+/** A name with a direction of its own. */
 export function isolated(text: string): string {
   return `${ISOLATE}${text}${END}`;
 }
 
-/** As one would say what a file or a log writes as one word: `preparing breakfast`. */
+/** A word of a file or a log for display: `preparing breakfast`. */
 export function spoken(word: string): string {
   return word.replaceAll('_', ' ');
 }

@@ -1,8 +1,8 @@
-// Of a long table only the rows that are in sight are in the page.
+// Only the visible rows of a long table are in the page.
 
 type Window = { from: number; to: number; above: number; below: number };
 
-/** Which rows are in sight, and the height of what is left out above and below them. */
+/** The visible rows, and the height of those above and below them. */
 export function inSight(rows: number, rowHeight: number, scrolled: number, height: number, spare = 6): Window {
   const first = Math.floor(Math.max(scrolled, 0) / rowHeight);
   const from = Math.min(Math.max(first - spare, 0), Math.max(rows - 1, 0));

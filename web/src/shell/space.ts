@@ -1,8 +1,8 @@
-// Which of what has the focus wants Space for itself.
+// Elements that need the Space key for themselves.
 
 const FIELDS = 'input, select, textarea, button, a[href], summary, [contenteditable], [role="slider"]';
 
-/** Whether Space means something else where it is pressed. A button that was only clicked gives Space back to the run. */
+/** Space has another meaning for the focused element. A button that was only clicked leaves Space to the run. */
 export function takesSpace(focused: Element | null, clicked: Element | null): boolean {
   if (focused === null || !focused.matches(FIELDS)) return false;
   return !(focused === clicked && focused.matches('button'));

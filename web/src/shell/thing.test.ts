@@ -1,6 +1,6 @@
 import { expect, test } from 'vitest';
 import type { FilesView, ProblemView } from '../wire';
-import { placeOf } from './thing';
+import { placeOf } from './problem-place';
 
 const files: FilesView = { entry: 'scenario.json', home: 'home.json', logger: 'logger.json', lives: [{ name: 'ann', routine: 'ann.routine' }], files: [] };
 const problem = (file: string, line: number, column = 1): ProblemView => ({ file, line, column, width: 1, what: '', hint: null });

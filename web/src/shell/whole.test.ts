@@ -1,11 +1,11 @@
 import { flushSync, mount, unmount } from 'svelte';
 import { afterEach, expect, test } from 'vitest';
-import Whole from './Whole.svelte';
-import { LONGEST_HINT, isReached, remember, wholesOf } from './whole';
+import FullNames from './FullNames.svelte';
+import { LONGEST_HINT, isReached, remember, fullNamesOf } from './full-names';
 
 afterEach(() => document.body.replaceChildren());
 
-/** A name that is shown in an element, so wide and with so much room. */
+/** A name in an element, with its width and its room. */
 function shown(name: string, [wide, room]: [number, number], within = document.body): HTMLElement {
   const element = document.createElement('bdi');
   element.className = 'name';
@@ -23,9 +23,9 @@ test('what is cut is told as a whole to the keys, and to the pointer where no hi
   shown('short', [40, 40], row);
   const cut = shown('cut where it stands', [90, 40], row);
   shown(long, [40, 40], row);
-  expect(wholesOf(row, 'keys')).toEqual(['cut where it stands', long]);
-  expect(wholesOf(row, 'pointer')).toEqual([long]);
-  expect(wholesOf(cut, 'pointer')).toEqual([]);
+  expect(fullNamesOf(row, 'keys')).toEqual(['cut where it stands', long]);
+  expect(fullNamesOf(row, 'pointer')).toEqual([long]);
+  expect(fullNamesOf(cut, 'pointer')).toEqual([]);
 });
 
 test('the keys stop at a name by itself where nothing around it has them', () => {
@@ -36,7 +36,7 @@ test('the keys stop at a name by itself where nothing around it has them', () =>
 });
 
 test('what the pointer has shown goes with it, also while a field has the keys; what the keys have shown stays', async () => {
-  const view = mount(Whole, { target: document.body });
+  const view = mount(FullNames, { target: document.body });
   flushSync();
   const [row, field] = [document.createElement('button'), document.createElement('input')];
   document.body.append(row, field);

@@ -1,4 +1,4 @@
-// Days by the clock on the wall, for tests.
+// Days in wall time, for tests.
 
 import type { DateView } from '../wire';
 
@@ -9,7 +9,7 @@ export function date(text: string, begin_us: number, hours = 24, with_: Partial<
   return { date: text, begin_us, end_us: begin_us + hours * HOUR_US, clock_us: 0, turn: null, ...with_ };
 }
 
-/** The days of a run of this length that begins at this time of a date; no clock is set in it. */
+/** The days of a run of this length from this time of a date on, without a clock change. */
 export function daysFrom(first: string, length_us: number, clock_us = 0): DateView[] {
   const midnight = Date.parse(`${first}T00:00:00Z`);
   return Array.from({ length: Math.ceil((clock_us + length_us) / DAY_US) }, (_, day) => {

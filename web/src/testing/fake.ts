@@ -1,5 +1,5 @@
-// A server that is none: it lives a made-up run in the page and speaks as the real one does. What it makes sensors do is only
-// roughly so; the real models are in the program.
+// A fake server: it simulates a made-up run in the page with the messages of the real one. Its sensors are only
+// approximate; the real models are in the program.
 
 import { rowOf } from '../plan/kinds';
 import { encode } from '@msgpack/msgpack';
@@ -10,13 +10,13 @@ import { DOORWAYS, madeUpRun, spotIn } from './home';
 
 const TICK_MS = 16;
 const START = Date.parse('2009-03-02T06:55:00Z');
-/** What stands for as fast as it goes. */
+/** The speed of "as fast as it goes". */
 const FASTEST = 20_000;
 const MOST_FIRINGS = 60;
 
 type Walker = { at: At; heading: number; posture: Posture; way: At[]; room: number; rests_s: number };
 
-/** Made by the page's address: `?residents=10&sensors=100&driven=0&hostile=1`. */
+/** Set by the page's address: `?residents=10&sensors=100&driven=0&hostile=1`. */
 export function fakeServer(asked: URLSearchParams): () => Wire {
   const number = (name: string, usual: number) => Number(asked.get(name) ?? usual);
   const driven = asked.has('driven') ? number('driven', 0) : null;
@@ -24,7 +24,7 @@ export function fakeServer(asked: URLSearchParams): () => Wire {
   return () => new FakeServer(madeUpRun(number('residents', 2), number('sensors', 18), driven, names), asked);
 }
 
-/** Names that try to break out of where they are shown. */
+/** Names that try to break out of their place. */
 export function hostile(name: string): string {
   const tricks = [
     `<script>alert(1)</script> ${name}`,

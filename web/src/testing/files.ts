@@ -1,14 +1,14 @@
-// A scenario's files that are on no disk, and a server that answers what is asked about them.
+// A scenario's files in memory, and a server that answers requests about them.
 
 import type { Fetch } from '../server';
 import type { CheckView, Draft, FilesView, Save, SavedView } from '../wire';
 
 export class FakeFiles {
-  /** What was asked: the path, and what was sent along. */
+  /** The requests: path and body. */
   readonly asked: { path: string; body: unknown }[] = [];
   check: CheckView = { problems: [], warnings: [] };
 
-  /** @param answers of other paths, by what was sent along; an `Error` is what the server says when it refuses. */
+  /** @param answers for other paths, by body; an `Error` is a refusal of the server. */
   constructor(
     readonly texts: Record<string, string>,
     private readonly links: Omit<FilesView, 'entry' | 'files'>,

@@ -1,4 +1,4 @@
-// A made-up home of any number of sensors, for tests, for measuring, and for looking at the page without a server.
+// A made-up home with any number of sensors, for tests, for measuring, and for looking at the page without a server.
 
 import type { At } from '../plan/geometry';
 import { daysFrom } from './dates';
@@ -108,12 +108,12 @@ export function madeUpRun(residents = 2, sensors = 18, driven: number | null = n
   };
 }
 
-/** Where the doors of a room lead, for those who wander. */
+/** The neighbours of a room's doors, for wanderers. */
 export const DOORWAYS: [number, number, At][] = [
   [0, 3, [5.4, 3.9]], [0, 4, [4.62, 4.4]], [1, 3, [7.05, 3.4]], [2, 3, [9.8, 3.4]], [3, 5, [6.6, 4.6]], [3, 6, [9.7, 4.6]],
 ];
 
-/** Somewhere free in a room. */
+/** A free point in a room. */
 export function spotIn(room: number, chance: () => number): At {
   const [left, bottom, right, top] = ROOMS[room]![1];
   return [left + (right - left) * (0.35 + 0.3 * chance()), bottom + (top - bottom) * (0.35 + 0.3 * chance())];
@@ -126,7 +126,7 @@ function placeOf(name: string): At {
   return centre(piece[1]);
 }
 
-/** Walls along the edges of all rooms, with gaps where doors are. */
+/** Walls along the edges of all rooms, with gaps for doors. */
 function walls(): At[][] {
   const edges = new Map<string, [number, number][]>();
   for (const [, [left, bottom, right, top]] of ROOMS) {
@@ -159,7 +159,7 @@ function without(spans: [number, number][], cuts: [number, number][]): [number, 
   });
 }
 
-/** Six in ten look for movement from a wall, each into its room; the rest are of all other kinds. */
+/** Six in ten are motion sensors on a wall, each facing its room; the rest are of all other kinds. */
 function sensor(index: number, names: (name: string) => string): SensorView {
   const [room, [left, bottom, right, top]] = ROOMS[index % ROOMS.length]!;
   const round = Math.floor(index / ROOMS.length);

@@ -1,5 +1,5 @@
-// A scenario's files, how a routine in them is understood and what its days are like, made up: for tests, and for looking at
-// the page without a server. What it understands is only a shadow of what the program does.
+// Made-up files of a scenario, the interpretation of its routines, and its days: for tests, and for looking at the page
+// without a server. The interpretation is much simpler than that of the program.
 
 import { encode } from '@msgpack/msgpack';
 import { Refused, type Fetch } from '../server';
@@ -34,7 +34,7 @@ export const WORDS: WordView[] = [
   ...['depression', 'grief'].flatMap((name) => ['mild', 'moderate', 'severe'].map((how): WordView => ({ text: `${how} ${name}`, kind: 'condition', about: 'condition' }))),
 ];
 
-/** What each word `wtches` is told, wherever it stands. */
+/** A problem for each word `wtches`. */
 function problemsOf(file: string, text: string): ProblemView[] {
   return text.split('\n').flatMap((line, index) => {
     const at = line.indexOf('wtches');
@@ -61,7 +61,7 @@ function explained(file: string, text: string): ExplainView {
   };
 }
 
-/** Two weeks or more from 2 March on, of which the 8th has 23 hours; with a condition she gets up later. */
+/** Two weeks or more from 2 March on; the 8th has 23 hours; with a condition she gets up later. */
 function lived({ from, days, without }: Month, shows: boolean, names: string[]): MonthView {
   const later = shows && !without.includes('depression') ? 1.5 * HOUR_US : 0;
   const dates = Array.from({ length: Math.min(from + days, 30) }, (_, day) => {
@@ -87,7 +87,7 @@ function lived({ from, days, without }: Month, shows: boolean, names: string[]):
   };
 }
 
-/** Answers as the server does, of residents of these names; what is saved can be read in `files`. */
+/** Answers like the server, for residents with these names; saved texts are in `files`. */
 export function fakeLives(names: string[] = ['Agnes'], files: Map<string, string> = new Map(names.map((name, index) => [`${index}.routine`, ROUTINE.replaceAll('Agnes', name)]))): Fetch {
   const version = (text: string) => `${text.length}-${[...text].reduce((sum, letter) => (sum * 31 + letter.codePointAt(0)!) % 1e9, 7)}`;
   const list = (): FilesView => ({

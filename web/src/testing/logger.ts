@@ -1,12 +1,12 @@
-// A logger's file and a log that grows, made up.
+// A made-up logger file, and a growing log.
 
 import type { DateView, HomeView, RowsView } from '../wire';
 
 const DAY_US = 86_400_000_000;
-/** When the made-up run begins. */
+/** The start of the made-up run. */
 const MORNING_US = (6 * 60 + 55) * 60_000_000;
 
-/** The files of a made-up home with a logger, and what is answered about its log. */
+/** The files of a made-up home with a logger, and the answers about its log. */
 export function madeUpLogger(home: HomeView): { texts: Record<string, string>; answers: Record<string, () => unknown> } {
   const sensors = home.sensors.map(({ name, kind, at }) => ({ kind, name, at }));
   const ids = new Map(home.sensors.map(({ name }, index) => [name, `M${String(index + 1).padStart(3, '0')}`]));

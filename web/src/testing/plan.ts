@@ -1,4 +1,4 @@
-// What a server would say of a home's text, roughly: a sensor on a wall sees its room, one on the ceiling its area.
+// Approximate answers of a server about a home's text: a sensor on a wall sees its room, one on the ceiling its area.
 
 import { encode } from '@msgpack/msgpack';
 import { type At, box, inside } from '../plan/geometry';
@@ -9,7 +9,7 @@ import type { CoverageView, DeadZoneView, FloorView, HomeView, PlanView } from '
 
 const STEP_M = 0.25;
 
-/** The text of a home's file that is like this home. */
+/** The text of a home's file that corresponds to this home. */
 export function homeText({ name, rooms, solids, doors, sensors }: HomeView): string {
   const walls = solids.filter(({ kind }) => kind === 'wall').map(({ outline }) => {
     const [left, bottom, right, top] = box(outline);
@@ -25,7 +25,7 @@ export function homeText({ name, rooms, solids, doors, sensors }: HomeView): str
   return JSON.stringify({ name, rooms: rooms.map(({ name, outline }) => ({ name, outline })), walls, doors, furniture, sensors: hung }, null, 2);
 }
 
-/** What is said of the text of a home's file. */
+/** The answer for the text of a home's file. */
 export function planned(text: string): Response {
   const home = readHome(text);
   const wrong = (what: string): PlanView => ({ problems: [{ file: 'home.json', line: 1, column: 1, width: 1, what, hint: null }], home: null, coverage: null });

@@ -12,7 +12,7 @@ export async function madeUpScenario(home: HomeView, residents: string[]): Promi
   const living = (await (await lives('/api/files', {})).json()) as FilesView;
   const log = madeUpLogger(home);
   const texts = { ...log.texts, 'home.json': homeText(home), ...Object.fromEntries(living.files.map(({ name, text }) => [name, text])) };
-  // What was saved meanwhile is known here alone, and of the other files nothing is known there.
+  // Only this page knows saved texts, and the server knows nothing of the other files.
   const routines = (draft: Draft): Draft => ({ texts: Object.fromEntries(Object.entries({ ...texts, ...draft.texts }).filter(([name]) => name.endsWith('.routine'))) });
   const ask = (path: string, body: unknown) => lives(path, { method: 'POST', body: JSON.stringify(body) });
   return new FakeFiles(texts, { home: 'home.json', logger: 'logger.json', lives: living.lives }, {

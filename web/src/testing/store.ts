@@ -1,6 +1,6 @@
-// A browser's store that is in memory alone.
+// A browser store in memory.
 
-/** A browser's store, which may be full: then a request succeeds and its transaction does not. */
+/** A browser store that may be full: then a request succeeds and its transaction does not. */
 export class FakeStore {
   readonly kept = new Map<string, unknown>();
   isFull = false;

@@ -1,4 +1,4 @@
-// Stored runs that are none, for tests and for looking at the page without a server.
+// Fake stored runs, for tests and for looking at the page without a server.
 
 import { encode } from '@msgpack/msgpack';
 import type { Fetch } from '../server';
@@ -9,7 +9,7 @@ import { madeUpHome, spotIn } from './home';
 const HOUR_US = 3_600_000_000;
 const DAY_US = 24 * HOUR_US;
 
-/** A run of some days from 2 March on, with as many sensors. */
+/** A run of some days from 2 March on, with a number of sensors. */
 export function storedRun(name: string, days = 3, with_: Partial<PlaybackView> = {}): PlaybackView {
   const home = madeUpHome(12);
   return {
@@ -39,7 +39,7 @@ export function storedRun(name: string, days = 3, with_: Partial<PlaybackView> =
   };
 }
 
-/** A day on which somebody goes about from seven on, and sensors say so. */
+/** A day with a person who moves from seven on, and firings of sensors. */
 export function storedDay(run: PlaybackView, number: number): DayView {
   const { begin_us } = run.days[number]!;
   const rows: DayView['rows'] = [];
@@ -61,7 +61,7 @@ export function storedDay(run: PlaybackView, number: number): DayView {
   return { rows, lives: run.has_truth ? lives : [], until_us: run.days[number]!.end_us };
 }
 
-/** A log of some days that was walked back. */
+/** A log of some days with located people. */
 export function walkedRun(name: string, days = 3, with_: Partial<PlaybackView> = {}): PlaybackView {
   const stays = [0, 1].map(() => Array.from({ length: days }, (_, day): [number, number, number][] => [
     [day * DAY_US, day * DAY_US + 7 * HOUR_US, 4],
@@ -70,7 +70,7 @@ export function walkedRun(name: string, days = 3, with_: Partial<PlaybackView> =
   return storedRun(name, days, { activities: [], spans: [[], []], walk: { log: `${name}.csv`, stays }, ...with_ });
 }
 
-/** A day of it, which is unsure around seven. */
+/** A day of it, which is uncertain around seven. */
 export function walkedDay(run: PlaybackView, number: number): DayView {
   const day = storedDay(run, number);
   const { begin_us } = run.days[number]!;
@@ -79,7 +79,7 @@ export function walkedDay(run: PlaybackView, number: number): DayView {
   return { ...day, lives: day.lives.map((life) => ({ ...life, chances })) };
 }
 
-/** Answers as the server does, for runs of these names. */
+/** Answers like the server, for runs with these names. */
 export function fakeRuns(names: string[], make: (name: string) => PlaybackView = storedRun, listed: Record<string, Partial<StoredView>> = {}): Fetch {
   const runs = new Map(names.map((name) => [name, make(name)]));
   return async (path) => {

@@ -1,4 +1,4 @@
-// What a picture of the time line says below it: from when to when it is, of which run, of two runs which is which, and what is not in it.
+// The caption of a picture of the time line: its interval, its run or both runs, and the unknown parts.
 
 import type { Sight } from '../charts/axis';
 import { date, time } from '../clock';
@@ -7,12 +7,12 @@ import type { Palette } from '../plan/palette';
 import { FONT, type Ink } from '../plan/pen';
 import { isolated, shortened } from '../plan/words';
 
-/** One run, or two that are compared; `isCounts` where what is drawn of them are counts. */
+/** One run, or two that are compared; `isCounts` for a drawing of counts. */
 export type Runs = { first: string; second: string | null; isCounts: boolean };
 
 const ROW = 17;
 const MARGIN = 6;
-/** So many letters of a run's name fit into the narrowest picture: of a longer one its begin and its end, where names of twins differ. */
+/** Longest name of a run in the narrowest picture: a longer one keeps its beginning and its end, because names of twins differ at the end. */
 const LONGEST_NAME = 80;
 
 const rows = ({ second }: Runs, unseen: string | null) => (second === null ? 2 : 4) + (unseen === null ? 0 : 1);
@@ -21,7 +21,7 @@ export function captionHeight(runs: Runs, unseen: string | null): number {
   return rows(runs, unseen) * ROW + 2 * MARGIN;
 }
 
-/** @param unseen what was not seen of it, in words. */
+/** @param unseen the unknown parts, in words. */
 export function drawCaption(
   pen: Ink, top: number, calendar: Calendar, { from_us, to_us }: Sight, { first, second, isCounts }: Runs, unseen: string | null, palette: Palette,
 ): void {

@@ -1,4 +1,4 @@
-// A picture of lines: what is drawn with the strokes of a canvas is written as SVG.
+// Drawings of lines as SVG, by the strokes of a canvas.
 
 import type { Ink } from '../plan/pen';
 
@@ -17,7 +17,7 @@ export class SvgInk implements Ink {
   private readonly parts: string[] = [];
   private path = '';
 
-  /** @param measuring tells how wide words are, as only something that draws them knows. */
+  /** @param measuring measures the width of words. */
   constructor(private readonly measuring: Pick<CanvasRenderingContext2D, 'font' | 'measureText'> | null) {}
 
   private get alpha(): string {
@@ -32,7 +32,7 @@ export class SvgInk implements Ink {
     const [, weight, size, family] = /^(?:(\d+|bold) )?([\d.]+)px (.*)$/.exec(this.font) ?? [, undefined, '12', 'sans-serif'];
     const anchor = { center: 'middle', right: 'end', end: 'end' }[this.textAlign as string] ?? 'start';
     const base = this.textBaseline === 'middle' ? ' dominant-baseline="central"' : '';
-    // Marks that keep names from turning what stands beside them are the page's, and no letters.
+    // Direction marks belong to the page, and are not letters.
     const plain = words.replace(/[\u2066-\u2069]/g, '');
     this.parts.push(`<text x="${short(x)}" y="${short(y)}" font-size="${size}" font-family="${escaped(family!)}"${weight === undefined ? '' : ` font-weight="${weight}"`} text-anchor="${anchor}"${base} fill="${escaped(String(this.fillStyle))}"${this.alpha}>${escaped(plain)}</text>`);
   }
@@ -59,7 +59,7 @@ export class SvgInk implements Ink {
     this.path += 'Z';
   }
 
-  /** Whole circles are all that is drawn. */
+  /** Only whole circles are drawn. */
   arc(x: number, y: number, radius: number): void {
     this.path += `M${short(x - radius)} ${short(y)}a${short(radius)} ${short(radius)} 0 1 0 ${short(2 * radius)} 0a${short(radius)} ${short(radius)} 0 1 0 ${short(-2 * radius)} 0`;
   }
@@ -72,7 +72,6 @@ export class SvgInk implements Ink {
     this.parts.push(`<path d="${this.path}" fill="none" stroke="${escaped(String(this.strokeStyle))}" stroke-width="${short(this.lineWidth)}" stroke-linejoin="${this.lineJoin}"${this.alpha}/>`);
   }
 
-  /** All that was drawn. */
   svg(width: number, height: number, ground: string): string {
     return `<svg xmlns="http://www.w3.org/2000/svg" width="${short(width)}" height="${short(height)}" viewBox="0 0 ${short(width)} ${short(height)}"><rect width="100%" height="100%" fill="${ground}"/>${this.parts.join('')}</svg>\n`;
   }

@@ -1,11 +1,11 @@
-// What a place on the time line tells.
+// The readings at a position on the time line.
 
 import type { Band, Counts, Lane } from '../charts/lanes';
 import { firstFrom } from '../charts/axis';
 import { countBetween } from '../charts/lanes';
 import { spoken } from '../plan/words';
 
-/** What a lane says at an instant, of what lies within so much of it. */
+/** The reading of a lane at an instant, within a distance. */
 export function laneAt(lane: Lane, at_us: number, near_us: number): { at_us: number; words: string } | null {
   if (lane.density !== undefined) {
     const about = (counts: Counts) => Math.round(countBetween(counts, at_us - near_us, at_us + near_us));
@@ -25,7 +25,7 @@ function saidNear(fired: ArrayLike<number>, said: ((index: number) => string) | 
   return { at_us: fired[at]!, words: said?.(at) ?? '' };
 }
 
-/** The place of what is nearest in what is in order. */
+/** The index of the nearest element of a sorted list. */
 function nearest(all: ArrayLike<number>, at_us: number): number | null {
   if (all.length === 0) return null;
   const after = Math.min(firstFrom(all, at_us), all.length - 1);
@@ -39,7 +39,7 @@ export function neighbour(fired: ArrayLike<number>, at_us: number, forward: bool
   return fired[index] ?? null;
 }
 
-/** What a band says at an instant, and from when to when. */
+/** The reading of a band at an instant, with its interval. */
 export function bandAt(band: Band, at_us: number): { begin_us: number; end_us: number; words: string } | null {
   const span = band.spans.findLast(([begin, end]) => begin <= at_us && at_us < end);
   return span === undefined ? null : { begin_us: span[0], end_us: span[1], words: spoken(band.names[span[2]] ?? '') };

@@ -1,4 +1,4 @@
-// What is in sight as a table of text, for other programs.
+// The visible interval as a table of text, for other programs.
 
 import type { Sight } from '../charts/axis';
 import type { Runs } from './caption';
@@ -6,15 +6,15 @@ import { firstFrom } from '../charts/axis';
 import type { Band, Counts, Lane } from '../charts/lanes';
 import { unseenIn } from '../charts/unseen';
 
-/** A cell: what has a comma, a quote or a line's end stands in quotes, and what a spreadsheet would take for a formula is none. */
+/** A cell: commas, quotes and line ends are quoted, and formulas of spreadsheets are defused. */
 function cell(text: string): string {
   const plain = /^[=+\-@\t\r]/.test(text) && !/^-?[\d.]+$/.test(text) ? `'${text}` : text;
   return /[",\n\r]/.test(plain) ? `"${plain.replaceAll('"', '""')}"` : plain;
 }
 
 /**
- * A row for each span and each firing, or, of counts, for each part of the time that has some; what another run has is said to be beside, and what
- * was not seen to be so, with how many firings that were.
+ * A row for each interval and each firing, or, for counts, for each part with some. Rows of another run are marked, and
+ * so are unknown parts, with their number of firings.
  */
 export function tableOf(
   sight: Sight, bands: readonly Band[], lanes: readonly Lane[], clock: (at_us: number) => string, { first, second }: Pick<Runs, 'first' | 'second'>,
@@ -27,7 +27,7 @@ export function tableOf(
   const { from_us, to_us } = sight;
   const notSeen = (name: string, unseen: Lane['unseen']) => {
     for (const part of unseenIn(unseen, sight)) {
-      // As long as it is, since the number is of all of it.
+      // With its full length, since the number belongs to all of it.
       row(part.from_us, part.to_us, 'not seen', false, name, part.missing === 0 ? '' : part.missing === 1 ? '1 firing' : `${part.missing} firings`);
     }
   };

@@ -111,7 +111,7 @@ test('what was found and is short is a stripe over all lanes, what is long a thi
   expect(drawn(2 * HOUR, 3 * HOUR)).toEqual([[35, 300]]);
   expect(drawn(-5 * HOUR, 30 * HOUR)).toEqual([[838, 3]]);
   expect(drawn(2 * HOUR, 5 * HOUR)).toEqual([[105, 3]]);
-  // Among the lanes nothing is left of it.
+  // The lanes contain nothing of it.
   expect(drawn(-5 * HOUR, 30 * HOUR, false)).toEqual([]);
   expect(drawn(2 * HOUR, 3 * HOUR, false)).toEqual([[35, 300]]);
 });
@@ -134,7 +134,7 @@ test('a kept picture says from when to when it is and of which runs, and which c
   expect(two.words.slice(0, 3)).toEqual([span, 'above the line: flat-1', 'below the line: flat-2 without depression']);
   expect(two.colours).toEqual([light.seen, light.beam]);
   expect([two.words[3], caption('x', true).words[3]].map((words) => /colours show (.*?)\./.exec(words!)![1])).toEqual(['events that only one run has, and curves of values', 'where one run has more']);
-  // Where names of twins differ is at their ends.
+  // Names of twins differ at their ends.
   expect(caption(`${'x'.repeat(900)} without depression`).words[2]).toMatch(/^below the line: x{39}…x+ without depression$/);
 });
 
@@ -161,7 +161,7 @@ test('what was not seen is hatched, said in words, and a row of the table', () =
   expect(unseenWords(bands, lanes, { from_us: 20, to_us: 100 })).toBe('2 events are loaded, up to 983 are not. Hatched: not loaded');
   expect(unseenWords(bands, lanes, { from_us: 42, to_us: 100 })).toBe('Hatched: activities not loaded');
   expect(unseenWords(bands, lanes, { from_us: 60, to_us: 100 })).toBeNull();
-  // A lane of which nothing was seen is not silent.
+  // A lane with unknown parts only is not silent.
   expect(ordered([lane('z', [], { unseen }), lane('y', [])], 'home', true, sight)).toEqual([0]);
   const table = tableOf(sight, bands, lanes, (at) => `t${at}`, { first: 'run', second: null });
   expect(table.split('\n').slice(1, 5)).toEqual(['t5,,sensor,y,ON,run', 't10,t50,not seen,Ada,,run', 't10,t40,not seen,x,983 firings,run', 't45,,sensor,x,ON,run']);

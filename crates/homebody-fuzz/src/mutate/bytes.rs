@@ -1,4 +1,4 @@
-//! Any bytes: flipped, cut, put elsewhere, repeated.
+//! Any bytes: flipped, cut, moved, repeated.
 
 use crate::choices::Choices;
 
@@ -46,10 +46,10 @@ const MARKS: [&[u8]; 40] = [
     "\u{0301}".as_bytes(),
 ];
 
-/// No mutant is longer, in bytes: what readers do with large files is measured elsewhere, too.
+/// Largest length of a mutant in bytes: other tests measure readers with large files.
 const LONGEST: usize = 2 << 20;
 
-/// Changes bytes in a few places; `other` is something to take from.
+/// Changes bytes in a few places; `other` is a source of parts.
 pub fn bytes(bytes: &mut Vec<u8>, other: &[u8], choices: &mut Choices) {
     for _ in 0..choices.size(4) {
         once(bytes, other, choices);
@@ -74,7 +74,7 @@ fn once(bytes: &mut Vec<u8>, other: &[u8], choices: &mut Choices) {
             bytes.splice(part, more.iter().copied());
         }
         6 => {
-            // Half of one, half of the other.
+            // Half of each.
             bytes.truncate(at);
             bytes.extend_from_slice(&other[choices.below(other.len() + 1)..]);
         }
@@ -92,7 +92,6 @@ fn once(bytes: &mut Vec<u8>, other: &[u8], choices: &mut Choices) {
     }
 }
 
-/// The first digit from a place on.
 fn digit_from(bytes: &[u8], at: usize) -> Option<usize> {
     (at..bytes.len()).find(|&at| bytes[at].is_ascii_digit())
 }

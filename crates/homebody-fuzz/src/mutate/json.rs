@@ -1,25 +1,25 @@
-//! JSON changed by its grammar: keys, numbers, texts, lists, outlines. What comes out need not be JSON that others would write:
-//! keys repeat, and numbers are any text.
+//! Mutants of JSON by its grammar: keys, numbers, texts, lists, outlines. The result may break the rules of JSON: keys
+//! repeat, and numbers are any text.
 
 use super::outlines::{self, Corner};
 use super::{numbers, texts};
 use crate::choices::Choices;
 use serde_json::Value;
 
-/// A text in JSON as mutators see it.
+/// JSON as mutators need it.
 #[derive(Clone, Debug)]
 enum Tree {
     Object(Vec<(String, Tree)>),
     List(Vec<Tree>),
     Text(String),
-    /// Anything else, as it is written.
+    /// Anything else, in its written form.
     Other(String),
 }
 
-/// Changes a text in JSON in a few places; false where it is none. `others` are texts to take from.
+/// Changes a text in JSON in a few places; false for other texts. `others` are sources of parts.
 pub fn json(text: &mut String, others: &[&str], choices: &mut Choices) -> bool {
     let Ok(value) = serde_json::from_str::<Value>(text) else { return false };
-    let mut tree = Tree::of(value);
+    let mut tree = Tree::from_value(value);
     for _ in 0..choices.size(3) {
         once(&mut tree, others, choices);
     }
@@ -115,7 +115,7 @@ fn list(tree: &mut Tree, choices: &mut Choices) {
     }
 }
 
-/// A value that stands elsewhere, in this text or another, or none that any file has there.
+/// A value from another place, from another text, or out of place in any file.
 fn anything(tree: &mut Tree, others: &[&str], choices: &mut Choices) -> Tree {
     match choices.below(6) {
         0 => Tree::Other(
@@ -129,7 +129,7 @@ fn anything(tree: &mut Tree, others: &[&str], choices: &mut Choices) -> Tree {
         }
         2 => Tree::Text(texts::other("", choices)),
         3 if !others.is_empty() => {
-            let other = serde_json::from_str(choices.one::<&str>(others)).map(Tree::of);
+            let other = serde_json::from_str(choices.one::<&str>(others)).map(Tree::from_value);
             other.ok().and_then(|mut other| other.pick(choices, &|_| true).cloned()).unwrap_or(Tree::Other("1".into()))
         }
         _ => tree.pick(choices, &|_| true).cloned().unwrap_or(Tree::Other("1".into())),
@@ -148,19 +148,19 @@ fn misspelt(key: &str, choices: &mut Choices) -> String {
 }
 
 impl Tree {
-    fn of(value: Value) -> Tree {
+    fn from_value(value: Value) -> Tree {
         match value {
             Value::Object(entries) => {
-                Tree::Object(entries.into_iter().map(|(key, value)| (key, Tree::of(value))).collect())
+                Tree::Object(entries.into_iter().map(|(key, value)| (key, Tree::from_value(value))).collect())
             }
-            Value::Array(items) => Tree::List(items.into_iter().map(Tree::of).collect()),
+            Value::Array(items) => Tree::List(items.into_iter().map(Tree::from_value).collect()),
             Value::String(text) => Tree::Text(text),
             other => Tree::Other(other.to_string()),
         }
     }
 
     fn corner([x, y]: Corner) -> Tree {
-        // Debug writes -0 and what is tiny as JSON does.
+        // Debug writes -0 and tiny numbers as JSON does.
         let number = |number: f64| Tree::Other(if number.is_finite() { format!("{number:?}") } else { "1e309".into() });
         Tree::List(vec![number(x), number(y)])
     }
@@ -190,7 +190,7 @@ impl Tree {
         }
     }
 
-    /// About how many bytes it takes.
+    /// Approximate length in bytes.
     fn length(&self) -> usize {
         match self {
             Tree::Object(entries) => entries.iter().map(|(key, value)| key.len() + value.length() + 4).sum(),
@@ -206,7 +206,6 @@ impl Tree {
         }
     }
 
-    /// The corners of an outline.
     fn corners(&self) -> Option<Vec<Corner>> {
         let Tree::List(items) = self else { return None };
         let corner = |item: &Tree| match item {
@@ -228,7 +227,7 @@ impl Tree {
         below + usize::from(wanted(self))
     }
 
-    /// One of those that are wanted, each as likely.
+    /// One of the wanted items, each with the same probability.
     fn pick(&mut self, choices: &mut Choices, wanted: &dyn Fn(&Tree) -> bool) -> Option<&mut Tree> {
         let mut left = choices.below(self.count(wanted));
         self.nth(&mut left, wanted)
@@ -248,7 +247,6 @@ impl Tree {
         }
     }
 
-    /// One of the keys of all objects.
     fn any_key(&mut self, choices: &mut Choices) -> String {
         match self.pick(choices, &|tree| matches!(tree, Tree::Object(entries) if !entries.is_empty())) {
             Some(Tree::Object(entries)) => choices.one(entries).0.clone(),

@@ -1,4 +1,4 @@
-//! Plans of Sweet Home 3D: their XML, and the archive that it is in.
+//! Plans of Sweet Home 3D: their XML, and its archive.
 
 use super::{numbers, texts};
 use crate::choices::Choices;
@@ -6,7 +6,7 @@ use std::io::{Cursor, Write};
 use zip::write::SimpleFileOptions;
 use zip::{CompressionMethod, ZipWriter};
 
-/// The plan with a tag more or fewer, a number moved a little or onto another, or an attribute that is odd.
+/// The plan with a tag more or fewer, a number moved a little or onto another, or an odd attribute.
 pub fn markup(xml: &mut String, choices: &mut Choices) {
     for _ in 0..choices.size(4) {
         match choices.below(5) {
@@ -45,7 +45,7 @@ fn deeper(xml: &mut String, choices: &mut Choices) {
 }
 
 fn attributes(xml: &mut String, choices: &mut Choices, other: impl Fn(&str, &mut Choices) -> String) {
-    // Between quotes, every other part.
+    // Every other part is between quotes.
     let mut parts: Vec<String> = xml.split('\'').map(str::to_owned).collect();
     let values = parts.len() / 2;
     if values == 0 {
@@ -65,12 +65,12 @@ fn number(was: &str, choices: &mut Choices) -> String {
     (number + step).to_string()
 }
 
-/// An archive as the program writes it, with this plan.
+/// An archive in the form of Sweet Home 3D, with this plan.
 pub fn archive(xml: &[u8]) -> Vec<u8> {
     packed(&[("Home.xml", xml)], CompressionMethod::Deflated)
 }
 
-/// An archive that is not quite as the program writes it.
+/// An archive with a deviation from that form.
 pub fn odd_archive(xml: &[u8], choices: &mut Choices) -> Vec<u8> {
     let method = *choices.one(&[CompressionMethod::Stored, CompressionMethod::Deflated]);
     match choices.below(7) {

@@ -7,7 +7,7 @@ use serde_json::Value;
 use std::collections::BTreeSet;
 use std::sync::OnceLock;
 
-/// A number that is hostile, at a border of what some file may say, or near `number`.
+/// A hostile number, one at a bound of some schema, or one near `number`.
 pub fn other(number: f64, choices: &mut Choices) -> String {
     match choices.below(6) {
         0 | 1 => word(choices, "numbers").to_owned(),
@@ -21,12 +21,12 @@ pub fn other(number: f64, choices: &mut Choices) -> String {
     }
 }
 
-/// As JSON writes it.
+/// In the form of JSON.
 fn text(number: f64) -> String {
     if number.is_finite() { number.to_string() } else { "1e309".to_owned() }
 }
 
-/// All bounds of numbers that the schemas know.
+/// All bounds of numbers in the schemas.
 fn bounds() -> &'static [f64] {
     static BOUNDS: OnceLock<Vec<f64>> = OnceLock::new();
     BOUNDS.get_or_init(|| {
@@ -56,7 +56,7 @@ mod tests {
 
     #[test]
     fn the_bounds_of_the_schemas_are_known() {
-        // Of chances, days, and metres.
+        // Of probabilities, days, and metres.
         assert!(bounds().contains(&0.0) && bounds().contains(&1.0) && bounds().len() > 20, "{:?}", bounds());
     }
 

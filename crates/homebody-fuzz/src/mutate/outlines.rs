@@ -1,11 +1,11 @@
-//! Outlines that geometry trips over.
+//! Difficult outlines for geometry.
 
 use crate::choices::Choices;
 
 /// A corner, in metres as a rule.
 pub type Corner = [f64; 2];
 
-/// Changes an outline into one that is hardly one.
+/// Changes an outline into a degenerate one.
 pub fn outline(corners: &mut Vec<Corner>, choices: &mut Choices) {
     if corners.is_empty() {
         return;
@@ -25,7 +25,7 @@ pub fn outline(corners: &mut Vec<Corner>, choices: &mut Choices) {
             let corner = corners[at];
             corners.fill(corner);
         }
-        // Sides that cross.
+        // Crossing sides.
         4 => corners.swap(at, next),
         5 => {
             let other = choices.below(corners.len());
@@ -38,7 +38,7 @@ pub fn outline(corners: &mut Vec<Corner>, choices: &mut Choices) {
             let reach = *choices.one(&[1e-9, 1e-4, 0.01, 1.0, 1e3, 1e9]);
             corners.splice(next..next, [[x + reach, y + reach * choices.between(-1.0, 1.0)], [x, y]]);
         }
-        // Nothing, nearly nothing, or the world.
+        // Tiny or huge.
         8 => scale(corners, *choices.one(&[0.0, 1e-308, 1e-160, 1e-12, 1e-6, 1e-4, 0.01, 100.0, 1e6, 1e160, 1e300])),
         9 => {
             let by = *choices.one(&[1e-308, 5e-324, 1e-17, 1e-9, 1e-6, 1e-4, -1e-4, 1e9, 1e16]);

@@ -1,9 +1,10 @@
-//! Scripts: parts of the language put where they may not belong.
+//! Scripts: parts of the language in wrong places.
 
 use super::{numbers, word, words};
 use crate::choices::Choices;
 
-/// Changes a script: half of them in one or two places in which it stays one, the others anyhow, in one to eight places.
+/// Changes a script: half of the mutants in one or two places, and remain scripts; the others at random, in one to
+/// eight places.
 pub fn script(text: &mut String, others: &[&str], choices: &mut Choices) {
     if choices.below(2) == 0 {
         for _ in 0..choices.size(2) {
@@ -30,7 +31,7 @@ pub fn script(text: &mut String, others: &[&str], choices: &mut Choices) {
     }
 }
 
-/// A statement more stands where one may stand.
+/// Inserts a statement at the place of one.
 fn statement(text: &mut String, choices: &mut Choices) {
     let parts = words("script parts").iter().map(String::as_str);
     let statements: Vec<&str> = parts.filter(|part| part.ends_with([';', '}'])).collect();
@@ -43,7 +44,6 @@ fn statement(text: &mut String, choices: &mut Choices) {
     }
 }
 
-/// A number is another one.
 fn number(text: &mut String, choices: &mut Choices) {
     let is_digit = |at: usize| text.as_bytes()[at].is_ascii_digit();
     let begins: Vec<usize> = (0..text.len()).filter(|&at| is_digit(at) && (at == 0 || !is_digit(at - 1))).collect();
@@ -56,7 +56,7 @@ fn number(text: &mut String, choices: &mut Choices) {
     text.replace_range(begin..end, &other);
 }
 
-/// Some lines of another script stand somewhere in this one.
+/// Inserts some lines of another script.
 fn part_of_another(text: &mut String, others: &[&str], choices: &mut Choices) {
     if others.is_empty() {
         return;
@@ -69,7 +69,7 @@ fn part_of_another(text: &mut String, others: &[&str], choices: &mut Choices) {
     *text = lines.join("\n");
 }
 
-/// A line goes, comes twice, or stands elsewhere.
+/// Removes, repeats or moves a line.
 fn lines(text: &mut String, choices: &mut Choices) {
     let mut lines: Vec<String> = text.lines().map(String::from).collect();
     if lines.is_empty() {
@@ -82,7 +82,7 @@ fn lines(text: &mut String, choices: &mut Choices) {
     *text = lines.join("\n");
 }
 
-/// Another function is called.
+/// Calls another function.
 fn call_for_call(text: &mut String, choices: &mut Choices) {
     let calls: Vec<usize> = text.match_indices('(').map(|(at, _)| at).collect();
     if calls.is_empty() {

@@ -1,4 +1,4 @@
-//! Sentences of routines, from parts of those that the language knows.
+//! Sentences of routines, from parts of known sentences.
 
 use super::{numbers, texts, word};
 use crate::choices::Choices;
@@ -6,7 +6,7 @@ use crate::choices::Choices;
 /// A sentence for each form of the language.
 const FORMS: &str = include_str!("../../../homebody-routine/tests/forms.txt");
 
-/// A routine of some sentences below each other, or under headings.
+/// A routine of some sentences in a list, or under headings.
 pub fn routine(choices: &mut Choices) -> String {
     let mut text = String::from("Margaret is 82. She walks at about 0.65 m/s.\n");
     for _ in 0..choices.size(30) {
@@ -30,7 +30,6 @@ pub fn routine(choices: &mut Choices) -> String {
     text
 }
 
-/// Changes lines of a routine.
 pub fn lines(text: &mut String, choices: &mut Choices) {
     let mut lines: Vec<String> = text.split_inclusive('\n').map(str::to_owned).collect();
     for _ in 0..choices.size(6) {
@@ -52,7 +51,7 @@ pub fn lines(text: &mut String, choices: &mut Choices) {
     *text = lines.concat();
 }
 
-/// A sentence that the language knows, or that begins as one of them and ends as another.
+/// A known sentence, or the beginning of one with the end of another.
 pub fn sentence(choices: &mut Choices) -> String {
     let forms = forms();
     let form = *choices.one(&forms);
@@ -90,7 +89,7 @@ fn reworded(sentence: &str, choices: &mut Choices) -> String {
     words.join(" ")
 }
 
-/// The beginning of a sentence, up to some clause of it, or its end from there on.
+/// The sentence before one of its clauses, or from that clause on.
 fn clause<'t>(sentence: &'t str, is_head: bool, choices: &mut Choices) -> &'t str {
     let begins = |at: &usize| {
         let rest = &sentence[at + 1..];
@@ -101,7 +100,7 @@ fn clause<'t>(sentence: &'t str, is_head: bool, choices: &mut Choices) -> &'t st
     if is_head { &sentence[..cut] } else { &sentence[cut + 1..] }
 }
 
-/// The sentences that the language knows, each on a line of its own.
+/// All known sentences.
 fn forms() -> Vec<&'static str> {
     FORMS.lines().filter(|line| !line.is_empty() && !line.starts_with(['#', ' '])).collect()
 }

@@ -1,5 +1,4 @@
-//! Databases made of SQL that a foreign file may hold: odd types, views, triggers, virtual tables, large values; and
-//! pages that are corrupt.
+//! Databases made of hostile SQL: odd types, views, triggers, virtual tables, large values; and corrupt pages.
 
 use super::{numbers, tables, texts, word};
 use crate::choices::Choices;
@@ -7,8 +6,8 @@ use rusqlite::Connection;
 use std::fs;
 use std::path::Path;
 
-/// Changes a script, and makes a database of it, part of which may be corrupt then. Each statement is on lines of its own, up to
-/// a semicolon at a line's end.
+/// Changes a script, and makes a database of it, which may be partly corrupt. A statement ends with a semicolon at the
+/// end of a line.
 pub fn database(script: &str, choices: &mut Choices) -> Vec<u8> {
     let mut statements: Vec<String> = split(script);
     for _ in 0..choices.size(5) {
@@ -24,7 +23,7 @@ pub fn database(script: &str, choices: &mut Choices) -> Vec<u8> {
     bytes
 }
 
-/// The database that a script makes as it stands.
+/// The database of an unchanged script.
 pub fn plain(script: &str) -> Vec<u8> {
     made(&split(script))
 }
@@ -44,7 +43,7 @@ fn fill(path: &Path, statements: &[String]) -> rusqlite::Result<()> {
     let connection = Connection::open(path)?;
     connection.execute_batch("PRAGMA synchronous = OFF")?;
     for statement in statements {
-        // A mutant may be no SQL; the others stand.
+        // A mutant may be invalid SQL; the other statements are valid.
         let _ = connection.execute_batch(statement);
     }
     Ok(())
@@ -95,7 +94,7 @@ fn table(choices: &mut Choices) -> String {
     format!("CREATE TABLE {}({}{key}){end}", word(choices, "tables"), columns.join(", "))
 }
 
-/// Rows of one shape, of which there may be some hundreds.
+/// Rows of one shape, up to some hundreds.
 fn row(choices: &mut Choices) -> String {
     let columns = columns(choices);
     let values: Vec<String> = columns.iter().map(|_| value(choices)).collect();
@@ -163,7 +162,7 @@ fn reworded(statement: &str, choices: &mut Choices) -> String {
     words.join(" ")
 }
 
-/// Writes nonsense into pages, their heads above all.
+/// Writes random bytes into pages, mostly into their headers.
 fn corrupt(bytes: &mut Vec<u8>, choices: &mut Choices) {
     const PAGE: usize = 4096;
     for _ in 0..choices.size(8) {
@@ -182,7 +181,7 @@ fn corrupt(bytes: &mut Vec<u8>, choices: &mut Choices) {
             }
             3 if choices.is(0.3) => bytes.truncate(at),
             4 => {
-                // A page that stands for another.
+                // One page in place of another.
                 let other = choices.below(bytes.len().div_ceil(PAGE)) * PAGE;
                 let copy: Vec<u8> = bytes[other..(other + PAGE).min(bytes.len())].to_vec();
                 let end = (page + copy.len()).min(bytes.len());
@@ -202,7 +201,7 @@ mod tests {
                           INSERT INTO firing VALUES (0, '2009-03-02 07:12:03', 'a', 'ON');\n";
 
     #[test]
-    fn a_script_makes_a_database_and_mutants_are_others() {
+    fn mutants_of_a_script_make_other_databases() {
         let whole = plain(SCRIPT);
         assert!(whole.starts_with(b"SQLite format 3\0"));
         let mutants: Vec<Vec<u8>> =

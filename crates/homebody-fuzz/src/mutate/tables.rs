@@ -1,9 +1,9 @@
-//! Tables in text: logs as CSV and as CASAS has them, lists of members.
+//! Tables in text: logs as CSV and in the form of CASAS, lists of members.
 
 use super::{numbers, texts, word};
 use crate::choices::Choices;
 
-/// Changes lines and cells of a table whose cells are parted by one of `,`, `;`, a tab or a blank.
+/// Changes lines and cells of a table with one of the separators `,`, `;`, tab and blank.
 pub fn table(text: &mut String, choices: &mut Choices) {
     let first = text.lines().next().unwrap_or_default();
     let mark = *[',', ';', '\t', ' '].iter().max_by_key(|&&mark| first.matches(mark).count()).unwrap_or(&',');
@@ -35,7 +35,7 @@ fn once(lines: &mut Vec<Vec<String>>, choices: &mut Choices) {
             lines.swap(at, other);
         }
         8 => {
-            // A column that is odd throughout.
+            // One odd column.
             let odd = cell("", choices);
             let most = super::times(odd.len(), lines.len());
             lines.iter_mut().take(most).filter_map(|line| line.get_mut(column)).for_each(|cell| cell.clone_from(&odd));
@@ -63,7 +63,7 @@ fn cell(cell: &str, choices: &mut Choices) -> String {
     }
 }
 
-/// An instant, or none.
+/// An instant, or an invalid one.
 pub fn instant(choices: &mut Choices) -> &'static str {
     word(choices, "instants")
 }

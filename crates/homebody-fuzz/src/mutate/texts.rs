@@ -3,7 +3,7 @@
 use super::word;
 use crate::choices::Choices;
 
-/// An odd text, a long one, or `text` with something odd in it.
+/// An odd text, a long one, or `text` with an odd insertion.
 pub fn other(text: &str, choices: &mut Choices) -> String {
     match choices.below(5) {
         0 | 1 => word(choices, "texts").to_owned(),

@@ -1,4 +1,4 @@
-//! All that the program does with a log that it can read, whatever its form.
+//! All uses of a readable log, whatever its form.
 
 use super::messages;
 use crate::target::ReadVerdict;
@@ -31,7 +31,7 @@ pub fn all(from: &LogSource, mapping: &LoggerFile, truth: &Path, folder: &Path) 
     let survey = match survey(from, mapping) {
         Ok(survey) => survey,
         Err(error) => {
-            refused(&error)?;
+            check_refusal(&error)?;
             if read(from, mapping).is_ok() {
                 return Err("what cannot be surveyed can be read".into());
             }
@@ -52,7 +52,7 @@ pub fn all(from: &LogSource, mapping: &LoggerFile, truth: &Path, folder: &Path) 
             let on_wall = known.into_iter().map(|activity| activity.map(|at| scale.run_to_wall(at)));
             log.activities = on_wall.collect();
         }
-        Err(error) => refused(&error)?,
+        Err(error) => check_refusal(&error)?,
     }
     let _ = compare(&log, &log).to_string();
     let mut looker = Looker::new(None);
@@ -62,7 +62,7 @@ pub fn all(from: &LogSource, mapping: &LoggerFile, truth: &Path, folder: &Path) 
     if look.rows != survey.rows || look.sensors.iter().map(|sensor| sensor.rows).sum::<u64>() != survey.rows {
         return Err(format!("{} rows are looked at, {} are surveyed", look.rows, survey.rows));
     }
-    // As the commands for days and density read it, on the wall of a home.
+    // In the wall time of a home, as the commands for days and density read it.
     match LoadedLog::read(&from.to_string(), Some(ZONE)) {
         Ok(given) => drawn(&given)?,
         Err(error) => messages::message(&error.to_string())?,
@@ -71,11 +71,11 @@ pub fn all(from: &LogSource, mapping: &LoggerFile, truth: &Path, folder: &Path) 
 }
 
 /// Checks the message of a refusal.
-fn refused(error: &LogError) -> Result<(), String> {
+fn check_refusal(error: &LogError) -> Result<(), String> {
     messages::message(&error.to_string())
 }
 
-/// Carries a log into another form and back: rows are as many, and at the same instants.
+/// Converts a log into another form and back: rows keep their number and instants.
 fn carried(
     from: &LogSource,
     mapping: &LoggerFile,
@@ -88,8 +88,8 @@ fn carried(
     let transfer = Transfer { from, mapping, to: &to, name: "a log", zone: ZONE, how: WriteMode::Create };
     let rows = match convert(&transfer, survey, |_| ()) {
         Ok(rows) => rows,
-        // Two sensors that a form cannot tell apart.
-        Err(error) => return refused(&error),
+        // The form cannot distinguish two sensors.
+        Err(error) => return check_refusal(&error),
     };
     if rows != survey.rows {
         return Err(format!("{rows} rows of {} came into {}", survey.rows, scheme.row().name));
@@ -118,7 +118,7 @@ fn labelled(from: &LogSource, mapping: &LoggerFile, survey: &Log, truth: &Path, 
     match label(&transfer, survey, &truth_at(&truth.to_string_lossy()), &TimeScale::one(), |_| ()) {
         Ok(labelled) if labelled.rows != survey.rows => Err(format!("{} rows of {}", labelled.rows, survey.rows)),
         Ok(_) => Ok(()),
-        Err(error) => refused(&error),
+        Err(error) => check_refusal(&error),
     }
 }
 
@@ -128,7 +128,7 @@ fn drawn(given: &LoadedLog) -> Result<(), String> {
             let day = DayRecord::from_log(&given.name, &given.log, &given.lives, given.ended(), date);
             let _ = day.to_string();
             let svg = day_chart(&DayChart::new(&day));
-            // Pixels take their time: some days have to do.
+            // Rasterising takes time, so only some days are drawn.
             if svg.len().is_multiple_of(32)
                 && let Err(error) = png(&svg, 400)
             {

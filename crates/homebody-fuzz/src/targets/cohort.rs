@@ -1,4 +1,4 @@
-//! The list of a cohort's members, by which a cohort goes on.
+//! The list of a cohort's members, which resuming a cohort reads.
 
 use super::messages;
 use crate::choices::Choices;
@@ -18,12 +18,12 @@ fn seeds() -> Vec<CaseFiles> {
     seeds::named(TARGET.name).into_iter().chain(own).collect()
 }
 
-/// The list of a cohort of so many who live for some seconds.
+/// The list of a cohort with members who are simulated for some seconds.
 fn made(members: u32) -> Option<CaseFiles> {
     let folder = tempfile::tempdir().ok()?;
     let cohort = template("studio").ok()?.cohort(members).length(10 * SECOND).start().ok()?;
-    let lived = cohort.store_in(folder.path(), |_| ()).ok()?;
-    let text = fs::read(lived.folder.join(LIST)).ok()?;
+    let stored = cohort.store_in(folder.path(), |_| ()).ok()?;
+    let text = fs::read(stored.folder.join(LIST)).ok()?;
     Some(CaseFiles::from([(LIST.to_owned(), text)]))
 }
 

@@ -1,4 +1,4 @@
-//! Logs in files that are no text: Parquet, Arrow IPC, and texts that are packed.
+//! Logs in binary files: Parquet, Arrow IPC, and compressed texts.
 
 use super::log;
 use crate::choices::Choices;

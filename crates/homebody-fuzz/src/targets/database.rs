@@ -1,4 +1,4 @@
-//! Logs in databases, ours and others'.
+//! Logs in databases, by this program and by others.
 
 use super::log;
 use crate::choices::Choices;
@@ -9,14 +9,13 @@ use std::path::Path;
 
 pub const TARGET: Target = Target { name: "database", cases: 2_000, seeds, mutate, run };
 
-/// The script of a database.
 const SCRIPT: &str = "script.sql";
 
 fn seeds() -> Vec<CaseFiles> {
     scripts(TARGET.name, log::FILE)
 }
 
-/// The databases that the scripts of a target's seeds make, as the file of this name, each with its script.
+/// The databases of a target's seeds, each with its script; the database gets this file name.
 pub fn scripts(target: &str, file: &str) -> Vec<CaseFiles> {
     let made = |script: Vec<u8>| {
         let database = sql::plain(&String::from_utf8_lossy(&script));
@@ -25,7 +24,7 @@ pub fn scripts(target: &str, file: &str) -> Vec<CaseFiles> {
     seeds::named(target).into_iter().flat_map(CaseFiles::into_values).map(made).collect()
 }
 
-/// Makes another database of a case's script.
+/// Makes another database from a case's script.
 pub fn remade(files: &mut CaseFiles, file: &str, choices: &mut Choices) {
     let database = sql::database(target::text(files, SCRIPT), choices);
     files.insert(file.to_owned(), database);

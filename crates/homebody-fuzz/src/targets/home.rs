@@ -1,4 +1,4 @@
-//! Homes: what is seen of them, and how they are drawn.
+//! Homes: coverage and pictures.
 
 use super::messages;
 use crate::choices::Choices;
@@ -16,12 +16,12 @@ use std::path::Path;
 
 pub const TARGET: Target = Target { name: "home", cases: 2_000, seeds, mutate, run };
 
-/// A scenario in which nobody lives.
-const SCENARIO: &str =
+/// A scenario without residents.
+pub const SCENARIO: &str =
     r#"{ "name": "a", "start": "2026-01-05T00:00:00", "days": 1, "home": "home.json", "residents": [] }"#;
 
-/// An older adult's body.
-const BODY_M: f64 = 0.22;
+/// Radius of an older adult's body.
+pub const BODY_M: f64 = 0.22;
 
 fn seeds() -> Vec<CaseFiles> {
     let home = |files: CaseFiles| files.into_iter().filter(|(name, _)| name == "home.json").collect();
@@ -50,7 +50,7 @@ fn run(files: &CaseFiles, _: &Path) -> Result<ReadVerdict, String> {
     let seen = of_home(home, Build::adult(), STEP_M);
     let svg = [floor_plan(home), coverage_map(&seen.home, &seen.coverage, &[])];
     if svg.iter().any(|svg| svg.contains("NaN") || svg.contains("inf\"")) {
-        return Err("a picture with a number that is none".into());
+        return Err("a picture has a value that is not a number".into());
     }
     Ok(ReadVerdict::Accepted)
 }

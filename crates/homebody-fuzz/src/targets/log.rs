@@ -1,4 +1,4 @@
-//! Logs in text: CSV as spreadsheets and we write it, and the form of CASAS.
+//! Logs in text: CSV by spreadsheets and by this program, and the form of CASAS.
 
 use super::{analysis, messages};
 use crate::choices::Choices;
@@ -17,7 +17,7 @@ pub const FILE: &str = "log";
 /// The names of a log's table and columns, in JSON.
 pub const MAPPING: &str = "logger.json";
 
-/// The truth by which it is labelled.
+/// The truth for its labels.
 pub const TRUTH: &str = "truth.db";
 
 fn seeds() -> Vec<CaseFiles> {
@@ -40,7 +40,7 @@ fn mutate(files: &mut CaseFiles, seeds: &[CaseFiles], choices: &mut Choices) {
     }
 }
 
-/// Another mapping: names of tables and columns that are there, or are not.
+/// Another mapping, with names of tables and columns that exist or not.
 pub fn mapping(text: &mut String, choices: &mut Choices) {
     const NAMES: [&str; 10] = ["time", "sensor", "value", "seq", "run_id", "firing", "Time", "a b", "\"", "rowid"];
     let mut name = || *choices.one(&NAMES);
@@ -55,7 +55,7 @@ fn run(files: &CaseFiles, folder: &Path) -> Result<ReadVerdict, String> {
     read_and_analyse(files, folder)
 }
 
-/// Writes the files of a case into a folder, and does with the log what can be done.
+/// Writes the files of a case into a folder, and analyses the log.
 ///
 /// # Errors
 ///

@@ -19,7 +19,7 @@ pub fn error(error: &SimulationError, texts: &BTreeMap<String, String>) -> Resul
     match error {
         SimulationError::Problems(problems) if problems.0.is_empty() => Err("it is refused, without a reason".into()),
         SimulationError::Problems(problems) => {
-            // The output of the command.
+            // As the command prints it.
             let _ = problems.render();
             problems.0.iter().try_for_each(|problem| self::problem(problem, texts))
         }
@@ -52,11 +52,11 @@ pub fn problem(problem: &Problem, texts: &BTreeMap<String, String>) -> Result<()
     Ok(())
 }
 
-/// Checks that people can read a message.
+/// Checks the readability of a message.
 ///
 /// # Errors
 ///
-/// Why they cannot.
+/// The missing property.
 pub fn message(text: &str) -> Result<(), String> {
     let beginning: String = text.chars().take(200).collect();
     if text.trim().is_empty() {

@@ -1,5 +1,6 @@
-//! Plans of Sweet Home 3D: what is imported passes the check, and somebody can look for ways in it.
+//! Plans of Sweet Home 3D: imported homes pass the check, and the search for ways works in them.
 
+use super::home::{BODY_M, SCENARIO};
 use super::messages;
 use crate::choices::Choices;
 use crate::mutate::markup;
@@ -15,16 +16,9 @@ use std::path::Path;
 
 pub const TARGET: Target = Target { name: "plan", cases: 2_000, seeds, mutate, run };
 
-/// The plan, and the archive that it is in.
+/// The plan, and its archive.
 const XML: &str = "Home.xml";
 const ARCHIVE: &str = "plan.sh3d";
-
-/// The smallest scenario in which a home can be checked.
-const SCENARIO: &str =
-    r#"{ "name": "a", "start": "2026-01-05T00:00:00", "days": 1, "home": "home.json", "residents": [] }"#;
-
-/// An older adult's body.
-const BODY_M: f64 = 0.22;
 
 /// Largest number of remarks (our choice).
 const MOST_REMARKS: usize = 50;
@@ -58,7 +52,7 @@ fn run(files: &CaseFiles, _: &Path) -> Result<ReadVerdict, String> {
         match sweet_home(files.get(name).map(Vec::as_slice).unwrap_or_default(), "a", None) {
             Ok(Imported { home_json, remarks }) => {
                 if remarks.len() > MOST_REMARKS {
-                    return Err(format!("nobody reads {} remarks", remarks.len()));
+                    return Err(format!("{} remarks are too many to read", remarks.len()));
                 }
                 find_ways(&home_json)?;
                 verdict = ReadVerdict::Accepted;
@@ -66,7 +60,7 @@ fn run(files: &CaseFiles, _: &Path) -> Result<ReadVerdict, String> {
             Err(error) => {
                 messages::message(&error.to_string())?;
                 if !error.to_string().contains("\n  hint: ") {
-                    return Err(format!("nobody says what to do: {error}"));
+                    return Err(format!("the error has no hint: {error}"));
                 }
             }
         }
@@ -74,7 +68,7 @@ fn run(files: &CaseFiles, _: &Path) -> Result<ReadVerdict, String> {
     Ok(verdict)
 }
 
-/// Goes from each room and piece of furniture to the next, and in by each door.
+/// Finds ways from each room and piece of furniture to the next, and in by each door.
 fn find_ways(home_json: &str) -> Result<(), String> {
     let files = [("scenario.json", SCENARIO), ("home.json", home_json)];
     let files: BTreeMap<String, String> = files.map(|(name, text)| (name.to_owned(), text.to_owned())).into();

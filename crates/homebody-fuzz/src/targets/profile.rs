@@ -1,4 +1,4 @@
-//! Lists of profiles, of which cohorts are made.
+//! Lists of profiles for cohorts.
 
 use super::{messages, simulation};
 use crate::choices::Choices;
@@ -32,7 +32,7 @@ fn run(files: &CaseFiles, folder: &Path) -> Result<ReadVerdict, String> {
             let first = profiles.into_iter().take(1).collect();
             let cohort = base.cohort_of(first).days(0.01).start().map_err(|error| error.to_string())?;
             let _ = cohort.progress();
-            simulation::live(base, folder).map(|()| ReadVerdict::Accepted)
+            simulation::simulate(base, folder).map(|()| ReadVerdict::Accepted)
         }
         Err(error) => messages::error(&error, &texts).map(|()| ReadVerdict::Refused),
     }

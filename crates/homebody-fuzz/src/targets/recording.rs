@@ -1,4 +1,4 @@
-//! Recordings: lived again, gone on with, or read beside a log.
+//! Recordings: replayed, resumed, or read with a log.
 
 use super::messages;
 use crate::choices::Choices;
@@ -25,7 +25,7 @@ fn seeds() -> Vec<CaseFiles> {
     seeds::named(TARGET.name).into_iter().chain(own).collect()
 }
 
-/// The recording of a minute of a scenario; one that is not complete where its name is long.
+/// The recording of a minute of a scenario; incomplete if its name is long.
 fn recorded(template: Template, name: &str) -> Option<CaseFiles> {
     let folder = tempfile::tempdir().ok()?;
     let path = folder.path().join(FILE);
@@ -43,7 +43,7 @@ fn recorded(template: Template, name: &str) -> Option<CaseFiles> {
 }
 
 fn mutate(files: &mut CaseFiles, seeds: &[CaseFiles], choices: &mut Choices) {
-    // Half of the mutants are of the scenario in it.
+    // Half of the mutants change its scenario.
     let recording = serde_json::from_str::<Value>(target::text(files, FILE));
     if let (Ok(mut recording), true) = (recording, choices.is(0.5)) {
         let names: Vec<String> =
@@ -71,13 +71,13 @@ fn run(files: &CaseFiles, folder: &Path) -> Result<ReadVerdict, String> {
     let none = target::texts(&CaseFiles::new());
     let path = folder.join(FILE);
     fs::write(&path, files.get(FILE).map(Vec::as_slice).unwrap_or_default()).map_err(|error| error.to_string())?;
-    // A recording beside a log says what its sensors are called, and when it was.
+    // A recording next to a log gives the names of its sensors and its date.
     fs::write(folder.join("log.csv"), "time,sensor,value\n2009-03-02 07:12:03,bed motion,ON\n")
         .map_err(|error| error.to_string())?;
     if let Err(error) = LoadedLog::read(&folder.join("log.csv").to_string_lossy(), None) {
         messages::message(&error.to_string())?;
     }
-    // The work left in a folder is reported before it is done.
+    // The unfinished work in a folder is reported before it is resumed.
     if let Err(error) = IncompleteRun::open(folder) {
         messages::error(&error, &none)?;
     }

@@ -1,4 +1,4 @@
-//! Routines and conditions: read, explained, completed, and lived in a home where there is all that they speak of.
+//! Routines and conditions: parsed, explained, completed, and simulated in a home with everything that they need.
 
 use super::{messages, simulation};
 use crate::choices::Choices;
@@ -16,7 +16,6 @@ use std::path::Path;
 
 pub const TARGET: Target = Target { name: "routine", cases: 5_000, seeds, mutate, run };
 
-/// The file of a case.
 const FILE: &str = "margaret.routine";
 
 fn seeds() -> Vec<CaseFiles> {
@@ -40,16 +39,16 @@ fn run(files: &CaseFiles, folder: &Path) -> Result<ReadVerdict, String> {
     let known = known();
     let texts = BTreeMap::from([(FILE.to_owned(), text.clone())]);
     for (understood, problems) in [routine(FILE, &text, &known), condition(FILE, &text, &known)] {
-        // Each problem, whatever was understood.
+        // Each problem, also of sentences that were parsed.
         problems.iter().try_for_each(|problem: &Problem| messages::problem(problem, &texts))?;
         let _ = explain(&understood).to_text();
     }
     let begun: String = text.chars().take(200).collect();
     let _ = words(&known, &begun);
     let template = Template::named("tigerplace").map_err(|error| error.to_string())?;
-    let mut lived: BTreeMap<String, String> = template.files().collect();
-    lived.insert(FILE.to_owned(), text);
-    simulation::check_and_live(&lived, folder)
+    let mut texts: BTreeMap<String, String> = template.files().collect();
+    texts.insert(FILE.to_owned(), text);
+    simulation::check_and_simulate(&texts, folder)
 }
 
 fn known() -> KnownNames {

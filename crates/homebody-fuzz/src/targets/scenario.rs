@@ -1,4 +1,4 @@
-//! Scenarios: their files of each kind, checked together, and lived.
+//! Scenarios: their files of each kind, checked together, and simulated.
 
 use super::simulation;
 use crate::choices::Choices;
@@ -26,7 +26,7 @@ fn mutate(files: &mut CaseFiles, seeds: &[CaseFiles], choices: &mut Choices) {
     });
 }
 
-/// CaseFiles that are missing, that stand for others, or link each other.
+/// Files that are missing, replace each other, or link each other.
 fn links(files: &mut CaseFiles, choices: &mut Choices) {
     let names: Vec<String> = files.keys().cloned().collect();
     let (one, other) = (choices.one(&names), choices.one(&names));
@@ -41,5 +41,5 @@ fn links(files: &mut CaseFiles, choices: &mut Choices) {
 }
 
 fn run(files: &CaseFiles, folder: &Path) -> Result<ReadVerdict, String> {
-    simulation::check_and_live(&target::texts(files), folder)
+    simulation::check_and_simulate(&target::texts(files), folder)
 }

@@ -1,4 +1,5 @@
-//! Scripts: read, and lived by where nothing is wrong. A script may give up in the middle of a run, in words with its line.
+//! Scripts: parsed, and simulated if they are valid. A script may fail in the middle of a run, with a message that
+//! names its line.
 
 use super::{messages, simulation};
 use crate::choices::Choices;
@@ -12,11 +13,10 @@ use std::path::Path;
 
 pub const TARGET: Target = Target { name: "script", cases: 10_000, seeds, mutate, run };
 
-/// The file of a case.
 const FILE: &str = "clara.rhai";
 
 /// Time of simulation of an input that passes the check (our choice).
-const LIVED: Span = HOUR;
+const SIMULATED: Span = HOUR;
 
 fn seeds() -> Vec<CaseFiles> {
     let of = |text: &[u8]| CaseFiles::from([(FILE.to_owned(), text.to_vec())]);
@@ -39,20 +39,20 @@ fn run(files: &CaseFiles, folder: &Path) -> Result<ReadVerdict, String> {
         Ok(opened) => opened,
         Err(error) => return messages::error(&error, &texts).map(|()| ReadVerdict::Refused),
     };
-    let first = lived(&opened)?;
+    let first = simulated(&opened)?;
     if first.1.is_none() {
-        return simulation::live(&opened, folder).map(|()| ReadVerdict::Accepted);
+        return simulation::simulate(&opened, folder).map(|()| ReadVerdict::Accepted);
     }
-    let again = lived(&opened)?;
+    let again = simulated(&opened)?;
     if first != again {
-        return Err(format!("the same seed is lived as {first:?} and as {again:?}"));
+        return Err(format!("the same seed gives {first:?} and {again:?}"));
     }
     Ok(ReadVerdict::Refused)
 }
 
 /// The number of facts of a run, and the reason if it ends early.
-fn lived(opened: &OpenScenario) -> Result<(usize, Option<String>), String> {
-    let mut run = opened.run().length(LIVED).start().map_err(|error| error.to_string())?;
+fn simulated(opened: &OpenScenario) -> Result<(usize, Option<String>), String> {
+    let mut run = opened.run().length(SIMULATED).start().map_err(|error| error.to_string())?;
     let mut facts = 0;
     loop {
         match run.next_batch() {

@@ -1,4 +1,4 @@
-//! Input from servers: URLs of databases and brokers, orders to a run, and notes on confirmed rows.
+//! Input from servers: URLs of databases and brokers, orders to a run, and records of confirmed rows.
 
 use super::messages;
 use crate::choices::Choices;
@@ -25,7 +25,7 @@ const URLS: &str = "urls.txt";
 const ORDERS: &str = "orders.jsonl";
 const NOTE: &str = "note.json";
 
-/// The password in the seeds, which no message may have.
+/// The password in the seeds, which must not appear in messages.
 const SECRET: &str = "s3cr3t-canary";
 
 fn seeds() -> Vec<CaseFiles> {
@@ -47,7 +47,7 @@ fn mutate(files: &mut CaseFiles, seeds: &[CaseFiles], choices: &mut Choices) {
     });
 }
 
-/// A URL of which one part is another.
+/// A URL with one part replaced.
 fn part(line: &str, choices: &mut Choices) -> String {
     let marks = ['/', '?', '&', '=', ':', '@', '%', '[', ']', ',', '+'];
     let mut letters: Vec<char> = line.chars().collect();
@@ -70,7 +70,7 @@ fn run(files: &CaseFiles, folder: &Path) -> Result<ReadVerdict, String> {
     let mut verdict = ReadVerdict::Refused;
     for (number, line) in target::texts(files).get(URLS).iter().flat_map(|text| text.lines().enumerate()) {
         // Of many lines some always name a server: the first decides.
-        if named(line)? && number == 0 {
+        if names_server(line)? && number == 0 {
             verdict = ReadVerdict::Accepted;
         }
     }
@@ -80,13 +80,12 @@ fn run(files: &CaseFiles, folder: &Path) -> Result<ReadVerdict, String> {
             messages::message(&why)?;
         }
     }
-    noted(files.get(NOTE).map(Vec::as_slice).unwrap_or_default(), folder)?;
+    check_watermark(files.get(NOTE).map(Vec::as_slice).unwrap_or_default(), folder)?;
     Ok(verdict)
 }
 
-/// True if a text names a server.
-fn named(text: &str) -> Result<bool, String> {
-    // Outside of the place of a password, a text is not known to be one.
+fn names_server(text: &str) -> Result<bool, String> {
+    // A text outside of the place of a password may be anything.
     let has_secret = text.contains(SECRET) && !without_password(text).contains(SECRET);
     let said = |error: LogError| {
         let error = error.to_string();
@@ -119,11 +118,11 @@ fn named(text: &str) -> Result<bool, String> {
     Ok(is_one)
 }
 
-/// Checks that a destination never gets more rows than there are, whatever its note of confirmed rows says.
-fn noted(note: &[u8], folder: &Path) -> Result<(), String> {
+/// Checks that a destination never gets more rows than exist, whatever its record of confirmed rows contains.
+fn check_watermark(note: &[u8], folder: &Path) -> Result<(), String> {
     const ROWS: u64 = 5;
     let taken = Arc::new(AtomicU64::new(0));
-    let live = |how: WriteMode| -> Result<(), LogError> {
+    let simulate = |how: WriteMode| -> Result<(), LogError> {
         let sink = Counting { taken: taken.clone(), now: 0 };
         let place = Destination::own("a broker", sink, Policy::default()).remembered_in(folder);
         let calendar =
@@ -136,20 +135,19 @@ fn noted(note: &[u8], folder: &Path) -> Result<(), String> {
         logger.store(&(0..ROWS).map(firing).collect::<Vec<_>>(), at(ROWS))?;
         logger.finish().map(drop)
     };
-    live(WriteMode::Create).map_err(|error| error.to_string())?;
+    simulate(WriteMode::Create).map_err(|error| error.to_string())?;
     let path = fs::read_dir(folder).into_iter().flatten().flatten().map(|entry| entry.path());
     let path = path.into_iter().find(|path| path.to_string_lossy().ends_with(".confirmed.json"));
     let path = path.ok_or("nothing is noted")?;
     fs::write(&path, note).map_err(|error| error.to_string())?;
     taken.store(0, Ordering::SeqCst);
-    match live(WriteMode::Resume) {
+    match simulate(WriteMode::Resume) {
         Ok(()) if taken.load(Ordering::SeqCst) > ROWS => Err("more rows are given than there are".into()),
         Ok(()) => Ok(()),
         Err(error) => messages::message(&error.to_string()),
     }
 }
 
-/// Counts what it is given.
 struct Counting {
     taken: Arc<AtomicU64>,
     now: u64,

@@ -1,4 +1,4 @@
-//! Living what has passed the check: for an hour of the run's time, and once more into files.
+//! Simulation of checked scenarios: for an hour of run time, and once more into files.
 
 use super::messages;
 use crate::target::ReadVerdict;
@@ -17,40 +17,39 @@ const STORED: Span = MINUTE.times(10);
 /// Time after which a run is stopped, as a user may stop it between two batches (our choice).
 const LONGEST: Duration = Duration::from_millis(250);
 
-/// Checks a scenario, and lives it where nothing is wrong.
+/// Checks a scenario, and simulates it if it is valid.
 ///
 /// # Errors
 ///
 /// An invariant does not hold.
-pub fn check_and_live(texts: &BTreeMap<String, String>, folder: &Path) -> Result<ReadVerdict, String> {
+pub fn check_and_simulate(texts: &BTreeMap<String, String>, folder: &Path) -> Result<ReadVerdict, String> {
     let source = ScenarioSource::from_texts(texts.clone(), "scenario.json");
     let opened = source.clone().open();
-    // Without its routines asked whether they can be lived, a scenario has no more problems.
+    // A scenario without a check of its routines has no more problems than with it.
     if let (Ok(_), Err(error)) = (&opened, source.scenario()) {
         return Err(format!("it passes the whole check, but not its first part: {error}"));
     }
     match opened {
-        Ok(opened) => live(&opened, folder).map(|()| ReadVerdict::Accepted),
+        Ok(opened) => simulate(&opened, folder).map(|()| ReadVerdict::Accepted),
         Err(error) => messages::error(&error, texts).map(|()| ReadVerdict::Refused),
     }
 }
 
-/// Lives a scenario that has passed the check.
+/// Simulates a scenario that has passed the check.
 ///
 /// # Errors
 ///
-/// An invariant does not hold: the check lets pass what no run can live, or rows are not in order.
-pub fn live(opened: &OpenScenario, folder: &Path) -> Result<(), String> {
+/// An invariant does not hold: the check accepts a scenario that cannot be simulated, or rows are not in order.
+pub fn simulate(opened: &OpenScenario, folder: &Path) -> Result<(), String> {
     let is_whole = batches(opened)?;
-    if is_whole { files(opened, folder) } else { Ok(()) }
+    if is_whole { store_and_replay(opened, folder) } else { Ok(()) }
 }
 
-/// The failure of a scenario that passes the check.
 fn disagreed(error: SimulationError) -> String {
     format!("the check lets it pass, and the run says: {error}")
 }
 
-/// Lives an hour batch by batch; false where it was ended before.
+/// Simulates an hour in batches; false if it was stopped.
 fn batches(opened: &OpenScenario) -> Result<bool, String> {
     let begun = Instant::now();
     let mut run = opened.run().length(HOUR).start().map_err(disagreed)?;
@@ -77,8 +76,8 @@ fn batches(opened: &OpenScenario) -> Result<bool, String> {
     Ok(true)
 }
 
-/// Lives the beginning into files, reads the log back, and lives the recording again.
-fn files(opened: &OpenScenario, folder: &Path) -> Result<(), String> {
+/// Simulates the beginning into files, reads the log back, and replays the recording.
+fn store_and_replay(opened: &OpenScenario, folder: &Path) -> Result<(), String> {
     let begun = Instant::now();
     let cancel = Cancel::new();
     let hurry = |_: RunProgress| {
@@ -86,7 +85,7 @@ fn files(opened: &OpenScenario, folder: &Path) -> Result<(), String> {
             cancel.cancel();
         }
     };
-    // Never where the scenario's own logger would have it.
+    // The scenario's own destination is never used.
     let url = Url::new(homebody_core::scenario::scheme::Scheme::Csv, folder.join("log.csv"));
     let recording = folder.join("recording.json");
     let to = Destinations {
@@ -96,21 +95,21 @@ fn files(opened: &OpenScenario, folder: &Path) -> Result<(), String> {
         ..Destinations::default()
     };
     let run = opened.run().length(STORED).cancel(&cancel).start().map_err(disagreed)?;
-    let lived = run.store(&to, hurry).map_err(disagreed)?;
-    let rows = lived.stored.rows;
+    let stored = run.store(&to, hurry).map_err(disagreed)?;
+    let rows = stored.stored.rows;
     match read(&url, &opened.scenario().logger) {
         Ok(log) if log.rows != rows || log.skipped > 0 => {
             return Err(format!("{rows} rows were stored, {} are read, {} are not understood", log.rows, log.skipped));
         }
         Ok(_) => {}
-        // A log without a row has nothing by which its columns are known.
+        // The columns of a log without rows are unknown.
         Err(error) if rows > 0 => return Err(format!("what was stored cannot be read: {error}")),
         Err(_) => {}
     }
     let again = RecordedRun::open(&recording).map_err(|error| format!("its own recording is refused: {error}"))?;
-    let lived = again.start().store(&Destinations::own(), |_| ()).map_err(disagreed)?;
-    match lived.agrees {
-        Some(false) => Err("its recording is lived to another log".into()),
+    let stored = again.start().store(&Destinations::own(), |_| ()).map_err(disagreed)?;
+    match stored.agrees {
+        Some(false) => Err("its recording replays to another log".into()),
         _ => Ok(()),
     }
 }

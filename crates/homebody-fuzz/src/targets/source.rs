@@ -1,4 +1,4 @@
-//! Logs in the forms of data sets, with some of their lines changed: no other line is lost by that, and what is refused is named.
+//! Logs in the forms of data sets, with some changed lines: all other lines remain, and refused lines are reported.
 
 use super::messages;
 use crate::choices::Choices;
@@ -13,7 +13,7 @@ use std::path::Path;
 
 pub const TARGET: Target = Target { name: "source", cases: 10_000, seeds, mutate, run };
 
-/// The log as it was, and as it is changed.
+/// The original log, and its mutant.
 const GOOD: &str = "good";
 const CHANGED: &str = "changed";
 
@@ -35,7 +35,7 @@ fn mutate(files: &mut CaseFiles, _: &[CaseFiles], choices: &mut Choices) {
     files.insert(CHANGED.to_owned(), lines.join("\n").into_bytes());
 }
 
-/// A line that differs in a letter, a word or all.
+/// A line with another letter or word, or another line.
 fn other(line: &str, choices: &mut Choices) -> String {
     let mut letters: Vec<char> = line.chars().collect();
     let at = choices.below(letters.len());
@@ -54,7 +54,7 @@ fn other(line: &str, choices: &mut Choices) -> String {
 
 fn run(files: &CaseFiles, folder: &Path) -> Result<ReadVerdict, String> {
     let (good, changed) = (target::text(files, GOOD), target::text(files, CHANGED));
-    // A change that is no text any more changes nothing that can be told line by line.
+    // Binary content cannot be compared line by line.
     if good.is_empty() || changed.is_empty() {
         return Ok(ReadVerdict::Refused);
     }
@@ -71,7 +71,7 @@ fn run(files: &CaseFiles, folder: &Path) -> Result<ReadVerdict, String> {
     let differs: Vec<usize> = (0..before.len()).filter(|&at| after.get(at) != Some(&before[at])).collect();
     let apart = with_their_record(form.name, &before, &differs);
     let rest: Vec<&str> = match EACH_SECOND.contains(&form.name) {
-        // A second without a row of its own is as the one before it.
+        // A second without a row equals the one before it.
         true => {
             let kept = |at: usize| (0..=at).rev().find(|at| !apart.contains(at)).unwrap_or(0);
             (0..before.len()).map(|at| before[kept(at)]).collect()
@@ -88,7 +88,7 @@ fn run(files: &CaseFiles, folder: &Path) -> Result<ReadVerdict, String> {
         Err(error) => return Err(format!("lines that stay are lost with the others: {error}")),
     };
     let is_refused = |at: &usize| log.problems.iter().any(|problem| problem.line as usize == at + 1);
-    // A row of a second that is understood otherwise changes what the next one tells.
+    // The changed meaning of a row for one second changes the row of the next.
     if !EACH_SECOND.contains(&form.name) || differs.iter().all(is_refused) {
         nothing_is_lost(&log, &rest)?;
     }
@@ -108,7 +108,7 @@ fn run(files: &CaseFiles, folder: &Path) -> Result<ReadVerdict, String> {
 /// Forms with a row for each second, which record only changes.
 const EACH_SECOND: [&str; 2] = ["aras", "openshs"];
 
-/// The lines of all records that any of the lines is in.
+/// The lines of all records that contain any of the lines.
 fn with_their_record(form: &str, lines: &[&str], some: &[usize]) -> Vec<usize> {
     let mut number = 0;
     let records: Vec<usize> = lines

@@ -1,4 +1,4 @@
-//! Truths whose tables are files: comma-separated values, JSON Lines, Parquet and Arrow IPC.
+//! Truths with tables in files: comma-separated values, JSON Lines, Parquet and Arrow IPC.
 
 use super::messages;
 use crate::choices::Choices;
@@ -19,18 +19,18 @@ use std::path::Path;
 
 pub const TARGET: Target = Target { name: "tables", cases: 5_000, seeds, mutate, run };
 
-/// Kinds of places that have a file for each table, by how these end.
+/// Kinds of places with a file for each table, by file extension.
 const ENDINGS: [&str; 4] = ["csv", "jsonl", "parquet", "arrow"];
 
 const LOG: &str = "log.csv";
 
-/// A log, and the tables that label it, in each of the forms: some minutes in the flat.
+/// A log, and the tables of its labels, in each of the forms: some minutes in the flat.
 fn seeds() -> Vec<CaseFiles> {
     install(Registry::new(vec![homebody_arrow::PLUGIN]));
-    ENDINGS.iter().filter_map(|ending| lived(ending)).collect()
+    ENDINGS.iter().filter_map(|ending| tables(ending)).collect()
 }
 
-fn lived(ending: &str) -> Option<CaseFiles> {
+fn tables(ending: &str) -> Option<CaseFiles> {
     let texts: BTreeMap<String, String> =
         seeds::flat().into_iter().filter_map(|(name, bytes)| Some((name, String::from_utf8(bytes).ok()?))).collect();
     let folder = tempfile::tempdir().ok()?;
@@ -89,7 +89,7 @@ fn run(files: &CaseFiles, folder: &Path) -> Result<ReadVerdict, String> {
         Ok(_) => {}
         Err(error) => messages::message(&error.to_string())?,
     }
-    // Each table as a place of its own, too.
+    // Each table by itself, too.
     for name in files.keys().filter(|name| *name != LOG) {
         let place = url(format!("{ending}:{}", folder.join(name).display()))?;
         let checks = examine(&place, &CheckOptions { mapping: &mapping, may_write: false })

@@ -1,4 +1,4 @@
-//! Short texts that people say: places of logs, dates, time zones, speeds, commands for a run that is lived.
+//! Short inputs: names of logs, dates, time zones, speeds, commands for a run.
 
 use super::messages;
 use crate::choices::Choices;
@@ -46,15 +46,15 @@ fn mutate(files: &mut CaseFiles, seeds: &[CaseFiles], choices: &mut Choices) {
 fn run(files: &CaseFiles, folder: &Path) -> Result<ReadVerdict, String> {
     let mut verdict = ReadVerdict::Refused;
     for text in target::texts(files).values().flat_map(|text| text.lines()) {
-        if understood(text, folder)? {
+        if is_valid(text, folder)? {
             verdict = ReadVerdict::Accepted;
         }
     }
     Ok(verdict)
 }
 
-/// Reads a text as all that it may be; whether it is anything.
-fn understood(text: &str, folder: &Path) -> Result<bool, String> {
+/// Parses a text in all ways; true if one succeeds.
+fn is_valid(text: &str, folder: &Path) -> Result<bool, String> {
     let url = text.parse::<Url>().map_err(LogError::NoPlace);
     if let Ok(url) = &url {
         let within = url.within(folder).to_string();
@@ -72,19 +72,19 @@ fn understood(text: &str, folder: &Path) -> Result<bool, String> {
     }
     let start = Calendar::new(text, "Europe/Berlin").map(drop);
     let found = [
-        spoken(url)?,
-        spoken(asked)?,
-        spoken(start)?,
-        spoken(Calendar::zone(text))?,
-        spoken(text.parse::<Speed>())?,
-        spoken(text.parse::<RunCommand>())?,
+        checked(url)?,
+        checked(asked)?,
+        checked(start)?,
+        checked(Calendar::zone(text))?,
+        checked(text.parse::<Speed>())?,
+        checked(text.parse::<RunCommand>())?,
         time_of_day(text).is_some(),
     ];
     Ok(found.contains(&true))
 }
 
-/// True if it is understood; otherwise checks the message.
-fn spoken<T, E: Display>(read: Result<T, E>) -> Result<bool, String> {
+/// True if it is valid; otherwise checks the message.
+fn checked<T, E: Display>(read: Result<T, E>) -> Result<bool, String> {
     match read {
         Ok(_) => Ok(true),
         Err(error) => messages::message(&error.to_string()).map(|()| false),

@@ -1,4 +1,4 @@
-//! Truths: what residents did, why sensors spoke, how bodies moved.
+//! Truths: activities of residents, causes of firings, movements of bodies.
 
 use super::{database, log, messages};
 use crate::choices::Choices;
@@ -14,7 +14,7 @@ use std::path::Path;
 
 pub const TARGET: Target = Target { name: "truth", cases: 1_000, seeds, mutate, run };
 
-/// A log of which such a truth may tell.
+/// A log for the truth.
 const LOG: &str = "seq,time,sensor,value\n\
                    0,2009-03-02 07:12:03.000000,bed motion,ON\n\
                    1,2009-03-02 07:12:05.500000,hall motion,ON\n\
@@ -35,12 +35,12 @@ fn run(files: &CaseFiles, folder: &Path) -> Result<ReadVerdict, String> {
     fs::write(&path, files.get(log::TRUTH).map(Vec::as_slice).unwrap_or_default())
         .map_err(|error| error.to_string())?;
     let (url, scale) = (truth_at(&path.to_string_lossy()), TimeScale::one());
-    let told = [activities(&url, &scale).map(drop), lives(&url, &scale).map(drop), movements(&url)];
-    for error in told.iter().filter_map(|told| told.as_ref().err()) {
+    let read = [activities(&url, &scale).map(drop), lives(&url, &scale).map(drop), movements(&url)];
+    for error in read.iter().filter_map(|told| told.as_ref().err()) {
         messages::message(&error.to_string())?;
     }
     log::read_and_analyse(files, folder)?;
-    Ok(if told.iter().all(Result::is_ok) { ReadVerdict::Accepted } else { ReadVerdict::Refused })
+    Ok(if read.iter().all(Result::is_ok) { ReadVerdict::Accepted } else { ReadVerdict::Refused })
 }
 
 fn movements(truth: &Url) -> Result<(), LogError> {

@@ -40,7 +40,7 @@ fn mutate(files: &mut CaseFiles, seeds: &[CaseFiles], choices: &mut Choices) {
     });
 }
 
-/// Changes a text of a draft as its writer would; false where there is none.
+/// Changes a text of a draft, as its user would; false without one.
 fn drafted(message: &mut Value, choices: &mut Choices) -> bool {
     let at = if message["texts"].is_object() { "/texts" } else { "/draft/texts" };
     let Some(Value::Object(texts)) = message.pointer_mut(at) else { return false };
@@ -60,23 +60,23 @@ fn run(files: &CaseFiles, folder: &Path) -> Result<ReadVerdict, String> {
     let shelf = shelf(folder).map_err(|error| format!("the folder of the case: {error}"))?;
     let desk = Desk::new(shelf.clone());
     let text = target::texts(files).remove(FILE).unwrap_or_default();
-    let mut is_understood = asked(&desk, &text)?;
-    // One message, or what a page says one after the other.
+    let mut is_understood = ask(&desk, &text)?;
+    // One message, or a series.
     let says: Vec<Say> =
         serde_json::from_str(&text).or_else(|_| serde_json::from_str(&text).map(|say| vec![say])).unwrap_or_default();
     if !says.is_empty() {
         is_understood = true;
-        staged(shelf, says)?;
+        run_on_stage(shelf, says)?;
     }
-    // Anybody's plan is dropped onto the page.
+    // A plan of unknown origin, dropped onto the page.
     if let Err(error) = desk.import(text.as_bytes()) {
         messages::message(&error.to_string())?;
     }
     Ok(if is_understood { ReadVerdict::Accepted } else { ReadVerdict::Refused })
 }
 
-/// Asks the desk what the message asks; whether it is a question.
-fn asked(desk: &Desk, text: &str) -> Result<bool, String> {
+/// Passes a question to the desk; false for other messages.
+fn ask(desk: &Desk, text: &str) -> Result<bool, String> {
     let mut is_understood = true;
     if let Ok(draft) = serde_json::from_str::<Draft>(text) {
         let checked = desk.check(draft.clone());
@@ -109,8 +109,8 @@ fn problems(problems: &[ProblemView]) -> Result<(), String> {
     Ok(())
 }
 
-/// Has a run on a stage of its own do what it is told.
-fn staged(shelf: Shelf, says: Vec<Say>) -> Result<(), String> {
+/// Sends messages to a run on a stage of its own.
+fn run_on_stage(shelf: Shelf, says: Vec<Say>) -> Result<(), String> {
     let stage = Stage::open(shelf).map_err(|error| error.to_string())?;
     let mut seen = Seen::default();
     let voice = stage.voice();
@@ -127,7 +127,6 @@ fn staged(shelf: Shelf, says: Vec<Say>) -> Result<(), String> {
     Ok(())
 }
 
-/// The flat that tests share, as a scenario on disk.
 fn shelf(folder: &Path) -> std::io::Result<Shelf> {
     let scenario = folder.join("flat");
     fs::create_dir_all(&scenario)?;

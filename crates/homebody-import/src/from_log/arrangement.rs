@@ -1,12 +1,12 @@
-//! Rooms that fill one rectangle, so that those between which people went are beside each other.
+//! An arrangement of rooms in one rectangle with walls in common where people went from room to room.
 //!
-//! The rectangle is cut in two, and each part again, until each room has its own: a tree of cuts. From a tree in which rooms
-//! that have much to do with each other are near each other, single changes are made as long as any makes it better.
+//! The rectangle is cut in two, and each part again, until each room has its own: a tree of cuts. The first tree keeps
+//! rooms with strong ties together; then single changes are made as long as one of them improves it.
 
 use super::shape::{Rect, cut};
 use homebody_core::geometry::Point;
 
-/// The needs of a room before it has a place.
+/// The requirements of a room without a place yet.
 #[derive(Clone, Copy, Debug)]
 pub struct RoomNeed {
     pub area_m2: f64,
@@ -38,14 +38,14 @@ const WAY_OUT: f64 = 0.5;
 /// Largest number of changes that are tried (our choice): a home of ten rooms needs some thousand.
 const MOST_TRIALS: usize = 60_000;
 
-/// The rectangles of rooms, in metres from the corner of the home. `ties` says of two rooms how much they have to do with each other.
-pub fn arranged(rooms: &[RoomNeed], ties: &[Vec<f64>]) -> Vec<Rect> {
+/// The rectangles of rooms, in metres from the corner of the home. `ties` are the strengths of the ties of two rooms.
+pub fn arrange(rooms: &[RoomNeed], ties: &[Vec<f64>]) -> Vec<Rect> {
     let area: f64 = rooms.iter().map(|room| room.area_m2).sum();
     let width = (area * WIDTH).sqrt();
     let whole = Rect { least: Point::ZERO, most: Point::new(width, area / width) };
     let laid = |tree: &CutTree| {
         let mut rects = vec![whole; rooms.len()];
-        lay(tree, whole, rooms, &mut rects);
+        lay_out(tree, whole, rooms, &mut rects);
         rects
     };
     let mut best = by_ties(rooms.len(), ties);
@@ -67,7 +67,7 @@ pub fn arranged(rooms: &[RoomNeed], ties: &[Vec<f64>]) -> Vec<Rect> {
     }
 }
 
-/// A tree in which rooms with the strongest ties are parted last.
+/// A tree that separates rooms with the strongest ties last.
 fn by_ties(count: usize, ties: &[Vec<f64>]) -> CutTree {
     let mut clusters: Vec<(Vec<usize>, CutTree, bool)> =
         (0..count).map(|room| (vec![room], CutTree::Room(room), true)).collect();
@@ -91,7 +91,7 @@ fn by_ties(count: usize, ties: &[Vec<f64>]) -> CutTree {
     clusters.into_iter().next().map_or(CutTree::Room(0), |(_, tree, _)| tree)
 }
 
-fn lay(tree: &CutTree, rect: Rect, rooms: &[RoomNeed], rects: &mut [Rect]) {
+fn lay_out(tree: &CutTree, rect: Rect, rooms: &[RoomNeed], rects: &mut [Rect]) {
     match tree {
         CutTree::Room(room) => rects[*room] = rect,
         CutTree::Cut { is_upright, parts } => {
@@ -99,8 +99,8 @@ fn lay(tree: &CutTree, rect: Rect, rooms: &[RoomNeed], rects: &mut [Rect]) {
             let share = first / (first + second);
             let at = rect.least + rect.size() * share;
             let [a, b] = cut(&rect, *is_upright, if *is_upright { at.x } else { at.y });
-            lay(&parts[0], a, rooms, rects);
-            lay(&parts[1], b, rooms, rects);
+            lay_out(&parts[0], a, rooms, rects);
+            lay_out(&parts[1], b, rooms, rects);
         }
     }
 }
@@ -112,7 +112,6 @@ fn area(tree: &CutTree, rooms: &[RoomNeed]) -> f64 {
     }
 }
 
-/// The cost of an arrangement.
 fn cost_of(rects: &[Rect], rooms: &[RoomNeed], ties: &[Vec<f64>], whole: &Rect) -> f64 {
     let (mut apart, mut all) = (0.0, 0.0);
     for a in 0..rects.len() {
@@ -146,7 +145,7 @@ fn misshapen(rect: &Rect, room: &RoomNeed) -> f64 {
     (long / short - longest).max(0.0) + 4.0 * (least - short).max(0.0)
 }
 
-/// A side of a rectangle that is on the outside of the home and has room for a door: the longest.
+/// The longest side of a rectangle on the outside of the home with room for a door.
 pub fn outer_side(rect: &Rect, whole: &Rect) -> Option<(Point, Point)> {
     let is_outer = |(from, to): &(Point, Point)| {
         let middle = (*from + *to) / 2.0;
@@ -160,7 +159,7 @@ pub fn outer_side(rect: &Rect, whole: &Rect) -> Option<(Point, Point)> {
     sides.max_by(|a, b| a.0.distance(a.1).total_cmp(&b.0.distance(b.1)))
 }
 
-/// All trees that differ in one thing: a cut that is turned, two rooms that change places, a room that is elsewhere.
+/// All trees with one difference: a turned cut, two exchanged rooms, a moved room.
 fn changes(tree: &CutTree, count: usize) -> impl Iterator<Item = CutTree> + use<> {
     let nodes = 2 * count - 1;
     let (base, other, third) = (tree.clone(), tree.clone(), tree.clone());
@@ -184,7 +183,7 @@ fn changes(tree: &CutTree, count: usize) -> impl Iterator<Item = CutTree> + use<
     turned.chain(swapped).chain(moved)
 }
 
-/// Turns the cut of this number, in the order in which a tree is written; whether there is one.
+/// Turns the cut of this number, in the order of writing; false without one.
 fn turn(tree: &mut CutTree, number: &mut usize) -> bool {
     let CutTree::Cut { is_upright, parts } = tree else { return false };
     if *number == 0 {
@@ -204,7 +203,7 @@ fn swap(tree: &mut CutTree, a: usize, b: usize) {
     }
 }
 
-/// The tree without a room; none where it was all there is.
+/// The tree without a room; `None` if it was the only one.
 fn without(tree: &CutTree, room: usize) -> Option<CutTree> {
     match tree {
         CutTree::Room(one) => (*one != room).then_some(CutTree::Room(*one)),
@@ -215,7 +214,7 @@ fn without(tree: &CutTree, room: usize) -> Option<CutTree> {
     }
 }
 
-/// The tree with a room beside the node of this number: on one of its four sides.
+/// The tree with a room on one of the four sides of the node of this number.
 fn with(tree: &CutTree, room: usize, number: &mut usize, side: usize) -> CutTree {
     if *number == 0 {
         *number = usize::MAX;
@@ -242,14 +241,14 @@ mod tests {
     }
 
     #[test]
-    fn rooms_with_ties_are_beside_each_other_and_fill_the_home() {
+    fn rooms_with_ties_are_adjacent_and_fill_the_home() {
         let rooms: Vec<RoomNeed> =
             [13.0, 6.0, 11.0, 19.0, 9.0, 6.0].into_iter().enumerate().map(|(n, area)| wanted(area, n == 5)).collect();
         let mut ties = vec![vec![0.0; 6]; 6];
         for (a, b) in [(0, 1), (0, 5), (2, 3), (3, 5), (4, 5), (2, 4)] {
             (ties[a][b], ties[b][a]) = (10.0, 10.0);
         }
-        let rects = arranged(&rooms, &ties);
+        let rects = arrange(&rooms, &ties);
         let whole: f64 = rects.iter().map(|rect| rect.size().x * rect.size().y).sum();
         assert!((whole - 64.0).abs() < 1e-6);
         for a in 0..6 {

@@ -5,7 +5,6 @@ use super::shape::Rect;
 use homebody_core::geometry::Point;
 use std::collections::VecDeque;
 
-/// A door between two rooms, or out of one.
 #[derive(Clone, Debug)]
 pub struct DoorGap {
     pub from: Point,
@@ -26,7 +25,6 @@ impl DoorGap {
         (self.from + self.to) / 2.0
     }
 
-    /// The room on the other side.
     pub fn other(&self, room: usize) -> Option<usize> {
         match self.rooms {
             [Some(a), Some(b)] if a == room => Some(b),
@@ -43,7 +41,7 @@ impl DoorGap {
     }
 }
 
-/// The doors between rooms: where ways lead, and where else no room could be reached.
+/// The doors between rooms: on the ways of people, and for rooms that could not be reached otherwise.
 pub fn between(rects: &[Rect], ways: &[Vec<f64>], is_way: &[bool]) -> Vec<DoorGap> {
     let mut pairs: Vec<(usize, usize, (Point, Point), f64)> = Vec::new();
     for a in 0..rects.len() {
@@ -69,7 +67,7 @@ pub fn between(rects: &[Rect], ways: &[Vec<f64>], is_way: &[bool]) -> Vec<DoorGa
         join(a, b);
         doors.push(DoorGap::in_wall(side, [Some(b), Some(a)]));
     }
-    // Through rooms that one goes through, before all others, and through wide walls.
+    // Passages before all other rooms, and wide walls first.
     let worth = |&(a, b, (from, to), times): &(usize, usize, (Point, Point), f64)| {
         times * 100.0 + if is_way[a] || is_way[b] { 50.0 } else { 0.0 } + from.distance(to)
     };
@@ -82,7 +80,7 @@ pub fn between(rects: &[Rect], ways: &[Vec<f64>], is_way: &[bool]) -> Vec<DoorGa
     doors
 }
 
-/// The door out of the first of these rooms that has an outer wall.
+/// The door out of the first of these rooms with an outer wall.
 pub fn out(rects: &[Rect], candidates: &[usize]) -> Option<DoorGap> {
     let first = rects.first()?;
     let (least, most) = rects
@@ -92,7 +90,7 @@ pub fn out(rects: &[Rect], candidates: &[usize]) -> Option<DoorGap> {
     candidates.iter().find_map(|&room| Some(DoorGap::in_wall(outer_side(&rects[room], &whole)?, [Some(room), None])))
 }
 
-/// By room, the door by which one goes there from `room`, as an index; none for itself and for what cannot be reached.
+/// By room, the index of the first door on the way there from `room`; `None` for itself and for unreachable rooms.
 pub fn next(doors: &[DoorGap], room: usize, count: usize) -> Vec<Option<usize>> {
     let mut first = vec![None; count];
     let mut is_known = vec![false; count];

@@ -1,12 +1,12 @@
-//! A schematic home, put together.
+//! Assembles a schematic home.
 
-use super::arrangement::{RoomNeed, arranged};
+use super::arrangement::{RoomNeed, arrange};
 use super::doors::{DoorGap, between, out};
-use super::interpretation::{Interpretation, LogRoom, SensorAim, understand};
-use super::measured_rooms::parted;
+use super::interpretation::{Interpretation, LogRoom, SensorAim, interpret};
+use super::measured_rooms::rectangles;
 use super::pieces::{NeededPiece, pieces};
 use super::placement::{Placement, PlacementSite, placed};
-use super::sensors::{Furnished, hung, make};
+use super::sensors::{Furnished, make, place_sensors};
 use super::shape::{Rect, rounded};
 use super::{LogSensor, LogWay};
 use crate::error::ImportError;
@@ -18,14 +18,13 @@ use homebody_core::plan::form::{DoorFile, FurnitureFile, RoomFile, WallFile};
 use homebody_core::problem::counted;
 use std::collections::{BTreeMap, BTreeSet};
 
-/// A schematic home.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Schematic {
     /// The text of a `home.json` that passes the check.
     pub home_json: String,
-    /// By sensor of the home, what the log calls it.
+    /// By sensor of the home, its id in the log.
     pub ids: BTreeMap<String, String>,
-    /// For how long an ON is held, where the log tells OFF.
+    /// Duration of an ON, if the log has OFF.
     pub hold_s: Option<f64>,
     /// Guesses and omissions, a sentence each.
     pub remarks: Vec<String>,
@@ -81,7 +80,7 @@ fn listed(names: &[String]) -> String {
     names.iter().take(LISTED).map(String::as_str).collect::<Vec<_>>().join(", ") + more
 }
 
-/// Makes a home of this name of what a log tells. `about` is what its file says of itself.
+/// Makes a home with this name from a log. `about` is its description.
 ///
 /// # Errors
 ///
@@ -90,15 +89,15 @@ pub fn schematic(name: &str, about: &str, sensors: &[LogSensor], ways: &[LogWay]
     if sensors.is_empty() {
         return Err(SchematicError::NoSensors);
     }
-    let mut understood = understand(sensors, ways).map_err(SchematicError::UnknownRooms)?;
+    let mut interpretation = interpret(sensors, ways).map_err(SchematicError::UnknownRooms)?;
     let is_measured = sensors.iter().any(|sensor| sensor.at.is_some());
-    let told = understood.rooms.len();
-    let pieces = pieces(&mut understood, sensors);
-    if understood.rooms.len() > MOST_ROOMS {
+    let told = interpretation.rooms.len();
+    let pieces = pieces(&mut interpretation, sensors);
+    if interpretation.rooms.len() > MOST_ROOMS {
         return Err(SchematicError::TooManyRooms(told));
     }
-    let mut larger = vec![1.0; understood.rooms.len()];
-    let mut laid = lay(&understood, (sensors, ways), &pieces, &larger)?;
+    let mut larger = vec![1.0; interpretation.rooms.len()];
+    let mut laid = lay_out(&interpretation, (sensors, ways), &pieces, &larger)?;
     for _ in 0..ROUNDS {
         let without = (0..pieces.len()).filter(|&piece| laid.places.pieces[piece].is_none());
         let rooms: BTreeSet<usize> = without.map(|piece| pieces[piece].room).collect();
@@ -106,13 +105,13 @@ pub fn schematic(name: &str, about: &str, sensors: &[LogSensor], ways: &[LogWay]
             break;
         }
         rooms.into_iter().for_each(|room| larger[room] *= LARGER);
-        laid = lay(&understood, (sensors, ways), &pieces, &larger)?;
+        laid = lay_out(&interpretation, (sensors, ways), &pieces, &larger)?;
     }
-    let mut remarks = std::mem::take(&mut understood.guesses);
+    let mut remarks = std::mem::take(&mut interpretation.guesses);
     if is_measured {
         remarks.push("walls are drawn half way between the sensors of two rooms: move them to where they are".into());
     }
-    let AssembledHome { mut home, ids, hold_s } = put_together(&understood, sensors, laid, &pieces, &mut remarks);
+    let AssembledHome { mut home, ids, hold_s } = put_together(&interpretation, sensors, laid, &pieces, &mut remarks);
     home.name = Some(clean(name)).filter(|name| !name.is_empty()).unwrap_or_else(|| "home".to_owned());
     home.about = about.to_owned();
     let home_json = soundness::text(home, &mut remarks).map_err(|error| match error {
@@ -122,7 +121,7 @@ pub fn schematic(name: &str, about: &str, sensors: &[LogSensor], ways: &[LogWay]
     Ok(Schematic { home_json, ids, hold_s, remarks })
 }
 
-/// Rooms and all that is in them, each in its place.
+/// The places of rooms and their content.
 struct HomeLayout {
     rects: Vec<Rect>,
     walls: Vec<(Point, Point)>,
@@ -130,41 +129,41 @@ struct HomeLayout {
     places: Placement,
 }
 
-/// Lays rooms out, each so many times as large as is usual, and places everything.
-fn lay(
-    understood: &Interpretation,
+/// Lays rooms out, each enlarged by its factor, and places everything.
+fn lay_out(
+    interpretation: &Interpretation,
     (sensors, ways): (&[LogSensor], &[LogWay]),
     pieces: &[NeededPiece],
     larger: &[f64],
 ) -> Result<HomeLayout, SchematicError> {
-    let outs = ways_out(understood, sensors);
+    let outs = ways_out(interpretation, sensors);
     let rects = match sensors.iter().any(|sensor| sensor.at.is_some()) {
-        true => measured(understood, sensors, pieces)?,
+        true => measured(interpretation, sensors, pieces)?,
         false => {
-            // Ways that are gone every day count more than seldom ones, but not a hundred times.
-            let ties = between_rooms(understood, ways, |way| (way.times as f64).sqrt());
-            let mut wanted = wanted(understood, ways, pieces, outs.first().copied());
+            // Daily ways count more than rare ones, but not a hundred times.
+            let ties = between_rooms(interpretation, ways, |way| (way.times as f64).sqrt());
+            let mut wanted = room_areas(interpretation, ways, pieces, outs.first().copied());
             wanted.iter_mut().zip(larger).for_each(|(room, larger)| room.area_m2 *= larger);
-            arranged(&wanted, &ties)
+            arrange(&wanted, &ties)
         }
     };
     let metric = |at: Point| Point::from(rounded(at.into()));
     let rects: Vec<Rect> =
         rects.iter().map(|rect| Rect { least: metric(rect.least), most: metric(rect.most) }).collect();
-    let is_way: Vec<bool> = understood.rooms.iter().map(|room| room.kind.is_way).collect();
-    let times = between_rooms(understood, ways, |way| way.times as f64);
+    let is_way: Vec<bool> = interpretation.rooms.iter().map(|room| room.kind.is_way).collect();
+    let times = between_rooms(interpretation, ways, |way| way.times as f64);
     let mut doors = between(&rects, &times, &is_way);
     doors.extend(out(&rects, &outs));
-    let site = PlacementSite { sensors, ways, what: &understood.sensors, rects: &rects, doors: &doors, pieces };
+    let site = PlacementSite { sensors, ways, what: &interpretation.sensors, rects: &rects, doors: &doors, pieces };
     let places = placed(&site);
     Ok(HomeLayout { walls: walls(&rects), rects, doors, places })
 }
 
-/// By two rooms, the sum of what their ways count.
-fn between_rooms(understood: &Interpretation, ways: &[LogWay], counts: impl Fn(&LogWay) -> f64) -> Vec<Vec<f64>> {
-    let mut sums = vec![vec![0.0; understood.rooms.len()]; understood.rooms.len()];
+/// By two rooms, the sum of the weights of their ways.
+fn between_rooms(interpretation: &Interpretation, ways: &[LogWay], counts: impl Fn(&LogWay) -> f64) -> Vec<Vec<f64>> {
+    let mut sums = vec![vec![0.0; interpretation.rooms.len()]; interpretation.rooms.len()];
     for way in ways {
-        let [a, b] = way.between.map(|sensor| understood.sensors[sensor].0);
+        let [a, b] = way.between.map(|sensor| interpretation.sensors[sensor].0);
         if a != b {
             sums[a][b] += counts(way);
             sums[b][a] += counts(way);
@@ -174,38 +173,37 @@ fn between_rooms(understood: &Interpretation, ways: &[LogWay], counts: impl Fn(&
 }
 
 /// The rooms that may have the way out, the likeliest first.
-fn ways_out(understood: &Interpretation, sensors: &[LogSensor]) -> Vec<usize> {
+fn ways_out(interpretation: &Interpretation, sensors: &[LogSensor]) -> Vec<usize> {
     let has_contact =
-        |room: usize| understood.sensors.iter().any(|&(of, what)| of == room && what == SensorAim::FrontDoor);
+        |room: usize| interpretation.sensors.iter().any(|&(of, what)| of == room && what == SensorAim::FrontDoor);
     let at_silence = |room: usize| -> u64 {
         sensors
             .iter()
-            .zip(&understood.sensors)
+            .zip(&interpretation.sensors)
             .filter(|(_, (of, _))| *of == room)
             .map(|(sensor, _)| sensor.at_silence)
             .sum()
     };
     let rank = |room: &usize| {
-        let LogRoom { name, kind, is_told } = &understood.rooms[*room];
+        let LogRoom { name, kind, is_in_log } = &interpretation.rooms[*room];
         let is_front = name.split(' ').any(|word| ["main", "front"].contains(&word));
         let place = match kind.name {
             _ if has_contact(*room) => 0,
             "entry" if is_front => 1,
             "entry" => 2,
             "bedroom" | "bathroom" | "toilet" | "closet" => 5,
-            _ if *is_told => 3,
+            _ if *is_in_log => 3,
             _ => 4,
         };
         (place, std::cmp::Reverse(at_silence(*room)))
     };
-    let mut rooms: Vec<usize> = (0..understood.rooms.len()).collect();
+    let mut rooms: Vec<usize> = (0..interpretation.rooms.len()).collect();
     rooms.sort_by_key(rank);
     rooms
 }
 
-/// The area of each room.
-fn wanted(
-    understood: &Interpretation,
+fn room_areas(
+    interpretation: &Interpretation,
     ways: &[LogWay],
     pieces: &[NeededPiece],
     way_out: Option<usize>,
@@ -216,17 +214,18 @@ fn wanted(
             width * depth + THING_TAKES_M2
         });
         let usual = room.kind.area_m2.max(things.sum::<f64>());
-        let area_m2 = if room.kind.is_way { usual.max(way_area(understood, ways, number)) } else { usual };
+        let area_m2 = if room.kind.is_way { usual.max(way_area(interpretation, ways, number)) } else { usual };
         RoomNeed { area_m2, is_way: room.kind.is_way, has_way_out: way_out == Some(number) }
     };
-    understood.rooms.iter().enumerate().map(of).collect()
+    interpretation.rooms.iter().enumerate().map(of).collect()
 }
 
-/// The area of a passage with its sensors one after the other.
-fn way_area(understood: &Interpretation, ways: &[LogWay], room: usize) -> f64 {
-    let is_here =
-        |sensor: &usize| understood.sensors[*sensor].0 == room && understood.sensors[*sensor].1 != SensorAim::Area;
-    let here: Vec<usize> = (0..understood.sensors.len()).filter(is_here).collect();
+/// The area of a passage with its sensors in a row.
+fn way_area(interpretation: &Interpretation, ways: &[LogWay], room: usize) -> f64 {
+    let is_here = |sensor: &usize| {
+        interpretation.sensors[*sensor].0 == room && interpretation.sensors[*sensor].1 != SensorAim::Area
+    };
+    let here: Vec<usize> = (0..interpretation.sensors.len()).filter(is_here).collect();
     let mut inner: Vec<&LogWay> = ways.iter().filter(|way| way.between.iter().all(|end| here.contains(end))).collect();
     inner.sort_by_key(|way| std::cmp::Reverse(way.times));
     let mut group: Vec<usize> = here.clone();
@@ -241,9 +240,9 @@ fn way_area(understood: &Interpretation, ways: &[LogWay], room: usize) -> f64 {
     (length_m + WAY_BEYOND_M) * WAY_WIDE_M
 }
 
-/// The walls of rooms that fill a rectangle: each drawn once.
+/// The walls of rooms in a rectangle, each drawn once.
 fn walls(rects: &[Rect]) -> Vec<(Point, Point)> {
-    /// By where a line is, from where to where there are walls on it.
+    /// By position of a line, the spans of its walls.
     type Lines = BTreeMap<i64, Vec<(f64, f64)>>;
     let (mut upright, mut level) = (Lines::new(), Lines::new());
     let key = |at: f64| (at * 100.0).round() as i64;
@@ -274,17 +273,17 @@ fn walls(rects: &[Rect]) -> Vec<(Point, Point)> {
     upright.chain(level).collect()
 }
 
-/// The rooms where somebody has measured the sensors; those without any share the largest of the others.
+/// Rooms around measured sensors; rooms without one share the largest of the others.
 fn measured(
-    understood: &Interpretation,
+    interpretation: &Interpretation,
     sensors: &[LogSensor],
     pieces: &[NeededPiece],
 ) -> Result<Vec<Rect>, SchematicError> {
-    let mut places: Vec<Vec<Point>> = vec![Vec::new(); understood.rooms.len()];
-    for (sensor, &(room, _)) in sensors.iter().zip(&understood.sensors) {
+    let mut places: Vec<Vec<Point>> = vec![Vec::new(); interpretation.rooms.len()];
+    for (sensor, &(room, _)) in sensors.iter().zip(&interpretation.sensors) {
         places[room].extend(sensor.at);
     }
-    let mut rects = parted(&places);
+    let mut rects = rectangles(&places);
     let largest = |rects: &[Option<Rect>]| {
         let area = |rect: &Rect| rect.size().x * rect.size().y;
         (0..rects.len()).filter(|&room| rects[room].is_some()).max_by(|&a, &b| {
@@ -298,7 +297,7 @@ fn measured(
             let Some(from) = largest(&rects) else { continue };
             let Some(rect) = rects[from] else { continue };
             let is_upright = rect.size().x > rect.size().y;
-            // The end that is farthest from the sensors of the room that gives it.
+            // The end of the shared room that is farthest from its own sensors.
             let share = if needs > 1 { 0.4 } else { 0.3 };
             let at = rect.least + rect.size() * share;
             let [first, second] = super::shape::cut(&rect, is_upright, if is_upright { at.x } else { at.y });
@@ -309,7 +308,6 @@ fn measured(
     rects.ok_or_else(|| SchematicError::Unsound("no sensor has a place on the image".into()))
 }
 
-/// A home, and the ids of its sensors in the log.
 struct AssembledHome {
     home: HomeFile,
     ids: BTreeMap<String, String>,
@@ -317,7 +315,7 @@ struct AssembledHome {
 }
 
 fn put_together(
-    understood: &Interpretation,
+    interpretation: &Interpretation,
     sensors: &[LogSensor],
     laid: HomeLayout,
     pieces: &[NeededPiece],
@@ -325,8 +323,11 @@ fn put_together(
 ) -> AssembledHome {
     let HomeLayout { rects, walls, doors, places } = laid;
     let mut names = NamePool::default();
-    let rooms: Vec<LogRoom> =
-        understood.rooms.iter().map(|room| LogRoom { name: names.give(&room.name, "room"), ..room.clone() }).collect();
+    let rooms: Vec<LogRoom> = interpretation
+        .rooms
+        .iter()
+        .map(|room| LogRoom { name: names.give(&room.name, "room"), ..room.clone() })
+        .collect();
     let stand = |piece: usize| places.pieces[piece].is_some();
     let no_room: Vec<String> =
         (0..pieces.len()).filter(|&piece| !stand(piece)).map(|piece| pieces[piece].thing.name.to_owned()).collect();
@@ -347,7 +348,7 @@ fn put_together(
     let home =
         Furnished { rooms: &rooms, rects: &rects, doors: &doors, pieces, piece_names: &piece_names, places: &places };
     let make = make(sensors);
-    let (hung, left) = hung(sensors, &understood.sensors, &home, make);
+    let (hung, left) = place_sensors(sensors, &interpretation.sensors, &home, make);
     if !left.is_empty() {
         remarks.push(format!("for these sensors there is no place: {}", listed(&left)));
     }

@@ -1,5 +1,5 @@
-//! The room and purpose of each sensor of a log: by the user's table, by its name, by the activities during its firings, and
-//! last by which sensors speak before and after it.
+//! The room and purpose of each sensor of a log: by the user's table, by its name, by the activities during its
+//! firings, and last by the sensors that fire before and after it.
 
 use super::words::{ACTIVITY_SITES, ActivitySite, ROOM_KINDS, RoomKind, RoomThing};
 use super::{LogSensor, LogWay, Speaks};
@@ -7,16 +7,14 @@ use crate::names::clean;
 use homebody_core::names::words;
 use std::collections::BTreeMap;
 
-/// A room that a log tells of.
 #[derive(Clone, Debug)]
 pub struct LogRoom {
     pub name: String,
     pub kind: &'static RoomKind,
     /// False for a room that is only added because a home needs it.
-    pub is_told: bool,
+    pub is_in_log: bool,
 }
 
-/// The target of a sensor.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum SensorAim {
     /// Its whole room.
@@ -25,7 +23,7 @@ pub enum SensorAim {
     Wide,
     /// A thing in it, or the floor before it.
     Thing(&'static RoomThing),
-    /// The door to the room that it has most to do with.
+    /// The door to the room with its strongest tie.
     Door,
     /// The way out of the home.
     FrontDoor,
@@ -33,7 +31,7 @@ pub enum SensorAim {
     Spot,
 }
 
-/// The rooms of a log, and of each sensor its room and what it is for.
+/// The rooms of a log, and by sensor its room and aim.
 #[derive(Debug)]
 pub struct Interpretation {
     pub rooms: Vec<LogRoom>,
@@ -52,7 +50,7 @@ const AT_ONCE_S: f64 = 0.3;
 const AT_ONCE_SHARE: f64 = 0.38;
 /// Share of its ways that lead to one room if a sensor is in that room (our choice).
 const BELONGS_SHARE: f64 = 0.7;
-/// Words of names that tell nothing of a place.
+/// Words of names without information on a place.
 const NOISE: [&str; 16] = [
     "area",
     "sensor",
@@ -71,7 +69,7 @@ const NOISE: [&str; 16] = [
     "m",
     "d",
 ];
-/// Words that tell rooms of one kind apart.
+/// Words that distinguish rooms of one kind.
 const APART: [&str; 14] = [
     "main",
     "master",
@@ -95,7 +93,7 @@ struct NameParts {
     rest: Vec<String>,
 }
 
-fn told(name: &str) -> NameParts {
+fn name_parts(name: &str) -> NameParts {
     let words = words(name);
     let hit = (0..words.len()).find_map(|at| {
         let long = (1..=3usize).rev().filter(|count| at + count <= words.len());
@@ -116,36 +114,31 @@ fn told(name: &str) -> NameParts {
     NameParts { room: Some((kind, label)), rest }
 }
 
-/// The rooms while they are found.
 #[derive(Default)]
 struct RoomList(Vec<LogRoom>);
 
 impl RoomList {
-    /// The room of a name, a new one if there is none.
-    fn of_name(&mut self, kind: &'static RoomKind, name: &str) -> usize {
+    fn named(&mut self, kind: &'static RoomKind, name: &str) -> usize {
         let name = clean(name);
         let known = self.0.iter().position(|room| room.name.to_lowercase() == name.to_lowercase());
         known.unwrap_or_else(|| {
-            self.0.push(LogRoom { name, kind, is_told: true });
+            self.0.push(LogRoom { name, kind, is_in_log: true });
             self.0.len() - 1
         })
     }
 
-    /// A room of a kind, a new one if there is none.
-    fn of_kind(&mut self, kind: &'static RoomKind) -> usize {
+    fn room_of_kind(&mut self, kind: &'static RoomKind) -> usize {
         match self.0.iter().position(|room| *room.kind == *kind) {
             Some(known) => known,
-            None => self.of_name(kind, kind.name),
+            None => self.named(kind, kind.name),
         }
     }
 }
 
-/// The rooms and aims of all sensors.
-///
 /// # Errors
 ///
 /// The ids of the sensors without a room.
-pub fn understand(sensors: &[LogSensor], ways: &[LogWay]) -> Result<Interpretation, Vec<String>> {
+pub fn interpret(sensors: &[LogSensor], ways: &[LogWay]) -> Result<Interpretation, Vec<String>> {
     let mut rooms = RoomList::default();
     let mut guesses = Vec::new();
     let mut placed: Vec<Option<(usize, SensorAim)>> =
@@ -167,37 +160,37 @@ pub fn understand(sensors: &[LogSensor], ways: &[LogWay]) -> Result<Interpretati
             "rooms of sensors without names are guessed: from what was done there, and from who follows whom".into(),
         );
     }
-    settle_doors(sensors, ways, &mut placed);
+    choose_door_sides(sensors, ways, &mut placed);
     several_spots(&rooms.0, sensors, &mut placed);
     Ok(Interpretation { rooms: renamed(rooms.0), sensors: placed, guesses })
 }
 
 /// The room and aim of a sensor by its name and by the user's table.
 fn by_name(sensor: &LogSensor, rooms: &mut RoomList) -> Option<(usize, SensorAim)> {
-    let own = told(&sensor.id);
+    let own = name_parts(&sensor.id);
     let said = sensor.room.as_deref().filter(|room| !room.trim().is_empty());
     let room = match said {
-        Some(name) => Some((told(name).room.map_or(RoomKind::named("room"), |(kind, _)| kind), name.to_owned())),
+        Some(name) => Some((name_parts(name).room.map_or(RoomKind::named("room"), |(kind, _)| kind), name.to_owned())),
         None => own.room,
     };
     let rest = sensor.place.as_deref().map_or(own.rest, |place| {
-        let place = told(place);
-        // A place may be called as a room is: the bath in a bathroom.
+        let place = name_parts(place);
+        // A place may have the name of a room: the bath in a bathroom.
         place.room.map(|(_, label)| words(&label)).into_iter().flatten().chain(place.rest).collect()
     });
     let kind = room.as_ref().map(|(kind, _)| *kind);
-    let what = what(sensor, &rest, kind);
+    let what = aim(sensor, &rest, kind);
     let room = match (room, what) {
-        (Some((kind, name)), _) => rooms.of_name(kind, &name),
-        (None, Some(SensorAim::Thing(thing))) => rooms.of_kind(RoomKind::named(thing.home)),
-        (None, Some(SensorAim::FrontDoor)) => rooms.of_kind(RoomKind::named("entry")),
+        (Some((kind, name)), _) => rooms.named(kind, &name),
+        (None, Some(SensorAim::Thing(thing))) => rooms.room_of_kind(RoomKind::named(thing.home)),
+        (None, Some(SensorAim::FrontDoor)) => rooms.room_of_kind(RoomKind::named("entry")),
         (None, _) => return None,
     };
     Some((room, what.unwrap_or(SensorAim::Spot)))
 }
 
-/// The aim of a sensor by the words beside its room.
-fn what(sensor: &LogSensor, rest: &[String], room: Option<&'static RoomKind>) -> Option<SensorAim> {
+/// The aim of a sensor by the other words of its name.
+fn aim(sensor: &LogSensor, rest: &[String], room: Option<&'static RoomKind>) -> Option<SensorAim> {
     let has = |wanted: &[&str]| rest.iter().any(|word| wanted.contains(&word.as_str()));
     let is_outside = has(&["front", "outside", "outer", "main", "exterior", "frontdoor", "apartment"]);
     let is_entry = room.is_some_and(|room| room.name == "entry");
@@ -217,8 +210,8 @@ fn what(sensor: &LogSensor, rest: &[String], room: Option<&'static RoomKind>) ->
     }
 }
 
-/// Gives rooms to sensors without them by what was done as they spoke, all those together that see a person at once; whether it
-/// gave any.
+/// Assigns rooms to sensors by the activities during their firings, together for all that see a person at once; true if
+/// it assigned any.
 fn by_activities(
     sensors: &[LogSensor],
     ways: &[LogWay],
@@ -228,7 +221,7 @@ fn by_activities(
     let mut of_room: BTreeMap<usize, Vec<usize>> = BTreeMap::new();
     for together in at_once(sensors, ways, placed) {
         let Some(site) = prevailing(sensors, &together) else { continue };
-        let room = rooms.of_kind(RoomKind::named(site.room.unwrap_or("entry")));
+        let room = rooms.room_of_kind(RoomKind::named(site.room.unwrap_or("entry")));
         for number in together {
             placed[number] = Some((room, nameless(&sensors[number])));
             of_room.entry(room).or_default().push(number);
@@ -240,7 +233,7 @@ fn by_activities(
     !of_room.is_empty()
 }
 
-/// Of a room's sensors the one that speaks most while something is done is at what it is done with.
+/// Aims the sensor of a room that fires most during an activity at its thing.
 fn at_their_things(sensors: &[LogSensor], here: &[usize], room: &RoomKind, placed: &mut [Option<(usize, SensorAim)>]) {
     // The activities of such rooms come first; people rest and eat in any room.
     let is_seat = |thing: &RoomThing| thing.enterable && thing.home != room.name && SEATS.contains(&thing.name);
@@ -248,7 +241,7 @@ fn at_their_things(sensors: &[LogSensor], here: &[usize], room: &RoomKind, place
         let sites = ACTIVITY_SITES.iter().filter_map(|site| Some((site, RoomThing::named(site.at)?)));
         let sites = sites.filter(|(site, thing)| if own { site.room == Some(room.name) } else { is_seat(thing) });
         let counts = sites.flat_map(|(site, thing)| {
-            here.iter().map(move |&number| (counted(&sensors[number], site.at), thing, number))
+            here.iter().map(move |&number| (firings_at(&sensors[number], site.at), thing, number))
         });
         let mut counts: Vec<(u64, &'static RoomThing, usize)> =
             counts.filter(|(count, ..)| *count >= LEAST_FIRINGS / 4).collect();
@@ -289,7 +282,7 @@ fn at_once(sensors: &[LogSensor], ways: &[LogWay], placed: &[Option<(usize, Sens
 }
 
 /// Firings of a sensor during the activities at a thing.
-fn counted(sensor: &LogSensor, at: &str) -> u64 {
+fn firings_at(sensor: &LogSensor, at: &str) -> u64 {
     sensor
         .done
         .iter()
@@ -298,7 +291,7 @@ fn counted(sensor: &LogSensor, at: &str) -> u64 {
         .sum()
 }
 
-/// The deed that tells where sensors are: that of the room in which most was done as they spoke.
+/// The site of the activity with most firings of these sensors.
 fn prevailing(sensors: &[LogSensor], together: &[usize]) -> Option<&'static ActivitySite> {
     let mut of_room: BTreeMap<Option<&str>, (u64, &'static ActivitySite)> = BTreeMap::new();
     let firings: u64 = together.iter().map(|&number| sensors[number].firings).sum();
@@ -311,17 +304,17 @@ fn prevailing(sensors: &[LogSensor], together: &[usize]) -> Option<&'static Acti
     (firings >= LEAST_FIRINGS && count as f64 >= LEAST_SHARE * firings as f64).then_some(site)
 }
 
-/// The aim of a sensor by a name of CASAS, which gives only its kind: `MA` sees an area.
+/// The aim of a sensor by a name of CASAS, which only gives its kind: `MA` sees an area.
 fn nameless(sensor: &LogSensor) -> SensorAim {
     match (sensor.speaks, words(&sensor.id).first().map(String::as_str)) {
-        (Speaks::Contact, _) if counted(sensor, "front door") > 0 => SensorAim::FrontDoor,
+        (Speaks::Contact, _) if firings_at(sensor, "front door") > 0 => SensorAim::FrontDoor,
         (Speaks::Contact, _) => RoomThing::named("drawers").map_or(SensorAim::Spot, SensorAim::Thing),
         (_, Some("ma")) => SensorAim::Area,
         _ => SensorAim::Spot,
     }
 }
 
-/// Gives rooms to the sensors that are left: that of whom nearly all ways lead to, or one of their own, through which one goes.
+/// Assigns the remaining sensors: to the room at the other end of nearly all ways, or to a passage of their own.
 fn by_ways(sensors: &[LogSensor], ways: &[LogWay], placed: &mut [Option<(usize, SensorAim)>], rooms: &mut RoomList) {
     if placed.iter().all(Option::is_none) {
         return;
@@ -343,13 +336,13 @@ fn by_ways(sensors: &[LogSensor], ways: &[LogWay], placed: &mut [Option<(usize, 
     }
     let left: Vec<usize> = (0..sensors.len()).filter(|&number| placed[number].is_none()).collect();
     for &number in left.iter().filter(|&&number| ways.iter().any(|way| way.other(number).is_some())) {
-        let hall = rooms.of_kind(RoomKind::named("hall"));
+        let hall = rooms.room_of_kind(RoomKind::named("hall"));
         placed[number] = Some((hall, nameless(&sensors[number])));
     }
 }
 
-/// A motion sensor at a door hangs on that side of it where one is seen next.
-fn settle_doors(sensors: &[LogSensor], ways: &[LogWay], placed: &mut [(usize, SensorAim)]) {
+/// A motion sensor at a door is on the side with the next firings.
+fn choose_door_sides(sensors: &[LogSensor], ways: &[LogWay], placed: &mut [(usize, SensorAim)]) {
     let before = placed.to_vec();
     for (number, (room, what)) in placed.iter_mut().enumerate() {
         if *what != SensorAim::Door || sensors[number].speaks != Speaks::Motion || sensors[number].at.is_some() {
@@ -370,8 +363,8 @@ fn settle_doors(sensors: &[LogSensor], ways: &[LogWay], placed: &mut [(usize, Se
     }
 }
 
-/// In a passage, each of several sensors sees a part of the way; of several over one room the one that speaks most sees
-/// all of it.
+/// In a passage, each of several sensors sees a part of the way. Of several sensors over one room, the one with most
+/// firings sees all of it.
 fn several_spots(rooms: &[LogRoom], sensors: &[LogSensor], placed: &mut [(usize, SensorAim)]) {
     for (room, LogRoom { kind, .. }) in rooms.iter().enumerate() {
         let is_here = |number: &usize| placed[*number].0 == room && sensors[*number].speaks == Speaks::Motion;
@@ -381,13 +374,13 @@ fn several_spots(rooms: &[LogRoom], sensors: &[LogSensor], placed: &mut [(usize,
         areas.sort_by_key(|&number| std::cmp::Reverse(sensors[number].firings));
         let is_parted = kind.is_way && here.len() > 1;
         for number in areas.into_iter().skip(usize::from(!is_parted)) {
-            let is_code = told(&sensors[number].id).room.is_none();
+            let is_code = name_parts(&sensors[number].id).room.is_none();
             placed[number].1 = if kind.is_way && !is_code { SensorAim::Spot } else { SensorAim::Wide };
         }
     }
 }
 
-/// A letter or a number at the end of a room's name tells nothing where there is no other of its kind.
+/// A letter or a number at the end of a room's name is dropped if no other room is of its kind.
 fn renamed(mut rooms: Vec<LogRoom>) -> Vec<LogRoom> {
     for number in 0..rooms.len() {
         let has_sibling =
@@ -414,17 +407,17 @@ mod tests {
         LogWay { between: [a, b], times, soon_s: 1.0 }
     }
 
-    fn told_of(sensors: &[LogSensor], ways: &[LogWay]) -> Vec<(String, String)> {
-        let understood = understand(sensors, ways).unwrap();
+    fn rooms_and_aims(sensors: &[LogSensor], ways: &[LogWay]) -> Vec<(String, String)> {
+        let interpretation = interpret(sensors, ways).unwrap();
         let what = |what: SensorAim| match what {
             SensorAim::Thing(thing) => thing.name.to_owned(),
             other => format!("{other:?}"),
         };
-        understood.sensors.iter().map(|&(room, of)| (understood.rooms[room].name.clone(), what(of))).collect()
+        interpretation.sensors.iter().map(|&(room, of)| (interpretation.rooms[room].name.clone(), what(of))).collect()
     }
 
     #[test]
-    fn names_tell_rooms_and_things() {
+    fn names_decide_rooms_and_things() {
         let ids = [
             "BedroomAArea",
             "BedroomABed",
@@ -450,12 +443,12 @@ mod tests {
             ("living room", "armchair"),
             ("kitchen", "stove"),
         ];
-        let told = told_of(&sensors, &[]);
+        let told = rooms_and_aims(&sensors, &[]);
         assert_eq!(told.iter().map(|(room, what)| (room.as_str(), what.as_str())).collect::<Vec<_>>(), wanted);
     }
 
     #[test]
-    fn what_is_done_and_who_follows_whom_tell_the_rest() {
+    fn activities_and_ways_decide_about_nameless_sensors() {
         let done = |id: &str, label: &str| LogSensor { done: vec![(label.into(), 80)], ..motion(id) };
         let sensors = [
             done("M1", "Sleep"),
@@ -464,22 +457,22 @@ mod tests {
             motion("MA4"),
             LogSensor { speaks: Speaks::Contact, ..done("D1", "Leave_Home") },
         ];
-        // M3 lies between both, MA4 is beside the bed.
-        let told = told_of(&sensors, &[way(0, 2, 50), way(1, 2, 50), way(0, 3, 90), way(2, 3, 5)]);
+        // M3 lies between both, MA4 is next to the bed.
+        let told = rooms_and_aims(&sensors, &[way(0, 2, 50), way(1, 2, 50), way(0, 3, 90), way(2, 3, 5)]);
         let wanted =
             [("bedroom", "bed"), ("kitchen", "stove"), ("hall", "Spot"), ("bedroom", "Area"), ("entry", "FrontDoor")];
         assert_eq!(told.iter().map(|(room, what)| (room.as_str(), what.as_str())).collect::<Vec<_>>(), wanted);
     }
 
     #[test]
-    fn a_sensor_at_a_door_is_where_one_is_seen_next() {
+    fn a_sensor_at_a_door_is_on_the_side_of_the_next_firing() {
         let sensors = ["BedroomArea", "BedroomDoor", "Hallway"].map(motion);
-        assert_eq!(told_of(&sensors, &[way(0, 1, 10), way(1, 2, 90)])[1].0, "hallway");
-        assert_eq!(told_of(&sensors, &[way(0, 1, 90), way(1, 2, 10)])[1].0, "bedroom");
+        assert_eq!(rooms_and_aims(&sensors, &[way(0, 1, 10), way(1, 2, 90)])[1].0, "hallway");
+        assert_eq!(rooms_and_aims(&sensors, &[way(0, 1, 90), way(1, 2, 10)])[1].0, "bedroom");
     }
 
     #[test]
-    fn those_of_which_nothing_tells_are_named() {
-        assert_eq!(understand(&["M1", "Kitchen", "M2"].map(motion), &[]).unwrap_err(), ["M1", "M2"]);
+    fn unknown_sensors_are_named() {
+        assert_eq!(interpret(&["M1", "Kitchen", "M2"].map(motion), &[]).unwrap_err(), ["M1", "M2"]);
     }
 }

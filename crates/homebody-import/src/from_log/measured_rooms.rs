@@ -8,8 +8,8 @@ const MARGIN_M: f64 = 1.3;
 /// Smallest width of a part (our choice).
 const LEAST_M: f64 = 1.3;
 
-/// The rectangles of rooms by the places of their sensors; a room without any has none.
-pub fn parted(places: &[Vec<Point>]) -> Vec<Option<Rect>> {
+/// The rectangles of rooms by the places of their sensors; `None` for a room without a sensor.
+pub fn rectangles(places: &[Vec<Point>]) -> Vec<Option<Rect>> {
     let all = || places.iter().flatten();
     let Some(&first) = all().next() else { return vec![None; places.len()] };
     let (least, most) = all().fold((first, first), |(least, most), &at| (least.min(at), most.max(at)));
@@ -27,7 +27,7 @@ fn part(rect: Rect, rooms: Vec<usize>, places: &[Vec<Point>], rects: &mut [Optio
     };
     let ways = [true, false].into_iter().filter_map(|is_upright| best_cut(&rect, &rooms, places, is_upright));
     let Some(best) = ways.min_by(|a, b| a.wrong.cmp(&b.wrong).then(b.gap_m.total_cmp(&a.gap_m))) else {
-        // Too small to be parted: the first has it, and the others have none.
+        // Too small to be divided: the first room takes all of it.
         rects[rooms[0]] = Some(rect);
         return;
     };
@@ -36,7 +36,6 @@ fn part(rect: Rect, rooms: Vec<usize>, places: &[Vec<Point>], rects: &mut [Optio
     part(b, best.behind, places, rects);
 }
 
-/// A cut between rooms.
 struct RoomCut {
     is_upright: bool,
     at: f64,
@@ -81,7 +80,7 @@ mod tests {
     fn sensors_of_one_room_are_together() {
         let at = |x: f64, y: f64| Point::new(x, y);
         let places = [vec![at(0.0, 0.0), at(2.0, 1.0)], vec![at(5.0, 0.0)], vec![], vec![at(0.0, 6.0), at(6.0, 7.0)]];
-        let rects = parted(&places);
+        let rects = rectangles(&places);
         assert!(rects[2].is_none());
         for (room, rect) in rects.iter().enumerate() {
             for (other, places) in places.iter().enumerate() {

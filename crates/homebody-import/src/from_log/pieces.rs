@@ -1,11 +1,10 @@
-//! The furniture of a schematic home: the things that sensors look at, and those that a life needs.
+//! The furniture of a schematic home: the aims of sensors, and the things that a resident needs.
 
 use super::interpretation::{Interpretation, LogRoom, SensorAim};
 use super::words::{RoomKind, RoomThing};
 use super::{LogSensor, Speaks};
 use homebody_core::role::Role;
 
-/// A piece of furniture that is to have a place.
 #[derive(Clone, Debug)]
 pub struct NeededPiece {
     pub room: usize,
@@ -14,7 +13,7 @@ pub struct NeededPiece {
     pub sensors: Vec<usize>,
 }
 
-/// The things that a life needs, by the name of the thing and the kinds of rooms that may have it, the best first.
+/// The things that a resident needs: the name of the thing and its possible kinds of rooms, the best first.
 const NEEDED: [(&str, &[&str]); 8] = [
     ("bed", &["bedroom", "room", "study", "living room"]),
     ("toilet", &["bathroom", "toilet"]),
@@ -27,9 +26,9 @@ const NEEDED: [(&str, &[&str]); 8] = [
 ];
 
 /// The pieces of all rooms. Missing ones are added, with a room if no room may have them, and reported.
-pub fn pieces(understood: &mut Interpretation, sensors: &[LogSensor]) -> Vec<NeededPiece> {
+pub fn pieces(interpretation: &mut Interpretation, sensors: &[LogSensor]) -> Vec<NeededPiece> {
     let mut pieces: Vec<NeededPiece> = Vec::new();
-    for (number, &(room, what)) in understood.sensors.iter().enumerate() {
+    for (number, &(room, what)) in interpretation.sensors.iter().enumerate() {
         let SensorAim::Thing(thing) = what else { continue };
         // Each contact hangs on a piece of its own.
         let is_contact = |sensor: &usize| sensors[*sensor].speaks == Speaks::Contact;
@@ -49,12 +48,12 @@ pub fn pieces(understood: &mut Interpretation, sensors: &[LogSensor]) -> Vec<Nee
         if pieces.iter().any(|piece| will_do(piece.thing.role)) {
             continue;
         }
-        let of_kind = |kind: &&str| understood.rooms.iter().position(|room| room.kind.name == *kind);
-        let room = kinds.iter().find_map(of_kind).unwrap_or_else(|| {
+        let room_of_kind = |kind: &&str| interpretation.rooms.iter().position(|room| room.kind.name == *kind);
+        let room = kinds.iter().find_map(room_of_kind).unwrap_or_else(|| {
             let kind = RoomKind::named(kinds[0]);
             rooms.push(kind.name);
-            understood.rooms.push(LogRoom { name: kind.name.to_owned(), kind, is_told: false });
-            understood.rooms.len() - 1
+            interpretation.rooms.push(LogRoom { name: kind.name.to_owned(), kind, is_in_log: false });
+            interpretation.rooms.len() - 1
         });
         things.push(name);
         pieces.push(NeededPiece { room, thing, sensors: Vec::new() });
@@ -62,7 +61,7 @@ pub fn pieces(understood: &mut Interpretation, sensors: &[LogSensor]) -> Vec<Nee
     for (what, names) in [("rooms", rooms), ("things", things)] {
         if !names.is_empty() {
             let names = names.join(", ");
-            understood
+            interpretation
                 .guesses
                 .push(format!("{what} that no sensor tells of, and that a life needs, are added: {names}"));
         }

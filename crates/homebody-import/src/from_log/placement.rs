@@ -1,4 +1,5 @@
-//! The places of things along walls and of the spots that sensors see: those that follow each other soon are near.
+//! The places of things along walls and of the spots that sensors see: sensors that fire soon after each other are
+//! near.
 
 use super::doors::{DoorGap, next};
 use super::interpretation::SensorAim;
@@ -32,22 +33,20 @@ const MEASURED: f64 = 1000.0;
 /// Number of times that everything is placed again around the rest (our choice).
 const ROUNDS: usize = 3;
 
-/// A piece in its place.
 #[derive(Clone, Copy, Debug)]
 pub struct PieceSpot {
     pub rect: Rect,
     /// The place of a person who uses it.
     pub used_at: Point,
-    /// The floor before it that is free; none where one is in it.
+    /// The free floor before it; `None` for an enterable piece.
     free: Option<Rect>,
 }
 
-/// The places of pieces and sensors.
 #[derive(Debug)]
 pub struct Placement {
-    /// By piece; none where its room is too small for it.
+    /// By piece; `None` if its room is too small for it.
     pub pieces: Vec<Option<PieceSpot>>,
-    /// By sensor, what it looks at; none for those over whole rooms, and on what has no place.
+    /// By sensor, its target; `None` for sensors over whole rooms, and for targets without a place.
     pub sensors: Vec<Option<Point>>,
 }
 
@@ -62,7 +61,6 @@ pub struct PlacementSite<'a> {
     pub pieces: &'a [NeededPiece],
 }
 
-/// Finds a place for everything.
 pub fn placed(site: &PlacementSite) -> Placement {
     let nexts: Vec<_> = (0..site.rects.len()).map(|room| next(site.doors, room, site.rects.len())).collect();
     let mut places = Placement { pieces: vec![None; site.pieces.len()], sensors: vec![None; site.sensors.len()] };
@@ -113,7 +111,7 @@ pub fn placed(site: &PlacementSite) -> Placement {
     places
 }
 
-/// Before the door that a sensor has most to do with.
+/// The floor before the door with the strongest tie to a sensor.
 fn at_door(site: &PlacementSite, sensor: usize, room: usize, what: SensorAim, next: &[Option<usize>]) -> Option<Point> {
     let times = |door: usize| -> u64 {
         let to = |way: &&LogWay| way.other(sensor).is_some_and(|other| next[site.what[other].0] == Some(door));
@@ -161,7 +159,6 @@ impl PlacementSite<'_> {
     }
 }
 
-/// Places for a spot on the floor.
 fn spots(rect: Rect) -> Vec<Point> {
     let inner = rect.inset(f64::min(0.5, rect.size().min_element() / 2.0 - 0.01));
     let count = |length: f64| (length / STEP_M) as usize;
@@ -251,7 +248,7 @@ fn leaves_ways(site: &PlacementSite, piece: &NeededPiece, stands: &PieceSpot, pl
     };
     let doors = site.doors.iter().filter(|door| door.rooms.contains(&Some(piece.room)));
     let doors = doors.map(|door| (door.middle(), 0.0));
-    // A person steps into an enterable piece from beside it.
+    // A person steps into an enterable piece from its side.
     let used = all.iter().map(|stands| {
         let reach_m = if stands.free.is_none() { stands.rect.size().max_element() / 2.0 } else { 0.0 };
         (stands.used_at, reach_m)

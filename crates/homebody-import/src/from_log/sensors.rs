@@ -33,7 +33,7 @@ const SHORTEST_PULSE_S: f64 = 2.0;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Make {
     pub preset: Preset,
-    /// None where the log tells no OFF.
+    /// `None` if the log has no OFF.
     pub hold_s: Option<f64>,
 }
 
@@ -63,13 +63,13 @@ pub struct Furnished<'a> {
     pub rects: &'a [Rect],
     pub doors: &'a [(String, DoorGap)],
     pub pieces: &'a [NeededPiece],
-    /// By piece; none where it has no place.
+    /// By piece; `None` without a place.
     pub piece_names: &'a [Option<String>],
     pub places: &'a Placement,
 }
 
-/// The sensors with the ids that the log has for them; those for which there is no place are named last.
-pub fn hung(
+/// The sensors with their ids in the log; those without a place are reported.
+pub fn place_sensors(
     sensors: &[LogSensor],
     what: &[(usize, SensorAim)],
     home: &Furnished,
@@ -115,13 +115,12 @@ pub fn hung(
     (hung, left)
 }
 
-/// The floor that a sensor sees.
 fn floor(sensor: usize, room: usize, what: SensorAim, home: &Furnished) -> Option<Rect> {
     if what == SensorAim::Area {
         return Some(home.rects[room].inset(AT_WALL_M));
     }
     let at = home.places.sensors[sensor]?;
-    // One that was measured may be on the other side of a wall that was guessed.
+    // The position of a measured sensor may be on the other side of a wall that was guessed.
     let own = home.rects[room].has(at).then_some(room);
     let room = own.or_else(|| home.rects.iter().position(|rect| rect.has(at)))?;
     let size = if what == SensorAim::Wide { WIDE_M } else { NARROW_M };
@@ -167,7 +166,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_make_is_known_by_how_long_its_ons_last() {
+    fn durations_of_on_decide_the_make() {
         let make_of = |on_s: Option<[f64; 3]>| make(&[LogSensor { on_s, ..LogSensor::new("M1", Speaks::Motion, 9) }]);
         assert_eq!(make_of(Some([3.9, 4.0, 4.3])), Make { preset: Preset::CasasPulse, hold_s: Some(4.0) });
         assert_eq!(make_of(Some([1.1, 1.8, 4.3])), Make { preset: Preset::CasasFollow, hold_s: Some(1.1) });

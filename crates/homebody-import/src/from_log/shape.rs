@@ -1,8 +1,7 @@
-//! Rectangles.
+//! Rectangles along the axes.
 
 use homebody_core::geometry::{At, Point};
 
-/// A rectangle along the axes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Rect {
     pub least: Point,
@@ -49,7 +48,7 @@ impl Rect {
         (other.least - self.most).max(self.least - other.most).max(Point::ZERO).length()
     }
 
-    /// The side that two have in common, from one end to the other.
+    /// The common side of two rectangles, from one end to the other.
     pub fn common_side(&self, other: &Rect) -> Option<(Point, Point)> {
         /// Sides nearer than this are one.
         const NEAR_M: f64 = 1e-6;
@@ -68,13 +67,12 @@ impl Rect {
         None
     }
 
-    /// Its corners, counter-clockwise.
+    /// Counter-clockwise.
     pub fn corners(&self) -> Vec<At> {
         let (a, b) = (self.least, self.most);
         [[a.x, a.y], [b.x, a.y], [b.x, b.y], [a.x, b.y]].map(rounded).to_vec()
     }
 
-    /// Its sides.
     pub fn sides(&self) -> [(Point, Point); 4] {
         let (a, c) = (self.least, self.most);
         let (b, d) = (Point::new(c.x, a.y), Point::new(a.x, c.y));

@@ -2,11 +2,10 @@
 
 use homebody_core::role::Role;
 
-/// A kind of rooms.
 #[derive(Debug, PartialEq)]
 pub struct RoomKind {
     pub name: &'static str,
-    /// The names that say it, each in one or two words.
+    /// Its names, each in one or two words.
     pub words: &'static [&'static str],
     /// The usual area.
     pub area_m2: f64,
@@ -23,7 +22,7 @@ macro_rules! room {
     };
 }
 
-/// All kinds; the last is that of rooms whose names say nothing.
+/// All kinds; the last is for names without information.
 pub static ROOM_KINDS: [RoomKind; 12] = [
     room!("bedroom", ["bedroom", "bed room", "guest room", "sleeping room", "master bedroom"], 13.0),
     room!("bathroom", ["bathroom", "bath room", "bath", "restroom", "washroom", "shower room"], 6.0),
@@ -40,7 +39,6 @@ pub static ROOM_KINDS: [RoomKind; 12] = [
 ];
 
 impl RoomKind {
-    /// The kind of this name.
     pub fn named(name: &str) -> &'static RoomKind {
         ROOM_KINDS.iter().find(|kind| kind.name == name).unwrap_or(&ROOM_KINDS[ROOM_KINDS.len() - 1])
     }
@@ -50,9 +48,8 @@ impl RoomKind {
 #[derive(Debug, PartialEq)]
 pub struct RoomThing {
     pub name: &'static str,
-    /// The words that tell of it.
     pub words: &'static [&'static str],
-    /// The rooms in which these words tell of it; any, where there are none.
+    /// The rooms for these words; empty for all rooms.
     pub only_in: &'static [&'static str],
     /// Its usual room.
     pub home: &'static str,
@@ -79,7 +76,7 @@ macro_rules! thing {
     };
 }
 
-/// All things; of those that a word tells of the first that its room may have.
+/// All things. A word means the first thing that its room may have.
 pub static THINGS: [RoomThing; 27] = [
     thing!("bed", ["bed", "mattress"] in [], "bedroom", [1.4, 2.0], 0.55, true, Some(Role::Bed)),
     thing!("toilet", ["toilet", "flush", "commode"] in [], "bathroom", [0.45, 0.65], 0.45, true, Some(Role::Toilet)),
@@ -111,7 +108,7 @@ pub static THINGS: [RoomThing; 27] = [
 ];
 
 impl RoomThing {
-    /// The thing that words tell of in a room of a kind, or anywhere if the room is not known.
+    /// The thing of some words in a room of a kind, or anywhere if the room is not known.
     pub fn from_words(words: &[String], room: Option<&RoomKind>) -> Option<&'static RoomThing> {
         let fits = |thing: &&RoomThing| {
             let may_be = |room: &RoomKind| thing.only_in.is_empty() || thing.only_in.contains(&room.name);
@@ -121,7 +118,6 @@ impl RoomThing {
         THINGS.iter().find(fits)
     }
 
-    /// The first thing of this name.
     pub fn named(name: &str) -> Option<&'static RoomThing> {
         THINGS.iter().find(|thing| thing.name == name)
     }
@@ -131,9 +127,9 @@ impl RoomThing {
 pub struct ActivitySite {
     /// Beginnings of the words of its label.
     pub words: &'static [&'static str],
-    /// The kind of the room; none for what is done at the way out.
+    /// The kind of the room; `None` for activities at the way out.
     pub room: Option<&'static str>,
-    /// At what it is done.
+    /// The thing for it.
     pub at: &'static str,
 }
 
@@ -153,7 +149,6 @@ pub const ACTIVITY_SITES: [ActivitySite; 11] = [
 ];
 
 impl ActivitySite {
-    /// The place of the activity with this label.
     pub fn from_label(label: &str) -> Option<&'static ActivitySite> {
         let words = homebody_core::names::words(label);
         ACTIVITY_SITES
@@ -168,7 +163,7 @@ mod tests {
     use homebody_core::names::words;
 
     #[test]
-    fn words_tell_of_things_by_their_room() {
+    fn a_word_means_a_thing_of_its_room() {
         let name = |text: &str, room: &str| {
             RoomThing::from_words(&words(text), Some(RoomKind::named(room))).map(|thing| thing.name)
         };
@@ -180,7 +175,7 @@ mod tests {
     }
 
     #[test]
-    fn labels_tell_where_something_is_done() {
+    fn labels_decide_the_site_of_an_activity() {
         let at = |label: &str| ActivitySite::from_label(label).map(|site| site.at);
         assert_eq!(
             [at("Bed_Toilet_Transition"), at("Sleep"), at("Personal_Hygiene")],
@@ -193,7 +188,7 @@ mod tests {
     }
 
     #[test]
-    fn every_thing_has_a_room_of_a_kind_that_there_is() {
+    fn every_thing_has_a_room_of_a_known_kind() {
         let is_kind = |name: &str| ROOM_KINDS.iter().any(|kind| kind.name == name);
         for thing in &THINGS {
             assert!(is_kind(thing.home) && thing.only_in.iter().all(|room| is_kind(room)), "{}", thing.name);

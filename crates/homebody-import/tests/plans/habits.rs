@@ -21,7 +21,7 @@ fn what_is_drawn_for_its_ceiling_is_no_room() {
     assert_eq!(home.rooms(), ["Living room", "Bedroom"]);
     assert_eq!(geometry::signed_area(&home.plan.rooms[0].outline).abs(), 20.0);
     home.remarks("left out: 1 room drawn without a floor");
-    // Where no room has a floor, they are what people meant.
+    // Without a room with a floor, they count as rooms.
     let alone = two_rooms_walls() + &ceiling(&LIVING) + &ceiling(&BEDROOM) + &doors();
     assert_eq!(Home::of(&alone).rooms(), ["room 1", "room 2"]);
 }
@@ -77,7 +77,7 @@ fn holes_in_rooms_are_filled() {
 fn two_leaves_of_a_door_stand_beside_each_other() {
     let leaf = |name: &str, x: f64| door(name, [x, 500.0], 0.0, "");
     let front = leaf("Front door", 200.0);
-    // They overlap by 4 cm, as two frames do.
+    // They overlap by 4 cm, like two frames.
     let home = Home::of(&two_rooms().replace(&front, &(front.clone() + &leaf("Other leaf", 286.0))));
     let leaf_of = |name: &str| home.file.doors.iter().find(|door| door.name == name).unwrap();
     let [front_door, other] = ["Front door", "Other leaf"].map(leaf_of);
@@ -86,7 +86,7 @@ fn two_leaves_of_a_door_stand_beside_each_other() {
     assert!((width(front_door) - 0.9).abs() < 1e-9 && (width(other) - 0.86).abs() < 1e-9, "{}", home.text);
     assert!(front_door.outside && other.outside);
     home.remarks("the door \"Other leaf\" overlapped \"Front door\" and ends at it now");
-    // What is cut is told once, and not as if its wall were short.
+    // The cut is reported once, and not as a wall that is too short.
     let home = Home::of(&two_rooms().replace(&front, &(front.clone() + &leaf("Other leaf", 278.0))));
     home.remarks("the door \"Other leaf\" overlapped \"Front door\"");
     assert!(!home.remarks.iter().any(|remark| remark.contains("wall is short")), "{:?}", home.remarks);
@@ -121,11 +121,11 @@ fn a_room_around_several_spaces_is_parted_by_the_walls() {
     assert_eq!(home.rooms(), ["room 1", "room 2"]);
     assert_eq!(home.joins("Bedroom door"), [Some("room 1"), Some("room 2")]);
     assert!(home.file.doors[0].outside);
-    // Two spaces may be one room, if it has a name; nobody has three.
+    // Two spaces may be one room, if it has a name; three may not.
     assert_eq!(of("Living room", "").rooms(), ["Living room"]);
     let third = wall([100.0, 300.0], [600.0, 300.0]);
     assert_eq!(of("Flat", &third).rooms(), ["Flat", "room 1", "room 2"]);
-    // Where the spaces have rooms of their own, it is left out as before; a closet does not part a room.
+    // If the spaces have rooms of their own, it is left out as before; a closet does not split a room.
     assert_eq!(Home::of(&(two_rooms() + &around(""))).rooms(), ["Living room", "Bedroom"]);
     let closet = wall([100.0, 200.0], [200.0, 200.0]) + &wall([200.0, 200.0], [200.0, 100.0]);
     assert_eq!(Home::of(&(two_rooms() + &closet)).rooms(), ["Living room", "Bedroom"]);
@@ -140,7 +140,7 @@ fn what_lies_in_the_open_before_the_front_door_is_outside() {
     assert!(home.file.doors[0].name == "Front door" && home.file.doors[0].outside);
     home.remarks("left out: the room \"Path\", which lies in the open; doors to it lead out");
     home.remarks("left out: 1 piece of furniture not within a room");
-    // So is what is reached through it alone.
+    // So are rooms behind it.
     let garden = room("Garden", &[[150.0, 810.0], [250.0, 810.0], [250.0, 1100.0], [150.0, 1100.0]]);
     let gate = wall([150.0, 805.0], [250.0, 805.0]) + &door("Gate", [200.0, 805.0], 0.0, "");
     let home = Home::of(&(two_rooms() + &paving + &garden + &gate));

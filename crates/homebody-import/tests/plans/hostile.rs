@@ -48,7 +48,7 @@ fn bombs_do_not_go_off() {
     // Small enough, and shrunk more than any text.
     let blanks = vec![b' '; 20 << 20];
     assert!(matches!(refused(&archive(&[("Home.xml", &blanks)])), ImportError::TooLarge { .. }));
-    // Whatever else is in it is not unpacked.
+    // Other entries are not unpacked.
     assert!(import(&archive(&[("Home", &zeros), ("Home.xml", home(&two_rooms()).as_bytes())])).is_ok());
     assert!(matches!(refused(&vec![b'P'; (64 << 20) + 1]), ImportError::TooLarge { .. }));
     let entries: Vec<String> = (0..20_001).map(|index| index.to_string()).collect();
@@ -63,7 +63,7 @@ fn home(drawn: &str) -> String {
 #[test]
 fn an_entry_that_lies_about_its_size_is_refused() {
     let mut bytes = archive(&[("Home.xml", &vec![0; 40 << 20])]);
-    // The size is in both of its heads; 1,000 bytes are said to be all.
+    // Both headers have the size; they claim 1,000 bytes.
     let size = (40_u32 << 20).to_le_bytes();
     let at: Vec<usize> = (0..bytes.len() - 4).filter(|&at| bytes[at..at + 4] == size).collect();
     assert!(!at.is_empty());
@@ -92,7 +92,7 @@ fn markup_that_no_plan_has_is_refused() {
     assert!(refused(&home(&groups)).contains("nested"));
     let attributes: String = (0..100_000).map(|index| format!(" a{index}='1'")).collect();
     assert!(refused(&home(&format!("<wall{attributes}/>"))).contains("more attributes"));
-    // The comment goes on after its first `>`, and what begins in it does not hide the wall behind it.
+    // The comment continues after its first `>`, and its content does not hide the wall behind it.
     let hidden = format!("<!--><![CDATA[--><wall{}/><!--]]>-->", &attributes[..4_000]);
     assert!(refused(&home(&hidden)).contains("more attributes"));
     let namespaces: String = (0..100).map(|index| format!(" xmlns:a{index}='{index}'")).collect();

@@ -45,14 +45,14 @@ fn the_level_is_taken_by_which_people_come_home() {
         (0..6).map(|n| wall([120.0 + 10.0 * f64::from(n), 150.0], [120.0 + 10.0 * f64::from(n), 200.0])).collect();
     let cellar = walls.replace("<wall id=", "<wall level='l0' id=");
     assert_eq!(Home::of(&(house() + &cellar)).rooms(), ["Living room", "Bedroom"]);
-    // Without a way out anywhere, walls decide; what the plan does not show is not looked at.
+    // Without a way out anywhere, walls decide; invisible things are ignored.
     let shut = house().replace("name='Front door'", "name='Window' elevation='87'");
     Home::of(&shut).remarks("this is 2 \"Ground floor\", which has the most walls");
     let hidden = house().replace("<level id='l1'", "<level id='l1' viewable='false'");
     assert_eq!(Home::of(&hidden).rooms(), ["Cellar"]);
 }
 
-/// What is drawn, on a level.
+/// A drawing on a level.
 fn on(level: &str, drawn: &str) -> String {
     let tags = ["wall", "room", "doorOrWindow", "pieceOfFurniture"];
     let with = |text: String, tag: &&str| text.replace(&format!("<{tag} id="), &format!("<{tag} level='{level}' id="));
@@ -86,7 +86,7 @@ fn floors_that_stairs_join_are_drawn_beside_each_other() {
     let frames = homebody_core::plan::floors(&home.file.rooms);
     assert_eq!(frames.len(), 2);
     assert!(frames[0].bounds.1.x < frames[1].bounds.0.x, "{frames:?}");
-    // The passage takes the place of the stairs, and is as long as they are to walk.
+    // The passage replaces the stairs, and has their length.
     assert_eq!(home.file.furniture.len(), 1);
     assert_eq!(home.joins("foot of the stairs"), [Some("Bedroom"), Some("stairs")]);
     assert_eq!(home.joins("head of the stairs"), [Some("stairs"), Some("Landing")]);
@@ -94,7 +94,7 @@ fn floors_that_stairs_join_are_drawn_beside_each_other() {
     assert!((stairs - 2.4_f64.hypot(2.6)).abs() < 0.01, "{stairs}");
     // The way out is that of the lower floor.
     assert!(home.file.doors[0].name == "Front door" && home.file.doors[0].outside);
-    // Of each floor rooms are as large as they were.
+    // Rooms keep their size.
     let area = |room: usize| homebody_core::geometry::signed_area(&home.plan.rooms[room].outline).abs();
     assert_eq!([area(0), area(1), area(3), area(4)].map(|area| (area * 1e3).round() / 1e3), [20.0, 12.0, 20.0, 12.0]);
 }
@@ -107,7 +107,7 @@ fn floors_that_no_stairs_join_are_not() {
     home.remarks("of 2 levels, this is 1 \"Ground floor\", by which people come home");
     let one = sweet_home(&file(&two_floors(&shelf)), "test", Some("First floor")).unwrap();
     assert_eq!(Home::from(one).rooms(), ["Studio", "Landing"]);
-    // Steps are no stairs.
+    // Steps do not count as stairs.
     let steps = piece("Staircase", [840.0, 250.0], [80.0, 100.0, 60.0], "catalogId='eTeks#staircase'");
     assert_eq!(Home::of(&two_floors(&steps)).rooms().len(), 2);
 }
@@ -131,7 +131,7 @@ fn a_level_in_which_nobody_can_stand_keeps_nobody_from_those_above() {
         assert_eq!(home.rooms(), both, "{elevation} {height} {:?}", home.remarks);
         home.remarks("left out are 2 \"False ceiling\"");
     }
-    // It is taken where it is asked for.
+    // It is used on request.
     let asked = file(&with_level_between("False ceiling", 235.0, 18.0, &stairs));
     assert_eq!(Home::from(sweet_home(&asked, "test", Some("2")).unwrap()).rooms().len(), 1);
     // Without stairs the floor above stays out.

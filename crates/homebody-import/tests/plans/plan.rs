@@ -23,7 +23,7 @@ pub fn packed(entries: &[(&str, &[u8])], method: CompressionMethod) -> Vec<u8> {
     writer.finish().unwrap().into_inner()
 }
 
-/// A file with what is drawn, besides what such files have and nobody reads.
+/// A file with a drawing and unused entries.
 pub fn file(drawn: &str) -> Vec<u8> {
     let xml =
         format!("<?xml version='1.0'?>\n<home version='7200' name='test.sh3d' wallHeight='250'>\n{drawn}\n</home>");
@@ -43,7 +43,7 @@ pub fn room(name: &str, corners: &[[f64; 2]]) -> String {
     format!("<room id='r' name='{name}'>{points}</room>\n")
 }
 
-/// A door 90 cm wide, or what else is said of it.
+/// A door 90 cm wide, unless `more` overrides it.
 pub fn door(name: &str, [x, y]: [f64; 2], angle: f64, more: &str) -> String {
     let width = if more.contains("width=") { "" } else { "width='90'" };
     format!(
@@ -81,7 +81,6 @@ pub fn two_rooms() -> String {
     .concat()
 }
 
-/// What becomes of a file.
 pub fn import(file: &[u8]) -> Result<Imported, ImportError> {
     sweet_home(file, "test", None)
 }

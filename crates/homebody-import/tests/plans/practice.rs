@@ -7,7 +7,7 @@ use homebody_core::role::Role;
 use homebody_import::ImportError;
 use std::f64::consts::FRAC_PI_2;
 
-/// What becomes of one piece in the flat.
+/// The furniture that one piece in the flat becomes.
 fn of(name: &str, catalog: &str, size: [f64; 3]) -> FurnitureFile {
     let drawn = piece(name, [300.0, 300.0], size, &format!("catalogId='{catalog}'"));
     Home::of(&(two_rooms() + &drawn)).file.furniture[0].clone()
@@ -18,7 +18,7 @@ fn what_is_flat_stops_nobody() {
     let carpet = |height: f64| piece("Box", [600.0, 200.0], [200.0, 200.0, height], "catalogId='eTeks#texturableBox'");
     let is_open = |height: f64| Home::of(&(two_rooms() + &carpet(height))).plan.is_walkable(Point::new(5.0, 3.0), 0.22);
     assert!(is_open(0.5) && is_open(5.0) && !is_open(6.0));
-    // How high it reaches counts, not how thick it is.
+    // Its top counts, not its thickness.
     let shelf = "catalogId='eTeks#texturableBox' elevation='90'";
     let home = Home::of(&(two_rooms() + &piece("Box", [600.0, 200.0], [200.0, 200.0, 2.0], shelf)));
     assert!(!home.plan.is_walkable(Point::new(5.0, 3.0), 0.22));
@@ -44,7 +44,7 @@ fn what_a_piece_is_comes_from_the_catalogue_then_from_its_name_and_its_shape() {
     ] {
         assert_eq!(of(name, catalog, size).role, Some(role), "{name}");
     }
-    // A bed of a doll is none.
+    // A doll's bed does not count.
     assert_eq!(of("Old bed", "eTeks#bed", [30.0, 50.0, 20.0]).role, None);
     for (name, catalog, size) in [
         ("Bed table", "", [60.0, 200.0, 60.0]),
@@ -57,9 +57,9 @@ fn what_a_piece_is_comes_from_the_catalogue_then_from_its_name_and_its_shape() {
         assert!(role.is_none_or(|role| role == Role::Television), "{name} {role:?}");
         assert!(!of(name, catalog, size).enterable, "{name}");
     }
-    // Where its own name says so, nothing is added.
+    // If its own name gives the role, nothing is added.
     assert_eq!(of("Sofa", "eTeks#sofa", [147.0, 87.0, 87.0]).role, None);
-    // A stool is for the table only where there is no chair.
+    // A stool is for the table only without a chair.
     let both = piece("Stool", [300.0, 300.0], [40.0, 40.0, 46.0], "") + &piece("Stuhl", [200.0, 300.0], seat, "");
     let roles: Vec<_> = Home::of(&(two_rooms() + &both)).file.furniture.iter().map(|piece| piece.role).collect();
     assert_eq!(roles, [None, Some(Role::DiningSeat)]);
@@ -73,7 +73,7 @@ fn rooms_with_other_names_have_places_that_roles_know() {
     assert_eq!(places(&drawn("Bagno", "")), ["bathroom"]);
     assert_eq!(places(&drawn("Wohnzimmer", "")), ["living room"]);
     assert_eq!(places(&drawn("Kitchen", "")), [""; 0]);
-    // Where there is a fridge, a room need not be a kitchen; where there is a cooker, it is one, whatever it is called.
+    // A room with a fridge need not be a kitchen; a room with a cooker is one, whatever its name.
     let fridge = piece("Kühlschrank", [200.0, 200.0], [60.0, 60.0, 180.0], "");
     assert_eq!(places(&drawn("Cucina", &fridge)), [""; 0]);
     let cooker = piece("Cooker", [850.0, 460.0], [60.0, 60.0, 85.0], "catalogId='eTeks#cooker'");
@@ -165,7 +165,7 @@ fn gaps_between_rooms_without_a_door_are_passages() {
     let home = Home::of(&drawn);
     home.remarks("1 gap between walls is a passage");
     assert_eq!(home.joins("passage"), [Some("Living room"), Some("Bedroom")]);
-    // A room that goes on through the gap needs none.
+    // A room that continues through the gap needs none.
     let through = room("Flat", &[[110.0, 110.0], [890.0, 110.0], [890.0, 490.0], [110.0, 490.0]]);
     let front = door("Front door", [200.0, 500.0], 0.0, "");
     let walls = two_rooms_walls().replace(&wall([600.0, 100.0], [600.0, 500.0]), &gap);
@@ -180,7 +180,7 @@ fn where_no_door_leads_out_it_is_said_where_one_could() {
     assert!(remark.ends_with("for which there is room in \"Hall\""), "{remark}");
     let (_, door) = remark.split_once("add to \"doors\" ").unwrap();
     let (door, _) = door.split_once(", for which").unwrap();
-    // What is said works as it is.
+    // The suggested line is valid.
     let text = home.text.replacen("\"doors\": [\n", &format!("\"doors\": [\n    {door},\n"), 1);
     assert_ne!(text, home.text);
     let mended = Home::from(homebody_import::Imported { home_json: text, remarks: Vec::new() });
@@ -237,7 +237,7 @@ fn rooms_that_nearly_meet_where_no_wall_is_are_joined() {
     };
     assert!(is_joined(594.0) && is_joined(594.6) && is_joined(612.0));
     assert!(!is_joined(640.0));
-    // Where a wall is between them, they are not.
+    // A wall between them separates them.
     let walled = Home::of(&[two_rooms_walls(), west, east(606.0), front].concat());
     assert_eq!(walled.file.doors.len(), 1);
 }

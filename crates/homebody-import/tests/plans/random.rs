@@ -19,16 +19,16 @@ struct Flat {
     xs: Vec<f64>,
     ys: Vec<f64>,
     half_wall: f64,
-    /// Where the drawing puts the flat's corner, and how it turns it.
+    /// Position of the flat's corner in the drawing, and its turn.
     corner: Point,
     turn: f64,
-    /// How far rooms are drawn off the faces of walls.
+    /// Distance of drawn rooms from the faces of walls.
     careless: f64,
     has_rooms: bool,
     is_whole: bool,
 }
 
-/// A door as it was drawn: its name, and the cells on both sides; nothing for the outside.
+/// A drawn door: its name, and the cells on both sides; `None` for the outside.
 type Joined = (String, [Option<(usize, usize)>; 2]);
 
 impl Flat {
@@ -130,7 +130,7 @@ impl Flat {
                     let width = dice.between(70.0, 110.0).round();
                     let room = self.half_wall + width / 2.0 + 1.0;
                     let place = dice.between(along[cell] + room, along[cell + 1] - room);
-                    // A little beside its wall, the other way round, and not quite along it.
+                    // A little off its wall, the other way round, and slightly oblique.
                     let (aside, slant) = (dice.between(-3.0, 3.0), dice.between(-0.05, 0.05));
                     let half_turn = if dice.chance(0.5) { PI } else { 0.0 };
                     let name = format!("door {}", joined.len());
@@ -161,7 +161,7 @@ impl Flat {
         Point::new(p.x, -p.y)
     }
 
-    /// The lower left corner of the flat as it is drawn, north up.
+    /// The lower left corner of the drawn flat, north up.
     fn least(&self) -> Point {
         let (width, depth) = (self.xs[self.xs.len() - 1], self.ys[self.ys.len() - 1]);
         let corners = [(0.0, 0.0), (width, 0.0), (width, depth), (0.0, depth)];

@@ -62,7 +62,7 @@ impl Arguments {
         let rules = alert_rules(self.rules.as_deref())?;
         let template = template(SCENARIO)?;
         let home = LoadedScenario { scenario: template.scenario().clone(), household: template.household().clone() };
-        let people = People::of(&home, &CONDITIONS, self.people, (self.days, self.seed))?;
+        let people = People::new(&home, &CONDITIONS, self.people, (self.days, self.seed))?;
         let layouts = if self.layouts { Layout::all(&home.scenario) } else { vec![Layout::AsItIs] };
         let measure = |person: &PersonRun| -> Result<OfLayouts, Failure> {
             let logged = person.simulate(&LinkFile::default())?;

@@ -45,7 +45,7 @@ pub fn errand(errand: Errand, lasts: Span, setting: &mut ActivitySetting) -> Vec
     if errand == Errand::Mail {
         let mailbox = places.stations().iter().find(|station| station.chore == FETCHING_MAIL);
         let mailbox = mailbox.map(|station| (&station.spot, station.opened));
-        let door = places.of(Role::FrontDoor).filter(|door| door.is_reachable);
+        let door = places.for_role(Role::FrontDoor).filter(|door| door.is_reachable);
         if let Some((spot, thing)) = mailbox.or(door.map(|door| (door, places.thing(Role::FrontDoor)))) {
             steps.push_back(ActivityStep::Name(FETCHING_MAIL.into()));
             visit(spot, thing, lasts, setting, &mut steps);
@@ -77,7 +77,7 @@ fn nearer<'a>(fits: &dyn Fn(&ChoreStation) -> bool, setting: &mut ActivitySettin
         stations.iter().filter(|station| fits(station)).nth(drawn)
     };
     let (one, other) = (any()?, any()?);
-    let seat = setting.places.of(Role::Armchair).map(|seat| seat.at);
+    let seat = setting.places.for_role(Role::Armchair).map(|seat| seat.at);
     let far = |station: &ChoreStation| seat.map_or(0.0, |seat| seat.distance(station.spot.at));
     let stays_near = setting.stream.chance(STAYS_NEAR);
     Some(if stays_near && far(other) < far(one) { other } else { one })

@@ -214,7 +214,7 @@ impl RoutineDriver {
         if let Some(at) = of(&spot).into_iter().find(|&at| self.is_free(&spot, at)) {
             return Some(HomePlace { at, ..spot });
         }
-        let others = self.places.instead_of(&spot);
+        let others = self.places.substitutes_for(&spot);
         others.into_iter().find_map(|other| {
             let at = of(other).into_iter().find(|&at| self.is_free(other, at))?;
             Some(HomePlace { at, ..other.clone() })
@@ -290,11 +290,11 @@ impl RoutineDriver {
         }
     }
 
-    /// A place beside the door, for a host who blocks the doorway.
+    /// A place next to the door, for a host who blocks the doorway.
     fn beside_the_door(&self) -> Option<HomePlace> {
         /// Distance from it, in metres (our choice).
         const ASIDE_M: f64 = 0.8;
-        let door = self.places.of(Role::FrontDoor)?;
+        let door = self.places.for_role(Role::FrontDoor)?;
         if self.body.at().distance(door.at) > ASIDE_M / 2.0 {
             return None;
         }
@@ -316,7 +316,7 @@ impl RoutineDriver {
             let is_let_in = !is_visitor || has_key || self.company.opens(self.host, door);
             is_let_in && !self.company.is_occupied(door.at)
         };
-        let door = self.places.of(Role::FrontDoor);
+        let door = self.places.for_role(Role::FrontDoor);
         let comes_in = door.is_none_or(may_come_in);
         let handle = self.places.thing(Role::FrontDoor).filter(|_| has_key && comes_in);
         let Some(playing) = self.scripts.last_mut() else { return };
@@ -345,7 +345,7 @@ impl RoutineDriver {
 
     /// Waits to eat while another person cooks.
     pub(super) fn await_meal(&mut self, left: Span) {
-        let is_cooking = self.places.of(Role::Stove).is_some_and(|stove| self.company.cooks(stove));
+        let is_cooking = self.places.for_role(Role::Stove).is_some_and(|stove| self.company.cooks(stove));
         if !is_cooking || left <= Span::ZERO {
             return;
         }

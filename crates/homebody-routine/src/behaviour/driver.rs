@@ -110,7 +110,7 @@ impl RoutineDriver {
         let agenda = if today.up > RunTime::START { Agenda::new(&life, -1, &life.parameters(-1)) } else { today };
         let role = if in_bed { Role::Bed } else { Role::Armchair };
         let rank = host.0;
-        if let Some(spot) = places.of(role) {
+        if let Some(spot) = places.for_role(role) {
             let at = spot.sides_for(rank as usize, company.shares_home()).next().unwrap_or(spot.at);
             let spot = HomePlace { at, ..spot.clone() };
             let posture = if in_bed { Posture::Lying } else { spot.posture };
@@ -379,7 +379,7 @@ impl RoutineDriver {
     /// Factor on the usual movement now, by manner.
     fn activity(&self, now: RunTime) -> impl Fn(&Manner) -> f64 + use<> {
         let (restless, awake) = (self.parameters.restless, self.parameters.activity(self.hour(now)));
-        move |manner| if manner.is_of_bed() { restless } else { awake }
+        move |manner| if manner.is_in_bed() { restless } else { awake }
     }
 
     /// Begins a planned activity.

@@ -71,7 +71,7 @@ impl RoutineDriver {
             }
             FallEnds::Phone => {
                 steps.push_back(stay(Posture::Down, Manner::FALLEN, item.lasts));
-                let telephone = self.places.of(Role::Telephone).and_then(|spot| self.beside(spot));
+                let telephone = self.places.for_role(Role::Telephone).and_then(|spot| self.beside(spot));
                 steps.extend(telephone.map(|to| ActivityStep::AlongFloor { to: to.at, mps: CRAWLS_MPS }));
                 steps.push_back(stay(Posture::Down, Manner::TALKING, CALLS));
                 steps.push_back(stay(Posture::Down, Manner::FALLEN, HELP_COMES));
@@ -93,8 +93,8 @@ impl RoutineDriver {
     ) -> VecDeque<ActivityStep> {
         let is_seat = |spot: &&HomePlace| spot.posture != Posture::Standing;
         let seat = place.filter(is_seat).or_else(|| match falling.from {
-            FallsFrom::Bed => self.places.of(Role::Bed),
-            _ => self.places.of(Role::Armchair),
+            FallsFrom::Bed => self.places.for_role(Role::Bed),
+            _ => self.places.for_role(Role::Armchair),
         });
         let name = ActivityStep::Name(FALLEN.into());
         let beside = seat.and_then(|seat| self.beside(seat));

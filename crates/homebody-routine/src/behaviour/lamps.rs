@@ -16,7 +16,7 @@ impl RoutineDriver {
         let arrival = moves.last().map_or(now, |last| last.end);
         self.ready.extend(moves.into_iter().map(Next::Segment));
         // No light in the bedroom on the way back to sleep.
-        let to_sleep = self.needs.asleep() && to == self.places.of(Role::Bed).and_then(|bed| bed.room);
+        let to_sleep = self.needs.asleep() && to == self.places.for_role(Role::Bed).and_then(|bed| bed.room);
         let dark = self.home.is_dark(now) && !to_sleep;
         if let Some(on) = on.filter(|&lamp| dark && !self.watches.is_on(lamp)) {
             self.act(on, true, arrival);

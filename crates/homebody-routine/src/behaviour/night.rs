@@ -62,7 +62,8 @@ impl RoutineDriver {
         if !already {
             steps.push_back(ActivityStep::Name(Activity::GoToBed.label().into()));
             // On the edge of the bed first.
-            let edge = self.places.of(Role::Bed).map(|bed| HomePlace { posture: Posture::Sitting, ..bed.clone() });
+            let edge =
+                self.places.for_role(Role::Bed).map(|bed| HomePlace { posture: Posture::Sitting, ..bed.clone() });
             steps.extend(edge.map(ActivityStep::Go));
             let sitting = Span::from_seconds(stream.lognormal(75.0, 0.4));
             let turning = StayStep {

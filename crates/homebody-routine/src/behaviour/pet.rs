@@ -61,7 +61,7 @@ pub struct PetDriver {
 
 impl PetDriver {
     pub fn new(life: Arc<ResidentRoutine>, places: Arc<HomePlaces>, mut body: WalkingBody) -> PetDriver {
-        if let Some(spot) = places.of(Role::Basket) {
+        if let Some(spot) = places.for_role(Role::Basket) {
             body.place(HomePlace { posture: Posture::Standing, ..spot.clone() }, Posture::Standing);
         }
         let stream = life.stream("pet");
@@ -128,7 +128,7 @@ impl PetDriver {
             (true, share) if share < 0.7 => self.any(Role::Sofa),
             (true, _) => self.any(Role::Bed),
             (false, _) if rests => self.body.spot().cloned().or_else(|| self.any(Role::Basket)),
-            (false, share) if share < 0.3 => self.places.of(Role::FoodBowl).cloned(),
+            (false, share) if share < 0.3 => self.places.for_role(Role::FoodBowl).cloned(),
             (false, share) if share < 0.7 => {
                 let stations = self.places.stations();
                 stations.get((self.stream.unit() * stations.len() as f64) as usize).map(|one| one.spot.clone())
@@ -169,9 +169,9 @@ impl PetDriver {
 
     /// A random place of a role, of any resident.
     fn any(&mut self, role: Role) -> Option<HomePlace> {
-        let all = self.places.anybodys(role);
+        let all = self.places.all_for(role);
         match all.len() {
-            0 => self.places.of(role).cloned(),
+            0 => self.places.for_role(role).cloned(),
             1 => Some(all[0].clone()),
             many => all.get((self.stream.unit() * many as f64) as usize).map(|&spot| spot.clone()),
         }

@@ -207,7 +207,7 @@ impl StepBuilder<'_, '_> {
             Activity::Everyday(_) => {
                 let has = |role: &&Role| self.setting.places.has(**role);
                 let role = activity.roles().iter().find(has).copied().unwrap_or(Role::Armchair);
-                let spot = place.or_else(|| self.setting.places.of(role)).cloned();
+                let spot = place.or_else(|| self.setting.places.for_role(role)).cloned();
                 let posture = spot.as_ref().map_or(Posture::Standing, |spot| spot.posture);
                 let manner = if posture == Posture::Standing { Manner::BUSY } else { Manner::READING };
                 self.until(role, spot.as_ref(), lasts, until, manner);
@@ -228,7 +228,7 @@ impl StepBuilder<'_, '_> {
         let places = self.setting.places;
         let spot = place.or_else(|| match role {
             Role::Toilet | Role::Washbasin => places.nearest(role, self.setting.at),
-            _ => places.of(role),
+            _ => places.for_role(role),
         });
         let spot = spot.cloned();
         if let Some(spot) = &spot {
@@ -341,7 +341,7 @@ impl StepBuilder<'_, '_> {
     /// duration.
     fn warm(&mut self, hot: bool, left: Span) -> Span {
         let mut passed = Span::ZERO;
-        for spot in self.setting.places.anybodys(Role::FoodWarmer) {
+        for spot in self.setting.places.all_for(Role::FoodWarmer) {
             let thing = self.setting.places.thing_named(&spot.name);
             let Some(thing) = thing.filter(|_| passed < left && self.setting.stream.chance(WARMED)) else { continue };
             self.push(ActivityStep::Go(spot.clone()));
@@ -510,7 +510,7 @@ mod tests {
     fn ways(activity: &Activity, places: &HomePlaces) -> BTreeSet<String> {
         let steps = (0..40).flat_map(|seed| {
             let mut stream = Stream::named(seed, "script");
-            let at = places.of(Role::Armchair).unwrap().at;
+            let at = places.for_role(Role::Armchair).unwrap().at;
             let mut setting = ActivitySetting { places, at, stream: &mut stream, forgotten: Vec::new(), movement: 1.0 };
             script(activity, None, 20 * MINUTE, None, &mut setting)
         });
@@ -530,7 +530,7 @@ mod tests {
         let mut acted = BTreeSet::new();
         for activity in USUAL.iter().chain(&[Activity::Shower, Activity::TakeMedicine, Activity::Visit]) {
             for seed in 0..40 {
-                let (mut stream, at) = (Stream::named(seed, "script"), places.of(Role::Armchair).unwrap().at);
+                let (mut stream, at) = (Stream::named(seed, "script"), places.for_role(Role::Armchair).unwrap().at);
                 let mut setting =
                     ActivitySetting { places: &places, at, stream: &mut stream, forgotten: Vec::new(), movement: 1.0 };
                 let steps = script(activity, None, 20 * MINUTE, None, &mut setting);
@@ -565,11 +565,11 @@ mod tests {
             if matches!(activity, Activity::GetUp | Activity::GoToBed) {
                 continue;
             }
-            let names = activity.roles().iter().map(|&role| places.of(role).unwrap().name.clone());
+            let names = activity.roles().iter().map(|&role| places.for_role(role).unwrap().name.clone());
             assert_eq!(ways(activity, &places), names.collect(), "{activity:?}");
         }
         // A visitor's seat is not part of the host's steps.
-        let names = [Role::FrontDoor, Role::Armchair].map(|role| places.of(role).unwrap().name.clone());
+        let names = [Role::FrontDoor, Role::Armchair].map(|role| places.for_role(role).unwrap().name.clone());
         assert_eq!(ways(&Activity::Visit, &places), names.into());
     }
 }

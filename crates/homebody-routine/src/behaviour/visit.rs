@@ -46,7 +46,7 @@ impl RoutineDriver {
     pub(super) fn come_to_visit(&mut self, item: usize) {
         let item = self.agenda.items[item].clone();
         let mut stream = self.life.stream_of_day(self.agenda.day, &format!("{}/visitor", item.key));
-        let door = self.places.of(Role::FrontDoor).cloned();
+        let door = self.places.for_role(Role::FrontDoor).cloned();
         if let Some(door) = &door {
             self.body.place(door.clone(), Posture::Standing);
         }
@@ -60,7 +60,7 @@ impl RoutineDriver {
         steps.push_back(talk(Posture::Standing, 40 * SECOND));
         if item.lasts >= STAYING_OVER {
             self.stay_over(begin, item.start + item.lasts, &mut steps, &mut stream);
-        } else if let Some(seat) = self.places.of(Role::GuestSeat) {
+        } else if let Some(seat) = self.places.for_role(Role::GuestSeat) {
             steps.push_back(ActivityStep::Go(seat.clone()));
             steps.push_back(talk(seat.posture, item.lasts));
         }
@@ -78,9 +78,9 @@ impl RoutineDriver {
     /// Days and nights of a visitor who stays over: sleep, meals and bathroom at the host's hours, sitting in between. The
     /// host sets the table.
     fn stay_over(&self, begin: RunTime, end: RunTime, steps: &mut VecDeque<ActivityStep>, stream: &mut Stream) {
-        let (bed, seat) = (self.guest_bed(), self.places.of(Role::GuestSeat));
-        let chairs = self.places.anybodys(Role::DiningSeat);
-        let own = self.places.of(Role::DiningSeat);
+        let (bed, seat) = (self.guest_bed(), self.places.for_role(Role::GuestSeat));
+        let chairs = self.places.all_for(Role::DiningSeat);
+        let own = self.places.for_role(Role::DiningSeat);
         let chair = chairs.into_iter().find(|chair| own.is_none_or(|own| own.at != chair.at)).or(seat);
         let mut day = self.agenda.day;
         let mut now = begin;
@@ -136,15 +136,15 @@ impl RoutineDriver {
 
     /// A bed other than the host's, a sofa or a chair.
     fn guest_bed(&self) -> Option<HomePlace> {
-        let own = self.places.of(Role::Bed);
-        let mut beds = self.places.anybodys(Role::Bed).into_iter();
+        let own = self.places.for_role(Role::Bed);
+        let mut beds = self.places.all_for(Role::Bed).into_iter();
         if let Some(bed) = beds.find(|bed| own.is_none_or(|own| own.at != bed.at)) {
             return Some(bed.clone());
         }
-        let sofa = self.places.anybodys(Role::Sofa).into_iter().next();
+        let sofa = self.places.all_for(Role::Sofa).into_iter().next();
         sofa.map(|sofa| HomePlace { posture: Posture::Lying, ..sofa.clone() })
-            .or_else(|| self.places.anybodys(Role::Armchair).into_iter().next().cloned())
-            .or_else(|| self.places.of(Role::GuestSeat).cloned())
+            .or_else(|| self.places.all_for(Role::Armchair).into_iter().next().cloned())
+            .or_else(|| self.places.for_role(Role::GuestSeat).cloned())
     }
 }
 

@@ -114,7 +114,7 @@ impl Rhythm {
         let naps = naps(&stays, &noted);
         noted.extend(naps);
         noted.extend(SEATS.into_iter().flat_map(|seat| {
-            let name = places.of(seat).map_or("", |spot| &spot.name);
+            let name = places.for_role(seat).map_or("", |spot| &spot.name);
             sittings(&stays, seat, name)
         }));
         let out = merged(&stays, Span::ZERO, |stay| stay.is_out);
@@ -164,7 +164,7 @@ type Spots = Vec<(Role, Point)>;
 
 fn spots(places: &HomePlaces) -> Spots {
     let own = AT.into_iter().filter(|role| places.has(*role));
-    own.filter_map(|role| Some((role, places.of(role)?.at))).collect()
+    own.filter_map(|role| Some((role, places.for_role(role)?.at))).collect()
 }
 
 fn stays(translation: &Translation, spots: &Spots) -> Vec<DiaryStay> {

@@ -1,12 +1,13 @@
-//! The floor that outlines leave free, as convex pieces that fit together.
+//! The floor between outlines, as convex pieces that fit together.
 //!
-//! Outlines overlap, cross and touch as people draw them. They are triangulated as they are, and sides are cut where they
-//! cross. The corner that this makes is there but for rounding, so slanted sides bend a little. Where another corner is nearly
-//! there too, it may come to lie on the wrong side of them; then a side cannot be put in any more, and we begin anew in
-//! another way.
+//! Outlines overlap, cross and touch as people draw them. They are triangulated as drawn, and sides are cut at their
+//! crossings. Rounding moves the new corners, so slanted sides bend a little. A new corner may come to lie on the wrong
+//! side of another corner nearby; then a side cannot be inserted any more, and another method starts from the
+//! beginning.
 //!
-//! That way is exact, but moves sides by up to half a step of a grid: what the outlines cover together is cut out of the frame
-//! in whole steps, which leaves rings that meet at corners only. What is between them is triangulated with nothing left to cut.
+//! That method is exact, but moves sides by up to half a step of a grid: the union of the outlines is cut out of the
+//! frame in whole steps, which leaves rings that meet at corners only. Triangulating the area between them needs no
+//! further cuts.
 
 use homebody_core::geometry::{self, Point};
 use i_overlay::core::fill_rule::FillRule;
@@ -41,7 +42,8 @@ type WholeRing = Vec<IntPoint>;
 
 type Triangles = ConstrainedDelaunayTriangulation<Point2<f64>>;
 
-/// What the outlines, which are convex with corners counter-clockwise, leave free of the rectangle with these corners.
+/// The part of the rectangle with these corners outside of all outlines, which are convex with corners
+/// counter-clockwise.
 pub fn free((least, most): (Point, Point), outlines: impl Iterator<Item = Vec<Point>>) -> polyanya::Mesh {
     let on_grid = |ring: Vec<Point>| ring.iter().map(|corner| (corner / GRID_M).round()).collect::<Ring>();
     let frame = on_grid(vec![least, Point::new(most.x, least.y), most, Point::new(least.x, most.y)]);
@@ -53,7 +55,7 @@ pub fn free((least, most): (Point, Point), outlines: impl Iterator<Item = Vec<Po
     floor
 }
 
-/// The outlines triangulated as they are; nothing if they are too tangled for that.
+/// The outlines triangulated as drawn; nothing if they are too tangled for that.
 fn as_drawn(frame: &Ring, outlines: &[Ring]) -> Option<Layer> {
     let rings = || [frame].into_iter().chain(outlines);
     if rings().map(Vec::len).sum::<usize>() > MOST_SIDES {
@@ -79,7 +81,7 @@ fn as_drawn(frame: &Ring, outlines: &[Ring]) -> Option<Layer> {
     let is_free: Vec<bool> =
         triangles.all_faces().map(|face| face.as_inner().is_some_and(|face| is_free(point(face.center())))).collect();
     let layer = layer(&triangles, &is_free);
-    // What single precision takes the area of is nothing to search.
+    // A piece without area in single precision cannot be searched.
     let has_area = |piece: &Polygon| {
         let corners: Vec<Point> =
             piece.vertices.iter().map(|&vertex| layer.vertices[vertex as usize].coords.as_dvec2()).collect();
@@ -92,7 +94,7 @@ fn point(at: Point2<f64>) -> Point {
     Point::new(at.x, at.y)
 }
 
-/// Puts in the beginning of a side, up to where it meets a corner or crosses another side, which is cut there.
+/// Inserts the beginning of a side, up to the corner that it meets or the side that it crosses, which is cut there.
 fn step(triangles: &mut Triangles, from: FixedVertexHandle, to: FixedVertexHandle) -> Option<FixedVertexHandle> {
     let mut met = LineIntersectionIterator::new_from_handles(triangles, from, to).skip(1);
     let crossed = loop {
@@ -123,7 +125,7 @@ fn step(triangles: &mut Triangles, from: FixedVertexHandle, to: FixedVertexHandl
     }
 }
 
-/// Where the lines through two sides cross, but for rounding.
+/// The intersection of the lines through two sides, up to rounding.
 fn crossing(sides: [(Point, Point); 2]) -> Point {
     let [(a, at_a), (b, at_b)] = sides.map(|(from, to)| {
         let across = Point::new(to.y - from.y, from.x - to.x);
@@ -141,7 +143,7 @@ fn cut_out(frame: &Ring, outlines: &[Ring]) -> Vec<WholeRing> {
     cut.overlay(OverlayRule::Difference, FillRule::NonZero).concat()
 }
 
-/// The rings around what the outlines cover together.
+/// The rings around the union of the outlines.
 fn together(outlines: &[WholeRing]) -> Vec<WholeRing> {
     let rings = match outlines.len() {
         0..=AT_ONCE => outlines.to_vec(),
@@ -155,7 +157,7 @@ fn together(outlines: &[WholeRing]) -> Vec<WholeRing> {
     union.overlay(OverlayRule::Subject, FillRule::NonZero).concat()
 }
 
-/// Triangles of all that an odd number of rings is around.
+/// Triangles of the points inside of an odd number of rings.
 fn between(rings: &[WholeRing]) -> Layer {
     let mut triangles = Triangles::new();
     let mut insert = |corner: &IntPoint| triangles.insert(Point2::new(f64::from(corner.x), f64::from(corner.y)));
@@ -169,7 +171,7 @@ fn between(rings: &[WholeRing]) -> Layer {
             }
         }
     }
-    // From the outside in: a side of a ring parts what is free from what is not.
+    // From the outside in: a side of a ring separates free from covered ground.
     let parts = |side: usize| sides.get(&side).is_some_and(|count| count % 2 == 1);
     let mut is_free: Vec<Option<bool>> = vec![None; triangles.num_all_faces()];
     is_free[triangles.outer_face().index()] = Some(false);
@@ -186,14 +188,13 @@ fn between(rings: &[WholeRing]) -> Layer {
     layer(&triangles, &is_free)
 }
 
-/// The free triangles as pieces of a mesh.
 fn layer(triangles: &Triangles, is_free: &[bool]) -> Layer {
     let faces = || triangles.inner_faces().filter(|face| is_free[face.index()]);
     let mut numbers = vec![u32::MAX; triangles.num_all_faces()];
     (0..).zip(faces()).for_each(|(number, face)| numbers[face.index()] = number);
     let vertices = triangles.vertices().map(|vertex| {
         let mut around: Vec<u32> = vertex.out_edges().map(|side| numbers[side.face().index()]).collect();
-        // The list begins with a piece, where there is one.
+        // The list begins with a piece, if it has one.
         let first = around.iter().position(|&number| number != u32::MAX).unwrap_or(0);
         around.rotate_left(first);
         around.dedup();

@@ -15,7 +15,7 @@ const NEAR_ZERO_M: f64 = 256.0;
 /// choice). They keep up to 8 % of the radius more than needed, and a way around a corner has few corners itself.
 const TURN_COS: f64 = 0.707;
 
-/// Largest distance by which rounding puts a point of a piece outside of it.
+/// Largest distance of a point outside of its piece due to rounding.
 const ON_PIECE_M: f64 = 1e-4;
 
 #[derive(Clone, Debug)]

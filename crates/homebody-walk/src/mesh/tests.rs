@@ -71,7 +71,7 @@ fn a_way_around_a_corner_is_hardly_longer_than_it_must_be() {
 }
 
 #[test]
-fn nobody_walks_over_a_bed_but_over_a_rug() {
+fn ways_lead_over_rugs_and_not_over_beds() {
     let home = |height_m: f64| {
         let home = json!({
             "name": "a room", "rooms": [{ "name": "room", "outline": [[0, 0], [6, 0], [6, 3], [0, 3]] }],
@@ -108,7 +108,7 @@ fn a_closed_closet_cannot_be_reached() {
 }
 
 #[test]
-fn who_does_not_fit_goes_sideways() {
+fn a_body_turns_sideways_in_a_narrow_gap() {
     // The door of 0.9 m is blocked to 0.4 m.
     let crate_in_door = r#"{ "name": "crate", "at": [3.4, 2.8], "size_m": [0.5, 0.1], "height_m": 1.0 }"#;
     let narrow = TIGERPLACE.replacen(r#""furniture": ["#, &format!(r#""furniture": [{crate_in_door},"#), 1);
@@ -179,7 +179,7 @@ fn ways_keep_off_everything_in_random_homes() {
 }
 
 #[test]
-fn what_is_free_is_what_the_plan_says() {
+fn free_ground_agrees_with_the_plan() {
     for case in 0..40 {
         let plan = random_home(case);
         let mesh = Mesh::new(&plan, RADIUS_M);
@@ -204,7 +204,7 @@ fn what_is_free_is_what_the_plan_says() {
 #[test]
 #[ignore = "a measurement"]
 #[expect(clippy::disallowed_types, clippy::disallowed_methods, reason = "a measurement needs a clock")]
-fn how_long_it_takes() {
+fn prints_the_time_of_meshes_and_ways() {
     for plan in [tigerplace(), sphere_house()] {
         let begin = std::time::Instant::now();
         let meshes: Vec<Mesh> = (0..20).map(|_| Mesh::new(&plan, RADIUS_M)).collect();
@@ -247,7 +247,7 @@ fn tangled_walls_break_nothing() {
 
 /// By rounding, a door as wide as its wall leaves a piece of wall of length zero.
 #[test]
-fn a_door_as_wide_as_its_wall_keeps_nobody_from_a_seat() {
+fn a_door_as_wide_as_its_wall_blocks_no_seat() {
     let home = |to: f64| {
         let chair =
             r#"{ "name": "chair", "at": [7.4, 2.6], "size_m": [0.5, 0.5], "height_m": 0.9, "enterable": true }"#;

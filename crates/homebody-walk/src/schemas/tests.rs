@@ -1,6 +1,6 @@
 use super::*;
 use crate::homes::{random_home, sphere_house, tigerplace};
-use crate::pattern::{Pattern, pattern_of};
+use crate::pattern::{Pattern, travel_pattern};
 use homebody_core::time::SECOND;
 
 const RADIUS_M: f64 = 0.22;
@@ -48,7 +48,7 @@ fn visits(ends: &[Point], goals: &[Point]) -> Vec<usize> {
 }
 
 #[test]
-fn wandering_is_of_the_kind_that_was_meant() {
+fn wandering_has_the_requested_pattern() {
     for plan in [tigerplace(), sphere_house()] {
         let mesh = Mesh::new(&plan, RADIUS_M);
         let from = start(&plan, &mesh);
@@ -70,9 +70,9 @@ fn wandering_is_of_the_kind_that_was_meant() {
                     Wanderers::default(),
                     &mut stream,
                 );
-                assert_eq!(pattern_of(&visited), pattern, "case {case}: {visited:?}");
+                assert_eq!(travel_pattern(&visited), pattern, "case {case}: {visited:?}");
                 // Passing a goal on the way counts as a visit.
-                let passed = pattern_of(&visits(&ends(&moves, from, RunTime::START), &goals));
+                let passed = travel_pattern(&visits(&ends(&moves, from, RunTime::START), &goals));
                 passing_as_meant += usize::from(passed == pattern);
             }
             assert!(passing_as_meant >= least_passing, "{kind:?}: {passing_as_meant} of 20");
@@ -136,7 +136,7 @@ fn a_wanderer_never_enters_a_solid_and_ends_in_a_free_place() {
 #[test]
 #[ignore = "a measurement"]
 #[expect(clippy::disallowed_types, clippy::disallowed_methods, reason = "a measurement needs a clock")]
-fn what_wandering_looks_like_from_room_to_room_and_how_long_it_takes() {
+fn prints_the_patterns_between_rooms_and_the_time() {
     for plan in [tigerplace(), sphere_house()] {
         let mesh = Mesh::new(&plan, RADIUS_M);
         let from = start(&plan, &mesh);
@@ -160,7 +160,7 @@ fn what_wandering_looks_like_from_room_to_room_and_how_long_it_takes() {
                     );
                     moves += wandering.len();
                     let rooms = ends(&wandering, from, RunTime::START).into_iter().filter_map(|at| plan.room_at(at));
-                    pattern_of(&rooms.collect::<Vec<_>>())
+                    travel_pattern(&rooms.collect::<Vec<_>>())
                 })
                 .collect();
             let all = [Pattern::Direct, Pattern::Random, Pattern::Lapping, Pattern::Pacing];
@@ -202,7 +202,7 @@ fn random_wandering_is_more_crooked_than_pacing() {
 }
 
 #[test]
-fn who_has_nowhere_to_go_stirs_on_the_spot() {
+fn wanderer_without_a_goal_moves_on_the_spot() {
     let plan = tigerplace();
     let mesh = Mesh::new(&plan, RADIUS_M);
     let outside = Point::new(20.0, 20.0);
@@ -250,7 +250,7 @@ fn far_from_walls(moves: &[MotionSegment], mesh: &Mesh, far_m: f64) -> f64 {
 }
 
 #[test]
-fn gains_do_what_they_are_called_after() {
+fn each_gain_has_its_effect() {
     let plan = hall();
     let mesh = Mesh::new(&plan, RADIUS_M);
     let from = start(&plan, &mesh);

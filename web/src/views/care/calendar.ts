@@ -1,4 +1,4 @@
-// The calendar of a log: its months as grids of days, and what each day is marked by.
+// The calendar of a log: its months as grids of days, with the marks of each day.
 
 import type { AlertView, CareView, KnownView, NoteView } from '../../wire';
 import { inFull, monthOf, monthsLater, shifted, weekday } from './dates';
@@ -6,28 +6,26 @@ import { inFull, monthOf, monthsLater, shifted, weekday } from './dates';
 export interface Cell {
   day: string;
   known: KnownView;
-  /** Alerts that nobody has seen to, and those that somebody has. */
+  /** Alerts that are not handled, and handled ones. */
   open: number;
   seen: number;
-  /** How many things were unusual. */
+  /** The number of unusual values. */
   odd: number;
-  /** Whether somebody has written something. */
+  /** The day has a note. */
   noted: boolean;
 }
 
 export interface Month {
   title: string;
-  /** From Monday to Sunday; nothing where a day is of another month, or before or after the log. */
+  /** From Monday to Sunday; null for a day of another month, or outside of the log. */
   weeks: { days: (Cell | null)[]; numbers: (number | null)[] }[];
 }
 
-/** What an alert is known by. */
 export const keyOf = ({ day, rule }: Pick<AlertView, 'day' | 'rule'>) => `${day} ${rule}`;
 
-/** What tells alerts apart: those of several sensors on one day share what is noted of them. */
+/** A key that differs between alerts: those of several sensors on one day share their notes. */
 export const apart = (alert: Pick<AlertView, 'day' | 'rule' | 'words'>) => `${keyOf(alert)} ${alert.words}`;
 
-/** All months of a log, in order. */
 export function monthsOf(care: Pick<CareView, 'days' | 'alerts'>, notes: readonly NoteView[]): Month[] {
   const [first, last] = [care.days[0]?.day, care.days.at(-1)?.day];
   if (first === undefined || last === undefined) return [];
@@ -51,7 +49,7 @@ export function monthsOf(care: Pick<CareView, 'days' | 'alerts'>, notes: readonl
       const week = Array.from({ length: 7 }, (_, index) => shifted(monday, index));
       const isOfMonth = (day: string) => day.startsWith(begin.slice(0, 7));
       const days = week.map((day) => (isOfMonth(day) ? (cells.get(day) ?? null) : null));
-      // Weeks before and after the log say nothing.
+      // Weeks outside of the log are left out.
       if (days.every((cell) => cell === null)) continue;
       weeks.push({ days, numbers: week.map((day) => (isOfMonth(day) ? Number(day.slice(8)) : null)) });
     }
@@ -60,13 +58,12 @@ export function monthsOf(care: Pick<CareView, 'days' | 'alerts'>, notes: readonl
   return months;
 }
 
-/** Whether a usual is known of anything, on a day or at all, or of a measure that has a chart: without it nothing can be unusual. */
+/** A usual value is known, on a day or at all, for any measure or for one with a chart: without it nothing can be unusual. */
 export function hasUsual(care: Pick<CareView, 'charts'>, day: string | null = null, measure: string | null = null): boolean {
   const own = care.charts.filter((chart) => chart.measure === measure);
   return (own.length > 0 ? own : care.charts).some((chart) => chart.days.some((point) => point.usual !== null && (day === null || point.day === day)));
 }
 
-/** A day's marks in words. */
 export function described(cell: Cell): string {
   const parts = [inFull(cell.day)];
   if (cell.known === 'nobody_home') parts.push('away for most of the day');
@@ -80,7 +77,7 @@ export function described(cell: Cell): string {
   return parts.join(', ');
 }
 
-/** Where a key leads from a day, within the log; null where it leads nowhere. */
+/** The target of a key from a day, within the log; null without one. */
 export function stepped(key: string, day: string, first: string, last: string): string | null {
   const to = (() => {
     switch (key) {

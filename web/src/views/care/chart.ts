@@ -1,33 +1,33 @@
-// A small chart: where its days, its usual range and its lines go. Lengths are pixels.
+// A small chart: the positions of its days, its usual range and its lines. Lengths are pixels.
 
 import type { CareUnit, ChartView, PointView } from '../../wire';
 import { dayAndMonth, inFull } from './dates';
 
-/** Where nothing is known of the room that there is. */
+/** Default width, before it is measured. */
 export const WIDTH = 560;
 export const HEIGHT = 120;
 export const LEFT = 58;
 const BOTTOM = 20;
 const TOP = 8;
-/** Dates are so far apart that they can be read. */
+/** Distance between readable dates. */
 const DATE_APART = 52;
-/** The ends of a chart are whole multiples of these, in its unit. */
+/** The ends of a chart are multiples of these, in its unit. */
 const STEPS: Record<CareUnit, number> = { hours: 0.5, clock: 0.5, times: 1, of_usual: 0.1, metres_a_second: 0.1 };
 
 export interface Drawn {
-  /** The usual range, as paths: one for each stretch of days that have a usual. */
+  /** The usual range, as paths: one for each series of days with a usual value. */
   usual: string[];
-  /** The days that are known. */
+  /** The known days. */
   dots: { x: number; y: number; day: PointView }[];
   /** The first day of each month, or of each week of a short log. */
   dates: { x: number; text: string }[];
-  /** Where a day is. */
+  /** The position of a day. */
   x: (day: string) => number | null;
-  /** The lowest and the highest value, and where they are. */
+  /** The lowest and the highest value, with their positions. */
   values: { y: number; text: string }[];
 }
 
-/** A value as people read it. */
+/** A value in words. */
 export function said(unit: CareUnit, value: number): string {
   switch (unit) {
     case 'clock': {
@@ -46,13 +46,13 @@ export function said(unit: CareUnit, value: number): string {
   }
 }
 
-/** The largest multiple of a step that is not above a value. */
+/** The largest multiple of a step that is at most a value. */
 function floored(value: number, step: number): number {
-  // A multiple that is a hair off is one all the same.
+  // Rounding errors do not matter.
   return Math.floor(value / step + 1e-6) * step;
 }
 
-/** Where everything of a chart goes. */
+/** The positions of all parts of a chart. */
 export function drawn(chart: ChartView, width = WIDTH): Drawn {
   const values = chart.days.flatMap(({ value, usual }) => [...(value === null ? [] : [value]), ...(usual ?? [])]);
   const whole = STEPS[chart.unit];
@@ -87,7 +87,7 @@ export function drawn(chart: ChartView, width = WIDTH): Drawn {
   return { usual, dots, dates, x: (day) => at.get(day) ?? null, values: ends.map((value) => ({ y: y(value), text: said(chart.unit, value) })) };
 }
 
-/** A chart in a sentence, for who does not see it. */
+/** A chart in a sentence, for screen readers. */
 export function described(chart: ChartView): string {
   const known = chart.days.filter(({ value }) => value !== null);
   const last = known.at(-1);

@@ -1,4 +1,4 @@
-// Days as the care view says them. A day is its date, such as `2009-03-02`; the page knows no time zone and wants none.
+// Days in the words of the care view. A day is a date such as `2009-03-02`; the page knows no time zone.
 
 import { read } from '../../clock';
 
@@ -25,17 +25,17 @@ export const dayAndMonth = (day: string) => said(short, day);
 /** `March 2009`. */
 export const monthOf = (day: string) => said(month, day);
 
-/** So many days later. */
+/** A number of days later. */
 export function shifted(day: string, days: number): string {
   return new Date(ms(day) + days * DAY_MS).toISOString().slice(0, 10);
 }
 
-/** How many days later one is than another. */
+/** The number of days from one to another. */
 export function between(from: string, to: string): number {
   return Math.round((ms(to) - ms(from)) / DAY_MS);
 }
 
-/** The day of the week, Monday being 0. */
+/** The day of the week, 0 for Monday. */
 export function weekday(day: string): number {
   return (new Date(ms(day)).getUTCDay() + 6) % 7;
 }

@@ -1,20 +1,20 @@
-// When something of a day is best seen in playback.
+// The best moment of playback for an observation.
 
 import { FIRST_HOURS, OF_NIGHT } from '../../measures';
 import type { CareView } from '../../wire';
 import { shifted } from './dates';
 
-/** It is seen how it comes about, this long before (ours). */
+/** Playback starts this long before, to show the beginning (our choice). */
 const BEFORE_H = 0.25;
 
-/** Where nothing else is known (ours). */
+/** Defaults (our choice). */
 const [TO_BED_H, UP_H] = [22, 7];
 
-/** The date and the time on the home's clock at which a measure of a day, or the day itself, begins to be seen. */
+/** The date and the time on the home's clock at which a measure of a day, or the day itself, begins. */
 export function momentOf(care: Pick<CareView, 'charts'>, measure: string | null, day: string): string {
   const value = (name: string) => care.charts.find((chart) => chart.measure === name)?.days.find((point) => point.day === day)?.value ?? null;
   if (measure !== null && measure in FIRST_HOURS) return at(day, FIRST_HOURS[measure]!);
-  // To bed is told in hours of the day before.
+  // Bedtimes are hours of the day before.
   if (measure !== null && OF_NIGHT.has(measure)) return at(shifted(day, -1), (value('bedtime') ?? TO_BED_H) - BEFORE_H);
   return at(day, (value('rising') ?? UP_H) - BEFORE_H);
 }

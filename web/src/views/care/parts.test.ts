@@ -4,8 +4,8 @@ import type { CareDayView, ChartView, NoteIt, NoteView } from '../../wire';
 import { described, monthsOf, stepped } from './calendar';
 import { between, inFull, monthsLater, shifted, weekday } from './dates';
 import { momentOf } from './moment';
-import { Noted } from './noted.svelte';
-import { beside, usualSpans } from './spans';
+import { Notes } from './notes.svelte';
+import { compared, usualSpans } from './spans';
 
 const chart = (measure: string, unit: ChartView['unit'], values: (number | null)[], little = 0.5): ChartView => ({
   measure, title: measure, unit, little, is_guess: false, days: values.map((value, index) => ({ day: shifted('2024-02-26', index), value, usual: null })),
@@ -49,7 +49,7 @@ test('the last two weeks stand beside the two before, and of a short log its hal
 
 test('what chance may make is about the same, and what is more is said in words', () => {
   const spans = [{ from: '2024-03-02', to: '2024-03-06' }, { from: '2024-02-26', to: '2024-03-01' }] as const;
-  const words = (unit: ChartView['unit'], values: (number | null)[]) => beside({ charts: [chart('m', unit, values)] }, ...spans)[0]!;
+  const words = (unit: ChartView['unit'], values: (number | null)[]) => compared({ charts: [chart('m', unit, values)] }, ...spans)[0]!;
   const wild = words('hours', [5, 9, 6, 8, 7, 9, 6, 8, 7, 9]);
   expect([wild.first.words, wild.second.words, wild.words, wild.is_more]).toEqual(['7.8 h', '7.0 h', 'about the same', null]);
   expect(words('hours', [7, 7, 7, 7, 7, 8, 8, 8.5, 8, 8]).words).toBe('1 hour 6 minutes more a day');
@@ -64,7 +64,7 @@ test('a note that another page has written meanwhile is shown, and nothing is lo
   const theirs: NoteView = { day: '2024-03-01', rule: '', seen: false, note: 'theirs' };
   const posted: NoteIt[] = [];
   let kept: NoteView[] = [];
-  const noted = new Noted({
+  const noted = new Notes({
     json: <T>() => Promise.resolve(kept as T),
     post: <T>(_: string, body: unknown) => {
       posted.push(body as NoteIt);

@@ -1,41 +1,41 @@
-// Two spans of days side by side: what each measure comes to in both, and what is different, in words.
+// Two intervals of days side by side: the value of each measure in both, and the differences in words.
 
 import type { CareView, CareUnit, ChartView } from '../../wire';
 import { said } from './chart';
 import { shifted } from './dates';
 
-/** Days from one to another, both included. */
+/** First and last day. */
 export interface Span {
   from: string;
   to: string;
 }
 
-export interface Beside {
+export interface MeasureComparison {
   measure: string;
   title: string;
   is_guess: boolean;
   first: Side;
   second: Side;
-  /** What the first is beside the second. */
+  /** The first compared with the second. */
   words: string;
-  /** More in the first, or less; null where it is about the same, or not known. */
+  /** More in the first, or less; null if about the same, or unknown. */
   is_more: boolean | null;
 }
 
 export interface Side {
-  /** The values of days that are known. */
+  /** The values of known days. */
   values: number[];
   mean: number | null;
   words: string;
 }
 
-/** So many days of each are needed to say anything of a difference (ours). */
+/** Smallest number of days of each for a difference (our choice). */
 const LEAST_DAYS = 3;
 
-/** What is told as different is so many standard errors apart at least (ours). */
+/** Smallest number of standard errors of a difference (our choice). */
 const APART_SE = 2;
 
-/** The last two weeks beside the two before; of a short log its halves. */
+/** The last two weeks and the two before; the halves of a short log. */
 export function usualSpans(care: Pick<CareView, 'days' | 'day'>): [Span, Span] | null {
   const [first, last] = [care.days[0]?.day, care.day ?? care.days.at(-1)?.day];
   if (first === undefined || last === undefined) return null;
@@ -46,8 +46,7 @@ export function usualSpans(care: Pick<CareView, 'days' | 'day'>): [Span, Span] |
   return [{ from: middle, to: last }, { from: shifted(middle, -length), to: before < first ? first : before }];
 }
 
-/** All measures of two spans. */
-export function beside(care: Pick<CareView, 'charts'>, first: Span, second: Span): Beside[] {
+export function compared(care: Pick<CareView, 'charts'>, first: Span, second: Span): MeasureComparison[] {
   return care.charts.map((chart) => {
     const [one, other] = [sideOf(chart, first), sideOf(chart, second)];
     const { words, is_more } = difference(chart, one, other);
@@ -61,13 +60,13 @@ function sideOf(chart: ChartView, { from, to }: Span): Side {
   return { values, mean, words: mean === null ? 'no data' : said(chart.unit, mean) };
 }
 
-function difference(chart: ChartView, one: Side, other: Side): Pick<Beside, 'words' | 'is_more'> {
+function difference(chart: ChartView, one: Side, other: Side): Pick<MeasureComparison, 'words' | 'is_more'> {
   if (one.mean === null || other.mean === null || Math.min(one.values.length, other.values.length) < LEAST_DAYS) {
     return { words: 'too few days', is_more: null };
   }
   const by = one.mean - other.mean;
   const error = Math.sqrt(variance(one.values, one.mean) / one.values.length + variance(other.values, other.mean) / other.values.length);
-  // Days differ by chance: what chance alone may well make is no difference, and what nobody would notice is none either.
+  // Random differences, and those that people would not notice, count as none.
   if (Math.abs(by) < Math.max(APART_SE * error, chart.little / 2)) return { words: 'about the same', is_more: null };
   return { words: inWords(chart.unit, by, other.mean), is_more: by > 0 };
 }
@@ -92,7 +91,7 @@ function inWords(unit: CareUnit, by: number, before: number): string {
   }
 }
 
-/** Hours as people say them: `25 minutes`, `1 hour 10 minutes`. */
+/** Hours in words: `25 minutes`, `1 hour 10 minutes`. */
 function long(hours: number): string {
   const minutes = Math.round(hours * 60);
   const [whole, rest] = [Math.floor(minutes / 60), minutes % 60];

@@ -50,7 +50,7 @@ async function settle() {
   }
 }
 
-async function begin(hash = '#/care', goesOn: string | null = null) {
+async function begin(hash = '#/care', ongoing: string | null = null) {
   window.location.hash = hash;
   const fetch = async (path: string, init: RequestInit) => {
     if (init.method === 'POST') {
@@ -66,7 +66,7 @@ async function begin(hash = '#/care', goesOn: string | null = null) {
     return path in answers ? Response.json(answers[path]) : new Response('There is no such run.', { status: 404 });
   };
   const server = new Server('token', () => {}, fetch);
-  view = mount(CarePage, { target: document.body, props: { live: { server, goesOn } as Live } });
+  view = mount(CarePage, { target: document.body, props: { live: { server, ongoing } as Live } });
   await settle();
 }
 
@@ -199,7 +199,7 @@ test('without a usual nothing is called usual or unusual', async () => {
   expect(text()).toContain('Not enough days yet to know the usual range');
   expect(text()).toContain('Not enough days yet to compare');
   expect(text()).not.toContain('Everything was as usual');
-  // Neither good nor bad is drawn.
+  // Draws neither good nor bad.
   const drawn = () => [...one('[aria-label="Latest day"] ul').children].map((row) => row.className.match(/odd|unknown/)?.[0] ?? 'usual');
   expect(drawn()).toEqual(['odd', 'unknown']);
   await unmount(view);

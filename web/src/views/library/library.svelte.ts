@@ -1,24 +1,24 @@
-// A folder of homes, as this page knows it: what there is, what was asked of it last, and what can be undone.
+// A folder of homes: its content, the last requests, and the deletions that can be undone.
 
 import { type Server, said } from '../../server';
 import { Underlay, carryUnderlay } from '../plan/underlay.svelte';
 import type { AsideView, CallHome, CardView, HomeEntryView, LibraryView, MadeView, NewHome, PutAside } from '../../wire';
 
-/** So many cards are asked for at once (ours): the server checks a scenario for each. */
+/** Number of cards that are requested at once (our choice): the server checks a scenario for each. */
 const AT_ONCE = 2;
 
 type Note = { text: string; bad: boolean };
 
-/** A home that was deleted in this page: the name of the home after it, the height of its card, and why it was not put back. */
+/** A home that was deleted in this page: the name of the next home, the height of its card, and the reason why it could not be restored. */
 export type Deleted = { home: HomeEntryView; aside: AsideView; before: string | null; height_px: number; problem: string };
 
-/** What stands in a place of the library. */
+/** An item of the library. */
 type Entry = { key: string; home: HomeEntryView; deleted: Deleted | null };
 
-/** What a new home is made of. */
+/** The origin of a new home. */
 export type From = { kind: 'empty' } | { kind: 'template'; name: string } | { kind: 'plan' | 'image' | 'log'; file: File };
 
-/** Where a picture lies under a home that has nothing yet, in metres: in the middle of what Plan shows then, and nearly as large. */
+/** The position of a picture in an empty home, in metres: in the middle of the plan view, and nearly as large. */
 const PICTURE = { at: [5, 3.5], within_m: [10, 7] } as const;
 
 const MOST_LETTERS = 100;
@@ -38,7 +38,7 @@ export class Library {
     try {
       const before = this.view;
       this.view = await this.server.json<LibraryView>('/api/library');
-      // What has changed is asked for again when it is seen.
+      // Changed homes are requested again when they become visible.
       const same = new Map(before?.homes.map(({ name, changed_ms }) => [name, changed_ms]));
       const kept = this.view.homes.filter(({ name, changed_ms }) => same.get(name) === changed_ms).map(({ name }) => name);
       this.cards = Object.fromEntries(Object.entries(this.cards).filter(([name]) => kept.includes(name)));
@@ -47,7 +47,7 @@ export class Library {
     }
   }
 
-  /** The homes in their order; those that were deleted just now keep their places. */
+  /** The homes in their order; those that were just deleted keep their places. */
   get entries(): Entry[] {
     const entries: Entry[] = (this.view?.homes ?? []).map((home) => ({ key: `home ${home.name}`, home, deleted: null }));
     // The home after one may be deleted, too.
@@ -71,7 +71,7 @@ export class Library {
     this.note = null;
   }
 
-  /** Asks for a card, after those that were asked for before. */
+  /** Requests a card, after earlier requests. */
   want(name: string): void {
     if (name in this.cards) return;
     this.soon(async () => {
@@ -81,7 +81,7 @@ export class Library {
     });
   }
 
-  /** The rows of a run by day and hour; nothing where they cannot be read. */
+  /** The rows of a run by day and hour; null if they cannot be read. */
   picture(home: string, run: string): Promise<number[][] | null> {
     return new Promise((done) => {
       this.soon(async () => {
@@ -91,7 +91,7 @@ export class Library {
     });
   }
 
-  /** Makes a home. @returns what came of it, or why nothing did. */
+  /** Creates a home. @returns the result, or the reason of a failure. */
   async make(name: string, from: From): Promise<MadeView | string> {
     const at = encodeURIComponent(name);
     const underlay = new Underlay(this.server);
@@ -103,7 +103,7 @@ export class Library {
       : [`/api/library/homes/${at}`, (from.kind === 'template' ? { from: 'template', name: from.name } : { from: 'empty' }) satisfies NewHome];
     try {
       const made = await this.server.post<MadeView>(path, body);
-      // One that was kept for a home of this name, which is gone, is not this one's.
+      // A picture stored for a deleted home with this name belongs to that one.
       await underlay.layUnder(made.name);
       await this.load();
       return underlay.problem === '' ? made : { ...made, remarks: [...made.remarks, underlay.problem] };
@@ -112,11 +112,11 @@ export class Library {
     }
   }
 
-  /** @returns why it was not done. */
+  /** @returns the reason of a failure. */
   async call(name: string, as: string, what: 'name' | 'copy'): Promise<string | null> {
     try {
       await this.server.post<unknown>(`/api/library/homes/${encodeURIComponent(name)}/${what}`, { name: as } satisfies CallHome);
-      // A browser that keeps nothing has nothing to carry.
+      // A browser without storage has nothing to carry.
       await carryUnderlay(name, as, what).catch(() => {});
       if (what === 'name') this.deleted = this.deleted.map((deleted) => (deleted.before === name ? { ...deleted, before: as } : deleted));
       this.tell(what === 'name' ? `Renamed ${name} to ${as}.` : `Copied ${name} to ${as}, without its runs.`, false);
@@ -127,12 +127,12 @@ export class Library {
     }
   }
 
-  /** The log goes to the home that was made of it, to be walked back through it. @returns why it does not. */
+  /** Sends a log to the home made from it, to locate its people. @returns the reason of a failure. */
   async walk(home: string, log: File): Promise<string | null> {
     return this.server.post<unknown>(`/api/homes/${encodeURIComponent(home)}/walk/${encodeURIComponent(log.name)}`, log).then(() => null, said);
   }
 
-  /** @param height_px how high its card is, which its place stays. */
+  /** @param height_px the height of its card, which its place keeps. */
   async remove(home: HomeEntryView, height_px: number): Promise<void> {
     const { name } = home;
     // By the time it is deleted others may be, too.
@@ -148,7 +148,7 @@ export class Library {
     await this.load();
   }
 
-  /** @returns whether it is back; where it is not, its place says why, if it has one. */
+  /** @returns whether it is restored; otherwise its place, if it has one, shows the reason. */
   async putBack({ key, name }: AsideView): Promise<boolean> {
     const hasPlace = this.deleted.some(({ aside }) => aside.key === key);
     try {
@@ -165,7 +165,7 @@ export class Library {
     return true;
   }
 
-  /** The place of a home that was deleted is given up: what stood before it stands before what comes after it. */
+  /** Gives up the place of a deleted home: its predecessor is then before its successor. */
   forget(key: string): void {
     const gone = this.deleted.find(({ aside }) => aside.key === key);
     if (gone === undefined) return;
@@ -189,13 +189,13 @@ function entryOf(deleted: Deleted): Entry {
   return { key: `deleted ${deleted.aside.key}`, home: deleted.home, deleted };
 }
 
-/** The name of a home that is made from a file: the file's, as far as a home can have it. */
+/** The name of a home made from a file: the file's, as far as it is allowed. */
 export function nameOf(file: string): string {
   const bare = file.replace(/\.[^.]*$/, '').replace(/[/\\:*?"<>|\p{C}]+/gu, ' ').replace(/^[\s.]+/, '');
   return [...bare].slice(0, MOST_LETTERS).join('').replace(/[\s.]+$/, '') || 'home';
 }
 
-/** A name that no home has yet: `flat 2` where there is a `flat`. */
+/** An unused name: `flat 2` if there is a `flat`. */
 export function freshName(name: string, taken: string[]): string {
   const base = name.replace(/ \d+$/, '');
   let [fresh, count] = [name, 1];
@@ -203,7 +203,7 @@ export function freshName(name: string, taken: string[]): string {
   return fresh;
 }
 
-/** When something was, in words: how long ago, or the date. */
+/** A time in words: how long ago, or the date. */
 export function ago(then_ms: number, now_ms: number): string {
   const minutes = Math.round((now_ms - then_ms) / 60_000);
   if (minutes < 1) return 'just now';

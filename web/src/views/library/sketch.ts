@@ -1,22 +1,22 @@
-// A home as a small picture: the outlines that its file has, right or wrong.
+// A small picture of a home: the outlines in its file, valid or not.
 
 import type { At } from '../../plan/geometry';
 import { boundsOf, formOf, isHome, of, readHome, spanOf } from '../plan/model';
 
 export type Sketch = {
-  /** Left, top, width and height, in metres, with y downward as pictures have it. */
+  /** Left, top, width and height, in metres, with y downward. */
   box: [number, number, number, number];
   rooms: string[];
   furniture: string[];
   walls: string[];
-  /** Where walls are open. */
+  /** Gaps in walls. */
   doors: { from: At; to: At }[];
 };
 
-/** Around the home, in metres (ours). */
+/** Around the home, in metres (our choice). */
 const MARGIN_M = 0.4;
 
-/** The picture of a home's text; nothing where there is nothing to draw. */
+/** The picture of a home's text; null without anything to draw. */
 export function sketchOf(text: string): Sketch | null {
   const home = readHome(text);
   if (!isHome(home) || home.elements.length === 0) return null;

@@ -9,7 +9,7 @@ import LibraryView from './Library.svelte';
 let app: Record<string, unknown>;
 let asked: string[];
 let view: View;
-/** Why nothing is put back. */
+/** The reason why nothing is restored. */
 let refusal: string | null = null;
 
 let card: CardView;
@@ -44,7 +44,7 @@ async function open(part: Partial<View> = {}) {
 
 beforeEach(() => {
   [asked, card] = [[], CARD];
-  // Everything is in sight.
+  // Everything is visible.
   vi.stubGlobal('IntersectionObserver', class {
     constructor(private readonly tell: (all: { isIntersecting: boolean }[]) => void) {}
     observe() {
@@ -100,7 +100,7 @@ test('a home that is deleted leaves its place, from which it is put back', async
   const [first, second] = [...document.querySelectorAll<HTMLElement>('.gone')];
   expect([first!.style.minHeight, first!.contains(document.activeElement)]).toEqual(['321px', true]);
   expect(document.querySelector('.note')!.textContent!.trim()).toBe('');
-  // What keeps it from being put back is said there.
+  // Shows the reason.
   refusal = 'The name flat is already in use here.';
   second!.querySelector('button')!.click();
   await settled();
@@ -171,7 +171,7 @@ test('a home is begun empty with a picture under its plan; of a file that is no 
   expect(await begun('image/png')).toEqual({ name: 'cottage', remarks: [] });
   expect(asked).toContain('POST /api/library/homes/cottage {"from":"empty"}');
   expect(store.kept.get('cottage')).toMatchObject({ name: 'cottage.png', at: [5, 3.5], width_m: 7 });
-  // One that the browser does not keep is made all the same, and says so.
+  // A home with a picture that the browser cannot store is made all the same, and says so.
   store.isFull = true;
   expect(await begun('image/png')).toMatchObject({ remarks: [expect.stringContaining('cannot store the image')] });
 });
@@ -198,13 +198,13 @@ test('the log that a home was made from is walked through it by one button', asy
   document.querySelector('dialog form')!.dispatchEvent(new SubmitEvent('submit', { bubbles: true, cancelable: true }));
   await settled();
   expect(asked).toContain('POST /api/library/logs/tm%201/tm%201.csv');
-  // The home is not left before it is asked what becomes of its log.
+  // The page asks about the log before it leaves the home.
   expect(went).not.toHaveBeenCalled();
   button('Open the log in this home').click();
   await settled();
   expect(asked.at(-1)).toBe('POST /api/homes/tm%201/walk/tm%201.csv');
   expect(went.mock.calls).toEqual([['/homes/tm%201/#/playback']]);
-  // Who has closed the dialog meanwhile is not led away.
+  // After closing the dialog, the page stays here.
   button('Open the log in this home').click();
   document.querySelector<HTMLDialogElement>('dialog[open]')!.open = false;
   await settled();

@@ -1,6 +1,6 @@
 import { describe, expect, test } from 'vitest';
 import { WORDS } from '../../testing/life';
-import { instead, offers } from './complete';
+import { replacements, offers } from './completions';
 
 const texts = (before: string, asked = false, names: string[] = ['Agnes']) => offers(before, WORDS, names, asked).map(({ word }) => word.text);
 
@@ -50,8 +50,8 @@ describe('what is offered goes by what stands before', () => {
 });
 
 test('instead of what was not understood stands what is most alike and fits', () => {
-  expect(instead('wtches television', '  she ', WORDS, [])[0]!.text).toBe('watches television');
-  expect(instead('livng rom', 'She reads in the ', WORDS, [])[0]!.text).toBe('living room');
-  expect(instead('depresion', 'She shows ', WORDS, [])[0]!.kind).toBe('condition');
-  expect(instead('x', '# she ', WORDS, [])).toEqual([]);
+  expect(replacements('wtches television', '  she ', WORDS, [])[0]!.text).toBe('watches television');
+  expect(replacements('livng rom', 'She reads in the ', WORDS, [])[0]!.text).toBe('living room');
+  expect(replacements('depresion', 'She shows ', WORDS, [])[0]!.kind).toBe('condition');
+  expect(replacements('x', '# she ', WORDS, [])).toEqual([]);
 });

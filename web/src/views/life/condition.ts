@@ -1,8 +1,8 @@
-// How a condition comes and goes, and the sentence that says so.
+// The course of a condition, and its sentence.
 
 import type { ConditionView, WordView } from '../../wire';
 
-/** A condition and how severe it is, such as `moderate depression`, and from when on. */
+/** A condition with its severity, such as `moderate depression`, and its start. */
 export type Coming = { shown: string; week: number; over: number };
 
 /** `From week 6, over 4 weeks, she shows moderate depression.` */
@@ -11,12 +11,12 @@ export function sentenceOf({ shown, week, over }: Coming, who: string): string {
   return `From week ${week}${grows} ${who} ${who === 'they' ? 'show' : 'shows'} ${shown}.`;
 }
 
-/** The conditions that a routine does not show yet, each with the words for how severe it may be. */
+/** The conditions that a routine does not have yet, each with the words for its severities. */
 export function others(words: readonly WordView[], shown: readonly ConditionView[]): Map<string, string[]> {
   const known = shown.map(({ name }) => name.replaceAll('-', ' '));
   const all = new Map<string, string[]>();
   for (const { text, kind } of words) {
-    // How severe comes first, as in `moderate depression`.
+    // The severity comes first, as in `moderate depression`.
     const [, severity, name] = /^(\S+) (.+)$/.exec(text) ?? [];
     if (kind !== 'condition' || severity === undefined || name === undefined || known.includes(name)) continue;
     all.set(name, [...(all.get(name) ?? []), severity]);
@@ -24,7 +24,7 @@ export function others(words: readonly WordView[], shown: readonly ConditionView
   return all;
 }
 
-/** What a routine mostly calls the person it is about. */
+/** The most frequent name of the person in a routine. */
 export function calls(text: string): string {
   const counts = new Map(['she', 'he', 'they'].map((who) => [who, 0]));
   for (const line of text.split('\n')) {
@@ -34,7 +34,7 @@ export function calls(text: string): string {
   return times > 0 ? who : 'the person';
 }
 
-/** A text with another line at its end, whichever way its lines end. */
+/** A text with another line at its end, with its own line ends. */
 export function withLine(text: string, line: string): string {
   const end = text.includes('\r\n') ? '\r\n' : '\n';
   const before = text.replace(/\s+$/, '');
@@ -42,23 +42,23 @@ export function withLine(text: string, line: string): string {
 }
 
 type Course = {
-  /** Days counted from 0: the first on which it is there, the first of its strongest, and the last. */
+  /** Days counted from 0: the first day with the condition, the first of its strongest, and the last. */
   begins: number;
   full: number;
   ends: number;
   strongest: number;
 };
 
-/** When a condition is there; nothing where it never is. */
+/** The course of a condition; null if it never occurs. */
 export function courseOf(severity: readonly number[]): Course | null {
   const begins = severity.findIndex((share) => share > 0);
   if (begins === -1) return null;
   const strongest = severity.reduce((a, b) => Math.max(a, b), 0);
-  // A ramp that ends in the middle of a day has all but reached its end on it.
+  // A ramp that ends in the middle of a day has nearly reached its end on it.
   return { begins, full: severity.findIndex((share) => share >= strongest - 1e-9), ends: severity.findLastIndex((share) => share > 0), strongest };
 }
 
-/** `mild`, `moderate`, `severe`, or something between. */
+/** `mild`, `moderate`, `severe`, or in between. */
 export function strength(severity: number): string {
   if (severity >= 1.45) return 'severe';
   if (severity > 1.05) return 'more than moderate';

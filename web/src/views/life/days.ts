@@ -1,4 +1,4 @@
-// Days by the clock on the wall: where in its 24 hours each span lies, also on a day on which clocks are set.
+// Days in wall time: the positions of intervals in the 24 hours, also on a day on which clocks are set.
 
 import { read, twoDigits } from '../../clock';
 import { sinceMidnight } from '../../localtime';
@@ -8,13 +8,13 @@ const DAY_US = 86_400_000_000;
 
 export type Span = readonly [begin_us: number, end_us: number, what: number];
 
-/** A part of a span: from when to when on the clock, since midnight; and whether that hour comes once, or which time it is. */
+/** A part of an interval: begin and end on the clock, since midnight, and whether its hour is unique, the first or the second. */
 export type Piece = { from_us: number; to_us: number; what: number; pass: 'only' | 'first' | 'second' };
 
-/** The parts of spans that lie in a day. */
+/** The parts of intervals in a day. */
 export function piecesOf(day: DateView, spans: readonly Span[]): Piece[] {
   const [turn, by] = day.turn ?? [day.end_us, 0];
-  // Where clocks are set back, the hour before comes again.
+  // Clocks that are set back repeat an hour.
   const cuts = by < 0 ? [turn + by, turn, turn - by] : [turn];
   const pieces: Piece[] = [];
   for (const [begin, end, what] of spans) {
@@ -32,12 +32,12 @@ export function piecesOf(day: DateView, spans: readonly Span[]): Piece[] {
   return pieces;
 }
 
-/** The spans that touch a day, as they are. */
+/** The intervals that touch a day, unchanged. */
 export function touching(day: DateView, spans: readonly Span[]): Span[] {
   return spans.filter(([begin, end]) => begin < day.end_us && end > day.begin_us);
 }
 
-/** How long, by name, in the order of the names; `named` tells what a span's number is called. */
+/** Durations by name, in the order of the names; `named` gives the name of an interval's number. */
 export function totals(day: DateView, spans: readonly Span[], named: (what: number) => string): Map<string, number> {
   const all = new Map<string, number>();
   for (const [begin, end, what] of spans) {
@@ -47,13 +47,13 @@ export function totals(day: DateView, spans: readonly Span[], named: (what: numb
   return all;
 }
 
-/** How often motion sensors fired in each hour, on an average day. */
+/** Firings of motion sensors in each hour of an average day. */
 export function meanHours(view: Pick<MonthView, 'hours'>): number[] {
   const days = Math.max(view.hours.length, 1);
   return Array.from({ length: 24 }, (_, hour) => view.hours.reduce((sum, hours) => sum + (hours[hour] ?? 0), 0) / days);
 }
 
-/** What clocks do on a day: `Clocks go forward by 1 h.` */
+/** The clock change of a day: `Clocks go forward by 1 h.` */
 export function turnOf(day: DateView): string {
   if (day.turn === null) return '';
   const hours = Math.abs(day.turn[1]) / 3_600_000_000;
@@ -74,7 +74,7 @@ export function isWeekend(date: string): boolean {
   return day === 0 || day === 6;
 }
 
-/** The date so many days after another, `2 Mar 2009`; nothing where that is none. */
+/** The date a number of days after another, `2 Mar 2009`; empty for an invalid date. */
 export function dateAfter(date: string, days: number): string {
   const ms = read(`${date} 00:00:00`) + days * 86_400_000;
   return Number.isFinite(ms) ? dated.format(ms) : '';
@@ -86,7 +86,7 @@ export function datesFrom(first: string, last: string): string {
   return Number.isFinite(from) && Number.isFinite(to) ? dated.formatRange(from, to).replace(/\s*–\s*/, ' – ') : '';
 }
 
-/** `07:05`, of microseconds since midnight. */
+/** `07:05`, from microseconds since midnight. */
 export function clock(since_midnight_us: number): string {
   const minutes = Math.floor(since_midnight_us / 60e6);
   return `${twoDigits(Math.floor(minutes / 60) % 24)}:${twoDigits(minutes % 60)}`;

@@ -15,10 +15,10 @@ export const AXIS = 18;
 const HOUR_US = 3_600_000_000;
 const DAY_US = 24 * HOUR_US;
 
-/** How wide the names of days are that stand before the first drawing. */
+/** Width of the names of days before the first drawing. */
 export const NAMES = 84;
 
-/** Where the 24 hours of a row begin and end, with the name of the day before them or without. */
+/** The start and end of the 24 hours of a row, with or without the name of the day before them. */
 function edges(width: number, named: boolean): [number, number] {
   return [named ? NAMES : 0, width - 10];
 }
@@ -29,7 +29,7 @@ function begin(canvas: HTMLCanvasElement, width: number, high: number): Pen | nu
   return pen;
 }
 
-/** A month of one resident. With `only` the other kinds of activities step back. */
+/** A month of one resident. With `only` the other kinds of activities are faint. */
 export function drawMonth(canvas: HTMLCanvasElement, width: number, view: MonthView, resident: number, named: boolean, only: string | null, palette: Palette): void {
   const high = AXIS + view.days.length * ROW;
   const pen = begin(canvas, width, high);
@@ -50,7 +50,7 @@ export function drawMonth(canvas: HTMLCanvasElement, width: number, view: MonthV
       const kind = activityKind(view.activities[what] ?? '');
       pen.globalAlpha = only === null || only === kind.id ? 1 : 0.12;
       pen.fillStyle = kind.colour(palette);
-      // An hour that comes twice is drawn in two halves, the first time above.
+      // A repeated hour is drawn in two halves, the first time above.
       const [down, tall] = { only: [1, ROW - 2], first: [1, (ROW - 2) / 2], second: [ROW / 2, (ROW - 2) / 2] }[pass] as [number, number];
       pen.fillRect(x(from_us), top + down, Math.max(x(to_us) - x(from_us), 0.7), tall);
     }
@@ -69,7 +69,7 @@ export function drawMonth(canvas: HTMLCanvasElement, width: number, view: MonthV
   }
 }
 
-/** Which day and which time of it a place on the drawing of a month is. */
+/** The day and time at a position on the drawing of a month. */
 export function pointed(view: MonthView, width: number, named: boolean, x: number, y: number): { row: number; since_midnight_us: number } | null {
   const [from, to] = edges(width, named);
   const row = Math.floor((y - AXIS) / ROW);
@@ -85,7 +85,7 @@ export function dayHigh(sides: number): number {
   return AXIS + sides * (2 * BAND + BARS + GAP);
 }
 
-/** One day of one resident: what was done, where, and how much motion there was; of each side below the other. */
+/** One day of one resident: activities, rooms, and motion; one variant below the other. */
 export function drawDay(canvas: HTMLCanvasElement, width: number, sides: readonly { title: string; view: MonthView }[], number: number, resident: number, palette: Palette): void {
   const high = dayHigh(sides.length);
   const pen = begin(canvas, width, high);
@@ -149,7 +149,7 @@ function motion(pen: Pen, day: DateView, view: MonthView, number: number, x: (at
   }
 }
 
-/** The hours of a day's clock, each with when it begins and ends; one that comes twice is as long as both. */
+/** The hours of a day's clock, each with its begin and end; a repeated one has the length of both. */
 export function clockHours(view: Pick<MonthView, 'days'>, day: DateView): [from: number, to: number, hour: number][] {
   const hourOf = (at: number) => new Date(clockOf(view, at)).getUTCHours();
   const edges = new Set([day.begin_us, day.end_us]);

@@ -1,5 +1,5 @@
-// The editor of a routine's text. It lives in a shadow root, since its styles are made by script: only there does the browser
-// take them as sheets, which the page's policy allows, and not as elements, which it forbids.
+// The editor of a routine's text, in a shadow root: its styles are made by script, and the page's policy allows style
+// sheets there, but no style elements.
 
 import { type CompletionContext, type CompletionResult, autocompletion, insertCompletionText, pickedCompletion } from '@codemirror/autocomplete';
 import { defaultKeymap, history, historyKeymap } from '@codemirror/commands';
@@ -7,30 +7,30 @@ import { type Diagnostic, forEachDiagnostic, lintKeymap, setDiagnostics } from '
 import { Annotation, EditorState, type Extension, type Range, StateEffect, StateField, type Text } from '@codemirror/state';
 import { Decoration, type DecorationSet, EditorView, ViewPlugin, type ViewUpdate, highlightActiveLine, highlightActiveLineGutter, highlightSpecialChars, keymap, lineNumbers } from '@codemirror/view';
 import type { ProblemView, WordView } from '../../wire';
-import { instead, offers } from './complete';
+import { replacements, offers } from './completions';
 import { placeOf } from './marks';
 import { look } from './look';
 import { MOST_ROWS } from './rows';
 
-/** What the editor asks of whoever shows it, at the time at which it needs it. */
+/** Data that the editor requests when it needs them. */
 type Host = {
-  /** What may be written, and the names of the person. */
+  /** The possible words, and the names of the person. */
   words: () => readonly WordView[];
   names: () => string[];
   onwrite: (text: string) => void;
-  /** The cursor, the text or what is seen of it has changed. */
+  /** Called when the cursor, the text or the visible part has changed. */
   onview: () => void;
 };
 
-/** What is kept free below the line at the cursor. */
+/** Free space below the line of the cursor. */
 const MARGIN_PX = 6;
 
-/** Marks a change that came from outside: it was not written by somebody. */
+/** Marks a change from outside, which the user did not type. */
 const given = Annotation.define<boolean>();
 
 export class RoutineEditor {
   private view: EditorView;
-  /** Places in the text that move along as it changes. */
+  /** Positions in the text that move with its changes. */
   private anchors: number[] = [];
   private height = 0;
   private readonly size: ResizeObserver;
@@ -58,7 +58,7 @@ export class RoutineEditor {
     this.view.focus();
   }
 
-  /** Shows another text; where it is all but the same one, the cursor and what can be undone stay. */
+  /** Shows another text; if it is nearly the same, the cursor and the undo history stay. */
   show(text: string, label: string): void {
     if (label !== this.label || lineEnd(text) !== lineEnd(this.text)) {
       [this.text, this.label, this.anchors] = [text, label, []];
@@ -72,7 +72,7 @@ export class RoutineEditor {
     this.view.dispatch({ changes, annotations: given.of(true) });
   }
 
-  /** Underlines what is wrong, and what is hardly meant. */
+  /** Underlines problems and warnings. */
   mark(problems: readonly ProblemView[], warnings: readonly ProblemView[]): void {
     const doc = this.view.state.doc;
     const marks = (all: readonly ProblemView[], severity: Diagnostic['severity']) =>
@@ -84,7 +84,7 @@ export class RoutineEditor {
     this.view.dispatch(setDiagnostics(this.view.state, [...marks(problems, 'error'), ...marks(warnings, 'warning')]));
   }
 
-  /** Puts the cursor to a place, both counted from 1 and in characters, and shows it. */
+  /** Moves the cursor to a position, both counted from 1 and in characters, and shows it. */
   goTo(line: number, column: number): void {
     const { doc } = this.view.state;
     const at = Math.min(Math.max(line, 1), doc.lines);
@@ -93,18 +93,18 @@ export class RoutineEditor {
     this.view.dispatch({ selection: { anchor: head }, effects: EditorView.scrollIntoView(head, { y: 'nearest', yMargin: 40 }) });
   }
 
-  /** From here on these lines are followed, wherever they move. */
+  /** Follows these lines from now on, wherever they move. */
   follow(lines: readonly number[]): void {
     const { doc } = this.view.state;
     this.anchors = lines.map((line) => doc.line(Math.min(Math.max(line, 1), doc.lines)).from);
-    // A line that means several things is as high as what is told beside it.
+    // A line with several interpretations is as high as they are.
     const rows = new Map<number, number>();
     for (const at of this.anchors) rows.set(at, (rows.get(at) ?? 0) + 1);
     const high = [...rows].filter(([, count]) => count > 1).sort(([a], [b]) => a - b);
     this.view.dispatch({ effects: setRows.of(Decoration.set(high.map(([at, count]) => Decoration.line({ class: `rows-${Math.min(count, MOST_ROWS)}` }).range(at)))) });
   }
 
-  /** How far below the top of the text the lines that are followed begin, in pixels, and in which lines they are now. */
+  /** The followed lines: their distance from the top of the text, in pixels, and their present numbers. */
   followed(): { top: number; line: number }[] {
     const { doc } = this.view.state;
     return this.anchors.map((at) => {
@@ -126,7 +126,7 @@ export class RoutineEditor {
     if (Math.abs(this.view.scrollDOM.scrollTop - top) >= 1) this.view.scrollDOM.scrollTop = top;
   }
 
-  /** Problems come up below while somebody writes: the line that was seen at the cursor is seen still. */
+  /** Problems that appear below while the user types do not hide the line of the cursor. */
   private resized(): void {
     const { scrollDOM, state, documentPadding } = this.view;
     const before = this.height;
@@ -146,7 +146,7 @@ export class RoutineEditor {
 
   private extensions(text: string): Extension {
     return [
-      // A file keeps the ends of its lines as it has them.
+      // A file keeps its line ends.
       EditorState.lineSeparator.of(lineEnd(text)),
       lineNumbers(),
       highlightActiveLine(),
@@ -155,8 +155,8 @@ export class RoutineEditor {
       history(),
       EditorView.lineWrapping,
       EditorView.contentAttributes.of({ 'aria-label': this.label, spellcheck: 'false', tabindex: '0' }),
-      // Nothing is chosen until somebody goes down to it, so that Enter at the end of a sentence begins a line; and who goes
-      // down at once means it.
+      // Nothing is selected until the user moves down, so that Enter at the end of a sentence begins a line; a quick
+      // move down is intentional.
       autocompletion({ override: [(context) => this.complete(context)], selectOnOpen: false, icons: false, activateOnTypingDelay: 60, interactionDelay: 0 }),
       keymap.of([...defaultKeymap, ...historyKeymap, ...lintKeymap]),
       comments,
@@ -184,13 +184,13 @@ export class RoutineEditor {
     const options = found.map(({ word, from }) => option(word, line.from + from, pos));
     const wrong = explicit ? this.underlined(state, pos) : null;
     if (wrong !== null && (pos < wrong.to || options.length === 0)) {
-      const words = instead(state.sliceDoc(wrong.from, wrong.to), line.text.slice(0, wrong.from - line.from), this.host.words(), this.host.names());
+      const words = replacements(state.sliceDoc(wrong.from, wrong.to), line.text.slice(0, wrong.from - line.from), this.host.words(), this.host.names());
       if (words.length > 0) return { from: pos, options: words.map((word) => option(word, wrong.from, wrong.to)), filter: false };
     }
     return options.length === 0 ? null : { from: pos, options, filter: false };
   }
 
-  /** Words at a place that were not understood. */
+  /** Unknown words at a position. */
   private underlined(state: EditorState, pos: number): { from: number; to: number } | null {
     let found: { from: number; to: number } | null = null;
     forEachDiagnostic(state, ({ severity }, from, to) => {
@@ -209,7 +209,7 @@ function option(word: WordView, from: number, to: number) {
   };
 }
 
-/** A problem and what to do about it. */
+/** A problem with its fix. */
 function told(problem: ProblemView): Node {
   const both = document.createElement('div');
   for (const text of [problem.what, problem.hint]) {
@@ -222,13 +222,13 @@ function told(problem: ProblemView): Node {
   return both;
 }
 
-/** How the lines of a text end, if all of them end alike. */
+/** The line end of a text, if all lines share it. */
 function lineEnd(text: string): string {
   const ends = text.split('\n').length - 1;
   return ends > 0 && text.split('\r\n').length - 1 === ends ? '\r\n' : '\n';
 }
 
-/** The smallest change that makes one text of another. */
+/** The smallest change that turns one text into the other. */
 function difference(old: Text, fresh: Text): { from: number; to: number; insert: Text } {
   const [a, b] = [old.toString(), fresh.toString()];
   let from = 0;
@@ -240,7 +240,7 @@ function difference(old: Text, fresh: Text): { from: number; to: number; insert:
 
 const setRows = StateEffect.define<DecorationSet>();
 
-/** Lines that are higher than a line, since more than one row stands beside them. */
+/** Lines that are as high as several rows next to them. */
 const rowsOf = StateField.define<DecorationSet>({
   create: () => Decoration.none,
   update(rows, { changes, effects }) {
@@ -251,7 +251,7 @@ const rowsOf = StateField.define<DecorationSet>({
 
 const comment = Decoration.mark({ class: 'comment' });
 
-/** What comes after # is for people; it is drawn so. */
+/** Text after # is a comment, and drawn as one. */
 const comments = ViewPlugin.fromClass(
   class {
     decorations: DecorationSet;

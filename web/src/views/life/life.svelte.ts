@@ -1,4 +1,4 @@
-// Whose life is written, how it was understood, and what some days of it are like.
+// The edited resident: their routine, its interpretation, and some of their days.
 
 import { Latest } from '../../latest';
 import type { Live } from '../../live.svelte';
@@ -7,16 +7,16 @@ import type { Draft, Explain, ExplainView, Month, MonthView, ProblemView } from 
 const EXPLAIN_MS = 250;
 const MONTH_MS = 400;
 
-/** The days that are drawn: as they are written, and if something is left out, without that. */
+/** A request for days: as written, and with `without`, also without some conditions. */
 type Asked = { draft: Draft; from: number; days: number; without: string[]; text: (name: string) => string | undefined };
 type Lived = { whole: MonthView; less: MonthView | null };
-/** What is drawn: which days, what is left out of them, and the wrong lines that they are drawn without. */
+/** The drawn days: which ones, without which conditions, and without which wrong lines. */
 type Drawn = Lived & Pick<Asked, 'from' | 'days' | 'without'> & { lacks: readonly ProblemView[] };
 
-/** What one drawing shows. */
+/** The content of one drawing. */
 export type Side = { title: string; view: MonthView };
 
-/** The drafts with wrong lines of routines left empty; nothing where anything else is wrong. */
+/** The drafts with wrong lines of routines emptied; null if another problem remains. */
 export function withoutLines(draft: Draft, problems: readonly ProblemView[], text: Asked['text']): Draft | null {
   const texts = { ...draft.texts };
   for (const { file, line } of problems) {
@@ -27,7 +27,7 @@ export function withoutLines(draft: Draft, problems: readonly ProblemView[], tex
   return { texts };
 }
 
-/** Which lines of a file problems are in, or which other file: `Line 3`, `Lines 3 and 7`, `home.json`. */
+/** The lines or files of problems: `Line 3`, `Lines 3 and 7`, `home.json`. */
 export function whereOf(problems: readonly Pick<ProblemView, 'file' | 'line'>[], file: string): string {
   const own = problems.every((problem) => problem.file === file && problem.line > 0);
   if (!own) return [...new Set(problems.map((problem) => problem.file.slice(0, 100)))].slice(0, 3).join(', ');
@@ -39,9 +39,9 @@ export function whereOf(problems: readonly Pick<ProblemView, 'file' | 'line'>[],
 
 export class Life {
   explain = $state.raw<ExplainView | null>(null);
-  /** The text that it was understood from. */
+  /** The interpreted text. */
   explained = $state.raw('');
-  /** Why it is not known how a text was understood. */
+  /** The reason why there is no interpretation. */
   trouble = $state('');
   from = $state(0);
   days = $state(28);
@@ -49,12 +49,12 @@ export class Life {
   without = $state.raw<string[]>([]);
   sideBySide = $state(true);
   lived = $state.raw<Drawn | null>(null);
-  /** Why these days cannot be lived. */
+  /** The reasons why these days cannot be simulated. */
   problems = $state.raw<ProblemView[]>([]);
   monthTrouble = $state('');
-  /** Whether other days are on their way. */
+  /** Other days are on their way. */
   waiting = $state(false);
-  /** The day that is drawn large, counted from the first that is drawn. */
+  /** The day that is drawn large, counted from the first drawn one. */
   day = $state<number | null>(null);
 
   private readonly explains: Latest<Explain & { text: string }, ExplainView>;
@@ -77,7 +77,7 @@ export class Life {
       async ({ without, text, draft, ...of }) => {
         const month = (draft: Draft, without: string[]) => server.packed<MonthView>('/api/month', { ...of, draft, without } satisfies Month);
         const written = await month(draft, []);
-        // Days that are drawn stay while a sentence is written. Before any are drawn, wrong lines are left out.
+        // Drawn days stay while the user types. Before the first ones, wrong lines are left out.
         const isThere = this.lived !== null && this.lived.lacks.length === 0 && this.lived.from === of.from && this.lived.days === of.days;
         const rest = written.problems.length === 0 || isThere ? null : withoutLines(draft, written.problems, text);
         const whole = rest === null ? written : await month(rest, []);
@@ -94,7 +94,7 @@ export class Life {
     );
   }
 
-  /** What is drawn: one life, or two to compare. */
+  /** The drawings: one variant, or two to compare. */
   get sides(): Side[] {
     if (this.lived === null) return [];
     const { whole, less, without } = this.lived;
@@ -103,7 +103,7 @@ export class Life {
     return this.sideBySide ? [{ title: 'With all conditions', view: whole }, left] : [left];
   }
 
-  /** Another routine is looked at: nothing is known of it yet. */
+  /** Opens another routine, without an interpretation yet. */
   begin(file: string): void {
     this.file = file;
     [this.explain, this.explained, this.trouble, this.without, this.day] = [null, '', '', [], null];
@@ -113,7 +113,7 @@ export class Life {
     this.explains.want({ draft, file, text });
   }
 
-  /** @param text of a routine's file as it is written; nothing for another. */
+  /** @param text of a routine's file in its present form; undefined for another file. */
   draw(draft: Draft, text: Asked['text']): void {
     this.waiting = true;
     this.months.want({ draft, text, from: this.from, days: this.days, without: this.without });

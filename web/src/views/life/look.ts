@@ -1,4 +1,4 @@
-// How the editor looks: as the rest of the page, whose colours reach into its shadow root.
+// The style of the editor: that of the page, whose colours reach into the shadow root.
 
 import { EditorView } from '@codemirror/view';
 import { LINE_PX, MOST_ROWS } from './rows';

@@ -1,4 +1,4 @@
-// Where a problem is in the editor's text.
+// Positions of problems in the editor's text.
 
 import { unitsAfter } from '../../places';
 import { distinct } from '../../problems';
@@ -6,7 +6,7 @@ import type { ProblemView } from '../../wire';
 
 type Lines = { lines: number; line: (number: number) => { from: number; to: number; text: string } };
 
-/** From where to where a problem is; nothing where it is of the file as a whole, or of a line that is not there any more. */
+/** The start and end of a problem; null for a problem of the file as a whole, or of a line that is gone. */
 export function placeOf(problem: ProblemView, doc: Lines): { from: number; to: number } | null {
   if (problem.line < 1 || problem.line > doc.lines) return null;
   const { from, to, text } = doc.line(problem.line);
@@ -16,7 +16,7 @@ export function placeOf(problem: ProblemView, doc: Lines): { from: number; to: n
   return { from: from + begin, to: from + end };
 }
 
-/** All that is wrong and known, each thing once: what the routine says of itself comes first. */
+/** All known problems once: those of the routine itself come first. */
 export function together(file: string, ...lists: ProblemView[][]): ProblemView[] {
   const all = distinct(lists.flat());
   return [...all.filter((problem) => problem.file === file), ...all.filter((problem) => problem.file !== file)];

@@ -1,12 +1,12 @@
-// Where rows stand that belong beside lines of the editor.
+// Positions of rows next to lines of the editor.
 
-/** The height of a line; what stands beside it goes by the same one. */
+/** The height of a line, and of the rows next to it. */
 export const LINE_PX = 24;
 
-/** So many rows stand beside a line at most without pushing those below it. */
+/** Largest number of rows next to a line that do not push later ones. */
 export const MOST_ROWS = 12;
 
-/** Beside their lines, or below the row before where that is still in the way. */
+/** Next to their lines, or below the row before if that is in the way. */
 export function stacked(tops: readonly number[], height: number): number[] {
   let next = 0;
   return tops.map((top) => {
@@ -16,7 +16,7 @@ export function stacked(tops: readonly number[], height: number): number[] {
   });
 }
 
-/** Which of them have room for a second line before the next row. */
+/** The rows with room for a second line before the next row. */
 export function roomy(tops: readonly number[], height: number): boolean[] {
   return tops.map((top, index) => (tops[index + 1] ?? Infinity) - top >= 2 * height);
 }

@@ -33,7 +33,7 @@ async function begin(fetch: Fetch = fakeLives()): Promise<void> {
   said = [];
   Object.assign(live, { server, drafts: new Drafts(server, (text, bad) => live.note(text, bad)), say: (say: Say) => said.push(say) > 0, run: madeUpRun(), frame: frame({}) });
   view = mount(LifeView, { target: document.body, props: { live } });
-  // The editor comes by an import, which no clock hastens.
+  // The editor is imported, which a fake clock does not hasten.
   await vi.dynamicImportSettled();
   for (let turn = 0; turn < 12; turn++) await settle();
 }
@@ -78,7 +78,7 @@ test('what is wrong is underlined and told, and so is that the days are those of
   expect(region('Days').textContent).toContain('not understood. These days are from before the mistake.');
   expect(button('Go to line')).toBeTruthy();
   expect([button('Watch run').disabled, button('Run all days').disabled]).toEqual([true, true]);
-  // A problem that is older than the text is grey, and its button is dead.
+  // A problem that is older than the text is grey, and its button is disabled.
   live.drafts.write('0.routine', `${ROUTINE.replace('gets up', 'wtches')}\n`);
   await settle(0);
   expect([button('Change to “watches television”').disabled, region('Problems').querySelector('ul')!.className]).toEqual([true, expect.stringContaining('old')]);
@@ -152,7 +152,7 @@ test('a condition is left out, and both lives are compared', async () => {
   expect(options()[20]).not.toBe(before[20]);
   button('Watch run').click();
   for (let turn = 0; turn < 3; turn++) await settle();
-  // A run that is refused plays no other.
+  // A refused run plays no other.
   expect(said).toEqual([{ say: 'start', driven: null, without: ['depression'], seed: null }]);
   live['hear']({ tell: 'note', text: 'it is wrong', bad: true });
   await settle();

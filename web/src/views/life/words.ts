@@ -1,8 +1,8 @@
-// What is told of a sentence, in a few words.
+// The interpretation of a sentence, in a few words.
 
 const DAY_S = 86_400;
 
-/** How often and on which days; what is so every day needs no word. */
+/** Frequency and days; every day needs no word. */
 export function often(days: string): string {
   return days.replace(/\s*\bp 1$/, '').replace(/\bp (0\.\d+)/, (_, share: string) => `${Math.round(Number(share) * 100)} %`).slice(0, 120);
 }
@@ -15,7 +15,7 @@ export function lasting(seconds: number): string {
   return [hours > 0 ? `${hours} h` : '', rest > 0 ? `${rest} min` : ''].filter(Boolean).join(' ');
 }
 
-/** Which parts of a day a start and a duration take, in shares of it; what begins after midnight is of the day before. */
+/** The shares of a day that a start and a duration take; times after midnight belong to the day before. */
 export function bar(start_s: readonly [number, number, number], lasts_s: readonly [number, number, number] | null) {
   const share = (seconds: number) => Math.min(Math.max(seconds / DAY_S, 0), 1);
   const over = start_s[0] >= DAY_S ? DAY_S : 0;

@@ -1,5 +1,5 @@
-// The keys that walk somebody about. They are known by where they are on the keyboard, not by their letters, so that W, A,
-// S and D lie alike on every one; and they count only while the plan has the focus.
+// The keys for walking. They are identified by their position on the keyboard, not by their letters, so that W, A, S
+// and D are in the same place on every layout; they work only while the plan has the focus.
 
 import type { Key } from '../../wire';
 
@@ -16,7 +16,7 @@ const ORDER: Key[] = ['up', 'down', 'left', 'right', 'fast', 'slow'];
 
 export type Pressed = Pick<KeyboardEvent, 'code' | 'shiftKey' | 'ctrlKey' | 'altKey' | 'metaKey'>;
 
-/** Which keys are held, by keyboard and by the buttons on the screen; whoever listens is told only of changes. */
+/** The held keys, of the keyboard and of the buttons on the screen; listeners get changes only. */
 export class HeldKeys {
   private readonly sources = new Map<string, Key>();
   private said = '';
@@ -28,9 +28,9 @@ export class HeldKeys {
     return ORDER.filter((key) => held.has(key));
   }
 
-  /** @returns whether the key is one of ours, so that the page does not scroll by it. */
+  /** @returns whether it is a walking key, so that the page does not scroll. */
   down(event: Pressed): boolean {
-    // With these it is a shortcut of the browser; and a Mac tells of no key going up while Command is down.
+    // With these it is a shortcut of the browser, and a Mac sends no keyup while Command is down.
     if (event.altKey || event.metaKey) {
       this.releaseAll();
       return false;
@@ -44,14 +44,14 @@ export class HeldKeys {
 
   up(event: Pressed): boolean {
     const ours = this.sources.delete(event.code);
-    // Of two Shift keys that are let go together, some keyboards tell only once.
+    // If two Shift keys are released together, some keyboards report only one.
     if (!event.shiftKey) this.drop('ShiftLeft', 'ShiftRight');
     if (!event.ctrlKey) this.drop('ControlLeft', 'ControlRight');
     this.tell();
     return ours;
   }
 
-  /** A button on the screen; `source` tells one finger from another. */
+  /** A button on the screen; `source` distinguishes fingers. */
   press(source: string, key: Key): void {
     this.sources.set(source, key);
     this.tell();
@@ -66,7 +66,7 @@ export class HeldKeys {
     this.tell();
   }
 
-  /** The line was cut: the server has let go of everything, and what is held is said anew. */
+  /** The connection was lost: the server has released all keys, and held ones are sent again. */
   forget(): void {
     this.sources.clear();
     this.said = '';

@@ -46,7 +46,7 @@ const plan = () => document.querySelector<HTMLElement>('[role="application"]')!;
 const button = (name: string) => [...document.querySelectorAll('button')].find((one) => (one.getAttribute('aria-label') ?? one.textContent!).trim().startsWith(name))!;
 
 beforeEach(() => {
-  // Whether a file was saved is asked of a server that there is not.
+  // The page asks a missing server about saved files.
   vi.stubGlobal('fetch', () => Promise.reject(new TypeError('no server')));
   vi.useFakeTimers();
   begin(madeUpRun(2, 18, 0));
@@ -63,12 +63,12 @@ test('what is recorded is known to go on until it is over, and a replay records 
   const folder = live.run!.id;
   expect(folder).not.toBeNull();
   show({ state: 'paused' });
-  expect(live.goesOn).toBe(folder);
+  expect(live.ongoing).toBe(folder);
   show({ state: 'over' });
-  expect(live.goesOn).toBeNull();
+  expect(live.ongoing).toBeNull();
   wire.onmessage!({ data: JSON.stringify({ tell: 'run', run: { ...live.run, replay: true } }) });
   show({});
-  expect(live.goesOn).toBeNull();
+  expect(live.ongoing).toBeNull();
 });
 
 test('keys walk after any button of the panel, and not while something is written or chosen', () => {
@@ -110,7 +110,7 @@ test('without a run it is said what is wrong, and a run is begun once that is me
   flushSync();
   expect(card()).toBeNull();
   show({});
-  // Beside a run that goes on it is said as well, and goes when it is read.
+  // It is also shown next to a run that continues, until the user closes it.
   wire.onmessage!({ data: JSON.stringify(unbegun) });
   flushSync();
   expect(plan()).not.toBeNull();

@@ -1,5 +1,5 @@
-// The logger's file while it is written: what it says, what is wrong with it, and each change of it as a small change of its
-// text. A scenario that has none gets one with the first change.
+// The logger's file during editing: its values, its problems, and each change of it as a small change of its text. A
+// scenario without one gets one with the first change.
 
 import { untrack } from 'svelte';
 import type { Drafts } from '../../drafts.svelte';
@@ -12,12 +12,12 @@ type Placed = { problem: ProblemView; path: Path };
 
 export class Editor {
   private readonly history = new History<{ text: string }>();
-  /** The text that was looked at last. */
+  /** The last known text. */
   private known: string | undefined;
 
   constructor(private readonly drafts: Drafts) {}
 
-  /** The file's name; nothing where the scenario links none. */
+  /** The file's name; null if the scenario links none. */
   readonly name: string | null = $derived.by(() => {
     const { files } = this.drafts;
     if (files === null) return null;
@@ -30,32 +30,32 @@ export class Editor {
 
   private readonly value: unknown = $derived.by(() => valueOf(this.text));
 
-  /** Whether the form can show it. */
+  /** The form can show it. */
   readonly readable: boolean = $derived.by(() => isObject(this.value));
 
   readonly logger: Logger = $derived.by(() => loggerOf(this.value));
 
-  /** The home's sensors, as its file has them now; of one that cannot be read, none. */
+  /** The home's sensors, from its present text; null if it cannot be read. */
   readonly sensors: Sensor[] | null = $derived.by(() => {
     const { files } = this.drafts;
     return files?.home == null ? null : sensorsOf(valueOf(this.drafts.text(files.home) ?? ''));
   });
 
-  /** What is wrong with the file, and where in it. */
+  /** The problems of the file, with their paths. */
   readonly problems: Placed[] = $derived.by(() => {
     const { check } = this.drafts;
-    // The check is of the text as it was when it came; while somebody writes, the next one is on its way.
+    // The check belongs to its text; while the user types, the next one is on its way.
     const [name, text] = untrack(() => [this.name, this.text]);
     const own = (check?.problems ?? []).filter(({ file }) => file === name);
     return own.map((problem) => ({ problem, path: pathAt(text, problem.line, problem.column) ?? [] }));
   });
 
-  /** What is wrong at a path or below it. */
+  /** The problems at a path or below it. */
   at(path: Path): ProblemView[] {
     return this.problems.filter(({ path: of }) => path.every((part, index) => of[index] === part)).map(({ problem }) => problem);
   }
 
-  /** What is wrong, but with none of the form's fields. */
+  /** The problems outside of the form's fields. */
   readonly others: ProblemView[] = $derived.by(() => {
     const fields = ['to', 'table', 'columns', 'ids', 'messages', 'time'];
     return this.problems.filter(({ path }) => !fields.includes(String(path[0]))).map(({ problem }) => problem);
@@ -73,7 +73,7 @@ export class Editor {
     this.change([{ path, value }], JSON.stringify(path));
   }
 
-  /** Several changes are taken back as one, and so is what is written into one field at once. */
+  /** Several changes are one step, and so are changes of one field at once. */
   change(changes: Change[], tag = ''): void {
     this.write(apply(this.text, changes), tag);
   }
@@ -84,7 +84,7 @@ export class Editor {
     this.put(text);
   }
 
-  /** What was written by somebody else is a step like any other. */
+  /** A change from elsewhere is a step, too. */
   notice(): void {
     const { text } = this;
     if (this.known !== undefined && text !== this.known) this.history.keep({ text: this.known });
@@ -115,7 +115,7 @@ export class Editor {
     this.known = text;
   }
 
-  /** The text of a file that is not there yet. Editors find its schema beside the scenario's. */
+  /** The text of a missing file. Editors find its schema next to the scenario's. */
   private fresh(): string {
     const { files } = this.drafts;
     const entry = files === null ? undefined : valueOf(this.drafts.text(files.entry) ?? '');

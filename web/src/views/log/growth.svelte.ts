@@ -1,4 +1,4 @@
-// What the log of the run that is being lived has got so far, asked about once a second while it grows.
+// The growing log of the present run, requested about once a second.
 
 import { type Density, scaleOf } from '../../charts/density';
 import type { Lane } from '../../charts/lanes';
@@ -13,12 +13,12 @@ const EVERY_MS = 1000;
 export type Grown = {
   run: RunView;
   density: Density;
-  /** The day that is being lived. */
+  /** The present day. */
   number: number;
-  /** By sensor: when it fired on that day. */
+  /** By sensor: its firings on that day. */
   fired: number[][];
   until_us: number;
-  /** How many firings of the day are not in `fired`. */
+  /** Number of firings of the day that are not in `fired`. */
   leftOut: number;
 };
 
@@ -26,12 +26,12 @@ export class Growth {
   now = $state.raw<Grown | null>(null);
   problem = $state('');
   private asking = false;
-  /** What it was when it was last asked: while nothing moves on, nothing is asked. */
+  /** The run and its time at the last request: without progress, there is no request. */
   private last: { run: RunView; now_us: number } | null = null;
 
   constructor(private readonly live: Pick<Live, 'run' | 'latest' | 'server'>) {}
 
-  /** @returns how to stop. */
+  /** @returns a function that ends the requests. */
   begin(): () => void {
     void this.look();
     const timer = setInterval(() => void this.look(), EVERY_MS);
@@ -46,7 +46,7 @@ export class Growth {
     const asked = { run, now_us: latest.now_us };
     try {
       const view = await this.live.server.json<GrowthView>('/api/growth');
-      // Of a run that has ended meanwhile nothing is shown under the name of the next.
+      // A run that has ended meanwhile is not shown under the name of the next.
       if (this.live.run !== run) return;
       this.now = grown(run, view, this.live.latest?.now_us ?? asked.now_us);
       this.problem = '';
@@ -63,7 +63,7 @@ export function grown(run: RunView, view: GrowthView, now_us: number): Grown {
   const hours = run.days.map((_, day) => view.hours[day] ?? []);
   const fired: number[][] = run.home.sensors.map(() => []);
   for (const [at, sensor] of view.today) fired[sensor]?.push(at);
-  // What is told may be of a moment before or after the last frame, and another day.
+  // The answer may be from before or after the last frame, and from another day.
   const last = view.today.at(-1)?.[0];
   const until_us = Math.max(now_us, last ?? 0);
   return {
@@ -73,7 +73,6 @@ export function grown(run: RunView, view: GrowthView, now_us: number): Grown {
   };
 }
 
-/** A lane for each sensor, or for each kind of them. */
 export function lanesOf(sensors: SensorView[], fired: number[][], byKind: boolean): Lane[] {
   if (!byKind) return sensors.map(({ name, kind }, index) => ({ name, kind, fired: fired[index] ?? [] }));
   const kinds = [...new Set(sensors.map(({ kind }) => kind))];

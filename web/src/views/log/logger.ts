@@ -1,5 +1,5 @@
-// A logger's file as a form shows it. What the file leaves out goes as it usually does; what cannot be understood is left out
-// here, and the check says what is wrong with it.
+// A logger's file as a form. Missing values have their defaults; invalid ones are left out here, and the check reports
+// them.
 
 import { isObject } from '../../json';
 import { rowOf } from '../../plan/kinds';
@@ -11,7 +11,7 @@ export type Logger = {
   /** The network's own id by the sensor's name. */
   ids: Map<string, string>;
   messages: Messages;
-  /** From the last firing to the message that says that it is over. */
+  /** From the last firing to the message of its end. */
   hold_s: string;
   time: string;
 };
@@ -86,13 +86,13 @@ function text(value: unknown): string {
 
 export type Sensor = { name: string; kind: string };
 
-/** The sensors of a home's file; nothing where it has none that can be read. */
+/** The sensors of a home's file; null if it has no readable list. */
 export function sensorsOf(home: unknown): Sensor[] | null {
   if (!isObject(home) || !Array.isArray(home.sensors)) return null;
   return home.sensors.flatMap((one): Sensor[] => (isObject(one) && typeof one.name === 'string' ? [{ name: one.name, kind: text(one.kind) }] : []));
 }
 
-/** How the URL of a place begins, of those that are known, and what follows. */
+/** The known beginning of a destination's URL, and the rest. */
 export function splitPlace(url: string, kinds: [string, string][]): [begin: string | null, rest: string] {
   const begin = kinds.map(([begin]) => begin).filter((begin) => url.startsWith(begin)).sort((a, b) => b.length - a.length)[0];
   return begin === undefined ? [null, url] : [begin, url.slice(begin.length)];
@@ -100,14 +100,14 @@ export function splitPlace(url: string, kinds: [string, string][]): [begin: stri
 
 const FILES: Record<string, string> = { 'sqlite:': 'log.db', 'csv:': 'log.csv', 'casas:': 'log.txt' };
 
-/** A place of another kind: a file that had its usual name has that of the other kind then. */
+/** A destination of another kind: the default name of the old kind becomes that of the new one. */
 export function turnedInto(url: string, begin: string, kinds: [string, string][]): string {
   const [, rest] = splitPlace(url, kinds);
   const usual = rest === '' || Object.values(FILES).includes(rest);
   return begin + (usual ? (FILES[begin] ?? '') : rest);
 }
 
-/** A place to begin with that is not there yet. */
+/** A new destination to start from. */
 export function another(places: string[], kinds: [string, string][]): string {
   const all = Object.entries(FILES).filter(([begin]) => kinds.some(([known]) => known === begin)).map(([begin, file]) => begin + file);
   return all.find((one) => !places.includes(one)) ?? PLACE.replace('log', `log-${places.length + 1}`);
@@ -115,9 +115,9 @@ export function another(places: string[], kinds: [string, string][]): string {
 
 export type Numbering = 'casas' | 'x10' | 'prefix';
 
-/** Ids for sensors in their order, none of which is taken. */
+/** Unused ids for sensors, in their order. */
 export function numbered(sensors: Sensor[], how: Numbering, prefix: string, taken: string[]): Map<string, string> {
-  // Networks do not tell capitals from small letters, and neither does the check.
+  // Networks and the check ignore case.
   const used = new Set(taken.map((id) => id.toLowerCase()));
   const counts = new Map<string, number>();
   return new Map(
@@ -135,15 +135,15 @@ export function numbered(sensors: Sensor[], how: Numbering, prefix: string, take
   );
 }
 
-/** House A to P with 16 units each; beyond these there is no X10. */
+/** House A to P with 16 units each; further ids do not exist. */
 function x10(number: number): string {
   const house = Math.floor((number - 1) / 16);
   return `${String.fromCharCode(65 + (house % 16))}${((number - 1) % 16) + 1}${house < 16 ? '' : `-${Math.floor(house / 16) + 1}`}`;
 }
 
 /**
- * What was copied from a spreadsheet: a column of ids goes down from a sensor; of two columns, one of which has the names of
- * sensors, the other has their ids.
+ * Pasted cells of a spreadsheet: a column of ids starts at a sensor; of two columns, one has the names of sensors, the
+ * other their ids.
  */
 export function pasted(copied: string, sensors: Sensor[], from: number): Map<string, string> {
   const rows = copied.replace(/\r?\n$/, '').split(/\r?\n/).map((row) => row.split('\t').map((cell) => cell.trim()));

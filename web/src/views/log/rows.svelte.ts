@@ -1,10 +1,10 @@
-// The first rows of the log as the file being written would have them; asked anew once somebody has stopped writing.
+// The first rows of the log by the edited file; requested again when the user pauses.
 
 import type { Drafts } from '../../drafts.svelte';
 import { Latest } from '../../latest';
 import type { Draft, RowsView } from '../../wire';
 
-/** How long after the last key rows are asked for. */
+/** Pause after the last key. */
 const PAUSE_MS = 400;
 
 export class Rows {
@@ -17,7 +17,7 @@ export class Rows {
       PAUSE_MS,
       (draft) => drafts.server.post<RowsView>('/api/rows', draft),
       (view) => {
-        // What was shown stays while there are problems.
+        // The last rows stay while there are problems.
         this.view = view.problems.length > 0 && this.view !== null ? { ...view, places: this.view.places } : view;
         this.problem = '';
       },

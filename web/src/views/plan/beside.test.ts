@@ -7,7 +7,7 @@ import { FakeFiles } from '../../testing/files';
 import { FLAT } from '../../testing/flat';
 import { madeUpHome } from '../../testing/home';
 import type { CoverageView, Layouts as Asked, LayoutsView } from '../../wire';
-import Beside from './Beside.svelte';
+import LayoutComparison from './LayoutComparison.svelte';
 import { Editor } from './editor.svelte';
 import { Layouts, sensorsOf } from './layouts.svelte';
 
@@ -20,7 +20,7 @@ const coverage: CoverageView = {
   step_m: 1, corner: [0, 0], columns: 1, cells: new Uint8Array([1]), whole: { name: 'flat', floor_m2: 15, seen_by: [0.25, 0.75, 0, 0] }, rooms: [], sensors: [], overlaps: [], dead_zones: [],
 };
 
-/** As many sensors as the draft has. */
+/** The sensors of the draft. */
 function compared({ one, other }: Asked): LayoutsView {
   const layouts = [one, other].map(({ name, draft }) => ({ name, devices: [], home: madeUpHome(sensorsOf(draft.texts['home.json']!).length), coverage }));
   return { problems: [], layouts, differences: [] } as LayoutsView;
@@ -37,7 +37,7 @@ beforeEach(async () => {
   await vi.advanceTimersByTimeAsync(10);
   editor = new Editor(drafts);
   editor.notice();
-  view = mount(Beside, { target: document.body, props: { editor, server, layouts: new Layouts() } });
+  view = mount(LayoutComparison, { target: document.body, props: { editor, server, layouts: new Layouts() } });
 });
 
 afterEach(async () => {
@@ -66,7 +66,7 @@ test('two layouts that were compared are shown no longer than they are what they
   expect([table(), told()]).toEqual([[], 'The home has changed since this comparison. Compare again.']);
   await compare();
   expect([table(), told()]).toEqual([[count, count], '']);
-  // What is saved is another layout, too.
+  // The saved text is another layout, too.
   editor.redo();
   await compare();
   await drafts.save();

@@ -1,5 +1,5 @@
-// What the sensors see, asked of the server as the home is edited: always of the latest draft, so that no answer is waited for
-// in vain.
+// The coverage of the sensors, requested while the home is edited: always for the latest draft, so that no answer is
+// useless.
 
 import { Latest } from '../../latest';
 import type { Server } from '../../server';
@@ -10,15 +10,15 @@ type Seen = { home: HomeView; coverage: CoverageView };
 type Question = { draft: Draft; alone: Draft | null };
 
 export class Coverage {
-  /** Of the last draft that was sound. */
+  /** Of the last valid draft. */
   seen = $state.raw<Seen | null>(null);
-  /** What the selected sensor sees, as if it were the only one. */
+  /** The coverage of the selected sensor alone. */
   alone = $state.raw<CoverageView | null>(null);
-  /** Whether the draft of now is one that is not sound. */
+  /** The present draft is invalid. */
   stale = $state(false);
-  /** Of the home's file; nothing before the first answer. */
+  /** Of the home's file; null before the first answer. */
   problems = $state.raw<ProblemView[] | null>(null);
-  /** The drafts in which these were found. */
+  /** The drafts with these problems. */
   of = $state.raw<Draft['texts'] | null>(null);
   trouble = $state('');
   private readonly questions: Latest<Question, void>;
@@ -39,7 +39,7 @@ export class Coverage {
     );
   }
 
-  /** Asks about a draft, and about the same with a single sensor, if that is wanted. */
+  /** Requests the coverage of a draft, and of the same draft with a single sensor. */
   ask(draft: Draft, alone: Draft | null): void {
     this.questions.want({ draft, alone });
   }

@@ -1,4 +1,4 @@
-// What an element measures, in words, as it is dragged and selected.
+// The measures of an element in words, while it is dragged and selected.
 
 import { type At, distance, minus } from '../../plan/geometry';
 import { type Units, length } from '../../units';

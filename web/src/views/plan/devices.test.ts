@@ -18,7 +18,7 @@ const fibaro = DEVICES.find(({ key }) => key === 'fibaro')!;
 test('a sensor that is put up as a device has its numbers', () => {
   const value = newSensor(flat, 'motion', [1, 1], targetsOf(flat, new Set()), null, fibaro);
   expect(value).toMatchObject({ kind: 'motion', preset: 'fibaro', height_m: 2.4, field_deg: fibaro.field_deg });
-  // The control: without one it has those of the schema.
+  // The control: without a device it has the defaults of the schema.
   expect(newSensor(flat, 'motion', [1, 1], targetsOf(flat, new Set()), null)).not.toHaveProperty('preset');
 });
 

@@ -1,4 +1,4 @@
-// Dimension lines: how far walls are apart along the whole home, and what the thing that is selected measures and has around it.
+// Dimension lines: distances of walls along the whole home, and the measures and clearances of the selected thing.
 
 import { type At, cross, distance, middle, minus } from '../../plan/geometry';
 import { type Element, type Home, atOf, formOf, of, spanOf, wallsOf } from './model';
@@ -7,18 +7,18 @@ import { type View, toScreen } from '../../plan/transform';
 import { type Units, length } from '../../units';
 import { add, angleOf, direction, times } from './shape';
 
-/** Walls nearer to each other than this are measured as one (ours). */
+/** Walls closer to each other are measured as one (our choice). */
 const NEAREST_M = 0.25;
-/** Farther than this nothing is measured to a wall, and nearer than that it is at it (ours). */
+/** Largest distance that is measured to a wall, and smallest distance of things off a wall (our choice). */
 const FARTHEST_M = 8;
 const AT_WALL_M = 0.015;
-/** A sensor that hangs on a wall is nearer to it than this (ours). */
+/** Largest distance of a sensor on a wall (our choice). */
 const ON_WALL_M = 0.1;
 
-/** How far from the home its chains are, and how much space a number needs, in pixels (ours). */
+/** Distance of the chains from the home, and space of a number, in pixels (our choice). */
 const OFF = 22;
 const WIDE = 34;
-/** Half of a line of numbers, and what one of its letters takes, in pixels (ours). */
+/** Half of a line of numbers, and the width of one of its letters, in pixels (our choice). */
 const HALF = 8;
 const LETTER = 7;
 
@@ -26,7 +26,7 @@ const WAYS: At[] = [[1, 0], [0, 1], [-1, 0], [0, -1]];
 
 export type Chains = { xs: number[]; ys: number[]; left: number; bottom: number };
 
-/** Where walls are that run with the grid, from the home's left to its right and from below to above; without walls, the corners of rooms. */
+/** Positions of walls along the grid, from left to right and from bottom to top; without walls, the corners of rooms. */
 export function chainsOf(home: Home): Chains {
   const walls = wallsOf(home);
   const corners = of(home, 'rooms').flatMap((room) => formOf(room) ?? []);
@@ -47,14 +47,14 @@ function apart(all: number[]): number[] {
   const last = sorted.at(-1);
   const kept: number[] = [];
   for (const one of sorted) if (kept.length === 0 || one - kept.at(-1)! >= NEAREST_M) kept.push(one);
-  // The home ends where it ends.
+  // The last position is the end of the home.
   if (last !== undefined && kept.at(-1) !== last) kept[kept.length - 1] = last;
   return kept;
 }
 
 export type Measure = { from: At; to: At };
 
-/** The sides of a thing, each from where to where; of a wall its line. */
+/** The sides of a thing, each from end to end; the line of a wall. */
 export function sidesOf(element: Element): Measure[] {
   const span = element.list === 'walls' || element.list === 'doors' ? spanOf(element) : null;
   if (span) return [span];
@@ -62,7 +62,7 @@ export function sidesOf(element: Element): Measure[] {
   return form === null ? [] : form.map((from, index) => ({ from, to: form[(index + 1) % form.length]! })).filter(({ from, to }) => distance(from, to) >= NEAREST_M);
 }
 
-/** From each side of a piece of furniture straight to the wall in front of it; from a sensor so to the walls around it. */
+/** From each side of a piece of furniture straight to the wall in front of it; from a sensor to the walls around it. */
 export function clearancesOf(home: Home, element: Element): Measure[] {
   const { rays, nearest_m } = raysOf(element);
   if (rays.length === 0) return [];
@@ -87,12 +87,11 @@ function raysOf(element: Element): { rays: { from: At; way: At }[]; nearest_m: n
   return { rays, nearest_m: AT_WALL_M };
 }
 
-/** The sides of outlines of four corners each. */
 function chunks(corners: At[]): [At, At][] {
   return corners.map((corner, index) => [corner, corners[index % 4 === 3 ? index - 3 : index + 1]!]);
 }
 
-/** How far along a ray a line is met; infinitely far where it is not. */
+/** Distance along a ray to a line; infinite if it misses it. */
 function hit(from: At, way: At, a: At, b: At): number {
   const side = minus(b, a);
   const across = cross(way, side);
@@ -102,7 +101,7 @@ function hit(from: At, way: At, a: At, b: At): number {
   return far > -1e-6 && share >= 0 && share <= 1 ? Math.max(far, 0) : Infinity;
 }
 
-/** A dimension line on the screen, and where its number stands. */
+/** A dimension line on the screen, with the place of its number. */
 export type Dimension = { from: At; to: At; at: At; upright: boolean; words: string };
 
 /** Those of the whole home, of the sides of one thing, and around it. */
@@ -113,7 +112,7 @@ export function dimensionsOf(home: Home, view: View, one: Element | null, whole:
     const upright = Math.abs(from[1] - to[1]) > Math.abs(from[0] - to[0]);
     return { from, to, at: middle([from, to]), upright, words: length(metres, units) };
   };
-  /** From each to the next, all on one line; where there are several, the whole beyond it. */
+  /** From each to the next, all on one line; if there are several, the total beyond it. */
   const chain = (all: number[], place: (value: number) => At, [x, y]: At): Dimension[] => {
     const step = (a: number, b: number, rows: number) => {
       const [from, to] = [place(a), place(b)];
@@ -136,7 +135,7 @@ export function dimensionsOf(home: Home, view: View, one: Element | null, whole:
 
 export const hasNumber = ({ from, to }: Dimension) => distance(from, to) >= WIDE;
 
-/** Where the numbers stand, from which names keep off. */
+/** The places of the numbers, which names avoid. */
 export function numbersAt({ chains, own, around }: Dimensions): Box[] {
   return [...chains, ...own, ...around].filter(hasNumber).map(({ at: [x, y], upright, words }) => {
     const [wide, high] = upright ? [HALF, (words.length * LETTER) / 2] : [(words.length * LETTER) / 2, HALF];

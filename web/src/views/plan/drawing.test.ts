@@ -48,9 +48,9 @@ test('dimension lines go from wall to wall, and from a piece to the walls around
   expect(chainsOf(home('{}')).xs).toEqual([]);
   const metres = (id: string) => clearancesOf(flat, flat.byId.get(id)!).map(({ from, to }) => Math.round(Math.hypot(to[0] - from[0], to[1] - from[1]) * 100) / 100);
   const around = metres('furniture/1');
-  // Its back is at the wall, at which nothing is measured.
+  // Its back is at the wall, which is not measured.
   expect(around).toEqual([0.65, 2.2, 2.6]);
-  // A sensor to the walls east, north and south of it; the wall that it hangs on is none of them.
+  // From a sensor to the walls east, north and south of it, but not to its own.
   expect(metres('sensors/0')).toEqual([3.83, 1.4, 1.4]);
   expect(metres('sensors/4')).toHaveLength(4);
   expect(metres('sensors/1')).toEqual([]);
@@ -78,10 +78,10 @@ test('the back of a piece is its side at a wall, and the front is across', () =>
   const sofa = frameOf('sofa', turnedBox([2, 0.55], [1.9, 0.9], 0), walls)!;
   expect(sofa.back[1]).toBeCloseTo(-0.45);
   expect(frontOf(sofa)[0]![1]).toBeGreaterThan(1);
-  // A bed stands with its head at a wall, not with its long side.
+  // A bed has its head at a wall, not its long side.
   const bed = frameOf('bed', turnedBox([1.1, 0.55], [2, 0.9], 0), walls)!;
   expect(bed.back[0]).toBeCloseTo(-1);
-  // Far from walls it is as it was put down.
+  // Far from walls it stays unturned.
   const chair = frameOf('chair', turnedBox([2, 1.5], [0.45, 0.45], 0), walls)!;
   expect([chair.at[0], chair.at[1], chair.back[1]]).toEqual([2, 1.5, expect.closeTo(0.225)]);
   expect(frameOf('table', [[0, 0], [1, 0], [1, 1]], walls)).toBeNull();
@@ -110,11 +110,11 @@ test('a problem is what hardly anybody means: not what may stand on another, han
   const text = JSON.stringify({ furniture: kitchen });
   expect(overlapsOf(home(text)).length).toBeGreaterThan(3);
   expect(mistakes(text)).toEqual([]);
-  // By its last word: what is named after what it belongs to may stand on it.
+  // By its last word: a thing named after its owner may stand on it.
   const inWardrobe = (name: string) => mistakes(JSON.stringify({ furniture: [piece(name, [1, 1], [0.6, 0.6], 0.8), piece('Wardrobe 12', [1, 1], [0.6, 0.6], 2)] })).length;
   expect(['desk lamp', 'Bed pillow 2', 'toilet brush', 'shower curtain'].map(inWardrobe)).toEqual([0, 0, 0, 0]);
   expect(['double bed', 'Sofa 2', 'tables', 'washing machine'].map(inWardrobe)).toEqual([1, 1, 1, 1]);
-  // Through a wall nothing hangs.
+  // Nothing hangs through a wall.
   const wall = [{ from: [0, 0], to: [3, 0], thickness_m: 0.2 }];
   const shelf = (y: number) => JSON.stringify({ walls: wall, furniture: [piece('Box', [1, y], [1, 0.5], 0.9)] });
   expect([mistakes(shelf(0.2)), mistakes(shelf(0.1))]).toEqual([[], ['Box overlaps a wall by 0.25 m']]);
@@ -139,6 +139,6 @@ test('names keep off the numbers of dimension lines', () => {
     // Numbers of upright lines are upright.
     expect(bottom - top > right - left).toBe(upright);
   });
-  // Where a line is too short for its number there is none.
+  // A line that is too short for its number has none.
   expect(numbersAt(dimensionsOf(flat, { ...view, scale: 5 }, null, true, 'metric'))).toEqual([]);
 });

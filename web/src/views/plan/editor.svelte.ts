@@ -1,5 +1,5 @@
-// The home as somebody edits it: its text, what is selected, which tool is held, and the way back. The text is the only state
-// of the home; all else is read from it.
+// The home in the editor: its text, the selection, the tool, and undo. The text is the only state of the home; all else
+// is derived from it.
 
 import type { Drafts } from '../../drafts.svelte';
 import type { Forget, Named, NamesView, Rename } from '../../wire';
@@ -23,10 +23,10 @@ export type Tool =
   | { tool: 'sensor'; kind: SensorKind; device?: Product }
   | { tool: 'scale' };
 
-/** Texts of other files that a step has changed, with what they were and what it made of them. */
+/** Texts of other files that a step has changed: before and after. */
 type Others = Record<string, { was: string; is: string }>;
 
-/** How the picture under the plan lay, and which it was. */
+/** The picture under the plan, with its position. */
 type Laid = { name: string; place: Place };
 
 type Former = { text: string; selected: string[]; others?: Others; laid?: Laid };
@@ -38,18 +38,18 @@ const SHIFT_M: At = [0.3, -0.3];
 export class Editor {
   selected = $state.raw<string[]>([]);
   tool = $state.raw<Tool>({ tool: 'select' });
-  /** Corners that were clicked of what is being drawn. */
+  /** The clicked corners of the present drawing. */
   drawn = $state.raw<At[]>([]);
-  /** What is said about the last thing done. */
+  /** The report of the last action. */
   said = $state('');
   copied = $state.raw<{ list: List; value: Value }[]>([]);
-  /** What still speaks of things that were deleted, and the texts without that. */
+  /** References to deleted things, and the texts without them. */
   left = $state.raw<NamesView | null>(null);
-  /** The picture under the plan: how it lies is a step as well. */
+  /** The picture under the plan: its position is part of a step. */
   underlay: Pick<Underlay, 'name' | 'lies' | 'lie'> | null = null;
   private readonly history = new History<Former>();
   private known: string | undefined;
-  /** The text as it was when a drag began. */
+  /** The text at the start of a drag. */
   private held: Former | null = null;
 
   /** The name of the home's file. */
@@ -62,7 +62,7 @@ export class Editor {
 
   constructor(readonly drafts: Drafts) {}
 
-  /** The one element that is selected. */
+  /** The only selected element. */
   get one(): Element | null {
     return this.chosen.length === 1 ? this.chosen[0]! : null;
   }
@@ -89,7 +89,7 @@ export class Editor {
     if (tool.tool !== 'select') this.selected = [];
   }
 
-  /** Another text takes the place of the one there is; what has the same tag and follows at once is one step. */
+  /** Replaces the text; changes with the same tag that follow at once are one step. */
   write(text: string, tag = '', selected = this.selected): void {
     const before = this.text;
     if (before === undefined || this.file === null || text === before) return;
@@ -98,7 +98,7 @@ export class Editor {
     this.selected = selected;
   }
 
-  /** The picture under the plan comes to lie otherwise. */
+  /** Moves the picture under the plan. */
   lay(part: Partial<Place>, tag = ''): void {
     const { text, laid } = this;
     if (text === undefined || laid === undefined || this.underlay === null) return;
@@ -114,7 +114,7 @@ export class Editor {
     return { name, place: { at, width_m, turn_deg } };
   }
 
-  /** Texts of several files take the places of those there are, as one step. */
+  /** Replaces the texts of several files, as one step. */
   writeAll(texts: Record<string, string>): void {
     const { [this.file ?? '']: own, ...rest } = texts;
     const before = this.text;
@@ -128,7 +128,7 @@ export class Editor {
     if (own !== undefined) this.put(own);
   }
 
-  /** A thing is called otherwise, in all files at once. */
+  /** Renames a thing in all files at once. */
   async rename(element: Element, name: string, alone: () => void): Promise<void> {
     const kind = KINDS[element.list];
     if (kind === undefined || element.name === '' || element.name === name) return alone();
@@ -136,7 +136,7 @@ export class Editor {
     try {
       const asked = { draft: this.drafts.draft, kind, from: element.name, to: name } satisfies Rename;
       const { mentions, texts, is_shared } = await this.drafts.server.post<NamesView>('/api/rename', asked);
-      // Somebody has drawn on meanwhile.
+      // The user has changed the text meanwhile.
       if (this.text !== text || this.file === null) return alone();
       if (texts[this.file] === undefined) {
         alone();
@@ -151,7 +151,7 @@ export class Editor {
     }
   }
 
-  /** Asks what still speaks of what was deleted. */
+  /** Requests references to deleted things. */
   private async forget(gone: Element[]): Promise<void> {
     const { text } = this;
     const left: NamesView = { mentions: [], texts: {}, is_shared: false };
@@ -170,7 +170,7 @@ export class Editor {
     if (this.text === text && left.mentions.length > 0) this.left = left;
   }
 
-  /** What still speaks of what was deleted goes as well. */
+  /** Removes references to deleted things. */
   forgetAll(): void {
     const { left } = this;
     this.left = null;
@@ -181,7 +181,7 @@ export class Editor {
     if (this.text !== undefined && changes.length > 0) this.write(apply(this.text, changes), tag);
   }
 
-  /** A drag begins: until it ends nothing is a step of its own. */
+  /** Starts a drag: until it ends, all changes are one step. */
   begin(): { home: Home } | null {
     if (this.home === null || this.text === undefined) return null;
     this.held = { text: this.text, selected: this.selected };
@@ -211,7 +211,7 @@ export class Editor {
     this.step('redo');
   }
 
-  /** What was written by somebody else can be undone, too. */
+  /** Changes from elsewhere can be undone, too. */
   notice(): void {
     const { text } = this;
     if (text === this.known) return;
@@ -237,7 +237,7 @@ export class Editor {
     void this.forget(chosen);
   }
 
-  /** Sensors come, and others go, as one step; what still speaks of those is told. */
+  /** Replaces sensors by others, as one step, and reports references to the old ones. */
   exchange(gone: Element[], fresh: Value[]): void {
     const { home } = this;
     if (home === null) return;
@@ -269,7 +269,7 @@ export class Editor {
     const elements = pasted.flatMap((id) => home.byId.get(id) ?? []);
     const { changes } = move(home, elements, SHIFT_M, { snapping: null, alone: true });
     this.write(apply(home.text, changes), '', pasted);
-    // Pasted again it comes to lie beside.
+    // A second copy is placed next to the first.
     this.copied = this.chosen.map(({ list, value }) => ({ list, value }));
   }
 
@@ -296,14 +296,14 @@ export class Editor {
     if (former === undefined) return;
     this.held = null;
     this.left = null;
-    // Another picture may lie there by now.
+    // The picture may be another one by now.
     if (former.laid !== undefined && former.laid.name === this.laid?.name) {
       now.laid = this.laid;
       void this.underlay?.lie(former.laid.place);
     }
     now.others = {};
     for (const [name, { was, is }] of Object.entries(former.others ?? {})) {
-      // What was written there since stays.
+      // Later changes of the file stay.
       if (this.drafts.text(name) !== is) continue;
       this.drafts.write(name, was);
       now.others[name] = { was: is, is: was };
@@ -322,11 +322,11 @@ export class Editor {
 
 const editors = new WeakMap<Drafts, Editor>();
 
-/** One editor as long as there are these drafts, so that what was done can be undone after another view was looked at. */
+/** One editor for the lifetime of the drafts, so that steps can be undone after a visit of another view. */
 export function editorOf(drafts: Drafts): Editor {
   let editor = editors.get(drafts);
   if (editor === undefined) {
-    // What is derived in it must not end with the view that was the first to ask.
+    // Its derived values must outlive the view that asked first.
     $effect.root(() => {
       editor = new Editor(drafts);
     });

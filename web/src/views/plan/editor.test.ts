@@ -122,7 +122,7 @@ test('walls are clicked one after the other, and end where they meet one that is
   click(editor, editor.home!, [5.5, 1], snapping);
   expect(editor.one!.value.name).toBe('room 2');
   expect(editor.one!.value.outline).toHaveLength(6);
-  // The next space is filled by the next click, and one that is a room already is not filled twice.
+  // The next click fills the next space, and does not fill one that is a room already.
   const rooms = () => JSON.parse(editor.text!).rooms.length;
   click(editor, editor.home!, [5.3, 0.5], snapping);
   expect([rooms(), editor.one!.value.name, editor.said, editor.tool.tool]).toEqual([3, 'room 2', 'This space is already room 2.', 'fill']);
@@ -203,7 +203,7 @@ test('one question is under way at a time, and the next is the latest', async ()
   expect([...coverage.seen!.coverage.cells]).toEqual([1]);
   await answer();
   expect([...coverage.seen!.coverage.cells]).toEqual([4]);
-  // While the home has problems, what was seen before stays, and is known to be old.
+  // While the home has problems, the last coverage stays, and is marked as outdated.
   coverage.ask({ texts: { home: 'bad' } }, { texts: { home: 'alone' } });
   await vi.advanceTimersByTimeAsync(5);
   await answer();

@@ -1,12 +1,12 @@
-// The space around a point that walls enclose: the walls' middle lines are cut where they meet, and the smallest way around
-// the point is followed.
+// The space around a point that walls enclose: the walls' middle lines are cut at their crossings, and the smallest way
+// around the point is followed.
 
 import { type At, distance, inside, minus } from '../../plan/geometry';
 import { along, angleOf, area, exact, onLine } from './shape';
 
 type Line = { from: At; to: At };
 
-/** Nearer than this, ends are one: a gap in a drawing, not in a wall. */
+/** Ends within this distance are one: a gap in a drawing, not in a wall. */
 const SAME_M = 0.02;
 
 export function enclosed(walls: Line[], at: At): At[] | null {
@@ -34,14 +34,14 @@ export function enclosed(walls: Line[], at: At): At[] | null {
     for (const to of tos) {
       if (seen.has(`${from} ${to}`)) continue;
       const outline = follow(neighbours, spots, from, to, seen);
-      // What runs against the clock is a space; with the clock it is all that is outside.
+      // A counter-clockwise way is a space; a clockwise one is the outside.
       if (area(outline) > 0 && inside(outline, at) && (best === null || area(outline) < area(best))) best = outline;
     }
   }
   return best && straightened(best);
 }
 
-/** Where on a wall another one meets it, in metres along it. */
+/** The positions of another wall on a wall, in metres along it. */
 function meetings(wall: Line, other: Line): number[] {
   const found: number[] = [];
   for (const end of [other.from, other.to]) {
@@ -57,7 +57,7 @@ function meetings(wall: Line, other: Line): number[] {
   return found;
 }
 
-/** Walls that end in the open enclose nothing. */
+/** Removes dead ends. */
 function prune(neighbours: Map<number, Set<number>>): void {
   let loose = [...neighbours].filter(([, tos]) => tos.size === 1).map(([from]) => from);
   while (loose.length > 0) {
@@ -73,7 +73,7 @@ function prune(neighbours: Map<number, Set<number>>): void {
   }
 }
 
-/** Along walls, turning as far left as can be, until the way is back where it began. */
+/** Follows walls, turning as far left as possible, until the way is back at its start. */
 function follow(neighbours: Map<number, Set<number>>, spots: At[], first: number, second: number, seen: Set<string>): At[] {
   const outline: At[] = [];
   let [from, to] = [first, second];
@@ -88,7 +88,7 @@ function follow(neighbours: Map<number, Set<number>>, spots: At[], first: number
   return outline;
 }
 
-/** Without the corners that lie on a straight line. */
+/** Removes corners on a straight line. */
 function straightened(outline: At[]): At[] {
   return outline.filter((at, index) => {
     const [before, after] = [outline.at(index - 1)!, outline[(index + 1) % outline.length]!];

@@ -1,4 +1,4 @@
-// The grid that points come to rest on, as lines below the plan.
+// The snapping grid, as lines below the plan.
 
 import type { Palette } from '../../plan/palette';
 import type { Pen } from '../../plan/pen';
@@ -8,12 +8,12 @@ import { gridOf } from './snap';
 
 /** Multiples of the grid: 5 cm to 100 m, or 2 inches to 200 feet. */
 const MULTIPLES: Record<Units, number[]> = { metric: [1, 2, 5, 10, 20, 100, 200, 1000, 2000], feet: [1, 3, 6, 30, 60, 300, 600, 1200] };
-/** Lines nearer than this, in pixels, are grey all over (ours). */
+/** Smallest distance of lines in pixels; closer ones are a grey area (our choice). */
 const NEAREST_PX = 9;
-/** So many fine lines and more lie between two strong ones (ours). */
+/** Smallest number of fine lines between two strong ones (our choice). */
 const FEWEST_BETWEEN = 4;
 
-/** How far apart lines are at this scale, in metres: fine ones, and strong ones, which are fine ones as well. */
+/** The distances of lines at a scale, in metres: fine ones, and strong ones, which are fine ones as well. */
 export function stepsOf(scale: number, units: Units): { fine_m: number; strong_m: number } {
   const all = MULTIPLES[units].map((times) => times * gridOf(units));
   const fine = all.findIndex((step_m) => step_m * scale >= NEAREST_PX);

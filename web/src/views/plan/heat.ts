@@ -1,5 +1,5 @@
-// How many sensors see each spot of the floor, as colours; what none sees is hatched and has a number, so that colour is
-// never alone.
+// The number of sensors that see each spot of the floor, as colours; dead zones are hatched and numbered, so that
+// colour is never alone.
 
 import type { At } from '../../plan/geometry';
 import type { Palette } from '../../plan/palette';
@@ -19,23 +19,23 @@ export type Mode = (typeof MODES)[number]['id'];
 const NOWHERE = 255;
 const OPACITY = 0.62;
 
-/** The colours of spots that are seen by one, by two, by three and more: those of the sheet that is printed. */
+/** The colours of spots in view of one, of two, and of three or more sensors: those of the printed sheet. */
 export const COLOURS = ['#f2e96b', '#4fbf83', '#31688e'] as const;
 
-/** What only the chosen sensor sees, and what others see as well. */
+/** Spots that only the chosen sensor sees, and those that others see, too. */
 export const ALONE = { only: COLOURS[0], others: COLOURS[1] };
 
-/** The colour of each cell, nothing where it has none. */
+/** The colour of each cell, or null. */
 export function colours(coverage: CoverageView, mode: Mode, alone: CoverageView | null): (string | null)[] {
   if (mode === 'count') {
     return Array.from(coverage.cells, (count) => (count === NOWHERE || count === 0 ? null : COLOURS[Math.min(count, COLOURS.length) - 1]!));
   }
-  // The cells of both lie alike, for they depend on the building only; where it has changed meanwhile nothing is shown.
+  // Both have the same cells, which depend on the building only; if it has changed meanwhile, nothing is shown.
   if (mode !== 'alone' || alone === null || alone.cells.length !== coverage.cells.length) return [];
   return Array.from(alone.cells, (count, cell) => (count !== 1 ? null : coverage.cells[cell]! > 1 ? ALONE.others : ALONE.only));
 }
 
-/** A pixel a cell, the north on top. */
+/** A pixel a cell, with the north on top. */
 export function heatOf(coverage: CoverageView, mode: Mode, alone: CoverageView | null): HTMLCanvasElement | null {
   const { columns } = coverage;
   const rows = Math.ceil(coverage.cells.length / Math.max(columns, 1));
@@ -57,7 +57,7 @@ export function heatOf(coverage: CoverageView, mode: Mode, alone: CoverageView |
   return canvas;
 }
 
-/** Opaque, in the order in which memory has it. */
+/** Opaque, in the byte order of memory. */
 function pixelOf(colour: string): number {
   const [r, g, b] = [1, 3, 5].map((at) => parseInt(colour.slice(at, at + 2), 16)) as [number, number, number];
   return new Uint32Array(new Uint8Array([r, g, b, 255]).buffer)[0]!;
@@ -99,7 +99,7 @@ export function drawDeadZones(pen: Pen, view: View, coverage: CoverageView, pale
   pen.globalAlpha = 1;
 }
 
-/** The numbers of dead zones that are large enough on the screen to have one, and where they are. */
+/** The numbers of dead zones that are large enough on the screen, with their places. */
 export function numbersOf({ dead_zones }: CoverageView, view: View): { number: number; at: At }[] {
   const large = dead_zones.filter(({ area_m2 }) => area_m2 * view.scale * view.scale >= 120);
   return large.map(({ number, middle }) => ({ number, at: toScreen(view, middle) }));

@@ -5,7 +5,7 @@ import { Server } from '../../server';
 import { FakeFiles } from '../../testing/files';
 import { FLAT } from '../../testing/flat';
 import { FakeStore } from '../../testing/store';
-import { Camera } from './camera.svelte';
+import { Viewport } from './viewport.svelte';
 import { Editor } from './editor.svelte';
 import Image from './Image.svelte';
 import { click, promptOf } from './tools';
@@ -31,7 +31,7 @@ beforeEach(async () => {
   underlay = new Underlay({ json: <T>() => Promise.resolve(null as T), file: () => Promise.reject(new Error('no picture')) });
   editor.underlay = underlay;
   await underlay.choose(picture('plan.png'), [5, 5], [10, 10]);
-  view = mount(Image, { target: document.body, props: { underlay, editor, camera: new Camera() } });
+  view = mount(Image, { target: document.body, props: { underlay, editor, viewport: new Viewport() } });
   flushSync();
 });
 

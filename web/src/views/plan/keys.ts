@@ -1,5 +1,5 @@
-// Keys of the editor. Single letters count while the drawing has the focus, or nothing has; those with Ctrl in all of the view, but
-// for fields, which have their own.
+// Keys of the editor. Single letters work while the drawing has the focus, or nothing has; keys with Ctrl work in all
+// of the view, except in fields, which have their own.
 
 import type { Editor, Tool } from './editor.svelte';
 import { PIECES } from './library';
@@ -22,10 +22,10 @@ function toolOf(key: string): Tool | null {
 
 const FIELDS = 'input:not([type="checkbox"]):not([type="range"]):not([type="radio"]), select, textarea, [contenteditable]';
 
-/** Whether keys are for a field or a dialog now, not for the plan. */
+/** A field or a dialog has the keys, not the plan. */
 const isElsewhere = () => (document.activeElement?.matches(FIELDS) ?? false) || document.querySelector('dialog[open]') !== null;
 
-/** @returns the tool that a key takes while the focus is on the drawing, or nowhere. */
+/** @returns the tool of a key while the drawing has the focus, or nothing has. */
 export function toolTaken(event: KeyboardEvent, drawing: HTMLElement): Tool | null {
   const focused = document.activeElement;
   const isHere = focused === null || focused === document.body || focused === drawing;
@@ -33,7 +33,7 @@ export function toolTaken(event: KeyboardEvent, drawing: HTMLElement): Tool | nu
   return toolOf(event.key);
 }
 
-/** @returns whether the key was one of these. */
+/** @returns whether the key was a shortcut. */
 export function shortcut(event: KeyboardEvent, editor: Editor): boolean {
   if (!(event.ctrlKey || event.metaKey) || event.altKey || isElsewhere()) return false;
   const key = event.key.toLowerCase();
@@ -43,7 +43,7 @@ export function shortcut(event: KeyboardEvent, editor: Editor): boolean {
   } else if (key === 'y') editor.redo();
   else if (key === 'd') editor.duplicate();
   else if (key === 'a' && editor.home) editor.select(editor.home.elements.map(({ id }) => id));
-  // Text that is marked anywhere is copied as text.
+  // Selected text is copied as text.
   else if ((key === 'c' || key === 'x') && (editor.chosen.length === 0 || String(window.getSelection()) !== '')) return false;
   else if (key === 'c') editor.copy();
   else if (key === 'x') {

@@ -1,4 +1,4 @@
-// Layouts of sensors that somebody has kept to hold them against others, for as long as the page is open.
+// Layouts of sensors that the user has kept to compare them, until the page is closed.
 
 import type { Drafts } from '../../drafts.svelte';
 import { apply, isFault, tree } from '../../json';
@@ -8,13 +8,12 @@ import { isHome, of, readHome } from './model';
 
 export type Layout = { name: string; sensors: unknown[] };
 
-/** No more are kept. */
+/** Largest number of layouts. */
 const MOST = 20;
 
 export class Layouts {
   kept = $state.raw<Layout[]>([]);
 
-  /** A name that none has yet. */
   keep(name: string, sensors: unknown[]): Layout {
     let [fresh, count] = [name, 1];
     while (this.kept.some((layout) => layout.name === fresh)) fresh = `${name} ${++count}`;
@@ -30,20 +29,19 @@ export class Layouts {
 
 const all = new WeakMap<Drafts, Layouts>();
 
-/** Those of a scenario's drafts. */
 export function layoutsOf(drafts: Drafts): Layouts {
   let layouts = all.get(drafts);
   if (layouts === undefined) all.set(drafts, (layouts = new Layouts()));
   return layouts;
 }
 
-/** The sensors that the home has now. */
+/** The sensors in the present home. */
 export function sensorsOf(text: string): unknown[] {
   const home = readHome(text);
   return isHome(home) ? of(home, 'sensors').map(({ value }) => value) : [];
 }
 
-/** The home's text with other sensors; nothing where it is not JSON. */
+/** The home's text with other sensors; null for invalid JSON. */
 export function withSensors(text: string, sensors: unknown[]): string | null {
   return isFault(tree(text)) ? null : apply(text, [{ path: ['sensors'], value: sensors }]);
 }
@@ -53,7 +51,7 @@ export function draftWith({ drafts, file }: Editor, text: string): Draft {
   return { texts: { ...drafts.texts, [file ?? '']: text } };
 }
 
-/** The home's text as it is on disk. */
+/** The home's text on disk. */
 export function savedText({ drafts, file }: Editor): string | null {
   return drafts.files?.files.find(({ name }) => name === file)?.text ?? null;
 }

@@ -1,4 +1,4 @@
-// What can be put into a home: furniture of usual sizes, and sensors of all kinds. The sizes are typical ones, ours.
+// Elements for a home: furniture of usual sizes, and sensors of all kinds. The sizes are typical ones (our choice).
 
 import type { Product } from '../../devices';
 import { type At, inside } from '../../plan/geometry';
@@ -64,23 +64,23 @@ export const PIECES = FURNITURE.flatMap(({ pieces }) => pieces);
 
 export type SensorKind = keyof typeof SENSOR_KINDS;
 
-/** Where a kind of sensor belongs: on a wall, on the ceiling over an area, on a thing, in a room, at a point of one. */
+/** The mount of a kind of sensor: on a wall, on the ceiling over an area, on a thing, in a room, at a point of one. */
 export type Mount = (typeof SENSOR_KINDS)[SensorKind]['mount'];
 
 export const SENSORS = Object.fromEntries(Object.entries(SENSOR_KINDS).map(([kind, { mount }]) => [kind, mount])) as Record<SensorKind, Mount>;
 
 export const DOOR_WIDTH_M = 0.9;
 
-/** The side of the area that a sensor on the ceiling sees at first. */
+/** Default side of the area of a ceiling sensor. */
 export const AREA_M = 1.2;
 
-/** So far from a click the wall is looked for on which a sensor is put up. */
+/** Largest distance from a click to the wall of a new sensor. */
 export const FARTHEST_PUT_UP_M = 3;
 
-/** A door is thin, and is hit beside it, too. */
+/** A door is thin, so clicks near it count. */
 const NEAR_DOOR_M = 0.25;
 
-/** A name that nothing in the home has, in upper or lower case. */
+/** A name that no element of the home has, ignoring case. */
 export function freshName(home: Home, name: string, lists?: List[]): string {
   const taken = new Set(home.elements.filter(({ list }) => !lists || lists.includes(list)).map(({ name }) => name.trim().toLowerCase()));
   let [fresh, count] = [name, 1];
@@ -92,7 +92,7 @@ function roomAt(home: Home, at: At): Element | undefined {
   return of(home, 'rooms').find((room) => inside(formOf(room) ?? [], at));
 }
 
-/** Whether a sensor hangs in a room, or sees an area of it. */
+/** A sensor is in a room, or sees an area of it. */
 function inRoom(home: Home, value: Value, room: Element | undefined): boolean {
   const spot = (value.at ?? (value.area as At[] | undefined)?.[0]) as At | undefined;
   return spot !== undefined && room !== undefined && roomAt(home, spot)?.id === room.id;
@@ -102,7 +102,7 @@ export function newPiece(home: Home, { name, size_m, height_m, enterable }: Piec
   return { name: freshName(home, name), at: exact(at), size_m, turn_deg: turn_deg === 0 ? undefined : turn_deg, height_m, enterable };
 }
 
-/** A sensor where somebody has clicked; a sentence that says what to do, where it cannot be there. */
+/** A sensor at a click; if it cannot be there, a sentence with advice. */
 export function newSensor(home: Home, kind: SensorKind, at: At, targets: Targets, grid_m: number | null, device?: Product): Value | string {
   const word = spoken(kind);
   const named = (of: string) => freshName(home, `${of} ${word}`.trim().slice(0, 90), ['sensors']);
@@ -117,10 +117,10 @@ export function newSensor(home: Home, kind: SensorKind, at: At, targets: Targets
       return { kind, name: named(room?.name ?? ''), area };
     }
     case 'free': {
-      // Without snapping it hangs where somebody wants it, as from the ceiling.
+      // Without snapping it is at the click, as on the ceiling.
       const mounted = (grid_m === null ? null : mount(at, targets, grid_m, FARTHEST_PUT_UP_M)) ?? { at: exact(at), normal_deg: 0 };
       const room = roomAt(home, mounted.at);
-      // A camera that sleeps needs whoever wakes it: the sensors of its room that see movement.
+      // A sleeping camera needs sensors that wake it: the motion sensors of its room.
       const wakers = of(home, 'sensors').filter(({ value }) => (value.kind === 'motion' || value.kind === 'ceiling_motion') && inRoom(home, value, room));
       const woken = wakers.length > 0 ? { woken_by: wakers.map(({ name }) => name) } : { always: true };
       return room ? { kind, name: named(room.name), at: mounted.at, facing_deg: wrapped(mounted.normal_deg), ...woken } : `Click the room that the ${word} watches.`;
@@ -143,7 +143,7 @@ const BEARERS: Record<Bearer, string> = {
   lamp: 'the floor of a room, for its lamp',
 };
 
-/** What a sensor can hang on, in the order in which it is looked for. */
+/** The possible bearers of a sensor, in the order of the search. */
 export function bearersOf(home: Home, kind: unknown): Element[] {
   const furniture = of(home, 'furniture');
   const borne: Record<Bearer, () => Element[]> = {
@@ -164,7 +164,7 @@ function thingAt(home: Home, kind: SensorKind, at: At): Element | undefined {
   });
 }
 
-/** A copy with a name of its own; a sensor's bearer stays what it was. */
+/** A copy with a name of its own; a sensor keeps its bearer. */
 export function copyOf(home: Home, { list, value, name }: Element): Value {
   return name === '' ? { ...value } : { ...value, name: freshName(home, name.replace(/ \d+$/, ''), list === 'sensors' ? ['sensors'] : undefined) };
 }

@@ -1,6 +1,6 @@
-// What is drawn with the plan for who draws it: the grid and dimension lines. The browser keeps what was chosen.
+// Aids for drawing on the plan: the grid and dimension lines. The browser stores the choice.
 
-import { keep, read } from '../../kept';
+import { keep, read } from '../../browser-storage';
 
 type Mark = 'grid' | 'sizes';
 

@@ -64,7 +64,7 @@ test('the enclosed space around a point is found, whatever meets there', () => {
   expect(sorted(enclosed(walls, [1, 1]))).toBe(sorted([[0, 0], [4, 0], [4, 3], [0, 3]]));
   expect(sorted(enclosed(walls, [5, 1]))).toBe(sorted([[4, 0], [6, 0], [6, 3], [4, 3]]));
   expect(enclosed(walls, [7, 1])).toBeNull();
-  // One that ends in the open, one that crosses, and a small gap.
+  // An open end, a crossing, and a small gap.
   const more = [...walls, { from: [1, 0], to: [1, 1.5] }, { from: [-0.5, 2], to: [4, 2.01] }] as { from: [number, number]; to: [number, number] }[];
   const upper = enclosed(more, [2, 2.5])!;
   expect(Math.abs(area(upper))).toBeCloseTo(4 * 0.995, 1);
@@ -124,7 +124,7 @@ test('problems are led back to the elements they mean', () => {
   const all = listed(home(FLAT.replace('"at": [1, 2]', '"at": [0.9, 2]')), 'home.json', check, [problem], 'metric');
   expect(all.map(({ file, element, warning }) => [file, element?.id, warning])).toEqual([
     ['home.json', 'furniture/1', false], ['scenario.json', undefined, false], ['home.json', 'furniture/1', true],
-    // Its bed reaches into a wall.
+    // Its bed overlaps a wall.
     ['home.json', 'furniture/0', true],
   ]);
   expect(listed(flat, 'home.json', { problems: [{ ...problem, line: 0, column: 0 }], warnings: [] }, null, 'metric')[0]!.element).toBeNull();

@@ -1,4 +1,4 @@
-// The home as its file's text has it. It is drawn while it is wrong, too: what has no place or no form is in the list only.
+// The home by its file's text. It is drawn with its problems; elements without a place or a form are only in the list.
 
 import { type Node, getNodeValue } from 'jsonc-parser';
 import { type Fault, isFault, tree } from '../../json';
@@ -26,7 +26,7 @@ export type Element = {
   id: string;
   list: List;
   index: number;
-  /** Empty where it has none, as walls have. */
+  /** Empty for elements without a name, such as walls. */
   name: string;
   value: Value;
   offset: number;
@@ -35,20 +35,20 @@ export type Element = {
 
 export type Home = {
   text: string;
-  /** What stands beside the lists. */
+  /** The values outside of the lists. */
   value: Value;
   elements: Element[];
   byId: Map<string, Element>;
   byList: Record<List, Element[]>;
-  /** Of the things of a list that have the same name, the first. */
+  /** The first element of each name in a list. */
   byName: Record<List, Map<string, Element>>;
-  /** How many sensors hang on the same thing before each. */
+  /** By sensor: the number of earlier sensors on the same thing. */
   before: Map<Element, number>;
 };
 
 const WALL_THICKNESS_M = 0.1;
 
-/** How far off a wall's middle line a door is in it still. */
+/** Largest distance of a door from its wall's middle line. */
 export const IN_WALL_M = 0.01;
 
 export function readHome(text: string): Home | Fault {
@@ -64,7 +64,7 @@ export function readHome(text: string): Home | Fault {
     if (list === undefined) value[key.value] = getNodeValue(node);
     else elements.push(...(node.type === 'array' ? (node.children ?? []) : []).map((child, index) => element(list, index, child)));
   }
-  // Of two lists of one name only the last is in the file's meaning.
+  // Of two lists with one name, only the last counts.
   const byId = new Map(elements.map((element) => [element.id, element]));
   const byList = Object.fromEntries(LISTS.map((list) => [list, [...byId.values()].filter((element) => element.list === list)])) as Home['byList'];
   const byName = Object.fromEntries(LISTS.map((list) => [list, new Map(byList[list].toReversed().map((element) => [element.name, element]))])) as Home['byName'];
@@ -93,7 +93,7 @@ export function of(home: Home, list: List): Element[] {
   return home.byList[list];
 }
 
-/** What an element is called where it is listed. */
+/** The title of an element in a list. */
 export function titleOf(element: Element): string {
   if (element.name !== '') return element.name;
   return `${NOUNS[element.list].one} ${element.index + 1}`;
@@ -123,7 +123,7 @@ export function points(value: unknown): At[] | null {
 
 export type Wall = { element: Element; from: At; to: At; thickness_m: number };
 
-/** Walls and doors: what has two ends. */
+/** Walls and doors, which have two ends. */
 export function spanOf(element: Element): { from: At; to: At } | null {
   const [from, to] = [point(element.value.from), point(element.value.to)];
   return from && to ? { from, to } : null;
@@ -136,18 +136,18 @@ export function wallsOf(home: Home): Wall[] {
   });
 }
 
-/** A point that is the element's place: of places, wall sensors and rectangles. */
+/** The position of an element: of places, wall sensors and rectangles. */
 export function atOf(element: Element): At | null {
   return point(element.value.at);
 }
 
-/** The key of the corners of an element that is given by its corners. */
+/** The key of the corners of an element that has corners. */
 export function cornersKey(element: Element): 'outline' | 'area' | null {
   if (points(element.value.outline)) return 'outline';
   return points(element.value.area) ? 'area' : null;
 }
 
-/** The form of an element on the floor. */
+/** The outline of an element on the floor. */
 export function formOf(element: Element): At[] | null {
   const { value } = element;
   const span = spanOf(element);
@@ -160,7 +160,7 @@ export function formOf(element: Element): At[] | null {
   return element.list === 'furniture' && at && size ? turnedBox(at, size, number(value.turn_deg) ?? 0) : null;
 }
 
-/** Where an element's sign and name are: a sensor that hangs on something is where that is. */
+/** The place of an element's sign and name: a sensor on something is at the place of that. */
 export function spotOf(home: Home, element: Element): At | null {
   const at = atOf(element);
   if (at) return at;
@@ -171,11 +171,11 @@ export function spotOf(home: Home, element: Element): At | null {
   const on = bearer && formOf(bearer);
   if (!on) return null;
   const [x, y] = middle(on);
-  // Several on one thing stand beside one another.
+  // Several on one thing are next to each other.
   return [x + (home.before.get(element) ?? 0) * 0.2, y];
 }
 
-/** What a sensor hangs on, or the room it is in. */
+/** The bearer of a sensor, or its room. */
 export function bearerOf(home: Home, sensor: Element): Element | null {
   const { on, room } = sensor.value;
   const named = (name: unknown, lists: List[]) =>
@@ -183,7 +183,7 @@ export function bearerOf(home: Home, sensor: Element): Element | null {
   return named(on, ['furniture', 'doors']) ?? named(on, ['rooms']) ?? named(room, ['rooms']);
 }
 
-/** The left lower and the right upper corner of all that has a form. */
+/** The lower left and the upper right corner of all outlines. */
 export function boundsOf(home: Home): [At, At] {
   const corners = home.elements.flatMap((element) => formOf(element) ?? (atOf(element) ? [atOf(element)!] : []));
   // An empty home has room for a flat.

@@ -18,7 +18,7 @@ function home(text = FLAT): Home {
 const flat = home();
 const el = (id: string, of = flat) => of.byId.get(id)!;
 
-/** The home as the changes make it. */
+/** The home after the changes. */
 function after(changes: Change[], text = FLAT) {
   return JSON.parse(apply(text, changes));
 }

@@ -1,5 +1,5 @@
-// What changes in the file when something is moved, turned or pulled at a handle. All is counted from the home as it was
-// when the movement began, so that nothing is rounded twice.
+// Changes of the file when something is moved, turned or pulled at a handle. All values are computed from the home
+// before the movement, so that nothing is rounded twice.
 
 import type { Change } from '../../json';
 import { type At, distance, middle, minus } from '../../plan/geometry';
@@ -8,17 +8,17 @@ import { add, along, angleOf, direction, dot, exact, onLine, rounded, times, toS
 import { type Guides, type Snapping, mount, snapPoint, snapShift, spanAt, targetsOf } from './snap';
 
 type How = {
-  /** Nothing where snapping is off. */
+  /** Null without snapping. */
   snapping: Snapping | null;
-  /** Of a wall: what hangs on it stays behind. */
+  /** For a wall: its attached elements stay behind. */
   alone: boolean;
 };
 
 export type Moved = { changes: Change[]; guides: Guides };
 
-/** Nearer than this two points are one. */
+/** Points within this distance are one. */
 const SAME_M = 0.002;
-/** So near to a wall's face a sensor hangs on it. */
+/** Largest distance of a sensor on a wall from the wall's face. */
 const HANGS_M = 0.08;
 
 const LEAST_SIZE_M = 0.05;
@@ -27,7 +27,6 @@ function path(element: Element, ...rest: (string | number)[]): (string | number)
   return [element.list, element.index, ...rest];
 }
 
-/** Elements are moved by a mouse or a key. */
 export function move(home: Home, elements: Element[], by: At, { snapping, alone }: How): Moved {
   const one = elements.length === 1 ? elements[0] : undefined;
   if (one?.list === 'doors') return { changes: moveDoor(home, one, by, snapping), guides: {} };
@@ -59,7 +58,7 @@ function snapElements(home: Home, elements: Element[], by: At, snapping: Snappin
     return form ? [...(at ? [at] : []), ...form] : at ? [at] : [];
   });
   const targets = targetsOf(home, new Set(elements.map(({ id }) => id)));
-  // A piece of furniture that came to rest on a wall's line would stand in the wall.
+  // A piece of furniture that snapped to a wall's line would stand in the wall.
   return snapShift(by, marks, elements.every(({ list }) => list === 'furniture') ? targets.faces : targets, snapping);
 }
 
@@ -77,7 +76,7 @@ function moveLens(home: Home, sensor: Element, by: At, snapping: Snapping): Move
   const facing = number(sensor.value.facing_deg);
   const changes: Change[] = [{ path: path(sensor, 'at'), value: now.at }];
   const turned = before ? now.normal_deg - before.normal_deg : 0;
-  // On another wall it looks into the room as it did on the one before.
+  // On another wall it faces the room as on the old one.
   if (facing !== null && Math.abs(turned) > 0.01) changes.push({ path: path(sensor, 'facing_deg'), value: wrapped(facing + turned) });
   return { changes, guides: {} };
 }
@@ -99,12 +98,11 @@ function moveDoor(home: Home, door: Element, by: At, snapping: Snapping | null):
 type Span = { from: At; to: At };
 type Walls = ReturnType<typeof wallsOf>;
 
-/** The wall that a door is in. */
 function holding(walls: Walls, { from, to }: Span): Walls[number] | undefined {
   return walls.find((wall) => [from, to].every((at) => toSegment(at, wall.from, wall.to) <= IN_WALL_M));
 }
 
-/** Walls get other ends, and what hangs on them comes along: walls that meet them, doors, corners of rooms, sensors. */
+/** Moves the ends of walls, together with attached elements: adjoining walls, doors, corners of rooms, sensors. */
 export function moveWalls(home: Home, moved: Map<string, Span>, alone: boolean, except = new Set<string>()): Change[] {
   const walls = wallsOf(home);
   const spans = new Map(moved);
@@ -137,7 +135,7 @@ export function moveWalls(home: Home, moved: Map<string, Span>, alone: boolean, 
   return changes;
 }
 
-/** Where a point on a wall's line goes when the wall does: its ends with it, what is between them only across. */
+/** The new place of a point on a wall's line: ends move with the wall, points between them only across it. */
 function carried(at: At, walls: Walls, spans: Map<string, Span>): At | null {
   for (const { element, from, to } of walls) {
     const span = spans.get(element.id);
@@ -167,7 +165,7 @@ function carryDoor(door: Element, walls: Walls, spans: Map<string, Span>): Chang
   if (!jambs || !wall || !span) return [];
   const length_m = distance(span.from, span.to);
   const before_m = distance(wall.from, wall.to);
-  // How far it is from the end that stays where it is; of a wall that is moved, from its begin.
+  // Its distance from the end that stays; for a moved wall, from its beginning.
   const keepsTo = distance(span.to, wall.to) <= SAME_M && distance(span.from, wall.from) > SAME_M;
   const place = (at: At) => {
     const { along_m } = along(at, wall.from, wall.to);
@@ -176,7 +174,7 @@ function carryDoor(door: Element, walls: Walls, spans: Map<string, Span>): Chang
   return [{ path: path(door, 'from'), value: place(jambs.from) }, { path: path(door, 'to'), value: place(jambs.to) }];
 }
 
-/** How far the walls on which a sensor hangs carry it; in a corner, each in its own direction. */
+/** The move of a sensor with its walls; in a corner, each in its own direction. */
 function shiftOf(at: At, walls: Walls, spans: Map<string, Span>): At | null {
   let shift: At | null = null;
   for (const { element, from, to, thickness_m } of walls) {
@@ -189,7 +187,7 @@ function shiftOf(at: At, walls: Walls, spans: Map<string, Span>): At | null {
   return shift && Math.hypot(...shift) > 0.0005 ? shift : null;
 }
 
-/** Against the clock, about its middle. */
+/** Counter-clockwise, about its middle. */
 export function turnBy(element: Element, deg: number): Change[] {
   if (element.value.kind === 'motion' || element.value.kind === 'camera') {
     const facing = number(element.value.facing_deg) ?? 0;
@@ -214,7 +212,7 @@ export type Handle = {
   at: At;
 };
 
-/** What an element can be pulled at; `off_m` is how far from it the handles stand that turn it. */
+/** The handles of an element; `off_m` is the distance of the handles that turn it. */
 export function handlesOf(element: Element, off_m: number): Handle[] {
   const span = spanOf(element);
   if (span) {
@@ -236,7 +234,7 @@ export function handlesOf(element: Element, off_m: number): Handle[] {
   ];
 }
 
-/** A handle is pulled to a point. */
+/** Pulls a handle to a point. */
 export function pull(home: Home, element: Element, key: string, to: At, { snapping, alone }: How): Moved {
   const at = atOf(element);
   const step = snapping ? 5 : 1;
@@ -257,7 +255,7 @@ export function pull(home: Home, element: Element, key: string, to: At, { snappi
   return { changes: [{ path: path(element, list!, Number(index)), value: snapped.at }], guides: snapped.guides };
 }
 
-/** What comes along with the end of a wall is nothing for the end to come to rest on. */
+/** Elements that move along with the end of a wall are no targets of snapping. */
 function attachedTo(home: Home, element: Element, key: string, alone: boolean): string[] {
   const at = element.list === 'walls' && !alone ? point(element.value[key]) : null;
   if (!at) return [];
@@ -276,7 +274,7 @@ function pullJamb(home: Home, door: Element, key: 'from' | 'to', to: At, snappin
   return [{ path: path(door, key), value: exact(onLine(wall.from, wall.to, Math.min(Math.max(grid, 0), length_m))) }];
 }
 
-/** The corner across stays where it is. */
+/** The opposite corner stays. */
 function resize(element: Element, corner: number, to: At): Change[] {
   const form = formOf(element);
   const opposite = form?.[(corner + 2) % 4];
@@ -290,7 +288,7 @@ function resize(element: Element, corner: number, to: At): Change[] {
   return [{ path: path(element, 'size_m'), value: size }, { path: path(element, 'at'), value: exact(add(opposite, half)) }];
 }
 
-/** Another name, also where sensors name what they hang on. */
+/** Renames an element, also as a bearer of sensors. */
 export function rename(home: Home, element: Element, name: string): Change[] {
   const changes: Change[] = [{ path: path(element, 'name'), value: name }];
   for (const sensor of of(home, 'sensors')) {

@@ -1,5 +1,5 @@
-// Pieces of furniture that stand in each other or in a wall. A chair stands below its table and a sink in its counter. Of a piece only the top
-// is known, not where it begins: what stands on another or hangs above it looks as if it stood in it.
+// Pieces of furniture that overlap each other or a wall. A chair stands below its table and a sink in its counter. Of a
+// piece only the top is known, not its bottom: a piece on another or above it looks like an overlap.
 
 import type { At } from '../../plan/geometry';
 import { type Units, length } from '../../units';
@@ -7,9 +7,9 @@ import { type Element, type Home, formOf, number, of, titleOf, wallsOf } from '.
 import { angleOf, direction, dot } from './shape';
 import { minus } from '../../plan/geometry';
 
-/** So deep may one be in another: the walls of a plan are not exact to the centimetre (ours). */
+/** Largest depth that does not count: the walls of a plan are not exact to the centimetre (our choice). */
 const DEEPEST_M = 0.02;
-/** What is lower is walked over, and stands below all (ours). */
+/** Lower pieces are walked over, and stand below everything (our choice). */
 const LOW_M = 0.05;
 
 const BELONG: [RegExp, RegExp][] = [
@@ -18,7 +18,7 @@ const BELONG: [RegExp, RegExp][] = [
   [/shower/, /bath/],
 ];
 
-/** What stands on the floor, and under nothing (ours), by the last word of its name: a desk lamp is a lamp. */
+/** Pieces that stand on the floor, and under nothing (our choice), by the last word of their name: a desk lamp is a lamp. */
 const ON_FLOOR = /\b(wardrobe|bookcase|dresser|nightstand|bed|sofa|couch|armchair|table|desk|fridge|refrigerator|freezer|stove|washing machine|toilet|bathtub|shower|piano)s?( \d+)?$/;
 
 export type Overlap = { piece: Element; other: Element; deep_m: number };
@@ -39,8 +39,8 @@ export function overlapsOf(home: Home): Overlap[] {
 }
 
 /**
- * Those that hardly anybody means: of two that stand on the floor; of one that stands there and reaches beyond the middle of a wall, to which many
- * draw; and of any piece that comes out on the other side of a wall.
+ * Overlaps that are probably mistakes: two pieces on the floor; a piece on the floor that reaches beyond the middle of
+ * a wall, to which many people draw; and any piece that comes out on the other side of a wall.
  */
 export function mistakesOf(home: Home): Overlap[] {
   const thickness_m = new Map(wallsOf(home).map(({ element, thickness_m }) => [element, thickness_m]));
@@ -51,7 +51,7 @@ export function mistakesOf(home: Home): Overlap[] {
   });
 }
 
-/** What people sit or lie on stands there, whatever it is called. */
+/** Pieces to sit or lie on stand on the floor, whatever their name. */
 const onFloor = ({ name, value }: Element) => value.enterable === true || ON_FLOOR.test(name.toLowerCase());
 
 function belong(one: Element, other: Element): boolean {
@@ -59,7 +59,7 @@ function belong(one: Element, other: Element): boolean {
   return BELONG.some(([small, large]) => (small.test(a) && large.test(b)) || (small.test(b) && large.test(a)));
 }
 
-/** How far one convex outline would have to be moved to be beside another; nothing where they are. */
+/** The distance of a move that separates two convex outlines; 0 if they are separate. */
 function depth(a: At[], b: At[]): number {
   let least = Infinity;
   for (const outline of [a, b]) {
@@ -79,7 +79,6 @@ function reach(outline: At[], normal: At): At {
   return [Math.min(...all), Math.max(...all)];
 }
 
-/** In a sentence. */
 export function told({ piece, other, deep_m }: Overlap, units: Units): string {
   const into = other.list === 'walls' ? 'a wall' : titleOf(other).slice(0, 80);
   return `${titleOf(piece).slice(0, 80)} overlaps ${into} by ${length(deep_m, units)}`;

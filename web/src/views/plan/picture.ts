@@ -1,4 +1,5 @@
-// The home that is edited as the other views draw theirs: made from the file's text, so that it is seen while it is wrong, too.
+// The edited home in the form of the other views: made from the file's text, so that a home with problems is shown,
+// too.
 
 import { type At, middle } from '../../plan/geometry';
 import { usual } from '../../plan/layers';
@@ -11,7 +12,7 @@ import type { HomeView, SensorView, SolidView } from '../../wire';
 import { type Home, IN_WALL_M, type Wall, boundsOf, formOf, number, of, spanOf, spotOf, wallsOf } from './model';
 import { add, along, direction, onLine, thick, times, toSegment } from './shape';
 
-/** What is known only by counting: the middles of rooms, and beams, are those of the last draft that was sound. */
+/** Computed parts, the middles of rooms and beams, are those of the last valid draft. */
 export function pictured(home: Home, counted: HomeView | null): HomeView {
   const doors = of(home, 'doors').flatMap(({ name, value, ...element }) => {
     const span = spanOf({ name, value, ...element });
@@ -32,7 +33,7 @@ export function pictured(home: Home, counted: HomeView | null): HomeView {
     if (!at) return [];
     const { kind, facing_deg, area } = sensor.value;
     const facing = kind === 'motion' || kind === 'camera' ? number(facing_deg) : null;
-    // A short one says where its sign points.
+    // A short one in the direction of its sign.
     const beams: [At, At][] = facing === null ? [] : [[at, add(at, times(direction(facing), 0.001))]];
     return [{ name: sensor.name, kind: typeof kind === 'string' ? kind : '', room: null, at, facing_deg: facing, beams, area: area === undefined ? null : formOf(sensor), camera: null }];
   });
@@ -60,13 +61,13 @@ function partsOf(wall: Wall, doors: { from: At; to: At }[]): At[][] {
 type Layered = {
   picture: HomeView;
   counted: HomeView | null;
-  /** Over the floor, below all that stands on it. */
+  /** Over the floor, below everything on it. */
   under: (pen: Pen) => void;
   over: (pen: Pen) => void;
-  /** Over all names, and where it is, for names keep off it. */
+  /** Over all names, with its boxes, which names avoid. */
   top: (pen: Pen) => void;
   marks: Box[];
-  /** The names of sensors whose beams stand out. */
+  /** The names of sensors with highlighted beams. */
   chosen: string[];
 };
 

@@ -1,4 +1,4 @@
-// What is wrong with the scenario, and which element of the home is meant.
+// The problems of the scenario, with their elements of the home.
 
 import { lineOf, offsetOf } from '../../places';
 import { distinct } from '../../problems';
@@ -10,14 +10,14 @@ import { mistakesOf, told } from './overlaps';
 export type Listed = ProblemView & {
   element: Element | null;
   warning: boolean;
-  /** What it stands for, where one row tells of many. */
+  /** The parts of a row that stands for many. */
   each?: { element: Element; what: string }[];
 };
 
-/** More than so many pieces that stand in something are one row: a plan that was drawn elsewhere may have dozens (ours). */
+/** Largest number of rows for overlaps; more become one row, as imported plans may have dozens (our choice). */
 const MOST_ROWS = 3;
 
-/** Of the home's file the server's answer to the last draft is newer than the check of everything; of the others there is only that. */
+/** The server's answer about the latest home is newer than the check of all files, which covers the others. */
 export function listed(home: Home | null, file: string | null, check: CheckView | null, ofHome: ProblemView[] | null, units: Units): Listed[] {
   const problems = [...(ofHome ?? []), ...(check?.problems ?? [])].map((problem) => ({ ...problem, warning: false }));
   const warnings = (check?.warnings ?? []).map((problem) => ({ ...problem, warning: true }));
@@ -25,7 +25,7 @@ export function listed(home: Home | null, file: string | null, check: CheckView 
   return home && file ? [...all, ...overlapping(home, file, units)] : all;
 }
 
-/** Furniture that stands where something else does: nobody is kept from living there, but hardly anybody means it. */
+/** Overlapping furniture: it does not prevent a run, but is probably a mistake. */
 function overlapping(home: Home, file: string, units: Units): Listed[] {
   const each = mistakesOf(home).map((overlap) => ({ element: overlap.piece, what: told(overlap, units) }));
   const warning = { file, width: 1, warning: true };

@@ -1,5 +1,5 @@
-// What the fields of an element are, which values they take and what they say: read from the schema of the home's file, so
-// that a key that is new in it has its field here, too.
+// The fields of an element, with their values and explanations: read from the schema of the home's file, so that a new
+// key has its field here, too.
 
 import schema from '../../../../schemas/home.schema.json';
 import { DEVICES } from '../../devices';
@@ -39,40 +39,40 @@ export type Field = {
   about: string;
   unit: Unit;
   required: boolean;
-  /** What holds where the file says nothing. */
+  /** The default. */
   fallback: unknown;
 } & (
   | { form: 'text'; longest: number; long: boolean }
   | { form: 'number'; bounds: Bounds }
   | { form: 'flag' }
   | { form: 'choice'; options: Option[] }
-  /** A name of something else in the home. */
+  /** The name of another element of the home. */
   | { form: 'bearer' }
-  /** So many numbers, each with a word. */
+  /** A fixed number of numbers, each with a word. */
   | { form: 'numbers'; bounds: Bounds; words: string[] }
-  /** As many numbers as one likes, within limits. */
+  /** Any number of numbers, within limits. */
   | { form: 'list'; bounds: Bounds; fewest: number; most: number }
-  /** As many names of the home's sensors as one likes, within limits. */
+  /** Any number of names of sensors, within limits. */
   | { form: 'names'; fewest: number; most: number }
   | { form: 'corners'; bounds: Bounds; fewest: number; most: number }
-  /** One of several ways, each with fields of its own. */
+  /** One of several alternatives, each with fields of its own. */
   | { form: 'way'; options: (Option & { fields: Field[]; plain: boolean })[] }
 );
 
 const root = schema as unknown as Schema & { definitions: Record<string, Schema> };
 
-/** Of suffixes of which one ends as another does, the longer stands first. */
+/** A longer suffix comes before one that it ends with. */
 const UNITS: [suffix: string, unit: Unit][] = [
   ['_per_s', 'a second'], ['_m', 'm'], ['_deg', '°'], ['_s', 's'], ['_c', '°C'], ['_lux', 'lx'], ['_percent', '%'], ['_bpm', '/min'], ['_pm', '/min'],
 ];
 
-/** The words of numbers that come in twos and threes. */
+/** The words of numbers in pairs and triples. */
 const WORDS: Record<string, string[]> = {
   at: ['East', 'North'], from: ['East', 'North'], to: ['East', 'North'], size_m: ['Width', 'Depth'], field_deg: ['Across', 'Up and down'],
   rows: ['Far', 'Middle', 'Near'], pixels: ['Columns', 'Rows'],
 };
 
-/** Those of them that are lengths, though their names do not say so. */
+/** Those that are lengths without a suffix. */
 const METRES = new Set(['at', 'from', 'to']);
 
 const LABELS: Record<string, string> = {
@@ -81,7 +81,7 @@ const LABELS: Record<string, string> = {
   notice: 'Notices',
 };
 
-/** What choices are called, where the file's word alone tells little. */
+/** The names of choices, if the file's word alone is unclear. */
 const CHOICES: Record<string, string> = {
   'level paper': 'any change in a beam', 'level sensitivity': 'large changes only', 'level zones': 'changes between zones',
   'notice ': 'as the device does', 'notice all': 'every movement', 'notice chance': 'by chance',
@@ -123,7 +123,7 @@ function field(key: string, raw: Schema, path: Path, required: boolean): Field |
       const nested = one.const === undefined ? resolved(one.properties?.[name] ?? {}) : undefined;
       return { value: name, title: CHOICES[`${key} ${name}`] ?? spoken(name), about: one.description ?? '', plain: nested === undefined, fields: nested ? fieldsOfObject(nested, [...path, key, name]) : [] };
     });
-    // What may be left out, and then is nothing in particular, can be chosen to be left out.
+    // An optional value without a default has a choice for leaving it out.
     const silence = { value: '', title: CHOICES[`${key} `] ?? 'nothing', about: '', plain: true, fields: [] };
     if (!required && of.default === undefined) options.unshift(silence);
     return options.every(({ plain }) => plain) ? { ...base, form: 'choice', options } : { ...base, form: 'way', options };
@@ -153,13 +153,12 @@ export function fieldsOf({ list, index, value }: Element): Field[] {
   return of ? fieldsOfObject(of, [list, index]) : [];
 }
 
-/** What is said of the home itself. */
 export function homeFields(): Field[] {
   const { name, about, latitude_deg } = root.properties!;
   return Object.entries({ name, about, latitude_deg }).flatMap(([key, one]) => (one && field(key, one, [], key === 'name')) ?? []);
 }
 
-/** What a kind of sensor is and says. */
+/** The description of a kind of sensor. */
 export function aboutKind(kind: string): string {
   return schemaOf('sensors', { kind })?.description?.replaceAll('\n', ' ').replaceAll('`', '') ?? '';
 }

@@ -1,4 +1,4 @@
-// Forms on the plan, and how points lie to them, in metres and degrees against the clock from east.
+// Shapes on the plan, and the relative positions of points, in metres and degrees counter-clockwise from east.
 
 import { type At, cross, distance, minus } from '../../plan/geometry';
 
@@ -62,7 +62,7 @@ export function turnedBox(at: At, [width, depth]: At, deg: number): At[] {
   return corners.map(([x, y]) => turn([at[0] + x / 2, at[1] + y / 2], at, deg));
 }
 
-/** How far along the line from a to b a point lies, in metres, and how far to its left. */
+/** Position of a point relative to the line from a to b: along it in metres, and to its left. */
 export function along(at: At, from: At, to: At): { along_m: number; left_m: number; length_m: number } {
   const length_m = distance(from, to);
   if (length_m === 0) return { along_m: 0, left_m: distance(at, from), length_m };
@@ -71,7 +71,7 @@ export function along(at: At, from: At, to: At): { along_m: number; left_m: numb
   return { along_m: dot(off, way), left_m: cross(way, off), length_m };
 }
 
-/** The point so far along the line from a to b. */
+/** The point at a distance along the line from a to b. */
 export function onLine(from: At, to: At, along_m: number): At {
   const length_m = distance(from, to) || 1;
   return add(from, times(minus(to, from), along_m / length_m));

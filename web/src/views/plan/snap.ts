@@ -1,19 +1,19 @@
-// What a point or a form that is moved comes to rest on: ends and lines of walls, the faces of walls, and the grid.
+// Targets of snapping for points and shapes: ends and lines of walls, the faces of walls, and the grid.
 
 import { type At, distance, inside, minus } from '../../plan/geometry';
 import { type Home, type Wall, formOf, of, wallsOf } from './model';
 import { add, along, angleOf, clamp, direction, exact, onLine, times, toSegment, turnedBox, wrapped } from './shape';
 import type { Units } from '../../units';
 
-/** The way a lens stands off the wall: a small case. */
+/** Distance of a lens from the wall: a small case. */
 const LENS_OFF_WALL_M = 0.02;
-/** So far off a face one is beside the wall. */
+/** Distance from a wall's face of a point next to the wall. */
 const BESIDE_M = 0.05;
-/** So far a door is dragged off its wall before it takes another. */
+/** Distance that a door is dragged off its wall before it moves to another. */
 const KEEPS_M = 0.4;
-/** So near to a wall a piece of furniture is put against it. */
+/** Distance at which a piece of furniture is placed against a wall. */
 const NEAR_WALL_M = 0.3;
-/** Farther from a wall than this nothing is drawn to it. */
+/** Largest distance of a wall that attracts sensors. */
 const FARTHEST_MOUNT_M = 0.5;
 
 /** Five centimetres, or two inches. */
@@ -28,10 +28,10 @@ export type Snapping = { tolerance_m: number; grid_m: number };
 
 export type Guides = { x?: number | undefined; y?: number | undefined };
 
-/** Those of a home are the same for all of a drag. */
+/** Those of a home stay the same during a drag. */
 let known: { home: Home; except: string; targets: Targets } | null = null;
 
-/** What does not move along with those that are moved. */
+/** Elements that do not move along. */
 export function targetsOf(home: Home, except: Set<string>): Targets {
   const key = [...except].join();
   if (known?.home !== home || known.except !== key) known = { home, except: key, targets: findTargets(home, except) };
@@ -47,7 +47,7 @@ function findTargets(home: Home, except: Set<string>): Targets {
   const corners = of(home, 'rooms').filter(({ id }) => !except.has(id)).flatMap((room) => formOf(room) ?? []);
   const ends = [...walls.flatMap(({ from, to }) => [from, to]), ...corners];
   const faces = { xs: [] as number[], ys: [] as number[] };
-  // The faces of walls that run with the grid, against which furniture stands; those outside the home are none.
+  // The faces of walls along the grid, as targets of furniture; faces on the outside are left out.
   for (const wall of walls) {
     for (const side of [1, -1]) {
       const [x, y] = face(wall, side, 0.5, 0);
@@ -60,7 +60,7 @@ function findTargets(home: Home, except: Set<string>): Targets {
   return { walls, ends, xs, ys, faces, rooms };
 }
 
-/** A point beside a wall, so far along it and so far off its face. */
+/** A point next to a wall, at a distance along it and off its face. */
 function face({ from, to, thickness_m }: Wall, side: number, share: number, off_m: number): At {
   const normal = direction(angleOf(minus(to, from)) + 90 * side);
   return add(add(times(from, 1 - share), times(to, share)), times(normal, thickness_m / 2 + off_m));
@@ -90,7 +90,7 @@ export function snapPoint(at: At, targets: Targets, { tolerance_m, grid_m }: Sna
   return { at: exact([x ?? toGrid(at[0], grid_m), y ?? toGrid(at[1], grid_m)]), guides: { x, y } };
 }
 
-/** A form as a whole: one of its lines comes to rest on a line of the home, or its first point on the grid, if that is not infinitely wide. */
+/** A shape as a whole: one of its lines snaps to a line of the home, or its first point to the grid, if the grid is finite. */
 export function snapShift(shift: At, marks: At[], targets: Pick<Targets, 'xs' | 'ys'>, { tolerance_m, grid_m }: Snapping): { shift: At; guides: Guides } {
   const first = marks[0];
   if (first === undefined) return { shift, guides: {} };
@@ -111,7 +111,7 @@ export function snapShift(shift: At, marks: At[], targets: Pick<Targets, 'xs' | 
 
 export type Mount = { at: At; normal_deg: number };
 
-/** The place on the nearest wall's face where a lens looks into a room. */
+/** The place on the nearest wall's face for a lens that faces a room. */
 export function mount(at: At, targets: Targets, grid_m: number | null, farthest_m = FARTHEST_MOUNT_M): Mount | null {
   let best: (Mount & { cost: number }) | null = null;
   for (const { from, to, thickness_m } of targets.walls) {
@@ -130,9 +130,10 @@ export function mount(at: At, targets: Targets, grid_m: number | null, farthest_
   return best;
 }
 
-/** Where a piece stands with its back at the face of a wall that is near; nothing where none is. */
+/** The place of a piece with its back at the face of a near wall; null without one. */
 export function flush(at: At, size: At, back: 'short' | 'long', targets: Targets, { tolerance_m, grid_m }: Snapping): { at: At; turn_deg: number } | null {
-  // Unturned, the back is above; of a piece that is wider than deep and has it at a short side, to the left.
+  // The back of an unturned piece is above; of a piece that is wider than deep with its back at a short side, to the
+  // left.
   const aside = back === 'short' && size[0] > size[1];
   const depth_m = aside ? size[0] : size[1];
   const there = mount(at, targets, grid_m, depth_m / 2 + Math.max(tolerance_m, NEAR_WALL_M));
@@ -146,7 +147,7 @@ export function flush(at: At, size: At, back: 'short' | 'long', targets: Targets
   return { at: exact(add(stands, times(way, beside))), turn_deg };
 }
 
-/** The span of the nearest wall that a door of this width takes; the one that it is in seems nearer. */
+/** The span in the nearest wall for a door of this width; its present wall is preferred. */
 export function spanAt(at: At, walls: Wall[], width_m: number, grid_m: number | null, own?: Wall): { from: At; to: At } | null {
   const far = (wall: Wall) => toSegment(at, wall.from, wall.to) - (wall === own ? KEEPS_M : 0);
   const sorted = [...walls].sort((a, b) => far(a) - far(b));

@@ -1,4 +1,4 @@
-// What a click does while a tool is held, and what is shown where it would be done.
+// Clicks and previews of each tool.
 
 import { type At, distance, inside, middle, minus } from '../../plan/geometry';
 import { backOf, frameOf, frontOf } from '../../plan/symbols';
@@ -9,7 +9,7 @@ import { type Home, formOf, of, titleOf, wallsOf } from './model';
 import { add, angleOf, area, direction, exact, times, toSegment, turnedBox } from './shape';
 import { type Guides, type Snapping, flush, mount, snapPoint, snapShift, spanAt, targetsOf } from './snap';
 
-/** What is lower is walked over. */
+/** Lower pieces are walked over. */
 const LOW_M = 0.1;
 
 const PROMPTS: Record<Tool['tool'], string> = {
@@ -37,14 +37,14 @@ export function promptOf({ tool, drawn }: Pick<Editor, 'tool' | 'drawn'>): strin
   return tool.tool === 'sensor' ? MOUNTS[SENSORS[tool.kind]] : PROMPTS[tool.tool];
 }
 
-/** What shows where a click would do what. */
+/** A preview of a click. */
 export type Preview = { forms: At[][]; line: At[]; at: At; guides: Guides };
 
-/** The point that a click at `at` means. */
+/** The point of a click at `at` after snapping. */
 function meant(home: Home, drawn: At[], at: At, snapping: Snapping | null): { at: At; guides: Guides } {
   if (!snapping) return { at: exact(at), guides: {} };
   const { ends, xs, ys, ...others } = targetsOf(home, new Set());
-  // Straight on from the corner before, and closing where it began.
+  // Straight on from the last corner, and closing at the start.
   const last = drawn.slice(-1);
   const more = { ends: [...ends, ...drawn.slice(0, 1)], xs: [...xs, ...last.map(([x]) => x)], ys: [...ys, ...last.map(([, y]) => y)] };
   return snapPoint(at, { ...others, ...more }, snapping);
@@ -91,16 +91,16 @@ export function preview(editor: Editor, home: Home, at: At, snapping: Snapping |
   }
 }
 
-/** A piece is put down: with its back at a wall that is near. */
+/** Places a piece: with its back at a near wall. */
 function stand(home: Home, { name, size_m, height_m }: Piece, at: At, snapping: Snapping | null): { at: At; turn_deg: number; guides: Guides } {
-  // What is walked over lies anywhere.
+  // Flat pieces lie anywhere.
   const put = snapping && height_m > LOW_M ? flush(at, size_m, backOf(name), targetsOf(home, new Set()), snapping) : null;
   if (put) return { ...put, guides: {} };
   const { shift, guides } = settle(home, size_m, at, snapping);
   return { at: add(at, shift), turn_deg: 0, guides };
 }
 
-/** An area comes to rest on the faces of walls, or on the grid. */
+/** Snaps an area to the faces of walls, or to the grid. */
 function settle(home: Home, size: At, at: At, snapping: Snapping | null): { shift: At; guides: Guides } {
   if (!snapping) return { shift: [0, 0], guides: {} };
   return snapShift([0, 0], [at, ...turnedBox(at, size, 0)], targetsOf(home, new Set()).faces, snapping);
@@ -117,7 +117,7 @@ export function click(editor: Editor, home: Home, at: At, snapping: Snapping | n
       if (from && distance(from, to) < 0.01) return finish(editor, home);
       if (from) editor.add('walls', { from, to });
       editor.drawn = [to];
-      // A chain that comes to a wall that is there is done.
+      // A chain ends at an existing wall.
       if (from && wallsOf(home).some((wall) => toSegment(to, wall.from, wall.to) < 0.002)) finish(editor, home);
       return;
     }
@@ -141,7 +141,8 @@ export function click(editor: Editor, home: Home, at: At, snapping: Snapping | n
         editor.select([there.id]);
         editor.said = `This space is already ${titleOf(there).slice(0, 80)}.`;
       } else editor.add('rooms', { name: freshName(home, 'room'), outline });
-      // A plan has several rooms: with the arrow the next click would select nothing, and the next name would be the home's.
+      // A plan has several rooms: with the arrow the next click would select nothing, and the next name would be the
+      // home's.
       return;
     }
     case 'door': {
@@ -176,7 +177,7 @@ export function click(editor: Editor, home: Home, at: At, snapping: Snapping | n
   }
 }
 
-/** What is being drawn is done: a room is closed, a chain of walls ends. */
+/** Finishes the drawing: closes a room, ends a chain of walls. */
 export function finish(editor: Editor, home: Home): void {
   const { tool, drawn } = editor;
   if (tool.tool === 'room') {
@@ -190,18 +191,18 @@ export function finish(editor: Editor, home: Home): void {
   if (tool.tool === 'wall') editor.drawn = [];
 }
 
-/** Back to the arrow; what was added stays selected. */
+/** Back to the arrow; the new elements stay selected. */
 function release(editor: Editor): void {
   editor.tool = { tool: 'select' };
   editor.drawn = [];
 }
 
-/** Whether a room has this outline already, wherever its corners begin. */
+/** A room has this outline already, whatever its first corner. */
 function isSame(room: At[], outline: At[], at: At): boolean {
   return inside(room, at) && Math.abs(Math.abs(area(room)) - Math.abs(area(outline))) < 0.01;
 }
 
-/** Whether there is a room on one side of a door only. */
+/** A room is on one side of a door only. */
 function leadsOut(home: Home, { from, to }: { from: At; to: At }): boolean {
   const normal = direction(angleOf(minus(to, from)) + 90);
   const has = (side: number) => of(home, 'rooms').some((room) => inside(formOf(room) ?? [], add(middle([from, to]), times(normal, side * 0.3))));

@@ -1,4 +1,4 @@
-// A length, and perhaps an angle, that is typed while walls or a room are drawn: `4.5`, `4.5<90`.
+// A length, and perhaps an angle, typed while walls or a room are drawn: `4.5`, `4.5<90`.
 
 import { type At, distance, minus } from '../../plan/geometry';
 import { type Units, inMetres } from '../../units';
@@ -6,20 +6,20 @@ import { add, angleOf, direction, exact, times } from './shape';
 
 const FORM = /^(\d+(?:[.,]\d*)?)(?:\s*[<@ ]\s*(-?\d*(?:[.,]\d*)?))?$/;
 
-/** No wall is longer, in metres (ours). */
+/** Largest length of a wall in metres (our choice). */
 const LONGEST_M = 1000;
 
-/** What has been typed so far, with another key; nothing where the key is no part of it. */
+/** The typed text with another key; null for a key that does not belong to it. */
 export function typedOn(typed: string, key: string): string | null {
   if (key === 'Backspace') return typed === '' ? null : typed.slice(0, -1);
   if (key.length !== 1 || !/[0-9.,<@ -]/.test(key)) return null;
-  // What begins with something else is a key of the plan's.
+  // Other keys are those of the plan.
   if (typed === '' && !/[0-9.,]/.test(key)) return null;
   const next = typed + (key === '@' || key === ' ' ? '<' : key);
   return FORM.test(next.replace(/^[.,]/, '0.')) && next.length <= 20 ? next : typed;
 }
 
-/** Where a line from a point ends that is typed so: without an angle, toward another point. */
+/** The end of a line of the typed length from a point; without an angle, toward another point. */
 export function typedEnd(from: At, typed: string, toward: At | null, units: Units): At | null {
   const read = FORM.exec(typed.replace(/^[.,]/, '0.'));
   if (read === null) return null;

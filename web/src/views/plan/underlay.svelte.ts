@@ -1,5 +1,5 @@
-// A picture under the plan, such as a scanned drawing. It is kept in the browser, by the home's name, and sent nowhere. Where
-// the browser has none, it is the one that the home's own folder has.
+// A picture under the plan, such as a scanned drawing. The browser stores it by the home's name, and sends it nowhere.
+// Without one, it is the picture in the home's own folder.
 
 import { type At, distance, minus } from '../../plan/geometry';
 import type { Pen } from '../../plan/pen';
@@ -8,7 +8,7 @@ import type { Server } from '../../server';
 import type { UnderlayView } from '../../wire';
 import { add, exact, rounded, times } from './shape';
 
-/** How it lies: the place of its middle, its width, and its turn against the clock. */
+/** Its position: its middle, its width, and its counter-clockwise turn. */
 export type Place = { at: At; width_m: number; turn_deg: number };
 
 type Lies = Place & { opacity: number };
@@ -31,10 +31,10 @@ export class Underlay {
 
   constructor(private readonly server: Pick<Server, 'json' | 'file'>) {}
 
-  /** What was kept of this home, or what its folder has. */
+  /** The stored picture of this home, or the one in its folder. */
   async open(home: string): Promise<void> {
     this.home = home;
-    // A browser that keeps nothing has nothing to show.
+    // A browser without storage has nothing to show.
     const kept = await keptOf(home).catch(() => undefined);
     const found = kept ?? (await this.ofFolder().catch(() => undefined));
     if (found === undefined || this.home !== home) return;
@@ -51,7 +51,7 @@ export class Underlay {
     return { at, width_m, turn_deg, opacity: this.lies.opacity, file: blob, name };
   }
 
-  /** A file that somebody has chosen comes to lie on a place, as large as fits between these sides. */
+  /** Places a chosen file, as large as fits between these sides. */
   async choose(file: File, at: At, [width_m, height_m]: At): Promise<void> {
     this.problem = '';
     if (!TYPES.includes(file.type)) this.problem = 'This file is not a PNG, JPEG or SVG image.';
@@ -62,7 +62,7 @@ export class Underlay {
     } else this.problem = 'The browser cannot read this image. Save it as PNG and try again.';
   }
 
-  /** The picture, or that there is none, is kept for a home that has just been made. */
+  /** Stores the picture, or its absence, for a new home. */
   async layUnder(home: string): Promise<void> {
     this.home = home;
     await (this.image === null ? this.drop() : this.keep());
@@ -73,7 +73,7 @@ export class Underlay {
     await this.keep();
   }
 
-  /** How it lies if two points of it are so far apart in the home: the first stays where it is. Nothing for two that are the same. */
+  /** The position with two points at a real distance: the first stays. Null for equal points. */
   scaled(a: At, b: At, real_m: number): Partial<Place> | null {
     const by = real_m / distance(a, b);
     if (!Number.isFinite(by) || by <= 0) return null;
@@ -87,13 +87,12 @@ export class Underlay {
     if (home !== null) await inStore('readwrite', (store) => store.delete(home)).catch(() => {});
   }
 
-  /** How high the picture is, by its width; one that says no size, as an SVG may, is a square. */
+  /** Height divided by width; 1 for a picture without a size, such as some SVGs. */
   private get tallness(): number {
     const { naturalWidth = 0, naturalHeight = 0 } = this.image ?? {};
     return naturalWidth > 0 && naturalHeight > 0 ? naturalHeight / naturalWidth : 1;
   }
 
-  /** The corners between which it lies. */
   get bounds(): Bounds | null {
     if (this.image === null) return null;
     const { at, width_m, turn_deg } = this.lies;
@@ -151,7 +150,7 @@ function keptOf(home: string): Promise<Kept | undefined> {
   return inStore('readonly', (store) => store.get(home)) as Promise<Kept | undefined>;
 }
 
-/** A home that is called otherwise, or copied, has the picture of the one before. */
+/** A renamed or copied home takes the picture along. */
 export async function carryUnderlay(from: string, to: string, what: 'name' | 'copy'): Promise<void> {
   const kept = await keptOf(from);
   if (kept === undefined) return;
@@ -168,7 +167,7 @@ function inStore(mode: IDBTransactionMode, ask: (store: IDBObjectStore) => IDBRe
       const database = opening.result;
       const transaction = database.transaction(STORE, mode);
       const request = ask(transaction.objectStore(STORE));
-      // A request may succeed and what it wrote still not be kept, as where the disk is full.
+      // A request may succeed without being stored, such as on a full disk.
       transaction.oncomplete = () => {
         database.close();
         done(request.result);

@@ -42,7 +42,7 @@ test('a picture of the scenario’s folder is shown where the browser has none',
   const first = new Underlay(ofFolder);
   await first.open('cottage');
   expect([first.name, first.lies]).toEqual(['plan.png', { at: [5, 2.5], width_m: 10, turn_deg: 90, opacity: 0.5 }]);
-  // What somebody has chosen here comes before it.
+  // The user's choice has priority.
   await first.choose(picture(), [1, 2], [8, 8]);
   const again = new Underlay(ofFolder);
   await again.open('cottage');
@@ -58,7 +58,7 @@ test('a picture that is chosen before there is a home is kept for it when it is 
   await carryUnderlay('flat', 'house', 'name');
   await carryUnderlay('no picture', 'shed', 'name');
   expect([...store.kept.keys()]).toEqual(['flat 2', 'house']);
-  // Another home that is called so has none.
+  // Another home with this name has none.
   await new Underlay(noPicture).layUnder('house');
   expect([...store.kept.keys()]).toEqual(['flat 2']);
 });

@@ -16,7 +16,7 @@ let files: FakeFiles;
 let live: Live;
 let view: Record<string, unknown>;
 let problems: ProblemView[];
-/** Whether the problems keep no sensor from seeing. */
+/** The problems do not prevent the coverage. */
 let isSeen = false;
 
 const PLAN = (): PlanView => ({
@@ -45,7 +45,7 @@ async function begin(home: string | null, answers: Record<string, (body: never) 
   await settle();
 }
 
-/** All that is under way comes to its end. */
+/** Completes all pending work. */
 async function settle(): Promise<void> {
   for (let round = 0; round < 4; round++) {
     await vi.advanceTimersByTimeAsync(300);
@@ -111,7 +111,7 @@ test('another name is followed into other files, as one step that is undone', as
   expect([text(), live.drafts.text('logger.json')]).toEqual([home, '{"ids":{"room motion":"A1"}}']);
   click('Redo');
   expect(live.drafts.text('logger.json')).toBe('{"ids":{"parlour motion":"A1"}}');
-  // What was written there since is nobody's to undo.
+  // Undo leaves later changes of that file.
   live.drafts.write('logger.json', '{"ids":{}}');
   click('Undo');
   expect([text(), live.drafts.text('logger.json')]).toEqual([home, '{"ids":{}}']);
@@ -327,7 +327,7 @@ test('what is pressed and moved is dragged, and let go it is one step', async ()
   expect(document.querySelector('#tab-panel h2')!.textContent).toBe('stove');
   key('z', { ctrlKey: true });
   expect(text()).toBe(FLAT);
-  // A press that hardly moves is a click, and one on nothing selects nothing.
+  // A press with a small move is a click, and one on empty floor selects nothing.
   mouse('pointerdown', 10, 10);
   mouse('pointerup', 11, 10);
   expect(document.querySelector('#tab-panel h2')!.textContent).toBe('Home');
@@ -432,7 +432,7 @@ test('what is drawn over the image is named among its fields', async () => {
   click('Image');
   click('Wall');
   expect(tab()).toBe('Element');
-  // The image can be looked for while it is drawn over.
+  // The image can be opened while the user draws over it.
   click('Image');
   expect(tab()).toBe('Image');
 });
@@ -451,7 +451,7 @@ test('suggested sensors take the places of those of their kind, which are named,
   await settle();
   expect(document.querySelector('[aria-label="Suggested sensors"]')!.textContent).toContain('1 sensor of 6: more sensors add nothing.');
   expect(document.querySelector('#suggest-goes')!.textContent!.replaceAll(/\s+/g, ' ').trim()).toBe('Replace: 5 sensors in all. Removed: room motion. Kept: 4 sensors.');
-  // Not all of it is seen.
+  // Some of it is invisible.
   expect([...document.querySelectorAll('[aria-label="Suggested sensors"] strong')].map((one) => one.textContent)).toEqual(['99.9 %', '99.9 %', '0.0 %']);
   expect([...document.querySelectorAll('[aria-label="Suggested sensors"] ul > li')].map((one) => one.textContent)).toEqual(['Most of the floor: 99.9 % (of the floor with room to stand)', 'Depression: 0.0 % (not found within four weeks)']);
   click('Replace the current motion sensor');

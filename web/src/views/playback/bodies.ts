@@ -1,12 +1,12 @@
-// Where people were, as the truth has it.
+// Positions of people by the truth.
 
 import type { BodyView, LifeView, PlaybackView } from '../../wire';
 import { type Day, movementAt, spanAt } from './day';
 
-/** So far back is looked for the last stride, whose direction somebody keeps who stands or sits. */
+/** Number of earlier strides searched for the heading of a person who stands or sits. */
 const BACK = 200;
 
-/** Who is where at an instant; nothing for those who are out, or of whom nothing is known. */
+/** The bodies at an instant; null for people who are out, or without data. */
 export function bodiesAt(run: PlaybackView, day: Day, at_us: number): (BodyView | null)[] {
   return run.residents.map((_, index) => {
     const life = day.view.lives[index];
@@ -31,7 +31,7 @@ export function bodyAt(run: PlaybackView, life: LifeView, at_us: number): BodyVi
   };
 }
 
-/** Where somebody faces: along the stride, or along the last one. */
+/** The heading: along the stride, or along the last one. */
 function heading(life: LifeView, index: number): number {
   for (let back = index; back >= Math.max(index - BACK, 0); back--) {
     const [, , doing, , from, to] = life.movements[back]!;

@@ -1,10 +1,10 @@
-// A day of a stored run, made ready for drawing: its rows by sensor, and when nothing stirs.
+// A day of a stored run, prepared for drawing: its rows by sensor, and its quiet intervals.
 
 import type { DayView, LifeView, PlaybackView } from '../../wire';
-import { above } from './above';
-import { type Doubt, doubtOf } from './doubt';
+import { above } from './sorted-search';
+import { type Uncertainty, uncertaintyOf } from './uncertainty';
 
-/** Shorter stillness is not worth a jump. */
+/** Shorter quiet intervals are not skipped. */
 export const STILL_US = 60_000_000;
 
 export type Span = [begin: number, end: number];
@@ -12,18 +12,18 @@ export type Span = [begin: number, end: number];
 export type Day = {
   number: number;
   view: DayView;
-  /** By sensor: when it fired. What says that it is off again is none. */
+  /** By sensor: its firings, without messages of their end. */
   fired: Float64Array[];
-  /** What each of these said, by the number of the value in the run. */
+  /** The value of each, by its number in the run. */
   said: Uint32Array[];
-  /** When for longer than a minute no sensor said anything; and when, besides, nobody went anywhere. */
+  /** Intervals of more than a minute without a message; and those that, in addition, have no movement of people. */
   quiet: Span[];
   still: Span[];
-  /** By resident; none but of a log that was walked back. */
-  doubts: Doubt[];
+  /** By resident; empty without located people. */
+  doubts: Uncertainty[];
 };
 
-/** Messages after which nothing happens in front of the sensor. */
+/** Messages after an event in front of the sensor. */
 function isOff(value: string): boolean {
   return /^(off|false)$/i.test(value);
 }
@@ -47,11 +47,11 @@ export function prepare(run: PlaybackView, number: number, view: DayView): Day {
     said: said.map((all) => Uint32Array.from(all)),
     quiet: gaps(rows, begin_us, end_us),
     still: gaps([...rows, ...strides].sort((a, b) => a[0] - b[0]), begin_us, end_us),
-    doubts: run.walk === null ? [] : view.lives.map((life) => doubtOf(run, life)),
+    doubts: run.walk === null ? [] : view.lives.map((life) => uncertaintyOf(run, life)),
   };
 }
 
-/** What lies between spans, in the order of their beginnings, where it is long enough. */
+/** The gaps between intervals in order of their beginnings, if they are long enough. */
 export function gaps(spans: Span[], begin_us: number, end_us: number): Span[] {
   const found: Span[] = [];
   let last = begin_us;
@@ -71,12 +71,12 @@ export function lit(day: Day, now_us: number, for_us = 2_000_000): number[] {
   });
 }
 
-/** How often each sensor fired since the day began. */
+/** Firings of each sensor since the start of the day. */
 export function counts(day: Day, now_us: number): number[] {
   return day.fired.map((all) => above(all, now_us, (at) => at));
 }
 
-/** The span in which an instant lies, of spans in order that do not overlap. */
+/** The interval of an instant, in a sorted list without overlaps. */
 export function spanAt<T extends readonly [number, number, ...unknown[]]>(spans: readonly T[], at_us: number): T | null {
   const span = spans[above(spans, at_us, ([begin]) => begin) - 1];
   return span !== undefined && at_us < span[1] ? span : null;

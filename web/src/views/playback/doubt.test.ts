@@ -1,7 +1,7 @@
 import { expect, test } from 'vitest';
 import { storedRun, walkedDay, walkedRun } from '../../testing/stored';
 import { prepare } from './day';
-import { BETWEEN, OUT, chanceOf, chancesAt, doubtOf, likely, percent, placeName, sureOf } from './doubt';
+import { BETWEEN, OUT, chanceOf, chancesAt, uncertaintyOf, likely, percent, placeName, sureOf } from './uncertainty';
 import { drawingOf } from './stored';
 import { Ticker } from './ticker';
 
@@ -10,7 +10,7 @@ const life = walkedDay(run, 0).lives[0]!;
 const MINUTE = 60e6;
 
 test('what changes at one instant is one change, and chances come to 1', () => {
-  const doubt = doubtOf(run, { ...life, chances: [[0, 4, 1], [MINUTE, 4, 0.48], [MINUTE, 2, 0.48], [2 * MINUTE, 4, 0], [2 * MINUTE, OUT, 0.2]] });
+  const doubt = uncertaintyOf(run, { ...life, chances: [[0, 4, 1], [MINUTE, 4, 0.48], [MINUTE, 2, 0.48], [2 * MINUTE, 4, 0], [2 * MINUTE, OUT, 0.2]] });
   expect([...doubt.at]).toEqual([0, MINUTE, 2 * MINUTE]);
   const now = chancesAt(doubt, MINUTE)!;
   expect([chanceOf(now, 4), chanceOf(now, 2), chanceOf(now, OUT), chanceOf(now, BETWEEN)]).toEqual([0.5, 0.5, 0, 0]);
@@ -19,7 +19,7 @@ test('what changes at one instant is one change, and chances come to 1', () => {
 });
 
 test('who is in a room is as sure as that room, and who is on the way as sure as the likeliest place', () => {
-  const doubt = doubtOf(run, { ...life, chances: [[0, 4, 0.7], [0, 2, 0.3]] });
+  const doubt = uncertaintyOf(run, { ...life, chances: [[0, 4, 0.7], [0, 2, 0.3]] });
   const now = chancesAt(doubt, 0)!;
   expect(sureOf(now, 2)).toBeCloseTo(0.3);
   expect(sureOf(now, null)).toBeCloseTo(0.7);

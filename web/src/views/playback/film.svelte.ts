@@ -1,25 +1,25 @@
-// What the cameras of a stored run have kept around the time that is shown. It comes in parts, and the last few are kept: of
-// the file on the server nothing else is read.
+// The camera pictures of a stored run around the present time. They arrive in parts, and the last few are kept: nothing
+// else of the server's file is read.
 
 import type { Look } from '../../cameras/silhouette';
 import type { At } from '../../plan/geometry';
 import { type Server, filmPath, said } from '../../server';
 import type { FilmView, MomentView, PersonView, PlaybackView } from '../../wire';
-import { above } from './above';
+import { above } from './sorted-search';
 
-/** So much of a run's time is in a part. */
+/** Length of a part, in the run's time. */
 const PART_US = 10e6;
-/** So many parts are kept; those that were wanted longest ago go first. */
+/** Number of parts that are kept; the least recently used go first. */
 const KEPT = 12;
-/** Up to this speed every picture is fetched; above it, five in a second of the watcher's. */
+/** Up to this speed every picture is fetched; above it, five in a second of the watcher's time. */
 const ALL_UP_TO = 5;
 
 type Part = { moments: MomentView[]; corner: At; edge_m: number };
-/** What is shown at an instant. */
+/** The content at an instant. */
 export type Shown = { looks: (Look | null)[]; person: PersonView | null; corner: At; edge_m: number };
 
 export class Film {
-  /** Grows when a part has come. */
+  /** Grows when a part arrives. */
   came = $state(0);
   problem = $state('');
   /** The numbers of cameras among the home's sensors. */
@@ -35,15 +35,16 @@ export class Film {
     this.cameras = run.home.sensors.flatMap(({ camera }, index) => (camera === null ? [] : [index]));
   }
 
-  /** Fetches what is shown at an instant at this speed, and with `ahead` what comes next. */
+  /** Requests the pictures of an instant at this speed, and with `ahead` the next ones. */
   want(at_us: number, speed: number, ahead: boolean): void {
     this.wanted = { at_us, speed, ahead };
     void this.fetch();
   }
 
   /**
-   * What is shown at an instant; nothing of it while it is on its way.
-   * @param awake says of each camera whether the log has it awake.
+   * The content at an instant, without pictures that have not arrived.
+   *
+   * @param awake by camera, its state in the log.
    */
   at(at_us: number, speed: number, awake: readonly boolean[]): Shown {
     const { every_us, key } = partOf(at_us, speed);
@@ -51,7 +52,7 @@ export class Film {
     if (part === undefined) return { looks: this.cameras.map(() => null), person: null, corner: [0, 0], edge_m: 0 };
     const moments = [...(this.parts.get(key(-1))?.moments.slice(-3) ?? []), ...part.moments];
     const last = above(moments, at_us, (moment) => moment.at_us);
-    /** The latest of a camera, if no other was due since. */
+    /** The latest picture of a camera, if none was due since. */
     const latest = <T>(period_us: number, find: (moment: MomentView) => T | undefined): T | undefined => {
       for (let index = last - 1; index >= 0 && at_us - moments[index]!.at_us <= Math.max(period_us, every_us); index--) {
         const found = find(moments[index]!);
@@ -79,7 +80,7 @@ export class Film {
       this.keep(key(missing), await this.whole(...span(missing), partOf(at_us, speed).every_us));
       this.problem = '';
     } catch (error) {
-      // It is not asked for again until something else is.
+      // It is not requested again before another one.
       [this.wanted, this.problem] = [null, said(error)];
     } finally {
       this.busy = false;
@@ -93,7 +94,7 @@ export class Film {
       const view = await this.server.packed<FilmView>(filmPath(this.run.name, next, to_us, every_us));
       part.moments.push(...view.moments);
       [part.corner, part.edge_m] = [view.corner, view.edge_m];
-      // A server that does not come on would be asked for ever.
+      // Without progress of the server, requests would never end.
       if (view.until_us <= next) break;
       next = Math.min(view.until_us, to_us);
     }
@@ -107,7 +108,7 @@ export class Film {
   }
 }
 
-/** The part in which an instant lies: how far apart its pictures are, and the span and the name of it, and of those beside it. */
+/** The part of an instant: the interval of its pictures, its span and its name, and its neighbours. */
 export function partOf(at_us: number, speed: number) {
   const times = speed <= ALL_UP_TO ? 1 : Math.ceil(speed);
   const every_us = times === 1 ? 0 : times * 0.2e6;

@@ -13,7 +13,7 @@ function run(): PlaybackView {
 
 const moment = (at_us: number, sensors: number[]): MomentView => ({ at_us, pictures: sensors.map((sensor) => ({ sensor, packed: new Uint8Array([1, 2]) })), persons: [] });
 
-/** A server that has these moments, and tells so many of them at once. */
+/** A server with these moments, and a limit on each answer. */
 function film(moments: MomentView[], most = 100) {
   const asked: string[] = [];
   const packed = vi.fn(async (path: string) => {

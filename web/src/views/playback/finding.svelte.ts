@@ -1,9 +1,9 @@
-// What is looked for over the run that is played back, and what was found.
+// A search over the run in playback, and its hits.
 
 import { findPath, said, type Server } from '../../server';
 import type { Find, FindWhat, FoundView, HitView, PlaybackView } from '../../wire';
 
-/** How each is asked for, with hours and a length that people mostly mean. */
+/** Each kind of search, with usual hours and lengths. */
 export const ASKED: Record<FindWhat, { title: string; of: string | null; between: [number, number] | null; least_min: number }> = {
   room: { title: 'a person is in', of: 'Room', between: [0, 6], least_min: 0 },
   on: { title: 'is on or open', of: 'Sensor', between: null, least_min: 30 },
@@ -15,21 +15,21 @@ export const ASKED: Record<FindWhat, { title: string; of: string | null; between
   alert: { title: 'an alert', of: null, between: null, least_min: 0 },
 };
 
-/** What people look for first, by what the name has in it. */
+/** The first choice, by words in the name. */
 const FIRST = { room: /bath|toilet|wc/i, on: /stove|oven|cooker|hob/i, doing: /sleep|nap/i };
 
 export class Finding {
   what = $state<FindWhat>('room');
   name = $state('');
-  /** Hours of the day; null at any time. */
+  /** Hours of the day; null for any time. */
   between = $state<[number, number] | null>(ASKED.room.between);
   least_min = $state<number | null>(0);
   found = $state.raw<FoundView | null>(null);
-  /** What it was that was found, in words. */
+  /** The description of the search, in words. */
   title = $state('');
   private isOfCameras = false;
   busy = $state(false);
-  /** Whether what is looked for and found is in sight. */
+  /** The search and its hits are visible. */
   isOpen = $state(false);
   problem = $state('');
   private asked = 0;
@@ -41,7 +41,7 @@ export class Finding {
     this.choose('room');
   }
 
-  /** Of a run whose log is still read, sensors and activities may come. */
+  /** A run with an incomplete log may get further sensors and activities. */
   get run(): PlaybackView {
     return this.stored.view;
   }
@@ -50,7 +50,7 @@ export class Finding {
     return this.found?.hits ?? [];
   }
 
-  /** How often it was found, in words; what cameras take for a fall and what the truth tells of falls are counted apart. */
+  /** The number of hits, in words; falls by cameras and by the truth are counted separately. */
   get counted(): string {
     const { hits, found } = this;
     if (found === null) return '';
@@ -61,7 +61,7 @@ export class Finding {
     return found.all === 1 ? 'Once:' : `${found.all.toLocaleString('en-GB')} times:`;
   }
 
-  /** What may be asked for of this kind. */
+  /** The possible names for a kind of search. */
   names(what: FindWhat = this.what): string[] {
     const { home, sensors, activities } = this.run;
     if (what === 'room') return home.rooms.map(({ name }) => name);
@@ -111,7 +111,7 @@ export class Finding {
     [this.found, this.problem, this.busy] = [null, '', false];
   }
 
-  /** The number of the hit in which an instant lies, or of the last before it; -1 before the first. */
+  /** The index of the hit at an instant, or of the last before it; -1 before the first. */
   at(at_us: number): number {
     let [low, high] = [0, this.hits.length];
     while (low < high) {
@@ -122,12 +122,12 @@ export class Finding {
     return low - 1;
   }
 
-  /** The hit that begins next, or the one before; null beyond the last. */
+  /** The next hit, or the one before; null beyond the last. */
   next(at_us: number, forward: boolean): HitView | null {
     const now = this.at(at_us);
     if (forward) return this.hits[now + 1] ?? null;
     const here = this.hits[now];
-    // At the beginning of one, the one before is meant.
+    // At the beginning of a hit, the one before is meant.
     return here === undefined ? null : at_us - here.begin_us > 1e6 ? here : (this.hits[this.at(here.begin_us - 1)] ?? null);
   }
 }

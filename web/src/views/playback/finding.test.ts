@@ -36,7 +36,7 @@ test('the next and the one before are by time, and beyond the last there is none
   expect(made.next(0, true)?.begin_us).toBe(HOUR);
   expect(made.next(HOUR, true)?.begin_us).toBe(2 * HOUR);
   expect(made.next(30 * HOUR, true)).toBeNull();
-  // In the middle of one its beginning is meant, at its beginning the one before.
+  // In the middle of a hit its beginning is meant, at its beginning the one before.
   expect(made.next(2 * HOUR + 300e6, false)?.begin_us).toBe(2 * HOUR);
   expect(made.next(2 * HOUR, false)?.begin_us).toBe(HOUR);
   expect(made.next(HOUR, false)).toBeNull();

@@ -1,4 +1,4 @@
-// How long somebody was where on a day: by the truth, or, where there is none, by the sensors that were the last to fire.
+// The time of residents in each place on a day: by the truth, or, without it, by the sensors that fired last.
 
 import { type Palette, viridis } from '../../plan/palette';
 import type { Pen } from '../../plan/pen';
@@ -16,7 +16,7 @@ export type Heat = {
   words: [name: string, seconds: number][];
   /** All of them. */
   all: [name: string, seconds: number][];
-  /** Whether it is what one run has more of than another. */
+  /** It is the excess of one run over another. */
   isMore: boolean;
 };
 
@@ -59,7 +59,7 @@ export function heatOf(run: PlaybackView, day: Day, truth: boolean): Heat {
   return { columns, seconds, most: seconds.reduce((a, b) => Math.max(a, b), 0), words: all.filter(([, of]) => of >= 60).slice(0, 5), all, isMore: false };
 }
 
-/** What a second run has more of in each spot than the first, and less where it is below zero; null where their homes are not as large. */
+/** The excess of a second run in each spot, negative for a deficit; null for homes of different sizes. */
 export function heatMore(run: PlaybackView, first: Heat, other: PlaybackView, second: Heat): Heat | null {
   const isAlike = JSON.stringify(run.home.bounds) === JSON.stringify(other.home.bounds);
   if (!isAlike) return null;
@@ -73,7 +73,7 @@ export function heatMore(run: PlaybackView, first: Heat, other: PlaybackView, se
   };
 }
 
-/** Where who makes a sensor fire may be: along its beams, or in its area, or at it. */
+/** The possible positions of a person who triggers a sensor: along its beams, in its area, or at it. */
 function spotsOf(sensor: SensorView): At[] {
   if (sensor.beams.length > 0) {
     return sensor.beams.flatMap(([from, to]) => [0.2, 0.4, 0.6, 0.8].map((share): At => [from[0] + (to[0] - from[0]) * share, from[1] + (to[1] - from[1]) * share]));
@@ -83,7 +83,7 @@ function spotsOf(sensor: SensorView): At[] {
   return [middle, ...corners.map(([x, y]): At => [(x + middle[0]) / 2, (y + middle[1]) / 2])];
 }
 
-/** From 0 to 1; a minute in one spot is seen beside hours in another. */
+/** From 0 to 1; a minute in one spot is visible next to hours in another. */
 function share(seconds: number, most: number): number {
   return most <= 1 ? 0 : Math.log1p(seconds) / Math.log1p(most);
 }
@@ -115,7 +115,7 @@ export function long(seconds: number): string {
   return minutes < 60 ? `${minutes} min` : `${Math.floor(minutes / 60)} h ${minutes % 60} min`;
 }
 
-/** The same, with seconds of what is short: `4 min 12 s`. */
+/** The same, with seconds for short times: `4 min 12 s`. */
 export function lasting(seconds: number): string {
   const whole = Math.round(seconds);
   return whole >= 600 ? long(seconds) : whole < 60 ? `${whole} s` : `${Math.floor(whole / 60)} min ${whole % 60} s`;

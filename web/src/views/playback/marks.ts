@@ -1,10 +1,10 @@
-// What somebody has marked in a run; the browser keeps it, and the server is told nothing.
+// The user's marks in a run; the browser stores them, and the server does not get them.
 
-import { keep, read } from '../../kept';
+import { keep, read } from '../../browser-storage';
 
 const storage = () => window.localStorage;
 const nameOf = (run: string) => `homebody-marks/${run}`;
-/** So many are kept of a run. */
+/** Largest number of marks of a run. */
 const MOST = 500;
 
 export function marksOf(run: string): number[] {

@@ -1,24 +1,24 @@
-// What is played back, and how: one run or two, by one clock.
+// The state of playback: one run or two, with one clock.
 
 import { Throttle } from '../../plan/glow';
 import { Refused, type Server } from '../../server';
 import type { StoredView } from '../../wire';
 import { read } from '../../clock';
 import { dayAt, follow, instantOf } from '../../localtime';
-import { calledOf } from './called';
+import { runName } from './run-names';
 import { MOST_DAYS, type Other, Stored } from './stored';
 import { keepMarks, marksOf } from './marks';
 import { Ticker } from './ticker';
-import { dayBeside } from './twin';
+import { correspondingDay } from './comparison';
 
-/** What is read as text need not change more often than one can read. */
+/** Text changes at most this often, so that it can be read. */
 const TEXT_MS = 100;
 
 export class Player {
   list = $state.raw<StoredView[] | null>(null);
   first = $state.raw<Stored | null>(null);
   second = $state.raw<Stored | null>(null);
-  /** The run that is being opened. */
+  /** The name of the run that is being opened. */
   opening = $state<string | null>(null);
   problem = $state('');
   playing = $state(false);
@@ -26,30 +26,30 @@ export class Player {
   skip = $state(false);
   truth = $state(true);
   heat = $state(false);
-  /** Of two runs what the second has more of and less is drawn instead of what it has. */
+  /** Draws the second run's excess over the first, instead of its content. */
   differ = $state(true);
-  /** The instant as text shows it; drawings have every one. */
+  /** The instant of texts; drawings use every one. */
   shown_us = $state(0);
-  /** What somebody has marked in the first run, in order; the browser keeps it. */
+  /** The user's marks in the first run, in order; the browser stores them. */
   marks = $state.raw<readonly number[]>([]);
-  /** How much has come of the day that is shown, where it comes in pieces. */
+  /** Share of the day that has arrived, if it arrives in pieces. */
   share = $state<number | null>(null);
-  /** How much of the log of a long run is read by now. */
+  /** Share of a long run's log that has been read. */
   read = $state<number | null>(null);
-  /** Grows when a day has come. */
+  /** Grows when a day arrives. */
   came = $state(0);
-  /** Grows when somebody goes to another time; not while time goes by. */
+  /** Grows when the user jumps to another time; not as time passes. */
   went = $state(0);
 
   ticker: Ticker | null = null;
   private readonly texts = new Throttle(TEXT_MS);
-  /** Of several runs that were chosen in a row only the last is shown. */
+  /** Of several runs chosen in a row only the last is shown. */
   private asked = 0;
   private askedBeside = 0;
 
   constructor(private readonly server: Pick<Server, 'json' | 'packed'>) {}
 
-  /** Fetches the list, and opens a run of this name, or the latest, at a moment of its clock. */
+  /** Fetches the list, and opens a run with this name, or the latest, at a moment of its clock. */
   async begin(name: string | null, moment: string | null = null): Promise<void> {
     await this.refresh();
     if (this.list === null) return;
@@ -57,7 +57,7 @@ export class Player {
     if (wanted !== undefined) await this.open(wanted, moment);
   }
 
-  /** Fetches the list again: a run has come. */
+  /** Fetches the list again after a new run. */
   async refresh(): Promise<void> {
     try {
       this.list = await this.server.json<StoredView[]>('/api/runs');
@@ -96,7 +96,7 @@ export class Player {
     }
   }
 
-  /** The run that is shown is gone. */
+  /** The run on display was deleted. */
   close(): void {
     this.pause();
     this.asked += 1;
@@ -125,7 +125,7 @@ export class Player {
     }
   }
 
-  /** What is told of a run grows until all of its log is read. */
+  /** The view of a run grows until all of its log is read. */
   private async readOn(run: Stored): Promise<void> {
     const wanted = () => run === this.first || run === this.second;
     try {
@@ -136,26 +136,26 @@ export class Player {
     if (run === this.first) this.read = null;
   }
 
-  /** Where the second run is. */
+  /** The instant of the second run. */
   get second_us(): number | null {
     return this.first && this.second && this.ticker ? follow(this.first.view, this.ticker.now_us, this.second.view) : null;
   }
 
-  /** What a run is called where two are shown. */
+  /** The name of a run next to another one. */
   called({ view }: Stored): string {
     const listed = this.list?.find(({ name }) => name === view.name);
-    return listed === undefined ? view.name : calledOf(listed);
+    return listed === undefined ? view.name : runName(listed);
   }
 
-  /** What the second run has of a day of the first; its day may be on its way. */
+  /** The second run's day that corresponds to a day of the first; it may not have arrived. */
   besideOn(number: number): Other | null {
     if (this.first === null || this.second === null) return null;
     const { view } = this.second;
-    const beside = dayBeside(this.first.view, number, view);
+    const beside = correspondingDay(this.first.view, number, view);
     return { view, day: beside === null ? null : this.second.at(view.days[beside.number]!.begin_us), later_us: beside?.later_us ?? 0 };
   }
 
-  /** Marks the time that is shown, or takes the mark away. */
+  /** Marks the present time, or removes the mark. */
   mark(): void {
     if (this.first === null || this.ticker === null) return;
     const at_us = Math.round(this.ticker.now_us);
@@ -164,7 +164,7 @@ export class Player {
     keepMarks(this.first.view.name, this.marks);
   }
 
-  /** Has days of the first run fetched that are in sight, and those of the second beside them; of too many only the counts of both. */
+  /** Fetches the visible days of the first run, and those of the second next to them; for too many days only the counts of both. */
   async look(numbers: readonly number[]): Promise<void> {
     const { first, second } = this;
     if (first === null) return;
@@ -174,7 +174,7 @@ export class Player {
     }
     for (const number of numbers) {
       if (first.known(number) === null) await this.fetch(first, number, false);
-      const beside = second === null ? null : dayBeside(first.view, number, second.view);
+      const beside = second === null ? null : correspondingDay(first.view, number, second.view);
       if (second !== null && beside !== null && second.known(beside.number) === null) await this.fetch(second, beside.number, false);
     }
   }
@@ -190,12 +190,11 @@ export class Player {
     }
   }
 
-  /** Time goes by. */
   step(seconds: number, now_ms: number): void {
     const { ticker } = this;
     if (ticker === null) return;
     const before = ticker.number;
-    // A page that was hidden does not make up for it.
+    // A hidden page does not catch up.
     ticker.step(Math.min(seconds, 0.25));
     if (ticker.number !== before || (ticker.playing && this.first?.at(ticker.now_us) === null)) this.load();
     if (this.playing !== ticker.playing) this.show();
@@ -210,7 +209,7 @@ export class Player {
     this.load();
   }
 
-  /** What comes in pieces is left as it is. */
+  /** Cancels the rest of a day in pieces. */
   stop(): void {
     this.first?.stop();
   }
@@ -242,7 +241,6 @@ export class Player {
     this.arrive();
   }
 
-  /** What was chosen holds from now on. */
   set(): void {
     if (this.ticker === null) return;
     this.ticker.speed = this.speed;
@@ -262,7 +260,7 @@ export class Player {
     this.playing = this.ticker.playing;
   }
 
-  /** Fetches today of each run, then what comes next and what was before. */
+  /** Fetches the present day of each run, then the next and the one before. */
   private load(): void {
     for (const [run, at] of [[this.first, this.ticker?.now_us ?? null], [this.second, this.second_us]] as const) {
       if (run === null || at === null) continue;
@@ -274,7 +272,7 @@ export class Player {
     }
   }
 
-  /** @returns whether the day is here. One that is not wanted yet may fail to come: it is asked for again on its day. */
+  /** @returns whether the day is here. A failed fetch in advance is repeated on that day. */
   private async fetch(run: Stored, number: number, now: boolean): Promise<boolean> {
     if (number < 0 || number >= run.view.days.length) return false;
     const isNew = !run.has(number);

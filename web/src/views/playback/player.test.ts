@@ -5,7 +5,7 @@ import { Player } from './player.svelte';
 
 const DAYS = 5;
 
-/** What the server answers, by path; what is `held` waits until it is let go, and what is `broken` fails. */
+/** The answers of the server, by path; `held` ones wait until they are released, and `broken` ones fail. */
 let held: Map<string, () => void>;
 let holds: Set<string>;
 let broken: Set<string>;

@@ -1,4 +1,4 @@
-// A stored run as the page knows it, and the days of it that have been fetched. Log and truth of a long run are still read while it is open.
+// A stored run with its fetched days. Log and truth of a long run are still being read while it is open.
 
 import { createSubscriber } from 'svelte/reactivity';
 import type { Sight } from '../../charts/axis';
@@ -8,16 +8,16 @@ import { dayAt } from '../../localtime';
 import { type Server, lanesPath, readingPath, restPath, storedPath } from '../../server';
 import type { DayView, LanesView, PlaybackView, ReadingView } from '../../wire';
 import { type Day, prepare } from './day';
-import { OUT, placeName, spansIn } from './doubt';
-import { type Pair, dayBeside, pairsOf, sensorName, sensorPairs } from './twin';
+import { OUT, placeName, spansIn } from './uncertainty';
+import { type Pair, correspondingDay, pairsOf, sensorName, sensorPairs } from './comparison';
 
-/** So many days are kept; those that were wanted longest ago go first. */
+/** Number of days that are kept; the least recently used go first. */
 const KEPT = 12;
 
-/** So often is asked how far a log is read. */
+/** Interval of progress requests. */
 const ASKED_EACH_MS = 300;
 
-/** After so many answers what the log comes to is fetched anew. */
+/** Number of progress answers after which the summary of the log is fetched anew. */
 const RENEWED_EACH = 5;
 
 export class Stored {
@@ -25,10 +25,10 @@ export class Stored {
   private grown: () => void = () => {};
   private readonly days = new Map<number, Day>();
   private readonly coming = new Map<number, Promise<Day>>();
-  /** How often each sensor spoke over the whole run, once that is here. */
+  /** Firings of each sensor over the whole run, once they have arrived. */
   lanes: LanesView | null = null;
   private counting: Promise<LanesView> | null = null;
-  /** Nothing more of a day that is on its way is asked for. */
+  /** Ends the requests for a day in pieces. */
   private stopped = false;
 
   constructor(
@@ -45,20 +45,20 @@ export class Stored {
     return new Stored(await server.json<PlaybackView>(storedPath(name)), server);
   }
 
-  /** What is known of the run by now. */
+  /** The present view of the run. */
   get view(): PlaybackView {
     this.watched();
     return this.known_;
   }
 
-  /** Fetches what log and truth come to by now; the home and the days stay as they are. */
+  /** Fetches the present summary of log and truth; the home and the days stay. */
   private async renew(): Promise<void> {
     const { sensors, values, hours, remarks, activities, spans, read_us } = await this.server.json<PlaybackView>(storedPath(this.known_.name));
     this.known_ = { ...this.known_, sensors, values, hours, remarks, activities, spans, read_us };
     this.grown();
   }
 
-  /** Waits until all of the log is read, or nobody wants it any more; `onshare` is told how much has come. */
+  /** Waits until all of the log is read, or until it is no longer wanted; `onshare` gets the share. */
   async readAll(wanted: () => boolean, onshare: (share: number) => void): Promise<void> {
     for (let asked = 1; this.known_.read_us !== null && wanted(); asked++) {
       const read_us = await this.ask();
@@ -67,7 +67,7 @@ export class Stored {
     }
   }
 
-  /** Up to when the log is read after a little while; null is all. */
+  /** The instant up to which the log is read, after a pause; null for all. */
   private async ask(): Promise<number | null> {
     await new Promise((resolve) => setTimeout(resolve, ASKED_EACH_MS));
     return (await this.server.json<ReadingView>(readingPath(this.known_.name))).read_us;
@@ -82,12 +82,12 @@ export class Stored {
     }
   }
 
-  /** The day of an instant, if it is here already. */
+  /** The day of an instant, if it has arrived. */
   at(at_us: number): Day | null {
     return this.days.get(dayAt(this.view, at_us)) ?? null;
   }
 
-  /** Fetches how often each sensor spoke over the whole run. */
+  /** Fetches the firings of each sensor over the whole run. */
   async count(): Promise<void> {
     if (this.lanes !== null) return;
     this.counting ??= this.server.packed<LanesView>(lanesPath(this.view.name));
@@ -98,7 +98,7 @@ export class Stored {
     }
   }
 
-  /** A day by its number, if it is here already. */
+  /** A day by its number, if it has arrived. */
   known(number: number): Day | null {
     return this.days.get(number) ?? null;
   }
@@ -107,23 +107,23 @@ export class Stored {
     return this.days.has(number);
   }
 
-  /** What has come of days that are on their way is all that is shown of them. */
+  /** Days on their way are shown with the pieces that have arrived. */
   stop(): void {
     if (this.coming.size > 0) this.stopped = true;
   }
 
-  /** A day of a very large truth comes in pieces. */
+  /** A day of a very large truth arrives in pieces. */
   private async pieces(number: number, onshare: (share: number) => void): Promise<DayView> {
     this.stopped = false;
     const { begin_us, end_us } = this.view.days[number]!;
     await this.readUpTo(end_us, onshare);
     const view = await this.server.packed<DayView>(storedPath(this.view.name, number));
-    // Sensors or values of the day may be new.
+    // The day may have new sensors or values.
     if (this.known_.read_us !== null) await this.renew();
     while (view.until_us < end_us && !this.stopped) {
       onshare((view.until_us - begin_us) / Math.max(end_us - begin_us, 1));
       const more = await this.server.packed<DayView>(restPath(this.view.name, number, view.until_us));
-      // A server that does not come on would be asked for ever.
+      // Without progress of the server, requests would never end.
       if (more.until_us <= view.until_us) break;
       view.until_us = more.until_us;
       more.lives.forEach(({ movements }, who) => {
@@ -135,11 +135,11 @@ export class Stored {
     return view;
   }
 
-  /** A day, fetched if need be. */
+  /** A day, fetched if necessary. */
   async day(number: number, onshare: (share: number) => void = () => {}): Promise<Day> {
     const known = this.days.get(number);
     if (known !== undefined) {
-      // It is the last one that was wanted now.
+      // It is the most recently used one now.
       this.days.delete(number);
       this.days.set(number, known);
       return known;
@@ -161,19 +161,19 @@ export class Stored {
   }
 }
 
-/** What else is drawn beside days: the same of another run, on the first run's time. */
+/** The corresponding content of another run, in the first run's time. */
 export type Other = { view: PlaybackView; day: Day | null; later_us: number };
 
-/** So many days at most are drawn firing by firing; of more only counts are. */
+/** Largest number of days that are drawn firing by firing; more are drawn as counts. */
 export const MOST_DAYS = 4;
 
-/** The days of a run that are in sight. */
+/** The visible days of a run. */
 export function daysIn(view: PlaybackView, { from_us, to_us }: Sight): number[] {
   const [first, last] = [dayAt(view, from_us), dayAt(view, Math.max(to_us - 1, from_us))];
   return Array.from({ length: last - first + 1 }, (_, index) => first + index);
 }
 
-/** What is in sight as it is drawn; of days that have not been fetched nothing is in it. With `others` another run's days beside these. */
+/** The drawing of the visible interval, without days that have not arrived. With `others`, another run's days next to these. */
 export function drawingOf(
   view: PlaybackView, sight: Sight, days: readonly (Day | null)[], truth: boolean, { rooms = false, others = null as (Other | null)[] | null } = {},
 ): Drawing {
@@ -190,16 +190,16 @@ export function drawingOf(
   };
 }
 
-/** A run as a whole, as far as its counts are here. */
+/** A run as a whole, as far as its counts have arrived. */
 export type Whole = { view: PlaybackView; whole: LanesView | null };
 
-/** The whole run as counts, where it is too long to be drawn firing by firing. With `other` another run's counts beside its own. */
+/** The whole run as counts, if it is too long to be drawn firing by firing. With `other`, another run's counts next to its own. */
 export function wholeOf({ view, whole }: Whole, truth: boolean, other: Whole | null = null): Pick<Drawing, 'bands' | 'lanes'> {
   if (other === null) {
     const lanes = view.sensors.map((_, sensor) => ({ ...laneOf(view, sensor, []), ...(whole === null ? {} : { density: countsFor(whole, sensor) }) }));
     return { bands: longBands(view, truth, view.spans), lanes };
   }
-  const days = view.days.map((_, number) => dayBeside(view, number, other.view));
+  const days = view.days.map((_, number) => correspondingDay(view, number, other.view));
   const beside = longBands(other.view, truth, spansBeside(other.view, days));
   return { bands: besideEachOther(longBands(view, truth, view.spans), beside), lanes: pairedCounts({ view, whole }, other, days) };
 }
@@ -209,7 +209,7 @@ function longBands(view: PlaybackView, truth: boolean, spans: PlaybackView['span
   return view.residents.map(({ name }, who) => ({ name, who, spans: spans[who] ?? [], names: view.activities }));
 }
 
-/** A resident's bands of two runs stand below each other. */
+/** A resident's bands of two runs are below each other. */
 function besideEachOther(own: Band[], beside: Band[]): Band[] {
   const others = beside.map((band) => ({ ...band, isBeside: true }));
   return own.flatMap((band, index) => [band, ...others.slice(index, index + 1)]).concat(others.slice(own.length));
@@ -241,7 +241,7 @@ function laneOf(view: PlaybackView, sensor: number, days: readonly Day[]): Lane 
   };
 }
 
-/** What a sensor said, in one run or in several, as numbers between the lowest and the highest of all, if all of it is some, and more than two of them. */
+/** The values of a sensor, in one run or in several, with the range of all, if all are numbers, and at least three differ. */
 function curvesOf(all: readonly { view: PlaybackView; said: ArrayLike<number> }[]): Curve[] | null {
   const found = new Set<number>();
   const curves: ArrayLike<number>[] = [];
@@ -263,7 +263,7 @@ function curvesOf(all: readonly { view: PlaybackView; said: ArrayLike<number> }[
   return curves.map((values) => ({ values, low, high }));
 }
 
-/** Lanes of two runs, of which each sensor has one. */
+/** Lanes of two runs, one for each sensor. */
 function pairedLanes(view: PlaybackView, days: readonly (Day | null)[], others: readonly (Other | null)[]): Lane[] {
   const lanes = new Map<string, { name: string; kind: string; parts: Pair[] }>();
   const there = others.find((other) => other !== null)?.view;
@@ -293,10 +293,10 @@ function pairedLanes(view: PlaybackView, days: readonly (Day | null)[], others: 
   });
 }
 
-/** Which of its days another run has beside each of the first's. */
-type DaysBeside = readonly ReturnType<typeof dayBeside>[];
+/** By day of the first run, the corresponding day of the other. */
+type DaysBeside = readonly ReturnType<typeof correspondingDay>[];
 
-/** The other run's longest activities by the first one's time, on days that the first has. */
+/** The other run's longest activities in the first one's time, on days that the first has. */
 function spansBeside(other: PlaybackView, days: DaysBeside): PlaybackView['spans'] {
   const later = new Map(days.flatMap((day) => (day === null ? [] : [[day.number, day.later_us]])));
   return other.spans.map((spans) => spans.flatMap(([begin, end, what]): typeof spans => {
@@ -305,14 +305,14 @@ function spansBeside(other: PlaybackView, days: DaysBeside): PlaybackView['spans
   }));
 }
 
-/** Counts of two runs, of which each sensor has one lane. */
+/** Counts of two runs, one lane for each sensor. */
 function pairedCounts({ view, whole }: Whole, other: Whole, days: DaysBeside): Lane[] {
   const own = (sensor: number | undefined) => (sensor === undefined ? null : laneOf(view, sensor, []));
   const pairs = sensorPairs(view, other.view);
   if (whole === null) return pairs.map(({ name, kind, first }) => own(first) ?? { name, kind, fired: [] });
   const { bucket_us } = whole;
   const parts = Math.max(...whole.counts.map(({ length }) => length), 0);
-  /** How much later the other run is in each part, where it knows that day. */
+  /** The time difference to the other run in each part, if it has that day. */
   const later = Array.from({ length: parts }, (_, part) => days[dayAt(view, part * bucket_us)]?.later_us ?? null);
   return pairs.map(({ name, kind, first, second }) => {
     const counts = later.map((_, part) => (first === undefined ? 0 : (whole.counts[first]?.[part] ?? 0)));
@@ -325,16 +325,16 @@ function pairedCounts({ view, whole }: Whole, other: Whole, days: DaysBeside): L
   });
 }
 
-/** What residents did, and with `rooms` where. */
+/** Activities of residents, and with `rooms` their rooms. */
 function bandsOf(view: PlaybackView, days: readonly Day[], truth: boolean, rooms: boolean, later_us: number): Band[] {
   if (!truth || view.walk !== null || !view.has_truth) return [];
   const spans = (who: number, of: 'activities' | 'rooms') => {
     const all = days.flatMap((day) => day.view.lives[who]?.[of] ?? []);
-    // What goes on over midnight is told of both days.
+    // An activity over midnight is in both days.
     const once = all.filter(([begin], index) => index === 0 || begin > all[index - 1]![0]);
     return later_us === 0 ? once : once.map(([begin, end, what]) => [begin - later_us, end - later_us, what] as const);
   };
-  // Whoever does not come on these days takes no room.
+  // People who do not come on these days take no room.
   const comes = (who: number) => who === 0 || days.length === 0 || days.some((day) => (day.view.lives[who]?.activities.length ?? 0) + (day.view.lives[who]?.rooms.length ?? 0) > 0);
   return view.residents.flatMap(({ name }, who): Band[] => !comes(who) ? [] : [
     { name, who, spans: spans(who, 'activities'), names: view.activities },
@@ -342,7 +342,7 @@ function bandsOf(view: PlaybackView, days: readonly Day[], truth: boolean, rooms
   ]);
 }
 
-/** How likely residents were in each room, and out. */
+/** Probabilities of rooms and of being out, by resident. */
 function shadesOf(view: PlaybackView, days: readonly Day[]): Shade[] {
   const by = (place: number) => view.residents.map((_, who) => days.flatMap((day) => {
     const doubt = day.doubts[who];

@@ -1,4 +1,4 @@
-// Where a stored run is, and where it is next: it plays, jumps over stillness, and waits for a day that is not here yet.
+// The position in a stored run: it plays, skips quiet intervals, and waits for days that have not arrived.
 
 import { type Day, spanAt } from './day';
 import { clockOf, dayAt, instantOf } from '../../localtime';
@@ -9,7 +9,7 @@ export class Ticker {
   playing = false;
   speed = 1;
   skip = false;
-  /** Without truth a run is still where no sensor says anything. */
+  /** Without truth, a run without messages counts as quiet. */
   alone = false;
 
   constructor(public run: Stored) {}
@@ -18,7 +18,7 @@ export class Ticker {
     return this.now_us >= this.run.view.length_us;
   }
 
-  /** At the run's end it starts again with the day's beginning. */
+  /** At the run's end it restarts at the day's beginning. */
   play(): void {
     if (this.over) this.now_us = this.today.begin_us;
     this.playing = this.run.view.length_us > 0;
@@ -36,26 +36,26 @@ export class Ticker {
     if (Number.isFinite(to_us)) this.now_us = Math.min(Math.max(to_us, 0), this.run.view.length_us);
   }
 
-  /** Goes on by so many seconds of the watcher's time. */
+  /** Advances by seconds of the watcher's time. */
   step(seconds: number): void {
     if (!this.playing) return;
     const day = this.run.at(this.now_us);
-    // What is not here yet cannot be shown: time stands.
+    // Time stands still without the day.
     if (day === null) return;
     const { end_us } = this.today;
     let next = this.now_us + seconds * this.speed * 1e6;
     if (this.skip) next = Math.max(next, this.awake(day, Math.min(next, end_us)));
-    // A day that is over hands over to the next, so that none is jumped over unseen.
+    // Each day ends at its end, so that no day is skipped unseen.
     this.now_us = Math.min(next, end_us);
     if (this.over) this.playing = false;
   }
 
-  /** The end of the stillness at an instant. */
+  /** The end of the quiet interval at an instant. */
   private awake(day: Day, at_us: number): number {
     return spanAt(this.alone ? day.quiet : day.still, at_us)?.[1] ?? at_us;
   }
 
-  /** By days, at the same time on the clock as far as there is one. */
+  /** Moves by days, at the same time of the clock if possible. */
   turn(days: number): void {
     const { view } = this.run;
     const number = Math.min(Math.max(this.number + days, 0), view.days.length - 1);
@@ -68,12 +68,12 @@ export class Ticker {
     this.now_us = Math.min(Math.max(instantOf(view, wanted) ?? (days < 0 ? begin_us : end_us - 1), begin_us), end_us - 1);
   }
 
-  /** The beginning of the next or the last activity of anybody; of a log that was walked back, of a stay in a room. */
+  /** The start of the next or the last activity of any resident; for located people, of a stay in a room. */
   activity(forward: boolean): boolean {
     const day = this.run.at(this.now_us);
     const { spans: done, walk } = this.run.view;
     const spans = walk === null ? [...done.flat(), ...(day?.view.lives.flatMap(({ activities }) => activities) ?? [])] : walk.stays.flat();
-    // A second's grace: who asks for the last one while it plays wants the one before.
+    // A grace of a second: asking for the last one during playback means the one before.
     const found = spans.map(([begin]) => begin).filter((begin) => (forward ? begin > this.now_us : begin < this.now_us - 1e6));
     if (found.length === 0) return false;
     this.go(found.reduce((a, b) => (forward ? Math.min(a, b) : Math.max(a, b))));

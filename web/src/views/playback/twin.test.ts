@@ -4,18 +4,18 @@ import { laneAt } from '../../timeline/read';
 import { tableOf } from '../../timeline/table';
 import { date, daysFrom } from '../../testing/dates';
 import { storedDay, storedRun } from '../../testing/stored';
-import { calledOf } from './called';
+import { runName } from './run-names';
 import { prepare } from './day';
 import { heatMore, heatOf } from './heat';
 import { drawingOf, wholeOf } from './stored';
-import { dayBeside, hoursMore, lacking, pairsOf, spent } from './twin';
+import { correspondingDay, hoursMore, withoutCounterpart, pairsOf, spent } from './comparison';
 
 const HOUR = 3_600_000_000;
 const DAY = 24 * HOUR;
 const one = storedRun('one');
 const day = prepare(one, 0, storedDay(one, 0));
 const busiest = day.fired.reduce((most, fired, sensor) => (fired.length > day.fired[most]!.length ? sensor : most), 0);
-/** The same day without the first firing of the busiest sensor, and with one more of its own. */
+/** The same day without the first firing of the busiest sensor, and with an additional one. */
 const twin = storedRun('two');
 const other = (() => {
   const view = storedDay(twin, 0);
@@ -26,10 +26,10 @@ const other = (() => {
 })();
 
 test('a firing stands for one of the other run that is near; what has none is lacking there', () => {
-  expect(lacking([10, 20, 30], [11, 31], 2)).toEqual([20]);
-  expect(lacking([10, 11], [10], 2)).toEqual([11]);
-  expect(lacking([5], [8], 2)).toEqual([5]);
-  expect(lacking([], [8], 2)).toEqual([]);
+  expect(withoutCounterpart([10, 20, 30], [11, 31], 2)).toEqual([20]);
+  expect(withoutCounterpart([10, 11], [10], 2)).toEqual([11]);
+  expect(withoutCounterpart([5], [8], 2)).toEqual([5]);
+  expect(withoutCounterpart([], [8], 2)).toEqual([]);
 });
 
 test('what one run has and the other lacks is told by sensor; the same run twice lacks nothing', () => {
@@ -50,8 +50,8 @@ test('a sensor that only the second run has is a lane of its own, and what is no
 
 test('lanes and bands of both runs are by the first one’s time', () => {
   const late = storedRun('late', 3, { days: [date('2009-03-01', 0), date('2009-03-02', DAY), date('2009-03-03', 2 * DAY)] });
-  expect(dayBeside(one, 0, late)).toEqual({ number: 1, later_us: DAY });
-  expect(dayBeside(one, 2, late)).toBeNull();
+  expect(correspondingDay(one, 0, late)).toEqual({ number: 1, later_us: DAY });
+  expect(correspondingDay(one, 2, late)).toBeNull();
   const there = prepare(late, 1, storedDay(late, 1));
   const drawing = drawingOf(one, { from_us: 0, to_us: DAY }, [day], true, { others: [{ view: late, day: there, later_us: DAY }] });
   expect(drawing.bands).toHaveLength(4);
@@ -60,7 +60,7 @@ test('lanes and bands of both runs are by the first one’s time', () => {
 });
 
 test('of many days the counts of both runs are by the first one’s time; what the second does not know differs in nothing', () => {
-  // The second began a day earlier, and has a sensor that the first has not; it ends a day before the first does.
+  // The second began a day earlier, has an additional sensor, and ends a day before the first.
   const early = storedRun('early', 3, { days: daysFrom('2009-03-01', 3 * DAY), home: { ...twin.home, sensors: twin.home.sensors.map((sensor, index) => (index === 1 ? { ...sensor, name: 'a new one' } : sensor)) } });
   const whole = { bucket_us: HOUR, counts: one.sensors.map(() => Array.from({ length: 72 }, () => 4)) };
   const other = { bucket_us: HOUR, counts: early.sensors.map((_, sensor) => Array.from({ length: 72 }, (_, part) => (part < 24 ? 100 : part < 48 ? 4 + sensor : 0))) };
@@ -74,12 +74,12 @@ test('of many days the counts of both runs are by the first one’s time; what t
   expect([days(lanes[1]!)[0], days(lanes.at(-1)!)[0]]).toEqual([[96, 0, 96], [0, 24 * 5, 0]]);
   expect(countIn(lanes[2]!, { from_us: 0, to_us: DAY })).toBe(96 + 24 * 6);
   expect(laneAt(lanes[2]!, HOUR, HOUR)!.words).toBe('about 8 events here, in the second run 12');
-  // Bands stand below each other, those of the second a day earlier than by its own time.
+  // Bands are below each other, those of the second a day earlier than in its own time.
   expect(bands.map(({ isBeside, spans }) => [isBeside ?? false, spans[0]![0], spans.length])).toEqual([[false, 0, 6], [true, 0, 4], [false, 0, 6], [true, 0, 4]]);
   const table = tableOf({ from_us: 0, to_us: HOUR }, bands.slice(0, 2), [lanes[2]!], String, { first: 'one', second: 'early' });
   const of = (row: string) => [2, 5].map((column) => row.split(',')[column]);
   expect(table.trim().split('\n').map(of)).toEqual([['what', 'run'], ['activity', 'one'], ['activity beside', 'early'], ['count', 'one'], ['count beside', 'early']]);
-  // As long as the counts of one are on their way, there are none of it.
+  // Until the counts of one arrive, there are none of it.
   expect(wholeOf({ view: one, whole }, true, { view: early, whole: null }).lanes[2]!.densityBeside).toBeUndefined();
   expect(wholeOf({ view: one, whole: null }, true, { view: early, whole: other }).lanes).toHaveLength(lanes.length);
 });
@@ -106,15 +106,15 @@ test('numbers of both runs are curves between the lowest and the highest of both
   const numbers = { curve: lanes[0]!.curve!, beside: lanes[0]!.beside!.curve! };
   expect([Array.from(numbers.curve.values), Array.from(numbers.beside.values)]).toEqual([[20.5, 21], [20.5, 19]]);
   expect([numbers.curve, numbers.beside].map(({ low, high }) => [low, high])).toEqual([[19, 21], [19, 21]]);
-  // A word in one of both, and neither is a curve.
+  // One has a word as a value, so neither is a curve.
   expect([lanes[1]!.curve, lanes[1]!.beside!.curve]).toEqual([undefined, undefined]);
 });
 
 test('twins are called by what they were lived without, behind the name that somebody gave them', () => {
   const run = { name: 'flat-2', about: { title: '', note: '' }, without: ['low_mood', 'insomnia'] };
-  expect(calledOf({ ...run, without: [] })).toBe('flat-2');
-  expect(calledOf(run)).toBe('flat-2 without low mood, insomnia');
-  expect(calledOf({ ...run, about: { title: 'the well one', note: '' } })).toBe('the well one (flat-2) without low mood, insomnia');
+  expect(runName({ ...run, without: [] })).toBe('flat-2');
+  expect(runName(run)).toBe('flat-2 without low mood, insomnia');
+  expect(runName({ ...run, about: { title: 'the well one', note: '' } })).toBe('the well one (flat-2) without low mood, insomnia');
 });
 
 test('time in rooms and hours of the log differ by what the second has more', () => {

@@ -16,9 +16,9 @@ async function settle(): Promise<void> {
   flushSync();
 }
 
-async function begin(names = ['cottage-2', 'cottage-1'], make: (name: string) => PlaybackView = storedRun, listed: Record<string, Partial<StoredView>> = {}, goesOn: string | null = null): Promise<void> {
+async function begin(names = ['cottage-2', 'cottage-1'], make: (name: string) => PlaybackView = storedRun, listed: Record<string, Partial<StoredView>> = {}, ongoing: string | null = null): Promise<void> {
   const server = new Server('token', () => {}, fakeRuns(names, make, listed));
-  view = mount(PlaybackPage, { target: document.body, props: { live: { server, goesOn } as Live } });
+  view = mount(PlaybackPage, { target: document.body, props: { live: { server, ongoing } as Live } });
   for (let turn = 0; turn < 10; turn++) await settle();
 }
 
@@ -68,7 +68,7 @@ test('zooming and looking elsewhere leave the clock and the address as they are'
   for (let turn = 0; turn < 4; turn++) await settle();
   expect([said(), window.location.hash]).toEqual([time, address]);
   expect(document.querySelector('.tools .title')!.textContent).not.toBe('Day 3 of 30');
-  // The way back, and a time that is gone to comes into sight.
+  // The way back, and the target of a jump becomes visible.
   button('◂ 4 March, 08:00:00').click();
   for (let turn = 0; turn < 4; turn++) await settle();
   expect(button('◂')).toBeUndefined();
@@ -114,7 +114,7 @@ test('an address of another view is left alone', async () => {
   await vi.advanceTimersByTimeAsync(400);
   expect(window.location.hash).toMatch(/^#\/playback\/cottage-2@\d+-03-02T00:01:00$/);
   press('ArrowRight', slider('Time of the day'));
-  // Who goes back is there before the page has heard of it.
+  // After a step back, the address changes before the page gets the event.
   window.history.replaceState(null, '', '#/care/cottage-2');
   await vi.advanceTimersByTimeAsync(400);
   expect(window.location.hash).toBe('#/care/cottage-2');
@@ -150,7 +150,7 @@ test('a run that is being lived is said to be, wherever its length would be', as
   expect(text()).not.toContain('no rows yet');
   expect(text()).not.toContain('of 3');
   expect(slider('Time in the run').getAttribute('aria-valuetext')).toBe('2 March, 00:00:00, day 1');
-  // The other is whole.
+  // The other is complete.
   choose('#first-run', 'cottage-1');
   for (let turn = 0; turn < 5; turn++) await settle();
   expect(text()).toContain('no rows yet');
@@ -266,7 +266,7 @@ test('what a log holds, and how real it is, is shown from the commands’ pages,
   expect(page()!.textContent).toContain('look of week');
   button('Realism check').click();
   for (let turn = 0; turn < 3; turn++) await settle();
-  // Beside what was lived again, at first.
+  // By default, next to the simulated path.
   expect(page()!.textContent).toContain('realism/week of week');
   choose('#beside-log', 'other');
   for (let turn = 0; turn < 3; turn++) await settle();

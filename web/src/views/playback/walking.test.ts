@@ -1,14 +1,14 @@
 import { afterEach, beforeEach, expect, test, vi } from 'vitest';
 import { Refused } from '../../server';
 import type { WalkingView } from '../../wire';
-import { Walking } from './walking.svelte';
+import { Locating } from './locating.svelte';
 
 const view = (part: Partial<WalkingView>): WalkingView => ({ log: 'week.csv', state: 'walking', share: 0, run: null, problem: null, ...part });
 
 let answers: (WalkingView | null)[];
 let sent: string[];
 let done: string[];
-let walking: Walking;
+let walking: Locating;
 let refuses: string | null;
 
 const server = {
@@ -29,7 +29,7 @@ const log = (text = 'time,sensor,value\n', name = 'week.csv') => new File([text]
 beforeEach(() => {
   vi.useFakeTimers();
   [sent, done, refuses, answers] = [[], [], null, [null]];
-  walking = new Walking(server, (run) => done.push(run));
+  walking = new Locating(server, (run) => done.push(run));
 });
 
 afterEach(() => vi.useRealTimers());
@@ -38,11 +38,11 @@ test('a log is sent, its share shown, and its run opened once', async () => {
   answers = [view({ share: 0.2 }), view({ share: 0.7 }), view({ state: 'done', share: 1, run: 'week-walked-1/run' })];
   await walking.open(log(), 'older/one');
   expect(sent).toEqual(['/api/walk/week.csv/older%2Fone']);
-  expect([walking.isGoingOn, walking.view!.share]).toEqual([true, 0.2]);
+  expect([walking.isRunning, walking.view!.share]).toEqual([true, 0.2]);
   await vi.advanceTimersByTimeAsync(400);
   expect(walking.view!.share).toBe(0.7);
   await vi.advanceTimersByTimeAsync(2000);
-  expect([walking.isGoingOn, done]).toEqual([false, ['week-walked-1/run']]);
+  expect([walking.isRunning, done]).toEqual([false, ['week-walked-1/run']]);
 });
 
 test('what another page has opened is seen, and what was over before is not opened again', async () => {
@@ -62,7 +62,7 @@ test('why a log cannot be opened is said', async () => {
   expect(walking.problem).toContain('Cannot open week.csv: none of the sensors');
   refuses = 'Homebody is still locating people in other.csv. Wait until it has finished, or stop it.';
   await walking.open(log(), null);
-  expect([walking.problem, walking.isGoingOn]).toEqual([refuses, false]);
+  expect([walking.problem, walking.isRunning]).toEqual([refuses, false]);
 });
 
 test('an empty log, and one that is too large, are not sent', async () => {
