@@ -1,8 +1,6 @@
 //! What is put up in a home, in words that lead there, and two layouts side by side.
 
-mod home;
-
-use home::two_rooms;
+use crate::home::two_rooms;
 use homebody_analysis::parts::{PartsList, SensorLayout, beside};
 use homebody_core::home::form::HomeFile;
 use homebody_core::resident::Build;

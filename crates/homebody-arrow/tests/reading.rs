@@ -1,8 +1,6 @@
 //! Files of other programs are read whatever types they have, and damaged ones are refused in words that name them.
 
-#[path = "../../homebody-log/tests/stage/mod.rs"]
-mod stage;
-
+use crate::stage::{self, Folder};
 use arrow_array::builder::StringViewBuilder;
 use arrow_array::types::Int8Type;
 use arrow_array::*;
@@ -12,7 +10,6 @@ use homebody_log::log::Clock;
 use homebody_log::registry::{Registry, install};
 use homebody_log::{Log, LogError, LogSource, read};
 use parquet::arrow::ArrowWriter;
-use stage::Folder;
 use std::fs::{self, File};
 use std::path::Path;
 use std::sync::Arc;

@@ -4,8 +4,7 @@
 //! are themselves up to an update apart), or to a movement that no ray's length can show, because the visible part
 //! of the beam lies wholly inside the body or the body touches it less than a millimetre deep.
 
-mod random_home;
-
+use crate::random_home::{self, Model};
 use homebody_core::event::{Events, Fact, Firing};
 use homebody_core::geometry::Point;
 use homebody_core::home::Home;
@@ -18,7 +17,6 @@ use homebody_core::time::{Interval, MINUTE, RunTime, SECOND, Span, joined};
 use homebody_core::world::World;
 use homebody_oracle::paper::PaperEye;
 use homebody_oracle::{Loop, Player, Remainder, brute::BruteEye};
-use random_home::Model;
 use std::sync::Arc;
 
 /// A sixtieth of a second, rounded up.

@@ -3,8 +3,7 @@
 //! Texts here are ours. The recordings themselves are read where HOMEBODY_DATA names the folder that holds them, and their counts
 //! are held against those of a few lines of Python.
 
-mod stage;
-
+use crate::stage::Folder;
 use homebody_core::scenario::logger::LoggerFile;
 use homebody_core::time::{DAY, MINUTE, SECOND, WallTime};
 use homebody_log::convert;
@@ -12,7 +11,6 @@ use homebody_log::log::Clock;
 use homebody_log::registry::FORMS;
 use homebody_log::{Log, LogError, LogSource, Transfer, WriteMode, read, survey};
 use rusqlite::Connection;
-use stage::Folder;
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;

@@ -1,7 +1,6 @@
 //! Logs are read back, whoever wrote them.
 
-mod stage;
-
+use crate::stage::{self, Folder};
 use homebody_core::scenario::logger::{LoggerFile, MessagesFile, OnOffFile, TimeFormat};
 use homebody_core::time::UtcTime;
 use homebody_log::convert;
@@ -9,7 +8,6 @@ use homebody_log::limits::{LONGEST_ID, LONGEST_ROW_BYTES, LONGEST_VALUE, MOST_CE
 use homebody_log::log::Clock;
 use homebody_log::{Log, LogError, LogSource, Transfer, Url, WriteMode, read, stream, survey};
 use rusqlite::Connection;
-use stage::Folder;
 use std::fs;
 use std::path::PathBuf;
 

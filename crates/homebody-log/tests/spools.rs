@@ -1,7 +1,6 @@
 //! A destination that is away while rows are put aside on disk: it gets each of them once, in their order, and nobody else waits.
 
-mod stage;
-
+use crate::stage::{self, Folder};
 use homebody_core::scenario::logger::LoggerFile;
 use homebody_core::time::{RunTime, Span};
 use homebody_log::destination::Note;
@@ -10,7 +9,6 @@ use homebody_log::table::{Batch, Cell};
 use homebody_log::{
     Begin, Cancel, Destination, LogError, Logger, Policy, Sink, Stored, Watermark, WhenDown, WriteMode,
 };
-use stage::Folder;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Arc, Mutex};
 

@@ -1,7 +1,6 @@
 //! What is stored, where, and in which form.
 
-mod stage;
-
+use crate::stage::{self, Folder};
 use homebody_core::event::{Events, Fact, Firing, Provenance, Trigger, Value};
 use homebody_core::geometry::Point;
 use homebody_core::ids::{ResidentId, RoomId, SensorId};
@@ -12,7 +11,6 @@ use homebody_core::time::{MINUTE, RunTime, SECOND, Span};
 use homebody_log::table::truth;
 use homebody_log::{LogError, RowsOfFirings, Url, WriteMode};
 use rusqlite::Connection;
-use stage::Folder;
 use std::collections::BTreeSet;
 
 const ALL: [&str; 3] = ["sqlite:log.db", "csv:log.csv", "casas:log.txt"];

@@ -1,13 +1,11 @@
 //! Tables as people keep them: each is read as what its headings and cells show, or refused with the reason. Texts here are ours.
 
-mod stage;
-
+use crate::stage::texts::{SEVEN, clock, folder, read_text, read_with, rows, told, why};
 use homebody_core::scenario::logger::LoggerFile;
 use homebody_core::time::{DAY, HOUR, MINUTE, WallTime};
 use homebody_log::log::{Clock, ColumnRole};
 use homebody_log::source::{DateOrder, DecimalMark, HomeColumn, TableOptions};
 use homebody_log::{Log, LogError, read};
-use stage::texts::{SEVEN, clock, folder, read_text, read_with, rows, told, why};
 use std::fs;
 
 /// Reads a text as a table, whatever it looks like.

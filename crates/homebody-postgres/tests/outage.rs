@@ -2,19 +2,19 @@
 //!
 //! `HOMEBODY_OUTAGE_S` says for how many seconds; the figures in `docs/how-to/postgresql.md` are those of 60.
 
-#[path = "../../../tests/outage.rs"]
-mod outage;
-mod stage;
-
+use crate::alone::is_alone;
+use crate::outages::{MOST_MIB, Outage, most_mib};
+use crate::stage::Server;
+use crate::stage::life::{destination, firings, run};
 use homebody_log::Policy;
-use outage::{MOST_MIB, Outage, most_mib};
-use stage::Server;
-use stage::life::{destination, firings, run};
 
 const USUAL_S: u64 = 3;
 
 #[test]
 fn who_is_stopped_while_a_thousand_rows_come_a_second_has_each_once() {
+    if !is_alone("outage::who_is_stopped_while_a_thousand_rows_come_a_second_has_each_once", &[]) {
+        return;
+    }
     let Some(mut server) = Server::start() else { return };
     let outage = Outage::of(USUAL_S);
     let to = destination(&server.url("postgres", &server.database("outage"), ""), &Policy::default());

@@ -1,15 +1,13 @@
 //! Tables are read back as they were written, and so are others; how fast a run is, and how its rows are parted, changes nothing.
 
-mod stage;
-
+use crate::stage::life::Life;
+use crate::stage::{self, Server};
 use homebody_core::scenario::logger::{LoggerFile, TimeFormat};
 use homebody_core::time::WallTime;
 use homebody_log::LogSource;
 use homebody_log::log::Clock;
 use homebody_log::{Log, LogError, Policy, Url, read, stream};
 use homebody_postgres::POSTGRESQL;
-use stage::Server;
-use stage::life::Life;
 
 /// Reads a log in a database.
 fn log(url: &str, file: &LoggerFile) -> Result<Log, LogError> {

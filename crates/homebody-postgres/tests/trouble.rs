@@ -1,12 +1,10 @@
 //! What can be wrong with a database is told in words, all at once, with a hint; a password never is.
 
-mod stage;
-
+use crate::stage::Server;
+use crate::stage::life::{Life, patient};
 use homebody_core::scenario::logger::LoggerFile;
 use homebody_log::{LogError, Policy, Sink, Url, WriteMode};
 use homebody_postgres::Postgres;
-use stage::Server;
-use stage::life::{Life, patient};
 use std::fs;
 use std::os::unix::fs::PermissionsExt;
 use std::time::{Duration, Instant};

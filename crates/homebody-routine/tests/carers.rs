@@ -5,9 +5,7 @@
 
 #![allow(clippy::disallowed_methods, reason = "a test may read files; the crate may not")]
 
-mod home;
-
-use home::{home, short};
+use crate::home::{home, short};
 use homebody_core::problem::{Problem, Problems};
 use homebody_routine::language::{KnownNames, routine};
 use homebody_routine::routine::{Activity, Routine};

@@ -1,13 +1,11 @@
 //! Frequencies by day, quiet and busy days, and late rising, measured in the ground truth of months.
 
-mod stage;
-
+use crate::stage::{ORDINARY, activities, day, events, files, hour, household, run};
 use homebody_core::event::{Events, Fact};
 use homebody_core::motion::MotionState;
 use homebody_core::run::Run;
 use homebody_core::time::{DAY, Interval, MINUTE, RunTime};
 use homebody_routine::household::Household;
-use stage::{ORDINARY, activities, day, events, files, hour, household, run};
 
 const BASE: &str = "Margaret is 82. She walks at 0.65 m/s.\nShe gets up at 07:00.\n";
 const BED: &str = "She goes to bed at 22:30.\n";

@@ -1,8 +1,6 @@
 //! The explanation of a routine, in numbers and in words.
 
-mod home;
-
-use home::understood;
+use crate::home::understood;
 use homebody_routine::explain::{ExplanationRow, explain};
 
 fn row(sentence: &str) -> ExplanationRow {

@@ -1,8 +1,6 @@
 //! Sentences about falls: frequency, time of day, activity, and end.
 
-mod home;
-
-use home::{problems, short, understood};
+use crate::home::{problems, short, understood};
 use homebody_routine::explain::explain;
 
 /// The meaning in short; no part of the sentence may be lost.

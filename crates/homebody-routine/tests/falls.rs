@@ -1,14 +1,12 @@
 //! Falls of routines, in the ground truth, in bodies and in passive sensors.
 
-mod stage;
-
+use crate::stage::{activities, events, files, hour, household};
 use homebody_core::event::{Events, Fact};
 use homebody_core::geometry::Point;
 use homebody_core::motion::MotionState;
 use homebody_core::posture::Posture;
 use homebody_core::run::Run;
 use homebody_core::time::{DAY, HOUR, Interval, MINUTE, RunTime, Span, joined};
-use stage::{activities, events, files, hour, household};
 
 const BASE: &str = "Margaret is 82. She walks at 0.65 m/s.\nShe gets up at 07:00.\nShe goes to bed at 22:30.\n";
 

@@ -1,12 +1,10 @@
 //! The effect of sentences, measured in the ground truth of months.
 
-mod stage;
-
+use crate::stage::{activities, day, events, files, hour, household};
 use homebody_core::event::{Events, Fact};
 use homebody_core::motion::MotionState;
 use homebody_core::run::Run;
 use homebody_core::time::{DAY, HOUR, Interval, MINUTE, RunTime, Span};
-use stage::{activities, day, events, files, hour, household};
 use std::collections::BTreeMap;
 
 /// Three meals, up at seven, in bed at half past ten.

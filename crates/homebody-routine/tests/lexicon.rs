@@ -1,10 +1,8 @@
 //! A scenario's lexicon: read together with its routines, checked, and kept with the recording.
 
-mod stage;
-
+use crate::stage::{ORDINARY, files, household};
 use homebody_routine::language::lexicon::{Lexicon, OWN_FILE};
 use homebody_routine::routine::Activity;
-use stage::{ORDINARY, files, household};
 
 const WORDS: &str = "\
 # What Margaret's daughter calls things.

@@ -1,8 +1,6 @@
 //! The page about the language: its examples, its rejected sentences, and its figures.
 
-mod home;
-
-use home::{home, problems, understood};
+use crate::home::{home, problems, understood};
 use homebody_core::fuzzy::Quantifier;
 use homebody_core::problem::Problems;
 use homebody_routine::language::amounts::{ABOUT_SHARE, MONTH_DAYS, PLAIN_SHARE, YEAR_DAYS};

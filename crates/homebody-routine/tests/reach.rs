@@ -1,12 +1,10 @@
 //! Unreachable places: reported before a run where they are needed, replaced where possible, and given up during a run.
 
-mod stage;
-
+use crate::stage::{ORDINARY, activities, events, files, hour, household};
 use homebody_core::geometry::Point;
 use homebody_core::motion::MotionState;
 use homebody_core::run::Run;
 use homebody_core::time::{DAY, HOUR, RunTime, Span};
-use stage::{ORDINARY, activities, events, files, hour, household};
 use std::collections::BTreeMap;
 
 /// Name, position in the way, position elsewhere, and size in metres.

@@ -1,7 +1,6 @@
 //! Invariants of runs with routines, and agreement of routines with the ground truth.
 
-mod stage;
-
+use crate::stage::{ORDINARY, activities, day, events, files, hour, household, run};
 use homebody_core::event::{Events, Fact};
 use homebody_core::fuzzy::Quantifier;
 use homebody_core::geometry::Point;
@@ -9,7 +8,6 @@ use homebody_core::ids::{SensorId, ThingId};
 use homebody_core::motion::MotionState;
 use homebody_core::run::Run;
 use homebody_core::time::{DAY, HOUR, Interval, MINUTE, RunTime, SECOND, Span};
-use stage::{ORDINARY, activities, day, events, files, hour, household, run};
 
 const DECLINE: &str = include_str!("../../../scenarios/tigerplace-decline/margaret.routine");
 /// A link with all faults.

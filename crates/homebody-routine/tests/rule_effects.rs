@@ -1,11 +1,9 @@
 //! The effect of rules, measured in the ground truth of weeks.
 
-mod stage;
-
+use crate::stage::{activities, day, events, files, hour, household};
 use homebody_core::event::Events;
 use homebody_core::run::Run;
 use homebody_core::time::{DAY, HOUR, Interval, MINUTE, RunTime, Span};
-use stage::{activities, day, events, files, hour, household};
 
 const DAYS: i64 = 28;
 const BASE: &str = "Margaret is 82. She walks at 0.65 m/s.\nShe gets up at 07:00.\nShe eats lunch at 12:00 for 30 minutes.\n\

@@ -1,8 +1,7 @@
 //! What a sentence's random numbers hang on: what it says, and nothing else of the text.
 #![expect(clippy::disallowed_methods, reason = "the scenarios are read from their folders")]
 
-mod stage;
-
+use crate::stage::{ORDINARY, events, files, household};
 use homebody_core::event::Events;
 use homebody_core::run::Run;
 use homebody_core::scenario::load::Scenario;
@@ -11,7 +10,6 @@ use homebody_routine::behaviour::agenda::Agenda;
 use homebody_routine::behaviour::item::Item;
 use homebody_routine::household::{CONDITIONS, Household};
 use homebody_routine::routine::Activity;
-use stage::{ORDINARY, events, files, household};
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::{Path, PathBuf};

@@ -5,11 +5,8 @@
 
 #![allow(clippy::disallowed_methods, reason = "a test may read and write files; the crate may not")]
 
-#[path = "../../../tests/generated.rs"]
-mod generated;
-mod home;
-
-use home::{home, short};
+use crate::generated;
+use crate::home::{home, short};
 use homebody_routine::language::{KnownNames, routine};
 use homebody_routine::routine::Activity;
 use serde_json::Value;

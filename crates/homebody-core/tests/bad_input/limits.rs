@@ -6,7 +6,7 @@
     reason = "what reading costs is measured by the clock; the core reads none"
 )]
 
-use crate::*;
+use super::*;
 use std::fmt::Write;
 use std::hint::black_box;
 use std::time::{Duration, Instant};

@@ -1,6 +1,6 @@
 //! Files of the right shape that say what cannot be.
 
-use crate::*;
+use super::*;
 
 #[test]
 #[rustfmt::skip] // A case takes two lines: the change, then its problems.

@@ -1,6 +1,6 @@
 //! What each fault does to the messages of its sensor, and to no other's.
 
-use crate::*;
+use super::*;
 use homebody_core::ids::SensorId;
 use homebody_core::time::Interval;
 

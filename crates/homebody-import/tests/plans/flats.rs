@@ -1,6 +1,6 @@
 //! Flats that somebody might have drawn.
 
-use crate::plan::{Home, door, piece, room, two_rooms, two_rooms_walls, wall};
+use crate::plans::plan::{Home, door, piece, room, two_rooms, two_rooms_walls, wall};
 use homebody_core::geometry::{self, Point, point};
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};
 

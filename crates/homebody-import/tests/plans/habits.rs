@@ -1,7 +1,7 @@
 //! How people draw, each habit in a small plan: ceilings, names written as text, holes, two leaves of a door, rooms without walls,
 //! one room around all, terraces.
 
-use crate::plan::{Home, door, piece, room, two_rooms, two_rooms_walls, wall};
+use crate::plans::plan::{Home, door, piece, room, two_rooms, two_rooms_walls, wall};
 use homebody_core::geometry::{self, Point};
 use std::f64::consts::FRAC_PI_2;
 

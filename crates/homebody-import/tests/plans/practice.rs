@@ -1,6 +1,6 @@
 //! What real plans have, each in a small plan: flat things, names in other languages, low windows, thick walls, gaps.
 
-use crate::plan::{Home, archive, door, import, piece, room, two_rooms, two_rooms_walls, wall};
+use crate::plans::plan::{Home, archive, door, import, piece, room, two_rooms, two_rooms_walls, wall};
 use homebody_core::geometry::{self, Point};
 use homebody_core::plan::form::FurnitureFile;
 use homebody_core::role::Role;

@@ -1,6 +1,6 @@
 //! Unreachable as drawn: chairs under a table, pieces that stand into a wall, and rooms without a door.
 
-use crate::plan::{Home, door, piece, room, two_rooms, two_rooms_walls};
+use crate::plans::plan::{Home, door, piece, room, two_rooms, two_rooms_walls};
 use homebody_core::geometry;
 use homebody_walk::Mesh;
 use homebody_walk::places::HomePlaces;

@@ -1,6 +1,6 @@
 //! A home that is told what to do.
 
-use crate::broker::{Broker, Heard, Listener, firings, logger, store, wait_for};
+use crate::servers::broker::{Broker, Heard, Listener, firings, logger, store, wait_for};
 use homebody_core::time::{MINUTE, RunTime};
 use homebody_log::WriteMode;
 use homebody_mqtt::{MqttSink, Order, Reply, TakesOrders};

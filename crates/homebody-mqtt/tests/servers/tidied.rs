@@ -1,6 +1,6 @@
 //! A broker is tidied up: of our homes nothing stays, and of others all does.
 
-use crate::broker::{Broker, live};
+use crate::servers::broker::{Broker, live};
 use homebody_mqtt::clean;
 
 #[test]

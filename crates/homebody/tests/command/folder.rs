@@ -233,6 +233,16 @@ impl Running {
     }
 }
 
+/// A process that is killed at the end of the test.
+pub struct Ends(pub Child);
+
+impl Drop for Ends {
+    fn drop(&mut self) {
+        let _ = self.0.kill();
+        let _ = self.0.wait();
+    }
+}
+
 /// A command that has ended.
 pub struct Done {
     words: String,

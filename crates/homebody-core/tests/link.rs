@@ -2,8 +2,6 @@
 
 mod faults;
 mod invariants;
-#[path = "../random_home/mod.rs"]
-mod random_home;
 mod statistics;
 
 use homebody_core::event::{Events, Fact, Firing, Loss, Provenance, Trigger, Value};

@@ -1,11 +1,6 @@
 //! What packages are made of: the unit's and the container's words are understood by the command, and paths lead somewhere.
-#![cfg(unix)]
-#![allow(dead_code, reason = "what tests of several programs share is used in part by each")]
 
-#[path = "../command/folder.rs"]
-mod folder;
-
-use folder::{Folder, ROOT};
+use crate::folder::{Folder, ROOT};
 use std::fs;
 use std::path::Path;
 use std::process::Command;

@@ -2,7 +2,7 @@
 
 use crate::flat::flat;
 use crate::folder::Folder;
-use crate::server::Server;
+use crate::postgres::Server;
 
 /// Kinds of places of a truth that are files: what is written, and by what it is named again.
 const FILES: [(&str, &str); 7] = [

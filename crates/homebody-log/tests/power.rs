@@ -7,18 +7,15 @@
 //! `HOMEBODY_KILLS=all`.
 #![cfg(target_os = "linux")]
 
-#[path = "../stage/mod.rs"]
-mod stage;
-
 mod disk;
 mod trace;
 
+use crate::stage::{self, Folder};
 use disk::{Luck, lose_power};
 use homebody_core::scenario::logger::LoggerFile;
 use homebody_core::time::Span;
 use homebody_log::{LogError, Url, WriteMode, read};
 use rusqlite::Connection;
-use stage::Folder;
 use std::io::Write;
 use std::path::Path;
 use std::process::Command;
@@ -89,7 +86,7 @@ fn traced(folder: &Folder, how: &str) -> Vec<Event> {
     let inner = folder.path().join("files");
     std::fs::create_dir(&inner).unwrap();
     let mut command = Command::new(std::env::current_exe().unwrap());
-    command.args(["child", "--exact", "--test-threads", "1", "--nocapture"]);
+    command.args(["power::child", "--exact", "--test-threads", "1", "--nocapture"]);
     let events = trace(command.env(CHILD, inner.join("log.db")).env(HOW, how), &inner);
     assert!(events.iter().any(|event| matches!(event, Event::Confirmed(_))), "{events:?}");
     events

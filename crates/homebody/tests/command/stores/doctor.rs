@@ -3,7 +3,7 @@
 use crate::flat::flat;
 use crate::folder::Folder;
 use crate::mosquitto::Broker;
-use crate::server::Server;
+use crate::postgres::Server;
 use rusqlite::Connection;
 use serde_json::Value;
 use std::fs;

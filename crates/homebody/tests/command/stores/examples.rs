@@ -2,7 +2,7 @@
 
 use crate::folder::{Folder, ROOT};
 use crate::mosquitto::Broker;
-use crate::server::Server;
+use crate::postgres::Server;
 use std::fs;
 use std::path::Path;
 use std::process::Command;

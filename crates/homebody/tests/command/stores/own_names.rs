@@ -2,7 +2,7 @@
 
 use crate::flat::flat;
 use crate::folder::Folder;
-use crate::server::Server;
+use crate::postgres::Server;
 
 /// As a network of somebody's might have it: no name of it is one of the usual ones.
 const LOGGER: &str = r#"{

@@ -2,16 +2,14 @@
 //! it begins, and read whole; texts here are made up.
 
 mod gateways;
-#[path = "../stage/mod.rs"]
-mod stage;
 
+use crate::stage::Folder;
 use homebody_core::messages::Diagnose;
 use homebody_core::scenario::logger::LoggerFile;
 use homebody_core::time::{Interval, MINUTE, SECOND, WallTime};
 use homebody_log::log::{Clock, ColumnRole};
 use homebody_log::source::{HomeColumn, TableOptions};
 use homebody_log::{Log, LogError, LogSource, SensorInfo, read};
-use stage::Folder;
 use std::fs;
 
 /// 2 February 2026, 06:00.

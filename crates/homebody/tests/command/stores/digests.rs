@@ -5,7 +5,7 @@
 
 use crate::folder::{Folder, ROOT};
 use crate::mosquitto::Broker;
-use crate::server::Server;
+use crate::postgres::Server;
 use homebody_core::scenario::logger::LoggerFile;
 use homebody_log::log::Clock;
 use homebody_log::{LogSource, Url, read};

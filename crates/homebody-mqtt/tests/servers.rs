@@ -3,7 +3,7 @@
 //! Where mosquitto is not installed the tests say so and pass, unless `HOMEBODY_SERVERS=required` is set.
 
 mod arrives;
-mod broker;
+pub mod broker;
 mod fleet;
 mod home_assistant;
 mod looks;
