@@ -15,7 +15,7 @@ use std::{env, fs};
 const SEED: u64 = 1;
 
 /// Time after which a target gets no more mutants, without `HOMEBODY_FUZZ_S` (our choice).
-const SECONDS: u64 = 10;
+const SECONDS: u64 = 5;
 
 /// Time after which a case hangs (our choice): a build that is not optimised is slow, and other tests run beside it.
 const HANGS_AFTER_MS: u32 = if cfg!(debug_assertions) { 60_000 } else { 10_000 };
