@@ -68,6 +68,15 @@ impl Folder {
         self.edit("tigerplace/margaret.json", "\"routine\": \"margaret.routine\"", "\"path\": \"day.path.json\"");
     }
 
+    /// Another folder with the same files.
+    pub fn copy(&self) -> Folder {
+        let copy = Folder::new();
+        for name in self.files().iter().filter(|name| !name.ends_with('/')) {
+            copy.write(name, fs::read(self.path(name)).unwrap());
+        }
+        copy
+    }
+
     /// All files and empty folders, in order.
     pub fn files(&self) -> Vec<String> {
         let mut files = Vec::new();

@@ -110,14 +110,26 @@ fn whatever_kills_a_run_it_is_gone_on_with_to_the_same_bytes() {
     }
 }
 
+/// A second stop at an earlier moment loses nothing, and the run writes again what is missing of it.
 #[test]
-fn a_run_that_was_stopped_is_gone_on_with() {
+fn a_stopped_run_resumes_to_the_same_bytes() {
     for &(scheme, log) in KINDS {
         let (folder, _) = undisturbed(scheme, log);
         let whole = left(&folder, "flat-1");
         stopped(&folder);
+        let before = left(&folder, "flat-2");
         assert!(!differ(&folder, "flat-2", &whole).is_empty());
+        let mut again = folder.start("run --resume runs/flat-2 --quiet --control --paused");
+        again.say("step 2000\nstop\n");
+        again.finish().fails(1, "log::not-yet");
+        assert_eq!(differ(&folder, "flat-2", &before), Vec::<String>::new(), "{scheme}");
         goes_on_to(&folder, &whole, scheme);
+        folder.run("run --resume runs/flat-2").fails(2, "kit::complete");
+        for missing in [log, "truth.db", "sensors.csv"] {
+            let path = folder.path(&format!("runs/flat-2/{missing}"));
+            if path.is_dir() { fs::remove_dir_all(path) } else { fs::remove_file(path) }.unwrap();
+            goes_on_to(&folder, &whole, &format!("{scheme} without {missing}"));
+        }
         folder.run("run --resume runs/flat-2").fails(2, "kit::complete");
     }
 }
@@ -144,20 +156,8 @@ fn a_run_that_has_not_come_to_its_end_is_told_as_such() {
     }
 }
 
-/// What is missing of a whole run, or of a member of a cohort, is lived again.
 #[test]
-fn what_is_missing_of_a_whole_run_is_written_again() {
-    for &(scheme, log) in KINDS {
-        let (folder, _) = undisturbed(scheme, log);
-        let whole = left(&folder, "flat-1");
-        for missing in [log, "truth.db", "sensors.csv"] {
-            let path = folder.path(&format!("runs/flat-1/{missing}"));
-            if path.is_dir() { fs::remove_dir_all(path) } else { fs::remove_file(path) }.unwrap();
-            folder.run("run --resume runs/flat-1 --quiet").ok();
-            assert_eq!(differ(&folder, "flat-1", &whole), Vec::<String>::new(), "{scheme}, {missing}");
-        }
-        folder.run("run --resume runs/flat-1").fails(2, "kit::complete");
-    }
+fn a_cohort_writes_again_what_is_missing_of_a_member() {
     let folder = flat();
     folder.run("run flat --for 1h --members 2 --quiet").ok();
     let whole = left(&folder, "flat-1");
@@ -237,21 +237,6 @@ fn one_program_at_a_time_lives_a_run() {
     running.say("step 20000\nstop\n");
     running.finish().ok();
     goes_on_to(&folder, &whole, "of two programs");
-}
-
-#[test]
-fn who_stops_it_again_and_earlier_loses_nothing() {
-    for &(scheme, log) in KINDS {
-        let (folder, _) = undisturbed(scheme, log);
-        let whole = left(&folder, "flat-1");
-        stopped(&folder);
-        let before = left(&folder, "flat-2");
-        let mut again = folder.start("run --resume runs/flat-2 --quiet --control --paused");
-        again.say("step 2000\nstop\n");
-        again.finish().fails(1, "log::not-yet");
-        assert_eq!(differ(&folder, "flat-2", &before), Vec::<String>::new(), "{scheme}");
-        goes_on_to(&folder, &whole, scheme);
-    }
 }
 
 /// The negative control: where what is there was changed, it is not passed off as the run.
