@@ -6,6 +6,7 @@ use homebody_core::motion::MotionState;
 use homebody_core::run::Run;
 use homebody_core::time::{DAY, Interval, MINUTE, RunTime};
 use homebody_routine::household::Household;
+use std::sync::OnceLock;
 
 const BASE: &str = "Margaret is 82. She walks at 0.65 m/s.\nShe gets up at 07:00.\n";
 const BED: &str = "She goes to bed at 22:30.\n";
@@ -21,6 +22,12 @@ fn live(sentences: &str) -> Lived {
     let (scenario, household) = household(&files, &[]).unwrap_or_else(|problems| panic!("{problems}"));
     let events = events(Run::new(&scenario, &household, 11, DAYS * DAY), DAY);
     Lived(activities(&events, 0, DAYS * DAY), events)
+}
+
+/// Metres of each day with nothing said.
+fn plain_metres() -> &'static [f64] {
+    static METRES: OnceLock<Vec<f64>> = OnceLock::new();
+    METRES.get_or_init(|| live(BED).metres())
 }
 
 impl Lived {
@@ -97,7 +104,7 @@ fn seven_or_eight_times_are_seven_and_a_half() {
 
 #[test]
 fn a_quiet_day_has_half_of_the_movement_and_a_busy_one_half_as_much_again() {
-    let plain = live(BED).metres();
+    let plain = plain_metres();
     let is_monday = |day: &usize| day.is_multiple_of(7);
     for (said, least, most) in [
         ("Mondays are quiet days.", 0.42, 0.58),
@@ -108,14 +115,14 @@ fn a_quiet_day_has_half_of_the_movement_and_a_busy_one_half_as_much_again() {
         let of = |metres: &[f64], on: bool| {
             (0..DAYS as usize).filter(|day| is_monday(day) == on).map(|day| metres[day]).sum::<f64>()
         };
-        let (share, others) = (of(&lived, true) / of(&plain, true), of(&lived, false) / of(&plain, false));
+        let (share, others) = (of(&lived, true) / of(plain, true), of(&lived, false) / of(plain, false));
         assert!((least..most).contains(&share) && (0.93..1.07).contains(&others), "{said} {share}, of others {others}");
     }
 }
 
 #[test]
 fn of_so_many_days_the_quietest_are_quiet() {
-    let plain = live(BED).metres();
+    let plain = plain_metres();
     let lived = live(&format!(
         "{BED}One day in three is a quiet day: she hardly leaves her chair.\nOn quiet days she prays at 11:00."
     ));
@@ -150,11 +157,11 @@ fn days_that_differ_a_lot_differ_more_around_the_same_mean() {
         let all = mean(metres);
         (mean(&metres.iter().map(|of| (of - all) * (of - all)).collect::<Vec<_>>())).sqrt() / all
     };
-    let (plain, differ) = (live(BED).metres(), live(&format!("{BED}Her days differ a lot.")).metres());
+    let (plain, differ) = (plain_metres(), live(&format!("{BED}Her days differ a lot.")).metres());
     let ordinary = live(&format!("{BED}Some days are busy and some are quiet.")).metres();
-    assert!(spread(&differ) > 1.4 * spread(&plain), "{} beside {}", spread(&differ), spread(&plain));
-    assert!(spread(&ordinary) > 1.2 * spread(&plain), "{} beside {}", spread(&ordinary), spread(&plain));
-    assert!((0.85..1.15).contains(&(mean(&differ) / mean(&plain))), "{} of {} m", mean(&differ), mean(&plain));
+    assert!(spread(&differ) > 1.4 * spread(plain), "{} beside {}", spread(&differ), spread(plain));
+    assert!(spread(&ordinary) > 1.2 * spread(plain), "{} beside {}", spread(&ordinary), spread(plain));
+    assert!((0.85..1.15).contains(&(mean(&differ) / mean(plain))), "{} of {} m", mean(&differ), mean(plain));
 }
 
 #[test]

@@ -6,6 +6,7 @@ use homebody_core::motion::MotionState;
 use homebody_core::run::Run;
 use homebody_core::time::{DAY, HOUR, Interval, MINUTE, RunTime, Span};
 use std::collections::BTreeMap;
+use std::sync::OnceLock;
 
 /// Three meals, up at seven, in bed at half past ten.
 const BASE: &str = "Margaret is 82. She walks at 0.65 m/s.\nShe gets up at 07:00.\nShe goes to bed at 22:30.\n";
@@ -23,6 +24,12 @@ fn live_for(sentences: &str, days: i64) -> Lived {
 
 fn live(sentences: &str) -> Lived {
     live_for(sentences, 60)
+}
+
+/// Sixty days with nothing said.
+fn plain() -> &'static Lived {
+    static PLAIN: OnceLock<Lived> = OnceLock::new();
+    PLAIN.get_or_init(|| live(""))
 }
 
 fn live_from(routine: &str, days: i64) -> Lived {
@@ -247,6 +254,7 @@ fn so_much_less_active_is_so_much_less_movement() {
 
 #[test]
 fn half_as_often_is_half_of_what_is_seen() {
+    let plain = live_for("", 90);
     for (said, name) in [
         ("She watches television half as often.", "watching_television"),
         ("She phones half as often.", "telephoning"),
@@ -255,7 +263,7 @@ fn half_as_often_is_half_of_what_is_seen() {
         ("She does the housework half as often.", "seeing_to_kitchen"),
         ("She leaves the apartment half as often.", "away"),
     ] {
-        let (plain, half) = (live_for("", 90), live_for(&format!("{said}\n"), 90));
+        let half = live_for(&format!("{said}\n"), 90);
         let share = half.a_day(name) / plain.a_day(name);
         assert!((0.42..0.58).contains(&share), "{said} {share} of {}", plain.a_day(name));
     }
@@ -275,7 +283,7 @@ fn hours_that_vary_more_have_the_means_that_they_had() {
 
 #[test]
 fn how_often_replaces_a_need_and_a_time_adds_to_it() {
-    let plain = live("");
+    let plain = plain();
     for (said, name, least, most) in [
         ("She drinks once or twice a day.", "drinking", 1.4, 1.6),
         ("On 30 % of days she has a snack.", "having_a_snack", 0.2, 0.4),
@@ -291,13 +299,8 @@ fn how_often_replaces_a_need_and_a_time_adds_to_it() {
 
 #[test]
 fn bedtimes_and_risings_of_all_hours_are_lived() {
-    for (up, bed) in
-        [("07:00", "05:00"), ("14:30", "04:00"), ("01:00", "16:00"), ("15:00", "08:00"), ("11:00", "02:00")]
-    {
+    for (up, bed) in [("14:30", "04:00"), ("01:00", "16:00"), ("15:00", "08:00"), ("11:00", "02:00")] {
         let said = format!("Margaret is 82.\nShe gets up at {up}.\nShe goes to bed at {bed}.\n");
-        if up == "07:00" {
-            continue;
-        }
         let lived = live_from(&said, 60);
         let said_hour = |text: &str| text[..2].parse::<f64>().unwrap() + text[3..].parse::<f64>().unwrap() / 60.0;
         for (name, said) in [("getting_up", said_hour(up)), ("going_to_bed", said_hour(bed))] {
@@ -358,7 +361,7 @@ fn hobbies_leave_meals_and_medicine_in_place() {
 
 #[test]
 fn mentioning_something_once_leaves_it_elsewhere() {
-    let (plain, said) = (live(""), live("Sometimes at night she watches television for 20 minutes.\n"));
+    let (plain, said) = (plain(), live("Sometimes at night she watches television for 20 minutes.\n"));
     let share = said.minutes_a_day("watching_television") / plain.minutes_a_day("watching_television");
     assert!(share > 0.85, "{share} of {}", plain.minutes_a_day("watching_television"));
     let lunch = live("On Sunday she eats lunch at 13:00.\n");
@@ -395,24 +398,18 @@ fn what_is_said_later_of_the_same_replaces_what_was_said_before() {
 }
 
 /// A run with a condition from day 30, and its twin without; compared from day 36.
-struct Twins {
+struct Twins<'a> {
     with: Lived,
-    without: Lived,
+    without: &'a Lived,
 }
 
-fn twins(condition: &str) -> Twins {
-    let own = include_str!("../../../scenarios/tigerplace/margaret.routine");
-    let said = format!("{own}\nFrom day 30 she shows {condition}.\n");
-    Twins { with: live_from(&said, 110), without: live_from(own, 110) }
-}
-
-impl Twins {
+impl Twins<'_> {
     fn change(&self, of: impl Fn(&Lived) -> f64) -> f64 {
-        of(&self.with) - of(&self.without)
+        of(&self.with) - of(self.without)
     }
 
     fn share(&self, of: impl Fn(&Lived) -> f64) -> f64 {
-        of(&self.with) / of(&self.without)
+        of(&self.with) / of(self.without)
     }
 }
 
@@ -454,8 +451,11 @@ fn conditions_are_of_the_sizes_that_their_texts_cite() {
         ("frailty", [ANY, ANY, (0.76, 0.92), (0.74, 0.92), ANY, ANY, ANY]),
         ("grief", [ANY, ANY, (0.62, 0.82), (0.60, 0.82), ANY, ANY, ANY]),
     ];
+    let own = include_str!("../../../scenarios/tigerplace/margaret.routine");
+    let without = live_from(own, 110);
     for (name, sizes) in cited {
-        let twins = twins(name);
+        let with = live_from(&format!("{own}\nFrom day 30 she shows {name}.\n"), 110);
+        let twins = Twins { with, without: &without };
         let firings = |from, to| twins.share(|lived| lived.ill_firings(from, to));
         let minutes = |what: &'static str| twins.change(|lived| lived.ill_minutes(what));
         let metres = twins.share(|lived| lived.metres(36));
