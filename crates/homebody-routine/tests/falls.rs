@@ -1,20 +1,13 @@
 //! Falls of routines, in the ground truth, in bodies and in passive sensors.
 
-use crate::stage::{activities, events, files, hour, household};
-use homebody_core::event::{Events, Fact};
+use crate::stage::{Simulated, files, hour, household};
+use homebody_core::event::Fact;
 use homebody_core::geometry::Point;
 use homebody_core::motion::MotionState;
 use homebody_core::posture::Posture;
-use homebody_core::run::Run;
 use homebody_core::time::{DAY, HOUR, Interval, MINUTE, RunTime, Span, joined};
 
 const BASE: &str = "Margaret is 82. She walks at 0.65 m/s.\nShe gets up at 07:00.\nShe goes to bed at 22:30.\n";
-
-struct Lived {
-    events: Events,
-    all: Vec<(Interval<RunTime>, String)>,
-    places: Vec<(String, Point)>,
-}
 
 #[derive(Clone, Copy, Debug)]
 struct Piece {
@@ -23,21 +16,11 @@ struct Piece {
     posture: Posture,
 }
 
-fn live(sentences: &str, days: i64) -> Lived {
-    let mut files = files(&format!("{BASE}{sentences}"), &[]);
-    let scenario = files["scenario.json"].replace("America/Chicago", "UTC").replace("2009-03-02", "2009-01-05");
-    files.insert("scenario.json".into(), scenario);
-    let (scenario, household) = household(&files, &[]).unwrap();
-    let events = events(Run::new(&scenario, &household, 11, days * DAY), DAY);
-    let all = activities(&events, 0, days * DAY);
-    Lived { events, all, places: scenario.home.plan().places.clone() }
+fn live(sentences: &str, days: i64) -> Simulated {
+    Simulated::new(&format!("{BASE}{sentences}"), days)
 }
 
-impl Lived {
-    fn of<'a>(&'a self, name: &'a str) -> impl Iterator<Item = Interval<RunTime>> + 'a {
-        self.all.iter().filter(move |(_, what)| what == name).map(|(time, _)| *time)
-    }
-
+impl Simulated {
     fn pieces(&self, body: usize) -> impl Iterator<Item = Piece> + '_ {
         self.events.facts.iter().filter_map(move |fact| match *fact {
             Fact::Movement { resident, begin, end, doing, posture } if resident.index() == body => {

@@ -1,9 +1,8 @@
 //! The effect of sentences, measured in the ground truth of months.
 
-use crate::stage::{activities, day, events, files, hour, household};
-use homebody_core::event::{Events, Fact};
+use crate::stage::{Simulated, activities, day, hour, mean};
+use homebody_core::event::Fact;
 use homebody_core::motion::MotionState;
-use homebody_core::run::Run;
 use homebody_core::time::{DAY, HOUR, Interval, MINUTE, RunTime, Span};
 use std::collections::BTreeMap;
 use std::sync::OnceLock;
@@ -11,42 +10,21 @@ use std::sync::OnceLock;
 /// Three meals, up at seven, in bed at half past ten.
 const BASE: &str = "Margaret is 82. She walks at 0.65 m/s.\nShe gets up at 07:00.\nShe goes to bed at 22:30.\n";
 
-/// In UTC, from a Monday in January, with the activities.
-struct Lived {
-    days: i64,
-    events: Events,
-    all: Vec<(Interval<RunTime>, String)>,
+fn live_for(sentences: &str, days: i64) -> Simulated {
+    Simulated::new(&format!("{BASE}{sentences}"), days)
 }
 
-fn live_for(sentences: &str, days: i64) -> Lived {
-    live_from(&format!("{BASE}{sentences}"), days)
-}
-
-fn live(sentences: &str) -> Lived {
+fn live(sentences: &str) -> Simulated {
     live_for(sentences, 60)
 }
 
 /// Sixty days with nothing said.
-fn plain() -> &'static Lived {
-    static PLAIN: OnceLock<Lived> = OnceLock::new();
+fn plain() -> &'static Simulated {
+    static PLAIN: OnceLock<Simulated> = OnceLock::new();
     PLAIN.get_or_init(|| live(""))
 }
 
-fn live_from(routine: &str, days: i64) -> Lived {
-    let mut files = files(routine, &[]);
-    let scenario = files["scenario.json"].replace("America/Chicago", "UTC").replace("2009-03-02", "2009-01-05");
-    files.insert("scenario.json".into(), scenario);
-    let (scenario, household) = household(&files, &[]).unwrap();
-    let events = events(Run::new(&scenario, &household, 11, days * DAY), DAY);
-    let all = activities(&events, 0, days * DAY);
-    Lived { days, events, all }
-}
-
-impl Lived {
-    fn of<'a>(&'a self, name: &'a str) -> impl Iterator<Item = Interval<RunTime>> + 'a {
-        self.all.iter().filter(move |(_, what)| what == name).map(|(time, _)| *time)
-    }
-
+impl Simulated {
     /// Hour of the day of each beginning; an interruption of less than an hour does not count.
     fn hours(&self, name: &str) -> Vec<f64> {
         let mut begun: Vec<f64> = Vec::new();
@@ -71,15 +49,7 @@ impl Lived {
 
     /// Metres per day, from a day on.
     fn metres(&self, from_day: i64) -> f64 {
-        let strides = self.events.facts.iter().filter_map(|fact| match fact {
-            Fact::Movement { resident, begin, doing: MotionState::Stride { from, to }, .. }
-                if resident.index() == 0 && day(*begin) >= from_day =>
-            {
-                Some(from.distance(*to))
-            }
-            _ => None,
-        });
-        strides.sum::<f64>() / (self.days - from_day) as f64
+        mean(&self.metres_by_day()[from_day as usize..])
     }
 
     /// Per day while up, from a day on.
@@ -88,10 +58,6 @@ impl Lived {
         let firings = self.events.firings.iter().filter(|firing| is_up(firing.at)).count();
         firings as f64 / (self.days - from_day) as f64
     }
-}
-
-fn mean(values: &[f64]) -> f64 {
-    values.iter().sum::<f64>() / values.len() as f64
 }
 
 fn spread(values: &[f64]) -> f64 {
@@ -245,8 +211,8 @@ fn so_much_less_active_is_so_much_less_movement() {
     {
         let plain = live_for(errands, 70);
         let less = live_for(&format!("{errands}From day 10 she is 50 % less active.\n"), 70);
-        let of = |of: fn(&Lived, i64) -> f64| of(&less, 12) / of(&plain, 12);
-        let (metres, firings) = (of(Lived::metres), of(Lived::firings));
+        let of = |of: fn(&Simulated, i64) -> f64| of(&less, 12) / of(&plain, 12);
+        let (metres, firings) = (of(Simulated::metres), of(Simulated::firings));
         assert!((0.45..0.55).contains(&metres), "{metres} of the metres, {}", plain.metres(12));
         assert!((0.45..0.55).contains(&firings), "{firings} of the firings, {}", plain.firings(12));
     }
@@ -301,7 +267,7 @@ fn how_often_replaces_a_need_and_a_time_adds_to_it() {
 fn bedtimes_and_risings_of_all_hours_are_lived() {
     for (up, bed) in [("14:30", "04:00"), ("01:00", "16:00"), ("15:00", "08:00"), ("11:00", "02:00")] {
         let said = format!("Margaret is 82.\nShe gets up at {up}.\nShe goes to bed at {bed}.\n");
-        let lived = live_from(&said, 60);
+        let lived = Simulated::new(&said, 60);
         let said_hour = |text: &str| text[..2].parse::<f64>().unwrap() + text[3..].parse::<f64>().unwrap() / 60.0;
         for (name, said) in [("getting_up", said_hour(up)), ("going_to_bed", said_hour(bed))] {
             let off: Vec<f64> = lived.hours(name).iter().map(|at| (at - said + 36.0) % 24.0 - 12.0).collect();
@@ -399,21 +365,21 @@ fn what_is_said_later_of_the_same_replaces_what_was_said_before() {
 
 /// A run with a condition from day 30, and its twin without; compared from day 36.
 struct Twins<'a> {
-    with: Lived,
-    without: &'a Lived,
+    with: Simulated,
+    without: &'a Simulated,
 }
 
 impl Twins<'_> {
-    fn change(&self, of: impl Fn(&Lived) -> f64) -> f64 {
+    fn change(&self, of: impl Fn(&Simulated) -> f64) -> f64 {
         of(&self.with) - of(self.without)
     }
 
-    fn share(&self, of: impl Fn(&Lived) -> f64) -> f64 {
+    fn share(&self, of: impl Fn(&Simulated) -> f64) -> f64 {
         of(&self.with) / of(self.without)
     }
 }
 
-impl Lived {
+impl Simulated {
     /// Per day with the condition.
     fn ill_minutes(&self, name: &str) -> f64 {
         let whole: Span = self.of(name).filter(|one| day(one.begin) >= 36).map(Interval::length).sum();
@@ -452,9 +418,9 @@ fn conditions_are_of_the_sizes_that_their_texts_cite() {
         ("grief", [ANY, ANY, (0.62, 0.82), (0.60, 0.82), ANY, ANY, ANY]),
     ];
     let own = include_str!("../../../scenarios/tigerplace/margaret.routine");
-    let without = live_from(own, 110);
+    let without = Simulated::new(own, 110);
     for (name, sizes) in cited {
-        let with = live_from(&format!("{own}\nFrom day 30 she shows {name}.\n"), 110);
+        let with = Simulated::new(&format!("{own}\nFrom day 30 she shows {name}.\n"), 110);
         let twins = Twins { with, without: &without };
         let firings = |from, to| twins.share(|lived| lived.ill_firings(from, to));
         let minutes = |what: &'static str| twins.change(|lived| lived.ill_minutes(what));

@@ -1,30 +1,17 @@
 //! The effect of rules, measured in the ground truth of weeks.
 
-use crate::stage::{activities, day, events, files, hour, household};
-use homebody_core::event::Events;
-use homebody_core::run::Run;
-use homebody_core::time::{DAY, HOUR, Interval, MINUTE, RunTime, Span};
+use crate::stage::{Simulated, day, hour};
+use homebody_core::time::{HOUR, MINUTE, RunTime, Span};
 
 const DAYS: i64 = 28;
 const BASE: &str = "Margaret is 82. She walks at 0.65 m/s.\nShe gets up at 07:00.\nShe eats lunch at 12:00 for 30 minutes.\n\
                     She goes to bed at 22:30.\n";
 
-struct Lived(Vec<(Interval<RunTime>, String)>, Events);
-
-fn live(sentences: &str) -> Lived {
-    let mut files = files(&format!("{BASE}{sentences}"), &[]);
-    let scenario = files["scenario.json"].replace("America/Chicago", "UTC").replace("2009-03-02", "2009-01-05");
-    files.insert("scenario.json".into(), scenario);
-    let (scenario, household) = household(&files, &[]).unwrap_or_else(|problems| panic!("{problems}"));
-    let events = events(Run::new(&scenario, &household, 11, DAYS * DAY), DAY);
-    Lived(activities(&events, 0, DAYS * DAY), events)
+fn live(sentences: &str) -> Simulated {
+    Simulated::new(&format!("{BASE}{sentences}"), DAYS)
 }
 
-impl Lived {
-    fn of<'a>(&'a self, name: &'a str) -> impl Iterator<Item = Interval<RunTime>> + 'a {
-        self.0.iter().filter(move |(_, what)| what == name).map(|(time, _)| *time)
-    }
-
+impl Simulated {
     /// By instant, the minutes until an activity begins; `None` if it does not begin in time.
     fn after(&self, instants: &[RunTime], name: &str, within: Span) -> Vec<f64> {
         let gaps = |at: RunTime| self.of(name).map(move |one| one.begin - at);
@@ -137,5 +124,5 @@ fn a_rule_may_follow_another() {
         "Whenever she has eaten lunch, she naps for 20 minutes.\nWhenever she has done so for 2 hours, she paces for 5 minutes.",
     );
     assert!(life.of("pacing").count() as i64 >= DAYS - 6, "{}", life.of("pacing").count());
-    assert!(!life.1.facts.is_empty());
+    assert!(!life.events.facts.is_empty());
 }
