@@ -86,6 +86,28 @@ fn an_unwrap_outside_tests_is_found() {
     assert!(!is_for_tests("crates/a/src/c/real.rs", &folder("crates/a/src/b.rs")));
 }
 
+#[test]
+fn every_file_of_tests_is_part_of_a_program() {
+    expect_none(forgotten_tests(&files()));
+}
+
+#[test]
+fn finds_a_file_of_tests_that_no_program_has() {
+    let files = [
+        File::new("crates/a/Cargo.toml", "autotests = false\n[[test]]\nname = \"all\"\n"),
+        File::new("crates/a/tests/all.rs", "mod one;\nmod stage;\n"),
+        File::new("crates/a/tests/one.rs", ""),
+        File::new("crates/a/tests/stage/mod.rs", "pub mod server;"),
+        File::new("crates/a/tests/stage/server.rs", ""),
+        File::new("crates/a/tests/two.rs", ""),
+        File::new("crates/b/Cargo.toml", ""),
+        File::new("crates/b/tests/own.rs", ""),
+        File::new("crates/b/tests/large/main.rs", "mod part;"),
+        File::new("crates/b/tests/large/other.rs", ""),
+    ];
+    assert_eq!(forgotten_tests(&files), ["crates/a/tests/two.rs", "crates/b/tests/large/other.rs"]);
+}
+
 fn is_source(file: &File) -> bool {
     ["rs", "py", "ts", "js", "svelte", "css", "html", "sh"].iter().any(|extension| file.is(extension))
 }
@@ -163,4 +185,25 @@ fn unwraps(file: &File) -> Vec<String> {
         }
     }
     wrong
+}
+
+/// The files of tests that are neither a program nor declared as a module of one, so that their tests never run.
+fn forgotten_tests(files: &[File]) -> Vec<String> {
+    let is_forgotten = |file: &&File| {
+        let Some((package, rest)) = file.path.split_once("/tests/").filter(|_| file.is("rs")) else { return false };
+        let name = rest.trim_end_matches(".rs").trim_end_matches("/mod").trim_end_matches("/main");
+        let name = name.rsplit('/').next().unwrap_or(name);
+        let manifest = files.iter().find(|other| other.path == format!("{package}/Cargo.toml"));
+        let manifest = manifest.map_or("", |manifest| manifest.text.as_str());
+        let is_program = match manifest.contains("autotests = false") {
+            true => manifest.contains(&format!("name = \"{name}\"")),
+            false => !rest.contains('/') || rest.ends_with("/main.rs"),
+        };
+        let folder = format!("{package}/tests/");
+        let declaration = format!("mod {name};");
+        let declares = |line: &str| line.trim_start_matches("pub ") == declaration;
+        let mut others = files.iter().filter(|other| other.path.starts_with(&folder));
+        !is_program && !others.any(|other| other.text.lines().any(declares))
+    };
+    files.iter().filter(is_forgotten).map(|file| file.path.clone()).collect()
 }
