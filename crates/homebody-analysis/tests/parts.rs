@@ -1,4 +1,4 @@
-//! What is put up in a home, in words that lead there, and two layouts side by side.
+//! The parts list of a home, with directions to each part, and the comparison of two layouts.
 
 use crate::home::two_rooms;
 use homebody_analysis::parts::{PartsList, SensorLayout, beside};

@@ -1,4 +1,4 @@
-//! Small files that unpack to much are refused, or read, in little memory.
+//! Reading or refusing a small file that unpacks to much takes little memory.
 
 use crate::alone::is_alone;
 use arrow_array::{ArrayRef, DictionaryArray, Int32Array, RecordBatch, StringArray, TimestampMicrosecondArray};

@@ -1,4 +1,4 @@
-//! A data set has whole days of whole runs, whatever comes in between.
+//! A data set holds whole days of whole runs, whatever interrupts the program.
 
 use crate::stage::{self, Folder};
 use homebody_core::event::Firing;

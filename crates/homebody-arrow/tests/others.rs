@@ -1,4 +1,4 @@
-//! DuckDB, Polars and PyArrow read what we write, and we read what Polars and pandas write, where Python has them.
+//! DuckDB, Polars and PyArrow read our files, and we read the files of Polars and pandas. Tests skip the programs that Python lacks.
 
 use crate::stage::{self, Folder};
 use homebody_core::scenario::logger::{LoggerFile, TimeFormat};

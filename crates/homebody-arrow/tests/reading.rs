@@ -1,4 +1,4 @@
-//! Files of other programs are read whatever types they have, and damaged ones are refused in words that name them.
+//! Files of other programs are readable with any column types; errors name what is damaged.
 
 use crate::stage::{self, Folder};
 use arrow_array::builder::StringViewBuilder;

@@ -1,4 +1,4 @@
-//! Files hold what was stored, with the types and the words that are promised, whatever the batches.
+//! Files hold the stored rows with the documented types, for any sizes of batches.
 
 use crate::stage::{self, Folder};
 use arrow_array::cast::AsArray;

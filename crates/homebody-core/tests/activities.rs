@@ -1,4 +1,4 @@
-//! `docs/reference/activities.md` is what the tables of activities and roles say.
+//! `docs/reference/activities.md` agrees with the tables of activities and roles.
 //!
 //! `HOMEBODY_REWRITE=1 cargo test -p homebody-core --test all activities::` writes it anew.
 

@@ -1,4 +1,5 @@
-//! Cameras in a home: what they keep does not depend on how a run is advanced, they cost nothing while they sleep, and what is wrong with one is told.
+//! Cameras in a home: the steps of a run do not change their pictures, a sleeping camera costs nothing, and problems of a camera are
+//! reported.
 
 use homebody_core::event::{Events, Value};
 use homebody_core::run::Run;

@@ -1,4 +1,4 @@
-//! The sensors that are told what happens, in a world: what each says, and when.
+//! Sensors that are informed of acts: their messages and the times of these.
 
 use homebody_core::event::{Events, Fact, ThingUse, Trigger, Value, Vitals};
 use homebody_core::geometry::Point;

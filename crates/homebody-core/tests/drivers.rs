@@ -1,4 +1,4 @@
-//! Drivers of anybody's: what they are shown, and what becomes of a run whose driver answers with nonsense.
+//! Drivers from other crates: what they see, and how a run ends after an invalid answer.
 #![expect(clippy::disallowed_types, reason = "what a driver saw is told to the test by a lock")]
 
 use homebody_core::drivers::error::{DriverError, DriverFault, MOST_ANSWERS};

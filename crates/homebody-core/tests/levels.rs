@@ -1,5 +1,5 @@
-//! What a wall sensor takes for movement at each level, in a room 12 by 8 metres with one lens at the origin of x, in the
-//! middle of its western side. Expected instants are computed by hand.
+//! The movement that a wall sensor detects at each level, in a room of 12 by 8 metres with one lens at the origin of x, in the middle of
+//! its western side. Expected instants are computed by hand.
 
 use homebody_core::event::{Events, Fact};
 use homebody_core::geometry::Point;

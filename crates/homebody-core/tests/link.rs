@@ -1,4 +1,4 @@
-//! The link: what becomes of messages between their sensors and the logger.
+//! The link: the fate of messages between their sensors and the logger.
 
 mod faults;
 mod invariants;

@@ -1,5 +1,5 @@
-//! `docs/reference/home.md`, `docs/reference/logger.md` and `docs/reference/scenario.md` are what the types of the files say: each key with its type,
-//! unit, range, default and sentence.
+//! `docs/reference/home.md`, `docs/reference/logger.md` and `docs/reference/scenario.md` agree with the types of the files: each key with
+//! its type, unit, range, default and sentence.
 //!
 //! `HOMEBODY_REWRITE=1 cargo test -p homebody-core --test all references::` writes them anew.
 

@@ -1,4 +1,4 @@
-//! The JSON Schemas in the folder `schemas` are those of the types.
+//! The JSON Schemas in the folder `schemas` agree with the types.
 //!
 //! `HOMEBODY_REWRITE=1 cargo test -p homebody-core --test all schemas::` writes them anew.
 

@@ -1,4 +1,4 @@
-//! Each target for some seconds, its seeds first, and controls in which each kind of failure is found.
+//! Each target runs its seeds and then mutants for some seconds. Controls show that each kind of failure is found.
 
 use homebody_fuzz::case;
 use homebody_fuzz::target::{CaseFiles, ReadVerdict, Target};

@@ -1,4 +1,4 @@
-//! Whatever the sensors of a log are called and whoever follows whom: the home that is made of them is sound.
+//! A home that is made from a log is valid, whatever the names and the order of its sensors.
 
 use homebody_core::home::form::HomeFile;
 use homebody_import::from_log::{LogSensor, LogWay, SchematicError, Speaks, schematic};

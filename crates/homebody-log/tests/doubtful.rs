@@ -1,4 +1,4 @@
-//! Tables and lists that might be two things: they are read by evidence, or a sentence asks for what is missing.
+//! Ambiguous tables and lists are read by evidence, or an error asks for the missing information.
 
 use crate::stage;
 use crate::stage::texts::{SEVEN, clock, read_as, read_text, rows, told, why};

@@ -1,4 +1,4 @@
-//! Forms are accepted on evidence, and other files get a sentence that says what they are.
+//! A form of log is accepted on evidence, and an error says what another file is.
 
 use crate::stage::Folder;
 use homebody_core::scenario::logger::LoggerFile;

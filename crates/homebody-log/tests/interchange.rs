@@ -1,5 +1,5 @@
-//! Logs as servers and gateways give them: JSON in one piece, messages of MQTT, tables of InfluxDB, logs of gateways. Each is known by how
-//! it begins, and read whole; texts here are made up.
+//! Logs as servers and gateways give them: JSON in one piece, messages of MQTT, tables of InfluxDB, logs of gateways. Their beginning
+//! identifies each, and no row is lost. The texts are invented.
 
 mod gateways;
 

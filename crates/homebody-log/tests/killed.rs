@@ -1,4 +1,4 @@
-//! A run that is killed leaves a gap-free beginning of itself, with nothing doubled.
+//! A killed run leaves a beginning of its rows without gaps and without doubles.
 
 use crate::stage::{self, Folder};
 use homebody_core::scenario::logger::LoggerFile;

@@ -1,4 +1,4 @@
-//! What a run's truth tells of its residents is read back.
+//! Reading the ground truth of a run returns what its residents did.
 
 use crate::stage::{self, Folder};
 use homebody_core::calendar::Calendar;

@@ -1,4 +1,4 @@
-//! Destinations of one's own, and what becomes of a run when one of them fails, hangs, is full, or comes back.
+//! Destinations in code: the effect on a run when one of them fails, hangs, is full or returns.
 
 use crate::alone::is_alone;
 use crate::stage::{self, Folder};

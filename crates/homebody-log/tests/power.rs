@@ -1,5 +1,4 @@
-//! A machine that loses its power, wherever in a run that happens: rows that were confirmed are there, none is there twice or out of turn,
-//! and the database opens.
+//! After a loss of power at any moment, the database opens and holds each confirmed row once, in order.
 //!
 //! A program that stores a run is watched by strace: what it writes into its files, and when it makes sure of them. Then the power is lost
 //! after each of these, in thought: files are made of what was sure by then and of any part of the rest, and are opened by our reader. Nothing

@@ -1,5 +1,5 @@
-//! How fast firings reach a database, against the barest loop that could put them there; and how fast logs are read, against the
-//! reading of their lines.
+//! The rate of rows into a database, compared with the barest loop that fills a table, and the rate of reading logs, compared with reading
+//! their lines.
 
 use crate::stage::{self, Folder};
 use homebody_core::event::{Events, Fact, Firing, Provenance, Trigger};

@@ -1,4 +1,4 @@
-//! The forms in which real homes were recorded: each is known by how it begins, read whole, and its activities with it.
+//! The forms of recordings of real homes: their beginning identifies each, and no row or activity is lost.
 //!
 //! Texts here are ours. The recordings themselves are read where HOMEBODY_DATA names the folder that holds them, and their counts
 //! are held against those of a few lines of Python.

@@ -1,4 +1,4 @@
-//! A destination that fails in any way, at any of its calls, before or after it has taken what it was given: each policy does what it says.
+//! A destination fails in any way, at any of its calls, before or after taking the rows: each policy does what its documentation says.
 //!
 //! A seed decides how long it is away, how often, whether it hangs or is slow, and which policy there is. `HOMEBODY_SEEDS` says how many
 //! seeds there are.

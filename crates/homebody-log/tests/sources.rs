@@ -1,4 +1,4 @@
-//! Logs are read back, whoever wrote them.
+//! Logs of any program are read back.
 
 use crate::stage::{self, Folder};
 use homebody_core::scenario::logger::{LoggerFile, MessagesFile, OnOffFile, TimeFormat};

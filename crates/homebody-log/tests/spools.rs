@@ -1,4 +1,5 @@
-//! A destination that is away while rows are put aside on disk: it gets each of them once, in their order, and nobody else waits.
+//! A destination is unavailable while rows go into a spool on disk: later it gets each row once and in order, and no other destination
+//! waits.
 
 use crate::stage::{self, Folder};
 use homebody_core::scenario::logger::LoggerFile;

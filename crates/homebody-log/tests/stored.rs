@@ -1,4 +1,4 @@
-//! What is stored, where, and in which form.
+//! The stored rows, their place and their form.
 
 use crate::stage::{self, Folder};
 use homebody_core::event::{Events, Fact, Firing, Provenance, Trigger, Value};

@@ -1,4 +1,4 @@
-//! Tables as people keep them: each is read as what its headings and cells show, or refused with the reason. Texts here are ours.
+//! Tables as people keep them: headings and cells decide how each is read, or an error gives the reason. The texts are invented.
 
 use crate::stage::texts::{SEVEN, clock, folder, read_text, read_with, rows, told, why};
 use homebody_core::scenario::logger::LoggerFile;

@@ -1,4 +1,4 @@
-//! Texts: JSON Lines, which can be followed as they grow, and texts that are packed as they are written.
+//! Text files: JSON Lines, which can be followed while they grow, and compressed texts.
 
 use crate::alone::is_alone;
 use crate::stage::{self, Folder};

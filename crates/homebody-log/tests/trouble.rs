@@ -1,4 +1,4 @@
-//! What can go wrong, and what is then left behind.
+//! Failures of destinations, and the files that they leave.
 
 use crate::stage::{self, Folder};
 use homebody_core::messages::Diagnose;

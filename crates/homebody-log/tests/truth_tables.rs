@@ -1,4 +1,4 @@
-//! `docs/reference/truth.md` is what the tables of the truth say.
+//! `docs/reference/truth.md` agrees with the tables of the truth.
 //!
 //! `HOMEBODY_REWRITE=1 cargo test -p homebody-log --test all truth_tables::` writes it anew. That its queries run, and what they
 //! answer, is tested with the command.

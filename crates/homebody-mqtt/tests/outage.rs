@@ -1,4 +1,4 @@
-//! A broker that is stopped while a thousand rows come a second: they are put aside, and all are heard once it is back.
+//! A broker stops while 1,000 rows come a second: they go into a spool, and the listener gets all of them later.
 //!
 //! `HOMEBODY_OUTAGE_S` says for how many seconds; the figures in `docs/how-to/mqtt-and-home-assistant.md` are those of 60.
 

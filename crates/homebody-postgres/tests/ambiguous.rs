@@ -1,4 +1,4 @@
-//! A connection that is lost as a transaction ends: nobody knows whether it was taken, and nothing is lost or doubled.
+//! The connection breaks at the end of a transaction, so that its result is unknown: no row is lost or doubled.
 
 use crate::stage::life::{Life, patient};
 use crate::stage::proxy::Proxy;

@@ -1,4 +1,4 @@
-//! Many homes over one connection: every row of each is there once, whatever becomes of server and program.
+//! Many homes over one connection: the server has each row once, whatever happens to server and program.
 
 use crate::stage::life::{Life, firings, run};
 use crate::stage::{Server, kills};

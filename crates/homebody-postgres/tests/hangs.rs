@@ -1,5 +1,5 @@
-//! A server that stops answering, by a half-open connection or a locked table, and one that takes no changes for a while. The run notices
-//! it, loses and doubles no row, and ends when it is stopped.
+//! A server stops answering, by a half-open connection or a locked table, or takes no changes for a while. The run notices it, loses and
+//! doubles no row, and ends when it is stopped.
 
 use crate::hanging::{SOON, ended, outlived, stopped};
 use crate::stage::Server;

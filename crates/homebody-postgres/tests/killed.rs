@@ -1,4 +1,4 @@
-//! Nothing that was confirmed is lost, and nothing is doubled, whatever is killed: the program, or the server under it.
+//! Killing the program or the server loses and doubles no confirmed row.
 //!
 //! `HOMEBODY_KILLS` says how often; the release's figures are those of 1,000 programs and 200 servers.
 

@@ -1,4 +1,4 @@
-//! A server that is stopped while a thousand rows come a second: they are put aside on disk, and then it has each once.
+//! A server stops while 1,000 rows come a second: they go into a spool on disk, and the server has each once later.
 //!
 //! `HOMEBODY_OUTAGE_S` says for how many seconds; the figures in `docs/how-to/postgresql.md` are those of 60.
 

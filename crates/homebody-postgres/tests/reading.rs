@@ -1,4 +1,4 @@
-//! Tables are read back as they were written, and so are others; how fast a run is, and how its rows are parted, changes nothing.
+//! Tables are read back as they were written, and so are tables of other programs. Speed and partition of the rows change nothing.
 
 use crate::stage::life::Life;
 use crate::stage::{self, Server};

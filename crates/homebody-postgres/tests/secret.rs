@@ -1,4 +1,4 @@
-//! A connection is secret where the URL wants it, and only a server that is trusted is spoken to.
+//! A connection is encrypted if the URL asks for it, and only to a trusted server.
 
 use crate::stage::Server;
 use crate::stage::life::Life;

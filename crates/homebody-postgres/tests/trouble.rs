@@ -1,4 +1,4 @@
-//! What can be wrong with a database is told in words, all at once, with a hint; a password never is.
+//! Problems with a database are reported all at once, with a hint, and never with a password.
 
 use crate::stage::Server;
 use crate::stage::life::{Life, patient};

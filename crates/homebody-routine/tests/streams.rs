@@ -1,4 +1,4 @@
-//! What a sentence's random numbers hang on: what it says, and nothing else of the text.
+//! The random numbers of a sentence depend on its meaning, and on nothing else in the text.
 #![expect(clippy::disallowed_methods, reason = "the scenarios are read from their folders")]
 
 use crate::stage::{ORDINARY, events, files, household};

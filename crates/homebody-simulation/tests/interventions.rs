@@ -1,4 +1,4 @@
-//! What is done to a run from outside: it happens, the truth says so, and who lives the run again lives the same.
+//! Interventions from outside take effect, are in the ground truth, and replay.
 
 use homebody_core::time::{HOUR, MINUTE, RunTime, Span};
 use homebody_simulation::interventions::{Failure, Intervention, InterventionRequest, Refusal};

@@ -1,4 +1,4 @@
-//! Scenarios opened, runs lived and stored, cohorts, and what is refused.
+//! Opening scenarios, simulating and storing runs and cohorts, and errors.
 
 use homebody_core::drivers::{Driver, Next, Surroundings};
 use homebody_core::event::{Events, Fact, Firing, ThingUse};

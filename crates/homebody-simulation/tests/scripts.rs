@@ -1,4 +1,4 @@
-//! Residents whose driver is a script: what the shipped ones do, by their truth, and what holds of all.
+//! Residents with scripts: the shipped scripts, checked by their ground truth, and rules for all scripts.
 
 use homebody_core::event::{Events, Fact};
 use homebody_core::ids::ResidentId;

@@ -1,4 +1,4 @@
-//! Logs that are walked back: how likely everybody is where, and the folder of it.
+//! Locating people from a log: the probabilities of their places, and the folder of the result.
 
 use homebody_core::time::RunTime;
 use homebody_query::LoadedLog;

@@ -1,4 +1,4 @@
-//! Stored runs are played back as they were stored.
+//! The page plays stored runs as they were stored.
 
 use homebody_core::time::{DAY, HOUR, Interval, RunTime, SECOND, Span};
 use homebody_simulation::Cancel;

@@ -1,4 +1,4 @@
-//! The page's types are the server's, and its kinds of sensors and of activities are the core's.
+//! The types of the page agree with the server's, and its kinds of sensors and activities with the core's.
 
 use crate::generated::is_generated;
 use homebody_analysis::measures::MEASURES;

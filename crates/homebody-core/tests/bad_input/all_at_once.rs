@@ -1,4 +1,4 @@
-//! Everything that is wrong comes at once, in order, and can be shown beside its source.
+//! A check reports all problems at once, in order, and can show each in its source.
 
 use super::good::good;
 use super::{broken, listed, problems, reported};

@@ -1,4 +1,4 @@
-//! Sensors on things and in rooms that say what cannot be.
+//! Impossible sensors on things and in rooms.
 
 use super::*;
 

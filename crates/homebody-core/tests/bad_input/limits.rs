@@ -1,4 +1,4 @@
-//! What is read is bounded, and what it costs grows as its size does.
+//! The size of input is bounded, and the cost of reading it grows with its size.
 
 #![allow(
     clippy::disallowed_types,

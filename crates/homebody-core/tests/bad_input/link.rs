@@ -1,4 +1,4 @@
-//! Links: sensors, spans and faults that cannot be.
+//! Links with impossible sensors, spans and faults.
 
 use super::good::good;
 use super::*;

@@ -1,4 +1,4 @@
-//! Files of the right shape that say what cannot be.
+//! Files of the right shape with impossible values.
 
 use super::*;
 

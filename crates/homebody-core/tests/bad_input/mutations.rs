@@ -1,4 +1,4 @@
-//! Whatever happens to a scenario's text, loading it ends, and with places that exist.
+//! Loading a mutated scenario ends, and its problems are at places that exist.
 
 use super::link::linked;
 use homebody_core::event::Events;

@@ -1,4 +1,4 @@
-//! What each fault does to the messages of its sensor, and to no other's.
+//! The effect of each fault on the messages of its sensor, and on no others.
 
 use super::*;
 use homebody_core::ids::SensorId;

@@ -1,4 +1,4 @@
-//! The invariants with everything on: every fault, every chance, a channel that is shared.
+//! The invariants with every fault, every chance and a shared channel.
 
 use super::*;
 use crate::random_home::{self, Dice, Model};

@@ -1,4 +1,4 @@
-//! Flats that somebody might have drawn.
+//! Plausible flats.
 
 use crate::plans::plan::{Home, door, piece, room, two_rooms, two_rooms_walls, wall};
 use homebody_core::geometry::{self, Point, point};

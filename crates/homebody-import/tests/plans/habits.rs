@@ -1,5 +1,5 @@
-//! How people draw, each habit in a small plan: ceilings, names written as text, holes, two leaves of a door, rooms without walls,
-//! one room around all, terraces.
+//! Habits of people who draw plans, each in a small plan: ceilings, names as text, holes, double doors, rooms without walls, one room
+//! around all others, terraces.
 
 use crate::plans::plan::{Home, door, piece, room, two_rooms, two_rooms_walls, wall};
 use homebody_core::geometry::{self, Point};

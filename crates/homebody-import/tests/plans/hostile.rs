@@ -1,4 +1,4 @@
-//! Files that are broken, or made to break: a sentence comes back, soon, and never a panic.
+//! Broken and hostile files give an error soon, and never a panic.
 
 use crate::plans::plan::{archive, door, file, import, packed, piece, room, two_rooms, wall};
 use homebody_core::geometry::Point;

@@ -1,4 +1,4 @@
-//! Plans of several levels: a home is one of them, or all that stairs join.
+//! Plans of several levels: a home is one of them, or all that stairs connect.
 
 use crate::plans::plan::{Home, file, import, piece, room, two_rooms, wall};
 use homebody_import::{ImportError, sweet_home};

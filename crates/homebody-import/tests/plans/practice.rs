@@ -1,4 +1,4 @@
-//! What real plans have, each in a small plan: flat things, names in other languages, low windows, thick walls, gaps.
+//! Features of real plans, each in a small plan: flat things, names in other languages, low windows, thick walls, gaps.
 
 use crate::plans::plan::{Home, archive, door, import, piece, room, two_rooms, two_rooms_walls, wall};
 use homebody_core::geometry::{self, Point};

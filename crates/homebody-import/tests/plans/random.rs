@@ -1,4 +1,4 @@
-//! Flats of random rooms, turned and moved: what was joined stays joined, and what was long stays long.
+//! Flats of random rooms, turned and moved: joints stay joined, and lengths stay the same.
 
 use crate::plans::plan::{Home, file};
 use homebody_core::geometry::{self, Point, point};

@@ -1,4 +1,4 @@
-//! All rows arrive, whatever becomes of the broker, and each has its run and its number.
+//! Every row arrives, whatever happens to the broker, with its run and its number.
 
 use crate::servers::broker::{Broker, Listener, REMEMBERS, firings, live, logger, run, store, wait_for};
 use homebody_core::scenario::logger::LoggerFile;

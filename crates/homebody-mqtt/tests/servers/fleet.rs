@@ -1,4 +1,4 @@
-//! Many homes on one connection: each looks as a home alone does, and is there again after the broker was away.
+//! Many homes on one connection: each sends the messages of a single home, and is available again after an outage of the broker.
 
 use crate::servers::broker::{Broker, Heard, Listener, firings, run, wait_for};
 use homebody_core::scenario::logger::LoggerFile;

@@ -1,4 +1,4 @@
-//! How messages look, in each style, as a golden text that people can read; `HOMEBODY_REWRITE=1` writes it anew.
+//! Messages in each style, as readable golden texts; `HOMEBODY_REWRITE=1` regenerates them.
 
 use crate::servers::broker::{Broker, Heard, Listener, firings, live, logger, repository, store, wait_for};
 use homebody_log::WriteMode;

@@ -1,4 +1,4 @@
-//! A home that is told what to do.
+//! A home that gets commands.
 
 use crate::servers::broker::{Broker, Heard, Listener, firings, logger, store, wait_for};
 use homebody_core::time::{MINUTE, RunTime};

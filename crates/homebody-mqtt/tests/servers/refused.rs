@@ -1,4 +1,4 @@
-//! What goes wrong with a broker is said at once, in words that help.
+//! Problems with a broker are reported at once, with a hint.
 
 use crate::servers::broker::{Broker, firings, free_port, is_installed, live, logger};
 use homebody_core::event::Firing;

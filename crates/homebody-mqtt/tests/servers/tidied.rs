@@ -1,4 +1,4 @@
-//! A broker is tidied up: of our homes nothing stays, and of others all does.
+//! Tidying a broker removes all messages of our homes, and no other message.
 
 use crate::servers::broker::{Broker, live};
 use homebody_mqtt::clean;

@@ -1,4 +1,4 @@
-//! The apartment of the example, lived in by whatever routine a test writes.
+//! The apartment of the example, with a routine from the test.
 
 use homebody_core::event::{Events, Fact};
 use homebody_core::geometry::Point;

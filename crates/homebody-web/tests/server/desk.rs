@@ -1,4 +1,4 @@
-//! Files that are written in the page: what is asked about them, and how they are saved.
+//! Files that users write in the page: questions about them, and saving.
 
 use super::served::Served;
 use homebody_core::event::Events;

@@ -1,4 +1,4 @@
-//! The plan at the desk, with its coverage and its problems.
+//! The plan in the page's editor, with its coverage and its problems.
 
 use super::desk::draft;
 use super::served::Served;

@@ -1,4 +1,4 @@
-//! A folder of homes: what its first page is told, and what becomes of homes by what is asked there.
+//! A folder of homes: its first page, and the requests that change homes.
 
 use super::served::{Heard, LONGEST_WAIT, Page, Served};
 use homebody_web::library::Library;

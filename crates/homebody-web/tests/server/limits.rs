@@ -1,4 +1,4 @@
-//! Those who would keep the server busy for nothing.
+//! Limits on requests that would keep the server busy.
 
 use super::served::Served;
 use serde_json::{Value, json};

@@ -1,4 +1,4 @@
-//! What a page does to a run, and what it does not.
+//! The effects of a page on a run.
 
 use super::served::{LONGEST_WAIT, Page, Seen, Served};
 use homebody_core::event::Events;

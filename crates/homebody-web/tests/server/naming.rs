@@ -1,4 +1,4 @@
-//! Things are called otherwise, and go, in all files at once; and what has one answer is mended.
+//! Renaming and removing things in all files at once, and automatic repairs.
 
 use super::served::Served;
 use serde_json::{Value, json};

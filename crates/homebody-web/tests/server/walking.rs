@@ -1,4 +1,4 @@
-//! Logs that are opened in the page: walked back in the background, played as they were, and told of.
+//! Logs that users open in the page: locating people in the background, and playback.
 
 use super::served::{Answer, Served};
 use homebody_simulation::Destinations;

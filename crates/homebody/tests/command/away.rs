@@ -1,5 +1,5 @@
-//! A run whose broker goes away, or is not there yet, says so and waits; stopped meanwhile it ends soon, and is gone on with once the broker is
-//! back.
+//! A run reports that its broker is unavailable, and waits. After a stop meanwhile it ends soon, and resumes when the broker is available
+//! again.
 
 use crate::flat::flat;
 use crate::folder::{Ends, Folder};

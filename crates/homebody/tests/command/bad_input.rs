@@ -1,4 +1,4 @@
-//! Whatever is in the files and on the command line, the command says what is wrong, and never breaks down.
+//! The command reports the problems of any files and arguments, and never panics.
 
 use crate::flat::flat;
 use crate::folder::Folder;

@@ -1,4 +1,4 @@
-//! Beginning a scenario of one's own: templates, schemas, completions.
+//! Creating scenarios: templates, schemas, completions.
 
 use crate::folder::{Folder, ROOT};
 use std::fs;

@@ -1,4 +1,4 @@
-//! `homebody calibrate`: scenarios fitted to the logs of their homes.
+//! `homebody fit`: scenarios fitted to the logs of their homes.
 
 use crate::folder::Folder;
 use serde_json::Value;

@@ -1,4 +1,4 @@
-//! Silhouettes beside a log, and falls in them.
+//! Silhouettes next to a log, and falls in them.
 
 use crate::folder::Folder;
 use rusqlite::Connection;

@@ -1,4 +1,4 @@
-//! Cohorts from a list of profiles: who their members are, what of a list is refused.
+//! Cohorts from a list of profiles: their members, and invalid lists.
 
 use crate::flat::flat;
 use crate::folder::Folder;

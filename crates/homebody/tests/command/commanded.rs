@@ -1,4 +1,4 @@
-//! A live home that a broker's orders touch: what is done is noted, and the home is gone on with and replayed to the same bytes.
+//! A home in real time gets commands from a broker: it records them, resumes with them, and replays to the same bytes.
 
 use crate::folder::{Ends, Folder};
 use crate::mosquitto::Broker;

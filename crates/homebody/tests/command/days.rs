@@ -1,4 +1,4 @@
-//! Density maps and single days of logs, told and drawn.
+//! Density maps and single days of logs, as text and as pictures.
 
 use crate::flat::flat;
 use crate::folder::Folder;

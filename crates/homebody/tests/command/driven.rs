@@ -1,5 +1,4 @@
-//! Somebody is driven by keys on the page, and the program is killed: what was done a second before is not lost, and nothing
-//! is doubled.
+//! A user controls a resident with keys, and the program is killed: acts of a second before are kept, and nothing is doubled.
 
 use crate::folder::Folder;
 use crate::resumed::kills;

@@ -1,4 +1,4 @@
-//! Fleets: what each home of one says is what it says alone, reports count right, and what no fleet can do is refused at once.
+//! Fleets: a home has the same rows as alone, reports count right, and impossible fleets are refused at once.
 
 use crate::folder::Folder;
 use serde_json::Value;

@@ -1,4 +1,4 @@
-//! A folder of its own for each test, in which the command runs.
+//! A folder for each test, in which the command runs.
 
 use rusqlite::types::Value;
 use rusqlite::{Connection, OpenFlags};

@@ -1,4 +1,4 @@
-//! What is looked for over a whole log.
+//! Searching a whole log.
 
 use crate::folder::Folder;
 use serde_json::Value;

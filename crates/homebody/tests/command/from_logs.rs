@@ -1,4 +1,4 @@
-//! A home that nobody has drawn is made of what a log tells.
+//! A schematic home from a log.
 
 use crate::folder::Folder;
 use serde_json::Value;

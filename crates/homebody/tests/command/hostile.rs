@@ -1,4 +1,4 @@
-//! Files that may be anybody's: nothing that they name is read or written outside their folder, and what is read is bounded.
+//! Files from strangers: nothing that they name is read or written outside their folder, and their size is bounded.
 
 use crate::flat::flat;
 use crate::folder::Folder;

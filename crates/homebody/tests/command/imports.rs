@@ -1,4 +1,4 @@
-//! Beginning a scenario from a plan of Sweet Home 3D.
+//! Creating a scenario from a plan of Sweet Home 3D.
 
 use crate::folder::Folder;
 use std::io::{Cursor, Write};

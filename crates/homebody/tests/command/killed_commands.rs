@@ -1,4 +1,4 @@
-//! A command that is killed while it makes something is given again, and makes all of it.
+//! A command that was killed on its way can be repeated, and completes its output.
 
 use crate::flat::flat;
 use crate::folder::Folder;

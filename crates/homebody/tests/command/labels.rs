@@ -1,4 +1,4 @@
-//! Logs are labelled by the truth of their run, whatever clock both tell, and what cannot be labelled is said.
+//! Labelling logs by the ground truth of their run, for any clocks of both, and errors.
 
 use crate::flat::flat;
 use crate::folder::Folder;

@@ -1,4 +1,4 @@
-//! The lives of the scenarios that come with the program: whether people and pets live as they should.
+//! The shipped scenarios: their people and pets behave plausibly.
 
 use crate::folder::{Folder, ROOT};
 

@@ -1,4 +1,4 @@
-//! Logs are carried from form to form, and compared.
+//! Converting logs between forms, and comparing them.
 
 use crate::flat::flat;
 use crate::folder::Folder;

@@ -1,4 +1,4 @@
-//! What a log holds is told, its activities go along, and it can be made nobody's.
+//! Inspecting a log, converting its activities, and anonymising it.
 
 use crate::flat::flat;
 use crate::folder::Folder;

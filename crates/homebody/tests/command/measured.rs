@@ -1,4 +1,4 @@
-//! Measures of days and alerts, told, drawn and tabled.
+//! Measures of days and alerts, as text, pictures and tables.
 
 use crate::folder::Folder;
 use crate::noted_log::noted;

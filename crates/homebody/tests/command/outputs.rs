@@ -1,4 +1,4 @@
-//! Where a run goes, and what the command says of it.
+//! The destinations of a run, and its report.
 
 use crate::flat::flat;
 use crate::folder::{Folder, ROOT};

@@ -1,4 +1,4 @@
-//! What packages are made of: the unit's and the container's words are understood by the command, and paths lead somewhere.
+//! The parts of packages: the command accepts the words of the unit and the container, and paths exist.
 
 use crate::folder::{Folder, ROOT};
 use std::fs;

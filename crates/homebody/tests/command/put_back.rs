@@ -1,4 +1,4 @@
-//! A database that is put back to what it was before, as from a backup, gets all rows that it has not: it is asked, and no note is believed.
+//! A database that was restored from a backup gets all rows that it lacks: the program asks it, and trusts no note.
 
 use crate::folder::Folder;
 use crate::postgres::Server;

@@ -1,4 +1,4 @@
-//! A recording is enough to live a run again, and says so where it is not.
+//! A recording suffices to repeat a run; a recording that differs is reported.
 
 use crate::flat::flat;
 use crate::folder::Folder;

@@ -1,4 +1,4 @@
-//! Runs that are killed or stopped are gone on with, and end with the bytes of a run that nothing has disturbed.
+//! Killed and stopped runs resume to the bytes of an undisturbed run.
 
 use crate::flat::flat;
 use crate::folder::Folder;

@@ -1,4 +1,4 @@
-//! A reader of standard output that stands still. The run notices it, the home's own log grows, and a signal ends the run soon.
+//! A reader of standard output stops reading. The run notices it, the home's own log grows, and a signal ends the run soon.
 
 use crate::folder::{Ends, Folder};
 use std::fs::File;

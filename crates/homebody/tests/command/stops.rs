@@ -1,4 +1,4 @@
-//! Runs that are ended from outside, and what they leave; and how much memory they take.
+//! Runs that are ended from outside, their files, and the memory of runs.
 
 use crate::flat::flat;
 use crate::folder::Folder;

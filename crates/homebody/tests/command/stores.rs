@@ -1,4 +1,4 @@
-//! The command and the places of all kinds, servers too: what goes there comes back, and what is wrong with one is told.
+//! The command and all kinds of destinations, with servers: they return the rows that they got, and their problems are reported.
 //!
 //! Servers are begun by the tests. Where they are not installed the tests say so and pass, unless `HOMEBODY_SERVERS=required` is set.
 

@@ -1,4 +1,4 @@
-//! Rows on standard output, texts that are packed, and files that are no text, as people and pipes use them.
+//! Rows on standard output, compressed texts, and binary files, for people and pipes.
 
 use crate::flat::flat;
 use crate::folder::Folder;

@@ -1,4 +1,4 @@
-//! Files that cannot be written: the command says which and why, and leaves nothing half done.
+//! Files that cannot be written: the command reports which and why, and leaves nothing half done.
 
 use crate::flat::flat;
 use crate::folder::{Done, Folder};

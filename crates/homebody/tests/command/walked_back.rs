@@ -1,4 +1,4 @@
-//! `homebody translate`: logs walked back through the plan.
+//! `homebody locate`: locating people by a log and the plan.
 
 use crate::folder::Folder;
 use serde_json::Value;

@@ -1,4 +1,4 @@
-//! Files and folders that need each other in a circle: none of them can be read, tested or moved without the others.
+//! Files and folders that need each other in a circle: a reader needs all of them at once.
 //!
 //! A file needs another of its crate if it names what is defined there: in a `use`, or in a path such as
 //! `crate::time::DAY` or `grid::Corner`. What a file only passes on by `pub use` is sought where it is defined, so a

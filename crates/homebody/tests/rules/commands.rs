@@ -1,4 +1,4 @@
-//! The commands that the documents show are understood, and those that can be run here do run.
+//! The program accepts the commands in the documents, and the quick ones run.
 
 use super::markdown::Document;
 use super::{expect_none, repository};

@@ -1,4 +1,4 @@
-//! How source files look: their length, their names, how a sensor's file opens, and how code gives up.
+//! The form of source files: length, names, the head of a sensor's file, unwraps, and tests that belong to a program.
 
 use super::{File, expect_none, files, numbered, paths};
 

@@ -1,4 +1,4 @@
-//! What is wrong with a place is told, with what to do; a whole one is found whole.
+//! `homebody doctor` reports the fault of a broken destination with a hint, and no fault of an intact one.
 
 use crate::flat::flat;
 use crate::folder::Folder;

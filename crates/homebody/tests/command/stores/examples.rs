@@ -1,4 +1,4 @@
-//! The examples of the documents of stores are run as they stand, but for the names of their servers.
+//! The examples in the documents about destinations run, with other names of servers.
 
 use crate::folder::{Folder, ROOT};
 use crate::mosquitto::Broker;

@@ -1,4 +1,4 @@
-//! Labels are the same whatever the truth was written to.
+//! Labels are the same for any destination of the ground truth.
 
 use crate::flat::flat;
 use crate::folder::Folder;

@@ -1,4 +1,4 @@
-//! A log under a network's own names is read back from each kind of place without a word about them.
+//! Each kind of destination returns a log with a network's own names without a mapping.
 
 use crate::flat::flat;
 use crate::folder::Folder;
