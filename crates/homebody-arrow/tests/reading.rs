@@ -155,7 +155,7 @@ fn labels_and_a_table_of_activities_beside_it_are_read() {
 }
 
 #[test]
-fn what_is_no_log_is_refused_with_its_columns() {
+fn rejects_a_file_that_is_not_a_log_and_names_its_columns() {
     let folder = ready("no-log");
     let path = folder.path().join("table.parquet");
     write(&path, vec![("a\u{1b}[31m", Arc::new(Int64Array::from(vec![1])) as ArrayRef)]);

@@ -46,7 +46,7 @@ fn lived(step: Span) -> Events {
 }
 
 #[test]
-fn how_a_run_is_advanced_changes_no_silhouette() {
+fn the_steps_of_a_run_change_no_silhouette() {
     let whole = lived(LENGTH);
     assert!(whole.frames.len() > 50, "{}", whole.frames.len());
     for step in [Span::from_millis(1), Span::from_micros(137_731), SECOND] {

@@ -1,7 +1,5 @@
 //! The catalogue of devices as a document, with the source of each number.
 
-#![allow(clippy::disallowed_methods, reason = "a test may read and write files; the core may not")]
-
 use crate::generated::is_generated;
 use homebody_core::sensors::products::Product;
 use std::fmt::Write;

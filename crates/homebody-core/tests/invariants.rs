@@ -172,7 +172,7 @@ fn sample(whole: &MotionSegment) -> Vec<MotionSegment> {
 }
 
 #[test]
-fn who_hardly_moves_is_seen_at_once_or_never() {
+fn sensors_see_a_still_body_at_once_or_never() {
     for case in 0..CASES {
         let mut still = Case::new(case);
         let run = RunTime::START..RunTime::START + still.length;

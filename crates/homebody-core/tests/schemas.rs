@@ -2,8 +2,6 @@
 //!
 //! `HOMEBODY_REWRITE=1 cargo test -p homebody-core --test all schemas::` writes them anew.
 
-#![allow(clippy::disallowed_methods, reason = "a test may read and write files; the core may not")]
-
 use crate::generated::is_generated;
 use homebody_core::scenario::schema::schemas;
 

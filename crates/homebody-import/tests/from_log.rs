@@ -52,7 +52,7 @@ fn some(dice: &mut Dice) -> (Vec<LogSensor>, Vec<LogWay>) {
 }
 
 #[test]
-fn what_is_made_of_any_log_is_sound() {
+fn makes_a_valid_home_of_any_log() {
     let mut dice = Dice(1);
     for case in 0..150 {
         let (sensors, ways) = some(&mut dice);

@@ -161,7 +161,7 @@ fn one_that_is_away_as_it_is_begun_is_begun_again() {
 
 /// Both of one name: only the one that fails is left behind.
 #[test]
-fn of_two_of_one_name_the_right_one_is_left_behind() {
+fn drops_the_right_one_of_two_destinations_with_one_name() {
     let folder = Folder::new("one-name");
     let own = |deed: Deed, policy| Destination::own("a broker", Own { got: Arc::default(), batches: 0, deed }, policy);
     let all = vec![

@@ -219,7 +219,7 @@ fn an_event_log_has_activities_alone() {
 }
 
 #[test]
-fn what_is_broken_in_an_event_log_costs_its_own_event() {
+fn a_broken_part_of_an_event_log_costs_only_its_event() {
     let folder = Folder::new("broken-xes");
     let event = |name: &str, minute: u8| {
         format!(

@@ -439,7 +439,7 @@ fn the_sensor_is_the_column_that_parts_the_rows() {
 }
 
 #[test]
-fn what_a_row_tells_of_a_device_stands_in_the_sensor_name() {
+fn columns_about_a_device_are_part_of_the_sensor_name() {
     let row = |index: usize| match index % 3 {
         0 => "Hall PIR,motion,active,T".to_owned(),
         1 => "Hall PIR,motion,inactive,T".to_owned(),

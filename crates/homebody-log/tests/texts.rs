@@ -123,7 +123,7 @@ fn child() {
 }
 
 #[test]
-fn whatever_kills_a_run_its_texts_are_gone_on_with_to_the_same_bytes() {
+fn text_files_of_a_killed_run_resume_to_the_same_bytes() {
     let folder = Folder::new("texts-killed");
     let kills = std::env::var("HOMEBODY_KILLS").ok().and_then(|kills| kills.parse().ok()).unwrap_or(3_u64);
     let firings = stage::firings(20_000);

@@ -11,8 +11,8 @@ use homebody_log::Policy;
 const USUAL_S: u64 = 3;
 
 #[test]
-fn who_is_stopped_while_a_thousand_rows_come_a_second_has_each_once() {
-    if !is_alone("outage::who_is_stopped_while_a_thousand_rows_come_a_second_has_each_once", &[]) {
+fn a_server_that_stops_under_load_gets_each_row_once() {
+    if !is_alone("outage::a_server_that_stops_under_load_gets_each_row_once", &[]) {
         return;
     }
     let Some(mut server) = Server::start() else { return };

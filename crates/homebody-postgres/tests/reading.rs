@@ -51,7 +51,7 @@ fn a_log_is_read_as_sqlite_has_it() {
 }
 
 #[test]
-fn of_several_runs_one_is_named() {
+fn reads_the_named_one_of_several_runs() {
     let Some(server) = Server::shared() else { return };
     let database = server.database("several");
     let url = server.url("postgres", &database, "");
@@ -143,7 +143,7 @@ fn tables_of_others_are_read_and_what_is_missing_is_told() {
 }
 
 #[test]
-fn how_rows_are_parted_changes_nothing() {
+fn the_partition_of_rows_changes_nothing() {
     let Some(server) = Server::shared() else { return };
     let database = server.database("parted");
     let url = server.url("postgres", &database, "");

@@ -138,7 +138,7 @@ fn tables_that_do_not_fit_are_told_with_all_that_is_wrong() {
 }
 
 #[test]
-fn who_may_not_write_is_told_with_what_is_lacking() {
+fn names_the_right_that_a_user_lacks() {
     let Some(server) = Server::shared() else { return };
     let database = server.database("rights");
     live(&server.url("postgres", &database, ""), WriteMode::Create).unwrap();

@@ -1,5 +1,6 @@
 //! All tests of the crate in one program.
 
+#[allow(clippy::disallowed_methods, reason = "a test may read and write files; the crate may not")]
 #[path = "../../../tests/generated.rs"]
 mod generated;
 mod carers;

@@ -95,7 +95,7 @@ fn a_quiet_day_has_half_of_the_movement_and_a_busy_one_half_as_much_again() {
 }
 
 #[test]
-fn of_so_many_days_the_quietest_are_quiet() {
+fn the_stated_share_of_days_is_quiet() {
     let plain = plain_metres();
     let lived = live(&format!(
         "{BED}One day in three is a quiet day: she hardly leaves her chair.\nOn quiet days she prays at 11:00."
@@ -139,7 +139,7 @@ fn days_that_differ_a_lot_differ_more_around_the_same_mean() {
 }
 
 #[test]
-fn who_goes_to_bed_late_gets_up_as_much_later() {
+fn a_late_bedtime_shifts_the_rising() {
     let base = "On Friday and Saturday she goes to bed at 01:00. On weekdays but not on Friday she goes to bed at 22:30. \
                 On Sunday she goes to bed at 22:30.";
     for said in [

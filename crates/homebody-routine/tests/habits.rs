@@ -86,7 +86,7 @@ fn nobody_walks_in_their_sleep() {
 }
 
 #[test]
-fn who_is_away_for_days_is_away_for_days() {
+fn a_stay_elsewhere_lasts_for_its_days() {
     for (said, first, days) in [
         ("From day 30, for 7 days, she is out.", 29, 7.0),
         ("From day 20 she stays with her sister for a week.", 19, 7.0),
@@ -109,7 +109,7 @@ fn who_is_away_for_days_is_away_for_days() {
 }
 
 #[test]
-fn who_is_out_over_night_comes_home_when_it_is_said() {
+fn an_outing_over_night_ends_at_its_time() {
     for (said, hours) in [("for 23 hours", 23.0), ("for 30 hours", 30.0)] {
         let lived = live(&format!("On Tuesday she goes out at 07:30 {said}.\n"));
         let away = lived.of("away").map(|away| away.length().ratio(HOUR));
@@ -157,7 +157,7 @@ fn at_night_is_the_evening_for_what_is_done_awake_and_the_night_for_the_rest() {
 }
 
 #[test]
-fn what_has_its_time_in_the_small_hours_is_lived_then() {
+fn activities_in_the_small_hours_happen_then() {
     for (said, name, at) in [
         ("She makes tea at 3:00.", "drinking", 3.0),
         ("She takes her medicine at 5:00.", "taking_medicine", 5.0),
@@ -205,7 +205,7 @@ fn several_times_a_day_are_spread_over_the_day() {
 }
 
 #[test]
-fn so_much_less_active_is_so_much_less_movement() {
+fn less_active_days_have_less_movement_in_proportion() {
     for errands in
         ["", "On Tuesday and Friday she goes out at 10:00 for 2 hours.\nShe does the housework at 9:30 for 1 hour.\n"]
     {
@@ -248,7 +248,7 @@ fn hours_that_vary_more_have_the_means_that_they_had() {
 }
 
 #[test]
-fn how_often_replaces_a_need_and_a_time_adds_to_it() {
+fn a_frequency_replaces_a_need_and_a_time_adds_to_it() {
     let plain = plain();
     for (said, name, least, most) in [
         ("She drinks once or twice a day.", "drinking", 1.4, 1.6),
@@ -290,7 +290,7 @@ fn short_outings_are_lived() {
 }
 
 #[test]
-fn what_is_said_has_its_time_whatever_is_unsaid() {
+fn stated_activities_keep_their_time() {
     let shower = live("She takes a shower at 07:30.\n");
     let off: Vec<f64> = shower.hours("showering").iter().map(|hour| (hour - 7.5) * 60.0).collect();
     assert!(off.len() >= 59 && mean(&off).abs() < 4.0, "{off:?}");
@@ -357,7 +357,7 @@ fn a_severity_that_is_said_again_replaces_the_first() {
 }
 
 #[test]
-fn what_is_said_later_of_the_same_replaces_what_was_said_before() {
+fn a_later_sentence_replaces_an_earlier_one_on_the_same_thing() {
     let lived = live("From day 10 she gets up 1 hour later.\nFrom day 30 she gets up 30 minutes later.\n");
     let ups = lived.hours("getting_up");
     assert!((mean(&ups[12..28]) - 8.0).abs() < 0.15 && (mean(&ups[32..]) - 7.5).abs() < 0.15, "{ups:?}");

@@ -38,7 +38,7 @@ fn a_scenario_has_words_of_its_own() {
 }
 
 #[test]
-fn what_is_wrong_in_it_is_told_with_its_line() {
+fn reports_problems_of_a_lexicon_with_their_lines() {
     for (words, wanted) in [
         ("~read", "own.words:1:1: this line has no section above it"),
         ("[readng]\n~leaf", "did you mean \"[reading]\"?"),

@@ -241,7 +241,7 @@ fn next(around) {
 }
 
 #[test]
-fn what_reaches_beyond_the_script_is_not_there() {
+fn scripts_have_no_access_to_the_outside() {
     for call in ["sleep(1)", "timestamp()", "import \"x\" as y", "eval(\"1\")", "open_file(\"x\")", "exit()", "rand()"]
     {
         assert!(!problems(&format!("fn next(around) {{ {call}; wait(1) }}")).is_empty(), "{call}");

@@ -80,7 +80,7 @@ fn reading_and_checking_cost_no_more_than_a_small_multiple_of_the_size() {
 
 /// The control: who compares each key with all others is seen to take too long.
 #[test]
-fn what_costs_the_square_of_the_size_is_seen() {
+fn finds_a_quadratic_cost() {
     let [small, large] = [4_000, 32_000].map(|size| {
         let keys: Vec<u64> = (0..size).collect();
         let repeated = || keys.iter().map(|one| keys.iter().filter(|other| *other == black_box(one)).count()).sum();

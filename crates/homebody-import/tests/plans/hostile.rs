@@ -103,7 +103,7 @@ fn markup_that_no_plan_has_is_refused() {
 }
 
 #[test]
-fn what_only_looks_like_bad_markup_is_read() {
+fn reads_markup_that_only_looks_bad() {
     let drawn =
         "<!-- <!DOCTYPE <a <a --><!--><!DOCTYPE <a --><property name='xmlns:a' value='a=b > c'/><![CDATA[<!DOCTYPE]]>"
             .to_owned();
@@ -175,7 +175,7 @@ fn a_long_name_of_a_level_is_not_copied_to_all_that_is_on_it() {
 }
 
 #[test]
-fn what_is_hard_to_reckon_is_done_soon() {
+fn computes_hard_plans_soon() {
     let timed = |what: &str, drawn: &str| {
         let begun = Instant::now();
         let remarks = import(&file(drawn)).map_or(0, |imported| imported.remarks.len());

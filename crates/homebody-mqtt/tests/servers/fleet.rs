@@ -145,7 +145,7 @@ fn a_fleet_is_there_again_after_the_broker_was_away() {
 }
 
 #[test]
-fn what_no_fleet_can_be_told_by_is_refused() {
+fn refuses_urls_that_a_fleet_cannot_use() {
     let check = |url: &str, is_fast| MqttFleet::new(&url.parse().unwrap()).check(is_fast);
     assert!(check("mqtt://localhost/load", false).is_ok());
     assert!(check("mqtt://localhost/load?allow-fast=true", true).is_ok());

@@ -80,7 +80,7 @@ fn polarity_is_that_of_each_system() {
 }
 
 #[test]
-fn what_is_kept_is_what_is_so() {
+fn retained_messages_are_the_current_state() {
     let Some(broker) = Broker::start() else { return };
     let mut logger = logger(MqttSink::live(&broker.url("homebody")), WriteMode::Create).unwrap();
     store(&mut logger, &firings(16));

@@ -111,7 +111,7 @@ fn a_flood_of_orders_is_answered_and_rows_go_on() {
 }
 
 #[test]
-fn what_others_are_told_and_what_the_broker_keeps_is_no_order() {
+fn ignores_retained_messages_and_orders_to_others() {
     let Some(broker) = Broker::start() else { return };
     let order = r#"{"do":"stop"}"#;
     broker.say("homebody/the_studio/command", order, &["-r"]);

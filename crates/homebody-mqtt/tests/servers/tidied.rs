@@ -4,7 +4,7 @@ use crate::servers::broker::{Broker, live};
 use homebody_mqtt::clean;
 
 #[test]
-fn what_our_homes_have_left_is_removed_and_nothing_else() {
+fn removes_the_messages_of_our_homes_and_no_others() {
     let Some(broker) = Broker::start() else { return };
     let others = [
         ("homebody/notes", "mine"),

@@ -66,7 +66,7 @@ impl Driven {
 }
 
 #[test]
-fn whatever_kills_the_program_what_was_done_a_second_before_is_kept() {
+fn acts_of_a_second_before_survive_a_kill() {
     let folder = Folder::new();
     folder.copy_scenario("by-hand");
     let (mut most_held, kills) = (0, kills());

@@ -86,7 +86,7 @@ fn a_truth_of_texts_labels_as_a_database_does() {
 }
 
 #[test]
-fn what_is_wrong_with_a_log_is_not_blamed_on_the_truth() {
+fn does_not_blame_the_truth_for_faults_of_a_log() {
     let folder = flat();
     folder.run("run flat --for 10m --quiet --out csv:log.csv --truth truth.db").ok();
     let text = folder.read("log.csv");

@@ -41,7 +41,7 @@ fn days_are_measured_by_the_log_and_by_the_truth() {
 }
 
 #[test]
-fn what_cannot_be_measured_is_said() {
+fn reports_what_it_cannot_measure() {
     let folder = three_weeks();
     folder.run("measures runs/tigerplace-1 --resident rose").fails(2, "error[measures::no-resident]");
     folder.write("names.csv", "time,sensor,value\n2024-01-01 10:00:00,M001,ON\n2024-01-01 10:00:09,M002,ON\n");
@@ -152,7 +152,7 @@ fn sensors_are_placed() {
 }
 
 #[test]
-fn of_two_residents_it_is_said_whose_measures_they_are() {
+fn names_the_resident_of_measures_in_a_home_of_two() {
     let folder = Folder::new();
     folder.copy_scenario("couple-with-cat");
     folder.run("run couple-with-cat --quiet --for 2d").ok();

@@ -96,7 +96,7 @@ fn systemd_finds_nothing_wrong_with_the_unit() {
 }
 
 #[test]
-fn what_the_container_is_made_of_is_there() {
+fn the_files_of_the_container_exist() {
     let file = read("Containerfile");
     let folder = Folder::new();
     let mut copied = 0;

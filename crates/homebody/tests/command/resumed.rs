@@ -324,7 +324,7 @@ fn a_file_of_something_else_is_not_replaced() {
 
 /// Killed before its recording stood, a run has left nothing to go on with. The hint is followed, and works.
 #[test]
-fn what_was_killed_at_once_is_begun_anew() {
+fn a_run_killed_at_once_starts_again() {
     let folder = flat();
     for part in ["recording.json.4711-0.part", "cohort.json.4711-0.part", ""] {
         fs::create_dir_all(folder.path("runs/flat-1")).unwrap();
@@ -345,7 +345,7 @@ fn what_was_killed_at_once_is_begun_anew() {
 
 /// Each hint is followed, and works.
 #[test]
-fn what_cannot_be_gone_on_with_says_what_can_be_done() {
+fn a_run_that_cannot_resume_reports_a_way_out() {
     let (folder, _) = undisturbed("sqlite", "log.db");
     let whole = left(&folder, "flat-1");
     let running = folder.start(&format!("run flat --for {SPAN} --quiet --control --paused"));

@@ -138,7 +138,7 @@ fn a_reader_that_stands_still_ends_a_run_that_does_not_wait_and_a_slow_one_does_
 }
 
 #[test]
-fn what_is_no_time_for_an_answer_is_refused() {
+fn refuses_invalid_timeouts() {
     let folder = Folder::new();
     for wrong in ["0s", "10", "2h", "soon", "NaNs", "50ms"] {
         folder.run(&format!("run studio --destination-timeout {wrong}")).fails(2, "such as 10s");

@@ -64,7 +64,7 @@ fn a_log_is_walked_back_and_what_is_lived_again_explains_it() {
 }
 
 #[test]
-fn what_does_not_fit_is_said_with_its_share() {
+fn reports_the_share_of_rows_that_do_not_fit() {
     let folder = studio();
     folder.run("convert log.db --out csv:log.csv").ok();
     let log = folder.read("log.csv").replace("M002", "M999");

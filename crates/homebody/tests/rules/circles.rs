@@ -98,7 +98,7 @@ fn every_way_of_naming_closes_a_circle() {
 }
 
 #[test]
-fn what_names_nothing_closes_no_circle() {
+fn a_path_without_a_definition_closes_no_circle() {
     let none = Vec::<Vec<String>>::new();
     assert_eq!(made_up("deep/two.rs", "pub struct Two;"), none);
     assert_eq!(made_up("deep/two.rs", "// use crate::one::One;\n/* crate::one::One */ pub struct Two;"), none);
