@@ -108,6 +108,24 @@ fn finds_a_file_of_tests_that_no_program_has() {
     assert_eq!(forgotten_tests(&files), ["crates/a/tests/two.rs", "crates/b/tests/large/other.rs"]);
 }
 
+#[test]
+fn no_manifest_turns_off_tests_that_there_are() {
+    expect_none(tests_turned_off(&files()));
+}
+
+#[test]
+fn finds_tests_that_a_manifest_turns_off() {
+    let wrong = |manifest: &str, code: &str| {
+        let files = [File::new("crates/a/Cargo.toml", manifest), File::new("crates/a/src/lib.rs", code)];
+        tests_turned_off(&files).len()
+    };
+    let (unit, example) = ("#[test]\nfn a() {}\n", "/// ```\n/// a();\n/// ```\n");
+    assert_eq!((wrong("[lib]\ntest = false\n", unit), wrong("[lib]\ndoctest = false\n", unit)), (1, 0));
+    assert_eq!((wrong("[lib]\ndoctest = false\n", example), wrong("[lib]\ntest = false\n", example)), (1, 0));
+    assert_eq!(wrong("[lib]\ndoctest = false\n", "/// ```json\n/// {}\n/// ```\n"), 0);
+    assert_eq!(wrong("[dependencies]\n", &(unit.to_owned() + example)), 0);
+}
+
 fn is_source(file: &File) -> bool {
     ["rs", "py", "ts", "js", "svelte", "css", "html", "sh"].iter().any(|extension| file.is(extension))
 }
@@ -206,4 +224,25 @@ fn forgotten_tests(files: &[File]) -> Vec<String> {
         !is_program && !others.any(|other| other.text.lines().any(declares))
     };
     files.iter().filter(is_forgotten).map(|file| file.path.clone()).collect()
+}
+
+/// The files of libraries with tests or examples that their manifest turns off.
+fn tests_turned_off(files: &[File]) -> Vec<String> {
+    let is_off = |file: &&File| {
+        let Some((package, _)) = file.path.split_once("/src/").filter(|_| is_code(&file.path)) else { return false };
+        let Some(manifest) = files.iter().find(|other| other.path == format!("{package}/Cargo.toml")) else {
+            return false;
+        };
+        let lib = manifest.text.split("[lib]\n").nth(1).and_then(|rest| rest.split("\n[").next()).unwrap_or_default();
+        let says = |setting: &str| lib.lines().any(|line| line == setting);
+        says("test = false") && file.text.contains("#[test]") || says("doctest = false") && has_example(&file.text)
+    };
+    files.iter().filter(is_off).map(|file| file.path.clone()).collect()
+}
+
+/// Whether doc comments have a block of Rust that runs.
+fn has_example(text: &str) -> bool {
+    let docs = text.lines().filter_map(|line| line.trim().strip_prefix("//!").or(line.trim().strip_prefix("///")));
+    let fences = docs.filter_map(|line| line.trim().strip_prefix("```"));
+    fences.step_by(2).any(|language| ["", "rust", "no_run", "should_panic", "compile_fail"].contains(&language))
 }
