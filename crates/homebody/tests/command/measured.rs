@@ -1,20 +1,17 @@
 //! Measures of days and alerts, as text, pictures and tables.
 
-use crate::folder::Folder;
+use crate::folder::{Files, Folder};
 use crate::noted_log::noted;
 use serde_json::Value;
 use std::sync::OnceLock;
 
-/// A copy of three weeks of the apartment of the README, in its run's folder.
+/// Three weeks of the apartment of the README, in its run's folder.
 fn three_weeks() -> Folder {
-    static WHOLE: OnceLock<Folder> = OnceLock::new();
-    let simulate = || {
-        let folder = Folder::new();
+    static FILES: OnceLock<Files> = OnceLock::new();
+    Folder::filled_once(&FILES, |folder| {
         folder.copy_scenario("tigerplace");
         folder.run("run tigerplace --quiet --for 21d").ok();
-        folder
-    };
-    WHOLE.get_or_init(simulate).copy()
+    })
 }
 
 #[test]

@@ -1,14 +1,16 @@
 //! `homebody locate`: locating people by a log and the plan.
 
-use crate::folder::Folder;
+use crate::folder::{Files, Folder};
 use serde_json::Value;
+use std::sync::OnceLock;
 
 /// A folder with a day of the studio, in which one person lives.
 fn studio() -> Folder {
-    let folder = Folder::new();
-    folder.run("new home --template studio").ok();
-    folder.run("run home --for 1d --quiet --out sqlite:log.db --truth truth.db").ok();
-    folder
+    static FILES: OnceLock<Files> = OnceLock::new();
+    Folder::filled_once(&FILES, |folder| {
+        folder.run("new home --template studio").ok();
+        folder.run("run home --for 1d --quiet --out sqlite:log.db --truth truth.db").ok();
+    })
 }
 
 fn report(folder: &Folder) -> Value {
