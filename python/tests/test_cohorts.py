@@ -124,7 +124,7 @@ def interrupt():
 
 threading.Thread(target=interrupt).start()
 try:
-    hb.cohort("studio", {members}, {str(folder)!r}, days=20, seed=1)
+    hb.cohort("studio", {members}, {str(folder)!r}, days=8, seed=1)
 except KeyboardInterrupt:
     print("interrupted")
 """
@@ -136,8 +136,8 @@ except KeyboardInterrupt:
     assert 0 < len(names) < members / 2
     whole = folder / "log" / f"member={names[0]}" / "log.parquet"
     kept = whole.stat().st_mtime_ns
-    hb.cohort("studio", members, folder, days=20, seed=1)
-    hb.cohort("studio", members, tmp_path / "other", days=20, seed=1)
+    hb.cohort("studio", members, folder, days=8, seed=1)
+    hb.cohort("studio", members, tmp_path / "other", days=8, seed=1)
     assert bytes_of(folder) == bytes_of(tmp_path / "other")
     assert whole.stat().st_mtime_ns == kept, "who was lived is not lived again"
 

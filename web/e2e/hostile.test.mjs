@@ -69,7 +69,7 @@ test('whatever things are called, the page shows it as text', { timeout: 240_000
   const [run] = served.runs();
   for (const view of ['live', 'plan', 'life', 'log', 'playback', `care/${encodeURIComponent(run)}`, `playback/${encodeURIComponent(run)}`]) {
     await page.goto(`${origin}#/${view}`);
-    await wait(2000);
+    await wait(1000);
     assert.equal(await page.evaluate(() => window.broken), undefined, view);
     assert.equal(await page.locator('main').count(), 1, view);
     const wide = await page.evaluate(() => document.documentElement.scrollWidth - window.innerWidth);

@@ -1,7 +1,6 @@
 //! Coverage measured against homes whose coverage is known.
 
-mod home;
-
+use crate::home;
 use homebody_analysis::coverage::{Coverage, CoverageGrid, LEAST_DEAD_ZONE_M2, STEP_M, coverage};
 use homebody_core::geometry::{Point, point, signed_area};
 use homebody_core::home::form::HomeFile;

@@ -1,8 +1,6 @@
-//! What is put up in a home, in words that lead there, and two layouts side by side.
+//! The parts list of a home, with directions to each part, and the comparison of two layouts.
 
-mod home;
-
-use home::two_rooms;
+use crate::home::two_rooms;
 use homebody_analysis::parts::{PartsList, SensorLayout, beside};
 use homebody_core::home::form::HomeFile;
 use homebody_core::resident::Build;

@@ -1,4 +1,4 @@
-//! Data sets in an object store: what goes there comes back, also where the program died, and nothing is replaced unasked.
+//! Data sets in an object store: the store returns what was written, also after the program died, and replaces nothing without `--force`.
 //!
 //! Each is tried with a store in a folder. With a server that speaks S3 it is tried again: moto's, where `moto_server` is on the `PATH` or
 //! `HOMEBODY_MOTO` names it.

@@ -1,8 +1,6 @@
-//! A data set has whole days of whole runs, whatever comes in between.
+//! A data set holds whole days of whole runs, whatever interrupts the program.
 
-#[path = "../../homebody-log/tests/stage/mod.rs"]
-mod stage;
-
+use crate::stage::{self, Folder};
 use homebody_core::event::Firing;
 use homebody_core::scenario::logger::LoggerFile;
 use homebody_core::time::{DAY, HOUR, RunTime, SECOND, Span};
@@ -10,7 +8,6 @@ use homebody_log::registry::{Registry, install};
 use homebody_log::run_log::destinations;
 use homebody_log::table::{Batch, Cell, TextPool};
 use homebody_log::{Begin, Cancel, LogError, LogSource, Logger, RunInfo, Sink, TruthLog, Url, WriteMode, read};
-use stage::Folder;
 use std::collections::BTreeMap;
 use std::fs;
 use std::path::Path;
@@ -160,7 +157,7 @@ fn whatever_kills_a_run_it_is_gone_on_with_to_the_same_bytes() {
         for kill in 0..kills {
             let url = folder.url(&format!("{kind}:{kill}-{name}"));
             let mut child = Command::new(std::env::current_exe().unwrap())
-                .args(["child", "--exact", "--test-threads", "1"])
+                .args(["data_sets::child", "--exact", "--test-threads", "1"])
                 .env(CHILD, url.to_string())
                 .stdout(Stdio::null())
                 .spawn()

@@ -1,13 +1,10 @@
-//! DuckDB, Polars and PyArrow read what we write, and we read what Polars and pandas write, where Python has them.
+//! DuckDB, Polars and PyArrow read our files, and we read the files of Polars and pandas. Tests skip the programs that Python lacks.
 
-#[path = "../../homebody-log/tests/stage/mod.rs"]
-mod stage;
-
+use crate::stage::{self, Folder};
 use homebody_core::scenario::logger::{LoggerFile, TimeFormat};
 use homebody_core::time::{HOUR, Interval, RunTime, WallTime};
 use homebody_log::registry::{Registry, install};
 use homebody_log::{LogError, LogSource, Logger, RunInfo, TruthLog, WriteMode, read};
-use stage::Folder;
 use std::process::Command;
 use std::sync::Arc;
 

@@ -1,8 +1,6 @@
-//! Files of other programs are read whatever types they have, and damaged ones are refused in words that name them.
+//! Files of other programs are readable with any column types; errors name what is damaged.
 
-#[path = "../../homebody-log/tests/stage/mod.rs"]
-mod stage;
-
+use crate::stage::{self, Folder};
 use arrow_array::builder::StringViewBuilder;
 use arrow_array::types::Int8Type;
 use arrow_array::*;
@@ -12,7 +10,6 @@ use homebody_log::log::Clock;
 use homebody_log::registry::{Registry, install};
 use homebody_log::{Log, LogError, LogSource, read};
 use parquet::arrow::ArrowWriter;
-use stage::Folder;
 use std::fs::{self, File};
 use std::path::Path;
 use std::sync::Arc;
@@ -158,7 +155,7 @@ fn labels_and_a_table_of_activities_beside_it_are_read() {
 }
 
 #[test]
-fn what_is_no_log_is_refused_with_its_columns() {
+fn rejects_a_file_that_is_not_a_log_and_names_its_columns() {
     let folder = ready("no-log");
     let path = folder.path().join("table.parquet");
     write(&path, vec![("a\u{1b}[31m", Arc::new(Int64Array::from(vec![1])) as ArrayRef)]);

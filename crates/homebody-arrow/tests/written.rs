@@ -1,8 +1,6 @@
-//! Files hold what was stored, with the types and the words that are promised, whatever the batches.
+//! Files hold the stored rows with the documented types, for any sizes of batches.
 
-#[path = "../../homebody-log/tests/stage/mod.rs"]
-mod stage;
-
+use crate::stage::{self, Folder};
 use arrow_array::cast::AsArray;
 use arrow_schema::{DataType, TimeUnit};
 use homebody_core::scenario::logger::{LoggerFile, TimeFormat};
@@ -11,7 +9,6 @@ use homebody_log::log::Clock;
 use homebody_log::registry::{Registry, install};
 use homebody_log::{Log, LogError, LogSource, Url, WriteMode, read};
 use parquet::arrow::arrow_reader::ParquetRecordBatchReaderBuilder;
-use stage::Folder;
 use std::fs::{self, File};
 
 fn ready(name: &str) -> Folder {

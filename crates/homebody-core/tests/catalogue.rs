@@ -1,11 +1,6 @@
 //! The catalogue of devices as a document, with the source of each number.
 
-#![allow(clippy::disallowed_methods, reason = "a test may read and write files; the core may not")]
-
-#[path = "../../../tests/generated.rs"]
-mod generated;
-
-use generated::is_generated;
+use crate::generated::is_generated;
 use homebody_core::sensors::products::Product;
 use std::fmt::Write;
 

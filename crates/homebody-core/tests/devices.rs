@@ -1,4 +1,4 @@
-//! The sensors that are told what happens, in a world: what each says, and when.
+//! Sensors that are informed of acts: their messages and the times of these.
 
 use homebody_core::event::{Events, Fact, ThingUse, Trigger, Value, Vitals};
 use homebody_core::geometry::Point;
@@ -409,7 +409,7 @@ fn a_lamp_is_seen_and_metered_at_once() {
 }
 
 #[test]
-fn what_happens_at_one_instant_is_told_in_the_order_of_sensors() {
+fn messages_of_one_instant_are_in_the_order_of_sensors() {
     let file = json!({
         "name": "one room",
         "rooms": [{ "name": "room", "outline": [[0, 0], [8, 0], [8, 6], [0, 6]] }],

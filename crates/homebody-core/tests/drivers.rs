@@ -1,4 +1,4 @@
-//! Drivers of anybody's: what they are shown, and what becomes of a run whose driver answers with nonsense.
+//! Drivers from other crates: what they see, and how a run ends after an invalid answer.
 #![expect(clippy::disallowed_types, reason = "what a driver saw is told to the test by a lock")]
 
 use homebody_core::drivers::error::{DriverError, DriverFault, MOST_ANSWERS};
@@ -141,7 +141,7 @@ fn an_impossible_answer_ends_the_run() {
 }
 
 #[test]
-fn who_fails_at_once_has_done_nothing() {
+fn a_driver_that_fails_at_once_does_nothing() {
     let mut run = run(vec![says(Vec::new(), segment(seconds(0), seconds(0), MotionState::Away))]);
     let mut events = Events::default();
     let error = run.advance(END, &mut events).unwrap_err();
@@ -150,7 +150,7 @@ fn who_fails_at_once_has_done_nothing() {
 }
 
 #[test]
-fn what_bodies_can_do_is_taken() {
+fn accepts_every_possible_step() {
     let (begin, end, here) = (seconds(10), RunTime::NEVER, at(3.0, 2.0));
     // Rounding is no jump; who stands in a wall or a door is inside.
     let close = at(3.005, 2.0);
@@ -206,7 +206,7 @@ impl Driver for Watcher {
 }
 
 #[test]
-fn who_decides_sees_what_is_so() {
+fn a_driver_sees_the_state_of_the_home() {
     let door = |on| Next::Use(ThingUse { thing: ThingId(0), on });
     let arrives = RunTime::from_micros(12_345_678);
     // From room to room, the door shut behind, and out.
@@ -261,7 +261,7 @@ fn movements(facts: impl IntoIterator<Item = Fact>) -> Vec<MotionSegment> {
 }
 
 #[test]
-fn who_stands_still_at_the_keys_fills_no_truth() {
+fn standing_still_under_held_keys_adds_no_truth() {
     let mut run = by_keys();
     let mut events = Events::default();
     let (stands, walks) = (seconds(600) + Span::from_micros(12_345), SECOND / 2);

@@ -1,8 +1,7 @@
 //! The design's invariants, each as a test by its name, on random homes with every level of sensor,
 //! up to three bodies, and times that tie.
 
-mod random_home;
-
+use crate::random_home::{self, Dice, Done, Model};
 use homebody_core::drivers::path::{PathDriver, ResolvedPath};
 use homebody_core::event::{Events, Fact, Firing, Provenance, Value};
 use homebody_core::geometry::Point;
@@ -18,7 +17,6 @@ use homebody_core::sensor_set::SensorSet;
 use homebody_core::sensors::kinds::{KINDS, SensorFile};
 use homebody_core::time::{RunTime, SECOND, Span};
 use homebody_core::world::World;
-use random_home::{Dice, Done, Model};
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
@@ -174,7 +172,7 @@ fn sample(whole: &MotionSegment) -> Vec<MotionSegment> {
 }
 
 #[test]
-fn who_hardly_moves_is_seen_at_once_or_never() {
+fn sensors_see_a_still_body_at_once_or_never() {
     for case in 0..CASES {
         let mut still = Case::new(case);
         let run = RunTime::START..RunTime::START + still.length;

@@ -1,4 +1,4 @@
-//! The list of kinds of sensors says what is so, and documents say what it says.
+//! The list of sensor kinds agrees with the sensors and with the documents.
 
 use homebody_core::home::Home;
 use homebody_core::home::form::HomeFile;

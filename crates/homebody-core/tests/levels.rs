@@ -1,5 +1,5 @@
-//! What a wall sensor takes for movement at each level, in a room 12 by 8 metres with one lens at the origin of x, in the
-//! middle of its western side. Expected instants are computed by hand.
+//! The movement that a wall sensor detects at each level, in a room of 12 by 8 metres with one lens at the origin of x, in the middle of
+//! its western side. Expected instants are computed by hand.
 
 use homebody_core::event::{Events, Fact};
 use homebody_core::geometry::Point;
@@ -201,7 +201,7 @@ fn two_people_who_cross_a_zone_each_are_noticed_together() {
 const BEFORE_THE_LENS: (f64, f64) = (0.25, 4.0);
 
 #[test]
-fn who_walks_off_from_where_zones_are_touched_is_not_noticed_by_them() {
+fn zones_miss_a_body_that_leaves_from_inside_them() {
     let off = |life: Life| life.walk(1.0, BEFORE_THE_LENS, (4.0, 4.0));
     let arrives = || Life::new().walk(1.0, (9.0, 4.0), BEFORE_THE_LENS).rest(30.0, Posture::Standing, BEFORE_THE_LENS);
     // The arrival comes to the middle zone at 5.2 m, and to both others at 0.2 * sqrt(2) = 0.282843 m, each time once.
@@ -223,19 +223,19 @@ fn a_stir_is_noticed_only_where_it_spans_the_pitch_of_the_zones() {
 }
 
 #[test]
-fn who_has_stood_there_from_the_start_walks_off_unnoticed() {
+fn misses_a_body_that_stood_there_from_the_start() {
     let life = Life::new().rest(30.0, Posture::Standing, BEFORE_THE_LENS).walk(1.0, BEFORE_THE_LENS, (4.0, 4.0));
     assert_eq!(alone(&zones(2, 2.0), life), NONE);
 }
 
 #[test]
-fn who_has_stirred_there_from_the_start_walks_off_unnoticed() {
+fn misses_a_body_that_moved_there_from_the_start() {
     let life = Life::new().stir(30.0, Posture::Standing, BEFORE_THE_LENS, 0.19).walk(1.0, BEFORE_THE_LENS, (4.0, 4.0));
     assert_eq!(alone(&zones(2, 2.0), life), NONE);
 }
 
 #[test]
-fn who_came_back_to_stand_there_walks_off_unnoticed() {
+fn misses_a_body_that_came_back_to_stand_there() {
     let life = Life::new()
         .then(10.0, Posture::Standing, MotionState::Away)
         .rest(30.0, Posture::Standing, BEFORE_THE_LENS)
@@ -244,7 +244,7 @@ fn who_came_back_to_stand_there_walks_off_unnoticed() {
 }
 
 #[test]
-fn who_walks_off_at_the_very_start_is_unnoticed() {
+fn misses_a_body_that_leaves_at_the_very_start() {
     let life = Life::new().walk(1.0, BEFORE_THE_LENS, (4.0, 4.0));
     assert_eq!(alone(&zones(2, 2.0), life), NONE);
 }
@@ -315,7 +315,7 @@ fn passing_is_seen_nine_times_in_ten_and_the_edge_is_soft() {
 }
 
 #[test]
-fn of_small_movements_most_are_missed() {
+fn misses_most_small_movements() {
     let chance = json!({ "chance": { "looks_per_s": 2, "sure_deg": 20, "missed": 0 } });
     let stir = |amplitude_m: f64| move |life: Life| life.stir(3.0, Posture::Sitting, (5.0, 4.0), amplitude_m);
     let [blanket, hand, arm] = [0.1, 0.2, 0.5].map(|amplitude_m| share_seen(&chance, stir(amplitude_m)));

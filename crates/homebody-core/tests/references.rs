@@ -1,14 +1,9 @@
-//! `docs/reference/home.md`, `docs/reference/logger.md` and `docs/reference/scenario.md` are what the types of the files say: each key with its type,
-//! unit, range, default and sentence.
+//! `docs/reference/home.md`, `docs/reference/logger.md` and `docs/reference/scenario.md` agree with the types of the files: each key with
+//! its type, unit, range, default and sentence.
 //!
-//! `HOMEBODY_REWRITE=1 cargo test -p homebody-core --test references` writes them anew.
+//! `HOMEBODY_REWRITE=1 cargo test -p homebody-core --test all references::` writes them anew.
 
-#![allow(clippy::disallowed_methods, reason = "a test may read and write files; the core may not")]
-
-#[path = "../../../tests/generated.rs"]
-mod generated;
-
-use generated::is_generated;
+use crate::generated::is_generated;
 use homebody_core::home::form::HomeFile;
 use homebody_core::home::resolved::ResolvedHome;
 use homebody_core::scenario::logger::LoggerFile;

@@ -1,13 +1,8 @@
-//! The JSON Schemas in the folder `schemas` are those of the types.
+//! The JSON Schemas in the folder `schemas` agree with the types.
 //!
-//! `HOMEBODY_REWRITE=1 cargo test -p homebody-core --test schemas` writes them anew.
+//! `HOMEBODY_REWRITE=1 cargo test -p homebody-core --test all schemas::` writes them anew.
 
-#![allow(clippy::disallowed_methods, reason = "a test may read and write files; the core may not")]
-
-#[path = "../../../tests/generated.rs"]
-mod generated;
-
-use generated::is_generated;
+use crate::generated::is_generated;
 use homebody_core::scenario::schema::schemas;
 
 #[test]

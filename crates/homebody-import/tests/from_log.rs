@@ -1,4 +1,4 @@
-//! Whatever the sensors of a log are called and whoever follows whom: the home that is made of them is sound.
+//! A home that is made from a log is valid, whatever the names and the order of its sensors.
 
 use homebody_core::home::form::HomeFile;
 use homebody_import::from_log::{LogSensor, LogWay, SchematicError, Speaks, schematic};
@@ -52,7 +52,7 @@ fn some(dice: &mut Dice) -> (Vec<LogSensor>, Vec<LogWay>) {
 }
 
 #[test]
-fn what_is_made_of_any_log_is_sound() {
+fn makes_a_valid_home_of_any_log() {
     let mut dice = Dice(1);
     for case in 0..150 {
         let (sensors, ways) = some(&mut dice);

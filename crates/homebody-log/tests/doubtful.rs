@@ -1,9 +1,8 @@
-//! Tables and lists that might be two things: they are read by evidence, or a sentence asks for what is missing.
+//! Ambiguous tables and lists are read by evidence, or an error asks for the missing information.
 
-mod stage;
-
+use crate::stage;
+use crate::stage::texts::{SEVEN, clock, read_as, read_text, rows, told, why};
 use homebody_core::time::SECOND;
-use stage::texts::{SEVEN, clock, read_as, read_text, rows, told, why};
 
 /// Seven in seconds since 1970.
 fn seven() -> i64 {

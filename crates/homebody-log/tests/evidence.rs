@@ -1,14 +1,12 @@
-//! Forms are accepted on evidence, and other files get a sentence that says what they are.
+//! A form of log is accepted on evidence, and an error says what another file is.
 
-mod stage;
-
+use crate::stage::Folder;
 use homebody_core::scenario::logger::LoggerFile;
 use homebody_core::time::{DAY, Interval, MINUTE, SECOND, WallTime};
 use homebody_log::log::ColumnRole;
 use homebody_log::source::LogForm;
 use homebody_log::{Log, LogError, LogSource, read};
 use rusqlite::Connection;
-use stage::Folder;
 use std::fs;
 use std::path::Path;
 

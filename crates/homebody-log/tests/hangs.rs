@@ -1,11 +1,8 @@
 //! A destination that stops answering counts as away once its deadline is over. It gets each row once when it answers again, and no run
 //! waits for it at its end.
 
-#[path = "../../../tests/hangs.rs"]
-mod hangs;
-mod stage;
-
-use hangs::{DEADLINE, SOON, ended, outlived, stopped};
+use crate::hanging::{DEADLINE, SOON, ended, outlived, stopped};
+use crate::stage;
 use homebody_core::scenario::logger::LoggerFile;
 use homebody_core::time::{RunTime, Span};
 use homebody_log::table::{Batch, Cell};

@@ -2,15 +2,13 @@
 //!
 //! The four tables are those of Home Assistant 0.60, 2022.4, 2023.3 and 2024.3, with the columns that a reader may meet.
 
-mod stage;
-
+use crate::stage::Folder;
 use homebody_core::scenario::logger::LoggerFile;
 use homebody_core::time::{Interval, SECOND, WallTime};
 use homebody_log::log::Clock;
 use homebody_log::{Log, LogSource, SensorInfo, read};
 use jiff::Timestamp;
 use rusqlite::{Connection, params};
-use stage::Folder;
 use std::fs;
 use std::path::Path;
 

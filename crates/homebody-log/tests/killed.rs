@@ -1,11 +1,9 @@
-//! A run that is killed leaves a gap-free beginning of itself, with nothing doubled.
+//! A killed run leaves a beginning of its rows without gaps and without doubles.
 
-mod stage;
-
+use crate::stage::{self, Folder};
 use homebody_core::scenario::logger::LoggerFile;
 use homebody_core::time::Span;
 use rusqlite::Connection;
-use stage::Folder;
 use std::path::Path;
 use std::process::{Command, Stdio};
 use std::time::{Duration, Instant};
@@ -38,7 +36,7 @@ fn whatever_kills_a_run_nothing_stored_is_lost_or_doubled() {
     for kill in 0..KILLS {
         let base = folder.path().join(format!("log-{kill}"));
         let mut child = Command::new(std::env::current_exe().unwrap())
-            .args(["child", "--exact", "--test-threads", "1"])
+            .args(["killed::child", "--exact", "--test-threads", "1"])
             .env(CHILD, &base)
             .stdout(Stdio::null())
             .spawn()

@@ -1,7 +1,6 @@
-//! What a run's truth tells of its residents is read back.
+//! Reading the ground truth of a run returns what its residents did.
 
-mod stage;
-
+use crate::stage::{self, Folder};
 use homebody_core::calendar::Calendar;
 use homebody_core::event::{Events, Fact};
 use homebody_core::geometry::Point;
@@ -13,7 +12,6 @@ use homebody_core::scenario::scheme::Scheme;
 use homebody_core::time::{HOUR, MINUTE, RunTime, SECOND, Span, TimeScale};
 use homebody_log::lives;
 use homebody_log::{Activity, Life, RowsOfFirings, RunInfo, TruthLog, Url, WriteMode};
-use stage::Folder;
 use std::sync::Arc;
 
 fn at(span: Span) -> RunTime {

@@ -1,12 +1,9 @@
 //! `docs/reference/logs.md` agrees with the table of forms.
 //!
-//! `HOMEBODY_REWRITE=1 cargo test -p homebody-log --test log_forms` writes it again. The forms themselves are tested in
+//! `HOMEBODY_REWRITE=1 cargo test -p homebody-log --test all log_forms::` writes it again. The forms themselves are tested in
 //! `crates/homebody-log/tests/recorded.rs`.
 
-#[path = "../../../tests/generated.rs"]
-mod generated;
-
-use generated::is_generated;
+use crate::generated::is_generated;
 use homebody_log::registry::FORMS;
 
 const HEAD: &str = "\

@@ -1,13 +1,12 @@
-//! Destinations of one's own, and what becomes of a run when one of them fails, hangs, is full, or comes back.
+//! Destinations in code: the effect on a run when one of them fails, hangs, is full or returns.
 
-mod stage;
-
+use crate::alone::is_alone;
+use crate::stage::{self, Folder};
 use homebody_core::scenario::logger::LoggerFile;
 use homebody_core::time::RunTime;
 use homebody_log::run_log::destinations;
 use homebody_log::table::{Batch, Cell};
 use homebody_log::{Begin, Cancel, Destination, LogError, Logger, Policy, Sink, Stored, Watermark, WriteMode};
-use stage::Folder;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Arc, Mutex};
 use std::thread;
@@ -162,7 +161,7 @@ fn one_that_is_away_as_it_is_begun_is_begun_again() {
 
 /// Both of one name: only the one that fails is left behind.
 #[test]
-fn of_two_of_one_name_the_right_one_is_left_behind() {
+fn drops_the_right_one_of_two_destinations_with_one_name() {
     let folder = Folder::new("one-name");
     let own = |deed: Deed, policy| Destination::own("a broker", Own { got: Arc::default(), batches: 0, deed }, policy);
     let all = vec![
@@ -244,24 +243,16 @@ fn one_that_is_away_is_not_waited_for_once_the_run_is_stopped() {
     }
 }
 
-/// This very test, in a program of its own that is given no thread: a stack of this size has room on no machine.
+/// No machine has room for a stack of this size, so the process gets no further thread.
 #[test]
-fn where_there_is_no_thread_it_is_said() {
-    const ALONE: &str = "HOMEBODY_TEST_WITHOUT_THREADS";
-    if std::env::var_os(ALONE).is_some() {
+fn reports_that_no_thread_can_be_started() {
+    let stack_bytes = (1_u64 << 46).to_string();
+    if is_alone("policies::reports_that_no_thread_can_be_started", &[("RUST_MIN_STACK", &stack_bytes)]) {
         let folder = Folder::new("no-thread");
         let error = stage::open(&[folder.url("csv:log.csv")], &LoggerFile::default(), false).err().unwrap();
         assert!(matches!(error, LogError::NoThread { .. }), "{error}");
         assert!(folder.files().is_empty());
-        return;
     }
-    let itself = std::env::current_exe().unwrap();
-    let name = "where_there_is_no_thread_it_is_said";
-    let mut alone = std::process::Command::new(itself);
-    alone.args([name, "--exact", "--test-threads=1", "--nocapture"]).env(ALONE, "1");
-    let output = alone.env("RUST_MIN_STACK", (1_u64 << 46).to_string()).output().unwrap();
-    let told = String::from_utf8_lossy(&output.stdout);
-    assert!(output.status.success() && told.contains("1 passed"), "{told}{}", String::from_utf8_lossy(&output.stderr));
 }
 
 /// A destination that says that it has so many rows of the run already, as a note of what was confirmed does.

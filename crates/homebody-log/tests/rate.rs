@@ -1,15 +1,13 @@
-//! How fast firings reach a database, against the barest loop that could put them there; and how fast logs are read, against the
-//! reading of their lines.
+//! The rate of rows into a database, compared with the barest loop that fills a table, and the rate of reading logs, compared with reading
+//! their lines.
 
-mod stage;
-
+use crate::stage::{self, Folder};
 use homebody_core::event::{Events, Fact, Firing, Provenance, Trigger};
 use homebody_core::ids::ResidentId;
 use homebody_core::scenario::logger::LoggerFile;
 use homebody_core::time::Span;
 use homebody_log::{RowsOfFirings, survey};
 use rusqlite::{Connection, params};
-use stage::Folder;
 use std::fs::File;
 use std::io::{BufRead, BufReader};
 use std::time::{Duration, Instant};
@@ -21,7 +19,7 @@ const ROUNDS: usize = 5;
 const LEAST_READ: f64 = 0.5;
 
 #[test]
-#[ignore = "a measurement: cargo test --release -p homebody-log --test rate -- --ignored --nocapture"]
+#[ignore = "a measurement: cargo test --release -p homebody-log --test all rate:: -- --ignored --nocapture"]
 fn a_database_is_filled_as_fast_as_by_a_bare_loop() {
     let folder = Folder::new("rate");
     let firings = stage::firings(ROWS);
@@ -44,7 +42,7 @@ fn a_database_is_filled_as_fast_as_by_a_bare_loop() {
 }
 
 #[test]
-#[ignore = "a measurement: cargo test --release -p homebody-log --test rate -- --ignored --nocapture"]
+#[ignore = "a measurement: cargo test --release -p homebody-log --test all rate:: -- --ignored --nocapture"]
 fn text_files_are_written() {
     let folder = Folder::new("rate-text");
     let firings = stage::firings(ROWS);
@@ -57,7 +55,7 @@ fn text_files_are_written() {
 }
 
 #[test]
-#[ignore = "a measurement: cargo test --release -p homebody-log --test rate -- --ignored --nocapture"]
+#[ignore = "a measurement: cargo test --release -p homebody-log --test all rate:: -- --ignored --nocapture"]
 fn causes_are_written() {
     let folder = Folder::new("rate-truth");
     let firings = stage::firings(ROWS);
@@ -84,7 +82,7 @@ fn causes_are_written() {
 }
 
 #[test]
-#[ignore = "a measurement: cargo test --release -p homebody-log --test rate -- --ignored --nocapture"]
+#[ignore = "a measurement: cargo test --release -p homebody-log --test all rate:: -- --ignored --nocapture"]
 fn logs_are_read_not_much_slower_than_their_lines() {
     let folder = Folder::new("rate-read");
     let firings = stage::firings(ROWS);

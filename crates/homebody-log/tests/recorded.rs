@@ -1,10 +1,9 @@
-//! The forms in which real homes were recorded: each is known by how it begins, read whole, and its activities with it.
+//! The forms of recordings of real homes: their beginning identifies each, and no row or activity is lost.
 //!
 //! Texts here are ours. The recordings themselves are read where HOMEBODY_DATA names the folder that holds them, and their counts
 //! are held against those of a few lines of Python.
 
-mod stage;
-
+use crate::stage::Folder;
 use homebody_core::scenario::logger::LoggerFile;
 use homebody_core::time::{DAY, MINUTE, SECOND, WallTime};
 use homebody_log::convert;
@@ -12,7 +11,6 @@ use homebody_log::log::Clock;
 use homebody_log::registry::FORMS;
 use homebody_log::{Log, LogError, LogSource, Transfer, WriteMode, read, survey};
 use rusqlite::Connection;
-use stage::Folder;
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -221,7 +219,7 @@ fn an_event_log_has_activities_alone() {
 }
 
 #[test]
-fn what_is_broken_in_an_event_log_costs_its_own_event() {
+fn a_broken_part_of_an_event_log_costs_only_its_event() {
     let folder = Folder::new("broken-xes");
     let event = |name: &str, minute: u8| {
         format!(

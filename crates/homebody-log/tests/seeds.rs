@@ -1,17 +1,15 @@
-//! A destination that fails in any way, at any of its calls, before or after it has taken what it was given: each policy does what it says.
+//! A destination fails in any way, at any of its calls, before or after taking the rows: each policy does what its documentation says.
 //!
 //! A seed decides how long it is away, how often, whether it hangs or is slow, and which policy there is. `HOMEBODY_SEEDS` says how many
 //! seeds there are.
 
-mod stage;
-
+use crate::stage::{self, Folder};
 use homebody_core::random::Stream;
 use homebody_core::scenario::logger::LoggerFile;
 use homebody_core::time::RunTime;
 use homebody_log::run_log::destinations;
 use homebody_log::table::{Batch, Cell};
 use homebody_log::{Begin, Destination, LogError, Logger, Policy, Sink, Stored, Watermark, WhenDown, WriteMode};
-use stage::Folder;
 use std::collections::BTreeMap;
 use std::sync::{Arc, Mutex};
 use std::thread;

@@ -1,7 +1,6 @@
-//! Logs are read back, whoever wrote them.
+//! Logs of any program are read back.
 
-mod stage;
-
+use crate::stage::{self, Folder};
 use homebody_core::scenario::logger::{LoggerFile, MessagesFile, OnOffFile, TimeFormat};
 use homebody_core::time::UtcTime;
 use homebody_log::convert;
@@ -9,7 +8,6 @@ use homebody_log::limits::{LONGEST_ID, LONGEST_ROW_BYTES, LONGEST_VALUE, MOST_CE
 use homebody_log::log::Clock;
 use homebody_log::{Log, LogError, LogSource, Transfer, Url, WriteMode, read, stream, survey};
 use rusqlite::Connection;
-use stage::Folder;
 use std::fs;
 use std::path::PathBuf;
 
@@ -36,7 +34,7 @@ fn told(log: &Log) -> Vec<(i64, &str, &str)> {
 }
 
 #[test]
-fn what_was_logged_is_read_back() {
+fn reads_back_logged_rows() {
     let firings = stage::firings(5_000);
     let messages = MessagesFile::OnOff(OnOffFile::exactly(4.0));
     for time in [TimeFormat::Local, TimeFormat::LocalOffset, TimeFormat::Utc, TimeFormat::EpochS] {
@@ -160,7 +158,7 @@ fn a_log_is_streamed_in_parts() {
 }
 
 #[test]
-fn what_is_known_of_sensors_comes_with_the_log() {
+fn facts_about_sensors_come_with_the_log() {
     let folder = Folder::new("known");
     let log = "fired_at,sensor,value\n2009-03-02T07:12:03,M_1,FIRE\n2009-03-02T07:12:04,X,FIRE\n";
     let known = |table: &str| {
@@ -321,7 +319,7 @@ fn a_mapping_that_nobody_tells_is_found_by_what_rows_hold() {
 }
 
 #[test]
-fn of_several_runs_one_is_read() {
+fn reads_one_of_several_runs() {
     let folder = Folder::new("runs");
     let url = folder.url("sqlite:log.db");
     stage::store(
@@ -361,7 +359,7 @@ fn csv_files_of_many_kinds() {
 }
 
 #[test]
-fn what_is_no_log_is_told() {
+fn reports_files_that_are_not_logs() {
     let folder = Folder::new("no-log");
     for scheme in ["sqlite", "csv", "casas"] {
         let missing = read(&folder.url(&format!("{scheme}:none")), &LoggerFile::default());
@@ -385,7 +383,7 @@ fn most_rows_say_which_clock_it_is() {
 }
 
 #[test]
-fn what_no_clock_shows_is_skipped() {
+fn skips_times_that_no_clock_shows() {
     let folder = Folder::new("far");
     let text = "2009-03-02 07:12:03 M1 ON\n9999-12-31 23:59:59 M1 OFF\n-9999-01-01 00:00:00 M1 OFF\n";
     let log = from_text(&folder, "casas:log", text).unwrap();
@@ -426,7 +424,7 @@ fn dirt_never_panics() {
 }
 
 #[test]
-fn what_is_longer_than_a_log_has_it_ends_the_reading() {
+fn overlong_values_end_the_reading() {
     let folder = Folder::new("long");
     let head = "time,sensor,value\n2009-03-02 07:12:03,M1,ON\n";
     let row = |cell: &str| format!("{head}2009-03-02 07:12:04,M1,{cell}\n");
@@ -513,7 +511,7 @@ fn reports_the_kind_of_a_file_without_text() {
 }
 
 #[test]
-fn of_a_database_only_tables_are_read_and_no_long_cells() {
+fn reads_only_tables_of_a_database_and_no_long_cells() {
     let folder = Folder::new("views");
     let endless = "WITH RECURSIVE n(i) AS (SELECT 1 UNION ALL SELECT i + 1 FROM n)
                    SELECT '2009-03-02 07:12:03' AS time, 'M1' AS sensor, 'ON' AS value FROM n";

@@ -1,7 +1,7 @@
-//! A destination that is away while rows are put aside on disk: it gets each of them once, in their order, and nobody else waits.
+//! A destination is unavailable while rows go into a spool on disk: later it gets each row once and in order, and no other destination
+//! waits.
 
-mod stage;
-
+use crate::stage::{self, Folder};
 use homebody_core::scenario::logger::LoggerFile;
 use homebody_core::time::{RunTime, Span};
 use homebody_log::destination::Note;
@@ -10,7 +10,6 @@ use homebody_log::table::{Batch, Cell};
 use homebody_log::{
     Begin, Cancel, Destination, LogError, Logger, Policy, Sink, Stored, Watermark, WhenDown, WriteMode,
 };
-use stage::Folder;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Arc, Mutex};
 
@@ -118,7 +117,7 @@ fn who_was_away_gets_every_row_once_and_no_spool_is_left() {
 }
 
 #[test]
-fn who_has_the_beginning_already_gets_the_rest() {
+fn a_destination_with_the_beginning_gets_the_rest() {
     let folder = Folder::new("beginning");
     let server = Server::new(|asked| asked < 2);
     let sensor = stage::sensors()[0].clone();
@@ -154,7 +153,7 @@ impl Sink for Forgetful {
 }
 
 #[test]
-fn what_is_confirmed_is_not_given_again_to_who_forgets_it() {
+fn confirmed_rows_do_not_go_to_a_forgetful_destination_again() {
     let (folder, forgetful) = (Folder::new("forgetful"), Forgetful::default());
     let lived = |rows, how| {
         let own = Destination::own("a pipe", forgetful.clone(), Policy::default()).remembered_in(folder.path());
@@ -171,7 +170,7 @@ fn what_is_confirmed_is_not_given_again_to_who_forgets_it() {
 }
 
 #[test]
-fn what_was_confirmed_stays_noted_while_a_destination_is_away() {
+fn confirmed_rows_stay_noted_while_a_destination_is_away() {
     // It begins, takes and confirms three times, takes once more, and is away from then on.
     let (folder, server, cancel) = (Folder::new("noted"), Server::new(|asked| asked >= 8), Cancel::new());
     let own = Destination::own("a server", server.clone(), Policy::default());

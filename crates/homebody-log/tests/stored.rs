@@ -1,7 +1,6 @@
-//! What is stored, where, and in which form.
+//! The stored rows, their place and their form.
 
-mod stage;
-
+use crate::stage::{self, Folder};
 use homebody_core::event::{Events, Fact, Firing, Provenance, Trigger, Value};
 use homebody_core::geometry::Point;
 use homebody_core::ids::{ResidentId, RoomId, SensorId};
@@ -12,7 +11,6 @@ use homebody_core::time::{MINUTE, RunTime, SECOND, Span};
 use homebody_log::table::truth;
 use homebody_log::{LogError, RowsOfFirings, Url, WriteMode};
 use rusqlite::Connection;
-use stage::Folder;
 use std::collections::BTreeSet;
 
 const ALL: [&str; 3] = ["sqlite:log.db", "csv:log.csv", "casas:log.txt"];
@@ -71,7 +69,7 @@ fn a_run_reaches_all_places() {
 }
 
 #[test]
-fn how_a_run_advances_changes_no_byte() {
+fn the_steps_of_a_run_change_no_byte() {
     let firings = stage::firings(60_000);
     let file = LoggerFile { messages: MessagesFile::OnOff(OnOffFile::exactly(4.0)), ..Default::default() };
     let mut all = Vec::new();
@@ -123,7 +121,7 @@ fn instants_can_be_numbers() {
 }
 
 #[test]
-fn what_is_held_at_the_end_is_not_let_go() {
+fn a_message_held_at_the_end_stays_on() {
     let folder = Folder::new("held");
     let file = LoggerFile { messages: MessagesFile::OnOff(OnOffFile::exactly(4.0)), ..Default::default() };
     let mut logger = stage::open(&[folder.url("casas:log.txt")], &file, false).unwrap();
@@ -180,7 +178,7 @@ fn who_reads_while_a_run_is_gone_on_with_is_in_nobodys_way() {
 }
 
 #[test]
-fn who_reads_on_from_before_the_first_rows_is_in_nobodys_way() {
+fn a_reader_from_before_the_first_rows_blocks_no_writer() {
     let folder = Folder::new("early-reader");
     let firings = stage::firings(50);
     let mut logger = stage::open(&[folder.url("sqlite:log.db")], &LoggerFile::default(), false).unwrap();

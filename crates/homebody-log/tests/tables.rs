@@ -1,13 +1,11 @@
-//! Tables as people keep them: each is read as what its headings and cells show, or refused with the reason. Texts here are ours.
+//! Tables as people keep them: headings and cells decide how each is read, or an error gives the reason. The texts are invented.
 
-mod stage;
-
+use crate::stage::texts::{SEVEN, clock, folder, read_text, read_with, rows, told, why};
 use homebody_core::scenario::logger::LoggerFile;
 use homebody_core::time::{DAY, HOUR, MINUTE, WallTime};
 use homebody_log::log::{Clock, ColumnRole};
 use homebody_log::source::{DateOrder, DecimalMark, HomeColumn, TableOptions};
 use homebody_log::{Log, LogError, read};
-use stage::texts::{SEVEN, clock, folder, read_text, read_with, rows, told, why};
 use std::fs;
 
 /// Reads a text as a table, whatever it looks like.
@@ -441,7 +439,7 @@ fn the_sensor_is_the_column_that_parts_the_rows() {
 }
 
 #[test]
-fn what_a_row_tells_of_a_device_stands_in_the_sensor_name() {
+fn columns_about_a_device_are_part_of_the_sensor_name() {
     let row = |index: usize| match index % 3 {
         0 => "Hall PIR,motion,active,T".to_owned(),
         1 => "Hall PIR,motion,inactive,T".to_owned(),

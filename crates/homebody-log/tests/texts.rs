@@ -1,12 +1,11 @@
-//! Texts: JSON Lines, which can be followed as they grow, and texts that are packed as they are written.
+//! Text files: JSON Lines, which can be followed while they grow, and compressed texts.
 
-mod stage;
-
+use crate::alone::is_alone;
+use crate::stage::{self, Folder};
 use homebody_core::scenario::logger::LoggerFile;
 use homebody_core::time::Span;
 use homebody_log::convert;
 use homebody_log::{LogError, LogSource, Logger, Transfer, Url, WriteMode, read, survey};
-use stage::Folder;
 use std::fs;
 use std::io::Write;
 use std::path::Path;
@@ -124,7 +123,7 @@ fn child() {
 }
 
 #[test]
-fn whatever_kills_a_run_its_texts_are_gone_on_with_to_the_same_bytes() {
+fn text_files_of_a_killed_run_resume_to_the_same_bytes() {
     let folder = Folder::new("texts-killed");
     let kills = std::env::var("HOMEBODY_KILLS").ok().and_then(|kills| kills.parse().ok()).unwrap_or(3_u64);
     let firings = stage::firings(20_000);
@@ -134,7 +133,7 @@ fn whatever_kills_a_run_its_texts_are_gone_on_with_to_the_same_bytes() {
         for kill in 0..kills {
             let url = folder.url(&format!("{kind}:{kill}-{name}"));
             let mut child = Command::new(std::env::current_exe().unwrap())
-                .args(["child", "--exact", "--test-threads", "1"])
+                .args(["texts::child", "--exact", "--test-threads", "1"])
                 .env(CHILD, url.to_string())
                 .stdout(Stdio::null())
                 .spawn()
@@ -200,6 +199,9 @@ fn a_packed_text_that_is_cut_short_or_damaged_is_refused_by_its_name() {
 /// A few kilobytes that unpack to very much: a line of it is refused, and lines are streamed.
 #[test]
 fn a_text_that_unpacks_to_very_much_takes_little_memory() {
+    if !is_alone("texts::a_text_that_unpacks_to_very_much_takes_little_memory", &[]) {
+        return;
+    }
     let folder = Folder::new("texts-bomb");
     let packed = |name: &str, chunk: &[u8], times: usize| {
         let file = fs::File::create(folder.path().join(name)).unwrap();
@@ -221,7 +223,7 @@ fn a_text_that_unpacks_to_very_much_takes_little_memory() {
         let status = fs::read_to_string("/proc/self/status").unwrap();
         let peak = status.lines().find_map(|line| line.strip_prefix("VmHWM:")).unwrap();
         let peak_kib: u64 = peak.trim().trim_end_matches(" kB").parse().unwrap();
-        assert!(peak_kib < 150_000, "{peak_kib} KiB, with the other tests of this program");
+        assert!(peak_kib < 150_000, "{peak_kib} KiB");
     }
 }
 

@@ -1,13 +1,11 @@
-//! What can go wrong, and what is then left behind.
+//! Failures of destinations, and the files that they leave.
 
-mod stage;
-
+use crate::stage::{self, Folder};
 use homebody_core::messages::Diagnose;
 use homebody_core::scenario::logger::LoggerFile;
 use homebody_core::time::{RunTime, SECOND, Span};
 use homebody_log::{LogError, Logger, WriteMode};
 use rusqlite::Connection;
-use stage::Folder;
 use std::fs;
 
 fn refused(folder: &Folder, url: &str, force: bool) -> LogError {

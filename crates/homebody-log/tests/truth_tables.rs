@@ -1,12 +1,9 @@
-//! `docs/reference/truth.md` is what the tables of the truth say.
+//! `docs/reference/truth.md` agrees with the tables of the truth.
 //!
-//! `HOMEBODY_REWRITE=1 cargo test -p homebody-log --test truth_tables` writes it anew. That its queries run, and what they
+//! `HOMEBODY_REWRITE=1 cargo test -p homebody-log --test all truth_tables::` writes it anew. That its queries run, and what they
 //! answer, is tested with the command.
 
-#[path = "../../../tests/generated.rs"]
-mod generated;
-
-use generated::is_generated;
+use crate::generated::is_generated;
 use homebody_log::table::truth::tables;
 use homebody_log::table::{Column, ColumnKind, Table};
 

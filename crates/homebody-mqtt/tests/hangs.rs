@@ -1,19 +1,11 @@
 //! A broker that stops answering, as by a half-open connection. The run notices it, all rows are heard once the broker answers again, and
 //! the run ends when it is stopped.
 
-#[path = "servers/broker.rs"]
-#[allow(dead_code, reason = "this test uses a part of it")]
-mod broker;
-#[path = "../../../tests/hangs.rs"]
-mod hangs;
-#[path = "../../../tests/stalling.rs"]
-mod stalling;
-
-use broker::{Broker, Listener, REMEMBERS, firings, run, wait_for};
-use hangs::{SOON, ended, outlived, stopped};
+use crate::hanging::{SOON, ended, outlived, stopped};
+use crate::servers::broker::{Broker, Listener, REMEMBERS, firings, run, wait_for};
+use crate::stalling::Stalling;
 use homebody_log::{Destination, Policy};
 use homebody_mqtt::{MqttSink, policy};
-use stalling::Stalling;
 use std::collections::BTreeSet;
 use std::net::TcpStream;
 use std::time::Duration;

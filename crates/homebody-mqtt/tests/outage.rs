@@ -1,17 +1,12 @@
-//! A broker that is stopped while a thousand rows come a second: they are put aside, and all are heard once it is back.
+//! A broker stops while 1,000 rows come a second: they go into a spool, and the listener gets all of them later.
 //!
 //! `HOMEBODY_OUTAGE_S` says for how many seconds; the figures in `docs/how-to/mqtt-and-home-assistant.md` are those of 60.
 
-#[path = "servers/broker.rs"]
-#[allow(dead_code, reason = "this test uses a part of it")]
-mod broker;
-#[path = "../../../tests/outage.rs"]
-mod outage;
-
-use broker::{Broker, Listener, REMEMBERS, firings, run, wait_for};
+use crate::alone::is_alone;
+use crate::outages::{MOST_MIB, Outage, most_mib};
+use crate::servers::broker::{Broker, Listener, REMEMBERS, firings, run, wait_for};
 use homebody_log::Destination;
 use homebody_mqtt::{MqttSink, policy};
-use outage::{MOST_MIB, Outage, most_mib};
 use std::collections::BTreeSet;
 
 /// Longer than a broker is waited for before rows are put aside.
@@ -19,6 +14,9 @@ const USUAL_S: u64 = 7;
 
 #[test]
 fn a_broker_that_is_stopped_while_a_thousand_rows_come_a_second_is_told_all() {
+    if !is_alone("outage::a_broker_that_is_stopped_while_a_thousand_rows_come_a_second_is_told_all", &[]) {
+        return;
+    }
     let Some(mut broker) = Broker::with(REMEMBERS) else { return };
     let outage = Outage::of(USUAL_S);
     let listener = Listener::lasting(&broker, "homebody/#");

@@ -208,7 +208,7 @@ fn a_png_has_the_size_asked_for() {
 }
 
 #[test]
-fn what_cannot_be_drawn_is_refused() {
+fn refuses_impossible_pictures() {
     let svg = floor_plan(&home::furnished());
     assert!(matches!(png("<svg", 100), Err(PngError::Svg(_))));
     assert!(matches!(png(&svg, 0), Err(PngError::Size { .. })));

@@ -1,11 +1,9 @@
-//! A connection that is lost as a transaction ends: nobody knows whether it was taken, and nothing is lost or doubled.
+//! The connection breaks at the end of a transaction, so that its result is unknown: no row is lost or doubled.
 
-mod stage;
-
+use crate::stage::life::{Life, patient};
+use crate::stage::proxy::Proxy;
+use crate::stage::{Server, kills};
 use homebody_log::{Policy, WriteMode};
-use stage::life::{Life, patient};
-use stage::proxy::Proxy;
-use stage::{Server, kills};
 
 /// Firings of a life.
 const FIRINGS: u64 = 6_000;

@@ -1,14 +1,12 @@
-//! Many homes over one connection: every row of each is there once, whatever becomes of server and program.
+//! Many homes over one connection: the server has each row once, whatever happens to server and program.
 
-mod stage;
-
+use crate::stage::life::{Life, firings, run};
+use crate::stage::{Server, kills};
 use homebody_core::scenario::logger::LoggerFile;
 use homebody_core::time::UtcTime;
 use homebody_log::fleet::{Fleet, FleetEvent, FleetHome, FleetLayout, FleetRow, FleetSink};
 use homebody_log::{LogError, Policy, Url, WriteMode};
 use homebody_postgres::PostgresFleet;
-use stage::life::{Life, firings, run};
-use stage::{Server, kills};
 use std::sync::Arc;
 
 const HOMES: u32 = 7;

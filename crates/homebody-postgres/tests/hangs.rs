@@ -1,17 +1,11 @@
-//! A server that stops answering, by a half-open connection or a locked table, and one that takes no changes for a while. The run notices
-//! it, loses and doubles no row, and ends when it is stopped.
+//! A server stops answering, by a half-open connection or a locked table, or takes no changes for a while. The run notices it, loses and
+//! doubles no row, and ends when it is stopped.
 
-#[path = "../../../tests/hangs.rs"]
-mod hangs;
-mod stage;
-#[path = "../../../tests/stalling.rs"]
-mod stalling;
-
-use hangs::{SOON, ended, outlived, stopped};
+use crate::hanging::{SOON, ended, outlived, stopped};
+use crate::stage::Server;
+use crate::stage::life::{Life, destination, firings, patient, run};
+use crate::stalling::Stalling;
 use homebody_log::{Destination, Policy};
-use stage::Server;
-use stage::life::{Life, destination, firings, patient, run};
-use stalling::Stalling;
 use std::os::unix::net::UnixStream;
 use std::thread;
 use std::time::{Duration, Instant};

@@ -1,12 +1,10 @@
-//! Nothing that was confirmed is lost, and nothing is doubled, whatever is killed: the program, or the server under it.
+//! Killing the program or the server loses and doubles no confirmed row.
 //!
 //! `HOMEBODY_KILLS` says how often; the release's figures are those of 1,000 programs and 200 servers.
 
-mod stage;
-
+use crate::stage::life::{Life, patient};
+use crate::stage::{Chance, Server, kills};
 use homebody_log::{Policy, WriteMode};
-use stage::life::{Life, patient};
-use stage::{Chance, Server, kills};
 use std::process::{Child, Command, Stdio};
 use std::time::{Duration, Instant};
 
@@ -33,7 +31,7 @@ fn child() {
 
 fn spawn(run: i64, how: &str, url: &str) -> Child {
     let mut command = Command::new(std::env::current_exe().unwrap());
-    command.args(["child", "--exact", "--test-threads", "1"]).env(CHILD, format!("{run} {how} {url}"));
+    command.args(["killed::child", "--exact", "--test-threads", "1"]).env(CHILD, format!("{run} {how} {url}"));
     command.stdout(Stdio::null()).spawn().unwrap()
 }
 
@@ -102,7 +100,7 @@ fn a_watermark_apart_from_its_rows_is_caught() {
     /// In so many kills it has to show.
     const KILLS: u64 = 40;
     let Some(server) = Server::shared() else { return };
-    let database = server.database("naive");
+    let database = server.database("naive_killed");
     server.psql(
         &database,
         "CREATE TABLE naive (seq bigint); CREATE TABLE mark (rows bigint); INSERT INTO mark VALUES (0)",
@@ -111,7 +109,7 @@ fn a_watermark_apart_from_its_rows_is_caught() {
     let url = format!("host={} user=postgres dbname={database}", server.folder().display());
     for kill in 1..=KILLS {
         let mut command = Command::new(std::env::current_exe().unwrap());
-        command.args(["naive_child", "--exact", "--test-threads", "1"]).env(NAIVE, &url).stdout(Stdio::null());
+        command.args(["killed::naive_child", "--exact", "--test-threads", "1"]).env(NAIVE, &url).stdout(Stdio::null());
         let mut child = command.spawn().unwrap();
         std::thread::sleep(Duration::from_millis(30 + chance.below(100)));
         child.kill().unwrap();

@@ -1,20 +1,20 @@
-//! A server that is stopped while a thousand rows come a second: they are put aside on disk, and then it has each once.
+//! A server stops while 1,000 rows come a second: they go into a spool on disk, and the server has each once later.
 //!
 //! `HOMEBODY_OUTAGE_S` says for how many seconds; the figures in `docs/how-to/postgresql.md` are those of 60.
 
-#[path = "../../../tests/outage.rs"]
-mod outage;
-mod stage;
-
+use crate::alone::is_alone;
+use crate::outages::{MOST_MIB, Outage, most_mib};
+use crate::stage::Server;
+use crate::stage::life::{destination, firings, run};
 use homebody_log::Policy;
-use outage::{MOST_MIB, Outage, most_mib};
-use stage::Server;
-use stage::life::{destination, firings, run};
 
 const USUAL_S: u64 = 3;
 
 #[test]
-fn who_is_stopped_while_a_thousand_rows_come_a_second_has_each_once() {
+fn a_server_that_stops_under_load_gets_each_row_once() {
+    if !is_alone("outage::a_server_that_stops_under_load_gets_each_row_once", &[]) {
+        return;
+    }
     let Some(mut server) = Server::start() else { return };
     let outage = Outage::of(USUAL_S);
     let to = destination(&server.url("postgres", &server.database("outage"), ""), &Policy::default());

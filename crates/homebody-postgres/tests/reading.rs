@@ -1,15 +1,13 @@
-//! Tables are read back as they were written, and so are others; how fast a run is, and how its rows are parted, changes nothing.
+//! Tables are read back as they were written, and so are tables of other programs. Speed and partition of the rows change nothing.
 
-mod stage;
-
+use crate::stage::life::Life;
+use crate::stage::{self, Server};
 use homebody_core::scenario::logger::{LoggerFile, TimeFormat};
 use homebody_core::time::WallTime;
 use homebody_log::LogSource;
 use homebody_log::log::Clock;
 use homebody_log::{Log, LogError, Policy, Url, read, stream};
 use homebody_postgres::POSTGRESQL;
-use stage::Server;
-use stage::life::Life;
 
 /// Reads a log in a database.
 fn log(url: &str, file: &LoggerFile) -> Result<Log, LogError> {
@@ -53,7 +51,7 @@ fn a_log_is_read_as_sqlite_has_it() {
 }
 
 #[test]
-fn of_several_runs_one_is_named() {
+fn reads_the_named_one_of_several_runs() {
     let Some(server) = Server::shared() else { return };
     let database = server.database("several");
     let url = server.url("postgres", &database, "");
@@ -145,7 +143,7 @@ fn tables_of_others_are_read_and_what_is_missing_is_told() {
 }
 
 #[test]
-fn how_rows_are_parted_changes_nothing() {
+fn the_partition_of_rows_changes_nothing() {
     let Some(server) = Server::shared() else { return };
     let database = server.database("parted");
     let url = server.url("postgres", &database, "");

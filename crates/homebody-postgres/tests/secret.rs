@@ -1,10 +1,8 @@
-//! A connection is secret where the URL wants it, and only a server that is trusted is spoken to.
+//! A connection is encrypted if the URL asks for it, and only to a trusted server.
 
-mod stage;
-
+use crate::stage::Server;
+use crate::stage::life::Life;
 use homebody_log::Policy;
-use stage::Server;
-use stage::life::Life;
 use std::fs;
 use std::path::Path;
 use std::process::{Command, Stdio};

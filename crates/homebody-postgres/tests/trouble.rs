@@ -1,12 +1,10 @@
-//! What can be wrong with a database is told in words, all at once, with a hint; a password never is.
+//! Problems with a database are reported all at once, with a hint, and never with a password.
 
-mod stage;
-
+use crate::stage::Server;
+use crate::stage::life::{Life, patient};
 use homebody_core::scenario::logger::LoggerFile;
 use homebody_log::{LogError, Policy, Sink, Url, WriteMode};
 use homebody_postgres::Postgres;
-use stage::Server;
-use stage::life::{Life, patient};
 use std::fs;
 use std::os::unix::fs::PermissionsExt;
 use std::time::{Duration, Instant};
@@ -140,7 +138,7 @@ fn tables_that_do_not_fit_are_told_with_all_that_is_wrong() {
 }
 
 #[test]
-fn who_may_not_write_is_told_with_what_is_lacking() {
+fn names_the_right_that_a_user_lacks() {
     let Some(server) = Server::shared() else { return };
     let database = server.database("rights");
     live(&server.url("postgres", &database, ""), WriteMode::Create).unwrap();

@@ -1,5 +1,5 @@
-//! What Python is told of the types of this crate is what there is. That it is a test of cargo's has the library built with all others,
-//! for the tests in `python/tests`.
+//! The type stubs for Python agree with the functions of this crate. As a test of cargo's, it also makes cargo build the library that
+//! `python/tests` needs.
 
 use std::fs;
 use std::path::Path;

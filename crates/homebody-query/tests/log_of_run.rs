@@ -1,4 +1,4 @@
-//! A log in the folder of its run.
+//! The log in the folder of a run.
 
 use homebody_query::LoadedLog;
 use homebody_simulation::{Destinations, template};

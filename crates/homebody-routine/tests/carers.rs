@@ -3,11 +3,7 @@
 //! `carers.jsonl` has one per line: the sentence, and its meaning. "remark": it has no effect. "refused": it is rejected
 //! with a hint.
 
-#![allow(clippy::disallowed_methods, reason = "a test may read files; the crate may not")]
-
-mod home;
-
-use home::{home, short};
+use crate::home::{home, short};
 use homebody_core::problem::{Problem, Problems};
 use homebody_routine::language::{KnownNames, routine};
 use homebody_routine::routine::{Activity, Routine};
@@ -37,7 +33,7 @@ fn lived(shown: &str) -> Vec<&str> {
 }
 
 #[test]
-fn what_carers_say_means_what_is_written_beside_it() {
+fn sentences_of_carers_have_the_listed_meaning() {
     let mut wrong = Vec::new();
     for (said, means) in lines() {
         let (found, problems) = read(&said);

@@ -1,35 +1,30 @@
 //! Frequencies by day, quiet and busy days, and late rising, measured in the ground truth of months.
 
-mod stage;
-
-use homebody_core::event::{Events, Fact};
-use homebody_core::motion::MotionState;
-use homebody_core::run::Run;
-use homebody_core::time::{DAY, Interval, MINUTE, RunTime};
+use crate::stage::{ORDINARY, Simulated, day, hour, mean, run};
+use homebody_core::event::Events;
+use homebody_core::time::{DAY, MINUTE, RunTime};
 use homebody_routine::household::Household;
-use stage::{ORDINARY, activities, day, events, files, hour, household, run};
+use std::sync::OnceLock;
 
 const BASE: &str = "Margaret is 82. She walks at 0.65 m/s.\nShe gets up at 07:00.\n";
 const BED: &str = "She goes to bed at 22:30.\n";
 const DAYS: i64 = 90;
 
-struct Lived(Vec<(Interval<RunTime>, String)>, Events);
-
-/// In UTC, from a Monday in January.
-fn live(sentences: &str) -> Lived {
-    let mut files = files(&format!("{BASE}{sentences}\n"), &[]);
-    let scenario = files["scenario.json"].replace("America/Chicago", "UTC").replace("2009-03-02", "2009-01-05");
-    files.insert("scenario.json".into(), scenario);
-    let (scenario, household) = household(&files, &[]).unwrap_or_else(|problems| panic!("{problems}"));
-    let events = events(Run::new(&scenario, &household, 11, DAYS * DAY), DAY);
-    Lived(activities(&events, 0, DAYS * DAY), events)
+fn live(sentences: &str) -> Simulated {
+    Simulated::new(&format!("{BASE}{sentences}\n"), DAYS)
 }
 
-impl Lived {
+/// Metres of each day with nothing said.
+fn plain_metres() -> &'static [f64] {
+    static METRES: OnceLock<Vec<f64>> = OnceLock::new();
+    METRES.get_or_init(|| live(BED).metres_by_day())
+}
+
+impl Simulated {
     /// Day and hour of each beginning; an interruption of less than half an hour does not count.
     fn begins(&self, name: &str) -> Vec<(i64, f64)> {
         let (mut begun, mut last) = (Vec::new(), RunTime::START - DAY);
-        for (time, _) in self.0.iter().filter(|(_, what)| what == name) {
+        for time in self.of(name) {
             if time.begin - last > 30 * MINUTE || name == "using_bathroom" {
                 begun.push((day(time.begin), hour(time.begin)));
             }
@@ -38,7 +33,7 @@ impl Lived {
         begun
     }
 
-    fn a_day(&self, name: &str, from: f64, to: f64) -> f64 {
+    fn times_a_day(&self, name: &str, from: f64, to: f64) -> f64 {
         self.begins(name).iter().filter(|(_, hour)| (from..to).contains(hour)).count() as f64 / DAYS as f64
     }
 
@@ -48,22 +43,6 @@ impl Lived {
         on.dedup();
         on.len()
     }
-
-    fn metres(&self) -> Vec<f64> {
-        let mut metres = vec![0.0; DAYS as usize];
-        for fact in &self.1.facts {
-            if let Fact::Movement { resident, begin, doing: MotionState::Stride { from, to }, .. } = fact
-                && resident.index() == 0
-            {
-                metres[day(*begin) as usize] += from.distance(*to);
-            }
-        }
-        metres
-    }
-}
-
-fn mean(values: &[f64]) -> f64 {
-    values.iter().sum::<f64>() / values.len() as f64
 }
 
 #[test]
@@ -76,7 +55,7 @@ fn every_morning_and_evening_is_once_in_each() {
     ] {
         let lived = live(&format!("{BED}{said}"));
         let (morning, evening) = (lived.on_days("praying", 7.0, 13.0), lived.on_days("praying", 17.5, 22.6));
-        let times = lived.a_day("praying", 0.0, 24.0);
+        let times = lived.times_a_day("praying", 0.0, 24.0);
         assert!(morning >= 87 && evening >= 87 && (1.95..2.05).contains(&times), "{said} {morning} {evening} {times}");
     }
 }
@@ -89,42 +68,42 @@ fn seven_or_eight_times_are_seven_and_a_half() {
         ("She paces seven or eight times a day.", "pacing", 0.0, 24.0),
         ("She has a snack seven or eight times a day.", "having_a_snack", 0.0, 24.0),
     ] {
-        let times = live(&format!("{BED}{said}")).a_day(name, from, to);
+        let times = live(&format!("{BED}{said}")).times_a_day(name, from, to);
         assert!((times / 7.5 - 1.0).abs() < 0.03, "{said} {times}");
     }
     let lived = live(&format!("{BED}She goes to the toilet seven or eight times a night."));
-    let times = lived.a_day("using_bathroom", 22.9, 24.0) + lived.a_day("using_bathroom", 0.0, 6.9);
+    let times = lived.times_a_day("using_bathroom", 22.9, 24.0) + lived.times_a_day("using_bathroom", 0.0, 6.9);
     assert!((times / 7.5 - 1.0).abs() < 0.03, "{times} a night");
 }
 
 #[test]
 fn a_quiet_day_has_half_of_the_movement_and_a_busy_one_half_as_much_again() {
-    let plain = live(BED).metres();
+    let plain = plain_metres();
     let is_monday = |day: &usize| day.is_multiple_of(7);
     for (said, least, most) in [
         ("Mondays are quiet days.", 0.42, 0.58),
         ("Mondays are busy days.", 1.35, 1.65),
         ("On Monday she hardly leaves her chair.", 0.2, 0.42),
     ] {
-        let lived = live(&format!("{BED}{said}")).metres();
+        let lived = live(&format!("{BED}{said}")).metres_by_day();
         let of = |metres: &[f64], on: bool| {
             (0..DAYS as usize).filter(|day| is_monday(day) == on).map(|day| metres[day]).sum::<f64>()
         };
-        let (share, others) = (of(&lived, true) / of(&plain, true), of(&lived, false) / of(&plain, false));
+        let (share, others) = (of(&lived, true) / of(plain, true), of(&lived, false) / of(plain, false));
         assert!((least..most).contains(&share) && (0.93..1.07).contains(&others), "{said} {share}, of others {others}");
     }
 }
 
 #[test]
-fn of_so_many_days_the_quietest_are_quiet() {
-    let plain = live(BED).metres();
+fn the_stated_share_of_days_is_quiet() {
+    let plain = plain_metres();
     let lived = live(&format!(
         "{BED}One day in three is a quiet day: she hardly leaves her chair.\nOn quiet days she prays at 11:00."
     ));
     let quiet: Vec<usize> = lived.begins("praying").iter().map(|(day, _)| *day as usize).collect();
     // Three standard errors of a third of 90 days.
     assert!((17..=43).contains(&quiet.len()), "{} days", quiet.len());
-    let metres = lived.metres();
+    let metres = lived.metres_by_day();
     let share = |is_quiet: bool| {
         let days = (0..DAYS as usize).filter(|day| quiet.contains(day) == is_quiet);
         let (with, without) = days.fold((0.0, 0.0), |sums, day| (sums.0 + metres[day], sums.1 + plain[day]));
@@ -137,7 +116,7 @@ fn of_so_many_days_the_quietest_are_quiet() {
 fn busy_days_are_those_of_most_movement() {
     let lived = live(&format!("{BED}On busy days she prays at 11:00."));
     let busy: Vec<usize> = lived.begins("praying").iter().map(|(day, _)| *day as usize).collect();
-    let metres = lived.metres();
+    let metres = lived.metres_by_day();
     let of = |is_busy: bool| {
         mean(&(0..DAYS as usize).filter(|day| busy.contains(day) == is_busy).map(|day| metres[day]).collect::<Vec<_>>())
     };
@@ -152,15 +131,15 @@ fn days_that_differ_a_lot_differ_more_around_the_same_mean() {
         let all = mean(metres);
         (mean(&metres.iter().map(|of| (of - all) * (of - all)).collect::<Vec<_>>())).sqrt() / all
     };
-    let (plain, differ) = (live(BED).metres(), live(&format!("{BED}Her days differ a lot.")).metres());
-    let ordinary = live(&format!("{BED}Some days are busy and some are quiet.")).metres();
-    assert!(spread(&differ) > 1.4 * spread(&plain), "{} beside {}", spread(&differ), spread(&plain));
-    assert!(spread(&ordinary) > 1.2 * spread(&plain), "{} beside {}", spread(&ordinary), spread(&plain));
-    assert!((0.85..1.15).contains(&(mean(&differ) / mean(&plain))), "{} of {} m", mean(&differ), mean(&plain));
+    let (plain, differ) = (plain_metres(), live(&format!("{BED}Her days differ a lot.")).metres_by_day());
+    let ordinary = live(&format!("{BED}Some days are busy and some are quiet.")).metres_by_day();
+    assert!(spread(&differ) > 1.4 * spread(plain), "{} beside {}", spread(&differ), spread(plain));
+    assert!(spread(&ordinary) > 1.2 * spread(plain), "{} beside {}", spread(&ordinary), spread(plain));
+    assert!((0.85..1.15).contains(&(mean(&differ) / mean(plain))), "{} of {} m", mean(&differ), mean(plain));
 }
 
 #[test]
-fn who_goes_to_bed_late_gets_up_as_much_later() {
+fn a_late_bedtime_shifts_the_rising() {
     let base = "On Friday and Saturday she goes to bed at 01:00. On weekdays but not on Friday she goes to bed at 22:30. \
                 On Sunday she goes to bed at 22:30.";
     for said in [

@@ -1,8 +1,6 @@
 //! Diagnostics of the routine language: codes, underlined words and hints.
 
-mod home;
-
-use home::{home, problems};
+use crate::home::{home, problems};
 use homebody_core::problem::Problems;
 use homebody_routine::language::condition;
 

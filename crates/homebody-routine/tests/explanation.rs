@@ -1,8 +1,6 @@
 //! The explanation of a routine, in numbers and in words.
 
-mod home;
-
-use home::understood;
+use crate::home::understood;
 use homebody_routine::explain::{ExplanationRow, explain};
 
 fn row(sentence: &str) -> ExplanationRow {
@@ -67,7 +65,7 @@ line  what                                       on   when         lasts        
 }
 
 #[test]
-fn how_long_a_rule_waits_is_not_how_long_it_lasts() {
+fn tells_the_wait_of_a_rule_from_its_duration() {
     let text = "She cooks lunch.\nWhenever the stove has been on for 20 minutes, she rests on the sofa for 1 hour.";
     let explained = explain(&understood(text));
     let json = serde_json::to_value(&explained.sentences[1]).unwrap();
@@ -80,7 +78,7 @@ fn how_long_a_rule_waits_is_not_how_long_it_lasts() {
 }
 
 #[test]
-fn how_severe_a_case_is_is_said_as_people_do() {
+fn names_severities_in_common_words() {
     for (severity, words) in [
         ("mild", "Depression, a mild case, 0.5 of a moderate one."),
         ("moderate", "Depression, a moderate case."),
@@ -91,7 +89,7 @@ fn how_severe_a_case_is_is_said_as_people_do() {
 }
 
 #[test]
-fn who_it_is_about_is_said_with_its_line() {
+fn names_the_person_with_the_line() {
     let row = row("# Well until the sixth week.\nMargaret is 82. She walks at 0.65 m/s.");
     assert_eq!((row.line, row.said.as_str()), (2, "Margaret is 82"));
     assert_eq!(row.in_words, "Margaret: 82 years old, walks at 0.65 m/s.");

@@ -1,22 +1,13 @@
 //! Falls of routines, in the ground truth, in bodies and in passive sensors.
 
-mod stage;
-
-use homebody_core::event::{Events, Fact};
+use crate::stage::{Simulated, files, hour, household};
+use homebody_core::event::Fact;
 use homebody_core::geometry::Point;
 use homebody_core::motion::MotionState;
 use homebody_core::posture::Posture;
-use homebody_core::run::Run;
 use homebody_core::time::{DAY, HOUR, Interval, MINUTE, RunTime, Span, joined};
-use stage::{activities, events, files, hour, household};
 
 const BASE: &str = "Margaret is 82. She walks at 0.65 m/s.\nShe gets up at 07:00.\nShe goes to bed at 22:30.\n";
-
-struct Lived {
-    events: Events,
-    all: Vec<(Interval<RunTime>, String)>,
-    places: Vec<(String, Point)>,
-}
 
 #[derive(Clone, Copy, Debug)]
 struct Piece {
@@ -25,21 +16,11 @@ struct Piece {
     posture: Posture,
 }
 
-fn live(sentences: &str, days: i64) -> Lived {
-    let mut files = files(&format!("{BASE}{sentences}"), &[]);
-    let scenario = files["scenario.json"].replace("America/Chicago", "UTC").replace("2009-03-02", "2009-01-05");
-    files.insert("scenario.json".into(), scenario);
-    let (scenario, household) = household(&files, &[]).unwrap();
-    let events = events(Run::new(&scenario, &household, 11, days * DAY), DAY);
-    let all = activities(&events, 0, days * DAY);
-    Lived { events, all, places: scenario.home.plan().places.clone() }
+fn live(sentences: &str, days: i64) -> Simulated {
+    Simulated::new(&format!("{BASE}{sentences}"), days)
 }
 
-impl Lived {
-    fn of<'a>(&'a self, name: &'a str) -> impl Iterator<Item = Interval<RunTime>> + 'a {
-        self.all.iter().filter(move |(_, what)| what == name).map(|(time, _)| *time)
-    }
-
+impl Simulated {
     fn pieces(&self, body: usize) -> impl Iterator<Item = Piece> + '_ {
         self.events.facts.iter().filter_map(move |fact| match *fact {
             Fact::Movement { resident, begin, end, doing, posture } if resident.index() == body => {
@@ -91,7 +72,7 @@ fn falls_at_night_on_the_way_to_the_bathroom_are_there_and_last_as_said() {
 }
 
 #[test]
-fn who_lies_still_is_heard_of_by_hardly_any_sensor() {
+fn sensors_hardly_notice_a_person_on_the_floor() {
     let lived = live("Every day she falls and lies there for 2 hours.\n", 20);
     let lies = lived.lies();
     assert!(lies.len() >= 18);
@@ -104,7 +85,7 @@ fn who_lies_still_is_heard_of_by_hardly_any_sensor() {
 }
 
 #[test]
-fn who_falls_out_of_bed_or_a_seat_lies_beside_it() {
+fn a_fall_out_of_bed_or_a_seat_ends_next_to_it() {
     for (said, from) in [("out of bed", "bed"), ("while getting up from her chair", "armchair")] {
         let lived = live(&format!("Every day she falls {said} and lies there for 10 minutes.\n"), 20);
         let seat = lived.at(from);
@@ -126,7 +107,7 @@ fn who_falls_out_of_bed_or_a_seat_lies_beside_it() {
 }
 
 #[test]
-fn who_reaches_the_phone_crawls_there() {
+fn reaching_the_phone_is_a_crawl() {
     let lived = live("Every day she falls and lies there until she reaches the phone.\n", 20);
     let crawls: Vec<Piece> = lived
         .pieces(0)
@@ -141,7 +122,7 @@ fn who_reaches_the_phone_crawls_there() {
 }
 
 #[test]
-fn who_lies_until_somebody_comes_is_found_by_the_visitor() {
+fn a_visitor_finds_a_fallen_person() {
     let sentences = "Every night she falls on the way to the bathroom and lies there until somebody comes.\n\
         Her daughter visits every day at 09:00 for 30 minutes.\n";
     let lived = live(sentences, 20);
@@ -159,7 +140,7 @@ fn who_lies_until_somebody_comes_is_found_by_the_visitor() {
 }
 
 #[test]
-fn that_nobody_comes_is_told_before_the_run() {
+fn reports_before_the_run_that_no_one_can_come() {
     let told = |sentences: &str| household(&files(&format!("{BASE}{sentences}"), &[]), &[]).err();
     let alone = told("She falls once a month and lies there until somebody comes.\n").unwrap();
     assert!(alone.contains("no person can find") && alone.contains("her daughter visits"), "{alone}");
@@ -175,7 +156,7 @@ fn that_nobody_comes_is_told_before_the_run() {
 }
 
 #[test]
-fn who_nearly_falls_is_not_on_the_floor() {
+fn a_near_fall_does_not_end_on_the_floor() {
     let lived = live("Every day she nearly falls.\n", 20);
     assert!(lived.of("stumbling").count() >= 15, "{}", lived.of("stumbling").count());
     assert_eq!(lived.lies(), []);
@@ -206,7 +187,7 @@ fn mostly_at_some_time_is_three_of_four_falls_with_every_rhythm() {
 }
 
 #[test]
-fn who_falls_out_of_bed_falls_out_of_their_sleep() {
+fn falls_out_of_bed_interrupt_sleep() {
     for said in ["falls out of bed every day", "falls every night in bed", "slides out of bed every day"] {
         let lived = live(&format!("She {said}.\n"), 30);
         let lies = lived.lies();

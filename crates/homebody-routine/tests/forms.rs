@@ -4,12 +4,8 @@
 
 #![allow(clippy::disallowed_methods, reason = "a test may read and write files; the crate may not")]
 
-#[path = "../../../tests/generated.rs"]
-mod generated;
-mod home;
-
-use generated::is_generated;
-use home::{short, understood};
+use crate::generated::is_generated;
+use crate::home::{short, understood};
 use std::fs;
 use std::path::Path;
 

@@ -1,10 +1,8 @@
 //! A scenario's lexicon: read together with its routines, checked, and kept with the recording.
 
-mod stage;
-
+use crate::stage::{ORDINARY, files, household};
 use homebody_routine::language::lexicon::{Lexicon, OWN_FILE};
 use homebody_routine::routine::Activity;
-use stage::{ORDINARY, files, household};
 
 const WORDS: &str = "\
 # What Margaret's daughter calls things.
@@ -40,7 +38,7 @@ fn a_scenario_has_words_of_its_own() {
 }
 
 #[test]
-fn what_is_wrong_in_it_is_told_with_its_line() {
+fn reports_problems_of_a_lexicon_with_their_lines() {
     for (words, wanted) in [
         ("~read", "own.words:1:1: this line has no section above it"),
         ("[readng]\n~leaf", "did you mean \"[reading]\"?"),

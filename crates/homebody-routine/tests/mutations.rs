@@ -6,9 +6,7 @@
     reason = "a test may look at the clock; the crate may not"
 )]
 
-mod home;
-
-use home::home;
+use crate::home::home;
 use homebody_core::random::Stream;
 use homebody_routine::explain::explain;
 use homebody_routine::language::{condition, routine};

@@ -1,8 +1,6 @@
 //! The page about the language: its examples, its rejected sentences, and its figures.
 
-mod home;
-
-use home::{home, problems, understood};
+use crate::home::{home, problems, understood};
 use homebody_core::fuzzy::Quantifier;
 use homebody_core::problem::Problems;
 use homebody_routine::language::amounts::{ABOUT_SHARE, MONTH_DAYS, PLAIN_SHARE, YEAR_DAYS};
@@ -59,7 +57,7 @@ fn every_way_of_saying_an_activity_is_understood() {
 }
 
 #[test]
-fn what_the_page_says_is_refused_is_refused_in_its_words() {
+fn rejects_the_examples_of_the_page_in_its_words() {
     let section = PAGE.split("## Refused sentences").nth(1).unwrap().split("\n## ").next().unwrap();
     let rows: Vec<Vec<&str>> =
         section.lines().filter(|line| line.starts_with("| `")).map(|line| line.split('`').collect()).collect();

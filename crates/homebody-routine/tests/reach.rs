@@ -1,12 +1,10 @@
 //! Unreachable places: reported before a run where they are needed, replaced where possible, and given up during a run.
 
-mod stage;
-
+use crate::stage::{ORDINARY, activities, events, files, hour, household};
 use homebody_core::geometry::Point;
 use homebody_core::motion::MotionState;
 use homebody_core::run::Run;
 use homebody_core::time::{DAY, HOUR, RunTime, Span};
-use stage::{ORDINARY, activities, events, files, hour, household};
 use std::collections::BTreeMap;
 
 /// Name, position in the way, position elsewhere, and size in metres.
@@ -62,7 +60,7 @@ fn a_chair_boxed_in_by_tables_is_said_and_what_would_free_it() {
 }
 
 #[test]
-fn so_is_a_stove_and_a_door_that_is_shut() {
+fn reports_a_boxed_in_stove_and_a_shut_door() {
     assert_eq!(said(&with_pieces(&SCREENS, false, "")), "");
     let stove = said(&with_pieces(&SCREENS, true, ""));
     assert!(stove.contains("margaret cannot get from \"bed\" to \"stove\""), "{stove}");
@@ -112,7 +110,7 @@ fn assert_is_a_life(of: &BTreeMap<String, (f64, f64)>) {
 }
 
 #[test]
-fn with_another_chair_life_goes_on_with_that_one() {
+fn uses_another_chair_if_there_is_one() {
     let other =
         r#"{ "name": "kitchen chair", "at": [6.6, 3.9], "size_m": [0.45, 0.45], "height_m": 0.9, "enterable": true },"#;
     let files = with_pieces(&TABLES, true, other);
@@ -131,7 +129,7 @@ fn with_another_chair_life_goes_on_with_that_one() {
 
 /// A home in which a way was blocked after the check.
 #[test]
-fn what_cannot_be_reached_does_not_take_the_day() {
+fn unreachable_places_do_not_use_up_the_day() {
     let shown = |pieces, file: fn(Pieces, bool) -> BTreeMap<String, String>| {
         let (_, household) = household(&file(pieces, false), &[]).unwrap();
         let lived = |in_the_way| {
@@ -176,7 +174,7 @@ fn asleep_in_the_armchair_h(sentence: &str) -> f64 {
 }
 
 #[test]
-fn who_sleeps_in_the_recliner_does_not_sleep_in_the_bed() {
+fn sleeping_in_the_recliner_leaves_the_bed_empty() {
     let (recliner, bed) = (asleep_in_the_armchair_h("She sleeps in her recliner."), asleep_in_the_armchair_h(""));
     assert!(recliner > 3.0 && bed < 1.0, "{recliner} {bed}");
 }

@@ -1,7 +1,6 @@
 //! Invariants of runs with routines, and agreement of routines with the ground truth.
 
-mod stage;
-
+use crate::stage::{ORDINARY, activities, day, events, files, hour, household, run};
 use homebody_core::event::{Events, Fact};
 use homebody_core::fuzzy::Quantifier;
 use homebody_core::geometry::Point;
@@ -9,7 +8,6 @@ use homebody_core::ids::{SensorId, ThingId};
 use homebody_core::motion::MotionState;
 use homebody_core::run::Run;
 use homebody_core::time::{DAY, HOUR, Interval, MINUTE, RunTime, SECOND, Span};
-use stage::{ORDINARY, activities, day, events, files, hour, household, run};
 
 const DECLINE: &str = include_str!("../../../scenarios/tigerplace-decline/margaret.routine");
 /// A link with all faults.
@@ -161,7 +159,7 @@ fn nobody_is_in_two_places() {
 
 /// Frequencies in the ground truth agree with the quantifiers.
 #[test]
-fn what_is_written_is_what_is_lived() {
+fn frequencies_agree_with_the_quantifiers() {
     let days = 90;
     let end = days * DAY;
     let events = events(run(ORDINARY, days), DAY);
@@ -265,7 +263,7 @@ fn hours_of(routine: &str, days: i64, name: &str) -> Vec<f64> {
 }
 
 #[test]
-fn what_comes_then_comes_also_after_getting_up_and_after_the_toilet() {
+fn then_also_follows_getting_up_and_the_toilet() {
     let routine = "Margaret is 82.\nEvery day\n  she gets up at 7:00, then takes a shower\n\
         \x20 she goes to the toilet at 16:00, then reads for 30 minutes\n";
     let (showers, reading) = (hours_of(routine, 4, "showering"), hours_of(routine, 4, "reading"));
@@ -274,7 +272,7 @@ fn what_comes_then_comes_also_after_getting_up_and_after_the_toilet() {
 }
 
 #[test]
-fn who_gets_up_late_washes_and_dresses_first() {
+fn late_risers_wash_and_dress_first() {
     let late = ORDINARY.replace("at about 06:45, give or take 45 minutes", "at about 11:00, give or take 15 minutes");
     assert_ne!(late, ORDINARY);
     let lived = activities(&events(run(&late, 14), DAY), 0, 14 * DAY);
@@ -292,7 +290,7 @@ fn who_gets_up_late_washes_and_dresses_first() {
 }
 
 #[test]
-fn what_has_its_time_in_the_night_is_done_in_the_night() {
+fn activities_at_night_happen_at_night() {
     let tea = hours_of("Margaret is 82.\nShe makes tea at 3:00 at night.\n", 4, "drinking");
     assert!(tea.iter().filter(|hour| (2.9..3.6).contains(*hour)).count() >= 3, "{tea:?}");
 }
@@ -340,7 +338,7 @@ fn a_rule_about_the_host_does_not_bring_visitors() {
 }
 
 #[test]
-fn what_a_condition_does_not_last_for_is_over() {
+fn a_condition_ends_after_its_time() {
     let routine = "Margaret is 82.\nFrom day 3 to day 5 she shows insomnia.\n";
     let told: Vec<(i64, f64)> = events(run(routine, 9), DAY)
         .facts
@@ -354,7 +352,7 @@ fn what_a_condition_does_not_last_for_is_over() {
 }
 
 #[test]
-fn what_cannot_be_reached_is_said_before_the_run() {
+fn reports_unreachable_places_before_the_run() {
     let mut closed = files(ORDINARY, &[]);
     let home = closed["home.json"].replace(
         "\"name\": \"bathroom door\", \"from\": [2.6, 1.65], \"to\": [2.6, 2.55]",

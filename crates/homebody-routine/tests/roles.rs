@@ -1,13 +1,11 @@
 //! Roles of furniture that a home states, whatever its name.
 
-mod stage;
-
+use crate::stage::{ORDINARY, files, household};
 use homebody_core::geometry::Point;
 use homebody_core::motion::MotionState;
 use homebody_core::posture::Posture;
 use homebody_core::run::Run;
 use homebody_core::time::{DAY, HOUR, Span};
-use stage::{ORDINARY, files, household};
 
 const BED: Point = Point::new(1.1, 5.1);
 

@@ -1,32 +1,17 @@
 //! The effect of rules, measured in the ground truth of weeks.
 
-mod stage;
-
-use homebody_core::event::Events;
-use homebody_core::run::Run;
-use homebody_core::time::{DAY, HOUR, Interval, MINUTE, RunTime, Span};
-use stage::{activities, day, events, files, hour, household};
+use crate::stage::{Simulated, day, hour};
+use homebody_core::time::{HOUR, MINUTE, RunTime, Span};
 
 const DAYS: i64 = 28;
 const BASE: &str = "Margaret is 82. She walks at 0.65 m/s.\nShe gets up at 07:00.\nShe eats lunch at 12:00 for 30 minutes.\n\
                     She goes to bed at 22:30.\n";
 
-struct Lived(Vec<(Interval<RunTime>, String)>, Events);
-
-fn live(sentences: &str) -> Lived {
-    let mut files = files(&format!("{BASE}{sentences}"), &[]);
-    let scenario = files["scenario.json"].replace("America/Chicago", "UTC").replace("2009-03-02", "2009-01-05");
-    files.insert("scenario.json".into(), scenario);
-    let (scenario, household) = household(&files, &[]).unwrap_or_else(|problems| panic!("{problems}"));
-    let events = events(Run::new(&scenario, &household, 11, DAYS * DAY), DAY);
-    Lived(activities(&events, 0, DAYS * DAY), events)
+fn live(sentences: &str) -> Simulated {
+    Simulated::new(&format!("{BASE}{sentences}"), DAYS)
 }
 
-impl Lived {
-    fn of<'a>(&'a self, name: &'a str) -> impl Iterator<Item = Interval<RunTime>> + 'a {
-        self.0.iter().filter(move |(_, what)| what == name).map(|(time, _)| *time)
-    }
-
+impl Simulated {
     /// By instant, the minutes until an activity begins; `None` if it does not begin in time.
     fn after(&self, instants: &[RunTime], name: &str, within: Span) -> Vec<f64> {
         let gaps = |at: RunTime| self.of(name).map(move |one| one.begin - at);
@@ -40,7 +25,7 @@ impl Lived {
 }
 
 #[test]
-fn what_is_over_brings_the_next_step_after_step() {
+fn the_end_of_an_activity_starts_the_steps_of_a_rule() {
     let life = live("Whenever she has eaten lunch, she naps for 20 minutes, then reads for 10 minutes.");
     let lunches = life.ends("eating_lunch");
     assert!(lunches.len() as i64 >= DAYS - 1);
@@ -53,7 +38,7 @@ fn what_is_over_brings_the_next_step_after_step() {
 }
 
 #[test]
-fn what_has_to_be_so_is_asked_as_it_becomes_due() {
+fn conditions_of_a_rule_are_tested_when_it_is_due() {
     let naps =
         |rule: &str| live(rule).of("napping").filter(|nap| (12.0..14.0).contains(&hour(nap.begin))).count() as i64;
     let always = naps("Whenever she has eaten lunch, she naps for 20 minutes.");
@@ -63,7 +48,7 @@ fn what_has_to_be_so_is_asked_as_it_becomes_due() {
 }
 
 #[test]
-fn who_comes_is_noticed_and_so_is_that_nobody_is_there() {
+fn rules_notice_arrivals_and_being_alone() {
     let visit = "Her daughter visits on Sunday at 14:00 for 2 hours.\n";
     let life = live(&format!("{visit}Whenever her daughter comes, she has a drink."));
     let visits: Vec<RunTime> = life.of("visit").map(|visit| visit.begin).filter(|at| day(*at) % 7 == 6).collect();
@@ -88,7 +73,7 @@ fn dusk_is_noticed_every_day() {
 }
 
 #[test]
-fn who_has_sat_for_long_rises() {
+fn rules_end_long_sitting() {
     let sits = "She reads in the armchair from 14:00 to 17:00.\n";
     let walks = |rule: &str| {
         live(&format!("{sits}{rule}")).of("wandering").filter(|walk| (14.0..17.2).contains(&hour(walk.begin))).count()
@@ -99,7 +84,7 @@ fn who_has_sat_for_long_rises() {
 }
 
 #[test]
-fn what_is_forgotten_is_done_later() {
+fn a_forgotten_rule_is_done_later() {
     let life = live(
         "Whenever she has eaten lunch, she naps for 10 minutes, but she forgets it on 50 % of days and does it 2 hours later.",
     );
@@ -139,5 +124,5 @@ fn a_rule_may_follow_another() {
         "Whenever she has eaten lunch, she naps for 20 minutes.\nWhenever she has done so for 2 hours, she paces for 5 minutes.",
     );
     assert!(life.of("pacing").count() as i64 >= DAYS - 6, "{}", life.of("pacing").count());
-    assert!(!life.1.facts.is_empty());
+    assert!(!life.events.facts.is_empty());
 }

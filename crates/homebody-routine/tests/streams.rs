@@ -1,8 +1,7 @@
-//! What a sentence's random numbers hang on: what it says, and nothing else of the text.
+//! The random numbers of a sentence depend on its meaning, and on nothing else in the text.
 #![expect(clippy::disallowed_methods, reason = "the scenarios are read from their folders")]
 
-mod stage;
-
+use crate::stage::{ORDINARY, events, files, household};
 use homebody_core::event::Events;
 use homebody_core::run::Run;
 use homebody_core::scenario::load::Scenario;
@@ -11,7 +10,6 @@ use homebody_routine::behaviour::agenda::Agenda;
 use homebody_routine::behaviour::item::Item;
 use homebody_routine::household::{CONDITIONS, Household};
 use homebody_routine::routine::Activity;
-use stage::{ORDINARY, events, files, household};
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -154,7 +152,7 @@ fn another_sentence_leaves_the_numbers_of_the_others() {
 }
 
 #[test]
-fn what_says_the_same_is_told_apart_by_its_order() {
+fn sentences_with_one_meaning_differ_by_their_order() {
     let one = "Margaret is 82.\nOn Monday she reads at about 15:00 for 10 to 60 minutes.\n";
     let two = format!("{one}On Tuesday she reads at about 15:00 for 10 to 60 minutes.\n");
     let twice = format!("{one}On Monday she reads at about 3 pm for 10-60 minutes.\n");

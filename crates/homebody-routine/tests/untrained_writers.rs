@@ -3,13 +3,8 @@
 //! the others had a hint with a valid sentence; two were understood wrongly, tea at half past four as a drink and "potters
 //! round the shops" as housework. Later improvements are included in the totals.
 
-#![allow(clippy::disallowed_methods, reason = "a test may read and write files; the crate may not")]
-
-#[path = "../../../tests/generated.rs"]
-mod generated;
-mod home;
-
-use home::{home, short};
+use crate::generated;
+use crate::home::{home, short};
 use homebody_routine::language::{KnownNames, routine};
 use homebody_routine::routine::Activity;
 use serde_json::Value;
@@ -33,7 +28,7 @@ const VERDICTS: [(Verdict, &str); 4] = [
 ];
 
 #[test]
-fn what_becomes_of_sentences_of_others_is_written_beside_them() {
+fn the_results_of_other_peoples_sentences_are_listed() {
     let known = KnownNames { usual: Activity::OWN_WAYS.to_vec(), ..home() };
     let (mut text, mut verdicts) = (String::new(), Vec::new());
     for line in include_str!("untrained_writers.jsonl").lines() {

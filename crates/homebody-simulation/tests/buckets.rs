@@ -1,4 +1,4 @@
-//! A cohort in an object store, here one in a folder: the tests of the command try it with a server that speaks S3.
+//! A cohort in an object store, here a folder; the tests of the command use a server that speaks S3.
 
 use homebody_simulation::{CohortLayout, IncompleteCohort, SimulationError, bring_member, list_of_cohort};
 use std::collections::BTreeMap;

@@ -1,4 +1,4 @@
-//! What is done to a run from outside: it happens, the truth says so, and who lives the run again lives the same.
+//! Interventions from outside take effect, are in the ground truth, and replay.
 
 use homebody_core::time::{HOUR, MINUTE, RunTime, Span};
 use homebody_simulation::interventions::{Failure, Intervention, InterventionRequest, Refusal};
@@ -185,7 +185,7 @@ fn a_run_that_was_stopped_and_touched_and_died_is_gone_on_with() {
 }
 
 #[test]
-fn who_falls_lies_where_they_are_and_gets_up() {
+fn a_fall_from_outside_happens_on_the_spot_and_ends() {
     let temporary = TempDir::new().unwrap();
     let wishes: Vec<(i64, Intervention)> = (1..14 * 24).step_by(5).map(|hour| (hour, fall(hour % 50 + 1))).collect();
     let (lived, told) = live(temporary.path(), 15.0, &wishes, None);

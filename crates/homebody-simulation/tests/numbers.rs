@@ -1,4 +1,4 @@
-//! Numbers of the models that are set: what they change, what they do not, and what is refused.
+//! Parameters of the models: their effects, and the values that are refused.
 
 use homebody_core::event::Firing;
 use homebody_core::numbers::Number;

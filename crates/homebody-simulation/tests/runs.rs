@@ -1,4 +1,4 @@
-//! Scenarios opened, runs lived and stored, cohorts, and what is refused.
+//! Opening scenarios, simulating and storing runs and cohorts, and errors.
 
 use homebody_core::drivers::{Driver, Next, Surroundings};
 use homebody_core::event::{Events, Fact, Firing, ThingUse};
@@ -58,7 +58,7 @@ fn a_scenario_is_opened_by_its_folder_and_by_its_own_file() {
 }
 
 #[test]
-fn what_makes_no_sense_is_refused_before_anything_is_lived() {
+fn refuses_nonsense_before_the_run() {
     let opened = tigerplace();
     for days in [0.0, -1.0, f64::NAN, f64::INFINITY, 36_526.0, 1e-12] {
         assert!(matches!(opened.run().days(days).start(), Err(SimulationError::Length { .. })), "{days}");
@@ -201,7 +201,7 @@ fn a_cohort_that_is_gone_on_with_counts_what_is_lived_now() {
 }
 
 #[test]
-fn what_is_said_to_a_run_changes_when_it_is_lived_and_not_how() {
+fn commands_change_the_pace_of_a_run_and_not_its_events() {
     let (say, commands) = channel();
     for command in [RunCommand::Step(90 * SECOND), RunCommand::Speed(Speed::Max), RunCommand::Resume] {
         say.send(command).unwrap();
@@ -282,7 +282,7 @@ fn lived_by(driver: impl Fn(&Home) -> Odd + Send + Sync + 'static) -> Result<Spa
 }
 
 #[test]
-fn what_happened_before_a_driver_went_wrong_is_handed_on() {
+fn events_before_the_error_of_a_driver_are_kept() {
     let odd = |now: RunTime| match now {
         RunTime::START => {
             segment(now, now + 90 * MINUTE, MotionState::InPlace { at: Point::new(6.0, 4.0), amplitude_m: 0.3 })

@@ -1,4 +1,4 @@
-//! Residents whose driver is a script: what the shipped ones do, by their truth, and what holds of all.
+//! Residents with scripts: the shipped scripts, checked by their ground truth, and rules for all scripts.
 
 use homebody_core::event::{Events, Fact};
 use homebody_core::ids::ResidentId;
@@ -241,7 +241,7 @@ fn next(around) {
 }
 
 #[test]
-fn what_reaches_beyond_the_script_is_not_there() {
+fn scripts_have_no_access_to_the_outside() {
     for call in ["sleep(1)", "timestamp()", "import \"x\" as y", "eval(\"1\")", "open_file(\"x\")", "exit()", "rand()"]
     {
         assert!(!problems(&format!("fn next(around) {{ {call}; wait(1) }}")).is_empty(), "{call}");

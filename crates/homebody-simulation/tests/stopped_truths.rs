@@ -1,5 +1,5 @@
-//! The truth of a run that was stopped says what ended there and then, so it is written anew as the run is gone on with: of texts, each
-//! table's file, packed or not.
+//! Resuming a stopped run writes its ground truth again, because it had ended intervals at the stop: each file of text tables, compressed
+//! or not.
 
 use homebody_core::event::Events;
 use homebody_core::recording::Recording;

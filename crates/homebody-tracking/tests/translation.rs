@@ -1,4 +1,4 @@
-//! Logs that are walked back: how likely everybody is where, and the folder of it.
+//! Locating people from a log: the probabilities of their places, and the folder of the result.
 
 use homebody_core::time::RunTime;
 use homebody_query::LoadedLog;
@@ -25,7 +25,7 @@ fn number(place: PossiblePlace) -> i64 {
 }
 
 #[test]
-fn of_one_and_of_two_the_chances_come_to_one_and_the_likeliest_place_is_the_one_told() {
+fn probabilities_sum_to_one_and_the_likeliest_place_is_reported() {
     for name in ["studio", "couple-with-cat"] {
         let folder = TempDir::new().unwrap();
         let (home, read) = (template(name).unwrap(), log(name, &folder));
@@ -86,7 +86,7 @@ fn a_folder_says_again_what_was_written_and_what_is_damaged_is_told_with_its_lin
 }
 
 #[test]
-fn who_cancels_gets_nothing() {
+fn a_cancelled_search_leaves_nothing() {
     let folder = TempDir::new().unwrap();
     let (home, read) = (template("studio").unwrap(), log("studio", &folder));
     let cancel = Cancel::new();

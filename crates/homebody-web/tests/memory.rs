@@ -1,4 +1,5 @@
-//! What too much of something does to the server's memory. Alone in this program, since memory is the whole program's.
+//! Large requests, logs and slow browsers do not use up the server's memory. It is a program of its own, because memory belongs to a whole
+//! program.
 //!
 //! `HOMEBODY_STUCK_S=600 cargo test -p homebody-web --test memory -- --nocapture` has a browser stuck for ten minutes.
 #![cfg(target_os = "linux")]

@@ -1,4 +1,4 @@
-//! Stored runs are played back as they were stored.
+//! The page plays stored runs as they were stored.
 
 use homebody_core::time::{DAY, HOUR, Interval, RunTime, SECOND, Span};
 use homebody_simulation::Cancel;
@@ -210,7 +210,7 @@ fn without_a_truth_there_are_rows_alone() {
 }
 
 #[test]
-fn what_there_is_not_is_unknown() {
+fn unknown_runs_and_days_are_refused() {
     let stored = Stored::lived("by-hand", 20 * SECOND, as_it_is);
     let name = stored.name();
     for unknown in ["", ".", "..", "../runs", "nobody", "by-hand-1/", "/", "by-hand-1\0"] {
@@ -353,7 +353,7 @@ fn going_back_is_going_on_from_there_as_it_was() {
 
 /// Who is driven lives anew from the start, for from then on all may go another way.
 #[test]
-fn who_is_driven_does_not_go_back_to_a_moment() {
+fn a_controlled_run_goes_back_only_to_its_start() {
     let folder = TempDir::new().unwrap();
     let own = folder.path().join("scenario");
     copy(&scenarios().join("by-hand"), &own, &as_it_is);
@@ -375,7 +375,7 @@ fn find(stored: &Stored, what: FindWhat, name: &str, between_min: Option<(u32, u
 }
 
 #[test]
-fn what_is_looked_for_over_a_run_is_what_log_and_truth_say() {
+fn a_search_agrees_with_log_and_truth() {
     let stored = Stored::lived("tigerplace", 5 * DAY, as_it_is);
     let connection = Connection::open(stored.file("truth.db")).unwrap();
     let count = |sql: &str| connection.query_row(sql, [], |row| row.get::<_, i64>(0)).unwrap() as u64;
@@ -524,7 +524,7 @@ fn the_voxel_person_stands_and_lies_where_the_body_does() {
 }
 
 #[test]
-fn what_cameras_take_for_falls_is_found_and_nobody_who_has_gone_keeps_it_looking() {
+fn finds_falls_in_silhouettes_and_stops_a_cancelled_search() {
     let stored = postures();
     let asked = Find { what: FindWhat::SeenFall, name: None, between_min: None, least_s: 0.0 };
     let cancelled = Cancel::new();

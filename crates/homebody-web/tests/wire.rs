@@ -1,9 +1,6 @@
-//! The page's types are the server's, and its kinds of sensors and of activities are the core's.
+//! The types of the page agree with the server's, and its kinds of sensors and activities with the core's.
 
-#[path = "../../../tests/generated.rs"]
-mod generated;
-
-use generated::is_generated;
+use crate::generated::is_generated;
 use homebody_analysis::measures::MEASURES;
 use homebody_core::activity::{ACTIVITIES, AWAY, ActivityKind, KIND_WORDS};
 use homebody_core::sensors::form::{Colour, KindRow, Mount};

@@ -1,5 +1,5 @@
-//! The command and a bucket of S3: a run goes there day by day, is gone on with after a death, looked at, read, labelled and refused; a
-//! cohort member by member.
+//! The command and a bucket of S3: a run writes to it day by day, resumes after a kill, and is checked, read, labelled and refused; a
+//! cohort writes member by member.
 //!
 //! It is tried in builds with the feature `cloud`, with the server of moto: `moto_server` on the `PATH`, or as `HOMEBODY_MOTO` names it.
 #![cfg(all(unix, feature = "cloud"))]

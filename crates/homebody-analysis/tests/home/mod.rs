@@ -1,4 +1,4 @@
-//! A home to draw and to measure: two rooms, a door between them, furniture, three sensors.
+//! A home for drawing and measuring: two rooms with a door between them, furniture and three sensors.
 
 use homebody_core::geometry::{Point, direction, point};
 use homebody_core::home::form::HomeFile;

@@ -1,7 +1,7 @@
-//! Everything that is wrong comes at once, in order, and can be shown beside its source.
+//! A check reports all problems at once, in order, and can show each in its source.
 
-use crate::good::good;
-use crate::{broken, listed, problems, reported};
+use super::good::good;
+use super::{broken, listed, problems, reported};
 use homebody_core::scenario::load::{ResidentDriver, Scenario};
 use homebody_core::time::RunTime;
 

@@ -1,6 +1,6 @@
 //! The values that problems carry for programs.
 
-use crate::*;
+use super::*;
 use serde_json::{Value, json};
 
 #[test]

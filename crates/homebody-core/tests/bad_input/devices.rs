@@ -1,6 +1,6 @@
-//! Sensors on things and in rooms that say what cannot be.
+//! Impossible sensors on things and in rooms.
 
-use crate::*;
+use super::*;
 
 /// What is said of the good home with its first sensor replaced by this one, from its line on.
 fn of(sensor: &str) -> String {

@@ -1,4 +1,4 @@
-//! What is read is bounded, and what it costs grows as its size does.
+//! The size of input is bounded, and the cost of reading it grows with its size.
 
 #![allow(
     clippy::disallowed_types,
@@ -6,7 +6,7 @@
     reason = "what reading costs is measured by the clock; the core reads none"
 )]
 
-use crate::*;
+use super::*;
 use std::fmt::Write;
 use std::hint::black_box;
 use std::time::{Duration, Instant};
@@ -80,7 +80,7 @@ fn reading_and_checking_cost_no_more_than_a_small_multiple_of_the_size() {
 
 /// The control: who compares each key with all others is seen to take too long.
 #[test]
-fn what_costs_the_square_of_the_size_is_seen() {
+fn finds_a_quadratic_cost() {
     let [small, large] = [4_000, 32_000].map(|size| {
         let keys: Vec<u64> = (0..size).collect();
         let repeated = || keys.iter().map(|one| keys.iter().filter(|other| *other == black_box(one)).count()).sum();

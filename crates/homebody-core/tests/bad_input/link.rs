@@ -1,7 +1,7 @@
-//! Links: sensors, spans and faults that cannot be.
+//! Links with impossible sensors, spans and faults.
 
-use crate::good::good;
-use crate::*;
+use super::good::good;
+use super::*;
 
 /// A fault of each kind.
 const LINK: &str = r#"{

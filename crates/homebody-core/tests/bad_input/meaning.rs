@@ -1,6 +1,6 @@
-//! Files of the right shape that say what cannot be.
+//! Files of the right shape with impossible values.
 
-use crate::*;
+use super::*;
 
 #[test]
 #[rustfmt::skip] // A case takes two lines: the change, then its problems.

@@ -1,6 +1,6 @@
-//! Whatever happens to a scenario's text, loading it ends, and with places that exist.
+//! Loading a mutated scenario ends, and its problems are at places that exist.
 
-use crate::link::linked;
+use super::link::linked;
 use homebody_core::event::Events;
 use homebody_core::run::Run;
 use homebody_core::scenario::load::Scenario;

@@ -1,6 +1,6 @@
 //! Files that do not have the shape of their schema.
 
-use crate::*;
+use super::*;
 use homebody_core::sensors::kinds::KINDS;
 
 #[test]

@@ -1,6 +1,6 @@
-//! Text that is no JSON, and text that only looks odd.
+//! Text that is not JSON, and JSON that only looks odd.
 
-use crate::*;
+use super::*;
 
 #[test]
 #[rustfmt::skip] // A case takes two lines: the change, then its problems.

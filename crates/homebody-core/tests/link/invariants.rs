@@ -1,7 +1,7 @@
-//! The invariants with everything on: every fault, every chance, a channel that is shared.
+//! The invariants with every fault, every chance and a shared channel.
 
+use super::*;
 use crate::random_home::{self, Dice, Model};
-use crate::*;
 use homebody_core::calendar::Calendar;
 use homebody_core::drivers::{Driver, Next, Surroundings};
 use homebody_core::event::ThingUse;

@@ -1,6 +1,6 @@
-//! How often things happen on the way, held against what was asked for and against what is known.
+//! The frequencies of losses and delays, compared with the settings and with known values.
 
-use crate::*;
+use super::*;
 use homebody_core::ids::SensorId;
 use homebody_core::random::{SpanRange, Stream};
 

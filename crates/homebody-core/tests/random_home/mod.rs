@@ -1,4 +1,4 @@
-//! Random homes and random lives in them, each from its number: the same number, the same home.
+//! Random homes, and random movements in them. The same number always gives the same home.
 
 use homebody_core::event::{ThingUse, Vitals};
 use homebody_core::geometry::Point;

@@ -1,6 +1,6 @@
-//! Flats that somebody might have drawn.
+//! Plausible flats.
 
-use crate::plan::{Home, door, piece, room, two_rooms, two_rooms_walls, wall};
+use crate::plans::plan::{Home, door, piece, room, two_rooms, two_rooms_walls, wall};
 use homebody_core::geometry::{self, Point, point};
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};
 
@@ -235,7 +235,7 @@ fn rooms_with_steps_in_doorways_end_in_the_middle_of_walls() {
 }
 
 #[test]
-fn what_people_can_be_in_is_known_by_its_words() {
+fn names_show_which_furniture_people_can_enter() {
     let is_enterable = |name: &str, catalog: &str| {
         let piece = piece(name, [300.0, 300.0], [20.0, 20.0, 30.0], &format!("catalogId='{catalog}'"));
         Home::of(&(two_rooms() + &piece)).file.furniture[0].enterable

@@ -1,7 +1,7 @@
-//! How people draw, each habit in a small plan: ceilings, names written as text, holes, two leaves of a door, rooms without walls,
-//! one room around all, terraces.
+//! Habits of people who draw plans, each in a small plan: ceilings, names as text, holes, double doors, rooms without walls, one room
+//! around all others, terraces.
 
-use crate::plan::{Home, door, piece, room, two_rooms, two_rooms_walls, wall};
+use crate::plans::plan::{Home, door, piece, room, two_rooms, two_rooms_walls, wall};
 use homebody_core::geometry::{self, Point};
 use std::f64::consts::FRAC_PI_2;
 
@@ -14,7 +14,7 @@ fn doors() -> String {
 }
 
 #[test]
-fn what_is_drawn_for_its_ceiling_is_no_room() {
+fn leaves_out_rooms_drawn_for_their_ceiling() {
     let ceiling = |corners: &[[f64; 2]]| room("", corners).replace("<room ", "<room floorVisible='false' ");
     let over = ceiling(&[[110.0, 110.0], [890.0, 110.0], [890.0, 300.0], [110.0, 300.0]]);
     let home = Home::of(&(over.clone() + &two_rooms()));
@@ -132,7 +132,7 @@ fn a_room_around_several_spaces_is_parted_by_the_walls() {
 }
 
 #[test]
-fn what_lies_in_the_open_before_the_front_door_is_outside() {
+fn open_ground_before_the_front_door_is_outside() {
     let paving = room("Path", &[[150.0, 510.0], [250.0, 510.0], [250.0, 800.0], [150.0, 800.0]]);
     let chair = piece("Garden chair", [200.0, 700.0], [40.0, 40.0, 80.0], "");
     let home = Home::of(&(two_rooms() + &paving + &chair));

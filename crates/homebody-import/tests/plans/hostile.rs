@@ -1,6 +1,6 @@
-//! Files that are broken, or made to break: a sentence comes back, soon, and never a panic.
+//! Broken and hostile files give an error soon, and never a panic.
 
-use crate::plan::{archive, door, file, import, packed, piece, room, two_rooms, wall};
+use crate::plans::plan::{archive, door, file, import, packed, piece, room, two_rooms, wall};
 use homebody_core::geometry::Point;
 use homebody_core::messages::Diagnose;
 use homebody_core::random::Stream;
@@ -103,7 +103,7 @@ fn markup_that_no_plan_has_is_refused() {
 }
 
 #[test]
-fn what_only_looks_like_bad_markup_is_read() {
+fn reads_markup_that_only_looks_bad() {
     let drawn =
         "<!-- <!DOCTYPE <a <a --><!--><!DOCTYPE <a --><property name='xmlns:a' value='a=b > c'/><![CDATA[<!DOCTYPE]]>"
             .to_owned();
@@ -126,7 +126,7 @@ fn numbers_that_are_none_are_left_out() {
             )
             + &format!("<doorOrWindow name='d' x='300' y='100' width='{number}'/>")
             + &format!("<room name='e'><point x='{number}' y='1'/><point x='9' y='1'/><point x='5' y='9'/></room>");
-        let home = crate::plan::Home::of(&drawn);
+        let home = crate::plans::plan::Home::of(&drawn);
         assert_eq!((home.file.walls.len(), home.file.furniture.len(), home.file.doors.len()), (6, 1, 2), "{number}");
         assert_eq!(home.rooms().len(), 2);
         home.remarks("left out: 5 things without place or size");
@@ -137,7 +137,7 @@ fn numbers_that_are_none_are_left_out() {
 fn attributes_may_be_missing() {
     let bare = ["wall", "room", "doorOrWindow", "pieceOfFurniture", "light", "level", "furnitureGroup", "compass"];
     let bare: String = bare.iter().map(|tag| format!("<{tag}/>")).collect();
-    let home = crate::plan::Home::of(&(two_rooms() + &bare + "<room><point/><point/><point/></room><room/>"));
+    let home = crate::plans::plan::Home::of(&(two_rooms() + &bare + "<room><point/><point/><point/></room><room/>"));
     assert_eq!(home.rooms().len(), 2);
 }
 
@@ -175,7 +175,7 @@ fn a_long_name_of_a_level_is_not_copied_to_all_that_is_on_it() {
 }
 
 #[test]
-fn what_is_hard_to_reckon_is_done_soon() {
+fn computes_hard_plans_soon() {
     let timed = |what: &str, drawn: &str| {
         let begun = Instant::now();
         let remarks = import(&file(drawn)).map_or(0, |imported| imported.remarks.len());
@@ -246,7 +246,7 @@ fn what_is_hard_to_reckon_is_done_soon() {
     timed("many arcs", &arcs);
     let round = "<wall xStart='0' yStart='0' xEnd='900000' yEnd='0' thickness='9' arcExtent='3.1'/>";
     timed("a great arc", &(two_rooms() + round + &doors));
-    let home = crate::plan::Home::of(&(two_rooms() + round));
+    let home = crate::plans::plan::Home::of(&(two_rooms() + round));
     home.remarks("more than 100 m away");
     assert_eq!(home.file.walls.len(), 5);
     let wide: String = (0..900).map(|index| piece("p", [300.0, f64::from(index)], [5_000.0, 1.0, 1.0], "")).collect();
@@ -285,7 +285,7 @@ fn mutants_make_nobody_panic() {
         };
         match import(&mutant) {
             Ok(imported) => {
-                crate::plan::Home::from(imported);
+                crate::plans::plan::Home::from(imported);
                 sound += 1;
             }
             Err(error) => {

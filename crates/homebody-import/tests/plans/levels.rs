@@ -1,6 +1,6 @@
-//! Plans of several levels: a home is one of them, or all that stairs join.
+//! Plans of several levels: a home is one of them, or all that stairs connect.
 
-use crate::plan::{Home, file, import, piece, room, two_rooms, wall};
+use crate::plans::plan::{Home, file, import, piece, room, two_rooms, wall};
 use homebody_import::{ImportError, sweet_home};
 
 /// A house: a cellar of one room, the flat above it, and an attic without walls.

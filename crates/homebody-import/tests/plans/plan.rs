@@ -1,4 +1,4 @@
-//! Plans written for a test, and homes as they come out.
+//! Plans written for tests, and the homes made from them.
 
 use homebody_core::home::form::HomeFile;
 use homebody_core::plan::Plan as FloorPlan;

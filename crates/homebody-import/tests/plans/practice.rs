@@ -1,6 +1,6 @@
-//! What real plans have, each in a small plan: flat things, names in other languages, low windows, thick walls, gaps.
+//! Features of real plans, each in a small plan: flat things, names in other languages, low windows, thick walls, gaps.
 
-use crate::plan::{Home, archive, door, import, piece, room, two_rooms, two_rooms_walls, wall};
+use crate::plans::plan::{Home, archive, door, import, piece, room, two_rooms, two_rooms_walls, wall};
 use homebody_core::geometry::{self, Point};
 use homebody_core::plan::form::FurnitureFile;
 use homebody_core::role::Role;
@@ -14,7 +14,7 @@ fn of(name: &str, catalog: &str, size: [f64; 3]) -> FurnitureFile {
 }
 
 #[test]
-fn what_is_flat_stops_nobody() {
+fn flat_pieces_are_no_obstacles() {
     let carpet = |height: f64| piece("Box", [600.0, 200.0], [200.0, 200.0, height], "catalogId='eTeks#texturableBox'");
     let is_open = |height: f64| Home::of(&(two_rooms() + &carpet(height))).plan.is_walkable(Point::new(5.0, 3.0), 0.22);
     assert!(is_open(0.5) && is_open(5.0) && !is_open(6.0));
@@ -25,7 +25,7 @@ fn what_is_flat_stops_nobody() {
 }
 
 #[test]
-fn what_a_piece_is_comes_from_the_catalogue_then_from_its_name_and_its_shape() {
+fn identifies_pieces_by_catalogue_then_name_and_shape() {
     let seat = [45.0, 45.0, 90.0];
     for (name, catalog, size, role) in [
         ("Letto", "eTeks#bed140x190", [140.0, 190.0, 60.0], Role::Bed),
@@ -173,7 +173,7 @@ fn gaps_between_rooms_without_a_door_are_passages() {
 }
 
 #[test]
-fn where_no_door_leads_out_it_is_said_where_one_could() {
+fn proposes_a_way_out_if_no_door_leads_out() {
     let front = door("Front door", [200.0, 500.0], 0.0, "");
     let home = Home::of(&two_rooms().replace(&front, "").replace("Living room", "Hall"));
     let remark = home.remarks.iter().find(|remark| remark.contains("no door leads out")).unwrap();

@@ -1,6 +1,6 @@
-//! Flats of random rooms, turned and moved: what was joined stays joined, and what was long stays long.
+//! Flats of random rooms, turned and moved: joints stay joined, and lengths stay the same.
 
-use crate::plan::{Home, file};
+use crate::plans::plan::{Home, file};
 use homebody_core::geometry::{self, Point, point};
 use homebody_core::random::Stream;
 use homebody_import::sweet_home;

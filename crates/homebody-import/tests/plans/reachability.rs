@@ -1,6 +1,6 @@
 //! Unreachable as drawn: chairs under a table, pieces that stand into a wall, and rooms without a door.
 
-use crate::plan::{Home, door, piece, room, two_rooms, two_rooms_walls};
+use crate::plans::plan::{Home, door, piece, room, two_rooms, two_rooms_walls};
 use homebody_core::geometry;
 use homebody_walk::Mesh;
 use homebody_walk::places::HomePlaces;
@@ -68,7 +68,7 @@ fn a_chair_between_a_table_and_a_wall_goes_to_another_side() {
 }
 
 #[test]
-fn what_stands_into_a_wall_is_moved_out() {
+fn moves_pieces_out_of_walls() {
     // The middle of the fridge is in the wall between the rooms, and a cupboard is on its other side.
     let fridge = piece("Fridge", [596.0, 450.0], [60.0, 60.0, 180.0], "");
     let bed = piece("Bed", [150.0, 220.0], [90.0, 200.0, 50.0], "");

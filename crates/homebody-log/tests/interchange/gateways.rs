@@ -1,7 +1,7 @@
 //! Logs of gateways and devices: MQTT payloads, Zigbee2MQTT, ESPHome, Tasmota, radio devices and hubs.
 
-use super::stage::Folder;
 use super::{SIX, about, has_remark, is_used, known, log, result, told};
+use crate::stage::Folder;
 use homebody_core::time::SECOND;
 use homebody_log::LogSource;
 use homebody_log::log::{Clock, ColumnRole};

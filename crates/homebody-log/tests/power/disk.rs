@@ -1,4 +1,4 @@
-//! What may be on a disk whose power was lost: all that was made sure of, and of the rest any part.
+//! The possible contents of a disk after a loss of power: everything that was synced, and any part of the rest.
 //!
 //! Of what a file was not made sure of, each sector of each write may be there or not, in whatever order, and so may each change of its
 //! size. The names of a folder change in their order, and those changes that it was not made sure of may be missing from some point on.

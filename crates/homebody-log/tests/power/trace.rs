@@ -1,4 +1,4 @@
-//! What a program asked of its files, in the order in which it did, as strace tells it.
+//! The file operations of a program, in order, as strace reports them.
 
 use std::collections::HashMap;
 use std::path::{Path, PathBuf};

@@ -1,4 +1,4 @@
-//! What the tests of this folder share: a folder of their own, and a run to log.
+//! Shared by the tests: folders, and a run to log.
 #![allow(dead_code, reason = "each test file uses a part of it")]
 
 pub mod texts;
@@ -13,13 +13,16 @@ use homebody_log::run_log::destinations;
 use homebody_log::{Log, LogError, Logger, RunInfo, Stored, TruthLog, Url, WriteMode};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
+use std::sync::atomic::{AtomicUsize, Ordering};
 
 /// A folder that vanishes with the test.
 pub struct Folder(PathBuf);
 
 impl Folder {
     pub fn new(name: &str) -> Folder {
-        let path = Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("{name}-{}", std::process::id()));
+        static COUNT: AtomicUsize = AtomicUsize::new(0);
+        let own = format!("{name}-{}-{}", std::process::id(), COUNT.fetch_add(1, Ordering::Relaxed));
+        let path = Path::new(env!("CARGO_TARGET_TMPDIR")).join(own);
         let _ = std::fs::remove_dir_all(&path);
         std::fs::create_dir_all(&path).unwrap();
         Folder(path)

@@ -8,15 +8,12 @@ use homebody_core::time::WallTime;
 use homebody_log::source::TableOptions;
 use homebody_log::{Log, LogError, LogSource, read};
 use std::fs;
-use std::sync::atomic::{AtomicUsize, Ordering};
 
 /// 2 March 2009, 07:00.
 pub const SEVEN: WallTime = WallTime::from_micros(1_235_977_200_000_000);
 
-/// A folder of its own for each text: tests run at once.
 pub fn folder() -> Folder {
-    static NEXT: AtomicUsize = AtomicUsize::new(0);
-    Folder::new(&format!("texts{}-{}", env!("CARGO_CRATE_NAME"), NEXT.fetch_add(1, Ordering::Relaxed)))
+    Folder::new("texts")
 }
 
 /// The form and the rows of a file with this text.

@@ -1,6 +1,6 @@
-//! All rows arrive, whatever becomes of the broker, and each has its run and its number.
+//! Every row arrives, whatever happens to the broker, with its run and its number.
 
-use crate::broker::{Broker, Listener, REMEMBERS, firings, live, logger, run, store, wait_for};
+use crate::servers::broker::{Broker, Listener, REMEMBERS, firings, live, logger, run, store, wait_for};
 use homebody_core::scenario::logger::LoggerFile;
 use homebody_log::{Destination, Logger, Watermark, WriteMode};
 use homebody_mqtt::{MqttSink, policy};
@@ -57,7 +57,7 @@ fn whatever_kills_the_broker_every_row_arrives() {
             let begun = step(&mut logger);
             while listener.rows() <= begun {
                 step(&mut logger);
-                assert!(since.elapsed() < crate::broker::SOON, "rows are heard again");
+                assert!(since.elapsed() < crate::servers::broker::SOON, "rows are heard again");
             }
         }
         let heard = Instant::now();

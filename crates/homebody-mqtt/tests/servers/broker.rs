@@ -1,4 +1,4 @@
-//! A mosquitto of a test's own, who listens to it, and a home whose log goes there.
+//! A mosquitto for one test, a listener to it, and a home that logs to it.
 
 use homebody_core::calendar::Calendar;
 use homebody_core::event::{Band, Firing, Value};

@@ -1,6 +1,6 @@
-//! Many homes on one connection: each looks as a home alone does, and is there again after the broker was away.
+//! Many homes on one connection: each sends the messages of a single home, and is available again after an outage of the broker.
 
-use crate::broker::{Broker, Heard, Listener, firings, run, wait_for};
+use crate::servers::broker::{Broker, Heard, Listener, firings, run, wait_for};
 use homebody_core::scenario::logger::LoggerFile;
 use homebody_core::time::UtcTime;
 use homebody_log::fleet::{Fleet, FleetEvent, FleetHome, FleetLayout, FleetRow, FleetSink};
@@ -72,7 +72,7 @@ fn each_home_of_a_fleet_says_what_it_says_alone() {
         let url = broker.url(&format!("alone-{style}?style={style}&discovery=off"));
         let to = Destination::own("mqtt", MqttSink::live(&url), policy());
         let mut logger = Logger::open(vec![to], &LoggerFile::default(), &run, WriteMode::Create).unwrap();
-        crate::broker::store(&mut logger, &firings(40));
+        crate::servers::broker::store(&mut logger, &firings(40));
         logger.finish().unwrap();
         let below = format!("alone-{style}/home00002/");
         wait_for("all rows", || (told(&alone, &below).len() >= 40).then_some(()));
@@ -145,7 +145,7 @@ fn a_fleet_is_there_again_after_the_broker_was_away() {
 }
 
 #[test]
-fn what_no_fleet_can_be_told_by_is_refused() {
+fn refuses_urls_that_a_fleet_cannot_use() {
     let check = |url: &str, is_fast| MqttFleet::new(&url.parse().unwrap()).check(is_fast);
     assert!(check("mqtt://localhost/load", false).is_ok());
     assert!(check("mqtt://localhost/load?allow-fast=true", true).is_ok());

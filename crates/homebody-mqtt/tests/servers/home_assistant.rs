@@ -1,6 +1,6 @@
-//! What Home Assistant's own code says of our discovery, where it is installed: `checks/homeassistant/README.md` says how.
+//! Home Assistant's own code checks our discovery messages, where it is installed, as in `checks/homeassistant/README.md`.
 
-use crate::broker::{Broker, live, repository};
+use crate::servers::broker::{Broker, live, repository};
 use serde_json::json;
 use std::fs;
 use std::process::Command;

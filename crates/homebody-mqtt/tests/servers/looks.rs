@@ -1,6 +1,6 @@
-//! How messages look, in each style, as a golden text that people can read; `HOMEBODY_REWRITE=1` writes it anew.
+//! Messages in each style, as readable golden texts; `HOMEBODY_REWRITE=1` regenerates them.
 
-use crate::broker::{Broker, Heard, Listener, firings, live, logger, repository, store, wait_for};
+use crate::servers::broker::{Broker, Heard, Listener, firings, live, logger, repository, store, wait_for};
 use homebody_log::WriteMode;
 use homebody_mqtt::MqttSink;
 use serde_json::{Value, json};
@@ -80,7 +80,7 @@ fn polarity_is_that_of_each_system() {
 }
 
 #[test]
-fn what_is_kept_is_what_is_so() {
+fn retained_messages_are_the_current_state() {
     let Some(broker) = Broker::start() else { return };
     let mut logger = logger(MqttSink::live(&broker.url("homebody")), WriteMode::Create).unwrap();
     store(&mut logger, &firings(16));
@@ -149,7 +149,7 @@ fn names_made_to_get_out_stay_inside() {
         "a_b",
         "a-b",
     ];
-    let mut run = crate::broker::run();
+    let mut run = crate::servers::broker::run();
     run.home = Some("$SYS/+/#".into());
     let first = run.sensors[1].clone();
     run.sensors = names

@@ -1,4 +1,4 @@
-//! A mosquitto of a test's own.
+//! A mosquitto for one test.
 
 use homebody_log::Url;
 use std::fs;

@@ -1,6 +1,6 @@
-//! A home that is told what to do.
+//! A home that gets commands.
 
-use crate::broker::{Broker, Heard, Listener, firings, logger, store, wait_for};
+use crate::servers::broker::{Broker, Heard, Listener, firings, logger, store, wait_for};
 use homebody_core::time::{MINUTE, RunTime};
 use homebody_log::WriteMode;
 use homebody_mqtt::{MqttSink, Order, Reply, TakesOrders};
@@ -111,7 +111,7 @@ fn a_flood_of_orders_is_answered_and_rows_go_on() {
 }
 
 #[test]
-fn what_others_are_told_and_what_the_broker_keeps_is_no_order() {
+fn ignores_retained_messages_and_orders_to_others() {
     let Some(broker) = Broker::start() else { return };
     let order = r#"{"do":"stop"}"#;
     broker.say("homebody/the_studio/command", order, &["-r"]);

@@ -1,6 +1,6 @@
-//! What goes wrong with a broker is said at once, in words that help.
+//! Problems with a broker are reported at once, with a hint.
 
-use crate::broker::{Broker, firings, free_port, is_installed, live, logger};
+use crate::servers::broker::{Broker, firings, free_port, is_installed, live, logger};
 use homebody_core::event::Firing;
 use homebody_core::scenario::logger::LoggerFile;
 use homebody_core::scenario::scheme::Scheme;

@@ -1,10 +1,10 @@
-//! A broker is tidied up: of our homes nothing stays, and of others all does.
+//! Tidying a broker removes all messages of our homes, and no other message.
 
-use crate::broker::{Broker, live};
+use crate::servers::broker::{Broker, live};
 use homebody_mqtt::clean;
 
 #[test]
-fn what_our_homes_have_left_is_removed_and_nothing_else() {
+fn removes_the_messages_of_our_homes_and_no_others() {
     let Some(broker) = Broker::start() else { return };
     let others = [
         ("homebody/notes", "mine"),

@@ -1,7 +1,7 @@
 //! A home in the style of Zigbee2MQTT, read as programs read that listen to it: by what the bridge says of its devices. Where its own code is
 //! installed that is asked as well; `checks/zigbee2mqtt/README.md` says how.
 
-use crate::broker::{Broker, Heard, firings, live, repository};
+use crate::servers::broker::{Broker, Heard, firings, live, repository};
 use serde_json::{Value, json};
 use std::fs;
 use std::process::Command;

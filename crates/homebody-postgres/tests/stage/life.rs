@@ -1,4 +1,4 @@
-//! A run whose rows are made by a rule: a log with messages and readings, and a truth of three tables and more.
+//! A run whose rows follow a rule: a log with messages and readings, and a truth of several tables.
 
 use homebody_core::calendar::Calendar;
 use homebody_core::event::{Events, Fact, Firing, Provenance, Trigger, Value};

@@ -1,4 +1,4 @@
-//! What the tests of this folder share: servers of their own, and a run whose rows go there.
+//! Shared by the tests: servers, and a run whose rows go there.
 #![allow(dead_code, reason = "each test file uses a part of it")]
 
 pub mod life;

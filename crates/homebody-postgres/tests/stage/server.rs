@@ -1,4 +1,4 @@
-//! A server of PostgreSQL of a test's own.
+//! A server of PostgreSQL for tests.
 #![allow(dead_code, reason = "each test file uses a part of it")]
 
 use sha2::{Digest, Sha256};

@@ -1,4 +1,4 @@
-//! A home for sentences to name, and what was understood of them in short.
+//! A home with names for sentences, and a short form of parsed routines.
 #![allow(dead_code)]
 
 use homebody_core::fuzzy::Fuzzy;

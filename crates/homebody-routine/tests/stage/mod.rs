@@ -1,14 +1,15 @@
-//! The apartment of the example, lived in by whatever routine a test writes.
+//! The apartment of the example, with a routine from the test.
 
 use homebody_core::event::{Events, Fact};
+use homebody_core::geometry::Point;
 use homebody_core::ids::ResidentId;
+use homebody_core::motion::MotionState;
 use homebody_core::run::Run;
 use homebody_core::scenario::load::Scenario;
 use homebody_core::time::{DAY, HOUR, Interval, RunTime, Span};
 use homebody_routine::household::Household;
 use std::collections::BTreeMap;
 
-#[allow(dead_code, reason = "each test that shares this file uses a part of it")]
 pub const ORDINARY: &str = include_str!("../../../../scenarios/tigerplace/margaret.routine");
 
 pub fn files(routine: &str, others: &[(&str, &str)]) -> BTreeMap<String, String> {
@@ -31,14 +32,12 @@ pub fn household(files: &BTreeMap<String, String>, without: &[&str]) -> Result<(
 }
 
 /// A run in the example's apartment.
-#[allow(dead_code, reason = "each test that shares this file uses a part of it")]
 pub fn run(routine: &str, days: i64) -> Run {
     let (scenario, household) = household(&files(routine, &[]), &[]).unwrap();
     Run::new(&scenario, &household, scenario.file.seed, days * DAY)
 }
 
 /// All events of the rest of a run, advanced in steps.
-#[allow(dead_code, reason = "each test that shares this file uses a part of it")]
 pub fn events(mut run: Run, step: Span) -> Events {
     let mut events = Events::default();
     let end = RunTime::START + run.length();
@@ -49,7 +48,6 @@ pub fn events(mut run: Run, step: Span) -> Events {
 }
 
 /// Intervals and labels of a resident's activities.
-#[allow(dead_code, reason = "each test that shares this file uses a part of it")]
 pub fn activities(events: &Events, resident: u32, length: Span) -> Vec<(Interval<RunTime>, String)> {
     let mut all: Vec<(Interval<RunTime>, String)> = Vec::new();
     for fact in &events.facts {
@@ -65,12 +63,52 @@ pub fn activities(events: &Events, resident: u32, length: Span) -> Vec<(Interval
     all
 }
 
-#[allow(dead_code, reason = "each test that shares this file uses a part of it")]
 pub fn day(at: RunTime) -> i64 {
     at.since_zero() / DAY
 }
 
-#[allow(dead_code, reason = "each test that shares this file uses a part of it")]
 pub fn hour(at: RunTime) -> f64 {
     (at.since_zero() % DAY).ratio(HOUR)
+}
+
+pub fn mean(values: &[f64]) -> f64 {
+    values.iter().sum::<f64>() / values.len() as f64
+}
+
+/// Days in UTC from a Monday in January, with the activities of the first resident.
+pub struct Simulated {
+    pub days: i64,
+    pub events: Events,
+    pub activities: Vec<(Interval<RunTime>, String)>,
+    pub places: Vec<(String, Point)>,
+}
+
+impl Simulated {
+    pub fn new(routine: &str, days: i64) -> Simulated {
+        let mut files = files(routine, &[]);
+        let scenario = files["scenario.json"].replace("America/Chicago", "UTC").replace("2009-03-02", "2009-01-05");
+        files.insert("scenario.json".into(), scenario);
+        let (scenario, household) = household(&files, &[]).unwrap_or_else(|problems| panic!("{problems}"));
+        let events = events(Run::new(&scenario, &household, 11, days * DAY), DAY);
+        let activities = activities(&events, 0, days * DAY);
+        Simulated { days, events, activities, places: scenario.home.plan().places.clone() }
+    }
+
+    /// The times of an activity.
+    pub fn of<'a>(&'a self, name: &'a str) -> impl Iterator<Item = Interval<RunTime>> + 'a {
+        self.activities.iter().filter(move |(_, what)| what == name).map(|(time, _)| *time)
+    }
+
+    /// How far the first resident walks on each day.
+    pub fn metres_by_day(&self) -> Vec<f64> {
+        let mut metres = vec![0.0; self.days as usize];
+        for fact in &self.events.facts {
+            if let Fact::Movement { resident, begin, doing: MotionState::Stride { from, to }, .. } = fact
+                && resident.index() == 0
+            {
+                metres[day(*begin) as usize] += from.distance(*to);
+            }
+        }
+        metres
+    }
 }

@@ -1,4 +1,4 @@
-//! Files that are written in the page: what is asked about them, and how they are saved.
+//! Files that users write in the page: questions about them, and saving.
 
 use super::served::Served;
 use homebody_core::event::Events;
@@ -422,7 +422,7 @@ fn a_log_is_downloaded_under_its_own_name() {
 
 #[cfg(unix)]
 #[test]
-fn who_may_read_a_file_is_as_it_was_after_saving() {
+fn saving_keeps_the_permissions_of_a_file() {
     use std::os::unix::fs::PermissionsExt;
     let served = Served::scenario("studio");
     let file = served.file("studio", "walter.routine");
@@ -456,7 +456,7 @@ fn a_place_for_a_log_is_tried_without_a_trace() {
 }
 
 #[test]
-fn what_is_no_question_is_refused_with_a_reason() {
+fn refuses_invalid_questions_with_a_reason() {
     let served = Served::scenario("studio");
     for (path, body) in [
         ("/api/check", json!({})),

@@ -1,4 +1,4 @@
-//! The plan at the desk, with its coverage and its problems.
+//! The plan in the page's editor, with its coverage and its problems.
 
 use super::desk::draft;
 use super::served::Served;
@@ -92,7 +92,7 @@ fn a_problem_that_is_of_no_shape_and_no_sensor_leaves_the_coverage_as_it_is() {
 }
 
 #[test]
-fn what_is_no_plan_is_refused_with_a_hint_and_large_ones_are_not_cut_short() {
+fn refuses_files_that_are_not_plans_and_takes_large_plans_whole() {
     let served = Served::scenario("studio");
     let (address, token) = (served.address, &served.token);
     let post = |body: &[u8]| {

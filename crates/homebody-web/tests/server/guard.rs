@@ -1,4 +1,4 @@
-//! Who is heard, and who is not.
+//! Requests that the server accepts, and those that it refuses.
 
 use super::served::Served;
 use std::fs;

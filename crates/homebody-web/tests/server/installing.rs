@@ -1,4 +1,4 @@
-//! The installer's desk, and what is sent compressed.
+//! The view for installers, and compressed responses.
 
 use super::served::{Answer, Served};
 use serde::Deserialize;

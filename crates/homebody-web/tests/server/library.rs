@@ -1,4 +1,4 @@
-//! A folder of homes: what its first page is told, and what becomes of homes by what is asked there.
+//! A folder of homes: its first page, and the requests that change homes.
 
 use super::served::{Heard, LONGEST_WAIT, Page, Served};
 use homebody_web::library::Library;
@@ -250,7 +250,7 @@ fn two_pages_of_one_home_do_not_write_over_each_other() {
 }
 
 #[test]
-fn so_many_homes_are_open_at_once_and_one_that_nobody_looks_at_makes_room() {
+fn unwatched_homes_close_when_too_many_are_open() {
     let served = Served::library(&["by-hand"]);
     let names: Vec<String> = (0..20).map(|number| format!("home {number}")).collect();
     for name in &names {
@@ -339,7 +339,7 @@ fn homes_come_from_plans_and_logs() {
 
 /// What a plan lacks is a problem as in a home that was begun empty, and somebody lives there as soon as it is put there.
 #[test]
-fn what_a_plan_lacks_for_a_life_is_put_there_in_the_page() {
+fn the_page_adds_what_a_plan_lacks_for_a_resident() {
     let served = Served::library(&[]);
     let corners = [(0, 0), (600, 0), (600, 400), (0, 400)];
     let walls = (0..4).map(|side| {

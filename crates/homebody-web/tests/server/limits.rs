@@ -1,4 +1,4 @@
-//! Those who would keep the server busy for nothing.
+//! Limits on requests that would keep the server busy.
 
 use super::served::Served;
 use serde_json::{Value, json};
@@ -75,7 +75,7 @@ fn hasty(served: &Served) -> Value {
 
 /// Who goes away while a month is lived stops it, so that the next is not waited for.
 #[test]
-fn what_nobody_waits_for_is_not_lived() {
+fn abandoned_requests_are_not_simulated() {
     let served = Served::scenario("by-hand");
     let asked = json!({ "draft": hasty(&served), "from": 29, "days": 1, "without": [] }).to_string();
     for path in ["/api/month", "/api/rows"] {

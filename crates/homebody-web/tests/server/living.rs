@@ -1,4 +1,4 @@
-//! What a page does to a run, and what it does not.
+//! The effects of a page on a run.
 
 use super::served::{LONGEST_WAIT, Page, Seen, Served};
 use homebody_core::event::Events;
@@ -51,7 +51,7 @@ fn drive(page: &mut Page, ways: &[(&[&str], f64)]) -> Seen {
 }
 
 #[test]
-fn who_is_driven_makes_sensors_fire_and_the_page_sees_what_the_log_gets() {
+fn a_controlled_resident_fires_sensors_and_the_page_shows_the_rows_of_the_log() {
     let served = Served::scenario("by-hand");
     let mut page = served.page();
     let before = page.until(|frame| frame["told"] == 0);
@@ -127,7 +127,7 @@ fn a_page_that_looks_changes_nothing() {
 
 /// The keys of a page that goes away are let go, so that nobody walks on for ever.
 #[test]
-fn who_goes_lets_go_of_the_keys() {
+fn closing_a_page_releases_its_keys() {
     let served = Served::scenario("by-hand");
     let mut page = served.page();
     let mut other = served.page();
@@ -147,7 +147,7 @@ fn who_goes_lets_go_of_the_keys() {
 
 /// Doors that the home has open are so before anybody touches them.
 #[test]
-fn what_is_open_is_seen_open() {
+fn the_page_shows_open_things_as_open() {
     let served = Served::scenario("tigerplace");
     let seen = served.page().until(|_| true);
     let home = &seen.run["home"];
@@ -201,7 +201,7 @@ fn a_jump_back_lives_the_same_again() {
 
 /// What is done at the keys outlives the program: it is in the recording while the run goes on.
 #[test]
-fn what_is_done_at_the_keys_is_soon_on_disk() {
+fn acts_by_keys_are_soon_on_disk() {
     let served = Served::scenario("by-hand");
     let mut page = driven(&served);
     page.until(|frame| frame["now_us"].as_i64() > Some(100_000));

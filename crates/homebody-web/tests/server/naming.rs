@@ -1,4 +1,4 @@
-//! Things are called otherwise, and go, in all files at once; and what has one answer is mended.
+//! Renaming and removing things in all files at once, and automatic repairs.
 
 use super::served::Served;
 use serde_json::{Value, json};
@@ -52,7 +52,7 @@ fn a_thing_that_is_called_otherwise_is_so_in_all_files() {
 }
 
 #[test]
-fn what_has_the_name_of_another_of_its_kind_is_followed_nowhere() {
+fn renames_nothing_if_a_name_is_ambiguous() {
     let served = Served::scenario("tigerplace");
     for (kind, from, to) in
         [("room", "bathroom", "kitchen"), ("room", "bathroom", "Kitchen"), ("sensor", "stove motion", "bedroom motion")]
@@ -70,7 +70,7 @@ fn what_has_the_name_of_another_of_its_kind_is_followed_nowhere() {
 }
 
 #[test]
-fn what_speaks_of_a_thing_that_goes_is_told_and_goes_with_it() {
+fn removing_a_thing_lists_and_removes_its_references() {
     let served = Served::scenario("tigerplace");
     let forget = |kind: &str, names: &[&str]| {
         served.told("/api/forget", &json!({ "draft": { "texts": {} }, "kind": kind, "names": names }))
@@ -121,7 +121,7 @@ fn a_sensor_is_followed_to_the_cameras_that_it_wakes() {
 }
 
 #[test]
-fn what_has_one_answer_is_mended() {
+fn repairs_problems_with_one_solution() {
     let served = Served::scenario("tigerplace");
     let mends = |draft: &Value| served.told("/api/mends", &json!({ "texts": draft }));
     assert_eq!(mends(&json!({})), json!([]));

@@ -1,4 +1,4 @@
-//! A server with a scenario, and those who ask it: as browsers do, and as nobody should.
+//! A server with a scenario, and clients of it: browsers and others.
 
 use homebody_scaffold::{create, from_template, write};
 use homebody_simulation::{Cancel, Template};

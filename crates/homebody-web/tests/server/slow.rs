@@ -1,6 +1,6 @@
-//! Those who hold the server's connections and do nothing with them, while somebody is driven in the page.
+//! Clients hold connections of the server and do nothing with them, while a user controls a resident in the page.
 //!
-//! `HOMEBODY_SLOW_S=60 cargo test --release -p homebody-web --test server slow -- --nocapture` has a minute of each kind.
+//! `HOMEBODY_SLOW_S=60 cargo test --release -p homebody-web --test all server::slow -- --nocapture` has a minute of each kind.
 
 use super::served::{Page, Served};
 use serde_json::Value;

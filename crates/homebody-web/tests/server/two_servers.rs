@@ -1,4 +1,4 @@
-//! Two servers that serve one folder: each save that one of them has accepted is there.
+//! Two servers serve one folder: it has each save that one of them has accepted.
 
 use super::served::Served;
 use homebody_web::Options;

@@ -1,4 +1,4 @@
-//! The picture below the plan, where the scenario's folder has one.
+//! The picture below the plan, from the scenario's folder.
 
 use super::served::Served;
 use serde_json::{Value, json};

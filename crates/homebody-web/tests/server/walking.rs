@@ -1,4 +1,4 @@
-//! Logs that are opened in the page: walked back in the background, played as they were, and told of.
+//! Logs that users open in the page: locating people in the background, and playback.
 
 use super::served::{Answer, Served};
 use homebody_simulation::Destinations;
@@ -114,7 +114,7 @@ fn a_log_is_walked_back_in_the_background_and_played_as_it_was() {
 }
 
 #[test]
-fn what_cannot_be_walked_back_is_said_and_leaves_nothing() {
+fn reports_logs_that_it_cannot_locate_and_leaves_no_files() {
     let served = Served::scenario("studio");
     let (run, log) = served.lived("studio", 0.5);
     let before = names(&served.folder.path().join("runs"));
@@ -190,7 +190,7 @@ fn one_log_at_a_time_is_walked_back_and_it_can_be_stopped() {
 }
 
 #[test]
-fn what_a_log_holds_and_how_real_it_is_are_the_pages_of_the_commands() {
+fn serves_the_pages_of_inspect_and_realism() {
     let served = Served::scenario("studio");
     let (run, log) = served.lived("studio", 3.0);
     let page = |path: &str, code: u16| {
@@ -228,7 +228,7 @@ fn what_a_log_holds_and_how_real_it_is_are_the_pages_of_the_commands() {
 }
 
 #[test]
-fn what_is_noted_about_a_run_or_a_log_lies_beside_it_and_others_see_it() {
+fn notes_are_in_the_folder_of_their_run_and_visible_to_others() {
     let served = Served::scenario("studio");
     let (run, log) = served.lived("studio", 1.0);
     served.send("POST", "/api/walk/day.csv", &log);

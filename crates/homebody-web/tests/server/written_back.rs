@@ -1,4 +1,4 @@
-//! A home whose folder is gone.
+//! A home whose folder is missing.
 
 use super::desk::all_files;
 use super::served::Served;

@@ -1,9 +1,9 @@
-//! A run whose broker goes away, or is not there yet, says so and waits; stopped meanwhile it ends soon, and is gone on with once the broker is
-//! back.
+//! A run reports that its broker is unavailable, and waits. After a stop meanwhile it ends soon, and resumes when the broker is available
+//! again.
 
-use crate::commanded::{Ends, broker, broker_at};
 use crate::flat::flat;
-use crate::folder::Folder;
+use crate::folder::{Ends, Folder};
+use crate::mosquitto::Broker;
 use std::fs::File;
 use std::process::{Command, ExitStatus, Stdio};
 use std::thread;
@@ -15,13 +15,13 @@ const SPAN: &str = "50m";
 const SOON: Duration = Duration::from_secs(60);
 
 /// Begins a run, has its broker go away, and stops it at once or when it has said that it waits. How it ended, and what it said.
-fn stopped(folder: &Folder, words: &str, (broker, says): (Ends, Option<&str>)) -> (ExitStatus, String) {
+fn stopped(folder: &Folder, words: &str, broker: &mut Broker, says: Option<&str>) -> (ExitStatus, String) {
     let mut command = folder.command(words);
     command.stdout(Stdio::null()).stderr(File::create(folder.path("said")).unwrap());
     let mut run = Ends(command.spawn().unwrap());
     let is_note = |name: &String| name.ends_with(".confirmed.json");
     folder.until("the broker has confirmed rows", |folder| folder.files().iter().any(is_note));
-    drop(broker);
+    broker.kill();
     if let Some(says) = says {
         folder.until("the run says what it waits for", |folder| folder.read("said").contains(says));
     } else {
@@ -52,9 +52,10 @@ fn a_run_that_is_stopped_while_its_broker_is_away_ends_soon_and_is_gone_on_with(
         let folder = flat();
         let kind = if log == "log.db" { "sqlite" } else { "csv" };
         folder.edit("flat/logger.json", "sqlite:log.db", &format!("{kind}:{log}"));
-        let Some((broker, port)) = broker(&folder) else { return };
+        let Some(mut broker) = Broker::start() else { return };
+        let port = broker.port;
         let words = format!("--speed 60 --out mqtt://127.0.0.1:{port}/homebody?allow-fast=true {more}");
-        let (status, said) = stopped(&folder, &format!("run flat --for {SPAN} {words}"), (broker, says));
+        let (status, said) = stopped(&folder, &format!("run flat --for {SPAN} {words}"), &mut broker, says);
         assert_eq!(status.code(), Some(130), "{said}");
         let [why, hint] =
             [" was unavailable when the run stopped: no broker listens on this host and port;", "--resume runs/flat-1"];
@@ -63,7 +64,7 @@ fn a_run_that_is_stopped_while_its_broker_is_away_ends_soon_and_is_gone_on_with(
         let is_back = |line: &str| line.ends_with(" is available again") && !line.starts_with(' ');
         assert!(!said.lines().any(is_back), "{said}");
 
-        let _broker = broker_at(&folder, port);
+        broker.begin();
         folder.run(&format!("run --resume runs/flat-1 --out mqtt://127.0.0.1:{port}/homebody?allow-fast=true")).ok();
         folder.run(&format!("run flat --for {SPAN} --quiet")).ok();
         let rows = |run: &str| match kind {
@@ -82,8 +83,9 @@ fn a_run_that_is_stopped_while_its_broker_is_away_ends_soon_and_is_gone_on_with(
 fn a_broker_that_comes_late_is_an_error_or_waited_for_as_is_said() {
     let folder = flat();
     // Where there is none at all, nothing is to be seen here.
-    let Some((first, port)) = broker(&folder) else { return };
-    drop(first);
+    let Some(mut broker) = Broker::start() else { return };
+    let port = broker.port;
+    broker.kill();
     let words = format!("run flat --for 20m --out mqtt://127.0.0.1:{port}/homebody?allow-fast=true");
     let begun = Instant::now();
     folder.run(&words).fails(1, "no broker listens on this host and port\n  hint: start the broker");
@@ -95,7 +97,7 @@ fn a_broker_that_comes_late_is_an_error_or_waited_for_as_is_said() {
         command.stdout(Stdio::null()).stderr(File::create(folder.path("said")).unwrap());
         let mut run = Ends(command.spawn().unwrap());
         folder.until("the run says what it waits for", |folder| folder.read("said").contains(says));
-        let _broker = broker_at(&folder, port);
+        broker.begin();
         let status = run.0.wait().unwrap();
         let said = folder.read("said");
         assert!(status.success() && said.lines().any(|line| line.ends_with(" is available again")), "{how}: {said}");
@@ -103,5 +105,6 @@ fn a_broker_that_comes_late_is_an_error_or_waited_for_as_is_said() {
         let note = folder.files().into_iter().find(|name| name.starts_with(&run) && name.ends_with(".confirmed.json"));
         let confirmed = format!("\"rows\":[{}]", folder.stored_rows(&format!("{run}/log.db")));
         assert!(folder.read(&note.unwrap()).contains(&confirmed), "{how}: {confirmed}");
+        broker.kill();
     }
 }

@@ -1,4 +1,4 @@
-//! Whatever is in the files and on the command line, the command says what is wrong, and never breaks down.
+//! The command reports the problems of any files and arguments, and never panics.
 
 use crate::flat::flat;
 use crate::folder::Folder;
@@ -61,7 +61,7 @@ fn problems_of_routines_come_with_the_others() {
 }
 
 #[test]
-fn what_is_asked_wrongly_is_refused() {
+fn refuses_wrong_arguments() {
     let folder = flat();
     let given = folder.files();
     for (words, said) in [
@@ -118,7 +118,7 @@ fn what_is_asked_wrongly_is_refused() {
 }
 
 #[test]
-fn what_is_no_scenario_is_told_apart() {
+fn reports_why_a_path_is_not_a_scenario() {
     let folder = flat();
     fs::create_dir(folder.path("empty")).unwrap();
     folder.write("latin/scenario.json", b"{ \"name\": \"\xe9\" }");

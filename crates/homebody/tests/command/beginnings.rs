@@ -1,4 +1,4 @@
-//! Beginning a scenario of one's own: templates, schemas, completions.
+//! Creating scenarios: templates, schemas, completions.
 
 use crate::folder::{Folder, ROOT};
 use std::fs;
@@ -97,7 +97,7 @@ fn the_help_names_every_template() {
 }
 
 #[test]
-fn what_is_there_is_not_begun_again() {
+fn creates_nothing_over_existing_files() {
     let folder = Folder::new();
     folder.write("full/precious", "mine");
     folder.write("file", "mine");

@@ -1,4 +1,4 @@
-//! `homebody calibrate`: scenarios fitted to the logs of their homes.
+//! `homebody fit`: scenarios fitted to the logs of their homes.
 
 use crate::folder::Folder;
 use serde_json::Value;
@@ -75,7 +75,7 @@ fn the_numbers_of_a_life_that_is_known_are_found_again() {
 }
 
 #[test]
-fn what_cannot_be_fitted_is_said_and_nothing_is_written() {
+fn reports_what_it_cannot_fit_and_writes_nothing() {
     let folder = known();
     folder
         .run("fit casas:log.txt --home known --training-days 2011-06-06..2011-06-07 --out fitted")

@@ -1,4 +1,4 @@
-//! Silhouettes beside a log, and falls in them.
+//! Silhouettes next to a log, and falls in them.
 
 use crate::folder::Folder;
 use rusqlite::Connection;
@@ -166,7 +166,7 @@ fn a_strip_of_silhouettes_has_a_row_for_each_camera_that_is_asked_for() {
 }
 
 #[test]
-fn what_is_asked_of_silhouettes_wrongly_is_told_all_at_once_and_nothing_is_written() {
+fn reports_all_wrong_options_for_silhouettes_at_once() {
     let folder = postures("11m");
     let wrong = folder
         .run("silhouettes runs/postures-1 --camera soth-east --from noon --to 25 --out a.csv")

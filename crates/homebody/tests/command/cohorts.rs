@@ -1,4 +1,4 @@
-//! Cohorts from a list of profiles: who their members are, what of a list is refused.
+//! Cohorts from a list of profiles: their members, and invalid lists.
 
 use crate::flat::flat;
 use crate::folder::Folder;
@@ -226,7 +226,7 @@ fn homes_may_be_mixed_each_with_the_ids_that_it_has() {
 }
 
 #[test]
-fn what_a_cohort_does_not_do_is_refused_with_the_reason() {
+fn refuses_options_that_a_cohort_does_not_have() {
     let folder = flat();
     let asked = "run flat --members 2 --for 1m --truth t.db --recording r.json --force --speed 60 --metrics 9464";
     let said = folder.run(asked).fails(2, "5 problems").err;
@@ -252,7 +252,7 @@ fn what_a_cohort_does_not_do_is_refused_with_the_reason() {
 }
 
 #[test]
-fn of_a_brief_truth_the_tables_with_few_rows_are_kept_and_replay_has_the_others() {
+fn a_brief_truth_keeps_small_tables_and_replay_restores_the_others() {
     let folder = Folder::new();
     folder.copy_scenario("studio");
     let run = "run studio --members 1 --for 1d --quiet";
@@ -303,7 +303,7 @@ fn a_large_cohort_says_before_what_it_writes_and_leaves_out() {
 }
 
 #[test]
-fn what_a_row_says_is_nobody_elses() {
+fn a_row_of_the_list_changes_only_its_member() {
     let folder = Folder::new();
     folder.copy_scenario("couple-with-cat");
     let given = "\u{feff}Henry gets up at 05:00.\nHe is 85.\nHe shows depression. He walks at 0.7 m/s.\n";

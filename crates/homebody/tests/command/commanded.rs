@@ -1,48 +1,12 @@
-//! A live home that a broker's orders touch: what is done is noted, and the home is gone on with and replayed to the same bytes.
+//! A home in real time gets commands from a broker: it records them, resumes with them, and replays to the same bytes.
 
-use crate::folder::Folder;
+use crate::folder::{Ends, Folder};
+use crate::mosquitto::Broker;
 use serde_json::{Value, json};
 use std::fs;
-use std::net::{TcpListener, TcpStream};
-use std::path::PathBuf;
-use std::process::{Child, Command, Stdio};
+use std::process::{Command, Stdio};
 use std::thread;
 use std::time::Duration;
-
-/// A broker, or a home, that ends with the test.
-pub struct Ends(pub Child);
-
-impl Drop for Ends {
-    fn drop(&mut self) {
-        let _ = self.0.kill();
-        let _ = self.0.wait();
-    }
-}
-
-/// A mosquitto and its port; None where there is none, which is told.
-pub fn broker(folder: &Folder) -> Option<(Ends, u16)> {
-    let port = TcpListener::bind("127.0.0.1:0").unwrap().local_addr().unwrap().port();
-    Some((broker_at(folder, port)?, port))
-}
-
-/// The same at this port.
-pub fn broker_at(folder: &Folder, port: u16) -> Option<Ends> {
-    let path = std::env::var_os("PATH").unwrap_or_default();
-    let mut folders = std::env::split_paths(&path).chain([PathBuf::from("/usr/sbin")]);
-    let program = folders.find_map(|folder| Some(folder.join("mosquitto")).filter(|program| program.exists()));
-    let Some(program) = program else {
-        println!("skipped: mosquitto is not installed");
-        assert!(std::env::var("HOMEBODY_SERVERS").as_deref() != Ok("required"), "mosquitto is required");
-        return None;
-    };
-    folder.write("mosquitto.conf", format!("user root\nlistener {port} 127.0.0.1\nallow_anonymous true\n"));
-    let quiet = || Stdio::null();
-    let child =
-        Command::new(program).arg("-c").arg(folder.path("mosquitto.conf")).stdout(quiet()).stderr(quiet()).spawn();
-    let broker = Ends(child.unwrap());
-    folder.until("the broker listens", |_| TcpStream::connect(("127.0.0.1", port)).is_ok());
-    Some(broker)
-}
 
 /// Gives a home an order until it is not refused because the home is away or catches up; the answer.
 fn order(folder: &Folder, port: u16, number: u32, mut order: Value) -> Value {
@@ -77,7 +41,8 @@ fn order(folder: &Folder, port: u16, number: u32, mut order: Value) -> Value {
 #[test]
 fn what_a_broker_orders_is_noted_gone_on_with_and_replayed() {
     let folder = Folder::new();
-    let Some((_broker, port)) = broker(&folder) else { return };
+    let Some(broker) = Broker::start() else { return };
+    let port = broker.port;
     folder.copy_scenario("studio");
     folder.edit("studio/logger.json", "casas:log.txt", "sqlite:log.db");
     let live = format!("live studio --folder home --quiet --out mqtt://127.0.0.1:{port}/homebody");

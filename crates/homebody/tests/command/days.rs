@@ -1,20 +1,22 @@
-//! Density maps and single days of logs, told and drawn.
+//! Density maps and single days of logs, as text and as pictures.
 
 use crate::flat::flat;
-use crate::folder::Folder;
+use crate::folder::{Files, Folder};
 use serde_json::{Value, json};
+use std::sync::OnceLock;
 
 /// Two days of the apartment of the README, in its run's folder.
-fn lived() -> Folder {
-    let folder = Folder::new();
-    folder.copy_hand_written_day();
-    folder.run("run tigerplace --quiet --for 2d").ok();
-    folder
+fn two_days() -> Folder {
+    static FILES: OnceLock<Files> = OnceLock::new();
+    Folder::filled_once(&FILES, |folder| {
+        folder.copy_hand_written_day();
+        folder.run("run tigerplace --quiet --for 2d").ok();
+    })
 }
 
 #[test]
 fn a_density_map_is_told_drawn_and_tabled() {
-    let folder = lived();
+    let folder = two_days();
     let words = "density runs/tigerplace-1 --json figures.json --svg map.svg --png map.png --csv hours.csv --width 400";
     let done = folder.run(words).ok();
     for part in
@@ -46,7 +48,7 @@ fn a_density_map_is_told_drawn_and_tabled() {
 
 #[test]
 fn two_maps_are_held_against_each_other() {
-    let folder = lived();
+    let folder = two_days();
     let same = folder.run("density runs/tigerplace-1 --compare runs/tigerplace-1 --json").ok().json();
     assert_eq!(same["against"]["distance"], json!(0.0));
     folder.run("run tigerplace --quiet --for 14d --seed 3 --out csv:other.csv").ok();
@@ -62,7 +64,7 @@ fn two_maps_are_held_against_each_other() {
 
 #[test]
 fn a_part_of_a_log_is_asked_for() {
-    let folder = lived();
+    let folder = two_days();
     let part = folder.run("density runs/tigerplace-1 --from 2009-03-03 --days 5 --json").ok().json();
     assert_eq!((&part["from"], part["days"].as_array().unwrap().len()), (&json!("2009-03-03"), 1));
     // Three hours are longer than any absence.
@@ -84,7 +86,7 @@ fn a_part_of_a_log_is_asked_for() {
 
 #[test]
 fn a_day_is_told_and_drawn() {
-    let folder = lived();
+    let folder = two_days();
     let done = folder.run("day runs/tigerplace-1 last --json day.json --svg day.svg --png day.png").ok();
     for part in
         ["tigerplace-1: Tuesday 2009-03-03", "First:", "margaret", "09:56-12:05  away", "front door motion", "hour"]

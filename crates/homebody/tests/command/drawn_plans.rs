@@ -1,5 +1,5 @@
-//! Plans of Sweet Home 3D that have all that a life needs, each with something that real plans have and that keeps people from
-//! living there if it is not understood.
+//! Plans of Sweet Home 3D with everything that a resident needs, each with a feature of real plans that blocks residents if the import
+//! misreads it.
 
 use crate::imports::plan;
 use std::f64::consts::FRAC_PI_2;

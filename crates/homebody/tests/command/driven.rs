@@ -1,5 +1,4 @@
-//! Somebody is driven by keys on the page, and the program is killed: what was done a second before is not lost, and nothing
-//! is doubled.
+//! A user controls a resident with keys, and the program is killed: acts of a second before are kept, and nothing is doubled.
 
 use crate::folder::Folder;
 use crate::resumed::kills;
@@ -67,7 +66,7 @@ impl Driven {
 }
 
 #[test]
-fn whatever_kills_the_program_what_was_done_a_second_before_is_kept() {
+fn acts_of_a_second_before_survive_a_kill() {
     let folder = Folder::new();
     folder.copy_scenario("by-hand");
     let (mut most_held, kills) = (0, kills());

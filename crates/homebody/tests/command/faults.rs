@@ -1,5 +1,4 @@
-//! The system refuses a call, whichever it is: the run says so and ends, or goes on as if nothing had been, and nothing is half written
-//! under a whole name.
+//! The system refuses a call: the run reports it and ends, or continues unchanged, and no complete file name holds half a file.
 //!
 //! strace refuses the n-th call of a kind. `HOMEBODY_FAULTS=all` has each of them refused, one a run, and a number so many of each kind.
 #![cfg(target_os = "linux")]

@@ -1,4 +1,4 @@
-//! What the command finds out about homes and sensors, as figures and as pictures.
+//! Figures and pictures of homes and sensors.
 
 use crate::flat::flat;
 use crate::folder::{Folder, ROOT};

@@ -1,4 +1,4 @@
-//! A small flat in which somebody moves from the first moment on, so that short runs have firings.
+//! A small flat with movement from the first moment, so that short runs have firings.
 //!
 //! Ann walks up and down the kitchen by a path, Bob steps about the bedroom by keys; nobody is in the study, whose
 //! door is shut. The sensors of the floor fire more often than real ones.

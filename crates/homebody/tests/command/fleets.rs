@@ -1,4 +1,4 @@
-//! Fleets: what each home of one says is what it says alone, reports count right, and what no fleet can do is refused at once.
+//! Fleets: a home has the same rows as alone, reports count right, and impossible fleets are refused at once.
 
 use crate::folder::Folder;
 use serde_json::Value;
@@ -80,7 +80,7 @@ fn the_same_command_adds_to_the_rows_of_a_fleet() {
 }
 
 #[test]
-fn what_no_fleet_can_do_is_refused_before_anything_begins() {
+fn refuses_impossible_fleets_before_they_begin() {
     let folder = Folder::new();
     folder.copy_scenario("studio");
     let done = folder.run("fleet studio --homes 3 --out csv:a.csv --out sqlite:b.db --out jsonl:c.jsonl");

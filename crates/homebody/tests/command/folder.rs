@@ -1,4 +1,4 @@
-//! A folder of its own for each test, in which the command runs.
+//! A folder for each test, in which the command runs.
 
 use rusqlite::types::Value;
 use rusqlite::{Connection, OpenFlags};
@@ -7,6 +7,7 @@ use std::fs;
 use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::process::{Child, Command, Output, Stdio};
+use std::sync::OnceLock;
 use std::thread;
 use std::time::{Duration, Instant};
 use tempfile::TempDir;
@@ -22,6 +23,9 @@ const PROGRAM: &str = match (option_env!("CARGO_BIN_EXE_homebody"), option_env!(
     (Some(program), _) | (None, Some(program)) => program,
     (None, None) => panic!("a package with a program"),
 };
+
+/// The names and bytes of files.
+pub type Files = Vec<(String, Vec<u8>)>;
 
 /// A folder that vanishes with the test.
 pub struct Folder(TempDir);
@@ -66,6 +70,19 @@ impl Folder {
         fs::remove_file(self.path("tigerplace/margaret.routine")).unwrap();
         self.write("tigerplace/day.path.json", include_str!("day.path.json"));
         self.edit("tigerplace/margaret.json", "\"routine\": \"margaret.routine\"", "\"path\": \"day.path.json\"");
+    }
+
+    /// A folder with the files that `fill` makes. It makes them once, for all tests that keep them in `files`.
+    pub fn filled_once(files: &OnceLock<Files>, fill: impl FnOnce(&Folder)) -> Folder {
+        let files = files.get_or_init(|| {
+            let folder = Folder::new();
+            fill(&folder);
+            let names = folder.files().into_iter().filter(|name| !name.ends_with('/'));
+            names.map(|name| (name.clone(), fs::read(folder.path(&name)).unwrap())).collect()
+        });
+        let folder = Folder::new();
+        files.iter().for_each(|(name, bytes)| folder.write(name, bytes));
+        folder
     }
 
     /// All files and empty folders, in order.
@@ -230,6 +247,16 @@ impl Running {
     /// Ends standard input and waits for the end.
     pub fn finish(self) -> Done {
         Done::new(&self.words, self.child.wait_with_output().unwrap())
+    }
+}
+
+/// A process that is killed at the end of the test.
+pub struct Ends(pub Child);
+
+impl Drop for Ends {
+    fn drop(&mut self) {
+        let _ = self.0.kill();
+        let _ = self.0.wait();
     }
 }
 

@@ -1,4 +1,4 @@
-//! A home that nobody has drawn is made of what a log tells.
+//! A schematic home from a log.
 
 use crate::folder::Folder;
 use serde_json::Value;
@@ -102,7 +102,7 @@ fn sensors_on_a_picture_are_where_they_are_and_the_picture_goes_along() {
 }
 
 #[test]
-fn what_is_wrong_is_told_at_once_and_nothing_is_written() {
+fn reports_all_problems_at_once_and_writes_nothing() {
     let folder = Folder::new();
     folder.write("codes.txt", "2016-07-12 08:00:00 M1 ON\n2016-07-12 08:00:05 M2 ON\n2016-07-12 08:00:09 D3 OPEN\n");
     let said =

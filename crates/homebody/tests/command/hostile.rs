@@ -1,4 +1,4 @@
-//! Files that may be anybody's: nothing that they name is read or written outside their folder, and what is read is bounded.
+//! Files from strangers: nothing that they name is read or written outside their folder, and their size is bounded.
 
 use crate::flat::flat;
 use crate::folder::Folder;
@@ -82,7 +82,7 @@ fn only_plain_files_of_a_named_size_are_read() {
 }
 
 #[test]
-fn who_goes_on_with_somebody_elses_run_writes_nowhere_else() {
+fn resuming_a_strangers_run_writes_only_in_its_folder() {
     let folder = beside_a_secret();
     folder.run("run flat --for 2m --quiet").ok();
     let recording = folder.read("runs/flat-1/recording.json");
@@ -139,7 +139,7 @@ fn no_link_beside_a_log_leads_what_is_written_elsewhere() {
 }
 
 #[test]
-fn who_goes_on_with_somebody_elses_cohort_writes_nowhere_else() {
+fn resuming_a_strangers_cohort_writes_only_in_its_folder() {
     let folder = beside_a_secret();
     folder.run("run flat --for 2m --members 2 --quiet").ok();
     let list = folder.read("runs/flat-1/cohort.json");

@@ -1,4 +1,4 @@
-//! Beginning a scenario from a plan of Sweet Home 3D.
+//! Creating a scenario from a plan of Sweet Home 3D.
 
 use crate::folder::Folder;
 use std::io::{Cursor, Write};
@@ -140,7 +140,7 @@ fn adds_what_a_plan_lacks_in_the_rooms_and_the_language_of_the_plan() {
 }
 
 #[test]
-fn what_is_out_of_reach_is_added_where_people_get_to() {
+fn adds_reachable_pieces_for_unreachable_ones() {
     let folder = Folder::new();
     let beds = |x: u32| format!("<pieceOfFurniture name='Bed' x='{x}' y='110' width='140' depth='200' height='50'/>");
     let toilet = "<pieceOfFurniture name='Toilet' x='1560' y='350' width='40' depth='60' height='45'/>";
@@ -190,7 +190,7 @@ fn the_check_says_what_keeps_a_life_or_a_log_from_coming() {
 }
 
 #[test]
-fn who_does_all_that_is_said_has_a_home_to_live_in() {
+fn following_all_hints_gives_a_habitable_home() {
     let folder = Folder::new();
     let bare = ROOM.replace("Kitchen", "Room");
     folder.write("room.sh3d", plan(&bare));
@@ -237,7 +237,7 @@ fn walls_across_each_other_do_not_break_it_down() {
 }
 
 #[test]
-fn what_is_there_stays_and_what_fails_leaves_nothing() {
+fn keeps_existing_files_and_leaves_nothing_after_an_error() {
     let folder = Folder::new();
     folder.write("flat.sh3d", plan(ROOM));
     folder.write("text.sh3d", "no plan");

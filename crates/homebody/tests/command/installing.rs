@@ -1,4 +1,4 @@
-//! What is put up in a home, by commands: devices, parts, sheets, layouts side by side.
+//! Installation lists: devices, parts, sheets, comparison of layouts.
 
 use crate::flat::flat;
 use crate::folder::{Folder, ROOT};

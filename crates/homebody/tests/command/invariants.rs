@@ -1,4 +1,4 @@
-//! What no run may break, whatever is asked of the command.
+//! Invariants of every run, whatever the options.
 
 use crate::flat::flat;
 use crate::folder::Folder;

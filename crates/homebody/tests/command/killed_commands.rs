@@ -1,4 +1,4 @@
-//! A command that is killed while it makes something is given again, and makes all of it.
+//! A command that was killed on its way can be repeated, and completes its output.
 
 use crate::flat::flat;
 use crate::folder::Folder;
@@ -66,7 +66,7 @@ fn killed_commands_are_given_again() {
 
 /// The control: what was there before a command was given is not taken for what a killed one has left.
 #[test]
-fn what_is_whole_is_not_replaced_unasked() {
+fn complete_output_is_not_replaced_without_force() {
     let folder = flat();
     folder.run("run flat --for 20m --quiet").ok();
     folder.run("new my-home --template tigerplace").ok();

@@ -1,4 +1,4 @@
-//! Logs are labelled by the truth of their run, whatever clock both tell, and what cannot be labelled is said.
+//! Labelling logs by the ground truth of their run, for any clocks of both, and errors.
 
 use crate::flat::flat;
 use crate::folder::Folder;
@@ -86,7 +86,7 @@ fn a_truth_of_texts_labels_as_a_database_does() {
 }
 
 #[test]
-fn what_is_wrong_with_a_log_is_not_blamed_on_the_truth() {
+fn does_not_blame_the_truth_for_faults_of_a_log() {
     let folder = flat();
     folder.run("run flat --for 10m --quiet --out csv:log.csv --truth truth.db").ok();
     let text = folder.read("log.csv");

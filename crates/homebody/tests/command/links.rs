@@ -68,7 +68,7 @@ fn causes_are_those_of_the_rows() {
 }
 
 #[test]
-fn with_a_link_speed_changes_nothing_either() {
+fn speed_changes_nothing_with_a_link() {
     let folder = linked(LINK);
     let messages = r#"{ "messages": { "on_off": { "hold_s": 0.3 } } }"#;
     folder.write("flat/logger.json", messages);

@@ -1,4 +1,4 @@
-//! Homes on the world's clock: they go on after a stop or a death without a gap, and what they leave is what a run leaves.
+//! Homes in real time: they resume without a gap after a stop or a kill, and leave the same files as a run.
 
 use crate::folder::{Folder, wait_until};
 use std::fs::File;

@@ -1,4 +1,4 @@
-//! Logs are carried from form to form, and compared.
+//! Converting logs between forms, and comparing them.
 
 use crate::flat::flat;
 use crate::folder::Folder;
@@ -45,7 +45,7 @@ fn a_log_with_names_of_its_own_goes_round_too() {
 }
 
 #[test]
-fn what_is_left_out_of_a_log_is_told() {
+fn reports_the_rows_left_out_of_a_log() {
     let folder = Folder::new();
     folder.write("dirty.txt", "2009-03-02 07:12:03 M1 ON\nnonsense\n2009-03-02 07:12:09 M1 OFF\n");
     let said = folder.run("convert dirty.txt --out csv:clean.csv").ok().err;

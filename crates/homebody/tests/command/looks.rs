@@ -1,4 +1,4 @@
-//! What a log holds is told, its activities go along, and it can be made nobody's.
+//! Inspecting a log, converting its activities, and anonymising it.
 
 use crate::flat::flat;
 use crate::folder::Folder;
@@ -16,7 +16,7 @@ fn folder() -> Folder {
 }
 
 #[test]
-fn what_a_log_holds_is_told_as_figures_words_and_pictures() {
+fn inspects_a_log_in_figures_words_and_pictures() {
     let folder = folder();
     let said = folder.run("inspect log.txt --json look.json --html look.html --png look.png --svg look.svg").ok();
     assert!(said.out.contains("7 rows of 3 sensors, 2009-03-02 07:00:00 to 2009-03-03 21:00:05"), "{}", said.out);

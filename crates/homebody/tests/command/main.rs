@@ -1,57 +1,63 @@
 //! The command from end to end, as people and scripts use it.
 #![cfg(unix)]
 
-mod flat;
-mod folder;
-mod noted_log;
-
-mod beginnings;
-mod imports;
-mod real_plans;
-mod drawn_plans;
-mod invariants;
-mod killed_commands;
-mod names_along;
-mod links;
-mod replays;
-mod outputs;
-mod passwords;
-mod trouble;
-mod stops;
-mod streams;
-mod resumed;
-mod driven;
+#[cfg(feature = "mqtt")]
+mod away;
 mod bad_input;
+mod beginnings;
+mod calibrated;
+mod cameras;
+mod cohorts;
+#[cfg(feature = "mqtt")]
+mod commanded;
+mod days;
+mod drawn_plans;
+mod driven;
+mod faults;
+mod figures;
+mod flat;
+mod fleets;
+mod folder;
+mod found;
 mod from_logs;
 mod hostile;
+mod imports;
+mod installing;
+mod invariants;
+mod killed_commands;
+mod labels;
+mod links;
+mod live_homes;
+mod lives;
 mod logs;
 mod looks;
 mod measured;
-mod days;
-mod found;
-mod figures;
-mod installing;
-mod labels;
-mod lives;
-mod live_homes;
-mod fleets;
+#[cfg(feature = "mqtt")]
+#[allow(dead_code, reason = "these tests use a part of it")]
+#[path = "../../../homebody-mqtt/tests/servers/mosquitto.rs"]
+mod mosquitto;
+mod names_along;
+mod noted_log;
+mod outputs;
+mod packaging;
+mod passwords;
 #[cfg(feature = "postgresql")]
 #[path = "../../../homebody-postgres/tests/stage/server.rs"]
 mod postgres;
 #[cfg(feature = "postgresql")]
 mod put_back;
+mod real_plans;
+mod replays;
+mod resumed;
 #[cfg(feature = "postgresql")]
 mod server_truths;
-#[cfg(feature = "mqtt")]
-mod commanded;
-#[cfg(feature = "mqtt")]
-mod away;
+mod serving;
+mod soak;
 mod stalled;
+mod stops;
+#[cfg(all(feature = "postgresql", feature = "parquet", feature = "mqtt"))]
+mod stores;
+mod streams;
+mod trouble;
 mod truths;
 mod walked_back;
-mod calibrated;
-mod cameras;
-mod cohorts;
-mod serving;
-mod faults;
-mod soak;

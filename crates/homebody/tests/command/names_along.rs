@@ -1,4 +1,4 @@
-//! The sensors of a home come along with its log, wherever that goes.
+//! The names of sensors accompany a log to every destination.
 
 use crate::flat::flat;
 use crate::folder::Folder;

@@ -1,4 +1,4 @@
-//! Where a run goes, and what the command says of it.
+//! The destinations of a run, and its report.
 
 use crate::flat::flat;
 use crate::folder::{Folder, ROOT};
@@ -227,7 +227,7 @@ fn a_reader_that_goes_away_is_no_fault() {
 }
 
 #[test]
-fn what_cannot_be_printed_is_an_error() {
+fn failing_to_print_is_an_error() {
     let folder = flat();
     for words in ["run flat --json --for 1m --out csv:a.csv", "coverage flat", "check flat --json", "completions zsh"] {
         let mut command = folder.command(words);

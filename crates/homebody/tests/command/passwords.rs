@@ -1,4 +1,4 @@
-//! A password that somebody writes into a URL is refused in every place of the command, and never told again.
+//! Every argument of the command refuses a password in a URL, and no message repeats it.
 
 use crate::flat::flat;
 

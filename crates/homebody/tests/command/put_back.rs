@@ -1,4 +1,4 @@
-//! A database that is put back to what it was before, as from a backup, gets all rows that it has not: it is asked, and no note is believed.
+//! A database that was restored from a backup gets all rows that it lacks: the program asks it, and trusts no note.
 
 use crate::folder::Folder;
 use crate::postgres::Server;
@@ -8,7 +8,7 @@ fn a_database_that_was_put_back_misses_no_row() {
     let Some(server) = Server::start() else { return };
     let folder = Folder::new();
     folder.copy_scenario("studio");
-    let url = server.url("postgres", &server.database("homes"), "");
+    let url = server.url("postgres", &server.database("put_back"), "");
     let rows =
         || -> u64 { server.try_psql("homes", "SELECT count(*) FROM firing").map_or(0, |rows| rows.parse().unwrap()) };
     let stop_beyond = |words: &str, wanted: u64| {

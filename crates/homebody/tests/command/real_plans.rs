@@ -1,4 +1,4 @@
-//! Real plans of Sweet Home 3D, of which there are none here: how many become homes, and in how many an ordinary day is lived.
+//! Real plans of Sweet Home 3D, which are not in the repository: the number of valid homes, and of homes with an ordinary day.
 //!
 //! `HOMEBODY_PLANS` names a folder with `.sh3d` files. Without it, plans that are written here are gone through instead.
 

@@ -1,4 +1,4 @@
-//! A recording is enough to live a run again, and says so where it is not.
+//! A recording suffices to repeat a run; a recording that differs is reported.
 
 use crate::flat::flat;
 use crate::folder::Folder;
@@ -124,7 +124,7 @@ fn a_recording_of_another_version_says_so() {
 }
 
 #[test]
-fn what_is_no_file_of_a_recording_is_told_apart() {
+fn reports_why_a_path_is_not_a_recording() {
     let folder = flat();
     folder.run("replay nothing.json").fails(1, "kit::no-recording");
     folder.run("replay flat").fails(1, "error[open::recording-folder]");

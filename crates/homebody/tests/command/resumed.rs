@@ -1,4 +1,4 @@
-//! Runs that are killed or stopped are gone on with, and end with the bytes of a run that nothing has disturbed.
+//! Killed and stopped runs resume to the bytes of an undisturbed run.
 
 use crate::flat::flat;
 use crate::folder::Folder;
@@ -110,14 +110,26 @@ fn whatever_kills_a_run_it_is_gone_on_with_to_the_same_bytes() {
     }
 }
 
+/// A second stop at an earlier moment loses nothing, and the run writes again what is missing of it.
 #[test]
-fn a_run_that_was_stopped_is_gone_on_with() {
+fn a_stopped_run_resumes_to_the_same_bytes() {
     for &(scheme, log) in KINDS {
         let (folder, _) = undisturbed(scheme, log);
         let whole = left(&folder, "flat-1");
         stopped(&folder);
+        let before = left(&folder, "flat-2");
         assert!(!differ(&folder, "flat-2", &whole).is_empty());
+        let mut again = folder.start("run --resume runs/flat-2 --quiet --control --paused");
+        again.say("step 2000\nstop\n");
+        again.finish().fails(1, "log::not-yet");
+        assert_eq!(differ(&folder, "flat-2", &before), Vec::<String>::new(), "{scheme}");
         goes_on_to(&folder, &whole, scheme);
+        folder.run("run --resume runs/flat-2").fails(2, "kit::complete");
+        for missing in [log, "truth.db", "sensors.csv"] {
+            let path = folder.path(&format!("runs/flat-2/{missing}"));
+            if path.is_dir() { fs::remove_dir_all(path) } else { fs::remove_file(path) }.unwrap();
+            goes_on_to(&folder, &whole, &format!("{scheme} without {missing}"));
+        }
         folder.run("run --resume runs/flat-2").fails(2, "kit::complete");
     }
 }
@@ -144,20 +156,8 @@ fn a_run_that_has_not_come_to_its_end_is_told_as_such() {
     }
 }
 
-/// What is missing of a whole run, or of a member of a cohort, is lived again.
 #[test]
-fn what_is_missing_of_a_whole_run_is_written_again() {
-    for &(scheme, log) in KINDS {
-        let (folder, _) = undisturbed(scheme, log);
-        let whole = left(&folder, "flat-1");
-        for missing in [log, "truth.db", "sensors.csv"] {
-            let path = folder.path(&format!("runs/flat-1/{missing}"));
-            if path.is_dir() { fs::remove_dir_all(path) } else { fs::remove_file(path) }.unwrap();
-            folder.run("run --resume runs/flat-1 --quiet").ok();
-            assert_eq!(differ(&folder, "flat-1", &whole), Vec::<String>::new(), "{scheme}, {missing}");
-        }
-        folder.run("run --resume runs/flat-1").fails(2, "kit::complete");
-    }
+fn a_cohort_writes_again_what_is_missing_of_a_member() {
     let folder = flat();
     folder.run("run flat --for 1h --members 2 --quiet").ok();
     let whole = left(&folder, "flat-1");
@@ -237,21 +237,6 @@ fn one_program_at_a_time_lives_a_run() {
     running.say("step 20000\nstop\n");
     running.finish().ok();
     goes_on_to(&folder, &whole, "of two programs");
-}
-
-#[test]
-fn who_stops_it_again_and_earlier_loses_nothing() {
-    for &(scheme, log) in KINDS {
-        let (folder, _) = undisturbed(scheme, log);
-        let whole = left(&folder, "flat-1");
-        stopped(&folder);
-        let before = left(&folder, "flat-2");
-        let mut again = folder.start("run --resume runs/flat-2 --quiet --control --paused");
-        again.say("step 2000\nstop\n");
-        again.finish().fails(1, "log::not-yet");
-        assert_eq!(differ(&folder, "flat-2", &before), Vec::<String>::new(), "{scheme}");
-        goes_on_to(&folder, &whole, scheme);
-    }
 }
 
 /// The negative control: where what is there was changed, it is not passed off as the run.
@@ -339,7 +324,7 @@ fn a_file_of_something_else_is_not_replaced() {
 
 /// Killed before its recording stood, a run has left nothing to go on with. The hint is followed, and works.
 #[test]
-fn what_was_killed_at_once_is_begun_anew() {
+fn a_run_killed_at_once_starts_again() {
     let folder = flat();
     for part in ["recording.json.4711-0.part", "cohort.json.4711-0.part", ""] {
         fs::create_dir_all(folder.path("runs/flat-1")).unwrap();
@@ -360,7 +345,7 @@ fn what_was_killed_at_once_is_begun_anew() {
 
 /// Each hint is followed, and works.
 #[test]
-fn what_cannot_be_gone_on_with_says_what_can_be_done() {
+fn a_run_that_cannot_resume_reports_a_way_out() {
     let (folder, _) = undisturbed("sqlite", "log.db");
     let whole = left(&folder, "flat-1");
     let running = folder.start(&format!("run flat --for {SPAN} --quiet --control --paused"));

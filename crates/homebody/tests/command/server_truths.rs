@@ -1,4 +1,4 @@
-//! A truth on a server: a run that was killed continues it there, and refuses one that it cannot continue.
+//! Ground truth on a server: a killed run continues it there, and refuses one that it cannot continue.
 
 use crate::folder::Folder;
 use crate::postgres::Server;

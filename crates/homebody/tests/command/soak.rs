@@ -1,4 +1,4 @@
-//! A fleet that is lived for long takes neither more memory nor more handles as it goes.
+//! A fleet that runs for long takes no more memory and no more handles over time.
 //!
 //! `HOMEBODY_SOAK_S` says for how many seconds it goes, at a thousand times the pace of life, and `HOMEBODY_SOAK_HOMES` how many homes.
 #![cfg(target_os = "linux")]

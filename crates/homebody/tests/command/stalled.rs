@@ -1,10 +1,10 @@
-//! A reader of standard output that stands still. The run notices it, the home's own log grows, and a signal ends the run soon.
+//! A reader of standard output stops reading. The run notices it, the home's own log grows, and a signal ends the run soon.
 
-use crate::folder::Folder;
+use crate::folder::{Ends, Folder};
 use std::fs::File;
 use std::io::{Read, Write};
 use std::net::TcpStream;
-use std::process::{Child, ChildStdout, Command, Stdio};
+use std::process::{ChildStdout, Command, Stdio};
 use std::thread;
 use std::time::{Duration, Instant};
 
@@ -12,16 +12,6 @@ use std::time::{Duration, Instant};
 const SOON: Duration = Duration::from_secs(30);
 
 const TIMEOUT: &str = "--destination-timeout 1s";
-
-/// A command that ends with the test.
-struct Ends(Child);
-
-impl Drop for Ends {
-    fn drop(&mut self) {
-        let _ = self.0.kill();
-        let _ = self.0.wait();
-    }
-}
 
 /// Begins a command; the test does not read its standard output.
 fn unread(folder: &Folder, words: &str) -> (Ends, ChildStdout) {
@@ -148,7 +138,7 @@ fn a_reader_that_stands_still_ends_a_run_that_does_not_wait_and_a_slow_one_does_
 }
 
 #[test]
-fn what_is_no_time_for_an_answer_is_refused() {
+fn refuses_invalid_timeouts() {
     let folder = Folder::new();
     for wrong in ["0s", "10", "2h", "soon", "NaNs", "50ms"] {
         folder.run(&format!("run studio --destination-timeout {wrong}")).fails(2, "such as 10s");

@@ -1,4 +1,4 @@
-//! Rows on standard output, texts that are packed, and files that are no text, as people and pipes use them.
+//! Rows on standard output, compressed texts, and binary files, for people and pipes.
 
 use crate::flat::flat;
 use crate::folder::Folder;
@@ -49,7 +49,7 @@ fn a_reader_that_goes_away_ends_the_run_and_is_told() {
 }
 
 #[test]
-fn what_is_packed_is_read_by_all_commands() {
+fn all_commands_read_compressed_logs() {
     let folder = lived();
     folder.run("convert log.csv --out csv:log.csv.gz").ok();
     folder.run("convert log.csv.gz --out jsonl:log.jsonl.gz").ok();

@@ -1,4 +1,4 @@
-//! Files that cannot be written: the command says which and why, and leaves nothing half done.
+//! Files that cannot be written: the command reports which and why, and leaves nothing half done.
 
 use crate::flat::flat;
 use crate::folder::{Done, Folder};
@@ -10,7 +10,7 @@ use std::process::Command;
 const SCHEMES: [&str; 3] = ["sqlite", "csv", "casas"];
 
 #[test]
-fn where_no_run_can_be_kept_another_place_is_named() {
+fn proposes_another_place_if_runs_cannot_be_stored() {
     let folder = flat();
     folder.write("runs", "no folder");
     let said = "hint: run in a folder that you can write to, or pass --out to write elsewhere";
@@ -134,7 +134,7 @@ fn where_no_room_is_left_nothing_is_half_written() {
 }
 
 #[test]
-fn where_there_are_no_threads_it_is_said() {
+fn reports_that_there_are_no_threads() {
     let folder = flat();
     let given = folder.files();
     for words in [
@@ -152,7 +152,7 @@ fn where_there_are_no_threads_it_is_said() {
 }
 
 #[test]
-fn what_was_replaced_in_vain_is_still_there() {
+fn a_failed_replacement_keeps_the_old_file() {
     let folder = flat();
     folder.write("log.csv", "precious");
     folder.write("map.svg", "precious");
@@ -172,7 +172,7 @@ fn what_was_replaced_in_vain_is_still_there() {
 }
 
 #[test]
-fn what_a_run_comes_from_is_never_replaced() {
+fn never_replaces_the_files_of_a_scenario() {
     let folder = flat();
     folder.run("run flat --for 60s --quiet --out csv:log.csv --recording r.json").ok();
     let given = ["flat/home.json", "r.json"].map(|name| folder.read(name));

@@ -1,4 +1,4 @@
-//! The queries of `docs/reference/truth.md` run, and answer what they say.
+//! The queries of `docs/reference/truth.md` run, and give the documented answers.
 
 use crate::folder::{Folder, ROOT};
 use rusqlite::Connection;

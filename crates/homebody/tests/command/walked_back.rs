@@ -1,14 +1,16 @@
-//! `homebody translate`: logs walked back through the plan.
+//! `homebody locate`: locating people by a log and the plan.
 
-use crate::folder::Folder;
+use crate::folder::{Files, Folder};
 use serde_json::Value;
+use std::sync::OnceLock;
 
 /// A folder with a day of the studio, in which one person lives.
 fn studio() -> Folder {
-    let folder = Folder::new();
-    folder.run("new home --template studio").ok();
-    folder.run("run home --for 1d --quiet --out sqlite:log.db --truth truth.db").ok();
-    folder
+    static FILES: OnceLock<Files> = OnceLock::new();
+    Folder::filled_once(&FILES, |folder| {
+        folder.run("new home --template studio").ok();
+        folder.run("run home --for 1d --quiet --out sqlite:log.db --truth truth.db").ok();
+    })
 }
 
 fn report(folder: &Folder) -> Value {
@@ -64,7 +66,7 @@ fn a_log_is_walked_back_and_what_is_lived_again_explains_it() {
 }
 
 #[test]
-fn what_does_not_fit_is_said_with_its_share() {
+fn reports_the_share_of_rows_that_do_not_fit() {
     let folder = studio();
     folder.run("convert log.db --out csv:log.csv").ok();
     let log = folder.read("log.csv").replace("M002", "M999");

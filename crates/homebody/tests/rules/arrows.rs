@@ -1,4 +1,4 @@
-//! Crates depend toward `homebody-core` only, and none has unsafe code.
+//! Crates depend toward `homebody-core` only, and no crate has unsafe code.
 
 use super::{expect_none, repository};
 use std::fs;

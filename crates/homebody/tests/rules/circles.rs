@@ -1,4 +1,4 @@
-//! Files and folders that need each other in a circle: none of them can be read, tested or moved without the others.
+//! Files and folders that need each other in a circle: a reader needs all of them at once.
 //!
 //! A file needs another of its crate if it names what is defined there: in a `use`, or in a path such as
 //! `crate::time::DAY` or `grid::Corner`. What a file only passes on by `pub use` is sought where it is defined, so a
@@ -98,7 +98,7 @@ fn every_way_of_naming_closes_a_circle() {
 }
 
 #[test]
-fn what_names_nothing_closes_no_circle() {
+fn a_path_without_a_definition_closes_no_circle() {
     let none = Vec::<Vec<String>>::new();
     assert_eq!(made_up("deep/two.rs", "pub struct Two;"), none);
     assert_eq!(made_up("deep/two.rs", "// use crate::one::One;\n/* crate::one::One */ pub struct Two;"), none);

@@ -1,8 +1,9 @@
-//! The commands that the documents show are understood, and those that can be run here do run.
+//! The program accepts the commands in the documents, and the quick ones run.
 
 use super::markdown::Document;
 use super::{expect_none, repository};
 use clap::Command;
+use rayon::prelude::*;
 use std::fs;
 use std::path::Path;
 use std::process::Output;
@@ -100,20 +101,19 @@ fn the_quick_commands_of_the_readme_run() {
 /// Each document is tried in a folder of its own. Many documents use the first run of the example.
 #[test]
 fn the_quick_commands_of_the_other_documents_run() {
-    let mut wrong = Vec::new();
     // The examples of help texts need files of the reader.
-    let is_tried = |document: &&String| document.starts_with("docs/") && *document != super::reference::PAGE;
-    for document in documents().iter().filter(is_tried) {
-        let shown = commands(document, &read(document));
+    let is_tried = |document: &String| document.starts_with("docs/") && *document != super::reference::PAGE;
+    let failing_of = |document: String| {
+        let shown = commands(&document, &read(&document));
         let speaks_of = |word: &str| shown.iter().any(|command| command.words.iter().any(|said| said.contains(word)));
         let folder = copy();
         if speaks_of("runs/tigerplace-1") {
             let words = ["run", "scenarios/tigerplace", "--quiet", "--for", "2d"];
             assert!(homebody(folder.path(), words.into_iter()).status.success());
         }
-        wrong.extend(shown.iter().filter_map(|command| failing(command, folder.path())));
-    }
-    expect_none(wrong);
+        shown.iter().filter_map(|command| failing(command, folder.path())).collect::<Vec<_>>()
+    };
+    expect_none(documents().into_par_iter().filter(is_tried).flat_map_iter(failing_of).collect());
 }
 
 #[test]

@@ -1,4 +1,4 @@
-//! Labels of activities stand in their table alone; all other code names the constants, so that a label is never misspelt.
+//! Labels of activities are in their table alone; all other code names the constants, so that no label is misspelt.
 
 use super::source::is_for_tests;
 use super::{File, expect_none, files, numbered};

@@ -1,4 +1,4 @@
-//! Every limit on what is read is in `docs/reference/limits.md`: those of the scenario's files and those of the code.
+//! `docs/reference/limits.md` has every limit on input: those of scenario files and those of the code.
 //!
 //! `HOMEBODY_REWRITE=1 cargo test -p homebody --test rules limits` writes it anew.
 

@@ -1,4 +1,4 @@
-//! Names of types: one meaning for a name in the whole workspace.
+//! A name of a type has one meaning in the whole workspace.
 
 use super::rust::words;
 use super::source::is_for_tests;

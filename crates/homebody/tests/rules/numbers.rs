@@ -1,4 +1,4 @@
-//! Every number of ours is in `docs/reference/parameters.md`: those that a scenario may set, and those that are fixed.
+//! `docs/reference/parameters.md` has every number of ours: those that a scenario may set, and the fixed ones.
 //!
 //! `HOMEBODY_REWRITE=1 cargo test -p homebody --test rules numbers` writes it anew.
 

@@ -1,4 +1,4 @@
-//! `docs/reference/commands.md` is made from the command line: usage, summary, options and examples of each command.
+//! `docs/reference/commands.md` is generated from the command line: usage, summary, options and examples of each command.
 //!
 //! `HOMEBODY_REWRITE=1 cargo test -p homebody --test rules reference` writes it anew.
 

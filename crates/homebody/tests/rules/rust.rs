@@ -1,4 +1,4 @@
-//! Files in Rust, taken apart: what they bring in and what they name, without comments, texts and code for tests.
+//! Rust files as words: their imports and the names that they use, without comments, texts and code for tests.
 
 /// A name that a file brings in, or passes on.
 pub struct Import {

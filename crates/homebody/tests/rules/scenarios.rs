@@ -1,4 +1,4 @@
-//! Every scenario of the repository is right, and its files say by which schema.
+//! Every scenario of the repository is valid, and its files name their schemas.
 
 use super::{expect_none, repository};
 use serde_json::Value;

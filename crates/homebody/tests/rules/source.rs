@@ -1,4 +1,4 @@
-//! How source files look: their length, their names, how a sensor's file opens, and how code gives up.
+//! The form of source files: length, names, the head of a sensor's file, unwraps, and tests that belong to a program.
 
 use super::{File, expect_none, files, numbered, paths};
 
@@ -86,6 +86,46 @@ fn an_unwrap_outside_tests_is_found() {
     assert!(!is_for_tests("crates/a/src/c/real.rs", &folder("crates/a/src/b.rs")));
 }
 
+#[test]
+fn every_file_of_tests_is_part_of_a_program() {
+    expect_none(forgotten_tests(&files()));
+}
+
+#[test]
+fn finds_a_file_of_tests_that_no_program_has() {
+    let files = [
+        File::new("crates/a/Cargo.toml", "autotests = false\n[[test]]\nname = \"all\"\n"),
+        File::new("crates/a/tests/all.rs", "mod one;\nmod stage;\n"),
+        File::new("crates/a/tests/one.rs", ""),
+        File::new("crates/a/tests/stage/mod.rs", "pub mod server;"),
+        File::new("crates/a/tests/stage/server.rs", ""),
+        File::new("crates/a/tests/two.rs", ""),
+        File::new("crates/b/Cargo.toml", ""),
+        File::new("crates/b/tests/own.rs", ""),
+        File::new("crates/b/tests/large/main.rs", "mod part;"),
+        File::new("crates/b/tests/large/other.rs", ""),
+    ];
+    assert_eq!(forgotten_tests(&files), ["crates/a/tests/two.rs", "crates/b/tests/large/other.rs"]);
+}
+
+#[test]
+fn no_manifest_turns_off_tests_that_there_are() {
+    expect_none(tests_turned_off(&files()));
+}
+
+#[test]
+fn finds_tests_that_a_manifest_turns_off() {
+    let wrong = |manifest: &str, code: &str| {
+        let files = [File::new("crates/a/Cargo.toml", manifest), File::new("crates/a/src/lib.rs", code)];
+        tests_turned_off(&files).len()
+    };
+    let (unit, example) = ("#[test]\nfn a() {}\n", "/// ```\n/// a();\n/// ```\n");
+    assert_eq!((wrong("[lib]\ntest = false\n", unit), wrong("[lib]\ndoctest = false\n", unit)), (1, 0));
+    assert_eq!((wrong("[lib]\ndoctest = false\n", example), wrong("[lib]\ntest = false\n", example)), (1, 0));
+    assert_eq!(wrong("[lib]\ndoctest = false\n", "/// ```json\n/// {}\n/// ```\n"), 0);
+    assert_eq!(wrong("[dependencies]\n", &(unit.to_owned() + example)), 0);
+}
+
 fn is_source(file: &File) -> bool {
     ["rs", "py", "ts", "js", "svelte", "css", "html", "sh"].iter().any(|extension| file.is(extension))
 }
@@ -163,4 +203,46 @@ fn unwraps(file: &File) -> Vec<String> {
         }
     }
     wrong
+}
+
+/// The files of tests that are neither a program nor declared as a module of one, so that their tests never run.
+fn forgotten_tests(files: &[File]) -> Vec<String> {
+    let is_forgotten = |file: &&File| {
+        let Some((package, rest)) = file.path.split_once("/tests/").filter(|_| file.is("rs")) else { return false };
+        let name = rest.trim_end_matches(".rs").trim_end_matches("/mod").trim_end_matches("/main");
+        let name = name.rsplit('/').next().unwrap_or(name);
+        let manifest = files.iter().find(|other| other.path == format!("{package}/Cargo.toml"));
+        let manifest = manifest.map_or("", |manifest| manifest.text.as_str());
+        let is_program = match manifest.contains("autotests = false") {
+            true => manifest.contains(&format!("name = \"{name}\"")),
+            false => !rest.contains('/') || rest.ends_with("/main.rs"),
+        };
+        let folder = format!("{package}/tests/");
+        let declaration = format!("mod {name};");
+        let declares = |line: &str| line.trim_start_matches("pub ") == declaration;
+        let mut others = files.iter().filter(|other| other.path.starts_with(&folder));
+        !is_program && !others.any(|other| other.text.lines().any(declares))
+    };
+    files.iter().filter(is_forgotten).map(|file| file.path.clone()).collect()
+}
+
+/// The files of libraries with tests or examples that their manifest turns off.
+fn tests_turned_off(files: &[File]) -> Vec<String> {
+    let is_off = |file: &&File| {
+        let Some((package, _)) = file.path.split_once("/src/").filter(|_| is_code(&file.path)) else { return false };
+        let Some(manifest) = files.iter().find(|other| other.path == format!("{package}/Cargo.toml")) else {
+            return false;
+        };
+        let lib = manifest.text.split("[lib]\n").nth(1).and_then(|rest| rest.split("\n[").next()).unwrap_or_default();
+        let says = |setting: &str| lib.lines().any(|line| line == setting);
+        says("test = false") && file.text.contains("#[test]") || says("doctest = false") && has_example(&file.text)
+    };
+    files.iter().filter(is_off).map(|file| file.path.clone()).collect()
+}
+
+/// Whether doc comments have a block of Rust that runs.
+fn has_example(text: &str) -> bool {
+    let docs = text.lines().filter_map(|line| line.trim().strip_prefix("//!").or(line.trim().strip_prefix("///")));
+    let fences = docs.filter_map(|line| line.trim().strip_prefix("```"));
+    fences.step_by(2).any(|language| ["", "rust", "no_run", "should_panic", "compile_fail"].contains(&language))
 }

@@ -1,8 +1,8 @@
-//! A log under a network's own names is read back from each kind of place without a word about them.
+//! Each kind of destination returns a log with a network's own names without a mapping.
 
 use crate::flat::flat;
 use crate::folder::Folder;
-use crate::server::Server;
+use crate::postgres::Server;
 
 /// As a network of somebody's might have it: no name of it is one of the usual ones.
 const LOGGER: &str = r#"{

@@ -1,11 +1,11 @@
-//! One digest of all rows, whatever they were written to, how fast, by how many threads, and whoever looked on.
+//! All rows have one digest, for any destination, speed and number of threads, watched or not.
 //!
 //! The digest is of what our readers give back: for each row its number, instant, sensor and value. `HOMEBODY_SCENARIOS=20` takes that
 //! many scenarios: all that come with the program, and some of these with drawn seeds and other messages.
 
 use crate::folder::{Folder, ROOT};
 use crate::mosquitto::Broker;
-use crate::server::Server;
+use crate::postgres::Server;
 use homebody_core::scenario::logger::LoggerFile;
 use homebody_log::log::Clock;
 use homebody_log::{LogSource, Url, read};

@@ -1,7 +1,7 @@
 //! `--force` replaces files, and neither rows on a server nor a database with other tables.
 
 use crate::flat::flat;
-use crate::server::Server;
+use crate::postgres::Server;
 use rusqlite::Connection;
 
 #[test]

@@ -1,8 +1,8 @@
-//! The examples of the documents of stores are run as they stand, but for the names of their servers.
+//! The examples in the documents about destinations run, with other names of servers.
 
 use crate::folder::{Folder, ROOT};
 use crate::mosquitto::Broker;
-use crate::server::Server;
+use crate::postgres::Server;
 use std::fs;
 use std::path::Path;
 use std::process::Command;

@@ -1,17 +1,15 @@
-//! Logs as servers and gateways give them: JSON in one piece, messages of MQTT, tables of InfluxDB, logs of gateways. Each is known by how
-//! it begins, and read whole; texts here are made up.
+//! Logs as servers and gateways give them: JSON in one piece, messages of MQTT, tables of InfluxDB, logs of gateways. Their beginning
+//! identifies each, and no row is lost. The texts are invented.
 
 mod gateways;
-#[path = "../stage/mod.rs"]
-mod stage;
 
+use crate::stage::Folder;
 use homebody_core::messages::Diagnose;
 use homebody_core::scenario::logger::LoggerFile;
 use homebody_core::time::{Interval, MINUTE, SECOND, WallTime};
 use homebody_log::log::{Clock, ColumnRole};
 use homebody_log::source::{HomeColumn, TableOptions};
 use homebody_log::{Log, LogError, LogSource, SensorInfo, read};
-use stage::Folder;
 use std::fs;
 
 /// 2 February 2026, 06:00.

@@ -1,9 +1,7 @@
-//! The link: what becomes of messages between their sensors and the logger.
+//! The link: the fate of messages between their sensors and the logger.
 
 mod faults;
 mod invariants;
-#[path = "../random_home/mod.rs"]
-mod random_home;
 mod statistics;
 
 use homebody_core::event::{Events, Fact, Firing, Loss, Provenance, Trigger, Value};

@@ -1,4 +1,4 @@
-//! Plans of Sweet Home 3D, made here, and what becomes of them.
+//! Plans of Sweet Home 3D, written by the tests, and the homes that they become.
 
 mod plan;
 

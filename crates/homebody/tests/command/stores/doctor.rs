@@ -1,9 +1,9 @@
-//! What is wrong with a place is told, with what to do; a whole one is found whole.
+//! `homebody doctor` reports the fault of a broken destination with a hint, and no fault of an intact one.
 
 use crate::flat::flat;
 use crate::folder::Folder;
 use crate::mosquitto::Broker;
-use crate::server::Server;
+use crate::postgres::Server;
 use rusqlite::Connection;
 use serde_json::Value;
 use std::fs;
@@ -61,7 +61,7 @@ fn an_installation_is_looked_at() {
 }
 
 #[test]
-fn what_is_wrong_with_files_is_found() {
+fn finds_the_faults_of_files() {
     let folder = flat();
     folder
         .run("run flat --for 10m --quiet --out sqlite:log.db --out csv:log.csv --out jsonl:log.jsonl --truth truth.db")
@@ -118,7 +118,7 @@ fn what_is_wrong_with_files_is_found() {
 }
 
 #[test]
-fn what_is_wrong_with_columns_is_found() {
+fn finds_the_faults_of_columns() {
     let folder = flat();
     folder.run("run flat --for 10m --quiet --out parquet:log.parquet --out arrow:log.arrow --out parquet:lives --truth parquet:truth").ok();
     for place in ["parquet:log.parquet", "log.arrow", "parquet:lives", "lives", "truth"] {
@@ -174,7 +174,7 @@ fn the_folder_of_a_run_is_held_against_its_recording() {
 }
 
 #[test]
-fn what_is_wrong_with_a_database_on_a_server_is_found() {
+fn finds_the_faults_of_a_database_on_a_server() {
     let Some(server) = Server::start_with(&["fsync=on"]) else { return };
     let folder = flat();
     let database = server.database("homes");
@@ -223,7 +223,7 @@ fn what_is_wrong_with_a_database_on_a_server_is_found() {
 }
 
 #[test]
-fn what_is_wrong_with_a_broker_is_found() {
+fn finds_the_faults_of_a_broker() {
     let Some(broker) = Broker::start() else { return };
     let folder = flat();
     let url = broker.url("homes").to_string();

@@ -1,9 +1,9 @@
-//! A log that goes to a real broker: mosquitto, begun and ended by each test.
+//! Logs that go to a real broker.
 //!
 //! Where mosquitto is not installed the tests say so and pass, unless `HOMEBODY_SERVERS=required` is set.
 
 mod arrives;
-mod broker;
+pub mod broker;
 mod fleet;
 mod home_assistant;
 mod looks;

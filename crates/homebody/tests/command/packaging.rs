@@ -1,11 +1,6 @@
-//! What packages are made of: the unit's and the container's words are understood by the command, and paths lead somewhere.
-#![cfg(unix)]
-#![allow(dead_code, reason = "what tests of several programs share is used in part by each")]
+//! The parts of packages: the command accepts the words of the unit and the container, and paths exist.
 
-#[path = "../command/folder.rs"]
-mod folder;
-
-use folder::{Folder, ROOT};
+use crate::folder::{Folder, ROOT};
 use std::fs;
 use std::path::Path;
 use std::process::Command;
@@ -101,7 +96,7 @@ fn systemd_finds_nothing_wrong_with_the_unit() {
 }
 
 #[test]
-fn what_the_container_is_made_of_is_there() {
+fn the_files_of_the_container_exist() {
     let file = read("Containerfile");
     let folder = Folder::new();
     let mut copied = 0;

@@ -1,5 +1,4 @@
-//! A machine that loses its power, wherever in a run that happens: rows that were confirmed are there, none is there twice or out of turn,
-//! and the database opens.
+//! After a loss of power at any moment, the database opens and holds each confirmed row once, in order.
 //!
 //! A program that stores a run is watched by strace: what it writes into its files, and when it makes sure of them. Then the power is lost
 //! after each of these, in thought: files are made of what was sure by then and of any part of the rest, and are opened by our reader. Nothing
@@ -7,18 +6,15 @@
 //! `HOMEBODY_KILLS=all`.
 #![cfg(target_os = "linux")]
 
-#[path = "../stage/mod.rs"]
-mod stage;
-
 mod disk;
 mod trace;
 
+use crate::stage::{self, Folder};
 use disk::{Luck, lose_power};
 use homebody_core::scenario::logger::LoggerFile;
 use homebody_core::time::Span;
 use homebody_log::{LogError, Url, WriteMode, read};
 use rusqlite::Connection;
-use stage::Folder;
 use std::io::Write;
 use std::path::Path;
 use std::process::Command;
@@ -89,7 +85,7 @@ fn traced(folder: &Folder, how: &str) -> Vec<Event> {
     let inner = folder.path().join("files");
     std::fs::create_dir(&inner).unwrap();
     let mut command = Command::new(std::env::current_exe().unwrap());
-    command.args(["child", "--exact", "--test-threads", "1", "--nocapture"]);
+    command.args(["power::child", "--exact", "--test-threads", "1", "--nocapture"]);
     let events = trace(command.env(CHILD, inner.join("log.db")).env(HOW, how), &inner);
     assert!(events.iter().any(|event| matches!(event, Event::Confirmed(_))), "{events:?}");
     events

@@ -1,4 +1,4 @@
-//! The server as its page knows it, and as those who should not be heard do.
+//! The server as its page uses it, and as clients without a token do.
 
 mod desk;
 mod desk_plan;

@@ -1,8 +1,8 @@
-//! Labels are the same whatever the truth was written to.
+//! Labels are the same for any destination of the ground truth.
 
 use crate::flat::flat;
 use crate::folder::Folder;
-use crate::server::Server;
+use crate::postgres::Server;
 
 /// Kinds of places of a truth that are files: what is written, and by what it is named again.
 const FILES: [(&str, &str); 7] = [

@@ -1,0 +1,24 @@
+//! All tests of the crate in one program.
+
+#[allow(clippy::disallowed_methods, reason = "a test may read and write files; the crate may not")]
+#[path = "../../../tests/generated.rs"]
+mod generated;
+mod carers;
+mod days;
+mod diagnostics;
+mod explanation;
+mod fall_sentences;
+mod falls;
+mod forms;
+mod habits;
+mod home;
+mod lexicon;
+mod mutations;
+mod page;
+mod reach;
+mod residents;
+mod roles;
+mod rule_effects;
+mod stage;
+mod streams;
+mod untrained_writers;
