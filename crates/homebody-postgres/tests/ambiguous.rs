@@ -1,4 +1,4 @@
-//! A connection that is lost as a transaction ends: nobody knows whether it was taken, and nothing is lost or doubled.
+//! A connection that is lost at the end of a transaction: whether it was taken is unknown, and no row is lost or doubled.
 
 mod stage;
 
@@ -11,7 +11,7 @@ use stage::{Server, kills};
 const FIRINGS: u64 = 6_000;
 
 #[test]
-fn whatever_becomes_of_a_transaction_whose_end_nobody_hears_of_rows_are_there_once() {
+fn transactions_without_an_answer_store_rows_once() {
     let Some(server) = Server::shared() else { return };
     let database = server.database("ambiguous");
     let life = |run| Life { settles: 1, ..Life::new(run, FIRINGS) };
@@ -55,7 +55,7 @@ fn rows_that_were_sent_before_their_transaction_ended_are_there_once() {
 }
 
 #[test]
-fn a_replaced_run_whose_end_nobody_hears_of_is_replaced_once() {
+fn a_replacement_without_an_answer_happens_once() {
     let Some(server) = Server::shared() else { return };
     let database = server.database("replaced");
     let url = server.url("postgres", &database, "");
@@ -75,7 +75,7 @@ fn a_replaced_run_whose_end_nobody_hears_of_is_replaced_once() {
 
 /// The wrong way: it writes again what it has not heard of, and keeps how far it has come apart from the rows.
 #[test]
-fn who_writes_again_what_was_not_heard_of_doubles_rows_and_that_is_seen() {
+fn blind_rewrites_double_rows_and_are_caught() {
     let Some(server) = Server::shared() else { return };
     let database = server.database("naive");
     let url = server.url("postgres", &database, "");

@@ -14,7 +14,7 @@ use stage::life::{destination, firings, run};
 const USUAL_S: u64 = 3;
 
 #[test]
-fn who_is_stopped_while_a_thousand_rows_come_a_second_has_each_once() {
+fn a_stopped_server_has_each_row_of_a_fast_run_once() {
     let Some(mut server) = Server::start() else { return };
     let outage = Outage::of(USUAL_S);
     let to = destination(&server.url("postgres", &server.database("outage"), ""), &Policy::default());

@@ -1,4 +1,4 @@
-//! Tables are read back as they were written, and so are others; how fast a run is, and how its rows are parted, changes nothing.
+//! Tables are read back, ours and others'; the speed of a run and its batches change nothing.
 
 mod stage;
 
@@ -22,7 +22,7 @@ fn texts(log: &Log) -> Vec<(WallTime, &str, &str)> {
 }
 
 #[test]
-fn a_log_is_read_as_sqlite_has_it() {
+fn reads_the_same_log_as_from_sqlite() {
     let Some(server) = Server::shared() else { return };
     let database = server.database("readers");
     let folder = tempfile::tempdir().unwrap();
@@ -72,7 +72,7 @@ fn of_several_runs_one_is_named() {
 }
 
 #[test]
-fn a_run_that_is_not_there_is_named_whatever_the_table_is_called() {
+fn names_a_missing_run_for_any_table() {
     let Some(server) = Server::shared() else { return };
     let database = server.database("absent");
     let url = server.url("postgres", &database, "");
@@ -111,7 +111,7 @@ fn a_run_tells_the_zone_of_its_home() {
 }
 
 #[test]
-fn tables_of_others_are_read_and_what_is_missing_is_told() {
+fn reads_foreign_tables_and_reports_missing_columns() {
     let Some(server) = Server::shared() else { return };
     let database = server.database("others");
     server.psql(
@@ -145,7 +145,7 @@ fn tables_of_others_are_read_and_what_is_missing_is_told() {
 }
 
 #[test]
-fn how_rows_are_parted_changes_nothing() {
+fn batches_change_nothing() {
     let Some(server) = Server::shared() else { return };
     let database = server.database("parted");
     let url = server.url("postgres", &database, "");

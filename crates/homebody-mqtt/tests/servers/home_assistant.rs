@@ -1,4 +1,4 @@
-//! What Home Assistant's own code says of our discovery, where it is installed: `checks/homeassistant/README.md` says how.
+//! Tests our discovery with Home Assistant's own code, if it is installed, as `checks/homeassistant/README.md` describes.
 
 use crate::broker::{Broker, live, repository};
 use serde_json::json;
@@ -6,7 +6,7 @@ use std::fs;
 use std::process::Command;
 
 #[test]
-fn home_assistant_takes_all_that_we_tell_it() {
+fn home_assistant_accepts_all_messages() {
     let python = std::env::var("HOMEBODY_HOMEASSISTANT").unwrap_or_else(|_| "python3".into());
     let import = ["-c", "import homeassistant.components.mqtt"];
     let is_there = Command::new(&python).args(import).output().is_ok_and(|output| output.status.success());

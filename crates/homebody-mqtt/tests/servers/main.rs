@@ -1,6 +1,6 @@
-//! A log that goes to a real broker: mosquitto, begun and ended by each test.
+//! Logs to a real broker: mosquitto, started and ended by each test.
 //!
-//! Where mosquitto is not installed the tests say so and pass, unless `HOMEBODY_SERVERS=required` is set.
+//! Without mosquitto the tests say so and pass, unless `HOMEBODY_SERVERS=required` is set.
 
 mod arrives;
 mod broker;

@@ -4,7 +4,7 @@ use crate::broker::{Broker, live};
 use homebody_mqtt::clean;
 
 #[test]
-fn what_our_homes_have_left_is_removed_and_nothing_else() {
+fn removes_only_messages_of_our_homes() {
     let Some(broker) = Broker::start() else { return };
     let others = [
         ("homebody/notes", "mine"),

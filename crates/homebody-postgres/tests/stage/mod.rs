@@ -1,4 +1,4 @@
-//! What the tests of this folder share: servers of their own, and a run whose rows go there.
+//! Shared by the tests of this folder: servers, and a run whose rows go there.
 #![allow(dead_code, reason = "each test file uses a part of it")]
 
 pub mod life;
@@ -8,7 +8,7 @@ pub mod server;
 pub use server::Server;
 use std::sync::Mutex;
 
-/// How often something is killed or cut: few times by default, as many as `HOMEBODY_KILLS` says.
+/// The number of kills or cuts: few by default, or `HOMEBODY_KILLS`.
 pub fn kills(usual: usize) -> usize {
     std::env::var("HOMEBODY_KILLS").ok().and_then(|kills| kills.parse().ok()).unwrap_or(usual)
 }
