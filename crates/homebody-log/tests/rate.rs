@@ -1,4 +1,4 @@
-//! How fast firings reach a database, against the barest loop that could put them there; and how fast logs are read, against the
+//! The rate of firings into a database, compared with the barest loop that stores them; and the rate of reading logs, compared with the
 //! reading of their lines.
 
 mod stage;
@@ -17,7 +17,7 @@ use std::time::{Duration, Instant};
 const ROWS: u64 = 1_000_000;
 const ROUNDS: usize = 5;
 
-/// The rate of rows in that of lines (ours): to understand a row takes no longer than to read its line.
+/// The least rate of rows, in parts of that of lines (our choice): understanding a row takes no longer than reading its line.
 const LEAST_READ: f64 = 0.5;
 
 #[test]

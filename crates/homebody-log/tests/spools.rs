@@ -1,4 +1,4 @@
-//! A destination that is away while rows are put aside on disk: it gets each of them once, in their order, and nobody else waits.
+//! A destination that is away while rows are spooled on disk: it gets each of them once, in their order, and no other waits.
 
 mod stage;
 
@@ -29,7 +29,7 @@ struct Server {
 /// Whether it is away, by how often it was asked before.
 type IsAway = fn(usize) -> bool;
 
-/// What it has: the numbers and texts of rows, of which some are not sure yet, and whether the end was told.
+/// The numbers and texts of its rows, some of them not durable yet, and whether the run has ended.
 #[derive(Default)]
 struct Got {
     rows: Vec<(i64, String)>,
@@ -98,7 +98,7 @@ fn spool(folder: &Folder, most_bytes: u64) -> WhenDown {
 }
 
 #[test]
-fn who_was_away_gets_every_row_once_and_no_spool_is_left() {
+fn a_returning_destination_gets_every_row_once_and_no_spool_is_left() {
     let ways: [(&str, IsAway); 5] = [
         ("in-the-middle", |asked| (3..9).contains(&asked)),
         ("at-the-beginning", |asked| asked < 4),
@@ -118,7 +118,7 @@ fn who_was_away_gets_every_row_once_and_no_spool_is_left() {
 }
 
 #[test]
-fn who_has_the_beginning_already_gets_the_rest() {
+fn a_destination_with_the_beginning_gets_the_rest() {
     let folder = Folder::new("beginning");
     let server = Server::new(|asked| asked < 2);
     let sensor = stage::sensors()[0].clone();
@@ -154,7 +154,7 @@ impl Sink for Forgetful {
 }
 
 #[test]
-fn what_is_confirmed_is_not_given_again_to_who_forgets_it() {
+fn confirmed_rows_are_not_sent_again() {
     let (folder, forgetful) = (Folder::new("forgetful"), Forgetful::default());
     let lived = |rows, how| {
         let own = Destination::own("a pipe", forgetful.clone(), Policy::default()).remembered_in(folder.path());
@@ -171,7 +171,7 @@ fn what_is_confirmed_is_not_given_again_to_who_forgets_it() {
 }
 
 #[test]
-fn what_was_confirmed_stays_noted_while_a_destination_is_away() {
+fn checkpoints_stay_while_a_destination_is_away() {
     // It begins, takes and confirms three times, takes once more, and is away from then on.
     let (folder, server, cancel) = (Folder::new("noted"), Server::new(|asked| asked >= 8), Cancel::new());
     let own = Destination::own("a server", server.clone(), Policy::default());
@@ -191,7 +191,7 @@ fn what_was_confirmed_stays_noted_while_a_destination_is_away() {
 }
 
 #[test]
-fn a_full_spool_ends_the_run_and_says_how_to_go_on() {
+fn a_full_spool_ends_the_run_and_says_how_to_resume() {
     let (folder, server) = (Folder::new("full"), Server::new(|asked| asked > 2));
     let error = stored(&folder, &server, &spool(&folder, 1 << 20)).unwrap_err();
     assert!(matches!(error, LogError::SpoolFull { most_mb: 1, .. }), "{error}");

@@ -1,4 +1,4 @@
-//! What is stored, where, and in which form.
+//! The stored content, its places and forms.
 
 mod stage;
 
@@ -71,7 +71,7 @@ fn a_run_reaches_all_places() {
 }
 
 #[test]
-fn how_a_run_advances_changes_no_byte() {
+fn strides_of_a_run_change_no_byte() {
     let firings = stage::firings(60_000);
     let file = LoggerFile { messages: MessagesFile::OnOff(OnOffFile::exactly(4.0)), ..Default::default() };
     let mut all = Vec::new();
@@ -123,7 +123,7 @@ fn instants_can_be_numbers() {
 }
 
 #[test]
-fn what_is_held_at_the_end_is_not_let_go() {
+fn a_hold_at_the_end_stays_open() {
     let folder = Folder::new("held");
     let file = LoggerFile { messages: MessagesFile::OnOff(OnOffFile::exactly(4.0)), ..Default::default() };
     let mut logger = stage::open(&[folder.url("casas:log.txt")], &file, false).unwrap();
@@ -137,7 +137,7 @@ fn what_is_held_at_the_end_is_not_let_go() {
 }
 
 #[test]
-fn a_live_run_can_be_watched_and_goes_on_while_it_is() {
+fn a_run_in_real_time_continues_while_it_is_watched() {
     let folder = Folder::new("watched");
     let mut logger = stage::open(&[folder.url("sqlite:log.db")], &LoggerFile::default(), false).unwrap();
     let watcher = Connection::open(folder.path().join("log.db")).unwrap();
@@ -159,7 +159,7 @@ fn a_live_run_can_be_watched_and_goes_on_while_it_is() {
 }
 
 #[test]
-fn who_reads_while_a_run_is_gone_on_with_is_in_nobodys_way() {
+fn a_reader_does_not_block_a_resumed_run() {
     let folder = Folder::new("reader-of-a-beginning");
     let urls = [folder.url("sqlite:log.db")];
     let firings = stage::firings(50);
@@ -180,7 +180,7 @@ fn who_reads_while_a_run_is_gone_on_with_is_in_nobodys_way() {
 }
 
 #[test]
-fn who_reads_on_from_before_the_first_rows_is_in_nobodys_way() {
+fn an_early_reader_does_not_block_a_run() {
     let folder = Folder::new("early-reader");
     let firings = stage::firings(50);
     let mut logger = stage::open(&[folder.url("sqlite:log.db")], &LoggerFile::default(), false).unwrap();
@@ -198,7 +198,7 @@ fn who_reads_on_from_before_the_first_rows_is_in_nobodys_way() {
 }
 
 #[test]
-fn whoever_reads_for_seconds_ends_no_run_however_fast_rows_come() {
+fn a_slow_reader_never_ends_a_fast_run() {
     for settled in [0, 60_000] {
         let folder = Folder::new(&format!("reader-{settled}"));
         let firings = stage::firings(200_000);
@@ -232,7 +232,7 @@ fn whoever_reads_for_seconds_ends_no_run_however_fast_rows_come() {
 fn truth(folder: &Folder, places: &[Url], events: &Events) -> Result<(), LogError> {
     let path = folder.path().join("truth.db");
     let mut log = stage::open_truth(&path, places, &LoggerFile::default())?;
-    // The firing of number 5 has no cause; that of number 6 is told by row 4.
+    // The firing of number 5 has no cause; row 4 comes from that of number 6.
     log.store(events, &RowsOfFirings { rows: vec![3, 4], offs: vec![(2, 4)] })?;
     log.finish(at(MINUTE))
 }
@@ -284,7 +284,7 @@ fn a_short_life() -> Events {
 }
 
 #[test]
-fn the_truth_is_told() {
+fn stores_the_truth() {
     let folder = Folder::new("truth");
     truth(&folder, &[], &a_short_life()).unwrap();
     assert_eq!(
@@ -334,7 +334,7 @@ fn a_logger_without_places_counts_alone() {
 }
 
 #[test]
-fn what_a_spreadsheet_would_run_is_escaped_and_read_back_as_it_was() {
+fn formulas_are_escaped_and_read_back() {
     for (is_safe, cell) in [(true, "'=1+1"), (false, "=1+1")] {
         let folder = Folder::new(&format!("formula-{is_safe}"));
         let mut file = LoggerFile { spreadsheet_safe: is_safe, ..Default::default() };

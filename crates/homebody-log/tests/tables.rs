@@ -441,7 +441,7 @@ fn the_sensor_is_the_column_that_parts_the_rows() {
 }
 
 #[test]
-fn what_a_row_tells_of_a_device_stands_in_the_sensor_name() {
+fn the_sensor_name_has_the_device_of_a_row() {
     let row = |index: usize| match index % 3 {
         0 => "Hall PIR,motion,active,T".to_owned(),
         1 => "Hall PIR,motion,inactive,T".to_owned(),
@@ -474,7 +474,7 @@ fn units_brackets_and_thousands_are_no_part_of_a_number() {
 }
 
 #[test]
-fn rows_above_the_heading_are_passed_over_with_a_word() {
+fn skips_and_reports_rows_above_the_heading() {
     let row = |index: usize| format!("T;{};{}", ["hall", "bath"][index % 2], ["ON", "OFF"][index / 2 % 2]);
     for (above, told_of) in [
         ("sep=;\n", "line 1 is above"),

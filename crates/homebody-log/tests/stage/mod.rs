@@ -1,4 +1,4 @@
-//! What the tests of this folder share: a folder of their own, and a run to log.
+//! Shared by the tests of this folder: a temporary folder, and a run to log.
 #![allow(dead_code, reason = "each test file uses a part of it")]
 
 pub mod texts;
