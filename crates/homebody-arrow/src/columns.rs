@@ -1,10 +1,7 @@
 //! Rows on their way into columns: those of one table, until they are enough to be written together.
 
-use arrow_array::types::Int32Type;
-use arrow_array::{
-    ArrayRef, DictionaryArray, Float64Array, Int32Array, Int64Array, RecordBatch, StringArray,
-    TimestampMicrosecondArray,
-};
+use crate::frame::TextColumn;
+use arrow_array::{ArrayRef, Float64Array, Int32Array, Int64Array, RecordBatch, TimestampMicrosecondArray};
 use arrow_schema::{ArrowError, DataType, Schema, SchemaRef};
 use homebody_log::table::InstantWriter;
 use homebody_log::table::{Cell, TextId, thousandths};
@@ -28,13 +25,10 @@ enum Values {
     Texts(Dictionary),
 }
 
-/// A column of texts: by row the number of its text.
+/// A column of texts, with their numbers in it.
 #[derive(Default)]
 struct Dictionary {
-    rows: Vec<Option<i32>>,
-    texts: Vec<Arc<str>>,
-    /// A text is in it once: a dictionary that says something twice is none to some readers.
-    known: HashMap<Arc<str>, i32>,
+    column: TextColumn,
     /// By the number of a text in the run.
     of_texts: Vec<Option<i32>>,
     of_thousandths: HashMap<i32, i32>,
@@ -52,7 +46,6 @@ impl Columns {
         Columns { schema, run, columns, rows: 0, are_texts_kept }
     }
 
-    /// How many rows wait.
     pub fn rows(&self) -> usize {
         self.rows
     }
@@ -68,7 +61,7 @@ impl Columns {
                 (Values::Texts(all), Cell::Thousandths(number)) => all.push_thousandths(number),
                 (Values::Instants(all) | Values::Integers(all), _) => all.push(None),
                 (Values::Reals(all), _) => all.push(None),
-                (Values::Texts(all), _) => all.rows.push(None),
+                (Values::Texts(all), _) => all.column.rows.push(None),
             }
         }
         self.rows += 1;
@@ -76,22 +69,18 @@ impl Columns {
 
     /// The rows that wait, which wait no more.
     pub fn take(&mut self) -> Result<RecordBatch, ArrowError> {
-        let texts = |texts: &mut Dictionary, _: &DataType| texts.take();
-        self.take_with(self.schema.clone(), texts)
+        self.take_with(self.schema.clone(), |texts, rows| texts.array(rows))
     }
 
-    /// The same with numbers in place of texts; these are told by [`Columns::texts`].
+    /// The same with numbers in place of texts; [`Columns::texts`] has these.
     pub fn take_numbers(&mut self, schema: SchemaRef) -> Result<RecordBatch, ArrowError> {
-        let numbers = |texts: &mut Dictionary, _: &DataType| {
-            Ok(Arc::new(std::mem::take(&mut texts.rows).into_iter().collect::<Int32Array>()) as ArrayRef)
-        };
-        self.take_with(schema, numbers)
+        self.take_with(schema, |_, rows| Ok(Arc::new(rows.into_iter().collect::<Int32Array>())))
     }
 
     fn take_with(
         &mut self,
         schema: SchemaRef,
-        texts_of: impl Fn(&mut Dictionary, &DataType) -> Result<ArrayRef, ArrowError>,
+        texts_of: impl Fn(&TextColumn, Vec<Option<i32>>) -> Result<ArrayRef, ArrowError>,
     ) -> Result<RecordBatch, ArrowError> {
         let rows = std::mem::take(&mut self.rows);
         let run = self.run.map(|run| Arc::new(Int64Array::from_value(run, rows)) as ArrayRef);
@@ -110,7 +99,8 @@ impl Columns {
                 Values::Integers(all) => Arc::new(std::mem::take(all).into_iter().collect::<Int64Array>()),
                 Values::Reals(all) => Arc::new(std::mem::take(all).into_iter().collect::<Float64Array>()),
                 Values::Texts(texts) => {
-                    let array = texts_of(texts, field.data_type())?;
+                    let rows = std::mem::take(&mut texts.column.rows);
+                    let array = texts_of(&texts.column, rows)?;
                     if !self.are_texts_kept {
                         *texts = Dictionary::default();
                     }
@@ -128,7 +118,7 @@ impl Columns {
         let mut arrays: Vec<ArrayRef> = Vec::new();
         for column in &self.columns {
             if let Values::Texts(texts) = column {
-                arrays.push(texts.array(vec![None])?);
+                arrays.push(texts.column.array(vec![None])?);
             }
         }
         let rows = arrow_array::RecordBatchOptions::new().with_row_count(Some(1));
@@ -142,43 +132,16 @@ impl Dictionary {
         if id >= self.of_texts.len() {
             self.of_texts.resize(id + 1, None);
         }
-        let number = match self.of_texts[id] {
-            Some(number) => number,
-            None => self.known(texts[id].clone()),
-        };
-        self.of_texts[id] = Some(number);
-        self.rows.push(Some(number));
+        let number = *self.of_texts[id].get_or_insert_with(|| self.column.number(&texts[id]));
+        self.column.rows.push(Some(number));
     }
 
     fn push_thousandths(&mut self, value: i32) {
-        let number = match self.of_thousandths.get(&value) {
-            Some(&number) => number,
-            None => {
-                let mut text = String::new();
-                thousandths(value, &mut text);
-                self.known(text.into())
-            }
-        };
-        self.of_thousandths.insert(value, number);
-        self.rows.push(Some(number));
-    }
-
-    fn known(&mut self, text: Arc<str>) -> i32 {
-        let Dictionary { texts, known, .. } = self;
-        *known.entry(text.clone()).or_insert_with(|| {
-            texts.push(text);
-            texts.len() as i32 - 1
-        })
-    }
-
-    fn take(&mut self) -> Result<ArrayRef, ArrowError> {
-        let rows = std::mem::take(&mut self.rows);
-        self.array(rows)
-    }
-
-    fn array(&self, rows: Vec<Option<i32>>) -> Result<ArrayRef, ArrowError> {
-        let texts: StringArray = self.texts.iter().map(|text| Some(&**text)).collect();
-        let rows: Int32Array = rows.into_iter().collect();
-        Ok(Arc::new(DictionaryArray::<Int32Type>::try_new(rows, Arc::new(texts))?))
+        let number = *self.of_thousandths.entry(value).or_insert_with(|| {
+            let mut text = String::new();
+            thousandths(value, &mut text);
+            self.column.number(&text)
+        });
+        self.column.rows.push(Some(number));
     }
 }

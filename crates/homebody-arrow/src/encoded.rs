@@ -1,8 +1,7 @@
-//! A file of one table on its way: rows come in, bytes go out.
+//! Writes a file of one table: rows come in, bytes go out.
 //!
-//! Of Parquet, groups of rows are written as they are full, so that memory stays bounded. Of Arrow IPC, record batches are; their
-//! texts are numbers, and the dictionaries stand behind all batches, once all texts are known. The format allows for that: it is the
-//! footer that says where they are.
+//! Full groups of rows are written at once, so that memory stays bounded. In Arrow IPC, record batches hold numbers instead of texts, and
+//! the dictionaries follow all batches, once all texts are known. The format allows this, since the footer has their positions.
 
 use crate::columns::Columns;
 use crate::fault::unwritten;
@@ -29,7 +28,6 @@ use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-/// What a file is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Format {
     Parquet,
@@ -42,18 +40,17 @@ const ROWS_OF_GROUP: usize = 1 << 17;
 /// Rows that are encoded together, whatever the batches, so that the same rows give the same bytes (our choice).
 const ROWS_AT_ONCE: [usize; 2] = [1 << 13, 1 << 16];
 
-/// What rows of a table are made into.
-pub(crate) struct Layout {
+pub(crate) struct FileLayout {
     format: Format,
     schema: SchemaRef,
     about: serde_json::Map<String, serde_json::Value>,
     run: Option<i64>,
 }
 
-impl Layout {
+impl FileLayout {
     /// Of a table; `has_run` says whether the run's id is a column.
-    pub fn new(format: Format, table: &Table, begin: &Begin, has_run: bool) -> Layout {
-        Layout {
+    pub fn new(format: Format, table: &Table, begin: &Begin, has_run: bool) -> FileLayout {
+        FileLayout {
             format,
             schema: Arc::new(layout::schema(table, begin, has_run)),
             about: layout::about(table, begin),
@@ -68,35 +65,32 @@ impl Layout {
     }
 }
 
-/// A file that is written.
 pub(crate) struct TableFile {
     path: PathBuf,
     columns: Columns,
     at_once: usize,
-    to: To,
-    /// How many rows have come.
+    to: TableWriter,
     pub rows: u64,
 }
 
-enum To {
+enum TableWriter {
     Parquet(Box<ArrowWriter<FreshFile>>),
     Arrow(Box<IpcFile>),
 }
 
 impl TableFile {
-    /// Begins a file whose first row has so many rows of its table before it.
-    pub fn begin(file: FreshFile, layout: &Layout, rows_before: u64) -> Result<TableFile, LogError> {
+    pub fn begin(file: FreshFile, layout: &FileLayout, rows_before: u64) -> Result<TableFile, LogError> {
         let path = file.path().to_owned();
         let about = layout.about(rows_before);
         let to = match layout.format {
             Format::Parquet => {
                 let properties = properties(&layout.schema, about);
                 let begun = ArrowWriter::try_new(file, layout.schema.clone(), Some(properties));
-                To::Parquet(Box::new(begun.map_err(|error| unwritten(&path, error))?))
+                TableWriter::Parquet(Box::new(begun.map_err(|error| unwritten(&path, error))?))
             }
             Format::Arrow => {
                 let begun = IpcFile::begin(file, &layout.schema, about);
-                To::Arrow(Box::new(begun.map_err(|error| unwritten(&path, error))?))
+                TableWriter::Arrow(Box::new(begun.map_err(|error| unwritten(&path, error))?))
             }
         };
         let columns = Columns::new(layout.schema.clone(), layout.run, layout.format == Format::Arrow);
@@ -122,11 +116,11 @@ impl TableFile {
     fn encode(&mut self) -> Result<(), LogError> {
         let TableFile { path, columns, to, .. } = self;
         match to {
-            To::Parquet(writer) => {
+            TableWriter::Parquet(writer) => {
                 let rows = columns.take().map_err(|error| unwritten(path, error))?;
                 writer.write(&rows).map_err(|error| unwritten(path, error))
             }
-            To::Arrow(file) => {
+            TableWriter::Arrow(file) => {
                 let rows = columns.take_numbers(file.numbers.clone());
                 rows.and_then(|rows| file.write(&rows)).map_err(|error| unwritten(path, error))
             }
@@ -140,8 +134,10 @@ impl TableFile {
         }
         let TableFile { path, columns, to, .. } = self;
         let mut file = match to {
-            To::Parquet(writer) => writer.into_inner().map_err(|error: ParquetError| unwritten(&path, error))?,
-            To::Arrow(file) => {
+            TableWriter::Parquet(writer) => {
+                writer.into_inner().map_err(|error: ParquetError| unwritten(&path, error))?
+            }
+            TableWriter::Arrow(file) => {
                 columns.texts().and_then(|texts| file.end(&texts)).map_err(|error| unwritten(&path, error))?
             }
         };
@@ -150,7 +146,7 @@ impl TableFile {
     }
 }
 
-/// How Parquet is written: numbers that rise as their differences, all else as dictionaries.
+/// The encodings of Parquet: rising numbers as their differences, all else as dictionaries.
 fn properties(schema: &Schema, about: String) -> WriterProperties {
     let mut properties = WriterProperties::builder()
         .set_compression(Compression::ZSTD(ZstdLevel::default()))
@@ -168,7 +164,6 @@ fn properties(schema: &Schema, about: String) -> WriterProperties {
     properties.build()
 }
 
-/// A file of Arrow IPC.
 struct IpcFile {
     file: FreshFile,
     schema: Schema,
@@ -181,11 +176,11 @@ struct IpcFile {
     bytes: usize,
 }
 
-/// How a file begins and ends, padded to where the first message is.
+/// The first and last bytes of a file, padded up to the first message.
 const MAGIC: &[u8; 6] = b"ARROW1";
 const BEGINS_BYTES: usize = 64;
 
-/// What stands where no message follows.
+/// The end of the messages.
 const NO_MORE: [u8; 8] = [0xff, 0xff, 0xff, 0xff, 0, 0, 0, 0];
 
 impl IpcFile {
@@ -210,7 +205,7 @@ impl IpcFile {
     }
 
     fn write(&mut self, rows: &RecordBatch) -> Result<(), ArrowError> {
-        // There are no dictionaries in it.
+        // The message has no dictionaries.
         let mut none = DictionaryTracker::new(true);
         let (_, rows) = IpcDataGenerator::default().encode(rows, &mut none, &self.options, &mut self.context)?;
         let block = self.message(rows)?;

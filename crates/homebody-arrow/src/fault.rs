@@ -1,4 +1,4 @@
-//! What errors of the libraries mean.
+//! Translates errors of the libraries.
 
 use crate::messages::ColumnsMessage;
 use arrow_schema::ArrowError;
@@ -9,12 +9,11 @@ use std::error::Error;
 use std::io;
 use std::path::Path;
 
-/// What an error in writing a file means: mostly, what the system says.
+/// An error in writing a file: mostly that of the system.
 pub(crate) fn unwritten(path: &Path, error: impl Into<Box<dyn Error + Send + Sync>>) -> LogError {
     LogError::file(path, by_system(error.into()))
 }
 
-/// The error of the system that an error comes of, or one that says the same.
 fn by_system(error: Box<dyn Error + Send + Sync>) -> io::Error {
     let kind = {
         let mut cause: Option<&(dyn Error + 'static)> = Some(&*error);
@@ -34,7 +33,7 @@ fn by_system(error: Box<dyn Error + Send + Sync>) -> io::Error {
     }
 }
 
-/// What is inside of an error; not all of the libraries' errors say it by themselves.
+/// The inner error; some errors of the libraries do not name theirs as the source.
 fn inner<'e>(error: &'e (dyn Error + 'static)) -> Option<&'e (dyn Error + 'static)> {
     if let Some(ArrowError::IoError(_, inner)) = error.downcast_ref::<ArrowError>() {
         return Some(inner);
@@ -51,7 +50,7 @@ pub(crate) fn broken(path: &Path, form: &'static str, why: impl ToString) -> Log
     LogError::no_log(path.display().to_string(), damaged)
 }
 
-/// What becomes of the URL of an object store in a build that knows none.
+/// The error for the URL of an object store in a build without object stores.
 #[cfg_attr(feature = "cloud", expect(dead_code, reason = "stores are known"))]
 pub(crate) fn no_store(url: &Path) -> LogError {
     LogError::cannot_hold(format!("parquet:{}", url.display()), HoldMessage::NoObjectStore)

@@ -1,7 +1,7 @@
-//! Which types the columns of a table have, and what a file tells of itself.
+//! The types of columns, and the description that a file has of itself.
 //!
-//! Instants are microseconds since 1970 in UTC, and the zone of the home stands beside them in the file; where the mapping wants
-//! local time without its offset, they are by the clock on the wall, without a zone. Texts are dictionaries, readings too.
+//! Instants are microseconds since 1970 in UTC, and the file has the zone of the home. If the mapping wants local time without its offset,
+//! they are local time without a zone. Texts are dictionaries, readings too.
 
 use arrow_schema::{DataType, Field, Schema, TimeUnit};
 use homebody_core::scenario::logger::TimeFormat;
@@ -12,10 +12,9 @@ use homebody_log::{Begin, SensorInfo};
 use serde_json::{Map, Value, json};
 use std::collections::HashMap;
 
-/// What a file says of itself stands under this key, as an object of JSON.
+/// The key of a file's description, an object of JSON.
 pub(crate) const ABOUT: &str = "homebody";
 
-/// In it: the sensors of a log.
 const SENSORS: &str = "sensors";
 
 /// In it: how many rows of the table come before those of the file. A data set is read in this order.
@@ -26,7 +25,8 @@ pub(crate) fn schema(table: &Table, begin: &Begin, has_run: bool) -> Schema {
     let run = has_run.then(|| Field::new(begin.run_column, DataType::Int64, false));
     let is_key = |index: usize| table.is_numbered && index == 0;
     let columns = table.columns.iter().enumerate().map(|(index, column)| {
-        Field::new(&column.name, data_type(column.kind, begin.time), !is_key(index)).with_metadata(told(column))
+        Field::new(&column.name, data_type(column.kind, begin.time), !is_key(index))
+            .with_metadata(field_metadata(column))
     });
     Schema::new(run.into_iter().chain(columns).collect::<Vec<_>>())
 }
@@ -45,13 +45,13 @@ pub(crate) fn zone(time: TimeFormat) -> Option<&'static str> {
     (time != TimeFormat::Local).then_some("UTC")
 }
 
-fn told(column: &Column) -> HashMap<String, String> {
+fn field_metadata(column: &Column) -> HashMap<String, String> {
     let unit = (!column.unit.is_empty()).then(|| ("unit".to_owned(), column.unit.to_owned()));
     let about = ("about".to_owned(), column.about.to_owned());
     std::iter::once(about).chain(unit).collect()
 }
 
-/// What a file tells of itself, but for the number of rows before its own.
+/// A file's description, without the number of rows before its own.
 pub(crate) fn about(table: &Table, begin: &Begin) -> Map<String, Value> {
     let run = begin.run;
     let mut about = Map::new();

@@ -15,11 +15,11 @@ mod source;
 #[cfg(feature = "cloud")]
 mod store;
 
-/// Why columns are no table.
-pub use arrow_schema::ArrowError as Unshaped;
+/// The error of columns that do not make a table.
+pub use arrow_schema::ArrowError;
 /// The columns of a table.
 pub use arrow_schema::SchemaRef;
-pub use frame::{Frame, Texts};
+pub use frame::{ColumnTable, TextColumn};
 use homebody_core::scenario::scheme::Scheme;
 use homebody_log::Policy;
 use homebody_log::registry::PlacePlugin;

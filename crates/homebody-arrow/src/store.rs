@@ -1,5 +1,5 @@
-//! An object store, such as a bucket of S3: files by their names, below a prefix. Who we are there comes from the environment, as programs of
-//! AWS know it: `AWS_ACCESS_KEY_ID`, `AWS_SECRET_ACCESS_KEY`, `AWS_REGION`, `AWS_ENDPOINT` and so on.
+//! An object store, such as a bucket of S3: files by their names, below a prefix. Credentials come from the environment, as for programs
+//! of AWS: `AWS_ACCESS_KEY_ID`, `AWS_SECRET_ACCESS_KEY`, `AWS_REGION`, `AWS_ENDPOINT` and so on.
 
 use crate::fault::unwritten;
 use crate::messages::StoreMessage;
@@ -36,11 +36,11 @@ pub struct Store {
 }
 
 impl Store {
-    /// What a URL means, such as `s3://bucket/lives`. Nothing is asked of the store yet.
+    /// Opens the store of a URL, such as `s3://bucket/logs`, without a request.
     ///
     /// # Errors
     ///
-    /// [`LogError::NoPlace`] if it is the URL of no store that is known.
+    /// [`LogError::NoPlace`] if it is not the URL of a known store.
     pub fn open(url: &Path) -> Result<Store, LogError> {
         let text = url.to_string_lossy();
         let place = format!("parquet:{text}");
@@ -83,7 +83,6 @@ impl Store {
         Ok(self.names("", 1, |_| true)?.pop())
     }
 
-    /// Names below a folder of it, at most so many.
     fn names(&self, below: &str, most: usize, is_wanted: impl Fn(&str) -> bool) -> Result<Vec<String>, LogError> {
         let folder = self.key(below);
         let found = self.runtime.block_on(async {
@@ -98,7 +97,7 @@ impl Store {
             }
             Ok(found)
         });
-        let found: Vec<Key> = found.map_err(|error| self.told(error))?;
+        let found: Vec<Key> = found.map_err(|error| self.store_error(error))?;
         let whole = self.prefix.as_ref();
         let name = |key: &Key| key.as_ref().strip_prefix(whole).unwrap_or_default().trim_start_matches('/').to_owned();
         let mut names: Vec<String> = found.iter().map(name).collect();
@@ -122,21 +121,24 @@ impl Store {
     /// As [`Store::put`].
     pub fn put_bytes(&self, name: &str, bytes: Vec<u8>) -> Result<(), LogError> {
         let key = self.key(name);
-        self.runtime.block_on(self.store.put(&key, PutPayload::from(bytes))).map(drop).map_err(|error| self.told(error))
+        self.runtime
+            .block_on(self.store.put(&key, PutPayload::from(bytes)))
+            .map(drop)
+            .map_err(|error| self.store_error(error))
     }
 
-    /// The bytes of a file there; `None` where there is none.
+    /// The bytes of a file there; `None` if it is missing.
     ///
     /// # Errors
     ///
-    /// [`LogError::Destination`] if the store does not answer, or does not let us.
+    /// [`LogError::Destination`] if the store does not answer, or denies it.
     pub fn bytes(&self, name: &str) -> Result<Option<Vec<u8>>, LogError> {
         match self.read(name) {
             // Of a bucket that is not there, the client says the same.
             Err(error) if matches!(error, Error::NotFound { .. }) && !error.to_string().contains("NoSuchBucket") => {
                 Ok(None)
             }
-            read => read.map(Some).map_err(|error| self.told(error)),
+            read => read.map(Some).map_err(|error| self.store_error(error)),
         }
     }
 
@@ -148,7 +150,7 @@ impl Store {
 
     /// Brings a file from there.
     pub(crate) fn get(&self, name: &str, to: &Path) -> Result<(), LogError> {
-        let bytes = self.read(name).map_err(|error| self.told(error))?;
+        let bytes = self.read(name).map_err(|error| self.store_error(error))?;
         let made = to.parent().map_or(Ok(()), fs::create_dir_all).and_then(|()| fs::write(to, bytes));
         made.map_err(|error| unwritten(to, error))
     }
@@ -158,7 +160,7 @@ impl Store {
         let key = self.key(name);
         match self.runtime.block_on(self.store.delete(&key)) {
             Err(Error::NotFound { .. }) | Ok(()) => Ok(()),
-            Err(error) => Err(self.told(error)),
+            Err(error) => Err(self.store_error(error)),
         }
     }
 
@@ -167,8 +169,7 @@ impl Store {
         parts.map(str::to_owned).fold(Key::default(), |key, part| Key::from(format!("{key}/{part}")))
     }
 
-    /// What an error of the store means.
-    fn told(&self, error: Error) -> LogError {
+    fn store_error(&self, error: Error) -> LogError {
         let text = error.to_string();
         // Of a long answer the beginning says enough.
         let answer: String = text.chars().take(LONGEST_TOLD).collect();
@@ -188,7 +189,7 @@ impl Store {
     }
 }
 
-/// Whether a store is reached without leaving this machine: only then it may be without encryption.
+/// Whether the store is on this machine: only then it may be without encryption.
 fn is_on_this_machine(endpoint: &str) -> bool {
     let host = Url::parse(endpoint).ok().and_then(|url| url.host_str().map(str::to_owned));
     host.is_some_and(|host| is_this_machine(host.trim_matches(['[', ']'])))
@@ -197,7 +198,7 @@ fn is_on_this_machine(endpoint: &str) -> bool {
 /// Largest number of characters of a store's answer in a message (our choice).
 const LONGEST_TOLD: usize = 300;
 
-/// What a store has below a URL, brought into a folder of ours that goes when it is dropped.
+/// Copies the files below a URL into a temporary folder, which is removed when it is dropped.
 pub(crate) fn fetched(url: &Path) -> Result<(TempDir, PathBuf), LogError> {
     let store = Store::open(url)?;
     let folder = tempfile::tempdir().map_err(|error| unwritten(Path::new("a folder for temporary files"), error))?;

@@ -42,11 +42,11 @@ fn tried(base: &str, folder: &Folder) {
     let same =
         |url: &Url| assert!(told(&read(url, &LoggerFile::default()).unwrap()) == wanted, "{url} tells another log");
     same(&lives);
-    // A run that is there is refused, and replaced where that is said; fewer days then.
+    // An existing run is refused, and replaced on request; fewer days then.
     assert!(matches!(open(&lives, WriteMode::Create), Err(LogError::Exists { .. })));
     stage::store(open(&lives, WriteMode::Overwrite).unwrap(), &firings[..3000], 900).unwrap();
     assert_eq!(told(&read(&lives, &LoggerFile::default()).unwrap()), wanted[..3000]);
-    // One that died has its whole days there, and is gone on with to the same rows.
+    // A run that died has its whole days there, and resumes to the same rows.
     let died = at("died");
     let mut logger = open(&died, WriteMode::Create).unwrap();
     for step in firings[..150_000].chunks(900) {
@@ -59,7 +59,7 @@ fn tried(base: &str, folder: &Folder) {
     assert!(there.len() > 1000 && there[..] == wanted[..there.len()], "{} rows are there", there.len());
     stage::store(open(&died, WriteMode::Resume).unwrap(), &firings, 900).unwrap();
     same(&died);
-    // It is found whole, and what is not there is told.
+    // The checks find it whole, and report a missing one.
     let asked = CheckOptions { mapping: &LoggerFile::default(), may_write: false };
     let checks = examine(&died, &asked).unwrap();
     assert!(!checks.is_empty() && checks.iter().all(|check| check.verdict == CheckVerdict::Ok), "{checks:?}");
@@ -81,7 +81,7 @@ fn a_store_in_a_folder_keeps_what_it_gets() {
     assert!(refused("parquet:gs://bucket/lives").contains("not a kind of store"));
 }
 
-/// Where the child finds its store; the parent sets it, and who the child is there.
+/// The child's store; the parent sets it, with the child's credentials.
 const CHILD: &str = "HOMEBODY_TEST_STORE";
 
 /// The child. Run as a test of its own it has nothing to do.
@@ -117,7 +117,7 @@ fn as_child(what: &str, port: u16) {
 }
 
 #[test]
-fn a_store_that_is_away_is_told_soon() {
+fn reports_an_absent_store_soon() {
     let port = TcpListener::bind("127.0.0.1:0").unwrap().local_addr().unwrap().port();
     as_child("away", port);
 }

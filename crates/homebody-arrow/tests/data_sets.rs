@@ -69,9 +69,9 @@ fn each_day_has_its_file_once_it_is_over() {
         let named: Vec<String> = names(url.path()).into_iter().filter(|name| !name.contains("/.")).collect();
         (named, logger.durable().of(0))
     };
-    // The evening of the 7th; a live run is asked to make sure of it, and the day is not over.
+    // The evening of the 7th; a run in real time asks to make it durable, and the day is not over.
     assert_eq!(settled(&firings[..first]), (vec![], 0));
-    // The first row of the 8th. What is on its way has a name that programs pass over.
+    // The first row of the 8th. Unfinished files have names that programs skip.
     let evening = "run=5/day=2009-03-07/part-0.parquet".to_owned();
     assert_eq!(settled(&firings[first..first + 10]), (vec![evening], first as u64));
     assert!(names(url.path()).iter().any(|name| name.contains("day=2009-03-08/.part-0.parquet.")));
@@ -126,7 +126,7 @@ fn the_same_rows_are_the_same_files_whatever_the_batches() {
     assert!(all[0] == all[1] && all[1] == all[2]);
 }
 
-/// Where the child of the test below writes; its parent sets it.
+/// The place for the child of the test below; its parent sets it.
 const CHILD: &str = "HOMEBODY_TEST_DATA_SET";
 
 /// Stores days until it is killed. Run as a test of its own it has nothing to do.
@@ -175,7 +175,7 @@ fn whatever_kills_a_run_it_is_gone_on_with_to_the_same_bytes() {
             std::thread::sleep(Duration::from_millis(kill * 7919 % 1_000));
             child.kill().unwrap();
             child.wait().unwrap();
-            // What a killed run leaves under its name is whole, and as it is going to be.
+            // Files that a killed run leaves under their names are whole and final.
             if url.path().is_dir() {
                 let there = files(url.path());
                 for (name, bytes) in there.iter().filter(|(name, _)| name.ends_with(".parquet")) {
@@ -231,7 +231,7 @@ fn two_programs_never_write_one_run() {
     let url = folder.url("parquet:lives");
     let first = of_run(5, &url, WriteMode::Resume).unwrap();
     assert!(matches!(of_run(5, &url, WriteMode::Resume), Err(LogError::Busy { .. })));
-    // The control: another run is nobody's, and once the first is done another may.
+    // The control: another run is free, and once the first is done its place is too.
     assert!(of_run(6, &url, WriteMode::Resume).is_ok());
     drop(first);
     assert!(of_run(5, &url, WriteMode::Resume).is_ok());
@@ -271,7 +271,7 @@ fn each_table_of_the_truth_has_a_folder_even_one_without_rows() {
     }
 }
 
-/// Rows in no order of time are in further files of their days, and read in the order in which they came.
+/// Rows out of order are in further files of their days, and read in the order in which they came.
 #[test]
 fn rows_in_no_order_of_time_keep_their_own_order() {
     let folder = ready("order");

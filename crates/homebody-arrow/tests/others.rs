@@ -8,7 +8,7 @@ use homebody_log::{LogError, LogSource, Logger, RunInfo, TruthLog, WriteMode, re
 use std::process::Command;
 use std::sync::Arc;
 
-/// What Python is asked; it prints what the test wants to see.
+/// The Python program; it prints the results for the test.
 const ASKS: &str = r#"
 import duckdb, glob, json, polars, sys
 set_, log, arrow, truth, out = sys.argv[1:]
@@ -52,7 +52,7 @@ fn has_python() -> bool {
 }
 
 #[test]
-fn duckdb_and_polars_read_what_we_write_and_we_read_what_they_write() {
+fn exchanges_files_with_duckdb_and_polars() {
     if !has_python() {
         let required = std::env::var("HOMEBODY_READERS").is_ok_and(|wanted| wanted == "required");
         assert!(!required, "python3 has no duckdb and polars");

@@ -23,7 +23,7 @@ fn read_at(path: &Path) -> Result<Log, LogError> {
     read(LogSource::recognise(path)?, &LoggerFile::default())
 }
 
-/// Writes three columns as a program of somebody else's would.
+/// Writes three columns as another program would.
 fn write(path: &Path, columns: Vec<(&str, ArrayRef)>) {
     let fields: Vec<Field> =
         columns.iter().map(|(name, array)| Field::new(*name, array.data_type().clone(), true)).collect();
@@ -121,7 +121,7 @@ fn rows_without_an_instant_a_sensor_or_a_value_are_named() {
 }
 
 #[test]
-fn labels_and_a_table_of_activities_beside_it_are_read() {
+fn reads_labels_and_a_table_of_activities() {
     let folder = ready("labels");
     let stamps = |all: Vec<i64>| Arc::new(TimestampMicrosecondArray::from(all)) as ArrayRef;
     let texts = |all: Vec<&str>| Arc::new(StringArray::from(all)) as ArrayRef;
@@ -217,7 +217,7 @@ fn data_sets_of_others_are_read_in_the_order_of_their_names() {
         let time: ArrayRef = Arc::new(TimestampMicrosecondArray::from(vec![at]));
         write(&path, vec![("time", time), ("sensor", text(name)), ("value", text("ON"))]);
     }
-    // What Spark and others leave beside, and what is on its way.
+    // The extra files of Spark and others, and unfinished ones.
     fs::write(folder.path().join("set/_SUCCESS"), "").unwrap();
     fs::write(folder.path().join("set/home=1/.part.parquet"), "no parquet").unwrap();
     let log = read_at(&folder.path().join("set")).unwrap();
@@ -230,7 +230,7 @@ fn data_sets_of_others_are_read_in_the_order_of_their_names() {
 }
 
 #[test]
-fn time_of_another_unit_is_not_taken_for_one() {
+fn does_not_take_durations_for_instants() {
     let folder = ready("units");
     let path = folder.path().join("log.parquet");
     let text = Arc::new(StringArray::from(vec!["a"])) as ArrayRef;

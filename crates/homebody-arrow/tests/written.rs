@@ -26,7 +26,7 @@ fn told(log: &Log) -> Vec<(WallTime, String, String)> {
 }
 
 #[test]
-fn all_kinds_of_files_tell_the_same_log() {
+fn all_kinds_of_files_hold_the_same_log() {
     let folder = ready("same-log");
     let places = ["csv:log.csv", "parquet:log.parquet", "arrow:log.arrow", "parquet:log"].map(|url| folder.url(url));
     let logger = stage::open(&places, &LoggerFile { time: TimeFormat::Utc, ..LoggerFile::default() }, false).unwrap();
@@ -45,7 +45,7 @@ fn all_kinds_of_files_tell_the_same_log() {
 }
 
 #[test]
-fn columns_have_the_types_that_are_promised_and_the_file_says_what_it_is() {
+fn columns_have_their_types_and_the_file_its_description() {
     let folder = ready("types");
     for (time, zone) in
         [(TimeFormat::LocalOffset, Some("UTC")), (TimeFormat::EpochMs, Some("UTC")), (TimeFormat::Local, None)]
@@ -69,7 +69,7 @@ fn columns_have_the_types_that_are_promised_and_the_file_says_what_it_is() {
         let about = told.iter().find(|told| told.key == "homebody").unwrap().value.clone().unwrap();
         let about: serde_json::Value = serde_json::from_str(&about).unwrap();
         assert_eq!(about["name"], "a quiet night");
-        // A log that was only read is nobody's run: nothing is said of it that nobody knows.
+        // A log that was only read has no run, so its file names none.
         assert_eq!(about.get("synthetic"), None);
         let rows = reader.build().unwrap().next().unwrap().unwrap();
         let first = rows.column(2).as_primitive::<arrow_array::types::TimestampMicrosecondType>().value(0);

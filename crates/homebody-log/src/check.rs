@@ -7,7 +7,7 @@ use homebody_core::problem::{counted, readable};
 use homebody_core::scenario::logger::LoggerFile;
 use serde::Serialize;
 
-/// How it stands with what was looked at.
+/// The result of a check.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize)]
 #[serde(rename_all = "lowercase")]
 pub enum CheckVerdict {
@@ -22,16 +22,16 @@ pub enum CheckVerdict {
 /// One thing that was looked at.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct Check {
-    /// How it stands.
+    /// The result.
     pub verdict: CheckVerdict,
-    /// What was looked at, in a word or two.
+    /// The subject, in a word or two.
     pub about: String,
-    /// What was found, as a sentence without its full stop. No password is ever in it.
+    /// The finding, as a sentence without its full stop. It never has a password in it.
     pub says: String,
-    /// What to do about it.
+    /// Advice.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub hint: Option<String>,
-    /// How many rows of one run were counted, where they were.
+    /// The number of rows of one run, if they were counted.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub rows: Option<u64>,
 }
@@ -57,7 +57,7 @@ impl Check {
         Check { says: format!("{part}: {}", self.says), ..self }
     }
 
-    /// What an error says, which has a hint of its own or none.
+    /// A check that failed with an error, which may have a hint of its own.
     pub fn of_error(about: &str, error: &LogError) -> Check {
         let text = error.to_string();
         let (says, hint) = text.split_once("\n  hint: ").map_or((&*text, None), |(says, hint)| (says, Some(hint)));
@@ -66,19 +66,19 @@ impl Check {
     }
 }
 
-/// How a place is looked at.
+/// Options of checks.
 #[derive(Clone, Copy)]
 pub struct CheckOptions<'a> {
-    /// What the log's table and columns are called.
+    /// The names of the log's table and columns.
     pub mapping: &'a LoggerFile,
-    /// Whether something may be tried that leaves nothing behind, such as a message that no broker keeps.
+    /// Whether a check may write if it leaves nothing behind, such as a message that is not retained.
     pub may_write: bool,
 }
 
-/// What looks at a place.
+/// Checks a place.
 pub type Examine = fn(&Url, &CheckOptions) -> Result<Vec<Check>, LogError>;
 
-/// Numbers that come in the order in which rows are there.
+/// Row numbers, in the order of the rows.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct RowNumbers {
     rows: u64,
@@ -108,19 +108,19 @@ impl RowNumbers {
         self.next = self.next.max(number.saturating_add(1));
     }
 
-    /// How many rows have come.
+    /// The number of rows so far.
     pub fn rows(&self) -> u64 {
         self.rows
     }
 
-    /// What there is to say of the rows of a run; `run` is how it is called, such as `run 5`.
+    /// The check of the rows of a run; `run` is its name, such as `run 5`.
     pub fn check(&self, run: &str) -> Check {
         let of = |some: Option<(i64, u64)>| (some.map_or(0, |(_, count)| count as i64), some.map(|(first, _)| first));
         found_of(run, self.rows as i64, of(self.gap), of(self.again))
     }
 }
 
-/// What there is to say of the rows of a run: how many there are, how many are missing and are there again, and the first of these.
+/// The check of the rows of a run: the number of rows, of missing ones and of duplicates, with the first of these.
 pub fn found_of(run: &str, rows: i64, gap: (i64, Option<i64>), again: (i64, Option<i64>)) -> Check {
     const HINT: &str =
         "homebody run --resume FOLDER compares what is there with the run lived again; or write the log anew";

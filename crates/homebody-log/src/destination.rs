@@ -1,50 +1,49 @@
-//! Where rows go: a sink, and how it is treated.
+//! Destinations of rows: a sink, and the policy for it.
 
 pub(crate) mod checkpoint;
 pub(crate) mod spool;
 mod timed_sink;
 pub(crate) mod writer;
 
-use crate::error::LogError;
 use crate::files::WriteMode;
 use crate::policy::{Cancel, Policy, SinkMetrics};
 use crate::registry;
-use crate::sink::{Begin, Sink, Watermark};
-use crate::table::Batch;
+use crate::sink::Sink;
 use crate::url::Url;
 use checkpoint::CheckpointedSink;
 pub use checkpoint::{NOTES, Note};
-use homebody_core::time::RunTime;
 use spool::{BATCHES_WAITING, Spooled, WhenDown};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::time::Duration;
 use timed_sink::TimedSink;
 
-/// Where rows go, and what becomes of the run if that fails.
+/// A destination of rows, and the policy for its failures.
 pub struct Destination {
-    /// What errors and summaries call it, such as `csv:log.csv`.
+    /// The name in errors and summaries, such as `csv:log.csv`.
     pub place: String,
-    /// What takes the rows.
+    /// Takes the rows.
     pub sink: Box<dyn Sink>,
-    /// How long a failure is waited for, and whether the run ends with it.
+    /// The time of retries after a failure, and whether the run ends with it.
     pub policy: Policy,
-    /// What counts what it takes.
+    /// Counts rows, bytes and retries.
     pub meter: Arc<SinkMetrics>,
     /// Ends the wait for it while it is away.
     pub cancel: Cancel,
-    /// How the run treats its absence, beyond the policy.
+    /// The reaction to its absence, beyond the policy.
     pub when_down: WhenDown,
     /// The folder with a note of its confirmed rows, if it cannot count them itself.
     pub notes: Option<PathBuf>,
+    /// The treatment of existing rows unless the run is resumed; None for that of the run's files.
+    pub how: Option<WriteMode>,
 }
 
-/// How a run treats its servers, as its user asks for.
+/// The user's options for all servers of a run.
 #[derive(Clone, Debug, Default)]
 pub struct Treatment {
-    /// How it treats the absence of a server, or of the reader of standard output.
+    /// The reaction to the absence of a server, or of the reader of standard output.
     pub when_down: WhenDown,
-    /// How long one of these may take to answer a request; None for as long as its kind may.
+    /// The time that one of these has to answer a request; None for the usual time of its kind.
     pub answers_within: Option<Duration>,
     /// Ends the wait for any destination.
     pub cancel: Cancel,
@@ -56,14 +55,14 @@ impl Destination {
         Destination::with(url.to_string(), registry::sink(url), registry::policy(url))
     }
 
-    /// The same for a home that nobody knows when it ends: a text file has its name from its first line on.
+    /// The same for a home without an end: a text file has its name from its first line on.
     pub fn followed(url: &Url) -> Destination {
         Destination { sink: registry::sink_as(url, true), ..Destination::new(url) }
     }
 
     /// The same, begun like this unless the run is resumed, whether or not the run's files are replaced.
     pub fn begun_as(self, how: WriteMode) -> Destination {
-        Destination { sink: Box::new(BegunAs { how, inner: self.sink }), ..self }
+        Destination { how: Some(how), ..self }
     }
 
     /// A caller's own.
@@ -72,8 +71,8 @@ impl Destination {
     }
 
     fn with(place: String, sink: Box<dyn Sink>, policy: Policy) -> Destination {
-        let (meter, cancel, when_down, notes) = (Arc::default(), Cancel::new(), WhenDown::Error, None);
-        Destination { place, sink, policy, meter, cancel, when_down, notes }
+        let (meter, cancel, when_down) = (Arc::default(), Cancel::new(), WhenDown::Error);
+        Destination { place, sink, policy, meter, cancel, when_down, notes: None, how: None }
     }
 
     /// The same, with what becomes of the run while it is away.
@@ -112,34 +111,5 @@ impl Destination {
             Some(folder) => Box::new(CheckpointedSink::new(&place, sink, &folder)),
             None => sink,
         }
-    }
-}
-
-/// A sink that is begun otherwise than the run's files.
-struct BegunAs {
-    how: WriteMode,
-    inner: Box<dyn Sink>,
-}
-
-impl Sink for BegunAs {
-    fn begin(&mut self, begin: &Begin) -> Result<Watermark, LogError> {
-        let how = if begin.how == WriteMode::Resume { WriteMode::Resume } else { self.how };
-        self.inner.begin(&Begin { how, ..*begin })
-    }
-
-    fn write(&mut self, batch: &Batch) -> Result<(), LogError> {
-        self.inner.write(batch)
-    }
-
-    fn make_durable(&mut self) -> Result<Watermark, LogError> {
-        self.inner.make_durable()
-    }
-
-    fn finish(&mut self, end: RunTime) -> Result<(), LogError> {
-        self.inner.finish(end)
-    }
-
-    fn is_behind(&self) -> bool {
-        self.inner.is_behind()
     }
 }

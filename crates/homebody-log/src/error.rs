@@ -1,4 +1,4 @@
-//! What can go wrong with a log.
+//! Errors of logs.
 
 pub(crate) mod messages;
 pub(crate) mod reason;
@@ -31,118 +31,62 @@ homebody_core::messages! {
     /// Errors of reading and writing logs, each with the place and a way to solve it.
     pub enum LogError in "log" {
         /// A file with this name exists, and the command may not replace it.
-        Exists {
-            /// The file.
-            place: String,
-        } error "exists" ("{place} already exists")
+        Exists { place: String } error "exists" ("{place} already exists")
             hint ("choose another name, or pass --force to replace the file");
         /// The destination is a database with tables that no run has written. Homebody never replaces such a database.
         OthersDatabase {
-            /// The file.
             place: String,
             /// The part that no run has written.
             what: String,
         } error "foreign-database" ("{place} is a database with {what}: Homebody does not replace it")
             hint ("choose another name, or delete the file yourself");
         /// Two destinations of one run are the same file, perhaps by different paths.
-        SameFile {
-            /// The file.
-            place: String,
-        } error "same-file" ("two destinations are the same file: {place}")
+        SameFile { place: String } error "same-file" ("two destinations are the same file: {place}")
             hint ("give each destination its own file");
         /// The destination is a folder, and a file was expected.
-        IsFolder {
-            /// The folder.
-            place: String,
-        } error "is-folder" ("{place} is a folder")
+        IsFolder { place: String } error "is-folder" ("{place} is a folder")
             hint ("name a file in it");
         /// SQLite needs a regular file. A device or a pipe cannot hold a database.
-        NoFile {
-            /// The device or pipe.
-            place: String,
-        } error "not-a-file" ("{place} cannot hold a database: it is not a regular file")
+        NoFile { place: String } error "not-a-file" ("{place} cannot hold a database: it is not a regular file")
             hint ("name a regular file, or put \"csv:\" or \"jsonl:\" before this name");
         /// The folder of the destination does not exist.
-        NoFolder {
-            /// The file.
-            place: String,
-        } error "no-folder" ("the folder of {place} does not exist")
+        NoFolder { place: String } error "no-folder" ("the folder of {place} does not exist")
             hint ("create the folder, or correct the path");
         /// The system refuses to write the file.
-        Denied {
-            /// The file.
-            place: String,
-        } error "write-denied" ("cannot write {place}: permission denied")
+        Denied { place: String } error "write-denied" ("cannot write {place}: permission denied")
             hint ("check the permissions of the file and its folder");
         /// The system refuses to read the file.
-        Unreadable {
-            /// The file or folder.
-            place: String,
-        } error "read-denied" ("cannot read {place}: permission denied")
+        Unreadable { place: String } error "read-denied" ("cannot read {place}: permission denied")
             hint ("check the permissions of the file and its folder");
         /// The disk is full, or the quota of this user is used up. Everything that was confirmed before is safe.
-        Full {
-            /// The file.
-            place: String,
-        } error "disk-full" ("no space left to write {place}")
+        Full { place: String } error "disk-full" ("no space left to write {place}")
             hint ("rows written before are safe; free some space and run the command again");
         /// The system failed to write to a database. The disk may be failing, or the size of files may be limited.
-        Unwritten {
-            /// The database's file.
-            place: String,
-        } error "write-failed" ("cannot write to the database {place}")
+        Unwritten { place: String } error "write-failed" ("cannot write to the database {place}")
             hint ("check that the disk is sound and has space, and that ulimit -f allows files of this size");
         /// Another program holds the lock of the database for longer than Homebody waits.
-        Locked {
-            /// The database's file.
-            place: String,
-        } error "locked" ("another program has locked {place}")
+        Locked { place: String } error "locked" ("another program has locked {place}")
             hint ("close that program, or write to another file");
         /// A run writes regular files only. A pipe, a device or a folder has the name of one of its files.
-        NoPlain {
-            /// The file's name.
-            place: String,
-        } error "not-regular" ("{place} is a pipe, a device or a folder, and not a file of a run")
+        NoPlain { place: String } error "not-regular" ("{place} is a pipe, a device or a folder, and not a file of a run")
             hint ("remove it, or start a new run");
         /// A file of the run's folder is a link, or lies in a folder that is a link. Writing there would write elsewhere.
-        LeadsOut {
-            /// The file.
-            place: String,
-        } error "leads-out" ("{place} is a link that leads out of the run's folder")
+        LeadsOut { place: String } error "leads-out" ("{place} is a link that leads out of the run's folder")
             hint ("remove the link, or start a new run");
         /// Another process is running into the folder, or is writing the file.
-        Busy {
-            /// The folder or file.
-            place: String,
-        } error "busy" ("another program is writing into {place}")
+        Busy { place: String } error "busy" ("another program is writing into {place}")
             hint ("wait until it ends, or stop it first");
         /// The system gives no thread to a destination.
-        NoThread {
-            /// The destination.
-            place: String,
-            /// The system's message.
-            source: io::Error,
-        } error "no-thread" ("cannot start a thread that writes {place}: {source}")
+        NoThread { place: String, source: io::Error } error "no-thread" ("cannot start a thread that writes {place}: {source}")
             hint ("raise this user's limits on threads or memory, or run fewer simulations at once") cause (Some(source));
         /// A resumed run was stopped before it reached the end of the part that the destination has.
-        NotYet {
-            /// The destination.
-            place: String,
-        } error "not-yet" ("{place} has more rows than this run has produced so far; Homebody did not change it")
+        NotYet { place: String } error "not-yet" ("{place} has more rows than this run has produced so far; Homebody did not change it")
             hint ("resume the run again, and let it run longer");
         /// SQL names match `^[a-z_][a-z0-9_]{0,62}$` and are not words of SQLite.
-        Name {
-            /// The kind of name: a table or a column.
-            what: &'static str,
-            name: String,
-        } error "invalid-name" ("{name:?} is not a valid name of a {what}")
+        Name { what: &'static str, name: String } error "invalid-name" ("{name:?} is not a valid name of a {what}")
             hint ("use at most 63 characters from a-z, 0-9 and _, and do not begin with a digit");
         /// Two columns or tables of the mapping have the same name.
-        SameName {
-            /// The kind of name: a table or a column.
-            what: &'static str,
-            name: String,
-        } error "duplicate-name" ("two {what}s have the name {name:?}")
+        SameName { what: &'static str, name: String } error "duplicate-name" ("two {what}s have the name {name:?}")
             hint ("give each its own name");
         /// Two sensors would have the same identifier, so their rows could not be distinguished.
         SameSensor {
@@ -155,85 +99,45 @@ homebody_core::messages! {
         } error "duplicate-sensor" ("the sensors {first:?} and {second:?} would both have the id {shown:?} in the log")
             hint ("give each its own id in logger.json");
         /// The log does not exist.
-        Missing {
-            /// The file.
-            place: String,
-        } error "not-found" ("{place} does not exist")
+        Missing { place: String } error "not-found" ("{place} does not exist")
             hint ("correct the path");
         /// The database has no tables. A run may have just begun, or the file may be of another program.
-        NoTables {
-            /// The file.
-            place: String,
-        } error "no-tables" ("{place} has no tables")
+        NoTables { place: String } error "no-tables" ("{place} has no tables")
             hint ("name a database that has a log; Homebody reads tables, not views");
         /// Labels are written by the number of a row, as the run has counted its rows. Some lines of this log were changed, so its rows
         /// have other numbers. `homebody inspect` lists these lines.
         Gaps {
-            /// The log.
             place: String,
             /// The first of the lines.
             problems: Vec<Skipped>,
-            /// The number of such lines.
             skipped: u64,
         } error "unreadable-rows" ("{lines}", lines = unreadable(place, problems, *skipped))
             hint ("the ground truth refers to rows by number: use the log exactly as the run wrote it");
         /// The output would replace a file of a run.
-        OfRun {
-            /// The file.
-            place: String,
-            /// The run's folder.
-            folder: String,
-        } error "file-of-run" ("{place} is a file of the run in {folder}")
+        OfRun { place: String, folder: String } error "file-of-run" ("{place} is a file of the run in {folder}")
             hint ("choose another name or another folder");
         /// The system failed to read or write a file.
-        File {
-            /// The file.
-            place: String,
-            /// The system's message.
-            source: io::Error,
-        } error "io" ("{place}: {source}") cause (Some(source));
+        File { place: String, source: io::Error } error "io" ("{place}: {source}") cause (Some(source));
         /// The file is not a database, or a damaged one.
-        Broken {
-            /// The file.
-            place: String,
-            /// The database's message.
-            source: Box<dyn Error + Send + Sync>,
-        } error "not-a-database" ("{place} is not a database, or is damaged: {source}")
+        Broken { place: String, source: Box<dyn Error + Send + Sync> }
+            error "not-a-database" ("{place} is not a database, or is damaged: {source}")
             hint ("restore the file, or name another one") cause (Some(source.as_ref()));
         /// The database reports an error that Homebody does not know.
-        Database {
-            /// The database's file.
-            place: String,
-            /// The database's message.
-            source: Box<dyn Error + Send + Sync>,
-        } error "database" ("{place}: {source}")
+        Database { place: String, source: Box<dyn Error + Send + Sync> } error "database" ("{place}: {source}")
             hint ("name another file, or restore an earlier copy of this one") cause (Some(source.as_ref()));
         /// The database opens, but its journal does not.
-        NoRoomBeside {
-            /// The database's file.
-            place: String,
-            /// The database's message.
-            source: Box<dyn Error + Send + Sync>,
-        } error "no-journal" ("cannot open the journal of {place}: {source}")
+        NoRoomBeside { place: String, source: Box<dyn Error + Send + Sync> }
+            error "no-journal" ("cannot open the journal of {place}: {source}")
             hint ("check the permissions of its folder and the number of open files that the system allows (ulimit -n)")
             cause (Some(source.as_ref()));
         /// The command reads the file that it is asked to write.
-        IsSource {
-            /// The file.
-            place: String,
-        } error "is-source" ("this command reads {place}, so it cannot replace it")
+        IsSource { place: String } error "is-source" ("this command reads {place}, so it cannot replace it")
             hint ("name another file");
         /// The folder of a run cannot be created.
-        Unmade {
-            /// The folder.
-            place: String,
-            /// The system's message.
-            source: io::Error,
-        } error "no-run-folder" ("cannot create the folder {place}: {source}")
+        Unmade { place: String, source: io::Error } error "no-run-folder" ("cannot create the folder {place}: {source}")
             hint ("run in a folder that you can write to, or pass --out to write elsewhere") cause (Some(source));
         /// The spool holds the rows of an unavailable destination. It has reached its largest size.
         SpoolFull {
-            /// The destination.
             place: String,
             /// The file of rows.
             spool: String,
@@ -242,16 +146,11 @@ homebody_core::messages! {
         } error "spool-full" ("{place} is still unavailable, and its spool {spool} has reached {most_mb} MB")
             hint ("resume the run once {place} is back, or allow a larger spool with --spool-mb; confirmed rows are safe");
         /// The run has ended, and the destination did not come back in time.
-        StillAway {
-            /// The destination.
-            place: String,
-            /// The time waited, in seconds.
-            seconds: u64,
-        } error "still-away" ("{place} is unavailable; Homebody waited {seconds} s for it at the end of the run")
+        StillAway { place: String, seconds: u64 }
+            error "still-away" ("{place} is unavailable; Homebody waited {seconds} s for it at the end of the run")
             hint ("resume the run once the destination is back; confirmed rows are safe");
         /// The run was stopped while it waited for a destination.
         StoppedAway {
-            /// The destination.
             place: String,
             /// The reason, as a part of a sentence.
             why: String,
@@ -259,41 +158,26 @@ homebody_core::messages! {
         /// This build of the program lacks a feature.
         NotBuiltIn {
             place: String,
-            /// The text before the colon.
             name: &'static str,
             /// The feature that brings it.
             feature: &'static str,
         } error "not-built-in" ("{place}: this program was built without {name}")
             hint ("install one with it: cargo install --path crates/homebody --features {feature}");
         /// The recording cannot be written as JSON.
-        Recording {
-            /// The reason.
-            source: serde_json::Error,
-        } error "recording" ("cannot write the recording: {source}") cause (Some(source));
+        Recording { source: serde_json::Error } error "recording" ("cannot write the recording: {source}") cause (Some(source));
         /// No time zone has this name.
         Zone {
             /// The reason, with a hint.
             why: String,
         } error "time-zone" ("{why}");
         /// The destination has failed or ended, and takes no more rows.
-        Stopped {
-            /// The destination.
-            place: String,
-        } error "stopped" ("{place} takes no more rows after its error");
+        Stopped { place: String } error "stopped" ("{place} takes no more rows after its error");
         /// The truths of large cohorts leave out some tables, and this command needs one of them.
-        LeftOut {
-            /// The truth.
-            place: String,
-            table: String,
-        } error "table-left-out" ("{place} has no table {table:?}: the ground truth of a large cohort has only some of the tables")
+        LeftOut { place: String, table: String }
+            error "table-left-out" ("{place} has no table {table:?}: the ground truth of a large cohort has only some of the tables")
             hint ("replay the recording of this member: homebody replay writes all tables");
         /// The destination did not answer within the time that its policy gives it.
-        Hangs {
-            /// The destination.
-            place: String,
-            /// The time, in seconds.
-            seconds: u64,
-        } error "no-answer" ("{place} has not answered for {seconds} s")
+        Hangs { place: String, seconds: u64 } error "no-answer" ("{place} has not answered for {seconds} s")
             hint ("check that the destination is running; the rows that it has confirmed are safe");
         => inner {
             /// The text does not name a place for a log.
@@ -384,7 +268,6 @@ impl LogError {
         LogError::NoTruth(Reason::new(ReasonTopic::Truth, place, why))
     }
 
-    /// The ground truth of another run.
     pub(crate) fn other_run(truth: &str, why: impl Into<Diagnostic>) -> LogError {
         LogError::OtherRun(Reason::new(ReasonTopic::OtherTruth, truth, why))
     }
@@ -420,7 +303,7 @@ impl LogError {
         LogError::Hangs { place: place.into(), seconds: within.as_secs().max(1) }
     }
 
-    /// What is wrong with a destination, as a part of a sentence.
+    /// The problem of a destination, as a part of a sentence.
     pub(crate) fn reason(&self) -> String {
         match self {
             LogError::Destination(failed) => failed.why.what.clone(),
@@ -429,10 +312,10 @@ impl LogError {
         }
     }
 
-    /// What an error of a file means.
+    /// Translates an error of a file.
     pub fn file(path: &Path, source: io::Error) -> LogError {
         let place = place_of(path);
-        if let Some(why) = FileRefusal::of(&source) {
+        if let Some(why) = FileRefusal::from_error(&source) {
             return LogError::NotOwn(Reason::new(ReasonTopic::Writing, place, why));
         }
         if let Some(why) = source.get_ref().and_then(|why| why.downcast_ref::<PackedMessage>()) {
@@ -446,12 +329,11 @@ impl LogError {
         }
     }
 
-    /// A line of a log with something too long.
     pub(crate) fn too_long(path: &Path, line: u64, what: LengthMessage) -> LogError {
         LogError::TooLong(Reason::new(ReasonTopic::Place, format!("{}:{line}", place_of(path)), what))
     }
 
-    /// What an error of reading a file means.
+    /// Translates an error of reading a file.
     pub fn reading(path: &Path, source: io::Error) -> LogError {
         match source.kind() {
             io::ErrorKind::PermissionDenied => LogError::Unreadable { place: place_of(path) },
@@ -459,17 +341,16 @@ impl LogError {
         }
     }
 
-    /// Whether a database is in use by somebody else, as an error of it says.
+    /// Whether another program uses the database.
     pub(crate) fn is_in_use(error: &rusqlite::Error) -> bool {
         use rusqlite::ErrorCode::{DatabaseBusy, DatabaseLocked};
         matches!(error.sqlite_error_code(), Some(DatabaseBusy | DatabaseLocked))
     }
 
-    /// What an error of a database means.
     pub(crate) fn database(path: &Path, source: rusqlite::Error) -> LogError {
         use rusqlite::ErrorCode::*;
         use rusqlite::ffi::{SQLITE_IOERR_FSYNC, SQLITE_IOERR_SHMSIZE, SQLITE_IOERR_TRUNCATE, SQLITE_IOERR_WRITE};
-        /// What SQLite says where the system could not write.
+        /// The codes of SQLite for failures of the system to write.
         const WRITING: [i32; 4] = [SQLITE_IOERR_WRITE, SQLITE_IOERR_SHMSIZE, SQLITE_IOERR_TRUNCATE, SQLITE_IOERR_FSYNC];
         let place = place_of(path);
         match source.sqlite_error_code() {
@@ -492,7 +373,7 @@ impl LogError {
     }
 }
 
-/// What a database says, as people can read it: it quotes whatever is in its file.
+/// The message of a database, made readable: it quotes arbitrary text of its file.
 fn said(source: rusqlite::Error) -> Box<dyn Error + Send + Sync> {
     let text = source.to_string();
     let told = readable(text.clone());
@@ -518,7 +399,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn what_may_not_be_read_and_what_may_not_be_written_are_told_apart() {
+    fn distinguishes_denied_reads_from_denied_writes() {
         let denied = || io::Error::from(io::ErrorKind::PermissionDenied);
         let path = Path::new("log.csv");
         assert!(matches!(LogError::reading(path, denied()), LogError::Unreadable { .. }));

@@ -1,5 +1,4 @@
-//! What is wrong with a place that has a log or a truth: checks, each with what was found and what to do. They only read, unless
-//! it is said otherwise.
+//! Checks of a place that has a log or a truth: each has a finding and advice. They only read, unless they say otherwise.
 
 mod sqlite;
 mod text;
@@ -21,7 +20,7 @@ pub use sqlite::sqlite_version;
 pub fn examine(url: &Url, asked: &CheckOptions) -> Result<Vec<Check>, LogError> {
     match url.scheme() {
         Scheme::Sqlite => sqlite::examine(url, asked),
-        Scheme::Csv | Scheme::Jsonl | Scheme::Casas => text::examine(&url.into(), asked),
+        scheme if scheme.row().stands == Stands::Text => text::examine(&url.into(), asked),
         _ => (registry::plugin(url)?.examine)(url, asked),
     }
 }
@@ -43,7 +42,7 @@ pub fn examine_log(log: &LogSource, asked: &CheckOptions) -> Result<Vec<Check>, 
     }
 }
 
-/// Whether a host is this machine by its name: what goes there crosses no network.
+/// Whether a host is this machine by its name, so that connections cross no network.
 pub fn is_this_machine(host: &str) -> bool {
     ["localhost", "127.0.0.1", "::1"].contains(&host)
 }

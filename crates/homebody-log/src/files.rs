@@ -13,7 +13,7 @@ pub(crate) use lock::{FileLock, FolderLock, is_held};
 pub(crate) use open::{OpenMode, are_own, companions, open};
 pub(crate) use packed::{Packer, Packing, is_packed, unpacked};
 
-/// What becomes of what is there already.
+/// The treatment of existing files.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum WriteMode {
     /// Nothing may be there.
@@ -21,6 +21,6 @@ pub enum WriteMode {
     Create,
     /// It is replaced, once there is something to replace it.
     Overwrite,
-    /// It is the beginning of this very run, which is gone on with.
+    /// Existing rows are the beginning of this very run, which is resumed.
     Resume,
 }

@@ -1,13 +1,11 @@
-//! Where a log goes and where it comes from: databases and files, ours and real networks'.
+//! Destinations and sources of logs: databases and files, ours and those of real networks.
 //!
-//! A run gives its firings to a [`Logger`], which stores them in as many places as wished, and its
-//! facts to a [`TruthLog`], which keeps the ground truth in a file of its own; a [`RunLog`] is both, and the recording. No firing's file ever
-//! holds a fact. Both hand their rows to writer threads, so that the simulation does not wait for disks;
-//! an error of such a thread comes out of the next call.
+//! A run gives its firings to a [`Logger`], which stores them in any number of places, and its facts to a [`TruthLog`], which keeps the
+//! ground truth in a separate file; a [`RunLog`] is both, and the recording. A file of firings never holds a fact. Both hand their rows to
+//! writer threads, so that the simulation does not wait for disks; an error of such a thread comes out of the next call.
 //!
-//! Nothing is half written: a CSV or CASAS file has its name only once it is whole, and what an SQLite
-//! database holds is a gap-free beginning of the run, whatever killed the program. A [`Log`] is read back from
-//! all of these, and from what real homes recorded.
+//! No file is left half written: a CSV or CASAS file has its name only once it is whole, and an SQLite database holds a gap-free beginning
+//! of the run, even if the program was killed. A [`Log`] is read back from all of these, and from recordings of real homes.
 //!
 //! This crate does not know how firings come about, nor what a log means. Reading order: each module needs only those before it.
 
@@ -28,6 +26,7 @@ pub mod run;
 
 pub mod sink;
 pub mod source;
+pub mod preview;
 pub mod registry;
 
 pub mod read;
@@ -42,7 +41,6 @@ pub mod fleet;
 
 pub mod transfer;
 pub mod examine;
-pub mod preview;
 pub mod records;
 pub mod catalogue;
 

@@ -34,7 +34,6 @@ pub const LONGEST_VALUE: usize = 4096;
 /// Number of characters of a text that an error quotes (our choice).
 const LONGEST_QUOTED: usize = 40;
 
-/// The beginning of a text, in quotes.
 pub(crate) fn beginning(text: &str) -> String {
     match text.char_indices().nth(LONGEST_QUOTED) {
         Some((end, _)) => format!("{:?}...", &text[..end]),

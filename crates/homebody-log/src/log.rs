@@ -1,4 +1,4 @@
-//! A log as it is read, wherever it comes from.
+//! A log in memory, from any source.
 
 pub(crate) mod activities;
 pub(crate) mod pairs;
@@ -18,27 +18,26 @@ use serde::Serialize;
 pub(crate) use spans::{CHANGE, GoingOn, LABEL, RowNotes};
 pub use spans::{SPAN_COLUMNS, SPANS};
 
-/// A log in memory, or a part of one that is streamed; its rows in the order in which they were stored.
+/// A log in memory, or a part of one that is streamed, with its rows in the order of storage.
 ///
-/// As it is read its instants are on the wall that its clock names. One that was put on the clock of a run is a `Log<RunTime>`, on the
-/// world's a `Log<UtcTime>`.
+/// Its instants are local times of its clock. A log on the clock of a run is a `Log<RunTime>`, a log in UTC a `Log<UtcTime>`.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Log<T = WallTime> {
-    /// The ids of the sensors, in the order in which they came.
+    /// The ids of the sensors, in the order of their first rows.
     pub sensors: Vec<String>,
-    /// What is known of sensors beside their ids, in no particular order; nothing of most.
+    /// Facts about sensors beyond their ids, in no particular order; most sensors have none.
     pub known: Vec<SensorInfo>,
-    /// What sensors said, such as `ON`.
+    /// The values of rows, such as `ON`.
     pub values: Vec<String>,
     /// The sensors that report two texts in turn, one of which is not a known state; empty before the last row.
     pub pairs: Vec<ValuePair>,
     /// The rows that are in memory.
     pub events: Vec<Event<T>>,
-    /// How many rows have been read.
+    /// The number of rows.
     pub rows: u64,
-    /// The clock by which its file tells instants.
+    /// The clock of the instants in its file.
     pub clock: Clock,
-    /// What residents did, where the log notes it.
+    /// The activities of residents, if the log notes them.
     pub activities: Vec<Activity<T>>,
     /// The role of each column of a table, and the evidence; empty for forms without columns.
     pub columns: Vec<ColumnUse>,
@@ -48,11 +47,11 @@ pub struct Log<T = WallTime> {
     pub zone: Option<TimeZone>,
     /// Spans without a record, in the order of time. The state before such a span is unknown within it.
     pub gaps: Vec<Interval<T>>,
-    /// What else is left out than lines: a sentence each.
+    /// Omissions other than lines, a sentence each.
     pub remarks: Vec<String>,
     /// The first of the lines that were skipped.
     pub problems: Vec<Skipped>,
-    /// How many lines were skipped.
+    /// The number of skipped lines.
     pub skipped: u64,
 }
 
@@ -87,7 +86,7 @@ pub struct OffsetSpan {
     pub from: UtcTime,
     /// The last.
     pub to: UtcTime,
-    /// How far the clock on the wall was ahead of UTC.
+    /// The offset of local time from UTC.
     pub ahead: Span,
 }
 
@@ -100,7 +99,7 @@ pub struct ColumnUse {
     pub used_as: ColumnRole,
     /// By which evidence, such as `its heading` or `9 of 10 cells are instants`.
     pub because: String,
-    /// Whether the cells of a table decide, and neither a heading nor the form does.
+    /// Whether the cells of a table decide, instead of a heading or the form.
     #[serde(skip)]
     pub is_guess: bool,
 }
@@ -147,7 +146,7 @@ pub enum ColumnRole {
     Unused,
 }
 
-/// Which clock a log's instants are told by.
+/// The clock of a log's instants.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Clock {
@@ -159,7 +158,7 @@ pub enum Clock {
 }
 
 impl Clock {
-    /// The scale of a run of this length in which the wall is the one that shows this clock.
+    /// The time scale of a run of this length whose local time is that of this clock.
     pub fn scale(self, calendar: &Calendar, length: Span) -> TimeScale {
         let scale = calendar.scale(length);
         if self == Clock::Utc { scale.with_wall_of_utc() } else { scale }
@@ -200,7 +199,7 @@ impl<T> Log<T> {
         &self.sensors[event.sensor as usize]
     }
 
-    /// Its rows in order of time; of one instant as they were read. Real logs are not always in order.
+    /// Its rows in order of time, at equal instants in reading order. Real logs are not always in order.
     pub fn in_order(&self) -> Vec<&Event<T>>
     where
         T: Copy + Ord,
@@ -210,7 +209,7 @@ impl<T> Log<T> {
         events
     }
 
-    /// What its sensors are called, in their order: by room and name, as far as they are known, or else by their ids.
+    /// The names of its sensors, in their order: room and name if they are known, else the ids.
     pub fn called(&self) -> Vec<String> {
         let called = |id: &String| {
             let known = self.known.iter().find(|known| known.id == *id)?;
@@ -219,7 +218,7 @@ impl<T> Log<T> {
         self.sensors.iter().map(|id| called(id).unwrap_or_else(|| id.clone())).collect()
     }
 
-    /// What the sensor said.
+    /// The value of a row.
     pub fn value(&self, event: &Event<T>) -> &str {
         &self.values[event.value as usize]
     }

@@ -1,4 +1,4 @@
-//! What becomes of a run when one of its destinations fails, hangs or is slow.
+//! The reaction of a run to destinations that fail, hang or are slow.
 
 pub(crate) mod cancel;
 pub(crate) mod deadline;
@@ -13,22 +13,21 @@ use std::time::Duration;
 pub(crate) use timed::{Call, Job, STOPS_WITHIN, Timed};
 pub(crate) use waiting::RetryWait;
 
-/// How a destination is treated.
+/// The treatment of a destination.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Policy {
-    /// Whether its error ends the run. One that is not required is left behind: the others go on, and its error is told at
-    /// the end.
+    /// Whether its error ends the run. Otherwise the run continues without it, and reports its error at the end.
     pub required: bool,
     /// For how long a call is made again after an error that passes; zero for not at all.
     pub retry_for: Duration,
-    /// Whether it is begun again in the same way; otherwise one that is away at the beginning is an error at once.
+    /// Whether retries include the beginning; otherwise one that is away then is an error at once.
     pub retries_beginning: bool,
-    /// How long to wait before the first time again; each further wait is twice as long, up to a minute.
+    /// The wait before the first retry; each further wait is twice as long, up to a minute.
     pub retry_after: Duration,
-    /// How many batches of at most 4,096 rows may wait for it. When they are that many, the run waits.
+    /// The number of batches of at most 4,096 rows that may wait for it. With more, the run waits.
     pub batches_waiting: usize,
-    /// How long the destination may take for one request. One that takes longer hangs. That is an error that passes: it is waited
-    /// for as any other, and the call that hangs is not made twice.
+    /// The time that the destination has for one request. After it, the destination hangs: an error that passes, with retries like any
+    /// other, but the call that hangs is not made twice.
     pub answers_within: Duration,
     /// Once the run is stopped, how long an answer is still waited for.
     pub stops_within: Duration,
@@ -67,7 +66,7 @@ impl Policy {
         Policy { answers_within: Deadline::OF_SERVERS, stops_within: STOPS_WITHIN, ..Policy::default() }
     }
 
-    /// How the destination is waited for while it is away.
+    /// The retries for the destination while it is away.
     pub(crate) fn waiting<'a>(&self, place: &'a str, meter: &'a SinkMetrics, cancel: &'a Cancel) -> RetryWait<'a> {
         let (retry_for, first) = (self.retry_for, self.retry_after);
         RetryWait { place, meter, cancel, retry_for, first, longest: LONGEST_WAIT }

@@ -1,4 +1,4 @@
-//! The beginning of a log as its readers find it, and whether there can be one at a place.
+//! The first rows of a log as its readers see them, and a check that a log can be written at a place.
 
 use crate::error::LogError;
 use crate::files::database::text;
@@ -6,54 +6,43 @@ use crate::files::{ExistingFile, FreshFile, unpacked};
 use crate::table::ColumnNames;
 use crate::url::Url;
 use homebody_core::scenario::logger::LoggerFile;
-use homebody_core::scenario::scheme::Scheme;
 use rusqlite::{Connection, OpenFlags};
 use std::io::{BufRead, BufReader};
 use std::path::Path;
 
 /// The first rows of a log.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Preview {
-    /// Of a database.
+    /// The name of the table in a database.
     pub table: Option<String>,
-    /// None in a text without a header line.
+    /// Empty for a text without a header line.
     pub columns: Vec<String>,
     /// The cells of the rows as texts, in the order of the columns.
     pub rows: Vec<Vec<String>>,
 }
 
-/// The first rows of a log that is complete; `file` is the mapping that it was written by.
-pub fn preview(url: &Url, file: &LoggerFile, most: usize) -> Result<Preview, LogError> {
-    let path = url.file().unwrap_or(Path::new(""));
-    match url.scheme() {
-        Scheme::Sqlite => {
-            let table = ColumnNames::new(file)?.table;
-            database(path, &table, most).map_err(|error| LogError::database(path, error))
-        }
-        Scheme::Csv => values(path, most),
-        Scheme::Casas => lines(path, most),
-        Scheme::Jsonl => objects(path, most),
-        // Nobody reads a server's rows before they are asked for, and other files are no texts.
-        Scheme::Parquet | Scheme::Arrow | Scheme::Postgresql | Scheme::Mqtt | Scheme::Mqtts => {
-            Ok(Preview { table: None, columns: Vec::new(), rows: Vec::new() })
-        }
-    }
-}
+/// Reads the first rows of a log; the mapping is the one that it was written by.
+pub(crate) type ReadFirstRows = fn(&Path, &LoggerFile, usize) -> Result<Preview, LogError>;
 
-/// Makes sure that a new log can be begun at a place; nothing is left there.
+/// Checks that a new log can be written at a place, and leaves nothing there.
 pub fn try_place(url: &Url) -> Result<(), LogError> {
     let Some(path) = url.file() else { return Ok(()) };
     match ExistingFile::at(path, false)? {
-        // To open a pipe is to wait for who reads it.
+        // Opening a pipe would wait for its reader.
         ExistingFile::Device => Ok(()),
         _ => FreshFile::create(path, false).map(drop),
     }
 }
 
-fn database(path: &Path, table: &str, most: usize) -> rusqlite::Result<Preview> {
+pub(crate) fn database(path: &Path, file: &LoggerFile, most: usize) -> Result<Preview, LogError> {
+    let table = ColumnNames::new(file)?.table;
+    first_of_table(path, &table, most).map_err(|error| LogError::database(path, error))
+}
+
+fn first_of_table(path: &Path, table: &str, most: usize) -> rusqlite::Result<Preview> {
     let flags = OpenFlags::SQLITE_OPEN_READ_ONLY | OpenFlags::SQLITE_OPEN_NO_MUTEX;
     let connection = Connection::open_with_flags(path, flags)?;
-    // The table's name is one of those that may reach SQL.
+    // The name of the table was checked before it reaches SQL.
     let mut select = connection.prepare(&format!("SELECT * FROM \"{table}\" LIMIT {most}"))?;
     let columns: Vec<String> = select.column_names().map(str::to_owned).collect();
     let mut rows = Vec::new();
@@ -68,7 +57,7 @@ fn database(path: &Path, table: &str, most: usize) -> rusqlite::Result<Preview> 
     Ok(Preview { table: Some(table.to_owned()), columns, rows })
 }
 
-fn values(path: &Path, most: usize) -> Result<Preview, LogError> {
+pub(crate) fn values(path: &Path, _: &LoggerFile, most: usize) -> Result<Preview, LogError> {
     let file = unpacked(path).map_err(|error| LogError::file(path, error))?;
     let mut records = csv::ReaderBuilder::new().has_headers(false).from_reader(BufReader::new(file)).into_records();
     let fields = |record: csv::StringRecord| record.iter().map(str::to_owned).collect::<Vec<_>>();
@@ -78,7 +67,7 @@ fn values(path: &Path, most: usize) -> Result<Preview, LogError> {
     Ok(Preview { table: None, columns, rows })
 }
 
-fn lines(path: &Path, most: usize) -> Result<Preview, LogError> {
+pub(crate) fn lines(path: &Path, _: &LoggerFile, most: usize) -> Result<Preview, LogError> {
     let file = unpacked(path).map_err(|error| LogError::file(path, error))?;
     let lines = BufReader::new(file).lines().take(most);
     let fields = |line: String| line.split('\t').map(str::to_owned).collect();
@@ -86,7 +75,7 @@ fn lines(path: &Path, most: usize) -> Result<Preview, LogError> {
     Ok(Preview { table: None, columns: Vec::new(), rows: rows.collect::<Result<_, _>>()? })
 }
 
-fn objects(path: &Path, most: usize) -> Result<Preview, LogError> {
+pub(crate) fn objects(path: &Path, _: &LoggerFile, most: usize) -> Result<Preview, LogError> {
     let file = unpacked(path).map_err(|error| LogError::file(path, error))?;
     let (mut columns, mut rows) = (Vec::new(), Vec::new());
     for line in BufReader::new(file).lines().take(most) {

@@ -1,10 +1,10 @@
-//! Reads logs back: ours, and what real homes recorded, in any of the forms of the registry.
+//! Reads logs: ours, and those of real homes, in any form of the registry.
 //!
-//! A log is read into memory, or streamed where it may be of any size. Beside a run's log lies a table of its sensors; what it
-//! tells comes with the log.
+//! A log is read into memory, or streamed if it may be of any size. Next to a run's log is a table of its sensors, which is read with the
+//! log.
 //!
-//! Whatever is in a file, reading does not fail because of a line: what cannot be understood is skipped and told. Only what is
-//! longer than anything that a log has ends it, before it fills the memory.
+//! No line makes reading fail: lines that are not understood are skipped and reported. Only a line that is longer than those of any log is
+//! an error, before it fills the memory.
 
 mod located;
 mod sets;
@@ -44,8 +44,8 @@ pub fn survey(from: impl Into<LogSource>, file: &LoggerFile) -> Result<Log, LogE
     stream(from, file, &mut |_| Ok(()))
 }
 
-/// Reads a log of any size in little memory. `take` gets its rows in parts, in their order: each time a log with the rows of
-/// that part, and with the sensors and values that have come so far. What is returned has all but the rows.
+/// Reads a log of any size in little memory. `take` gets its rows in parts, in their order: each is a log with the rows of that part, and
+/// with all sensors and values so far. The result has all but the rows.
 pub fn stream(
     from: impl Into<LogSource>,
     file: &LoggerFile,
@@ -84,12 +84,11 @@ pub fn stream(
     }
 }
 
-/// Reads the files of a log, one after the other.
 fn read_parts(source: &LogSource, file: &LoggerFile, reading: &mut LogReading<'_>) -> Result<(), LogError> {
     let parts = source.parts();
     for part in &parts {
         if parts.len() > 1 {
-            reading.go_on(&part.path, part.begin);
+            reading.continue_with(&part.path, part.begin);
         }
         (source.form().read)(&part.path, file, reading).map_err(|error| no_log(source, error))?;
     }
@@ -124,7 +123,7 @@ fn read_labels(source: &LogSource, file: &LoggerFile, reading: &mut LogReading<'
     Ok(())
 }
 
-/// Why a file is no log: where it is no text, what stands in its lines says nothing.
+/// The error of a file that is not a log; lines of a file that is not text explain nothing.
 fn no_log(source: &LogSource, error: LogError) -> LogError {
     match error {
         // Forms of crates of their own say it themselves.
@@ -143,13 +142,13 @@ fn no_log(source: &LogSource, error: LogError) -> LogError {
     }
 }
 
-/// The scale of a run of this length, in which the wall is the one that the run's files tell instants by: the home's, or UTC's.
+/// The time scale of a run of this length; local time is that of the run's files: the home's, or UTC.
 pub fn scale_of(scenario: &Scenario, length: Span) -> TimeScale {
     let clock = if scenario.logger.time == TimeFormat::Local { Clock::Local } else { Clock::Utc };
     clock.scale(&scenario.calendar, length)
 }
 
-/// What a run's log in this place calls sensors of these names.
+/// The ids, in a run's log at this place, of the sensors with these names.
 pub fn ids(from: impl Into<LogSource>, file: &LoggerFile, sensors: &[String]) -> Vec<String> {
     let ids = sensors.iter().map(|name| file.ids.get(name).unwrap_or(name));
     match from.into().has_words() {
@@ -158,11 +157,11 @@ pub fn ids(from: impl Into<LogSource>, file: &LoggerFile, sensors: &[String]) ->
     }
 }
 
-/// Reads a `logger.json` that is none of a scenario's: it tells the names of a table and its columns.
+/// Reads a `logger.json` outside a scenario, which has the names of a table and its columns.
 ///
 /// # Errors
 ///
-/// [`LogError::Missing`] if it is not there, [`LogError::NoMapping`] if it is none.
+/// [`LogError::Missing`] if it is missing, [`LogError::NoMapping`] if it is invalid.
 pub fn read_mapping(path: &Path) -> Result<LoggerFile, LogError> {
     let text = plain::read_text(path, LARGEST_OF_SCENARIO_BYTES).map_err(|error| match error.kind() {
         ErrorKind::NotFound => LogError::Missing { place: place_of(path) },

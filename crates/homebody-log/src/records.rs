@@ -29,12 +29,12 @@ impl Records {
         self.rows.iter().map(line).collect()
     }
 
-    /// Stores them in a table of a database, which is made where there is none; other tables stay as they are. A table that is
-    /// there is replaced with `force` only.
+    /// Stores them in a table of a database, which is created if necessary; other tables stay unchanged. An existing table is replaced
+    /// with `force` only.
     ///
     /// # Errors
     ///
-    /// If the table is there, or the database cannot be written.
+    /// If the table exists, or the database cannot be written.
     pub fn store(&self, path: &Path, force: bool) -> Result<(), LogError> {
         let stored = self.store_in(path, force).map_err(|error| LogError::database(path, error))?;
         if stored {
@@ -69,7 +69,7 @@ impl Records {
     }
 }
 
-/// What a database holds of a value: lists and objects as JSON.
+/// The cell of a value; lists and objects become JSON.
 fn cell(value: Option<&Value>) -> Cell {
     match value {
         None | Some(Value::Null) => Cell::Null,
@@ -106,7 +106,7 @@ mod tests {
     }
 
     #[test]
-    fn a_table_is_replaced_only_where_that_is_allowed() {
+    fn replaces_a_table_only_with_force() {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("care.db");
         alerts().store(&path, false).unwrap();

@@ -6,8 +6,9 @@
 use crate::check::Examine;
 use crate::error::{LogError, place_of};
 use crate::policy::Policy;
+use crate::preview::{self, Preview, ReadFirstRows};
 use crate::sink::sqlite::Sqlite;
-use crate::sink::{Begin, Casas, Csv, FleetJsonl, FleetSink, Jsonl, Sink, TextTarget, Watermark};
+use crate::sink::{Begin, Casas, Csv, FleetJsonl, FleetSink, Jsonl, Sink, TextRows, Watermark};
 use crate::source::messages::FormMessage;
 use crate::source::{
     FileStart, LogForm, LogReading, ReadTables, Shows, casas, csv, domoticz, each_second, esphome, home_assistant,
@@ -35,11 +36,11 @@ pub struct PlacePlugin {
     pub fleet: Option<OpenFleet>,
     /// The usual policy of such a destination.
     pub policy: fn() -> Policy,
-    /// The forms in which it reads logs.
+    /// The forms of logs that it reads.
     pub forms: &'static [LogForm],
     /// Reads the tables of a truth there; None where no place of this kind keeps one.
     pub tables: Option<ReadTables>,
-    /// The truth of the run whose log is at a place of this kind; None where there is none, or the place cannot say.
+    /// The truth of the run with a log at a place of this kind; None if the place cannot name one.
     pub truth_of: Option<fn(&Url) -> Option<Url>>,
     /// Checks such a place.
     pub examine: Examine,
@@ -110,6 +111,39 @@ fn not_built_in(url: &Url) -> LogError {
     LogError::NotBuiltIn { place: url.to_string(), name: row.name, feature: row.feature.unwrap_or(row.name) }
 }
 
+/// A kind of place that every build can write.
+struct BuiltIn {
+    scheme: Scheme,
+    /// The sink of a place; a text file that is followed has its name from its first line on, so that it can be read while it grows.
+    open: fn(&Url, bool) -> Box<dyn Sink>,
+    /// The sink of a fleet at a place.
+    fleet: Option<OpenFleet>,
+    first_rows: ReadFirstRows,
+}
+
+/// The kinds of places that every build can write.
+const BUILT_IN: [BuiltIn; 4] = [
+    BuiltIn {
+        scheme: Scheme::Sqlite,
+        open: |url, _| Box::new(Sqlite::new(url.file().map(Into::into).unwrap_or_default())),
+        fleet: None,
+        first_rows: preview::database,
+    },
+    BuiltIn { scheme: Scheme::Csv, open: TextRows::<Csv>::at, fleet: None, first_rows: preview::values },
+    BuiltIn { scheme: Scheme::Casas, open: TextRows::<Casas>::at, fleet: None, first_rows: preview::lines },
+    BuiltIn {
+        scheme: Scheme::Jsonl,
+        open: TextRows::<Jsonl>::at,
+        fleet: Some(|url| Box::new(FleetJsonl::new(url))),
+        first_rows: preview::objects,
+    },
+];
+
+fn built_in(url: &Url) -> Option<&'static BuiltIn> {
+    const ROWS: &[BuiltIn] = &BUILT_IN;
+    ROWS.iter().find(|row| row.scheme == url.scheme())
+}
+
 /// The sink of a place. Nothing is touched before it is begun.
 pub fn sink(url: &Url) -> Box<dyn Sink> {
     sink_as(url, false)
@@ -117,15 +151,10 @@ pub fn sink(url: &Url) -> Box<dyn Sink> {
 
 /// The same; a text file that `is_followed` has its name from its first line on, so that it can be read while it grows.
 pub(crate) fn sink_as(url: &Url, is_followed: bool) -> Box<dyn Sink> {
-    match url.scheme() {
-        Scheme::Sqlite => Box::new(Sqlite::new(url.file().map(Into::into).unwrap_or_default())),
-        Scheme::Csv => Box::new(Csv::new(TextTarget::from_url(url), is_followed)),
-        Scheme::Casas => Box::new(Casas::new(TextTarget::from_url(url), is_followed)),
-        Scheme::Jsonl => Box::new(Jsonl::new(TextTarget::from_url(url))),
-        _ => match plugin(url) {
-            Ok(plugin) => (plugin.open)(url),
-            Err(_) => Box::new(MissingSink(url.clone())),
-        },
+    match (built_in(url), plugin(url)) {
+        (Some(row), _) => (row.open)(url, is_followed),
+        (None, Ok(plugin)) => (plugin.open)(url),
+        (None, Err(_)) => Box::new(MissingSink(url.clone())),
     }
 }
 
@@ -133,28 +162,30 @@ pub(crate) fn sink_as(url: &Url, is_followed: bool) -> Box<dyn Sink> {
 ///
 /// # Errors
 ///
-/// [`LogError::NoPlace`] for a kind of place that no fleet can write, which says those that it can; [`LogError::NotBuiltIn`] for
-/// one that this build does not have.
+/// [`LogError::NoPlace`] for a kind of place that no fleet can write, which lists the others; [`LogError::NotBuiltIn`] for one that
+/// this build does not have.
 pub fn fleet_sink(url: &Url) -> Result<Box<dyn FleetSink>, LogError> {
-    let scheme = url.scheme();
-    if scheme == Scheme::Jsonl {
-        return Ok(Box::new(FleetJsonl::new(url)));
+    if !url.scheme().row().takes_fleets {
+        return Err(no_fleet(url));
     }
-    match plugin(url) {
-        Ok(plugin) => plugin.fleet.map(|open| open(url)).ok_or_else(|| no_fleet(url)),
-        Err(missing) if WRITTEN_BY_FLEETS.contains(&scheme) => Err(missing),
-        Err(_) => Err(no_fleet(url)),
-    }
+    let open = match built_in(url) {
+        Some(row) => row.fleet,
+        None => plugin(url)?.fleet,
+    };
+    open.map(|open| open(url)).ok_or_else(|| no_fleet(url))
 }
 
-/// The kinds of places that a fleet can write, in builds that have them.
-const WRITTEN_BY_FLEETS: [Scheme; 4] = [Scheme::Jsonl, Scheme::Postgresql, Scheme::Mqtt, Scheme::Mqtts];
-
 fn no_fleet(url: &Url) -> LogError {
-    let rows = SCHEMES.iter().filter(|row| WRITTEN_BY_FLEETS.contains(&row.scheme));
+    let rows = SCHEMES.iter().filter(|row| row.takes_fleets);
     let can: Vec<String> = rows.map(|row| format!("{}:{}", row.name, row.at)).collect();
     let what = format!("{url} has no room for many homes");
     LogError::NoPlace(NoPlace { what, hint: format!("a fleet writes {}, and jsonl:-", can.join(", ")) })
+}
+
+/// The first rows of a complete log, which was written with this mapping; none of servers and files that are not text.
+pub fn first_rows(url: &Url, file: &LoggerFile, most: usize) -> Result<Preview, LogError> {
+    let path = url.file().unwrap_or(Path::new(""));
+    built_in(url).map_or_else(|| Ok(Preview::default()), |row| (row.first_rows)(path, file, most))
 }
 
 /// The forms of logs that every build has. A file is of the first whose signs it shows.
@@ -195,12 +226,11 @@ pub(crate) fn form_named(name: &str) -> Option<&'static LogForm> {
     forms().chain(MISSING).find(|form| form.name == name)
 }
 
-/// The form of a kind of place. Where this build cannot read it, reading it is an error that says so.
+/// The form of a kind of place. If this build cannot read it, reading it is an error that says so.
 pub(crate) fn form_of_scheme(scheme: Scheme) -> &'static LogForm {
     form_named(scheme.row().name).unwrap_or(&BROKER)
 }
 
-/// The form that a file shows, and what of it.
 pub(crate) fn form_shown(start: &FileStart) -> Option<(&'static LogForm, Shows)> {
     forms().map(|form| (form, (form.shows)(start))).find(|(_, shows)| *shows != Shows::Nothing)
 }
@@ -220,7 +250,7 @@ const fn missing<const SCHEME: usize>() -> LogForm {
     LogForm { name: SCHEMES[SCHEME].name, what: SCHEMES[SCHEME].what, shows: |_| Shows::Nothing, read: read::<SCHEME> }
 }
 
-/// The form of places from which nothing is read.
+/// The form of places that cannot be read.
 const BROKER: LogForm = LogForm {
     name: "mqtt",
     what: "a broker, which keeps no log",

@@ -1,4 +1,4 @@
-//! What a run is: what destinations are told before the first row.
+//! The description of a run, which destinations get before the first row.
 
 pub mod places;
 pub(crate) mod sensor_table;
@@ -15,16 +15,16 @@ use homebody_core::sensors::Sensor;
 pub(crate) use places::{RunPlaces, SILHOUETTES, TRUTH, not_of_a_run};
 pub(crate) use sensor_table::SensorTable;
 
-/// What tells a run from others, and what its rows speak of.
+/// The identity of a run, and the sensors of its rows.
 #[derive(Clone, Debug, PartialEq)]
 pub struct RunInfo {
     /// The same for the same run, another for another: see [`Recording::run_id`].
     pub id: i64,
     /// Which home of several it is: the name of a member of a cohort. None for a run of its own.
     pub home: Option<String>,
-    /// Whether it was lived in a simulated home; of a log that was only read nobody can say.
+    /// Whether it was simulated; false for a log that was only read, whose origin is unknown.
     pub is_simulated: bool,
-    /// The home that it was lived in. None of a log that was only read.
+    /// Its simulated home; None for a log that was only read.
     pub plan: Option<PlanInfo>,
     /// The scenario's name.
     pub scenario: String,
@@ -32,7 +32,7 @@ pub struct RunInfo {
     pub seed: u64,
     /// The program's version, without what tells its builds apart.
     pub version: String,
-    /// From when on, by which clock.
+    /// Its start and its time zone.
     pub calendar: Calendar,
     /// In the order of [`SensorId`](homebody_core::ids::SensorId).
     pub sensors: Vec<SensorInfo>,
@@ -49,7 +49,7 @@ pub struct RunInfo {
 pub struct PlanInfo {
     /// The name of its file in the scenario.
     pub file: String,
-    /// What that file calls it.
+    /// The name in that file.
     pub name: String,
 }
 
@@ -73,7 +73,7 @@ impl SensorInfo {
 }
 
 impl RunInfo {
-    /// What is known of a run before it is lived.
+    /// The description of a run before its start.
     pub fn of(scenario: &Scenario, run: &Run, recording: &Recording) -> RunInfo {
         let plan = &run.home().plan;
         RunInfo {
@@ -92,7 +92,7 @@ impl RunInfo {
         }
     }
 
-    /// What is known of a run of which there is nothing but a log, or a survey of it.
+    /// The description of a run with nothing but a log, or a survey of it.
     pub fn of_log(name: &str, calendar: Calendar, log: &Log) -> RunInfo {
         let sensor = |id: &String| {
             let known = log.known.iter().find(|known| known.id == *id || one_word(&known.id) == *id);

@@ -1,5 +1,4 @@
-//! All that a run leaves: its log, the truth apart from it, the table of its sensors, and the recording that lives it
-//! again.
+//! All files of a run: its log, its truth in a separate file, the table of its sensors, and the recording that replays it.
 
 pub(crate) mod logger;
 pub(crate) mod truth_log;
@@ -34,7 +33,7 @@ const DURABLE_ROWS: u64 = 200_000;
 /// Longest time until rows are durable, as long as the run reports the time (our choice).
 const DURABLE_AFTER: Duration = Duration::from_secs(1);
 
-/// The open places of a run that is being lived.
+/// The open places of a run.
 pub struct RunLog {
     /// Until it is completed.
     logger: Option<Logger>,
@@ -42,17 +41,17 @@ pub struct RunLog {
     /// Of a home with cameras, in the folder of its run.
     silhouettes: Option<SilhouetteLog>,
     record: Option<PathBuf>,
-    /// What is removed if the run fails and leaves no log by which it could be gone on with.
+    /// Files to remove if the run fails and leaves no log to resume from.
     given_up: Option<GivenUp>,
     digest: RunDigest,
-    /// The truth of a run that was stopped, which is written anew beside the old one.
+    /// The truth of a stopped run, which is written anew next to the old one.
     anew: Option<Anew>,
     /// The tables of sensors of logs outside a run's folder, and the run.
     names: (Vec<PathBuf>, Arc<RunInfo>),
     how: WriteMode,
     /// Why the truth was left behind, if its place was away when the run was stopped.
     away: Option<LogError>,
-    /// How many rows the log and the truth had when they were asked to make sure of them, and when that was.
+    /// The number of rows of log and truth at the last request to make them durable, and its time.
     settled: (u64, Instant),
     /// Of a run's folder, or of a recording elsewhere, from the beginning to the end.
     _lock: (Option<FolderLock>, Option<FileLock>),
@@ -80,12 +79,11 @@ impl Anew {
 }
 
 impl RunLog {
-    /// Opens the places of a run that has not been advanced. Its seed and the program's version are those of the recording,
-    /// which stands from now on.
+    /// Opens the places of a run before its first step. Its seed and the program's version are those of the recording, which is written
+    /// now.
     ///
-    /// Going on, the run is lived again from its beginning: what is there already is compared, and what is missing is
-    /// written. The truth of a run that was stopped says what ended there and then, so it is written anew, and replaces the
-    /// old one at the end.
+    /// A resumed run is simulated from its beginning: existing rows are compared, and missing ones are written. The truth of a stopped run
+    /// has ends of activities at the stop, so it is written anew, and replaces the old one at the end.
     pub fn open(
         places: &RunPlaces,
         scenario: &Scenario,
@@ -143,7 +141,7 @@ impl RunLog {
             SensorTable::new(path, &info)?.may_be_written(how != WriteMode::Create)?;
         }
         if let (Some(path), false) = (&places.recording, how == WriteMode::Resume) {
-            // Before all else: whatever becomes of the run from now on, it can be gone on with.
+            // This comes first, so that the run can be resumed after any failure.
             write_recording(path, recording, how)?;
         }
         let mut all = destinations(&places.log, how)?;
@@ -197,7 +195,7 @@ impl RunLog {
             }
             Err(error) => {
                 if let (Some(path), WriteMode::Create) = (&places.recording, how) {
-                    // Nothing was begun, so nothing can be gone on with.
+                    // The run has not begun, so it cannot be resumed.
                     let _ = std::fs::remove_file(path);
                 }
                 Err(error)
@@ -211,17 +209,17 @@ impl RunLog {
         logs.chain(self.truth.iter().map(TruthLog::meter)).collect()
     }
 
-    /// Whether the run, gone on with, is beyond all that its places had of it: from then on it may be lived otherwise.
+    /// Whether a resumed run is past all rows that its places had: from then on it may differ.
     pub fn is_past_replayed_part(&self) -> bool {
         self.logger.as_ref().is_none_or(Logger::is_past_replayed_part)
             && self.truth.as_ref().is_none_or(TruthLog::is_past_replayed_part)
     }
 
-    /// Writes the recording anew, of a run to which something was done from outside: before anything of what comes of it is stored.
+    /// Writes the recording anew after an intervention, before any of its consequences is stored.
     pub fn note(&self, recording: &Recording) -> Result<(), LogError> {
         let Some(path) = self.record.as_deref() else { return Ok(()) };
         match left_by(path).filter(Recording::is_complete) {
-            // Until the run ends, its truth is that of a run that was stopped, and whoever goes on with it has to know.
+            // Until the run ends, its truth is that of a stopped run, and the next resume has to know.
             Some(stopped) => write_over(path, &Recording { outside: recording.outside.clone(), ..stopped }),
             None => write_over(path, recording),
         }
@@ -232,7 +230,7 @@ impl RunLog {
         self.store_settled(run.settled(), events)
     }
 
-    /// The same for what happened a while ago, when all firings up to `settled` had been told.
+    /// The same some time later, after all firings up to `settled` were reported.
     pub fn store_settled(&mut self, settled: RunTime, events: &Events) -> Result<(), LogError> {
         self.digest.add(&events.firings);
         if let Some(silhouettes) = &mut self.silhouettes {
@@ -283,9 +281,9 @@ impl RunLog {
         }
     }
 
-    /// Completes all places, and returns what was stored and the recording of what was lived: its length is where the run has
-    /// come to, and its other fields are those of `recording`. A destination that was away when the run was stopped is an error once all
-    /// others are complete, and the run can be gone on with.
+    /// Completes all places, and returns a summary and the recording: its length is the present instant of the run, and its other fields
+    /// are those of `recording`. A destination that was away when the run was stopped is an error once all others are complete, and the
+    /// run can be resumed.
     pub fn finish(self, run: &Run, recording: Recording) -> Result<(Stored, Recording), LogError> {
         self.complete(run.now(), run.length(), run.under_way().collect(), recording)
     }
@@ -303,7 +301,7 @@ impl RunLog {
         under_way: Vec<Fact>,
         recording: Recording,
     ) -> Result<(Stored, Recording), LogError> {
-        // Who stops it earlier than before has changed nothing.
+        // A stop before the earlier one has changed nothing.
         let lived = now.since_zero();
         let is_early = self.how == WriteMode::Resume && lived < length;
         let early = |error| match error {
@@ -328,7 +326,7 @@ impl RunLog {
         let stopped_of_us = (lived < length).then_some(length);
         let (length_us, rows) = (lived, Some(stored.rows));
         let recording = Recording { length_us, stopped_of_us, rows, firings, sha256, ..recording };
-        // One that was lived to its end, and that not all places have, stays as it was begun: what is complete is not gone on with.
+        // If some place lacks rows of a finished run, its recording stays incomplete: a complete run is not resumed.
         let is_told = stored.away.is_none() && self.away.is_none() || lived < length;
         if let (Some(path), true) = (&self.record, is_told) {
             write_recording(path, &recording, WriteMode::Overwrite)?;
@@ -364,7 +362,7 @@ impl Drop for RunLog {
     }
 }
 
-/// Where a truth is written that is to replace another: its ending stays, by which texts are packed and tables have their files.
+/// The place of a truth that will replace another. Its extension stays, since it decides on packing and on files of tables.
 fn beside(place: &Path) -> PathBuf {
     let mut name = std::ffi::OsString::from("anew.");
     name.push(place.file_name().unwrap_or_default());
@@ -376,17 +374,15 @@ fn was_stopped(places: &RunPlaces) -> bool {
     places.recording.as_deref().and_then(left_by).is_some_and(|recording| recording.is_complete())
 }
 
-/// The recording that is in a file.
 fn left_by(path: &Path) -> Option<Recording> {
     serde_json::from_str(&plain::read_text(path, LARGEST_RECORDING_BYTES).ok()?).ok()
 }
 
-/// Writes the recording of a run that goes on over what was written of it before, in one piece.
+/// Writes the recording of a run that continues over the earlier one, in one piece.
 pub fn write_over(path: &Path, recording: &Recording) -> Result<(), LogError> {
     write_recording(path, recording, WriteMode::Overwrite)
 }
 
-/// Writes a recording in one piece.
 fn write_recording(path: &Path, recording: &Recording, how: WriteMode) -> Result<(), LogError> {
     let text = serde_json::to_string_pretty(recording)? + "\n";
     FreshFile::write_whole(path, text.as_bytes(), how != WriteMode::Create)
@@ -406,7 +402,7 @@ mod tests {
     use std::sync::Mutex;
     use std::thread;
 
-    /// How often the log and the truth have made sure of their rows, and the most that was ever between them.
+    /// The number of times that log and truth have made rows durable, and the longest interval between them.
     #[derive(Default)]
     struct Counts {
         settled: [u64; 2],
@@ -447,7 +443,7 @@ mod tests {
     }
 
     #[test]
-    fn log_and_truth_make_sure_of_their_rows_together() {
+    fn log_and_truth_become_durable_together() {
         let counts = Arc::<Mutex<Counts>>::default();
         let own = |which, takes| {
             let sink = Counting { which, takes: Duration::from_millis(takes), counts: counts.clone() };

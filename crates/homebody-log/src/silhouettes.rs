@@ -1,8 +1,7 @@
-//! The silhouettes of a run's cameras, in a database of their own beside the log: who may see the log need not see them, and they
-//! can be deleted alone.
+//! The silhouettes of a run's cameras, in a separate database: readers of the log need not see them, and they can be deleted alone.
 //!
-//! A row is a picture in which somebody is seen. The table `camera` says how large pictures are, how often they are taken, and from
-//! where; `silhouette` has the picture, packed as [`Silhouette::packed`] says, and what it is like.
+//! A row is a picture with a person in it. The table `camera` has the size, the rate and the position of pictures; `silhouette` has the
+//! picture, packed by [`Silhouette::packed`], and its features.
 
 use crate::error::{ChangedMessage, LogError, place_of};
 use crate::files::WriteMode;
@@ -51,7 +50,7 @@ pub struct SilhouetteLog {
     start: UtcTime,
     waiting: Vec<Frame>,
     not_durable: usize,
-    /// How many rows the file had at the beginning; so many of those that come are not written again.
+    /// The number of rows of the file at the beginning; as many of the run are not written again.
     there: u64,
 }
 
@@ -64,7 +63,7 @@ pub fn cameras(home: &ResolvedHome) -> impl Iterator<Item = (SensorId, &CameraFi
 }
 
 impl SilhouetteLog {
-    /// Begins the file of a run, or goes on with it.
+    /// Begins the file of a run, or resumes it.
     pub fn open(path: &Path, home: &ResolvedHome, run: &RunInfo, how: WriteMode) -> Result<SilhouetteLog, LogError> {
         let left = if how == WriteMode::Resume { Database::reopen(path)? } else { None };
         let mut there = 0;
@@ -192,7 +191,7 @@ pub struct SilhouetteCamera {
     pub file: CameraFile,
 }
 
-/// One silhouette as it was kept.
+/// One stored silhouette.
 #[derive(Clone, Debug, PartialEq)]
 pub struct KeptSilhouettes {
     /// When it was taken.
@@ -201,7 +200,7 @@ pub struct KeptSilhouettes {
     pub camera: usize,
     /// The picture.
     pub silhouette: Silhouette,
-    /// What it is like.
+    /// Its features.
     pub features: Features,
 }
 
@@ -267,7 +266,7 @@ impl Silhouettes {
         Ok(())
     }
 
-    /// From when to when there are silhouettes: the instants of the first and of the last; None if there is none.
+    /// The instants of the first and the last silhouette; None if there are none.
     pub fn span(&self) -> Result<Option<Interval<RunTime>>, LogError> {
         let last = "SELECT rowid, utc_us FROM silhouette ORDER BY rowid DESC LIMIT 1";
         let Some((_, last)) = self.row(last, [])? else { return Ok(None) };
@@ -287,8 +286,8 @@ impl Silhouettes {
         Ok(self.row(sql, [row])?.map(|(_, at)| at))
     }
 
-    /// The number from which on rows are of an instant or later. Rows lie in the order in which they were taken, so halving what
-    /// is left finds it in some twenty looks; rows that somebody has deleted do not matter.
+    /// The number of the first row at an instant or later. Rows are in order of time, so bisection finds it in some twenty steps; deleted
+    /// rows do not matter.
     fn row_from(&self, at: RunTime) -> Result<i64, LogError> {
         if at == RunTime::MIN {
             return Ok(0);
@@ -348,7 +347,7 @@ mod tests {
         RunTime::START + second * SECOND
     }
 
-    /// A file with a row a second, of two cameras in turns, from which somebody has deleted some.
+    /// A file with a row each second, of two cameras in turns, in which some rows were deleted.
     fn file(path: &Path) {
         let connection = Connection::open(path).unwrap();
         connection.execute_batch(&format!("{CAMERA}; {SILHOUETTE}; BEGIN")).unwrap();
@@ -379,7 +378,7 @@ mod tests {
     }
 
     #[test]
-    fn a_span_is_found_without_an_index_also_where_rows_were_deleted() {
+    fn finds_an_interval_without_an_index_despite_deleted_rows() {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("silhouettes.db");
         file(&path);
@@ -397,7 +396,7 @@ mod tests {
     }
 
     #[test]
-    fn rows_that_are_in_no_order_of_time_are_told() {
+    fn reports_rows_out_of_order() {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("silhouettes.db");
         file(&path);

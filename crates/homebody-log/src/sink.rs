@@ -8,6 +8,7 @@ pub(crate) mod fleet_jsonl;
 pub(crate) mod jsonl;
 pub(crate) mod sqlite;
 pub(crate) mod text;
+pub(crate) mod text_rows;
 pub(crate) mod whole;
 
 use crate::error::LogError;
@@ -24,23 +25,21 @@ use homebody_core::scenario::logger::TimeFormat;
 use homebody_core::time::RunTime;
 pub(crate) use jsonl::Jsonl;
 use std::sync::Arc;
-pub(crate) use text::TextTarget;
+pub(crate) use text_rows::TextRows;
 pub(crate) use whole::Whole;
 
-/// A destination of rows: a file, a database, a broker, or whatever a caller brings.
+/// A destination of rows: a file, a database, a broker, or a caller's own.
 ///
-/// Its life: [`begin`](Sink::begin) once, then any number of [`write`](Sink::write) and [`make_durable`](Sink::make_durable), then
-/// [`finish`](Sink::finish), or drop where the run is given up. All calls come from one thread, which is the destination's own:
-/// a slow one makes the run wait, or lets it go on, as its [`Policy`](crate::Policy) says. One that takes longer than `begin.deadline`
-/// for one request hangs. For the run that is an error that passes, and the same call, made again, gets the answer of the first.
+/// The order of calls: [`begin`](Sink::begin) once, then any number of [`write`](Sink::write) and [`make_durable`](Sink::make_durable),
+/// then [`finish`](Sink::finish), or drop if the run is given up. All calls come from one thread, which is the destination's own: a slow
+/// one makes the run wait, or not, by its [`Policy`](crate::Policy). One that takes longer than `begin.deadline` for one request hangs.
+/// For the run that is an error that passes, and the same call, made again, gets the answer of the first.
 ///
-/// Rows come in the order in which they were made, without gaps. After an error that [`passes`](LogError::passes) the same
-/// call is made again, if the policy says so: what a destination has kept of it must not be kept twice. After any other
-/// error nothing more is called but drop.
+/// Rows come in the order of the run, without gaps. After an error that [`passes`](LogError::passes) the same call is made again, if the
+/// policy says so: the destination must not store its rows twice. After any other error the only further call is drop.
 pub trait Sink: Send {
-    /// Begins a run, or goes on with it where `begin.how` says so. Returns how far the destination holds this run already:
-    /// rows before that are not given again. A destination that would rather see them, to compare them, returns the
-    /// beginning.
+    /// Begins a run, or resumes it if `begin.how` says so. Returns how many rows the destination holds of this run: these are not given
+    /// again. A destination that wants to compare them returns the beginning.
     fn begin(&mut self, begin: &Begin) -> Result<Watermark, LogError>;
 
     /// Takes rows. They may be lost until the next `make_durable`.
@@ -53,36 +52,35 @@ pub trait Sink: Send {
     /// Makes sure of everything, and marks the run as ended at an instant.
     fn finish(&mut self, end: RunTime) -> Result<(), LogError>;
 
-    /// Whether it holds rows back and wants to be asked to make rows durable again, though nothing new comes.
+    /// Whether it holds rows back and needs further calls to make them durable, even without new rows.
     fn is_behind(&self) -> bool {
         false
     }
 }
 
-/// What a destination is begun with.
+/// The parameters of a destination's beginning.
 #[derive(Clone, Copy, Debug)]
 pub struct Begin<'a> {
-    /// What the run is, with its sensors.
+    /// The run, with its sensors.
     pub run: &'a RunInfo,
     /// The tables that rows will be of: one of a log, several of the truth.
     pub tables: &'a [Table],
-    /// How instants are to be written, by the run's mapping.
+    /// The format of instants, by the run's mapping.
     pub time: TimeFormat,
     /// The name of the column of the run's id, by the run's mapping.
     pub run_column: &'a str,
-    /// Whether texts that a spreadsheet would run are escaped where they go into CSV, by the run's mapping.
+    /// Whether texts that a spreadsheet would run are escaped in CSV, by the run's mapping.
     pub spreadsheet_safe: bool,
-    /// What becomes of what is there already.
+    /// The treatment of existing files.
     pub how: WriteMode,
     /// Whether files have their names only once all rows are in them. Otherwise those that others can follow have them earlier.
     pub is_whole: bool,
     /// Once it says so, a destination that is away is not to be waited for any more, in this call and in later ones.
     pub cancel: &'a Cancel,
-    /// How long one request may take. A sink that makes several in a call says so there.
+    /// The time for one request. A sink with several requests in a call tells it so.
     pub deadline: &'a Deadline,
 }
 
-/// The same, kept.
 #[derive(Clone, Debug)]
 pub(crate) struct OwnedBegin {
     pub run: Arc<RunInfo>,
@@ -126,7 +124,7 @@ impl OwnedBegin {
     }
 }
 
-/// How far a destination holds a run: by table, how many of its rows. They are the first ones, without gaps.
+/// How many rows of a run a destination holds, by table. They are the first ones, without gaps.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Watermark(pub Vec<u64>);
 
@@ -136,7 +134,7 @@ impl Watermark {
         Watermark::default()
     }
 
-    /// How many rows of a table are durable.
+    /// The number of durable rows of a table.
     pub fn of(&self, table: usize) -> u64 {
         self.0.get(table).copied().unwrap_or(0)
     }

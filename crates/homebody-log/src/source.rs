@@ -1,4 +1,4 @@
-//! The forms in which logs are read, one file for each: ours, and what real homes recorded.
+//! The forms of logs that can be read, one file for each: ours, and those of real homes.
 
 pub(crate) mod casas;
 pub(crate) mod columns;
@@ -48,24 +48,24 @@ pub use start::FileStart;
 use std::fmt;
 use std::path::Path;
 
-/// A form in which logs are found.
+/// A form of logs.
 pub struct LogForm {
-    /// What stands before the colon where somebody names it, such as `casas`.
+    /// The text before the colon, such as `casas`.
     pub name: &'static str,
-    /// What it is, in words.
+    /// A description in words.
     pub what: &'static str,
-    /// What the beginning of a file shows of it.
+    /// The content that the beginning of a file shows in this form.
     pub shows: fn(&FileStart) -> Shows,
     /// Reads a log of this form row by row, from its file or from what a server is reached by.
     pub read: fn(&Path, &LoggerFile, &mut LogReading<'_>) -> Result<(), LogError>,
 }
 
-/// What the beginning of a file shows of a form.
+/// The content that the beginning of a file shows.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Shows {
     /// It is of another form.
     Nothing,
-    /// It tells what somebody did, and nothing of sensors.
+    /// It has activities and no sensors.
     Activities,
     /// It tells what sensors said.
     Rows,
@@ -92,7 +92,7 @@ impl fmt::Debug for LogForm {
     }
 }
 
-/// What a cell of a table says.
+/// A cell of a table.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum TruthValue<'v> {
     /// Nothing: unknown, or it does not apply.
@@ -107,9 +107,8 @@ pub enum TruthValue<'v> {
     Instant(LogInstant),
 }
 
-/// Takes a row: of which table by its place among those that are wanted, and its cells in the order of the table's columns.
+/// Takes a row: the index of its table among those that are wanted, and its cells in the order of the table's columns.
 pub type TakeTruthRow<'t> = dyn FnMut(usize, &[TruthValue<'_>]) -> Result<(), LogError> + 't;
 
-/// Gives all rows of some tables, each table's in the order in which they were written. What of them is not there is an error that
-/// says all of it: [`LogError::NoTruth`].
+/// Reads all rows of some tables, each table's in the order of writing. Missing tables and columns are one error: [`LogError::NoTruth`].
 pub type ReadTables = fn(&Url, &[&Table], &mut TakeTruthRow<'_>) -> Result<(), LogError>;

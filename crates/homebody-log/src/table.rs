@@ -1,8 +1,7 @@
-//! Tables: what every destination holds, a log and the truth alike, in one form for writing and for reading.
+//! Tables: the content of every destination, a log and the truth alike, in one form for writing and for reading.
 //!
-//! A [`Batch`] is a number of rows in the order in which they were made, each of one of the run's tables. Cells are plain
-//! numbers; a text is a number, too, which [`Batch::text`] turns back. So a batch is cheap to hand to several
-//! destinations.
+//! A [`Batch`] is a number of rows in the order of the run, each of one of its tables. Cells are plain numbers; a text is a number, too,
+//! which [`Batch::text`] turns back. So a batch is cheap to hand to several destinations.
 
 pub(crate) mod instant_writer;
 pub(crate) mod log_row;
@@ -19,38 +18,38 @@ pub(crate) use mapping::{ColumnNames, ShownTexts, apart};
 pub use rows::{LogRows, RowText};
 use std::sync::Arc;
 
-/// What the rows of a log are, in words: by these a file of columns knows that it is one.
+/// The description of the rows of a log, by which a file of columns is known as one.
 pub const LOG: &str = "what a sensor said, as the logger stored it";
 
-/// What rows of one kind are made of.
+/// A kind of rows.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Table {
     /// Of a log, as its mapping calls it; of the truth, always the same.
     pub name: String,
-    /// What a row is, in words.
+    /// The meaning of a row.
     pub about: &'static str,
     /// Its columns, but for that of the run's id, which the destination adds in front.
     pub columns: Vec<Column>,
     /// Whether the first column numbers the rows of a run, without gaps and from 0: with the run it is the key.
     pub is_numbered: bool,
-    /// Whether rows come by the thousand a day, so that a few of them may wait for others.
+    /// Whether a day has thousands of rows, so that a few of them may wait for others.
     pub is_frequent: bool,
 }
 
 /// One column of a table.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Column {
-    /// What destinations call it.
+    /// The name in destinations.
     pub name: String,
-    /// What its cells are.
+    /// The type of its cells.
     pub kind: ColumnKind,
-    /// What its numbers count, such as `m`; empty where there is nothing to say.
+    /// The unit of its numbers, such as `m`; empty without one.
     pub unit: &'static str,
-    /// What it says, in words.
+    /// Its meaning.
     pub about: &'static str,
 }
 
-/// What the cells of a column are, apart from NULL.
+/// The type of the cells of a column, apart from NULL.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ColumnKind {
     /// An instant; a destination writes it in the time format of the run's mapping.
@@ -116,18 +115,18 @@ impl TextPool {
         texts.iter().map(|text| self.id(text)).collect()
     }
 
-    /// How many there are.
+    /// The number of texts.
     pub fn len(&self) -> usize {
         self.all.len()
     }
 
-    /// Whether there are none yet.
+    /// Whether it is empty.
     pub fn is_empty(&self) -> bool {
         self.all.is_empty()
     }
 }
 
-/// Rows in the order in which they were made.
+/// Rows in the order of the run.
 #[derive(Clone, Debug, Default)]
 pub struct Batch {
     /// By row: its table, and where its cells begin.
@@ -179,12 +178,12 @@ impl Batch {
         self
     }
 
-    /// How many rows it has.
+    /// The number of rows.
     pub fn len(&self) -> usize {
         self.rows.len()
     }
 
-    /// Whether it has no rows.
+    /// Whether it is empty.
     pub fn is_empty(&self) -> bool {
         self.rows.is_empty()
     }
@@ -197,7 +196,7 @@ impl Batch {
         BatchRow { table: table as usize, cells: &self.cells[begin as usize..end], firing }
     }
 
-    /// Its rows, in the order in which they were made.
+    /// Its rows, in the order of the run.
     pub fn rows(&self) -> impl Iterator<Item = BatchRow<'_>> {
         (0..self.len()).map(|index| self.row(index))
     }
@@ -207,7 +206,7 @@ impl Batch {
         &self.texts[id.0 as usize]
     }
 
-    /// The texts from a number on: those that somebody who has kept the ones before does not know yet.
+    /// The texts from a number on: those that a reader of the earlier ones lacks.
     pub fn texts_from(&self, first: usize) -> impl Iterator<Item = Arc<str>> {
         self.texts.get(first..).unwrap_or_default().iter().cloned()
     }

@@ -1,8 +1,8 @@
-//! Texts as files have them: one word where blanks part what is in a line, and a `'` before what a spreadsheet would run.
+//! Texts for files: one word where blanks separate columns, and a `'` before formulas, which a spreadsheet would run.
 //!
-//! Whoever names a sensor writes into the file. A text that looks like a formula has a `'` before it in CSV, which spreadsheets take for
-//! "this is text". A number, such as -3.5, is no formula. Reading takes the `'` away, whoever wrote the file. A logger's
-//! `spreadsheet_safe` only says whether formulas of the log and of the truth get one; those in `sensors.csv` always do.
+//! Names of sensors are untrusted text. A text that looks like a formula has a `'` before it in CSV, which spreadsheets take for "this is
+//! text". A number, such as -3.5, is not a formula. Reading removes the `'` in files of any origin. A logger's `spreadsheet_safe` only
+//! decides whether formulas of the log and of the truth get one; those in `sensors.csv` always do.
 
 use std::borrow::Cow;
 
@@ -22,7 +22,7 @@ fn capitalised(word: &str) -> String {
     letters.next().map(|first| first.to_uppercase().chain(letters).collect()).unwrap_or_default()
 }
 
-/// How a formula begins, or what spreadsheets pass over before one.
+/// The first characters of formulas, and those that spreadsheets skip before one.
 const BEGINS: [char; 6] = ['=', '+', '-', '@', '\t', '\r'];
 
 /// A text as it stands in a cell of a log or a truth that is safe, or is not.
@@ -32,19 +32,17 @@ pub(crate) fn spreadsheet_cell(text: &str, is_safe: bool) -> Cow<'_, str> {
 
 /// A text as it stands in a cell that is safe.
 pub fn escaped(text: &str) -> Cow<'_, str> {
-    // What looks escaped already is escaped once more, so that each text comes back as it was.
+    // A text that looks escaped is escaped once more, so that each text is read back unchanged.
     match is_formula(text) || is_escaped(text) {
         true => format!("'{text}").into(),
         false => text.into(),
     }
 }
 
-/// What a cell says.
 pub(crate) fn unescaped(cell: &str) -> &str {
     if is_escaped(cell) { &cell[1..] } else { cell }
 }
 
-/// What a cell says that may be no text.
 pub(crate) fn unescaped_bytes(cell: &[u8]) -> &[u8] {
     match cell {
         [b'\'', text @ ..] if is_escaped(&String::from_utf8_lossy(cell)) => text,

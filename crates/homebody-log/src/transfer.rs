@@ -18,7 +18,7 @@ use crate::table::{Batch, Cell, Column, ColumnNames, TextId, TextPool};
 use crate::url::Url;
 use homebody_core::calendar::Calendar;
 use homebody_core::scenario::logger::{LoggerFile, TimeFormat};
-use homebody_core::scenario::scheme::Scheme;
+use homebody_core::scenario::scheme::TablePlacement;
 use homebody_core::time::{RunTime, Span, UtcTime, WallTime};
 use std::path::{Path, PathBuf};
 
@@ -30,52 +30,52 @@ use std::path::{Path, PathBuf};
 pub struct Transfer<'a> {
     /// The log that is read.
     pub from: &'a LogSource,
-    /// What its table and columns are called, where that is neither ours nor to be guessed.
+    /// The names of its table and columns, if they are neither ours nor easy to guess.
     pub mapping: &'a LoggerFile,
-    /// Where it is written to.
+    /// The place of the new log.
     pub to: &'a Url,
-    /// What the log is called.
+    /// The name of the log.
     pub name: &'a str,
     /// The name of a time zone.
     pub zone: &'a str,
-    /// What becomes of what is there already.
+    /// The treatment of existing files.
     pub how: WriteMode,
 }
 
-/// What a row gets besides its own cells: by its number, counted from 0, and itself.
+/// Adds cells to a row, by its number, from 0.
 pub(crate) type More<'m> = dyn FnMut(u64, &Event, &Log, &mut TextPool, &mut Vec<Cell>) -> Result<(), LogError> + 'm;
 
 /// Columns behind those of a log.
 pub(crate) struct Besides<'b> {
-    /// What the table is called, and what a row of it is, where that is not a log's.
+    /// The name of the table and the meaning of its rows, if they are not those of a log.
     pub table: Option<(&'static str, &'static str)>,
     pub columns: Vec<Column>,
     /// Activities that go into a table of their own.
     pub spans: &'b [Activity],
-    /// How rows are told otherwise.
+    /// Changes to rows.
     pub rewrite: Option<&'b Rewrite<'b>>,
 }
 
-/// How rows are told otherwise than they are read; lists are in the order of the log's sensors and values.
+/// Changes to rows; lists are in the order of the log's sensors and values.
 pub(crate) struct Rewrite<'r> {
-    /// How much later.
+    /// The delay.
     pub shift: Span,
-    /// What sensors are called.
+    /// The names of sensors.
     pub sensors: &'r [String],
     /// Which values stay: rows of others are left out.
     pub keeps: &'r [bool],
 }
 
 impl Besides<'_> {
-    /// Columns of a log itself, of which there are none yet.
+    /// Columns of a log, without further ones.
     pub fn of_log() -> Self {
         Besides { table: None, columns: Vec::new(), spans: &[], rewrite: None }
     }
 }
 
 impl Transfer<'_> {
-    /// Writes all rows, with what each gets besides; returns how many there are. `about` is the survey of the log; `progress` is
-    /// told how many rows have been written.
+    /// Writes all rows, with their further cells; returns the number of rows. `about` is the survey of the log; `progress` gets the number
+    /// of written rows.
     pub(crate) fn write(
         &self,
         about: &Log,
@@ -171,19 +171,20 @@ impl Transfer<'_> {
         (!is_read && (says_more_of(&run.sensors) || names.exists())).then_some(names)
     }
 
-    /// Where the table of activities goes that has no room in the log's own file. What is there already would be taken for this
-    /// log's, so it is written anew even if there are none.
+    /// The file of activities, if the log's own file has no room for them. An existing one would be taken for this log's, so it is written
+    /// anew even without activities.
     fn beside(&self, spans: &[Activity]) -> Option<Url> {
-        let path = match self.to.scheme() {
-            Scheme::Parquet if self.to.is_data_set() => activities_of_set(self.to.path()),
-            Scheme::Csv | Scheme::Jsonl | Scheme::Parquet | Scheme::Arrow => activities_of(self.to.file()?),
-            _ => return None,
+        if self.to.scheme().row().tables != TablePlacement::FileEach {
+            return None;
+        }
+        let path = match self.to.is_data_set() {
+            true => activities_of_set(self.to.path()),
+            false => activities_of(self.to.file()?),
         };
         (!spans.is_empty() || path.exists()).then(|| self.to.at(path))
     }
 }
 
-/// Activities as rows of a table.
 fn spans_as_rows(spans: &[Activity], table: usize, start: WallTime, texts: &mut TextPool) -> Batch {
     let mut batch = Batch::with_capacity(spans.len(), SPAN_COLUMNS.len());
     for span in spans {

@@ -1,7 +1,7 @@
 //! A place for a log, as a user writes it: `sqlite:log.db`, `csv:log.csv`, `jsonl:-`, `postgresql://ann@host/homes`.
 
 use crate::table::Table;
-use homebody_core::scenario::scheme::{NoPlace, OUTPUT, Scheme, SchemeRow, Stands};
+use homebody_core::scenario::scheme::{NoPlace, OUTPUT, Scheme, SchemeRow, Stands, TablePlacement};
 use std::fmt;
 use std::path::{Path, PathBuf};
 use std::str::FromStr;
@@ -19,29 +19,29 @@ impl Url {
         Url { scheme, at: at.into() }
     }
 
-    /// What kind of place it is.
+    /// The kind of place.
     pub fn scheme(&self) -> Scheme {
         self.scheme
     }
 
-    /// The file; None for places that are no files.
+    /// The file; None for other places.
     pub fn file(&self) -> Option<&Path> {
         let stands = self.scheme.row().stands;
         (stands != Stands::Server && !self.is_output() && !self.is_data_set()).then_some(&*self.at)
     }
 
-    /// Whether it is a folder of files, or what stands for one in an object store: Parquet whose name does not end so.
+    /// Whether it is a folder of files, in an object store or not: Parquet without the extension `.parquet`.
     pub fn is_data_set(&self) -> bool {
         self.scheme == Scheme::Parquet
             && (self.is_in_store() || self.at.extension().is_none_or(|ending| ending != "parquet"))
     }
 
-    /// Whether what stands behind the colon is a URL itself: that of an object store.
+    /// Whether the text after the colon is itself a URL: that of an object store.
     pub fn is_in_store(&self) -> bool {
         self.at.to_string_lossy().contains("://")
     }
 
-    /// What stands behind the colon, as a path.
+    /// The text after the colon, as a path.
     pub fn path(&self) -> &Path {
         &self.at
     }
@@ -51,21 +51,21 @@ impl Url {
         self.scheme.row().stands == Stands::Text && self.at == Path::new(OUTPUT)
     }
 
-    /// What a server is reached by, whole: `postgresql://ann@host/homes`. None for places that are none.
+    /// The whole URL of a server: `postgresql://ann@host/homes`. None for other places.
     pub fn server(&self) -> Option<String> {
         (self.scheme.row().stands == Stands::Server).then(|| self.to_string())
     }
 
-    /// The files of what is made of these tables: of several, comma-separated values have one for each, such as
-    /// `truth.room.csv`. None for places that are no files.
+    /// The files of these tables: if there are several, comma-separated values have a file for each, such as `truth.room.csv`. Empty for
+    /// places other than files.
     pub fn files(&self, tables: &[Table]) -> Vec<PathBuf> {
         let of_table = |table: &Table| table_file(&self.at, &table.name);
-        match (self.file(), self.scheme) {
-            (None, _) => Vec::new(),
-            (_, Scheme::Csv | Scheme::Jsonl | Scheme::Parquet | Scheme::Arrow) if tables.len() > 1 => {
+        match self.file() {
+            None => Vec::new(),
+            Some(_) if tables.len() > 1 && self.scheme.row().tables == TablePlacement::FileEach => {
                 tables.iter().map(of_table).collect()
             }
-            _ => vec![self.at.clone()],
+            Some(_) => vec![self.at.clone()],
         }
     }
 
@@ -85,7 +85,7 @@ impl Url {
 
 /// The file of one table of several, which have the name of `path` between them.
 pub fn table_file(path: &Path, table: &str) -> PathBuf {
-    // How a text is packed stands last: `truth.csv.gz` has `truth.room.csv.gz`.
+    // The packing is the last extension: `truth.csv.gz` has `truth.room.csv.gz`.
     if let Some(packing @ ("gz" | "zst")) = path.extension().and_then(|ending| ending.to_str())
         && let Some(text) = path.file_stem().filter(|stem| Path::new(stem).extension().is_some())
     {
@@ -97,7 +97,7 @@ pub fn table_file(path: &Path, table: &str) -> PathBuf {
     path.with_extension(format!("{table}.{ending}"))
 }
 
-/// The bytes of a part of a URL, in which a percent sign and two digits are one; None where a percent sign has no two digits.
+/// Decodes percent signs in a part of a URL; None if one lacks its two digits.
 pub fn percent_decoded(text: &str) -> Option<Vec<u8>> {
     let mut bytes = Vec::with_capacity(text.len());
     let mut rest = text.as_bytes();

@@ -55,7 +55,7 @@ fn a_first_row_of_a_day_that_no_month_has_is_no_heading() {
         assert_eq!((log.rows, log.skipped), (12, 1), "{day}");
         assert!(log.problems[0].line == 1 && log.problems[0].why.ends_with(wanted), "{:?}", log.problems);
     }
-    // Two such rows are no heading. A heading above them stays one.
+    // Two such rows are not a heading. A heading above them stays one.
     let text = rows(12, |at, sensor, value| format!("2009-03-02 {},{sensor},{value}", clock(at)));
     let bad = "2009-02-30 07:00:00,hall,ON\n2009-02-31 07:00:00,bath,ON\n";
     for (heading, line) in [("", 1), ("time,sensor,value\n", 2)] {

@@ -87,7 +87,7 @@ impl Sink for Server {
 }
 
 #[test]
-fn rows_of_one_that_does_not_answer_are_put_aside_and_the_others_go_on() {
+fn rows_of_a_hanging_destination_are_spooled_and_others_continue() {
     for (call, loses) in
         [(Call::Write, false), (Call::Write, true), (Call::MakeDurable, false), (Call::MakeDurable, true)]
     {
@@ -98,7 +98,7 @@ fn rows_of_one_that_does_not_answer_are_put_aside_and_the_others_go_on() {
 }
 
 #[test]
-fn one_that_does_not_answer_ends_a_run_that_does_not_wait() {
+fn a_hanging_destination_ends_a_run_without_retries() {
     let server = Server::new(Call::Write, false);
     let (error, took) = ended(server.destination(), stage::run(), &stage::firings(ROWS), |held| server.hold(held));
     assert!(matches!(error, LogError::Hangs { seconds: 1, .. }), "{error}");
@@ -110,7 +110,7 @@ fn one_that_does_not_answer_ends_a_run_that_does_not_wait() {
 
 /// The same call gets the answer, at the beginning and at the end, and no row comes twice.
 #[test]
-fn one_that_answers_late_is_waited_for_by_who_retries() {
+fn a_run_with_retries_waits_for_a_late_answer() {
     for (call, loses) in [Call::Begin, Call::Write, Call::MakeDurable, Call::Finish]
         .map(|call| [(call, false), (call, true)])
         .as_flattened()
@@ -141,7 +141,7 @@ fn one_that_answers_late_is_waited_for_by_who_retries() {
 }
 
 #[test]
-fn a_run_that_is_stopped_does_not_wait_for_one_that_does_not_answer() {
+fn a_stopped_run_does_not_wait_for_a_hanging_destination() {
     for call in [Call::Write, Call::MakeDurable, Call::Finish] {
         let server = Server::new(call, false);
         stopped(server.destination(), stage::run(), &stage::firings(ROWS), |held| server.hold(held));

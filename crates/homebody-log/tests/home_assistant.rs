@@ -15,7 +15,7 @@ use std::path::Path;
 /// 2 March 2009, 07:00.
 const SEVEN: i64 = 1_235_977_200;
 
-/// How a recorder has written states.
+/// The form of states in a year of the recorder.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Year {
     /// The entity, its attributes and times as text in each row.

@@ -8,7 +8,7 @@ use std::path::Path;
 use std::process::{Command, Stdio};
 use std::time::{Duration, Instant};
 
-/// Where the child writes; the parent sets it.
+/// The place for the child; the parent sets it.
 const CHILD: &str = "HOMEBODY_TEST_KILLED";
 const KILLS: u64 = 20;
 
@@ -29,7 +29,7 @@ fn child() {
 }
 
 #[test]
-fn whatever_kills_a_run_nothing_stored_is_lost_or_doubled() {
+fn a_killed_run_loses_and_doubles_no_stored_row() {
     let folder = Folder::new("killed");
     let firings = stage::firings(1_000);
     let mut longest = 0;

@@ -19,7 +19,7 @@ fn at(span: Span) -> RunTime {
 }
 
 #[test]
-fn each_residents_activities_and_rooms_are_told() {
+fn reads_activities_and_rooms_of_each_resident() {
     let activity = |resident, after: Span, name: Option<&str>| Fact::Activity {
         resident,
         at: at(after),
@@ -56,9 +56,9 @@ fn each_residents_activities_and_rooms_are_told() {
     }
 }
 
-/// Who sleeps through the first of the two hours from one to two, and gets up in the second.
+/// A resident who sleeps through the first of the two hours from one to two, and gets up in the second.
 #[test]
-fn an_hour_that_is_told_twice_is_known_by_who_moves() {
+fn movements_tell_a_repeated_hour() {
     let calendar = Calendar::new("2009-11-01T00:00:00", "America/Chicago").unwrap();
     let margaret = ResidentId(0);
     let end = at(5 * HOUR);
@@ -71,7 +71,7 @@ fn an_hour_that_is_told_twice_is_known_by_who_moves() {
         Fact::Room { resident: margaret, at: RunTime::START, room: Some(RoomId(0)) },
         activity(RunTime::START, Some("sleeping")),
     ];
-    // Now and then somebody turns over.
+    // The sleeper turns over now and then.
     let turns = [0, 40, 80, 118, 140].map(|minute| at(minute * MINUTE));
     for (index, &turn) in turns.iter().enumerate() {
         let until = turns.get(index + 1).copied().unwrap_or(up);

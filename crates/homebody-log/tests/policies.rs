@@ -12,14 +12,14 @@ use std::sync::{Arc, Mutex};
 use std::thread;
 use std::time::{Duration, Instant};
 
-/// What a destination has got: the numbers of its rows, and whether the run's end was told.
+/// The rows that a destination has, by number, and whether the run has ended.
 #[derive(Default)]
 struct Got {
     rows: Vec<i64>,
     ended: bool,
 }
 
-/// What a destination does with its n-th batch, or, for 0, as it begins.
+/// The reaction of a destination to its n-th batch, or, for 0, to its beginning.
 type Deed = fn(usize) -> Result<(), LogError>;
 
 struct Own {
@@ -109,7 +109,7 @@ fn hangs_at(which: usize, batch: usize) -> Result<(), LogError> {
     Ok(())
 }
 
-/// Is away as it is begun for the first time, and there when it is begun again.
+/// Is away at its first beginning, and there at the second.
 fn late(batch: usize) -> Result<(), LogError> {
     static BEGUN: AtomicUsize = AtomicUsize::new(0);
     if batch == 0 && BEGUN.fetch_add(1, Ordering::Relaxed) == 0 {
@@ -127,7 +127,7 @@ fn a_destination_of_ones_own_gets_every_row() {
 }
 
 #[test]
-fn one_that_is_required_ends_the_run_when_it_fails() {
+fn a_failing_required_destination_ends_the_run() {
     let (folder, _, stored) = stored("required", full, Policy::default());
     let error = stored.unwrap_err();
     assert!(error.to_string().contains("a broker") && error.to_string().contains("it is full"), "{error}");
@@ -135,7 +135,7 @@ fn one_that_is_required_ends_the_run_when_it_fails() {
 }
 
 #[test]
-fn one_that_is_optional_stops_no_other() {
+fn a_failing_optional_destination_stops_no_other() {
     let (folder, got, stored) = stored("optional", full, Policy::optional());
     let stored = stored.unwrap();
     assert_eq!((stored.rows, lines(&folder), is_whole(&got)), (ROWS, ROWS, false));
@@ -145,16 +145,16 @@ fn one_that_is_optional_stops_no_other() {
 }
 
 #[test]
-fn one_that_comes_back_gets_every_row_once() {
+fn a_recovered_destination_gets_every_row_once() {
     let (folder, got, stored) = stored("back", away, patient());
     assert_eq!((stored.unwrap().rows, lines(&folder), is_whole(&got)), (ROWS, ROWS, true));
-    // The control: nobody tries again who is not told to.
+    // The control: without the policy there are no retries.
     let (_, got, stored) = self::stored("not-back", away, Policy::default());
     assert!(stored.is_err() && !is_whole(&got));
 }
 
 #[test]
-fn one_that_is_away_as_it_is_begun_is_begun_again() {
+fn an_absent_destination_is_begun_again() {
     let (folder, got, stored) = stored("late", late, patient());
     assert_eq!((stored.unwrap().rows, lines(&folder), is_whole(&got)), (ROWS, ROWS, true));
 }
@@ -175,7 +175,7 @@ fn drops_the_right_one_of_two_destinations_with_one_name() {
 }
 
 #[test]
-fn one_that_hangs_is_waited_for_once_and_no_longer() {
+fn a_run_waits_once_for_a_hanging_destination() {
     let within = Duration::from_secs(8);
     thread::scope(|scope| {
         for (name, required, deed) in [
@@ -188,7 +188,7 @@ fn one_that_hangs_is_waited_for_once_and_no_longer() {
                 let begun = Instant::now();
                 let policy = Policy { answers_within: within, required, ..Policy::default() };
                 let (folder, _, stored) = stored(name, deed, policy);
-                // Who waited twice, for the run and on leaving, would have waited for twice as long.
+                // Two waits, for the run and at its end, would have taken twice as long.
                 let took = begun.elapsed();
                 assert!(took >= within && took < 2 * within, "{name}: {took:?}");
                 if required {
@@ -213,7 +213,7 @@ fn away_and_slow_to_say_so(batch: usize) -> Result<(), LogError> {
 }
 
 #[test]
-fn one_that_is_away_is_not_waited_for_once_the_run_is_stopped() {
+fn a_stopped_run_does_not_wait_for_an_absent_destination() {
     let always = |batch: usize| away(batch.min(3));
     for (name, deed) in [("stopped", always as Deed), ("stopped-slow", away_and_slow_to_say_so)] {
         let (folder, cancel, told) = (Folder::new(name), Cancel::new(), Arc::new(Mutex::new(Vec::new())));
@@ -277,7 +277,7 @@ impl Sink for Ahead {
 }
 
 #[test]
-fn a_destination_that_has_more_of_a_run_than_it_made_is_told_of() {
+fn reports_a_destination_with_more_rows_than_the_run() {
     let stored = |rows: u64, policy: Policy| {
         let to = Destination::own("a broker", Ahead(rows), policy);
         let logger =

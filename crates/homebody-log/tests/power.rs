@@ -20,7 +20,7 @@ use std::path::Path;
 use std::process::Command;
 use trace::{Event, missing, trace};
 
-/// Where the child writes, and how; the parent sets it.
+/// The place and the mode of the child; the parent sets it.
 const CHILD: &str = "HOMEBODY_TEST_POWER";
 const HOW: &str = "HOMEBODY_TEST_POWER_HOW";
 
@@ -63,7 +63,7 @@ fn ours(url: &Url) {
     confirm(rows);
 }
 
-/// What a program does that knows nothing of all this but one setting.
+/// A program that knows only one setting.
 fn plain(path: &Path, synchronous: &str) {
     let connection = Connection::open(path).unwrap();
     connection.execute_batch(&format!("PRAGMA journal_mode = WAL; PRAGMA synchronous = {synchronous}")).unwrap();
@@ -80,7 +80,7 @@ fn plain(path: &Path, synchronous: &str) {
     }
 }
 
-/// What a child asked of its files.
+/// The requests of a child to its files.
 fn traced(folder: &Folder, how: &str) -> Vec<Event> {
     let inner = folder.path().join("files");
     std::fs::create_dir(&inner).unwrap();
@@ -91,7 +91,7 @@ fn traced(folder: &Folder, how: &str) -> Vec<Event> {
     events
 }
 
-/// What was lost or doubled where the power is lost after so many events; None where all is as it was promised.
+/// Rows that are lost or doubled if the power is lost after so many events; None if all promises hold.
 fn wrong_after(folder: &Folder, events: &[Event], luck: Luck, heeds: bool) -> Option<String> {
     let confirmed = events.iter().rev().find_map(|event| match event {
         Event::Confirmed(rows) => Some(*rows),
@@ -131,7 +131,7 @@ fn wrong_after(folder: &Folder, events: &[Event], luck: Luck, heeds: bool) -> Op
     (rows < confirmed).then(|| format!("{confirmed} rows were confirmed, and {rows} are there"))
 }
 
-/// After so many of the events if nobody says otherwise.
+/// The default number of events before the loss.
 const USUAL: usize = 40;
 
 /// After which events the power is lost, and with what luck.
@@ -159,7 +159,7 @@ fn is_skipped() -> bool {
 }
 
 #[test]
-fn wherever_power_is_lost_what_was_confirmed_is_there_once() {
+fn confirmed_rows_survive_a_loss_of_power_once() {
     if is_skipped() {
         return;
     }
@@ -171,7 +171,7 @@ fn wherever_power_is_lost_what_was_confirmed_is_there_once() {
         assert_eq!(wrong, None, "after {cut} of {} events, {luck:?}: {:?}", events.len(), kind(&events[cut - 1]));
         tried += 1;
     }
-    // What is left is gone on with, to the same rows as if nothing had happened.
+    // The rest is resumed, to the same rows as without the loss.
     let firings = stage::firings(all_rows() as u64);
     for cut in [events.len() / 3, events.len() / 2, events.len() - 9] {
         assert_eq!(wrong_after(&folder, &events[..cut], Luck::Some(cut as u64), true), None);
@@ -184,7 +184,7 @@ fn wherever_power_is_lost_what_was_confirmed_is_there_once() {
     }
     println!("{} events, {tried} losses of power, {} rows: none lost, none doubled", events.len(), all_rows());
 
-    // The control: a disk that does not heed the wish to be sure, which is one that nobody asks.
+    // The control: a disk that ignores requests for durability, like one without such requests.
     let lost =
         cuts(&events).filter(|(cut, luck)| wrong_after(&folder, &events[..*cut], *luck, false).is_some()).count();
     println!("of a disk that heeds nothing, {lost} of {tried} are found wrong");

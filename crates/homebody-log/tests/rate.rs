@@ -15,7 +15,7 @@ use std::time::{Duration, Instant};
 const ROWS: u64 = 1_000_000;
 const ROUNDS: usize = 5;
 
-/// The rate of rows in that of lines (ours): to understand a row takes no longer than to read its line.
+/// The least rate of rows, in parts of that of lines (our choice): understanding a row takes no longer than reading its line.
 const LEAST_READ: f64 = 0.5;
 
 #[test]

@@ -1,7 +1,7 @@
 //! The forms of recordings of real homes: their beginning identifies each, and no row or activity is lost.
 //!
-//! Texts here are ours. The recordings themselves are read where HOMEBODY_DATA names the folder that holds them, and their counts
-//! are held against those of a few lines of Python.
+//! Texts here are ours. The recordings themselves are read if HOMEBODY_DATA names their folder, and their counts are compared with those
+//! of a few lines of Python.
 
 use crate::stage::Folder;
 use homebody_core::scenario::logger::LoggerFile;
@@ -149,7 +149,7 @@ fn frames_of_devices_and_activities_are_one_log() {
     let older = "start_time,end_time,device,val\n2009-03-02 07:00:00,2009-03-02 07:10:00,a,1\n2009-03-02 07:01:00,2009-03-02 07:02:00,b,1\n";
     let log = from_text(&folder, "pyadlml", "older.csv", older);
     assert_eq!(told(&log), [(0.0, "a", "ON"), (1.0, "b", "ON"), (2.0, "b", "OFF"), (10.0, "a", "OFF")]);
-    // Which of several logs is meant, nobody knows.
+    // It is unclear which of several logs is meant.
     let error = LogSource::recognise(folder.path()).unwrap_err().to_string();
     assert!(error.contains("name one of devices.csv, older.csv"), "{error}");
 }
@@ -211,7 +211,7 @@ fn an_event_log_has_activities_alone() {
     let log = from_text(&folder, "xes", "log.xes", &text);
     assert_eq!(done(&log), [("cook & eat", 0.0, 10.0), ("a > b", 1.0, 1.0), ("sleep", 20.0, 20.0)]);
     assert_eq!((log.rows, log.clock, log.problems[0].line, log.skipped), (0, Clock::Utc, 12, 1));
-    // Where there are no rows, nothing can be noted at them; tables hold activities alone.
+    // Without rows, there is no place for notes; tables hold activities alone.
     let casas = carry(&LogSource::recognise(&folder.path().join("log.xes")).unwrap(), &folder, "casas:log.txt");
     assert!(casas.unwrap_err().to_string().contains("cannot hold 3 activities"));
     carry(&LogSource::recognise(&folder.path().join("log.xes")).unwrap(), &folder, "csv:carried.csv").unwrap();
@@ -228,7 +228,7 @@ fn a_broken_part_of_an_event_log_costs_only_its_event() {
     };
     let text = [
         "<?xml version=\"1.0\"?>\n<log><trace>\n".to_owned(),
-        // A quote that is never closed, a beginning that is none, and an end that is none.
+        // A quote that is never closed, an invalid beginning, and an invalid end.
         event("a", 1).replace("value=\"a\"", "value=\"a"),
         event("b", 2),
         event("c", 3).replace("<event>", "<evnt>"),
@@ -323,7 +323,7 @@ fn home_assistants_states_are_read_and_its_database_is_left_as_it_was() {
     for (name, sql) in [
         ("now.db", format!("{META}{now}")),
         ("older.db", older.to_owned()),
-        // As Home Assistant leaves it: nothing comes to lie beside it.
+        // The state in which Home Assistant leaves it: reading adds no files.
         ("my home #1?.db", format!("PRAGMA journal_mode = WAL; {META}{now}")),
     ] {
         let path = folder.path().join(name);
@@ -443,7 +443,7 @@ fn real(name: &str) -> Option<PathBuf> {
     path.filter(|_| has_python)
 }
 
-/// What a few lines of Python print of a file.
+/// The counts that a few lines of Python print for a file.
 fn counted(script: &str, file: &Path) -> Vec<u64> {
     let done = Command::new("python3").args(["-c", script]).arg(file).output().unwrap();
     assert!(done.status.success(), "{}", String::from_utf8_lossy(&done.stderr));
@@ -502,7 +502,7 @@ fn real_texts_have_as_many_rows_as_python_counts() {
         assert_eq!((source.form().name, counts(&log)), (form, counted(script, &path)), "{name}");
         let is_in_order = log.events.windows(2).all(|pair| pair[0].at <= pair[1].at);
         assert!(is_in_order || form == "csv" || form == "casas", "{name}");
-        // What is carried elsewhere comes back with its activities.
+        // A converted log keeps its activities.
         let folder = Folder::new(&format!("real-{form}-{}", log.rows));
         for to in ["csv:log.csv", "sqlite:log.db"] {
             carry(&source, &folder, to).unwrap();

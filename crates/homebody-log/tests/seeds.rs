@@ -19,13 +19,13 @@ const USUAL_SEEDS: u64 = 60;
 const ROWS: u64 = 4_000;
 const A_WHILE: Duration = Duration::from_millis(3);
 
-/// What becomes of a call.
+/// The fate of a call.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Fate {
     Done,
     /// It is refused, and nothing is taken.
     Away,
-    /// It is taken, and nobody hears of that.
+    /// It is taken, and its answer is lost.
     Unheard,
     /// It takes a while.
     Slow,
@@ -37,7 +37,7 @@ enum Fate {
 #[derive(Clone)]
 struct Place {
     seed: u64,
-    /// Whether it takes again what it has taken already: the control.
+    /// Whether it takes rows twice: the control.
     forgets: bool,
     got: Arc<Mutex<Got>>,
 }
@@ -102,7 +102,7 @@ impl Sink for Place {
             _ => panic!("the number of a row"),
         };
         self.call(|got| {
-            // What it took before nobody heard of it is not taken again.
+            // Rows whose answer was lost are not taken again.
             let known = if self.forgets { 0 } else { got.rows.len() as i64 };
             got.rows.extend(batch.rows().map(|row| number(row.cells)).filter(|number| *number >= known));
         })
@@ -139,7 +139,7 @@ fn stored(seed: u64, folder: &Folder, place: &Place) -> (&'static str, Result<St
 }
 
 #[test]
-fn however_a_place_fails_each_policy_does_what_it_says() {
+fn each_policy_holds_for_every_failure() {
     let seeds = std::env::var("HOMEBODY_SEEDS").ok().and_then(|text| text.parse().ok()).unwrap_or(USUAL_SEEDS);
     let mut ends: BTreeMap<String, u64> = BTreeMap::new();
     for seed in 1..=seeds {
@@ -154,7 +154,7 @@ fn however_a_place_fails_each_policy_does_what_it_says() {
             "{what}: a row is missing, doubled or out of turn"
         );
         let is_whole = got.ended && got.rows.len() as u64 == ROWS;
-        // Whoever is not told that all is well may have all of it, where the last answer was not heard.
+        // A run without a success may still have stored all, if the last answer was lost.
         match (policy, &stored) {
             ("optional", Ok(stored)) => {
                 assert_eq!(stored.rows, ROWS, "{what}");
@@ -164,7 +164,7 @@ fn however_a_place_fails_each_policy_does_what_it_says() {
             ("error", Err(_)) => {}
             (_, Err(error)) => assert!(got.is_over, "{what}: {error}"),
         }
-        // The file beside it is whole or not there, and there where the run has come to its end.
+        // The file of the run is whole or missing, and there if the run has come to its end.
         let files = folder.files();
         assert!(files.is_empty() && stored.is_err() || files == ["log.csv"], "{what}: {files:?}");
         assert!(files.is_empty() || folder.text("log.csv").lines().count() as u64 == ROWS + 1, "{what}");
@@ -176,7 +176,7 @@ fn however_a_place_fails_each_policy_does_what_it_says() {
             || ["retry whole", "retry ended", "spool whole", "error ended"].iter().all(|end| ends.contains_key(*end)),
         "{ends:?}"
     );
-    // The control: one that keeps twice what nobody heard that it had is found out.
+    // The control: the test catches a sink that stores rows twice after a lost answer.
     let twice = (1..=20).filter(|seed| {
         let folder = Folder::new(&format!("twice-{seed}"));
         let place = Place { seed: *seed, forgets: true, got: Arc::default() };

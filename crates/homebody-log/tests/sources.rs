@@ -98,9 +98,9 @@ fn a_database_of_ours_names_the_zone_of_its_home() {
     assert_eq!(zone(), None, "two homes have no one zone");
 }
 
-/// What CSV can hold comes back as it was, with blanks at its ends and control characters; CASAS refuses what it cannot hold.
+/// Texts in CSV are read back with blanks at their ends and control characters; CASAS refuses those that it cannot hold.
 #[test]
-fn odd_texts_come_back_as_they_were_or_are_refused() {
+fn odd_texts_are_read_back_or_refused() {
     let odd =
         [(" door ", "ON"), ("\u{a0}stove", "  ON"), ("a\tb", "O\nN"), ("\r\nhall\r", "x\r"), ("=cmd()", "\u{1}'=1 ")];
     let folder = Folder::new("odd");
@@ -147,7 +147,7 @@ fn a_log_is_streamed_in_parts() {
         assert_eq!((rest.rows, rest.events.len()), (50_000, 0));
         assert_eq!(Log { events, ..rest }, whole);
         assert_eq!(survey(&url, &LoggerFile::default()).unwrap().sensors, whole.sensors);
-        // Who takes the rows may have had enough.
+        // The caller may stop reading.
         let mut parts = 0;
         let enough = stream(&url, &LoggerFile::default(), &mut |_| {
             parts += 1;
@@ -174,7 +174,7 @@ fn facts_about_sensors_come_with_the_log() {
         [("M 1", "hall wall", "motion", true, Some("hall")), ("D1", "front door", "contact", false, None)]
     );
     assert_eq!(known("what,somebody,else\nwrote,of,theirs\n"), []);
-    // One that is too large is not read, and that is told.
+    // A table that is too large is skipped and reported.
     let large = format!("{head}M 1,{},motion,hall,1.5,2\n", "x".repeat(4 << 20));
     assert_eq!(known(&large), []);
     let [remark] = &from_text(&folder, "csv:log.csv", log).unwrap().remarks[..] else { panic!("one remark") };
@@ -302,7 +302,7 @@ fn a_mapping_leads_to_its_own_table() {
 }
 
 #[test]
-fn a_mapping_that_nobody_tells_is_found_by_what_rows_hold() {
+fn finds_an_unknown_mapping_by_its_rows() {
     let folder = Folder::new("unnamed");
     for (index, time) in [TimeFormat::EpochS, TimeFormat::EpochMs, TimeFormat::Local].into_iter().enumerate() {
         let mut file = LoggerFile { table: Some("hits".into()), time, ..Default::default() };
@@ -504,7 +504,7 @@ fn reports_the_kind_of_a_file_without_text() {
         let Err(LogError::NoLog(reason)) = read else { panic!("{code}: {read:?}") };
         assert_eq!(reason.why.code, code);
     }
-    // What is text is told by its line.
+    // A text is named by its line.
     fs::write(folder.path().join("log.txt"), "nonsense\n").unwrap();
     let why = read(&folder.url("casas:log.txt"), &LoggerFile::default()).unwrap_err().to_string();
     assert!(why.contains("line 1: there are no date"), "{why}");
@@ -533,7 +533,7 @@ fn reads_only_tables_of_a_database_and_no_long_cells() {
 }
 
 #[test]
-fn a_database_is_read_and_left_as_it_was() {
+fn reading_leaves_a_database_unchanged() {
     let folder = Folder::new("left");
     let url = folder.url("sqlite:log.db");
     stage::store(

@@ -28,7 +28,7 @@ struct Server {
 /// Whether it is away, by how often it was asked before.
 type IsAway = fn(usize) -> bool;
 
-/// What it has: the numbers and texts of rows, of which some are not sure yet, and whether the end was told.
+/// The numbers and texts of its rows, some of them not durable yet, and whether the run has ended.
 #[derive(Default)]
 struct Got {
     rows: Vec<(i64, String)>,
@@ -97,7 +97,7 @@ fn spool(folder: &Folder, most_bytes: u64) -> WhenDown {
 }
 
 #[test]
-fn who_was_away_gets_every_row_once_and_no_spool_is_left() {
+fn a_returning_destination_gets_every_row_once_and_no_spool_is_left() {
     let ways: [(&str, IsAway); 5] = [
         ("in-the-middle", |asked| (3..9).contains(&asked)),
         ("at-the-beginning", |asked| asked < 4),
@@ -190,7 +190,7 @@ fn confirmed_rows_stay_noted_while_a_destination_is_away() {
 }
 
 #[test]
-fn a_full_spool_ends_the_run_and_says_how_to_go_on() {
+fn a_full_spool_ends_the_run_and_says_how_to_resume() {
     let (folder, server) = (Folder::new("full"), Server::new(|asked| asked > 2));
     let error = stored(&folder, &server, &spool(&folder, 1 << 20)).unwrap_err();
     assert!(matches!(error, LogError::SpoolFull { most_mb: 1, .. }), "{error}");

@@ -135,7 +135,7 @@ fn a_message_held_at_the_end_stays_on() {
 }
 
 #[test]
-fn a_live_run_can_be_watched_and_goes_on_while_it_is() {
+fn a_run_in_real_time_continues_while_it_is_watched() {
     let folder = Folder::new("watched");
     let mut logger = stage::open(&[folder.url("sqlite:log.db")], &LoggerFile::default(), false).unwrap();
     let watcher = Connection::open(folder.path().join("log.db")).unwrap();
@@ -157,7 +157,7 @@ fn a_live_run_can_be_watched_and_goes_on_while_it_is() {
 }
 
 #[test]
-fn who_reads_while_a_run_is_gone_on_with_is_in_nobodys_way() {
+fn a_reader_does_not_block_a_resumed_run() {
     let folder = Folder::new("reader-of-a-beginning");
     let urls = [folder.url("sqlite:log.db")];
     let firings = stage::firings(50);
@@ -196,7 +196,7 @@ fn a_reader_from_before_the_first_rows_blocks_no_writer() {
 }
 
 #[test]
-fn whoever_reads_for_seconds_ends_no_run_however_fast_rows_come() {
+fn a_slow_reader_never_ends_a_fast_run() {
     for settled in [0, 60_000] {
         let folder = Folder::new(&format!("reader-{settled}"));
         let firings = stage::firings(200_000);
@@ -230,7 +230,7 @@ fn whoever_reads_for_seconds_ends_no_run_however_fast_rows_come() {
 fn truth(folder: &Folder, places: &[Url], events: &Events) -> Result<(), LogError> {
     let path = folder.path().join("truth.db");
     let mut log = stage::open_truth(&path, places, &LoggerFile::default())?;
-    // The firing of number 5 has no cause; that of number 6 is told by row 4.
+    // The firing of number 5 has no cause; row 4 comes from that of number 6.
     log.store(events, &RowsOfFirings { rows: vec![3, 4], offs: vec![(2, 4)] })?;
     log.finish(at(MINUTE))
 }
@@ -282,7 +282,7 @@ fn a_short_life() -> Events {
 }
 
 #[test]
-fn the_truth_is_told() {
+fn stores_the_truth() {
     let folder = Folder::new("truth");
     truth(&folder, &[], &a_short_life()).unwrap();
     assert_eq!(
@@ -332,7 +332,7 @@ fn a_logger_without_places_counts_alone() {
 }
 
 #[test]
-fn what_a_spreadsheet_would_run_is_escaped_and_read_back_as_it_was() {
+fn formulas_are_escaped_and_read_back() {
     for (is_safe, cell) in [(true, "'=1+1"), (false, "=1+1")] {
         let folder = Folder::new(&format!("formula-{is_safe}"));
         let mut file = LoggerFile { spreadsheet_safe: is_safe, ..Default::default() };

@@ -472,7 +472,7 @@ fn units_brackets_and_thousands_are_no_part_of_a_number() {
 }
 
 #[test]
-fn rows_above_the_heading_are_passed_over_with_a_word() {
+fn skips_and_reports_rows_above_the_heading() {
     let row = |index: usize| format!("T;{};{}", ["hall", "bath"][index % 2], ["ON", "OFF"][index / 2 % 2]);
     for (above, told_of) in [
         ("sep=;\n", "line 1 is above"),

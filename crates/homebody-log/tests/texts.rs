@@ -100,14 +100,14 @@ fn json_lines_can_be_followed_and_other_texts_have_their_names_once_they_are_who
     assert!(matches!(open(&urls[0], WriteMode::Create), Err(LogError::Exists { .. })));
     stage::store(open(&urls[0], WriteMode::Resume).unwrap(), &firings, 3).unwrap();
     assert_eq!(folder.text("log.jsonl").lines().count(), 20);
-    // What is replaced stays until there is something to replace it.
+    // A replaced file stays until the new one is whole.
     let anew = open(&urls[0], WriteMode::Overwrite).unwrap();
     assert_eq!(folder.text("log.jsonl").lines().count(), 20);
     stage::store(anew, &firings[..5], 3).unwrap();
     assert_eq!(folder.text("log.jsonl").lines().count(), 5);
 }
 
-/// Where the child of the test below writes; its parent sets it.
+/// The place for the child of the test below; its parent sets it.
 const CHILD: &str = "HOMEBODY_TEST_TEXTS";
 
 /// Stores rows until it is killed. Run as a test of its own it has nothing to do.

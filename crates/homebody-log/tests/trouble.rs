@@ -40,7 +40,7 @@ fn one_refused_place_leaves_all_untouched() {
 }
 
 #[test]
-fn places_that_cannot_be_are_told_apart() {
+fn distinguishes_impossible_places() {
     let folder = Folder::new("cannot");
     fs::create_dir(folder.path().join("folder")).unwrap();
     fs::write(folder.path().join("file"), "").unwrap();
@@ -124,7 +124,7 @@ fn fails_once(mut logger: Logger) -> LogError {
 
 #[cfg(target_os = "linux")]
 #[test]
-fn a_full_disk_is_told_once() {
+fn reports_a_full_disk_once() {
     let folder = Folder::new("full");
     for url in ["csv:/dev/full", "casas:/dev/full"] {
         let urls = [folder.url(url), folder.url("casas:log.txt")];
@@ -138,7 +138,7 @@ fn a_full_disk_is_told_once() {
 }
 
 #[test]
-fn a_locked_database_is_told() {
+fn reports_a_locked_database() {
     let folder = Folder::new("locked");
     let path = folder.path().join("log.db");
     let url = folder.url("sqlite:log.db");

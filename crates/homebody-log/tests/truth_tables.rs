@@ -92,7 +92,7 @@ ORDER BY hours DESC;
 ```
 ";
 
-/// What a column's sentence leaves to another page.
+/// Sentences about columns that another page has.
 const ELSEWHERE: [(&str, &str, &str); 1] = [("activity", "name", "; the labels are in [activities](activities.md)")];
 
 /// The whole page.
@@ -130,7 +130,7 @@ fn sentence(words: &str) -> String {
 }
 
 #[test]
-fn the_document_is_what_the_tables_say() {
+fn the_document_describes_the_tables() {
     let text = document(&tables());
     is_generated("docs/reference/truth.md", &text);
     // The control: another column makes another page.

@@ -1,8 +1,8 @@
-//! What a log into a broker costs beside a bare loop that publishes as many messages of the same size: both of quality of service 1, to
-//! the same mosquitto, in turns.
+//! The cost of a log into a broker, compared with a bare loop that publishes as many messages of the same size: both of quality of service
+//! 1, to the same mosquitto, in turns.
 //!
-//! Ends with one line: `RATIO mqtt_vs_bare <median> <min>..<max>`, the rate of the log over that of the loop. A number after `--` says how
-//! many messages each sends.
+//! Ends with one line: `RATIO mqtt_vs_bare <median> <min>..<max>`, the rate of the log over that of the loop. A number after `--` is the
+//! number of messages.
 
 #[path = "../../homebody-core/benches/measure/spread.rs"]
 mod spread;
@@ -81,7 +81,7 @@ fn bare(broker: &Broker, messages: usize) -> f64 {
 /// The same as a log; seconds from the first row until all are durable.
 fn log(broker: &Broker, messages: usize) -> f64 {
     let firings = firings(messages as u64);
-    let mut logger = logger(MqttSink::live(&broker.url("homebody")), WriteMode::Create).expect("a broker");
+    let mut logger = logger(MqttSink::in_real_time(&broker.url("homebody")), WriteMode::Create).expect("a broker");
     let start = Instant::now();
     firings.chunks(1000).for_each(|firings| store(&mut logger, firings));
     logger.make_durable().expect("a broker");

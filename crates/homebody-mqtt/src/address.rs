@@ -9,12 +9,11 @@ use homebody_log::url::percent_decoded;
 use homebody_log::{LogError, Url};
 use std::fs;
 use std::path::{Path, PathBuf};
-use std::str::FromStr;
 
-/// What the variable of the environment is called that a password may be in.
+/// The environment variable that may hold the password.
 const PASSWORD: &str = "HOMEBODY_MQTT_PASSWORD";
 
-/// Where topics are if nothing else is said.
+/// The prefix of topics if the URL names none.
 const USUAL_PREFIX: &str = "homebody";
 
 /// Seconds that Home Assistant waits until a motion sensor that only sends ON is clear again (our choice): longer than
@@ -25,7 +24,7 @@ const OFF_DELAY_S: u32 = 10;
 const MOST_LEVELS: usize = 8;
 const LONGEST_LEVEL: usize = 64;
 
-/// How messages look.
+/// The form of messages.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Style {
     /// As Home Assistant's discovery has them.
@@ -36,60 +35,52 @@ pub enum Style {
     Plain,
 }
 
-/// How Home Assistant is told what there is.
+/// The messages that describe the devices to Home Assistant.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Discovery {
     /// One message for each device, with all of its entities.
     Device,
     /// One message for each entity, for Home Assistant before 2024.11.
     Entity,
-    /// Not at all.
     Off,
 }
 
-/// A broker, and how it is spoken to.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Address {
-    /// Whether it is over TLS.
+pub struct BrokerAddress {
     pub tls: bool,
-    /// A name or an address.
     pub host: String,
-    /// 1883 unless something else is said, 8883 over TLS.
+    /// By default 1883, or 8883 over TLS.
     pub port: u16,
-    /// None for a broker that lets anybody in.
+    /// None for a broker without logins.
     pub user: Option<String>,
     /// Below which all topics are: levels of letters, digits, `_` and `-`.
     pub prefix: String,
-    /// How messages look.
     pub style: Style,
-    /// How Home Assistant is told what there is.
     pub discovery: Discovery,
-    /// Where Home Assistant listens for that.
+    /// The prefix below which Home Assistant listens for discovery.
     pub discovery_prefix: String,
     /// After how many seconds a motion sensor that only says ON is clear again.
     pub off_delay_s: u32,
-    /// Whether a run may go faster than life.
+    /// Whether a run may be faster than real time.
     pub allow_fast: bool,
-    /// Whether a broker on the internet is meant that asks for no name.
+    /// Whether the user wants a broker on the internet that asks for no name.
     pub public: bool,
     /// The certificates that are trusted, instead of those of the system.
     pub ca: Option<PathBuf>,
-    /// The file with the password.
     pub password_file: Option<PathBuf>,
 }
 
-impl Address {
-    /// What a place says.
+impl BrokerAddress {
+    /// Reads the address from a URL.
     ///
     /// # Errors
     ///
     /// [`LogError::BadUrl`] with all problems. No error has a password in it.
-    pub fn of(url: &Url) -> Result<Address, LogError> {
-        Address::read(url).map_err(LogError::BadUrl)
+    pub fn from_url(url: &Url) -> Result<BrokerAddress, LogError> {
+        BrokerAddress::read(url).map_err(LogError::BadUrl)
     }
 
-    /// Whether a place is a broker.
-    pub fn is_of(url: &Url) -> bool {
+    pub fn is_broker(url: &Url) -> bool {
         matches!(url.scheme(), Scheme::Mqtt | Scheme::Mqtts)
     }
 
@@ -122,11 +113,11 @@ impl Address {
         Ok(Some(text.lines().next().unwrap_or_default().to_owned()))
     }
 
-    fn read(url: &Url) -> Result<Address, Problems> {
+    fn read(url: &Url) -> Result<BrokerAddress, Problems> {
         let text = url.path().to_string_lossy();
         let (at, query) = text.split_once('?').map_or((&*text, ""), |(at, query)| (at, query));
         let (server, prefix) = at.split_once('/').unwrap_or((at, ""));
-        let mut wrong = Wrong::default();
+        let mut wrong = AddressProblems::default();
         let tls = url.scheme() == Scheme::Mqtts;
         let (user, host) = match server.rsplit_once('@') {
             Some((user, host)) => (Some(wrong.user(user)), host),
@@ -137,7 +128,7 @@ impl Address {
             "" => USUAL_PREFIX.to_owned(),
             prefix => wrong.levels("the prefix", prefix),
         };
-        let mut address = Address {
+        let mut address = BrokerAddress {
             tls,
             host,
             port,
@@ -157,8 +148,8 @@ impl Address {
             let (key, value) = said.split_once('=').unwrap_or((said, ""));
             let value = &wrong.plain(key, value);
             match key {
-                "style" => address.style = wrong.parsed(key, value).unwrap_or(address.style),
-                "discovery" => discovery = wrong.parsed(key, value).or(discovery),
+                "style" => address.style = wrong.word(key, value, STYLES).unwrap_or(address.style),
+                "discovery" => discovery = wrong.word(key, value, DISCOVERIES).or(discovery),
                 "discovery-prefix" => address.discovery_prefix = wrong.levels(key, value),
                 "off-delay" => wrong.seconds(&mut address.off_delay_s, value),
                 "allow-fast" => wrong.truth(&mut address.allow_fast, key, value),
@@ -175,62 +166,39 @@ impl Address {
     }
 }
 
-/// What may stand behind the question mark.
+/// The keys after the question mark.
 const KEYS: [&str; 8] =
     ["style", "discovery", "discovery-prefix", "off-delay", "allow-fast", "public", "ca", "password-file"];
 
-impl FromStr for Style {
-    type Err = &'static str;
+/// The words of URLs for styles.
+const STYLES: [(&str, Style); 3] =
+    [("homeassistant", Style::HomeAssistant), ("zigbee2mqtt", Style::Zigbee2Mqtt), ("plain", Style::Plain)];
 
-    fn from_str(text: &str) -> Result<Style, &'static str> {
-        match text {
-            "homeassistant" => Ok(Style::HomeAssistant),
-            "zigbee2mqtt" => Ok(Style::Zigbee2Mqtt),
-            "plain" => Ok(Style::Plain),
-            _ => Err("homeassistant, zigbee2mqtt or plain"),
-        }
-    }
-}
+/// The words of URLs for discovery.
+const DISCOVERIES: [(&str, Discovery); 3] =
+    [("device", Discovery::Device), ("entity", Discovery::Entity), ("off", Discovery::Off)];
 
 impl Style {
-    /// As it is written.
     pub fn name(self) -> &'static str {
-        match self {
-            Style::HomeAssistant => "homeassistant",
-            Style::Zigbee2Mqtt => "zigbee2mqtt",
-            Style::Plain => "plain",
-        }
-    }
-}
-
-impl FromStr for Discovery {
-    type Err = &'static str;
-
-    fn from_str(text: &str) -> Result<Discovery, &'static str> {
-        match text {
-            "device" => Ok(Discovery::Device),
-            "entity" => Ok(Discovery::Entity),
-            "off" => Ok(Discovery::Off),
-            _ => Err("device, entity or off"),
-        }
+        STYLES.iter().find(|(_, style)| *style == self).map_or("", |(name, _)| name)
     }
 }
 
 /// All problems of a URL.
 #[derive(Default)]
-struct Wrong(Vec<Diagnostic>);
+struct AddressProblems(Vec<Diagnostic>);
 
-impl Wrong {
+impl AddressProblems {
     fn add(&mut self, message: AddressMessage) {
         let message: Diagnostic = message.into();
         self.0.push(Diagnostic { what: readable(message.what), hint: message.hint.map(readable), ..message });
     }
 
-    fn or(self, address: Address) -> Result<Address, Problems> {
+    fn or(self, address: BrokerAddress) -> Result<BrokerAddress, Problems> {
         if self.0.is_empty() { Ok(address) } else { Err(Problems::of_url(&self.0)) }
     }
 
-    /// The name before the `@`. A password there is not told again.
+    /// The name before the `@`. No error repeats a password there.
     fn user(&mut self, text: &str) -> String {
         let (user, password) = text.split_once(':').map_or((text, None), |(user, password)| (user, Some(password)));
         if password.is_some() {
@@ -271,7 +239,7 @@ impl Wrong {
         text.to_owned()
     }
 
-    /// A text without the `%20` that stand for letters in places.
+    /// A text with its `%20` decoded.
     fn plain(&mut self, what: &str, text: &str) -> String {
         let Some(bytes) = percent_decoded(text) else {
             self.add(AddressMessage::Percent { name: what.into() });
@@ -280,12 +248,15 @@ impl Wrong {
         String::from_utf8_lossy(&bytes).into_owned()
     }
 
-    /// What a word says, where it is one that is known.
-    fn parsed<T: FromStr<Err = &'static str>>(&mut self, key: &str, value: &str) -> Option<T> {
-        let known = |known: &'static str| {
+    /// The meaning of a word; an unknown one is a problem.
+    fn word<T: Copy>(&mut self, key: &str, value: &str, words: [(&str, T); 3]) -> Option<T> {
+        let found = words.iter().find(|(word, _)| *word == value).map(|(_, meaning)| *meaning);
+        if found.is_none() {
+            let [(first, _), (second, _), (third, _)] = words;
+            let known = format!("{first}, {second} or {third}");
             self.add(AddressMessage::Word { name: key.into(), value: value.into(), known });
-        };
-        value.parse().map_err(known).ok()
+        }
+        found
     }
 
     fn truth(&mut self, to: &mut bool, key: &str, value: &str) {
@@ -314,8 +285,8 @@ impl Wrong {
         self.add(AddressMessage::Unknown { name: key.into(), known: KEYS.to_vec() });
     }
 
-    /// What is wrong with several things together.
-    fn together(&mut self, address: &Address) {
+    /// Adds the problems of values that do not fit together.
+    fn together(&mut self, address: &BrokerAddress) {
         if address.ca.is_some() && !address.tls {
             self.add(AddressMessage::CaWithoutTls);
         }
@@ -353,11 +324,11 @@ fn wrong(message: AddressMessage) -> LogError {
 mod tests {
     use super::*;
 
-    fn read(text: &str) -> Result<Address, String> {
+    fn read(text: &str) -> Result<BrokerAddress, String> {
         let (name, at) = text.split_once("://").unwrap();
         let scheme = if name == "mqtts" { Scheme::Mqtts } else { Scheme::Mqtt };
         // One that people name is looked at before.
-        Address::of(&Url::new(scheme, at)).map_err(|error| error.to_string())
+        BrokerAddress::from_url(&Url::new(scheme, at)).map_err(|error| error.to_string())
     }
 
     #[test]
@@ -386,7 +357,7 @@ mod tests {
     }
 
     #[test]
-    fn all_that_is_wrong_is_told_at_once_and_a_password_never() {
+    fn reports_all_problems_at_once_and_no_password() {
         let error = read("mqtt://ann:hunter2@:0/a//b/+/%23?style=esphome&discovery=all&allow-fast=yes&speed=2&ca=x")
             .unwrap_err();
         for told in [

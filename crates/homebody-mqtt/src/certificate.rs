@@ -1,8 +1,8 @@
 //! The last day of a broker's certificate.
 //!
-//! A connection is begun, and refused once the certificate has come: nothing is said on it, whoever it is to. Of the
-//! certificate only the way to that day is read (RFC 5280, section 4.1): a certificate is a sequence that begins with a sequence of version,
-//! number, algorithm, issuer and validity.
+//! The connection is refused once the certificate has come, before any message. Only the part of the certificate that holds this day is
+//! parsed (RFC 5280, section 4.1): a certificate is a sequence that begins with a sequence of version, number, algorithm, issuer and
+//! validity.
 
 use jiff::Timestamp;
 use jiff::civil::DateTime;
@@ -21,29 +21,28 @@ const WITHIN: Duration = Duration::from_secs(4);
 
 /// When the certificate of who listens there ends.
 pub(crate) fn last_day(host: &str, port: u16) -> Result<Timestamp, String> {
-    let told = |error: &dyn std::fmt::Display| error.to_string();
-    let mut addresses = (host, port).to_socket_addrs().map_err(|error| told(&error))?;
+    let no_answer = |error: &dyn std::fmt::Display| error.to_string();
+    let mut addresses = (host, port).to_socket_addrs().map_err(|error| no_answer(&error))?;
     let address = addresses.next().ok_or("the host is not known")?;
-    let mut stream = TcpStream::connect_timeout(&address, WITHIN).map_err(|error| told(&error))?;
+    let mut stream = TcpStream::connect_timeout(&address, WITHIN).map_err(|error| no_answer(&error))?;
     stream
         .set_read_timeout(Some(WITHIN))
         .and_then(|()| stream.set_write_timeout(Some(WITHIN)))
-        .map_err(|error| told(&error))?;
+        .map_err(|error| no_answer(&error))?;
     let config = ClientConfig::builder_with_provider(Arc::new(ring::default_provider()));
-    let config = config.with_safe_default_protocol_versions().map_err(|error| told(&error))?;
-    let looks = Arc::new(Looks::default());
+    let config = config.with_safe_default_protocol_versions().map_err(|error| no_answer(&error))?;
+    let looks = Arc::new(CertificateCapture::default());
     let config = config.dangerous().with_custom_certificate_verifier(looks.clone()).with_no_client_auth();
-    let name = ServerName::try_from(host.to_owned()).map_err(|error| told(&error))?;
-    let mut connection = ClientConnection::new(Arc::new(config), name).map_err(|error| told(&error))?;
+    let name = ServerName::try_from(host.to_owned()).map_err(|error| no_answer(&error))?;
+    let mut connection = ClientConnection::new(Arc::new(config), name).map_err(|error| no_answer(&error))?;
     let refused = connection.complete_io(&mut stream);
     match (looks.0.get(), refused) {
         (Some(certificate), _) => ends(certificate).ok_or_else(|| "it is in no form that is known".into()),
-        (None, Err(error)) => Err(told(&error)),
+        (None, Err(error)) => Err(no_answer(&error)),
         (None, Ok(_)) => Err("there is none".into()),
     }
 }
 
-/// When a certificate ends.
 fn ends(certificate: &[u8]) -> Option<Timestamp> {
     const SEQUENCE: u8 = 0x30;
     const VERSION: u8 = 0xa0;
@@ -97,16 +96,16 @@ fn time(kind: u8, text: &[u8]) -> Option<Timestamp> {
     at.to_zoned(TimeZone::UTC).ok().map(|at| at.timestamp())
 }
 
-/// Keeps the certificate of whoever answers, and refuses it.
+/// Keeps the certificate of the server, and refuses it.
 #[derive(Debug, Default)]
-struct Looks(OnceLock<CertificateDer<'static>>);
+struct CertificateCapture(OnceLock<CertificateDer<'static>>);
 
-/// Why nothing more is said.
+/// The refusal.
 fn has_seen() -> Error {
     Error::General("the certificate was only looked at".into())
 }
 
-impl ServerCertVerifier for Looks {
+impl ServerCertVerifier for CertificateCapture {
     fn verify_server_cert(
         &self,
         certificate: &CertificateDer<'_>,
@@ -147,7 +146,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_last_day_is_found_and_nothing_else_is_taken_for_it() {
+    fn finds_only_the_last_day() {
         let mut params = rcgen::CertificateParams::new(["localhost".to_owned()]).unwrap();
         params.not_after = rcgen::date_time_ymd(2027, 3, 4);
         let key = rcgen::KeyPair::generate().unwrap();

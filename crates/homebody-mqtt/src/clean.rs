@@ -1,9 +1,9 @@
-//! Tidies a broker up: what it keeps of our homes below a prefix is removed, with what Home Assistant was told of them.
+//! Removes the retained messages of Homebody's homes below a prefix from a broker, with their discovery messages for Home Assistant.
 
-use crate::address::Address;
+use crate::address::BrokerAddress;
 use crate::greeting::PROGRAM;
 use crate::names::end_of_ids;
-use crate::trouble::Trouble;
+use crate::trouble::BrokerError;
 use crate::visit::{lost, visit};
 use homebody_log::{LogError, Url};
 use rumqttc::{AsyncClient, Event, EventLoop, Packet, PublishOptions, QoS, SubscribeReasonCode};
@@ -18,24 +18,22 @@ const QUIET: Duration = Duration::from_millis(700);
 /// Longest time that a broker takes to send its retained messages, or to delete them (our choice).
 const LONGEST: Duration = Duration::from_secs(60);
 
-/// What was found.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Cleaned {
-    /// The homes, by their topics.
     pub homes: Vec<String>,
-    /// The topics of which the broker kept something.
+    /// Topics with a retained message.
     pub topics: Vec<String>,
     /// Topics below the prefix that are of no home of ours: they stay.
     pub others: usize,
 }
 
-/// Removes what a broker keeps of our homes below the prefix of a place. With `only_look` it is told and stays.
+/// Removes the retained messages of our homes below the prefix of a place. With `only_look` it lists them and keeps them.
 ///
 /// # Errors
 ///
-/// The broker cannot be reached, or does not let us.
+/// If the broker cannot be reached, or denies it.
 pub fn clean(url: &Url, only_look: bool) -> Result<Cleaned, LogError> {
-    let address = Address::of(url)?;
+    let address = BrokerAddress::from_url(url)?;
     let cleaned = visit(&address, "clean", async |client, events| {
         let cleaned = ours(&address, kept(&address, client, events).await?.found);
         if !only_look {
@@ -46,30 +44,32 @@ pub fn clean(url: &Url, only_look: bool) -> Result<Cleaned, LogError> {
     cleaned?.map_err(|trouble| trouble.error(&address.place()))
 }
 
-/// What a broker keeps.
+/// The retained messages of a broker.
 #[derive(Default)]
-pub(crate) struct Kept {
-    /// Topics, and what they say.
+pub(crate) struct RetainedTopics {
     pub found: Vec<(String, Vec<u8>)>,
-    /// What we may not listen to.
     pub refused: Vec<String>,
 }
 
-/// What the broker keeps where something of ours may be.
-pub(crate) async fn kept(address: &Address, client: &AsyncClient, events: &mut EventLoop) -> Result<Kept, Trouble> {
-    let Address { prefix, discovery_prefix, .. } = address;
+/// Reads the retained messages that may be ours.
+pub(crate) async fn kept(
+    address: &BrokerAddress,
+    client: &AsyncClient,
+    events: &mut EventLoop,
+) -> Result<RetainedTopics, BrokerError> {
+    let BrokerAddress { prefix, discovery_prefix, .. } = address;
     let filters = [format!("{prefix}/#"), format!("{discovery_prefix}/+/+/config")];
     for filter in &filters {
         client.subscribe(filter.clone(), QoS::AtLeastOnce).await.map_err(lost)?;
     }
-    let mut kept = Kept::default();
+    let mut kept = RetainedTopics::default();
     let mut quiet = None;
     let end = Instant::now() + LONGEST;
     let mut answered = 0;
     while let Ok(event) = timeout_at(quiet.unwrap_or(end), events.poll()).await {
-        match event.map_err(|error| Trouble::of(&error))? {
+        match event.map_err(|error| BrokerError::from_connection(&error))? {
             Event::Incoming(Packet::SubAck(ack)) => {
-                // Answers come in the order in which we have asked.
+                // Answers come in the order of the subscriptions.
                 if !ack.return_codes.iter().all(|code| matches!(code, SubscribeReasonCode::Success(_))) {
                     kept.refused.extend(filters.get(answered).cloned());
                 }
@@ -86,7 +86,7 @@ pub(crate) async fn kept(address: &Address, client: &AsyncClient, events: &mut E
 }
 
 /// Which of them are of homes of ours: those below a topic whose `run` has our mark, and what names one in discovery.
-pub(crate) fn ours(address: &Address, kept: Vec<(String, Vec<u8>)>) -> Cleaned {
+pub(crate) fn ours(address: &BrokerAddress, kept: Vec<(String, Vec<u8>)>) -> Cleaned {
     let below = format!("{}/", address.prefix);
     let homes: BTreeSet<String> = kept
         .iter()
@@ -106,15 +106,14 @@ pub(crate) fn ours(address: &Address, kept: Vec<(String, Vec<u8>)>) -> Cleaned {
     };
     let (mut topics, others): (Vec<String>, Vec<String>) =
         kept.into_iter().map(|(topic, _)| topic).partition(|topic| is_ours(topic));
-    // The marks last: whoever is killed on the way finds the rest again.
+    // The marks go last, so that a program that was killed on the way finds the rest again.
     topics.sort_by_key(|topic| (topic.ends_with("/run"), topic.clone()));
     topics.dedup();
     let others = others.iter().filter(|topic| topic.starts_with(&below)).count();
     Cleaned { homes: homes.into_iter().collect(), topics, others }
 }
 
-/// Has the broker forget.
-async fn remove(client: &AsyncClient, events: &mut EventLoop, topics: &[String]) -> Result<(), Trouble> {
+async fn remove(client: &AsyncClient, events: &mut EventLoop, topics: &[String]) -> Result<(), BrokerError> {
     let end = Instant::now() + LONGEST;
     for topic in topics {
         client
@@ -122,8 +121,8 @@ async fn remove(client: &AsyncClient, events: &mut EventLoop, topics: &[String])
             .await
             .map_err(lost)?;
         loop {
-            let event = timeout_at(end, events.poll()).await.map_err(|_| Trouble::silent(LONGEST))?;
-            if let Event::Incoming(Packet::PubAck(_)) = event.map_err(|error| Trouble::of(&error))? {
+            let event = timeout_at(end, events.poll()).await.map_err(|_| BrokerError::silent(LONGEST))?;
+            if let Event::Incoming(Packet::PubAck(_)) = event.map_err(|error| BrokerError::from_connection(&error))? {
                 break;
             }
         }

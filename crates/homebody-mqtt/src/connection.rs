@@ -1,11 +1,11 @@
 //! The connection to a broker, in a thread of its own: it sends what is on its way, hears acknowledgements and what its speaker
 //! listens to, and connects again when it is lost.
 
-use crate::address::Address;
-use crate::flight::{Flight, Link, MOST_IN_FLIGHT, Sent, Wish};
+use crate::address::BrokerAddress;
+use crate::flight::{BrokerLink, Flight, FlightGoal, MOST_IN_FLIGHT, Sent};
 use crate::messages::BrokerMessage;
 use crate::speech::Message;
-use crate::trouble::Trouble;
+use crate::trouble::BrokerError;
 use homebody_core::messages::Diagnose;
 use rumqttc::{
     AsyncClient, ClientError, ConnectionError, Event, EventLoop, LastWill, MqttOptions, Outgoing, Packet, PubAckReason,
@@ -37,23 +37,22 @@ const MOST_TOPICS: usize = 4096;
 /// Messages that wait inside the client (our choice).
 const IN_CLIENT: usize = 64;
 
-/// What a connection needs.
-pub(crate) struct Connection {
+pub(crate) struct BrokerConnection {
     pub flight: Arc<Flight>,
     pub options: MqttOptions,
     pub speaker: Box<dyn Speaker>,
 }
 
-/// Whose connection it is: what they say at each beginning, and what they listen to.
+/// The owner of a connection: its greeting, and the topics that it listens to.
 pub(crate) trait Speaker: Send {
-    /// What is said before all else on each connection.
+    /// The messages before all others on each connection.
     fn greeting(&mut self) -> Vec<Message>;
 
-    /// What is listened to. What the broker keeps there is none of it.
+    /// Topics to listen to, without their retained messages.
     fn topics(&self) -> Vec<String>;
 
     /// Somebody has said something there.
-    fn told(&mut self, publish: &Publish, flight: &Arc<Flight>) -> Result<(), Trouble>;
+    fn hear(&mut self, publish: &Publish, flight: &Arc<Flight>) -> Result<(), BrokerError>;
 
     /// Below which topic they speak.
     fn base(&self) -> &str;
@@ -65,20 +64,19 @@ pub(crate) fn instance() -> String {
     format!("{:x}-{:x}", std::process::id(), now.as_nanos())
 }
 
-/// What the broker is to know before anything is sent.
+/// The options of a connection, with its last will.
 pub(crate) fn options(
-    address: &Address,
+    address: &BrokerAddress,
     (topic, offline): (String, &'static str),
     id: &str,
     instance: &str,
-) -> Result<MqttOptions, Trouble> {
+) -> Result<MqttOptions, BrokerError> {
     let mut options = open(address, &format!("homebody-{id}-{instance}"))?;
     options.set_last_will(LastWill::new(topic, offline, QoS::AtLeastOnce, true, None));
     Ok(options)
 }
 
-/// How a broker is reached.
-pub(crate) fn open(address: &Address, client: &str) -> Result<MqttOptions, Trouble> {
+pub(crate) fn open(address: &BrokerAddress, client: &str) -> Result<MqttOptions, BrokerError> {
     let mut options = MqttOptions::new(client, (address.host.clone(), address.port));
     options.set_keep_alive(KEEP_ALIVE_S).set_clean_start(true).set_connect_timeout(CONNECT_WITHIN);
     options.set_max_packet_size(Some(LONGEST_INCOMING_BYTES));
@@ -88,14 +86,14 @@ pub(crate) fn open(address: &Address, client: &str) -> Result<MqttOptions, Troub
     let mut network = options.network_options();
     network.set_tcp_nodelay(true);
     options.set_network_options(network);
-    let password = address.password().map_err(|error| Trouble::new(error.diagnostic()).finally())?;
+    let password = address.password().map_err(|error| BrokerError::new(error.diagnostic()).finally())?;
     match (&address.user, password) {
         (Some(user), Some(password)) => drop(options.set_credentials(user.clone(), password)),
         (Some(user), None) => drop(options.set_username(user.clone())),
         (None, _) => {}
     }
     if address.tls {
-        let untrusted = |reason: String| Trouble::new(BrokerMessage::Untrusted { reason }).finally();
+        let untrusted = |reason: String| BrokerError::new(BrokerMessage::Untrusted { reason }).finally();
         let tls = match &address.ca {
             Some(file) => {
                 let ca = fs::read(file).map_err(|why| untrusted(format!("{}: {why}", file.display())))?;
@@ -108,14 +106,14 @@ pub(crate) fn open(address: &Address, client: &str) -> Result<MqttOptions, Troub
     Ok(options)
 }
 
-impl Connection {
+impl BrokerConnection {
     /// The thread's life: connects, and connects again, until it is to end.
-    pub fn live(mut self) {
+    pub fn run(mut self) {
         let runtime = match Builder::new_current_thread().enable_all().build() {
             Ok(runtime) => runtime,
             Err(error) => {
                 let reason = error.to_string();
-                return self.over(Some(Trouble::new(BrokerMessage::NoRuntime { reason }).finally()));
+                return self.over(Some(BrokerError::new(BrokerMessage::NoRuntime { reason }).finally()));
             }
         };
         let mut wait = FIRST_WAIT;
@@ -123,37 +121,37 @@ impl Connection {
             match runtime.block_on(self.connect()) {
                 Ok(()) => return self.over(None),
                 Err(trouble) => {
-                    let was_up = matches!(self.flight.lock().link, Link::Up);
-                    let is_new = matches!(self.flight.lock().link, Link::New);
-                    // Whoever begins hears of it, and begins anew or not.
+                    let was_up = matches!(self.flight.lock().link, BrokerLink::Up);
+                    let is_new = matches!(self.flight.lock().link, BrokerLink::New);
+                    // The caller of `begin` gets the error, and decides whether to try again.
                     if trouble.is_final || is_new {
                         return self.over(Some(trouble));
                     }
                     wait = if was_up { FIRST_WAIT } else { (2 * wait).min(LONGEST_WAIT) };
-                    self.flight.change(|state| state.link = Link::Down(trouble));
+                    self.flight.change(|state| state.link = BrokerLink::Down(trouble));
                 }
             }
-            // Whoever gives up does not wait for this; whoever finishes waits for the next connection.
+            // A caller that gives up does not wait for this; one that finishes waits for the next connection.
             runtime.block_on(async {
                 let _ = tokio::time::timeout(wait, async {
-                    while self.flight.lock().wish != Wish::GiveUp {
+                    while self.flight.lock().wish != FlightGoal::GiveUp {
                         self.flight.wake.notified().await;
                     }
                 })
                 .await;
             });
-            if self.flight.lock().wish == Wish::GiveUp {
+            if self.flight.lock().wish == FlightGoal::GiveUp {
                 return self.over(None);
             }
         }
     }
 
-    fn over(&self, why: Option<Trouble>) {
-        self.flight.change(|state| state.link = Link::Over(why));
+    fn over(&self, why: Option<BrokerError>) {
+        self.flight.change(|state| state.link = BrokerLink::Over(why));
     }
 
     /// One connection, until it is lost or all is done.
-    async fn connect(&mut self) -> Result<(), Trouble> {
+    async fn connect(&mut self) -> Result<(), BrokerError> {
         let (client, events) = AsyncClient::builder(self.options.clone()).capacity(IN_CLIENT).build();
         let greeting = self.speaker.greeting();
         self.flight.change(|state| state.begin_connection(greeting));
@@ -164,9 +162,9 @@ impl Connection {
         let mut hear = std::pin::pin!(self.hear(events, &sent));
         tokio::select! {
             ended = &mut send => match ended {
-                // All is said: the last words are still to be heard.
-                Ok(Ended::Said) => hear.await,
-                Ok(Ended::GivenUp) => Ok(()),
+                // All is sent; the last answers are still to come.
+                Ok(EndReason::Said) => hear.await,
+                Ok(EndReason::GivenUp) => Ok(()),
                 Err(_) => hear.await,
             },
             heard = &mut hear => heard,
@@ -174,8 +172,8 @@ impl Connection {
         }
     }
 
-    /// Hears the broker until the connection is lost, or ends as it was asked to.
-    async fn hear(&mut self, mut events: EventLoop, sent: &RefCell<VecDeque<Sent>>) -> Result<(), Trouble> {
+    /// Reads from the broker until the connection is lost, or ends on request.
+    async fn hear(&mut self, mut events: EventLoop, sent: &RefCell<VecDeque<Sent>>) -> Result<(), BrokerError> {
         let mut by_packet: HashMap<u16, Sent> = HashMap::new();
         loop {
             match events.poll().await {
@@ -187,30 +185,30 @@ impl Connection {
                 Ok(Event::Incoming(Packet::PubAck(ack))) => {
                     if !matches!(ack.reason, PubAckReason::Success | PubAckReason::NoMatchingSubscribers) {
                         let (base, code) = (self.speaker.base().to_owned(), format!("{:?}", ack.reason));
-                        return Err(Trouble::new(BrokerMessage::NotTaken { base, code }).finally());
+                        return Err(BrokerError::new(BrokerMessage::NotTaken { base, code }).finally());
                     }
                     if let Some(sent) = by_packet.remove(&ack.pkid) {
                         self.flight.acknowledge(sent);
                     }
                 }
-                Ok(Event::Incoming(Packet::Publish(publish))) => self.speaker.told(&publish, &self.flight)?,
+                Ok(Event::Incoming(Packet::Publish(publish))) => self.speaker.hear(&publish, &self.flight)?,
                 Ok(Event::Outgoing(Outgoing::Disconnect)) | Err(ConnectionError::RequestsDone) => return Ok(()),
                 Ok(_) => {}
-                Err(error) => return Err(Trouble::of(&error)),
+                Err(error) => return Err(BrokerError::from_connection(&error)),
             }
         }
     }
 }
 
-/// What is listened to in a topic: what others say from now on.
+/// A subscription to the messages of a topic from now on.
 fn listened_to(topic: String) -> SubscribeFilterInput {
     let filter = SubscribeFilterInput::new(topic, QoS::AtLeastOnce).no_local(true);
     filter.retain_forward_rule(RetainForwardRule::Never)
 }
 
 /// Why nothing more is sent.
-enum Ended {
-    /// All is acknowledged, and the broker was told that this is the end.
+enum EndReason {
+    /// All is acknowledged, and the broker knows that this is the end.
     Said,
     /// Nobody wants to say anything any more.
     GivenUp,
@@ -222,7 +220,7 @@ async fn send(
     flight: &Flight,
     filters: Vec<SubscribeFilterInput>,
     sent: &RefCell<VecDeque<Sent>>,
-) -> Result<Ended, ClientError> {
+) -> Result<EndReason, ClientError> {
     for filter in filters {
         client.subscribe_many([filter]).await?;
     }
@@ -235,10 +233,10 @@ async fn send(
             (state.wish, state.is_empty())
         };
         match wish {
-            Wish::GiveUp => return Ok(Ended::GivenUp),
-            Wish::Finish if is_empty && next.is_empty() => {
+            FlightGoal::GiveUp => return Ok(EndReason::GivenUp),
+            FlightGoal::Finish if is_empty && next.is_empty() => {
                 client.disconnect().await?;
-                return Ok(Ended::Said);
+                return Ok(EndReason::Said);
             }
             _ => {}
         }

@@ -1,31 +1,29 @@
-//! What Home Assistant is told, so that it knows the home's devices by itself.
+//! Discovery messages, by which Home Assistant adds the home's devices.
 //!
-//! Each sensor is a device of its own in the area of its room, and the home is the device by which they are reached. State and
-//! attributes are of one message: with a topic of its own for attributes, Home Assistant would count each ON of a motion sensor
-//! twice, because `force_update` counts whatever comes.
+//! Each sensor is a device in the area of its room, reached by the device of the home. State and attributes are in one message: with a
+//! topic of its own for attributes, Home Assistant would count each ON of a motion sensor twice, because `force_update` counts each
+//! message.
 
-use crate::address::{Address, Discovery, Style};
-use crate::entities::{Entity, Says, Word};
-use crate::place::{Place, Placed};
+use crate::address::{BrokerAddress, Discovery, Style};
+use crate::entities::{Entity, EntityType, Word};
+use crate::place::{HomeTopics, SensorTopics};
 use crate::speech::Message;
 use homebody_core::names::capitalised;
 use homebody_log::RunInfo;
 use serde_json::{Map, Value, json};
 
-/// What made the home.
 const MAKER: &str = "Homebody";
 
 /// One device, with its entities by their ids.
-struct Told {
+struct DiscoveredDevice {
     id: String,
     device: Value,
     /// By id: what kind of entity it is, and its configuration.
     entities: Vec<(String, &'static str, Map<String, Value>)>,
 }
 
-/// All messages of discovery.
-pub(crate) fn messages(address: &Address, place: &Place, run: &RunInfo, takes_orders: bool) -> Vec<Message> {
-    let sensors = place.sensors.iter().map(|sensor| told(address, place, run, sensor));
+pub(crate) fn messages(address: &BrokerAddress, place: &HomeTopics, run: &RunInfo, takes_orders: bool) -> Vec<Message> {
+    let sensors = place.sensors.iter().map(|sensor| discovered(address, place, run, sensor));
     let devices = std::iter::once(home(place, run, takes_orders)).chain(sensors);
     match address.discovery {
         Discovery::Off => Vec::new(),
@@ -35,7 +33,11 @@ pub(crate) fn messages(address: &Address, place: &Place, run: &RunInfo, takes_or
 }
 
 /// One message for a device.
-fn whole(address: &Address, run: &RunInfo, Told { id, device, entities }: Told) -> Message {
+fn whole(
+    address: &BrokerAddress,
+    run: &RunInfo,
+    DiscoveredDevice { id, device, entities }: DiscoveredDevice,
+) -> Message {
     let component = |(id, platform, mut config): (String, &str, Map<String, Value>)| {
         config.insert("platform".into(), platform.into());
         (id, Value::Object(config))
@@ -46,7 +48,11 @@ fn whole(address: &Address, run: &RunInfo, Told { id, device, entities }: Told) 
 }
 
 /// One message for each entity of a device.
-fn single(address: &Address, run: &RunInfo, Told { device, entities, .. }: Told) -> Vec<Message> {
+fn single(
+    address: &BrokerAddress,
+    run: &RunInfo,
+    DiscoveredDevice { device, entities, .. }: DiscoveredDevice,
+) -> Vec<Message> {
     let message = |(id, platform, mut config): (String, &str, Map<String, Value>)| {
         config.insert("device".into(), device.clone());
         config.insert("origin".into(), origin(run));
@@ -61,8 +67,7 @@ fn origin(run: &RunInfo) -> Value {
     json!({ "name": MAKER, "sw_version": run.version })
 }
 
-/// The home itself: whether it is there, and whether it goes on.
-fn home(place: &Place, run: &RunInfo, takes_orders: bool) -> Told {
+fn home(place: &HomeTopics, run: &RunInfo, takes_orders: bool) -> DiscoveredDevice {
     let name = run.home.as_ref().unwrap_or(&run.scenario);
     let device = json!({
         "identifiers": [place.id],
@@ -99,11 +104,10 @@ fn home(place: &Place, run: &RunInfo, takes_orders: bool) -> Told {
         running.extend(availability(place, None));
         entities.push((id, "switch", running));
     }
-    Told { id: place.id.clone(), device, entities }
+    DiscoveredDevice { id: place.id.clone(), device, entities }
 }
 
-/// A sensor.
-fn told(address: &Address, place: &Place, run: &RunInfo, sensor: &Placed) -> Told {
+fn discovered(address: &BrokerAddress, place: &HomeTopics, run: &RunInfo, sensor: &SensorTopics) -> DiscoveredDevice {
     let id = format!("{}-in-{}", sensor.level, place.id);
     let mut device = object(json!({
         "identifiers": [id],
@@ -122,14 +126,14 @@ fn told(address: &Address, place: &Place, run: &RunInfo, sensor: &Placed) -> Tol
         (id, platform, config)
     };
     let entities = sensor.device.entities.iter().enumerate().map(entity).collect();
-    Told { id, device: Value::Object(device), entities }
+    DiscoveredDevice { id, device: Value::Object(device), entities }
 }
 
 /// The configuration of one entity, and its kind.
 fn entity_of(
-    address: &Address,
-    place: &Place,
-    sensor: &Placed,
+    address: &BrokerAddress,
+    place: &HomeTopics,
+    sensor: &SensorTopics,
     index: usize,
     entity: &Entity,
     id: &str,
@@ -152,7 +156,7 @@ fn entity_of(
         add("device_class", class.into());
     }
     let platform = match &entity.says {
-        Says::Binary { on_only, zigbee } => {
+        EntityType::Binary { on_only, zigbee } => {
             let [on, off] = match place.style {
                 Style::Zigbee2Mqtt => zigbee.map(payload),
                 Style::HomeAssistant | Style::Plain => ["ON".into(), "OFF".into()],
@@ -165,18 +169,18 @@ fn entity_of(
             }
             "binary_sensor"
         }
-        Says::Number { unit } => {
+        EntityType::Number { unit } => {
             add("state_class", "measurement".into());
             if let Some(unit) = unit {
                 add("unit_of_measurement", unit.as_str().into());
             }
             "sensor"
         }
-        Says::Choice(words) => {
+        EntityType::Choice(words) => {
             add("options", json!(words));
             "sensor"
         }
-        Says::Text => "sensor",
+        EntityType::Text => "sensor",
     };
     (platform, config)
 }
@@ -188,8 +192,7 @@ fn payload(word: Word) -> Value {
     }
 }
 
-/// Where it is said whether what is told can be trusted.
-fn availability(place: &Place, sensor: Option<&Placed>) -> Map<String, Value> {
+fn availability(place: &HomeTopics, sensor: Option<&SensorTopics>) -> Map<String, Value> {
     let (topic, _) = place.status();
     match (place.style, sensor) {
         (Style::Zigbee2Mqtt, sensor) => {

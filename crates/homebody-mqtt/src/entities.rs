@@ -1,10 +1,8 @@
-//! What a sensor is to a monitoring system: one entity for each thing that it tells, such as whether somebody is in the bed, and how
-//! restless.
+//! The entities of a sensor in a monitoring system: one for each kind of value, such as bed occupancy and restlessness.
 //!
-//! We assume that a motion sensor of which the log says no OFF says ON alone, as in TigerPlace, and that what is not known by its
-//! kind is a text.
+//! We assume that a motion sensor without OFF in the log sends ON alone, as in TigerPlace, and that a sensor of unknown kind sends text.
 //!
-//! Left out: batteries and the quality of links, which no log tells of.
+//! Left out: batteries and the quality of links, which no log has.
 
 use homebody_core::names::words;
 use homebody_log::SensorInfo;
@@ -14,30 +12,27 @@ use homebody_log::SensorInfo;
 pub(crate) struct Entity {
     /// Its part of topics and ids; empty for what a sensor mainly tells.
     pub key: &'static str,
-    /// What it is called beside the sensor's name; None for what a sensor mainly tells.
+    /// The name behind that of the sensor; None for the main entity.
     pub name: Option<&'static str>,
-    pub says: Says,
+    pub says: EntityType,
     /// Home Assistant's device class.
     pub class: Option<&'static str>,
-    /// What Zigbee2MQTT calls it in a device's JSON.
+    /// The key in a device's JSON of Zigbee2MQTT.
     pub property: &'static str,
 }
 
-/// What an entity says.
 #[derive(Clone, Debug, PartialEq)]
-pub(crate) enum Says {
-    /// On or off.
+pub(crate) enum EntityType {
     Binary {
-        /// Whether it says ON alone, again and again.
+        /// Whether it sends ON alone, again and again.
         on_only: bool,
-        /// What Zigbee2MQTT says for on, and for off.
+        /// The words of Zigbee2MQTT for on and off.
         zigbee: [Word; 2],
     },
-    /// A number, in this unit.
-    Number { unit: Option<String> },
-    /// One of these words.
+    Number {
+        unit: Option<String>,
+    },
     Choice(&'static [&'static str]),
-    /// Whatever it says.
     Text,
 }
 
@@ -48,9 +43,8 @@ pub(crate) enum Word {
     Text(&'static str),
 }
 
-/// What was heard of a sensor: which of its entities, and what.
 #[derive(Clone, Debug, PartialEq)]
-pub(crate) enum Heard<'a> {
+pub(crate) enum EntityValue<'a> {
     Switched(bool),
     Number(f64),
     Word(&'a str),
@@ -59,7 +53,6 @@ pub(crate) enum Heard<'a> {
 /// Bands of a bed sensor.
 const BANDS: &[&str] = &["low", "normal", "high"];
 
-/// What a sensor is.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Device {
     pub entities: Vec<Entity>,
@@ -67,20 +60,20 @@ pub(crate) struct Device {
 
 impl Device {
     /// By its kind.
-    pub fn of(sensor: &SensorInfo) -> Device {
+    pub fn for_sensor(sensor: &SensorInfo) -> Device {
         let is_held = sensor.values.iter().any(|value| value == "OFF");
         let truth = [Word::Truth(true), Word::Truth(false)];
         let binary = |class, property, zigbee, on_only| Entity {
             key: "",
             name: None,
-            says: Says::Binary { on_only, zigbee },
+            says: EntityType::Binary { on_only, zigbee },
             class: Some(class),
             property,
         };
         let number = |key, name, class, property| Entity {
             key,
             name,
-            says: Says::Number { unit: sensor.unit.clone() },
+            says: EntityType::Number { unit: sensor.unit.clone() },
             class: Some(class),
             property,
         };
@@ -88,7 +81,7 @@ impl Device {
         let choice = |key, name, property| Entity {
             key,
             name: Some(name),
-            says: Says::Choice(BANDS),
+            says: EntityType::Choice(BANDS),
             class: Some("enum"),
             property,
         };
@@ -100,7 +93,7 @@ impl Device {
                 vec![binary(opens(sensor), "contact", closed, false)]
             }
             "bed" => {
-                let restless = Says::Number { unit: None };
+                let restless = EntityType::Number { unit: None };
                 let restlessness = Entity {
                     key: "restlessness",
                     name: Some("Restlessness"),
@@ -131,14 +124,13 @@ impl Device {
             _ => Vec::new(),
         };
         if entities.is_empty() {
-            entities.push(Entity { key: "", name: None, says: Says::Text, class: None, property: "value" });
+            entities.push(Entity { key: "", name: None, says: EntityType::Text, class: None, property: "value" });
         }
         Device { entities }
     }
 
-    /// What a row says, by the text of its value: of which entity, and what. A text that the kind does not know is told as it is, of
-    /// what the sensor mainly tells.
-    pub fn hears<'a>(&self, said: &'a str) -> (usize, Heard<'a>) {
+    /// The entity and the value that a row's text means. A text that the kind does not know is a value of the main entity.
+    pub fn hears<'a>(&self, said: &'a str) -> (usize, EntityValue<'a>) {
         let at = |key: &str| self.entities.iter().position(|entity| entity.key == key).unwrap_or(0);
         let switched = match said {
             "ON" | "true" | "OPEN" | "IN" => Some(true),
@@ -146,8 +138,8 @@ impl Device {
             _ => None,
         };
         match (switched, &self.entities[0].says) {
-            (Some(on), Says::Binary { .. }) => return (0, Heard::Switched(on)),
-            (_, Says::Text) => return (0, Heard::Word(said)),
+            (Some(on), EntityType::Binary { .. }) => return (0, EntityValue::Switched(on)),
+            (_, EntityType::Text) => return (0, EntityValue::Word(said)),
             _ => {}
         }
         if let Some((first, rest)) = said.split_once('_') {
@@ -159,24 +151,24 @@ impl Device {
             };
             let entity = at(key);
             match (&self.entities[entity].says, rest.parse::<f64>()) {
-                (Says::Number { .. }, Ok(number)) if entity > 0 => return (entity, Heard::Number(number)),
-                (Says::Choice(words), _) => {
+                (EntityType::Number { .. }, Ok(number)) if entity > 0 => return (entity, EntityValue::Number(number)),
+                (EntityType::Choice(words), _) => {
                     if let Some(word) = words.iter().find(|word| word.eq_ignore_ascii_case(rest)) {
-                        return (entity, Heard::Word(word));
+                        return (entity, EntityValue::Word(word));
                     }
                 }
                 _ => {}
             }
         }
         match said.parse::<f64>() {
-            Ok(number) if number.is_finite() => (self.number(), Heard::Number(number)),
-            _ => (0, Heard::Word(said)),
+            Ok(number) if number.is_finite() => (self.number(), EntityValue::Number(number)),
+            _ => (0, EntityValue::Word(said)),
         }
     }
 
     /// The entity that tells readings.
     pub fn number(&self) -> usize {
-        self.entities.iter().position(|entity| matches!(entity.says, Says::Number { .. })).unwrap_or(0)
+        self.entities.iter().position(|entity| matches!(entity.says, EntityType::Number { .. })).unwrap_or(0)
     }
 }
 
@@ -196,37 +188,38 @@ fn opens(sensor: &SensorInfo) -> &'static str {
 pub(crate) mod tests {
     use super::*;
 
-    /// A sensor of a kind, in the kitchen.
     pub(crate) fn sensor(name: &str, kind: &str, unit: Option<&str>, values: &[&str]) -> SensorInfo {
         let (unit, room) = (unit.map(Into::into), Some("kitchen".into()));
         SensorInfo { unit, room, ..SensorInfo::of_kind(name, kind, values) }
     }
 
     #[test]
-    fn what_a_sensor_says_is_heard_by_the_entity_that_tells_it() {
-        let bed = Device::of(&sensor("bed", "bed", None, &["IN", "OUT"]));
-        assert_eq!(bed.hears("IN"), (0, Heard::Switched(true)));
-        assert_eq!(bed.hears("OUT"), (0, Heard::Switched(false)));
-        assert_eq!(bed.hears("RESTLESS_3"), (1, Heard::Number(3.0)));
-        assert_eq!(bed.hears("PULSE_HIGH"), (2, Heard::Word("high")));
-        assert_eq!(bed.hears("RESPIRATION_NORMAL"), (3, Heard::Word("normal")));
-        let stove = Device::of(&sensor("stove", "stove_temperature", Some("\u{b0}C"), &["ON", "OFF"]));
-        assert_eq!(stove.hears("21.5"), (1, Heard::Number(21.5)));
-        assert_eq!(stove.hears("false"), (0, Heard::Switched(false)));
-        let cold = Device::of(&sensor("stove", "stove_temperature", None, &["ON", "OFF"]));
+    fn each_value_belongs_to_its_entity() {
+        let bed = Device::for_sensor(&sensor("bed", "bed", None, &["IN", "OUT"]));
+        assert_eq!(bed.hears("IN"), (0, EntityValue::Switched(true)));
+        assert_eq!(bed.hears("OUT"), (0, EntityValue::Switched(false)));
+        assert_eq!(bed.hears("RESTLESS_3"), (1, EntityValue::Number(3.0)));
+        assert_eq!(bed.hears("PULSE_HIGH"), (2, EntityValue::Word("high")));
+        assert_eq!(bed.hears("RESPIRATION_NORMAL"), (3, EntityValue::Word("normal")));
+        let stove = Device::for_sensor(&sensor("stove", "stove_temperature", Some("\u{b0}C"), &["ON", "OFF"]));
+        assert_eq!(stove.hears("21.5"), (1, EntityValue::Number(21.5)));
+        assert_eq!(stove.hears("false"), (0, EntityValue::Switched(false)));
+        let cold = Device::for_sensor(&sensor("stove", "stove_temperature", None, &["ON", "OFF"]));
         assert_eq!(cold.entities.len(), 1);
-        let unknown = Device::of(&sensor("T3", "", None, &[]));
-        assert_eq!(unknown.hears("ON"), (0, Heard::Word("ON")));
+        let unknown = Device::for_sensor(&sensor("T3", "", None, &[]));
+        assert_eq!(unknown.hears("ON"), (0, EntityValue::Word("ON")));
     }
 
     #[test]
-    fn motion_is_on_only_unless_it_says_off_and_what_opens_has_a_class() {
-        let on_only = |values: &[&str]| match Device::of(&sensor("hall", "motion", None, values)).entities[0].says {
-            Says::Binary { on_only, .. } => on_only,
-            _ => panic!("a motion sensor is on or off"),
-        };
+    fn motion_without_off_is_on_only_and_openings_have_a_class() {
+        let on_only =
+            |values: &[&str]| match Device::for_sensor(&sensor("hall", "motion", None, values)).entities[0].says {
+                EntityType::Binary { on_only, .. } => on_only,
+                _ => panic!("a motion sensor is on or off"),
+            };
         assert!(on_only(&["ON"]) && !on_only(&["ON", "OFF"]));
-        let class = |name: &str| Device::of(&sensor(name, "contact", None, &["OPEN", "CLOSE"])).entities[0].class;
+        let class =
+            |name: &str| Device::for_sensor(&sensor(name, "contact", None, &["OPEN", "CLOSE"])).entities[0].class;
         let classes = ["front door", "fridge door", "window", "medicine cabinet", "box"].map(class);
         assert_eq!(classes, ["door", "opening", "window", "opening", "opening"].map(Some));
     }

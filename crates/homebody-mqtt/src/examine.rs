@@ -1,10 +1,10 @@
-//! What is wrong with a broker as a place for logs: whether it is reached, how long its certificate is good for, whether it lets us speak and
-//! listen below the prefix, and what it still keeps of homes of ours. Only where it may write, a message is sent that no broker keeps.
+//! Checks a broker as a destination of logs: the connection, the end of its certificate, the rights to write and read below the prefix,
+//! and the retained messages of our homes. The only message that it sends, if it may write, is not retained.
 
-use crate::address::Address;
+use crate::address::BrokerAddress;
 use crate::certificate::last_day;
-use crate::clean::{Kept, kept, ours};
-use crate::trouble::Trouble;
+use crate::clean::{RetainedTopics, kept, ours};
+use crate::trouble::BrokerError;
 use crate::visit::{lost, visit};
 use homebody_core::problem::counted;
 use homebody_log::examine::{Check, CheckOptions, is_this_machine};
@@ -25,7 +25,7 @@ const MOST_NAMED: usize = 5;
 
 /// Looks at a broker.
 pub(crate) fn examine(url: &Url, asked: &CheckOptions) -> Result<Vec<Check>, LogError> {
-    let address = Address::of(url)?;
+    let address = BrokerAddress::from_url(url)?;
     let mut checks = Vec::new();
     if address.tls {
         certificate(&address, &mut checks);
@@ -40,13 +40,13 @@ pub(crate) fn examine(url: &Url, asked: &CheckOptions) -> Result<Vec<Check>, Log
     });
     match said? {
         Err(trouble) => checks.push(Check::of_error("broker", &trouble.error(&address.place()))),
-        Ok((kept, heard)) => told(&address, kept, heard, &mut checks),
+        Ok((kept, heard)) => report(&address, kept, heard, &mut checks),
     }
     Ok(checks)
 }
 
-/// What the broker's certificate says, which is looked at before anything else is.
-fn certificate(address: &Address, checks: &mut Vec<Check>) {
+/// Checks the broker's certificate before all else.
+fn certificate(address: &BrokerAddress, checks: &mut Vec<Check>) {
     let now = Timestamp::now();
     match last_day(&address.host, address.port) {
         Ok(last) => {
@@ -69,15 +69,19 @@ fn certificate(address: &Address, checks: &mut Vec<Check>) {
     }
 }
 
-/// What became of a message that was said to see whether it is heard.
-struct Heard {
+/// The result of a message that was sent to be received again.
+struct EchoResult {
     /// Why the broker did not take it.
     refused: Option<PubAckReason>,
     came_back: bool,
 }
 
-/// Says something below the prefix that nobody keeps, and waits until it comes back.
-async fn said_and_heard(address: &Address, client: &AsyncClient, events: &mut EventLoop) -> Result<Heard, Trouble> {
+/// Sends a message below the prefix that is not retained, and waits until it comes back.
+async fn said_and_heard(
+    address: &BrokerAddress,
+    client: &AsyncClient,
+    events: &mut EventLoop,
+) -> Result<EchoResult, BrokerError> {
     let topic = format!("{}/-doctor", address.prefix);
     let payload = crate::connection::instance();
     let options = PublishOptions::new(QoS::AtLeastOnce);
@@ -86,11 +90,11 @@ async fn said_and_heard(address: &Address, client: &AsyncClient, events: &mut Ev
     let (mut taken, mut came_back) = (None, false);
     while taken.is_none() || !came_back {
         let Ok(event) = timeout_at(end, events.poll()).await else { break };
-        match event.map_err(|error| Trouble::of(&error))? {
+        match event.map_err(|error| BrokerError::from_connection(&error))? {
             Event::Incoming(Packet::PubAck(ack)) => {
                 taken = Some(ack.reason);
                 if !matches!(ack.reason, PubAckReason::Success | PubAckReason::NoMatchingSubscribers) {
-                    return Ok(Heard { refused: taken, came_back: false });
+                    return Ok(EchoResult { refused: taken, came_back: false });
                 }
             }
             Event::Incoming(Packet::Publish(publish)) => came_back |= *publish.payload == *payload.as_bytes(),
@@ -98,12 +102,12 @@ async fn said_and_heard(address: &Address, client: &AsyncClient, events: &mut Ev
         }
     }
     match taken {
-        Some(_) => Ok(Heard { refused: None, came_back }),
-        None => Err(Trouble::silent(COMES_BACK)),
+        Some(_) => Ok(EchoResult { refused: None, came_back }),
+        None => Err(BrokerError::silent(COMES_BACK)),
     }
 }
 
-fn told(address: &Address, kept: Kept, heard: Option<Heard>, checks: &mut Vec<Check>) {
+fn report(address: &BrokerAddress, kept: RetainedTopics, heard: Option<EchoResult>, checks: &mut Vec<Check>) {
     let who = address.user.as_ref().map_or_else(|| "any user".to_owned(), |user| format!("{user:?}"));
     let how = if address.tls { "over TLS" } else { "without encryption" };
     checks.push(Check::ok("broker", format!("{} speaks MQTT 5 and accepts {who}, {how}", address.place())));
@@ -121,11 +125,11 @@ fn told(address: &Address, kept: Kept, heard: Option<Heard>, checks: &mut Vec<Ch
         ));
     }
     checks.push(match heard {
-        Some(Heard { refused: Some(reason), .. }) => {
+        Some(EchoResult { refused: Some(reason), .. }) => {
             let says = format!("this user may not publish below {below}/: {reason:?}");
             Check::wrong("speaking", says, "let this user write there, in the broker's access list")
         }
-        Some(Heard { came_back: false, .. }) => {
+        Some(EchoResult { came_back: false, .. }) => {
             let says = format!("a test message below {below}/ did not arrive, so this user may not subscribe there");
             Check::wrong("speaking", says, "let this user read there, too, in the broker's access list")
         }

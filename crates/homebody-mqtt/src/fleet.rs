@@ -3,16 +3,16 @@
 //! A broker finds a dead program by its connection, so it can say of the fleet that it is not there any more, on `fleet00001/status`,
 //! and not of each home. A home that comes says what it is; one that goes, that it is not there.
 
-use crate::address::Address;
-use crate::connection::{Connection, Speaker, instance, options};
-use crate::flight::{Flight, State, Wish};
+use crate::address::BrokerAddress;
+use crate::connection::{BrokerConnection, Speaker, instance, options};
+use crate::flight::{Flight, FlightGoal, FlightState};
 use crate::greeting::{PROGRAM, at_rest, farewell, greeting, is_of_another};
 use crate::line::Line;
 use crate::names::{id_of_home, level};
-use crate::place::Place;
+use crate::place::HomeTopics;
 use crate::sink::not_public;
 use crate::speech::{Message, Speech};
-use crate::trouble::Trouble;
+use crate::trouble::BrokerError;
 use homebody_core::event::Value as Said;
 use homebody_core::time::UtcTime;
 use homebody_log::fleet::{Fleet, FleetEvent, FleetRow, FleetSink};
@@ -24,36 +24,35 @@ use std::sync::{Arc, Mutex, PoisonError};
 /// A broker that many homes tell.
 pub struct MqttFleet {
     url: Url,
-    open: Option<Open>,
+    open: Option<OpenBrokerFleet>,
 }
 
-struct Open {
+struct OpenBrokerFleet {
     line: Line,
-    address: Address,
+    address: BrokerAddress,
     fleet: Arc<Fleet>,
     instance: String,
     /// By layout: what homes of it say, and below which topic the one is that it was made for.
     kinds: Vec<(Speech, String)>,
-    homes: Vec<Home>,
-    /// Whether each home is there: on a new connection they say so again.
+    homes: Vec<FleetHomeState>,
+    /// The homes that are online; they report so again on a new connection.
     there: There,
     status: String,
     buffer: String,
     has_said_farewell: bool,
 }
 
-/// Whether each home is there, by its number.
+/// By the number of a home, whether it is online.
 type There = Arc<Mutex<Vec<bool>>>;
 
 #[derive(Clone, Default)]
-struct Home {
+struct FleetHomeState {
     /// The number of the next row.
     next: u64,
     /// Of Zigbee2MQTT: by sensor, all that it has said last.
     last: Vec<Map<String, Value>>,
 }
 
-/// Where a fleet says that it is there.
 fn own_name(fleet: &Fleet) -> String {
     format!("fleet{:05}", fleet.first)
 }
@@ -64,7 +63,7 @@ impl MqttFleet {
         MqttFleet { url: url.clone(), open: None }
     }
 
-    fn begun(&mut self) -> Result<&mut Open, LogError> {
+    fn begun(&mut self) -> Result<&mut OpenBrokerFleet, LogError> {
         let stopped = || LogError::Stopped { place: self.url.scheme().row().name.into() };
         self.open.as_mut().ok_or_else(stopped)
     }
@@ -72,12 +71,12 @@ impl MqttFleet {
 
 impl FleetSink for MqttFleet {
     fn check(&self, is_fast: bool) -> Result<(), LogError> {
-        let address = Address::of(&self.url)?;
+        let address = BrokerAddress::from_url(&self.url)?;
         if is_fast { address.may_go_fast() } else { Ok(()) }
     }
 
     fn begin(&mut self, fleet: &Arc<Fleet>, _: WriteMode, deadline: &Deadline) -> Result<Vec<u64>, LogError> {
-        let address = Address::of(&self.url)?;
+        let address = BrokerAddress::from_url(&self.url)?;
         not_public(&address)?;
         let (told, instance, name) = (address.place(), instance(), own_name(fleet));
         let base = format!("{}/{name}", address.prefix);
@@ -95,20 +94,20 @@ impl FleetSink for MqttFleet {
             instance: instance.clone(),
             there: there.clone(),
         };
-        let line = Line::begin(Connection { flight, options, speaker: Box::new(speaker) }, told)?;
+        let line = Line::begin(BrokerConnection { flight, options, speaker: Box::new(speaker) }, told)?;
         let speech = |layout: usize| {
             let first = fleet.homes.iter().position(|home| home.layout == layout);
             let run = fleet.run_of(first.unwrap_or_default() as u32);
-            let place = Arc::new(Place::of(&address, &run));
+            let place = Arc::new(HomeTopics::for_run(&address, &run));
             (Speech::new(&run, place.clone()), place.base.clone())
         };
-        self.open = Some(Open {
+        self.open = Some(OpenBrokerFleet {
             kinds: (0..fleet.layouts.len()).map(speech).collect(),
             line,
             address,
             fleet: fleet.clone(),
             instance,
-            homes: vec![Home::default(); fleet.homes.len()],
+            homes: vec![FleetHomeState::default(); fleet.homes.len()],
             there,
             status,
             buffer: String::new(),
@@ -127,7 +126,7 @@ impl FleetSink for MqttFleet {
             }
         }
         // It has arrived once the broker says so.
-        open.line.wait(State::is_empty)
+        open.line.wait(FlightState::is_empty)
     }
 
     fn finish(&mut self, _: UtcTime) -> Result<(), LogError> {
@@ -139,7 +138,7 @@ impl FleetSink for MqttFleet {
             }
             open.line.take(Message::kept(open.status.clone(), "offline"))?;
             open.has_said_farewell = true;
-            open.line.flight.change(|shared| shared.wish = Wish::Finish);
+            open.line.flight.change(|shared| shared.wish = FlightGoal::Finish);
         }
         open.line.ended()?;
         self.open = None;
@@ -147,11 +146,11 @@ impl FleetSink for MqttFleet {
     }
 }
 
-impl Open {
+impl OpenBrokerFleet {
     fn row(&mut self, row: &FleetRow) -> Result<(), LogError> {
-        let Open { fleet, kinds, homes, buffer, .. } = self;
+        let OpenBrokerFleet { fleet, kinds, homes, buffer, .. } = self;
         let home = &fleet.homes[row.home as usize];
-        let Home { next, last } = &mut homes[row.home as usize];
+        let FleetHomeState { next, last } = &mut homes[row.home as usize];
         // After an error that passes the same rows come again.
         if row.seq < *next {
             return Ok(());
@@ -176,10 +175,9 @@ impl Open {
         Ok(())
     }
 
-    /// A home says what it is, and that it is there.
     fn comes(&mut self, home: u32) -> Result<(), LogError> {
         let run = self.fleet.run_of(home);
-        let place = Place::of(&self.address, &run);
+        let place = HomeTopics::for_run(&self.address, &run);
         let rest = if place.is_discovered { at_rest(&place) } else { Vec::new() };
         for message in greeting(&self.address, &place, &run, &self.instance, false).into_iter().chain(rest) {
             self.line.take(message)?;
@@ -190,7 +188,7 @@ impl Open {
 
     fn goes(&mut self, home: u32) -> Result<(), LogError> {
         self.is_there(home, false);
-        let place = Place::of(&self.address, &self.fleet.run_of(home));
+        let place = HomeTopics::for_run(&self.address, &self.fleet.run_of(home));
         farewell(&place).into_iter().try_for_each(|message| self.line.take(message))
     }
 
@@ -199,18 +197,17 @@ impl Open {
     }
 }
 
-/// A fleet on a connection.
 struct FleetSpeaker {
     fleet: Arc<Fleet>,
-    address: Address,
+    address: BrokerAddress,
     base: String,
     instance: String,
     there: There,
 }
 
 impl Speaker for FleetSpeaker {
-    /// That the fleet is there, and after a connection was lost, that each of its homes is: the broker may have forgotten them. What
-    /// Home Assistant was told it keeps itself.
+    /// Reports that the fleet is online and, after a connection was lost, that each of its homes is: the broker may have forgotten them.
+    /// Home Assistant keeps discovery messages itself.
     fn greeting(&mut self) -> Vec<Message> {
         let layout = &self.fleet.layouts[0].run;
         let mark = json!({
@@ -224,11 +221,11 @@ impl Speaker for FleetSpeaker {
             Message::kept(format!("{}/run", self.base), mark.to_string()),
             Message::kept(format!("{}/status", self.base), "online"),
         ];
-        let address = Address { discovery: crate::Discovery::Off, ..self.address.clone() };
+        let address = BrokerAddress { discovery: crate::Discovery::Off, ..self.address.clone() };
         let there = self.there.lock().unwrap_or_else(PoisonError::into_inner).clone();
         for home in (0..there.len()).filter(|&home| there[home]) {
             let run = self.fleet.run_of(home as u32);
-            let place = Place::of(&address, &run);
+            let place = HomeTopics::for_run(&address, &run);
             all.extend(greeting(&address, &place, &run, &self.instance, false));
         }
         all
@@ -238,9 +235,9 @@ impl Speaker for FleetSpeaker {
         vec![format!("{}/run", self.base)]
     }
 
-    fn told(&mut self, publish: &Publish, _: &Arc<Flight>) -> Result<(), Trouble> {
+    fn hear(&mut self, publish: &Publish, _: &Arc<Flight>) -> Result<(), BrokerError> {
         match is_of_another(&publish.payload, &self.instance) {
-            true => Err(Trouble::another()),
+            true => Err(BrokerError::another()),
             false => Ok(()),
         }
     }

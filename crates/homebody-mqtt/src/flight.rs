@@ -1,10 +1,10 @@
-//! What is on its way to the broker: rows that were taken and are not acknowledged yet, in their order.
+//! Messages in flight: rows that were taken and are not acknowledged yet, in their order.
 //!
-//! It is between two threads: the destination's, which brings rows and waits, and the connection's, which sends them. Whatever
-//! becomes of a connection, what is not acknowledged stays here and is sent again on the next one.
+//! Two threads share it: that of the destination, which brings rows and waits, and that of the connection, which sends them. A message
+//! that is not acknowledged stays here when a connection is lost, and is sent again on the next one.
 
 use crate::speech::Message;
-use crate::trouble::Trouble;
+use crate::trouble::BrokerError;
 use homebody_log::{Cancel, Deadline};
 use serde_json::json;
 use std::collections::{HashMap, VecDeque};
@@ -21,55 +21,51 @@ const HANDFUL: usize = 64;
 /// Time to wait, once the run is stopped, for a broker that acknowledges nothing (our choice).
 const AFTER_STOP: Duration = Duration::from_millis(700);
 
-/// How often it is looked whether a broker is silent.
+/// The interval of checks for a silent broker.
 const SILENCE_LOOK: Duration = Duration::from_millis(250);
 
 /// Largest number of answers that wait to be sent (our choice).
 const MOST_ASIDES: usize = 1000;
 
-/// What the two threads share.
+/// The state that both threads share.
 #[derive(Default)]
 pub(crate) struct Flight {
-    state: Mutex<State>,
+    state: Mutex<FlightState>,
     /// The destination's thread waits for this.
     changed: Condvar,
     /// The connection's thread waits for this.
     pub wake: Notify,
     /// Ends waits early.
     cancel: Cancel,
-    /// How long a broker may take to acknowledge.
+    /// The time that a broker has to acknowledge.
     deadline: Deadline,
 }
 
-/// Which message was sent.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Sent {
     /// One that waits here for its acknowledgement, by its number.
     Row(u64),
-    /// One of a greeting.
     Greeting,
-    /// One that nobody waits for.
+    /// One without a wait.
     Aside,
 }
 
-/// How it stands with the connection.
+/// The state of the connection.
 #[derive(Clone, Debug, Default)]
-pub(crate) enum Link {
-    /// There was none yet.
+pub(crate) enum BrokerLink {
     #[default]
     New,
     /// It is there, and the broker has heard what the home is.
     Up,
     /// It was lost, for this reason, and is tried again.
-    Down(Trouble),
+    Down(BrokerError),
     /// It has ended, by this if it was not asked to.
-    Over(Option<Trouble>),
+    Over(Option<BrokerError>),
 }
 
-/// What the destination asks of the connection.
+/// The request of the destination to the connection.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub(crate) enum Wish {
-    /// To go on.
+pub(crate) enum FlightGoal {
     #[default]
     Live,
     /// To end once all is acknowledged.
@@ -78,35 +74,35 @@ pub(crate) enum Wish {
     GiveUp,
 }
 
-/// What is shared; see [`Flight`].
+/// See [`Flight`].
 #[derive(Default)]
-pub(crate) struct State {
+pub(crate) struct FlightState {
     /// Not acknowledged, with those before `first` left out; each with whether it is acknowledged out of turn.
     waiting: VecDeque<(Message, bool)>,
     /// The number of the first that waits: so many were acknowledged, without gaps.
     first: u64,
     /// The number of the next to be sent on this connection.
     next: u64,
-    /// What goes before all rows.
+    /// Messages before all rows.
     greeting: VecDeque<Message>,
     /// Of the greeting, how many are not acknowledged.
     greeting_left: usize,
-    /// What goes before rows and is not waited for.
+    /// Messages before rows that are not waited for.
     asides: VecDeque<Message>,
     /// Answers that had no room among them: where they go, and how many.
     unanswered: Option<(Arc<str>, u64)>,
-    /// What each topic that is kept was told last, in the order of first messages.
-    told: Vec<Told>,
+    /// The last message of each retained topic, in the order of first messages.
+    told: Vec<TimedMessage>,
     by_topic: HashMap<Arc<str>, usize>,
-    /// Whether nobody asks again: a fleet has too many topics to keep in mind.
+    /// Whether retained messages are not kept here: a fleet has too many topics.
     pub forgets: bool,
-    pub link: Link,
-    pub wish: Wish,
+    pub link: BrokerLink,
+    pub wish: FlightGoal,
     /// Counts acknowledgements.
     answers: u64,
 }
 
-struct Told {
+struct TimedMessage {
     message: Message,
     at: Instant,
 }
@@ -117,27 +113,30 @@ impl Flight {
         Flight { cancel: cancel.clone(), deadline: deadline.clone(), ..Flight::default() }
     }
 
-    pub fn lock(&self) -> MutexGuard<'_, State> {
+    pub fn lock(&self) -> MutexGuard<'_, FlightState> {
         // Nothing is left half done where a panic could come from.
         self.state.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
     /// Changes what is shared, and tells both threads.
-    pub fn change<T>(&self, change: impl FnOnce(&mut State) -> T) -> T {
+    pub fn change<T>(&self, change: impl FnOnce(&mut FlightState) -> T) -> T {
         let changed = change(&mut self.lock());
         self.changed.notify_all();
         self.wake.notify_one();
         changed
     }
 
-    /// The broker has acknowledged a message. Whoever waits is told when it is worth it, not each time.
+    /// The broker has acknowledged a message. The waiting thread wakes when it has enough to do, not each time.
     pub fn acknowledge(&self, sent: Sent) {
         let (is_worth_it, is_ending) = {
             let mut state = self.lock();
             state.acknowledge(sent);
             self.deadline.asks();
             let left = state.waiting.len();
-            (sent == Sent::Greeting || left == usize::from(MOST_IN_FLIGHT / 2) || left == 0, state.wish != Wish::Live)
+            (
+                sent == Sent::Greeting || left == usize::from(MOST_IN_FLIGHT / 2) || left == 0,
+                state.wish != FlightGoal::Live,
+            )
         };
         if is_worth_it {
             self.changed.notify_all();
@@ -149,7 +148,7 @@ impl Flight {
 
     /// Returns once a broker that was sent something has not acknowledged anything for as long as it may take: its connection is half
     /// open, or it stands still.
-    pub async fn silence(&self) -> Trouble {
+    pub async fn silence(&self) -> BrokerError {
         let within = self.deadline.within();
         let mut since = (0, Instant::now());
         loop {
@@ -159,22 +158,26 @@ impl Flight {
                 since = (state.answers, Instant::now());
             }
             if since.1.elapsed() >= within {
-                return Trouble::silent(since.1.elapsed());
+                return BrokerError::silent(since.1.elapsed());
             }
         }
     }
 
     /// Waits until it is so. Gives up when the connection is over, and when no acknowledgement comes for this long without a connection,
     /// or within the deadline with one. Once the run is stopped, it gives up at once without a connection, and after a second with one.
-    pub fn wait(&self, patience: Duration, is_so: impl Fn(&State) -> bool) -> Result<MutexGuard<'_, State>, Trouble> {
+    pub fn wait(
+        &self,
+        patience: Duration,
+        is_so: impl Fn(&FlightState) -> bool,
+    ) -> Result<MutexGuard<'_, FlightState>, BrokerError> {
         let mut state = self.lock();
         let mut since = (state.answers, Instant::now());
         loop {
             if is_so(&state) {
                 return Ok(state);
             }
-            if let Link::Over(why) = &state.link {
-                return Err(why.clone().unwrap_or_else(Trouble::ended));
+            if let BrokerLink::Over(why) = &state.link {
+                return Err(why.clone().unwrap_or_else(BrokerError::ended));
             }
             if state.answers != since.0 {
                 since = (state.answers, Instant::now());
@@ -184,8 +187,8 @@ impl Flight {
                 false => (patience.min(self.deadline.within()), self.deadline.within() + SILENCE_LOOK),
             };
             match &state.link {
-                Link::Down(why) if since.1.elapsed() >= without_link => return Err(why.clone()),
-                _ if since.1.elapsed() >= with_link => return Err(Trouble::silent(since.1.elapsed())),
+                BrokerLink::Down(why) if since.1.elapsed() >= without_link => return Err(why.clone()),
+                _ if since.1.elapsed() >= with_link => return Err(BrokerError::silent(since.1.elapsed())),
                 _ => {}
             }
             let (after, _) =
@@ -195,18 +198,18 @@ impl Flight {
     }
 }
 
-impl State {
+impl FlightState {
     /// Takes a message, to be sent until it is acknowledged.
     pub fn take(&mut self, message: Message) {
         self.waiting.push_back((message, false));
     }
 
-    /// Takes a message that nobody waits for, and that goes before all rows.
+    /// Takes a message that goes before all rows, without a wait.
     pub fn say(&mut self, message: Message) {
         self.asides.push_back(message);
     }
 
-    /// Takes the answer to an order. Where more come than the broker takes, one answer stands for many.
+    /// Takes the answer to an order. If more come than the broker takes, one answer stands for many.
     pub fn answer(&mut self, message: Message) {
         match self.asides.len() < MOST_ASIDES {
             true => self.say(message),
@@ -214,27 +217,24 @@ impl State {
         }
     }
 
-    /// Whether there is room for another.
     pub fn has_room(&self) -> bool {
         self.waiting.len() < usize::from(MOST_IN_FLIGHT)
     }
 
-    /// Whether there is room for many.
     pub fn has_much_room(&self) -> bool {
         self.waiting.len() <= usize::from(MOST_IN_FLIGHT / 2)
     }
 
-    /// Whether all is acknowledged.
     pub fn is_empty(&self) -> bool {
         self.waiting.is_empty() && self.asides.is_empty() && self.unanswered.is_none()
     }
 
-    /// How many were acknowledged, without gaps.
+    /// The number of acknowledged rows, without gaps.
     pub fn acknowledged(&self) -> u64 {
         self.first
     }
 
-    /// Whether something was sent on this connection that is not acknowledged.
+    /// Whether a message of this connection is not acknowledged.
     fn waits_for_broker(&self) -> bool {
         self.next > self.first || self.greeting_left > 0
     }
@@ -243,19 +243,18 @@ impl State {
     pub fn begin_connection(&mut self, greeting: Vec<Message>) {
         self.next = self.first;
         let again: Vec<&Arc<str>> = self.waiting.iter().map(|(message, _)| &message.topic).collect();
-        let told = self.told.iter().filter(|told| !again.contains(&&told.message.topic)).filter_map(Told::now);
+        let told = self.told.iter().filter(|told| !again.contains(&&told.message.topic)).filter_map(TimedMessage::now);
         self.greeting = greeting.into_iter().chain(told).collect();
         self.greeting_left = self.greeting.len();
     }
 
-    /// Greets once more: somebody has begun anew and does not know the home.
+    /// Sends the greeting again, since a listener has started anew and does not know the home.
     pub fn greet_again(&mut self, greeting: Vec<Message>) {
-        let all: Vec<Message> = greeting.into_iter().chain(self.told.iter().filter_map(Told::now)).collect();
+        let all: Vec<Message> = greeting.into_iter().chain(self.told.iter().filter_map(TimedMessage::now)).collect();
         self.greeting_left += all.len();
         self.greeting.extend(all);
     }
 
-    /// The next messages to be sent.
     pub fn handful(&mut self, into: &mut Vec<(Sent, Message)>) {
         into.extend(self.greeting.drain(..).map(|message| (Sent::Greeting, message)));
         if let Some((topic, many)) = self.unanswered.take() {
@@ -292,19 +291,19 @@ impl State {
             Sent::Greeting => {
                 self.greeting_left = self.greeting_left.saturating_sub(1);
                 if self.greeting_left == 0 {
-                    self.link = Link::Up;
+                    self.link = BrokerLink::Up;
                 }
             }
             Sent::Aside => {}
         }
     }
 
-    /// Keeps what a topic was told last, for who asks again.
+    /// Keeps the last message of a topic for later listeners.
     pub fn keep_in_mind(&mut self, message: &Message) {
         if self.forgets || !message.retain && message.then.is_none() {
             return;
         }
-        let told = Told { message: message.clone(), at: Instant::now() };
+        let told = TimedMessage { message: message.clone(), at: Instant::now() };
         match self.by_topic.get(&message.topic) {
             Some(&index) => self.told[index] = told,
             None => {
@@ -318,8 +317,8 @@ impl State {
 /// Time until a state that ends by itself is reported as over (our choice): longer than a usual `off-delay`.
 const PASSES_WITHIN: Duration = Duration::from_secs(15);
 
-impl Told {
-    /// What is true of the topic by now: nothing is said of what may not be over yet.
+impl TimedMessage {
+    /// The current state of the topic; None while a momentary state may still hold.
     fn now(&self) -> Option<Message> {
         match &self.message.then {
             None => Some(self.message.clone()),
@@ -337,15 +336,15 @@ mod tests {
         Message::kept(format!("home/{}", number % 3), number.to_string())
     }
 
-    fn sent(state: &mut State) -> Vec<(Sent, String)> {
+    fn sent(state: &mut FlightState) -> Vec<(Sent, String)> {
         let mut all = Vec::new();
         state.handful(&mut all);
         all.into_iter().map(|(sent, message)| (sent, message.payload.to_string())).collect()
     }
 
     #[test]
-    fn what_is_not_acknowledged_goes_again_in_its_order_and_nothing_else_does() {
-        let mut state = State::default();
+    fn sends_only_unacknowledged_messages_again_in_order() {
+        let mut state = FlightState::default();
         (0..5).for_each(|number| state.take(row(number)));
         assert_eq!(sent(&mut state).len(), 5);
         for number in [0, 1, 3] {
@@ -354,21 +353,20 @@ mod tests {
         assert_eq!((state.acknowledged(), state.is_empty()), (2, false));
         state.begin_connection(Vec::new());
         let again = sent(&mut state);
-        // 3 was acknowledged out of turn, and goes again: with a gap before it, nothing after the gap is sure. What topic 0 was
-        // told last, by 3, is in that.
+        // 3 was acknowledged out of turn, and goes again: after a gap, no row is sure. It includes the last message of topic 0.
         let rows: Vec<&str> = again.iter().map(|(_, payload)| payload.as_str()).collect();
         assert_eq!(rows, ["2", "3", "4"]);
         (2..5).for_each(|number| state.acknowledge(Sent::Row(number)));
         assert!(state.is_empty() && state.acknowledged() == 5);
-        // The next connection is told what is so, once each.
+        // The next connection gets the current state, once each.
         state.begin_connection(vec![Message::kept("status", "online")]);
         let greeting: Vec<String> = sent(&mut state).into_iter().map(|(_, payload)| payload).collect();
         assert_eq!(greeting, ["online", "3", "4", "2"]);
     }
 
     #[test]
-    fn what_passes_by_itself_is_not_said_again() {
-        let mut state = State::default();
+    fn does_not_repeat_momentary_states() {
+        let mut state = FlightState::default();
         state.keep_in_mind(&Message::kept("motion", "OFF"));
         state.take(Message { topic: "motion".into(), payload: "ON".into(), retain: false, then: Some("OFF".into()) });
         assert_eq!(sent(&mut state).len(), 1);

@@ -1,20 +1,18 @@
-//! What a broker is told when a connection is there, and when Home Assistant has begun anew: what the home is, what it has, and
-//! that it is there.
+//! The messages at the start of a connection, and after a restart of Home Assistant: the home, its parts, and that it is online.
 
-use crate::address::{Address, Style};
-use crate::place::Place;
+use crate::address::{BrokerAddress, Style};
+use crate::place::HomeTopics;
 use crate::speech::{Message, clear};
 use crate::{discovery, zigbee};
 use homebody_log::RunInfo;
 use serde_json::{Map, Value, json};
 
-/// The mark by which a home is known as one of ours: nothing else is ever cleared.
+/// The mark of homes of Homebody: no other home is ever removed.
 pub(crate) const PROGRAM: &str = "homebody";
 
-/// What is said at each beginning.
 pub(crate) fn greeting(
-    address: &Address,
-    place: &Place,
+    address: &BrokerAddress,
+    place: &HomeTopics,
     run: &RunInfo,
     instance: &str,
     takes_orders: bool,
@@ -25,7 +23,7 @@ pub(crate) fn greeting(
         all.extend(zigbee::messages(place, run));
     }
     if takes_orders {
-        // Of a run that is paused, what was said of it last comes after the greeting.
+        // The last message of a paused run comes after the greeting.
         all.push(Message::kept(place.topic("running"), "ON"));
     }
     let (topic, [online, _]) = place.status();
@@ -33,8 +31,7 @@ pub(crate) fn greeting(
     all
 }
 
-/// What is said at the end.
-pub(crate) fn farewell(place: &Place) -> Vec<Message> {
+pub(crate) fn farewell(place: &HomeTopics) -> Vec<Message> {
     let (topic, [_, offline]) = place.status();
     let mut all = match place.style {
         Style::Zigbee2Mqtt => zigbee::availability(place, "offline").collect(),
@@ -44,21 +41,21 @@ pub(crate) fn farewell(place: &Place) -> Vec<Message> {
     all
 }
 
-/// What is so before anything is said: motion sensors that only say ON are clear.
-pub(crate) fn at_rest(place: &Place) -> Vec<Message> {
-    let is_momentary = |sensor: &&crate::place::Placed| sensor.is_momentary(0);
-    let at_rest = |sensor: &crate::place::Placed| Message::kept(sensor.topics[0].as_str(), clear(place.style, sensor));
+/// The state before the first row: motion sensors that send ON alone are clear.
+pub(crate) fn at_rest(place: &HomeTopics) -> Vec<Message> {
+    let is_momentary = |sensor: &&crate::place::SensorTopics| sensor.is_momentary(0);
+    let at_rest =
+        |sensor: &crate::place::SensorTopics| Message::kept(sensor.topics[0].as_str(), clear(place.style, sensor));
     place.sensors.iter().filter(is_momentary).map(at_rest).collect()
 }
 
-/// Whether a mark is of another program than the one of this instance.
 pub(crate) fn is_of_another(mark: &[u8], instance: &str) -> bool {
     let mark: Option<Value> = serde_json::from_slice(mark).ok();
     let theirs = mark.as_ref().filter(|mark| mark["program"] == PROGRAM).and_then(|mark| mark["instance"].as_str());
     theirs.is_some_and(|theirs| theirs != instance)
 }
 
-fn mark(place: &Place, run: &RunInfo, instance: &str) -> Message {
+fn mark(place: &HomeTopics, run: &RunInfo, instance: &str) -> Message {
     let sensors: Map<String, Value> =
         place.sensors.iter().map(|sensor| (sensor.level.clone(), sensor.name.as_str().into())).collect();
     let mark = json!({

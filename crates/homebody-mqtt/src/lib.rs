@@ -1,11 +1,10 @@
 //! MQTT as a destination of logs: a home that a monitoring system cannot tell from a real one.
 //!
-//! Each row is one message of quality of service 1. How messages look is a style: that of Home Assistant's discovery, that of
-//! Zigbee2MQTT, or plain JSON. What runs may be told by messages is in `order.rs`; what this crate does with a broker besides
-//! is to tidy up.
+//! Each row is one message of quality of service 1, in one of three styles: that of Home Assistant's discovery, that of Zigbee2MQTT, or
+//! plain JSON. `order.rs` reads messages that are orders to runs; `clean.rs` removes retained messages.
 //!
-//! A row counts as durable once the broker has acknowledged it. What is not acknowledged is sent again on the next connection,
-//! with the same run and number. What a broker has acknowledged and then forgets, because it dies with its memory, is lost.
+//! A row counts as durable once the broker has acknowledged it. All others are sent again on the next connection, with the same run and
+//! number. A row is lost if the broker acknowledges it and then dies with its memory.
 
 mod address;
 mod certificate;
@@ -29,11 +28,11 @@ mod trouble;
 mod visit;
 mod zigbee;
 
-pub use address::{Address, Discovery, Style};
+pub use address::{BrokerAddress, Discovery, Style};
 pub use clean::{Cleaned, clean};
 pub use fleet::MqttFleet;
 pub use messages::MESSAGES;
-pub use order::{Kind, Order, Reply, TakesOrders, order_of};
+pub use order::{Order, OrderedFault, Reply, TakesOrders, order_of};
 pub use sink::{MqttSink, policy};
 
 use homebody_core::scenario::scheme::Scheme;

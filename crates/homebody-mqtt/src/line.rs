@@ -1,7 +1,7 @@
-//! A connection as a destination has it: messages are brought and waited for, while the connection lives in a thread of its own.
+//! The destination's end of a connection: it brings messages and waits for them, while a thread of its own runs the connection.
 
-use crate::connection::Connection;
-use crate::flight::{Flight, Link, State, Wish};
+use crate::connection::BrokerConnection;
+use crate::flight::{BrokerLink, Flight, FlightGoal, FlightState};
 use crate::speech::Message;
 use homebody_log::LogError;
 use std::sync::Arc;
@@ -11,9 +11,8 @@ use std::time::Duration;
 /// Time without a broker after which a waiting row reports it (our choice). It is then retried, as the policy says.
 const PATIENCE: Duration = Duration::from_secs(5);
 
-/// A connection that lives.
 pub(crate) struct Line {
-    /// What errors call the broker.
+    /// The broker's name in errors.
     pub place: String,
     pub flight: Arc<Flight>,
     thread: Option<JoinHandle<()>>,
@@ -21,23 +20,23 @@ pub(crate) struct Line {
 
 impl Line {
     /// Begins a connection, and waits until the broker has heard who it is of.
-    pub fn begin(connection: Connection, place: String) -> Result<Line, LogError> {
+    pub fn begin(connection: BrokerConnection, place: String) -> Result<Line, LogError> {
         let flight = connection.flight.clone();
-        let thread = thread::Builder::new().spawn(move || connection.live());
+        let thread = thread::Builder::new().spawn(move || connection.run());
         let thread = thread.map_err(|source| LogError::NoThread { place: place.clone(), source })?;
         let line = Line { place, flight, thread: Some(thread) };
-        line.wait(|shared| matches!(shared.link, Link::Up))?;
+        line.wait(|shared| matches!(shared.link, BrokerLink::Up))?;
         Ok(line)
     }
 
-    pub fn wait(&self, is_so: impl Fn(&State) -> bool) -> Result<(), LogError> {
+    pub fn wait(&self, is_so: impl Fn(&FlightState) -> bool) -> Result<(), LogError> {
         self.flight.wait(PATIENCE, is_so).map(drop).map_err(|trouble| trouble.error(&self.place))
     }
 
     /// Sends a message once there is room for it.
     pub fn take(&self, message: Message) -> Result<(), LogError> {
         if !self.flight.lock().has_room() {
-            self.wait(State::has_much_room)?;
+            self.wait(FlightState::has_much_room)?;
         }
         self.flight.lock().take(message);
         self.flight.wake.notify_one();
@@ -46,14 +45,14 @@ impl Line {
 
     /// Waits until all has arrived and the connection has ended, as was wished for.
     pub fn ended(&self) -> Result<(), LogError> {
-        self.wait(|shared| matches!(shared.link, Link::Over(None)))
+        self.wait(|shared| matches!(shared.link, BrokerLink::Over(None)))
     }
 }
 
 impl Drop for Line {
-    /// What is given up ends without a word: the broker then says by itself that it is not there any more.
+    /// Given up, it ends without a farewell: the broker then reports by itself that the home is offline.
     fn drop(&mut self) {
-        self.flight.change(|shared| shared.wish = Wish::GiveUp);
+        self.flight.change(|shared| shared.wish = FlightGoal::GiveUp);
         if let Some(thread) = self.thread.take() {
             let _ = thread.join();
         }

@@ -24,7 +24,7 @@ homebody_core::messages! {
         Percent { name: String } error "percent" ("{name} has a % without two hexadecimal digits after it")
             hint ("write %25 for a %");
         /// This parameter accepts a few words.
-        Word { name: String, value: String, known: &'static str }
+        Word { name: String, value: String, known: String }
             error "unknown-value" ("{name} cannot be {value}") hint ("write {known}");
         /// This parameter is switched on or off.
         NotBoolean { name: String, value: String }

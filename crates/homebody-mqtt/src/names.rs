@@ -1,7 +1,7 @@
-//! Names as parts of topics and as ids: letters, digits, `_` and `-` only, and no two names become one.
+//! Names as parts of topics and as ids: letters, digits, `_` and `-` only, and different names stay different.
 //!
-//! A space becomes `_`. Whatever else is no letter or digit of ASCII is written with a `-` before it, so that it can be told
-//! from what was there: `--` for `-`, `-_` for `_`, and `-e9-` for the letter é, by its number.
+//! A space becomes `_`. A character other than an ASCII letter or digit gets a `-` before it, so that the original can be read back: `--`
+//! for `-`, `-_` for `_`, and `-e9-` for the letter é, by its number.
 
 use sha2::{Digest, Sha256};
 
@@ -11,7 +11,6 @@ const TAKEN: [&str; 5] = ["bridge", "command", "run", "running", "status"];
 /// Length of a name above which it is cut and ends in a digest (our choice): a topic has at most 65,535 bytes.
 const LONGEST_BYTES: usize = 200;
 
-/// A name as one level of a topic.
 pub(crate) fn level(name: &str) -> String {
     let mut level = String::with_capacity(name.len());
     let is_taken = TAKEN.contains(&name);
@@ -25,7 +24,7 @@ pub(crate) fn level(name: &str) -> String {
         }
     }
     if level.is_empty() {
-        // After a `-` nothing else has a letter that is no digit of a number.
+        // No name has this form: after a `-` come only hexadecimal digits.
         return "-none".into();
     }
     if level.len() > LONGEST_BYTES {
@@ -42,7 +41,7 @@ pub(crate) fn id_of_home(prefix: &str, home: &str) -> String {
     below(prefix).fold(level(home), |id, level| format!("{id}-in-{level}"))
 }
 
-/// What the ids of all homes below a prefix end with.
+/// The ending of the ids of all homes below a prefix.
 pub(crate) fn end_of_ids(prefix: &str) -> String {
     below(prefix).map(|level| format!("-in-{level}")).collect()
 }
@@ -52,7 +51,6 @@ fn below(prefix: &str) -> impl Iterator<Item = String> {
     prefix.rsplit('/').map(level)
 }
 
-/// Whether a text may be a level of a prefix: it is taken as it is.
 pub(crate) fn is_level(text: &str) -> bool {
     !text.is_empty() && text.bytes().all(|byte| byte.is_ascii_alphanumeric() || byte == b'_' || byte == b'-')
 }

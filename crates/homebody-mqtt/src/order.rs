@@ -1,7 +1,7 @@
-//! What a home is told by messages on its own topic `command`, as JSON: `{"do": "pause"}`.
+//! Orders to a home, as JSON messages on its topic `command`: `{"do": "pause"}`.
 //!
-//! Each order is answered on `command/result`, with its `id` if it has one. What is kept by the broker from before, is not
-//! understood or names what the home does not have is not obeyed.
+//! Each order is answered on `command/result`, with its `id` if it has one. A retained order, one that is not understood and one that
+//! names a part that the home lacks are refused.
 
 use homebody_core::nearest::nearest;
 use homebody_core::problem::readable;
@@ -14,53 +14,43 @@ use serde_json::{Value, json};
 /// Longest command (our choice).
 const LONGEST_BYTES: usize = 4096;
 
-/// What a run is asked for.
+/// An order to a run.
 #[derive(Clone, Debug, PartialEq, Deserialize)]
 #[serde(tag = "do", rename_all = "snake_case", deny_unknown_fields)]
 pub enum Order {
     /// Go no further.
     Pause {},
-    /// Go on.
     Resume {},
     /// Go on by so many seconds, then pause.
     Step {
-        /// How many.
         seconds: f64,
     },
     /// Go on at this many times the pace of life.
     Speed {
-        /// How many.
         times: f64,
     },
     /// End the run here.
     Stop {},
     /// Open a door or a piece of furniture.
     Open {
-        /// Its name.
         thing: String,
     },
-    /// Close it.
     Close {
-        /// Its name.
         thing: String,
     },
     /// Turn a thing on.
     On {
-        /// Its name.
         thing: String,
     },
-    /// Turn it off.
     Off {
-        /// Its name.
         thing: String,
     },
     /// A sensor has a fault from now on.
     Fault {
-        /// Its name.
         sensor: String,
         /// Which fault, as a link file calls it; `dead` is an empty battery.
-        kind: Kind,
-        /// How long it has it; to the end of the run without this.
+        kind: OrderedFault,
+        /// The length of the fault; by default to the end of the run.
         minutes: Option<f64>,
         /// Of a battery: how long it fades before it is empty.
         fading_minutes: Option<f64>,
@@ -71,20 +61,17 @@ pub enum Order {
     },
     /// A resident falls now.
     Fall {
-        /// Their name.
         resident: String,
-        /// How long they lie on the floor.
+        /// The time on the floor.
         minutes: Option<f64>,
     },
 }
 
-/// Which fault a sensor has.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
 #[serde(rename_all = "snake_case")]
-pub enum Kind {
+pub enum OrderedFault {
     /// Its battery is empty.
     Dead,
-    /// Its battery fades.
     Battery,
     /// It hears nothing any more.
     Stuck,
@@ -94,14 +81,14 @@ pub enum Kind {
     BadLink,
 }
 
-/// Who obeys orders, or says why not. It is called on the connection's own thread, so it must not wait: the answer may come later,
-/// from any thread.
+/// Obeys orders or refuses them. It is called on the connection's own thread, so it must not wait: the answer may come later, from any
+/// thread.
 pub type TakesOrders = Box<dyn FnMut(Order, Reply) + Send>;
 
-/// Where what becomes of an order is said, once. Who drops it unsaid has ended.
+/// Takes the outcome of an order, once. If it is dropped before, the run has ended.
 pub struct Reply(Option<Box<dyn FnOnce(Outcome) + Send>>);
 
-/// What has become of an order.
+/// The outcome of an order.
 pub(crate) type Outcome = Result<Option<RunTime>, (String, String)>;
 
 impl Reply {
@@ -109,7 +96,6 @@ impl Reply {
         Reply(Some(Box::new(tell)))
     }
 
-    /// It was obeyed.
     pub fn done(self) {
         self.tell(Ok(None));
     }
@@ -145,15 +131,15 @@ impl std::fmt::Debug for Reply {
     }
 }
 
-/// What is told of an order besides what has become of it.
+/// The parts of an order that its answer repeats.
 #[derive(Clone, Debug, PartialEq)]
-pub(crate) struct Asked {
+pub(crate) struct OrderRequest {
     id: Option<Value>,
     what: Option<Value>,
 }
 
-impl Asked {
-    /// The answer to it, as JSON; an instant is said by the clock of the run.
+impl OrderRequest {
+    /// The answer as JSON, with the instant on the clock of the run.
     pub fn answer(self, outcome: &Outcome, clock: &mut InstantWriter) -> String {
         let mut answer = json!({ "id": self.id, "do": self.what, "ok": outcome.is_ok() });
         match outcome {
@@ -170,21 +156,21 @@ impl Asked {
     }
 }
 
-/// Hears an order: what it is, or why it is none that can be obeyed.
-pub(crate) fn heard(payload: &[u8], is_kept: bool, run: &RunInfo) -> (Asked, Result<Order, String>) {
+/// Reads an order, or why it cannot be obeyed.
+pub(crate) fn heard(payload: &[u8], is_kept: bool, run: &RunInfo) -> (OrderRequest, Result<Order, String>) {
     if is_kept {
         let why = "a message that the broker keeps is no order: it would be obeyed at every beginning";
-        return (Asked { id: None, what: None }, Err(why.into()));
+        return (OrderRequest { id: None, what: None }, Err(why.into()));
     }
     let (id, what, order) = understood(payload);
-    (Asked { id, what }, order.and_then(|order| known(&order, run).map(|()| order)))
+    (OrderRequest { id, what }, order.and_then(|order| known(&order, run).map(|()| order)))
 }
 
-/// The order that a message is.
+/// Reads an order from a message.
 ///
 /// # Errors
 ///
-/// Why it is none, in words for whoever has sent it.
+/// The reason for the sender, if it is not an order.
 pub fn order_of(payload: &[u8]) -> Result<Order, String> {
     understood(payload).2.map_err(readable)
 }
@@ -224,16 +210,17 @@ fn possible(order: Order) -> Result<Order, String> {
                     "minutes is no number above 0",
                 ),
                 (
-                    fading_minutes
-                        .is_some_and(|minutes| kind != Kind::Battery || !(0.0..=LONGEST_MIN).contains(&minutes)),
+                    fading_minutes.is_some_and(|minutes| {
+                        kind != OrderedFault::Battery || !(0.0..=LONGEST_MIN).contains(&minutes)
+                    }),
                     "fading_minutes is a number from 0 on, and of a battery",
                 ),
                 (
-                    every_s.is_some_and(|every| kind != Kind::Stuck || !(0.1..=86_400.0).contains(&every)),
+                    every_s.is_some_and(|every| kind != OrderedFault::Stuck || !(0.1..=86_400.0).contains(&every)),
                     "every_s is a number from 0.1 to 86400, and of a sensor that is stuck",
                 ),
                 (
-                    loss.is_some_and(|loss| kind != Kind::BadLink || !(0.0..=1.0).contains(&loss)),
+                    loss.is_some_and(|loss| kind != OrderedFault::BadLink || !(0.0..=1.0).contains(&loss)),
                     "loss is a number from 0 to 1, and of a bad_link",
                 ),
             ];
@@ -243,7 +230,6 @@ fn possible(order: Order) -> Result<Order, String> {
     }
 }
 
-/// Whether the home has what is named.
 fn known(order: &Order, run: &RunInfo) -> Result<(), String> {
     let among = |what: &str, name: &String, known: &[String]| match known.contains(name) {
         true => Ok(()),

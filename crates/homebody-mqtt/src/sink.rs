@@ -1,13 +1,13 @@
 //! The destination: rows become messages, and are durable once the broker has acknowledged them.
 
-use crate::address::Address;
-use crate::connection::{Connection, instance, options};
-use crate::flight::{Flight, State, Wish};
+use crate::address::BrokerAddress;
+use crate::connection::{BrokerConnection, instance, options};
+use crate::flight::{Flight, FlightGoal, FlightState};
 use crate::greeting::{at_rest, farewell};
 use crate::line::Line;
 use crate::messages::BrokerMessage;
 use crate::order::TakesOrders;
-use crate::place::Place;
+use crate::place::HomeTopics;
 use crate::speaker::HomeSpeaker;
 use crate::speech::Speech;
 use homebody_core::time::RunTime;
@@ -28,16 +28,16 @@ pub fn policy() -> Policy {
 /// A broker as a destination.
 pub struct MqttSink {
     url: Url,
-    /// Whether rows come no faster than life.
+    /// Whether the run is in real time.
     is_live: bool,
     orders: Option<Arc<Mutex<TakesOrders>>>,
-    open: Option<Open>,
+    open: Option<OpenBrokerLog>,
 }
 
-struct Open {
+struct OpenBrokerLog {
     line: Line,
     speech: Speech,
-    farewell: Arc<Place>,
+    farewell: Arc<HomeTopics>,
     /// The number of the next row.
     next: u64,
     number: String,
@@ -50,16 +50,15 @@ impl MqttSink {
     }
 
     /// For a run that goes no faster than life.
-    pub fn live(url: &Url) -> MqttSink {
+    pub fn in_real_time(url: &Url) -> MqttSink {
         MqttSink { is_live: true, ..MqttSink::new(url) }
     }
 
-    /// The same for a run that can be told what to do.
     pub fn with_orders(self, orders: TakesOrders) -> MqttSink {
         MqttSink { orders: Some(Arc::new(Mutex::new(orders))), ..self }
     }
 
-    fn begun(&mut self) -> Result<&mut Open, LogError> {
+    fn begun(&mut self) -> Result<&mut OpenBrokerLog, LogError> {
         // By its kind alone: the place may have a password in it.
         let stopped = || LogError::Stopped { place: self.url.scheme().row().name.into() };
         self.open.as_mut().ok_or_else(stopped)
@@ -68,7 +67,7 @@ impl MqttSink {
 
 impl Sink for MqttSink {
     fn begin(&mut self, begin: &Begin) -> Result<Watermark, LogError> {
-        let address = Address::of(&self.url)?;
+        let address = BrokerAddress::from_url(&self.url)?;
         if !self.is_live {
             address.may_go_fast()?;
         }
@@ -77,7 +76,7 @@ impl Sink for MqttSink {
             return Err(LogError::cannot_hold(place_told, BrokerMessage::RowsOnly));
         }
         not_public(&address)?;
-        let place = Arc::new(Place::of(&address, begin.run));
+        let place = Arc::new(HomeTopics::for_run(&address, begin.run));
         let instance = instance();
         let (topic, [_, offline]) = place.status();
         let options = options(&address, (topic, offline), &place.id, &instance);
@@ -91,9 +90,9 @@ impl Sink for MqttSink {
             orders: self.orders.clone(),
             instance,
         };
-        let line = Line::begin(Connection { flight, options, speaker: Box::new(speaker) }, place_told)?;
+        let line = Line::begin(BrokerConnection { flight, options, speaker: Box::new(speaker) }, place_told)?;
         let speech = Speech::new(begin.run, place.clone());
-        self.open = Some(Open { line, speech, farewell: place, next: 0, number: String::new() });
+        self.open = Some(OpenBrokerLog { line, speech, farewell: place, next: 0, number: String::new() });
         Ok(Watermark::none())
     }
 
@@ -127,18 +126,18 @@ impl Sink for MqttSink {
 
     fn make_durable(&mut self) -> Result<Watermark, LogError> {
         let Some(open) = &mut self.open else { return Ok(Watermark::none()) };
-        open.line.wait(State::is_empty)?;
+        open.line.wait(FlightState::is_empty)?;
         Ok(Watermark(vec![open.line.flight.lock().acknowledged()]))
     }
 
     fn finish(&mut self, _end: RunTime) -> Result<(), LogError> {
         self.make_durable()?;
         let Some(open) = &mut self.open else { return Ok(()) };
-        if open.line.flight.lock().wish != Wish::Finish {
+        if open.line.flight.lock().wish != FlightGoal::Finish {
             let farewell = farewell(&open.farewell);
             open.line.flight.change(|shared| {
                 farewell.into_iter().for_each(|message| shared.take(message));
-                shared.wish = Wish::Finish;
+                shared.wish = FlightGoal::Finish;
             });
         }
         open.line.ended()?;
@@ -147,16 +146,16 @@ impl Sink for MqttSink {
     }
 }
 
-/// Refuses a broker on the internet that anybody may listen to, unless that is meant.
-pub(crate) fn not_public(address: &Address) -> Result<(), LogError> {
+/// Refuses a public broker without a login, unless the URL allows it.
+pub(crate) fn not_public(address: &BrokerAddress) -> Result<(), LogError> {
     if address.user.is_some() || address.public || !is_public(address) {
         return Ok(());
     }
     Err(LogError::destination(address.place(), BrokerMessage::Public))
 }
 
-/// Whether a host is on the internet, as far as its addresses say. One that is not known is told of by who connects.
-fn is_public(address: &Address) -> bool {
+/// Whether an address of the host is public. The connection reports a host that is unknown.
+fn is_public(address: &BrokerAddress) -> bool {
     let Ok(found) = (address.host.as_str(), address.port).to_socket_addrs() else { return false };
     found.map(|found| found.ip()).any(|ip| match ip.to_canonical() {
         IpAddr::V4(ip) => {

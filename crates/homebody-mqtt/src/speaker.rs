@@ -1,26 +1,25 @@
 //! One home on a broker: it says what it is, and hears orders, that Home Assistant has begun anew, and what others say in its name.
 
-use crate::address::Address;
+use crate::address::BrokerAddress;
 use crate::connection::Speaker;
 use crate::flight::Flight;
 use crate::greeting::{greeting, is_of_another};
 use crate::order::{Order, Reply, TakesOrders, heard};
-use crate::place::Place;
+use crate::place::HomeTopics;
 use crate::speech::Message;
-use crate::trouble::Trouble;
+use crate::trouble::BrokerError;
 use homebody_core::scenario::logger::TimeFormat;
 use homebody_log::RunInfo;
 use homebody_log::table::InstantWriter;
 use rumqttc::Publish;
 use std::sync::{Arc, Mutex, PoisonError};
 
-/// A home that speaks for itself.
 pub(crate) struct HomeSpeaker {
-    pub address: Address,
-    pub place: Arc<Place>,
+    pub address: BrokerAddress,
+    pub place: Arc<HomeTopics>,
     pub run: Arc<RunInfo>,
     pub orders: Option<Arc<Mutex<TakesOrders>>>,
-    /// Tells this connection from that of another program that lives the same home.
+    /// Tells this connection from that of another program with the same home.
     pub instance: String,
 }
 
@@ -37,7 +36,7 @@ impl Speaker for HomeSpeaker {
         &self.place.base
     }
 
-    fn told(&mut self, publish: &Publish, flight: &Arc<Flight>) -> Result<(), Trouble> {
+    fn hear(&mut self, publish: &Publish, flight: &Arc<Flight>) -> Result<(), BrokerError> {
         let (status, [online, _]) = self.place.status();
         if publish.topic == self.place.command() {
             self.ordered(publish, flight);
@@ -45,9 +44,9 @@ impl Speaker for HomeSpeaker {
             let greeting = self.greeting();
             flight.change(|state| state.greet_again(greeting));
         } else if publish.topic == self.place.topic("run") && is_of_another(&publish.payload, &self.instance) {
-            return Err(Trouble::another());
+            return Err(BrokerError::another());
         } else if publish.topic == status && publish.payload != online {
-            // The last word of a program that lived this home before, and that the broker has only now found dead.
+            // The last will of an earlier program with this home, whose death the broker has only now noticed.
             flight.change(|state| state.say(Message::kept(status, online)));
         }
         Ok(())
@@ -55,7 +54,7 @@ impl Speaker for HomeSpeaker {
 }
 
 impl HomeSpeaker {
-    /// Where Home Assistant says that it has begun.
+    /// The topic on which Home Assistant reports its start.
     fn birth(&self) -> String {
         format!("{}/status", self.address.discovery_prefix)
     }

@@ -1,9 +1,9 @@
-//! What rows are as messages.
+//! Turns rows into messages.
 
 use crate::address::Style;
-use crate::entities::{Heard, Says, Word};
+use crate::entities::{EntityType, EntityValue, Word};
 use crate::messages::BrokerMessage;
-use crate::place::{Place, Placed};
+use crate::place::{HomeTopics, SensorTopics};
 use homebody_core::scenario::logger::TimeFormat;
 use homebody_core::time::RunTime;
 use homebody_log::table::InstantWriter;
@@ -13,12 +13,11 @@ use std::collections::HashMap;
 use std::fmt::Write;
 use std::sync::Arc;
 
-/// A message to the broker.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Message {
     pub topic: Arc<str>,
     pub payload: Arc<str>,
-    /// Whether the broker keeps it for who comes later.
+    /// Whether the broker retains it for later listeners.
     pub retain: bool,
     /// Of what passes by itself, such as a motion sensor's ON: what is true again some seconds later.
     pub then: Option<Arc<str>>,
@@ -34,7 +33,7 @@ impl Message {
 pub(crate) struct Speech {
     run: String,
     clock: InstantWriter,
-    place: Arc<Place>,
+    place: Arc<HomeTopics>,
     /// Sensors by what the log calls them.
     by_id: HashMap<String, usize>,
     topics: Vec<Vec<Arc<str>>>,
@@ -44,7 +43,7 @@ pub(crate) struct Speech {
 }
 
 impl Speech {
-    pub fn new(run: &RunInfo, place: Arc<Place>) -> Speech {
+    pub fn new(run: &RunInfo, place: Arc<HomeTopics>) -> Speech {
         let by_id = place.sensors.iter().enumerate().map(|(index, sensor)| (sensor.in_log.clone(), index));
         let topics =
             place.sensors.iter().map(|sensor| sensor.topics.iter().map(|topic| topic.as_str().into()).collect());
@@ -59,7 +58,6 @@ impl Speech {
         }
     }
 
-    /// The message of a row.
     pub fn message(&mut self, seq: i64, at: RunTime, sensor: &str, said: &str) -> Result<Message, LogError> {
         let Some(&index) = self.by_id.get(sensor) else {
             let unknown = BrokerMessage::UnknownSensor { sensor: sensor.into() };
@@ -94,7 +92,7 @@ impl Speech {
             Style::Zigbee2Mqtt => self.zigbee(index, entity, &heard),
         }
         let _ = write!(self.line, ",\"run\":\"{}\",\"seq\":{seq},\"sim_time\":\"{}\"}}", self.run, self.clock.text(at));
-        let momentary = placed.is_momentary(entity) && heard == Heard::Switched(true);
+        let momentary = placed.is_momentary(entity) && heard == EntityValue::Switched(true);
         Message {
             topic: self.topics[index][entity].clone(),
             payload: self.line.as_str().into(),
@@ -103,16 +101,15 @@ impl Speech {
         }
     }
 
-    fn home_assistant(&mut self, heard: &Heard, said: &str) {
+    fn home_assistant(&mut self, heard: &EntityValue, said: &str) {
         let _ = match heard {
-            Heard::Switched(on) => write!(self.line, "{{\"state\":\"{}\",\"said\":{}", on_off(*on), quoted(said)),
-            Heard::Number(number) => write!(self.line, "{{\"state\":{number},\"said\":{}", quoted(said)),
-            Heard::Word(word) => write!(self.line, "{{\"state\":{},\"said\":{}", quoted(word), quoted(said)),
+            EntityValue::Switched(on) => write!(self.line, "{{\"state\":\"{}\",\"said\":{}", on_off(*on), quoted(said)),
+            EntityValue::Number(number) => write!(self.line, "{{\"state\":{number},\"said\":{}", quoted(said)),
+            EntityValue::Word(word) => write!(self.line, "{{\"state\":{},\"said\":{}", quoted(word), quoted(said)),
         };
     }
 
-    /// As the log says it.
-    fn plain(&mut self, placed: &Placed, said: &str) {
+    fn plain(&mut self, placed: &SensorTopics, said: &str) {
         let number = said.parse::<f64>().ok().filter(|number| number.is_finite());
         let value = number.map_or_else(|| quoted(said), |number| number.to_string());
         let _ = write!(self.line, "{{\"sensor\":{},\"value\":{value}", quoted(&placed.name));
@@ -122,7 +119,7 @@ impl Speech {
     }
 
     /// A device's JSON has all that it has said last, not only what has changed.
-    fn zigbee(&mut self, sensor: usize, entity: usize, heard: &Heard) {
+    fn zigbee(&mut self, sensor: usize, entity: usize, heard: &EntityValue) {
         let entity = &self.place.sensors[sensor].device.entities[entity];
         self.last[sensor].insert(entity.property.into(), zigbee_value(&entity.says, heard));
         let all = Value::Object(self.last[sensor].clone()).to_string();
@@ -130,14 +127,14 @@ impl Speech {
     }
 }
 
-/// What a device of Zigbee2MQTT says before it knows anything.
-fn unknown(place: &Place, sensor: &Placed) -> Map<String, Value> {
+/// The properties of a device of Zigbee2MQTT before its first row: all unknown.
+fn unknown(place: &HomeTopics, sensor: &SensorTopics) -> Map<String, Value> {
     let properties = sensor.device.entities.iter().filter(|_| place.is_discovered);
     properties.map(|entity| (entity.property.to_owned(), Value::Null)).collect()
 }
 
-/// What is so of a motion sensor that only says ON while it says nothing.
-pub(crate) fn clear(style: Style, placed: &Placed) -> String {
+/// The resting state of a motion sensor that sends ON alone.
+pub(crate) fn clear(style: Style, placed: &SensorTopics) -> String {
     match style {
         Style::HomeAssistant => r#"{"state":"OFF"}"#.into(),
         Style::Zigbee2Mqtt => r#"{"occupancy":false}"#.into(),
@@ -149,20 +146,19 @@ fn on_off(on: bool) -> &'static str {
     if on { "ON" } else { "OFF" }
 }
 
-fn zigbee_value(says: &Says, heard: &Heard) -> Value {
+fn zigbee_value(says: &EntityType, heard: &EntityValue) -> Value {
     match (heard, says) {
-        (Heard::Switched(on), Says::Binary { zigbee, .. }) => match zigbee[usize::from(!on)] {
+        (EntityValue::Switched(on), EntityType::Binary { zigbee, .. }) => match zigbee[usize::from(!on)] {
             Word::Truth(truth) => truth.into(),
             Word::Text(text) => text.into(),
         },
-        (Heard::Switched(on), _) => (*on).into(),
-        (Heard::Number(number), _) if number.fract() == 0.0 && number.abs() < 1e15 => (*number as i64).into(),
-        (Heard::Number(number), _) => (*number).into(),
-        (Heard::Word(word), _) => (*word).into(),
+        (EntityValue::Switched(on), _) => (*on).into(),
+        (EntityValue::Number(number), _) if number.fract() == 0.0 && number.abs() < 1e15 => (*number as i64).into(),
+        (EntityValue::Number(number), _) => (*number).into(),
+        (EntityValue::Word(word), _) => (*word).into(),
     }
 }
 
-/// A text in quotes, as JSON has it.
 fn quoted(text: &str) -> String {
     Value::from(text).to_string()
 }

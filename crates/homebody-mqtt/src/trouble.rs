@@ -1,4 +1,4 @@
-//! What can go wrong with a broker, in words that say what to do.
+//! Errors of a broker, each with advice.
 
 use crate::messages::BrokerMessage;
 use homebody_core::problem::{Diagnostic, readable};
@@ -10,47 +10,44 @@ use std::error::Error;
 use std::io;
 use std::time::Duration;
 
-/// What went wrong.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(crate) struct Trouble {
+pub(crate) struct BrokerError {
     pub message: Box<Diagnostic>,
-    /// Whether to try again is of no use.
+    /// Whether another try cannot help.
     pub is_final: bool,
 }
 
-impl Trouble {
-    pub fn new(message: impl Into<Diagnostic>) -> Trouble {
+impl BrokerError {
+    pub fn new(message: impl Into<Diagnostic>) -> BrokerError {
         let message: Diagnostic = message.into();
         let message = Diagnostic { what: readable(message.what), ..message };
-        Trouble { message: Box::new(message), is_final: false }
+        BrokerError { message: Box::new(message), is_final: false }
     }
 
-    pub fn finally(self) -> Trouble {
-        Trouble { is_final: true, ..self }
+    pub fn finally(self) -> BrokerError {
+        BrokerError { is_final: true, ..self }
     }
 
-    pub fn ended() -> Trouble {
-        Trouble::new(BrokerMessage::Ended).finally()
+    pub fn ended() -> BrokerError {
+        BrokerError::new(BrokerMessage::Ended).finally()
     }
 
     /// Another run of the same home.
-    pub fn another() -> Trouble {
-        Trouble::new(BrokerMessage::AnotherRun).finally()
+    pub fn another() -> BrokerError {
+        BrokerError::new(BrokerMessage::AnotherRun).finally()
     }
 
     /// A broker that does not acknowledge anything.
-    pub fn silent(since: Duration) -> Trouble {
-        Trouble::new(BrokerMessage::Silent { seconds: since.as_secs_f64().round() as u64 })
+    pub fn silent(since: Duration) -> BrokerError {
+        BrokerError::new(BrokerMessage::Silent { seconds: since.as_secs_f64().round() as u64 })
     }
 
-    /// As an error of the destination.
     pub fn error(self, place: &str) -> LogError {
         let error = LogError::destination(place, *self.message);
         if self.is_final { error } else { error.passing() }
     }
 
-    /// What an error of the connection means.
-    pub fn of(error: &ConnectionError) -> Trouble {
+    pub fn from_connection(error: &ConnectionError) -> BrokerError {
         if let Some(tls) = cause::<rustls::Error>(error) {
             return of_tls(tls);
         }
@@ -65,7 +62,7 @@ impl Trouble {
                     Some(_) => BrokerMessage::Tls { reason },
                     None => BrokerMessage::Untrusted { reason },
                 };
-                Trouble::new(message).finally()
+                BrokerError::new(message).finally()
             }
             ConnectionError::MqttState(StateError::ConnectionAborted) => closed(),
             // The error has in it what came instead of an answer.
@@ -74,34 +71,34 @@ impl Trouble {
             {
                 closed()
             }
-            ConnectionError::Timeout(_) => Trouble::new(BrokerMessage::NoAnswer),
+            ConnectionError::Timeout(_) => BrokerError::new(BrokerMessage::NoAnswer),
             error => match cause::<io::Error>(error) {
                 Some(cause) => of_io(cause),
-                None => Trouble::new(BrokerMessage::Lost { reason: error.to_string() }),
+                None => BrokerError::new(BrokerMessage::Lost { reason: error.to_string() }),
             },
         }
     }
 }
 
-fn refused(code: ConnectReturnCode) -> Trouble {
+fn refused(code: ConnectReturnCode) -> BrokerError {
     use ConnectReturnCode::*;
     match code {
         BadUserNamePassword | NotAuthorized | BadAuthenticationMethod | Banned => {
-            Trouble::new(BrokerMessage::Login).finally()
+            BrokerError::new(BrokerMessage::Login).finally()
         }
-        RefusedProtocolVersion | UnsupportedProtocolVersion => Trouble::new(BrokerMessage::Version).finally(),
-        code => Trouble::new(BrokerMessage::Refused { code: format!("{code:?}") }),
+        RefusedProtocolVersion | UnsupportedProtocolVersion => BrokerError::new(BrokerMessage::Version).finally(),
+        code => BrokerError::new(BrokerMessage::Refused { code: format!("{code:?}") }),
     }
 }
 
-fn sent_away(code: DisconnectReasonCode) -> Trouble {
+fn sent_away(code: DisconnectReasonCode) -> BrokerError {
     match code {
-        DisconnectReasonCode::NotAuthorized => Trouble::new(BrokerMessage::NotAuthorized).finally(),
-        code => Trouble::new(BrokerMessage::SentAway { code: format!("{code:?}") }),
+        DisconnectReasonCode::NotAuthorized => BrokerError::new(BrokerMessage::NotAuthorized).finally(),
+        code => BrokerError::new(BrokerMessage::SentAway { code: format!("{code:?}") }),
     }
 }
 
-fn of_tls(error: &rustls::Error) -> Trouble {
+fn of_tls(error: &rustls::Error) -> BrokerError {
     let message = match error {
         rustls::Error::InvalidCertificate(why) => match why {
             CertificateError::Expired | CertificateError::ExpiredContext { .. } => BrokerMessage::Expired,
@@ -114,23 +111,23 @@ fn of_tls(error: &rustls::Error) -> Trouble {
         },
         error => BrokerMessage::Tls { reason: error.to_string() },
     };
-    Trouble::new(message).finally()
+    BrokerError::new(message).finally()
 }
 
-fn closed() -> Trouble {
-    Trouble::new(BrokerMessage::Closed)
+fn closed() -> BrokerError {
+    BrokerError::new(BrokerMessage::Closed)
 }
 
-fn of_io(error: &io::Error) -> Trouble {
+fn of_io(error: &io::Error) -> BrokerError {
     use io::ErrorKind::*;
     match error.kind() {
-        ConnectionRefused => Trouble::new(BrokerMessage::NoBroker),
-        HostUnreachable | NetworkUnreachable => Trouble::new(BrokerMessage::Unreachable),
+        ConnectionRefused => BrokerError::new(BrokerMessage::NoBroker),
+        HostUnreachable | NetworkUnreachable => BrokerError::new(BrokerMessage::Unreachable),
         UnexpectedEof | ConnectionReset | ConnectionAborted | BrokenPipe => closed(),
         _ if error.to_string().contains("lookup") => {
-            Trouble::new(BrokerMessage::UnknownHost { reason: error.to_string() })
+            BrokerError::new(BrokerMessage::UnknownHost { reason: error.to_string() })
         }
-        _ => Trouble::new(BrokerMessage::Network { reason: error.to_string() }),
+        _ => BrokerError::new(BrokerMessage::Network { reason: error.to_string() }),
     }
 }
 
@@ -143,7 +140,7 @@ fn cause<'e, T: Error + 'static>(error: &'e (dyn Error + 'static)) -> Option<&'e
         }
         let inner = error.downcast_ref::<io::Error>().and_then(|error| error.get_ref());
         at = match inner {
-            // What an error of the system wraps is not among its sources.
+            // An error that a system error wraps is missing from its sources.
             Some(inner) => Some(inner as &(dyn Error + 'static)),
             None => error.source(),
         };

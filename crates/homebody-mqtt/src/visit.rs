@@ -1,9 +1,9 @@
 //! A short connection to a broker, to ask what it keeps: it is begun, asked, and ended in order.
 
-use crate::address::Address;
+use crate::address::BrokerAddress;
 use crate::connection::open;
 use crate::messages::BrokerMessage;
-use crate::trouble::Trouble;
+use crate::trouble::BrokerError;
 use homebody_log::LogError;
 use rumqttc::{AsyncClient, ClientError, Event, EventLoop, Outgoing};
 use tokio::runtime::Builder;
@@ -11,16 +11,16 @@ use tokio::runtime::Builder;
 /// Requests that wait inside the client (our choice).
 const IN_CLIENT: usize = 10;
 
-/// Visits a broker, under a name that tells visitors from homes. What is kept there may be of any length.
+/// Visits a broker, under a name that tells visitors from homes. Retained messages may have any length.
 ///
 /// # Errors
 ///
-/// There is no thread to wait on; what the visit itself has found wrong is in the result.
+/// If no thread can start; errors of the visit itself are in the result.
 pub(crate) fn visit<T>(
-    address: &Address,
+    address: &BrokerAddress,
     name: &str,
-    ask: impl AsyncFnOnce(&AsyncClient, &mut EventLoop) -> Result<T, Trouble>,
-) -> Result<Result<T, Trouble>, LogError> {
+    ask: impl AsyncFnOnce(&AsyncClient, &mut EventLoop) -> Result<T, BrokerError>,
+) -> Result<Result<T, BrokerError>, LogError> {
     let mut options = match open(address, &format!("homebody-{name}-{}", std::process::id())) {
         Ok(options) => options,
         Err(trouble) => return Ok(Err(trouble.finally())),
@@ -35,10 +35,10 @@ pub(crate) fn visit<T>(
         while !matches!(events.poll().await, Ok(Event::Outgoing(Outgoing::Disconnect)) | Err(_)) {}
         Ok(answer)
     });
-    Ok(asked.map_err(Trouble::finally))
+    Ok(asked.map_err(BrokerError::finally))
 }
 
-/// A connection that was lost while something was said on it.
-pub(crate) fn lost(error: ClientError) -> Trouble {
-    Trouble::new(BrokerMessage::Lost { reason: error.to_string() })
+/// A connection that was lost during a request.
+pub(crate) fn lost(error: ClientError) -> BrokerError {
+    BrokerError::new(BrokerMessage::Lost { reason: error.to_string() })
 }

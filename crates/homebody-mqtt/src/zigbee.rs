@@ -1,21 +1,20 @@
-//! What Zigbee2MQTT says of itself and of its devices, which programs that listen to it read.
+//! The messages of Zigbee2MQTT about itself and its devices, which programs that listen to it read.
 //!
-//! We say what the documents of Zigbee2MQTT list of `bridge/info`, `bridge/devices` and each device's availability, as far as there
-//! is anything to say: no radio and no firmware stands behind it.
+//! They follow the documents of Zigbee2MQTT for `bridge/info`, `bridge/devices` and each device's availability, as far as possible without
+//! radio and firmware.
 
-use crate::entities::{Entity, Says, Word};
-use crate::place::{Place, Placed};
+use crate::entities::{Entity, EntityType, Word};
+use crate::place::{HomeTopics, SensorTopics};
 use crate::speech::Message;
 use homebody_core::names::capitalised;
 use homebody_log::RunInfo;
 use serde_json::{Value, json};
 use sha2::{Digest, Sha256};
 
-/// Who makes all devices.
 const MAKER: &str = "Homebody";
 
-/// What the bridge says once a connection is there.
-pub(crate) fn messages(place: &Place, run: &RunInfo) -> Vec<Message> {
+/// The messages of the bridge at the start of a connection.
+pub(crate) fn messages(place: &HomeTopics, run: &RunInfo) -> Vec<Message> {
     let devices: Vec<Value> =
         std::iter::once(coordinator(place)).chain(place.sensors.iter().map(|sensor| device(place, sensor))).collect();
     let mut messages = vec![
@@ -27,15 +26,14 @@ pub(crate) fn messages(place: &Place, run: &RunInfo) -> Vec<Message> {
     messages
 }
 
-/// Whether each device is there.
-pub(crate) fn availability<'a>(place: &'a Place, state: &'a str) -> impl Iterator<Item = Message> + 'a {
+pub(crate) fn availability<'a>(place: &'a HomeTopics, state: &'a str) -> impl Iterator<Item = Message> + 'a {
     place.sensors.iter().map(move |sensor| {
         let topic = place.topic(&format!("{}/availability", sensor.level));
         Message::kept(topic, json!({ "state": state }).to_string())
     })
 }
 
-fn info(place: &Place, run: &RunInfo) -> Value {
+fn info(place: &HomeTopics, run: &RunInfo) -> Value {
     json!({
         "version": run.version,
         "commit": "homebody",
@@ -49,7 +47,7 @@ fn info(place: &Place, run: &RunInfo) -> Value {
     })
 }
 
-fn coordinator(place: &Place) -> Value {
+fn coordinator(place: &HomeTopics) -> Value {
     json!({
         "ieee_address": address(&place.id),
         "type": "Coordinator",
@@ -65,7 +63,7 @@ fn coordinator(place: &Place) -> Value {
     })
 }
 
-fn device(place: &Place, sensor: &Placed) -> Value {
+fn device(place: &HomeTopics, sensor: &SensorTopics) -> Value {
     let id = format!("{}/{}", place.base, sensor.level);
     let exposes: Vec<Value> = sensor.device.entities.iter().map(exposed).collect();
     json!({
@@ -96,7 +94,7 @@ fn device(place: &Place, sensor: &Placed) -> Value {
     })
 }
 
-/// What a device can tell, in Zigbee2MQTT's words; access 1 is that it tells it by itself.
+/// The abilities of a device, in Zigbee2MQTT's words; access 1 means that it reports by itself.
 fn exposed(entity: &Entity) -> Value {
     let value = |word: Word| match word {
         Word::Truth(truth) => Value::from(truth),
@@ -105,17 +103,17 @@ fn exposed(entity: &Entity) -> Value {
     let name = entity.property;
     let mut told = json!({ "name": name, "label": label(name), "property": name, "access": 1 });
     match &entity.says {
-        Says::Binary { zigbee: [on, off], .. } => {
+        EntityType::Binary { zigbee: [on, off], .. } => {
             (told["type"], told["value_on"], told["value_off"]) = ("binary".into(), value(*on), value(*off));
         }
-        Says::Number { unit } => {
+        EntityType::Number { unit } => {
             told["type"] = "numeric".into();
             if let Some(unit) = unit {
                 told["unit"] = json!(unit);
             }
         }
-        Says::Choice(words) => (told["type"], told["values"]) = ("enum".into(), json!(words)),
-        Says::Text => told["type"] = "text".into(),
+        EntityType::Choice(words) => (told["type"], told["values"]) = ("enum".into(), json!(words)),
+        EntityType::Text => told["type"] = "text".into(),
     }
     told
 }
@@ -125,7 +123,6 @@ fn label(property: &str) -> String {
     capitalised(&property.replace('_', " "))
 }
 
-/// An address as radios have one, the same for the same name.
 fn address(name: &str) -> String {
     let hex: String = digest(name).iter().take(8).map(|byte| format!("{byte:02x}")).collect();
     format!("0x{hex}")

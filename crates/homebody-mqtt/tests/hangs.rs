@@ -17,11 +17,11 @@ fn behind(broker: &Broker) -> (Stalling, Destination) {
     let port = broker.port;
     let proxy = Stalling::before(move || TcpStream::connect(("127.0.0.1", port)));
     let url = format!("mqtt://127.0.0.1:{}/homebody", proxy.port).parse().unwrap();
-    (proxy, Destination::own("mqtt", MqttSink::live(&url), policy()))
+    (proxy, Destination::own("mqtt", MqttSink::in_real_time(&url), policy()))
 }
 
 #[test]
-fn rows_of_a_broker_that_does_not_answer_are_put_aside_and_heard() {
+fn rows_of_a_hanging_broker_are_spooled_and_arrive() {
     let Some(broker) = Broker::with(REMEMBERS) else { return };
     let listener = Listener::lasting(&broker, "homebody/#");
     let (proxy, to) = behind(&broker);
@@ -35,7 +35,7 @@ fn rows_of_a_broker_that_does_not_answer_are_put_aside_and_heard() {
 }
 
 #[test]
-fn a_broker_that_does_not_answer_ends_a_run_that_does_not_wait() {
+fn a_hanging_broker_ends_a_run_without_retries() {
     let Some(broker) = Broker::start() else { return };
     let (proxy, to) = behind(&broker);
     let to = Destination { policy: Policy { retry_for: Duration::ZERO, ..policy() }, ..to };
@@ -45,7 +45,7 @@ fn a_broker_that_does_not_answer_ends_a_run_that_does_not_wait() {
 }
 
 #[test]
-fn a_run_that_is_stopped_does_not_wait_for_a_broker_that_does_not_answer() {
+fn a_stopped_run_does_not_wait_for_a_hanging_broker() {
     let Some(broker) = Broker::start() else { return };
     let (proxy, to) = behind(&broker);
     stopped(to, run(), &firings(ROWS), |is_stalled| proxy.stall(is_stalled));

@@ -20,7 +20,7 @@ fn a_broker_that_is_stopped_while_a_thousand_rows_come_a_second_is_told_all() {
     let Some(mut broker) = Broker::with(REMEMBERS) else { return };
     let outage = Outage::of(USUAL_S);
     let listener = Listener::lasting(&broker, "homebody/#");
-    let to = Destination::own("mqtt", MqttSink::live(&broker.url("homebody")), policy());
+    let to = Destination::own("mqtt", MqttSink::in_real_time(&broker.url("homebody")), policy());
     let rows = outage.rows();
     let turn = |is_back| if is_back { broker.begin() } else { broker.stop() };
     let most_aside = outage.live(to, run(), &firings(rows), turn);
@@ -36,8 +36,8 @@ fn a_broker_that_is_stopped_while_a_thousand_rows_come_a_second_is_told_all() {
         most_mib()
     );
     assert!(known.into_iter().eq(0..rows), "none is lost");
-    // What was on its way as the broker stopped may come twice, with its number; nothing else does.
+    // Only rows in flight at the stop of the broker may come twice, with their numbers.
     assert!(heard.len() as u64 - rows <= 1000, "{} are heard again", heard.len() as u64 - rows);
-    // What was heard is kept by this test, and of half an hour that is more than all else.
+    // This test keeps the messages, which after half an hour outweigh all else.
     assert!(outage.seconds > 60 || most_mib() <= MOST_MIB, "{} MiB", most_mib());
 }

@@ -1,6 +1,6 @@
 //! Logs that go to a real broker.
 //!
-//! Where mosquitto is not installed the tests say so and pass, unless `HOMEBODY_SERVERS=required` is set.
+//! Without mosquitto the tests say so and pass, unless `HOMEBODY_SERVERS=required` is set.
 
 mod arrives;
 pub mod broker;

@@ -50,7 +50,7 @@ fn main() {
     let mut ratios = Vec::new();
     for round in 0..ROUNDS {
         let mut both = [0.0; 2];
-        // Who comes first changes, so that neither always finds the disk busy with the other's rows.
+        // The order alternates, so that neither always finds the disk busy with the other's rows.
         for side in if round % 2 == 0 { [0, 1] } else { [1, 0] } {
             server.psql("postgres", "DROP TABLE IF EXISTS firing, homebody_run");
             server.psql("postgres", "CHECKPOINT");

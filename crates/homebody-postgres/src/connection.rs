@@ -4,7 +4,7 @@ use crate::messages::ServerMessage;
 use crate::password;
 use crate::server::{Host, Server};
 use crate::tls;
-use crate::trouble::{away, silent, told};
+use crate::trouble::{away, client_error, silent};
 use homebody_log::{Deadline, LogError};
 use std::future::Future;
 use std::sync::{Arc, Mutex, PoisonError};
@@ -13,7 +13,7 @@ use tokio::runtime::{Builder, Runtime};
 use tokio::task::JoinHandle;
 use tokio_postgres::{Client, Config, Error, SimpleQueryMessage};
 
-/// How long a server may take to answer a reader of a log, and a request that grows with the size of a table.
+/// The longest wait for a reader of a log, and for a request that grows with the size of a table.
 const ANSWERS_WITHIN: Duration = Duration::from_secs(100);
 
 /// Longest time that a server waits for a lock.
@@ -22,7 +22,7 @@ const LONGEST_LOCK: Duration = Duration::from_secs(30);
 /// Longest time that a server keeps the transaction of a silent program open.
 const LONGEST_IDLE: Duration = Duration::from_secs(90);
 
-/// How many packets ask a silent server whether it is there.
+/// The number of packets that probe a silent server.
 const KEEPALIVES: u32 = 3;
 
 /// The settings of each connection. A program that is cut off holds up no other for long, and committed rows are on the server's disk.
@@ -42,28 +42,28 @@ fn settings(within: Duration) -> String {
 const BACKEND: &str = "pid || ' ' || backend_start";
 
 /// A connection. After an error that passes it is of no more use.
-pub(crate) struct Connection {
+pub(crate) struct DatabaseConnection {
     server: Server,
     runtime: Runtime,
     pub client: Client,
-    /// Carries what is said in both directions.
+    /// Runs the connection in both directions.
     carrier: JoinHandle<()>,
     /// Why the connection is lost, once it is.
     ended_by: Arc<Mutex<Option<Error>>>,
-    /// How long the server may take for one thing that it is asked.
+    /// The time that the server has for a request.
     deadline: Deadline,
     /// The server's name of its end, if it tells it.
     pub backend: Option<String>,
 }
 
-impl Connection {
+impl DatabaseConnection {
     /// Connects for one who reads, within the time that the server's URL says.
-    pub fn to_read(server: &Server) -> Result<Connection, LogError> {
-        Connection::open(server, &Deadline::new(ANSWERS_WITHIN))
+    pub fn to_read(server: &Server) -> Result<DatabaseConnection, LogError> {
+        DatabaseConnection::open(server, &Deadline::new(ANSWERS_WITHIN))
     }
 
     /// Connects, within the time that the server's URL says and the deadline allows; each answer has the deadline's time.
-    pub fn open(server: &Server, deadline: &Deadline) -> Result<Connection, LogError> {
+    pub fn open(server: &Server, deadline: &Deadline) -> Result<DatabaseConnection, LogError> {
         let connect_within = server.connect_within.min(deadline.within());
         let runtime = Builder::new_current_thread().enable_io().enable_time().build();
         let runtime =
@@ -116,31 +116,28 @@ impl Connection {
                     _ => None,
                 });
                 let (server, deadline) = (server.clone(), deadline.clone());
-                Ok(Connection { server, runtime, client, carrier, ended_by, deadline, backend })
+                Ok(DatabaseConnection { server, runtime, client, carrier, ended_by, deadline, backend })
             }
-            Ok(Err(error)) => Err(told(server, &error, found.ignored.as_deref())),
+            Ok(Err(error)) => Err(client_error(server, &error, found.ignored.as_deref())),
             Err(_) => Err(silent(server, connect_within)),
         }
     }
 
-    /// Waits for what the server says.
     pub fn wait<T>(&self, asked: impl Future<Output = Result<T, Error>>) -> Result<T, LogError> {
         self.wait_for(self.deadline.within(), asked)
     }
 
-    /// The same for what takes long where there is much of it.
     pub fn wait_long<T>(&self, asked: impl Future<Output = Result<T, Error>>) -> Result<T, LogError> {
         self.wait_for(ANSWERS_WITHIN.max(self.deadline.within()), asked)
     }
 
-    /// The same, not longer than so.
     pub fn wait_for<T>(&self, longest: Duration, asked: impl Future<Output = Result<T, Error>>) -> Result<T, LogError> {
         self.deadline.asks_for(longest);
         let answer = self.runtime.block_on(async { tokio::time::timeout(longest, asked).await });
         match answer {
             Ok(Ok(answer)) => Ok(answer),
             Ok(Err(error)) if error.is_closed() => Err(self.lost(&error)),
-            Ok(Err(error)) => Err(told(&self.server, &error, None)),
+            Ok(Err(error)) => Err(client_error(&self.server, &error, None)),
             Err(_) => Err(silent(&self.server, longest)),
         }
     }
@@ -155,14 +152,14 @@ impl Connection {
     /// Why the connection is lost, as far as the server has said so.
     fn lost(&self, error: &Error) -> LogError {
         let ended_by = self.ended_by.lock().unwrap_or_else(PoisonError::into_inner);
-        match told(&self.server, ended_by.as_ref().unwrap_or(error), None) {
+        match client_error(&self.server, ended_by.as_ref().unwrap_or(error), None) {
             told if told.passes() => told,
             told => away(&self.server, ServerMessage::Lost { reason: told.to_string() }),
         }
     }
 }
 
-impl Drop for Connection {
+impl Drop for DatabaseConnection {
     fn drop(&mut self) {
         self.carrier.abort();
     }

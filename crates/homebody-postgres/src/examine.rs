@@ -1,7 +1,7 @@
-//! What is wrong with a database of PostgreSQL as a place for logs and truths: whether it is reached, lets us make tables and rows, has the
-//! tables that are wanted, and holds the rows of each run once. It only reads.
+//! Checks a PostgreSQL database as a destination of logs and truths: the connection, the rights to create tables and rows, the tables, and
+//! that the rows of each run are there once. It only reads.
 
-use crate::connection::Connection;
+use crate::connection::DatabaseConnection;
 use crate::examined_runs::runs;
 use crate::schema::{RUNS, TRUTH_SCHEMA, look, quoted, usual};
 use crate::server::{Host, Server};
@@ -11,14 +11,14 @@ use homebody_log::examine::{Check, CheckOptions, is_this_machine, log_table, tru
 use homebody_log::table::Table;
 use homebody_log::{LogError, Url};
 
-/// The oldest server that this is tried with (ours).
+/// The oldest server that the tests cover (our choice).
 const OLDEST: i32 = 120_000;
 
 /// Looks at a database.
 pub(crate) fn examine(url: &Url, asked: &CheckOptions) -> Result<Vec<Check>, LogError> {
     let server = Server::parse(&url.to_string())?;
     let (log, run_column) = log_table(asked.mapping)?;
-    let connection = match Connection::to_read(&server) {
+    let connection = match DatabaseConnection::to_read(&server) {
         Ok(connection) => connection,
         Err(error) => return Ok(vec![Check::of_error("server", &error)]),
     };
@@ -30,7 +30,7 @@ pub(crate) fn examine(url: &Url, asked: &CheckOptions) -> Result<Vec<Check>, Log
 }
 
 fn look_at(
-    connection: &Connection,
+    connection: &DatabaseConnection,
     server: &Server,
     mapping: &LoggerFile,
     log: (Table, String),
@@ -47,7 +47,7 @@ fn look_at(
     let (there, problems) = of(&log)?;
     let has_truth = match holds(connection, &schema, &there) {
         Ok(holds) => holds.as_deref() == Some("truth"),
-        // Who may not even ask is told which rights are missing.
+        // A user without the right to ask gets the list of missing rights.
         Err(_) if !problems.is_empty() => {
             checks.extend(problems.into_iter().map(check_of));
             return Ok(());
@@ -68,12 +68,12 @@ fn look_at(
         return truth_of(&schema, checks);
     }
     schema_of(connection, &schema, &log, there, problems, &run_column, checks)?;
-    // Where nobody has named a schema, truths are in one of their own.
+    // By default, truths are in a schema of their own.
     if server.schema.is_none() { truth_of(TRUTH_SCHEMA, checks) } else { Ok(()) }
 }
 
 /// Which server it is, who we are there, and whether what it confirms is on its disk.
-fn about_server(connection: &Connection, server: &Server, checks: &mut Vec<Check>) -> Result<(), LogError> {
+fn about_server(connection: &DatabaseConnection, server: &Server, checks: &mut Vec<Check>) -> Result<(), LogError> {
     const ABOUT: &str = "SELECT current_setting('server_version'), current_setting('server_version_num')::int, \
          current_user::text, current_database()::text, pg_is_in_recovery(), current_setting('fsync'), \
          (SELECT version FROM pg_stat_ssl WHERE pid = pg_backend_pid() AND ssl), \
@@ -126,8 +126,8 @@ fn about_server(connection: &Connection, server: &Server, checks: &mut Vec<Check
 /// Largest difference of two clocks that agree (our choice).
 const MOST_APART_S: f64 = 30.0;
 
-/// What runs of a schema hold; None where there are none.
-fn holds(connection: &Connection, schema: &str, there: &[String]) -> Result<Option<String>, LogError> {
+/// The kinds of runs in a schema; None without runs.
+fn holds(connection: &DatabaseConnection, schema: &str, there: &[String]) -> Result<Option<String>, LogError> {
     if !there.iter().any(|name| name == RUNS) {
         return Ok(None);
     }
@@ -137,7 +137,7 @@ fn holds(connection: &Connection, schema: &str, there: &[String]) -> Result<Opti
 
 /// The tables of a schema, and the runs in it.
 fn schema_of(
-    connection: &Connection,
+    connection: &DatabaseConnection,
     schema: &str,
     tables: &[Table],
     there: Vec<String>,
@@ -165,7 +165,6 @@ fn schema_of(
     Ok(())
 }
 
-/// A problem of the tables as a check.
 fn check_of(problem: Problem) -> Check {
     Check::wrong("tables", problem.what, problem.hint.unwrap_or_default())
 }

@@ -1,8 +1,8 @@
-//! What is told of each run in a database, held against its rows.
+//! Compares the entry of each run in a database with its rows.
 //!
-//! A home of a fleet may have come and gone: then its rows have gaps in their numbers, and nobody can tell those from rows that are gone.
+//! A home of a fleet may have come and gone: then its rows have gaps in their numbers, which look the same as lost rows.
 
-use crate::connection::Connection;
+use crate::connection::DatabaseConnection;
 use crate::schema::{RUNS, ident, quoted};
 use crate::source::columns_of;
 use homebody_core::problem::counted;
@@ -14,19 +14,17 @@ use std::collections::BTreeMap;
 /// Number of runs without problems above which one line reports them together (our choice).
 const MOST_TOLD_ALONE: usize = 10;
 
-/// What is told of a run.
-struct Told {
+struct ExaminedRun {
     run: i64,
     /// The tables that it has rows in, and how far it has come in each.
     tables: Vec<(String, i64)>,
     is_ended: bool,
-    /// Whether it is a home of a fleet.
     is_of_fleet: bool,
 }
 
 /// Looks at all runs of a schema; `there` are the names of its tables.
 pub(crate) fn runs(
-    connection: &Connection,
+    connection: &DatabaseConnection,
     schema: &str,
     tables: &[Table],
     there: &[String],
@@ -39,15 +37,15 @@ pub(crate) fn runs(
     );
     let told = connection.wait(connection.client.query(&sql, &[]))?.into_iter().map(|row| {
         let (names, rows): (Vec<String>, Vec<i64>) = (row.get(1), row.get(2));
-        Told {
+        ExaminedRun {
             run: row.get(0),
             tables: names.into_iter().zip(rows).collect(),
             is_ended: row.get(3),
             is_of_fleet: row.get(4),
         }
     });
-    let told: Vec<Told> = told.collect();
-    let mut found = Found::default();
+    let told: Vec<ExaminedRun> = told.collect();
+    let mut found = RunFindings::default();
     for told in &told {
         rows_of(connection, schema, there, run_column, told, &mut found)?;
     }
@@ -58,17 +56,16 @@ pub(crate) fn runs(
     Ok(())
 }
 
-/// What has been found, before it is told.
+/// Results, before they become checks.
 #[derive(Default)]
-struct Found {
+struct RunFindings {
     not_well: Vec<Check>,
-    /// What is well, and how many rows that is about.
     well: BTreeMap<&'static str, Vec<(Check, i64)>>,
-    /// How many homes of a fleet lack numbers, and how many numbers.
+    /// The number of homes of a fleet that lack row numbers, and of the numbers.
     lacking: (usize, i64),
 }
 
-impl Found {
+impl RunFindings {
     fn well(&mut self, about: &'static str, says: String, rows: i64) {
         self.well.entry(about).or_default().push((Check::ok(about, says), rows));
     }
@@ -98,14 +95,14 @@ impl Found {
     }
 }
 
-/// The rows of a run in each of its tables, as many as is said of it.
+/// The rows of a run in each of its tables, up to the number in its entry.
 fn rows_of(
-    connection: &Connection,
+    connection: &DatabaseConnection,
     schema: &str,
     there: &[String],
     run_column: &str,
-    told: &Told,
-    found: &mut Found,
+    told: &ExaminedRun,
+    found: &mut RunFindings,
 ) -> Result<(), LogError> {
     let run = told.run;
     if !told.is_ended {
@@ -115,7 +112,7 @@ fn rows_of(
     let before = found.not_well.len();
     let mut rows = 0;
     for (name, told_rows) in &told.tables {
-        // A table that a mapping of its own has named is none of those that are wanted.
+        // A table that another mapping has named is not among those that are wanted.
         let column = match there.contains(name) {
             true => run_column.to_owned(),
             false => match columns_of(connection, schema, name)?.into_iter().next() {
@@ -129,7 +126,7 @@ fn rows_of(
         };
         let there_are = count(connection, schema, name, &column, run)?;
         rows += there_are;
-        // What a home of a fleet lacks its numbers tell.
+        // A home of a fleet lacks rows where its numbers have gaps.
         if there_are > *told_rows || there_are < *told_rows && !told.is_of_fleet {
             let says = format!("run {run}: {name:?} has {there_are} rows, and {RUNS:?} says {told_rows}");
             let hint = "rows were added or removed by hand: run it again with --replace-rows";
@@ -144,19 +141,25 @@ fn rows_of(
     Ok(())
 }
 
-fn count(connection: &Connection, schema: &str, table: &str, run_column: &str, run: i64) -> Result<i64, LogError> {
+fn count(
+    connection: &DatabaseConnection,
+    schema: &str,
+    table: &str,
+    run_column: &str,
+    run: i64,
+) -> Result<i64, LogError> {
     let sql = format!("SELECT count(*) FROM {} WHERE {} = $1", quoted(schema, table), ident(run_column));
     Ok(connection.wait(connection.client.query_one(&sql, &[&run]))?.get(0))
 }
 
 /// The numbers of the rows of each run in a table.
 fn numbers(
-    connection: &Connection,
+    connection: &DatabaseConnection,
     schema: &str,
     table: &Table,
     run_column: &str,
-    told: &[Told],
-    found: &mut Found,
+    told: &[ExaminedRun],
+    found: &mut RunFindings,
 ) -> Result<(), LogError> {
     let (run, seq, name) = (ident(run_column), ident(&table.columns[0].name), quoted(schema, &table.name));
     let sql = format!(

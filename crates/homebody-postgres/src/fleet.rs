@@ -1,12 +1,12 @@
 //! The runs of many homes in one database, over one connection.
 //!
-//! Each home is a run of its own, as alone. The rows of a transaction may be of many homes, and how far the database holds each of
-//! them goes in with them. A transaction whose end nobody heard of is looked for before it is made again.
+//! Each home is a run of its own. A transaction may have rows of many homes, and stores their new watermarks with them. A transaction
+//! whose end is unknown is looked up before it is made again.
 
-use crate::connection::Connection;
+use crate::connection::DatabaseConnection;
 use crate::fleet_runs;
 use crate::messages::{ContinueMessage, ServerMessage, ServerUrlMessage};
-use crate::rows::{Encoder, Rows, copy_into};
+use crate::rows::{CopyRows, Encoder, copy_into};
 use crate::runs::{self, At};
 use crate::schema::{InTable, Schema};
 use crate::sensors;
@@ -28,37 +28,35 @@ const MOST_AT_ONCE: usize = 20_000;
 /// A database that many homes tell.
 pub struct PostgresFleet {
     url: String,
-    open: Option<Open>,
+    open: Option<OpenDatabaseFleet>,
 }
 
-struct Open {
+struct OpenDatabaseFleet {
     server: Server,
     deadline: Deadline,
     /// None after it was lost, until the next transaction.
-    connection: Option<Connection>,
+    connection: Option<DatabaseConnection>,
     fleet: Arc<Fleet>,
     schema: Schema,
-    kinds: Vec<Kind>,
-    homes: Vec<Home>,
-    /// Whether the server was asked to end a transaction, and has not said what became of it.
+    kinds: Vec<HomeRowEncoder>,
+    homes: Vec<StoredHome>,
+    /// Whether the server was asked to end a transaction, and has not answered.
     is_in_doubt: bool,
 }
 
-/// What rows of homes of one layout are made of.
-struct Kind {
+struct HomeRowEncoder {
     table: InTable,
     encoder: Encoder,
     texts: TextPool,
-    /// When runs start.
     start: UtcTime,
 }
 
-/// How far the database holds a home.
+/// The watermark of a home.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-struct Home {
+struct StoredHome {
     /// The number of the next row.
     rows: i64,
-    /// How many transactions have changed it.
+    /// The number of transactions that have changed it.
     commits: i64,
 }
 
@@ -68,7 +66,7 @@ impl PostgresFleet {
         PostgresFleet { url: url.to_string(), open: None }
     }
 
-    fn begun(&mut self) -> Result<&mut Open, LogError> {
+    fn begun(&mut self) -> Result<&mut OpenDatabaseFleet, LogError> {
         self.open.as_mut().ok_or_else(|| LogError::Stopped { place: "postgresql".into() })
     }
 }
@@ -84,10 +82,10 @@ impl FleetSink for PostgresFleet {
 
     fn begin(&mut self, fleet: &Arc<Fleet>, how: WriteMode, deadline: &Deadline) -> Result<Vec<u64>, LogError> {
         let server = Server::parse(&self.url)?;
-        let connection = Connection::open(&server, deadline)?;
+        let connection = DatabaseConnection::open(&server, deadline)?;
         let (mut kinds, mut all) = (Vec::new(), None);
         for layout in &fleet.layouts {
-            // Rows of runs that are there already are gone on with: their ids are those of the very same lives.
+            // Existing rows of runs are continued: their ids are those of the very same homes.
             let begin = Begin {
                 run: &layout.run,
                 tables: std::slice::from_ref(&layout.table),
@@ -102,7 +100,7 @@ impl FleetSink for PostgresFleet {
             let schema = Schema::make(&connection, &server, &begin)?;
             let start = runs::start_of(&layout.run);
             let encoder = Encoder::new(0, start, layout.time);
-            kinds.push(Kind { table: schema.tables[0].clone(), encoder, texts: TextPool::default(), start });
+            kinds.push(HomeRowEncoder { table: schema.tables[0].clone(), encoder, texts: TextPool::default(), start });
             all = Some(schema);
         }
         let none = || wrong(&server, ServerMessage::NoHomes);
@@ -117,7 +115,7 @@ impl FleetSink for PostgresFleet {
         let homes = found(&connection, &server, &schema, fleet)?;
         let there = homes.iter().map(|home| home.rows as u64).collect();
         let (fleet, connection) = (fleet.clone(), Some(connection));
-        self.open = Some(Open {
+        self.open = Some(OpenDatabaseFleet {
             server,
             deadline: deadline.clone(),
             connection,
@@ -171,14 +169,19 @@ impl FleetSink for PostgresFleet {
 }
 
 /// By table, the ids of the runs whose rows are in it.
-fn kinds_of(fleet: &Fleet, kinds: &[Kind]) -> Vec<(InTable, Vec<i64>)> {
+fn kinds_of(fleet: &Fleet, kinds: &[HomeRowEncoder]) -> Vec<(InTable, Vec<i64>)> {
     let of =
         |layout: usize| fleet.homes.iter().filter(move |home| home.layout == layout).map(|home| home.run).collect();
     kinds.iter().enumerate().map(|(layout, kind)| (kind.table.clone(), of(layout))).collect()
 }
 
-/// How far the database holds each home; refused if what it has is something else.
-fn found(connection: &Connection, server: &Server, schema: &Schema, fleet: &Fleet) -> Result<Vec<Home>, LogError> {
+/// The watermark of each home; an error if its entry is that of another run.
+fn found(
+    connection: &DatabaseConnection,
+    server: &Server,
+    schema: &Schema,
+    fleet: &Fleet,
+) -> Result<Vec<StoredHome>, LogError> {
     let known = fleet_runs::find(connection, schema, fleet)?;
     let home = |home: &homebody_log::fleet::FleetHome| {
         let Some(known) = known.get(&home.run) else {
@@ -188,15 +191,15 @@ fn found(connection: &Connection, server: &Server, schema: &Schema, fleet: &Flee
             let (run, holds, version) = (home.run, known.holds.to_string(), known.version.to_string());
             return Err(wrong(server, ServerMessage::ForeignRun { run, holds, version }));
         }
-        Ok(Home { rows: known.rows, commits: known.commits })
+        Ok(StoredHome { rows: known.rows, commits: known.commits })
     };
     fleet.homes.iter().map(home).collect()
 }
 
-impl Open {
-    fn connected(&mut self) -> Result<&Connection, LogError> {
+impl OpenDatabaseFleet {
+    fn connected(&mut self) -> Result<&DatabaseConnection, LogError> {
         if self.connection.is_none() {
-            self.connection = Some(Connection::open(&self.server, &self.deadline)?);
+            self.connection = Some(DatabaseConnection::open(&self.server, &self.deadline)?);
         }
         self.connection.as_ref().ok_or_else(|| LogError::Stopped { place: self.server.place.clone() })
     }
@@ -204,18 +207,21 @@ impl Open {
     /// One transaction of these rows, unless an earlier one has taken them.
     fn transact(&mut self, rows: &[FleetRow]) -> Result<(), LogError> {
         self.connected()?;
-        // By the number of the home: up to which row these go.
+        // By the number of the home, the row after the last of these.
         let then: BTreeMap<u32, i64> = rows.iter().map(|row| (row.home, row.seq as i64 + 1)).collect();
         let encoded = self.encode(rows)?;
-        let Open { server, connection: Some(connection), fleet, schema, kinds, homes, is_in_doubt, .. } = self else {
+        let OpenDatabaseFleet {
+            server, connection: Some(connection), fleet, schema, kinds, homes, is_in_doubt, ..
+        } = self
+        else {
             return Ok(());
         };
         connection.wait(connection.client.batch_execute("BEGIN"))?;
         let ids: Vec<i64> = then.keys().map(|&home| fleet.homes[home as usize].run).collect();
         let now = fleet_runs::look_at(connection, schema, &ids)?;
-        let is = |of: &dyn Fn(u32, i64) -> Home| {
+        let is = |of: &dyn Fn(u32, i64) -> StoredHome| {
             then.iter().all(|(&home, &rows)| {
-                let Home { rows, commits } = of(home, rows);
+                let StoredHome { rows, commits } = of(home, rows);
                 now.get(&fleet.homes[home as usize].run) == Some(&(rows, commits))
             })
         };
@@ -252,10 +258,10 @@ impl Open {
         Ok(())
     }
 
-    /// By layout, the rows as they are sent.
-    fn encode(&mut self, rows: &[FleetRow]) -> Result<Vec<Rows>, LogError> {
-        let Open { server, fleet, kinds, .. } = self;
-        let mut all = vec![Rows::default(); kinds.len()];
+    /// By layout, the encoded rows.
+    fn encode(&mut self, rows: &[FleetRow]) -> Result<Vec<CopyRows>, LogError> {
+        let OpenDatabaseFleet { server, fleet, kinds, .. } = self;
+        let mut all = vec![CopyRows::default(); kinds.len()];
         let mut buffer = String::new();
         for row in rows {
             let home = &fleet.homes[row.home as usize];
@@ -278,6 +284,6 @@ impl Open {
     }
 }
 
-fn after_commit(home: Home, rows: i64) -> Home {
-    Home { rows, commits: home.commits + 1 }
+fn after_commit(home: StoredHome, rows: i64) -> StoredHome {
+    StoredHome { rows, commits: home.commits + 1 }
 }

@@ -1,6 +1,6 @@
 //! The rows of many runs in the table `homebody_run`, each statement for all of them at once.
 
-use crate::connection::Connection;
+use crate::connection::DatabaseConnection;
 use crate::runs::{At, holds, start_of, zone};
 use crate::schema::{InTable, Schema};
 use crate::sensors;
@@ -9,8 +9,7 @@ use homebody_log::fleet::{Fleet, FleetHome};
 use std::collections::HashMap;
 use tokio_postgres::types::ToSql;
 
-/// What the database says of a run.
-pub(crate) struct Known {
+pub(crate) struct StoredFleetRun {
     pub holds: String,
     pub version: String,
     /// The number of the next row, and how many transactions have changed it.
@@ -19,7 +18,7 @@ pub(crate) struct Known {
 }
 
 /// Adds all runs of a fleet that are not there yet, without rows.
-pub(crate) fn add(connection: &Connection, schema: &Schema, fleet: &Fleet) -> Result<(), LogError> {
+pub(crate) fn add(connection: &DatabaseConnection, schema: &Schema, fleet: &Fleet) -> Result<(), LogError> {
     let sql = format!(
         "INSERT INTO {} (run_id, holds, home, scenario, seed, version, zone, started_at, tables, rows, commits) \
          SELECT run, $3, home, $4, seed, $5, $6, $7, ARRAY[$8], ARRAY[0::bigint], 0 \
@@ -41,7 +40,11 @@ pub(crate) fn add(connection: &Connection, schema: &Schema, fleet: &Fleet) -> Re
 }
 
 /// Removes runs and their rows, where that is asked for: by table, which runs.
-pub(crate) fn forget(connection: &Connection, schema: &Schema, of: &[(InTable, Vec<i64>)]) -> Result<(), LogError> {
+pub(crate) fn forget(
+    connection: &DatabaseConnection,
+    schema: &Schema,
+    of: &[(InTable, Vec<i64>)],
+) -> Result<(), LogError> {
     connection.wait(connection.client.batch_execute("BEGIN"))?;
     for (table, ids) in of {
         let sql = format!("DELETE FROM {} WHERE {} = ANY($1)", table.quoted, table.run_column);
@@ -54,12 +57,16 @@ pub(crate) fn forget(connection: &Connection, schema: &Schema, of: &[(InTable, V
     connection.wait(connection.client.batch_execute("COMMIT"))
 }
 
-/// What is known of all runs of a fleet, by their ids.
-pub(crate) fn find(connection: &Connection, schema: &Schema, fleet: &Fleet) -> Result<HashMap<i64, Known>, LogError> {
+/// The entries of all runs of a fleet, by their ids.
+pub(crate) fn find(
+    connection: &DatabaseConnection,
+    schema: &Schema,
+    fleet: &Fleet,
+) -> Result<HashMap<i64, StoredFleetRun>, LogError> {
     let ids: Vec<i64> = fleet.homes.iter().map(|home| home.run).collect();
     let sql = format!("SELECT run_id, holds, version, rows[1], commits FROM {} WHERE run_id = ANY($1)", schema.runs());
     let rows = connection.wait_long(connection.client.query(&sql, &[&ids]))?;
-    let known = |row: &tokio_postgres::Row| Known {
+    let known = |row: &tokio_postgres::Row| StoredFleetRun {
         holds: row.get(1),
         version: row.get(2),
         rows: row.get(3),
@@ -71,7 +78,7 @@ pub(crate) fn find(connection: &Connection, schema: &Schema, fleet: &Fleet) -> R
 /// Looks at some runs within a transaction; who else would change them waits until that ends. By id, the number of the next
 /// row, and how many transactions have changed it.
 pub(crate) fn look_at(
-    connection: &Connection,
+    connection: &DatabaseConnection,
     schema: &Schema,
     ids: &[i64],
 ) -> Result<HashMap<i64, (i64, i64)>, LogError> {
@@ -85,7 +92,12 @@ pub(crate) fn look_at(
 }
 
 /// Says how far runs are, within the transaction that has brought their rows.
-pub(crate) fn mark(connection: &Connection, schema: &Schema, ids: &[i64], rows: &[i64]) -> Result<(), LogError> {
+pub(crate) fn mark(
+    connection: &DatabaseConnection,
+    schema: &Schema,
+    ids: &[i64],
+    rows: &[i64],
+) -> Result<(), LogError> {
     let sql = format!(
         "UPDATE {} AS r SET rows = ARRAY[u.rows], commits = r.commits + 1, ended_at = NULL \
          FROM unnest($1::bigint[], $2::bigint[]) AS u(run, rows) WHERE r.run_id = u.run",

@@ -1,12 +1,9 @@
 //! PostgreSQL as a destination of logs and truths, and as a source of logs.
 //!
-//! A [`Postgres`] keeps rows exactly once, whatever dies: the rows of a transaction and how far the run has come go in
-//! together, and what became of a transaction whose end nobody heard of is asked of the server. Passwords come from files
-//! and the environment alone, and are in no type of this crate.
+//! A [`Postgres`] keeps rows exactly once, whatever fails: a transaction holds rows and the watermark of the run, and after a lost answer
+//! the server is asked how the transaction ended. Passwords come from files and the environment alone, and are in no type of this crate.
 //!
 //! This crate does not know how firings come about, nor what a log means. Reading order:
-
-#![warn(missing_docs)]
 
 mod messages;
 mod server;
@@ -38,11 +35,11 @@ pub use messages::MESSAGES;
 pub use sink::Postgres;
 pub use source::FORM;
 
-/// Whether a URL says which database is meant, without a look at whether it is there.
+/// Checks that a URL names a database, without a connection.
 ///
 /// # Errors
 ///
-/// All that is wrong with it, in words without a password.
+/// All problems of the URL, without a password.
 pub fn understood(url: &str) -> Result<(), homebody_log::LogError> {
     server::Server::parse(url).map(drop)
 }

@@ -1,6 +1,5 @@
 //! The messages of this crate.
 
-/// The advice about passwords.
 const INSTEAD: &str = "leave the password out, and write HOST:PORT:DATABASE:USER:PASSWORD into ~/.pgpass, which only you may read \
                        (chmod 600), or set PGPASSWORD; ?passfile=FILE names another file";
 

@@ -1,4 +1,4 @@
-//! Where passwords come from, as for libpq: `PGPASSWORD`, else a file of passwords that nobody else may read.
+//! Sources of passwords, as for libpq: `PGPASSWORD`, else a password file that other users cannot read.
 
 use crate::server::{Host, Server};
 use homebody_log::files::plain::others_may_read;
@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 
 /// A password, and why a file that may have one was not read. It is in memory only while a connection is made.
 #[derive(Default)]
-pub(crate) struct Found {
+pub(crate) struct PasswordSearch {
     pub password: Option<String>,
     pub ignored: Option<String>,
 }
@@ -15,19 +15,19 @@ pub(crate) struct Found {
 /// Largest number of bytes that are read from a password file (our choice).
 const LARGEST_BYTES: u64 = 1 << 20;
 
-/// Looks for the password of a server.
-pub(crate) fn find(server: &Server) -> Found {
+pub(crate) fn find(server: &Server) -> PasswordSearch {
     if let Ok(password) = std::env::var("PGPASSWORD") {
-        return Found { password: Some(password), ignored: None };
+        return PasswordSearch { password: Some(password), ignored: None };
     }
     let home = || std::env::var_os("HOME").map(|home| Path::new(&home).join(".pgpass"));
     let named = server.password_file.clone().or_else(|| std::env::var_os("PGPASSFILE").map(PathBuf::from));
-    named.or_else(home).map_or_else(Found::default, |file| in_file(&file, server))
+    named.or_else(home).map_or_else(PasswordSearch::default, |file| in_file(&file, server))
 }
 
-fn in_file(file: &Path, server: &Server) -> Found {
-    let Ok(found) = fs::metadata(file) else { return Found::default() };
-    let ignored = |why: &str| Found { password: None, ignored: Some(format!("{} is ignored: {why}", file.display())) };
+fn in_file(file: &Path, server: &Server) -> PasswordSearch {
+    let Ok(found) = fs::metadata(file) else { return PasswordSearch::default() };
+    let ignored =
+        |why: &str| PasswordSearch { password: None, ignored: Some(format!("{} is ignored: {why}", file.display())) };
     if !found.is_file() || found.len() > LARGEST_BYTES {
         return ignored("it is not a file of passwords");
     }
@@ -35,7 +35,7 @@ fn in_file(file: &Path, server: &Server) -> Found {
         return ignored("others may read it; protect it with chmod 600");
     }
     match fs::read_to_string(file) {
-        Ok(text) => Found { password: text.lines().find_map(|line| of_line(line, server)), ignored: None },
+        Ok(text) => PasswordSearch { password: text.lines().find_map(|line| of_line(line, server)), ignored: None },
         Err(error) => ignored(&error.to_string()),
     }
 }
@@ -58,7 +58,7 @@ fn of_line(line: &str, server: &Server) -> Option<String> {
     is_it.then_some(password)
 }
 
-/// The fields of a line; a backslash takes what follows as it is.
+/// The fields of a line; a backslash escapes the next character.
 fn fields(line: &str) -> Option<[String; 5]> {
     let mut fields: [String; 5] = Default::default();
     let mut field = 0;
@@ -101,7 +101,7 @@ mod tests {
 
     #[cfg(unix)]
     #[test]
-    fn a_file_that_others_may_read_is_ignored_and_that_is_told() {
+    fn ignores_a_readable_password_file_and_says_so() {
         use std::os::unix::fs::PermissionsExt;
         let folder = tempfile::tempdir().unwrap();
         let file = folder.path().join("pgpass");

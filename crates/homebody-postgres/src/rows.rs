@@ -10,19 +10,19 @@ use homebody_core::time::{Span, UtcTime};
 use homebody_log::table::{Batch, Cell, TextId, thousandths};
 use std::sync::Arc;
 
-/// From 1970 to 2000-01-01, with which the server's own count of microseconds begins.
+/// From 1970 to 2000-01-01, where the server's count of microseconds begins.
 pub(crate) const EPOCH_2000: Span = Span::from_micros(946_684_800_000_000);
 
-/// What stands before the rows: the signature, no flags, no extension.
+/// The bytes before the rows: the signature, no flags, no extension.
 const HEADER: &[u8] = b"PGCOPY\n\xff\r\n\0\0\0\0\0\0\0\0\0";
 
-/// What stands behind them.
+/// The bytes after the rows.
 const TRAILER: &[u8] = &(-1_i16).to_be_bytes();
 
 /// Bytes that are passed to the connection together (our choice).
 const CHUNK_BYTES: usize = 1 << 16;
 
-/// How cells become bytes.
+/// Turns cells into bytes.
 pub(crate) struct Encoder {
     run: i64,
     /// The run's start.
@@ -32,9 +32,8 @@ pub(crate) struct Encoder {
     buffer: String,
 }
 
-/// Rows of one table.
 #[derive(Clone, Default)]
-pub(crate) struct Rows {
+pub(crate) struct CopyRows {
     pub count: u64,
     whole: Vec<Bytes>,
     last: BytesMut,
@@ -45,7 +44,7 @@ impl Encoder {
         Encoder { run, start, time, texts: Vec::new(), buffer: String::new() }
     }
 
-    /// Learns the texts that have come with a batch. Says whether one of them is none that the server takes.
+    /// Learns the texts of a batch. The error is a text that the server cannot hold.
     pub fn learn(&mut self, batch: &Batch) -> Result<(), Arc<str>> {
         let known = self.texts.len();
         self.texts.extend(batch.texts_from(known));
@@ -61,8 +60,7 @@ impl Encoder {
         (self.run, self.start) = (run, start);
     }
 
-    /// Adds a row.
-    pub fn row(&mut self, cells: &[Cell], rows: &mut Rows) {
+    pub fn row(&mut self, cells: &[Cell], rows: &mut CopyRows) {
         let out = &mut rows.last;
         // The run's id comes first.
         out.put_i16(cells.len() as i16 + 1);
@@ -114,8 +112,7 @@ fn text(text: &str, out: &mut BytesMut) {
     out.put_slice(text.as_bytes());
 }
 
-impl Rows {
-    /// All that a COPY of them is made of.
+impl CopyRows {
     pub fn copy(&self) -> impl Iterator<Item = Bytes> + use<> {
         let whole = self.whole.clone();
         let last = Bytes::copy_from_slice(&self.last);
@@ -128,7 +125,6 @@ impl Rows {
         [Bytes::from_static(HEADER)].into_iter().chain(whole).skip(first)
     }
 
-    /// How many bytes they take in memory.
     pub fn bytes(&self) -> usize {
         self.whole.iter().map(Bytes::len).sum::<usize>() + self.last.len()
     }
@@ -146,14 +142,14 @@ mod tests {
     use homebody_log::table::TextPool;
 
     #[test]
-    fn a_row_is_what_the_server_reads() {
+    fn encodes_a_row_for_the_server() {
         let mut texts = TextPool::default();
         let mut batch = Batch::default();
         batch.push(0, [Cell::Text(texts.id("hall"))]);
         let batch = batch.with(&texts);
         let mut encoder = Encoder::new(7, UtcTime::EPOCH + EPOCH_2000, TimeFormat::Utc);
         encoder.learn(&batch).unwrap();
-        let mut rows = Rows::default();
+        let mut rows = CopyRows::default();
         encoder.row(
             &[Cell::Null, Cell::Instant(RunTime::from_micros(5)), Cell::Text(TextId(0)), Cell::Thousandths(-1500)],
             &mut rows,

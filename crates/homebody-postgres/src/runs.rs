@@ -1,7 +1,7 @@
 //! The table `homebody_run`: what each run is, and how far the database holds it. That is its watermark, which changes in the
 //! same transaction as the rows that it counts.
 
-use crate::connection::Connection;
+use crate::connection::DatabaseConnection;
 use crate::rows::EPOCH_2000;
 use crate::schema::Schema;
 use bytes::BytesMut;
@@ -11,32 +11,35 @@ use homebody_log::{LogError, RunInfo};
 use std::error::Error;
 use tokio_postgres::types::{FromSql, IsNull, ToSql, Type, to_sql_checked};
 
-/// What the database says of a run.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(crate) struct Known {
+pub(crate) struct StoredRun {
     pub holds: String,
     pub tables: Vec<String>,
-    /// How many rows of each table it has.
     pub rows: Vec<i64>,
-    /// How many transactions have changed it: what tells one from the next.
+    /// The number of transactions that have changed it, which tells one from the next.
     pub commits: i64,
     pub is_ended: bool,
 }
 
-/// What runs of a log and of a truth are called in the table.
+/// The kind of a run in the table: a log or a truth.
 pub(crate) fn holds(is_truth: bool) -> &'static str {
     if is_truth { "truth" } else { "log" }
 }
 
-/// What is known of a run; `locks` has who else would change it wait until this transaction ends.
-pub(crate) fn find(connection: &Connection, schema: &Schema, run: i64, locks: bool) -> Result<Option<Known>, LogError> {
+/// The entry of a run; with `locks`, other writers wait until this transaction ends.
+pub(crate) fn find(
+    connection: &DatabaseConnection,
+    schema: &Schema,
+    run: i64,
+    locks: bool,
+) -> Result<Option<StoredRun>, LogError> {
     let lock = if locks { " FOR UPDATE" } else { "" };
     let sql = format!(
         "SELECT holds, tables, rows, commits, ended_at IS NOT NULL FROM {} WHERE run_id = $1{lock}",
         schema.runs()
     );
     let row = connection.wait(connection.client.query_opt(&sql, &[&run]))?;
-    Ok(row.map(|row| Known {
+    Ok(row.map(|row| StoredRun {
         holds: row.get(0),
         tables: row.get(1),
         rows: row.get(2),
@@ -45,15 +48,14 @@ pub(crate) fn find(connection: &Connection, schema: &Schema, run: i64, locks: bo
     }))
 }
 
-/// Whether the schema has runs of the other kind: of a truth where it should be of logs, or of logs where it should be of a
-/// truth.
-pub(crate) fn has_others(connection: &Connection, schema: &Schema) -> Result<bool, LogError> {
+/// Whether the schema has runs of the other kind: truths among logs, or logs among truths.
+pub(crate) fn has_others(connection: &DatabaseConnection, schema: &Schema) -> Result<bool, LogError> {
     let sql = format!("SELECT EXISTS (SELECT FROM {} WHERE holds <> $1)", schema.runs());
     Ok(connection.wait(connection.client.query_one(&sql, &[&holds(schema.is_truth)]))?.get(0))
 }
 
-/// Whether a table has rows of a run, wherever they are from.
-pub(crate) fn has_rows(connection: &Connection, schema: &Schema, run: i64) -> Result<bool, LogError> {
+/// Whether a table has rows of a run, of any origin.
+pub(crate) fn has_rows(connection: &DatabaseConnection, schema: &Schema, run: i64) -> Result<bool, LogError> {
     for table in schema.tables.iter().filter(|table| table.is_numbered) {
         let sql = format!("SELECT EXISTS (SELECT FROM {} WHERE {} = $1)", table.quoted, table.run_column);
         if connection.wait(connection.client.query_one(&sql, &[&run]))?.get(0) {
@@ -64,7 +66,7 @@ pub(crate) fn has_rows(connection: &Connection, schema: &Schema, run: i64) -> Re
 }
 
 /// Adds a run without rows. False where it is there already.
-pub(crate) fn add(connection: &Connection, schema: &Schema, run: &RunInfo) -> Result<bool, LogError> {
+pub(crate) fn add(connection: &DatabaseConnection, schema: &Schema, run: &RunInfo) -> Result<bool, LogError> {
     let sql = format!(
         "INSERT INTO {} (run_id, holds, home, scenario, seed, version, zone, started_at, tables, rows, commits) \
          VALUES ($1, $2, $3, $4, $5, $6, $7, $8, $9, $10, 0) ON CONFLICT DO NOTHING",
@@ -90,7 +92,7 @@ pub(crate) fn add(connection: &Connection, schema: &Schema, run: &RunInfo) -> Re
 
 /// Says that so many rows are there, within the transaction that has brought them. One that replaces says anew what the run is.
 pub(crate) fn mark(
-    connection: &Connection,
+    connection: &DatabaseConnection,
     schema: &Schema,
     run: &RunInfo,
     rows: &[i64],
@@ -109,15 +111,14 @@ pub(crate) fn mark(
     connection.wait(connection.client.execute(&sql, &values)).map(|_| ())
 }
 
-/// Removes a run of which no row has ever come.
-pub(crate) fn forget(connection: &Connection, schema: &Schema, run: i64) -> Result<(), LogError> {
+/// Removes a run without rows.
+pub(crate) fn forget(connection: &DatabaseConnection, schema: &Schema, run: i64) -> Result<(), LogError> {
     /// Longest wait for a clean-up (our choice).
     const LONGEST: std::time::Duration = std::time::Duration::from_secs(2);
     let sql = format!("DELETE FROM {} WHERE run_id = $1 AND commits = 0", schema.runs());
     connection.wait_for(LONGEST, connection.client.execute(&sql, &[&run])).map(|_| ())
 }
 
-/// The run's start.
 pub(crate) fn start_of(run: &RunInfo) -> UtcTime {
     run.calendar.timestamp(RunTime::START).into()
 }
@@ -144,13 +145,13 @@ impl ToSql for At {
 
 /// An instant as a column of the server tells it: by the world's clock, or by one on some wall.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) struct Told(pub LogInstant);
+pub(crate) struct ServerInstant(pub LogInstant);
 
-impl<'a> FromSql<'a> for Told {
-    fn from_sql(kind: &Type, raw: &'a [u8]) -> Result<Told, Box<dyn Error + Sync + Send>> {
-        // What never was and what never will be stay what they are.
+impl<'a> FromSql<'a> for ServerInstant {
+    fn from_sql(kind: &Type, raw: &'a [u8]) -> Result<ServerInstant, Box<dyn Error + Sync + Send>> {
+        // Infinite instants stay infinite.
         let since_1970 = Span::from_micros(i64::from_sql(kind, raw)?).saturating_add(EPOCH_2000);
-        Ok(Told(match *kind {
+        Ok(ServerInstant(match *kind {
             Type::TIMESTAMPTZ => LogInstant::Utc(UtcTime::EPOCH + since_1970),
             _ => LogInstant::Local(WallTime::EPOCH + since_1970),
         }))

@@ -1,6 +1,6 @@
 //! The tables of a run in the database: made where they are missing, else held against what they should be, all at once.
 
-use crate::connection::Connection;
+use crate::connection::DatabaseConnection;
 use crate::messages::{SchemaMessage, ServerMessage};
 use crate::server::{Server, is_plain_name};
 use crate::trouble::wrong;
@@ -11,16 +11,16 @@ use homebody_log::{Begin, LogError, WriteMode};
 use std::collections::BTreeMap;
 use tokio_postgres::Row;
 
-/// The table that tells about runs and how far they have come, beside the rows' own.
+/// The table of runs and their watermarks.
 pub(crate) const RUNS: &str = "homebody_run";
 
 /// The table of the sensors of runs.
 pub(crate) const SENSORS: &str = "homebody_sensor";
 
-/// Where a truth goes if its URL does not say.
+/// The default schema of a truth.
 pub(crate) const TRUTH_SCHEMA: &str = "truth";
 
-/// What programs that make tables at the same time take turns by: `homebody`, as a number.
+/// The advisory lock of programs that create tables: `homebody`, as a number.
 const TURN: i64 = i64::from_be_bytes(*b"homebody");
 
 /// The columns of the table of runs, and their types.
@@ -53,13 +53,12 @@ pub(crate) struct InTable {
 pub(crate) struct Schema {
     pub name: String,
     pub tables: Vec<InTable>,
-    /// Whether they are a truth's.
     pub is_truth: bool,
 }
 
 impl Schema {
     /// Makes the tables that are missing; refuses those that rows do not fit into, with all that is wrong.
-    pub fn make(connection: &Connection, server: &Server, begin: &Begin) -> Result<Schema, LogError> {
+    pub fn make(connection: &DatabaseConnection, server: &Server, begin: &Begin) -> Result<Schema, LogError> {
         // Rows of a log are numbered, those of a truth are not. A log may have a table of activities besides.
         let is_truth = !begin.tables.iter().any(|table| table.is_numbered);
         let name = match (&server.schema, is_truth) {
@@ -68,13 +67,13 @@ impl Schema {
             (None, false) => usual(connection, server)?,
         };
         names_fit(server, &name, begin)?;
-        let wanted: Vec<Wanted> = begin
+        let wanted: Vec<TableDefinition> = begin
             .tables
             .iter()
-            .map(|table| Wanted::of(table, begin.time, begin.run_column))
-            .chain([Wanted::runs()])
+            .map(|table| TableDefinition::for_table(table, begin.time, begin.run_column))
+            .chain([TableDefinition::runs()])
             .collect();
-        let found = Found::look(connection, &name, &wanted)?;
+        let found = SchemaState::look(connection, &name, &wanted)?;
         let problems = found.problems(&name, &wanted, begin.how);
         if !problems.is_empty() {
             return Err(all(server, problems));
@@ -94,8 +93,8 @@ impl Schema {
     }
 }
 
-/// The schema that a connection makes tables in if nobody says where.
-pub(crate) fn usual(connection: &Connection, server: &Server) -> Result<String, LogError> {
+/// The schema in which a connection creates tables by default.
+pub(crate) fn usual(connection: &DatabaseConnection, server: &Server) -> Result<String, LogError> {
     let row = connection.wait(connection.client.query_one("SELECT current_schema()::text", &[]))?;
     let none = || wrong(server, ServerMessage::NoSchema);
     row.get::<_, Option<String>>(0).ok_or_else(none)
@@ -127,23 +126,25 @@ fn in_table(schema: &str, table: &Table, run_column: &str) -> InTable {
     }
 }
 
-/// What there is to say of the tables in a schema before anything is written: which of them are there, and all that is wrong, with what
-/// to do.
+/// The tables of a schema before anything is written: the names of those that exist, and all problems, with advice.
 pub(crate) fn look(
-    connection: &Connection,
+    connection: &DatabaseConnection,
     schema: &str,
     tables: &[Table],
     time: TimeFormat,
     run_column: &str,
 ) -> Result<(Vec<String>, Vec<Problem>), LogError> {
-    let wanted: Vec<Wanted> =
-        tables.iter().map(|table| Wanted::of(table, time, run_column)).chain([Wanted::runs()]).collect();
-    let found = Found::look(connection, schema, &wanted)?;
+    let wanted: Vec<TableDefinition> = tables
+        .iter()
+        .map(|table| TableDefinition::for_table(table, time, run_column))
+        .chain([TableDefinition::runs()])
+        .collect();
+    let found = SchemaState::look(connection, schema, &wanted)?;
     let problems = found.problems(schema, &wanted, WriteMode::Create);
     Ok((found.tables.into_keys().collect(), problems))
 }
 
-/// Refuses names that could be SQL, whoever they come from.
+/// Refuses names that could be SQL, of any origin.
 fn names_fit(server: &Server, schema: &str, begin: &Begin) -> Result<(), LogError> {
     let refused = |what, name: &str| Err(LogError::Name { what, name: name.to_owned() });
     // One that the server gave may have any name; it is quoted.
@@ -165,8 +166,7 @@ fn names_fit(server: &Server, schema: &str, begin: &Begin) -> Result<(), LogErro
     Ok(())
 }
 
-/// A table as it should be.
-struct Wanted {
+struct TableDefinition {
     name: String,
     /// By name: the type, and what else will do.
     columns: Vec<(String, &'static str)>,
@@ -174,18 +174,18 @@ struct Wanted {
     is_runs: bool,
 }
 
-impl Wanted {
-    fn of(table: &Table, time: TimeFormat, run_column: &str) -> Wanted {
+impl TableDefinition {
+    fn for_table(table: &Table, time: TimeFormat, run_column: &str) -> TableDefinition {
         let typed = |column: &Column| (column.name.clone(), column_type(column.kind, time));
         let run = run_column.to_owned();
         let columns = std::iter::once((run.clone(), "bigint")).chain(table.columns.iter().map(typed)).collect();
         let key = if table.is_numbered { vec![run, table.columns[0].name.clone()] } else { Vec::new() };
-        Wanted { name: table.name.clone(), columns, key, is_runs: false }
+        TableDefinition { name: table.name.clone(), columns, key, is_runs: false }
     }
 
-    fn runs() -> Wanted {
+    fn runs() -> TableDefinition {
         let columns = RUN_COLUMNS.map(|(name, is)| (name.to_owned(), is)).to_vec();
-        Wanted { name: RUNS.into(), columns, key: vec!["run_id".into()], is_runs: true }
+        TableDefinition { name: RUNS.into(), columns, key: vec!["run_id".into()], is_runs: true }
     }
 
     fn create(&self, schema: &str) -> String {
@@ -211,17 +211,15 @@ fn column_type(kind: ColumnKind, time: TimeFormat) -> &'static str {
     }
 }
 
-/// What else than a type takes the same bytes.
+/// Whether a column of the found type takes the bytes of the wanted type.
 fn will_do(wanted: &str, found: &str) -> bool {
     wanted == found || wanted == "text" && found == "character varying"
 }
 
-/// What is there.
-struct Found {
+struct SchemaState {
     is_read_only: bool,
     user: String,
     may_make_schemas: bool,
-    /// Whether the schema is there, and tables may be made in it.
     schema: Option<(bool, bool)>,
     tables: BTreeMap<String, FoundTable>,
 }
@@ -240,11 +238,15 @@ struct FoundColumn {
     must_be_given: bool,
 }
 
-/// What is asked of a table, in the order of `may`.
+/// The rights to a table, in the order of `may`.
 const RIGHTS: [&str; 4] = ["INSERT", "SELECT", "UPDATE", "DELETE"];
 
-impl Found {
-    fn look(connection: &Connection, schema: &str, wanted: &[Wanted]) -> Result<Found, LogError> {
+impl SchemaState {
+    fn look(
+        connection: &DatabaseConnection,
+        schema: &str,
+        wanted: &[TableDefinition],
+    ) -> Result<SchemaState, LogError> {
         const ABOUT: &str = "SELECT current_setting('transaction_read_only') = 'on', current_user::text, \
              has_database_privilege(current_database(), 'CREATE'), \
              (SELECT has_schema_privilege(oid, 'USAGE') FROM pg_namespace WHERE nspname = $1), \
@@ -265,7 +267,7 @@ impl Found {
         let names: Vec<&str> = wanted.iter().map(|wanted| wanted.name.as_str()).collect();
         let about = connection.wait(connection.client.query_one(ABOUT, &[&schema]))?;
         let usage: Option<bool> = about.get(3);
-        let mut found = Found {
+        let mut found = SchemaState {
             is_read_only: about.get(0),
             user: about.get(1),
             may_make_schemas: about.get(2),
@@ -296,8 +298,7 @@ impl Found {
         Ok(found)
     }
 
-    /// All that is wrong: what, and what to do.
-    fn problems(&self, schema: &str, wanted: &[Wanted], how: WriteMode) -> Vec<Problem> {
+    fn problems(&self, schema: &str, wanted: &[TableDefinition], how: WriteMode) -> Vec<Problem> {
         let mut problems = Vec::new();
         let user = &self.user;
         if self.is_read_only {
@@ -330,9 +331,9 @@ impl Found {
     }
 
     /// The rights that the user lacks, in one problem: it is one role that lacks them.
-    fn rights(&self, schema: &str, wanted: &[Wanted], how: WriteMode) -> Option<Problem> {
+    fn rights(&self, schema: &str, wanted: &[TableDefinition], how: WriteMode) -> Option<Problem> {
         let lacks = |right: usize| -> Vec<&str> {
-            let is_lacking = |wanted: &&Wanted| {
+            let is_lacking = |wanted: &&TableDefinition| {
                 let needed = match (wanted.is_runs, how) {
                     (true, _) => [true, true, true, false],
                     (false, how) => [true, true, false, how == WriteMode::Overwrite],
@@ -341,7 +342,7 @@ impl Found {
             };
             wanted.iter().filter(is_lacking).map(|wanted| wanted.name.as_str()).collect()
         };
-        // Rights that are lacking in the same tables are told together.
+        // Rights that the same tables lack are reported together.
         let mut by_tables: Vec<(Vec<&str>, Vec<&str>)> = Vec::new();
         for (right, name) in RIGHTS.iter().enumerate() {
             let tables = lacks(right);
@@ -366,8 +367,7 @@ impl Found {
         (!what.is_empty()).then(|| SchemaMessage::NoRights { user, lacking, grant: hint }.into())
     }
 
-    /// What makes the tables that are missing.
-    fn missing(&self, schema: &str, wanted: &[Wanted]) -> Vec<String> {
+    fn missing(&self, schema: &str, wanted: &[TableDefinition]) -> Vec<String> {
         let mut statements = Vec::new();
         if self.schema.is_none() {
             statements.push(format!("CREATE SCHEMA IF NOT EXISTS {}", ident(schema)));
@@ -379,8 +379,8 @@ impl Found {
 }
 
 impl FoundTable {
-    /// What is wrong with its form; `at` is what the table is called in hints.
-    fn problems(&self, at: &str, wanted: &Wanted, problems: &mut Vec<Problem>) {
+    /// Adds the problems of its columns and keys; `at` is its name in hints.
+    fn problems(&self, at: &str, wanted: &TableDefinition, problems: &mut Vec<Problem>) {
         let name = &wanted.name;
         if !self.is_table {
             problems.push(SchemaMessage::NotTable { name: name.clone() }.into());
@@ -428,7 +428,6 @@ impl FoundTable {
 /// Number of tables above which they are counted instead of listed (our choice).
 const MOST_LISTED: usize = 3;
 
-/// The names of tables, or how many there are.
 fn listed(names: &[&str]) -> String {
     match names.len() {
         ..=MOST_LISTED => names.iter().map(|name| format!("{name:?}")).collect::<Vec<_>>().join(", "),
@@ -436,7 +435,6 @@ fn listed(names: &[&str]) -> String {
     }
 }
 
-/// One error of all problems.
 fn all(server: &Server, mut problems: Vec<Problem>) -> LogError {
     if problems.len() == 1 {
         return wrong(server, problems.remove(0));

@@ -1,6 +1,6 @@
 //! The table `homebody_sensor`: the sensors of each run. Rows know them by their ids alone.
 
-use crate::connection::Connection;
+use crate::connection::DatabaseConnection;
 use crate::schema::{SENSORS, Schema, quoted};
 use homebody_log::log::{says_more_of, sensor_cells};
 use homebody_log::{LogError, SensorInfo};
@@ -11,7 +11,11 @@ use tokio_postgres::types::ToSql;
 const AT_ONCE: usize = 10_000;
 
 /// Adds the sensors of runs, each run by its id. A user who may neither make nor write the table gets none: rows do not need it.
-pub(crate) fn tell(connection: &Connection, schema: &Schema, runs: &[(i64, &[SensorInfo])]) -> Result<(), LogError> {
+pub(crate) fn tell(
+    connection: &DatabaseConnection,
+    schema: &Schema,
+    runs: &[(i64, &[SensorInfo])],
+) -> Result<(), LogError> {
     if schema.is_truth || !runs.iter().any(|(_, sensors)| says_more_of(sensors)) || !may_write(connection, schema)? {
         return Ok(());
     }
@@ -37,7 +41,7 @@ pub(crate) fn tell(connection: &Connection, schema: &Schema, runs: &[(i64, &[Sen
 }
 
 /// Removes the sensors of runs that are replaced.
-pub(crate) fn forget(connection: &Connection, schema: &Schema, runs: &[i64]) -> Result<(), LogError> {
+pub(crate) fn forget(connection: &DatabaseConnection, schema: &Schema, runs: &[i64]) -> Result<(), LogError> {
     let table = quoted(&schema.name, SENSORS);
     let may =
         "SELECT CASE WHEN to_regclass($1::text) IS NULL THEN false ELSE has_table_privilege($1::text, 'DELETE') END";
@@ -48,8 +52,8 @@ pub(crate) fn forget(connection: &Connection, schema: &Schema, runs: &[i64]) -> 
     Ok(())
 }
 
-/// Whether this user may make the table, or write the one that is there.
-fn may_write(connection: &Connection, schema: &Schema) -> Result<bool, LogError> {
+/// Whether this user may create the table, or write to it.
+fn may_write(connection: &DatabaseConnection, schema: &Schema) -> Result<bool, LogError> {
     let sql = "SELECT CASE WHEN to_regclass($1::text) IS NULL THEN has_schema_privilege($2::text, 'CREATE') \
                ELSE has_table_privilege($1::text, 'INSERT') AND has_table_privilege($1::text, 'SELECT') END";
     let table = quoted(&schema.name, SENSORS);
@@ -60,7 +64,11 @@ fn may_write(connection: &Connection, schema: &Schema) -> Result<bool, LogError>
 const MOST_SENSORS: i64 = 10_000;
 
 /// The sensors of a run, or of all runs; none without such a table, or without the right to read it.
-pub(crate) fn known(connection: &Connection, schema: &str, run: Option<i64>) -> Result<Vec<SensorInfo>, LogError> {
+pub(crate) fn known(
+    connection: &DatabaseConnection,
+    schema: &str,
+    run: Option<i64>,
+) -> Result<Vec<SensorInfo>, LogError> {
     let table = quoted(schema, SENSORS);
     let may =
         "SELECT CASE WHEN to_regclass($1::text) IS NULL THEN false ELSE has_table_privilege($1::text, 'SELECT') END";

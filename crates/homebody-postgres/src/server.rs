@@ -1,6 +1,6 @@
-//! Which database a URL means: `postgresql://ann@host:5432/homes?schema=home1`, with the parameters that users of libpq know.
+//! Reads the URL of a database: `postgresql://ann@host:5432/homes?schema=home1`, with the parameters of libpq.
 //!
-//! What a URL does not say, the environment does, as for libpq: `PGHOST`, `PGPORT`, `PGUSER`, `PGDATABASE`, `PGSSLMODE`,
+//! Parts that a URL lacks come from the environment, as for libpq: `PGHOST`, `PGPORT`, `PGUSER`, `PGDATABASE`, `PGSSLMODE`,
 //! `PGSSLROOTCERT`. A password in a URL is refused: it would end up in histories, in lists of processes and in messages.
 
 use crate::messages::ServerUrlMessage;
@@ -14,7 +14,7 @@ use std::time::Duration;
 /// A database on a server, and who asks for what in it. It knows no password.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct Server {
-    /// The URL as it was written, for errors.
+    /// The original URL, for errors.
     pub place: String,
     pub host: Host,
     pub port: u16,
@@ -25,19 +25,17 @@ pub(crate) struct Server {
     /// Which run of several is read.
     pub run: Option<String>,
     pub tls: Tls,
-    /// The file of certificates by which the server's is judged; None for the usual ones.
+    /// The certificates that the server's is checked with; None for the usual ones.
     pub root_certificates: Option<PathBuf>,
-    /// How long the server may take until it has let us in.
+    /// The time that the server has to accept the connection.
     pub connect_within: Duration,
-    /// A file of passwords other than the usual one.
     pub password_file: Option<PathBuf>,
-    /// What the server calls this program in its lists.
+    /// The name of this program in lists of the server.
     pub application: String,
     /// Settings of the connection, as `-c name=value`.
     pub options: Option<String>,
 }
 
-/// Where a server is reached.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) enum Host {
     Name(String),
@@ -45,11 +43,10 @@ pub(crate) enum Host {
     Socket(PathBuf),
 }
 
-/// How a connection is encrypted, as `sslmode` says.
+/// The encryption of a connection, as in `sslmode`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) enum Tls {
     Disable,
-    /// Where the server can.
     Prefer,
     /// Always; whose certificate it is, is not asked, unless a file says which are trusted.
     Require,
@@ -91,18 +88,18 @@ const SECRET: [&str; 2] = ["password", "sslpassword"];
 /// seconds.
 const CONNECT_WITHIN: Duration = Duration::from_secs(4);
 
-/// Where servers usually have their sockets.
+/// The usual folders of a server's socket.
 const SOCKETS: [&str; 2] = ["/var/run/postgresql", "/tmp"];
 
 impl Server {
-    /// What a URL means, or all that is wrong with it.
+    /// Reads a URL, or reports all its problems.
     pub fn parse(url: &str) -> Result<Server, LogError> {
         Server::parse_with(url, &|name| std::env::var(name).ok().filter(|value| !value.is_empty()))
     }
 
     fn parse_with(url: &str, environment: &dyn Fn(&str) -> Option<String>) -> Result<Server, LogError> {
-        let mut problems = Problems::default();
-        let parts = Parts::of(url, &mut problems);
+        let mut problems = ServerUrlProblems::default();
+        let parts = UrlParts::read(url, &mut problems);
         let said =
             |name: &str, variable: &str| parts.parameter(name).map(str::to_owned).or_else(|| environment(variable));
         let port = said("port", "PGPORT").or(parts.port.clone());
@@ -134,7 +131,7 @@ impl Server {
         problems.refuse()?;
         Ok(Server {
             place: parts.place.clone(),
-            host: host.map_or_else(|| usual_host(port), Host::of),
+            host: host.map_or_else(|| usual_host(port), Host::from_text),
             port,
             database: database.or_else(|| environment("PGDATABASE")).unwrap_or_else(|| user.clone()),
             user,
@@ -151,18 +148,18 @@ impl Server {
 }
 
 impl Host {
-    fn of(text: String) -> Host {
+    fn from_text(text: String) -> Host {
         if text.starts_with('/') { Host::Socket(text.into()) } else { Host::Name(text) }
     }
 }
 
-/// Where a server is looked for if nobody says where.
+/// The host if neither URL nor environment names one.
 fn usual_host(port: u16) -> Host {
     let has_socket = |folder: &&&str| Path::new(folder).join(format!(".s.PGSQL.{port}")).exists();
     SOCKETS.iter().find(has_socket).map_or_else(|| Host::Name("localhost".into()), |folder| Host::Socket(folder.into()))
 }
 
-/// Whether a name may reach SQL: `^[a-z_][a-z0-9_]{0,62}$`.
+/// A name that may reach SQL: `^[a-z_][a-z0-9_]{0,62}$`.
 pub(crate) fn is_plain_name(name: &str) -> bool {
     let letter = |byte: u8| byte.is_ascii_lowercase() || byte == b'_';
     let begins = name.bytes().next().is_some_and(letter);
@@ -173,9 +170,8 @@ fn is_servers_own(schema: &str) -> bool {
     schema.starts_with("pg_") || schema == "information_schema"
 }
 
-/// A URL in its parts, decoded.
 #[derive(Default)]
-struct Parts {
+struct UrlParts {
     /// The URL without a password.
     place: String,
     user: Option<String>,
@@ -185,8 +181,8 @@ struct Parts {
     parameters: Vec<(String, String)>,
 }
 
-impl Parts {
-    fn of(url: &str, problems: &mut Problems) -> Parts {
+impl UrlParts {
+    fn read(url: &str, problems: &mut ServerUrlProblems) -> UrlParts {
         let rest = url.split_once("//").map_or(url, |(_, rest)| rest);
         let (main, query) = rest.split_once('?').unwrap_or((rest, ""));
         let (authority, database) = main.split_once('/').unwrap_or((main, ""));
@@ -207,7 +203,7 @@ impl Parts {
         if has_secret {
             problems.add(ServerUrlMessage::Password);
         }
-        let mut parts = Parts { place, ..Parts::default() };
+        let mut parts = UrlParts { place, ..UrlParts::default() };
         let mut decoded = |text: &str| (!text.is_empty()).then(|| problems.decode(text));
         parts.user = decoded(user);
         parts.host = decoded(host.strip_prefix('[').and_then(|host| host.strip_suffix(']')).unwrap_or(host));
@@ -235,14 +231,13 @@ impl Parts {
     }
 }
 
-/// All that is wrong with a URL.
 #[derive(Default)]
-struct Problems {
+struct ServerUrlProblems {
     place: String,
     all: Vec<Problem>,
 }
 
-impl Problems {
+impl ServerUrlProblems {
     fn add(&mut self, message: ServerUrlMessage) {
         self.all.push(message.into());
     }
@@ -288,7 +283,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn no_url_is_so_long_that_what_is_wrong_with_it_is_not_read() {
+    fn lists_problems_of_a_url_of_any_length() {
         let long = format!("postgresql://ann@host/homes?{}", "what=1&".repeat(100_000));
         let told = parse(&long).unwrap_err().to_string();
         assert!(told.len() < 20_000 && told.contains("there is no parameter \"what\""), "{} bytes", told.len());
@@ -299,7 +294,7 @@ mod tests {
     }
 
     #[test]
-    fn a_url_says_where_who_and_what() {
+    fn reads_server_user_and_database_of_a_url() {
         let server =
             parse("postgresql://ann%40home@db.example:5433/homes?schema=home1&sslmode=verify-full&run=7").unwrap();
         assert_eq!((server.user.as_str(), server.database.as_str(), server.port), ("ann@home", "homes", 5433));
@@ -330,7 +325,7 @@ mod tests {
     }
 
     #[test]
-    fn all_that_is_wrong_is_told_at_once() {
+    fn reports_all_problems_at_once() {
         let error =
             parse("postgresql://ann@a,b:99999/homes?schem=x&sslmode=on&schema=pg_x&run=").unwrap_err().to_string();
         for told in [

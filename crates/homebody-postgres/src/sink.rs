@@ -1,14 +1,14 @@
 //! A log or a truth in a database of PostgreSQL.
 //!
-//! Rows wait in memory, in the form in which they are sent, until a transaction has taken them; with them goes how far the
-//! database holds the run then. Rows of a log that come by the thousand are sent before the transaction ends. A transaction that
-//! fails is made again with the same rows. Where nobody knows whether it was taken, because the connection was lost as it ended,
-//! the next one asks: each begins with a look at the run's watermark, which waits for whatever is still on its way.
+//! Rows wait in memory, already encoded, until a transaction has taken them, with the new watermark of the run. Many rows of a log are
+//! sent before the transaction ends. A transaction that fails is made again with the same rows. If the connection was lost during its end,
+//! the next transaction finds out whether it was taken: each begins with a look at the run's watermark, which waits for an earlier
+//! transaction.
 
-use crate::connection::Connection;
+use crate::connection::DatabaseConnection;
 use crate::messages::{ContinueMessage, ServerMessage, ServerUrlMessage};
-use crate::rows::{Encoder, Rows, copy_into};
-use crate::runs::{self, At, Known};
+use crate::rows::{CopyRows, Encoder, copy_into};
+use crate::runs::{self, At, StoredRun};
 use crate::schema::{Schema, ident};
 use crate::sensors;
 use crate::server::Server;
@@ -31,52 +31,51 @@ const MOST_BYTES: usize = 32 << 20;
 /// A database as a destination. Its errors that [pass](LogError::passes) may be tried again; nothing is kept twice.
 pub struct Postgres {
     url: String,
-    open: Option<Open>,
-    /// Whether this program may have added the run, without having heard of it.
+    open: Option<OpenDatabaseLog>,
+    /// Whether this program may have added the run without an answer.
     has_tried: bool,
 }
 
-/// A run in a database.
-struct Open {
+struct OpenDatabaseLog {
     server: Server,
     deadline: Deadline,
     /// None after it was lost, until the next transaction.
-    connection: Option<Connection>,
+    connection: Option<DatabaseConnection>,
     /// The server's name of the last connection, if that was given up.
     left_behind: Option<String>,
     schema: Schema,
     run: RunInfo,
     encoder: Encoder,
-    /// How many transactions have changed the run.
+    /// The number of transactions that have changed the run.
     commits: i64,
-    /// How many rows of each table are durable.
+    /// The number of durable rows of each table.
     durable: Vec<i64>,
-    /// Whether rows of the run that are there already go with the first transaction.
+    /// Whether the first transaction deletes existing rows of the run.
     replaces: bool,
-    /// Where a log is gone on with: the column of its instants.
+    /// For a log that is resumed, the column of its instants.
     goes_on_by: Option<(String, TimeFormat)>,
     /// The rows of the transaction that is under way.
     sealed: Option<Sealed>,
     /// The rows that have come since.
-    waiting: Vec<Rows>,
+    waiting: Vec<CopyRows>,
     /// A transaction that takes waiting rows already.
     ahead: Option<Ahead>,
 }
 
-/// A transaction in which rows of the only table are on their way.
+/// A transaction that takes rows of the only table already.
 struct Ahead {
     copy: Pin<Box<CopyInSink<Bytes>>>,
-    /// How many chunks of them were sent.
+    /// The number of chunks that were sent.
     sent: usize,
 }
 
-/// What a transaction takes: it stays the same until the transaction was taken.
+/// The content of a transaction: it stays the same until the transaction was taken.
 struct Sealed {
-    rows: Vec<Rows>,
-    /// How many rows of each table there are then.
+    rows: Vec<CopyRows>,
+    /// The number of rows of each table afterwards.
     then: Vec<i64>,
     end: Option<RunTime>,
-    /// Whether the server was asked to end the transaction.
+    /// Whether the server was asked to end the transaction and has not answered.
     is_in_doubt: bool,
 }
 
@@ -86,7 +85,7 @@ impl Postgres {
         Postgres { url: url.to_string(), open: None, has_tried: false }
     }
 
-    fn begun(&mut self) -> Result<&mut Open, LogError> {
+    fn begun(&mut self) -> Result<&mut OpenDatabaseLog, LogError> {
         // Only a URL that was read has been begun.
         self.open.as_mut().ok_or_else(|| LogError::Stopped { place: "postgresql".into() })
     }
@@ -100,7 +99,7 @@ impl Sink for Postgres {
             let no_number = || wrong(&server, ServerUrlMessage::Run { run: id.clone() });
             run.id = id.parse().map_err(|_| no_number())?;
         }
-        let connection = Connection::open(&server, begin.deadline)?;
+        let connection = DatabaseConnection::open(&server, begin.deadline)?;
         let schema = Schema::make(&connection, &server, begin)?;
         if runs::has_others(&connection, &schema)? {
             let name = schema.name.clone();
@@ -124,7 +123,7 @@ impl Sink for Postgres {
         let (commits, durable) = match known {
             Some(known) if begin.how == WriteMode::Resume => {
                 can_go_on(&server, &schema, &known)?;
-                // What residents were doing as the run was stopped is said to end there and then.
+                // A stopped truth has ends of activities at the stop, which the resumed run does not have.
                 replaces = schema.is_truth && known.is_ended;
                 (known.commits, if replaces { nothing } else { known.rows })
             }
@@ -142,13 +141,13 @@ impl Sink for Postgres {
         }
         sensors::tell(&connection, &schema, &[(run.id, &run.sensors)])?;
         let encoder = Encoder::new(run.id, runs::start_of(&run), begin.time);
-        let waiting = vec![Rows::default(); schema.tables.len()];
+        let waiting = vec![CopyRows::default(); schema.tables.len()];
         let connection = Some(connection);
         let goes_on = begin.how == WriteMode::Resume && !schema.is_truth && durable[0] > 0;
         let instants = begin.tables[0].columns.iter().find(|column| column.kind == ColumnKind::Instant);
         let goes_on_by = instants.filter(|_| goes_on).map(|column| (ident(&column.name), begin.time));
         let (sealed, ahead) = (None, None);
-        let open = Open {
+        let open = OpenDatabaseLog {
             server,
             deadline: begin.deadline.clone(),
             connection,
@@ -173,7 +172,7 @@ impl Sink for Postgres {
         let open = self.begun()?;
         // First, so that a batch whose call fails has not been taken.
         if open.waiting.iter().map(|rows| rows.count).sum::<u64>() >= MOST_ROWS
-            || open.waiting.iter().map(Rows::bytes).sum::<usize>() >= MOST_BYTES
+            || open.waiting.iter().map(CopyRows::bytes).sum::<usize>() >= MOST_BYTES
         {
             open.commit(None)?;
         }
@@ -201,11 +200,11 @@ impl Sink for Postgres {
 }
 
 impl Drop for Postgres {
-    /// A run of which nothing was stored leaves nothing behind that would be in the way of the next.
+    /// Removes a run without rows, which would be in the way of the next.
     fn drop(&mut self) {
         let Some(open) = self.open.as_mut().filter(|open| open.commits == 0 && open.sealed.is_none()) else { return };
         let was_ahead = open.ahead.take().is_some();
-        let Open { connection: Some(connection), schema, run, .. } = open else { return };
+        let OpenDatabaseLog { connection: Some(connection), schema, run, .. } = open else { return };
         if was_ahead && connection.wait(connection.client.batch_execute("ROLLBACK")).is_err() {
             return;
         }
@@ -214,17 +213,17 @@ impl Drop for Postgres {
     }
 }
 
-impl Open {
+impl OpenDatabaseLog {
     fn watermark(&self) -> Watermark {
         Watermark(self.durable.iter().map(|&rows| rows as u64).collect())
     }
 
-    /// Refuses the end of a run that is gone on with and was stopped before it had come as far as before.
+    /// Refuses the end of a resumed run that was stopped before it came as far as the earlier one.
     fn has_come_as_far(&mut self, end: RunTime) -> Result<(), LogError> {
-        // Where new rows have come, it has.
+        // New rows show that it has come as far.
         let has_new = self.sealed.is_some() || self.waiting.iter().any(|rows| rows.count > 0);
         let Some((column, time)) = self.goes_on_by.take().filter(|_| !has_new) else { return Ok(()) };
-        let Open { server, connection: Some(connection), schema, run, .. } = self else { return Ok(()) };
+        let OpenDatabaseLog { server, connection: Some(connection), schema, run, .. } = self else { return Ok(()) };
         let end = runs::start_of(run) + end.since_zero();
         let (seconds, milliseconds) = (end.since_zero().seconds(), end.micros().div_euclid(1000));
         let end: &(dyn ToSql + Sync) = match time {
@@ -242,10 +241,10 @@ impl Open {
 
     /// Makes sure of all rows that have come, and of the run's end if that has come.
     fn commit(&mut self, end: Option<RunTime>) -> Result<(), LogError> {
-        // What an earlier call has left undone comes first, as it was.
+        // The unfinished transaction of an earlier call comes first, unchanged.
         while self.sealed.is_some() || end.is_some() || self.waiting.iter().any(|rows| rows.count > 0) {
             let sealed = self.sealed.get_or_insert_with(|| {
-                let rows = std::mem::replace(&mut self.waiting, vec![Rows::default(); self.durable.len()]);
+                let rows = std::mem::replace(&mut self.waiting, vec![CopyRows::default(); self.durable.len()]);
                 let then = self.durable.iter().zip(&rows).map(|(durable, rows)| durable + rows.count as i64).collect();
                 Sealed { rows, then, end, is_in_doubt: false }
             });
@@ -285,8 +284,8 @@ impl Open {
         }
     }
 
-    /// Sends what has come so far of a log's rows, so that the server works while others are made. Where that fails, the
-    /// transaction is made anew when it is to end, and says why. A server that does not answer is an error at once.
+    /// Sends waiting rows of a log, so that the server works while others are made. If that fails, the transaction is made anew at its
+    /// end, and reports the error. A server that does not answer is an error at once.
     fn send_ahead(&mut self) -> Result<(), LogError> {
         let is_due = self.waiting.len() == 1 && self.sealed.is_none() && self.waiting[0].whole_from(1).next().is_some();
         let tried = if is_due { self.try_ahead() } else { Ok(()) };
@@ -316,7 +315,7 @@ impl Open {
 
     /// Begins a transaction, with a look at how far the run is. False where an earlier one has taken the sealed rows.
     fn begin(&self) -> Result<bool, LogError> {
-        let Open { server, connection: Some(connection), schema, run, .. } = self else { return Ok(false) };
+        let OpenDatabaseLog { server, connection: Some(connection), schema, run, .. } = self else { return Ok(false) };
         connection.wait(connection.client.batch_execute("BEGIN"))?;
         let known = runs::find(connection, schema, run.id, true)?;
         let known = known.ok_or_else(|| changed(server, ContinueMessage::NoRunRow))?;
@@ -337,7 +336,7 @@ impl Open {
     /// One transaction of the sealed rows, unless an earlier one has taken them.
     fn transact(&mut self) -> Result<(), LogError> {
         if self.connection.is_none() {
-            let connection = Connection::open(&self.server, &self.deadline)?;
+            let connection = DatabaseConnection::open(&self.server, &self.deadline)?;
             if let Some(backend) = self.left_behind.take() {
                 connection.end(&backend);
             }
@@ -347,7 +346,8 @@ impl Open {
         if ahead.is_none() && !self.begin()? {
             return Ok(());
         }
-        let Open { server, connection: Some(connection), schema, run, sealed: Some(sealed), .. } = self else {
+        let OpenDatabaseLog { server, connection: Some(connection), schema, run, sealed: Some(sealed), .. } = self
+        else {
             return Ok(());
         };
         for (table, rows) in schema.tables.iter().zip(&sealed.rows).filter(|(_, rows)| rows.count > 0) {
@@ -376,7 +376,7 @@ fn already(server: &Server, schema: &Schema, run: &RunInfo) -> LogError {
 }
 
 /// Refuses what was not begun as this run is.
-fn can_go_on(server: &Server, schema: &Schema, known: &Known) -> Result<(), LogError> {
+fn can_go_on(server: &Server, schema: &Schema, known: &StoredRun) -> Result<(), LogError> {
     let tables: Vec<&str> = schema.tables.iter().map(|table| table.name.as_str()).collect();
     if known.tables != tables {
         return Err(changed(server, ContinueMessage::OtherTables { tables: known.tables.clone() }));

@@ -1,13 +1,13 @@
 //! A table in a database of PostgreSQL: by the names of a mapping, or ours. It is read row by row, in the order of its numbers,
 //! through a cursor.
 
-use crate::connection::Connection;
+use crate::connection::DatabaseConnection;
 use crate::messages::ServerMessage;
-use crate::runs::Told;
+use crate::runs::ServerInstant;
 use crate::schema::{RUNS, ident, quoted, usual};
 use crate::sensors;
 use crate::server::Server;
-use crate::trouble::{told, wrong};
+use crate::trouble::{client_error, wrong};
 use homebody_core::nearest::nearest;
 use homebody_core::scenario::logger::{ColumnsFile, LoggerFile};
 use homebody_log::LogError;
@@ -25,10 +25,10 @@ pub const FORM: LogForm = LogForm {
     read,
 };
 
-/// Rows that are asked for at once (ours).
+/// Rows of one request (our choice).
 pub(crate) const ROWS_AT_ONCE: i32 = 8192;
 
-/// What rows are read in: at one instant of the table, however long who takes them needs.
+/// The transaction of a reader: it sees one instant of the table for as long as it lasts.
 pub(crate) const BEGIN: &str = "BEGIN READ ONLY; SET LOCAL idle_in_transaction_session_timeout = 0";
 
 /// Largest number of runs, tables or columns in an error (our choice).
@@ -36,8 +36,8 @@ const MOST_NAMED: usize = 20;
 
 fn read(path: &Path, file: &LoggerFile, reading: &mut LogReading<'_>) -> Result<(), LogError> {
     let server = Server::parse(&path.to_string_lossy())?;
-    let connection = Connection::to_read(&server)?;
-    let table = Found::find(&connection, &server, file)?;
+    let connection = DatabaseConnection::to_read(&server)?;
+    let table = StoredLogTable::find(&connection, &server, file)?;
     let run = table.run(&connection, &server)?;
     let number = run.as_deref().and_then(|run| run.parse().ok());
     if let Some(zone) = zone(&connection, &table.schema, number) {
@@ -56,8 +56,8 @@ fn read(path: &Path, file: &LoggerFile, reading: &mut LogReading<'_>) -> Result<
         for row in &rows {
             line += 1;
             table.take(line, row, reading).map_err(|failed| match failed {
-                Failed::Row(error) => told(&server, &error, None),
-                Failed::Log(error) => error,
+                RowError::Row(error) => client_error(&server, &error, None),
+                RowError::Log(error) => error,
             })?;
         }
         if rows.len() < ROWS_AT_ONCE as usize {
@@ -66,11 +66,11 @@ fn read(path: &Path, file: &LoggerFile, reading: &mut LogReading<'_>) -> Result<
     }
 }
 
-/// Takes the activities of the table that we write beside a log; whether there is one.
+/// Reads the activities of a log from the table next to it; whether that table exists.
 fn spans(
-    connection: &Connection,
+    connection: &DatabaseConnection,
     server: &Server,
-    log: &Found,
+    log: &StoredLogTable,
     run: Option<&str>,
     reading: &mut LogReading<'_>,
 ) -> Result<bool, LogError> {
@@ -82,7 +82,9 @@ fn spans(
         .collect();
     let [begins, ends, _] = types[..] else { return Ok(false) };
     let clocks = [begins, ends].map(clock_of);
-    let told = |name: &str, clock: Time| if clock == Time::Text { format!("{name}::text") } else { name.to_owned() };
+    let told = |name: &str, clock: TimeColumnKind| {
+        if clock == TimeColumnKind::Text { format!("{name}::text") } else { name.to_owned() }
+    };
     let mut sql = format!(
         "SELECT {}, {}, {activity}::text FROM {}",
         told(begin, clocks[0]),
@@ -96,7 +98,7 @@ fn spans(
         sql += &format!(" WHERE {} = {run}", ident(&columns[0].0));
     }
     sql += &format!(" ORDER BY {begin}, {end}");
-    let failed = |error: tokio_postgres::Error| told_of(server, &error);
+    let failed = |error: tokio_postgres::Error| query_error(server, &error);
     connection.wait(connection.client.batch_execute(&format!("DECLARE spans NO SCROLL CURSOR FOR {sql}")))?;
     let next = connection.wait(connection.client.prepare(&format!("FETCH {ROWS_AT_ONCE} FROM spans")))?;
     let mut line = 0;
@@ -106,8 +108,12 @@ fn spans(
             line += 1;
             let mut at = |place: usize| -> Result<Option<LogInstant>, tokio_postgres::Error> {
                 Ok(match clocks[place] {
-                    Time::Text => row.try_get::<_, Option<&str>>(place)?.and_then(|text| reading.instant(text)),
-                    Time::Stamp => row.try_get::<_, Option<Told>>(place)?.map(|Told(at)| at),
+                    TimeColumnKind::Text => {
+                        row.try_get::<_, Option<&str>>(place)?.and_then(|text| reading.instant(text))
+                    }
+                    TimeColumnKind::Stamp => {
+                        row.try_get::<_, Option<ServerInstant>>(place)?.map(|ServerInstant(at)| at)
+                    }
                 })
             };
             let (begin, end) = (at(0).map_err(failed)?, at(1).map_err(failed)?);
@@ -125,37 +131,35 @@ fn spans(
     }
 }
 
-fn told_of(server: &Server, error: &tokio_postgres::Error) -> LogError {
-    told(server, error, None)
+fn query_error(server: &Server, error: &tokio_postgres::Error) -> LogError {
+    client_error(server, error, None)
 }
 
-/// What a column of this type says of instants.
-fn clock_of(is: &str) -> Time {
+/// The kind of instants in a column of this type.
+fn clock_of(is: &str) -> TimeColumnKind {
     match is {
-        "timestamp with time zone" | "timestamp without time zone" => Time::Stamp,
-        _ => Time::Text,
+        "timestamp with time zone" | "timestamp without time zone" => TimeColumnKind::Stamp,
+        _ => TimeColumnKind::Text,
     }
 }
 
 /// A table of rows, and what its columns are.
-struct Found {
+struct StoredLogTable {
     schema: String,
     table: String,
     time: String,
-    clock: Time,
+    clock: TimeColumnKind,
     sensor: String,
     value: String,
     run: Option<String>,
-    /// Whether runs are numbers.
     has_numbers: bool,
     seq: Option<String>,
-    /// What somebody did, where rows tell it.
+    /// The column of activities, if the table has one.
     label: Option<String>,
 }
 
-/// What a column of instants says.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Time {
+enum TimeColumnKind {
     /// Instants, of the world's clock or of one on some wall.
     Stamp,
     /// A text or a number, as files have them.
@@ -163,26 +167,26 @@ enum Time {
 }
 
 /// Why a row was not taken.
-enum Failed {
+enum RowError {
     Row(tokio_postgres::Error),
     Log(LogError),
 }
 
-impl From<tokio_postgres::Error> for Failed {
-    fn from(error: tokio_postgres::Error) -> Failed {
-        Failed::Row(error)
+impl From<tokio_postgres::Error> for RowError {
+    fn from(error: tokio_postgres::Error) -> RowError {
+        RowError::Row(error)
     }
 }
 
-impl From<LogError> for Failed {
-    fn from(error: LogError) -> Failed {
-        Failed::Log(error)
+impl From<LogError> for RowError {
+    fn from(error: LogError) -> RowError {
+        RowError::Log(error)
     }
 }
 
-impl Found {
+impl StoredLogTable {
     /// The table by the names of a mapping, or all that is missing.
-    fn find(connection: &Connection, server: &Server, file: &LoggerFile) -> Result<Found, LogError> {
+    fn find(connection: &DatabaseConnection, server: &Server, file: &LoggerFile) -> Result<StoredLogTable, LogError> {
         let schema = match &server.schema {
             Some(schema) => schema.clone(),
             None => usual(connection, server)?,
@@ -210,7 +214,7 @@ impl Found {
         }
         let is = |wanted: &String| columns.iter().find(|(name, _)| name == wanted).map_or("", |(_, is)| is.as_str());
         let clock = clock_of(is(&names.time));
-        Ok(Found {
+        Ok(StoredLogTable {
             time: names.time.clone(),
             clock,
             sensor: names.sensor.clone(),
@@ -224,11 +228,11 @@ impl Found {
         })
     }
 
-    /// Which run is read, where rows say of which they are: the one that was asked for, or the only one.
-    fn run(&self, connection: &Connection, server: &Server) -> Result<Option<String>, LogError> {
+    /// The run to read if rows have one: the requested run, or the only one.
+    fn run(&self, connection: &DatabaseConnection, server: &Server) -> Result<Option<String>, LogError> {
         let Some(run) = &self.run else { return Ok(None) };
         let (run, table) = (ident(run), quoted(&self.schema, &self.table));
-        // Where the run is the beginning of a key, each is found without a look at all rows.
+        // If a key begins with the run, the server finds each run without a scan of all rows.
         let runs = format!(
             "WITH RECURSIVE runs AS ((SELECT {run} AS run FROM {table} WHERE {run} IS NOT NULL ORDER BY 1 LIMIT 1) UNION ALL \
              SELECT (SELECT {run} FROM {table} WHERE {run} > runs.run ORDER BY 1 LIMIT 1) FROM runs WHERE runs.run IS NOT NULL) \
@@ -259,7 +263,7 @@ impl Found {
         }
     }
 
-    /// What is so in rows of a run, with its parameter: by its number an index finds them.
+    /// The SQL condition for rows of a run, with its parameter; an index finds a number.
     fn is_run(&self, column: &str, run: &str) -> (String, Option<String>) {
         match run.parse::<i64>().ok().filter(|_| self.has_numbers) {
             Some(number) => (format!("{column} = {number}"), None),
@@ -267,10 +271,10 @@ impl Found {
         }
     }
 
-    /// What asks for the rows, and the parameter that says of which run.
+    /// The query of the rows, and the parameter for the run.
     fn rows(&self, run: Option<&str>) -> (String, Option<String>) {
         let time = ident(&self.time);
-        let told = if self.clock == Time::Text { format!("{time}::text") } else { time.clone() };
+        let told = if self.clock == TimeColumnKind::Text { format!("{time}::text") } else { time.clone() };
         let [sensor, value] = [&self.sensor, &self.value].map(|name| format!("{}::text", ident(name)));
         let label = self.label.as_deref().map_or_else(|| "NULL::text".into(), |name| format!("{}::text", ident(name)));
         let mut sql = format!("SELECT {told}, {sensor}, {value}, {label} FROM {}", quoted(&self.schema, &self.table));
@@ -288,17 +292,19 @@ impl Found {
     }
 
     /// Hands a row over.
-    fn take(&self, line: u64, row: &Row, reading: &mut LogReading) -> Result<(), Failed> {
+    fn take(&self, line: u64, row: &Row, reading: &mut LogReading) -> Result<(), RowError> {
         let [sensor, value] = [1, 2].map(|column| row.try_get::<_, Option<&str>>(column));
         let (sensor, value) = (sensor?.unwrap_or_default(), value?.unwrap_or_default());
         let is_row = match self.clock {
-            Time::Text => reading.row(line, row.try_get::<_, Option<&str>>(0)?.unwrap_or_default(), sensor, value)?,
-            Time::Stamp => match row.try_get::<_, Option<Told>>(0)? {
+            TimeColumnKind::Text => {
+                reading.row(line, row.try_get::<_, Option<&str>>(0)?.unwrap_or_default(), sensor, value)?
+            }
+            TimeColumnKind::Stamp => match row.try_get::<_, Option<ServerInstant>>(0)? {
                 None => {
                     reading.skip(line, "there is no time".into());
                     false
                 }
-                Some(Told(instant)) => reading.event(line, instant, sensor, value)?,
+                Some(ServerInstant(instant)) => reading.event(line, instant, sensor, value)?,
             },
         };
         if is_row && self.label.is_some() {
@@ -308,21 +314,20 @@ impl Found {
     }
 }
 
-/// The table that is read where nobody has named one: the one in which the table of runs says that the run is, or that all runs of
-/// logs are. Ours where it does not say.
-fn table_of_run(connection: &Connection, server: &Server, schema: &str) -> String {
+/// The table to read by default: that of the run, or of all logs, in the table of runs; else the usual one.
+fn table_of_run(connection: &DatabaseConnection, server: &Server, schema: &str) -> String {
     let sql = format!(
         "SELECT DISTINCT tables[1] FROM {} WHERE holds = 'log' AND ($1::text IS NULL OR run_id::text = $1) LIMIT 2",
         quoted(schema, RUNS)
     );
-    // Where there is none, or it may not be read, nothing is said.
+    // The table of runs may be missing or unreadable.
     let told = connection.wait(connection.client.query(&sql, &[&server.run])).unwrap_or_default();
     let told: Option<Option<String>> = (told.len() == 1).then(|| told[0].get(0));
     told.flatten().unwrap_or_else(|| "firing".into())
 }
 
 /// The error where the table of runs does not have the run that is asked for, and has others.
-fn no_run(connection: &Connection, server: &Server, schema: &str) -> Option<LogError> {
+fn no_run(connection: &DatabaseConnection, server: &Server, schema: &str) -> Option<LogError> {
     let asked = server.run.as_ref()?;
     let sql = format!(
         "SELECT run_id::text FROM {} WHERE holds = 'log' ORDER BY run_id LIMIT {}",
@@ -338,7 +343,7 @@ fn no_run(connection: &Connection, server: &Server, schema: &str) -> Option<LogE
 }
 
 /// The zone of a run's home, if there is a table of runs that may be read and names it.
-fn zone(connection: &Connection, schema: &str, run: Option<i64>) -> Option<String> {
+fn zone(connection: &DatabaseConnection, schema: &str, run: Option<i64>) -> Option<String> {
     let sql = format!("SELECT zone FROM {} WHERE run_id = $1", quoted(schema, RUNS));
     connection.wait(connection.client.query_opt(&sql, &[&run?])).ok()??.get(0)
 }
@@ -359,9 +364,9 @@ fn by_types(columns: &[(String, String)]) -> Option<ColumnsFile> {
     })
 }
 
-/// The columns of a table and their types, in their order; none where there is no such table.
+/// The columns of a table and their types, in their order; empty without such a table.
 pub(crate) fn columns_of(
-    connection: &Connection,
+    connection: &DatabaseConnection,
     schema: &str,
     table: &str,
 ) -> Result<Vec<(String, String)>, LogError> {
@@ -373,8 +378,7 @@ pub(crate) fn columns_of(
     Ok(columns.iter().map(|row| (row.get(0), row.get(1))).collect())
 }
 
-/// What to say where there is no such table.
-fn no_table(connection: &Connection, server: &Server, schema: &str, table: &str) -> Result<LogError, LogError> {
+fn no_table(connection: &DatabaseConnection, server: &Server, schema: &str, table: &str) -> Result<LogError, LogError> {
     const TABLES: &str = "SELECT c.relname::text FROM pg_class c JOIN pg_namespace n ON n.oid = c.relnamespace \
          WHERE n.nspname = $1 AND c.relkind IN ('r', 'p', 'v', 'm', 'f') ORDER BY 1";
     let found = connection.wait(connection.client.query(TABLES, &[&schema]))?;
@@ -388,7 +392,6 @@ fn no_table(connection: &Connection, server: &Server, schema: &str, table: &str)
     Ok(wrong(server, ServerMessage::NoTable { table, schema, advice }))
 }
 
-/// The first of some names.
 pub(crate) fn listed(names: &[&str]) -> String {
     let more = if names.len() > MOST_NAMED { " and more" } else { "" };
     names.iter().take(MOST_NAMED).copied().collect::<Vec<_>>().join(", ") + more

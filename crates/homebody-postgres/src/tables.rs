@@ -1,12 +1,12 @@
-//! The tables of a truth in a database of PostgreSQL, read by their names: the rows of one run, in the order in which they were written.
+//! Reads the tables of a truth from a database of PostgreSQL by their names: the rows of one run, in the order of writing.
 
-use crate::connection::Connection;
+use crate::connection::DatabaseConnection;
 use crate::messages::ServerMessage;
-use crate::runs::Told;
+use crate::runs::ServerInstant;
 use crate::schema::{RUNS, TRUTH_SCHEMA, ident, quoted};
 use crate::server::Server;
 use crate::source::{BEGIN, ROWS_AT_ONCE, columns_of, listed};
-use crate::trouble::{told, wrong};
+use crate::trouble::{client_error, wrong};
 use homebody_log::error::TruthMessage;
 use homebody_log::source::{TakeTruthRow, TruthValue};
 use homebody_log::table::{Column, ColumnKind, Table};
@@ -14,15 +14,14 @@ use homebody_log::{LogError, Url};
 use tokio_postgres::Row;
 use tokio_postgres::types::ToSql;
 
-/// Reads tables of a truth.
 pub(crate) fn read(url: &Url, wanted: &[&Table], take: &mut TakeTruthRow<'_>) -> Result<(), LogError> {
     let server = Server::parse(&url.to_string())?;
-    let connection = Connection::to_read(&server)?;
+    let connection = DatabaseConnection::to_read(&server)?;
     let schema = server.schema.clone().unwrap_or_else(|| TRUTH_SCHEMA.into());
     let mut found = Vec::new();
     let mut missing = Vec::new();
     for table in wanted {
-        found.push(Found::of(&connection, &schema, table, &mut missing)?);
+        found.push(StoredTruthTable::find(&connection, &schema, table, &mut missing)?);
     }
     if !missing.is_empty() {
         return Err(LogError::no_truth(server.place.as_str(), TruthMessage::Missing { missing }));
@@ -37,10 +36,10 @@ pub(crate) fn read(url: &Url, wanted: &[&Table], take: &mut TakeTruthRow<'_>) ->
     connection.wait(connection.client.batch_execute("COMMIT"))
 }
 
-/// The truth of the run whose log is in a database: in the usual schema beside it, if there is one of that run.
+/// The truth of the run with this log: in the default schema of truths, if that has one of the run.
 pub(crate) fn truth_of(log: &Url) -> Option<Url> {
     let server = Server::parse(&log.to_string()).ok()?;
-    let connection = Connection::to_read(&server).ok()?;
+    let connection = DatabaseConnection::to_read(&server).ok()?;
     let truths = runs(&connection, TRUTH_SCHEMA).ok()?;
     let run = match (&server.run, &truths[..]) {
         (Some(run), truths) => truths.iter().find(|truth| truth.to_string() == *run).copied()?,
@@ -55,14 +54,12 @@ pub(crate) fn truth_of(log: &Url) -> Option<Url> {
     Some(Url::new(log.scheme(), format!("{main}?schema={TRUTH_SCHEMA}&run={run}{more}")))
 }
 
-/// The runs of truths in a schema.
-fn runs(connection: &Connection, schema: &str) -> Result<Vec<i64>, LogError> {
+fn runs(connection: &DatabaseConnection, schema: &str) -> Result<Vec<i64>, LogError> {
     let sql = format!("SELECT run_id FROM {} WHERE holds = 'truth' ORDER BY 1", quoted(schema, RUNS));
     Ok(connection.wait(connection.client.query(&sql, &[]))?.iter().map(|row| row.get(0)).collect())
 }
 
-/// The run that is asked for, or the only one.
-fn run(connection: &Connection, server: &Server, schema: &str) -> Result<i64, LogError> {
+fn run(connection: &DatabaseConnection, server: &Server, schema: &str) -> Result<i64, LogError> {
     let runs = runs(connection, schema)?;
     let names: Vec<String> = runs.iter().map(i64::to_string).collect();
     let names: Vec<&str> = names.iter().map(String::as_str).collect();
@@ -83,30 +80,28 @@ fn run(connection: &Connection, server: &Server, schema: &str) -> Result<i64, Lo
     }
 }
 
-/// A table of the truth that is there.
-struct Found {
-    /// What asks for its rows, but for the parameter that says of which run.
+struct StoredTruthTable {
+    /// The query of its rows; its parameter is the run.
     sql: String,
-    cells: Vec<Cell>,
+    cells: Vec<TruthCellKind>,
 }
 
-/// What a column hands over.
 #[derive(Clone, Copy, PartialEq)]
-enum Cell {
+enum TruthCellKind {
     Stamp,
     Integer,
     Real,
     Text,
 }
 
-impl Found {
+impl StoredTruthTable {
     /// None, and in words what is missing, where it is not as it should be.
-    fn of(
-        connection: &Connection,
+    fn find(
+        connection: &DatabaseConnection,
         schema: &str,
         table: &Table,
         missing: &mut Vec<String>,
-    ) -> Result<Option<Found>, LogError> {
+    ) -> Result<Option<StoredTruthTable>, LogError> {
         let there = columns_of(connection, schema, &table.name)?;
         // The first column is the run's id, whatever it is called.
         let Some((run, _)) = there.first() else {
@@ -121,12 +116,12 @@ impl Found {
         }
         let is =
             |column: &Column| there.iter().find(|(name, _)| *name == column.name).map_or("", |(_, is)| is.as_str());
-        let cells: Vec<Cell> = table.columns.iter().map(|column| cell(column.kind, is(column))).collect();
-        let told = |(column, cell): (&Column, &Cell)| match cell {
-            Cell::Stamp => ident(&column.name),
-            Cell::Integer => format!("{}::bigint", ident(&column.name)),
-            Cell::Real => format!("{}::double precision", ident(&column.name)),
-            Cell::Text => format!("{}::text", ident(&column.name)),
+        let cells: Vec<TruthCellKind> = table.columns.iter().map(|column| cell(column.kind, is(column))).collect();
+        let told = |(column, cell): (&Column, &TruthCellKind)| match cell {
+            TruthCellKind::Stamp => ident(&column.name),
+            TruthCellKind::Integer => format!("{}::bigint", ident(&column.name)),
+            TruthCellKind::Real => format!("{}::double precision", ident(&column.name)),
+            TruthCellKind::Text => format!("{}::text", ident(&column.name)),
         };
         let columns: Vec<String> = table.columns.iter().zip(&cells).map(told).collect();
         // By what rises from row to row: a number, or when something was over. Between rows that are alike in it, where they are
@@ -136,12 +131,12 @@ impl Found {
         let order = order.into_iter().chain(["ctid".into()]).collect::<Vec<_>>().join(", ");
         let (columns, table) = (columns.join(", "), quoted(schema, &table.name));
         let sql = format!("SELECT {columns} FROM {table} WHERE {} = $1 ORDER BY {order}", ident(run));
-        Ok(Some(Found { sql, cells }))
+        Ok(Some(StoredTruthTable { sql, cells }))
     }
 
     fn read(
         &self,
-        connection: &Connection,
+        connection: &DatabaseConnection,
         server: &Server,
         run: i64,
         take: &mut dyn FnMut(&[TruthValue<'_>]) -> Result<(), LogError>,
@@ -154,7 +149,7 @@ impl Found {
         loop {
             let rows = connection.wait(client.query(&next, &[]))?;
             for row in &rows {
-                let values = self.values(row).map_err(|error| told(server, &error, None))?;
+                let values = self.values(row).map_err(|error| client_error(server, &error, None))?;
                 take(&values)?;
             }
             if rows.len() < ROWS_AT_ONCE as usize {
@@ -164,12 +159,14 @@ impl Found {
     }
 
     fn values<'r>(&self, row: &'r Row) -> Result<Vec<TruthValue<'r>>, tokio_postgres::Error> {
-        let value = |(place, cell): (usize, &Cell)| {
+        let value = |(place, cell): (usize, &TruthCellKind)| {
             Ok(match cell {
-                Cell::Stamp => row.try_get::<_, Option<Told>>(place)?.map(|Told(at)| TruthValue::Instant(at)),
-                Cell::Integer => row.try_get::<_, Option<i64>>(place)?.map(TruthValue::Integer),
-                Cell::Real => row.try_get::<_, Option<f64>>(place)?.map(TruthValue::Real),
-                Cell::Text => row.try_get::<_, Option<&str>>(place)?.map(TruthValue::Text),
+                TruthCellKind::Stamp => {
+                    row.try_get::<_, Option<ServerInstant>>(place)?.map(|ServerInstant(at)| TruthValue::Instant(at))
+                }
+                TruthCellKind::Integer => row.try_get::<_, Option<i64>>(place)?.map(TruthValue::Integer),
+                TruthCellKind::Real => row.try_get::<_, Option<f64>>(place)?.map(TruthValue::Real),
+                TruthCellKind::Text => row.try_get::<_, Option<&str>>(place)?.map(TruthValue::Text),
             }
             .unwrap_or(TruthValue::Null))
         };
@@ -177,12 +174,12 @@ impl Found {
     }
 }
 
-fn cell(kind: ColumnKind, is: &str) -> Cell {
+fn cell(kind: ColumnKind, is: &str) -> TruthCellKind {
     match (kind, is) {
-        (ColumnKind::Instant, "timestamp with time zone" | "timestamp without time zone") => Cell::Stamp,
-        (ColumnKind::Integer, _) => Cell::Integer,
-        (ColumnKind::Real, _) => Cell::Real,
+        (ColumnKind::Instant, "timestamp with time zone" | "timestamp without time zone") => TruthCellKind::Stamp,
+        (ColumnKind::Integer, _) => TruthCellKind::Integer,
+        (ColumnKind::Real, _) => TruthCellKind::Real,
         // Of other kinds of instants the server says the numbers.
-        (ColumnKind::Instant | ColumnKind::Text, _) => Cell::Text,
+        (ColumnKind::Instant | ColumnKind::Text, _) => TruthCellKind::Text,
     }
 }

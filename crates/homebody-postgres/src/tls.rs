@@ -1,4 +1,4 @@
-//! How a connection is encrypted, and by which certificates a server is judged, as `sslmode` and `sslrootcert` say.
+//! Encryption and trusted certificates of a connection, as in `sslmode` and `sslrootcert`.
 
 use crate::messages::ServerMessage;
 use crate::server::{Server, Tls};
@@ -15,10 +15,10 @@ use std::sync::Arc;
 use tokio_postgres::config::SslMode;
 use tokio_postgres_rustls::MakeRustlsConnect;
 
-/// What `sslrootcert` says for the certificates that the system trusts.
+/// The value of `sslrootcert` for the certificates that the system trusts.
 const SYSTEM: &str = "system";
 
-/// Whether the client asks for encryption, and insists on it.
+/// The encryption that the client asks for.
 pub(crate) fn mode(tls: Tls) -> SslMode {
     match tls {
         Tls::Disable => SslMode::Disable,
@@ -27,7 +27,7 @@ pub(crate) fn mode(tls: Tls) -> SslMode {
     }
 }
 
-/// What makes the connections to a server secret.
+/// Makes encrypted connections to a server.
 pub(crate) fn connector(server: &Server) -> Result<MakeRustlsConnect, LogError> {
     let provider = Arc::new(ring::default_provider());
     let said = server.root_certificates.clone().or_else(usual_file);
@@ -38,13 +38,17 @@ pub(crate) fn connector(server: &Server) -> Result<MakeRustlsConnect, LogError> 
         Tls::VerifyCa | Tls::VerifyFull => Some((said.filter(|file| file != Path::new(SYSTEM)), server.tls)),
     };
     let judge = match judges {
-        None => Judge { trusted: None, provider: provider.clone(), asks_name: false },
+        None => ServerCertificateCheck { trusted: None, provider: provider.clone(), asks_name: false },
         Some((file, tls)) => {
             let roots = Arc::new(roots(server, file.as_deref())?);
             let trusted = WebPkiServerVerifier::builder_with_provider(roots, provider.clone()).build();
             let trusted =
                 trusted.map_err(|error| wrong(server, ServerMessage::BadCertificates { reason: error.to_string() }))?;
-            Judge { trusted: Some(trusted), provider: provider.clone(), asks_name: tls == Tls::VerifyFull }
+            ServerCertificateCheck {
+                trusted: Some(trusted),
+                provider: provider.clone(),
+                asks_name: tls == Tls::VerifyFull,
+            }
         }
     };
     let config = ClientConfig::builder_with_provider(provider).with_safe_default_protocol_versions();
@@ -59,7 +63,7 @@ fn usual_file() -> Option<PathBuf> {
     file.is_file().then_some(file)
 }
 
-/// Whose certificates are trusted: those of a file, else those of the system.
+/// The trusted certificates: those of a file, else those of the system.
 fn roots(server: &Server, file: Option<&Path>) -> Result<RootCertStore, LogError> {
     let mut roots = RootCertStore::empty();
     let Some(file) = file else {
@@ -78,17 +82,16 @@ fn roots(server: &Server, file: Option<&Path>) -> Result<RootCertStore, LogError
     if roots.is_empty() { Err(told("the file is empty".into())) } else { Ok(roots) }
 }
 
-/// Judges a server by its certificate.
 #[derive(Debug)]
-struct Judge {
+struct ServerCertificateCheck {
     /// None where whose certificate it is is not asked.
     trusted: Option<Arc<WebPkiServerVerifier>>,
     provider: Arc<CryptoProvider>,
-    /// Whether it has to be for the host's name.
+    /// Whether the certificate must be for the host's name.
     asks_name: bool,
 }
 
-impl ServerCertVerifier for Judge {
+impl ServerCertVerifier for ServerCertificateCheck {
     fn verify_server_cert(
         &self,
         end_entity: &CertificateDer<'_>,

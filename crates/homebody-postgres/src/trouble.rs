@@ -1,4 +1,4 @@
-//! What errors of a server mean for people, and which of them pass.
+//! Errors of a server: their meaning for users, and whether they pass.
 
 use crate::messages::{ContinueMessage, ServerMessage};
 use crate::server::Server;
@@ -7,7 +7,6 @@ use homebody_log::LogError;
 use std::error::Error;
 use std::time::Duration;
 
-/// An error of a server, which does not pass by itself.
 pub(crate) fn wrong(server: &Server, message: impl Into<Diagnostic>) -> LogError {
     let message: Diagnostic = message.into();
     let (what, hint) = (readable(message.what), message.hint.map(readable));
@@ -29,13 +28,12 @@ pub(crate) fn away(server: &Server, message: ServerMessage) -> LogError {
     wrong(server, message).passing()
 }
 
-/// A server that does not answer.
 pub(crate) fn silent(server: &Server, waited: Duration) -> LogError {
     LogError::hangs(&server.place, waited)
 }
 
-/// What an error of the client means; `ignored` says why a file of passwords was not read.
-pub(crate) fn told(server: &Server, error: &tokio_postgres::Error, ignored: Option<&str>) -> LogError {
+/// The meaning of an error of the client; `ignored` is the reason why a password file was not read.
+pub(crate) fn client_error(server: &Server, error: &tokio_postgres::Error, ignored: Option<&str>) -> LogError {
     let reason = error.source().map_or_else(|| error.to_string(), |source| source.to_string());
     let login = |answer: String| wrong(server, ServerMessage::Login { answer, ignored: ignored.map(str::to_owned) });
     let Some(said) = error.as_db_error() else {
@@ -68,8 +66,8 @@ pub(crate) fn told(server: &Server, error: &tokio_postgres::Error, ignored: Opti
     }
 }
 
-/// Whether an error of the server is over by itself, by its SQLSTATE: it was shut down, is starting, has no room or no
-/// connections left, or others were in the way.
+/// Whether an error ends by itself, by its SQLSTATE: the server shuts down, starts, is out of space or connections, or others were in the
+/// way.
 fn passes(code: &str) -> bool {
     ["08", "40", "53"].iter().any(|class| code.starts_with(class))
         || ["57P01", "57P02", "57P03", "57P05", "55P03", "25P03", "57014"].contains(&code)

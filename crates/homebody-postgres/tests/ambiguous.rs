@@ -9,7 +9,7 @@ use homebody_log::{Policy, WriteMode};
 const FIRINGS: u64 = 6_000;
 
 #[test]
-fn whatever_becomes_of_a_transaction_whose_end_nobody_hears_of_rows_are_there_once() {
+fn transactions_without_an_answer_store_rows_once() {
     let Some(server) = Server::shared() else { return };
     let database = server.database("ambiguous");
     let life = |run| Life { settles: 1, ..Life::new(run, FIRINGS) };
@@ -53,7 +53,7 @@ fn rows_that_were_sent_before_their_transaction_ended_are_there_once() {
 }
 
 #[test]
-fn a_replaced_run_whose_end_nobody_hears_of_is_replaced_once() {
+fn a_replacement_without_an_answer_happens_once() {
     let Some(server) = Server::shared() else { return };
     let database = server.database("replaced");
     let url = server.url("postgres", &database, "");
@@ -73,7 +73,7 @@ fn a_replaced_run_whose_end_nobody_hears_of_is_replaced_once() {
 
 /// The wrong way: it writes again what it has not heard of, and keeps how far it has come apart from the rows.
 #[test]
-fn who_writes_again_what_was_not_heard_of_doubles_rows_and_that_is_seen() {
+fn blind_rewrites_double_rows_and_are_caught() {
     let Some(server) = Server::shared() else { return };
     let database = server.database("naive");
     let url = server.url("postgres", &database, "");

@@ -54,7 +54,7 @@ fn all_have(rows: u64) -> Vec<String> {
 }
 
 #[test]
-fn rows_of_many_homes_are_there_once_whatever_kills_the_server() {
+fn rows_of_many_homes_survive_killed_servers_once() {
     let Some(mut server) = Server::start() else { return };
     let database = server.database("fleet");
     let url = server.url("postgres", &database, "");
@@ -78,7 +78,7 @@ fn rows_of_many_homes_are_there_once_whatever_kills_the_server() {
         told += 20 + kill;
         assert_eq!(stored(&server, &database), all_have(told));
     }
-    // Another program, after this one has died, is told how far each home is.
+    // After this program has died, another one gets the watermark of each home.
     drop(sink);
     let (mut sink, there) = begun(&url, WriteMode::Create).unwrap();
     assert_eq!(there, vec![told; HOMES as usize]);
@@ -87,7 +87,7 @@ fn rows_of_many_homes_are_there_once_whatever_kills_the_server() {
     assert_eq!(stored(&server, &database), all_have(told + 5));
     let ended = "SELECT count(*) FROM homebody_run WHERE ended_at = '2009-03-08 08:13:20+00'";
     assert_eq!(server.psql(&database, ended).trim(), HOMES.to_string());
-    // What is there is what a home alone would have left.
+    // The rows are those that a home alone would have left.
     Life::new(502, told + 5)
         .live(&server.url("postgres", &database, "&schema=alone"), None, Policy::default())
         .unwrap();
@@ -105,9 +105,9 @@ fn rows_of_many_homes_are_there_once_whatever_kills_the_server() {
     assert_eq!(stored(&server, &database), Vec::<String>::new());
 }
 
-/// The control: where another program has gone on with a home, nothing is added.
+/// The control: if another program has continued a home, nothing is added.
 #[test]
-fn two_programs_never_live_one_home() {
+fn two_programs_never_run_one_home() {
     let Some(server) = Server::shared() else { return };
     let database = server.database("twice");
     let url = server.url("postgres", &database, "");

@@ -26,7 +26,7 @@ fn counted(server: &Server, database: &str) -> String {
 }
 
 #[test]
-fn rows_of_a_half_open_connection_are_put_aside_and_there_once() {
+fn rows_of_a_half_open_connection_are_spooled_and_stored_once() {
     let Some(server) = Server::shared() else { return };
     let database = server.database("half_open");
     let (proxy, to) = behind(server, &database);
@@ -35,7 +35,7 @@ fn rows_of_a_half_open_connection_are_put_aside_and_there_once() {
 }
 
 #[test]
-fn rows_of_a_table_that_somebody_locks_are_put_aside_and_there_once() {
+fn rows_of_a_locked_table_are_spooled_and_stored_once() {
     let Some(server) = Server::shared() else { return };
     let database = server.database("locked");
     let to = destination(&server.url("postgres", &database, ""), &Policy::of_server());
@@ -58,7 +58,7 @@ fn rows_of_a_table_that_somebody_locks_are_put_aside_and_there_once() {
 }
 
 #[test]
-fn a_half_open_connection_ends_a_run_that_does_not_wait() {
+fn a_half_open_connection_ends_a_run_without_retries() {
     let Some(server) = Server::shared() else { return };
     let database = server.database("half_open_error");
     let (proxy, to) = behind(server, &database);
@@ -70,7 +70,7 @@ fn a_half_open_connection_ends_a_run_that_does_not_wait() {
 }
 
 #[test]
-fn a_run_that_is_stopped_does_not_wait_for_a_half_open_connection() {
+fn a_stopped_run_does_not_wait_for_a_half_open_connection() {
     let Some(server) = Server::shared() else { return };
     let (proxy, to) = behind(server, &server.database("half_open_stopped"));
     stopped(to, run(1), &firings(ROWS), |is_stalled| proxy.stall(is_stalled));
@@ -78,7 +78,7 @@ fn a_run_that_is_stopped_does_not_wait_for_a_half_open_connection() {
 
 /// As where another server takes over, and does not take changes yet.
 #[test]
-fn a_server_that_takes_no_changes_for_a_while_is_waited_for() {
+fn waits_for_a_read_only_server() {
     let Some(server) = Server::shared() else { return };
     let database = server.database("read_only");
     let url = server.url("postgres", &database, "");

@@ -8,19 +8,19 @@ use homebody_log::{Policy, WriteMode};
 use std::process::{Child, Command, Stdio};
 use std::time::{Duration, Instant};
 
-/// What the child lives: run, where to, and whether it goes on.
+/// The child's run, its place, and whether it resumes.
 const CHILD: &str = "HOMEBODY_TEST_LIFE";
 const NAIVE: &str = "HOMEBODY_TEST_NAIVE";
 /// Firings of a life.
 const FIRINGS: u64 = 12_000;
-/// The id of the run that nobody disturbs.
+/// The id of the undisturbed run.
 const UNDISTURBED: i64 = 1_000_000;
 
 fn life(run: i64, how: WriteMode) -> Life {
     Life { settles: 4, rests: Duration::from_millis(2), how, ..Life::new(run, FIRINGS) }
 }
 
-/// The child: lives until it is killed. Run as a test of its own it has nothing to do.
+/// The child: runs until it is killed. As a test of its own it has nothing to do.
 #[test]
 fn child() {
     let Ok(said) = std::env::var(CHILD) else { return };
@@ -36,7 +36,7 @@ fn spawn(run: i64, how: &str, url: &str) -> Child {
 }
 
 #[test]
-fn whatever_kills_the_program_nothing_is_lost_or_doubled() {
+fn a_killed_program_loses_and_doubles_no_row() {
     let Some(server) = Server::shared() else { return };
     let database = server.database("killed");
     let url = server.url("postgres", &database, "");
@@ -124,7 +124,7 @@ fn a_watermark_apart_from_its_rows_is_caught() {
 }
 
 #[test]
-fn whatever_kills_the_server_nothing_is_lost_or_doubled() {
+fn a_killed_server_loses_and_doubles_no_row() {
     let Some(mut server) = Server::start() else { return };
     let database = server.database("killed");
     let url = server.url("postgres", &database, "");

@@ -20,7 +20,7 @@ fn texts(log: &Log) -> Vec<(WallTime, &str, &str)> {
 }
 
 #[test]
-fn a_log_is_read_as_sqlite_has_it() {
+fn reads_the_same_log_as_from_sqlite() {
     let Some(server) = Server::shared() else { return };
     let database = server.database("readers");
     let folder = tempfile::tempdir().unwrap();
@@ -70,7 +70,7 @@ fn reads_the_named_one_of_several_runs() {
 }
 
 #[test]
-fn a_run_that_is_not_there_is_named_whatever_the_table_is_called() {
+fn names_a_missing_run_for_any_table() {
     let Some(server) = Server::shared() else { return };
     let database = server.database("absent");
     let url = server.url("postgres", &database, "");
@@ -109,7 +109,7 @@ fn a_run_tells_the_zone_of_its_home() {
 }
 
 #[test]
-fn tables_of_others_are_read_and_what_is_missing_is_told() {
+fn reads_foreign_tables_and_reports_missing_columns() {
     let Some(server) = Server::shared() else { return };
     let database = server.database("others");
     server.psql(

@@ -7,7 +7,7 @@ use std::fs;
 use std::path::Path;
 use std::process::{Command, Stdio};
 
-/// Makes who is trusted, and a certificate of theirs for `localhost`; false where there is no OpenSSL.
+/// Makes an authority, and its certificate for `localhost`; false without OpenSSL.
 fn certificates(folder: &Path) -> bool {
     let openssl = |args: &str| {
         let mut command = Command::new("openssl");

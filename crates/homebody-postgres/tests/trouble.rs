@@ -9,7 +9,7 @@ use std::fs;
 use std::os::unix::fs::PermissionsExt;
 use std::time::{Duration, Instant};
 
-/// What must be nowhere.
+/// The password that must not appear.
 const CANARY: &str = "s3cr3t-canary";
 
 fn live(url: &str, how: WriteMode) -> Result<(), LogError> {
@@ -28,7 +28,7 @@ fn refused(url: &str, how: WriteMode, told: &[&str]) -> LogError {
 }
 
 #[test]
-fn no_server_is_told_soon_and_may_pass() {
+fn a_missing_server_is_reported_soon_and_may_pass() {
     let closed = std::net::TcpListener::bind("127.0.0.1:0").unwrap();
     let silent = closed.local_addr().unwrap().port();
     for (url, told) in [
@@ -46,7 +46,7 @@ fn no_server_is_told_soon_and_may_pass() {
 }
 
 #[test]
-fn a_wrong_user_password_or_database_is_told_and_no_password_is_shown() {
+fn reports_a_wrong_login_without_the_password() {
     let Some(server) = Server::shared() else { return };
     let database = server.database("doors");
     server.psql(&database, &format!("CREATE ROLE ann LOGIN PASSWORD '{CANARY}'; GRANT CREATE ON SCHEMA public TO ann"));
@@ -99,7 +99,7 @@ fn a_wrong_user_password_or_database_is_told_and_no_password_is_shown() {
 }
 
 #[test]
-fn tables_that_do_not_fit_are_told_with_all_that_is_wrong() {
+fn reports_all_problems_of_unfit_tables() {
     let Some(server) = Server::shared() else { return };
     let database = server.database("misfits");
     server.psql(
@@ -207,7 +207,7 @@ fn names_that_are_sql_never_reach_the_server() {
 }
 
 #[test]
-fn a_run_that_is_there_is_refused_replaced_or_gone_on_with() {
+fn refuses_replaces_or_resumes_an_existing_run() {
     let Some(server) = Server::shared() else { return };
     let database = server.database("again");
     let url = server.url("postgres", &database, "");
@@ -241,7 +241,7 @@ fn a_run_that_is_there_is_refused_replaced_or_gone_on_with() {
 }
 
 #[test]
-fn a_longer_life_goes_on_behind_one_that_was_stopped_and_a_shorter_one_does_not() {
+fn only_a_longer_run_resumes_a_stopped_one() {
     let Some(server) = Server::shared() else { return };
     let database = server.database("longer");
     let url = server.url("postgres", &database, "");

@@ -9,7 +9,7 @@ use homebody_analysis::dates::DayChoice;
 use homebody_analysis::day::DayRecord;
 use homebody_analysis::density::density;
 use homebody_analysis::windows::windows;
-use homebody_arrow::{Frame, Texts, Unshaped, whole_file};
+use homebody_arrow::{ArrowError, ColumnTable, TextColumn, whole_file};
 use homebody_core::time::{DAY, Interval, Span, UtcTime, WallTime};
 use homebody_log::log::Clock;
 use homebody_log::source::TruthValue;
@@ -60,18 +60,19 @@ impl Log {
     }
 
     /// Some of its rows: time, device, value.
-    fn event_batch(&self, rows: Range<usize>) -> PyResult<Result<RecordBatch, Unshaped>> {
+    fn event_batch(&self, rows: Range<usize>) -> PyResult<Result<RecordBatch, ArrowError>> {
         let UtcLog { log, zone, .. } = self.instants()?;
         let events = log.events.get(rows).ok_or_else(|| named("LogError", "its rows have changed meanwhile"))?;
         let times = events.iter().map(|event| Some(event.at.micros())).collect();
-        let (mut devices, mut values) = (Texts::of(log.sensors.clone()), Texts::of(log.values.clone()));
+        let (mut devices, mut values) =
+            (TextColumn::from_texts(log.sensors.clone()), TextColumn::from_texts(log.values.clone()));
         for event in events {
             devices.push_place(Some(event.sensor));
             values.push_place(Some(event.value));
         }
-        let frame = Frame::default().instants("time", times, zone.as_deref());
+        let frame = ColumnTable::default().instants("time", times, zone.as_deref());
         let frame = frame.texts("device", devices).and_then(|frame| frame.texts("value", values));
-        Ok(frame.and_then(Frame::batch))
+        Ok(frame.and_then(ColumnTable::batch))
     }
 
     /// The same as columns with their names.
@@ -159,17 +160,17 @@ impl Log {
                 spans.extend(of.iter().map(|span| (within(span), span.name.as_str(), life.resident.as_str())));
             }
             spans.sort();
-            let (mut names, mut residents) = (Texts::default(), Texts::default());
+            let (mut names, mut residents) = (TextColumn::default(), TextColumn::default());
             for (_, name, resident) in &spans {
                 names.push(Some(name));
                 residents.push(Some(resident).filter(|name| !name.is_empty()).copied());
             }
             let (begins, ends) =
                 spans.iter().map(|(span, ..)| (Some(span.begin.micros()), Some(span.end.micros()))).unzip();
-            let frame = Frame::default().instants("start_time", begins, zone.as_deref());
+            let frame = ColumnTable::default().instants("start_time", begins, zone.as_deref());
             let frame = frame.instants("end_time", ends, zone.as_deref());
             let frame = frame.texts(if are_rooms { "room" } else { "activity" }, names);
-            Stream::of(frame.and_then(|frame| frame.texts("resident", residents)).and_then(Frame::batch))
+            Stream::of(frame.and_then(|frame| frame.texts("resident", residents)).and_then(ColumnTable::batch))
         })
     }
 
@@ -183,11 +184,11 @@ impl Log {
             let mut take =
                 |row: &[TruthValue<'_>]| cells.iter_mut().zip(row).for_each(|(cells, cell)| cells.push(*cell));
             self.named().and_then(|named| named.truth_rows(table, &mut take)).map_err(raised)?;
-            let mut frame = Ok(Frame::default());
+            let mut frame = Ok(ColumnTable::default());
             for (column, cells) in columns.iter().zip(cells) {
                 frame = frame.and_then(|frame| cells.into_frame(frame, &column.name, zone.as_deref()));
             }
-            Stream::of(frame.and_then(Frame::batch))
+            Stream::of(frame.and_then(ColumnTable::batch))
         })
     }
 
@@ -198,8 +199,9 @@ impl Log {
             let wall = zone.as_deref().and_then(|zone| TimeZone::get(zone).ok()).unwrap_or(TimeZone::UTC);
             let cut = windows(log, lives, Span::from_seconds(span_s), &wall);
             let cut = cut.map_err(|why| PyValueError::new_err(format!("span is {span_s} s: {why}")))?;
-            let (mut residents, mut labels, mut rooms) = (Texts::default(), Texts::default(), Texts::default());
-            let mut last = Texts::of(cut.sensors.clone());
+            let (mut residents, mut labels, mut rooms) =
+                (TextColumn::default(), TextColumn::default(), TextColumn::default());
+            let mut last = TextColumn::from_texts(cut.sensors.clone());
             let (mut times, mut hours, mut weekdays) = (Vec::new(), Vec::new(), Vec::new());
             let mut counts: Vec<Vec<Option<i64>>> = vec![Vec::with_capacity(cut.rows.len()); cut.sensors.len()];
             for row in &cut.rows {
@@ -214,7 +216,7 @@ impl Log {
                 weekdays.push(Some(i64::from(at.weekday().to_monday_zero_offset())));
                 counts.iter_mut().zip(&row.counts).for_each(|(all, &count)| all.push(Some(count.into())));
             }
-            let frame = Frame::default().instants("time", times, zone.as_deref());
+            let frame = ColumnTable::default().instants("time", times, zone.as_deref());
             let frame = frame.texts("resident", residents).and_then(|frame| frame.texts("label", labels));
             let frame = frame.and_then(|frame| frame.texts("room", rooms));
             let frame = frame.map(|frame| frame.reals("hour", hours).integers("weekday", weekdays));
@@ -222,7 +224,7 @@ impl Log {
                 let columns = cut.sensors.iter().zip(counts);
                 columns.fold(frame, |frame, (sensor, counts)| frame.integers(sensor, counts))
             });
-            Stream::of(frame.and_then(Frame::batch))
+            Stream::of(frame.and_then(ColumnTable::batch))
         })
     }
 
@@ -301,7 +303,7 @@ enum Cells {
     Instants(Vec<Option<i64>>),
     Integers(Vec<Option<i64>>),
     Reals(Vec<Option<f64>>),
-    Texts(Texts),
+    Texts(TextColumn),
 }
 
 impl Cells {
@@ -310,7 +312,7 @@ impl Cells {
             ColumnKind::Instant => Cells::Instants(Vec::new()),
             ColumnKind::Integer => Cells::Integers(Vec::new()),
             ColumnKind::Real => Cells::Reals(Vec::new()),
-            ColumnKind::Text => Cells::Texts(Texts::default()),
+            ColumnKind::Text => Cells::Texts(TextColumn::default()),
         }
     }
 
@@ -327,7 +329,7 @@ impl Cells {
         }
     }
 
-    fn into_frame(self, frame: Frame, name: &str, zone: Option<&str>) -> Result<Frame, Unshaped> {
+    fn into_frame(self, frame: ColumnTable, name: &str, zone: Option<&str>) -> Result<ColumnTable, ArrowError> {
         Ok(match self {
             Cells::Instants(all) => frame.instants(name, all, zone),
             Cells::Integers(all) => frame.integers(name, all),

@@ -3,7 +3,7 @@
 use crate::driver::{Raised, or_raised};
 use crate::fault::{json, named};
 use crate::table::Stream;
-use homebody_arrow::{Frame, Texts};
+use homebody_arrow::{ColumnTable, TextColumn};
 use homebody_core::time::{RunTime, SECOND};
 use pyo3::prelude::*;
 use serde_json::json;
@@ -40,16 +40,17 @@ impl LiveRun {
             let calendar = run.calendar().clone();
             let until = RunTime::START + run.progress().done.saturating_add(SECOND.share(lasts_s));
             let batch = run.advance_to(until).map_err(|error| or_raised(error, &self.by_driver))?;
-            let (mut times, mut devices, mut values) = (Vec::new(), Texts::of(sensors), Texts::default());
+            let (mut times, mut devices, mut values) =
+                (Vec::new(), TextColumn::from_texts(sensors), TextColumn::default());
             for firing in batch.firings {
                 times.push(Some(calendar.timestamp(firing.at).as_microsecond()));
                 devices.push_place(Some(firing.sensor.0));
                 values.push(Some(&firing.value.to_string()));
             }
             let zone = calendar.local(RunTime::START).time_zone().iana_name().unwrap_or("UTC").to_owned();
-            let frame = Frame::default().instants("time", times, Some(&zone));
+            let frame = ColumnTable::default().instants("time", times, Some(&zone));
             let frame = frame.texts("device", devices).and_then(|frame| frame.texts("value", values));
-            Stream::of(frame.and_then(Frame::batch))
+            Stream::of(frame.and_then(ColumnTable::batch))
         })
     }
 

@@ -6,7 +6,7 @@ use homebody_core::problem::Diagnostic;
 use homebody_core::recording::Recording;
 use homebody_core::scenario::load::Scenario;
 use homebody_core::scenario::logger::LoggerFile;
-use homebody_core::scenario::scheme::Scheme;
+use homebody_core::scenario::scheme::{Scheme, TablePlacement};
 use homebody_log::destination::{NOTES, Note};
 use homebody_log::examine::{Check, CheckOptions, CheckVerdict, examine, examine_log};
 use homebody_log::files::lock::FolderLock;
@@ -193,10 +193,8 @@ impl PlaceCheck {
             let hint = format!("homebody run --resume {} writes it again", folder.display());
             return Ok(vec![Check::wrong("truth", "the folder has no ground truth", hint)]);
         };
-        // Of files of text there is a table each, and none of them is a log.
-        if !matches!(url.scheme(), Scheme::Sqlite | Scheme::Parquet)
-            || url.scheme() == Scheme::Parquet && !url.is_data_set()
-        {
+        // A file of one table is not a log.
+        if url.scheme().row().tables == TablePlacement::FileEach && !url.is_data_set() {
             return Ok(vec![Check::ok("truth", format!("{}: each table has its file", short(&url)))]);
         }
         let found = self.place(&url, Some(&scenario.logger))?;

@@ -22,7 +22,7 @@ mod built {
     use crate::pace::{RunCommand, Speed};
     use crate::simulation::orders::OrderMessage;
     use homebody_core::time::Span;
-    use homebody_mqtt::{Address, Kind, MqttSink, Order, Reply, TakesOrders, clean, policy};
+    use homebody_mqtt::{BrokerAddress, MqttSink, Order, OrderedFault, Reply, TakesOrders, clean, policy};
     use std::sync::mpsc::{Receiver, sync_channel};
 
     /// Largest number of waiting commands (our choice).
@@ -34,10 +34,10 @@ mod built {
     }
 
     pub fn destination(url: &Url, paced: &mut PaceKeeper) -> Result<Option<Destination>, SimulationError> {
-        if !Address::is_of(url) {
+        if !BrokerAddress::is_broker(url) {
             return Ok(None);
         }
-        let address = Address::of(url)?;
+        let address = BrokerAddress::from_url(url)?;
         let is_live = !address.allow_fast;
         if is_live {
             if !paced.is_no_faster_than_life() {
@@ -48,7 +48,7 @@ mod built {
         let (takes, commands, asked) = orders(is_live);
         paced.hear(commands);
         paced.interventions.push(asked);
-        let sink = if is_live { MqttSink::live(url) } else { MqttSink::new(url) };
+        let sink = if is_live { MqttSink::in_real_time(url) } else { MqttSink::new(url) };
         Ok(Some(Destination::own(url.to_string(), sink.with_orders(takes), policy())))
     }
 
@@ -107,11 +107,11 @@ mod built {
             Order::Close { thing } | Order::Off { thing } => Intervention::Use { thing, on: false },
             Order::Fault { sensor, kind, minutes: lasts, fading_minutes, every_s, loss } => {
                 let failure = match kind {
-                    Kind::Dead => Failure::Battery { fades_us: Span::ZERO },
-                    Kind::Battery => Failure::Battery { fades_us: fading_minutes.map_or(Span::ZERO, minutes) },
-                    Kind::Stuck => Failure::Stuck { every_us: every_s.map(Span::from_seconds) },
-                    Kind::FallsOff => Failure::FallsOff,
-                    Kind::BadLink => Failure::BadLink { lost_ppm: (loss.unwrap_or(1.0) * 1e6).round() as u32 },
+                    OrderedFault::Dead => Failure::Battery { fades_us: Span::ZERO },
+                    OrderedFault::Battery => Failure::Battery { fades_us: fading_minutes.map_or(Span::ZERO, minutes) },
+                    OrderedFault::Stuck => Failure::Stuck { every_us: every_s.map(Span::from_seconds) },
+                    OrderedFault::FallsOff => Failure::FallsOff,
+                    OrderedFault::BadLink => Failure::BadLink { lost_ppm: (loss.unwrap_or(1.0) * 1e6).round() as u32 },
                 };
                 Intervention::Fail { sensor, failure, lasts: lasts.map(minutes) }
             }

@@ -3,7 +3,6 @@
 use crate::broker;
 use crate::error::SimulationError;
 use crate::pace::PaceKeeper;
-use homebody_core::scenario::scheme::Scheme;
 use homebody_log::destination::Treatment;
 use homebody_log::{Destination, Url};
 use std::path::Path;
@@ -22,7 +21,7 @@ pub(crate) fn destinations(
         let destination = destination.treated(treatment);
         all.push(match folder {
             // A database reports its rows itself, also after it was restored from an older copy.
-            Some(folder) if url.scheme() != Scheme::Postgresql => destination.remembered_in(folder),
+            Some(folder) if !url.scheme().row().reports_rows => destination.remembered_in(folder),
             _ => destination,
         });
     }

@@ -1,12 +1,11 @@
-//! A data set: a folder for each run and day, `run=5/day=2009-03-02/part-0.parquet`, as programs know it from Hive. Of several tables,
-//! each has such a folder of its own.
+//! A data set: a folder for each run and day, `run=5/day=2009-03-02/part-0.parquet`, as in Hive. Of several tables, each has such a
+//! folder.
 //!
-//! The file of a day takes its name once the day is over, so that a run that is under way can be followed day by day; killed, it
-//! leaves whole days. Gone on with, all days are written anew, and those that are there are held against them. Other runs in the folder
-//! stay as they are.
+//! The file of a day gets its name once the day is over, so that others can follow a run day by day; a killed run leaves whole days.
+//! Resumed, it writes all days anew and compares them with the existing ones. Other runs in the folder stay unchanged.
 
-use super::days::{Days, parquet_files, remove};
-use crate::encoded::{Format, Layout};
+use super::days::{DayFiles, parquet_files, remove};
+use crate::encoded::{FileLayout, Format};
 use crate::messages::ColumnsMessage;
 use homebody_core::time::RunTime;
 use homebody_log::files::lock::FileLock;
@@ -21,11 +20,11 @@ use std::sync::Arc;
 /// A folder of files by run and day.
 pub(crate) struct DataSet {
     folder: PathBuf,
-    open: Option<Open>,
+    open: Option<OpenDataSet>,
 }
 
-struct Open {
-    tables: Vec<Days>,
+struct OpenDataSet {
+    tables: Vec<DayFiles>,
     /// The folders of the files until all rows are in them; empty for files that are written in place.
     hidden: Vec<Hidden>,
     clock: InstantWriter,
@@ -39,7 +38,7 @@ struct Open {
     _lock: FileLock,
 }
 
-/// What no program reads that reads a data set, and what keeps a second one of ours away.
+/// The lock file, which keeps other writers away. Readers of data sets skip its name.
 const LOCK: &str = ".homebody";
 
 /// A folder `.run=5.part` that becomes `run=5`: no reader of data sets looks into it.
@@ -111,7 +110,7 @@ impl Sink for DataSet {
             let folders = self.partition(table, begin);
             let partition = folders.last().cloned().unwrap_or_default();
             for (depth, folder) in folders.iter().enumerate() {
-                // Where the user says, there may be a link; what is below is ours.
+                // The user's folder may be a link; those below are ours.
                 make(folder, depth == 0)?;
             }
             if lock.is_none() {
@@ -125,37 +124,37 @@ impl Sink for DataSet {
                 WriteMode::Overwrite => replaced.extend(there),
                 _ => {}
             }
-            let layout = Layout::new(Format::Parquet, table, begin, false);
+            let layout = FileLayout::new(Format::Parquet, table, begin, false);
             let folder = if begin.is_whole {
                 hidden.push(Hidden::begin(&partition)?);
                 hidden.last().map_or(partition, |hidden| hidden.folder.clone())
             } else {
                 partition
             };
-            tables.push(Days::new(folder, layout, table, begin));
+            tables.push(DayFiles::new(folder, layout, table, begin));
         }
         let lock = lock.ok_or_else(|| LogError::Stopped { place: self.folder.display().to_string() })?;
         let (clock, texts, how) = (begin.clock(), Vec::new(), begin.how);
         let (replaced, replaced_last) = if begin.is_whole { (Vec::new(), replaced) } else { (replaced, Vec::new()) };
-        self.open = Some(Open { tables, hidden, clock, texts, replaced, replaced_last, how, _lock: lock });
+        self.open = Some(OpenDataSet { tables, hidden, clock, texts, replaced, replaced_last, how, _lock: lock });
         Ok(Watermark::none())
     }
 
     fn write(&mut self, batch: &Batch) -> Result<(), LogError> {
         let stopped = || LogError::Stopped { place: self.folder.display().to_string() };
-        let Open { tables, clock, texts, replaced, .. } = self.open.as_mut().ok_or_else(stopped)?;
+        let OpenDataSet { tables, clock, texts, replaced, .. } = self.open.as_mut().ok_or_else(stopped)?;
         texts.extend(batch.texts_from(texts.len()));
         batch.rows().try_for_each(|row| tables[row.table].push(row.cells, clock, texts, replaced))
     }
 
-    /// What is in whole days is sure.
+    /// Rows in whole days are durable.
     fn make_durable(&mut self) -> Result<Watermark, LogError> {
         let tables = self.open.iter().flat_map(|open| &open.tables);
-        Ok(Watermark(tables.map(Days::durable).collect()))
+        Ok(Watermark(tables.map(DayFiles::durable).collect()))
     }
 
     fn finish(&mut self, _end: RunTime) -> Result<(), LogError> {
-        let Some(Open { tables, hidden, mut replaced, replaced_last, how, _lock, .. }) = self.open.take() else {
+        let Some(OpenDataSet { tables, hidden, mut replaced, replaced_last, how, _lock, .. }) = self.open.take() else {
             return Ok(());
         };
         for table in tables {
@@ -171,7 +170,7 @@ impl Sink for DataSet {
     }
 }
 
-/// Makes a folder where there is none. One that is a link is none of a data set.
+/// Makes a missing folder. A link cannot be a folder of a data set.
 fn make(folder: &Path, may_be_link: bool) -> Result<(), LogError> {
     let place = || folder.display().to_string();
     match fs::symlink_metadata(folder) {

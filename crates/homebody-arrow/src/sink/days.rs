@@ -1,11 +1,11 @@
 //! The files of one table of a run, by day.
 //!
-//! The day of a row is that of its first instant, in the home's zone. A log's day is over as the first row of a later one comes. Of
-//! the truth, some rows are told once something is over that began the day before: there, a day stays open a day longer. A row that
-//! comes later than that begins a further file of its day. Tables without instants have one file, at the end.
+//! The day of a row is that of its first instant, in the home's zone. A log's day is over at the first row of a later one. In the truth, a
+//! row may come at the end of an interval that began the day before: there, a day stays open a day longer. A row that comes later begins a
+//! further file of its day. Tables without instants have one file, at the end.
 
 use super::named::name;
-use crate::encoded::{Layout, TableFile};
+use crate::encoded::{FileLayout, TableFile};
 use crate::messages::ColumnsMessage;
 use homebody_core::scenario::logger::TimeFormat;
 use homebody_core::time::{DAY, RunTime, WallTime};
@@ -26,40 +26,38 @@ const MOST_OPEN: usize = 4;
 const MOST_PARTS: u32 = 1000;
 
 /// One table's files.
-pub(super) struct Days {
+pub(super) struct DayFiles {
     partition: PathBuf,
-    layout: Layout,
+    layout: FileLayout,
     /// The column whose instant says the day; None for a table without instants.
     by: Option<usize>,
-    /// Tells the day of an instant.
     wall: InstantWriter,
-    /// How many days before the latest stay open.
+    /// The number of days before the latest that stay open.
     stays_open: i64,
     /// By day since 1970; one of a table without instants is 0.
-    open: BTreeMap<i64, Open>,
+    open: BTreeMap<i64, OpenDayFile>,
     latest: Option<i64>,
     /// The run's first day: where a table without rows has its file.
     first_day: i64,
-    /// How many files there are of each day.
+    /// The number of files of each day.
     parts: BTreeMap<i64, u32>,
     named: BTreeSet<PathBuf>,
-    /// How many rows have come.
     come: u64,
     how: WriteMode,
 }
 
-struct Open {
+struct OpenDayFile {
     file: TableFile,
-    /// How many rows of the table came before its first.
+    /// The number of rows of the table before its first.
     rows_before: u64,
-    /// How many had come as it was last written to.
+    /// The number of rows of the table at its last write.
     used: u64,
 }
 
-impl Days {
-    pub fn new(partition: PathBuf, layout: Layout, table: &Table, begin: &Begin) -> Days {
+impl DayFiles {
+    pub fn new(partition: PathBuf, layout: FileLayout, table: &Table, begin: &Begin) -> DayFiles {
         let mut wall = InstantWriter::new(&begin.run.calendar, TimeFormat::Local);
-        Days {
+        DayFiles {
             partition,
             layout,
             by: table.columns.iter().position(|column| column.kind == ColumnKind::Instant),
@@ -133,13 +131,12 @@ impl Days {
         remove_parts(&path)?;
         let file = FreshFile::create_hidden(&path, self.how != WriteMode::Create)?;
         let file = TableFile::begin(file, &self.layout, self.come)?;
-        self.open.insert(day, Open { file, rows_before: self.come, used: self.come });
+        self.open.insert(day, OpenDayFile { file, rows_before: self.come, used: self.come });
         Ok(())
     }
 
-    /// Gives the file of a day its name.
     fn close(&mut self, day: i64, replaced: &mut Vec<PathBuf>) -> Result<(), LogError> {
-        let Some(Open { file, .. }) = self.open.remove(&day) else { return Ok(()) };
+        let Some(OpenDayFile { file, .. }) = self.open.remove(&day) else { return Ok(()) };
         let path = file.path().to_owned();
         let file = file.end()?;
         for old in replaced.drain(..) {
@@ -158,7 +155,7 @@ impl Days {
     /// Names what is open. Returns where the files are, and all of them.
     pub fn end(mut self, replaced: &mut Vec<PathBuf>) -> Result<(PathBuf, BTreeSet<PathBuf>), LogError> {
         if self.come == 0 {
-            // A table without rows says of which columns it is.
+            // A table without rows still has its columns.
             self.begin(if self.by.is_some() { self.first_day } else { 0 })?;
         }
         while let Some((&day, _)) = self.open.first_key_value() {
@@ -168,11 +165,11 @@ impl Days {
     }
 }
 
-impl Drop for Days {
+impl Drop for DayFiles {
     fn drop(&mut self) {
         let files: Vec<PathBuf> = self.open.values().map(|open| open.file.path().to_owned()).collect();
         self.open.clear();
-        // What is empty now was made for what has been given up.
+        // Folders that are empty now were made for files that have been given up.
         for folder in files.iter().filter_map(|file| file.parent()).filter(|_| self.by.is_some()) {
             let _ = fs::remove_dir(folder);
         }

@@ -1,5 +1,5 @@
-//! A data set in an object store. Its files are made in a folder of ours and go there as soon as they have their names: a day's file once the
-//! day is over. What the store has taken is durable.
+//! A data set in an object store. Its files are made in a temporary folder and uploaded once they have their names: a day's file once the
+//! day is over. A file is durable once the store has taken it.
 
 use super::data_set::DataSet;
 use crate::fault::unwritten;
@@ -16,10 +16,10 @@ use tempfile::TempDir;
 /// A data set in an object store.
 pub(crate) struct InStore {
     url: PathBuf,
-    open: Option<Open>,
+    open: Option<OpenStore>,
 }
 
-struct Open {
+struct OpenStore {
     store: Store,
     inner: DataSet,
     /// By name, how the file was that the store has taken.
@@ -35,7 +35,7 @@ impl InStore {
         InStore { url, open: None }
     }
 
-    fn begun(&mut self) -> Result<&mut Open, LogError> {
+    fn begun(&mut self) -> Result<&mut OpenStore, LogError> {
         let stopped = LogError::Stopped { place: self.url.display().to_string() };
         self.open.as_mut().ok_or(stopped)
     }
@@ -51,7 +51,7 @@ impl Sink for InStore {
             let of_table = if begin.tables.len() == 1 { String::new() } else { format!("{}/", table.name) };
             there.extend(store.files(&format!("{of_table}run={}", begin.run.id))?);
         }
-        let mut open = Open {
+        let mut open = OpenStore {
             store,
             inner: DataSet::new(folder.path().to_owned()),
             sent: BTreeMap::new(),
@@ -100,7 +100,7 @@ impl Sink for InStore {
     }
 }
 
-impl Open {
+impl OpenStore {
     /// Sends what has a name and is not there yet. After an error the same is tried again.
     fn send(&mut self) -> Result<(), LogError> {
         let mut names = Vec::new();
@@ -130,7 +130,6 @@ fn looks(file: &Path) -> (u64, Option<SystemTime>) {
     fs::metadata(file).map_or((0, None), |found| (found.len(), found.modified().ok()))
 }
 
-/// The files in a folder that have their names.
 fn named(folder: &Path, whole: &Path, names: &mut Vec<String>) -> Result<(), LogError> {
     let unread = |error| LogError::reading(folder, error);
     for entry in fs::read_dir(folder).map_err(unread)? {

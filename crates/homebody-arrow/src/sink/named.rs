@@ -1,5 +1,5 @@
-//! Files that are whole take their names. Where a run is gone on with, what has the name already is held against what was lived
-//! again: the same rows, or a beginning of them.
+//! Gives whole files their names. A resumed run compares an existing file with its own: it must have the same rows, or a beginning of
+//! them.
 
 use crate::messages::ColumnsMessage;
 use crate::source::Batches;
@@ -12,7 +12,6 @@ use std::fs::{self, File};
 use std::io::{self, BufRead, BufReader};
 use std::path::Path;
 
-/// Gives a whole file its name.
 pub(crate) fn name(file: FreshFile, how: WriteMode) -> Result<(), LogError> {
     let path = file.path().to_owned();
     let written = file.part().map(Path::to_owned);
@@ -28,7 +27,7 @@ pub(crate) fn name(file: FreshFile, how: WriteMode) -> Result<(), LogError> {
     file.finish()
 }
 
-/// Whether two files have the same bytes.
+/// Compares the bytes of two files.
 fn are_same(one: &Path, other: &Path) -> io::Result<bool> {
     if fs::metadata(one)?.len() != fs::metadata(other)?.len() {
         return Ok(false);
@@ -52,7 +51,7 @@ fn are_same(one: &Path, other: &Path) -> io::Result<bool> {
 /// An error where the rows of a file are not the first ones of what was written anew.
 fn begins_with(there: &Path, written: &Path) -> Result<(), LogError> {
     let changed = |why: Diagnostic| LogError::changed(there.display().to_string(), why);
-    let (mut old, mut new) = (Rows::open(there)?, Rows::open(written)?);
+    let (mut old, mut new) = (NamedRows::open(there)?, NamedRows::open(written)?);
     let mut rows = 0;
     loop {
         let Some(here) = old.rest()? else { return Ok(()) };
@@ -74,17 +73,17 @@ fn begins_with(there: &Path, written: &Path) -> Result<(), LogError> {
 }
 
 /// The rows of a file, some at a time.
-struct Rows {
+struct NamedRows {
     batches: Batches,
     now: Option<RecordBatch>,
 }
 
-impl Rows {
-    fn open(path: &Path) -> Result<Rows, LogError> {
-        Ok(Rows { batches: Batches::open(path, None)?, now: None })
+impl NamedRows {
+    fn open(path: &Path) -> Result<NamedRows, LogError> {
+        Ok(NamedRows { batches: Batches::open(path, None)?, now: None })
     }
 
-    /// What comes next and has not been taken yet; None at the end.
+    /// The next batch that has not been taken yet; None at the end.
     fn rest(&mut self) -> Result<Option<&RecordBatch>, LogError> {
         while self.now.as_ref().is_none_or(|batch| batch.num_rows() == 0) {
             self.now = self.batches.next().transpose()?;

@@ -1,8 +1,8 @@
-//! One file for each table, which takes its name once it is whole. A killed run leaves none; gone on with, it is written anew and held
-//! against what is there.
+//! One file for each table, which gets its name once it is whole. A killed run leaves none; resumed, it writes all rows anew and compares
+//! them with an existing file.
 
 use super::named::name;
-use crate::encoded::{Format, Layout, TableFile};
+use crate::encoded::{FileLayout, Format, TableFile};
 use homebody_core::time::RunTime;
 use homebody_log::files::fresh::{FreshFile, remove_parts};
 use homebody_log::files::lock::FileLock;
@@ -15,10 +15,10 @@ use std::sync::Arc;
 pub(crate) struct OneFile {
     url: Url,
     format: Format,
-    open: Option<Open>,
+    open: Option<OpenTableFiles>,
 }
 
-struct Open {
+struct OpenTableFiles {
     files: Vec<TableFile>,
     clock: InstantWriter,
     texts: Vec<Arc<str>>,
@@ -42,15 +42,16 @@ impl Sink for OneFile {
                 remove_parts(&path)?;
             }
             let file = FreshFile::create(&path, begin.how != WriteMode::Create)?;
-            files.push(TableFile::begin(file, &Layout::new(self.format, table, begin, true), 0)?);
+            files.push(TableFile::begin(file, &FileLayout::new(self.format, table, begin, true), 0)?);
         }
-        self.open = Some(Open { files, clock: begin.clock(), texts: Vec::new(), how: begin.how, _locks: locks });
+        self.open =
+            Some(OpenTableFiles { files, clock: begin.clock(), texts: Vec::new(), how: begin.how, _locks: locks });
         Ok(Watermark::none())
     }
 
     fn write(&mut self, batch: &Batch) -> Result<(), LogError> {
         let stopped = || LogError::Stopped { place: self.url.to_string() };
-        let Open { files, clock, texts, .. } = self.open.as_mut().ok_or_else(stopped)?;
+        let OpenTableFiles { files, clock, texts, .. } = self.open.as_mut().ok_or_else(stopped)?;
         texts.extend(batch.texts_from(texts.len()));
         batch.rows().try_for_each(|row| files[row.table].push(row.cells, clock, texts))
     }
@@ -61,7 +62,7 @@ impl Sink for OneFile {
     }
 
     fn finish(&mut self, _end: RunTime) -> Result<(), LogError> {
-        let Some(Open { files, how, _locks, .. }) = self.open.take() else { return Ok(()) };
+        let Some(OpenTableFiles { files, how, _locks, .. }) = self.open.take() else { return Ok(()) };
         files.into_iter().try_for_each(|file| name(file.end()?, how))
     }
 }

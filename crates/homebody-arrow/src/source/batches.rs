@@ -18,7 +18,7 @@ use std::fs::File;
 use std::io::{ErrorKind, Read, Seek};
 use std::path::{Path, PathBuf};
 
-/// How files begin.
+/// The first bytes of files.
 pub(super) const PARQUET: &[u8] = b"PAR1";
 pub(super) const ARROW: &[u8] = b"ARROW1";
 
@@ -31,19 +31,18 @@ const ROWS_THAT_SHARE: usize = 64;
 /// The rows of a file.
 pub(crate) struct Batches {
     path: PathBuf,
-    rows: Rows,
+    rows: BatchReader,
 }
 
-enum Rows {
+enum BatchReader {
     Parquet(Box<ParquetRecordBatchReader>),
     Arrow(Box<IpcRows>),
 }
 
-/// What there is to know of a file before its rows are read.
-pub(super) struct Opened {
+/// A file before its rows are read.
+pub(super) struct OpenedTable {
     path: PathBuf,
     pub schema: SchemaRef,
-    /// What it tells of itself, if it is one of ours.
     pub about: Option<String>,
     rows: Unread,
 }
@@ -53,9 +52,9 @@ enum Unread {
     Arrow(Box<IpcRows>),
 }
 
-impl Opened {
+impl OpenedTable {
     /// Opens a file by how it begins.
-    pub fn open(path: &Path) -> Result<Opened, LogError> {
+    pub fn open(path: &Path) -> Result<OpenedTable, LogError> {
         let mut file = plain::open(path).map_err(|error| match error.kind() {
             ErrorKind::NotFound => LogError::Missing { place: path.display().to_string() },
             _ => LogError::reading(path, error),
@@ -66,7 +65,7 @@ impl Opened {
         if begins == ARROW {
             let rows = IpcRows::open(file).map_err(|why| broken(path, "Arrow IPC", why))?;
             let about = rows.schema.metadata().get(ABOUT).cloned();
-            return Ok(Opened {
+            return Ok(OpenedTable {
                 path: path.into(),
                 schema: rows.schema.clone(),
                 about,
@@ -81,20 +80,20 @@ impl Opened {
         let keys = metadata.metadata().file_metadata().key_value_metadata();
         let about = keys.and_then(|all| all.iter().find(|entry| entry.key == ABOUT)?.value.clone());
         let schema = metadata.schema().clone();
-        Ok(Opened { path: path.into(), schema, about, rows: Unread::Parquet(file, metadata) })
+        Ok(OpenedTable { path: path.into(), schema, about, rows: Unread::Parquet(file, metadata) })
     }
 
     /// Its rows, with these columns in the order that they have in the file; all for None.
     pub fn rows(self, columns: Option<&[usize]>) -> Result<Batches, LogError> {
-        let Opened { path, rows, .. } = self;
+        let OpenedTable { path, rows, .. } = self;
         let rows = match rows {
             Unread::Arrow(mut rows) => {
                 rows.project(columns);
-                Rows::Arrow(rows)
+                BatchReader::Arrow(rows)
             }
             Unread::Parquet(file, metadata) => {
                 let reader = parquet_rows(file, metadata, columns);
-                Rows::Parquet(Box::new(reader.map_err(|why| broken(&path, "Parquet", why))?))
+                BatchReader::Parquet(Box::new(reader.map_err(|why| broken(&path, "Parquet", why))?))
             }
         };
         Ok(Batches { path, rows })
@@ -140,19 +139,19 @@ fn with_views(schema: &Schema) -> SchemaRef {
 ///
 /// # Errors
 ///
-/// If there is no such file, or it is none of these.
+/// If there is no such file, or it has another form.
 pub fn whole_file(path: &Path) -> Result<(SchemaRef, Vec<RecordBatch>), LogError> {
-    let opened = Opened::open(path)?;
+    let opened = OpenedTable::open(path)?;
     let schema = opened.schema.clone();
     let batches = opened.rows(None)?.collect::<Result<Vec<_>, _>>()?;
-    // How texts are packed only the rows say.
+    // Only the rows say how texts are packed.
     Ok((batches.first().map_or(schema, RecordBatch::schema), batches))
 }
 
 impl Batches {
     /// The rows of a file, with these columns.
     pub fn open(path: &Path, columns: Option<&[usize]>) -> Result<Batches, LogError> {
-        Opened::open(path)?.rows(columns)
+        OpenedTable::open(path)?.rows(columns)
     }
 }
 
@@ -161,8 +160,8 @@ impl Iterator for Batches {
 
     fn next(&mut self) -> Option<Self::Item> {
         let (what, next) = match &mut self.rows {
-            Rows::Parquet(reader) => ("Parquet", guarded(|| reader.next().transpose()).transpose()),
-            Rows::Arrow(rows) => ("Arrow IPC", guarded(|| rows.next().transpose()).transpose()),
+            BatchReader::Parquet(reader) => ("Parquet", guarded(|| reader.next().transpose()).transpose()),
+            BatchReader::Arrow(rows) => ("Arrow IPC", guarded(|| rows.next().transpose()).transpose()),
         };
         next.map(|rows| rows.map_err(|why| broken(&self.path, what, why)))
     }

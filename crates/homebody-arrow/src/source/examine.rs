@@ -1,6 +1,6 @@
-//! What is wrong with files of columns: whether each is whole, and whether the rows of each run are there once, in their order.
+//! Checks files of columns: that each is whole, and that the rows of each run are there once, in their order.
 
-use super::batches::Opened;
+use super::batches::OpenedTable;
 use super::files::{about, all_files, runs_in};
 use super::here::here;
 use super::rows::each_batch;
@@ -56,7 +56,7 @@ pub(crate) fn examine(url: &Url, asked: &CheckOptions) -> Result<Vec<Check>, Log
     Ok(checks)
 }
 
-/// Files that have no name yet: of a run that is lived now, or that was killed.
+/// Files without their names yet: of a run that is under way, or that was killed.
 fn left(run: &str, on_the_way: &[PathBuf], checks: &mut Vec<Check>) {
     let Some(first) = on_the_way.first() else { return };
     let what = counted(on_the_way.len(), "file is", "files are");
@@ -68,7 +68,6 @@ fn left(run: &str, on_the_way: &[PathBuf], checks: &mut Vec<Check>) {
     ));
 }
 
-/// The files of one table of one run.
 fn table(name: &str, files: &[PathBuf], seq: &str, checks: &mut Vec<Check>) {
     let mut in_order = BTreeMap::new();
     let mut is_whole = true;
@@ -111,22 +110,20 @@ fn table(name: &str, files: &[PathBuf], seq: &str, checks: &mut Vec<Check>) {
     }
 }
 
-/// What a file has.
-struct Found {
+struct FileContent {
     rows: u64,
-    /// How many rows of the table come before it, if it says so.
+    /// The number of rows of the table before it, if it has one.
     before: Option<u64>,
-    /// The numbers of its rows, where they have any.
     numbers: Vec<i64>,
 }
 
-fn read(file: &Path, seq: &str) -> Result<Found, LogError> {
-    let opened = Opened::open(file)?;
+fn read(file: &Path, seq: &str) -> Result<FileContent, LogError> {
+    let opened = OpenedTable::open(file)?;
     let before = about(&opened, ROWS_BEFORE);
     let place = opened.schema.fields().iter().position(|field| field.name() == seq);
     // All columns are read, so that what is damaged shows.
     let columns: Vec<usize> = (0..opened.schema.fields().len()).collect();
-    let mut found = Found { rows: 0, before, numbers: Vec::new() };
+    let mut found = FileContent { rows: 0, before, numbers: Vec::new() };
     each_batch(file, opened, &columns, &mut |rows, arrays| {
         found.rows += rows as u64;
         let numbers = place.and_then(|place| arrays[place].as_primitive_opt::<Int64Type>());

@@ -1,6 +1,6 @@
-//! The files of a data set, in the order in which they were written.
+//! The files of a data set, in the order of writing.
 
-use super::batches::Opened;
+use super::batches::OpenedTable;
 use crate::layout::ROWS_BEFORE;
 use crate::messages::ColumnsMessage;
 use homebody_log::LogError;
@@ -14,7 +14,6 @@ const MOST_FILES: usize = 100_000;
 /// Largest depth of nested folders in a data set (our choice).
 const DEEPEST: usize = 6;
 
-/// The files of one run; a file is its own.
 pub(super) fn files(path: &Path) -> Result<Vec<PathBuf>, LogError> {
     if !path.is_dir() {
         return Ok(vec![path.into()]);
@@ -28,7 +27,7 @@ pub(super) fn files(path: &Path) -> Result<Vec<PathBuf>, LogError> {
     // Ours say how many rows come before; with others the names say their order.
     let mut in_order = Vec::new();
     for file in &found {
-        let Some(rows) = about(&Opened::open(file)?, ROWS_BEFORE) else { return Ok(found) };
+        let Some(rows) = about(&OpenedTable::open(file)?, ROWS_BEFORE) else { return Ok(found) };
         in_order.push((rows, file.clone()));
     }
     in_order.sort();
@@ -36,7 +35,7 @@ pub(super) fn files(path: &Path) -> Result<Vec<PathBuf>, LogError> {
 }
 
 /// A number that a file tells of itself.
-pub(super) fn about(opened: &Opened, key: &str) -> Option<u64> {
+pub(super) fn about(opened: &OpenedTable, key: &str) -> Option<u64> {
     let about: Value = serde_json::from_str(opened.about.as_ref()?).ok()?;
     about.get(key)?.as_u64()
 }
@@ -75,7 +74,7 @@ fn collect(folder: &Path, depth: usize, found: &mut Vec<PathBuf>) -> Result<(), 
     for entry in fs::read_dir(folder).map_err(unread)?.take(MOST_FILES) {
         let path = entry.map_err(unread)?.path();
         let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
-        // What is on its way, or somebody's own.
+        // A file that is not finished, or not ours.
         if name.starts_with(['.', '_']) {
             continue;
         }

@@ -1,4 +1,4 @@
-//! Libraries that decode files end some hostile ones with a panic. It is caught here and becomes an error, and nobody else sees it.
+//! Catches panics in libraries that decode hostile files, and turns them into errors without a message on the terminal.
 
 use std::cell::Cell;
 use std::panic::{AssertUnwindSafe, catch_unwind, set_hook, take_hook};
@@ -11,11 +11,11 @@ thread_local! {
 
 static HOOK: Once = Once::new();
 
-/// Calls a library that decodes what anybody may have written.
+/// Calls a library that decodes untrusted bytes.
 pub(super) fn guarded<T, E: ToString>(decode: impl FnOnce() -> Result<T, E>) -> Result<T, String> {
     HOOK.call_once(|| {
         let before = take_hook();
-        // Panics elsewhere are told as they were before.
+        // Panics elsewhere are reported as usual.
         set_hook(Box::new(move |panic| {
             if !IS_DECODING.get() {
                 before(panic);

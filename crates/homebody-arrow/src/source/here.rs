@@ -1,10 +1,9 @@
-//! Where files are that may be in an object store.
+//! Local copies of files that may be in an object store.
 
 use homebody_log::LogError;
 use std::path::{Path, PathBuf};
 
-/// Where the files of a place are on this machine: those of an object store are brought here first, for as long as the first of the two
-/// lives.
+/// The local folder of a place. Files of an object store are copied here first, for the lifetime of the temporary folder.
 #[cfg(feature = "cloud")]
 pub(super) fn here(path: &Path) -> Result<(Option<tempfile::TempDir>, PathBuf), LogError> {
     match path.to_string_lossy().contains("://") {

@@ -11,7 +11,7 @@ use arrow_schema::SchemaRef;
 use std::fs::File;
 use std::io::{self, Read, Seek, SeekFrom};
 
-/// What a file ends with: the footer's length and the magic word.
+/// The end of a file: the footer's length and the magic word.
 const TRAILER_BYTES: u64 = 10;
 
 /// A record batch that unpacks to no more than this is read, however well it is packed.
@@ -35,7 +35,7 @@ pub(super) struct IpcRows {
 impl IpcRows {
     /// Reads footer and dictionaries.
     pub fn open(mut file: File) -> Result<IpcRows, String> {
-        let size = file.seek(SeekFrom::End(0)).map_err(told)?;
+        let size = file.seek(SeekFrom::End(0)).map_err(io_message)?;
         let trailer: [u8; TRAILER_BYTES as usize] =
             read(&mut file, size.checked_sub(TRAILER_BYTES), TRAILER_BYTES, size)?
                 .try_into()
@@ -57,7 +57,6 @@ impl IpcRows {
         Ok(IpcRows { file, size, schema, decoder, blocks: blocks.into_iter() })
     }
 
-    /// Reads these columns only.
     pub fn project(&mut self, columns: Option<&[usize]>) {
         if let Some(columns) = columns {
             let whole = std::mem::replace(
@@ -90,18 +89,17 @@ impl Iterator for IpcRows {
 
 const SHORT: &str = "it ends too early";
 
-fn told(error: io::Error) -> String {
+fn io_message(error: io::Error) -> String {
     match error.kind() {
         io::ErrorKind::UnexpectedEof => SHORT.into(),
         _ => error.to_string(),
     }
 }
 
-/// Bytes of a file of a size.
 fn read(file: &mut File, at: Option<u64>, length: u64, size: u64) -> Result<Vec<u8>, String> {
     let at = at.filter(|at| at.checked_add(length).is_some_and(|end| end <= size)).ok_or(SHORT)?;
     let mut bytes = vec![0; length as usize];
-    file.seek(SeekFrom::Start(at)).and_then(|_| file.read_exact(&mut bytes)).map_err(told)?;
+    file.seek(SeekFrom::Start(at)).and_then(|_| file.read_exact(&mut bytes)).map_err(io_message)?;
     Ok(bytes)
 }
 
@@ -123,7 +121,7 @@ fn message_at(file: &mut File, size: u64, block: &Block) -> Result<Buffer, Strin
     Ok(Buffer::from_vec(bytes))
 }
 
-/// Whether what is packed says how large it is, and not too large.
+/// Refuses packed buffers without a size, or with one that is too large.
 fn is_believed(batch: &Message, body: &[u8]) -> Result<(), String> {
     if batch.compression().is_none() {
         return Ok(());

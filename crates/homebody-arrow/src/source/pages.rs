@@ -17,7 +17,7 @@ const LARGEST_SHARED_BYTES: u64 = 2 << 20;
 /// A header of a page has no more structs within structs.
 const DEEPEST: u32 = 16;
 
-/// Whether texts of a column are packed as their difference from the text before.
+/// Whether a column packs texts as differences from the previous text.
 fn shares_beginnings(chunk: &ColumnChunkMetaData) -> bool {
     chunk.encodings().any(|encoding| encoding == Encoding::DELTA_BYTE_ARRAY)
 }
@@ -69,7 +69,7 @@ fn check_chunk(file: &mut BufReader<impl Read + Seek>, begin: u64, end: u64, lar
     Ok(())
 }
 
-/// How many bytes a page has.
+/// The bytes of a page.
 #[derive(Default)]
 struct Sizes {
     unpacked: u64,
@@ -79,7 +79,6 @@ struct Sizes {
 /// Reads the header of a page.
 struct Header<'f, F> {
     file: &'f mut BufReader<F>,
-    /// How many bytes have been read.
     read: u64,
 }
 

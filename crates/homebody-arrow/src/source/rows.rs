@@ -1,7 +1,7 @@
 //! Rows of a log, or spans of activities, by the names of columns.
 
-use super::batches::Opened;
-use super::cells::{Texts, Time, Times};
+use super::batches::OpenedTable;
+use super::cells::{TextCells, TimeCell, Times};
 use super::files::files;
 use super::here::{here, of_place};
 use crate::layout::sensors;
@@ -24,7 +24,7 @@ pub(super) fn read(path: &Path, mapping: &LoggerFile, reading: &mut LogReading<'
     let (_kept, folder) = here(path)?;
     let mut line = 0;
     for file in files(&folder).map_err(|error| of_place(path, error))? {
-        let opened = Opened::open(&file)?;
+        let opened = OpenedTable::open(&file)?;
         if let Some(columns) = spans(&opened.schema) {
             read_spans(&file, opened, &columns, &mut line, reading)?;
         } else {
@@ -34,16 +34,16 @@ pub(super) fn read(path: &Path, mapping: &LoggerFile, reading: &mut LogReading<'
     Ok(())
 }
 
-/// Whether a file tells what somebody did, and nothing of sensors.
+/// Whether a file has activities and no sensors.
 pub(super) fn are_activities(path: &Path) -> bool {
-    Opened::open(path).is_ok_and(|opened| spans(&opened.schema).is_some())
+    OpenedTable::open(path).is_ok_and(|opened| spans(&opened.schema).is_some())
 }
 
 fn names(schema: &Schema) -> Vec<String> {
     schema.fields().iter().map(|field| field.name().clone()).collect()
 }
 
-/// Where begin, end and name of activities are, in a table of nothing but these.
+/// The places of begin, end and name in a table of activities.
 fn spans(schema: &Schema) -> Option<[usize; 3]> {
     let place = |wanted: &str| schema.fields().iter().position(|field| field.name() == wanted);
     let [begin, end, activity] = SPAN_COLUMNS.map(place);
@@ -51,9 +51,9 @@ fn spans(schema: &Schema) -> Option<[usize; 3]> {
     Some([begin?, end?, activity?]).filter(|_| !is_log)
 }
 
-/// Where no name says anything: the first column of instants is the time, and the two right behind it are sensor and value, if they are
-/// texts. So are our own logs under the names of a network. Of our own files only logs are, and no tables of a truth.
-fn by_types(opened: &Opened) -> Option<ColumnPlaces> {
+/// For unknown names: the first column of instants is the time, and the next two are sensor and value, if they are texts. This covers our
+/// own logs with names of a network. Of our own files, tables of a truth are left out.
+fn by_types(opened: &OpenedTable) -> Option<ColumnPlaces> {
     let about = |told: &String| serde_json::from_str::<Value>(told).ok()?.get("about")?.as_str().map(|it| it == LOG);
     if opened.about.as_ref().is_some_and(|told| about(told) == Some(false)) {
         return None;
@@ -61,7 +61,7 @@ fn by_types(opened: &Opened) -> Option<ColumnPlaces> {
     let is = |place: usize| opened.schema.fields().get(place).map(|field| field.data_type());
     let count = opened.schema.fields().len();
     let time = (0..count).find(|&place| matches!(is(place), Some(DataType::Timestamp(..))))?;
-    let are_texts = [time + 1, time + 2].iter().all(|&place| is(place).is_some_and(Texts::are_texts));
+    let are_texts = [time + 1, time + 2].iter().all(|&place| is(place).is_some_and(TextCells::are_texts));
     are_texts.then_some(ColumnPlaces { time, sensor: time + 1, value: time + 2, label: None, is_mapped: false })
 }
 
@@ -69,7 +69,12 @@ fn by_types(opened: &Opened) -> Option<ColumnPlaces> {
 pub(super) type Take<'t> = dyn FnMut(usize, &[ArrayRef]) -> Result<(), LogError> + 't;
 
 /// Reads columns, and gives each batch with them in this order.
-pub(super) fn each_batch(path: &Path, opened: Opened, columns: &[usize], take: &mut Take<'_>) -> Result<(), LogError> {
+pub(super) fn each_batch(
+    path: &Path,
+    opened: OpenedTable,
+    columns: &[usize],
+    take: &mut Take<'_>,
+) -> Result<(), LogError> {
     let mut sorted = columns.to_vec();
     sorted.sort_unstable();
     sorted.dedup();
@@ -89,7 +94,7 @@ pub(super) fn each_batch(path: &Path, opened: Opened, columns: &[usize], take: &
 
 fn read_rows(
     path: &Path,
-    opened: Opened,
+    opened: OpenedTable,
     mapping: &LoggerFile,
     line: &mut u64,
     reading: &mut LogReading<'_>,
@@ -101,10 +106,10 @@ fn read_rows(
         let told: String = names.join(", ").chars().take(LONGEST_TOLD).collect();
         return Err(no_log(ColumnsMessage::NoColumns { columns: told }));
     };
-    let label = places.label.filter(|&place| Texts::may_be(schema.field(place).data_type()));
+    let label = places.label.filter(|&place| TextCells::may_be(schema.field(place).data_type()));
     for place in [places.time, places.sensor, places.value] {
         let field = schema.field(place);
-        let fits = if place == places.time { Times::may_be } else { Texts::may_be };
+        let fits = if place == places.time { Times::may_be } else { TextCells::may_be };
         if !fits(field.data_type()) {
             return Err(no_log(ColumnsMessage::ColumnType { column: field.name().clone() }));
         }
@@ -117,9 +122,12 @@ fn read_rows(
     let [mut time_buffer, mut sensor_buffer, mut value_buffer] = [(); 3].map(|()| String::new());
     each_batch(path, opened, &columns, &mut |rows, arrays| {
         let typed = || no_log(ColumnsMessage::OtherType);
-        let times = Times::of(&arrays[0]).ok_or_else(typed)?;
-        let (sensors, values) = (Texts::of(&arrays[1]).ok_or_else(typed)?, Texts::of(&arrays[2]).ok_or_else(typed)?);
-        let labels = arrays.get(3).and_then(Texts::of);
+        let times = Times::from_array(&arrays[0]).ok_or_else(typed)?;
+        let (sensors, values) = (
+            TextCells::from_array(&arrays[1]).ok_or_else(typed)?,
+            TextCells::from_array(&arrays[2]).ok_or_else(typed)?,
+        );
+        let labels = arrays.get(3).and_then(TextCells::from_array);
         for row in 0..rows {
             *line += 1;
             if arrays[0].is_null(row) {
@@ -128,9 +136,9 @@ fn read_rows(
             }
             let (sensor, value) = (sensors.get(row, &mut sensor_buffer), values.get(row, &mut value_buffer));
             let is_row = match times.get(row, &mut time_buffer) {
-                Time::At(at) => reading.event(*line, at, sensor, value)?,
-                Time::Text(text) => reading.row(*line, text, sensor, value)?,
-                Time::OutOfRange => {
+                TimeCell::At(at) => reading.event(*line, at, sensor, value)?,
+                TimeCell::Text(text) => reading.row(*line, text, sensor, value)?,
+                TimeCell::OutOfRange => {
                     reading.skip(*line, "the time is out of range".into());
                     false
                 }
@@ -146,7 +154,7 @@ fn read_rows(
 
 fn read_spans(
     path: &Path,
-    opened: Opened,
+    opened: OpenedTable,
     columns: &[usize; 3],
     line: &mut u64,
     reading: &mut LogReading<'_>,
@@ -154,16 +162,17 @@ fn read_spans(
     let mut buffer = String::new();
     each_batch(path, opened, columns, &mut |rows, arrays| {
         let typed = || LogError::no_log(path.display().to_string(), ColumnsMessage::ActivityType);
-        let (begins, ends) = (Times::of(&arrays[0]).ok_or_else(typed)?, Times::of(&arrays[1]).ok_or_else(typed)?);
-        let activities = Texts::of(&arrays[2]).ok_or_else(typed)?;
+        let (begins, ends) =
+            (Times::from_array(&arrays[0]).ok_or_else(typed)?, Times::from_array(&arrays[1]).ok_or_else(typed)?);
+        let activities = TextCells::from_array(&arrays[2]).ok_or_else(typed)?;
         for row in 0..rows {
             *line += 1;
             let mut at = |times: &Times, array: &ArrayRef| -> Option<LogInstant> {
                 match times.get(row, &mut buffer) {
                     _ if array.is_null(row) => None,
-                    Time::At(at) => Some(at),
-                    Time::Text(text) => reading.instant(text),
-                    Time::OutOfRange => None,
+                    TimeCell::At(at) => Some(at),
+                    TimeCell::Text(text) => reading.instant(text),
+                    TimeCell::OutOfRange => None,
                 }
             };
             match (at(&begins, &arrays[0]), at(&ends, &arrays[1])) {

@@ -1,7 +1,7 @@
 //! The tables of a truth, read by their names: a file for each, or a folder of a data set.
 
-use super::batches::Opened;
-use super::cells::{Texts, Time, Times};
+use super::batches::OpenedTable;
+use super::cells::{TextCells, TimeCell, Times};
 use super::files::files;
 use super::here::here;
 use super::rows::each_batch;
@@ -17,7 +17,6 @@ use homebody_log::{LogError, Url};
 use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
 
-/// Reads tables of a truth.
 pub(crate) fn read_tables(url: &Url, wanted: &[&Table], take: &mut TakeTruthRow<'_>) -> Result<(), LogError> {
     let (_kept, folder) = here(url.path())?;
     let named = url;
@@ -41,7 +40,7 @@ pub(crate) fn read_tables(url: &Url, wanted: &[&Table], take: &mut TakeTruthRow<
     Ok(())
 }
 
-/// Where a table is. A run of several is named by its folder, such as `truth/run=5`, though each table has such a folder of its own.
+/// The place of a table. One run of several is named by its folder, such as `truth/run=5`, though each table has such a folder.
 fn place(url: &Url, table: &Table) -> PathBuf {
     let path = url.path();
     let is_run = |name: &&OsStr| name.to_string_lossy().starts_with("run=");
@@ -57,16 +56,16 @@ fn read_file(
     table: &Table,
     take: &mut dyn FnMut(&[TruthValue<'_>]) -> Result<(), LogError>,
 ) -> Result<(), LogError> {
-    let opened = Opened::open(path)?;
+    let opened = OpenedTable::open(path)?;
     let no_truth = |why: TruthMessage| LogError::no_truth(path.display().to_string(), why);
     let columns = places(&opened.schema, table).map_err(no_truth)?;
     each_batch(path, opened, &columns, &mut |rows, arrays| {
         let mut columns = Vec::with_capacity(arrays.len());
         for (array, column) in arrays.iter().zip(&table.columns) {
             let typed = || no_truth(TruthMessage::ColumnType { column: column.name.clone() });
-            columns.push(Cells::of(array, column.kind).ok_or_else(typed)?);
+            columns.push(TruthCells::from_array(array, column.kind).ok_or_else(typed)?);
         }
-        // What is put together for a row, such as a number that is told as a text.
+        // Buffers for cells that are built, such as a number that is read as text.
         let mut buffers = vec![String::new(); columns.len()];
         for row in 0..rows {
             let values: Option<Vec<TruthValue>> =
@@ -77,7 +76,7 @@ fn read_file(
     })
 }
 
-/// Where the columns of a table are in a file, or all that are missing.
+/// The places of the columns of a table in a file, or all missing columns.
 fn places(schema: &Schema, table: &Table) -> Result<Vec<usize>, TruthMessage> {
     let place = |column: &Column| schema.fields().iter().position(|field| *field.name() == column.name);
     let missing = table.columns.iter().filter(|column| place(column).is_none());
@@ -89,41 +88,41 @@ fn places(schema: &Schema, table: &Table) -> Result<Vec<usize>, TruthMessage> {
 }
 
 /// The cells of a column, as its kind has them.
-enum Cells<'a> {
+enum TruthCells<'a> {
     Instants(&'a ArrayRef, Times<'a>),
     Integers(&'a Int64Array),
     Reals(&'a Float64Array),
-    Texts(&'a ArrayRef, Texts<'a>),
+    Texts(&'a ArrayRef, TextCells<'a>),
 }
 
-impl<'a> Cells<'a> {
-    fn of(array: &'a ArrayRef, kind: ColumnKind) -> Option<Cells<'a>> {
+impl<'a> TruthCells<'a> {
+    fn from_array(array: &'a ArrayRef, kind: ColumnKind) -> Option<TruthCells<'a>> {
         Some(match kind {
-            ColumnKind::Instant => Cells::Instants(array, Times::of(array)?),
-            ColumnKind::Integer => Cells::Integers(array.as_primitive_opt::<Int64Type>()?),
-            ColumnKind::Real => Cells::Reals(array.as_primitive_opt::<Float64Type>()?),
-            ColumnKind::Text => Cells::Texts(array, Texts::of(array)?),
+            ColumnKind::Instant => TruthCells::Instants(array, Times::from_array(array)?),
+            ColumnKind::Integer => TruthCells::Integers(array.as_primitive_opt::<Int64Type>()?),
+            ColumnKind::Real => TruthCells::Reals(array.as_primitive_opt::<Float64Type>()?),
+            ColumnKind::Text => TruthCells::Texts(array, TextCells::from_array(array)?),
         })
     }
 
-    /// The cell of a row; None where it is no instant that there is.
+    /// The cell of a row; None for an invalid instant.
     fn get<'b>(&'b self, row: usize, buffer: &'b mut String) -> Option<TruthValue<'b>> {
         let is_null = match self {
-            Cells::Instants(array, _) | Cells::Texts(array, _) => array.is_null(row),
-            Cells::Integers(array) => array.is_null(row),
-            Cells::Reals(array) => array.is_null(row),
+            TruthCells::Instants(array, _) | TruthCells::Texts(array, _) => array.is_null(row),
+            TruthCells::Integers(array) => array.is_null(row),
+            TruthCells::Reals(array) => array.is_null(row),
         };
         if is_null {
             return Some(TruthValue::Null);
         }
         Some(match self {
-            Cells::Integers(array) => TruthValue::Integer(array.value(row)),
-            Cells::Reals(array) => TruthValue::Real(array.value(row)),
-            Cells::Texts(_, texts) => TruthValue::Text(texts.get(row, buffer)),
-            Cells::Instants(_, times) => match times.get(row, buffer) {
-                Time::At(at) => TruthValue::Instant(at),
-                Time::Text(text) => TruthValue::Text(text),
-                Time::OutOfRange => return None,
+            TruthCells::Integers(array) => TruthValue::Integer(array.value(row)),
+            TruthCells::Reals(array) => TruthValue::Real(array.value(row)),
+            TruthCells::Texts(_, texts) => TruthValue::Text(texts.get(row, buffer)),
+            TruthCells::Instants(_, times) => match times.get(row, buffer) {
+                TimeCell::At(at) => TruthValue::Instant(at),
+                TimeCell::Text(text) => TruthValue::Text(text),
+                TimeCell::OutOfRange => return None,
             },
         })
     }

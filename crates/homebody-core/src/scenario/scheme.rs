@@ -7,49 +7,50 @@ use std::borrow::Cow;
 use std::error::Error;
 use std::fmt;
 
-/// A kind of place.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub enum Scheme {
-    /// A database file of SQLite.
-    Sqlite,
-    /// Comma-separated values with a header line.
-    Csv,
-    /// The text that the CASAS smart homes write.
-    Casas,
-    /// A JSON object a line.
-    Jsonl,
-    /// Parquet: a file, or a folder of files by run and day.
-    Parquet,
-    /// A file of Arrow IPC.
-    Arrow,
-    /// A database of PostgreSQL.
-    Postgresql,
-    /// A broker of MQTT.
-    Mqtt,
-    /// A broker of MQTT, over TLS.
-    Mqtts,
-}
-
-/// What there is to know of a kind of place.
+/// The properties of a kind of place: all that the check, the command, the page and the log ask of it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct SchemeRow {
-    /// The kind of place that the row is about.
+    /// The kind itself.
     pub scheme: Scheme,
-    /// What stands before the colon, such as `sqlite`.
+    /// The text before the colon, such as `sqlite`.
     pub name: &'static str,
-    /// What it is, in words.
+    /// A description in words.
     pub what: &'static str,
-    /// What comes after the colon, in words for a hint.
+    /// The part after the colon, in words for a hint.
     pub at: &'static str,
-    /// What a log is usually called there; empty for servers.
+    /// The usual name of a log there; empty for servers.
     pub usual: &'static str,
-    /// Where it is.
+    /// Extensions of its files. A path without a kind is of the kind of its extension; `.txt` is in no row, since every kind of
+    /// text has it.
+    pub extensions: &'static [&'static str],
+    /// Text, a file or a server.
     pub stands: Stands,
-    /// The feature of the build without which it is only known by name; None where every build has it.
+    /// The placement of several tables, such as those of a truth.
+    pub tables: TablePlacement,
+    /// Whether it holds the sensors of a log itself. Other files have a table of sensors next to them.
+    pub has_sensors: bool,
+    /// Whether it reports how many rows it holds. Rows that other places confirm are noted in the run's folder.
+    pub reports_rows: bool,
+    /// Whether a fleet can write its homes there.
+    pub takes_fleets: bool,
+    /// The feature of the build without which only its name is known; None where every build has it.
     pub feature: Option<&'static str>,
 }
 
-/// Where a kind of place is.
+/// The placement of several tables in a kind of place.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum TablePlacement {
+    /// It holds one table, whose rows may have notes of activities.
+    OneWithNotes,
+    /// It holds one table.
+    One,
+    /// Each table has a file of its own: `truth.csv` becomes `truth.room.csv` and so on.
+    FileEach,
+    /// All are in one database.
+    Together,
+}
+
+/// The nature of a kind of place.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Stands {
     /// In a file of text, or on standard output.
@@ -60,102 +61,152 @@ pub enum Stands {
     Server,
 }
 
-/// What stands for standard output, where text may go.
+/// The name of standard output, where text may go.
 pub const OUTPUT: &str = "-";
 
-/// All kinds, in the order in which people are told of them.
-pub const SCHEMES: [SchemeRow; 9] = [
-    SchemeRow {
-        scheme: Scheme::Sqlite,
+/// Declares the kinds of places, and a row for each.
+macro_rules! schemes {
+    ($($(#[$doc:meta])* $scheme:ident { $($column:ident: $value:expr,)* })*) => {
+        /// A kind of place.
+        #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+        pub enum Scheme {
+            $($(#[$doc])* $scheme,)*
+        }
+
+        /// All kinds, in the order of help texts.
+        pub const SCHEMES: [SchemeRow; [$(Scheme::$scheme),*].len()] =
+            [$(SchemeRow { scheme: Scheme::$scheme, $($column: $value,)* },)*];
+    };
+}
+
+schemes! {
+    /// A database file of SQLite.
+    Sqlite {
         name: "sqlite",
         what: "an SQLite database file, with the table and columns of the network",
         at: "FILE",
         usual: "log.db",
+        extensions: &["db", "sqlite", "sqlite3"],
         stands: Stands::File,
+        tables: TablePlacement::Together,
+        has_sensors: true,
+        reports_rows: true,
+        takes_fleets: false,
         feature: None,
-    },
-    SchemeRow {
-        scheme: Scheme::Csv,
+    }
+    /// Comma-separated values with a header line.
+    Csv {
         name: "csv",
         what: "comma-separated values with a header line",
         at: "FILE",
         usual: "log.csv",
+        extensions: &["csv"],
         stands: Stands::Text,
+        tables: TablePlacement::FileEach,
+        has_sensors: false,
+        reports_rows: false,
+        takes_fleets: false,
         feature: None,
-    },
-    SchemeRow {
-        scheme: Scheme::Casas,
+    }
+    /// The text that the CASAS smart homes write.
+    Casas {
         name: "casas",
         what: "the text format of the CASAS homes: time, sensor and message, separated by tabs",
         at: "FILE",
         usual: "log.txt",
+        extensions: &[],
         stands: Stands::Text,
+        tables: TablePlacement::OneWithNotes,
+        has_sensors: false,
+        reports_rows: false,
+        takes_fleets: false,
         feature: None,
-    },
-    SchemeRow {
-        scheme: Scheme::Jsonl,
+    }
+    /// A JSON object a line.
+    Jsonl {
         name: "jsonl",
         what: "one JSON object a line, with the column names as keys",
         at: "FILE",
         usual: "log.jsonl",
+        extensions: &["jsonl"],
         stands: Stands::Text,
+        tables: TablePlacement::FileEach,
+        has_sensors: false,
+        reports_rows: false,
+        takes_fleets: true,
         feature: None,
-    },
-    SchemeRow {
-        scheme: Scheme::Parquet,
+    }
+    /// Parquet: a file, or a folder of files by run and day.
+    Parquet {
         name: "parquet",
         what: "Parquet: one file if the name ends in .parquet, else a folder of files by run and day",
         at: "FOLDER",
         usual: "log.parquet",
+        extensions: &["parquet"],
         stands: Stands::File,
+        tables: TablePlacement::FileEach,
+        has_sensors: true,
+        reports_rows: false,
+        takes_fleets: false,
         feature: Some("parquet"),
-    },
-    SchemeRow {
-        scheme: Scheme::Arrow,
+    }
+    /// A file of Arrow IPC.
+    Arrow {
         name: "arrow",
         what: "an Arrow IPC file, also known as Feather",
         at: "FILE",
         usual: "log.arrow",
+        extensions: &["arrow"],
         stands: Stands::File,
+        tables: TablePlacement::FileEach,
+        has_sensors: true,
+        reports_rows: false,
+        takes_fleets: false,
         feature: Some("parquet"),
-    },
-    SchemeRow {
-        scheme: Scheme::Postgresql,
+    }
+    /// A database of PostgreSQL.
+    Postgresql {
         name: "postgresql",
         what: "a PostgreSQL database, with the table and columns of the network",
         at: "//USER@HOST/DATABASE",
         usual: "",
+        extensions: &[],
         stands: Stands::Server,
+        tables: TablePlacement::Together,
+        has_sensors: true,
+        reports_rows: true,
+        takes_fleets: true,
         feature: Some("postgresql"),
-    },
-    SchemeRow {
-        scheme: Scheme::Mqtt,
+    }
+    /// A broker of MQTT.
+    Mqtt {
         name: "mqtt",
         what: "an MQTT broker, with a topic for each sensor",
         at: "//HOST/PREFIX",
         usual: "",
+        extensions: &[],
         stands: Stands::Server,
+        tables: TablePlacement::One,
+        has_sensors: false,
+        reports_rows: false,
+        takes_fleets: true,
         feature: Some("mqtt"),
-    },
-    SchemeRow {
-        scheme: Scheme::Mqtts,
+    }
+    /// A broker of MQTT, over TLS.
+    Mqtts {
         name: "mqtts",
         what: "the same over TLS",
         at: "//HOST/PREFIX",
         usual: "",
+        extensions: &[],
         stands: Stands::Server,
+        tables: TablePlacement::One,
+        has_sensors: false,
+        reports_rows: false,
+        takes_fleets: true,
         feature: Some("mqtt"),
-    },
-];
-
-/// The extensions of each kind of place, for paths alone.
-const EXTENSIONS: [(Scheme, &[&str]); 5] = [
-    (Scheme::Sqlite, &["db", "sqlite", "sqlite3"]),
-    (Scheme::Csv, &["csv"]),
-    (Scheme::Jsonl, &["jsonl"]),
-    (Scheme::Parquet, &["parquet"]),
-    (Scheme::Arrow, &["arrow"]),
-];
+    }
+}
 
 /// The endings of compressed text.
 const PACKED: [&str; 2] = [".gz", ".zst"];
@@ -163,15 +214,15 @@ const PACKED: [&str; 2] = [".gz", ".zst"];
 /// The extensions that a path alone may have, for a hint.
 pub const KNOWN_EXTENSIONS: &str = ".csv, .csv.gz, .jsonl, .jsonl.gz, .db, .sqlite, .sqlite3, .parquet or .arrow";
 
-/// Where a log goes if nobody says otherwise.
+/// The default place of a log.
 pub const USUAL: &str = "sqlite:log.db";
 
 /// Why a text names no place, and what to write instead.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct NoPlace {
-    /// What is wrong with the text, as a part of a sentence.
+    /// The problem of the text, as a part of a sentence.
     pub what: String,
-    /// What to write instead.
+    /// A text to write instead.
     pub hint: String,
 }
 
@@ -204,10 +255,9 @@ impl SchemeRow {
         SCHEMES.iter().find(|row| row.name == name)
     }
 
-    /// The row whose files have this extension. `.txt` is in no row: every kind of text has it.
+    /// The row whose files have this extension.
     pub fn by_extension(extension: &str) -> Option<&'static SchemeRow> {
-        let of = |(scheme, names): &(Scheme, &[&str])| names.contains(&extension).then(|| scheme.row());
-        EXTENSIONS.iter().find_map(of)
+        SCHEMES.iter().find(|row| row.extensions.contains(&extension))
     }
 
     /// The row of a path without a kind before it, such as `week.csv` or `week.csv.gz`, by its extension.
@@ -232,12 +282,12 @@ pub fn without_password(place: &str) -> Cow<'_, str> {
         return place.into();
     };
     let (before, rest) = place.split_at(begin);
-    // A password may hold a question mark, where somebody has not written it as %3F: behind a real one there are names and values.
+    // A password may hold a question mark that was not written as %3F: behind a real one there are names and values.
     let user_ends = rest.rfind('@').unwrap_or(0);
     let is_real = |at: &usize| *at > user_ends || rest[*at..user_ends].contains('=');
     let question = rest.match_indices('?').map(|(at, _)| at).find(is_real);
     let (main, query) = question.map_or((rest, None), |at| (&rest[..at], Some(&rest[at + 1..])));
-    // What belongs to a user may hold a stroke, where somebody has not written it as %2F.
+    // The user's part may hold a stroke that was not written as %2F.
     let (user, host) = main.rsplit_once('@').map_or((None, main), |(user, host)| (Some(user), host));
     let name = user.map(|user| user.split_once(':').map_or(user, |(name, _)| name));
     let is_open = |pair: &&str| !pair.split('=').next().is_some_and(|name| name.ends_with("password"));
@@ -254,7 +304,8 @@ pub fn without_password(place: &str) -> Cow<'_, str> {
 impl Scheme {
     /// The row of the table.
     pub fn row(self) -> &'static SchemeRow {
-        SCHEMES.iter().find(|row| row.scheme == self).unwrap_or(&SCHEMES[0])
+        const ROWS: &[SchemeRow] = &SCHEMES;
+        &ROWS[self as usize]
     }
 
     /// Parts a place such as `csv:week.csv` into its kind and what comes after the colon. A path alone, such as `week.csv`, is of the
@@ -312,7 +363,7 @@ impl Scheme {
         SchemeRow::of_path(place).filter(|_| is_path)
     }
 
-    /// Where a password goes that is in no URL.
+    /// The proper place of a password.
     fn instead_of_password(self) -> &'static str {
         match self {
             Scheme::Postgresql => {
@@ -323,7 +374,7 @@ impl Scheme {
         }
     }
 
-    /// The kinds that a scenario's file may name: what it brings along goes to nobody's server.
+    /// The kinds that a scenario's file may name: a scenario never writes to a server.
     pub fn of_scenarios() -> impl Iterator<Item = &'static SchemeRow> {
         SCHEMES.iter().filter(|row| row.stands != Stands::Server)
     }
@@ -345,7 +396,7 @@ pub fn forms_of_scenarios() -> String {
     listed(&Scheme::of_scenarios().map(|row| format!("{}:{}", row.name, row.at)).collect::<Vec<_>>())
 }
 
-/// What can be said instead of one another.
+/// Alternatives in words.
 fn listed(names: &[String]) -> String {
     match names {
         [first @ .., last] if !first.is_empty() => format!("{} or {last}", first.join(", ")),
@@ -358,9 +409,8 @@ mod tests {
     use super::*;
 
     #[test]
-    fn each_scheme_has_one_row() {
+    fn splits_the_usual_place_of_each_scheme() {
         for row in &SCHEMES {
-            assert_eq!(row.scheme.row(), row);
             let at = if row.stands == Stands::Server { row.at } else { row.usual };
             assert_eq!(Scheme::split(&format!("{}:{at}", row.name)), Ok((row.scheme, at)));
         }
@@ -368,7 +418,7 @@ mod tests {
     }
 
     #[test]
-    fn a_wrong_place_says_what_is_known() {
+    fn a_wrong_place_lists_the_known_forms() {
         for (place, told) in [
             ("log", "write sqlite:FILE, csv:FILE, casas:FILE, jsonl:FILE, parquet:FOLDER"),
             ("log", "a path alone ends in .csv, .csv.gz"),
@@ -393,7 +443,7 @@ mod tests {
     }
 
     #[test]
-    fn a_path_alone_goes_by_its_extension() {
+    fn a_path_alone_has_the_kind_of_its_extension() {
         for (place, scheme) in [
             ("log.db", Scheme::Sqlite),
             ("runs/a.b/log.sqlite3", Scheme::Sqlite),
@@ -410,7 +460,7 @@ mod tests {
             assert_eq!(Scheme::split(place), Ok((scheme, place)), "{place}");
         }
         assert!(Scheme::split("//ann:s3cr3t@host/log.csv").is_err(), "a server without its kind");
-        for (_, extensions) in EXTENSIONS {
+        for SchemeRow { extensions, .. } in SCHEMES {
             assert!(extensions.iter().all(|extension| KNOWN_EXTENSIONS.contains(extension)), "{extensions:?}");
         }
     }

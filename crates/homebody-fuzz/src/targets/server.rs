@@ -13,7 +13,7 @@ use homebody_core::scenario::scheme::{Scheme, without_password};
 use homebody_core::time::RunTime;
 use homebody_log::table::Batch;
 use homebody_log::{Begin, Destination, Log, LogError, Logger, Policy, RunInfo, Sink, Url, Watermark, WriteMode};
-use homebody_mqtt::{Address, order_of};
+use homebody_mqtt::{BrokerAddress, order_of};
 use std::fs;
 use std::path::Path;
 use std::sync::Arc;
@@ -101,7 +101,7 @@ fn names_server(text: &str) -> Result<bool, String> {
             Ok(()) => is_one = true,
             Err(error) => said(error)?,
         },
-        Ok(url) if Address::is_of(&url) => match Address::of(&url) {
+        Ok(url) if BrokerAddress::is_broker(&url) => match BrokerAddress::from_url(&url) {
             Ok(address) => {
                 is_one = true;
                 if address.prefix.contains(['#', '+', '\0', '$']) || address.prefix.is_empty() {

@@ -1,7 +1,7 @@
-//! Destinations that cannot say how far they hold a run, such as standard output or a broker: what they have confirmed is noted in a
-//! file beside the run, so that going on does not give it again.
+//! Checkpoints for destinations that cannot count their rows of a run, such as standard output or a broker: a file in the run's folder
+//! counts the confirmed rows, so that a resumed run does not send them again.
 //!
-//! What was given and not noted before the program died is given again, with the same numbers: such a destination gets each row at
+//! Rows that were sent and not noted before the program died are sent again, with the same numbers: such a destination gets each row at
 //! least once.
 
 use super::spool::file_name;
@@ -21,7 +21,7 @@ pub(crate) struct CheckpointedSink {
     inner: Box<dyn Sink>,
     path: PathBuf,
     noted: Option<Note>,
-    /// By table, how many rows it was not given this time, as they are noted: it counts from there.
+    /// By table, the number of rows that were left out this time: its count starts there.
     left_out: Vec<u64>,
     /// By table, how many rows it was given since.
     given: Vec<u64>,
@@ -33,7 +33,7 @@ const MOST_ROWS: u64 = 10_000_000_000_000;
 /// Largest size of a note (our choice).
 const LONGEST_NOTE_BYTES: u64 = 1 << 20;
 
-/// What a destination has confirmed of a run.
+/// The confirmed rows of a run at a destination.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Note {
     /// The run's id.
@@ -43,11 +43,11 @@ pub struct Note {
 }
 
 impl Note {
-    /// The note in a file.
+    /// Reads the note of a file.
     ///
     /// # Errors
     ///
-    /// There is none, or it is damaged.
+    /// If the file is missing or damaged.
     pub fn read(path: &Path) -> Result<Note, io::Error> {
         Ok(serde_json::from_str(&read_text(path, LONGEST_NOTE_BYTES)?)?)
     }

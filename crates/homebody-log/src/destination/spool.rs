@@ -1,7 +1,7 @@
-//! What becomes of rows while a destination is away: the run fails, waits, or puts them aside on disk.
+//! Keeps rows while a destination is away: the run fails, waits, or spools them on disk.
 //!
-//! A spool is a file of rows that their destination has not taken yet. It is bounded, and gone once the destination has them
-//! all. What a killed program leaves of one is of no use: whoever goes on with the run makes these rows again.
+//! A spool is a file of rows that their destination has not taken yet. Its size is bounded, and it is removed once the destination has all
+//! rows. The spool of a killed program is useless: the resumed run makes these rows again.
 
 mod frame;
 
@@ -19,7 +19,7 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 
-/// What becomes of a run while one of its destinations is away.
+/// The reaction of a run to the absence of one of its destinations.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub enum WhenDown {
     /// It ends with an error; what the destination has confirmed is safe there.
@@ -27,7 +27,7 @@ pub enum WhenDown {
     Error,
     /// It waits until the destination is back, for so long at most.
     Retry(Duration),
-    /// It goes on. Rows are put aside in this folder, in at most so many bytes, and handed over once the destination is back.
+    /// The run continues. Rows are spooled in this folder, in at most so many bytes, and handed over once the destination is back.
     Spool(PathBuf, u64),
 }
 
@@ -35,16 +35,15 @@ pub enum WhenDown {
 const FIRST_WAIT: Duration = Duration::from_millis(100);
 const LONGEST_WAIT: Duration = Duration::from_secs(5);
 
-/// How many batches may wait while a destination is tried that does not answer.
+/// The number of batches that may wait while a destination does not answer.
 pub(crate) const BATCHES_WAITING: usize = 256;
 
-/// How soon a destination that has not answered is asked again whether it has.
+/// The interval of checks for the answer of a destination.
 const ANSWER_LOOK: Duration = Duration::from_millis(250);
 
 /// Time to wait for a destination at the end of a run (our choice): a restart of a server takes less.
 const END_WAITS: Duration = Duration::from_secs(60);
 
-/// A place as a file's name.
 pub(crate) fn file_name(place: &str) -> String {
     let plain: String = place.chars().map(|c| if c.is_ascii_alphanumeric() { c } else { '-' }).take(80).collect();
     plain.split('-').filter(|part| !part.is_empty()).collect::<Vec<_>>().join("-")
@@ -57,18 +56,17 @@ pub(crate) struct Spooled {
     path: PathBuf,
     most_bytes: u64,
     beginning: Option<OwnedBegin>,
-    /// Whether the destination has begun.
     has_begun: bool,
     /// Rows that it has already and that are still to come, by table: known where it could not be asked at the beginning.
     there: Vec<u64>,
-    /// How far it was sure when it was asked last.
+    /// Its watermark at the last request.
     durable: Watermark,
     /// While it is away.
     away: Option<Spooling>,
     meter: Arc<SinkMetrics>,
 }
 
-/// What is kept while a destination is away.
+/// The spool while a destination is away.
 struct Spooling {
     file: BufWriter<File>,
     written_bytes: u64,
@@ -185,7 +183,7 @@ impl Spooled {
         let mut file = BufReader::with_capacity(1 << 16, file);
         while away.read_bytes < away.written_bytes {
             let (batch, bytes) = read_frame(&mut file, &away.texts).map_err(failed(&self.path))?;
-            // What it has already is counted down once: the same frame may be tried again.
+            // Existing rows are skipped once: the same frame may be tried again.
             let mut there = self.there.clone();
             let rest = batch.beyond(&mut there);
             if !rest.is_empty() && self.inner.write_briefly(&rest)?.is_none() {
@@ -202,7 +200,7 @@ impl Spooled {
 
 impl Sink for Spooled {
     fn begin(&mut self, begin: &Begin) -> Result<Watermark, LogError> {
-        // What a program left that died is made again.
+        // The resumed run makes the rows of a dead program again.
         if let Err(error) = fs::remove_file(&self.path)
             && error.kind() != std::io::ErrorKind::NotFound
         {
@@ -278,7 +276,7 @@ impl Sink for Spooled {
 
 impl Drop for Spooled {
     fn drop(&mut self) {
-        // Whoever goes on with the run makes these rows again.
+        // The resumed run makes these rows again.
         if self.away.take().is_some() {
             let _ = fs::remove_file(&self.path);
         }

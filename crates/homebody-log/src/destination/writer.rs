@@ -6,6 +6,7 @@
 
 use super::Destination;
 use crate::error::{ChangedMessage, LogError};
+use crate::files::WriteMode;
 use crate::policy::{Cancel, Deadline, Policy, RetryWait, SinkMetrics};
 use crate::sink::{OwnedBegin, Sink, Watermark};
 use crate::table::Batch;
@@ -19,36 +20,34 @@ use std::time::Duration;
 /// Rows of one batch (our choice, as the values below).
 pub(crate) const BATCH: usize = 4096;
 
-/// How long rows wait for a batch to fill. Whoever watches a live run sees them a little later.
+/// The wait of rows for a full batch. A viewer of a run sees them so much later.
 pub(crate) const BATCH_WAITS: Duration = Duration::from_millis(100);
 
-/// How long rows are unsure where nothing comes any more, not even word to make sure of them.
+/// The time after which rows become durable without new rows or requests.
 const IDLE: Duration = Duration::from_secs(1);
 
-/// How often a thread that makes sure of rows is looked at.
+/// The interval of checks of a thread that makes rows durable.
 const LOOK: Duration = Duration::from_micros(200);
 
 /// A destination in a thread of its own.
 pub(crate) struct Writer {
-    /// What errors call it.
     place: String,
     policy: Policy,
     messages: Option<SyncSender<WriterMessage>>,
     thread: Option<JoinHandle<Result<(), LogError>>>,
     shared: Arc<WriterShared>,
     meter: Arc<SinkMetrics>,
-    /// How often it was asked to make sure of its rows.
+    /// The number of requests to make rows durable.
     asked: u64,
 }
 
-/// What the thread tells while it works.
+/// The progress of the thread.
 #[derive(Default)]
 struct WriterShared {
-    /// How often it has made sure of its rows because it was asked to.
+    /// The number of answered requests to make rows durable.
     settled: AtomicU64,
-    /// How many of the rows to come the destination has already.
+    /// The number of the rows to come that the destination has already.
     there: AtomicU64,
-    /// Whether the run was given up.
     is_given_up: AtomicBool,
     durable: Mutex<Watermark>,
 }
@@ -65,7 +64,8 @@ impl Writer {
         let (place, policy) = (destination.place.clone(), destination.policy.clone());
         let (meter, cancel) = (destination.meter.clone(), destination.cancel.clone());
         let deadline = Deadline::new(policy.answers_within);
-        let beginning = OwnedBegin { cancel: cancel.clone(), deadline, ..beginning.clone() };
+        let how = destination.how.filter(|_| beginning.how != WriteMode::Resume).unwrap_or(beginning.how);
+        let beginning = OwnedBegin { how, cancel: cancel.clone(), deadline, ..beginning.clone() };
         let (messages, incoming) = sync_channel(policy.batches_waiting);
         let (begun, begins) = sync_channel(1);
         let shared = Arc::new(WriterShared::default());
@@ -78,7 +78,7 @@ impl Writer {
             cancel,
             there: Vec::new(),
         };
-        let thread = thread::Builder::new().spawn(move || work.live(&beginning, &begun, incoming));
+        let thread = thread::Builder::new().spawn(move || work.run(&beginning, &begun, incoming));
         let thread = thread.map_err(|source| LogError::NoThread { place: place.clone(), source })?;
         let (messages, thread) = (Some(messages), Some(thread));
         let mut writer = Writer { place, policy, messages, thread, shared, meter, asked: 0 };
@@ -92,7 +92,7 @@ impl Writer {
         }
     }
 
-    /// What errors call the destination.
+    /// The name of the destination in errors.
     pub fn place(&self) -> &str {
         &self.place
     }
@@ -107,12 +107,12 @@ impl Writer {
         self.policy.required
     }
 
-    /// How far everything is durable.
+    /// The watermark of the destination.
     pub fn durable(&self) -> Watermark {
         self.shared.durable.lock().unwrap_or_else(PoisonError::into_inner).clone()
     }
 
-    /// Whether all that the destination had of the run when it was begun has been lived again.
+    /// Whether the run is past all rows that the destination had at its beginning.
     pub fn is_past_replayed_part(&self) -> bool {
         self.shared.there.load(Ordering::Acquire) == 0
     }
@@ -128,7 +128,7 @@ impl Writer {
         self.pass(WriterMessage::MakeDurable)
     }
 
-    /// Waits until it has made sure of its rows as often as it was asked to.
+    /// Waits until all requests to make rows durable are answered.
     pub fn wait_durable(&mut self) -> Result<(), LogError> {
         let asked = self.asked;
         while self.shared.settled.load(Ordering::Acquire) < asked
@@ -180,9 +180,7 @@ impl Drop for Writer {
     }
 }
 
-/// What the thread works with.
 struct WriterWork {
-    /// What errors call it.
     place: String,
     sink: Box<dyn Sink>,
     policy: Policy,
@@ -195,7 +193,7 @@ struct WriterWork {
 
 impl WriterWork {
     /// The thread's life: begins the sink, says so, and writes what comes.
-    fn live(
+    fn run(
         mut self,
         beginning: &OwnedBegin,
         begun: &SyncSender<()>,
@@ -207,7 +205,7 @@ impl WriterWork {
         *shared.durable.lock().unwrap_or_else(PoisonError::into_inner) = there.clone();
         shared.there.store(there.0.iter().sum(), Ordering::Release);
         self.there = there.0;
-        // Nobody waits any more for one that has begun too late: then it is dropped as it is.
+        // A destination that begins too late is dropped, since its caller does not wait any more.
         match begun.send(()) {
             Ok(()) => self.write(incoming),
             Err(_) => Ok(()),
@@ -239,7 +237,7 @@ impl WriterWork {
                     self.make_durable()?;
                     is_unsure = self.sink.is_behind();
                 }
-                // Whoever made the rows has given up.
+                // The caller has given up.
                 Err(RecvTimeoutError::Disconnected) => return self.make_durable(),
             }
         }
@@ -260,8 +258,8 @@ impl WriterWork {
         waiting.call(|| shared.is_given_up.load(Ordering::Relaxed), || ask(&mut **sink))
     }
 
-    /// An error where the destination has rows behind the last of the run: most look themselves and have refused to end, but those of which
-    /// only a note says what they have cannot.
+    /// An error if the destination has rows after the last one of the run. Most destinations check that themselves; those with a
+    /// checkpoint cannot.
     fn has_no_more(&self) -> Result<(), LogError> {
         match self.there.iter().sum::<u64>() {
             0 => Ok(()),

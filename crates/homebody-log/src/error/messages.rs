@@ -44,31 +44,23 @@ homebody_core::messages! {
             hint ("name the truth database of the same run; for a ground truth in files, pass csv:FILE or parquet:FOLDER");
         /// A ground truth has the tables that docs/reference/truth.md lists.
         NoTable {
-            /// The table.
             table: String,
             /// The tables that there are.
             known: Vec<String>,
         } error "no-table" ("it has no table {table:?}")
             hint ("the tables are {known}", known = known.join(", "));
         /// The file was changed, or is the table of another program.
-        NoColumn {
-            /// The column.
-            column: String,
-        } error "no-column" ("it has no column {column:?}")
+        NoColumn { column: String } error "no-column" ("it has no column {column:?}")
             hint ("name the truth database of the same run, or csv:FILE or parquet:FOLDER where each table is a file");
         /// The columns of a table hold integers, numbers, texts or instants. docs/reference/truth.md lists the type of each.
         BadRow {
             /// The line, from 1.
             line: u64,
-            /// The table.
             table: String,
         } error "bad-row" ("line {line} is not a row of the table {table:?}")
             hint ("restore the file as the run has written it");
         /// Parquet and Arrow files have a type for each column. docs/reference/truth.md lists the type of each.
-        ColumnType {
-            /// The column.
-            column: String,
-        } error "column-type" ("the column {column:?} has another type than a run writes")
+        ColumnType { column: String } error "column-type" ("the column {column:?} has another type than a run writes")
             hint ("restore the file as the run has written it");
         /// Homebody reads instants between the years 1 and 9999.
         InstantOutOfRange error "instant-out-of-range" ("an instant in it is out of range")
@@ -108,7 +100,6 @@ homebody_core::messages! {
         OtherRow {
             /// The row, from 0.
             row: u64,
-            /// The table.
             table: String,
         } error "other-row" ("row {row} of {table:?} differs from the row of the run")
             hint ("restore the rows of the run, or start a new run");
@@ -119,27 +110,15 @@ homebody_core::messages! {
         } error "other-line" ("line {line} differs from the line of the run")
             hint ("restore the file, or start a new run");
         /// The destination contains rows behind the last row of the run: another program has added them, or the run was longer before.
-        MoreRows {
-            /// The number of rows.
-            rows: u64,
-        } error "more-rows" ("it has more than the {rows} rows of the run")
+        MoreRows { rows: u64 } error "more-rows" ("it has more than the {rows} rows of the run")
             hint ("restore the rows of the run, or start a new run");
         /// The table contains rows behind the last row of the run.
-        MoreRowsInTable {
-            /// The table.
-            table: String,
-            /// The number of rows.
-            rows: u64,
-            /// The number of rows of the run.
-            of_run: u64,
-        } error "more-rows-in-table" ("{table:?} has {rows} rows, but the run makes {of_run}")
+        MoreRowsInTable { table: String, rows: u64, of_run: u64 }
+            error "more-rows-in-table" ("{table:?} has {rows} rows, but the run makes {of_run}")
             hint ("restore the rows of the run, or start a new run");
         /// The destination has confirmed rows that the run did not make this time: the run was stopped earlier than before, or the
         /// scenario has changed since.
-        RowsAhead {
-            /// The number of rows.
-            rows: u64,
-        } error "rows-ahead" ("it has confirmed {rows} more rows than the run has made")
+        RowsAhead { rows: u64 } error "rows-ahead" ("it has confirmed {rows} more rows than the run has made")
             hint ("resume the run, and let it run at least as long as before");
         /// A resumed run continues only its own database.
         ForeignDatabase error "foreign-database" ("it is a database of another program")
@@ -148,10 +127,7 @@ homebody_core::messages! {
         OtherRun error "other-run" ("it contains another run")
             hint ("restore the run's database, or start a new run");
         /// Each camera stores a silhouette for each picture. One row of them is damaged or was changed.
-        Silhouette {
-            /// The reason.
-            reason: String,
-        } error "silhouette" ("cannot read a silhouette: {reason}")
+        Silhouette { reason: String } error "silhouette" ("cannot read a silhouette: {reason}")
             hint ("restore the file, or start a new run");
     }
 }
@@ -163,21 +139,14 @@ homebody_core::messages! {
         CasasTruth error "casas-truth" ("the ground truth")
             hint ("write the ground truth to a place such as \"sqlite:truth.db\"");
         /// The text form of CASAS separates its parts by tabs and lines, so no text may contain these.
-        ControlCharacters {
-            /// The text.
-            text: String,
-        } error "control-characters" ("the control characters of {text}")
+        ControlCharacters { text: String } error "control-characters" ("the control characters of {text}")
             hint ("write the log to a place such as \"csv:log.csv\" or \"sqlite:log.db\"");
         /// Standard output is one stream of text. A ground truth has several tables.
         OutputTables error "output-tables" ("several tables")
             hint ("write the tables to a database, such as \"sqlite:truth.db\"");
         /// The text form of CASAS notes the begin and the end of an activity at a row, so it has at most one note a row.
-        CasasActivities {
-            /// The number of activities.
-            activities: usize,
-            /// The number of rows.
-            rows: u64,
-        } error "casas-activities" ("{activities} activities: it has at most one activity for each row, and {rows} rows")
+        CasasActivities { activities: usize, rows: u64 }
+            error "casas-activities" ("{activities} activities: it has at most one activity for each row, and {rows} rows")
             hint ("write the log to a place such as \"csv:log.csv\" or \"sqlite:log.db\"");
         /// Homebody reaches object stores only when it is built with this feature.
         NoObjectStore error "no-object-store" ("files: this program was built without object stores")
@@ -202,20 +171,10 @@ homebody_core::messages! {
     pub enum CountMessage in "row-count" {
         /// Homebody counts the rows that a server has confirmed in a small JSON file of the run's folder, so that a resumed run sends no
         /// row twice.
-        Unreadable {
-            /// The file.
-            place: String,
-            /// The reason.
-            reason: String,
-        } error "unreadable" ("cannot read {place}: {reason}")
+        Unreadable { place: String, reason: String } error "unreadable" ("cannot read {place}: {reason}")
             hint ("restore the file, or delete it to send all rows again");
         /// The number is larger than any run makes, so the file was changed. With it no row would be sent.
-        TooMany {
-            /// The file.
-            place: String,
-            /// The number of rows.
-            rows: u64,
-        } error "too-many" ("{place} counts {rows} rows, more than any run has")
+        TooMany { place: String, rows: u64 } error "too-many" ("{place} counts {rows} rows, more than any run has")
             hint ("restore the file, or delete it to send all rows again");
     }
 }
@@ -227,7 +186,6 @@ homebody_core::messages! {
         Unavailable {
             /// The use of the thread, such as `to take commands`.
             purpose: String,
-            /// The system's message.
             reason: String,
         } error "unavailable" ("cannot start a thread {purpose}: {reason}")
             hint ("raise this user's limits on threads or memory, or run fewer simulations at once");
@@ -305,7 +263,7 @@ homebody_core::messages! {
 
 impl FileRefusal {
     /// The refusal in an error, if it is one.
-    pub fn of(error: &io::Error) -> Option<FileRefusal> {
+    pub fn from_error(error: &io::Error) -> Option<FileRefusal> {
         error.get_ref()?.downcast_ref().copied()
     }
 }

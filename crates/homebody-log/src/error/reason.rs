@@ -74,13 +74,11 @@ homebody_core::messages! {
         Destination {
             /// The destination's name.
             place: String,
-            /// The reason.
             what: String,
         } error "destination" ("{place}: {what}");
     }
 }
 
-/// The messages of this module.
 pub(crate) const ENTRIES: &[homebody_core::messages::CatalogueEntry] =
     <OwnMessage as homebody_core::messages::Catalogue>::ENTRIES;
 

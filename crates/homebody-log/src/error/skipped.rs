@@ -9,10 +9,10 @@ use serde_json::{Value, json};
 pub struct Skipped {
     /// Counted from 1; in a database, the row.
     pub line: u64,
-    /// The file beside the log that it is in, if it is not in the log itself.
+    /// Its file next to the log, if it is not in the log itself.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub beside: Option<String>,
-    /// What could not be understood, as a part of a sentence.
+    /// The problem, as a part of a sentence.
     pub why: String,
 }
 

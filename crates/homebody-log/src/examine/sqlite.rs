@@ -73,7 +73,7 @@ fn written_by(path: &Path) -> Check {
     }
 }
 
-/// What a program that was killed, or one that reads, has left beside the file.
+/// The companion files of a killed program, or of a reader.
 fn left_beside(path: &Path) -> Option<Check> {
     let size = |ending: &str| {
         let mut name = path.as_os_str().to_owned();
@@ -172,7 +172,7 @@ fn integrity(connection: &Connection, checks: &mut Vec<Check>) -> rusqlite::Resu
     Ok(is_whole)
 }
 
-/// Whether a table has the columns and the key that are wanted; all that is wrong is told.
+/// Checks that a table has the wanted columns and key, and reports all problems.
 fn schema(connection: &Connection, table: &Table, run_column: &str, checks: &mut Vec<Check>) -> rusqlite::Result<bool> {
     let found: Vec<(String, i64)> = connection
         .prepare("SELECT name, pk FROM pragma_table_info(?)")?
@@ -257,7 +257,6 @@ fn firings(connection: &Connection, run_column: &str, checks: &mut Vec<Check>) -
     Ok(())
 }
 
-/// What the table of runs says.
 fn runs(connection: &Connection, path: &Path, is_there: bool, checks: &mut Vec<Check>) -> rusqlite::Result<()> {
     if !is_there {
         checks.push(Check::warning(

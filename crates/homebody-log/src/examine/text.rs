@@ -45,19 +45,18 @@ pub(crate) fn examine(place: &LogSource, asked: &CheckOptions) -> Result<Vec<Che
     Ok(checks)
 }
 
-/// The numbers of the rows, if they have any.
 fn numbered(url: &Url, asked: &CheckOptions) -> Option<Check> {
     let name = asked.mapping.columns.seq.clone();
     let column = Column { name, kind: ColumnKind::Integer, unit: "", about: "the number of the row" };
     let table = Table { name: String::new(), about: "", columns: vec![column], is_numbered: true, is_frequent: true };
     let mut numbers = RowNumbers::default();
-    // A line that is none of the table has been told already, and ends this.
+    // A line of another table ends this; the first check has reported it.
     let _ = read_numbers(url, &table, &mut |values| {
         if let [TruthValue::Integer(number)] = values {
             numbers.push(*number);
         }
         Ok(())
     });
-    // A log of somebody else has none.
+    // A log of another program has none.
     (numbers.rows() > 0).then(|| numbers.check("this log"))
 }

@@ -1,6 +1,6 @@
-//! Database files that somebody else has written, or a run of ours, opened to be read.
+//! Opens databases of other programs, or of our runs, for reading.
 //!
-//! Only tables are read: a view can compute without an end, or make gigabytes of nothing.
+//! Only tables are read: a view can compute without an end, or produce gigabytes.
 
 use super::open::{self, OpenMode, are_own, log_beside};
 use super::plain;
@@ -40,7 +40,7 @@ fn open(path: &Path, flags: OpenFlags) -> rusqlite::Result<Connection> {
     // One thread at a time has a connection.
     let flags = flags | OpenFlags::SQLITE_OPEN_NO_MUTEX;
     let connection = match is_closed_with_wal(path) {
-        // Read as others are, it would get two more files beside it.
+        // Opened as usual, it would get two more files next to it.
         true => Connection::open_with_flags(unchanging(path), flags | OpenFlags::SQLITE_OPEN_URI)?,
         false => Connection::open_with_flags(path, flags)?,
     };
@@ -50,14 +50,14 @@ fn open(path: &Path, flags: OpenFlags) -> rusqlite::Result<Connection> {
     Ok(connection)
 }
 
-/// Whether a database has a log for writing ahead, by its header, and nobody has it open: that log is not there.
+/// Whether a closed database uses a write-ahead log, by its header.
 fn is_closed_with_wal(path: &Path) -> bool {
     let mut header = [0; 20];
     let read = plain::open(path).and_then(|mut file| file.read_exact(&mut header));
     read.is_ok() && header[18..] == [2, 2] && log_beside(path).is_none()
 }
 
-/// How SQLite names a file that does not change while it is read.
+/// The name of a file for SQLite that does not change while it is read.
 fn unchanging(path: &Path) -> String {
     let letter = |&byte: &u8| match byte {
         b'a'..=b'z' | b'A'..=b'Z' | b'0'..=b'9' | b'/' | b'.' | b'-' | b'_' => char::from(byte).to_string(),
@@ -67,7 +67,7 @@ fn unchanging(path: &Path) -> String {
     format!("file:{path}?immutable=1")
 }
 
-/// The tables of a database in the order in which they were made: neither views nor virtual tables.
+/// The tables of a database in the order of their creation, without views and virtual tables.
 pub(crate) fn tables(connection: &Connection) -> rusqlite::Result<Vec<String>> {
     let sql = "SELECT name FROM sqlite_schema JOIN pragma_table_list USING (name)
                WHERE pragma_table_list.schema = 'main' AND pragma_table_list.type = 'table'
@@ -89,7 +89,6 @@ pub(crate) fn first_row<E>(last: i64, mut is_before: impl FnMut(i64) -> Result<b
     Ok(low)
 }
 
-/// What a cell says, as text.
 pub(crate) fn text(value: ValueRef<'_>) -> Cow<'_, str> {
     match value {
         ValueRef::Null => "".into(),
@@ -106,7 +105,7 @@ mod tests {
     use std::fs;
 
     #[test]
-    fn undoes_what_was_half_written_in_no_other_file_of_the_user() {
+    fn rolls_back_no_other_file_of_the_user() {
         let folder = tempfile::tempdir().unwrap();
         let path = |name: &str| folder.path().join(name);
         let writing = Connection::open(path("writing.db")).unwrap();

@@ -8,14 +8,14 @@ use std::fs::{self, File, OpenOptions};
 use std::io::{self, BufWriter, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
 
-/// What is at a path where a log shall be written.
+/// The present content of a path for a new file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum ExistingFile {
     /// Nothing yet.
     Free,
-    /// A file that may be replaced; of a symbolic link the link is, and what it leads to stays as it was.
+    /// A file that may be replaced. A symbolic link is replaced itself, and its target stays unchanged.
     Replaced,
-    /// A pipe or a device: it is written to as it is.
+    /// A pipe or a device, which is written to directly.
     Device,
 }
 
@@ -63,7 +63,7 @@ pub fn all_can_be_written(paths: &[&Path], force: bool) -> Result<(), LogError> 
     Ok(())
 }
 
-/// Whether two paths lead to one file, be it there yet or not.
+/// Whether two paths lead to one file, which need not exist.
 pub fn same_file(one: &Path, other: &Path) -> bool {
     let led = |path: &Path| path.canonicalize().ok().or_else(|| whole(path));
     one == other || led(one).is_some_and(|one| Some(one) == led(other))
@@ -78,19 +78,19 @@ pub(crate) fn whole(path: &Path) -> Option<PathBuf> {
 pub struct FreshFile {
     path: PathBuf,
     place: ExistingFile,
-    /// Where it is until then, beside its later place so that renaming it moves no data.
+    /// Its temporary path in the same folder, so that renaming moves no data.
     part: Option<PathBuf>,
     out: BufWriter<File>,
 }
 
 impl FreshFile {
-    /// Begins a file under another name beside its place; `force` allows that a file with its name is replaced. A
-    /// device, such as a pipe, is written to at once.
+    /// Begins a file under another name in its folder; with `force`, it may replace a file. A device, such as a pipe, is written to at
+    /// once.
     pub fn create(path: &Path, force: bool) -> Result<FreshFile, LogError> {
         FreshFile::create_as(path, "", force)
     }
 
-    /// The same; until it is whole, its name begins with a dot, so that whoever reads all files of its folder passes it over.
+    /// The same; until it is whole, its name begins with a dot, so that programs that read all files of the folder skip it.
     pub fn create_hidden(path: &Path, force: bool) -> Result<FreshFile, LogError> {
         FreshFile::create_as(path, ".", force)
     }
@@ -135,19 +135,19 @@ impl FreshFile {
         Ok(Some((FreshFile { path: path.into(), place: ExistingFile::Free, part, out }, read)))
     }
 
-    /// Cuts the file to so many bytes, and goes on behind them.
+    /// Cuts the file to so many bytes, and continues behind them.
     pub fn cut(&mut self, bytes: u64) -> Result<(), LogError> {
         let file = self.out.get_mut();
         let cut = file.set_len(bytes).and_then(|()| file.seek(SeekFrom::Start(bytes)));
         cut.map(|_| ()).map_err(|error| LogError::file(&self.path, error))
     }
 
-    /// Leaves the file as it is, with the name that it has.
+    /// Keeps the file unchanged, with its present name.
     pub fn keep(&mut self) {
         self.part = None;
     }
 
-    /// Where its bytes are as long as it has no name; None for a device.
+    /// Its temporary path until it has its name; None for a device.
     pub fn part(&self) -> Option<&Path> {
         self.part.as_deref()
     }
@@ -296,7 +296,7 @@ fn parts(path: &Path) -> io::Result<Vec<(u64, PathBuf)>> {
     Ok(parts)
 }
 
-/// Renames over a file, and who may read and write it stays as it was.
+/// Renames over a file, and keeps its permissions.
 fn replace(part: &Path, path: &Path) -> io::Result<()> {
     if let Ok(old) = fs::symlink_metadata(path)
         && old.is_file()
@@ -347,7 +347,7 @@ mod tests {
     }
 
     #[test]
-    fn goes_on_through_no_link() {
+    fn resumes_through_no_link() {
         let folder = tempfile::tempdir().unwrap();
         let (log, mine) = (folder.path().join("log.csv"), folder.path().join("mine"));
         fs::write(&mine, "").unwrap();

@@ -9,7 +9,7 @@ use std::path::{Path, PathBuf};
 use std::thread;
 use std::time::{Duration, Instant};
 
-/// A folder that nobody else writes into while this lives. It ends with the program, however that ends.
+/// Keeps other writers out of a folder. It ends with the program, for any reason.
 #[derive(Debug)]
 pub struct FolderLock {
     _held: Option<File>,
@@ -22,7 +22,7 @@ impl FolderLock {
     ///
     /// [`LogError::Busy`] if another program, or another run of this one, has it.
     pub fn take(folder: &Path) -> Result<FolderLock, LogError> {
-        // Where a system locks no folders, nothing is held.
+        // Some systems cannot lock folders.
         let Ok(file) = File::open(folder) else { return Ok(FolderLock { _held: None }) };
         match file.try_lock() {
             Err(TryLockError::WouldBlock) => Err(LogError::Busy { place: place_of(folder) }),
@@ -32,8 +32,8 @@ impl FolderLock {
     }
 }
 
-/// A file that nobody else writes while this lives. A lock file beside it says so; it goes when this does. One that a killed
-/// program has left holds nobody up.
+/// Keeps other writers away from a file, by a lock file in the same folder, which is removed with it. The lock file of a killed program
+/// blocks no one.
 #[derive(Debug)]
 pub struct FileLock {
     /// The lock file and its handle, which is closed after the file is removed; `None` where nothing is held.
@@ -41,13 +41,12 @@ pub struct FileLock {
 }
 
 impl FileLock {
-    /// Takes a file that is to be written, be it there yet or not. Nothing is held of a device or a pipe, nor where a system
-    /// has no locks.
+    /// Locks a file before it is written, whether it exists or not. Devices, pipes and systems without locks need no lock.
     ///
     /// # Errors
     ///
-    /// [`LogError::Busy`] if another program, or another run of this one, writes it; [`LogError::Denied`] if nothing may be
-    /// made beside it, which each file needs while it is written; [`LogError::NotOwn`] if the lock file is a link.
+    /// [`LogError::Busy`] if another program, or another run of this one, writes it; [`LogError::Denied`] if its folder is read-only,
+    /// since each file needs a second one while it is written; [`LogError::NotOwn`] if the lock file is a link.
     pub fn take(path: &Path) -> Result<FileLock, LogError> {
         let nothing = Ok(FileLock { held: None });
         if fs::metadata(path).is_ok_and(|found| !found.is_file()) {
@@ -57,7 +56,7 @@ impl FileLock {
         loop {
             let file = match open(&beside, OpenMode::Kept) {
                 Ok(file) => file,
-                Err(error) if FileRefusal::of(&error).is_some() => return Err(LogError::file(&beside, error)),
+                Err(error) if FileRefusal::from_error(&error).is_some() => return Err(LogError::file(&beside, error)),
                 Err(error) if matches!(error.kind(), ErrorKind::PermissionDenied | ErrorKind::ReadOnlyFilesystem) => {
                     return Err(LogError::file(path, error));
                 }
@@ -70,14 +69,14 @@ impl FileLock {
                     return nothing;
                 }
                 Ok(()) if is_at(&file, &beside) => return Ok(FileLock { held: Some((beside, file)) }),
-                // Who held it has removed it since it was opened.
+                // The earlier holder has removed it since it was opened.
                 Ok(()) => {}
             }
         }
     }
 }
 
-/// How long, and how often, a small file is asked for that another program writes.
+/// The time and the interval of attempts to lock a small file that another program writes.
 const WAIT: Duration = Duration::from_secs(10);
 const ASK: Duration = Duration::from_millis(2);
 
@@ -106,8 +105,7 @@ impl Drop for FileLock {
     }
 }
 
-/// Whether a program has a file that it writes: `None` where there is no lock file, and false where that is one that a killed program has
-/// left. Nothing is changed.
+/// Whether another program writes a file: `None` without a lock file, and false if a killed program has left that. Nothing is changed.
 pub fn is_held(path: &Path) -> Option<bool> {
     let file = plain::open(&lock_of(path)).ok()?;
     Some(matches!(file.try_lock_shared(), Err(TryLockError::WouldBlock)))
@@ -120,7 +118,6 @@ fn lock_of(path: &Path) -> PathBuf {
     path.with_file_name(name)
 }
 
-/// Whether an open file is the one at a path.
 #[cfg(unix)]
 pub(crate) fn is_at(file: &File, path: &Path) -> bool {
     use std::os::unix::fs::MetadataExt;
@@ -145,7 +142,7 @@ mod tests {
         let folder = std::env::temp_dir().join(format!("homebody-file-lock-{}", std::process::id()));
         fs::create_dir_all(&folder).unwrap();
         let path = folder.join("log.db");
-        // What a killed program has left.
+        // The lock file of a killed program.
         fs::write(folder.join("log.db.lock"), "").unwrap();
         let lock = FileLock::take(&path).unwrap();
         assert!(matches!(FileLock::take(&path), Err(LogError::Busy { .. })));
@@ -156,7 +153,7 @@ mod tests {
         assert!(FileLock::take(&folder.join("other.db")).is_ok());
         drop(lock);
         assert!(fs::read_dir(&folder).unwrap().next().is_none(), "no lock stays");
-        // Taken and given back by many at once, nobody has it together with another.
+        // Many threads take it at once, and no two of them have it together.
         let inside = AtomicUsize::new(0);
         thread::scope(|scope| {
             for _ in 0..8 {
@@ -175,7 +172,7 @@ mod tests {
 
     #[test]
     #[cfg(unix)]
-    fn waits_for_who_has_a_small_file() {
+    fn waits_for_the_holder_of_a_small_file() {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("count");
         fs::write(&path, "0").unwrap();

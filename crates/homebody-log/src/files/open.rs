@@ -10,7 +10,7 @@ use std::fs::{File, Metadata};
 use std::io;
 use std::path::{Path, PathBuf};
 
-/// How a file is opened that is going to be written.
+/// The way in which a file is opened for writing.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum OpenMode {
     /// A new file: nothing may be there.
@@ -80,14 +80,14 @@ fn beneath(path: &Path) -> io::Result<(PathBuf, PathBuf)> {
     Ok((here(folder), inner))
 }
 
-/// Whether a folder, which need not be there, lies behind a link in the folder of a run or cohort.
+/// Whether a folder, which need not exist, lies behind a link in the folder of a run or cohort.
 pub(crate) fn leads_out(folder: &Path) -> bool {
     let mut above = folder.ancestors();
     let Some(root) = above.find(|folder| is_of_run_or_cohort(folder)) else { return false };
     folder.ancestors().take_while(|folder| *folder != root).any(Path::is_symlink)
 }
 
-/// Whether a folder is that of a run or of a cohort, by what it holds. A recording alone may lie in any folder.
+/// Whether a folder is that of a run or of a cohort, by its content. A recording alone may lie in any folder.
 fn is_of_run_or_cohort(folder: &Path) -> bool {
     let has = |name: &str| folder.join(name).is_file();
     has(RECORDING) && has(SENSORS) || has(LIST)
@@ -209,7 +209,7 @@ mod tests {
     }
 
     fn refusal(path: &Path, opening: OpenMode) -> Option<FileRefusal> {
-        open(path, opening).map_or_else(|error| FileRefusal::of(&error), |_| None)
+        open(path, opening).map_or_else(|error| FileRefusal::from_error(&error), |_| None)
     }
 
     #[test]
@@ -257,7 +257,7 @@ mod tests {
     }
 
     #[test]
-    fn opens_no_pipe_and_no_folder_and_waits_for_nobody() {
+    fn opens_neither_pipes_nor_folders_and_does_not_wait() {
         let (_folder, run) = run();
         let pipe = run.join("pipe");
         let (kind, mode) = (rustix::fs::FileType::Fifo, rustix::fs::Mode::from_raw_mode(0o600));
@@ -267,7 +267,7 @@ mod tests {
     }
 
     #[test]
-    fn takes_what_a_run_has_left_under_one_name_only() {
+    fn takes_files_of_a_run_with_one_name_only() {
         let (folder, run) = run();
         let part = run.join("log.csv.77-0.part");
         fs::hard_link(folder.path().join("mine"), &part).unwrap();

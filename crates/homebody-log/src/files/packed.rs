@@ -10,7 +10,6 @@ use std::fs::File;
 use std::io::{self, BufReader, BufWriter, Read, Seek, Write};
 use std::path::Path;
 
-/// How a text is packed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Packing {
     /// Gzip (RFC 1952): `.gz`.
@@ -19,7 +18,7 @@ pub(crate) enum Packing {
     Zstd,
 }
 
-/// How files begin that are packed.
+/// The first bytes of packed files.
 const GZIP: &[u8] = b"\x1f\x8b";
 const ZSTD: &[u8] = b"\x28\xb5\x2f\xfd";
 
@@ -37,8 +36,8 @@ const AT_ONCE_BYTES: usize = 1 << 16;
 const LARGEST_WINDOW_LOG: u32 = 23;
 
 impl Packing {
-    /// How a file of this name is packed; an error where this build cannot.
-    pub fn of(path: &Path) -> Result<Option<Packing>, LogError> {
+    /// The packing of a file with this name; an error if this build lacks it.
+    pub fn for_path(path: &Path) -> Result<Option<Packing>, LogError> {
         match path.extension().and_then(|ending| ending.to_str()) {
             Some("gz") => Ok(Some(Packing::Gzip)),
             Some("zst") if cfg!(feature = "zstd") => Ok(Some(Packing::Zstd)),
@@ -65,7 +64,6 @@ impl Packing {
     }
 }
 
-/// What packs.
 pub(crate) struct Packer(BufWriter<PackedWriter>);
 
 enum PackedWriter {
@@ -84,7 +82,7 @@ impl Write for PackedWriter {
     }
 
     fn flush(&mut self) -> io::Result<()> {
-        // What is packed ends where the text ends.
+        // The packed bytes end with the text.
         Ok(())
     }
 }
@@ -117,11 +115,11 @@ pub(crate) fn is_packed(path: &Path) -> bool {
     read.is_ok() && (begins.starts_with(GZIP) || begins == ZSTD)
 }
 
-/// What is in a plain file, unpacked if it is packed. It is unpacked as it is read, so that it may unpack to any size.
+/// The text of a plain file, unpacked if necessary. It is unpacked while it is read, so that it may have any size.
 ///
 /// # Errors
 ///
-/// Those of [`plain::open`]; [`io::ErrorKind::Unsupported`] for a packing that this build does not have.
+/// Those of [`plain::open`]; [`io::ErrorKind::Unsupported`] for a packing that this build lacks.
 pub(crate) fn unpacked(path: &Path) -> io::Result<Box<dyn Read + Send>> {
     let mut file = plain::open(path)?;
     let mut begins = Vec::new();
@@ -141,7 +139,7 @@ fn unpacked_zstd(file: File) -> io::Result<Box<dyn Read + Send>> {
     Ok(Box::new(Unpacked(decoder)))
 }
 
-/// What is unpacked; where that fails, it says so in words.
+/// An unpacked text; its errors have a message.
 struct Unpacked<R>(R);
 
 impl<R: Read> Read for Unpacked<R> {

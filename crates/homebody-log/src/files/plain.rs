@@ -1,6 +1,6 @@
-//! Reading files that may be anybody's: plain ones only, of a size that is named for each kind.
+//! Reads files of unknown origin: plain ones only, up to a size for each kind.
 //!
-//! A pipe or a device keeps a reader waiting for ever, or never ends; a link may lead to what its author was never to see.
+//! A pipe or a device keeps a reader waiting for ever, or never ends; a link may lead to a file that its author must not see.
 
 use std::borrow::Cow;
 use std::fs::{self, File};
@@ -38,11 +38,11 @@ pub fn read(path: &Path, largest: u64) -> io::Result<Vec<u8>> {
     }
 }
 
-/// The text of a plain file that has no more than `largest` bytes. A byte order mark says nothing and is left out.
+/// The text of a plain file with at most `largest` bytes, without a byte order mark.
 ///
 /// # Errors
 ///
-/// As [`read`], and [`ErrorKind::InvalidData`] where it is no text.
+/// As [`read`], and [`ErrorKind::InvalidData`] if it is not text.
 pub fn read_text(path: &Path, largest: u64) -> io::Result<String> {
     let text = String::from_utf8(read(path, largest)?).map_err(|error| {
         let before = &error.as_bytes()[..error.utf8_error().valid_up_to()];
@@ -57,7 +57,7 @@ pub(crate) fn may_have_beside(path: &Path) -> bool {
     fs::metadata(path).map_or(true, |found| found.is_file())
 }
 
-/// Whether anybody but its owner may read a file, such as one with a password in it; where the system does not say, it is taken for no.
+/// Whether other users can read a file, such as one with a password in it; false if the system does not say.
 pub fn others_may_read(found: &fs::Metadata) -> bool {
     #[cfg(unix)]
     {
@@ -71,25 +71,25 @@ pub fn others_may_read(found: &fs::Metadata) -> bool {
     }
 }
 
-/// Bytes as text; what is none in UTF-8 is replaced. Nearly all is, which is quick to see.
+/// Bytes as text; invalid UTF-8 is replaced. Valid UTF-8, the usual case, is quick.
 pub(crate) fn text(bytes: &[u8]) -> Cow<'_, str> {
     str::from_utf8(bytes).map_or_else(|_| String::from_utf8_lossy(bytes), Cow::Borrowed)
 }
 
-/// Where a path leads below a folder, be something there yet or not; `None` where it leads out, by its own words or along a link.
-/// A link that stays inside is followed.
+/// The target of a path below a folder, which need not exist; `None` if it leads out, by its own parts or along a link. A link that stays
+/// inside is followed.
 pub fn within(folder: &Path, path: &Path) -> Option<PathBuf> {
     if !path.components().all(|part| matches!(part, Component::Normal(_) | Component::CurDir)) {
         return None;
     }
     let whole = folder.join(path);
     let is_there = |place: &&Path| !place.as_os_str().is_empty() && fs::symlink_metadata(place).is_ok();
-    // What is not there yet is going to be where its folder is.
+    // A missing file will be in its folder.
     let there = whole.ancestors().find(is_there).unwrap_or(folder);
     is_inside(folder, there).then_some(whole)
 }
 
-/// Whether a path leads to a place in a folder, links followed. What is not there is nowhere.
+/// Whether a path leads to a place in a folder, links followed; false for a missing one.
 fn is_inside(folder: &Path, path: &Path) -> bool {
     // The current folder has no name.
     let real = |path: &Path| if path.as_os_str().is_empty() { Path::new(".") } else { path }.canonicalize();

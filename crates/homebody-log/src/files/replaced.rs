@@ -8,7 +8,7 @@ use crate::table::truth::TruthKept;
 use std::io::Read;
 use std::path::Path;
 
-/// How a database of SQLite begins (<https://www.sqlite.org/fileformat2.html>).
+/// The first bytes of a database of SQLite (<https://www.sqlite.org/fileformat2.html>).
 const SQLITE: &[u8] = b"SQLite format 3\0";
 
 /// Tables that a run's databases have besides that of its rows and those of a truth.

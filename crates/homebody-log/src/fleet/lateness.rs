@@ -1,7 +1,7 @@
-//! How late messages are, counted so that a million of them take no more room than one.
+//! The lateness of messages, counted in the same memory for any number of them.
 //!
-//! Counts of spans from one microsecond on, each at most a thirty-second wider than what it begins with: a quantile is told
-//! to 3 %, and never too small.
+//! Counts of intervals from one microsecond on, each at most a thirty-second wider than its begin: a quantile is exact to 3 %, and never
+//! too small.
 
 use homebody_core::time::Span;
 
@@ -9,7 +9,7 @@ use homebody_core::time::Span;
 const SPLIT_BITS: u32 = 5;
 const SPLIT: usize = 1 << SPLIT_BITS;
 
-/// How late messages were.
+/// The lateness of messages.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Lateness {
     counts: Vec<u64>,
@@ -40,7 +40,7 @@ impl Lateness {
         self.most_us = self.most_us.max(other.most_us);
     }
 
-    /// How many messages were counted.
+    /// The number of messages.
     pub fn count(&self) -> u64 {
         self.count
     }

@@ -1,4 +1,4 @@
-//! A thread that tells one place what a fleet says. What it has not told yet waits in a list, which its maker keeps short.
+//! A thread that sends the events of a fleet to one place. Events wait in a list, which its maker keeps short.
 
 use super::lateness::Lateness;
 use crate::error::LogError;
@@ -20,7 +20,7 @@ const LONGEST_WAIT: Duration = Duration::from_secs(5);
 /// Time to wait for an unavailable destination at the end (our choice).
 const AT_THE_END: Duration = Duration::from_secs(60);
 
-/// Who tells one place.
+/// Sends events to one place.
 pub struct Teller {
     place: String,
     shared: Arc<SharedState>,
@@ -28,16 +28,16 @@ pub struct Teller {
     meter: Arc<SinkMetrics>,
 }
 
-/// How a place that is away is waited for.
+/// The wait for a place that is away.
 #[derive(Clone, Default)]
 pub struct Patience {
     /// For how long.
     pub retry_for: Duration,
-    /// How long a server, or the reader of standard output, may take to answer; None for ten seconds.
+    /// The time for an answer of a server, or of the reader of standard output; None for ten seconds.
     pub answers_within: Option<Duration>,
-    /// What ends it early.
+    /// Ends the wait early.
     pub cancel: Cancel,
-    /// Who hears of it.
+    /// Gets the news of it.
     pub tell: Option<TellNews>,
 }
 
@@ -50,7 +50,7 @@ struct SharedState {
 #[derive(Default)]
 struct TellerState {
     waiting: Vec<FleetEvent>,
-    /// What is being told now: how much of it is left, and since when it is due.
+    /// The number of events that are being sent, and the time at which the first was due.
     in_hand: usize,
     oldest_in_hand: Option<UtcTime>,
     /// When the fleet has ended, and since when that is known.
@@ -62,12 +62,12 @@ struct TellerState {
     since: Since,
 }
 
-/// What a place was told in a while.
+/// The events that a place got in a while.
 #[derive(Clone, Debug, Default)]
 pub struct Since {
     /// Rows, those too that were due before the fleet began to tell.
     pub rows: u64,
-    /// How late the others were.
+    /// The lateness of the others.
     pub lateness: Lateness,
 }
 
@@ -110,17 +110,17 @@ impl Teller {
         };
         let there = calls.call(|| sink.ask(Call::Begin, begins))?;
         let work = TellerWork { sink, most_at_once, calls, there, now: now.clone() };
-        let thread = thread::Builder::new().spawn(move || work.live());
+        let thread = thread::Builder::new().spawn(move || work.run());
         let thread = thread.map_err(|source| LogError::NoThread { place: place.clone(), source })?;
         Ok(Teller { place, shared, thread: Some(thread), meter })
     }
 
-    /// What errors call the place.
+    /// The name of the place in errors.
     pub fn place(&self) -> &str {
         &self.place
     }
 
-    /// What counts what it has taken.
+    /// The metrics of the place.
     pub fn meter(&self) -> &Arc<SinkMetrics> {
         &self.meter
     }
@@ -136,7 +136,7 @@ impl Teller {
         self.shared.changed.notify_all();
     }
 
-    /// How much waits to be told.
+    /// The number of waiting events.
     pub fn waiting(&self) -> usize {
         let state = self.shared.lock();
         state.waiting.len() + state.in_hand
@@ -148,12 +148,12 @@ impl Teller {
         state.oldest_in_hand.or_else(|| first_due(&state.waiting))
     }
 
-    /// What was told since this was asked last.
+    /// The events since the last call.
     pub fn since(&self) -> Since {
         std::mem::take(&mut self.shared.lock().since)
     }
 
-    /// The error by which it has ended, if it has.
+    /// Reports the error that has ended it.
     ///
     /// # Errors
     ///
@@ -201,13 +201,13 @@ struct TellerWork {
     sink: TimedFleetSink,
     most_at_once: usize,
     calls: Calls,
-    /// By home: up to which row the place holds it already.
+    /// By home, the number of rows that the place holds already.
     there: Vec<u64>,
     now: Now,
 }
 
 impl TellerWork {
-    fn live(mut self) -> Result<(), LogError> {
+    fn run(mut self) -> Result<(), LogError> {
         loop {
             let (told, ended) = {
                 let shared = &self.calls.shared;
@@ -375,7 +375,7 @@ mod tests {
     }
 
     #[test]
-    fn what_waits_for_a_place_that_is_away_is_late_and_told_once() {
+    fn waiting_events_are_late_and_sent_once() {
         let (mut teller, told) = teller(50_000, 2, Duration::from_secs(60));
         teller.tell(&[row(1, 0, 1_000_000)]);
         teller.finish(at(2_000_000)).unwrap();
@@ -384,7 +384,7 @@ mod tests {
     }
 
     #[test]
-    fn a_place_that_is_away_and_not_waited_for_ends_it() {
+    fn an_absent_place_without_retries_ends_it() {
         let (mut teller, told) = teller(0, 1, Duration::ZERO);
         teller.tell(&[row(1, 0, 1_000_000)]);
         assert!(teller.finish(at(2_000_000)).is_err() && told.lock().unwrap().is_empty());

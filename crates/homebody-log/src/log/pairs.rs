@@ -5,7 +5,6 @@ use super::{Event, ValuePair};
 use homebody_core::states::{Says, says};
 use homebody_core::time::{Span, WallTime};
 
-/// The texts of one sensor so far.
 #[derive(Clone, Debug, Default)]
 struct SensorTexts {
     values: [Option<u32>; 2],

@@ -1,13 +1,13 @@
-//! What a destination is told of a sensor, and what a source may know of one.
+//! Facts about a sensor, for destinations and from sources.
 
 use homebody_core::sensors::kinds::KINDS;
 
-/// What there is to know of a sensor.
+/// Facts about a sensor.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SensorInfo {
     /// Its name in the home.
     pub name: String,
-    /// What the log calls it.
+    /// The id in the log.
     pub id: String,
     /// Whether it senses motion, so that its messages may be held ON.
     pub is_motion: bool,
@@ -17,12 +17,12 @@ pub struct SensorInfo {
     pub said_by: SaidBy,
     /// Of its readings, such as `°C`. None for one that gives no readings.
     pub unit: Option<String>,
-    /// What it says besides readings, such as `OPEN` and `CLOSE`; the logger may translate it. Of a motion sensor whose messages are held,
-    /// `OFF` too.
+    /// Its values other than readings, such as `OPEN` and `CLOSE`; the logger may translate them. `OFF` too for a motion sensor whose
+    /// messages are held.
     pub values: Vec<String>,
     /// The room that it is in. None between rooms, as on a door.
     pub room: Option<String>,
-    /// Where it is on the plan, in metres to the east and to the north.
+    /// Its place on the plan, in metres to the east and to the north.
     pub at_m: [f64; 2],
 }
 
@@ -80,7 +80,7 @@ impl SensorInfo {
         }
     }
 
-    /// A sensor of which no more is known than what a log calls it.
+    /// A sensor with nothing but its id.
     pub(crate) fn named(id: &str) -> SensorInfo {
         SensorInfo {
             name: id.to_owned(),

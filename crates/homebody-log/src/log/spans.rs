@@ -1,4 +1,4 @@
-//! What somebody did, beside the rows of a log that is written anew: as a table of its own, and on the rows themselves.
+//! Activities in a log that is written anew: as a table of their own, and on the rows themselves.
 
 use super::Log;
 use super::activities::Activity;
@@ -7,22 +7,21 @@ use crate::table::{Cell, Column, ColumnKind, Table, TextPool};
 use homebody_core::time::{RunTime, WallTime};
 use std::collections::VecDeque;
 
-/// The table of activities, which has them whole. In CSV it is a file beside the log, in the form of pyadlml.
+/// The table of whole activities. In CSV it is a file next to the log, in the form of pyadlml.
 pub const SPANS: &str = "activity";
 
 /// Its columns.
 pub const SPAN_COLUMNS: [&str; 3] = ["start_time", "end_time", LABEL];
 
-/// The column in which rows have the label of what goes on.
+/// The column of rows with the label of the activity.
 pub(crate) const LABEL: &str = "activity";
 
 /// Beside the label in a form that notes where an activity begins and ends: which of the two it is.
 pub(crate) const CHANGE: &str = "change";
 
-/// What parts the labels of several activities that go on at once.
+/// The separator of the labels of simultaneous activities.
 const AND: &str = "|";
 
-/// The table of activities.
 pub(crate) fn table() -> Table {
     let [begin, end, label] = SPAN_COLUMNS;
     let column = |name: &str, kind, about| Column { name: name.into(), kind, unit: "", about };
@@ -39,14 +38,14 @@ pub(crate) fn table() -> Table {
     }
 }
 
-/// The cells of an activity, whose instants are told from `start`.
+/// The cells of an activity, with instants since `start`.
 pub(crate) fn cells(activity: &Activity, start: WallTime, texts: &mut TextPool) -> [Cell; 3] {
     let name = Cell::Text(texts.id(&activity.name));
     let since_start = |at: WallTime| Cell::Instant(RunTime::START + (at - start));
     [since_start(activity.begin), since_start(activity.end), name]
 }
 
-/// What goes on at each row: activities in the order of their begins, asked for at instants that mostly rise.
+/// The activities at each row, for instants that mostly rise: activities in the order of their begins.
 pub(crate) struct GoingOn<'a> {
     all: &'a [Activity],
     /// The first that has not begun yet.
@@ -56,11 +55,11 @@ pub(crate) struct GoingOn<'a> {
 }
 
 impl<'a> GoingOn<'a> {
-    pub fn of(log: &'a Log) -> GoingOn<'a> {
+    pub fn for_log(log: &'a Log) -> GoingOn<'a> {
         GoingOn { all: &log.activities, next: 0, now: Vec::new(), at: WallTime::MIN }
     }
 
-    /// The labels of what goes on at an instant, if anything does; no more of them than a cell may be long.
+    /// The labels of the activities at an instant, if any, up to the length of a cell.
     pub fn at(&mut self, at: WallTime) -> Option<String> {
         if at < self.at {
             (self.next, self.now) = (0, Vec::new());
@@ -87,18 +86,18 @@ impl<'a> GoingOn<'a> {
     }
 }
 
-/// The notes that activities begin and end, one for a row at most: at the first row from then on that has none yet. Where fewer
-/// rows are left than notes, they come earlier than that.
+/// Notes of the begins and ends of activities, at most one for a row: at the first free row from then on. If fewer rows are left than
+/// notes, they come earlier.
 pub(crate) struct RowNotes<'a> {
     left: VecDeque<(WallTime, &'a str, &'static str)>,
 }
 
 impl<'a> RowNotes<'a> {
     /// None where a log has fewer rows than notes.
-    pub fn of(log: &'a Log) -> Option<RowNotes<'a>> {
+    pub fn for_log(log: &'a Log) -> Option<RowNotes<'a>> {
         let mut notes = Vec::with_capacity(2 * log.activities.len());
         for Activity { name, begin, end } in &log.activities {
-            // What ends makes room for what begins at this instant.
+            // An end comes before a begin at this instant.
             let last = if begin == end { 2 } else { 0 };
             notes.extend([(*begin, 1, name.as_str(), "begin"), (*end, last, name.as_str(), "end")]);
         }

@@ -34,10 +34,10 @@ impl fmt::Debug for Deadline {
 }
 
 impl Deadline {
-    /// How long files may take, and all that have no time of their own.
+    /// The time for files, and for all sinks without a time of their own.
     pub const OF_FILES: Duration = Duration::from_secs(120);
 
-    /// How long a server, or the reader of a pipe, may take.
+    /// The time for a server, or the reader of a pipe.
     pub const OF_SERVERS: Duration = Duration::from_secs(10);
 
     /// Answers may take so long, from now on.
@@ -52,7 +52,7 @@ impl Deadline {
         deadline
     }
 
-    /// How long an answer may take.
+    /// The time for an answer.
     pub fn within(&self) -> Duration {
         self.0.within
     }
@@ -69,7 +69,7 @@ impl Deadline {
         self.0.until_us.store(now.saturating_add(longest).as_micros() as u64, Ordering::Relaxed);
     }
 
-    /// How long there has been no answer.
+    /// The time since the last answer.
     pub fn unanswered(&self) -> Duration {
         self.0.begun.elapsed().saturating_sub(Duration::from_micros(self.0.asked_us.load(Ordering::Relaxed)))
     }

@@ -1,5 +1,4 @@
-//! What can be said from outside of a destination while rows go there: counts that whoever likes may look at, without anybody
-//! waiting for them, and that it is away or back, which whoever wants to is told.
+//! Metrics of a destination: counts that other threads read without making anyone wait, and news of its absence and return.
 
 use crate::error::LogError;
 use crate::table::{Batch, Cell};
@@ -23,16 +22,16 @@ pub struct SinkMetrics {
     tell: OnceLock<TellNews>,
 }
 
-/// What a meter shows at an instant.
+/// The metrics at an instant.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct MetricsReading {
     /// Rows that the destination has taken, or that were put aside for it.
     pub rows: u64,
     /// Rows that it has confirmed.
     pub durable: u64,
-    /// How often a call was made again.
+    /// The number of retries.
     pub retries: u64,
-    /// How much is put aside for it on disk, in bytes.
+    /// Bytes in its spool on disk.
     pub spooled_bytes: u64,
     /// Whether it is away.
     pub is_away: bool,
@@ -43,10 +42,10 @@ pub struct MetricsReading {
 /// Hears that a destination is away, that the reason is another, and that it is back: each once.
 pub type TellNews = Arc<dyn Fn(&SinkNews) + Send + Sync>;
 
-/// What has changed about a destination, as people read it.
+/// A change of a destination's state, for users.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct SinkNews {
-    /// What errors call the destination.
+    /// The name of the destination in errors.
     pub place: String,
     /// Why it is away; None once it is back.
     pub absence: Option<SinkAbsence>,
@@ -57,7 +56,7 @@ pub struct SinkNews {
 pub struct SinkAbsence {
     /// Why, as a part of a sentence.
     pub why: String,
-    /// For how long the run waits for it; None where it goes on, and rows are put aside.
+    /// The longest wait of the run for it; None if the run continues and spools rows.
     pub waits: Option<Duration>,
 }
 
@@ -87,7 +86,7 @@ impl fmt::Debug for SinkMetrics {
 }
 
 impl SinkMetrics {
-    /// What it shows.
+    /// The present metrics.
     pub fn read(&self) -> MetricsReading {
         MetricsReading {
             rows: self.rows.load(Ordering::Relaxed),
@@ -99,12 +98,11 @@ impl SinkMetrics {
         }
     }
 
-    /// Who is told from now on; only the first who asks for it is.
+    /// Sets the listener for news; only the first one is kept.
     pub fn telling(&self, tell: TellNews) {
         let _ = self.tell.set(tell);
     }
 
-    /// Rows were taken.
     pub(crate) fn took(&self, batch: &Batch) {
         self.rows.fetch_add(batch.len() as u64, Ordering::Relaxed);
         let last = batch.len().checked_sub(1).map(|last| batch.row(last));
@@ -125,7 +123,6 @@ impl SinkMetrics {
         self.durable.fetch_max(rows, Ordering::Relaxed);
     }
 
-    /// A call is made again.
     pub(crate) fn tries_again(&self) {
         self.retries.fetch_add(1, Ordering::Relaxed);
     }
@@ -135,7 +132,7 @@ impl SinkMetrics {
         self.spooled_bytes.store(bytes, Ordering::Relaxed);
     }
 
-    /// The destination, which errors call so, is away, as an error says that passes; the run waits for so long, or goes on.
+    /// Notes that the destination with this name is away, by an error that passes; the run waits for so long, or continues.
     pub(crate) fn is_away(&self, place: &str, error: &LogError, waits: Option<Duration>) {
         let absence = Some(SinkAbsence { why: error.reason(), waits });
         self.is_away.store(true, Ordering::Relaxed);
@@ -173,7 +170,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn that_a_place_is_away_is_told_once_and_again_when_the_reason_is_another() {
+    fn reports_absence_once_for_each_reason() {
         let (meter, told) = (SinkMetrics::default(), Arc::new(Mutex::new(Vec::new())));
         let heard = told.clone();
         meter.telling(Arc::new(move |news| heard.lock().unwrap().push(news.to_string())));

@@ -12,19 +12,18 @@ use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender, channel};
 use std::thread::{self, JoinHandle};
 use std::time::{Duration, Instant};
 
-/// How often a wait is checked.
+/// The interval of checks during a wait.
 const LOOK: Duration = Duration::from_millis(20);
 
 /// By how much a destination that keeps to the deadline itself may be late: its own error says more.
 const GRACE: Duration = Duration::from_millis(300);
 
-/// How long a brief call waits.
+/// The length of a brief wait.
 const BRIEFLY: Duration = Duration::from_millis(50);
 
-/// How long a destination that is away, or a server, may take to answer once the run is stopped.
+/// The time for the answer of a destination that is away, or of a server, once the run is stopped.
 pub(crate) const STOPS_WITHIN: Duration = Duration::from_millis(700);
 
-/// The calls of a destination.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Call {
     Begin,
@@ -35,14 +34,13 @@ pub(crate) enum Call {
 
 /// A destination of a kind, with a deadline for each answer.
 pub(crate) struct Timed<S: ?Sized, A> {
-    /// Its name in errors.
     place: String,
     /// Until its thread has it.
     sink: Option<Box<S>>,
     hand: Option<Hand<S, A>>,
     deadline: Deadline,
     cancel: Cancel,
-    /// How long an answer is waited for once the run is stopped, and since when that is known.
+    /// The time for an answer once the run is stopped, and the instant of the stop.
     stops_within: Duration,
     stopped: Option<Instant>,
     meter: Arc<SinkMetrics>,
@@ -58,7 +56,6 @@ struct Hand<S: ?Sized, A> {
     thread: JoinHandle<()>,
 }
 
-/// One call.
 pub(crate) type Job<S, A> = Box<dyn FnOnce(&mut S) -> Result<A, LogError> + Send>;
 
 impl<S: ?Sized + Send + 'static, A: Default + Send + 'static> Timed<S, A> {

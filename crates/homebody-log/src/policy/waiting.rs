@@ -1,4 +1,4 @@
-//! Calls that are made again while a destination is away: for how long, what ends that early, and what is told meanwhile.
+//! Repeats calls while a destination is away, for a limited time, and reports the wait.
 
 use super::cancel::Cancel;
 use super::metrics::SinkMetrics;
@@ -9,16 +9,16 @@ use std::time::{Duration, Instant};
 /// Interval at which a waiting thread checks whether to stop (our choice).
 const LOOK: Duration = Duration::from_millis(50);
 
-/// How a destination that is away is waited for.
+/// The retries of calls to a destination that is away.
 pub(crate) struct RetryWait<'a> {
-    /// What errors call it.
+    /// The name in errors.
     pub place: &'a str,
     pub meter: &'a SinkMetrics,
-    /// What ends it.
+    /// Ends the wait.
     pub cancel: &'a Cancel,
     /// For how long a call is made again after an error that passes; zero for not at all.
     pub retry_for: Duration,
-    /// How long to wait before the first time again; each further wait is twice as long, up to the longest.
+    /// The wait before the first retry; each further wait is twice as long, up to the longest.
     pub first: Duration,
     pub longest: Duration,
 }
@@ -69,7 +69,7 @@ mod tests {
         LogError::destination("there", "it is away").passing()
     }
 
-    /// Waits for whoever is called, for so long.
+    /// Repeats a call for so long.
     fn called<T>(
         retry_for: Duration,
         cancel: &Cancel,
@@ -82,7 +82,7 @@ mod tests {
     }
 
     #[test]
-    fn what_passes_is_tried_again_and_nothing_else() {
+    fn retries_only_errors_that_pass() {
         let (long, cancel) = (Duration::from_secs(5), Cancel::new());
         let mut calls = 0;
         let (done, retries) = called(long, &cancel, || {
@@ -100,7 +100,7 @@ mod tests {
     }
 
     #[test]
-    fn who_is_cancelled_waits_no_longer() {
+    fn a_cancelled_wait_ends() {
         let (begun, cancel) = (Instant::now(), Cancel::new());
         let stops = cancel.clone();
         thread::spawn(move || {

@@ -51,7 +51,6 @@ impl LogSource {
         LogSource { form, options, ..self }
     }
 
-    /// How its table is read.
     pub(crate) fn options(&self) -> &TableOptions {
         &self.options
     }
@@ -164,7 +163,7 @@ impl LogSource {
                 Some((form, Shows::Rows)) if ![csv::FORM, intervals::FORM, csv::INTERVALS].contains(form) => {
                     return None;
                 }
-                _ => LabelTable::of(&start).map(|_| &labels::FORM)?,
+                _ => LabelTable::find(&start).map(|_| &labels::FORM)?,
             };
             let (first, last) = ends(path)?;
             (first <= end && begin <= last && !is_of_other(path)).then(|| LogSource::new(form, path))
@@ -182,7 +181,6 @@ pub(crate) fn activities_of(log: &Path) -> PathBuf {
     table_file(log, SPANS)
 }
 
-/// The same for a data set.
 pub(crate) fn activities_of_set(folder: &Path) -> PathBuf {
     let mut name = folder.file_name().unwrap_or_default().to_owned();
     name.push(format!(".{SPANS}.parquet"));
@@ -244,7 +242,9 @@ fn in_folder(folder: &Path) -> Result<LogSource, LogError> {
         let Ok(start) = FileStart::read(&path) else { continue };
         let is_foreign = foreign_kind(&start).is_some();
         match form_shown(&start).filter(|_| !is_foreign) {
-            Some((form, Shows::Rows)) if LabelTable::of(&start).is_some() => doubtful.push(LogSource::new(form, path)),
+            Some((form, Shows::Rows)) if LabelTable::find(&start).is_some() => {
+                doubtful.push(LogSource::new(form, path))
+            }
             Some((form, Shows::Rows)) => rows.push(LogSource::new(form, path)),
             Some((form, _)) => activities.push(LogSource::new(form, path)),
             None => {}

@@ -91,7 +91,6 @@ pub(crate) fn ends(path: &Path) -> Option<(WallTime, WallTime)> {
     Some((first, last.max(first)))
 }
 
-/// The last lines of a text.
 fn last_lines(path: &Path) -> Result<Vec<String>, LogError> {
     if is_packed(path) {
         let (mut lines, mut last) = (LineReader::open(path)?, VecDeque::new());

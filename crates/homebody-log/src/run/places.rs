@@ -10,7 +10,7 @@ use homebody_core::recording::Recording;
 pub use homebody_core::scenario::inside::{LIST, RECORDING, SENSORS, SILHOUETTES, TRUTH};
 use homebody_core::scenario::load::Scenario;
 use homebody_core::scenario::logger::LoggerFile;
-use homebody_core::scenario::scheme::{self, NoPlace, SCHEMES, Scheme, SchemeRow, Stands};
+use homebody_core::scenario::scheme::{self, NoPlace, SCHEMES, Scheme, SchemeRow, Stands, TablePlacement};
 use std::collections::BTreeSet;
 use std::fs;
 use std::io::ErrorKind;
@@ -19,30 +19,30 @@ use std::path::{Path, PathBuf};
 /// The folder that runs go into where nothing else is asked for.
 pub const RUNS: &str = "runs";
 
-/// Where a run is written.
+/// The places of a run.
 #[derive(Clone, Debug)]
 pub struct RunPlaces {
-    /// Where its log goes, in as many places as wished.
+    /// The places of its log, any number.
     pub log: Vec<Url>,
-    /// Where its truth goes; `None`: it is not kept.
+    /// The place of its truth; `None` if it is not kept.
     pub truth: Option<Url>,
-    /// How much of its truth is kept.
+    /// The tables of its truth that are kept.
     pub kept: TruthKept,
-    /// Where its recording goes; `None`: it is not kept.
+    /// The file of its recording; `None` if it is not kept.
     pub recording: Option<PathBuf>,
     /// The table of the sensors, in a run's folder.
     pub sensors: Option<PathBuf>,
-    /// Whether texts of its log have their names before they are whole, so that they can be followed: of a home that goes on until it is
-    /// stopped, and then again.
+    /// Whether text files of its log have their names before they are whole, so that others can follow them: for a home that runs until it
+    /// is stopped, and then resumes.
     pub is_followed: bool,
-    /// How its truth on a server is begun.
+    /// The treatment of an existing truth on a server.
     pub truth_on_server: WriteMode,
     /// The folders made for the run, outer ones first.
     made: Vec<PathBuf>,
 }
 
 impl RunPlaces {
-    /// The places that were asked for, of which all can be written.
+    /// The requested places, after a check that all can be written.
     pub fn new(
         log: Vec<Url>,
         truth: Option<Url>,
@@ -75,7 +75,7 @@ impl RunPlaces {
         Ok(places)
     }
 
-    /// The places of a run that left this folder, to go on with it.
+    /// The places of the run in this folder, to resume it.
     pub fn of_folder(folder: &Path, scenario: &Scenario) -> Result<RunPlaces, LogError> {
         let mut places = RunPlaces::nowhere();
         places.put_into(folder, scenario)?;
@@ -83,7 +83,7 @@ impl RunPlaces {
         Ok(places)
     }
 
-    /// Makes sure that no file of a folder, which may be anybody's, leads elsewhere.
+    /// Checks that no file of a folder of unknown origin leads elsewhere.
     fn lead_nowhere_else(&self, folder: &Path) -> Result<(), LogError> {
         let sets = self.log.iter().filter(|url| url.is_data_set()).map(Url::path);
         if let Some(set) = sets.into_iter().find(|set| set.is_symlink()) {
@@ -115,7 +115,7 @@ impl RunPlaces {
     pub fn member(cohort: &Path, member: &str, scenario: &Scenario, kept: TruthKept) -> Result<RunPlaces, LogError> {
         let mut places = RunPlaces { kept, ..RunPlaces::nowhere() };
         let folder = cohort.join(member);
-        // The cohort may be anybody's, to be gone on with.
+        // The resumed cohort may be of unknown origin.
         if fs::symlink_metadata(&folder).is_ok_and(|found| found.is_symlink()) {
             return Err(LogError::LeadsOut { place: place_of(&folder) });
         }
@@ -138,14 +138,13 @@ impl RunPlaces {
         Ok(places)
     }
 
-    /// Where they are, be they there or not.
+    /// The same without making folders.
     pub fn of_set(cohort: &Path, member: &str, form: Scheme, kept: TruthKept) -> RunPlaces {
         let parted = |set: &str| cohort.join(set).join(format!("member={member}"));
         let usual = Path::new(form.row().usual);
         let ending = usual.extension().unwrap_or_default();
-        let truth = match form {
-            // Its form is for logs alone.
-            Scheme::Casas => Url::new(Scheme::Sqlite, parted("truth").join(TRUTH)),
+        let truth = match form.row().tables {
+            TablePlacement::One | TablePlacement::OneWithNotes => Url::new(Scheme::Sqlite, parted("truth").join(TRUTH)),
             _ => Url::new(form, parted("truth").join(Path::new(TRUTH).with_extension(ending))),
         };
         let besides = cohort.join("members").join(member);
@@ -159,8 +158,8 @@ impl RunPlaces {
         }
     }
 
-    /// Those of the member of a set whose recording lies in this folder, `members/0001`, or whose log is this file,
-    /// `log/member=0001/log.parquet`; None where there is none.
+    /// The places of the member of a set whose recording is in this folder, `members/0001`, or whose log is this file,
+    /// `log/member=0001/log.parquet`; None if there is no such member.
     pub fn in_set_at(path: &Path) -> Option<RunPlaces> {
         let (folder, log) = if path.is_dir() { (path, None) } else { (path.parent()?, Some(path)) };
         let name = folder.file_name()?.to_str()?;
@@ -215,7 +214,7 @@ impl RunPlaces {
         unreachable!("there is always a next number")
     }
 
-    /// Makes a folder and those it is in, as far as they are not there.
+    /// Makes a folder and its missing parents.
     fn make(&mut self, folder: &Path) -> Result<(), LogError> {
         let is_missing = |folder: &&Path| !folder.as_os_str().is_empty() && !folder.is_dir();
         let missing: Vec<&Path> = folder.ancestors().take_while(is_missing).collect();
@@ -272,11 +271,11 @@ fn leads_nowhere_else(folder: &Path, path: &Path) -> Result<(), LogError> {
     }
 }
 
-/// Makes sure that what is to be written is no file that a run has left in its folder, or is going to.
+/// Checks that a file to write is not one that a run has left in its folder, or will write there.
 ///
 /// # Errors
 ///
-/// [`LogError::OfRun`] if it is one, by whatever path it is named.
+/// [`LogError::OfRun`] if it is one, by any path.
 pub fn not_of_a_run(to: &Url) -> Result<(), LogError> {
     let Some(file) = to.file() else { return Ok(()) };
     // Of a link, both where it is and where it leads to.
@@ -296,20 +295,20 @@ pub fn not_of_a_run(to: &Url) -> Result<(), LogError> {
     Ok(())
 }
 
-/// Where a logger's rows go in a run's folder.
+/// The places of a logger's rows in a run's folder.
 fn logs_in(folder: &Path, logger: &LoggerFile) -> impl Iterator<Item = Result<Url, NoPlace>> {
     let usual = if logger.to.is_empty() { Some(scheme::USUAL) } else { None };
     logger.to.iter().map(String::as_str).chain(usual).map(move |place| Ok(place.parse::<Url>()?.within(folder)))
 }
 
-/// Whether all is there that a whole run leaves in its folder.
+/// Whether a folder has all files of a complete run.
 pub fn is_all_there(folder: &Path, logger: &LoggerFile) -> bool {
     let is_local = |url: &Url| url.file().is_some() || url.is_data_set();
     let logs = logs_in(folder, logger).filter_map(|url| url.ok().filter(is_local).map(|url| url.path().to_owned()));
     logs.chain([RECORDING, TRUTH, SENSORS].map(|name| folder.join(name))).all(|file| file.exists())
 }
 
-/// What a run leaves in its folder, be it there yet or not.
+/// The files of a run in its folder, whether they exist or not.
 fn files_of_run(folder: &Path, recording: Option<&Recording>) -> Vec<PathBuf> {
     let scenario = recording.and_then(|recording| recording.scenario().ok());
     let places = RunPlaces {
@@ -322,7 +321,7 @@ fn files_of_run(folder: &Path, recording: Option<&Recording>) -> Vec<PathBuf> {
     places.files().into_iter().chain([folder.join(TRUTH), folder.join(SILHOUETTES)]).collect()
 }
 
-/// Where the log of a run may be in its folder: where its scenario says, or under a usual name.
+/// The possible places of a run's log in its folder: those of its scenario, or those with a usual name.
 pub fn logs_of(folder: &Path, scenario: Option<&Scenario>) -> impl Iterator<Item = Url> {
     let to = scenario.map(|scenario| &scenario.logger.to[..]).unwrap_or_default();
     let said = to.iter().filter_map(|place| place.parse::<Url>().ok());

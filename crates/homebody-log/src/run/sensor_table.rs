@@ -12,13 +12,11 @@ use crate::text::{escaped, unescaped};
 use crate::url::Url;
 use homebody_core::problem::{Problem, Problems, readable};
 use homebody_core::scenario::inside::SENSORS;
-use homebody_core::scenario::scheme::Scheme;
 use homebody_core::sensed::{Kind, meaning};
 use std::collections::BTreeMap;
 use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
 
-/// The ending of its file.
 const ENDING: &str = "sensors.csv";
 
 /// The columns of the file.
@@ -36,10 +34,8 @@ pub(crate) fn beside(log: &Path) -> PathBuf {
 
 /// The path of the table that is written with a log; None for a place that holds the sensors itself.
 pub(crate) fn beside_url(url: &Url) -> Option<PathBuf> {
-    match url.scheme() {
-        Scheme::Sqlite | Scheme::Parquet | Scheme::Arrow => None,
-        _ => url.file().filter(|file| plain::may_have_beside(file)).map(beside),
-    }
+    let file = url.file().filter(|_| !url.scheme().row().has_sensors);
+    file.filter(|file| plain::may_have_beside(file)).map(beside)
 }
 
 /// A table: a file, and its bytes.
@@ -200,8 +196,8 @@ fn info(
     Ok((known, faults))
 }
 
-/// What a home calls sensors that a log knows by ids: a table with the columns `id` and `name`, such as the one that a run leaves
-/// beside its log.
+/// The names in the home of sensors that a log has by ids: a table with the columns `id` and `name`, such as the one that a run leaves
+/// next to its log.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct SensorMap(BTreeMap<String, String>);
 
@@ -247,7 +243,7 @@ impl SensorMap {
         if problems.is_empty() { Ok(SensorMap(map)) } else { Err(LogError::SensorMap(Problems(problems))) }
     }
 
-    /// What the home calls a sensor, if the table has its id.
+    /// The name of a sensor in the home, if the table has its id.
     pub fn name(&self, id: &str) -> Option<&str> {
         self.0.get(id).map(String::as_str)
     }
@@ -258,7 +254,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn each_form_of_file_has_its_sensors_beside_it() {
+    fn each_form_of_file_has_a_sensor_table() {
         for (place, table) in [
             ("csv:a/week.csv", Some("a/week.sensors.csv")),
             ("csv:week.csv.gz", Some("week.sensors.csv")),

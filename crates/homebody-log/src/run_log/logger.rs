@@ -15,7 +15,7 @@ use homebody_core::time::RunTime;
 use std::sync::Arc;
 use std::time::Instant;
 
-/// Destinations of known kinds, of which all can be written.
+/// Destinations of these places, after a check that all can be written.
 pub fn destinations(urls: &[Url], how: WriteMode) -> Result<Vec<Destination>, LogError> {
     if how != WriteMode::Resume {
         let files: Vec<_> = urls.iter().filter_map(Url::file).collect();
@@ -34,9 +34,8 @@ pub struct Logger {
     messages: Messages,
     shown: ShownTexts,
     texts: TextPool,
-    /// The sensors' ids.
     ids: Vec<TextId>,
-    /// What nearly all rows say.
+    /// The value of nearly all rows.
     on: Cell,
     /// Rows that were made by the last call, and rows that do not fill a batch yet.
     made: Vec<LogRow>,
@@ -45,11 +44,10 @@ pub struct Logger {
     until: RunTime,
     stored: Stored,
     rows_of_firings: RowsOfFirings,
-    /// The place that failed.
     failed: Option<String>,
 }
 
-/// Which rows of the log tell of which firings: what joins the truth to the log, in each mode of messages.
+/// The firing of each row of the log: it joins the truth to the log, in each mode of messages.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct RowsOfFirings {
     /// Of each of the firings that were stored last, the row that tells of it: its own, or the ON that it prolongs.
@@ -58,18 +56,18 @@ pub struct RowsOfFirings {
     pub offs: Vec<(u64, u64)>,
 }
 
-/// What a logger has stored.
+/// The result of a logger.
 #[derive(Debug, Default)]
 pub struct Stored {
     /// Rows in each of the places.
     pub rows: u64,
     /// Rows of each sensor.
     pub by_sensor: Vec<u64>,
-    /// Where they are.
+    /// Their places.
     pub places: Vec<String>,
     /// The destinations that the run could do without and that failed: each with its error.
     pub failed: Vec<(String, LogError)>,
-    /// What a required destination says that was away when the run was stopped: it lacks rows that the others have.
+    /// The error of a required destination that was away when the run was stopped: it lacks rows that the others have.
     pub away: Option<LogError>,
 }
 
@@ -123,10 +121,10 @@ impl Logger {
         })
     }
 
-    /// Stores firings: all there are from the last `until` to this one, in their order. Returns which rows tell of them.
+    /// Stores firings: all from the last `until` to this one, in their order. Returns the rows that come from them.
     ///
-    /// Rows wait a moment for others. A live run that is paused calls this with no firings now and then, so that
-    /// what was last seen reaches the log.
+    /// Rows wait a moment for others. A run in real time that is paused calls this without firings now and then, so that its last rows
+    /// reach the log.
     pub fn store(&mut self, firings: &[Firing], until: RunTime) -> Result<&RowsOfFirings, LogError> {
         if let Some(place) = &self.failed {
             return Err(LogError::Stopped { place: place.clone() });
@@ -147,7 +145,7 @@ impl Logger {
         Ok(&self.rows_of_firings)
     }
 
-    /// How far everything is durable in all of the places: so many rows of the log.
+    /// The number of rows of the log that are durable in all places.
     pub fn durable(&self) -> Watermark {
         let rows = self.writers.iter().map(|writer| writer.durable().of(0)).min();
         Watermark(vec![rows.unwrap_or(0)])
@@ -204,8 +202,7 @@ impl Logger {
         self.each(|writer| if batch.is_empty() { writer.check() } else { writer.send(batch.clone()) })
     }
 
-    /// Has all places make sure of what was stored so far; nobody waits for that here. Otherwise they do so when nothing is
-    /// stored for a second, and at the end.
+    /// Asks all places to make their rows durable, without a wait. Otherwise they do so when no rows come for a second, and at the end.
     pub fn make_durable(&mut self) -> Result<(), LogError> {
         self.send()?;
         self.each(Writer::make_durable)
@@ -229,7 +226,7 @@ impl Logger {
                     self.stored.away = Some(error);
                 }
                 Err(error) if writer.is_required() => {
-                    // With a gap in one place, the others shall not go on.
+                    // After a gap in one place, the others stop too.
                     self.failed = Some(writer.place().to_owned());
                     self.writers.clear();
                     return Err(error);
@@ -248,12 +245,11 @@ impl Logger {
         self.writers.iter().map(Writer::meter)
     }
 
-    /// Whether all that its places had of the run has been lived again.
+    /// Whether the run is past all rows that its places had.
     pub(crate) fn is_past_replayed_part(&self) -> bool {
         self.writers.iter().all(Writer::is_past_replayed_part)
     }
 
-    /// How many rows were made.
     pub(crate) fn rows(&self) -> u64 {
         self.stored.rows + self.batch.len() as u64
     }

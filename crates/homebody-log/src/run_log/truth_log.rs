@@ -1,10 +1,9 @@
-//! Keeps a run's ground truth, in a place of its own: no file of firings ever holds it.
+//! Keeps a run's ground truth in a separate place: no file of firings ever holds it.
 //!
-//! [`tables`] are its tables, the same for all kinds of places. Instants are written as in the log, sensors under the ids
-//! that they have there. No table looks like a log to whoever reads logs: where there are sensors, two instants stand
-//! side by side.
+//! [`tables`] are its tables, the same for all kinds of places. Instants are written as in the log, sensors have the ids of the log. No
+//! reader of logs takes a table for a log: tables with sensors have two columns of instants.
 //!
-//! The order of rows follows from what was lived alone, however it was advanced: so the same run gives the same bytes.
+//! The order of rows depends on the run alone, and not on the strides of its caller: so the same run gives the same bytes.
 
 use super::logger::RowsOfFirings;
 use crate::destination::writer::{BATCH, BATCH_WAITS, Writer};
@@ -39,7 +38,7 @@ pub struct TruthLog {
     residents: Vec<TextId>,
     rooms: Vec<TextId>,
     things: Vec<TextId>,
-    /// What each resident is doing, and since when.
+    /// The present activity of each resident, and its begin.
     doing: Vec<Option<(RunTime, TextId)>>,
     /// The rooms that a stride under way is going to come through: who, when, and which.
     coming: Vec<(ResidentId, RunTime, Option<RoomId>)>,
@@ -49,9 +48,9 @@ pub struct TruthLog {
     kept: Vec<Option<usize>>,
     batch: Batch,
     sent_at: Instant,
-    /// How many rows were handed over.
+    /// The number of rows handed over.
     sent: u64,
-    /// `None` where instants are told with their offset or in UTC.
+    /// `None` for instants with their offset or in UTC.
     set_backs: Option<SetBacks>,
 }
 
@@ -87,7 +86,7 @@ impl SetBacks {
 }
 
 impl TruthLog {
-    /// Opens the place of the truth, which is none of the log's own `places`.
+    /// Opens the place of the truth, which must differ from the log's own `places`.
     pub fn open(
         url: &Url,
         places: &[Url],
@@ -198,7 +197,7 @@ impl TruthLog {
         self.writer.meter()
     }
 
-    /// How far the truth is durable, by table.
+    /// The watermark of the truth.
     pub fn durable(&self) -> Watermark {
         self.writer.durable()
     }
@@ -214,12 +213,11 @@ impl TruthLog {
         self.writer.wait_durable()
     }
 
-    /// Whether all that its place had of the run has been lived again.
+    /// Whether the run is past all rows that its place had.
     pub(crate) fn is_past_replayed_part(&self) -> bool {
         self.writer.is_past_replayed_part()
     }
 
-    /// How many rows were made.
     pub(crate) fn rows(&self) -> u64 {
         self.sent + self.batch.len() as u64
     }
@@ -260,7 +258,7 @@ impl TruthLog {
         match *fact {
             Fact::Provenance { seq, provenance } => self.take_cause(seq, provenance, events, joined),
             Fact::Movement { resident, begin, end, doing, posture } => {
-                // What begins at its end belongs to the next.
+                // The next interval has its end.
                 self.enter_rooms(resident, end - Span::MICROSECOND);
                 let whole = MotionSegment { begin, end, doing, posture };
                 let mut left = Some(Interval::new(begin, end));
@@ -302,7 +300,7 @@ impl TruthLog {
         }
     }
 
-    /// What was done from outside. Who falls comes through none of the rooms that were still before them.
+    /// Takes an intervention. A person who falls passes through none of the rooms that were still ahead.
     fn take_deed(&mut self, at: RunTime, deed: &Deed) {
         let (of, until) = match deed {
             Deed::Use { thing, .. } => (thing, None),
@@ -387,7 +385,7 @@ impl TruthLog {
     }
 
     fn push_movement(&mut self, resident: ResidentId, segment: &MotionSegment) {
-        let (kind, from, to, amplitude) = told(&segment.doing);
+        let (kind, from, to, amplitude) = motion_cells(&segment.doing);
         let x = |point: Option<Point>| point.map_or(Cell::Null, |point| Cell::Real(point.x));
         let y = |point: Option<Point>| point.map_or(Cell::Null, |point| Cell::Real(point.y));
         let cells = [
@@ -405,7 +403,7 @@ impl TruthLog {
         self.push(Truth::Movement, cells);
     }
 
-    /// Whose doing it was, what kind of cause, and the thing that was used.
+    /// The person, the kind of cause, and the thing that was used.
     fn reason(&mut self, provenance: Provenance) -> [Cell; 3] {
         let (why, thing) = match provenance.trigger {
             Trigger::Movement => ("movement", None),
@@ -443,8 +441,8 @@ const RUN_COLUMN: &str = "run_id";
 /// Initial number of columns of a batch (our choice): most tables have fewer.
 const COLUMNS: usize = 10;
 
-/// What a body does, where from, where to, and how far what moves moves.
-fn told(doing: &MotionState) -> (&'static str, Option<Point>, Option<Point>, Option<f64>) {
+/// The kind of a body's motion, its start, its end, and its amplitude.
+fn motion_cells(doing: &MotionState) -> (&'static str, Option<Point>, Option<Point>, Option<f64>) {
     match *doing {
         MotionState::Stride { from, to } => ("stride", Some(from), Some(to), None),
         MotionState::InPlace { at, amplitude_m } => ("in_place", Some(at), Some(at), Some(amplitude_m)),

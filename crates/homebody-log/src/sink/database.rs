@@ -1,13 +1,13 @@
-//! An SQLite file that a run writes: the firings' and, apart from it, the truth's.
+//! The SQLite files of a run: of the log and, apart from it, of the truth.
 //!
-//! It is written in place, so that a run can be watched while it goes on. Rows go in in transactions that are on
-//! the disk before they count as stored; killed at any moment, the file holds a gap-free beginning of the run.
+//! They are written in place, so that a run can be watched. Transactions are on the disk before their rows count as stored; killed at any
+//! moment, the file holds a gap-free beginning of the run.
 //!
-//! Rows that pour in go through a rollback journal: it writes a new page once, a write-ahead log twice. Rows that
-//! trickle in, as those of a live run, go through a write-ahead log: it lets others read for as long as they like.
-//! Where rows pour in, who reads is waited for. A new database begins as if they trickled in, and so does one that somebody
-//! reads while a run goes on with it: who reads on from before the first rows is in nobody's way. After the run the database is one file; only who reads on for longer than is waited for
-//! keeps the write-ahead log beside it until they are done.
+//! Rows of a fast run go through a rollback journal: it writes a new page once, a write-ahead log twice. Rows of a run in real time go
+//! through a write-ahead log, which lets others read for as long as they like. A fast run waits for readers. A new database begins with a
+//! write-ahead log, and so does a resumed one with a reader, so that a reader from before the first rows does not block the run. After the
+//! run the database is one file, unless a reader stays longer than the run waits for it: then the write-ahead log remains until the reader
+//! ends.
 
 use crate::error::{LogError, place_of};
 use crate::files::{ExistingFile, FileLock, OpenMode, are_own, companions, open};
@@ -25,13 +25,12 @@ const BUSY: Duration = Duration::from_secs(2);
 /// Longest delay of many rows by a reader (our choice). Readers do not delay few rows.
 const READERS: Duration = Duration::from_secs(100);
 
-/// How often it is looked whether nobody reads any more.
+/// The interval of checks for readers.
 const LOOK: Duration = Duration::from_millis(20);
 
 /// FULL: a committed transaction survives a loss of power, too. The cache is in KiB.
 const SAFE: &str = "PRAGMA synchronous = FULL; PRAGMA cache_size = -1024";
 
-/// Makes one file of a database.
 const ONE_FILE: &str = "PRAGMA journal_mode = DELETE";
 
 /// Wait for a reader after which rows are written in small transactions, so that no reader blocks them again (our
@@ -44,7 +43,7 @@ const TRICKLE: usize = 10_000;
 /// Rows of one statement (our choice): half again as fast as one by one, measured.
 const ROWS_AT_ONCE: usize = 16;
 
-/// What a closed database says of its transactions: no real count, so nobody has pages cached under it.
+/// The count of transactions in a closed database: not a real one, so that no reader has cached pages for it.
 const TRANSACTIONS: [u8; 4] = *b"home";
 
 /// A new database; dropped before any row is stored, it leaves behind what was there before.
@@ -56,14 +55,13 @@ pub(crate) struct Database {
     not_durable: usize,
     has_rows: bool,
     flow: RowFlow,
-    /// Whether somebody who reads has been in the way.
+    /// Whether a reader has been in the way.
     is_watched: bool,
     /// The file that this one replaces, put aside until the first rows are safe.
     replaced: Option<PathBuf>,
     _lock: FileLock,
 }
 
-/// How rows come in.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum RowFlow {
     Pouring,
@@ -133,8 +131,8 @@ impl Database {
         Ok(database)
     }
 
-    /// Opens a database that a run has left unfinished, to go on with it; None where there is nothing in it: then it is gone.
-    /// Whose it is, the caller finds out.
+    /// Opens the database of an unfinished run, to resume it; None for an empty database, which is removed. The caller checks which run it
+    /// is of.
     pub fn reopen(path: &Path) -> Result<Option<Database>, LogError> {
         let lock = FileLock::take(path)?;
         // The database's own way to open a file follows a link.
@@ -150,14 +148,14 @@ impl Database {
         let flags = OpenFlags::SQLITE_OPEN_READ_WRITE | OpenFlags::SQLITE_OPEN_NO_MUTEX;
         let opened = Connection::open_with_flags(path, flags).and_then(|connection| {
             connection.busy_timeout(BUSY)?;
-            // What was under way as the program died is undone or brought in first.
+            // SQLite first undoes or completes the work of a program that died.
             let begun = "SELECT count(*) FROM sqlite_schema";
             let is_begun: bool = connection.query_row(begun, [], |row| row.get(0))?;
             let flow = match connection.execute_batch(RowFlow::Pouring.journal()) {
                 Ok(()) => RowFlow::Pouring,
                 Err(error) if !LogError::is_in_use(&error) => return Err(error),
                 Err(error) => {
-                    // Who has it open keeps a write-ahead log in use: rows go on through that.
+                    // A reader keeps a write-ahead log in use: further rows go through it.
                     let journal: String = connection.query_row("PRAGMA journal_mode", [], |row| row.get(0))?;
                     if journal == "wal" { RowFlow::Trickling } else { return Err(error) }
                 }
@@ -226,7 +224,7 @@ impl Database {
         Ok(())
     }
 
-    /// Ends the transaction and leaves one file, complete in itself, unless somebody goes on reading.
+    /// Ends the transaction and leaves one complete file, unless a reader continues.
     pub fn close(mut self) -> Result<(), LogError> {
         self.commit()?;
         self.keep();
@@ -242,11 +240,10 @@ impl Database {
         if is_one_file { self.forget_transactions() } else { Ok(()) }
     }
 
-    /// Sets the count of transactions to a fixed number, so that the same rows of a table are the same bytes, in however
-    /// many transactions they came; of several tables, which has which page depends on that all the same. Whoever
-    /// changes the file between its closing and this would not be noticed by readers of that moment. The file's format
-    /// keeps it twice, in the first page's header (<https://www.sqlite.org/fileformat2.html>, file change counter and
-    /// version-valid-for number).
+    /// Sets the count of transactions to a fixed number, so that the same rows of a table are the same bytes, for any number of
+    /// transactions; with several tables, the order of pages depends on them all the same. Readers would miss a change of the file between
+    /// its closing and this. The file's format keeps the count twice, in the first page's header
+    /// (<https://www.sqlite.org/fileformat2.html>, file change counter and version-valid-for number).
     fn forget_transactions(&self) -> Result<(), LogError> {
         let stamp = |offset: u64| {
             let mut file = open(&self.path, OpenMode::Kept)?;
@@ -280,7 +277,7 @@ impl Database {
         }
     }
 
-    /// Changes the journal, unless somebody is reading at this moment; whether it did.
+    /// Changes the journal, unless a program reads at this moment; whether it did.
     fn without_waiting(&self, pragma: &str) -> bool {
         let connection = self.connection();
         let _ = connection.busy_timeout(Duration::ZERO);
@@ -293,7 +290,7 @@ impl Database {
 impl Drop for Database {
     fn drop(&mut self) {
         if let Some(connection) = self.connection.take().filter(|_| self.has_rows) {
-            // What was not settled is undone, and what was is one file, as far as nobody is reading it.
+            // Undoes open work, and leaves one file if no program is reading it.
             let _ = connection.execute_batch("ROLLBACK");
             let _ = connection.busy_timeout(Duration::ZERO);
             let _ = connection.execute_batch(ONE_FILE);
@@ -315,7 +312,7 @@ pub(crate) struct Insert {
 }
 
 impl Insert {
-    /// How many rows the statement for several takes.
+    /// The number of rows of a multi-row INSERT.
     pub const AT_ONCE: usize = ROWS_AT_ONCE;
 
     /// Rows of `columns` and, before them, the column `run` with the run's id.
@@ -378,7 +375,7 @@ pub(crate) fn put_aside(path: &Path) -> Result<PathBuf, LogError> {
         connection.busy_timeout(BUSY)?;
         connection.execute_batch("BEGIN EXCLUSIVE; ROLLBACK")
     });
-    // Whatever else is wrong with it matters no more.
+    // Any other problem of it does not matter any more.
     if let Err(error) = probed.map_err(|error| LogError::database(path, error))
         && matches!(error, LogError::Locked { .. })
     {
@@ -392,13 +389,13 @@ pub(crate) fn put_aside(path: &Path) -> Result<PathBuf, LogError> {
     Ok(aside.into())
 }
 
-/// Removes a database that nobody needs, as far as it is there.
+/// Removes a database with its companion files.
 pub(crate) fn remove_database(path: &Path) {
     let _ = fs::remove_file(path);
     remove_companions(path);
 }
 
-/// Removes the files a database has beside itself.
+/// Removes the companion files of a database.
 fn remove_companions(path: &Path) {
     for companion in companions(path) {
         let _ = fs::remove_file(companion);

@@ -25,7 +25,7 @@ pub struct Fleet {
 /// One home of a fleet.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct FleetHome {
-    /// What it is called, such as `home00001`.
+    /// Its name, such as `home00001`.
     pub name: String,
     /// Which of the layouts it has.
     pub layout: usize,
@@ -35,16 +35,16 @@ pub struct FleetHome {
     pub seed: u64,
 }
 
-/// What homes of one scenario have in common.
+/// The properties that homes of one scenario share.
 #[derive(Debug)]
 pub struct FleetLayout {
-    /// What is known of their runs, but for what is each home's own: id, name and seed.
+    /// The description of their runs, without the id, name and seed of each home.
     pub run: RunInfo,
     /// The table that rows are of, under the names that the scenario's logger says.
     pub table: Table,
     /// The name of the column of the run's id.
     pub run_column: String,
-    /// How instants are written.
+    /// The format of instants.
     pub time: TimeFormat,
     shown: ShownTexts,
     file: LoggerFile,
@@ -75,12 +75,12 @@ impl FleetLayout {
         &self.shown.sensors[sensor.index()]
     }
 
-    /// What the log shows for a value; `buffer` is where it is put together if it has to be.
+    /// The text of a value in the log, built in `buffer` where necessary.
     pub fn value<'a>(&'a self, value: Value, buffer: &'a mut String) -> &'a str {
         self.shown.value(value, buffer)
     }
 
-    /// What turns the firings of a home of this seed into rows.
+    /// Turns the firings of a home with this seed into rows.
     pub fn rows(&self, seed: u64) -> HomeRows {
         HomeRows(Messages::new(&self.file.messages, seed, &self.run.sensor_names()))
     }
@@ -92,7 +92,7 @@ impl Fleet {
         &self.layouts[self.homes[home as usize].layout]
     }
 
-    /// What is known of the run of a home.
+    /// The description of a home's run.
     pub fn run_of(&self, home: u32) -> RunInfo {
         let FleetHome { name, run, seed, .. } = &self.homes[home as usize];
         RunInfo { id: *run, home: Some(name.clone()), seed: *seed, ..self.layout_of(home).run.clone() }
@@ -122,17 +122,17 @@ pub struct FleetRow {
     pub seq: u64,
     /// Its time by the home's clock.
     pub at: RunTime,
-    /// When it is to be told, by the world's clock.
+    /// The time at which it is due, in UTC.
     pub due: UtcTime,
-    /// Whose it is.
+    /// Its home.
     pub home: u32,
     /// Which of the home's sensors said it.
     pub sensor: SensorId,
-    /// What it said.
+    /// Its value.
     pub value: Value,
 }
 
-/// What a place is told.
+/// An event of a fleet for a destination.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum FleetEvent {
     /// A row.
@@ -143,17 +143,17 @@ pub enum FleetEvent {
     Goes(u32),
 }
 
-/// What takes the rows of a fleet.
+/// A destination of the rows of a fleet.
 ///
-/// Its life: [`begin`](FleetSink::begin) once, then any number of [`tell`](FleetSink::tell), then
-/// [`finish`](FleetSink::finish), or drop where the fleet is given up. After an error that [`passes`](LogError::passes) the same call is
-/// made again with the same rows, if there is time: what a place has kept of them must not be kept twice.
+/// The order of calls: [`begin`](FleetSink::begin) once, then any number of [`tell`](FleetSink::tell), then [`finish`](FleetSink::finish),
+/// or drop if the fleet is given up. After an error that [`passes`](LogError::passes) the same call is made again with the same rows, if
+/// there is time: the destination must not store rows twice.
 pub trait FleetSink: Send {
-    /// Whether such a fleet could tell the place, as far as its name says; `is_fast` where it goes faster than life.
+    /// Checks that such a fleet can write here, as far as the URL says; `is_fast` if it is faster than real time.
     ///
     /// # Errors
     ///
-    /// All that is wrong with it.
+    /// All problems of the URL.
     fn check(&self, _is_fast: bool) -> Result<(), LogError> {
         Ok(())
     }
@@ -162,18 +162,18 @@ pub trait FleetSink: Send {
     /// later, has the time of the deadline.
     fn begin(&mut self, fleet: &Arc<Fleet>, how: WriteMode, deadline: &Deadline) -> Result<Vec<u64>, LogError>;
 
-    /// Takes what is told, in order, and returns once it has arrived, as far as a place of this kind can say so.
+    /// Takes events in order, and returns once they have arrived, as far as a place of this kind can tell.
     fn tell(&mut self, told: &[FleetEvent]) -> Result<(), LogError>;
 
     /// Makes sure of everything; the fleet has ended at this instant.
     fn finish(&mut self, end: UtcTime) -> Result<(), LogError>;
 
-    /// Whether it is a file of this machine: then it has more time than a server.
+    /// Whether it is a file of this machine, which has more time than a server.
     fn is_file(&self) -> bool {
         false
     }
 
-    /// How much it is told at once, at most.
+    /// The largest number of events of one call.
     fn most_at_once(&self) -> usize {
         MOST_AT_ONCE
     }

@@ -19,7 +19,7 @@ use std::sync::Arc;
 const HOME: &str = "home";
 const HOME_BESIDE_COLUMN: &str = "home_name";
 
-/// Whether a file looks like rows of a fleet, so that the same command may add to it. Beginning compares each row.
+/// Whether a file looks like rows of a fleet, so that the same command may add to it. The beginning of a run compares each row.
 pub fn has_rows_of_fleet(path: &Path) -> bool {
     let begins = [HOME, HOME_BESIDE_COLUMN].map(|key| format!("{{{}:\"", in_json(key)));
     let mut first = Vec::new();
@@ -42,10 +42,10 @@ struct OpenFleetJsonl {
     buffer: String,
 }
 
-/// What the lines of homes of one kind are made of.
+/// The parts of lines that homes of one kind share.
 struct InKind {
     clock: InstantWriter,
-    /// What stands before the home, and before the value of each column.
+    /// The text before the home, and before the value of each column.
     home: String,
     keys: Vec<String>,
     sensors: Vec<String>,
@@ -116,7 +116,7 @@ impl OpenFleetJsonl {
         let InKind { clock, home: key, keys, sensors } = &mut kinds[home.layout];
         let [seq, time, sensor, value] = &keys[..] else { unreachable!("a log has four columns") };
         line.clear();
-        // What is written into a vector arrives.
+        // A vector takes all that is written to it.
         let _ = write!(line, "{key}\"{}\"{seq}{}{time}", home.name, row.seq);
         let _ = match clock.stamp(row.at) {
             Stamp::Text(text) => write!(line, "\"{text}\""),

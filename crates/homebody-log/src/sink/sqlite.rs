@@ -1,7 +1,7 @@
-//! A database file: the run's tables, and the table `run` beside them.
+//! A database file: the run's tables, and the table `run`.
 //!
-//! The order in which rows are inserted depends on the rows alone, and not on how they are split into batches: so the same run
-//! gives the same bytes. When a run is gone on with, the rows in the file are compared with those that it makes again.
+//! The order of insertions depends on the rows alone, and not on batches, so that the same run gives the same bytes. A resumed run
+//! compares the rows of the file with those that it makes again.
 
 use super::database::{Binding, Database, Insert};
 use super::{Begin, Sink, Watermark};
@@ -42,11 +42,11 @@ struct SqliteTable {
     insert: Insert,
     /// Rows that are not inserted yet. They are inserted `at_once` together, whatever the batches.
     waiting: Vec<Cell>,
-    /// How many rows the file had at the beginning. So many of the rows that come are compared with them.
+    /// The number of rows of the file at the beginning. As many rows of the run are compared with them.
     there: u64,
-    /// How many rows have come by now.
+    /// The number of rows so far.
     come: u64,
-    /// How many rows are inserted together.
+    /// The number of rows of one INSERT.
     at_once: usize,
 }
 
@@ -155,7 +155,6 @@ impl OpenSqlite {
         Ok(())
     }
 
-    /// Inserts what waits in a table.
     fn insert_waiting(&mut self, index: usize) -> Result<(), LogError> {
         let OpenSqlite { database, tables, clock, buffer, texts, .. } = self;
         let table = &mut tables[index];
@@ -233,12 +232,11 @@ impl SqliteTable {
         }
     }
 
-    /// How many of its rows are in the database once they are durable.
+    /// The number of its rows in the database.
     fn durable(&self) -> u64 {
         self.there.max(self.come - (self.waiting.len() / self.columns.len()) as u64)
     }
 
-    /// How many rows are there.
     fn count(&self, connection: &Connection) -> rusqlite::Result<u64> {
         let sql = match self.is_numbered {
             true => format!("SELECT coalesce(max(\"{}\") + 1, 0) FROM \"{}\"", self.columns[0].name, self.name),
@@ -263,7 +261,6 @@ impl SqliteTable {
     }
 }
 
-/// The statement that creates a table.
 fn create(table: &Table, begin: &Begin) -> String {
     let run = begin.run_column;
     let mut columns = format!("\"{run}\" INTEGER");
@@ -271,7 +268,7 @@ fn create(table: &Table, begin: &Begin) -> String {
         columns += &format!(", \"{}\" {}", column.name, column_type(column.kind, begin.time));
     }
     match table.is_numbered {
-        // Without a rowid the key is the table itself rather than an index beside it: smaller and faster.
+        // Without a rowid the key is the table itself and not an index: smaller and faster.
         true => format!(
             "CREATE TABLE \"{}\" ({columns}, PRIMARY KEY (\"{run}\", \"{}\")) WITHOUT ROWID",
             table.name, table.columns[0].name
@@ -352,12 +349,11 @@ pub(crate) fn can_go_on(database: &Database, run: &RunInfo) -> Result<(), LogErr
     if found == Some(run.id) { Ok(()) } else { Err(other(ChangedMessage::OtherRun)) }
 }
 
-/// Refuses to replace what is no database of this run. What is not there, or empty, is replaced.
+/// Refuses to replace a file other than a database of this run. A missing or empty file is replaced.
 pub(crate) fn can_be_replaced(path: &Path, run: &RunInfo) -> Result<(), LogError> {
     Database::reopen(path)?.map_or(Ok(()), |database| can_go_on(&database, run))
 }
 
-/// Whether a value of the database is a cell.
 fn is_same(found: ValueRef, cell: Cell, clock: &mut InstantWriter, texts: &[Arc<str>], buffer: &mut String) -> bool {
     match (found, cell) {
         (ValueRef::Null, Cell::Null) => true,

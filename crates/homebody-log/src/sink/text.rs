@@ -1,5 +1,4 @@
-//! A text of rows, a line each: a new file, one that a program which died has left, to be gone on with, a file that is packed as it
-//! is written, or standard output.
+//! Writes text, a row a line: into a new file, into the file of a resumed run, packed, or to standard output.
 
 use crate::error::{ChangedMessage, HoldMessage, LogError, OutputMessage, place_of};
 use crate::files::{FileLock, FreshFile, Packer, Packing, WriteMode, remove_parts, unpacked};
@@ -10,7 +9,6 @@ use homebody_core::scenario::scheme::Scheme;
 use std::io::{self, BufReader, BufWriter, Read, Stdout, Write};
 use std::path::{Path, PathBuf};
 
-/// Where text goes.
 #[derive(Clone, Debug)]
 pub(crate) enum TextTarget {
     File(PathBuf),
@@ -22,7 +20,7 @@ impl TextTarget {
         url.file().map_or(TextTarget::Output, |file| TextTarget::File(file.into()))
     }
 
-    /// What errors call it.
+    /// The name in errors.
     pub fn place(&self) -> String {
         match self {
             TextTarget::File(path) => place_of(path),
@@ -30,8 +28,8 @@ impl TextTarget {
         }
     }
 
-    /// Where each of these tables goes. Standard output has no room for several.
-    pub fn of_tables(&self, scheme: Scheme, tables: &[Table]) -> Result<Vec<TextTarget>, LogError> {
+    /// The target of each of these tables. Standard output holds one table.
+    pub fn for_tables(&self, scheme: Scheme, tables: &[Table]) -> Result<Vec<TextTarget>, LogError> {
         match self {
             TextTarget::File(path) => {
                 Ok(Url::new(scheme, path).files(tables).into_iter().map(TextTarget::File).collect())
@@ -63,7 +61,7 @@ impl TextSink {
                 let pieces = Pieces { out: io::stdout(), deadline: deadline.clone() };
                 TextSink::Output(BufWriter::with_capacity(1 << 16, pieces))
             }
-            TextTarget::File(path) => match Packing::of(path)? {
+            TextTarget::File(path) => match Packing::for_path(path)? {
                 Some(packing) => TextSink::Packed(Box::new(PackedFile::begin(path, packing, how)?)),
                 None => TextSink::File(Box::new(TextFile::begin(path, how, is_followed)?)),
             },
@@ -79,7 +77,7 @@ impl TextSink {
         }
     }
 
-    /// Shows the lines that have come to whoever reads them as they come.
+    /// Flushes lines for a reader that follows the file.
     pub fn show(&mut self) -> Result<(), LogError> {
         match self {
             TextSink::File(file) if file.is_followed => file.file.flush(),
@@ -92,7 +90,7 @@ impl TextSink {
     pub fn make_durable(&mut self) -> Result<bool, LogError> {
         match self {
             TextSink::File(file) => file.file.flush().map(|()| true),
-            // What packs sees more of a text the longer it waits, and the bytes shall not depend on when it was asked.
+            // A packer sees more of a text the longer it waits, and the bytes must not depend on when it was flushed.
             TextSink::Packed(_) => Ok(false),
             TextSink::Output(output) => output.flush().map(|()| true).map_err(no_output),
         }
@@ -150,7 +148,7 @@ fn no_output(source: io::Error) -> LogError {
     }
 }
 
-/// Lines that are there already, with which those are compared that are lived again.
+/// Existing lines, for comparison with those of the resumed run.
 struct EarlierLines<R> {
     text: BufReader<R>,
     lines: u64,
@@ -163,7 +161,7 @@ impl<R: Read> EarlierLines<R> {
         EarlierLines { text: BufReader::with_capacity(1 << 16, text), lines: 0, bytes: 0, found: Vec::new() }
     }
 
-    /// Whether a line is there whole: false where the text ends before its end. An error where another is there.
+    /// Whether the whole line is there: false if the text ends before its end. An error if there is another line.
     fn has(&mut self, line: &[u8], path: &Path) -> Result<bool, LogError> {
         self.found.clear();
         let read = self.text.by_ref().take(line.len() as u64).read_to_end(&mut self.found);
@@ -179,7 +177,6 @@ impl<R: Read> EarlierLines<R> {
         Ok(true)
     }
 
-    /// An error where there is more.
     fn is_all(&mut self, path: &Path) -> Result<(), LogError> {
         let more = self.text.read(&mut [0]).map_err(|error| LogError::reading(path, error))?;
         match more > 0 {
@@ -189,13 +186,13 @@ impl<R: Read> EarlierLines<R> {
     }
 }
 
-/// A file of lines as they are.
+/// A file of plain lines.
 ///
-/// Going on, lines that are there already are compared with those that are lived again, until the file ends, perhaps
-/// in the middle of a line: that one is written anew.
+/// A resumed run compares its lines with the existing ones until the file ends. If it ends in the middle of a line, that line is written
+/// anew.
 pub(crate) struct TextFile {
     file: FreshFile,
-    /// What is there and has not been compared yet.
+    /// The existing text that has not been compared yet.
     left: Option<EarlierLines<std::fs::File>>,
     /// Whether it has its name from its first line on.
     is_followed: bool,
@@ -220,7 +217,7 @@ impl TextFile {
             Ok(true) => return Ok(()),
             Ok(false) => {}
             Err(error) => {
-                // What is there is somebody's: it is left as it is.
+                // The file is another's: it stays unchanged.
                 self.file.keep();
                 return Err(error);
             }
@@ -248,10 +245,10 @@ impl TextFile {
     }
 }
 
-/// A file that is packed on its way.
+/// A file that is packed while it is written.
 ///
-/// Nothing can be added to a packed file whose end is missing. So going on, all of it is written anew; one that is whole is
-/// compared, and replaced in the end.
+/// A packed file without its end cannot be continued. So a resumed run writes all of it anew; a whole file is compared, and replaced at
+/// the end.
 pub(crate) struct PackedFile {
     path: PathBuf,
     packer: Packer,

@@ -38,7 +38,7 @@ pub(crate) const FORM: LogForm = LogForm {
 };
 
 fn shows(start: &FileStart) -> Shows {
-    Shows::rows_if(CasasLayout::of(start.lines()).is_ok())
+    Shows::rows_if(CasasLayout::find(start.lines()).is_ok())
 }
 
 /// Whether the first line is the heading that CASAS gives its tables, with the translations of a sensor's place.
@@ -51,7 +51,7 @@ pub(crate) fn objection(start: &FileStart) -> Option<FormMessage> {
     let lines = || start.lines().take(LOOKED_AT_LINES);
     let mut instants = InstantReader::default();
     if lines().any(|line| when(line.as_bytes(), &mut instants).is_some()) {
-        return CasasLayout::of(start.lines()).err();
+        return CasasLayout::find(start.lines()).err();
     }
     let timed = lines().filter(|line| has_time(line)).count();
     let first = || beginning(&start.lines().next().unwrap_or_default());
@@ -106,7 +106,6 @@ struct CasasRows {
 }
 
 impl CasasRows {
-    /// Takes a line.
     fn take(&mut self, number: u64, line: &[u8], reading: &mut LogReading<'_>) -> Result<(), LogError> {
         let line = line.trim_ascii();
         let Some(CasasTime { at, behind, .. }) = when(line, &mut reading.instants) else {
@@ -332,7 +331,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_no_text_is_replaced_and_is_one_sensor_however_often_it_comes() {
+    fn replaces_invalid_utf8_and_keeps_one_sensor() {
         let mut take = |_: &Log| Ok(());
         let mut reading = LogReading::new(&mut take);
         let mut rows = rows("2009-03-02 07:12:03 M1 ON");
@@ -344,7 +343,7 @@ mod tests {
     }
 
     #[test]
-    fn dirt_is_skipped_and_told() {
+    fn skips_and_reports_broken_lines() {
         let log =
             read("2009-03-02 07:12:03 M001 ON\n\nnonsense\n2009-03-02 07:12:04 M001\n2009-03-02 99:12:04 M1 ON\n");
         assert_eq!((log.events.len(), log.skipped), (1, 3));

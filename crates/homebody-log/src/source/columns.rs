@@ -331,7 +331,7 @@ pub(crate) const ATTRIBUTES: [&str; 30] = [
     "magnitud",
 ];
 
-/// Whether a heading is that of ids: numbers that name something, and tell nothing.
+/// Whether a heading is that of ids: numbers that name something and measure nothing.
 pub(crate) fn is_id(heading: &str) -> bool {
     const WORDS: [&str; 12] =
         ["id", "ids", "no", "nr", "uuid", "serial", "identifiant", "identifier", "kennung", "ean", "prm", "key"];
@@ -365,7 +365,6 @@ pub(crate) fn is_remark(heading: &str) -> bool {
     NAMES.contains(&plain(heading).as_str())
 }
 
-/// Whether a heading is that of money.
 pub(crate) fn is_price(heading: &str) -> bool {
     const WORDS: [&str; 13] = [
         "cost", "costs", "price", "prices", "kosten", "preis", "prix", "cout", "coût", "coste", "precio", "costo",
@@ -414,7 +413,7 @@ pub(crate) fn is_certain_sensor(heading: &str) -> bool {
     matches!(plain(heading).as_str(), "sensor" | "device" | "entityid" | "sensorid" | "deviceid" | "sensorname")
 }
 
-/// Where a row's time, sensor and value are.
+/// The places of a row's time, sensor and value.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct ColumnPlaces {
     /// The column of the time.
@@ -425,7 +424,7 @@ pub struct ColumnPlaces {
     pub value: usize,
     /// The column of activities, if the rows have them.
     pub label: Option<usize>,
-    /// Whether the columns have the names of the mapping: then cells are as they were written, with the blanks at their ends.
+    /// Whether the columns have the names of the mapping: then cells keep the blanks at their ends.
     pub is_mapped: bool,
 }
 

@@ -59,20 +59,19 @@ pub(crate) const WIDE: LogForm = LogForm {
     shows: |start| Shows::rows_if(table(start) == Some(TableKind::Wide)),
     read: |path, file, reading| {
         // A table that is wide by itself may have a column of devices, too.
-        let found = TableLayout::of(path, file, &reading.options);
+        let found = TableLayout::find(path, file, &reading.options);
         let is_wide = matches!(found, Ok(Some(TableLayout { rows: RowColumns::Wide { .. }, .. })));
         reading.options.is_wide |= !is_wide;
         read(path, file, reading)
     },
 };
 
-/// The kind of table that a file is, by its beginning.
 fn table(start: &FileStart) -> Option<TableKind> {
     *start.table.get_or_init(|| {
         if no_text(start).is_some() || start.delimiters() == 0 {
             return None;
         }
-        let found = TableLayout::of(&start.path, &LoggerFile::default(), &TableOptions::default());
+        let found = TableLayout::find(&start.path, &LoggerFile::default(), &TableOptions::default());
         let has_tabs = start.delimiter() == b'\t';
         match found {
             // The text of CASAS has tabs and no heading, or its own.
@@ -92,7 +91,7 @@ fn table(start: &FileStart) -> Option<TableKind> {
 }
 
 fn read(path: &Path, file: &LoggerFile, reading: &mut LogReading<'_>) -> Result<(), LogError> {
-    let Some(layout) = TableLayout::of(path, file, &reading.options)? else { return Ok(()) };
+    let Some(layout) = TableLayout::find(path, file, &reading.options)? else { return Ok(()) };
     (reading.instants.order, reading.instants.is_utc) = (layout.order, layout.is_utc);
     reading.instants.has_day_numbers = layout.has_day_numbers;
     let (rows, skipped) = (reading.log.rows, reading.log.skipped);
@@ -101,19 +100,19 @@ fn read(path: &Path, file: &LoggerFile, reading: &mut LogReading<'_>) -> Result<
     let mut homes = HomeFilter::new(&layout, &reading.options);
     match &layout.rows {
         RowColumns::Events { .. } => {
-            let mut events = EventRows::of(&layout);
+            let mut events = EventRows::for_layout(&layout);
             each_row(path, &layout, &mut homes, reading, &mut |line, record, reading| {
                 events.take(line, record, reading)
             })?;
         }
         RowColumns::Intervals { .. } => {
-            let mut intervals = Intervals::of(&layout);
+            let mut intervals = Intervals::for_layout(&layout);
             let mut take = |line, record: &Record, reading: &mut LogReading<'_>| intervals.take(line, record, reading);
             each_row(path, &layout, &mut homes, reading, &mut take)?;
             intervals.end(reading)?;
         }
         RowColumns::Wide { .. } => {
-            let mut wide = Wide::of(&layout);
+            let mut wide = Wide::for_layout(&layout);
             each_row(path, &layout, &mut homes, reading, &mut |line, record, reading| {
                 wide.take(line, record, reading)
             })?;
@@ -141,7 +140,6 @@ fn has_rows(path: &Path, rows: u64, skipped: u64, has_activities: bool) -> Resul
     }
 }
 
-/// Takes a row.
 type TakeRecord<'t> = dyn FnMut(u64, &Record, &mut LogReading<'_>) -> Result<(), LogError> + 't;
 
 fn each_row(

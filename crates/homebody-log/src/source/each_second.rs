@@ -96,7 +96,6 @@ fn clock(at: LogInstant) -> usize {
     usize::from(at.clock() == Clock::Utc)
 }
 
-/// A column of a sensor.
 struct SensorColumn {
     name: String,
     /// Whether its cells are 0 and 1, and not readings.
@@ -113,7 +112,7 @@ fn pause(last: Option<LogInstant>, at: LogInstant) -> Option<(LogInstant, Interv
     (gap.length() > LONGEST_PAUSE).then_some((begin, gap))
 }
 
-/// What a cell says of a sensor, if it is one's.
+/// The state in a cell, if it has one.
 fn state(cell: &[u8]) -> Option<bool> {
     match cell.trim_ascii() {
         b"0" | b"0.0" => Some(false),
@@ -122,7 +121,7 @@ fn state(cell: &[u8]) -> Option<bool> {
     }
 }
 
-/// Where time, activity and sensors are in a table of OpenSHS.
+/// The places of time, activity and sensors in a table of OpenSHS.
 fn places(names: &[String]) -> Option<(usize, usize, Vec<usize>)> {
     let place = |wanted: &str| names.iter().position(|name| name.eq_ignore_ascii_case(wanted));
     let (time, activity) = (place("timestamp")?, place("activity")?);
@@ -219,7 +218,6 @@ fn read_openshs(path: &Path, _: &LoggerFile, reading: &mut LogReading<'_>) -> Re
 /// The evidence for a column whose name says its content.
 const HEADING: &str = "its heading";
 
-/// A cell as text.
 fn cell(record: &Record, place: usize) -> String {
     String::from_utf8_lossy(record.get(place).unwrap_or_default().trim_ascii()).into_owned()
 }
@@ -240,7 +238,7 @@ fn later(at: LogInstant) -> LogInstant {
     }
 }
 
-/// How many sensors a row of ARAS has, and residents.
+/// The number of sensors in a row of ARAS, and of residents.
 const SENSORS: usize = 20;
 const RESIDENTS: usize = 2;
 

@@ -9,7 +9,6 @@ struct Foreign {
     is: ForeignKind,
 }
 
-/// The kind of a file.
 #[derive(Clone, Copy)]
 enum ForeignKind {
     /// A kind, and the advice about it.

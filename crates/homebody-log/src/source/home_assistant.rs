@@ -43,9 +43,8 @@ fn shows(start: &FileStart) -> Shows {
     Shows::rows_if(start.is_sqlite() && found().is_ok_and(|columns| columns.is_some()))
 }
 
-/// What the table of states has.
 struct StateColumns {
-    /// What asks for the entity's id, for when it was last changed and for when it was last updated.
+    /// The query of the entity's id, of its last change and of its last update.
     entity: String,
     changed: String,
     updated: String,

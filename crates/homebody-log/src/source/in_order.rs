@@ -15,7 +15,7 @@ use std::collections::BinaryHeap;
 
 /// Rows that wait until no earlier one can come.
 pub(crate) struct InOrder {
-    /// Instants, and in which order rows came, which they keep at one instant.
+    /// Instants, with the order of rows, which decides at one instant.
     waiting: BinaryHeap<Reverse<(WallTime, u64, WaitingRow)>>,
     come: u64,
     texts: Vec<String>,
@@ -31,7 +31,7 @@ pub(crate) struct InOrder {
 /// A row by its line, its sensor, its value, its label, and its clock. A text stands by its number.
 type WaitingRow = (u64, u32, u32, Option<u32>, Clock);
 
-/// What the two ends of an interval say.
+/// The values of the two ends of an interval.
 pub(crate) const ON: &str = "ON";
 pub(crate) const OFF: &str = "OFF";
 
@@ -86,7 +86,6 @@ impl InOrder {
         Ok(())
     }
 
-    /// The number of a text.
     fn number(&mut self, text: &str) -> u32 {
         match self.known.get(text) {
             Some(&number) => number,

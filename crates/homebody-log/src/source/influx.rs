@@ -12,7 +12,6 @@ use crate::error::LogError;
 use crate::log::{ColumnRole, SensorInfo};
 use std::collections::{BTreeMap, BTreeSet};
 
-/// A point on its way.
 #[derive(Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) struct InfluxPoint {
     pub measurement: String,
@@ -32,10 +31,9 @@ const UNITS: [&str; 2] = ["unit", "unit_of_measurement"];
 const VALUE: &str = "value";
 const STATE: &str = "state";
 
-/// How names of fields end that are texts of Home Assistant's attributes.
+/// The ending of fields that are text attributes of Home Assistant.
 const TEXT: &str = "_str";
 
-/// All series that have come.
 #[derive(Default)]
 pub(crate) struct Series {
     named: BTreeMap<InfluxPoint, String>,
@@ -118,7 +116,6 @@ impl Series {
         Ok(())
     }
 
-    /// The sensor of a series, by a name that no other series has.
     fn sensor(&mut self, series: InfluxPoint) -> String {
         if let Some(known) = self.named.get(&series) {
             return known.clone();
@@ -160,7 +157,6 @@ impl Series {
     }
 }
 
-/// Whether a measurement is named for what it is and not for a unit.
 fn is_word(measurement: &str) -> bool {
     measurement == STATE || measurement == "sensor" || measurement.contains(['.', '_'])
 }

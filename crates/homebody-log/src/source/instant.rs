@@ -30,7 +30,7 @@ impl LogInstant {
         }
     }
 
-    /// The clock that it is told by.
+    /// Its clock.
     pub fn clock(self) -> Clock {
         match self {
             LogInstant::Local(_) => Clock::Local,
@@ -38,7 +38,7 @@ impl LogInstant {
         }
     }
 
-    /// What the wall of its clock shows: that of the home, or that of UTC.
+    /// Its time on its clock: local time, or UTC.
     pub fn on_wall(self) -> WallTime {
         match self {
             LogInstant::Local(at) => at,
@@ -78,7 +78,7 @@ impl InstantReader {
         self.read_bytes(text.as_bytes())
     }
 
-    /// The same from bytes that may be no text: then they are no instant.
+    /// The same from bytes; invalid UTF-8 is not an instant.
     pub fn read_bytes(&mut self, bytes: &[u8]) -> Option<LogInstant> {
         let Some((at, rest)) = self.leading(bytes.trim_ascii_start()) else {
             let text = str::from_utf8(bytes).ok()?.trim();
@@ -108,8 +108,7 @@ impl InstantReader {
         }
     }
 
-    /// The date and time that bytes begin with, on the wall of the clock that they are told by, and what follows: a zone or whatever
-    /// it may be.
+    /// The date and time at the beginning of bytes, on their own clock, and the rest: a zone or anything else.
     #[inline]
     pub fn leading<'b>(&mut self, bytes: &'b [u8]) -> Option<(WallTime, &'b [u8])> {
         let (midnight, rest) = self.midnight(bytes)?;
@@ -224,7 +223,7 @@ fn half_day(at: WallTime, bytes: &[u8]) -> Option<(WallTime, &[u8])> {
     }
 }
 
-/// How far zones are ahead that people write by letters: those of Europe and North America.
+/// The offsets of zones that have abbreviations: those of Europe and North America.
 fn abbreviated(zone: &[u8]) -> Option<Span> {
     const HOURS: [(&[u8], i64); 18] = [
         (b"UTC", 0),
@@ -284,7 +283,6 @@ fn day_number(text: &str) -> Option<LogInstant> {
     Some(LogInstant::Local(WallTime::EPOCH + milliseconds as i64 * MILLISECOND))
 }
 
-/// Whether a number may be that of a day in a spreadsheet.
 pub(crate) fn is_day_number(number: f64) -> bool {
     (20_000.0..80_000.0).contains(&number)
 }
@@ -379,7 +377,7 @@ fn two_digits(text: &[u8], below: i64) -> Option<(i64, &[u8])> {
 /// The digits that follow a point, as a part of a second, and what follows them; further digits are cut off.
 #[inline]
 fn fraction(text: &[u8]) -> (Span, &[u8]) {
-    /// What a number of so many digits is to be multiplied with.
+    /// The factors of numbers by their count of digits.
     const UNITS: [i64; 7] = [1_000_000, 100_000, 10_000, 1000, 100, 10, 1];
     let (mut number, mut length) = (0, 0);
     while let Some(digit) = text.get(length).filter(|byte| byte.is_ascii_digit()) {
@@ -406,7 +404,7 @@ pub(crate) fn offset(zone: &[u8]) -> Option<Span> {
     rest.is_empty().then_some(sign * (hours * 60 + minutes) * MINUTE)
 }
 
-/// What a cell of a row tells as an instant, on the wall of whichever clock.
+/// The instant of a cell, on any clock.
 pub(crate) fn instant_of_cell(
     row: &Row,
     column: usize,
@@ -439,7 +437,7 @@ mod tests {
     }
 
     #[test]
-    fn all_the_ways_to_write_an_instant() {
+    fn reads_all_forms_of_instants() {
         for (text, instant) in [
             ("2009-03-02 07:12:03.250000", local(Span::from_millis(250))),
             ("2009-03-02T07:12:03.25", local(Span::from_millis(250))),
@@ -480,7 +478,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_no_instant() {
+    fn refuses_other_texts_as_instants() {
         let long = "9".repeat(40);
         for text in [
             "",
@@ -541,7 +539,7 @@ mod tests {
     }
 
     #[test]
-    fn day_numbers_of_spreadsheets_and_clocks_of_utc_are_read_where_they_are_asked_for() {
+    fn reads_day_numbers_and_utc_only_on_request() {
         let mut days = InstantReader { has_day_numbers: true, ..InstantReader::default() };
         assert_eq!(days.read("39874.3"), Some(local(-3 * SECOND)));
         assert_eq!((days.read("1000.5"), read("39874.3")), (None, None));
@@ -565,7 +563,7 @@ mod tests {
     }
 
     #[test]
-    fn a_day_read_before_is_told_from_the_next() {
+    fn distinguishes_a_day_from_the_next() {
         let mut instants = InstantReader::default();
         for day in ["2009-03-02", "2009-03-02", "2012-02-29", "1969-12-31", "2009-03-02"] {
             let wanted = WallTime::from(day.parse::<Date>().unwrap().at(1, 2, 3, 0));

@@ -1,8 +1,8 @@
-//! The intervals of van Kasteren's homes and of UCI's "ADLs Recognition Using Binary Sensors": from when to when a sensor was on,
-//! or somebody did something.
+//! The intervals of van Kasteren's homes and of UCI's "ADLs Recognition Using Binary Sensors": the times at which a sensor was on, or an
+//! activity lasted.
 //!
-//! A row is `start end id value` with the ids' names in the text above, or `start end location type place`; tabs and blanks part
-//! them, as many as somebody liked. Activities are in a text of their own, whose heading says so.
+//! A row is `start end id value` with the ids' names in the text above, or `start end location type place`, separated by any number of
+//! tabs and blanks. Activities are in a text of their own, with a heading that says so.
 
 use super::in_order::InOrder;
 use super::instant::{InstantReader, LogInstant};
@@ -104,7 +104,7 @@ fn named(heading: &str) -> Option<(String, String)> {
     (fits && name.len() <= LONGEST_ID).then(|| (id.to_owned(), name.to_owned()))
 }
 
-/// What a row is of: an id's name, or all the words; the value that is always 1 is passed over.
+/// The subject of a row: an id's name, or all the words, without the value that is always 1.
 fn called(what: &str, names: &BTreeMap<String, String>) -> String {
     let words: Vec<&str> = what.split_whitespace().collect();
     match words[..] {

@@ -209,7 +209,6 @@ impl<'w, 'r, 't> JsonWalk<'w, 'r, 't> {
         }
     }
 
-    /// Takes a value that is a row, if it is one.
     fn row(&mut self, line: u64, said: &Value) -> Result<ObjectUse, LogError> {
         match said {
             Value::Object(object) => self.row_or_columns(line, object),

@@ -24,7 +24,7 @@ pub(crate) const FORM: LogForm = LogForm {
 };
 
 fn shows(start: &FileStart) -> Shows {
-    match LabelTable::of(start) {
+    match LabelTable::find(start) {
         Some(LabelTable { is_named: true, .. }) => Shows::Activities,
         _ => Shows::Nothing,
     }
@@ -53,7 +53,6 @@ const OF_SENSORS: [&str; 12] =
 const OF_BEGINS: [&str; 5] = ["start", "begin", "from", "started", "onset"];
 const OF_ENDS: [&str; 6] = ["end", "stop", "to", "until", "ended", "offset"];
 
-/// A table of labels.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct LabelTable {
     /// The delimiter of the cells; None for blanks or tabs.
@@ -72,7 +71,7 @@ type LabelRow<'l> = ([LogInstant; 2], Vec<Cow<'l, str>>);
 
 impl LabelTable {
     /// The table that begins so; None for any other text.
-    pub fn of(start: &FileStart) -> Option<LabelTable> {
+    pub fn find(start: &FileStart) -> Option<LabelTable> {
         let lines: Vec<Cow<str>> = start.lines().collect();
         let mut instants = InstantReader::default();
         let mut of_line = |line: &str| DELIMITERS.into_iter().find(|&by| delimited(line, by, &mut instants).is_some());
@@ -159,7 +158,7 @@ fn delimited<'l>(line: &'l str, delimiter: Option<char>, instants: &mut InstantR
 }
 
 fn read(path: &Path, _: &LoggerFile, reading: &mut LogReading<'_>) -> Result<(), LogError> {
-    let table = LabelTable::of(&FileStart::read(path)?)
+    let table = LabelTable::find(&FileStart::read(path)?)
         .ok_or_else(|| LogError::no_log(place_of(path), FormMessage::NoLabels))?;
     // For labels of a log, the columns stay those of the log.
     for (name, role) in [("start", ColumnRole::Time), ("end", ColumnRole::End), ("label", ColumnRole::Label)] {

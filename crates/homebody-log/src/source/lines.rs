@@ -1,4 +1,4 @@
-//! The lines of a text, none of which is longer than a row may be.
+//! The lines of a text, each at most as long as a row may be.
 
 use super::reading::open;
 use crate::error::{LengthMessage, LogError};
@@ -8,10 +8,10 @@ use std::borrow::Cow;
 use std::io::{BufRead, BufReader, Read};
 use std::path::{Path, PathBuf};
 
-/// How many bytes are asked for at once.
+/// The size of a read, in bytes.
 const BUFFER: usize = 1 << 16;
 
-/// What some programs begin a text with.
+/// The byte order mark, with which some programs begin a text.
 const MARK: &[u8] = b"\xef\xbb\xbf";
 
 /// A text on its way, line by line.
@@ -19,7 +19,7 @@ pub(crate) struct LineReader {
     path: PathBuf,
     file: BufReader<Box<dyn Read + Send>>,
     number: u64,
-    /// How much of the buffer the last line is.
+    /// The length of the last line in the buffer.
     used: usize,
     /// A line that does not end in the buffer.
     line: Vec<u8>,
@@ -50,7 +50,7 @@ impl LineReader {
                 self.used = end + 1;
                 &self.file.buffer()[..self.used]
             }
-            // It goes on behind the buffer; one more is read, which says that it is too long.
+            // It continues behind the buffer; one more byte shows that it is too long.
             None => {
                 self.line.clear();
                 let mut rest = self.file.by_ref().take(LONGEST_ROW_BYTES as u64 + 1);
@@ -68,7 +68,7 @@ impl LineReader {
         Ok(Some((self.number, line)))
     }
 
-    /// The next line as text; what is none in UTF-8 is replaced.
+    /// The next line as text; invalid UTF-8 is replaced.
     pub fn next_text(&mut self) -> Result<Option<(u64, Cow<'_, str>)>, LogError> {
         Ok(self.next()?.map(|(number, line)| (number, text(line))))
     }

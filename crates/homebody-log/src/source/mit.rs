@@ -1,10 +1,9 @@
-//! The text of Tapia's homes at MIT: records of five lines, one for each time that somebody did something.
+//! The text of Tapia's homes at MIT: records of five lines, one for each activity.
 //!
-//! They are the activity with its day and its two ends, the ids of the sensors that changed meanwhile, their names, when each was
-//! opened or turned on, and when it was over. Beside the text lies a table of the sensors' rooms and names.
+//! They are the activity with its day and its two ends, the ids of the sensors that changed meanwhile, their names, the times of their
+//! opening or switching on, and the times of their ends. Next to the text is a table of the sensors' rooms and names.
 //!
-//! We assume that what ends before it begins ends on the next day. Left out: that an activation which falls into two activities is
-//! told in both records; it comes twice.
+//! We assume that an end before its begin is on the next day. An activation during two activities is in both records, and comes twice.
 
 use super::in_order::InOrder;
 use super::instant::LogInstant;
@@ -30,7 +29,7 @@ pub(crate) const FORM: LogForm = LogForm {
     read,
 };
 
-/// The table beside the text, `id,room,name` in each row.
+/// The table next to the text, `id,room,name` in each row.
 const SENSORS: &str = "sensors.csv";
 
 /// Largest number of bytes of such a table (our choice): one of 77 sensors has two thousand.
@@ -49,7 +48,7 @@ fn is_id(cell: &str) -> bool {
     !cell.trim().is_empty() && cell.trim().bytes().all(|byte| byte.is_ascii_digit())
 }
 
-/// What the first line of a record says: what was done, on which day, from when to when.
+/// The first line of a record: the activity, its day, its begin and its end.
 struct Heading {
     activity: String,
     /// The day's midnight and the two ends since then, or the reason why they are unknown.
@@ -71,7 +70,6 @@ fn heading(line: &str) -> Option<Heading> {
     Some(Heading { activity, when })
 }
 
-/// Three numbers.
 fn three<'t>(parts: impl Iterator<Item = &'t str>) -> Option<[i16; 3]> {
     let numbers: Vec<i16> = parts.map(|part| part.trim().parse().ok()).collect::<Option<_>>()?;
     numbers.try_into().ok()
@@ -91,7 +89,7 @@ fn time(text: &str) -> Option<Span> {
     fits.then_some(((hours * 60 + minutes) * 60 + seconds) * SECOND)
 }
 
-/// Two ends of which the second is not before the first.
+/// Two ends, the second moved to the next day if it is before the first.
 fn following(begin: Span, end: Span) -> [Span; 2] {
     [begin, if end < begin { end + DAY } else { end }]
 }
@@ -169,7 +167,7 @@ fn take(record: &[(u64, String)], order: &mut InOrder, reading: &mut LogReading<
     Ok(())
 }
 
-/// What the table beside the text tells of the sensors; nothing where there is none.
+/// The sensors in the table next to the text; none without it.
 fn known_beside(path: &Path) -> Vec<SensorInfo> {
     let table = plain::read_text(&path.with_file_name(SENSORS), LARGEST_TABLE_BYTES).unwrap_or_default();
     let row = |line: &str| {

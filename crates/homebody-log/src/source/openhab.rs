@@ -40,7 +40,6 @@ fn shows(start: &FileStart) -> Shows {
     Shows::rows_if(events > 0 && events * FEWEST >= lines)
 }
 
-/// The event of an item in a line.
 struct ItemEvent<'l> {
     item: &'l str,
     state: &'l str,
@@ -132,7 +131,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_line_tells_of_an_item_or_of_none() {
+    fn a_line_has_one_item_or_none() {
         for (behind, told) in [
             (
                 " [INFO ] [openhab.event.ItemStateChangedEvent   ] - Item 'Hall_Motion' changed from OFF to ON",
@@ -154,7 +153,7 @@ mod tests {
     }
 
     #[test]
-    fn a_unit_is_told_from_its_number() {
+    fn separates_a_unit_from_its_number() {
         assert_eq!(measured("21.5 °C"), ("21.5", Some("°C")));
         assert_eq!(measured("UNDEF"), ("unavailable", None));
         assert_eq!(measured("Living Room"), ("Living Room", None));

@@ -1,6 +1,6 @@
-//! How a table is read where its rows do not decide it.
+//! Options of reading a table whose rows do not decide them.
 
-/// How a table is read where its rows do not decide it.
+/// Options of reading a table whose rows do not decide them.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct TableOptions {
     /// Whether each column is a sensor.

@@ -20,7 +20,7 @@ pub(crate) const FORM: LogForm = LogForm {
     read,
 };
 
-/// Where the parts of a row are.
+/// The places of the parts of a row.
 enum LogColumns {
     /// A time, a zone and a number that are the sensor together, its state, and its level where it has no state.
     X10 {
@@ -44,7 +44,6 @@ fn columns(heading: &str, file: &LoggerFile) -> Option<LogColumns> {
 }
 
 impl LogColumns {
-    /// Records what each column was taken for.
     fn record(&self, heading: &str, levels: &X10Levels, reading: &mut LogReading<'_>) {
         let names: Vec<&str> = heading.split('|').map(str::trim).collect();
         let mut column = |place: usize, role: ColumnRole, because: &str| reading.column(names[place], role, because);
@@ -83,12 +82,11 @@ const HEADING: &str = "its heading";
 struct X10Levels {
     /// By zone and number, whether the level is the reading, for sensors in the beginning.
     sensors: BTreeMap<(String, String), bool>,
-    /// Zones with only such sensors.
     zones: BTreeSet<String>,
 }
 
 impl X10Levels {
-    fn of(start: &FileStart) -> X10Levels {
+    fn find(start: &FileStart) -> X10Levels {
         let mut lines = start.lines();
         let known = lines.next().and_then(|heading| columns(&heading, &LoggerFile::default()));
         let Some(LogColumns::X10 { zone, number, state, level: Some(level), .. }) = known else {
@@ -135,7 +133,7 @@ fn shows(start: &FileStart) -> Shows {
 fn read(path: &Path, file: &LoggerFile, reading: &mut LogReading<'_>) -> Result<(), LogError> {
     let mut lines = LineReader::open(path)?;
     let mut known = None;
-    let levels = X10Levels::of(&FileStart::read(path)?);
+    let levels = X10Levels::find(&FileStart::read(path)?);
     while let Some((number, line)) = lines.next_text()? {
         let line = line.trim();
         if line.is_empty() || is_rule(line) || is_count(line) {

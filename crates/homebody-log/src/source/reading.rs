@@ -43,15 +43,14 @@ pub struct LogReading<'t> {
     clock: Option<Clock>,
     /// Lines and clocks of the rows that have come, until the first are handed over.
     first: Option<Vec<(u64, Clock)>>,
-    /// Whether activities are told whole elsewhere, so that labels on rows only say it again.
+    /// Whether whole activities are elsewhere, so that labels on rows only repeat them.
     pub has_spans: bool,
     /// The instant of the last row.
     last: WallTime,
-    /// How its table is read.
     pub(crate) options: TableOptions,
     /// The log that is being read, for errors.
     pub(crate) place: String,
-    /// The file beside the log that is being read, if that is not the log itself.
+    /// The file next to the log that is being read, if it is not the log itself.
     beside: Option<String>,
     /// Activities beyond the most that are kept.
     beyond: u64,
@@ -103,7 +102,7 @@ impl<'t> LogReading<'t> {
         self.row_of_bytes(line, time.as_bytes(), sensor.as_bytes(), value.as_bytes())
     }
 
-    /// The same from bytes that may be no text; what is none in UTF-8 is replaced.
+    /// The same from bytes; invalid UTF-8 is replaced.
     #[inline]
     pub(crate) fn row_of_bytes(
         &mut self,
@@ -130,7 +129,7 @@ impl<'t> LogReading<'t> {
         self.event_of_bytes(line, instant, sensor.as_bytes(), value.as_bytes())
     }
 
-    /// The same from bytes. What a sensor is called and says is looked at as text once: where the same bytes come again, it is known.
+    /// The same from bytes. The ids and values of sensors are checked as text once: the same bytes are known from then on.
     pub(crate) fn event_of_bytes(
         &mut self,
         line: u64,
@@ -168,7 +167,7 @@ impl<'t> LogReading<'t> {
         Ok(true)
     }
 
-    /// The numbers of a sensor and of what it says, at least one of which is new; or why there is none.
+    /// The numbers of a sensor and of a value, at least one of them new; or the reason why there is none.
     #[cold]
     fn learn(&mut self, sensor: &[u8], value: &[u8]) -> Result<(u32, u32), String> {
         let (sensor, value) = (text(sensor), text(value));
@@ -215,7 +214,7 @@ impl<'t> LogReading<'t> {
         Err(LogError::no_log(self.place.as_str(), FormMessage::ManyNames { rows, names: sensors }))
     }
 
-    /// Settles by which clock the log is told: that of most of its first rows. Those of the other are left out.
+    /// Decides the clock of the log: that of most of its first rows. Rows with the other are left out.
     fn decide_clock(&mut self, first: &[(u64, Clock)]) {
         let utc = first.iter().filter(|(_, clock)| *clock == Clock::Utc).count();
         if utc == 0 || utc == first.len() {
@@ -244,7 +243,6 @@ impl<'t> LogReading<'t> {
         }
     }
 
-    /// The same at an instant that no row may have.
     pub(crate) fn note_of(&mut self, instant: LogInstant, name: &str, begins: bool) {
         if let Ok(at) = self.on_clock(instant)
             && !self.has_spans
@@ -275,7 +273,6 @@ impl<'t> LogReading<'t> {
         self.label_at(name, self.last);
     }
 
-    /// The same at an instant that no row may have.
     pub(crate) fn label_of(&mut self, instant: LogInstant, name: Option<&str>) {
         if let Ok(at) = self.on_clock(instant) {
             self.label_at(name, at);
@@ -289,12 +286,12 @@ impl<'t> LogReading<'t> {
         self.keep(ended);
     }
 
-    /// What a text says of an instant.
+    /// The instant of a text.
     pub fn instant(&mut self, text: &str) -> Option<LogInstant> {
         self.instants.read(text)
     }
 
-    /// Takes an activity whose two ends are told together.
+    /// Takes an activity with both ends.
     pub fn span(&mut self, line: u64, begin: LogInstant, end: LogInstant, name: &str) {
         let told = match (self.on_clock(begin), self.on_clock(end)) {
             _ if name.is_empty() => Err("there is no activity"),
@@ -358,7 +355,6 @@ impl<'t> LogReading<'t> {
         parts.iter().for_each(|(part, role)| self.column(part, *role, "the form has it there"));
     }
 
-    /// The same of a column whose use is decided.
     pub(crate) fn column_use(&mut self, of: ColumnUse) {
         // The log itself has its columns already.
         if self.beside.is_some() && self.seams.is_empty() {
@@ -371,7 +367,7 @@ impl<'t> LogReading<'t> {
     }
 
     /// Begins a further file of the log, with its first instant. A long silence before it is a gap.
-    pub(crate) fn go_on(&mut self, file: &Path, begin: Option<WallTime>) {
+    pub(crate) fn continue_with(&mut self, file: &Path, begin: Option<WallTime>) {
         self.go_beside(file);
         let Some(begin) = begin.filter(|_| self.log.rows > 0) else { return };
         self.seams.push(begin);
@@ -400,7 +396,7 @@ impl<'t> LogReading<'t> {
         self.log.activities = joined;
     }
 
-    /// From now on a file beside the log is read.
+    /// Continues with a file next to the log.
     pub(crate) fn go_beside(&mut self, file: &Path) {
         self.options = TableOptions { dates: self.options.dates, ..TableOptions::default() };
         self.beside = Some(readable(place_of(file)));
@@ -429,7 +425,7 @@ impl<'t> LogReading<'t> {
 /// A log may have so many sensors with a row or two each.
 const FEW_SENSORS: usize = 1000;
 
-/// Why a row is none of the log's.
+/// The reason to skip a row.
 const OTHER_CLOCK: &str = "some instants have a zone and some have none";
 
 /// Makes sure that a row has a part, and not too much of it.
@@ -449,10 +445,10 @@ fn on_any_clock(instant: LogInstant) -> Result<WallTime, &'static str> {
     if is_on_any_clock(at) { Ok(at) } else { Err("the time is out of range") }
 }
 
-/// Why a span is none.
+/// The reason to skip an activity.
 pub(crate) const ENDS_BEFORE: &str = "it ends before it begins";
 
-/// What is in a file that may hold a log, unpacked if it is packed.
+/// The text of a file that may hold a log, unpacked if necessary.
 pub(crate) fn open(path: &Path) -> Result<Box<dyn Read + Send>, LogError> {
     unpacked(path).map_err(|error| match error.kind() {
         std::io::ErrorKind::NotFound => LogError::Missing { place: place_of(path) },
@@ -460,13 +456,12 @@ pub(crate) fn open(path: &Path) -> Result<Box<dyn Read + Send>, LogError> {
     })
 }
 
-/// Whether the instant can be told in every zone: some write 9999-12-31 for never.
+/// Whether the instant exists in every zone: some programs write 9999-12-31 for never.
 fn is_on_any_clock(at: WallTime) -> bool {
     let [first, last] = [Timestamp::MIN, Timestamp::MAX].map(|end| UtcTime::from(end).on_wall_of_utc());
     Interval::new(first + DAY, last - DAY).contains(at)
 }
 
-/// The numbers of texts that have come.
 struct TextNumbers {
     known: HashMap<Box<[u8]>, u32>,
     /// Those that were asked for last, at places that a look at a text's ends tells: sensors say the same again and again.

@@ -1,7 +1,7 @@
-//! Rows of comma-separated values, none of which is longer than it may be.
+//! Rows of comma-separated values, each at most as long as a row may be.
 //!
-//! A cell in quotes may go on over several lines. A quote that is never closed would make a row of all that follows: so a row
-//! ends with its first line, and is told as broken, if what follows looks like a row of its own or no quote comes soon.
+//! A cell in quotes may continue over several lines. A quote that is never closed would make a row of all that follows: so a row ends with
+//! its first line, and is reported as broken, if the next line looks like a row or no quote comes soon.
 
 use super::lines::LineReader;
 use super::start::FileStart;
@@ -21,7 +21,7 @@ pub(crate) struct RecordReader {
     /// Lines that have been read and belong to no row yet.
     ahead: VecDeque<(u64, Vec<u8>)>,
     record: Record,
-    /// Whether a line was no text in UTF-8.
+    /// Whether a line was not valid UTF-8.
     pub has_other_letters: bool,
 }
 
@@ -39,7 +39,7 @@ impl Record {
         self.cells.len()
     }
 
-    /// A cell as it was written, without quotes.
+    /// A cell with all its blanks, without quotes.
     pub fn get(&self, place: usize) -> Option<&[u8]> {
         self.cells.get(place).map(|cell| &self.text[cell.clone()])
     }
@@ -50,7 +50,6 @@ impl Record {
         self.cells.iter().map(text).collect()
     }
 
-    /// Parts a line in which there is no quote; whether that is so.
     fn part_unquoted(&mut self, line: &[u8], delimiter: u8) -> bool {
         self.text.clear();
         self.cells.clear();
@@ -118,8 +117,8 @@ impl RecordReader {
         Ok(RecordReader { path: path.into(), lines, delimiter, ahead, record, has_other_letters: false })
     }
 
-    /// The next row with the line that it begins in, counted from 1; None at the end. `is_row` says of a line by itself whether
-    /// it is a row, so that it is no part of the one before.
+    /// The next row with the line that it begins in, counted from 1; None at the end. `is_row` says of a line by itself whether it is a
+    /// row, so that it does not belong to the one before.
     pub fn next(&mut self, is_row: &mut dyn FnMut(&Record) -> bool) -> Result<Option<(u64, &Record)>, LogError> {
         self.record.is_broken = false;
         let number = if self.ahead.is_empty() {
@@ -173,7 +172,7 @@ impl RecordReader {
     }
 }
 
-/// Where in a row with quotes a text ends.
+/// The end of a text in a row with quotes.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Quoting {
     CellBegins,

@@ -83,7 +83,7 @@ fn read(path: &Path, file: &LoggerFile, reading: &mut LogReading<'_>) -> Result<
     Ok(())
 }
 
-/// Takes the activities of the table that we write beside a log; whether there is one.
+/// Takes the activities of our table next to a log; whether there is one.
 fn spans(connection: &Connection, reading: &mut LogReading<'_>) -> rusqlite::Result<bool> {
     let [begin, end, activity] = SPAN_COLUMNS;
     let has = tables(connection)?.iter().any(|name| name == SPANS) && {
@@ -143,7 +143,7 @@ fn sensors(connection: &Connection) -> rusqlite::Result<Vec<SensorInfo>> {
 /// Largest number of sensors that are read from the table.
 const MOST_SENSORS: usize = 10_000;
 
-/// Whether a database has the table of sensors that we write.
+/// Whether a database has our table of sensors.
 fn has_sensors(connection: &Connection) -> rusqlite::Result<bool> {
     let columns = columns(connection, SENSOR)?;
     let is_ours = columns.len() == SENSOR_COLUMNS.len() + 1 && columns.ends_with(&SENSOR_COLUMNS.map(str::to_owned));
@@ -183,7 +183,7 @@ fn columns(connection: &Connection, table: &str) -> rusqlite::Result<Vec<String>
 }
 
 /// The first instant, as text or as a number since 1970, is the time; the next two texts are sensor and value. Neither of these is an
-/// instant: what has a beginning and an end is no log. Numbers of a key, and the ids of our own runs, are no instants either.
+/// instant: a table with two instants is not a log. Numbers of a key, and the ids of our own runs, are not instants either.
 fn by_first_row(
     connection: &Connection,
     table: &str,
@@ -219,7 +219,7 @@ fn by_first_row(
     })
 }
 
-/// What asks for time, sensor and value of a log's rows, in their order.
+/// The query of time, sensor and value of a log's rows, in their order.
 fn rows_of(
     connection: &Connection,
     file: &LoggerFile,
@@ -239,7 +239,7 @@ fn rows_of(
     let run = has(&file.columns.run);
     // Rows of several runs make no log; what comes first is read.
     if let Some(run) = &run {
-        // Where the run is the beginning of a key, its ends are known without a look at all rows.
+        // If a key begins with the run, its ends are found without a scan of all rows.
         let ends = format!("SELECT (SELECT min({run}) FROM {name}) IS NOT (SELECT max({run}) FROM {name})");
         if connection.query_row(&ends, [], |row| row.get(0))? {
             let count = format!("SELECT count(DISTINCT {run}) FROM {name}");

@@ -1,4 +1,4 @@
-//! How a file begins, which says what it holds.
+//! The beginning of a file, which shows its content.
 
 use super::instant::InstantReader;
 use super::options::DateOrder;
@@ -61,7 +61,6 @@ impl FileStart {
         self.begins_with(b"SQLite format 3\0")
     }
 
-    /// All these bytes.
     pub(crate) fn bytes(&self) -> &[u8] {
         &self.bytes
     }
@@ -112,7 +111,7 @@ impl FileStart {
         best.map_or(by_first, |(mark, _)| *mark)
     }
 
-    /// How often a mark is in nearly each line.
+    /// The number of marks in nearly each line.
     fn usual(&self, mark: u8) -> Option<usize> {
         let mut counts: BTreeMap<usize, usize> = BTreeMap::new();
         let mut lines = 0;
@@ -131,7 +130,7 @@ impl FileStart {
         lines.flatten().any(|cell| instants.read(&cell).is_some())
     }
 
-    /// How many delimiters the first line has, or nearly each line.
+    /// The number of delimiters in the first line, or in nearly each line.
     pub(crate) fn delimiters(&self) -> usize {
         let delimiter = self.delimiter();
         let first = self.lines().next().map_or(0, |line| line.bytes().filter(|&byte| byte == delimiter).count());

@@ -1,10 +1,10 @@
-//! Event logs in XES: what somebody did, as processes are kept. There are no sensors in it.
+//! Event logs in XES: activities, in the form of processes. They have no sensors.
 //!
-//! An event has a name, a time and, where both ends are told, whether it is a start or a completion. An event without its other end
-//! becomes an activity without a length.
+//! An event has a name, a time and, if both ends are there, whether it is a start or a completion. An event without its other end becomes
+//! an activity of length zero.
 //!
-//! The XML is read tag by tag, and nothing of it is kept but the names of what has begun in a trace. Left out: extensions,
-//! classifiers, and attributes inside of attributes.
+//! The XML is read tag by tag, and only the names of open events in a trace are kept. Left out: extensions, classifiers, and attributes
+//! inside of attributes.
 
 use super::instant::LogInstant;
 use super::reading::{LogReading, open};
@@ -34,7 +34,6 @@ fn shows(start: &FileStart) -> Shows {
     }
 }
 
-/// An event on its way.
 #[derive(Default)]
 struct XesEvent {
     line: u64,
@@ -109,8 +108,8 @@ fn read(path: &Path, _: &LoggerFile, reading: &mut LogReading<'_>) -> Result<(),
     Ok(())
 }
 
-/// Whether a text ends with a tag: a `>` in quotes or in a comment ends none. No tag has a `<` in it, so that a quote which is
-/// never closed costs its own tag alone.
+/// Whether a text ends with a tag: a `>` in quotes or in a comment does not end one. No tag has a `<` in it, so that an open quote costs
+/// its own tag alone.
 fn is_whole(text: &[u8]) -> bool {
     match is_comment(text) {
         true => text.ends_with(b"-->"),
@@ -122,7 +121,7 @@ fn is_comment(text: &[u8]) -> bool {
     text.trim_ascii_start().starts_with(b"<!--")
 }
 
-/// What follows the last `<`.
+/// The text after the last `<`.
 fn last_tag(text: &[u8]) -> &[u8] {
     text.iter().rposition(|&byte| byte == b'<').map_or(text, |at| &text[at + 1..])
 }
@@ -157,7 +156,7 @@ fn take(event: XesEvent, begun: &mut Vec<(String, LogInstant, u64)>, reading: &m
     }
 }
 
-/// What has begun in a trace and not ended has no length.
+/// An open event has no length.
 fn close(begun: &mut Vec<(String, LogInstant, u64)>, reading: &mut LogReading<'_>) {
     for (name, at, line) in begun.drain(..) {
         reading.span(line, at, at, &name);

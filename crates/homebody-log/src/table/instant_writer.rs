@@ -22,9 +22,9 @@ pub struct InstantWriter {
     start: UtcTime,
     /// The instant that `text` shows: rows that follow each other often tell of the same.
     last: Option<UtcTime>,
-    /// What the zone adds to UTC within `steady`.
+    /// The offset of the zone within `steady`.
     offset: Span,
-    /// The instants for which `offset` holds.
+    /// The instants with this `offset`.
     steady: Interval<UtcTime>,
     /// The minute of local time, counted from 1970, that `text` shows.
     minute: i64,
@@ -32,7 +32,7 @@ pub struct InstantWriter {
     day: i64,
     date: Date,
     text: [u8; LONGEST],
-    /// Where the seconds stand in `text`; what is before and after them stays for the minute.
+    /// The position of the seconds in `text`; the text around them stays for the minute.
     seconds_at: usize,
     length: usize,
 }
@@ -81,8 +81,7 @@ impl InstantWriter {
         }
     }
 
-    /// The instant in microseconds since 1970, for a type of its own: by the clock on the wall where instants are told without
-    /// their offset, else by the world's.
+    /// The instant in microseconds since 1970, for a type of its own: local time if instants are written without their offset, else UTC.
     pub fn micros(&mut self, at: RunTime) -> i64 {
         if self.format == TimeFormat::Local { self.wall(at).micros() } else { self.epoch(at).micros() }
     }
@@ -219,7 +218,7 @@ mod tests {
     const ALL: [TimeFormat; 5] =
         [TimeFormat::Local, TimeFormat::LocalOffset, TimeFormat::Utc, TimeFormat::EpochS, TimeFormat::EpochMs];
 
-    /// What the calendar's own library says.
+    /// The text by the calendar's own library.
     fn told(calendar: &Calendar, format: TimeFormat, at: RunTime) -> String {
         let local = calendar.local(at);
         let epoch = UtcTime::from(calendar.timestamp(at)).since_zero();

@@ -1,8 +1,8 @@
-//! What of a firing reaches the log: the firing alone, or an ON and, once the sensor has been quiet, an OFF.
+//! Turns firings into rows: the firing alone, or an ON and, once the sensor has been quiet, an OFF.
 //!
-//! Only motion sensors are held; what others say is stored as they say it. A held sensor is ON from a firing while it was OFF until the hold after its last firing; firings meanwhile only
-//! prolong it. How long a firing holds differs from firing to firing, as `logger.json` says: it belongs to the sensor's name and the
-//! firing's number, whatever else is stored. At one instant OFF comes before ON, and OFFs come in the order of sensors.
+//! Only motion sensors are held; rows of others have the sensor's own values. A held sensor is ON from a firing while it was OFF until the
+//! hold after its last firing; firings meanwhile only prolong it. The length of a hold differs from firing to firing, by `logger.json`: it
+//! depends on the sensor's name and the firing's number alone. At one instant OFF comes before ON, and OFFs come in the order of sensors.
 
 use homebody_core::event::{Firing, Value};
 use homebody_core::ids::SensorId;
@@ -12,7 +12,7 @@ use homebody_core::time::{RunTime, Span};
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 
-/// One row of a log: what was stored, of which sensor, when.
+/// One row of a log.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct LogRow {
     /// The rows of a run are numbered from 0.
@@ -34,18 +34,18 @@ pub(crate) struct Messages {
 #[derive(Clone)]
 struct MessageHold {
     lengths: Lengths,
-    /// What each sensor is held by; none while it is OFF.
+    /// By sensor, the firing that holds it; None while it is OFF.
     held: Vec<Option<HeldSensor>>,
     /// One entry for each sensor that is ON. A firing does not move its sensor's entry, so an entry may come up
     /// too early; it is then put back to where it belongs.
     due: BinaryHeap<Reverse<(RunTime, SensorId)>>,
 }
 
-/// How long firings hold.
+/// The lengths of holds.
 #[derive(Clone)]
 struct Lengths {
     span: Span,
-    /// Up to which share of the firings a lump goes, and its least and greatest part of the span; none where all hold for the span.
+    /// By lump, the share of firings up to its end, and its least and greatest part of the span; empty if all hold for the span.
     lumps: Vec<(f64, [f64; 2])>,
     /// By sensor.
     marks: Vec<Marks>,
@@ -62,7 +62,7 @@ impl Lengths {
         Lengths { span, lumps: if whole > 0.0 { up_to.collect() } else { Vec::new() }, marks: marks.collect() }
     }
 
-    /// How long a firing holds.
+    /// The length of a firing's hold.
     fn of(&self, firing: &Firing) -> Span {
         let Some((_, last)) = self.lumps.last() else { return self.span };
         let drawn = self.marks[firing.sensor.index()].of(firing.seq);
@@ -72,12 +72,10 @@ impl Lengths {
     }
 }
 
-/// A sensor that is held ON.
 #[derive(Clone, Copy)]
 struct HeldSensor {
     /// When it goes OFF unless it fires again.
     off_at: RunTime,
-    /// The row that said ON.
     row: u64,
     /// The firing that prolonged it last.
     firing: u64,
@@ -231,7 +229,7 @@ mod tests {
     }
 
     #[test]
-    fn firings_alone_are_stored_as_they_are() {
+    fn firings_alone_are_stored_unchanged() {
         let mut messages = Messages::new(&MessagesFile::FireOnly, 1, &names());
         let mut rows = Vec::new();
         messages.firing(&fires(7, 1, ON, 5), &mut rows);
@@ -240,7 +238,7 @@ mod tests {
     }
 
     #[test]
-    fn what_other_sensors_say_is_not_held() {
+    fn values_of_other_sensors_are_not_held() {
         let mut messages = Messages::new(&on_off(5), 1, &names());
         let mut rows = Vec::new();
         for (at, sensor, value) in [(0, 0, Value::Fire), (1, 1, Value::Open), (2, 1, Value::Open), (9, 1, Value::Close)]
@@ -262,7 +260,7 @@ mod tests {
 
     /// Each firing by itself, an hour after the last: the lengths are those of the lumps, whatever other sensors do.
     #[test]
-    fn holds_lump_and_spread_as_the_file_says() {
+    fn holds_follow_the_lumps_of_the_file() {
         let file: OnOffFile = serde_json::from_value(serde_json::json!({ "hold_s": 4 })).unwrap();
         let lengths = |seed, sensors: &[String]| -> Vec<Span> {
             let mut messages = Messages::new(&MessagesFile::OnOff(file.clone()), seed, sensors);

@@ -6,10 +6,10 @@ use homebody_core::event::Value;
 use homebody_core::scenario::logger::{LoggerFile, MessagesFile, TimeFormat};
 use std::collections::BTreeMap;
 
-/// The table that tells about runs, beside the rows' own.
+/// The table of runs.
 const RUN_TABLE: &str = "run";
 
-/// What a row's parts are called in a database or in a header line.
+/// The names of a row's parts in a database or in a header line.
 #[derive(Clone, Debug)]
 pub(crate) struct ColumnNames {
     pub table: String,
@@ -20,11 +20,11 @@ pub(crate) struct ColumnNames {
     pub value: String,
 }
 
-/// What a log shows for each sensor and each value, and how it shows time.
+/// The texts of each sensor and each value in a log, and its format of time.
 #[derive(Clone, Debug)]
 pub(crate) struct ShownTexts {
     pub sensors: Vec<String>,
-    /// What is shown for ON and OFF.
+    /// The texts of ON and OFF.
     pub values: [String; 2],
     pub time: TimeFormat,
 }
@@ -114,7 +114,7 @@ impl ShownTexts {
     }
 }
 
-/// Refuses a log in which two sensors cannot be told from each other.
+/// Refuses a log in which two sensors have the same text.
 pub(crate) fn apart(sensors: &[String], shown: &Vec<String>) -> Result<(), LogError> {
     let mut seen = BTreeMap::new();
     for (name, shown) in sensors.iter().zip(shown) {
@@ -125,7 +125,7 @@ pub(crate) fn apart(sensors: &[String], shown: &Vec<String>) -> Result<(), LogEr
     Ok(())
 }
 
-/// Whether a name may reach SQL: `^[a-z_][a-z0-9_]{0,62}$`, and not one the database keeps for itself.
+/// Checks a name that reaches SQL: `^[a-z_][a-z0-9_]{0,62}$`, and not reserved by the database.
 fn checked_name(what: &'static str, name: &str) -> Result<(), LogError> {
     let letters = |byte: u8| byte.is_ascii_lowercase() || byte == b'_';
     let fits = name.len() <= 63

@@ -10,7 +10,7 @@ use homebody_core::ids::SensorId;
 use homebody_core::scenario::logger::LoggerFile;
 use homebody_core::time::RunTime;
 
-/// Turns a run's firings into the rows that its log has of them. A copy goes on as the original.
+/// Turns a run's firings into the rows of its log. A copy continues as the original.
 #[derive(Clone)]
 pub struct LogRows {
     messages: Messages,
@@ -30,9 +30,9 @@ pub struct RowText {
     pub sensor: SensorId,
     /// That time as the log writes it.
     pub time: String,
-    /// What the sensor is called in the log.
+    /// The id of the sensor in the log.
     pub id: String,
-    /// What the sensor said, as the log writes it.
+    /// The value, as in the log.
     pub value: String,
 }
 

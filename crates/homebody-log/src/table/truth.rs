@@ -1,4 +1,4 @@
-//! The tables of the truth: one schema, for whoever writes it and whoever reads it.
+//! The tables of the truth: one schema for writers and readers.
 
 use super::{Column, ColumnKind, Table};
 
@@ -9,39 +9,39 @@ pub enum Truth {
     Cause,
     /// A row of the log that ends a hold.
     Off,
-    /// What a body did over a span.
+    /// The movements of bodies, as intervals.
     Movement,
-    /// Where a resident is from an instant on.
+    /// The room of a resident from an instant on.
     Room,
-    /// What a resident did over a span.
+    /// The activities of residents, as intervals.
     Activity,
     /// A use of a thing.
     Act,
-    /// How strong a need was as it was met.
+    /// The strength of a need when it was met.
     Need,
-    /// How severe a condition is from an instant on.
+    /// The severity of a condition from an instant on.
     Condition,
     /// A message that never reached the logger.
     Lost,
-    /// Who lives in the home or visits it.
+    /// The residents and visitors of the home.
     Resident,
-    /// What was done from outside.
+    /// The interventions.
     Outside,
-    /// The home that it was lived in.
+    /// The simulated home.
     Home,
 }
 
 /// Tables that truths do not have which earlier versions of the program wrote.
 const LATER: [&str; 2] = ["outside", "home"];
 
-/// How much of a truth is kept.
+/// The part of a truth that is kept.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum TruthKept {
     /// All tables.
     #[default]
     All,
-    /// Those that have few rows: not the ones with a row for each firing or movement, which are most of a truth. Whoever lives the
-    /// recording again has them.
+    /// The tables with few rows: not those with a row for each firing or movement, which are most of a truth. A replay of the recording
+    /// writes them.
     Brief,
 }
 
@@ -56,15 +56,14 @@ impl TruthKept {
         tables().into_iter().filter(|table| self.has(table)).collect()
     }
 
-    /// How much of a truth was kept of which these tables are there.
     pub(crate) fn of(is_there: impl Fn(&str) -> bool) -> TruthKept {
         let has_frequent = tables().iter().any(|table| table.is_frequent && is_there(&table.name));
         if has_frequent { TruthKept::All } else { TruthKept::Brief }
     }
 }
 
-/// The tables that are to be in a truth of which these are there: not those that an earlier version did not know, and of a brief one,
-/// none that it leaves out.
+/// The expected tables of a truth with these: without those that an earlier version did not know, and without those that a brief one
+/// leaves out.
 pub(crate) fn tables_of(is_there: impl Fn(&str) -> bool) -> Vec<Table> {
     let kept = TruthKept::of(&is_there);
     let is_wanted = |table: &Table| !LATER.contains(&table.name.as_str()) || is_there(&table.name);

@@ -1,9 +1,9 @@
-//! Writes a log anew so that it no longer says whose it is: other dates, other names, no free text.
+//! Writes a log anew without its identity: other dates, other names, no free text.
 //!
-//! Dates are shifted by whole weeks, so that days of the week and times of day stay; sensors get the names that the caller gives
-//! them; rows that say what is neither a number nor a word of sensors are left out, and so is all that is known of sensors besides.
+//! Dates are shifted by whole weeks, so that days of the week and times of day stay; sensors get the caller's names. Rows whose value is
+//! neither a number nor a word of sensors are left out, with all other facts about sensors.
 //!
-//! Left out: how somebody lives still shows, and may be known to who knows them.
+//! The habits of a resident remain visible, and may be known to an acquaintance.
 
 use super::convert::convert_as;
 use super::{Rewrite, Transfer};
@@ -12,19 +12,19 @@ use crate::log::{Activity, Log};
 use crate::read::stream;
 use homebody_core::time::{DAY, WallTime};
 
-/// How a log is made nobody's.
+/// The way in which a log is made anonymous.
 pub struct Anonymising<'a> {
     /// By how many weeks dates are shifted; `None` for as many as bring the first week to that of 1 January 2001, a Monday.
     pub weeks: Option<i64>,
-    /// What the sensors are called from now on, in the order of the log.
+    /// The new names of the sensors, in the order of the log.
     pub names: &'a [String],
     /// Whether a value may stay.
     pub keeps: &'a dyn Fn(&str) -> bool,
-    /// Whether activities go along, with their labels.
+    /// Whether the new log has the activities, with their labels.
     pub with_activities: bool,
 }
 
-/// What has become of a log.
+/// The result for a log.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Anonymised {
     /// Rows that are written.
@@ -37,8 +37,7 @@ pub struct Anonymised {
 const MONDAY: i64 = 11_323;
 const WEEK: i64 = 7;
 
-/// Writes a log as nobody's; `about` is its [`survey`](crate::read::survey), and `progress` is told how many rows have been
-/// written.
+/// Writes an anonymous log; `about` is its [`survey`](crate::read::survey), and `progress` gets the number of written rows.
 ///
 /// # Errors
 ///

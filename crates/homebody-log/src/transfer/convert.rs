@@ -4,13 +4,13 @@ use super::{Besides, Rewrite, Transfer};
 use crate::error::{HoldMessage, LogError, place_of};
 use crate::log::{CHANGE, Event, GoingOn, LABEL, Log, RowNotes};
 use crate::table::{Cell, Column, ColumnKind, TextPool};
-use homebody_core::scenario::scheme::Scheme;
+use homebody_core::scenario::scheme::TablePlacement;
 use std::path::Path;
 
-/// Writes a log to another place; returns the number of rows. `about` is its [`survey`](crate::read::survey); `progress` is told
-/// how many rows have been written.
+/// Writes a log to another place; returns the number of rows. `about` is its [`survey`](crate::read::survey); `progress` gets the number
+/// of written rows.
 ///
-/// Its activities go with it: into a table of their own and onto the rows, or as notes at rows where the form has these.
+/// Its activities go with it: into a table of their own and onto the rows, or as notes at rows if the form has these.
 ///
 /// # Errors
 ///
@@ -19,7 +19,7 @@ pub fn convert(transfer: &Transfer, about: &Log, mut progress: impl FnMut(u64)) 
     convert_as(transfer, about, None, &mut progress)
 }
 
-/// The same with rows that are told otherwise; `about` tells of them as they are going to be.
+/// The same with changed rows; `about` has them after the change.
 pub(crate) fn convert_as(
     transfer: &Transfer,
     about: &Log,
@@ -31,8 +31,8 @@ pub(crate) fn convert_as(
         return transfer.write(about, besides, &mut |_, _, _, _, _| Ok(()), progress);
     }
     let text = |name: &str, about| Column { name: name.into(), kind: ColumnKind::Text, unit: "", about };
-    if transfer.to.scheme() != Scheme::Casas {
-        let mut going_on = GoingOn::of(about);
+    if transfer.to.scheme().row().tables != TablePlacement::OneWithNotes {
+        let mut going_on = GoingOn::for_log(about);
         let mut more = |_: u64, event: &Event, _: &Log, texts: &mut TextPool, cells: &mut Vec<Cell>| {
             cells.push(going_on.at(event.at).map_or(Cell::Null, |label| Cell::Text(texts.id(&label))));
             Ok(())
@@ -46,7 +46,7 @@ pub(crate) fn convert_as(
         let (activities, rows) = (about.activities.len(), about.rows);
         LogError::cannot_hold(place, HoldMessage::CasasActivities { activities, rows })
     };
-    let mut notes = RowNotes::of(about).ok_or_else(cannot_hold)?;
+    let mut notes = RowNotes::for_log(about).ok_or_else(cannot_hold)?;
     let mut more = |seq: u64, event: &Event, _: &Log, texts: &mut TextPool, cells: &mut Vec<Cell>| {
         let note = notes.of_row(event.at, about.rows - seq);
         cells.extend(

@@ -1,12 +1,11 @@
-//! Joins a log and the truth of its run into rows with labels: who it was, in which room, doing what, and why the sensor
-//! spoke.
+//! Joins a log and the truth of its run into rows with labels: the person, the room, the activity, and the cause of the firing.
 //!
-//! A row of the log is tied to the firing that it came from by numbers, in each mode of messages: the truth says for each
-//! firing which row tells of it, and for each OFF that a hold ends with which firing it was that was held last. Room and
-//! activity are those of the resident at the instant at which the cause began to be noticed, which a link may have delayed.
+//! Numbers join a row of the log to its firing, in each mode of messages: the truth has the row of each firing, and the last held firing
+//! of each OFF that ends a hold. Room and activity are those of the resident when the sensor began to notice the cause, which a link may
+//! have delayed.
 //!
-//! We assume that the log is whole and in its order, in whatever form; its sensors are compared with those of the truth. Both are
-//! read as streams, so neither has to fit into memory. Instants are the run's own, so that an hour that clocks tell twice is two.
+//! We assume that the log is whole and in its order, in any form; its sensors are compared with those of the truth. Both are read as
+//! streams, so neither has to fit into memory. Instants are the run's own.
 
 use super::{Besides, Transfer};
 use crate::error::{LogError, OtherRunMessage};
@@ -19,27 +18,26 @@ use crate::truth::{Cause, Causes, LABEL_TABLES, Life, RecordedTruth, lives_of};
 use crate::url::Url;
 use homebody_core::time::{RunTime, TimeScale};
 
-/// What has become of a join.
+/// The result of a join.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Labelled {
     /// Rows of the log, all of which are written.
     pub rows: u64,
-    /// Those that somebody caused.
+    /// Rows that a person caused.
     pub somebodys: u64,
-    /// Those that nobody caused: a reading, a false firing.
+    /// Rows without a person as their cause: a reading, a false firing.
     pub nobodys: u64,
-    /// Those of which the truth says nothing.
+    /// Rows without a cause in the truth.
     pub unexplained: u64,
 }
 
-/// Writes the rows of a log with what the truth of its run says of each; `about` is the log's
-/// [`survey`](crate::read::survey), `scale` reads the instants of the truth, and `progress` is told how many rows have been
-/// written. Nothing is written where an error is found before.
+/// Writes the rows of a log with their labels from the truth of its run; `about` is the log's [`survey`](crate::read::survey), `scale`
+/// reads the instants of the truth, and `progress` gets the number of written rows. After an error of log or truth, nothing is written.
 ///
 /// # Errors
 ///
-/// [`LogError::NoTruth`] if there is no truth in its place, [`LogError::Gaps`] if lines of the log are not understood,
-/// [`LogError::OtherRun`] if the truth is of another run.
+/// [`LogError::NoTruth`] if the place has no truth, [`LogError::Gaps`] if lines of the log are not understood, [`LogError::OtherRun`] if
+/// the truth is of another run.
 pub fn label(
     transfer: &Transfer,
     about: &Log,
@@ -71,7 +69,7 @@ pub fn label(
     Ok(labelled)
 }
 
-/// Who it was, in which room, doing what, why the sensor spoke, and what was used.
+/// The person, the room, the activity, the cause, and the thing that was used.
 fn labels<'t>(cause: Option<&'t Cause>, lives: &'t [Life]) -> [Option<&'t str>; 5] {
     let who = cause.and_then(|cause| cause.resident.as_deref());
     let at = cause.and_then(|cause| cause.seen_at);
@@ -120,7 +118,7 @@ fn make_sure(transfer: &Transfer, about: &Log, mut causes: Causes<'_>, truth: &s
     Ok(())
 }
 
-/// What goes on at an instant.
+/// The label at an instant.
 fn span_at(spans: &[Activity<RunTime>], at: RunTime) -> Option<&str> {
     let next = spans.partition_point(|span| span.begin <= at);
     spans[..next].last().filter(|span| at < span.end).map(|span| span.name.as_str())

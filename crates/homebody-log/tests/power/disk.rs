@@ -1,7 +1,7 @@
 //! The possible contents of a disk after a loss of power: everything that was synced, and any part of the rest.
 //!
-//! Of what a file was not made sure of, each sector of each write may be there or not, in whatever order, and so may each change of its
-//! size. The names of a folder change in their order, and those changes that it was not made sure of may be missing from some point on.
+//! Of the writes to a file that are not durable, each sector may be there or not, in any order, and so may each change of its size. The
+//! names of a folder change in their order, and changes that are not durable may be missing from some point on.
 
 use super::trace::Event;
 use std::collections::BTreeMap;
@@ -11,7 +11,7 @@ use std::path::{Path, PathBuf};
 /// Bytes that are written whole or not at all.
 const SECTOR: usize = 512;
 
-/// A disk, as far as it is sure.
+/// The durable part of a disk.
 #[derive(Default)]
 struct Disk {
     /// By the number of a file, its bytes.
@@ -19,7 +19,7 @@ struct Disk {
     names: BTreeMap<PathBuf, usize>,
 }
 
-/// How much of what is not sure is there.
+/// The part of the other writes that is there.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Luck {
     None,
@@ -28,7 +28,7 @@ pub enum Luck {
     Some(u64),
 }
 
-/// What was asked and is not sure.
+/// Requests that are not durable.
 struct Asked<'e> {
     number: usize,
     what: &'e Event,

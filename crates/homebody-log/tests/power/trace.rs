@@ -64,14 +64,14 @@ fn parse(text: &str, folder: &Path) -> Vec<Event> {
     let mut events = Vec::new();
     // By process: what it has begun and not ended yet, and how many events there were then.
     let mut begun: HashMap<&str, (String, usize)> = HashMap::new();
-    // Where what is written without a place goes.
+    // The position of writes without one.
     let mut places: HashMap<String, u64> = HashMap::new();
     for line in text.lines() {
         let Some((process, call)) = line.split_once(' ') else { continue };
         let call = call.trim_start();
         let (call, before) = if let Some(first) = call.strip_suffix("<unfinished ...>") {
             begun.insert(process, (first.trim_end().to_owned(), events.len()));
-            // What is written may reach the disk from now on.
+            // A write may reach the disk from now on.
             if !first.contains("write") {
                 continue;
             }
@@ -93,7 +93,7 @@ fn parse(text: &str, folder: &Path) -> Vec<Event> {
     events
 }
 
-/// What a call means for the folder; None for what has failed, or is about something else.
+/// The event of a call for the folder; None for a failed call, or one about something else.
 fn event(call: &str, before: usize, folder: &Path, places: &mut HashMap<String, u64>) -> Option<Event> {
     let (name, rest) = call.split_once('(')?;
     let (arguments, result) = rest.rsplit_once(") = ")?;
@@ -152,12 +152,12 @@ fn event(call: &str, before: usize, folder: &Path, places: &mut HashMap<String, 
     }
 }
 
-/// What stands in quotes.
+/// The text in quotes.
 fn quoted(part: &str) -> Option<&str> {
     part.split('"').nth(1)
 }
 
-/// A path, which may be told in hexadecimal digits.
+/// A path, which may be in hexadecimal digits.
 fn path(text: &str) -> PathBuf {
     match text.starts_with("\\x") {
         true => String::from_utf8(unhex(text)).unwrap().into(),

@@ -9,7 +9,7 @@ use std::sync::Arc;
 use std::thread;
 use std::time::{Duration, Instant};
 
-/// How often the broker is killed; `HOMEBODY_KILLS` says otherwise.
+/// The number of kills; `HOMEBODY_KILLS` overrides it.
 const KILLS: u64 = 3;
 
 fn kills() -> u64 {
@@ -17,7 +17,7 @@ fn kills() -> u64 {
 }
 
 #[test]
-fn every_row_is_heard_once_and_in_order() {
+fn every_row_arrives_once_and_in_order() {
     let Some(broker) = Broker::start() else { return };
     for style in ["homeassistant", "zigbee2mqtt", "plain"] {
         let listener = Listener::to(&broker, &format!("as-{style}/#"));
@@ -32,13 +32,13 @@ fn every_row_is_heard_once_and_in_order() {
     }
 }
 
-/// The broker is one that remembers who listens. What it has acknowledged it has sent on before, as far as who listens takes it, so
-/// it is killed only while somebody listens.
+/// The broker remembers its listeners. It passes a row on before it acknowledges it, as far as listeners take it, so it is killed only
+/// while one listens.
 #[test]
-fn whatever_kills_the_broker_every_row_arrives() {
+fn every_row_arrives_despite_killed_brokers() {
     let Some(mut broker) = Broker::with(REMEMBERS) else { return };
     let listener = Listener::lasting(&broker, "homebody/#");
-    let mut logger = logger(MqttSink::live(&broker.url("homebody")), WriteMode::Create).unwrap();
+    let mut logger = logger(MqttSink::in_real_time(&broker.url("homebody")), WriteMode::Create).unwrap();
     let all = firings(10_000_000);
     let mut steps = all.chunks(10);
     let mut rows = 0;
@@ -79,7 +79,7 @@ fn whatever_kills_the_broker_every_row_arrives() {
     assert!(heard.values().all(|said| said.len() == 1), "what is heard again is the same");
 }
 
-/// By number: from which topic, with which text.
+/// By number, the topic and text.
 fn heard_rows(listener: &Listener) -> BTreeMap<u64, BTreeSet<(String, String)>> {
     let mut rows: BTreeMap<u64, BTreeSet<(String, String)>> = BTreeMap::new();
     for heard in listener.heard() {
@@ -93,7 +93,7 @@ fn heard_rows(listener: &Listener) -> BTreeMap<u64, BTreeSet<(String, String)>> 
 #[test]
 fn a_row_is_durable_once_it_is_acknowledged_and_not_before() {
     let Some(mut broker) = Broker::start() else { return };
-    let mut logger = logger(MqttSink::live(&broker.url("homebody")), WriteMode::Create).unwrap();
+    let mut logger = logger(MqttSink::in_real_time(&broker.url("homebody")), WriteMode::Create).unwrap();
     let all = firings(400);
     store(&mut logger, &all[..200]);
     logger.make_durable().unwrap();
@@ -110,14 +110,14 @@ fn a_row_is_durable_once_it_is_acknowledged_and_not_before() {
     logger.finish().unwrap();
 }
 
-/// What a broker has acknowledged is noted in a folder, if there is one, as that of a run.
+/// Confirmed rows are noted in a folder, if there is one, as in that of a run.
 #[test]
-fn a_run_that_is_gone_on_with_sends_what_was_not_acknowledged_or_all_again() {
+fn a_resumed_run_sends_unacknowledged_rows_or_all() {
     let Some(broker) = Broker::start() else { return };
     for (prefix, folder, again) in [("kept", Some(broker.folder.path()), 200..300), ("forgotten", None, 0..300)] {
         let url = broker.url(prefix);
         let logger = |how| {
-            let to = Destination::own("mqtt", MqttSink::live(&url), policy());
+            let to = Destination::own("mqtt", MqttSink::in_real_time(&url), policy());
             let to = match folder {
                 Some(folder) => to.remembered_in(folder),
                 None => to,

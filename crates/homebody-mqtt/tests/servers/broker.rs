@@ -118,7 +118,7 @@ impl Listener {
                 let mut parts = line.splitn(3, '\t').map(str::to_owned);
                 if let (Some(topic), Some(kept), Some(payload)) = (parts.next(), parts.next(), parts.next()) {
                     let heard = Heard { topic, is_kept: kept == "1", payload };
-                    // What was kept is told before what has waited for who listens.
+                    // Retained messages come before those that have waited for the listener.
                     if let Some((_, seq)) = heard.row().filter(|_| !heard.is_kept) {
                         highest.fetch_max(seq + 1, Ordering::Relaxed);
                     }
@@ -209,7 +209,7 @@ pub fn run() -> RunInfo {
     }
 }
 
-/// What each sensor of [`run`] says, in turn.
+/// The values of each sensor of [`run`], in turn.
 const SAID: [(u32, Value); 16] = [
     (0, Value::Fire),
     (1, Value::Open),
@@ -255,7 +255,7 @@ pub fn store(logger: &mut Logger, firings: &[Firing]) {
 
 /// Lives a run of so many rows into a place.
 pub fn live(url: &Url, rows: u64) {
-    let mut logger = logger(MqttSink::live(url), WriteMode::Create).unwrap();
+    let mut logger = logger(MqttSink::in_real_time(url), WriteMode::Create).unwrap();
     store(&mut logger, &firings(rows));
     logger.finish().unwrap();
 }

@@ -51,14 +51,14 @@ fn begun(url: &Url, fleet: &Arc<Fleet>) -> MqttFleet {
     sink
 }
 
-/// What was heard of rows, by topic and text.
+/// The received rows, by topic and text.
 fn told(listener: &Listener, below: &str) -> Vec<(String, String)> {
     let is_row = |heard: &Heard| heard.row().is_some() && heard.topic.starts_with(below);
     listener.heard().into_iter().filter(is_row).map(|heard| (heard.topic, heard.payload)).collect()
 }
 
 #[test]
-fn each_home_of_a_fleet_says_what_it_says_alone() {
+fn a_home_sends_the_same_in_a_fleet_and_alone() {
     let Some(broker) = Broker::start() else { return };
     for style in ["homeassistant", "zigbee2mqtt", "plain"] {
         let (fleet, prefix) = (fleet(3), format!("many-{style}"));
@@ -70,7 +70,7 @@ fn each_home_of_a_fleet_says_what_it_says_alone() {
         let alone = Listener::to(&broker, &format!("alone-{style}/#"));
         let run = Arc::new(fleet.run_of(1));
         let url = broker.url(&format!("alone-{style}?style={style}&discovery=off"));
-        let to = Destination::own("mqtt", MqttSink::live(&url), policy());
+        let to = Destination::own("mqtt", MqttSink::in_real_time(&url), policy());
         let mut logger = Logger::open(vec![to], &LoggerFile::default(), &run, WriteMode::Create).unwrap();
         crate::servers::broker::store(&mut logger, &firings(40));
         logger.finish().unwrap();
@@ -104,7 +104,7 @@ fn homes_come_and_go_and_are_tidied_up() {
     let cleaned = clean(&url, false).unwrap();
     assert_eq!(cleaned.homes, ["load/fleet00001", "load/home00001", "load/home00002"]);
     assert!(broker.kept().is_empty());
-    // A fleet that dies is said to be gone by the broker.
+    // The broker reports a fleet that dies as offline.
     let sink = begun(&url, &fleet);
     drop(sink);
     wait_for("the broker's word", || (status("fleet00001").as_deref() == Some("offline")).then_some(()));
@@ -138,7 +138,7 @@ fn a_fleet_is_there_again_after_the_broker_was_away() {
             })
             .then_some(())
     });
-    // It has forgotten all, and is told again.
+    // It has forgotten all, and gets it again.
     listener.wait("load/home00003/status", "online");
     sink.tell(&rows(&fleet, 10..12)).unwrap();
     sink.finish(UtcTime::EPOCH).unwrap();

@@ -6,7 +6,7 @@ use homebody_mqtt::MqttSink;
 use serde_json::{Value, json};
 use std::fs;
 
-/// What a home of each kind of sensor has said, and what the broker keeps of it.
+/// The messages of a home with each kind of sensor, and those that the broker retains.
 fn looks(broker: &Broker, style: &str) -> String {
     let prefix = format!("as-{}", style.split('&').next().unwrap());
     let listener = Listener::to(broker, &format!("{prefix}/#"));
@@ -82,7 +82,7 @@ fn polarity_is_that_of_each_system() {
 #[test]
 fn retained_messages_are_the_current_state() {
     let Some(broker) = Broker::start() else { return };
-    let mut logger = logger(MqttSink::live(&broker.url("homebody")), WriteMode::Create).unwrap();
+    let mut logger = logger(MqttSink::in_real_time(&broker.url("homebody")), WriteMode::Create).unwrap();
     store(&mut logger, &firings(16));
     logger.make_durable().unwrap();
     logger.wait_durable().unwrap();
@@ -93,7 +93,7 @@ fn retained_messages_are_the_current_state() {
     };
     assert_eq!(of("status"), "online");
     assert!(of("front_door/state").contains("\"OFF\"") && of("bed/pulse/state").contains("\"high\""));
-    // An ON that passes by itself is not kept: whoever comes later would take it for motion.
+    // A momentary ON is not retained: a later listener would take it for motion.
     assert_eq!(of("hall_motion/state"), r#"{"state":"OFF"}"#);
     drop(logger);
     wait_for("the will", || {
@@ -106,9 +106,9 @@ fn retained_messages_are_the_current_state() {
 }
 
 #[test]
-fn when_home_assistant_begins_anew_it_is_told_all_again() {
+fn a_restarted_home_assistant_gets_all_again() {
     let Some(broker) = Broker::start() else { return };
-    let mut logger = logger(MqttSink::live(&broker.url("homebody")), WriteMode::Create).unwrap();
+    let mut logger = logger(MqttSink::in_real_time(&broker.url("homebody")), WriteMode::Create).unwrap();
     store(&mut logger, &firings(16));
     logger.make_durable().unwrap();
     logger.wait_durable().unwrap();
@@ -126,7 +126,7 @@ fn when_home_assistant_begins_anew_it_is_told_all_again() {
     logger.finish().unwrap();
 }
 
-/// Whatever sensors are called, nothing is said outside the prefix and the discovery of it.
+/// No name of a sensor leads outside the prefix and its discovery.
 #[test]
 fn names_made_to_get_out_stay_inside() {
     use homebody_core::scenario::logger::LoggerFile;
@@ -158,7 +158,7 @@ fn names_made_to_get_out_stay_inside() {
         .collect();
     let run: Arc<RunInfo> = Arc::new(run);
     let listener = Listener::to(&broker, "#");
-    let to = Destination::own("mqtt", MqttSink::live(&broker.url("homebody")), homebody_mqtt::policy());
+    let to = Destination::own("mqtt", MqttSink::in_real_time(&broker.url("homebody")), homebody_mqtt::policy());
     let mut logger = Logger::open(vec![to], &LoggerFile::default(), &run, WriteMode::Create).unwrap();
     let firings: Vec<_> = (0..names.len() as u32)
         .map(|sensor| homebody_core::event::Firing {

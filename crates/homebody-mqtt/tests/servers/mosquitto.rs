@@ -9,7 +9,7 @@ use std::thread;
 use std::time::{Duration, Instant};
 use tempfile::TempDir;
 
-/// What a test waits for comes within this time, on however slow a machine (ours).
+/// The longest wait of a test, on however slow a machine (our choice).
 pub const SOON: Duration = Duration::from_secs(60);
 
 /// A broker that ends with the test.
@@ -20,13 +20,13 @@ pub struct Broker {
 }
 
 impl Broker {
-    /// One that lets anybody in; None where there is no mosquitto, which is told.
+    /// A broker without logins; None without mosquitto, which is reported.
     pub fn start() -> Option<Broker> {
         // However slow a listener is, nothing is left out for it.
         Broker::with("allow_anonymous true\nmax_queued_messages 0\n")
     }
 
-    /// One with these lines in its configuration, in which `FOLDER` is its own.
+    /// A broker with these lines in its configuration, where `FOLDER` is its own folder.
     pub fn with(lines: &str) -> Option<Broker> {
         let folder = tempfile::tempdir().unwrap();
         let broker = Broker { port: free_port(), folder, child: None };
@@ -80,7 +80,7 @@ impl Broker {
         format!("mqtt://127.0.0.1:{}/{rest}", self.port).parse().unwrap()
     }
 
-    /// Says something to whoever listens.
+    /// Publishes a message.
     pub fn say(&self, topic: &str, payload: &str, more: &[&str]) {
         let port = self.port.to_string();
         let args = ["-h", "127.0.0.1", "-p", &port, "-q", "1", "-t", topic, "-m", payload];
@@ -94,14 +94,14 @@ impl Drop for Broker {
     }
 }
 
-/// Where mosquitto is: Debian puts it where not everybody looks.
+/// The path of mosquitto: Debian puts it outside the usual PATH.
 fn program() -> Option<PathBuf> {
     let path = std::env::var_os("PATH").unwrap_or_default();
     let folders = std::env::split_paths(&path).chain(["/usr/sbin".into(), "/usr/local/sbin".into()]);
     folders.map(|folder| folder.join("mosquitto")).find(|program| program.exists())
 }
 
-/// Whether there is a mosquitto. If there must be one, it is an error that there is none.
+/// Whether mosquitto is installed; an error if it must be and is not.
 pub fn is_installed() -> bool {
     let clients = || Command::new("mosquitto_sub").arg("--help").stdout(Stdio::null()).status().is_ok();
     let is_there = program().is_some() && clients();

@@ -7,7 +7,7 @@ use homebody_mqtt::{MqttSink, Order, Reply, TakesOrders};
 use serde_json::{Value, json};
 use std::sync::mpsc::{Receiver, channel};
 
-/// Obeys all but the opening of things; what is done to the home is done as it has lived a minute.
+/// Obeys all orders but the opening of things, after one minute of the run.
 fn obedient() -> (TakesOrders, Receiver<Order>) {
     let (say, orders) = channel();
     let takes = move |order: Order, reply: Reply| {
@@ -22,10 +22,10 @@ fn obedient() -> (TakesOrders, Receiver<Order>) {
 }
 
 #[test]
-fn orders_are_obeyed_or_answered_with_why_not() {
+fn obeys_orders_or_answers_with_the_reason() {
     let Some(broker) = Broker::start() else { return };
     let (takes, orders) = obedient();
-    let sink = MqttSink::live(&broker.url("homebody")).with_orders(takes);
+    let sink = MqttSink::in_real_time(&broker.url("homebody")).with_orders(takes);
     let logger = logger(sink, WriteMode::Create).unwrap();
     let listener = Listener::to(&broker, "homebody/#");
     let mut number = 0;
@@ -69,13 +69,13 @@ fn orders_are_obeyed_or_answered_with_why_not() {
     assert_eq!((&obeyed[0], &obeyed[3]), (&Order::Pause {}, &Order::Speed { times: 1.0 }));
 }
 
-/// However many orders come at once, each is answered or counted in an answer, rows go on, and names made to get out stay inside.
+/// Each of many simultaneous orders is answered or counted in an answer, rows continue, and hostile names stay inside.
 #[test]
-fn a_flood_of_orders_is_answered_and_rows_go_on() {
+fn answers_a_flood_of_orders_while_rows_continue() {
     const ORDERS: usize = 3000;
     let Some(broker) = Broker::start() else { return };
     let (takes, orders) = obedient();
-    let sink = MqttSink::live(&broker.url("homebody")).with_orders(takes);
+    let sink = MqttSink::in_real_time(&broker.url("homebody")).with_orders(takes);
     let mut logger = logger(sink, WriteMode::Create).unwrap();
     let listener = Listener::to(&broker, "#");
     let kinds = [
@@ -116,7 +116,7 @@ fn ignores_retained_messages_and_orders_to_others() {
     let order = r#"{"do":"stop"}"#;
     broker.say("homebody/the_studio/command", order, &["-r"]);
     let (takes, orders) = obedient();
-    let logger = logger(MqttSink::live(&broker.url("homebody")).with_orders(takes), WriteMode::Create).unwrap();
+    let logger = logger(MqttSink::in_real_time(&broker.url("homebody")).with_orders(takes), WriteMode::Create).unwrap();
     for topic in [
         "homebody/the_studio",
         "homebody/other/command",
@@ -136,7 +136,7 @@ fn ignores_retained_messages_and_orders_to_others() {
 #[test]
 fn a_run_that_takes_no_orders_says_so_and_shows_no_switch() {
     let Some(broker) = Broker::start() else { return };
-    let logger = logger(MqttSink::live(&broker.url("homebody")), WriteMode::Create).unwrap();
+    let logger = logger(MqttSink::in_real_time(&broker.url("homebody")), WriteMode::Create).unwrap();
     let listener = Listener::to(&broker, "#");
     broker.say("homebody/the_studio/command", r#"{"do":"pause"}"#, &[]);
     listener.wait("homebody/the_studio/command/result", "takes no orders");

@@ -18,7 +18,7 @@ use std::thread;
 use std::time::{Duration, Instant};
 
 fn error(url: &Url) -> String {
-    match logger(MqttSink::live(url), WriteMode::Create) {
+    match logger(MqttSink::in_real_time(url), WriteMode::Create) {
         Err(error) => error.to_string(),
         Ok(_) => panic!("{url} is refused"),
     }
@@ -27,7 +27,8 @@ fn error(url: &Url) -> String {
 #[test]
 fn a_broker_that_is_away_is_an_error_within_five_seconds() {
     let begun = Instant::now();
-    let refused = |url: &str| logger(MqttSink::live(&url.parse().unwrap()), WriteMode::Create).err().unwrap().code();
+    let refused =
+        |url: &str| logger(MqttSink::in_real_time(&url.parse().unwrap()), WriteMode::Create).err().unwrap().code();
     assert_eq!(refused(&format!("mqtt://127.0.0.1:{}/homebody", free_port())), "mqtt::no-broker");
     // One that takes the connection and says nothing.
     let silent = TcpListener::bind("127.0.0.1:0").unwrap();
@@ -40,7 +41,7 @@ fn a_broker_that_is_away_is_an_error_within_five_seconds() {
 }
 
 #[test]
-fn a_password_is_read_from_a_file_and_a_wrong_one_is_refused_and_told_by_nobody() {
+fn reads_a_password_file_and_never_repeats_a_wrong_password() {
     if !is_installed() {
         return;
     }
@@ -64,7 +65,7 @@ fn a_password_is_read_from_a_file_and_a_wrong_one_is_refused_and_told_by_nobody(
     let at = format!("ann:hunter2@127.0.0.1:{}/homebody", broker.port);
     assert!(!format!("mqtt://{at}").parse::<Url>().unwrap_err().to_string().contains("hunter2"));
     let written = Url::new(Scheme::Mqtt, at);
-    let refused = logger(MqttSink::live(&written), WriteMode::Create).err().unwrap();
+    let refused = logger(MqttSink::in_real_time(&written), WriteMode::Create).err().unwrap();
     assert!(matches!(refused, LogError::BadUrl(_)), "exit code 2");
     assert!(!refused.to_string().contains("hunter2") && refused.to_string().contains("password-file"));
 }
@@ -86,7 +87,7 @@ fn certificate(folder: &Path, name: &str, until: i32) {
 }
 
 #[test]
-fn tls_trusts_whom_it_is_told_to_and_says_what_is_wrong_with_a_certificate() {
+fn tls_trusts_named_certificates_and_explains_refusals() {
     let folder = tempfile::tempdir().unwrap();
     certificate(folder.path(), "good", 2100);
     certificate(folder.path(), "old", 2020);
@@ -112,7 +113,7 @@ fn tls_trusts_whom_it_is_told_to_and_says_what_is_wrong_with_a_certificate() {
         let said = error(&url);
         assert!(said.contains(told), "{url}: {said}");
     }
-    // Whoever looks is told of the last day, whatever else is wrong.
+    // The checks report the last day in spite of other problems.
     for (url, told) in [
         (url(&good, Some(&ca("good"))), "valid until 2100-01-01"),
         (url(&old, Some(&ca("old"))), "expired on 2020-01-01"),
@@ -137,8 +138,8 @@ fn a_broker_on_the_internet_that_asks_for_no_name_is_refused() {
 #[test]
 fn a_second_run_of_the_same_home_sends_the_first_away_for_good() {
     let Some(broker) = Broker::start() else { return };
-    let mut first = logger(MqttSink::live(&broker.url("homebody")), WriteMode::Create).unwrap();
-    let second = logger(MqttSink::live(&broker.url("homebody")), WriteMode::Create).unwrap();
+    let mut first = logger(MqttSink::in_real_time(&broker.url("homebody")), WriteMode::Create).unwrap();
+    let second = logger(MqttSink::in_real_time(&broker.url("homebody")), WriteMode::Create).unwrap();
     let failed = firings(500).chunks(1).find_map(|firing| {
         thread::sleep(Duration::from_millis(50));
         store_one(&mut first, firing).err()

@@ -1,12 +1,12 @@
-//! A home in the style of Zigbee2MQTT, read as programs read that listen to it: by what the bridge says of its devices. Where its own code is
-//! installed that is asked as well; `checks/zigbee2mqtt/README.md` says how.
+//! A home in the style of Zigbee2MQTT, read as its listeners read it: by the bridge's description of its devices. Its own code is asked
+//! too, if it is installed as `checks/zigbee2mqtt/README.md` describes.
 
 use crate::servers::broker::{Broker, Heard, firings, live, repository};
 use serde_json::{Value, json};
 use std::fs;
 use std::process::Command;
 
-/// What the broker keeps of a home of which each sensor has said something.
+/// The retained messages of a home after a row of each sensor.
 fn kept(broker: &Broker) -> Vec<Heard> {
     live(&broker.url("zigbee2mqtt?style=zigbee2mqtt"), firings(16).len() as u64);
     broker.kept()
@@ -14,7 +14,7 @@ fn kept(broker: &Broker) -> Vec<Heard> {
 
 const BASE: &str = "zigbee2mqtt/the_studio";
 
-/// Whether a value is one that the device said that it tells.
+/// Whether a value fits the device's description.
 fn fits(expose: &Value, said: &Value) -> bool {
     match expose["type"].as_str().unwrap() {
         "binary" => *said == expose["value_on"] || *said == expose["value_off"],
@@ -25,7 +25,7 @@ fn fits(expose: &Value, said: &Value) -> bool {
 }
 
 #[test]
-fn zigbee2mqtt_listeners_understand_what_devices_tell() {
+fn zigbee2mqtt_listeners_understand_our_devices() {
     let Some(broker) = Broker::start() else { return };
     let kept = kept(&broker);
     let said = |topic: &str| -> Value {
@@ -68,7 +68,7 @@ fn zigbee2mqtt_listeners_understand_what_devices_tell() {
 }
 
 #[test]
-fn zigbee2mqtt_takes_what_we_tell_it() {
+fn zigbee2mqtt_accepts_our_messages() {
     let Ok(modules) = std::env::var("HOMEBODY_ZIGBEE2MQTT") else {
         println!("skipped: HOMEBODY_ZIGBEE2MQTT names no node_modules with zigbee2mqtt");
         return;

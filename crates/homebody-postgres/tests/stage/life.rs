@@ -13,7 +13,7 @@ use homebody_postgres::Postgres;
 use std::sync::Arc;
 use std::time::Duration;
 
-/// What is lived, and how fast.
+/// A run and its speed.
 #[derive(Clone, Copy, Debug)]
 pub struct Life {
     pub run: i64,
@@ -22,7 +22,7 @@ pub struct Life {
     pub step: usize,
     /// Advances after which log and truth make sure of their rows.
     pub settles: usize,
-    /// How long the run rests after each advance.
+    /// The pause of the run after each advance.
     pub rests: Duration,
     pub how: WriteMode,
 }

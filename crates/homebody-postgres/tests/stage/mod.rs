@@ -8,7 +8,7 @@ pub mod server;
 pub use server::Server;
 use std::sync::Mutex;
 
-/// How often something is killed or cut: few times by default, as many as `HOMEBODY_KILLS` says.
+/// The number of kills or cuts: few by default, or `HOMEBODY_KILLS`.
 pub fn kills(usual: usize) -> usize {
     std::env::var("HOMEBODY_KILLS").ok().and_then(|kills| kills.parse().ok()).unwrap_or(usual)
 }

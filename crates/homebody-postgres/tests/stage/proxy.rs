@@ -10,7 +10,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use std::thread;
 use std::time::Duration;
 
-/// What the client says as a transaction is to end.
+/// The client's request to end a transaction.
 const COMMIT: &[u8] = b"Q\0\0\0\x0bCOMMIT\0";
 
 /// When the connection is cut.
@@ -53,7 +53,7 @@ impl Proxy {
         Proxy { port, counts }
     }
 
-    /// How often it has cut before, as and after the server heard.
+    /// The number of cuts before, during and after the request.
     pub fn cut(&self) -> [usize; 3] {
         [0, 1, 2].map(|cut| self.counts.cut[cut].load(Ordering::SeqCst))
     }

@@ -12,15 +12,15 @@ use std::sync::OnceLock;
 use std::time::{Duration, Instant};
 use tempfile::TempDir;
 
-/// Whoever runs a server where root may not: `nobody`.
+/// The user for a server where root may not run one: `nobody`.
 const NOBODY: u32 = 65_534;
 
-/// Starts a server, and ends it once nobody holds the other end of its input, be it by dropping it or by dying. Unless it is told
-/// that the folder stays, it removes that, too: nobody else does of a test program's one shared server, or of one that died.
+/// Starts a server, and ends it once the other end of its input is closed, by a drop or a death. Unless the folder stays, it removes that,
+/// too: a test program's one shared server, or one that died, has no other cleaner.
 const KEEPER: &str = r#"folder=$PWD; "$@" & server=$!; said=$(cat); kill -QUIT $server 2> /dev/null; wait $server
                         [ "$said" = stays ] || { cd /; rm -rf "$folder"; }"#;
 
-/// Who may connect without a password, and who may not.
+/// The rules for logins with and without a password.
 const WHO: &str = "local all ann scram-sha-256\nlocal all all trust\nhost all ann 127.0.0.1/32 scram-sha-256\n\
                    host all all 127.0.0.1/32 trust\n";
 
@@ -43,7 +43,7 @@ impl Server {
         Server::start_at(5432, settings, &[])
     }
 
-    /// One that has these files beside its data.
+    /// A server with these files next to its data.
     pub fn start_at(port: u16, settings: &[&str], files: &[(&str, Vec<u8>)]) -> Option<Server> {
         let Some(programs) = programs() else {
             let why = "PostgreSQL is not installed: no initdb in /usr/lib/postgresql/*/bin nor on the PATH";
@@ -181,7 +181,7 @@ impl Server {
         name.to_owned()
     }
 
-    /// What the server's own program says to SQL.
+    /// The answer of the server's own program to SQL.
     pub fn psql(&self, database: &str, sql: &str) -> String {
         self.try_psql(database, sql).unwrap_or_else(|error| panic!("{sql}: {error}"))
     }
@@ -195,7 +195,7 @@ impl Server {
         if said.status.success() { Ok(text(&said.stdout)) } else { Err(text(&said.stderr)) }
     }
 
-    /// The SHA-256 of all rows of a run, but for its id, table by table in an order of their own, and what is told of the run.
+    /// The SHA-256 of all rows of a run without its id, table by table in an order of their own, and of its entry.
     pub fn dump(&self, database: &str, schema: &str, run: i64) -> String {
         let tables = format!("SELECT unnest(tables) FROM {schema}.homebody_run WHERE run_id = {run}");
         let mut digest = Sha256::new();
@@ -224,7 +224,7 @@ fn is_root() -> bool {
     fs::metadata("/proc/self").is_ok_and(|found| found.uid() == 0)
 }
 
-/// Where the programs of a server are: the newest that is installed.
+/// The folder of a server's programs: the newest that is installed.
 fn programs() -> Option<PathBuf> {
     let versions = fs::read_dir("/usr/lib/postgresql").into_iter().flatten().flatten();
     let mut found: Vec<PathBuf> = versions.map(|version| version.path().join("bin")).collect();

@@ -11,7 +11,8 @@ use homebody_core::scenario::inside::outside_folder;
 use homebody_core::scenario::load::Scenario;
 use homebody_core::scenario::scheme::{self, NoPlace, Scheme};
 use homebody_core::time::{DAY, MINUTE, RunTime, Span};
-use homebody_log::preview::{preview, try_place};
+use homebody_log::preview::try_place;
+use homebody_log::registry;
 use homebody_log::run_log::destinations;
 use homebody_log::{LogError, Logger, RunInfo, Url, WriteMode};
 use homebody_routine::household::Household;
@@ -122,7 +123,7 @@ fn first_rows(
     logger.finish()?;
 
     let shown = |(to, url): (&String, &Url)| {
-        let first = preview(url, &scenario.logger, MOST_ROWS)?;
+        let first = registry::first_rows(url, &scenario.logger, MOST_ROWS)?;
         Ok(PlaceRowsView { to: to.clone(), table: first.table, columns: first.columns, rows: first.rows })
     };
     let places: Result<Vec<_>, LogError> = to.iter().zip(&hidden).map(shown).collect();

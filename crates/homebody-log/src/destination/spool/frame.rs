@@ -5,10 +5,9 @@ use crate::table::{Batch, Cell, TextId};
 use homebody_core::time::RunTime;
 use std::io::{self, Read};
 
-/// What stands for no firing.
+/// The number of a row without a firing.
 const NONE: u64 = u64::MAX;
 
-/// A batch as bytes.
 pub(crate) fn write_frame(batch: &Batch) -> Vec<u8> {
     let mut bytes = vec![0; 8];
     for row in batch.rows() {
@@ -78,7 +77,7 @@ mod tests {
     use crate::table::TextPool;
 
     #[test]
-    fn rows_come_back_as_they_were() {
+    fn rows_are_read_back_unchanged() {
         let mut texts = TextPool::default();
         let (hall, bath) = (texts.id("hall"), texts.id("bath"));
         let mut first = Batch::default();

@@ -45,13 +45,12 @@ pub(crate) struct CasasLayout {
     pub value: usize,
     /// Whether the sensor's kind is behind the value.
     pub has_kind: bool,
-    /// Whether pairs of numbers are behind the value: who it was, and what they did.
+    /// Whether pairs of numbers follow the value: a person and an activity.
     pub has_people: bool,
     /// Whether most rows have a label: then a word such as `week-end` is one.
     pub is_labelled: bool,
     /// Frequent values, which cannot be damage.
     usual: BTreeSet<String>,
-    /// How many words the time takes.
     of_time: usize,
     /// The names of the columns, where the first line has them.
     heading: Vec<String>,
@@ -74,8 +73,8 @@ struct FirstLines {
 
 impl CasasLayout {
     /// The layout of a text whose first lines these are, or a message that says what they look like.
-    pub fn of<'l>(lines: impl Iterator<Item = Cow<'l, str>>) -> Result<CasasLayout, FormMessage> {
-        let rows = FirstLines::of(lines);
+    pub fn find<'l>(lines: impl Iterator<Item = Cow<'l, str>>) -> Result<CasasLayout, FormMessage> {
+        let rows = FirstLines::read(lines);
         let layout = rows.layout();
         match rows.objection(&layout) {
             None => Ok(layout),
@@ -85,7 +84,7 @@ impl CasasLayout {
 
     /// The likeliest layout of a text that the user calls CASAS, however its lines look.
     pub fn said<'l>(lines: impl Iterator<Item = Cow<'l, str>>) -> CasasLayout {
-        FirstLines::of(lines).layout()
+        FirstLines::read(lines).layout()
     }
 
     /// Whether a line is the heading.
@@ -93,7 +92,7 @@ impl CasasLayout {
         !self.heading.is_empty() && heading(&String::from_utf8_lossy(line)) == self.heading
     }
 
-    /// Whether rows tell more of a sensor than what it says.
+    /// Whether rows have more about a sensor than its value.
     pub fn tells_of_sensors(&self) -> bool {
         self.has_kind || matches!(self.between, BetweenWords::Reading | BetweenWords::Room | BetweenWords::RoomAndPlace)
     }
@@ -166,7 +165,7 @@ fn heading(line: &str) -> Vec<String> {
 }
 
 impl FirstLines {
-    fn of<'l>(lines: impl Iterator<Item = Cow<'l, str>>) -> FirstLines {
+    fn read<'l>(lines: impl Iterator<Item = Cow<'l, str>>) -> FirstLines {
         let mut instants = InstantReader::default();
         let (mut behind, mut others, mut of_time, mut names) = (Vec::new(), 0, 2, Vec::new());
         for (number, line) in lines.take(LOOKED_AT_ROWS).enumerate() {
@@ -222,7 +221,7 @@ impl FirstLines {
         }
     }
 
-    /// How many rows have a state or a number in this place.
+    /// The number of rows with a state or a number in this place.
     fn valued(&self, place: usize) -> usize {
         self.rows.iter().filter(|row| row.get(place).is_some_and(|word| is_value(word))).count()
     }

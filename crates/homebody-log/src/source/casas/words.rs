@@ -10,7 +10,7 @@ pub(crate) struct CasasTime<'l> {
     pub at: LogInstant,
     /// What follows.
     pub behind: &'l [u8],
-    /// How many words the time takes.
+    /// The number of words of the time.
     pub words: usize,
 }
 
@@ -143,7 +143,7 @@ pub(crate) fn is_number(word: &str) -> bool {
 /// States that come damaged from real homes: letters are lost, doubled or added.
 const OFTEN: [&str; 6] = ["ON", "OFF", "OPEN", "CLOSE", "ABSENT", "PRESENT"];
 
-/// Whether a word is nearly a state, and none: `ONc`, `OFFF`, `OF`, `ON0`.
+/// Whether a word is a misspelt state: `ONc`, `OFFF`, `OF`, `ON0`.
 pub(crate) fn is_damaged(word: &str) -> bool {
     nearly(word).is_some()
 }
@@ -240,7 +240,7 @@ mod tests {
     }
 
     #[test]
-    fn a_damaged_state_is_told_from_others() {
+    fn recognises_a_damaged_state() {
         for (word, state) in [
             ("ONc", Some("ON")),
             ("OFFF", Some("OFF")),

@@ -101,10 +101,9 @@ const SEVERITIES: [&str; 14] = [
 /// So many words make a sentence: states have fewer.
 const WORDS_OF_SENTENCE: usize = 4;
 
-/// The cells of one column.
 #[derive(Default)]
 pub(crate) struct CellCounts {
-    /// How many are not empty.
+    /// The number of filled cells.
     pub filled: usize,
     /// Dates with a time of day.
     pub instants: usize,
@@ -140,7 +139,7 @@ pub(crate) struct CellCounts {
 
 impl CellCounts {
     /// The cells of a column in the first rows.
-    pub fn of<'r>(column: impl Iterator<Item = &'r str>, read: &mut Reads) -> CellCounts {
+    pub fn count<'r>(column: impl Iterator<Item = &'r str>, read: &mut Reads) -> CellCounts {
         let mut cells = CellCounts { is_numbering: true, is_counting: true, ..CellCounts::default() };
         column.map(str::trim).filter(|cell| !is_blank(cell)).for_each(|cell| cells.take(cell, read));
         cells.is_numbering &= cells.filled > 1;
@@ -245,12 +244,10 @@ const FEW: usize = 8;
 /// So many cells are enough to say that they do not come again.
 const ENOUGH: usize = 20;
 
-/// Whether a cell says nothing.
 pub(crate) fn is_blank(cell: &str) -> bool {
     matches!(cell, "" | "-" | "NaN" | "nan" | "NA" | "N/A" | "n/a" | "null" | "NULL" | "None")
 }
 
-/// Whether a cell says that what was on is off.
 pub(crate) fn is_off(cell: &str) -> bool {
     says(cell).is_off() || OFFS.iter().any(|word| word.eq_ignore_ascii_case(cell))
 }
@@ -374,7 +371,7 @@ impl Reads {
         instants.read(cell.trim()).map(LogInstant::on_wall)
     }
 
-    /// How often a date follows on the day before it, if dates are read in this order.
+    /// The number of dates that follow on the day before, if dates are read in this order.
     pub fn next_days<'r>(&mut self, column: impl Iterator<Item = &'r str>, order: DateOrder) -> usize {
         let (mut last, mut next) = (None, 0);
         for cell in column {
@@ -392,7 +389,7 @@ mod tests {
     use super::*;
 
     fn cells(column: &[&str]) -> CellCounts {
-        CellCounts::of(column.iter().copied(), &mut Reads::new())
+        CellCounts::count(column.iter().copied(), &mut Reads::new())
     }
 
     #[test]

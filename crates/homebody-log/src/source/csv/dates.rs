@@ -10,7 +10,7 @@ use crate::source::options::DateOrder;
 use crate::source::records::RecordReader;
 use std::path::Path;
 
-/// How often dates must follow on the day before to decide.
+/// The number of dates that must follow on the day before to decide.
 const DECIDING_DAYS: usize = 2;
 
 /// Largest number of rows that are read if the first ones do not decide.
@@ -107,7 +107,7 @@ fn further(path: &Path, first_line: u64, column: usize) -> Option<(DateOrder, St
             continue;
         }
         let cell = text(record.get(column).unwrap_or_default()).into_owned();
-        let Some((order, _)) = by_numbers(CellCounts::of(std::iter::once(cell.as_str()), &mut reads).order) else {
+        let Some((order, _)) = by_numbers(CellCounts::count(std::iter::once(cell.as_str()), &mut reads).order) else {
             continue;
         };
         let what = if order == DateOrder::DayFirst { "day" } else { "month" };

@@ -22,7 +22,7 @@ struct DecimalMarks {
     commas: usize,
 }
 
-/// How the numbers of a table are written.
+/// The form of the numbers of a table.
 #[derive(Default)]
 pub(crate) struct NumberForm {
     /// Whether a comma is before decimals.
@@ -39,7 +39,7 @@ impl NumberForm {
     /// # Errors
     ///
     /// A sentence with a hint, where nothing decides.
-    pub fn of(first: &FirstRows, columns: &[usize], asked: Option<DecimalMark>) -> Result<NumberForm, TableMessage> {
+    pub fn find(first: &FirstRows, columns: &[usize], asked: Option<DecimalMark>) -> Result<NumberForm, TableMessage> {
         let measured = columns.iter().copied().filter(|&column| first.cells[column].measured > 0).collect();
         let has_comma = decimal_comma(first, columns, asked)?;
         let parts = |column: &usize| {
@@ -95,7 +95,6 @@ fn number_of(cell: &str) -> &str {
     measured(cell).map_or(cell, |(number, _)| number)
 }
 
-/// Whether a comma is before the decimals in these columns.
 fn decimal_comma(first: &FirstRows, columns: &[usize], asked: Option<DecimalMark>) -> Result<bool, TableMessage> {
     let mut marks = DecimalMarks::default();
     let mut example = "";

@@ -11,7 +11,6 @@ use crate::source::records::Record;
 use crate::text::{unescaped, unescaped_bytes};
 use std::borrow::Cow;
 
-/// Reads events.
 pub(crate) struct EventRows<'l> {
     layout: &'l TableLayout,
     time: Vec<u8>,
@@ -19,7 +18,7 @@ pub(crate) struct EventRows<'l> {
 }
 
 impl<'l> EventRows<'l> {
-    pub fn of(layout: &'l TableLayout) -> EventRows<'l> {
+    pub fn for_layout(layout: &'l TableLayout) -> EventRows<'l> {
         EventRows { layout, time: Vec::new(), sensor: Vec::new() }
     }
 

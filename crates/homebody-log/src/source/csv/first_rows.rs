@@ -15,7 +15,6 @@ const MOST_ROWS: usize = 1000;
 /// Largest number of bytes of these rows: rows of a thousand columns are long.
 const MOST_BYTES: usize = 4 << 20;
 
-/// The first rows of a table.
 pub(crate) struct FirstRows {
     /// The headings of the columns; without a heading their places, such as `column 2`.
     pub names: Vec<String>,
@@ -25,7 +24,7 @@ pub(crate) struct FirstRows {
     pub rows: Vec<Vec<String>>,
     /// By column.
     pub cells: Vec<CellCounts>,
-    /// How many of the rows have more cells than the heading has names, with a text in one of them.
+    /// The number of rows with more cells than the heading has names, and a text in one of them.
     pub longer: usize,
     /// Remarks on the lines above them.
     pub remarks: Vec<String>,
@@ -33,7 +32,7 @@ pub(crate) struct FirstRows {
 
 impl FirstRows {
     /// Those of a file; `None` of an empty one.
-    pub fn of(path: &Path, file: &LoggerFile) -> Result<Option<FirstRows>, LogError> {
+    pub fn read(path: &Path, file: &LoggerFile) -> Result<Option<FirstRows>, LogError> {
         let mut records = RecordReader::open(path)?;
         let mut reads = Reads::new();
         let (mut rows, mut bytes) = (Vec::new(), 0);
@@ -48,7 +47,7 @@ impl FirstRows {
         }
         let mut judged = Reads::new();
         let mut is_heading = |row: &[String]| ColumnPlaces::by_name(row, file).is_some() || !is_row(row, &mut judged);
-        let Some(beginning) = TableBeginning::of(&rows, &mut is_heading, &mut reads) else { return Ok(None) };
+        let Some(beginning) = TableBeginning::find(&rows, &mut is_heading, &mut reads) else { return Ok(None) };
         Ok(Some(FirstRows::parted(rows, beginning, &mut reads)))
     }
 
@@ -67,7 +66,7 @@ impl FirstRows {
             _ => format!("column {}", place + 1),
         };
         let column = |place: usize| rows.iter().map(move |row| row.get(place).map_or("", String::as_str));
-        let cells = (0..width).map(|place| CellCounts::of(column(place), reads)).collect();
+        let cells = (0..width).map(|place| CellCounts::count(column(place), reads)).collect();
         FirstRows { names: (0..width).map(name).collect(), has_heading, first_line, cells, rows, longer, remarks }
     }
 
@@ -79,7 +78,8 @@ impl FirstRows {
 
 /// Whether a first line is a row: an instant is in it, a day that no month has, a date and a time of day, or numbers are without a name.
 fn is_row(cells: &[String], reads: &mut Reads) -> bool {
-    let of: Vec<CellCounts> = cells.iter().map(|cell| CellCounts::of(std::iter::once(cell.as_str()), reads)).collect();
+    let of: Vec<CellCounts> =
+        cells.iter().map(|cell| CellCounts::count(std::iter::once(cell.as_str()), reads)).collect();
     let any = |is: fn(&CellCounts) -> usize| of.iter().any(|cell| is(cell) > 0);
     let names = of.iter().filter(|cell| cell.filled > 0 && cell.numbers == 0).count();
     let is_no_day = |cell: &String| no_such_day(cell).is_some();

@@ -8,13 +8,11 @@ use crate::source::columns::role_of;
 use crate::source::instant::date_parts::no_such_day;
 use std::collections::{BTreeMap, BTreeSet};
 
-/// A row with its line.
 pub(crate) type NumberedRow = (u64, Vec<String>);
 
 /// Largest number of rows above the first one with an instant.
 const MOST_ABOVE: usize = 60;
 
-/// The beginning of a table.
 pub(crate) struct TableBeginning {
     /// The names of the columns, if they have some.
     pub names: Option<Vec<String>>,
@@ -25,7 +23,7 @@ pub(crate) struct TableBeginning {
 
 impl TableBeginning {
     /// That of a table; `is_heading` says of a first row whether it is one.
-    pub fn of(
+    pub fn find(
         rows: &[NumberedRow],
         is_heading: &mut dyn FnMut(&[String]) -> bool,
         reads: &mut Reads,
@@ -88,14 +86,14 @@ fn names_above(rows: &[NumberedRow], width: usize, reads: &mut Reads) -> Option<
     let times = times(rows, width, reads)?;
     let mut has_time = |row: &[String]| {
         times.iter().all(|&at| {
-            let cells = CellCounts::of(row.get(at).map(String::as_str).into_iter(), reads);
+            let cells = CellCounts::count(row.get(at).map(String::as_str).into_iter(), reads);
             cells.moments() + cells.dates + cells.times > 0
         })
     };
     let first = rows.iter().take(MOST_ABOVE).position(|(_, row)| row.len() == width && has_time(row))?;
     let mut alone = Reads::new();
     let mut is_name = |cell: &String| {
-        let cells = CellCounts::of(std::iter::once(cell.as_str()), &mut alone);
+        let cells = CellCounts::count(std::iter::once(cell.as_str()), &mut alone);
         // Numbers of devices are long.
         let is_of_device = cell.len() >= 6 && cell.bytes().all(|byte| byte.is_ascii_digit());
         is_of_device || cells.numbers + cells.moments() + cells.dates + cells.times == 0 && no_such_day(cell).is_none()
@@ -118,7 +116,7 @@ fn names_above(rows: &[NumberedRow], width: usize, reads: &mut Reads) -> Option<
 /// The column of instants, or those of the date and the time of day, by most rows.
 fn times(rows: &[NumberedRow], width: usize, reads: &mut Reads) -> Option<Vec<usize>> {
     let whole = || rows.iter().filter(|(_, row)| row.len() == width);
-    let mut of = |place: usize| CellCounts::of(whole().map(move |(_, row)| row[place].as_str()), reads);
+    let mut of = |place: usize| CellCounts::count(whole().map(move |(_, row)| row[place].as_str()), reads);
     let columns: Vec<CellCounts> = (0..width).map(&mut of).collect();
     let find = |is: fn(&CellCounts) -> usize| columns.iter().position(|cells| cells.are_mostly(is(cells)));
     let instants = find(|cells| cells.instants).or_else(|| find(|cells| cells.epochs));
@@ -132,7 +130,7 @@ fn joined(block: &[NumberedRow], rows: &[NumberedRow], reads: &mut Reads) -> (us
     let cells = |place: usize| rows.iter().map(move |(_, row)| row.get(place).map_or("", String::as_str));
     let width = block.iter().map(|(_, row)| row.len()).max().unwrap_or(0);
     let time = (0..width).find(|&place| {
-        let cells = CellCounts::of(cells(place), reads);
+        let cells = CellCounts::count(cells(place), reads);
         cells.are_mostly(cells.moments()) || cells.are_mostly(cells.dates)
     });
     let is_of_time = |row: &[String]| {

@@ -20,10 +20,15 @@ const MOST_HOMES: usize = 10_000;
 pub(crate) enum HomeFilter {
     /// No column says which home a row is of, or all are read together.
     All,
-    /// Those of this home alone.
-    Asked { column: usize, home: Vec<u8> },
+    Asked {
+        column: usize,
+        home: Vec<u8>,
+    },
     /// There is to be one home alone: the first.
-    One { column: usize, home: Option<Vec<u8>> },
+    One {
+        column: usize,
+        home: Option<Vec<u8>>,
+    },
 }
 
 impl HomeFilter {

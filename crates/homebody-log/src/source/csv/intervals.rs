@@ -17,18 +17,17 @@ use crate::text::unescaped;
 use homebody_core::problem::counted;
 use homebody_core::time::{DAY, SECOND, Span, WallTime};
 
-/// Reads intervals.
 pub(crate) struct Intervals<'l> {
     layout: &'l TableLayout,
     order: InOrder,
     time: Vec<u8>,
     sensor: Vec<u8>,
-    /// How many intervals say that something was off.
+    /// The number of intervals in which something was off.
     off: usize,
 }
 
 impl<'l> Intervals<'l> {
-    pub fn of(layout: &'l TableLayout) -> Intervals<'l> {
+    pub fn for_layout(layout: &'l TableLayout) -> Intervals<'l> {
         Intervals { layout, order: InOrder::new(), time: Vec::new(), sensor: Vec::new(), off: 0 }
     }
 

@@ -46,7 +46,6 @@ pub(crate) struct TableLayout {
     pub remarks: Vec<String>,
 }
 
-/// The meaning of a row.
 pub(crate) enum RowColumns {
     Events {
         sensor: SensorColumns,
@@ -72,11 +71,9 @@ pub(crate) enum RowColumns {
 pub(crate) enum SensorColumns {
     /// In these columns, parted by a blank.
     Columns(Vec<usize>),
-    /// It is the same in all rows.
     Alone(String),
 }
 
-/// A column that is a sensor.
 pub(crate) struct WideSensor {
     pub column: usize,
     pub name: String,
@@ -92,8 +89,8 @@ impl TableLayout {
     /// # Errors
     ///
     /// [`LogError::NoLog`] with what speaks against a log of sensors, and what reading the first rows comes to.
-    pub fn of(path: &Path, file: &LoggerFile, options: &TableOptions) -> Result<Option<TableLayout>, LogError> {
-        let Some(first) = FirstRows::of(path, file)? else { return Ok(None) };
+    pub fn find(path: &Path, file: &LoggerFile, options: &TableOptions) -> Result<Option<TableLayout>, LogError> {
+        let Some(first) = FirstRows::read(path, file)? else { return Ok(None) };
         let is_ours = |names: &[String]| ColumnPlaces::by_name(names, file).is_some_and(|places| places.is_mapped);
         match first.rows.is_empty() {
             true if is_ours(&first.names) => return Ok(None),
@@ -117,7 +114,7 @@ fn decide(
     if 2 * first.longer > first.rows.len() {
         return Err(TableMessage::MoreCells { names: first.names.len() });
     }
-    let mut pick = Pick::of(first);
+    let mut pick = Pick::from_rows(first);
     pick.home(options.home.as_ref())?;
     let mapped = ColumnPlaces::by_name(&first.names, file).filter(|places| places.is_mapped && first.has_heading);
     if let Some(ColumnPlaces { time, sensor, value, label, .. }) = mapped {
@@ -158,7 +155,7 @@ fn finish(
         RowColumns::Wide { sensors, .. } => sensors.iter().map(|sensor| sensor.column).collect(),
     };
     let columns = numbers;
-    let numbers = NumberForm::of(pick.first, &columns, options.decimals)?;
+    let numbers = NumberForm::find(pick.first, &columns, options.decimals)?;
     for &column in &columns {
         if let Some(because) = numbers.reason(column, pick.first) {
             pick.add_reason(column, &because);
@@ -207,7 +204,6 @@ fn says_utc(time: &TimeColumns, pick: &mut Pick) -> bool {
     told.is_some()
 }
 
-/// Rows of a start and an end.
 fn intervals(path: &Path, pick: &mut Pick, time: &TimeColumns, end: EndColumn) -> Result<RowColumns, TableMessage> {
     let label = pick.taken(ColumnRole::Label);
     let sensor = pick.by_heading(ColumnRole::Sensor);
@@ -339,7 +335,6 @@ fn one_sensor(path: &Path, pick: &mut Pick, value: usize) -> Result<RowColumns, 
 /// So many cells must come again before a column without a known heading names sensors of rows without values.
 const LEAST_CELLS: usize = 4;
 
-/// A column for each sensor.
 fn wide(pick: &mut Pick, prefix: Vec<usize>) -> Result<RowColumns, TableMessage> {
     for column in pick.free() {
         if let Some(because) = pick.no_value(column).filter(|_| !prefix.contains(&column)) {

@@ -11,18 +11,16 @@ const UNITS: [&str; 65] = [
 /// Signs of money.
 const MONEY: [char; 3] = ['$', '€', '£'];
 
-/// Whether a text is a unit alone.
 pub(crate) fn is_unit(text: &str) -> bool {
     text.len() > 1 && UNITS.contains(&text.to_lowercase().as_str()) || matches!(text, "W" | "V" | "A" | "%")
 }
 
-/// Whether a text is an amount of money.
 pub(crate) fn is_money(text: &str) -> bool {
     let rest = text.trim_start_matches('-').trim_start_matches(MONEY).trim_end_matches(MONEY).trim();
     rest.len() < text.trim_start_matches('-').len() && !rest.is_empty() && digits(rest) == rest.len()
 }
 
-/// The number of a cell as it is written, and the unit behind it; `[72]` has no unit.
+/// The number of a cell in its original form, and the unit behind it; `[72]` has no unit.
 pub(crate) fn measured(cell: &str) -> Option<(&str, &str)> {
     if let Some(inner) = cell.strip_prefix('[').and_then(|rest| rest.strip_suffix(']')) {
         let inner = inner.trim();
@@ -38,7 +36,7 @@ pub(crate) fn measured(cell: &str) -> Option<(&str, &str)> {
     (has_digit && fits && UNITS.contains(&unit.to_lowercase().as_str())).then_some((number, unit))
 }
 
-/// How many bytes at the beginning are a sign, digits and marks.
+/// The number of bytes at the beginning that are a sign, digits or marks.
 fn digits(text: &str) -> usize {
     let sign = usize::from(text.starts_with(['-', '+']));
     let length = text[sign..].bytes().take_while(|byte| byte.is_ascii_digit() || b".,".contains(byte)).count();
@@ -50,7 +48,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_unit_stands_behind_its_number() {
+    fn separates_a_number_from_its_unit() {
         for (cell, found) in [
             ("21.38 °C", Some(("21.38", "°C"))),
             ("69.0°F", Some(("69.0", "°F"))),

@@ -27,7 +27,7 @@ pub(crate) struct TimeColumns {
     pub column: usize,
     /// The time of day, where it has a column of its own.
     pub of_day: Option<usize>,
-    /// Whether it is a number of seconds since a start that nothing says.
+    /// Whether it is a number of seconds since an unknown start.
     pub is_since_start: bool,
     /// Whether it is the number of a day in a spreadsheet.
     pub has_day_numbers: bool,
@@ -91,7 +91,7 @@ const ACTIVITIES: [&str; 33] = [
 ];
 
 impl<'f> Pick<'f> {
-    pub fn of(first: &'f FirstRows) -> Pick<'f> {
+    pub fn from_rows(first: &'f FirstRows) -> Pick<'f> {
         let mut pick = Pick { first, taken: vec![None; first.cells.len()], supplied: None, remarks: Vec::new() };
         for (column, cells) in first.cells.iter().enumerate() {
             match () {
@@ -201,7 +201,7 @@ impl<'f> Pick<'f> {
     }
 
     fn names(&self) -> String {
-        /// How many characters of headings are quoted.
+        /// The longest quotation of headings, in characters.
         const LONGEST: usize = 200;
         readable(self.first.names.join(", ").chars().take(LONGEST).collect::<String>())
     }
@@ -544,7 +544,6 @@ impl<'f> Pick<'f> {
     }
 }
 
-/// The unit of a duration by the ending of its heading, and its name.
 fn unit_of_duration(heading: &str) -> (Span, &'static str) {
     let lower = heading.to_lowercase();
     let ends = |endings: &[&str]| endings.iter().any(|ending| lower.trim_end_matches([')', ']']).ends_with(ending));

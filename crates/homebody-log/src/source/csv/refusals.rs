@@ -14,7 +14,6 @@ use std::collections::BTreeSet;
 /// Headings of what is bought and used at home: such lists may have prices.
 const USED: [&str; 10] = ["kwh", "wh", "kw", "m³", "m3", "usage", "consumption", "energy", "gas", "verbrauch"];
 
-/// Whether a text is of some kind.
 type IsText = fn(&str) -> bool;
 
 impl Pick<'_> {

@@ -56,7 +56,6 @@ pub(crate) fn know(layout: &TableLayout, record: &Record, reading: &mut LogReadi
     }
 }
 
-/// The same of a sensor of this name.
 pub(crate) fn know_named(layout: &TableLayout, record: &Record, id: &str, reading: &mut LogReading<'_>) {
     let TableLayout { kind, room, unit, .. } = *layout;
     let behind = match layout.rows {

@@ -140,7 +140,7 @@ impl Pick<'_> {
             && cells.texts.keys().any(has_letter)
     }
 
-    /// How many rows have the instant and these texts of a row before.
+    /// The number of rows with the instant and these texts of an earlier row.
     fn clashes(&self, columns: &[usize]) -> usize {
         let mut columns = columns.to_vec();
         columns.extend(self.all_taken(ColumnRole::Time));
@@ -297,7 +297,7 @@ impl Pick<'_> {
         self.parts(&[column], value)
     }
 
-    /// How many rows have a number where others of the same names have words, or the other way round: the fewer of both.
+    /// The number of rows with a number where others of the same names have words, or the reverse: the smaller of both.
     fn mixed(&self, columns: &[usize], value: usize) -> usize {
         let mut of: BTreeMap<Vec<&str>, [usize; 2]> = BTreeMap::new();
         for row in &self.first.rows {

@@ -38,7 +38,7 @@ struct LastReading {
 }
 
 impl<'l> Wide<'l> {
-    pub fn of(layout: &'l TableLayout) -> Wide<'l> {
+    pub fn for_layout(layout: &'l TableLayout) -> Wide<'l> {
         let (prefix, sensors): (&[usize], &[WideSensor]) = match &layout.rows {
             RowColumns::Wide { prefix, sensors } => (prefix, sensors),
             _ => (&[], &[]),

@@ -72,7 +72,7 @@ fn state(component: &str, state: &str) -> (String, Option<String>) {
 
 fn read(path: &Path, _: &LoggerFile, reading: &mut LogReading<'_>) -> Result<(), LogError> {
     let mut lines = LineReader::open(path)?;
-    let (mut days, mut instants) = (DayCounter::of(path), InstantReader::default());
+    let (mut days, mut instants) = (DayCounter::from_path(path), InstantReader::default());
     let mut out = Gathered::as_they_come(path, reading);
     if days.is_known() {
         out.column("the file's name", ColumnRole::Time, "it has the day of the first line; each midnight adds one");

@@ -78,7 +78,7 @@ fn days(path: &Path) -> Result<(DayCounter, bool), LogError> {
             return Ok((DayCounter::from(days.first()), true));
         }
     }
-    Ok((DayCounter::of(path), false))
+    Ok((DayCounter::from_path(path), false))
 }
 
 fn read(path: &Path, _: &LoggerFile, reading: &mut LogReading<'_>) -> Result<(), LogError> {

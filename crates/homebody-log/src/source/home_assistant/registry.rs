@@ -16,7 +16,6 @@ const LARGEST_BYTES: u64 = 64 << 20;
 #[derive(Default)]
 pub(crate) struct EntityRegistry(BTreeMap<String, EntityInfo>);
 
-/// The entry of an entity.
 pub(crate) struct EntityInfo {
     pub class: Option<String>,
     /// `config` or `diagnostic`, if it has one of these categories.
@@ -24,7 +23,6 @@ pub(crate) struct EntityInfo {
     pub area: Option<String>,
 }
 
-/// A file of the storage.
 #[derive(Deserialize)]
 struct StorageFile<T> {
     data: T,

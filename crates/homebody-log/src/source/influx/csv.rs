@@ -45,18 +45,14 @@ fn shows(start: &FileStart) -> Shows {
 /// A number of nanoseconds since 1970 has so many digits, up to the year 2286.
 const NANOSECONDS: usize = 19;
 
-/// The role of a column.
 #[derive(Clone, Debug, PartialEq)]
 enum InfluxColumn {
     Unused,
     Time,
     Measurement,
-    /// The name of the field that a row has.
     Field,
-    /// Its value.
     Value,
     Tag(String),
-    /// A field of this name.
     Reading(String),
     /// Tags as one text, such as `room=hall,entity_id=pir`.
     Tags,
@@ -64,7 +60,6 @@ enum InfluxColumn {
     Either(String),
 }
 
-/// A table on its way.
 #[derive(Default)]
 struct InfluxTable {
     groups: Vec<String>,
@@ -157,7 +152,6 @@ impl InfluxTable {
     }
 }
 
-/// All tables of a file.
 struct Tables {
     records: RecordReader,
     table: InfluxTable,
@@ -227,7 +221,6 @@ fn read(path: &Path, _: &LoggerFile, reading: &mut LogReading<'_>) -> Result<(),
     out.end()
 }
 
-/// The instant in a cell.
 fn instant(time: &str, instants: &mut InstantReader) -> Option<LogInstant> {
     instants.read(time).or_else(|| since_1970_whole(time.trim().parse().ok()?))
 }

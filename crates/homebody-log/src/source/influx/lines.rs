@@ -37,7 +37,6 @@ fn is_aside(line: &str) -> bool {
     line.is_empty() || line.starts_with('#') || line.starts_with("CREATE DATABASE")
 }
 
-/// The point of a line and its instant, or what is wrong with it.
 fn point(line: &str) -> Result<(InfluxPoint, LogInstant), &'static str> {
     let mut rest = line.trim();
     let (mut series, mut fields) = (Vec::new(), Vec::new());
@@ -135,7 +134,7 @@ mod tests {
     use homebody_core::time::UtcTime;
 
     #[test]
-    fn a_line_is_parted_at_what_is_neither_escaped_nor_quoted() {
+    fn splits_a_line_outside_escapes_and_quotes() {
         let line =
             r#"my\ measure,room=living\,\ room,x\=y=1 value=21.5,note="a, \"b\" c=d",n=-3i,on=T 1770012000000000"#;
         let (point, at) = point(line).unwrap();

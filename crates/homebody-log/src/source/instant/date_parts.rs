@@ -137,7 +137,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_date_that_no_month_has_is_told_from_other_numbers() {
+    fn recognises_a_date_outside_its_month() {
         for (text, wanted) in [
             ("2025-06-31 07:00:00", Some("there is no 31 June 2025")),
             ("2025-02-30T07:00:00Z", Some("there is no 30 February 2025")),

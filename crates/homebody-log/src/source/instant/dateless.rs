@@ -13,7 +13,6 @@ const MIDNIGHT: Span = HOUR.saturating_mul(2);
 /// Two clocks that differ by more than this are on the two sides of midnight.
 const HALF: Span = HOUR.saturating_mul(12);
 
-/// Which day it is.
 pub(crate) struct DayCounter {
     /// The beginning of the day of the last line, once it is known.
     midnight: Option<WallTime>,
@@ -25,7 +24,7 @@ pub(crate) struct DayCounter {
 
 impl DayCounter {
     /// Of a file whose name may tell the day of its first line, such as `hall-2026-02-02.log`.
-    pub fn of(path: &Path) -> DayCounter {
+    pub fn from_path(path: &Path) -> DayCounter {
         let name = path.file_name().unwrap_or_default().to_string_lossy();
         DayCounter { midnight: day_in(&name), last: None, passed: 0 }
     }
@@ -104,7 +103,7 @@ mod tests {
     const DAY_2: WallTime = WallTime::from_micros(1_769_990_400_000_000);
 
     #[test]
-    fn names_tell_a_day_or_none() {
+    fn a_name_has_one_day_or_none() {
         for name in ["hall-2026-02-02.log", "20260202.log", "esphome_2026_02_02_hall.txt", "2026.02.02"] {
             assert_eq!(day_in(name), Some(DAY_2), "{name}");
         }
@@ -115,16 +114,16 @@ mod tests {
 
     #[test]
     fn each_midnight_adds_a_day_and_a_clock_that_is_set_does_not() {
-        let mut days = DayCounter::of(Path::new("a-2026-02-02.log"));
+        let mut days = DayCounter::from_path(Path::new("a-2026-02-02.log"));
         let at = [23, 22, 1, 2, 0].map(|hours| days.at(hours * HOUR));
         let wanted = [23, 22, 25, 26, 24].map(|hours| Some(LogInstant::Local(DAY_2 + hours * HOUR)));
         assert_eq!(at, wanted);
-        assert_eq!(DayCounter::of(Path::new("a.log")).at(HOUR), None);
+        assert_eq!(DayCounter::from_path(Path::new("a.log")).at(HOUR), None);
     }
 
     #[test]
     fn the_day_of_the_first_line_follows_from_a_later_one() {
-        let mut days = DayCounter::of(Path::new("a.log"));
+        let mut days = DayCounter::from_path(Path::new("a.log"));
         days.at(23 * HOUR);
         days.at(HOUR);
         days.tell(HOUR, DAY_2 + HOUR);

@@ -28,7 +28,7 @@ pub(crate) struct JsonLevel {
     pub last: Option<String>,
 }
 
-/// How jq writes each value of a list.
+/// The name of each value of a list, as in jq.
 pub(crate) const LIST: &str = "[]";
 
 /// Keys that name lists of rows and nothing else, in lower case.

@@ -1,13 +1,12 @@
-//! Objects of JSON in which one device reports several values at once. Their forms are three: uplinks of LoRaWAN
-//! networks, whose readings are in an inner object; messages that rtl_433 hears, whose device is a model and its number; and events of
-//! Philips Hue, whose reading is under the name of its type.
+//! JSON objects in which one device reports several values at once. There are three forms: uplinks of LoRaWAN networks, with readings in
+//! an inner object; messages of rtl_433, with a model and its number as the device; and events of Philips Hue, with the reading under the
+//! name of its type.
 
 use super::said::{Object, member, text};
 use crate::source::columns::is_certain_sensor;
 use homebody_core::sensed::{Kind, Meaning, meaning};
 use serde_json::Value;
 
-/// The report of one device.
 #[derive(Debug, PartialEq)]
 pub(crate) struct DeviceReport {
     pub time: Value,

@@ -38,7 +38,7 @@ fn shows(start: &FileStart) -> Shows {
     }
 }
 
-/// Whether an object tells what somebody did, as ours beside a log do.
+/// Whether an object is an activity, as in our files next to a log.
 fn is_span(object: &Object) -> bool {
     SPAN_COLUMNS.iter().all(|name| object.contains_key(*name))
 }

@@ -27,12 +27,18 @@ enum ObjectShape {
     Guessed(ColumnPlaces),
     /// Time and value.
     Reading(ColumnPlaces),
-    /// Time and sensor: all else are readings.
-    Device { time: usize, sensor: usize },
-    /// Time: all else are sensors.
-    Wide { time: usize },
-    /// A message of MQTT.
-    Message { time: usize, topic: usize, payload: usize },
+    Device {
+        time: usize,
+        sensor: usize,
+    },
+    Wide {
+        time: usize,
+    },
+    Message {
+        time: usize,
+        topic: usize,
+        payload: usize,
+    },
 }
 
 /// By which names keys are looked at.
@@ -57,18 +63,14 @@ impl KeyNames {
     }
 }
 
-/// The fate of an object.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum ObjectUse {
-    /// It is a row, or several.
     Row,
     /// It was to be a row, and something in it is wrong, which is reported.
     Broken,
-    /// It is something else.
     Nothing,
 }
 
-/// Takes objects as rows.
 #[derive(Default)]
 pub(crate) struct ObjectRows {
     /// By the keys of the last object: nearly all have the same. Beside the shape stand the names that led to it.
@@ -78,7 +80,7 @@ pub(crate) struct ObjectRows {
     states: HashMap<String, (LogInstant, String)>,
     /// The home or person whose rows are read.
     homes: OneHome,
-    /// Whether the places of keys tell what they are if their names do not.
+    /// Whether the places of keys decide if their names do not.
     by_place: bool,
 }
 
@@ -248,7 +250,6 @@ impl ObjectRows {
         self.homes.end(out)
     }
 
-    /// Takes what a device reported of itself.
     fn report(
         &mut self,
         line: u64,
@@ -571,7 +572,6 @@ fn tell(shape: ObjectShape, members: &[(String, &Value)], out: &mut Gathered<'_,
     }
 }
 
-/// The members but for some.
 fn without(members: &[(String, &Value)], apart: &[usize]) -> Object {
     let kept = members.iter().enumerate().filter(|(at, (name, _))| !apart.contains(at) && !is_home(name));
     kept.map(|(_, (name, said))| (name.clone(), (*said).clone())).collect()

@@ -47,13 +47,11 @@ const DEEPEST: usize = 8;
 /// The sensors and readings of the messages so far.
 #[derive(Default)]
 pub(crate) struct Payloads {
-    /// The sensors of each device.
     devices: BTreeMap<String, BTreeSet<String>>,
     /// The last reading of each sensor whose device reports it under two topics.
     last: BTreeMap<String, (LogInstant, String, String)>,
 }
 
-/// A message on its way.
 pub(crate) struct GatewayMessage<'m> {
     pub line: u64,
     pub instant: LogInstant,

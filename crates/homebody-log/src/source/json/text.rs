@@ -6,18 +6,17 @@ use crate::source::reading::open;
 use std::io::Read;
 use std::path::{Path, PathBuf};
 
-/// How many bytes are asked for at once.
+/// The size of a read, in bytes.
 const AT_ONCE: usize = 1 << 16;
 
 /// Some programs begin a text with this mark.
 const MARK: &[u8] = b"\xef\xbb\xbf";
 
-/// A text of JSON values.
 pub(crate) struct JsonText {
     path: PathBuf,
     file: Box<dyn Read + Send>,
     buffer: Vec<u8>,
-    /// How much of the buffer is behind.
+    /// The number of bytes of the buffer that are read.
     at: usize,
     is_read: bool,
     /// The line of what comes next, counted from 1.

@@ -1,4 +1,4 @@
-//! Where rows go: one file for each table, or a data set of files by run and day.
+//! Writes rows: one file for each table, or a data set of files by run and day.
 
 mod data_set;
 mod days;
