@@ -25,7 +25,7 @@ fn number(place: PossiblePlace) -> i64 {
 }
 
 #[test]
-fn of_one_and_of_two_the_chances_come_to_one_and_the_likeliest_place_is_the_one_told() {
+fn chances_sum_to_1_and_the_likeliest_place_is_reported() {
     for name in ["studio", "couple-with-cat"] {
         let folder = TempDir::new().unwrap();
         let (home, read) = (template(name).unwrap(), log(name, &folder));
@@ -53,7 +53,7 @@ fn of_one_and_of_two_the_chances_come_to_one_and_the_likeliest_place_is_the_one_
 }
 
 #[test]
-fn a_folder_says_again_what_was_written_and_what_is_damaged_is_told_with_its_line() {
+fn reads_a_folder_back_and_reports_damage_with_its_line() {
     let folder = TempDir::new().unwrap();
     let (home, read) = (template("studio").unwrap(), log("studio", &folder));
     let to = folder.path().join("walked");
@@ -86,7 +86,7 @@ fn a_folder_says_again_what_was_written_and_what_is_damaged_is_told_with_its_lin
 }
 
 #[test]
-fn who_cancels_gets_nothing() {
+fn cancelled_locating_returns_nothing() {
     let folder = TempDir::new().unwrap();
     let (home, read) = (template("studio").unwrap(), log("studio", &folder));
     let cancel = Cancel::new();
