@@ -141,7 +141,7 @@ fn labels_and_a_table_of_activities_beside_it_are_read() {
         write(&path, rows());
         let log = read_at(&path).unwrap();
         let told: Vec<_> =
-            log.activities.iter().map(|one| (one.name.as_str(), one.begin.micros(), one.end.micros())).collect();
+            log.activities.iter().map(|one| (one.label.as_str(), one.begin().micros(), one.end().micros())).collect();
         assert_eq!(told, [("cooking", AT, AT + 20)]);
         let beside = folder.path().join(format!("week.activity.{ending}"));
         let spans = vec![
@@ -152,7 +152,7 @@ fn labels_and_a_table_of_activities_beside_it_are_read() {
         write(&beside, spans);
         let log = read_at(&path).unwrap();
         let told: Vec<_> =
-            log.activities.iter().map(|one| (one.name.as_str(), one.begin.micros(), one.end.micros())).collect();
+            log.activities.iter().map(|one| (one.label.as_str(), one.begin().micros(), one.end().micros())).collect();
         assert_eq!(told, [("breakfast", AT - 5, AT + 15)]);
     }
 }

@@ -9,8 +9,8 @@ use homebody_core::run::DriverProvider;
 use homebody_core::scenario::load::Scenario;
 use homebody_core::sensors::Sensor;
 use homebody_core::time::{DAY, Interval, RunTime, SECOND, Span, WallTime};
-use homebody_log::{Event, Life, Log, LogError, SimulatedRun};
-use homebody_timeline::TimelineBuilder;
+use homebody_log::{Event, Log, LogError, SimulatedRun};
+use homebody_timeline::{PersonTimeline, TimelineBuilder};
 use std::collections::BTreeMap;
 
 homebody_core::messages! {
@@ -48,8 +48,8 @@ impl From<NoMap> for SimulatedLogError {
 /// The log of a simulated home, with the ground truth of its first resident, on the wall clock.
 pub struct SimulatedLog {
     log: Log,
-    life: Life<WallTime>,
-    beside: TruthDetails,
+    person: PersonTimeline<WallTime>,
+    details: TruthDetails,
     rooms: BTreeMap<String, String>,
     /// By sensor, the places of its rows in the log.
     of_sensors: Vec<Vec<u32>>,
@@ -73,7 +73,7 @@ impl SimulatedLog {
         let length = i64::from(days) * DAY;
         let wall = |at: RunTime| WallTime::from(scenario.calendar.local(at).datetime());
         let run = SimulatedRun::new(scenario, drivers, seed, length)?;
-        let mut timeline = TimelineBuilder::of(run.run());
+        let mut timeline = TimelineBuilder::for_run(run.run());
         let mut walks = Walks::default();
         let mut log = run.into_log(wall, |facts| {
             timeline.take(facts);
@@ -90,8 +90,8 @@ impl SimulatedLog {
         let begin = WallTime::midnight(scenario.calendar.local(RunTime::START).date());
         Ok(SimulatedLog {
             log,
-            life: people.into_iter().next().unwrap_or_default().into(),
-            beside: TruthDetails { walks: Some(walks.walks), company: Some(company) },
+            person: people.into_iter().next().unwrap_or_default(),
+            details: TruthDetails { walks: Some(walks.walks), company: Some(company) },
             rooms: sensors.iter().filter_map(room).collect(),
             of_sensors,
             ways: None,
@@ -135,7 +135,7 @@ impl SimulatedLog {
 
     /// The true measures: by what the resident did.
     pub fn true_measures(&self) -> Measures {
-        Measures::from_detailed_truth("", &self.life, &self.beside, self.recorded)
+        Measures::from_detailed_truth("", &self.person, &self.details, self.recorded)
     }
 
     fn measures_of(&self, log: &Log) -> Result<Measures, SimulatedLogError> {
