@@ -1,8 +1,8 @@
-//! What is worth a visit: measures held against the resident's own past.
+//! Alerts: the measures of a day differ from the resident's own past.
 //!
-//! A day is held against the days before, never against other people. It does not count, neither as usual nor as unusual, where
-//! it is not whole, where nobody was at home for most of it, or where a sensor was silent that the measure needs: of that there
-//! is an alert about the sensor. With too few days that count there is no usual, and nothing is said.
+//! A day is compared with the days before, never with other people. It does not count, neither as usual nor as unusual, if it is not whole,
+//! if the resident was out for most of it, or if a sensor was silent that the measure needs. The silent sensor has an alert of its own.
+//! With too few days that count, there are no usual values and no alerts.
 //!
 //! Left out: visitors, who are measured as if they were the resident.
 
@@ -18,34 +18,29 @@ use std::fmt;
 
 pub use rule::{AlertDirection, AlertMethod, AlertRule, AlertRuleMessage, Rules, Several, USUAL};
 
-/// The rule of alerts about sensors that are silent.
 pub const SENSOR: &str = "sensor";
 
-/// The alerts of a log.
 #[derive(Clone, Debug, Serialize)]
 pub struct LogAlerts {
-    /// What the log is called.
     pub name: String,
-    /// How many days it has, and how many of them count.
+    /// The number of days, and of those that count.
     pub days: usize,
-    /// Those that are whole, with somebody at home.
+    /// The whole days with a person at home.
     pub days_that_count: usize,
-    /// What cannot be said, in sentences.
+    /// The limits of the answer, in sentences.
     pub remarks: Vec<String>,
     /// In order of time.
     pub alerts: Vec<Alert>,
 }
 
-/// Something that is worth a look.
+/// A reason to look.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Alert {
-    /// The first day on which it can be said.
     pub date: Date,
     /// The rule's name; `several` for several measures at once, `sensor` for a sensor that is silent.
     pub rule: String,
-    /// The measures that it is about.
     pub measures: Vec<&'static str>,
-    /// Whether it is more than usual; `None` where that is no question.
+    /// More than usual, or less; `None` where the alert has no direction.
     pub is_more: Option<bool>,
     /// The measure's value of that day, or its weighted average; `None` where it is not about one measure.
     pub value: Option<f64>,
@@ -53,7 +48,6 @@ pub struct Alert {
     pub usual: Option<f64>,
     /// Their standard deviation, as far as the rule lets it be small.
     pub sd: Option<f64>,
-    /// The days that show it.
     pub shown_by: Vec<Date>,
     /// The same in words, without a full stop.
     pub words: String,
@@ -74,14 +68,13 @@ impl Alert {
     }
 }
 
-/// The usual of a measure on a day.
+/// The usual values of a measure on a day.
 #[derive(Clone, Copy)]
 struct Baseline {
     mean: f64,
     sd: f64,
 }
 
-/// All alerts of the measures of a log.
 pub fn alerts(measures: &Measures, rules: &Rules) -> LogAlerts {
     let counts: Vec<bool> = measures.days.iter().map(DayMeasures::counts).collect();
     let mut alerts: Vec<Alert> = Vec::new();
@@ -157,7 +150,7 @@ fn by_deviation(
     days: &[DayMeasures],
 ) -> Vec<Alert> {
     let mut alerts = Vec::new();
-    // Since when, and what was usual then: what has changed does not become usual by going on for a day.
+    // The first day of a difference, and the usual values then: they stay, so that a difference does not become usual as it lasts.
     let mut since: Option<(Vec<usize>, Baseline)> = None;
     // A single odd day is not usual either.
     let mut counted = values.to_vec();
@@ -228,7 +221,6 @@ struct CumulativeSums {
     less: CumulativeSum,
 }
 
-/// One of the sums, with the days since it was 0 and what they came to.
 #[derive(Default)]
 struct CumulativeSum {
     sum: f64,
@@ -269,7 +261,7 @@ impl ControlChart for CumulativeSums {
     }
 }
 
-/// Days on which a chart leaves its limits.
+/// The days on which a chart leaves its limits.
 fn by_chart<C: ControlChart>(
     rule: &AlertRule,
     measure: &'static DailyMeasure,

@@ -8,51 +8,47 @@ use crate::measures::{DailyMeasure, DayMeasures, MEASURES, Measures, ValueForm};
 use crate::summaries::{SummarySentence, SummarySubject, summarise};
 use jiff::civil::Date;
 
-/// How somebody is.
+/// The state of a resident, as a report for carers has it.
 #[derive(Clone, Debug)]
 pub struct Care {
-    /// The last whole day, which is held against the usual.
+    /// The last whole day, which is compared with the usual.
     pub day: Option<Date>,
-    /// What cannot be said, in sentences.
+    /// The limits of the answer, in sentences.
     pub remarks: Vec<String>,
-    /// Whether enough days lie before the last two weeks to say what has changed.
+    /// Enough days lie before the last two weeks to show changes.
     pub is_compared: bool,
-    /// All days in order, each by what carers ask about.
+    /// All days in order, each by the measures for carers.
     pub days: Vec<CareDay>,
-    /// Sentences about the last two weeks: what has changed first.
+    /// Sentences about the last two weeks: first those about changes.
     pub sentences: Vec<SummarySentence>,
-    /// What was worth a visit, the latest first.
+    /// The alerts, the latest first.
     pub alerts: Vec<Alert>,
-    /// A chart for each thing that carers ask about.
+    /// A chart for each measure for carers.
     pub charts: Vec<MeasureChart>,
 }
 
 /// A day in words.
 #[derive(Clone, Debug, PartialEq)]
 pub struct CareDay {
-    /// The day.
     pub date: Date,
-    /// What is known of it.
     pub known: DayKnowledge,
-    /// What carers ask about; nothing of a day that does not count, and of what is guessed.
+    /// The measures for carers; none on a day that does not count, and none that is a guess.
     pub told: Vec<MeasureWords>,
 }
 
-/// What is known of a day.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum DayKnowledge {
-    /// All of it: it counts.
+    /// The whole day is known: it counts.
     Whole,
-    /// Nobody was at home for most of it.
+    /// The resident was out for most of the day.
     Away,
-    /// More than an hour of it is unknown.
+    /// More than an hour of the day is unknown.
     Partly,
 }
 
 /// A measure of a day.
 #[derive(Clone, Debug, PartialEq)]
 pub struct MeasureWords {
-    /// Its name.
     pub measure: &'static str,
     /// In words, such as `Slept for 7.2 hours, as usual`.
     pub words: String,
@@ -63,32 +59,26 @@ pub struct MeasureWords {
 /// A measure day by day.
 #[derive(Clone, Debug, PartialEq)]
 pub struct MeasureChart {
-    /// Its name.
     pub measure: &'static str,
-    /// What it is called.
     pub title: &'static str,
-    /// How its values are written.
     pub unit: ValueForm,
-    /// What is less than this apart is the same.
+    /// Smaller differences do not count.
     pub little: f64,
-    /// Whether it is guessed.
+    /// The measure is a guess.
     pub is_guess: bool,
-    /// Its days, in order.
     pub days: Vec<ChartPoint>,
 }
 
-/// A day of a chart.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ChartPoint {
-    /// The day.
     pub date: Date,
-    /// The measure; `None` where it is not known, or the day does not count.
+    /// The measure; `None` where it is unknown, or the day does not count.
     pub value: Option<f64>,
-    /// What was usual by then: from a standard deviation below the mean to one above.
+    /// The usual range at that time: from a standard deviation below the mean to one above.
     pub usual: Option<(f64, f64)>,
 }
 
-/// Sentences are about so many of the last days.
+/// Number of the last days that sentences are about.
 pub const LAST_DAYS: usize = 14;
 
 /// Standard deviations from the mean at which a day is unusual, and difference below which a day is usual in any case
@@ -106,7 +96,7 @@ fn rows(measures: &Measures) -> Vec<(&'static DailyMeasure, f64)> {
     rows.into_iter().map(|(measure, care)| (measure, care.least_sd)).collect()
 }
 
-/// How somebody is, by the measures of their days; `subject` is what sentences call them.
+/// A report by the measures of days; `subject` is the resident in its sentences.
 pub fn care(measures: &Measures, rules: &Rules, subject: &str) -> Care {
     let last = measures.days.iter().rposition(DayMeasures::counts);
     let mut charts = Vec::new();
@@ -161,7 +151,7 @@ fn chart(of: &DailyMeasure, little: f64, measures: &Measures) -> MeasureChart {
     MeasureChart { measure: of.name, title: of.title, unit: of.unit.form, little, is_guess, days }
 }
 
-/// A measure of a day in words, beside the usual: mean and standard deviation.
+/// A measure of a day in words, with the usual mean and standard deviation.
 fn of_day(measure: &'static DailyMeasure, value: f64, usual: Option<(f64, f64)>) -> MeasureWords {
     let beside = usual.map(|(mean, sd)| (mean, ((value - mean).abs() > UNUSUAL_SD * sd).then_some(value > mean)));
     let is_more = beside.and_then(|(_, is_more)| is_more);
@@ -207,7 +197,7 @@ mod tests {
     }
 
     #[test]
-    fn days_away_and_days_that_are_not_whole_are_told_apart_and_have_no_words() {
+    fn days_away_and_partial_days_have_no_words() {
         let mut days = measures(&[7.0; 5]);
         let out = MEASURES.iter().position(|measure| measure.name == "time_out").unwrap();
         days.days[1].values[out] = Some(23.0);

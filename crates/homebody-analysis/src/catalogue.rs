@@ -8,7 +8,6 @@ use crate::realism::NotComparable;
 use crate::windows::WindowMessage;
 use homebody_core::messages::{Catalogue, CatalogueEntry};
 
-/// The messages by area.
 pub const MESSAGES: &[&[CatalogueEntry]] = &[
     NoMap::ENTRIES,
     NotComparable::ENTRIES,

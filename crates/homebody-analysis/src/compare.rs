@@ -1,48 +1,47 @@
-//! How far two logs agree: in how often each sensor fired, and in the times between firings.
+//! Agreement of two logs: the number of firings of each sensor, and the times between firings.
 //!
 //! | measure | definition |
 //! |---|---|
 //! | agreement | `1 - |a - b| / b` for `a` firings against `b` in the reference: 1 is equal, and with more than twice the reference's firings it is below 0 |
-//! | agreement by sensor | `1 - sum |a_k - b_k| / sum b_k` over the sensors `k`: what one sensor has too many does not make up for what another lacks |
-//! | agreement by activity | the same over activities: what is too much while somebody cooks does not make up for what lacks while they sleep. A firing counts for every activity that goes on meanwhile. This is what Godsey & Skubic (2009) print ("per activity [...] around 93% (difference of 16 in 230 total firings)"), as far as they define it |
+//! | agreement by sensor | `1 - sum |a_k - b_k| / sum b_k` over the sensors `k`: an excess of one sensor does not make up for a lack of another |
+//! | agreement by activity | the same over activities: an excess during cooking does not make up for a lack during sleep. A firing counts for every activity at its instant. This is the figure of Godsey & Skubic (2009) ("per activity [...] around 93% (difference of 16 in 230 total firings)"), as far as they define it |
 //! | gaps | the Kolmogorov-Smirnov distance `sup |F_a(x) - F_b(x)|` of two samples of times between successive firings, where `F(x)` is the share of a sample that is `x` or less: 0 is equal, 1 is wholly apart |
 //!
-//! Gaps are a sensor's own; *pooled* they are those of all sensors in one sample; *anywhere* they are the times from
-//! each firing in the home to the next. For comparison: the halves of one real home's log are 0.02-0.05 apart, two real
-//! homes 0.09-0.12 (the CASAS logs TM000 and HH111, its first week; pooled and anywhere).
+//! Gaps are a sensor's own; *pooled* they are those of all sensors in one sample; *anywhere* they are the times from each firing in the
+//! home to the next. For comparison: the halves of one real home's log are 0.02-0.05 apart, two real homes 0.09-0.12 (the CASAS logs TM000
+//! and HH111, its first week; pooled and anywhere).
 //!
-//! Where the logs have different numbers of dates, all numbers of firings are those of a day: else a week would be held against a
-//! quarter. Logs of less than two days are taken as they are.
+//! If the logs have different numbers of dates, all numbers of firings are those of a day: else a week would be compared with a quarter.
+//! Logs of less than two days are compared as a whole.
 //!
-//! We assume that both logs name their sensors alike. A firing is a row that says that something began: `ON`, `OPEN`,
-//! `1` and the like; all other rows, such as those that end it, are left out. Where the reference has no firings, there
-//! is no agreement to speak of.
+//! We assume that both logs name their sensors alike. A firing is a row that means a beginning: `ON`, `OPEN`, `1` and the like; all other
+//! rows, such as those of an end, are left out. If the reference has no firings, the agreement is unknown.
 
 use crate::signs::{said, says};
 use homebody_core::time::{Span, WallTime};
-use homebody_log::{Activity, Log};
+use homebody_log::Log;
+use homebody_timeline::Episode;
 use serde::Serialize;
 use std::collections::BTreeMap;
 use std::fmt;
 
-/// How far log `a` agrees with log `b`, the reference.
+/// The agreement of log `a` with log `b`, the reference.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct LogComparison {
-    /// Those that fired in either log, by name, numbers in it by their size.
+    /// The sensors that fired in either log, in the natural order of their names.
     pub sensors: Vec<SensorComparison>,
-    /// All firings.
     pub firings: AgreementCounts,
     /// From the first row of each log to its last.
     pub span_s: [f64; 2],
     /// From the date of the first row of each to that of its last, both counted.
     pub dates: [u64; 2],
-    /// Whether agreements are those of firings a day, since the logs have different numbers of dates.
+    /// Agreements are those of firings a day, since the logs have different numbers of dates.
     pub is_by_day: bool,
-    /// How many of the sensors fired in both.
+    /// The number of sensors that fired in both.
     pub sensors_in_common: usize,
     /// Sensor by sensor, as the table above defines it; `None` where the reference has no firings.
     pub agreement_by_sensor: Option<f64>,
-    /// Those that are known of either log, by name; a log that knows none is taken to be of the other's.
+    /// The activities of either log by name; a log without activities has those of the other.
     pub activities: Vec<ActivityComparison>,
     /// Activity by activity, as the table above defines it; `None` where no activity of the reference has a firing.
     pub agreement_by_activity: Option<f64>,
@@ -52,34 +51,29 @@ pub struct LogComparison {
     pub gaps_anywhere: Option<f64>,
 }
 
-/// How far one sensor's rows agree.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct SensorComparison {
-    /// The sensor's id in the logs.
     pub sensor: String,
-    /// How often it fired in each.
     pub firings: AgreementCounts,
     /// The distance of its own gaps, from 0 to 1; `None` where it fired less than twice in a log.
     pub gaps: Option<f64>,
 }
 
-/// How far the firings during one activity agree, whenever and how often it was done.
+/// The agreement of the firings during one activity, whenever and how often the resident did it.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct ActivityComparison {
-    /// The activity's label.
     pub activity: String,
-    /// How often anything fired meanwhile, in each log.
+    /// The firings during the activity, in each log.
     pub firings: AgreementCounts,
 }
 
-/// How often there were firings in both logs.
+/// The numbers of firings in both logs.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct AgreementCounts {
-    /// In the log that is compared.
+    /// In the compared log.
     pub a: u64,
-    /// In the reference.
     pub b: u64,
-    /// How far they agree: 1 is equal; `None` where the reference has no firings.
+    /// The agreement: 1 is equal; `None` where the reference has no firings.
     pub agreement: Option<f64>,
 }
 
@@ -150,21 +144,21 @@ impl AgreementCounts {
         AgreementCounts { agreement: agreement(counts.apart(days), b as f64 / days[1]), ..counts }
     }
 
-    /// How far they are apart, in firings of so many days each.
+    /// The difference, in firings of so many days each.
     fn apart(&self, [of_a, of_b]: [f64; 2]) -> f64 {
         (self.a as f64 / of_a - self.b as f64 / of_b).abs()
     }
 }
 
-/// The firings during each activity; the times of each log are sorted on the way.
+/// The firings during each activity. It sorts the times of each log on the way.
 fn by_activity(logs: [&Log; 2], per: [f64; 2], times: &mut [Vec<WallTime>; 2]) -> Vec<ActivityComparison> {
     let mut counts: BTreeMap<&str, [u64; 2]> = BTreeMap::new();
     for which in 0..2 {
         let (own, others) = (&logs[which].activities, &logs[1 - which].activities);
         times[which].sort_unstable();
-        for Activity { name, begin, end } in if own.is_empty() { others } else { own } {
+        for Episode { label, time } in if own.is_empty() { others } else { own } {
             let before = |instant: WallTime| times[which].partition_point(|&at| at < instant);
-            counts.entry(name).or_default()[which] += before(*end).saturating_sub(before(*begin)) as u64;
+            counts.entry(label).or_default()[which] += before(time.end).saturating_sub(before(time.begin)) as u64;
         }
     }
     let compared = |(activity, [a, b]): (&str, [u64; 2])| ActivityComparison {
@@ -189,7 +183,7 @@ pub(crate) fn natural(name: &str) -> Vec<(usize, &str)> {
     sized.collect()
 }
 
-/// Whether a value says that something began.
+/// The value means that something began.
 pub fn begins(value: &str) -> bool {
     says(value).is_on()
 }
@@ -274,7 +268,7 @@ impl fmt::Display for LogComparison {
     }
 }
 
-/// What the measures are, for people.
+/// The measures, for readers.
 pub const MEASURES: &str = "\
 agreement   1 - |firings - reference| / reference, after Godsey & Skubic (2009). 100 % means equal
             numbers; 0 % means none, or twice as many; negative values mean more than twice as many.
@@ -292,7 +286,7 @@ const ACTIVITY_BY_ACTIVITY: &str = "activity by activity";
 #[cfg(test)]
 mod tests {
     use super::*;
-    use homebody_core::time::{DAY, MINUTE};
+    use homebody_core::time::{DAY, Interval, MINUTE};
     use homebody_log::Event;
 
     /// A log of firings: sensor and instant; the sensor's name in capitals makes it an OFF.
@@ -330,7 +324,7 @@ mod tests {
     }
 
     #[test]
-    fn without_a_reference_there_is_no_agreement() {
+    fn agreement_needs_a_reference() {
         let some = log(&[("a", 0), ("a", 1)]);
         let compared = compare(&some, &Log::default());
         assert_eq!(compared.firings, AgreementCounts { a: 2, b: 0, agreement: None });
@@ -388,7 +382,7 @@ mod tests {
     fn activities_are_compared_whenever_they_were_done() {
         let during = |name: &str, begin, end| {
             let [begin, end] = [begin, end].map(WallTime::from_micros);
-            Activity { name: name.into(), begin, end }
+            Episode::new(name.to_owned(), Interval::new(begin, end))
         };
         let mut a = log(&[("m", 0), ("m", 5), ("m", 9), ("m", 20)]);
         let mut b = log(&[("m", 100), ("m", 105), ("m", 120)]);
@@ -446,7 +440,7 @@ mod tests {
         assert_eq!((compared.firings.a, compared.firings.b), (900, 70));
         assert_eq!((compared.firings.agreement, compared.agreement_by_sensor), (Some(1.0), Some(1.0)));
         assert_eq!(compare(&daily(90, 5), &daily(7, 10)).firings.agreement, Some(0.5));
-        // As many dates: counts, as they are.
+        // As many dates: plain counts.
         assert!(!compare(&daily(7, 5), &daily(7, 10)).is_by_day);
         assert!(compared.to_string().contains("10.0       10.0    100.0 %"), "{compared}");
     }

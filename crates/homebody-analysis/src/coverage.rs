@@ -1,16 +1,14 @@
-//! Coverage: how much of the walkable floor the sensors see, where they overlap, and where none sees.
+//! Coverage: the share of the walkable floor that the sensors see, their overlaps, and the dead zones.
 //!
-//! It asks the same fields that make the data: `sees` says of each place which sensors would
-//! notice a body that stands and moves there.
+//! It uses the same fields that make the data: `sees` has for each place the sensors that would notice a body that stands and moves there.
 //!
 //! We assume that a body can be wherever it fits, even where a piece of furniture locks it out.
 //!
-//! The floor is sampled at the middles of square cells; an area is the number of its cells times
-//! the cell's. A straight border can put at most half of each cell it crosses on the wrong side,
-//! and that, summed over the border's cells, is the error stated beside each area: a bound for straight borders, an
-//! estimate for others.
+//! The floor is sampled at the middles of square cells; an area is the number of its cells times the cell's. A straight border can put at
+//! most half of each cell it crosses on the wrong side, and that, summed over the border's cells, is the error given with each area: a
+//! bound for straight borders, an estimate for others.
 //!
-//! Left out: how often somebody is at a place, and how surely a sensor notices.
+//! Left out: the time that people spend at a place, and the chance that a sensor notices them.
 
 pub mod cameras;
 mod grid;
@@ -34,68 +32,64 @@ pub use grid::{CellCorner, CoverageGrid, Region};
 /// The side of a cell unless the caller wants another, in metres.
 pub const STEP_M: f64 = 0.05;
 
-/// Dead zones smaller than this are not listed, though they count in the shares; in square metres.
+/// Area below which a dead zone is not listed, though it counts in the shares; in square metres.
 pub const LEAST_DEAD_ZONE_M2: f64 = 0.02;
 
-/// How well a home's walkable floor is covered. Lengths are metres, areas square metres, shares 0 to 1.
+/// The coverage of a home's walkable floor. Lengths are metres, areas square metres, shares 0 to 1.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Coverage {
     /// The side of the cells in which the floor was sampled.
     pub step_m: f64,
-    /// The body that has to fit: its middle stays this far from walls and furniture.
+    /// The radius of the body that has to fit: its middle stays this far from walls and furniture.
     pub body_radius_m: f64,
     /// All walkable floor.
     pub whole: SeenFloor,
     /// The rooms, in the order of the home's file.
     pub rooms: Vec<SeenFloor>,
-    /// Walkable floor in doors, where their openings belong to no room's outline.
+    /// Walkable floor in doors, where their openings are in no room's outline.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub doorways: Option<SeenFloor>,
-    /// The sensors, in the order given.
     pub sensors: Vec<SensorCoverage>,
     /// The pairs of sensors that share floor, the largest share first.
     pub overlaps: Vec<Overlap>,
-    /// Where no sensor sees, the largest first.
+    /// The floor that no sensor sees, the largest piece first.
     pub dead_zones: Vec<DeadZone>,
-    /// The samples themselves, for pictures.
+    /// The samples, for pictures.
     #[serde(skip)]
     pub grid: CoverageGrid,
 }
 
-/// A piece of floor, and the shares of it that are seen by so many sensors.
+/// A piece of floor, with its shares by the number of sensors that see them.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct SeenFloor {
-    /// The room's name; `all` of the whole floor, `doorways` of that in doors.
     pub name: String,
     /// Its walkable area, in square metres.
     pub floor_m2: f64,
     /// `floor_m2` is at most this far from the truth where the floor's borders are straight.
     pub floor_error_m2: f64,
-    /// Shares of `floor_m2`; they sum to 1, or to 0 if there is no floor.
+    /// Shares of `floor_m2`; their sum is 1, or 0 without floor.
     pub seen_by: SeenBy,
 }
 
-/// Something for each number of sensors that see a place.
+/// A value for each number of sensors that see a place.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
 pub struct SeenBy {
-    /// For what no sensor sees.
+    /// Seen by no sensor.
     pub none: f64,
-    /// For what exactly one sensor sees.
+    /// Seen by exactly one sensor.
     pub one: f64,
-    /// For what exactly two sensors see.
+    /// Seen by exactly two sensors.
     pub two: f64,
-    /// For what three sensors or more see.
+    /// Seen by three sensors or more.
     pub three_or_more: f64,
 }
 
-/// What one sensor sees of the walkable floor.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct SensorCoverage {
-    /// The sensor's name in the home.
     pub name: String,
-    /// How much of the floor it sees, in square metres.
+    /// The floor that it sees, in square metres.
     pub seen_m2: f64,
-    /// The part of `seen_m2` that no other sensor sees: what would be lost without it.
+    /// The part of `seen_m2` that no other sensor sees.
     pub alone_m2: f64,
 }
 
@@ -104,16 +98,16 @@ pub struct SensorCoverage {
 pub struct Overlap {
     /// The names of the two, in the order of the home's file.
     pub sensors: [String; 2],
-    /// How much floor both see, in square metres.
+    /// The floor that both see, in square metres.
     pub shared_m2: f64,
 }
 
 /// A connected piece of walkable floor that no sensor sees.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct DeadZone {
-    /// From 1, the largest first: what pictures and tables call it.
+    /// From 1, the largest first; pictures and tables have these numbers.
     pub number: usize,
-    /// Of the rooms, the one that holds most of it; nothing if none holds any, as in a doorway.
+    /// The room that holds most of it; `None` if no room holds any, as in a doorway.
     pub room: Option<String>,
     /// Its area, in square metres.
     pub area_m2: f64,
@@ -123,20 +117,20 @@ pub struct DeadZone {
     pub middle: [f64; 2],
     /// The border, corners counter-clockwise.
     pub outline: Vec<[f64; 2]>,
-    /// Pieces inside the outline that are seen, or not walkable; corners clockwise.
+    /// Pieces inside the outline that a sensor sees, or that are not walkable; corners clockwise.
     pub holes: Vec<Vec<[f64; 2]>>,
 }
 
 /// A home as its sensors see it.
 #[derive(Clone, Debug)]
 pub struct SeenHome {
-    /// With those of its sensors that look: the others have nowhere that they see.
+    /// The home with those of its sensors that look: the others have no field.
     pub home: HomeFile,
-    /// What is seen by how many, in figures.
+    /// The coverage by the sensors.
     pub coverage: Coverage,
-    /// Those of the home that look for movement, in the order of its file.
+    /// The sensors that look for movement, in the order of the home's file.
     pub sensors: Vec<Sensor>,
-    /// What they see of a body of this build that stands.
+    /// Their field for a standing body of this build.
     pub field: Field,
 }
 
@@ -150,7 +144,7 @@ impl SeenHome {
     }
 }
 
-/// What the sensors of a home that has passed its checks see of a body of this build that stands, in cells of `step_m`.
+/// Computes the field of the sensors of a valid home for a standing body of this build, in cells of `step_m`.
 pub fn of_home(home: &HomeFile, build: Build, step_m: f64) -> SeenHome {
     let mut home = home.clone();
     home.sensors.retain(SensorFile::senses_motion);

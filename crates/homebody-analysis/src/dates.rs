@@ -1,13 +1,13 @@
-//! Dates and hours on the clock on the wall, for what is told by the day.
+//! Dates and hours on the clock on the wall, for figures of a day.
 //!
-//! A log in local time is taken as it is; one in UTC is first put on the wall of a zone. A day has 24 hours: where a clock
-//! changes for daylight saving time, an hour of that day is empty or holds two.
+//! A log in local time stays in it; one in UTC is first put on the wall of a zone. A day has 24 hours: if a clock changes for daylight
+//! saving time, an hour of that day is empty or holds two.
 
 use homebody_core::problem::readable;
 use homebody_core::time::{Interval, MINUTE, SECOND, Span, TimeScale, UtcTime, WallTime};
+use homebody_log::Log;
 use homebody_log::log::Clock;
 use homebody_log::log::OffsetSpan;
-use homebody_log::{Activity, Log};
 use jiff::civil::Date;
 use jiff::tz::TimeZone;
 use std::fmt;
@@ -39,18 +39,18 @@ pub fn written(at: WallTime) -> String {
     at.datetime().strftime("%Y-%m-%d %H:%M:%S%.6f").to_string()
 }
 
-/// The first and the last date of a log; none of one without rows.
+/// The first and the last date of a log; `None` without rows.
 pub fn dates(log: &Log) -> Option<(Date, Date)> {
     let times = || log.events.iter().map(|event| event.at);
     Some((times().min()?.date(), times().max()?.date()))
 }
 
-/// Puts what a clock on the wall of UTC shows on the wall of a zone.
+/// The time on the wall of a zone, when a clock in UTC shows `at`.
 pub fn on_wall(at: WallTime, zone: &TimeZone) -> WallTime {
     at + ahead(at.as_of_utc(), zone)
 }
 
-/// How far the clocks of a zone are ahead of UTC.
+/// The offset of the clocks of a zone from UTC.
 pub(crate) fn ahead(at: UtcTime, zone: &TimeZone) -> Span {
     i64::from(zone.to_offset(at.timestamp()).seconds()) * SECOND
 }
@@ -103,19 +103,19 @@ fn zone_of_offsets(offsets: &[OffsetSpan]) -> Option<TimeZone> {
     changing.or_else(|| fixed(offsets.iter().max_by_key(|span| span.to - span.from)?.ahead))
 }
 
-/// Puts a log that is told in UTC on the wall of a zone; one in local time stays as it is.
+/// Puts a log in UTC on the wall of a zone; a log in local time stays.
 pub fn put_on_wall(log: &mut Log, zone: &TimeZone) {
     if log.clock == Clock::Local {
         return;
     }
     log.clock = Clock::Local;
-    let noted = log.activities.iter().map(|Activity { begin, end, .. }| Interval::new(*begin, *end));
+    let noted = log.activities.iter().map(|activity| activity.time);
     let all = log.events.iter().map(|event| Interval::instant(event.at)).chain(noted).chain(log.gaps.iter().copied());
     let Some(range) = all.reduce(Interval::hull) else { return };
     let scale = TimeScale::new(UtcTime::EPOCH, zone, range.map(WallTime::as_of_utc));
     let put = |at: &mut WallTime| *at = scale.to_wall(at.as_of_utc());
     log.events.iter_mut().for_each(|event| put(&mut event.at));
-    log.activities.iter_mut().flat_map(|Activity { begin, end, .. }| [begin, end]).for_each(put);
+    log.activities.iter_mut().flat_map(|activity| [&mut activity.time.begin, &mut activity.time.end]).for_each(put);
     log.gaps.iter_mut().flat_map(|Interval { begin, end }| [begin, end]).for_each(put);
 }
 
@@ -132,14 +132,11 @@ homebody_core::messages! {
     }
 }
 
-/// A day as somebody asks for it: `2009-03-02`, `first`, `last`.
+/// A chosen day: `2009-03-02`, `first`, `last`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum DayChoice {
-    /// The first day of the log.
     First,
-    /// The last day of the log.
     Last,
-    /// The day of this date.
     On(Date),
 }
 
@@ -186,7 +183,7 @@ mod tests {
     use jiff::civil::date;
 
     #[test]
-    fn times_of_day_are_told() {
+    fn formats_times_of_day() {
         let last = WallTime::midnight(date(2009, 3, 2)) - SECOND;
         assert_eq!((clock(Span::ZERO), clock(DAY), clock_s(last)), ("00:00".into(), "24:00".into(), "23:59:59".into()));
         assert_eq!(written(last), "2009-03-01 23:59:59.000000");
@@ -218,7 +215,7 @@ mod tests {
     }
 
     #[test]
-    fn a_log_in_utc_goes_on_the_wall_of_its_zone() {
+    fn puts_log_in_utc_on_the_wall_of_its_zone() {
         let zone = homebody_core::calendar::Calendar::zone("America/Chicago").unwrap();
         // Daylight saving time began on 8 March 2009, at 08:00 UTC.
         let change = WallTime::midnight(date(2009, 3, 8)) + 8 * HOUR;

@@ -5,7 +5,8 @@
 
 use homebody_core::activity::ActivityKind;
 use homebody_core::time::{DAY, Interval, Span, WallTime};
-use homebody_log::{Activity, Life, Log};
+use homebody_log::Log;
+use homebody_timeline::{Episode, PersonTimeline};
 use jiff::civil::Date;
 use serde::Serialize;
 use std::fmt;
@@ -13,79 +14,78 @@ use std::fmt;
 use crate::dates::{clock, clock_s};
 use crate::signs::{Kind, kinds, said, spans_until};
 
-/// What was so on one day.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct DayRecord {
-    /// What the log is called.
     pub name: String,
-    /// Which day it is.
     pub date: Date,
-    /// How many firings there were, of all sensors but those that tell readings.
+    /// The firings of all sensors except those with readings.
     pub firings: u64,
-    /// Times of day and sensors, where there were firings.
+    /// The first firing, if there is one.
     pub first: Option<DayFiring>,
-    /// The last of them.
     pub last: Option<DayFiring>,
-    /// Those whose truth is known; one without a name where the log itself notes activities.
+    /// The residents in the ground truth; one without a name where the log itself notes activities.
     pub residents: Vec<ResidentDay>,
-    /// In the order of the log.
     pub sensors: Vec<SensorDay>,
-    /// How many sensors tell readings, and are left out.
+    /// The number of sensors with readings, which are left out.
     pub readings: usize,
-    /// How many of its sensors are left out because they tell of no person, such as updates and automations.
+    /// The number of sensors that are left out because they tell of no person, such as updates and automations.
     pub others: usize,
 }
 
-/// When which sensor fired.
+/// A firing of a sensor.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct DayFiring {
     /// The time of day to the second, such as `07:12:03`.
     pub at: String,
-    /// The sensor's id in the log.
     pub sensor: String,
 }
 
-/// What a resident did on the day, and where.
+/// The activities and rooms of a resident on the day.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct ResidentDay {
-    /// The resident's name; `None` where the log itself notes activities, which says of nobody.
+    /// The resident's name; `None` where the log itself notes activities.
     pub name: Option<String>,
-    /// What they did, in the order of the log or the truth.
+    /// The activities, in the order of the log or the truth.
     pub activities: Vec<DaySpan>,
-    /// Where they were, by the names of rooms; empty where it is not known.
+    /// The rooms by name; empty where they are unknown.
     pub rooms: Vec<DaySpan>,
 }
 
 /// A part of the day, in seconds since midnight.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct DaySpan {
-    /// When it begins, or the day does.
+    /// The begin, or the begin of the day.
     pub begin_s: f64,
-    /// When it ends, or the day does.
+    /// The end, or the end of the day.
     pub end_s: f64,
     /// The activity's label, or the room's name.
     pub what: String,
 }
 
-/// What a sensor said on the day.
+/// The firings of a sensor on the day.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct SensorDay {
-    /// The sensor's id in the log.
     pub sensor: String,
-    /// What it is taken for.
+    /// The kind of the sensor.
     pub kind: Kind,
-    /// How many of its firings begin on the day.
+    /// The firings that begin on the day.
     pub firings: u64,
-    /// The same by the hour in which they begin, from midnight on.
+    /// The same by the hour of their begin, from midnight on.
     pub by_hour: [u64; 24],
-    /// In seconds since midnight: from when to when something went on.
+    /// The times in which the sensor was on, in seconds since midnight.
     pub spans_s: Vec<(f64, f64)>,
 }
 
 impl DayRecord {
-    /// A day of a log in local time; `lives` is what is known of its residents, if anything, and `ended` when its recording ended: until
-    /// then goes on what no row has ended. Where that is not known, it is its last row.
-    pub fn from_log(name: &str, log: &Log, lives: &[Life<WallTime>], ended: Option<WallTime>, date: Date) -> DayRecord {
+    /// A day of a log in local time, with the known timelines of its residents. A state without an end lasts until `ended`, the end of the
+    /// recording, or until the last row if that is unknown.
+    pub fn from_log(
+        name: &str,
+        log: &Log,
+        people: &[PersonTimeline<WallTime>],
+        ended: Option<WallTime>,
+        date: Date,
+    ) -> DayRecord {
         let begin = WallTime::midnight(date);
         let within = Interval::starting(begin, DAY);
         let ended = ended.or_else(|| log.events.iter().map(|event| event.at).max());
@@ -111,19 +111,20 @@ impl DayRecord {
                 by_hour[((at - begin) * 24 / DAY) as usize] += 1;
                 ends.push((at, sensors.len()));
             }
-            // What ends as the day begins is not of it; what begins then is.
+            // An interval that ends as the day begins is not of it; one that begins then is.
             let shown = spans.iter().filter(|span| span.overlaps(within) || span.begin == begin);
             let spans_s = shown.map(|&span| part(span, within)).collect();
             sensors.push(SensorDay { sensor: sensor.clone(), kind, firings: by_hour.iter().sum(), by_hour, spans_s });
         }
         let firing =
             |(at, sensor): &(WallTime, usize)| DayFiring { at: clock_s(*at), sensor: sensors[*sensor].sensor.clone() };
-        let resident = |name: Option<&str>, activities: &[Activity], rooms: &[Activity]| ResidentDay {
-            name: name.map(String::from),
-            activities: stretches(activities, within),
-            rooms: stretches(rooms, within),
-        };
-        let known = lives.iter().map(|life| resident(Some(&life.resident), &life.activities, &life.rooms));
+        let resident =
+            |name: Option<&str>, activities: &[Episode<WallTime>], rooms: &[Episode<WallTime>]| ResidentDay {
+                name: name.map(String::from),
+                activities: stretches(activities, within),
+                rooms: stretches(rooms, within),
+            };
+        let known = people.iter().map(|person| resident(Some(&person.name), &person.activities, &person.rooms));
         let mut residents: Vec<ResidentDay> = known.collect();
         if residents.is_empty() && !log.activities.is_empty() {
             residents.push(resident(None, &log.activities, &[]));
@@ -148,16 +149,15 @@ fn part(span: Interval<WallTime>, day: Interval<WallTime>) -> (f64, f64) {
     (part.begin, part.end)
 }
 
-fn stretches(all: &[Activity], day: Interval<WallTime>) -> Vec<DaySpan> {
-    let shown = all.iter().filter(|one| Interval::new(one.begin, one.end).overlaps(day));
-    let stretch = |one: &Activity| {
-        let (begin_s, end_s) = part(Interval::new(one.begin, one.end), day);
-        DaySpan { begin_s, end_s, what: one.name.clone() }
+fn stretches(all: &[Episode<WallTime>], day: Interval<WallTime>) -> Vec<DaySpan> {
+    let shown = all.iter().filter(|one| one.time.overlaps(day));
+    let stretch = |one: &Episode<WallTime>| {
+        let (begin_s, end_s) = part(one.time, day);
+        DaySpan { begin_s, end_s, what: one.label.clone() }
     };
     shown.map(stretch).collect()
 }
 
-/// A day in words and tables.
 impl fmt::Display for DayRecord {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
         write!(f, "{}: {}", self.name, self.date.strftime("%A %F"))?;
@@ -250,7 +250,7 @@ mod tests {
             (24 * H, "door", "CLOSE"),
             (30 * H + 5, "door", "CLOSE"),
         ]);
-        let activity = |from: i64, to: i64| Activity { name: "Cook".into(), begin: at(from), end: at(to) };
+        let activity = |from: i64, to: i64| Episode::new("Cook".to_owned(), Interval::new(at(from), at(to)));
         log.activities = vec![activity(0, 24 * H), activity(24 * H + 60, 25 * H), activity(40 * H, 50 * H)];
         DayRecord::from_log("log", &log, &[], None, date(1970, 1, 2))
     }
@@ -262,7 +262,7 @@ mod tests {
         assert_eq!((day.firings, day.readings), (2, 1));
         assert_eq!(at(&day.first), Some(("06:00:00".into(), "door".into())));
         assert_eq!(at(&day.last), Some(("23:00:00".into(), "hall".into())));
-        // What goes on at midnight is shown on both days, and counts on the first.
+        // An interval over midnight is shown on both days, and counts on the first.
         assert_eq!(day.sensors[0].spans_s, [(0.0, 3600.0), (82_800.0, 86_400.0)]);
         assert_eq!((day.sensors[0].firings, day.sensors[0].by_hour[23]), (1, 1));
         assert_eq!(day.sensors[1].spans_s, [(21_600.0, 21_605.0)]);
@@ -271,7 +271,7 @@ mod tests {
     }
 
     #[test]
-    fn what_no_row_ends_goes_on_until_the_log_does() {
+    fn open_states_last_until_the_log_ends() {
         let log =
             log(&[(20 * H, "bed", "IN"), (21 * H, "bed", "OUT"), (22 * H, "bed", "IN"), (23 * H, "hall", "FIRE")]);
         let told = |ended, day: i8| {
@@ -287,7 +287,7 @@ mod tests {
     }
 
     #[test]
-    fn a_day_is_told() {
+    fn puts_a_day_into_words() {
         let day = told();
         let words = day.to_string();
         for part in [

@@ -1,12 +1,10 @@
-//! The motion density map of Wang and Skubic (2008): how much somebody moved in each hour of each day, and when nobody was
-//! at home.
+//! The motion density map of Wang and Skubic (2008): the movement in each hour of each day, and the absences.
 //!
-//! A cell is an hour of a day on the clock on the wall; where the zone is known, one that is left out as clocks are set on is without data,
-//! and one that comes twice has two hours. Its density is the number of motion events divided by the hours
-//! that somebody was at home in it, `events / at_home_h`; where these are less than ten minutes, the hour is away and has
-//! none. An hour is without data if less than a quarter of it is recorded. An event is a row with which a motion sensor reports
-//! a beginning: `ON`, `FIRE`, `true`. Contacts, lights and readings do not count. `away` finds the times with an empty home, and `texture`
-//! compares neighbouring hours.
+//! A cell is an hour of a day on the clock on the wall. If the zone is known, an hour that clocks leave out has no data, and an hour that
+//! they repeat has two hours. The density is the number of motion events divided by the hours at home in it, `events / at_home_h`; below
+//! ten minutes at home, the hour is away and has no density. An hour is without data if less than a quarter of it is recorded. An event is
+//! a row with which a motion sensor reports a beginning: `ON`, `FIRE`, `true`. Contacts, lights and readings do not count. `away` finds the
+//! times with an empty home, and `texture` compares neighbouring hours.
 //!
 //! | figure | unit | definition |
 //! |---|---|---|
@@ -14,13 +12,12 @@
 //! | away | hours a day | the hours away divided by the days recorded |
 //! | distance of two maps | 0 to 2.24 | the Euclidean distance of their five features, each divided by the most it can be: homogeneity by 1, contrast by 49, entropy by ln 64, density by the top of the maps' common scale, away by 24 |
 //!
-//! Wang & Skubic define density, features and distance. Ten minutes, the quarter, the scale of a feature and the top are ours: eight
-//! steps of a round height, such that one in a hundred cells is above the top. To judge a distance, hold it against those
-//! among the weeks of the log it is taken from.
+//! Wang & Skubic define density, features and distance. Ten minutes, the quarter, the scale of a feature and the top are our choice: eight
+//! steps of a round height, such that one in a hundred cells is above the top. To judge a distance, compare it with those among the weeks
+//! of the log it is taken from.
 //!
-//! We take a log for recorded from its first row to its last, or as long as its run was. A silence of a day and more that is
-//! no absence is an hour without data: no network that works keeps so quiet. Left out: visitors, whom the 2008 map takes
-//! out by fuzzy rules.
+//! We take a log for recorded from its first row to its last, or as long as its run was. A silence of a day and more outside absences is an
+//! hour without data: a network that works does not keep so quiet. Left out: visitors, whom the 2008 map takes out by fuzzy rules.
 
 pub(crate) mod distance;
 mod away;
@@ -39,42 +36,40 @@ pub use entrance::{Entrance, EntranceSource};
 pub use map::{DensityOptions, Hour, Map, MapDay, Mapping, NoMap, SILENCE, Signs};
 pub use texture::{LEVELS, Texture, level};
 
-/// An answer to people and scripts: a map, and how far it is from another.
+/// An answer for people and scripts: a map, and its distance from another.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Density {
-    /// The height of a level of texture and picture, of which there are eight, in firings an hour.
+    /// The height of one of the eight levels of texture and picture, in firings an hour.
     pub step_per_h: f64,
-    /// The map, with its texture.
     #[serde(flatten)]
     pub of: TexturedMap,
-    /// The map that it is held against, where one is given.
+    /// The map that it is compared with, if there is one.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub against: Option<Against>,
 }
 
-/// A map with its texture.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct TexturedMap {
-    /// The hours, and what they come to.
+    /// The hours and their density.
     #[serde(flatten)]
     pub map: Map,
-    /// How alike neighbouring hours are; `None` where no two neighbours are known.
+    /// The similarity of neighbouring hours; `None` where no two neighbours are known.
     pub texture: Option<Texture>,
 }
 
-/// Another log's map, and how far it is.
+/// The map of another log, and its distance.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Against {
     /// The other log's map, with its texture.
     #[serde(flatten)]
     pub of: TexturedMap,
-    /// None where one of the two has no texture.
+    /// `None` where one of the two has no texture.
     pub distance: Option<f64>,
-    /// The distances among the whole weeks of the other log: median and greatest, where there are two weeks.
+    /// The median and the greatest distance of the whole weeks of the other log, if it has two weeks.
     pub weeks_apart: Option<[f64; 2]>,
 }
 
-/// The map of a log, and how far it is from another's where one is given.
+/// The map of a log, and its distance from that of another log, if there is one.
 pub fn density(
     log: (&str, &Log, &DensityOptions),
     against: Option<(&str, &Log, &DensityOptions)>,
@@ -144,7 +139,7 @@ fn distance(a: &[f64; 5], b: &[f64; 5]) -> f64 {
     a.iter().zip(b).map(|(a, b)| (a - b) * (a - b)).sum::<f64>().sqrt()
 }
 
-/// How far the whole weeks of a map are apart, two by two: the median and the most.
+/// The median and the greatest distance of the whole weeks of a map, two by two.
 fn weeks_apart(cells: &[[DensityCell; 24]], step_per_h: f64) -> Option<[f64; 2]> {
     let weeks: Vec<[f64; 5]> = cells.chunks_exact(7).filter_map(|week| features(week, step_per_h)).collect();
     let pairs = weeks.iter().enumerate().flat_map(|(i, a)| weeks[..i].iter().map(move |b| distance(a, b)));

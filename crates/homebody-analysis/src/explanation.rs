@@ -1,11 +1,11 @@
-//! How well a log that was lived again explains the one that it was taken from, sensor by sensor.
+//! Explanation of a log by the log of a repeated simulation, sensor by sensor.
 //!
 //! | measure | definition |
 //! |---|---|
 //! | explained | the share of a sensor's firings for which the same sensor fires in the other log at most 10 s away; each firing explains one |
 //! | invented | the share of the other log's firings of that sensor that explain none |
 //!
-//! A firing is a row that says that something began. Both logs name their sensors alike and run on the same clock.
+//! A firing is a row that means a beginning. Both logs name their sensors alike and have the same clock.
 
 use crate::compare::begins;
 use homebody_core::time::{SECOND, Span, WallTime};
@@ -18,49 +18,46 @@ use std::fmt;
 /// keeps moving.
 pub const NEAR: Span = SECOND.times(10);
 
-/// How well a log is explained by another.
+/// The explanation of a log by another.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Explained {
-    /// By sensor, of those that fired in either log.
+    /// The sensors that fired in either log.
     pub sensors: Vec<SensorExplained>,
-    /// Of all sensors together.
+    /// All sensors together.
     pub all: ExplainedCounts,
 }
 
-/// How well one sensor's firings are explained.
+/// The explanation of one sensor's firings.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct SensorExplained {
-    /// Its id in the logs.
     pub sensor: String,
-    /// What was counted.
     #[serde(flatten)]
     pub counts: ExplainedCounts,
 }
 
-/// Firings that were counted.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
 pub struct ExplainedCounts {
-    /// In the log that is to be explained.
+    /// In the log to be explained.
     pub real: u64,
     /// In the log that explains it.
     pub relived: u64,
-    /// Of the real ones, those that are explained.
+    /// The explained firings among the real ones.
     pub matched: u64,
 }
 
 impl ExplainedCounts {
-    /// The share of the real firings that are explained; `None` where there are none.
+    /// The share of the real firings that are explained; `None` without real firings.
     pub fn explained(&self) -> Option<f64> {
         (self.real > 0).then(|| self.matched as f64 / self.real as f64)
     }
 
-    /// The share of the other log's firings that explain none; `None` where it has none.
+    /// The share of the other log's firings that explain no firing; `None` if it has no firing.
     pub fn invented(&self) -> Option<f64> {
         (self.relived > 0).then(|| (self.relived - self.matched) as f64 / self.relived as f64)
     }
 }
 
-/// How well `real` is explained by `relived`.
+/// Explains `real` by `relived`.
 pub fn explained(real: &Log, relived: &Log) -> Explained {
     let mut times: BTreeMap<&str, [Vec<WallTime>; 2]> = BTreeMap::new();
     for (number, log) in [real, relived].into_iter().enumerate() {
@@ -84,7 +81,7 @@ pub fn explained(real: &Log, relived: &Log) -> Explained {
     Explained { sensors, all }
 }
 
-/// How many of the first times have one of the second near them, each of which counts once.
+/// The number of first times with one of the second near them; each of these counts once.
 fn matched([real, relived]: &[Vec<WallTime>; 2]) -> u64 {
     let (mut count, mut next) = (0, 0);
     for &at in real {
@@ -133,7 +130,7 @@ mod tests {
     }
 
     #[test]
-    fn shares_are_of_the_log_that_they_are_said_of() {
+    fn shares_are_of_their_own_log() {
         let counts = ExplainedCounts { real: 10, relived: 16, matched: 8 };
         assert_eq!((counts.explained(), counts.invented()), (Some(0.8), Some(0.5)));
         assert_eq!((ExplainedCounts::default().explained(), ExplainedCounts::default().invented()), (None, None));

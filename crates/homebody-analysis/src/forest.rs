@@ -10,29 +10,28 @@ use homebody_core::random::Stream;
 /// Rows to learn from.
 #[derive(Clone, Copy, Debug)]
 pub struct Examples<'a> {
-    /// The figures of each row, of all rows as many.
+    /// The figures of each row; all rows have the same number.
     pub figures: &'a [Vec<f64>],
     /// The class of each row, below `classes`.
     pub class: &'a [usize],
-    /// How many classes there are.
     pub classes: usize,
 }
 
-/// Trees that have been grown.
+/// A random forest.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Forest {
     trees: Vec<DecisionTree>,
     classes: usize,
-    /// What each figure took away of impurity, in all trees.
+    /// The impurity that each figure removed, in all trees.
     pub importance: Vec<f64>,
 }
 
 const DEEPEST: usize = 14;
-/// Branches below this many rows are leaves.
+/// Number of rows below which a branch is a leaf.
 const LEAST_ROWS: usize = 4;
 
 impl Forest {
-    /// Grows so many trees. `from` holds the rows of each class that are drawn from, `each` how many of a class a tree draws.
+    /// Grows so many trees. Each draws `each` rows of each class from those in `from`.
     pub fn grow(examples: Examples, from: &[Vec<usize>], each: &[usize], trees: usize, stream: &mut Stream) -> Forest {
         let figures = examples.figures.first().map_or(0, Vec::len);
         let mut forest = Forest { trees: Vec::new(), classes: examples.classes, importance: vec![0.0; figures] };
@@ -48,7 +47,7 @@ impl Forest {
         forest
     }
 
-    /// The chance of each class that a row is of it.
+    /// The probability of each class of a row.
     pub fn judge(&self, row: &[f64]) -> Vec<f64> {
         let mut chances = vec![0.0; self.classes];
         for tree in &self.trees {
@@ -59,18 +58,17 @@ impl Forest {
         chances
     }
 
-    /// The class that a row is most likely of; of several the first.
+    /// The most likely class of a row; of several the first.
     pub fn class_of(&self, row: &[f64]) -> usize {
         let chances = self.judge(row);
         (0..self.classes).rev().max_by(|&a, &b| chances[a].total_cmp(&chances[b])).unwrap_or(0)
     }
 }
 
-/// A tree that is being grown.
 struct Growing<'a> {
     examples: Examples<'a>,
     nodes: Vec<DecisionNode>,
-    /// How many rows it was given.
+    /// The number of rows of the tree.
     whole: f64,
     stream: &'a mut Stream,
 }
@@ -139,7 +137,7 @@ struct DecisionTree {
 
 #[derive(Clone, Debug, PartialEq)]
 enum DecisionNode {
-    /// Which share of its rows is of each class.
+    /// The share of each class among its rows.
     Leaf(Vec<f64>),
     Branch {
         figure: usize,
@@ -198,7 +196,7 @@ mod tests {
     }
 
     #[test]
-    fn classes_that_lie_apart_are_told_apart_by_the_figures_that_part_them() {
+    fn separates_distant_classes_by_their_figures() {
         let forest = grown(0.5);
         for (class, row) in [(0, [0.1, 0.2, 0.0]), (1, [3.8, 0.1, 0.0]), (2, [0.0, 4.3, 0.0])] {
             assert_eq!(forest.class_of(&row), class);
@@ -215,7 +213,7 @@ mod tests {
     }
 
     #[test]
-    fn a_class_without_rows_is_never_told() {
+    fn never_predicts_a_class_without_rows() {
         let figures = vec![vec![0.0], vec![1.0], vec![0.1], vec![0.9]];
         let class = [0, 2, 0, 2];
         let examples = Examples { figures: &figures, class: &class, classes: 3 };

@@ -19,11 +19,10 @@ pub const LONGEST: Span = MINUTE.times(5);
 /// A movement between the reports of a sensor.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub struct HiddenMovement {
-    /// When.
     pub at: WallTime,
     /// The sensor, by its number in the log.
     pub sensor: u32,
-    /// How much earlier it may have been: 0 for the last one before an `OFF`, or else the hold time.
+    /// Time by which it may have been earlier: 0 for the last one before an `OFF`, or else the hold time.
     pub within: Span,
 }
 
@@ -33,22 +32,22 @@ pub struct HoldTimes {
     sensors: Vec<SensorHold>,
     /// The sensors that are on.
     on: Vec<u32>,
-    /// No movement is known before this instant that was not returned yet.
+    /// Instant before which no movement is known that is not yet returned.
     due: WallTime,
-    /// Whether any of them has had a hold time.
+    /// A sensor has had a hold time.
     hides_any: bool,
 }
 
 #[derive(Clone, Copy, Debug)]
 struct SensorHold {
-    /// Since when it is on, and its last movement so far.
+    /// The begin of the current ON, and its last movement so far.
     on: Option<(WallTime, WallTime)>,
     /// Its two shortest times on.
     shortest: [Span; 2],
 }
 
 impl SensorHold {
-    /// Its hold time, unless its reports say enough.
+    /// The hold time, unless its reports show all.
     fn hold(&self) -> Option<Span> {
         let is_known = (SHORTEST..Span::MAX).contains(&self.shortest[1]);
         is_known.then(|| self.shortest[1].min(LONGEST))
@@ -68,12 +67,11 @@ impl HoldTimes {
         HoldTimes { sensors: vec![sensor; sensors], on: Vec::new(), due: WallTime::MAX, hides_any: false }
     }
 
-    /// The hold time of a sensor so far, if its reports hide movements.
     pub fn hold(&self, sensor: usize) -> Option<Span> {
         self.sensors.get(sensor)?.hold()
     }
 
-    /// Whether any sensor has hidden movements so far.
+    /// A sensor has hidden movements so far.
     pub fn hide_any(&self) -> bool {
         self.hides_any
     }
@@ -121,7 +119,7 @@ impl HoldTimes {
         }
     }
 
-    /// Forgets what is on where a time begins that is not known.
+    /// Ends all ONs where an unknown time begins.
     pub fn end_all(&mut self) {
         self.sensors.iter_mut().for_each(|sensor| sensor.on = None);
         self.on.clear();
@@ -130,7 +128,7 @@ impl HoldTimes {
 }
 
 impl SensorHold {
-    /// Until when no further movement of it is certain.
+    /// Instant until which no further movement of it is certain.
     fn due(&self) -> Option<WallTime> {
         let (hold, (_, last)) = (self.hold()?, self.on?);
         Some(last + 2 * hold)

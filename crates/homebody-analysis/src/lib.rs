@@ -1,13 +1,11 @@
-//! What homes and logs tell: figures and tables for people and programs.
+//! Figures and tables of homes and logs, for people and programs.
 //!
 //! Nothing here reads or writes a file: texts and logs come in, plain data goes out. Nothing here draws. In reading order:
 
-#![warn(missing_docs)]
-
-/// Where in a home the sensors see, from the very fields that make the data.
+/// The floor that sensors see, from the fields that make the data.
 pub mod coverage;
 
-/// What is put up in a home: devices, places in words, heights and angles; two layouts side by side.
+/// The parts list of a home: devices, places in words, heights and angles; two layouts side by side.
 pub mod parts;
 
 /// The messages of this crate.
@@ -15,10 +13,10 @@ pub mod catalogue;
 
 /// Dates and hours on the clock on the wall.
 pub mod dates;
-/// Which rows of a log are signs of somebody, and of which sensors.
+/// The rows of a log that are signs of a person, and the kinds of sensors.
 pub mod signs;
 
-/// Rows of a log, taken one by one, and the spans that they open and close.
+/// Rows of a log, one by one, and the spans that they open and close.
 pub mod rows;
 
 /// Motion sensors that stay on, and the movements that their reports hide.
@@ -26,31 +24,31 @@ pub mod holds;
 
 pub mod look;
 
-/// Which sensor speaks after which, and how soon.
+/// The order in which sensors fire, and the times between.
 pub mod walks;
 
-/// How alike two logs are.
+/// Comparison of two logs.
 pub mod compare;
-/// How well a log that was lived again explains the one it was taken from.
+/// Explanation of a log by one of a repeated simulation.
 pub mod explanation;
-/// A log cut into windows, with what sensors said and what somebody did in each.
+/// Windows of a log, with the messages of sensors and the activities in each.
 pub mod windows;
-/// A random forest, which tells rows of figures apart.
+/// A random forest, which separates rows of figures.
 pub mod forest;
-/// How near a log is to a real one, and what gives it away.
+/// The distance of a log from a real one, and what gives it away.
 pub mod realism;
 
-/// How the motion sensors of a log are timed, and what their messages went through.
+/// The timing of the motion sensors of a log, and the effects of its link.
 pub mod timing;
-/// How much somebody moved in each hour of each day, and when nobody was at home.
+/// The movement in each hour of each day, and absences.
 pub mod density;
 
-/// What a person has been doing, day by day, in figures.
+/// Measures of each day of a person.
 pub mod measures;
 
 mod phrases;
 
-/// What is different from before, and worth a visit.
+/// Differences from before that are worth a visit.
 pub mod alerts;
 
 pub mod summaries;
@@ -59,10 +57,10 @@ pub mod falls;
 
 pub mod care;
 
-/// One day: what sensors said, and what residents did.
+/// One day: the firings of sensors and the activities of residents.
 pub mod day;
 
-/// Moments of a run, with where everybody went in between.
+/// Moments of a run, with everybody's ways in between.
 pub mod strip;
 
 #[cfg(test)]

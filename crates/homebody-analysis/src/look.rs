@@ -1,4 +1,4 @@
-//! What a log holds: its span, its sensors with what they are taken for, and what is odd about it.
+//! An overview of a log: its span, its sensors and their kinds, and its oddities.
 //!
 //! | word | meaning |
 //! |---|---|
@@ -10,10 +10,10 @@
 //! | dead | a sensor says nothing more for two days or more before the log ends, and for three times as long as ever before |
 //! | stuck | a motion sensor is on for 6 h or more; or all of 50 readings or more over a day are one number |
 //! | not known | a row says that the state of the sensor is not known, such as `unavailable` |
-//! | restored | a row says the state again after a stretch in which it was not known: after such a row, or after a gap of the recorder |
+//! | restored | a row says the state again after an unknown time: after such a row, or after a gap of the recorder |
 //!
-//! Rows are taken as they come, and none is kept: a log may be of any size. One whose newest rows come first, or whose rows come sensor by
-//! sensor, is read again and looked at in the order of time, as far as so many rows can wait. All lengths are our choice.
+//! It keeps no row, so a log may be of any size. A log with its newest rows first, or with its rows sensor by sensor, is read again in the
+//! order of time, as far as so many rows can wait. All lengths are our choice.
 
 mod counts;
 mod overview;

@@ -1,11 +1,11 @@
-//! What a person has been doing, day by day: bed and sleep, bathroom, meals, outings, ways and their pace, sitting, density.
+//! Measures of each day of a person: bed and sleep, bathroom, meals, outings, ways and their pace, sitting, density.
 //!
-//! Each measure has a row in `registry`, with unit, definition, source and words, and a function in `measured_day`. The function
-//! reads a `MeasureTimeline`: the resident's rooms, times in bed, sleep and absences. `log_timeline` makes one from a log and
-//! `truth_timeline` one from the truth, so that the measures of both can be compared.
+//! Each measure has a row in `registry`, with unit, definition, source and words, and a function in `measured_day`. The function reads a
+//! `MeasureTimeline`: the resident's rooms, times in bed, sleep and absences. `log_timeline` makes one from a log and `truth_timeline` one
+//! from the truth, so that the measures of both can be compared.
 //!
-//! A day of which more than an hour is unknown has no values, and a night none of its own: nothing is filled in. Left out: who
-//! of several residents it was; visitors are guessed, and what they do is measured as if the resident did it.
+//! A day with more than an hour unknown has no values, and such a night has none: nothing is filled in. Left out: several residents are not
+//! told apart; visitors are guessed, and their movement is measured as the resident's.
 
 mod company;
 mod day_by_day;
@@ -31,7 +31,8 @@ mod wording;
 
 use crate::density::{DensityOptions, NoMap};
 use homebody_core::time::{Interval, WallTime};
-use homebody_log::{Life, Log};
+use homebody_log::Log;
+use homebody_timeline::PersonTimeline;
 use measured_day::DayContext;
 use remarks::Remarks;
 
@@ -87,22 +88,21 @@ impl Measures {
         Ok(measures)
     }
 
-    /// Of a truth, for the days of a log.
-    pub fn from_truth(name: &str, life: &Life<WallTime>, recorded: Interval<WallTime>) -> Measures {
-        Measures::from_timeline(name, &MeasureTimeline::from_truth(life, recorded), Vec::new())
+    /// By a truth, for the days of a log.
+    pub fn from_truth(name: &str, person: &PersonTimeline<WallTime>, recorded: Interval<WallTime>) -> Measures {
+        Measures::from_timeline(name, &MeasureTimeline::from_truth(person, recorded), Vec::new())
     }
 
-    /// The same, with what is known besides.
+    /// The same, with details.
     pub fn from_detailed_truth(
         name: &str,
-        life: &Life<WallTime>,
-        beside: &TruthDetails,
+        person: &PersonTimeline<WallTime>,
+        details: &TruthDetails,
         recorded: Interval<WallTime>,
     ) -> Measures {
-        Measures::from_timeline(name, &MeasureTimeline::from_detailed_truth(life, beside, recorded), Vec::new())
+        Measures::from_timeline(name, &MeasureTimeline::from_detailed_truth(person, details, recorded), Vec::new())
     }
 
-    /// Of a timeline.
     pub fn from_timeline(name: &str, timeline: &MeasureTimeline, remarks: Vec<String>) -> Measures {
         let common = DayContext::new(timeline, None);
         let first = timeline.first;

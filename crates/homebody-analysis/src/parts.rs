@@ -1,7 +1,7 @@
-//! What an installer puts up: each sensor with its device, its place in words, its height and its angles.
+//! The parts list of an installer: each sensor with its device, its place in words, its height and its angles.
 //!
-//! A place is told by distances from two walls, measured on the floor from their faces to the lens, or to the middle of what is on a
-//! ceiling or a floor. Sensors on a thing are where the thing is.
+//! A place is given by distances from two walls, measured on the floor from their faces to the lens, or to the middle of a sensor on a
+//! ceiling or a floor. Sensors on a thing are at the place of the thing.
 //!
 //! We assume that a wall is where the home's file has one: where a room ends without a wall, its outline counts as one.
 //!
@@ -21,64 +21,60 @@ use homebody_core::sensors::products::Product;
 use serde::Serialize;
 use std::fmt::{self, Write};
 
-/// Everything that is put up in a home.
+/// The parts of a home's sensors.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct PartsList {
-    /// The home's name.
     pub home: String,
-    /// How many of which device, the most first.
+    /// The devices with their counts, the most first.
     pub devices: Vec<Count>,
-    /// One a sensor, in the order of the home's file.
+    /// One for each sensor, in the order of the home's file.
     pub parts: Vec<SensorPart>,
 }
 
-/// So many of a device.
+/// The count of a device.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Count {
-    /// What people call it.
     pub device: String,
-    /// How many there are.
     pub count: usize,
 }
 
-/// A sensor as who puts it up has to know it.
+/// A sensor, for its installer.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct SensorPart {
     /// From 1, in the order of the home's file.
     pub number: usize,
-    /// The sensor's name.
     pub name: String,
     /// Its kind, as `home.json` has it.
     pub kind: &'static str,
-    /// Make and model, or the kind where any will do.
+    /// Make and model, or the kind where any model will do.
     pub device: String,
-    /// How its messages travel; empty where the device does not say.
+    /// The network of its messages; empty where the device has no fixed one.
     pub network: &'static str,
-    /// The room that it is in; nothing between rooms, as on a door.
+    /// The room; `None` between rooms, as on a door.
     pub room: Option<String>,
-    /// The floor that the room is on, in a home of several.
+    /// The floor of the room, in a home of several.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub floor: Option<String>,
-    /// Where it goes, in words.
+    /// The place in words.
     pub place: String,
-    /// Where it goes on the plan, in metres to the east and to the north.
+    /// The place on the plan, in metres to the east and to the north.
     pub at: [f64; 2],
-    /// The height of its lens above the floor, in metres, where it has one.
+    /// The height of its lens above the floor, in metres, if it has a lens.
     pub height_m: Option<f64>,
-    /// Where it looks: 0 is east, 90 is north.
+    /// The direction of its lens: 0 is east, 90 is north.
     pub facing_deg: Option<f64>,
-    /// The same in words.
+    /// The direction in words.
     pub looks: Option<String>,
-    /// How far its lens looks down, in degrees.
+    /// The tilt of its lens downward, in degrees.
     pub tilt_deg: Option<f64>,
     /// Its angle of view, horizontal and vertical, in degrees.
     pub field_deg: Option<[f64; 2]>,
-    /// How far it sees, in metres.
+    /// The reach, in metres.
     pub reach_m: Option<f64>,
 }
 
 impl PartsList {
-    /// Of a home that has passed its checks.
+    /// The parts of a valid home.
     pub fn from_home(home: &HomeFile) -> PartsList {
         let plan = Plan::new(home);
         let sensors = home.sensors.iter().zip(1..);
@@ -126,7 +122,7 @@ impl PartsList {
     }
 }
 
-/// A cell as RFC 4180 has it. What a spreadsheet would take for a formula is kept from being one.
+/// A cell as RFC 4180 has it. It escapes what a spreadsheet would take for a formula.
 fn quoted(cell: &str) -> String {
     let plain = if cell.starts_with(['=', '+', '-', '@']) { format!("'{cell}") } else { cell.to_owned() };
     match plain.contains([',', '"', '\n', '\r']) {
@@ -232,7 +228,7 @@ impl SensorPart {
         parts.into_iter().flatten().collect::<Vec<_>>().join(": ")
     }
 
-    /// Height, direction and field in one line; nothing for what has no lens.
+    /// Height, direction and field in one line; `None` without a lens.
     pub fn aim(&self) -> Option<String> {
         let (height_m, tilt_deg) = (self.height_m?, self.tilt_deg?);
         let looks = self.looks.as_deref().unwrap_or_default();

@@ -3,7 +3,7 @@
 use jiff::civil::Date;
 use std::borrow::Borrow;
 
-/// Counts from here on are written without decimals.
+/// Smallest count without decimals.
 const LARGE_COUNT: f64 = 20.0;
 
 /// A headline and the values behind it, if it has any.
@@ -11,7 +11,7 @@ pub(crate) fn joined(headline: String, numbers: &str) -> String {
     if numbers.is_empty() { headline } else { format!("{headline}: {numbers}") }
 }
 
-/// Things in a row: `sleep, kitchen meals and getting up`.
+/// Things in a list: `sleep, kitchen meals and getting up`.
 pub(crate) fn listed(things: &[impl Borrow<str>]) -> String {
     let things: Vec<&str> = things.iter().map(Borrow::borrow).collect();
     match &things[..] {

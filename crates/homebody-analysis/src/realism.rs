@@ -1,25 +1,25 @@
-//! How near one log is to another in what gives simulated logs away, and whether a forest can tell them apart.
+//! The distance of a log from another in figures that give simulated logs away, and the separation of both by a forest.
 //!
 //! | measure | definition |
 //! |---|---|
 //! | gaps | the Kolmogorov-Smirnov distance of the times from each firing in the home to the next |
 //! | refiring | that of the times from each firing of a sensor to its next |
-//! | ON lengths | that of how long each ON lasts, where both logs tell when it ends |
+//! | ON lengths | that of the lengths of ONs, where both logs tell when an ON ends |
 //! | firings a day | that of the firings of each day |
-//! | hours, sensor shares, ways | the Jensen-Shannon distance, the root of the divergence in bits, of how the firings are spread over the hours of the day, over the sensors, and over the pairs of a sensor and another that fires next within a minute |
-//! | at once | that of how long one, two, and three and more sensors are ON |
+//! | hours, sensor shares, ways | the Jensen-Shannon distance, the root of the divergence in bits, of the distributions of the firings over the hours of the day, over the sensors, and over the pairs of a sensor and another that fires next within a minute |
+//! | at once | that of the times in which one, two, and three and more sensors are ON |
 //! | density maps | the distance of `density`'s maps |
 //! | together | the share of firings within 3 s of another sensor's |
-//! | days differ | the standard deviation of the firings an hour of each day, over their mean; only hours in which anything fires count, and days on which anything does |
+//! | days differ | the standard deviation of the firings an hour of each day, over their mean; only hours and days with firings count |
 //! | days follow | the correlation of the same with that of the day before |
-//! | empty hours | the share of hours in which nothing fires |
+//! | empty hours | the share of hours without firings |
 //! | days, hours told apart | the area under the curve of a random forest that has not seen the day that it judges: 0.5 is guessing, 1 is without fail |
 //!
-//! The floor of a measure is what the first half of the first log's days has against the second: no log of another home can
-//! be nearer than a home is to itself. Where a measure is a figure of one log, its value is how far the two figures are apart.
+//! The floor of a measure is its value for the two halves of the first log's days: no log of another home can be nearer than a home is to
+//! itself. If a measure is a figure of one log, its value is the difference of the two figures.
 //!
-//! We assume that a day counts if all but an hour of it was recorded, that both logs tell local time, and that sensors of one name
-//! are one; where names differ, shares and ways are not compared. Only motion sensors count.
+//! We assume that a day counts if all but an hour of it was recorded, that both logs have local time, and that sensors of one name are one;
+//! if names differ, shares and ways are not compared. Only motion sensors count.
 
 mod figures;
 mod forest;
@@ -42,21 +42,20 @@ use measures::{
 use serde::Serialize;
 pub use table::MEASURES;
 
-/// A log, what it is called, and from when to when it was recorded, if that is known.
+/// A log with its name, and the time of its recording, if that is known.
 #[derive(Clone, Copy, Debug)]
 pub struct ComparedLog<'a> {
-    /// What people call it.
     pub name: &'a str,
     /// Its rows, on the clock on the wall.
     pub log: &'a Log,
-    /// From its first row to its last where nothing is known.
+    /// From its first row to its last by default.
     pub recorded: Option<Interval<WallTime>>,
 }
 
-/// Two logs held against each other.
+/// The comparison of two logs.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Realism {
-    /// The log that is taken for what is real: the floor is its own.
+    /// The log that is taken as real: the floor is its own.
     pub a: LogSummary,
     /// The log that is judged.
     pub b: LogSummary,
@@ -64,7 +63,7 @@ pub struct Realism {
     pub gaps_ks: RealismMeasure,
     /// Of the times from a sensor's firing to its next.
     pub refires_ks: RealismMeasure,
-    /// Of how long ONs last.
+    /// Of the lengths of ONs.
     pub on_ks: RealismMeasure,
     /// Of the firings over the hours of the day.
     pub hours_js: RealismMeasure,
@@ -72,67 +71,62 @@ pub struct Realism {
     pub shares_js: RealismMeasure,
     /// Of the ways from sensor to sensor.
     pub ways_js: RealismMeasure,
-    /// Of how many sensors are ON at once.
+    /// Of the number of sensors that are ON at once.
     pub at_once_js: RealismMeasure,
     /// Of the firings of each day.
     pub firings_ks: RealismMeasure,
     /// Of the motion density maps.
     pub density_distance: RealismMeasure,
-    /// The share of firings beside another sensor's.
+    /// The share of firings together with another sensor's.
     pub together: RealismMeasure,
-    /// How much days differ.
+    /// The differences between days.
     pub days_differ: RealismMeasure,
-    /// How much days are like those before.
+    /// The similarity of each day to the one before.
     pub days_follow: RealismMeasure,
-    /// The share of hours in which nothing fires.
+    /// The share of hours without firings.
     pub empty_hours: RealismMeasure,
-    /// How well days are told apart.
+    /// The separation of days.
     pub auc_days: RealismMeasure,
-    /// How well hours are told apart.
+    /// The separation of hours.
     pub auc_hours: RealismMeasure,
-    /// By what days are told apart, most telling first.
+    /// The figures that separate days, the best first.
     pub days_told_by: Vec<TellingFigure>,
-    /// By what hours are told apart, most telling first.
+    /// The figures that separate hours, the best first.
     pub hours_told_by: Vec<TellingFigure>,
 }
 
-/// What there is of a log.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct LogSummary {
-    /// What it is called.
     pub name: String,
-    /// How many whole days it has.
+    /// The number of whole days.
     pub days: usize,
-    /// How many sensors tell of motion.
     pub motion_sensors: usize,
-    /// How often they fire on a day.
+    /// The firings on an average day.
     pub firings_a_day: f64,
     /// Firings in each hour of the day, on a day.
     pub hours: [f64; 24],
     /// The percentiles of the gaps from 5 to 95 in steps of 5, in seconds.
     pub gaps_s: Vec<f64>,
-    /// The same of the lengths of ONs; empty where the log does not tell.
+    /// The same of the lengths of ONs; empty where the log does not have them.
     pub on_s: Vec<f64>,
 }
 
-/// One measure.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct RealismMeasure {
-    /// Of the two logs; `None` where it cannot be said.
+    /// For the two logs; `None` where it is unknown.
     pub value: Option<f64>,
-    /// Of the first log's own halves.
+    /// For the first log's own halves.
     pub floor: Option<f64>,
-    /// The figure of each log, where the measure is how far these are apart.
+    /// The figure of each log, where the measure is their difference.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub of: Option<[Option<f64>; 2]>,
 }
 
-/// A figure by which logs are told apart.
+/// A figure that separates logs.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct TellingFigure {
-    /// What it is.
     pub figure: String,
-    /// Its part in telling them apart, from 0 to 1.
+    /// Its part in the separation, from 0 to 1.
     pub part: f64,
     /// Its median in each log.
     pub medians: [f64; 2],
@@ -160,14 +154,14 @@ homebody_core::messages! {
     }
 }
 
-/// The fewest days on each side from which anybody can say whether days are told apart.
+/// Number of days on each side below which a separation of days is unknown.
 const LEAST_DAYS: usize = 4;
-/// The same for hours, of which each day has 24.
+/// The same for hours: each day has 24.
 const LEAST_DAYS_OF_HOURS: usize = 2;
 /// Largest number of figures in the report, those that tell the logs apart best.
 const MOST_SIGNS: usize = 8;
 
-/// Holds log `b` against log `a`, of which every problem is told at once.
+/// Compares log `b` with log `a`. It reports all problems at once.
 pub fn realism(a: ComparedLog, b: ComparedLog) -> Result<Realism, Vec<NotComparable>> {
     let logs = [a, b].map(|told| MotionFirings::from_log(told.log, told.recorded));
     let problem = |(told, heard): (&ComparedLog, &MotionFirings)| match () {
@@ -225,7 +219,7 @@ pub fn realism(a: ComparedLog, b: ComparedLog) -> Result<Realism, Vec<NotCompara
 }
 
 impl Realism {
-    /// Every measure, with what it is called and what it is of, in the order in which people read them.
+    /// Every measure, with its name and its meaning, in the order of reports.
     pub fn measures(&self) -> [(&'static str, &'static str, RealismMeasure); 15] {
         [
             ("gaps", "KS of the times from any firing to the next", self.gaps_ks),
@@ -266,7 +260,7 @@ impl LogSummary {
     }
 }
 
-/// How far the density maps of the days of two logs are apart.
+/// The distance of the density maps of the days of two logs.
 fn maps_apart(told: [ComparedLog; 2], heard: &[MotionFirings; 2]) -> Option<f64> {
     let asked = |heard: &MotionFirings| density::DensityOptions {
         recorded: Some(of_days(&heard.days)),
@@ -283,7 +277,7 @@ fn maps_apart(told: [ComparedLog; 2], heard: &[MotionFirings; 2]) -> Option<f64>
     density.against?.distance
 }
 
-/// How well a forest tells the days, or the hours, of two logs apart, and by what.
+/// The separation of the days, or the hours, of two logs by a forest, and the figures that separate them.
 fn told_apart(logs: [&MotionFirings; 2], of_days: bool) -> Option<(f64, Vec<TellingFigure>)> {
     let figures = DayFigures::from_firings(logs, of_days);
     let mut rows = FigureRows { figures: Vec::new(), is_second: Vec::new(), day: Vec::new() };

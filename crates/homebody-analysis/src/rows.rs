@@ -7,7 +7,6 @@ use homebody_log::{Event, Log};
 /// A row that says something other than a number.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct StateRow {
-    /// When.
     pub at: WallTime,
     /// The sensor, by its number in the log.
     pub sensor: u32,
@@ -15,7 +14,7 @@ pub struct StateRow {
     pub said: RowMeaning,
 }
 
-/// Counts of the rows of each sensor so far, by their look.
+/// Counts of the rows of each sensor so far, by their values.
 pub struct Tallies {
     meanings: Meanings,
     beforehand: Beforehand,
@@ -24,7 +23,6 @@ pub struct Tallies {
 }
 
 impl Tallies {
-    /// For a log before its first row.
     pub fn new(log: &Log) -> Tallies {
         let tallies = vec![SensorTally::default(); log.sensors.len()];
         Tallies {
@@ -49,7 +47,7 @@ impl Tallies {
     }
 }
 
-/// The spans over which the sensors of a log report that something is on. Rows come in the order of time.
+/// The times in which the sensors of a log report that something is on. Rows come in the order of time.
 #[derive(Clone, Debug, Default)]
 pub struct Ongoing {
     sensors: Vec<SensorSpans>,
@@ -60,13 +58,13 @@ pub struct Ongoing {
 #[derive(Clone, Debug, Default)]
 struct SensorSpans {
     since: Option<WallTime>,
-    /// Whether it has ever reported an end.
+    /// It has reported an end.
     ends: bool,
     spans: Vec<Interval<WallTime>>,
 }
 
 impl SensorSpans {
-    /// Ends an open span, which is kept unless it is shorter than `least`.
+    /// Ends an open span, and keeps it unless it is shorter than `least`.
     fn end(&mut self, at: WallTime, least: Span) {
         let is_kept = |begin: &WallTime| self.ends && at - *begin >= least;
         self.spans.extend(self.since.take().filter(is_kept).map(|begin| Interval::new(begin, at)));
@@ -74,12 +72,12 @@ impl SensorSpans {
 }
 
 impl Ongoing {
-    /// For so many sensors, all off. Spans shorter than `least` are not kept.
+    /// For so many sensors, all off. It keeps no spans shorter than `least`.
     pub fn new(sensors: usize, least: Span) -> Ongoing {
         Ongoing { sensors: vec![SensorSpans::default(); sensors], least }
     }
 
-    /// Takes a row. A sensor that never says that something ends has instants.
+    /// Takes a row. A sensor that reports no end has instants.
     pub fn take(&mut self, row: &StateRow) {
         let of = &mut self.sensors[row.sensor as usize];
         if let Some(unknown) = row.said.unknown_from {
@@ -109,7 +107,7 @@ impl Ongoing {
         }
     }
 
-    /// Keeps only certain spans.
+    /// Keeps certain spans only.
     pub fn retain(&mut self, keeps: impl Fn(&Interval<WallTime>) -> bool) {
         self.sensors.iter_mut().for_each(|of| of.spans.retain(&keeps));
     }

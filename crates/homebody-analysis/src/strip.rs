@@ -16,45 +16,41 @@ use std::fmt;
 /// Moments of a run.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct StoryStrip {
-    /// What the scenario is called.
     pub name: String,
-    /// How many seconds lie between two moments.
+    /// Seconds between two moments.
     pub every_s: f64,
     /// In order of time.
     pub moments: Vec<StripFrame>,
 }
 
-/// An instant of a run, and what happened since the one before.
+/// An instant of a run, and the events since the one before.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct StripFrame {
     /// By the clock on the wall, such as `2026-01-12 18:20:10`.
     pub at: String,
     /// Seconds since the run began.
     pub at_s: f64,
-    /// Everybody of the scenario, in its order.
+    /// The people of the scenario, in its order.
     pub people: Vec<StripPerson>,
-    /// What was used, such as `hall on`, in order of time.
     pub used: Vec<String>,
     /// The sensors that fired, by name.
     pub fired: Vec<String>,
 }
 
-/// Somebody at a moment.
+/// A person at a moment.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct StripPerson {
-    /// What they are called.
     pub name: String,
-    /// The corners of the way that they went, in metres; the last is where they are. Empty for who is out, or was not there.
+    /// The corners of their way, in metres; the last is their place. Empty if they are out, or were not there.
     pub path_m: Vec<[f64; 2]>,
-    /// How they are; `None` for who is out.
+    /// The posture; `None` for a person who is out.
     pub posture: Option<Posture>,
-    /// What they do, by its label.
+    /// The label of the activity.
     pub activity: Option<String>,
 }
 
-/// What the numbers in a run's events stand for.
+/// The names of the numbers in a run's events.
 pub struct RunNames<'a> {
-    /// What the scenario is called.
     pub scenario: &'a str,
     /// Residents, then visitors.
     pub people: Vec<String>,
@@ -62,17 +58,17 @@ pub struct RunNames<'a> {
     pub sensors: Vec<&'a str>,
     /// Things, as facts number them.
     pub things: Vec<&'a str>,
-    /// How many of these, from the first, are doors.
+    /// The number of these, from the first, that are doors.
     pub doors: usize,
 }
 
-/// Takes a run's events, and keeps what its strip is made of.
+/// Takes a run's events, and keeps those of its strip.
 pub struct StripRecorder {
     first: RunTime,
     every: Span,
     count: usize,
     kept: Events,
-    /// Up to when each body's movements have been told.
+    /// The end of each body's known movements.
     told: Vec<RunTime>,
 }
 
@@ -91,7 +87,7 @@ impl StripRecorder {
         self.first.saturating_add(self.every.saturating_mul(self.count as i64 - 1))
     }
 
-    /// Takes what has happened next, as a run tells it.
+    /// Takes the next events of a run.
     pub fn take(&mut self, firings: &[Firing], facts: &[Fact]) {
         let (begin, end) = (self.begin(), self.end());
         self.kept.firings.extend(firings.iter().filter(|firing| (begin..=end).contains(&firing.at)).copied());
@@ -103,7 +99,7 @@ impl StripRecorder {
                     }
                     *from <= end && *to >= begin
                 }
-                // What was begun before is done still.
+                // An earlier activity continues.
                 Fact::Activity { at, .. } => *at <= end,
                 Fact::Use { at, .. } => (begin..=end).contains(at),
                 _ => false,
@@ -114,12 +110,12 @@ impl StripRecorder {
         }
     }
 
-    /// Whether all has been told that the strip shows; the rest of the run adds nothing.
+    /// The strip is complete; the rest of the run adds nothing.
     pub fn is_complete(&self) -> bool {
         self.told.iter().all(|told| *told > self.end())
     }
 
-    /// The strip; `clock` says what an instant is on the wall.
+    /// The strip; `clock` gives the time on the wall.
     pub fn strip(&self, names: &RunNames, clock: impl Fn(RunTime) -> String) -> StoryStrip {
         let moment = |index: usize| {
             let at = self.first + self.every * index as i64;

@@ -71,13 +71,13 @@ pub fn summarise(measures: &Measures, about: SummarySubject) -> VerbalSummary {
     }
 }
 
-/// The days that count on which a measure is known, with its values.
+/// The known values of a measure, on the days that count.
 fn known(measure: &DailyMeasure, days: &[DayMeasures]) -> Vec<(Date, f64)> {
     let of = |day: &DayMeasures| Some((day.date, day.value(measure.name)?));
     days.iter().filter(|day| day.counts()).filter_map(of).collect()
 }
 
-/// Those that say most first; of those about the same thing, the first alone.
+/// The sentences that say most first; of those about the same thing, the first alone.
 fn without_repeats(mut sentences: Vec<SummarySentence>) -> Vec<SummarySentence> {
     sentences.sort_by(|a, b| b.says.total_cmp(&a.says));
     let mut told: Vec<&str> = Vec::new();

@@ -1,16 +1,16 @@
-//! What a log tells of its motion sensors' timing, and of the way that their messages took.
+//! The timing of a log's motion sensors, and the losses of its link.
 //!
 //! | figure | definition |
 //! |---|---|
 //! | ON length | from an ON to the OFF after it |
 //! | refiring | from an ON to the next of the same sensor, where that comes within `SOON` |
-//! | repeated | the share of a sensor's rows that say at once, within `AT_ONCE`, what its row before said |
+//! | repeated | the share of a sensor's rows that repeat its row before at once, within `AT_ONCE` |
 //! | missing | the share of ONs after which no OFF comes before the next ON, repeated ones left out: of these messages one got lost |
 //!
-//! Units with a pulse hold each ON for the same time; others hold it for as long as movement goes on, and the shortest ONs tell how
-//! much longer. A log whose ONs last nearly the same from the first quarter to the third is taken for one of pulses.
+//! Units with a pulse hold each ON for the same time; others hold it for as long as movement continues, and the shortest ONs show the time
+//! that they add. A log whose ONs last nearly the same from the first quarter to the third is taken for one of pulses.
 //!
-//! Left out: what a sensor reaches and how much it misses. Both change how often it fires, and so does where somebody goes.
+//! Left out: the reach of a sensor and its misses. Both change the number of its firings, and so do the places of people.
 
 use crate::signs::{Kind, RowMeaning, Says, kinds, said};
 use homebody_core::time::{MINUTE, SECOND, Span, WallTime};
@@ -31,33 +31,30 @@ const PULSE: f64 = 1.3;
 pub type Quantiles = [f64; 5];
 const SHARES: Quantiles = [0.05, 0.25, 0.5, 0.75, 0.95];
 
-/// What a log tells of its motion sensors.
+/// The timing of the motion sensors of a log.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct MotionTiming {
-    /// Of all together.
     pub all: SensorTiming,
-    /// Of each.
     pub sensors: Vec<SensorTiming>,
     /// The share of rows that come twice.
     pub repeated: f64,
-    /// The share of ONs whose OFF is missing, or of which the next ON is.
+    /// The share of ONs without an OFF, or without the next ON.
     pub missing: f64,
 }
 
-/// The timing of one sensor.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct SensorTiming {
-    /// Its id in the log; empty of all.
+    /// Its id in the log; empty for all sensors.
     pub sensor: String,
-    /// How many ONs there are.
+    /// The number of ONs.
     pub firings: usize,
-    /// How long they last; nothing where the log has no OFFs, or too few ONs.
+    /// The lengths of ONs; `None` where the log has no OFFs, or too few ONs.
     pub on_s: Option<Quantiles>,
     /// From ON to ON.
     pub refire_s: Option<Quantiles>,
 }
 
-/// How the units of a log hold their ONs.
+/// The style in which the units of a log hold their ONs.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum HoldStyle {
@@ -65,12 +62,12 @@ pub enum HoldStyle {
     None,
     /// Each ON lasts for about this long.
     Pulse(f64),
-    /// As long as movement goes on, and so much longer.
+    /// Each ON lasts as long as movement continues, and so much longer.
     Follow(f64),
 }
 
 impl SensorTiming {
-    /// How it holds its ONs.
+    /// The style of its ONs.
     pub fn hold(&self) -> HoldStyle {
         match self.on_s {
             None => HoldStyle::None,
@@ -97,13 +94,13 @@ impl fmt::Display for SensorTiming {
     }
 }
 
-/// What there is of one sensor.
+/// The samples of one sensor.
 #[derive(Clone, Default)]
 struct Samples {
     firings: usize,
     on_s: Vec<f64>,
     refire_s: Vec<f64>,
-    /// The last row, and the last ON that is no repetition.
+    /// The last row, and the last ON that is not a repetition.
     last: Option<(WallTime, Says)>,
     last_on: Option<WallTime>,
     is_on: bool,
@@ -113,7 +110,7 @@ struct Samples {
 }
 
 impl Samples {
-    /// Takes a row. No length spans a stretch that is not known.
+    /// Takes a row. No length spans an unknown time.
     fn take(&mut self, at: WallTime, RowMeaning { says: said, unknown_from, is_restored }: RowMeaning) {
         if unknown_from.is_some() {
             (self.last, self.last_on, self.is_on) = (None, None, false);
@@ -157,7 +154,7 @@ impl Samples {
     }
 }
 
-/// What a log tells of its motion sensors.
+/// Measures the timing of the motion sensors of a log.
 pub fn timing(log: &Log) -> MotionTiming {
     let kinds = kinds(log);
     let said = said(log);
@@ -216,7 +213,7 @@ mod tests {
     }
 
     #[test]
-    fn pulses_and_units_that_follow_are_told_apart() {
+    fn separates_pulses_from_units_that_follow() {
         let pulse = timing(&log(100, |number| 4.0 + (number % 3) as f64 * 0.01));
         assert_eq!(pulse.all.hold(), HoldStyle::Pulse(4.01));
         let follow = timing(&log(100, |number| 1.1 + (number % 5) as f64));

@@ -1,12 +1,12 @@
-//! Which sensor speaks after which, how soon, and what somebody did meanwhile: what a log tells of a home that nobody has drawn.
+//! The order in which sensors fire, the times between, and the activities meanwhile: the ways in a home without a plan.
 //!
 //! | figure | definition |
 //! |---|---|
-//! | way | two sensors of which the one speaks within `SOON` after the other, and none in between |
-//! | soon | the lower quartile of how long that takes: a walk without a stop |
-//! | before and after silence | how often a sensor is the last to speak before `SILENCE`, or the first after it |
+//! | way | two sensors, one of which fires within `SOON` after the other, and none in between |
+//! | soon | the lower quartile of these times: a walk without a stop |
+//! | before and after silence | the number of times that a sensor is the last before `SILENCE`, or the first after it |
 //!
-//! A sensor speaks as movement begins, and as a door is opened or closed.
+//! A sensor fires as movement begins, and as a door opens or closes.
 
 use crate::signs::{Kind, RowMeaning, Says, kinds, said, spans};
 use homebody_core::time::{Interval, MINUTE, SECOND, Span, WallTime};
@@ -19,7 +19,7 @@ pub const SOON: Span = SECOND.times(15);
 /// Shortest silence of a person who is out, asleep or still (our choice).
 pub const SILENCE: Span = MINUTE.times(30);
 
-/// What a log tells of its sensors and of the ways between them.
+/// The sensors of a log, and the ways between them.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct SensorWalks {
     /// The sensors, in the log's order.
@@ -28,20 +28,17 @@ pub struct SensorWalks {
     pub ways: Vec<SensorWay>,
 }
 
-/// What a log tells of one sensor.
+/// A sensor of a log.
 #[derive(Clone, Debug, PartialEq)]
 pub struct WalkSensor {
-    /// What the log calls it.
     pub id: String,
-    /// What it is taken for.
     pub kind: Kind,
-    /// How often it speaks.
     pub firings: u64,
-    /// The first decile, the median and the last decile of how long its ONs last; `None` where it does not tell.
+    /// The first decile, the median and the last decile of the lengths of its ONs; `None` where it reports no end.
     pub on_s: Option<[f64; 3]>,
-    /// By label, how often it spoke while somebody did that, as the log notes it.
+    /// By label, the firings during that activity, as the log notes it.
     pub done: BTreeMap<String, u64>,
-    /// How often it was the last before a silence, or the first after it.
+    /// The times that it was the last before a silence, or the first after it.
     pub at_silence: u64,
 }
 
@@ -50,13 +47,13 @@ pub struct WalkSensor {
 pub struct SensorWay {
     /// The sensors' numbers, the lower first.
     pub between: [usize; 2],
-    /// How often it was gone, whichever way.
+    /// The number of times, in either direction.
     pub times: u64,
-    /// How soon the one spoke after the other.
+    /// The time between the two firings.
     pub soon_s: f64,
 }
 
-/// What a log tells of the ways in its home.
+/// Finds the ways in the home of a log.
 pub fn walks(log: &Log) -> SensorWalks {
     let kinds = kinds(log);
     let speaks = |sensor: usize, said: &RowMeaning| match kinds[sensor] {
@@ -102,7 +99,7 @@ pub fn walks(log: &Log) -> SensorWalks {
     SensorWalks { sensors, ways: ways.collect() }
 }
 
-/// The deciles of lengths; none where all are instants.
+/// The deciles of lengths; `None` where all are instants.
 fn on_lengths(spans: &[Interval<WallTime>]) -> Option<[f64; 3]> {
     let mut lengths: Vec<Span> = spans.iter().map(|span| span.length()).filter(|&length| length > Span::ZERO).collect();
     lengths.sort_unstable();
@@ -110,19 +107,19 @@ fn on_lengths(spans: &[Interval<WallTime>]) -> Option<[f64; 3]> {
     Some([decile(1)?, decile(5)?, decile(9)?])
 }
 
-/// Counts for each sensor what was done as it spoke.
+/// Counts for each sensor the activities during its firings.
 fn note_what_was_done(log: &Log, spoken: &[(WallTime, usize)], sensors: &mut [WalkSensor]) {
     let mut activities: Vec<_> = log.activities.iter().collect();
-    activities.sort_by_key(|activity| activity.begin);
+    activities.sort_by_key(|activity| activity.begin());
     let mut to_come = activities.into_iter().peekable();
     let mut going_on = Vec::new();
     for &(at, sensor) in spoken {
-        while let Some(begun) = to_come.next_if(|activity| activity.begin <= at) {
+        while let Some(begun) = to_come.next_if(|activity| activity.begin() <= at) {
             going_on.push(begun);
         }
-        going_on.retain(|activity| activity.end > at);
+        going_on.retain(|activity| activity.end() > at);
         for activity in &going_on {
-            *sensors[sensor].done.entry(activity.name.clone()).or_insert(0) += 1;
+            *sensors[sensor].done.entry(activity.label.clone()).or_insert(0) += 1;
         }
     }
 }
@@ -131,10 +128,10 @@ fn note_what_was_done(log: &Log, spoken: &[(WallTime, usize)], sensors: &mut [Wa
 mod tests {
     use super::*;
     use crate::sample::{at, log};
-    use homebody_log::Activity;
+    use homebody_timeline::Episode;
 
     #[test]
-    fn who_follows_whom_and_how_soon_is_counted() {
+    fn counts_ways_and_their_times() {
         let mut log = log(&[
             (0, "hall", "ON"),
             (1, "hall", "OFF"),
@@ -146,7 +143,7 @@ mod tests {
             (5000, "front door", "CLOSE"),
             (5001, "T1", "21.5"),
         ]);
-        log.activities = vec![Activity { name: "Sleep".into(), begin: at(4), end: at(101) }];
+        log.activities = vec![Episode::new("Sleep".to_owned(), Interval::new(at(4), at(101)))];
         let walks = walks(&log);
         let ids: Vec<&str> = walks.sensors.iter().map(|sensor| sensor.id.as_str()).collect();
         assert_eq!(ids, ["hall", "bed", "front door", "T1"]);

@@ -1,23 +1,23 @@
-//! A log cut into windows of one length, for recognisers to be trained on: what each sensor said in a window, and what somebody did.
+//! A log cut into windows of one length, to train recognisers: the messages of each sensor in a window, and the activity.
 //!
 //! A row is of one resident and one window. Windows begin where the clock on the wall shows a whole multiple of their length: those of a
-//! day at midnight, those of an hour at full hours. Where clocks are set, a window has as much less or more as they are set by, as a day has
-//! 23 or 25 hours; of an hour that comes twice, and of what is shorter, both are windows. The features of a row are those of the log alone, and so the same for all residents: how often each sensor said something that is no end, and which spoke last.
-//! Its label is the activity that the truth tells for most of the window.
+//! day at midnight, those of an hour at full hours. A change of the clocks makes a window shorter or longer, as a day has 23 or 25 hours
+//! then; of an hour that comes twice, and of shorter windows, both are windows. The features of a row are those of the log alone, and so
+//! the same for all residents: the messages of each sensor that are not an end, and the last sensor. The label is the activity of the truth
+//! for most of the window.
 //!
-//! Left out: who of several people it was that a sensor saw. That is what `label` joins, row by row.
+//! Left out: the person whom a sensor saw, among several. That is the join of `label`, row by row.
 
 use crate::dates::ahead;
 use crate::signs::{Meanings, Says};
 use homebody_core::time::{Interval, Span, UtcTime};
-use homebody_log::Activity;
-use homebody_log::{Event, Life, Log};
+use homebody_log::{Event, Log};
+use homebody_timeline::{Episode, PersonTimeline};
 use jiff::tz::TimeZone;
 
 /// Largest number of windows (our choice): those of a minute for twenty years.
 pub const MOST: i64 = 10_000_000;
 
-/// Windows of a log.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Windows {
     /// The names of the sensors, in the order of `counts`.
@@ -26,20 +26,19 @@ pub struct Windows {
     pub rows: Vec<LogWindow>,
 }
 
-/// What was said in a window, and what one resident did.
+/// The messages in a window, and the activity of one resident.
 #[derive(Clone, Debug, PartialEq)]
 pub struct LogWindow {
-    /// When it begins.
     pub begin: UtcTime,
-    /// Whose activity the label is; none where nobody is known.
+    /// The resident of the label; `None` where no resident is known.
     pub resident: Option<usize>,
     /// The activity for most of the window.
     pub label: Option<String>,
-    /// Where somebody was for most of the window.
+    /// The room for most of the window.
     pub room: Option<String>,
-    /// By sensor: how often it said something that is no end.
+    /// By sensor: the messages that are not an end.
     pub counts: Vec<u32>,
-    /// Which sensor spoke last, in this window or before.
+    /// The last sensor with a message, in this window or before.
     pub last: Option<u32>,
 }
 
@@ -62,15 +61,15 @@ homebody_core::messages! {
     }
 }
 
-/// Cuts a log into windows of a length, from its first row to its last. `zone` is that of the wall that they are cut by; where nobody knows
-/// the zone of the log's wall, instants are those of a wall of UTC, and so is the zone.
+/// Cuts a log into windows of a length, from its first row to its last. Windows begin by the wall of `zone`; if the zone of the log is
+/// unknown, instants are those of a wall of UTC, and so is the zone.
 ///
 /// # Errors
 ///
 /// If there would be more than [`MOST`], or the length is not above 0.
 pub fn windows(
     log: &Log<UtcTime>,
-    lives: &[Life<UtcTime>],
+    people: &[PersonTimeline<UtcTime>],
     span: Span,
     zone: &TimeZone,
 ) -> Result<Windows, WindowMessage> {
@@ -91,8 +90,9 @@ pub fn windows(
     let meanings = Meanings::from_log(log);
     let counts_for =
         |event: &Event<UtcTime>| !matches!(meanings.says(event), Says::Ends | Says::Closes | Says::Unknown);
-    let nobody = [Life::default()];
-    let people = if lives.is_empty() { &nobody[..] } else { lives };
+    let is_known = !people.is_empty();
+    let unknown = [PersonTimeline::default()];
+    let people = if is_known { people } else { &unknown[..] };
     let mut rows = Vec::new();
     let (mut next, mut spoke) = (0, None);
     loop {
@@ -102,12 +102,12 @@ pub fn windows(
             spoke = Some(event.sensor);
             next += 1;
         }
-        for (index, life) in people.iter().enumerate() {
+        for (index, person) in people.iter().enumerate() {
             rows.push(LogWindow {
                 begin: within.begin,
-                resident: (!lives.is_empty()).then_some(index),
-                label: longest(&life.activities, within),
-                room: longest(&life.rooms, within),
+                resident: is_known.then_some(index),
+                label: longest(&person.activities, within),
+                room: longest(&person.rooms, within),
                 counts: counts.clone(),
                 last: spoke,
             });
@@ -119,7 +119,7 @@ pub fn windows(
     }
 }
 
-/// A stretch over which the clocks of a zone are not set: how far they are ahead of UTC, and when they are set next.
+/// A stretch in which the clocks of a zone are not set: their offset from UTC, and the next change.
 struct ZoneStretch<'z> {
     zone: &'z TimeZone,
     ahead: Span,
@@ -134,12 +134,12 @@ impl<'z> ZoneStretch<'z> {
         ZoneStretch { zone, ahead: ahead(at, zone), until }
     }
 
-    /// Which multiple of a length the clock on the wall was at last.
+    /// The number of the last multiple of a length that the clock on the wall showed.
     fn number(&self, at: UtcTime, span: Span) -> i64 {
         at.saturating_add(self.ahead).since_zero().div_euclid(span)
     }
 
-    /// When it shows a multiple of a length.
+    /// The instant at which it shows a multiple of a length.
     fn begin(&self, number: i64, span: Span) -> UtcTime {
         UtcTime::EPOCH.saturating_add(span.saturating_mul(number)).saturating_sub(self.ahead)
     }
@@ -164,7 +164,7 @@ impl<'z> ZoneStretch<'z> {
         Interval::new(begin, self.next(at, span))
     }
 
-    /// When the window with an instant in it ends.
+    /// The end of the window with an instant in it.
     fn next(&mut self, at: UtcTime, span: Span) -> UtcTime {
         if at >= self.until {
             *self = ZoneStretch::new(self.zone, at);
@@ -195,14 +195,14 @@ impl<'z> ZoneStretch<'z> {
     }
 }
 
-/// What goes on for most of a span; of two as long, what came first.
-fn longest(spans: &[Activity<UtcTime>], within: Interval<UtcTime>) -> Option<String> {
-    let first = spans.partition_point(|span| span.end <= within.begin);
+/// The label for most of an interval; of two as long, the first.
+fn longest(episodes: &[Episode<UtcTime>], within: Interval<UtcTime>) -> Option<String> {
+    let first = episodes.partition_point(|episode| episode.end() <= within.begin);
     let mut best: Option<(Span, &str)> = None;
-    for span in spans[first..].iter().take_while(|span| span.begin < within.end) {
-        let lasts = Interval::new(span.begin, span.end).intersection(within).length();
+    for episode in episodes[first..].iter().take_while(|episode| episode.begin() < within.end) {
+        let lasts = episode.time.intersection(within).length();
         if best.is_none_or(|(most, _)| lasts > most) {
-            best = Some((lasts, &span.name));
+            best = Some((lasts, &episode.label));
         }
     }
     best.map(|(_, name)| name.to_owned())
@@ -224,11 +224,12 @@ mod tests {
             events: vec![event(61, 0, 0), event(62, 0, 1), event(70, 1, 0), event(185, 0, 0)],
             ..Log::default()
         };
-        let doing =
-            |name: &str, begin_s: i64, end_s: i64| Activity { name: name.into(), begin: at(begin_s), end: at(end_s) };
+        let doing = |label: &str, begin_s: i64, end_s: i64| {
+            Episode::new(label.to_owned(), Interval::new(at(begin_s), at(end_s)))
+        };
         let activities = vec![doing("sleeping", 0, 85), doing("walking", 85, 118)];
-        let life = Life { resident: "ada".into(), activities, rooms: Vec::new() };
-        let cut = windows(&log, std::slice::from_ref(&life), MINUTE, &TimeZone::UTC).unwrap();
+        let ada = PersonTimeline { name: "ada".into(), activities, rooms: Vec::new() };
+        let cut = windows(&log, std::slice::from_ref(&ada), MINUTE, &TimeZone::UTC).unwrap();
         let told: Vec<_> = cut
             .rows
             .iter()

@@ -25,7 +25,7 @@ fn measured(plan: &Plan, sensors: usize, sees: &dyn Fn(Point) -> SensorSet) -> C
     coverage(plan, RADIUS_M, &names, STEP_M, sees)
 }
 
-/// The sensors, by number, of which it holds that they see.
+/// The numbers of the sensors that see it.
 fn seeing<const N: usize>(sensors: [bool; N]) -> SensorSet {
     (0..).map(SensorId).zip(sensors).filter(|&(_, sees)| sees).map(|(sensor, _)| sensor).collect()
 }

@@ -19,7 +19,7 @@ fn place(sensor: Value) -> String {
 }
 
 #[test]
-fn places_are_told_by_two_walls() {
+fn gives_places_by_two_walls() {
     let on_wall = |at: [f64; 2], facing: f64| {
         place(json!({ "kind": "motion", "name": "a", "at": at, "height_m": 2.0, "facing_deg": facing }))
     };
@@ -44,13 +44,13 @@ fn places_are_told_by_two_walls() {
 }
 
 #[test]
-fn aims_are_told_from_the_wall_and_by_the_compass() {
+fn gives_aims_by_wall_and_compass() {
     let looks = |facing: f64| {
         let sensor = json!({ "kind": "motion", "name": "a", "at": [2.0, 3.95], "height_m": 2.4, "facing_deg": facing });
         PartsList::from_home(&with(json!([sensor]))).parts[0].looks.clone().unwrap()
     };
     assert_eq!(looks(270.0), "south, straight out from the wall");
-    // Who stands with their back to the north wall has the east to their left.
+    // With the back to the north wall, the east is to the left.
     assert_eq!(looks(315.0), "south-east, 45° to the left of straight out");
     assert_eq!(looks(225.0), "south-west, 45° to the right of straight out");
 }
@@ -93,6 +93,6 @@ fn two_layouts_differ_in_what_was_changed_and_in_nothing_else() {
         differences[1].1.starts_with("goes: ") && differences[2].1.starts_with("comes: Aqara RTCGQ11LM, on the north")
     );
     assert!(both.layouts.iter().all(|layout| layout.rooms.len() == 2 && layout.whole.floor_m2 > 20.0));
-    // The control: a layout beside itself.
+    // The control: a layout compared with itself.
     assert_eq!(beside([layout("one", &first), layout("one", &first)]).differences, []);
 }

@@ -138,7 +138,7 @@ fn reads_labels_and_a_table_of_activities() {
         write(&path, rows());
         let log = read_at(&path).unwrap();
         let told: Vec<_> =
-            log.activities.iter().map(|one| (one.name.as_str(), one.begin.micros(), one.end.micros())).collect();
+            log.activities.iter().map(|one| (one.label.as_str(), one.begin().micros(), one.end().micros())).collect();
         assert_eq!(told, [("cooking", AT, AT + 20)]);
         let beside = folder.path().join(format!("week.activity.{ending}"));
         let spans = vec![
@@ -149,7 +149,7 @@ fn reads_labels_and_a_table_of_activities() {
         write(&beside, spans);
         let log = read_at(&path).unwrap();
         let told: Vec<_> =
-            log.activities.iter().map(|one| (one.name.as_str(), one.begin.micros(), one.end.micros())).collect();
+            log.activities.iter().map(|one| (one.label.as_str(), one.begin().micros(), one.end().micros())).collect();
         assert_eq!(told, [("breakfast", AT - 5, AT + 15)]);
     }
 }

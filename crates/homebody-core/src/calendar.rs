@@ -2,7 +2,7 @@
 
 use crate::nearest::nearest;
 use crate::problem::{Advice, readable};
-use crate::time::{DAY, HOUR, MINUTE, RunTime, SECOND, Span, TimeScale, UtcTime, range_of_run};
+use crate::time::{DAY, HOUR, Interval, MINUTE, RunTime, SECOND, Span, TimeScale, UtcTime};
 use jiff::civil::DateTime;
 use jiff::tz::{AmbiguousOffset, TimeZone, TimeZoneDatabase};
 use jiff::{Timestamp, Zoned};
@@ -196,8 +196,9 @@ impl Calendar {
 
     /// The scale of a run of this length, with the wall of the home.
     pub fn scale(&self, length: Span) -> TimeScale {
-        let start = self.start.timestamp().into();
-        TimeScale::new(start, self.start.time_zone(), range_of_run(start, length))
+        let start = UtcTime::from(self.start.timestamp());
+        let range = Interval::new(start, start.saturating_add(length).saturating_add(DAY));
+        TimeScale::new(start, self.start.time_zone(), range)
     }
 }
 

@@ -47,16 +47,7 @@ pub struct MotionSegment {
 impl MotionSegment {
     /// The part of it before an instant, which is not before its beginning.
     pub fn until(&self, end: RunTime) -> MotionSegment {
-        if self.end <= end {
-            return self.clone();
-        }
-        let doing = match self.doing {
-            MotionState::Stride { from, to } => {
-                MotionState::Stride { from, to: Stride::new(from, to, self.begin, self.end).position(end) }
-            }
-            doing => doing,
-        };
-        MotionSegment { end, doing, ..*self }
+        self.within(Interval::new(self.begin, end.min(self.end)))
     }
 
     /// The part of it within an interval that it contains.
@@ -69,6 +60,16 @@ impl MotionSegment {
             doing => doing,
         };
         MotionSegment { begin: time.begin, end: time.end, doing, ..*self }
+    }
+
+    /// The parts of it before and after an instant within it.
+    pub fn split(&self, at: RunTime) -> [MotionSegment; 2] {
+        let first = self.until(at);
+        let doing = match (first.to(), self.doing) {
+            (Some(from), MotionState::Stride { to, .. }) => MotionState::Stride { from, to },
+            (_, doing) => doing,
+        };
+        [first, MotionSegment { begin: at, doing, ..*self }]
     }
 
     /// Whether the body, which was doing `before` until this segment begins, just stays on as it is.

@@ -14,7 +14,6 @@ mod interval;
 mod scale;
 
 pub use interval::{Interval, intersection, joined, union, without};
-pub(crate) use scale::range_of_run;
 pub use scale::{ClockChange, TimeScale};
 
 use jiff::civil::{Date, DateTime, date};
@@ -141,11 +140,6 @@ impl Span {
     /// The sum, unless it is too long.
     pub fn checked_add(self, other: Span) -> Option<Span> {
         self.0.checked_add(other.0).map(Span)
-    }
-
-    /// The product, unless it is too long.
-    pub fn checked_mul(self, times: i64) -> Option<Span> {
-        self.0.checked_mul(times).map(Span)
     }
 
     /// The same for the standard library and the operating system; nothing where it is below zero.

@@ -124,8 +124,8 @@ pub struct Score {
 impl Prepared {
     /// Cuts a log of the flat in halves, and writes the routine.
     pub fn new(log: &Log) -> Result<Prepared, NotRecognised> {
-        let begins = log.activities.iter().map(|activity| activity.begin).min().ok_or(NotRecognised::NoActivities)?;
-        let ends = log.activities.iter().map(|activity| activity.end).max().unwrap_or(begins);
+        let begins = log.activities.iter().map(|activity| activity.begin()).min().ok_or(NotRecognised::NoActivities)?;
+        let ends = log.activities.iter().map(|activity| activity.end()).max().unwrap_or(begins);
         let (first_day, last_day) = (begins.day_number(), (ends - Span::MICROSECOND).day_number() + 1);
         let half = (last_day - first_day) / 2;
         if half < FEW_DAYS as i64 {

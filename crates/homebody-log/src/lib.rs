@@ -48,7 +48,7 @@ pub use destination::Destination;
 pub use destination::spool::WhenDown;
 pub use error::{DestinationError, LogError, Reason};
 pub use files::WriteMode;
-pub use log::{Activity, Event, Log, SaidBy, SensorInfo, ValuePair};
+pub use log::{Event, Log, SaidBy, SensorInfo, ValuePair};
 pub use policy::Policy;
 pub use policy::cancel::Cancel;
 pub use policy::deadline::Deadline;
@@ -66,8 +66,5 @@ pub use transfer::Transfer;
 pub use transfer::anonymise::{Anonymised, Anonymising, anonymise};
 pub use transfer::convert::convert;
 pub use transfer::label::{Labelled, label};
-pub use truth::{
-    Life, LifeSpan, Movement, MovementKind, Movements, SpanKind, activities, life_spans, lives, truth_at, truth_beside,
-    truth_of,
-};
+pub use truth::{Movement, MovementKind, Movements, each_episode, read_timeline, truth_at, truth_beside, truth_of};
 pub use url::Url;

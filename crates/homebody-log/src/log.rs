@@ -6,10 +6,10 @@ pub(crate) mod sensor_info;
 pub(crate) mod spans;
 
 use crate::error::Skipped;
-pub use activities::Activity;
 pub(crate) use activities::ActivityNotes;
 use homebody_core::calendar::Calendar;
 use homebody_core::time::{Interval, Span, TimeScale, UtcTime, WallTime};
+use homebody_timeline::Episode;
 use jiff::tz::TimeZone;
 pub(crate) use pairs::Pairs;
 pub(crate) use sensor_info::SENSOR;
@@ -38,7 +38,7 @@ pub struct Log<T = WallTime> {
     /// The clock of the instants in its file.
     pub clock: Clock,
     /// The activities of residents, if the log notes them.
-    pub activities: Vec<Activity<T>>,
+    pub activities: Vec<Episode<T>>,
     /// The role of each column of a table, and the evidence; empty for forms without columns.
     pub columns: Vec<ColumnUse>,
     /// The offsets from UTC that its instants were written with, in the order of the rows; empty without offsets.
@@ -174,7 +174,7 @@ impl<T> Event<T> {
 
 impl<T> Log<T> {
     /// The same log with these rows, activities and gaps, as on another scale.
-    pub fn with<U>(self, events: Vec<Event<U>>, activities: Vec<Activity<U>>, gaps: Vec<Interval<U>>) -> Log<U> {
+    pub fn with<U>(self, events: Vec<Event<U>>, activities: Vec<Episode<U>>, gaps: Vec<Interval<U>>) -> Log<U> {
         Log {
             sensors: self.sensors,
             known: self.known,

@@ -1,16 +1,14 @@
 //! Logs of runs that are simulated in memory, without a destination.
 
 use crate::error::LogError;
-use crate::log::{Activity, Event, Log};
+use crate::log::{Event, Log};
 use crate::table::{LogRows, RowText};
-use crate::truth::Life;
 use homebody_core::drivers::error::DriverError;
 use homebody_core::event::{Events, Fact};
 use homebody_core::run::{DriverProvider, Run};
 use homebody_core::scenario::load::Scenario;
 use homebody_core::scenario::logger::{LoggerFile, TimeFormat};
 use homebody_core::time::{HOUR, RunTime, Span, WallTime};
-use homebody_timeline::{Episode, PersonTimeline};
 use std::collections::HashMap;
 
 /// A run of a scenario, and the rows of its log.
@@ -91,17 +89,4 @@ impl SimulatedRun {
 
 fn sensor_names(run: &Run) -> Vec<String> {
     run.sensors().iter().map(|sensor| sensor.name.clone()).collect()
-}
-
-impl<T> From<Episode<T>> for Activity<T> {
-    fn from(Episode { label, time }: Episode<T>) -> Activity<T> {
-        Activity { name: label, begin: time.begin, end: time.end }
-    }
-}
-
-impl<T> From<PersonTimeline<T>> for Life<T> {
-    fn from(PersonTimeline { name, activities, rooms }: PersonTimeline<T>) -> Life<T> {
-        let all = |episodes: Vec<Episode<T>>| episodes.into_iter().map(Activity::from).collect();
-        Life { resident: name, activities: all(activities), rooms: all(rooms) }
-    }
 }

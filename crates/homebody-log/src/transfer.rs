@@ -8,7 +8,7 @@ pub(crate) mod label;
 use crate::destination::writer::BATCH;
 use crate::error::LogError;
 use crate::files::{WriteMode, all_can_be_written};
-use crate::log::{Activity, Clock, Event, Log, SPAN_COLUMNS, says_more_of, spans};
+use crate::log::{Clock, Event, Log, SPAN_COLUMNS, says_more_of, spans};
 use crate::policy::{Cancel, Deadline};
 use crate::read::{LogSource, activities_of, activities_of_set, stream};
 use crate::registry;
@@ -20,6 +20,7 @@ use homebody_core::calendar::Calendar;
 use homebody_core::scenario::logger::{LoggerFile, TimeFormat};
 use homebody_core::scenario::scheme::TablePlacement;
 use homebody_core::time::{RunTime, Span, UtcTime, WallTime};
+use homebody_timeline::Episode;
 use std::path::{Path, PathBuf};
 
 /// A log that is to be written anew, under our own names of table and columns.
@@ -51,7 +52,7 @@ pub(crate) struct Besides<'b> {
     pub table: Option<(&'static str, &'static str)>,
     pub columns: Vec<Column>,
     /// Activities that go into a table of their own.
-    pub spans: &'b [Activity],
+    pub spans: &'b [Episode<WallTime>],
     /// Changes to rows.
     pub rewrite: Option<&'b Rewrite<'b>>,
 }
@@ -173,7 +174,7 @@ impl Transfer<'_> {
 
     /// The file of activities, if the log's own file has no room for them. An existing one would be taken for this log's, so it is written
     /// anew even without activities.
-    fn beside(&self, spans: &[Activity]) -> Option<Url> {
+    fn beside(&self, spans: &[Episode<WallTime>]) -> Option<Url> {
         if self.to.scheme().row().tables != TablePlacement::FileEach {
             return None;
         }
@@ -185,7 +186,7 @@ impl Transfer<'_> {
     }
 }
 
-fn spans_as_rows(spans: &[Activity], table: usize, start: WallTime, texts: &mut TextPool) -> Batch {
+fn spans_as_rows(spans: &[Episode<WallTime>], table: usize, start: WallTime, texts: &mut TextPool) -> Batch {
     let mut batch = Batch::with_capacity(spans.len(), SPAN_COLUMNS.len());
     for span in spans {
         let cells = spans::cells(span, start, texts);

@@ -12,7 +12,7 @@ mod hangs;
 mod home_assistant;
 mod interchange;
 mod killed;
-mod lives;
+mod timeline;
 mod log_forms;
 mod policies;
 mod power;

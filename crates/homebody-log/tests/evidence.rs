@@ -44,7 +44,7 @@ fn told(log: &Log) -> Vec<(&str, &str)> {
 /// Activities in minutes since seven.
 fn done(log: &Log) -> Vec<(&str, i64, i64)> {
     let minute = |at: WallTime| (at - SEVEN).div_euclid(MINUTE);
-    log.activities.iter().map(|of| (of.name.as_str(), minute(of.begin), minute(of.end))).collect()
+    log.activities.iter().map(|of| (of.label.as_str(), minute(of.begin()), minute(of.end()))).collect()
 }
 
 fn time(minute: usize) -> String {
@@ -309,7 +309,7 @@ fn a_gap_between_rows_of_each_second_ends_what_is_on() {
         [(0, "bed", "ON"), (0, "heat", "20.5"), (day, "bed", "ON"), (day, "heat", "20.5"), (day + 1, "heat", "20.6")]
     );
     assert_eq!(log.gaps, [Interval::new(SEVEN + 2 * SECOND, SEVEN + DAY)]);
-    let spans: Vec<_> = log.activities.iter().map(|of| (of.end - of.begin) / SECOND).collect();
+    let spans: Vec<_> = log.activities.iter().map(|of| of.length() / SECOND).collect();
     assert_eq!((spans, log.skipped), (vec![2, 2], 0));
 }
 
@@ -329,8 +329,8 @@ fn a_file_a_day_is_one_log() {
     let day = DAY / SECOND;
     assert_eq!(rows, [(day - 1, "ON"), (day + 1, "OFF"), (9 * day, "ON"), (9 * day + 1, "OFF")]);
     assert_eq!(log.gaps, [Interval::new(WallTime::EPOCH + DAY + 2 * SECOND, WallTime::EPOCH + 9 * DAY)]);
-    let first = log.activities.iter().find(|of| of.name == "R1 activity 11").unwrap();
-    assert_eq!((first.begin, first.end), (WallTime::EPOCH, WallTime::EPOCH + DAY + 2 * SECOND));
+    let first = log.activities.iter().find(|of| of.label == "R1 activity 11").unwrap();
+    assert_eq!(first.time, Interval::new(WallTime::EPOCH, WallTime::EPOCH + DAY + 2 * SECOND));
     assert!(log.remarks.iter().any(|remark| remark == "it is one log in 3 files, DAY_1.txt to DAY_10.txt"), "{log:?}");
     assert_eq!(LogSource::recognise(folder.path()).unwrap().files().len(), 3);
 

@@ -41,7 +41,7 @@ fn told(log: &Log) -> Vec<(f64, &str, &str)> {
 
 fn done(log: &Log) -> Vec<(&str, f64, f64)> {
     let minutes = |at: WallTime| (at - SEVEN).ratio(MINUTE);
-    log.activities.iter().map(|of| (of.name.as_str(), minutes(of.begin), minutes(of.end))).collect()
+    log.activities.iter().map(|of| (of.label.as_str(), minutes(of.begin()), minutes(of.end()))).collect()
 }
 
 #[test]
@@ -183,7 +183,7 @@ fn rows_of_each_second_become_changes() {
     let log = from_text(&folder, "aras", "DAY_3.txt", &text);
     let at = |event: usize| log.events[event].at.since_zero() - 2 * DAY;
     assert_eq!((at(0), at(1), log.rows, log.sensors.len()), (SECOND, 3 * SECOND, 2, 1));
-    let names: Vec<_> = log.activities.iter().map(|of| (of.name.as_str(), (of.end - of.begin) / SECOND)).collect();
+    let names: Vec<_> = log.activities.iter().map(|of| (of.label.as_str(), of.length() / SECOND)).collect();
     assert_eq!(names, [("R1 activity 11", 3), ("R2 activity 2", 4), ("R1 activity 12", 1)]);
     assert_eq!(log.problems[0].line, 3);
     assert!(log.remarks[0].contains("dates are not known"), "{:?}", log.remarks);

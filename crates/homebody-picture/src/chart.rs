@@ -1,5 +1,5 @@
-//! Charts of an experiment: firings over time, spans beside the truth, totals against what was assumed, figures beside
-//! published ranges, and what the hours of a day go into.
+//! Charts of an experiment: firings over time, detected and true intervals, totals by assumption, figures with published ranges, and the
+//! bands of the hours of a day.
 
 mod firings;
 mod hours;
@@ -23,13 +23,13 @@ const TOP: f64 = 104.0;
 const GRID: Paint = Paint::line("#e3e6e9", 1.0);
 const AXIS_TEXT: Type = Type::new(13.0, MUTED);
 
-/// The title of a picture, and below it what it comes to.
+/// The title of a picture, and below it its result.
 pub(super) fn heading(svg: &mut Svg, title: &str, subtitle: &str) {
     svg.text(title, Point::new(40.0, 42.0), &Type::new(24.0, INK));
     svg.text(subtitle, Point::new(40.0, 72.0), &Type::new(15.0, MUTED));
 }
 
-/// One, two or five times a power of ten, such that a range takes no more than so many.
+/// One, two or five times a power of ten, such that a range has at most so many steps.
 fn nice_step(range: f64, steps: f64) -> f64 {
     let mut step = 1e-6;
     let mut factors = [2.0, 2.5, 2.0].into_iter().cycle();

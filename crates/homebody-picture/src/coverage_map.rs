@@ -55,7 +55,7 @@ pub fn coverage_map(home: &HomeFile, coverage: &Coverage, beams: &[(usize, Point
     sheet.finish(end)
 }
 
-/// The floor by the number of sensors that see it; hands back the outlines of the dead zones.
+/// The floor by the number of sensors that see it; returns the outlines of the dead zones.
 fn shades(sheet: &mut Sheet, coverage: &Coverage) -> Vec<String> {
     let grid = &coverage.grid;
     let class = |cell: usize| class(grid, cell);
@@ -112,7 +112,7 @@ fn beam_lines(sheet: &mut Sheet, home: &HomeFile, beams: &[(usize, Point, Point)
     }
 }
 
-/// A numbered badge on each dead zone; its area beside it, if there is space, as the legend has it too.
+/// A numbered badge on each dead zone, with its area if there is space; the legend has the area, too.
 fn dead_zone_numbers(sheet: &mut Sheet, coverage: &Coverage) {
     for zone in &coverage.dead_zones {
         let at = sheet.at(geometry::point(zone.middle));

@@ -13,10 +13,9 @@ use super::font;
 use super::paint::{FLOOR, HAIRLINE, INK, MUTED, Paint, WALL, WHITE};
 use super::svg::{Anchor, Px, Svg, Type};
 
-/// A day to be drawn. Times are seconds since its midnight; what lies outside the day is cut off.
+/// The content of a chart of a day. Times are seconds since its midnight; times outside the day are cut off.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct DayChart {
-    /// The title of the picture.
     pub title: String,
     /// Activities and rooms of residents, from the top on.
     pub bands: Vec<DayBand>,
@@ -24,10 +23,8 @@ pub struct DayChart {
     pub ticks: Vec<Ticks>,
 }
 
-/// The firings of a sensor.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Ticks {
-    /// The sensor's id in the log.
     pub sensor: String,
     /// The spans of its ON state; a firing has no length.
     pub spans: Vec<(f64, f64)>,
@@ -42,7 +39,7 @@ pub struct DayBand {
     pub name: String,
     /// The kind of its labels.
     pub holds: BandContent,
-    /// From, to, and what.
+    /// Begin, end and label.
     pub spans: Vec<(f64, f64, String)>,
 }
 
@@ -61,7 +58,7 @@ fn is_visitor(name: &str, names: &[&str]) -> bool {
 }
 
 impl DayChart {
-    /// A day of a log, or of lives, as it is drawn.
+    /// The chart of a day of a log or a simulation.
     pub fn new(day: &DayRecord) -> DayChart {
         let mut bands = Vec::new();
         let names: Vec<&str> = day.residents.iter().filter_map(|resident| resident.name.as_deref()).collect();
@@ -95,7 +92,7 @@ const LEFT: f64 = 210.0;
 const RIGHT: f64 = WIDTH - 80.0;
 const TOP: f64 = 138.0;
 const BAND: f64 = 30.0;
-/// Of a band with names that stand upright, as they are too wide for their spans.
+/// Height of a band with upright names, which are too wide for their spans.
 const TALL: f64 = 84.0;
 const LABEL: f64 = 12.0;
 const ROW: f64 = 19.0;
@@ -142,7 +139,7 @@ fn in_words(day: &DayChart) -> String {
     activities.into_iter().chain(ticks).collect::<Vec<_>>().join(", ")
 }
 
-/// The colours of the kinds of activities that are there.
+/// The colours of the kinds of activities in the chart.
 fn legend(svg: &mut Svg, day: &DayChart) {
     let bands = day.bands.iter().filter(|band| band.holds == BandContent::Activities);
     let there: Vec<ActivityKind> =
@@ -155,7 +152,7 @@ fn legend(svg: &mut Svg, day: &DayChart) {
     }
 }
 
-/// The colour of a kind, and what is written on it.
+/// The colour of a kind, and of a text on it.
 fn colour(kind: ActivityKind) -> (&'static str, &'static str) {
     match kind.colour() {
         Some(Colour::Blue) => ("#0072b2", WHITE),

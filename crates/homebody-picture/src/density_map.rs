@@ -12,16 +12,14 @@ const WIDTH: f64 = 1200.0;
 const LEFT: f64 = 84.0;
 const RIGHT: f64 = WIDTH - 40.0;
 const TOP: f64 = 150.0;
-/// Height of an hour.
 const HOUR: f64 = 20.0;
-/// From one map to the next, for dates and a title.
+/// Distance of two maps, for dates and a title.
 const BETWEEN: f64 = 110.0;
-/// Columns this wide have a gap between them and a date each, as far as there is room.
+/// Width from which columns have a gap between them and a date each, as far as there is room.
 const WIDE: f64 = 9.0;
 const HATCH: &str = "no-data";
 const AXIS: Type = Type::new(13.0, MUTED);
 
-/// Draws the map, and the one it is held against below it in the same colours.
 pub fn density_map(density: &Density) -> String {
     let maps: Vec<&Map> = [&density.of]
         .into_iter()
@@ -54,7 +52,7 @@ fn in_words(map: &Map) -> String {
     format!("{}, {} to {last}: {density}, {:.1} h a day away.", map.name, map.from, map.away_h_per_day)
 }
 
-/// The note on hours that are drawn as away without certainty.
+/// The note on hours that are away by a guess.
 fn guesses(map: &Map) -> Option<String> {
     let count = map.absences.iter().filter(|absence| absence.is_guess).count();
     let of = match map.absences.len() {
@@ -66,7 +64,7 @@ fn guesses(map: &Map) -> Option<String> {
     (count > 0).then(|| format!("{of}: {why}."))
 }
 
-/// The colours from left to right: what is no density first, then the levels with the numbers between them.
+/// The colours from left to right: first those without density, then the levels with the numbers between them.
 fn legend(svg: &mut Svg, step_per_h: f64) {
     const Y: f64 = 82.0;
     const BOX: Point = Point::new(54.0, 18.0);
@@ -123,7 +121,7 @@ fn draw(svg: &mut Svg, map: &Map, top: f64, step_per_h: f64) {
     dates(svg, map, bottom, column);
 }
 
-/// Nothing without data, else 0 for away, 1 for none, and from 2 on the levels.
+/// `None` without data, else 0 for away, 1 for no firing, and from 2 on the levels.
 fn class(cell: &DensityCell, step_per_h: f64) -> Option<usize> {
     match cell.state() {
         HourState::NoData => None,
@@ -133,7 +131,7 @@ fn class(cell: &DensityCell, step_per_h: f64) -> Option<usize> {
     }
 }
 
-/// The outlines of the cells that belong, hours under each other as one.
+/// The outlines of the cells that belong to it, hours under each other as one.
 fn cells(map: &Map, top: f64, column: f64, belongs: impl Fn(&DensityCell) -> bool) -> String {
     let mut path = String::new();
     for (number, day) in (0_u32..).zip(&map.cells) {

@@ -14,16 +14,15 @@ use super::sheet::{Sheet, WIDTH};
 use super::svg::{Svg, Type, polyline};
 
 const MARGIN: f64 = 40.0;
-/// Above the first moment: title and subtitle.
+/// Height of title and subtitle.
 const TOP: f64 = 104.0;
 const COLUMNS: usize = 3;
 const GAP: f64 = 28.0;
-/// The width of a moment.
 const WIDE: f64 = (WIDTH - 2.0 * MARGIN - GAP * (COLUMNS as f64 - 1.0)) / COLUMNS as f64;
-/// A plan is no higher than this.
+/// Largest height of a plan.
 const TALLEST: f64 = 420.0;
 const LINE: f64 = 16.0;
-/// Between a plan and its words, where the arrow at the front door stands.
+/// Distance of a plan from its words; the arrow at the front door stands there.
 const BELOW: f64 = 30.0;
 const BODY: f64 = 7.0;
 const CAPTION: Type = Type::new(12.0, INK);
@@ -53,7 +52,7 @@ pub fn film_strip(home: &HomeFile, strip: &StoryStrip) -> String {
     svg.finish(WIDTH, end + 40.0)
 }
 
-/// One moment: its time, the plan, and what was done.
+/// One moment: its time, the plan, and the activities.
 fn frame(mut svg: Svg, home: &HomeFile, plan: &Plan, moment: &StripFrame, corner: Point, high: f64) -> Svg {
     svg.text(&moment.at, corner + Point::new(0.0, 8.0), &Type::new(14.0, INK).strong());
     let mut sheet = Sheet::in_box(svg, plan.bounds(), corner + Point::new(0.0, 26.0), Point::new(WIDE, high));
@@ -83,7 +82,7 @@ fn frame(mut svg: Svg, home: &HomeFile, plan: &Plan, moment: &StripFrame, corner
     svg
 }
 
-/// Those of people, one after the other: that of sensors is left to them.
+/// The colours of people, one after the other, without that of sensors.
 fn colours() -> impl Iterator<Item = &'static str> {
     SERIES.into_iter().filter(|colour| *colour != SENSOR).cycle()
 }

@@ -1,4 +1,4 @@
-//! The floor plan: a home as it is built, furnished and wired.
+//! The floor plan: a home with its furniture and sensors.
 
 use homebody_core::home::form::HomeFile;
 use homebody_core::plan::Plan;
@@ -9,7 +9,7 @@ use super::legend::Legend;
 use super::paint::SENSOR;
 use super::sheet::Sheet;
 
-/// Draws a home that has passed its checks, as SVG.
+/// Draws a valid home, as SVG.
 pub fn floor_plan(home: &HomeFile) -> String {
     let plan = Plan::new(home);
     let rooms = counted(home.rooms.len(), "room", "rooms");

@@ -27,7 +27,7 @@ pub fn options() -> usvg::Options<'static> {
     usvg::Options { fontdb: FONTS.clone(), font_family: sans_serif, ..usvg::Options::default() }
 }
 
-/// Hands a font's file to `take`, with the number of the font in it; not called where there is no such font.
+/// Calls `take` with a font's file and the number of the font in it, if there is such a font.
 pub fn with_data(id: fontdb::ID, take: impl FnOnce(&[u8], u32)) {
     FONTS.with_face_data(id, |bytes, index| take(bytes, index));
 }
@@ -46,8 +46,7 @@ pub fn width(text: &str, size: f64) -> f64 {
     texts.unwrap_or(0.0) * size / 100.0
 }
 
-/// The words, or as much of their beginning and end as is no wider than `room`: names of things in one
-/// home often differ in their ends only.
+/// The words, or their beginning and end as far as `room` is wide: names of things in one home often differ in their ends only.
 pub fn shortened(words: &str, size: f64, room: f64) -> String {
     if width(words, size) <= room {
         return words.to_owned();

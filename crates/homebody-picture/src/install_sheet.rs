@@ -18,7 +18,7 @@ const MARGIN: f64 = 40.0;
 /// Left edge of the words about a part, after a box to tick and a number.
 const WORDS: f64 = MARGIN + 84.0;
 const LINE: f64 = 21.0;
-/// Between the line above a part and the middle of its first words.
+/// Distance of the line above a part from the middle of its first words.
 const ABOVE: f64 = 20.0;
 const HEAD: Type = Type::new(17.0, INK).strong();
 const WORD: Type = Type::new(15.0, INK);

@@ -6,7 +6,7 @@ use homebody_core::geometry::{self, Point};
 use super::font;
 use super::svg::{Anchor, Svg, Type};
 
-/// The texts of a picture so far, and what they keep off.
+/// The texts of a picture so far, and the shapes that they keep off.
 #[derive(Default)]
 pub struct Labels {
     /// Never covered: walls, doors and sensors, in pixels.
@@ -14,7 +14,7 @@ pub struct Labels {
     pub rooms: Vec<Vec<Point>>,
     /// Walls, which separate a mark from a text on their other side.
     pub walls: Vec<Vec<Point>>,
-    /// Covered only by what finds no other place: furniture.
+    /// Covered only by texts that find no other place: furniture.
     pub soft: Vec<Vec<Point>>,
     taken: Vec<Block>,
     placed: Vec<PlacedText>,
@@ -31,11 +31,10 @@ struct PlacedText {
     lines: Vec<String>,
     middle: Point,
     set: Type,
-    /// The mark to which a line leads from a distant text.
     leader: Option<Point>,
 }
 
-/// A place beside a mark, and how bad it is.
+/// A place next to a mark, with its cost.
 struct TextSpot {
     cost: f64,
     lines: Vec<String>,
@@ -103,7 +102,7 @@ impl Labels {
         false
     }
 
-    /// Puts a name at the first of the spots that is free, if any is.
+    /// Puts a name at the first free spot, if there is one.
     pub fn at_first(&mut self, name: &str, spots: &[Point], set: Type) {
         let lines = vec![name.to_owned()];
         let extent = extent(&lines, set.size);
@@ -112,8 +111,8 @@ impl Labels {
         }
     }
 
-    /// Puts a name beside a mark, preferably towards `facing_deg` on the plan and on this side of the
-    /// walls; with a line to it if that is far. Where all is taken, it covers the least.
+    /// Puts a name next to a mark, preferably towards `facing_deg` on the plan and on this side of the walls; with a line to it if that is
+    /// far. Without a free place, it covers the least.
     pub fn beside(&mut self, name: &str, mark: Point, facing_deg: f64, set: Type) {
         if let Some(found) = self.best_beside(name, mark, facing_deg, set) {
             self.tie(found, mark, set);
@@ -177,7 +176,6 @@ impl Labels {
         80.0 * texts as f64
     }
 
-    /// Draws all texts, on top of what the picture has so far.
     pub fn draw(&self, svg: &mut Svg) {
         for label in &self.placed {
             if let Some(mark) = label.leader {
@@ -217,9 +215,9 @@ impl Labels {
     }
 }
 
-/// Between a mark and the text beside it, in pixels.
+/// Distance of a mark from its text, in pixels.
 const CLEARANCE: f64 = 13.0;
-/// A text farther from its mark than this is tied to it by a line.
+/// Distance from its mark beyond which a text has a line to it.
 const LEADER: f64 = 30.0;
 const SOLID_COST: f64 = 150.0;
 /// Distance between the spots that are tried for a name, in pixels.

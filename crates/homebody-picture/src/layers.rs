@@ -198,7 +198,7 @@ pub fn ceiling_areas(sheet: &mut Sheet, home: &HomeFile, fill: &str) {
     }
 }
 
-/// The mats on the floor that feel who is on them.
+/// The mats on the floor.
 pub fn mats(sheet: &mut Sheet, home: &HomeFile) {
     for sensor in &home.sensors {
         if let Some(area) = sensor.area() {
@@ -209,7 +209,7 @@ pub fn mats(sheet: &mut Sheet, home: &HomeFile) {
     }
 }
 
-/// Wall sensors as triangles that point where they look, ceiling sensors as rings, all others as squares.
+/// Wall sensors as triangles that point ahead, ceiling sensors as rings, all others as squares.
 pub fn sensors(sheet: &mut Sheet, home: &HomeFile, plan: &Plan) {
     for sensor in &home.sensors {
         let Some(Sensor { at, .. }) = Sensor::new(sensor, plan) else { continue };

@@ -1,4 +1,4 @@
-//! The column beside a plan that says what its marks mean.
+//! The column next to a plan with the meanings of its marks.
 
 use homebody_core::geometry::Point;
 
@@ -37,7 +37,7 @@ impl Legend {
         self.y += 15.0;
     }
 
-    /// A sample and what it means; `draw` gets the least and the greatest corner of the sample.
+    /// A sample with its meaning; `draw` gets the least and the greatest corner of the sample.
     pub fn entry(&mut self, svg: &mut Svg, words: &str, draw: impl FnOnce(&mut Svg, Point, Point)) {
         let middle = Point::new(sheet::LEGEND.0 + SAMPLE.x / 2.0, self.y);
         draw(svg, middle - SAMPLE / 2.0, middle + SAMPLE / 2.0);
@@ -69,7 +69,7 @@ impl Legend {
     }
 }
 
-/// The words in lines that are no wider than `room`, unless a single word is.
+/// The words in lines of at most this width, unless a single word is wider.
 pub fn wrapped(words: &str, size: f64, room: f64) -> Vec<String> {
     let mut lines: Vec<String> = Vec::new();
     for word in words.split(' ') {

@@ -7,8 +7,6 @@
 //! A picture is the same bytes for the same input, and knows no file and no machine: it is drawn
 //! with the fonts in this program. A character they lack is left blank in a PNG; SVG takes the reader's.
 
-#![warn(missing_docs)]
-
 mod chart;
 mod coverage_map;
 mod day_chart;
@@ -77,7 +75,6 @@ pub mod catalogue {
     use crate::{PdfError, PngError};
     use homebody_core::messages::{Catalogue, CatalogueEntry};
 
-    /// The messages by area.
     pub const MESSAGES: &[&[CatalogueEntry]] = &[PngError::ENTRIES, PdfError::ENTRIES];
 }
 

@@ -11,7 +11,6 @@ const WIDTH: f64 = 1200.0;
 const LEFT: f64 = 250.0;
 const RIGHT: f64 = WIDTH - 40.0;
 const TOP: f64 = 132.0;
-/// Height of a sensor.
 const ROW: f64 = 16.0;
 /// Height of the line of silences above the sensors.
 const LINE: f64 = 10.0;
@@ -21,13 +20,12 @@ const AXIS: Type = Type::new(12.0, MUTED);
 /// Smallest number of rows a day for each of the colours of a cell (our choice). Fewer have the first.
 const STEPS: [u32; 8] = [1, 3, 10, 30, 100, 300, 1_000, 3_000];
 
-/// Largest number of sensors that are drawn, those with the most rows (our choice).
+/// Largest number of sensors in the map, those with the most rows (our choice).
 const MOST_SENSORS: usize = 400;
 
 /// Largest number of letters of a name (our choice).
 const LONGEST_NAME: usize = 30;
 
-/// Draws the map of a log.
 pub fn look_map(look: &LogOverview) -> String {
     let span = match (&look.first, &look.last) {
         (Some(first), Some(last)) => format!("{first} to {last}"),
@@ -63,7 +61,7 @@ fn drawn(look: &LogOverview) -> Vec<&SensorLook> {
     look.sensors.iter().filter(|sensor| sensor.rows >= least).take(MOST_SENSORS).collect()
 }
 
-/// The colours with the counts from which on they are.
+/// The colours with their least counts.
 fn legend(svg: &mut Svg) {
     const Y: f64 = 96.0;
     const BOX: Point = Point::new(54.0, 16.0);
@@ -83,7 +81,7 @@ fn legend(svg: &mut Svg) {
     }
 }
 
-/// The number of the colour of a count, if it is not 0.
+/// The number of the colour of a count above 0.
 fn level(count: u32) -> Option<usize> {
     STEPS.iter().rposition(|&from| count >= from)
 }
@@ -129,7 +127,7 @@ fn map(svg: &mut Svg, look: &LogOverview, drawn: &[&SensorLook], bottom: f64) {
     dates(svg, look, column, bottom);
 }
 
-/// The spans over which a list says so.
+/// The ranges of true values.
 fn runs(list: &[bool]) -> Vec<std::ops::Range<usize>> {
     let mut at = 0;
     let mut runs = Vec::new();
@@ -154,7 +152,7 @@ fn dates(svg: &mut Svg, look: &LogOverview, column: f64, bottom: f64) {
     }
 }
 
-/// One HTML page with what a log holds: its words, its map, and its density where that is known.
+/// One HTML page with the overview of a log: its words, its map, and its density where that is known.
 pub fn look_page(look: &LogOverview, density: Option<&str>) -> String {
     let mut page = begun(&format!("What {} holds", look.name));
     for svg in std::iter::once(look_map(look).as_str()).chain(density) {

@@ -11,7 +11,6 @@ const WIDTH: f64 = 1200.0;
 const LEFT: f64 = 210.0;
 const RIGHT: f64 = WIDTH - 210.0;
 const TOP: f64 = 122.0;
-/// Height of a measure, and of the gap below it.
 const ROW: f64 = 20.0;
 const GAP: f64 = 3.0;
 /// The right edges of the columns of figures: the lowest, the median, the highest.
@@ -19,7 +18,6 @@ const FIGURES: [f64; 3] = [RIGHT + 52.0, RIGHT + 100.0, RIGHT + 144.0];
 const AXIS: Type = Type::new(12.0, MUTED);
 const HATCH: &str = "unknown";
 
-/// Draws the measures of all days.
 pub fn measures_picture(measures: &Measures) -> String {
     let span = match (measures.days.first(), measures.days.last()) {
         (Some(first), Some(last)) => format!("{} to {}", first.date, last.date),
@@ -50,7 +48,6 @@ pub fn measures_picture(measures: &Measures) -> String {
     svg.finish(WIDTH, bottom + 54.0 + 18.0 * measures.remarks.len() as f64)
 }
 
-/// The colours, from the least to the most.
 fn legend(svg: &mut Svg) {
     const Y: f64 = 94.0;
     const BOX: Point = Point::new(26.0, 16.0);
@@ -105,7 +102,6 @@ fn draw_row(svg: &mut Svg, measures: &Measures, number: usize, top: f64) {
 
 /// The colours of the values of a measure.
 struct ColourScale {
-    /// The different values, in their order.
     values: Vec<f64>,
     /// True if a few distant values would leave one colour to all others: then the order gives the colour.
     is_by_order: bool,
@@ -122,7 +118,7 @@ impl ColourScale {
         ColourScale { is_by_order: scale.values.len() > 2 && 2 * pale > scale.values.len(), ..scale }
     }
 
-    /// The colour of one of the values. Nothing at all has a colour of its own.
+    /// The colour of one of the values. Zero has a colour of its own.
     fn level(&self, value: f64) -> usize {
         let (Some(&low), Some(&high)) = (self.values.first(), self.values.last()) else { return 0 };
         if value <= low || high <= low {

@@ -9,7 +9,6 @@ const STYLE: &str = "body{font:16px/1.5 sans-serif;max-width:75rem;margin:2rem a
     table{border-collapse:collapse;margin:1rem 0}td,th{padding:.2rem .8rem;text-align:left;border-bottom:1px solid #e3e6e9}\
     td.n,th.n{text-align:right;font-variant-numeric:tabular-nums}svg{max-width:100%;height:auto}pre{white-space:pre-wrap}";
 
-/// The beginning of an HTML page with a title.
 pub fn begun(title: &str) -> String {
     format!(
         "<!doctype html>\n<html lang=\"en\">\n<meta charset=\"utf-8\">\n<title>{0}</title>\n<style>{STYLE}</style>\n<h1>{0}</h1>\n",
@@ -36,7 +35,7 @@ pub fn table(page: &mut String, header: &[&str], rows: &[Vec<String>]) {
     page.push_str("</table>\n");
 }
 
-/// One HTML page that needs nothing besides itself.
+/// One HTML page without other files.
 pub fn realism_page(realism: &Realism) -> String {
     let (a, b) = (&realism.a, &realism.b);
     let title = format!("{} beside {}", b.name, a.name);

@@ -2,7 +2,7 @@
 
 pub const WHITE: &str = "#ffffff";
 pub const INK: &str = "#1b1f24";
-/// For what is read second; 6:1 on white.
+/// For secondary text; 6:1 on white.
 pub const MUTED: &str = "#565d66";
 pub const HAIRLINE: &str = "#c9cdd2";
 pub const FLOOR: &str = "#f5f2ea";

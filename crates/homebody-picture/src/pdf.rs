@@ -33,7 +33,6 @@ pub fn pdf(title: &str, pages: &[String]) -> Result<Vec<u8>, PdfError> {
     book.finish(title, &all)
 }
 
-/// A PDF that is being written.
 struct Book {
     pdf: Pdf,
     next: i32,
@@ -141,7 +140,7 @@ impl Book {
         Ok(())
     }
 
-    /// Colours, lines and what is seen through.
+    /// Sets colours, lines and opacities.
     fn paint(
         &mut self,
         fill: Option<&usvg::Fill>,
@@ -197,7 +196,7 @@ impl Book {
         Ok(())
     }
 
-    /// The number of a pattern that is laid from `at` on: PDF lays patterns on the page, not on what they fill.
+    /// The number of a pattern that is laid from `at` on: PDF lays patterns on the page, not on the filled shape.
     fn pattern(&mut self, pattern: &Pattern, at: Transform) -> Result<usize, PdfError> {
         let rect = pattern.rect();
         let at = at.pre_concat(pattern.transform());

@@ -4,7 +4,7 @@ use homebody_core::geometry::{self, Point};
 
 use homebody_analysis::coverage::{CellCorner, CoverageGrid, Region};
 
-/// So many straight cells to both sides of a turn make it a corner of the floor, not a stair of a slant.
+/// Number of straight cells on both sides of a turn from which it is a corner of the floor, not a stair of a slant.
 const STRAIGHT: usize = 4;
 /// Rounds of averaging with both neighbours, which takes the stairs off a slanting border.
 const ROUNDS: usize = 4;
@@ -27,7 +27,7 @@ fn smooth_ring(grid: &CoverageGrid, ring: &[CellCorner], class: &dyn Fn(usize) -
     for (k, &from) in pins.iter().enumerate() {
         let to = pins.get(k + 1).copied().unwrap_or(pins[0] + ring.len());
         let mut arc: Vec<CellCorner> = (from..=to).map(|i| ring[i % ring.len()]).collect();
-        // Both shapes beside an arc walk it, in opposite directions; it must come out the same.
+        // Both shapes at an arc walk it, in opposite directions; it must come out the same.
         let turned = (arc.last(), arc.get(arc.len() - 2)) < (arc.first(), arc.get(1));
         if turned {
             arc.reverse();

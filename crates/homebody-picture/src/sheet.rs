@@ -17,7 +17,7 @@ pub const TOP: f64 = 112.0;
 const MARGIN: f64 = 40.0;
 /// Around the plan, for dimensions and for what lies outside the front door.
 const SURROUND: f64 = 62.0;
-/// A tall home is drawn no higher than this.
+/// Largest height of a home.
 const TALLEST: f64 = 1100.0;
 
 /// A sheet with a plan: metres to the east and north become pixels to the right and up.
@@ -54,7 +54,7 @@ impl Sheet {
         Sheet { svg, labels, px_per_m, bounds, corner }
     }
 
-    /// A plan in a box of another picture: its corner and size in pixels. The picture goes on in `svg`.
+    /// A plan in a box of another picture: its corner and size in pixels. `svg` is the picture so far.
     pub fn in_box(svg: Svg, bounds: (Point, Point), corner: Point, size: Point) -> Sheet {
         let extent = bounds.1 - bounds.0;
         let px_per_m = (size / extent).min_element();

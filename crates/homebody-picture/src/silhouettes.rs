@@ -12,7 +12,7 @@ use super::sheet::WIDTH;
 use super::svg::{Anchor, Svg, Type};
 use super::{MOST_PIXELS, PngError};
 
-/// Red, green and blue of what a film consists of: between pictures, no picture, the ground of one, a body.
+/// Red, green and blue of the parts of a film: between pictures, no picture, the ground of one, a body.
 const PALETTE: [[u8; 3]; 4] = [[0x56, 0x5d, 0x66], [0x0c, 0x10, 0x15], [0x2b, 0x33, 0x3d], [0xff, 0xff, 0xff]];
 const BETWEEN: u8 = 0;
 const NONE: u8 = 1;
@@ -54,7 +54,7 @@ pub fn silhouette_png(picture: &Silhouette, scale: u32) -> Result<Vec<u8>, PngEr
 /// The pictures of all cameras at an instant.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FilmFrame {
-    /// By camera; None for one that has no picture of this instant.
+    /// By camera; `None` without a picture of this instant.
     pub silhouettes: Vec<Option<Silhouette>>,
     /// The time for which it is shown, in milliseconds.
     pub lasts_ms: u16,
@@ -135,7 +135,7 @@ pub struct SilhouetteStrip {
     pub name: String,
     /// Each with its columns and rows.
     pub cameras: Vec<(String, [u32; 2])>,
-    /// In order of time.
+    /// The moments, in order of time.
     pub moments: Vec<StripMoment>,
 }
 
@@ -144,7 +144,7 @@ pub struct SilhouetteStrip {
 pub struct StripMoment {
     /// The time on the wall.
     pub at: String,
-    /// By camera; None for one that has no picture of this moment.
+    /// By camera; `None` without a picture of this moment.
     pub silhouettes: Vec<Option<Silhouette>>,
 }
 
@@ -211,7 +211,7 @@ fn runs(picture: &Silhouette, corner: Point, pixel: f64) -> String {
     let mut run: Option<(usize, usize, usize)> = None;
     let mut close = |run: Option<(usize, usize, usize)>| {
         if let Some((from, to, row)) = run {
-            // Edges as they are, not lengths: those of two rows that touch are then the same number.
+            // Edges instead of lengths: those of two rows that touch are then the same number.
             let [left, right] = [from, to].map(|column| corner.x + column as f64 * pixel);
             let [top, bottom] = [row, row + 1].map(|row| corner.y + row as f64 * pixel);
             let _ = write!(path, "M{left:.2} {top:.2}H{right:.2}V{bottom:.2}H{left:.2}z");

@@ -42,7 +42,7 @@ pub enum Anchor {
 pub type Attribute<'a> = (&'a str, &'a dyn Display);
 
 impl Svg {
-    /// Title and description are what people hear who do not see the picture.
+    /// Title and description are for people who do not see the picture.
     pub fn new(title: &str, description: &str) -> Svg {
         Svg { title: title.to_owned(), description: description.to_owned(), body: String::new() }
     }
@@ -232,7 +232,7 @@ pub fn polyline(points: &[Point]) -> String {
     path
 }
 
-/// A number in an SVG: hundredths are finer than anybody sees, and keep the file small.
+/// A number in an SVG: hundredths are finer than the eye sees, and keep the file small.
 pub struct Px(pub f64);
 
 impl Display for Px {

@@ -12,12 +12,13 @@ use homebody_core::home::form::HomeFile;
 use homebody_core::plan::Plan;
 use homebody_core::resident::Build;
 use homebody_core::sensors::kinds::SensorFile;
-use homebody_core::time::{HOUR, WallTime};
+use homebody_core::time::{HOUR, Interval, WallTime};
 use homebody_log::{Event, Log};
 use homebody_picture::{
     BandContent, DayBand, DayChart, FiringLane, Lane, Panel, PngError, Reference, Ticks, TotalsLine, coverage_map,
     day_chart, density_map, firing_chart, floor_plan, installing, pdf, png, span_chart, totals_chart,
 };
+use homebody_timeline::Episode;
 use resvg::usvg;
 use serde_json::json;
 
@@ -141,7 +142,7 @@ fn the_chart_of_a_log_has_its_activities_and_firings() {
     let log = Log {
         sensors: vec!["hall".into(), "door".into()],
         values: vec!["ON".into(), "OFF".into(), "OPEN".into(), "CLOSE".into()],
-        // What goes on at midnight is of both days, and counts on the first.
+        // An activity over midnight is of both days, and counts on the first.
         events: vec![
             event(20, 1, 2),
             event(23, 0, 0),
@@ -152,13 +153,13 @@ fn the_chart_of_a_log_has_its_activities_and_firings() {
             event(47, 0, 0),
             event(49, 0, 1),
         ],
-        activities: vec![homebody_log::Activity { name: "Cook".into(), begin: at(40), end: at(50) }],
+        activities: vec![Episode::new("Cook".to_owned(), Interval::new(at(40), at(50)))],
         ..Log::default()
     };
     let chart = DayChart::new(&DayRecord::from_log("log", &log, &[], None, jiff::civil::date(1970, 1, 2)));
     assert_eq!(chart.title, "log: Friday 2 January 1970");
     assert_eq!((chart.bands.len(), chart.ticks.len()), (1, 2));
-    // As many as are told, though three of them are seen.
+    // The number in the log, though three of them are seen.
     assert_eq!(chart.ticks.iter().map(|ticks| ticks.firings).collect::<Vec<_>>(), [1, 1]);
     assert!(day_chart(&chart).contains("2 firings of 2 sensors"));
     assert_eq!(chart.bands[0].spans, [(57_600.0, 86_400.0, "Cook".to_owned())]);
@@ -208,7 +209,7 @@ fn a_png_has_the_size_asked_for() {
 }
 
 #[test]
-fn refuses_impossible_pictures() {
+fn rejects_svg_that_cannot_be_drawn() {
     let svg = floor_plan(&home::furnished());
     assert!(matches!(png("<svg", 100), Err(PngError::Svg(_))));
     assert!(matches!(png(&svg, 0), Err(PngError::Size { .. })));
@@ -303,7 +304,7 @@ fn a_room_too_small_for_its_name_has_it_all_the_same() {
 }
 
 #[test]
-fn rows_left_out_of_a_table_are_told_before_its_sum() {
+fn table_notes_omitted_rows_before_its_sum() {
     let mut file = home::two_rooms(json!([]), json!([]));
     for number in 0..25 {
         let mut room = file.rooms[0].clone();
@@ -324,7 +325,7 @@ fn sheets_are_pages_of_a_pdf_with_words_that_can_be_copied() {
     assert!(whole.starts_with(b"%PDF-1.7") && whole.trim_ascii_end().ends_with(b"%%EOF"));
     let count = |what: &str| whole.windows(what.len()).filter(|bytes| *bytes == what.as_bytes()).count();
     assert_eq!(count("/Type /Page\n"), pages.len());
-    // One font, of which a part is in the file, with what its letters mean; the hatch of dead zones is a pattern.
+    // One font, a part of it in the file, with the meanings of its letters; the hatch of dead zones is a pattern.
     assert!(count("/ToUnicode") >= 1 && count("/FontFile2") >= 1 && count("/PatternType 1") >= 1, "{}", whole.len());
     // Letters of both fonts whole would be half a megabyte.
     assert!(whole.len() < 200_000, "{} bytes", whole.len());
@@ -334,7 +335,7 @@ fn sheets_are_pages_of_a_pdf_with_words_that_can_be_copied() {
         assert!(words.iter().any(|line| part.place.starts_with(line) || line.contains(&part.place)), "{}", part.place);
     }
 
-    // The controls: what is no picture, and what a page cannot have.
+    // The controls: a text without a picture, and content that a page cannot have.
     assert!(pdf("", &["<svg".into()]).is_err());
     let masked = "<svg xmlns='http://www.w3.org/2000/svg' width='9' height='9'><linearGradient id='g'><stop offset='0' \
                   stop-color='red'/><stop offset='1' stop-color='blue'/></linearGradient><rect width='9' height='9' fill='url(#g)'/></svg>";

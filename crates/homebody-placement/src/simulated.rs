@@ -9,8 +9,8 @@ use homebody_core::run::DriverProvider;
 use homebody_core::scenario::load::Scenario;
 use homebody_core::sensors::Sensor;
 use homebody_core::time::{DAY, Interval, RunTime, SECOND, Span, WallTime};
-use homebody_log::{Event, Life, Log, LogError, SimulatedRun};
-use homebody_timeline::TimelineBuilder;
+use homebody_log::{Event, Log, LogError, SimulatedRun};
+use homebody_timeline::{PersonTimeline, TimelineBuilder};
 use std::collections::BTreeMap;
 
 homebody_core::messages! {
@@ -48,8 +48,8 @@ impl From<NoMap> for SimulatedLogError {
 /// Log and ground truth of the first resident of a simulated home, on the wall clock.
 pub struct SimulatedLog {
     log: Log,
-    life: Life<WallTime>,
-    beside: TruthDetails,
+    person: PersonTimeline<WallTime>,
+    details: TruthDetails,
     rooms: BTreeMap<String, String>,
     /// By sensor, the indices of its rows.
     of_sensors: Vec<Vec<u32>>,
@@ -72,7 +72,7 @@ impl SimulatedLog {
         let length = i64::from(days) * DAY;
         let wall = |at: RunTime| WallTime::from(scenario.calendar.local(at).datetime());
         let run = SimulatedRun::new(scenario, drivers, seed, length)?;
-        let mut timeline = TimelineBuilder::of(run.run());
+        let mut timeline = TimelineBuilder::for_run(run.run());
         let mut walks = Walks::default();
         let mut log = run.into_log(wall, |facts| {
             timeline.take(facts);
@@ -89,8 +89,8 @@ impl SimulatedLog {
         let begin = WallTime::midnight(scenario.calendar.local(RunTime::START).date());
         Ok(SimulatedLog {
             log,
-            life: people.into_iter().next().unwrap_or_default().into(),
-            beside: TruthDetails { walks: Some(walks.walks), company: Some(company) },
+            person: people.into_iter().next().unwrap_or_default(),
+            details: TruthDetails { walks: Some(walks.walks), company: Some(company) },
             rooms: sensors.iter().filter_map(room).collect(),
             of_sensors,
             ways: None,
@@ -134,7 +134,7 @@ impl SimulatedLog {
 
     /// Measures of the days, from the ground truth.
     pub fn true_measures(&self) -> Measures {
-        Measures::from_detailed_truth("", &self.life, &self.beside, self.recorded)
+        Measures::from_detailed_truth("", &self.person, &self.details, self.recorded)
     }
 
     fn measures_of(&self, log: &Log) -> Result<Measures, SimulatedLogError> {

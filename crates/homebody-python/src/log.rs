@@ -15,7 +15,7 @@ use homebody_log::log::Clock;
 use homebody_log::source::TruthValue;
 use homebody_log::table::ColumnKind;
 use homebody_log::table::truth::tables;
-use homebody_log::{Activity, Transfer, Url, WriteMode, label};
+use homebody_log::{Transfer, Url, WriteMode, label};
 use homebody_picture::{DayChart, day_chart, density_map, measures_picture};
 use homebody_query::{LoadedLog, LogRef, QueryError, UtcLog};
 use homebody_tracking::located_folder::locate_into;
@@ -124,7 +124,7 @@ impl Log {
     /// Whom the truth tells of.
     #[getter]
     fn residents(&self, py: Python<'_>) -> PyResult<Vec<String>> {
-        py.detach(|| Ok(self.instants()?.lives.iter().map(|life| life.resident.clone()).collect()))
+        py.detach(|| Ok(self.instants()?.timeline.people.iter().map(|person| person.name.clone()).collect()))
     }
 
     /// What was left out of it, in sentences.
@@ -152,12 +152,11 @@ impl Log {
     /// What residents did: start_time, end_time, activity, resident; or where they were, with `room` for the activity.
     fn spans(&self, py: Python<'_>, are_rooms: bool) -> PyResult<Stream> {
         py.detach(|| {
-            let UtcLog { lives, zone, .. } = self.instants()?;
+            let UtcLog { timeline, zone, .. } = self.instants()?;
             let mut spans: Vec<(Interval<UtcTime>, &str, &str)> = Vec::new();
-            for life in lives {
-                let of = if are_rooms { &life.rooms } else { &life.activities };
-                let within = |span: &Activity<UtcTime>| Interval::new(span.begin, span.end);
-                spans.extend(of.iter().map(|span| (within(span), span.name.as_str(), life.resident.as_str())));
+            for person in &timeline.people {
+                let of = if are_rooms { &person.rooms } else { &person.activities };
+                spans.extend(of.iter().map(|one| (one.time, one.label.as_str(), person.name.as_str())));
             }
             spans.sort();
             let (mut names, mut residents) = (TextColumn::default(), TextColumn::default());
@@ -195,9 +194,9 @@ impl Log {
     /// Windows of so many seconds: time, resident, label, room, hour, weekday, last, and a count for each sensor.
     fn windows(&self, py: Python<'_>, span_s: f64) -> PyResult<Stream> {
         py.detach(|| {
-            let UtcLog { log, lives, zone } = self.instants()?;
+            let UtcLog { log, timeline, zone } = self.instants()?;
             let wall = zone.as_deref().and_then(|zone| TimeZone::get(zone).ok()).unwrap_or(TimeZone::UTC);
-            let cut = windows(log, lives, Span::from_seconds(span_s), &wall);
+            let cut = windows(log, &timeline.people, Span::from_seconds(span_s), &wall);
             let cut = cut.map_err(|why| PyValueError::new_err(format!("span is {span_s} s: {why}")))?;
             let (mut residents, mut labels, mut rooms) =
                 (TextColumn::default(), TextColumn::default(), TextColumn::default());
@@ -205,7 +204,7 @@ impl Log {
             let (mut times, mut hours, mut weekdays) = (Vec::new(), Vec::new(), Vec::new());
             let mut counts: Vec<Vec<Option<i64>>> = vec![Vec::with_capacity(cut.rows.len()); cut.sensors.len()];
             for row in &cut.rows {
-                let name = row.resident.map(|resident| lives[resident].resident.as_str());
+                let name = row.resident.map(|resident| timeline.people[resident].name.as_str());
                 residents.push(name.filter(|name| !name.is_empty()));
                 labels.push(row.label.as_deref());
                 rooms.push(row.room.as_deref());
@@ -274,7 +273,13 @@ impl Log {
                 }
             };
             let no_day = || PyValueError::new_err(format!("day is {day}: the log goes from {first} to {last}"));
-            let day = DayRecord::from_log(&read.name, &read.log, &read.lives, read.ended(), date.ok_or_else(no_day)?);
+            let day = DayRecord::from_log(
+                &read.name,
+                &read.log,
+                &read.timeline.people,
+                read.ended(),
+                date.ok_or_else(no_day)?,
+            );
             Ok((json(&day)?, day_chart(&DayChart::new(&day))))
         })
     }

@@ -16,12 +16,9 @@ use homebody_simulation::SimulationError;
 use serde::Serialize;
 use std::path::{Path, PathBuf};
 
-/// The falls of a log.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct FallReport {
-    /// The log's name.
     pub name: String,
-    /// The number of cameras.
     pub cameras: usize,
     /// The number of pictures with a body.
     pub pictures: u64,
@@ -31,41 +28,35 @@ pub struct FallReport {
     pub falls: Vec<ReportedFall>,
 }
 
-/// A fall.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct ReportedFall {
-    /// When it was, on the clock on the wall.
+    /// The begin, on the clock on the wall.
     pub at: String,
-    /// When it was told.
     pub alarm_at: String,
     /// The delay of the alarm in seconds.
     pub seconds_to_alarm: f64,
-    /// The room, if it is in one.
     pub room: Option<String>,
     /// The position in metres.
     pub at_m: [f64; 2],
-    /// The rule that says so.
     pub rule: String,
     /// The confidence from 0 to 1.
     pub confidence: f64,
-    /// The same in words.
     pub words: &'static str,
 }
 
-/// The silhouettes that a run has left beside its log.
+/// The silhouettes of a run in the folder of its log.
 pub struct RunSilhouettes<'a> {
-    /// The file.
     pub silhouettes: Silhouettes,
-    /// The scenario of the run.
     pub scenario: &'a Scenario,
 }
 
 impl<'a> RunSilhouettes<'a> {
-    /// Opens those beside a log.
+    /// Opens the silhouettes in the folder of a log.
     ///
     /// # Errors
     ///
-    /// [`QueryError::NoSilhouettes`] if the log is of no run with cameras, [`QueryError::Simulation`] if their file cannot be read.
+    /// [`QueryError::NoSilhouettes`] if the log does not come from a run with cameras, [`QueryError::Simulation`] if their file cannot be
+    /// read.
     pub fn beside(named: &'a LogRef) -> Result<RunSilhouettes<'a>, QueryError> {
         let missing = || QueryError::NoSilhouettes { log: named.name.clone() };
         let path = silhouettes_of(named.place.path()).ok_or_else(missing)?;
@@ -87,7 +78,7 @@ impl<'a> RunSilhouettes<'a> {
         self.silhouettes.cameras.iter().map(|camera| camera.file.lens()).collect()
     }
 
-    /// Looks for falls in all of them. `go_on` hears the instant that it has come to, and says whether anybody still waits.
+    /// Looks for falls in all of them. `go_on` gets the instant that the search has reached; the search ends if it returns false.
     ///
     /// # Errors
     ///
@@ -106,7 +97,7 @@ impl<'a> RunSilhouettes<'a> {
         Ok(FallSearch { falls, pictures, voxel_persons: scenes.voxel_persons })
     }
 
-    /// A fall in a line.
+    /// A fall, in a line.
     pub fn words(&self, fall: &Fall) -> String {
         let ReportedFall { seconds_to_alarm, room, rule, confidence, words, .. } =
             fallen(fall, self.scenario.home.plan(), |_| String::new());
@@ -120,18 +111,17 @@ impl<'a> RunSilhouettes<'a> {
 pub struct FallSearch {
     /// The falls, in order of time.
     pub falls: Vec<Fall>,
-    /// The number of pictures.
     pub pictures: u64,
     /// The number of instants that two cameras or more agreed on.
     pub voxel_persons: u64,
 }
 
-/// The file of the silhouettes beside a log, if there is one.
+/// The file of the silhouettes in the folder of a log, if there is one.
 pub fn silhouettes_of(log: &Path) -> Option<PathBuf> {
     Some(log.with_file_name(SILHOUETTES)).filter(|path| path.is_file())
 }
 
-/// Looks for falls in the silhouettes beside a log.
+/// Looks for falls in the silhouettes in the folder of a log.
 ///
 /// # Errors
 ///

@@ -18,7 +18,7 @@ pub fn home_sensors(scenario: &Scenario) -> Vec<HomeSensor> {
     scenario.home.placed_sensors().iter().map(one).collect()
 }
 
-/// The rooms that the sensors of a home are in, by their names there and by their ids in its logs.
+/// The rooms of the sensors of a home, by their names there and by their ids in its logs.
 pub fn sensor_rooms(scenario: &Scenario) -> BTreeMap<String, String> {
     let mut rooms = BTreeMap::new();
     for sensor in scenario.home.placed_sensors() {
@@ -32,7 +32,7 @@ pub fn sensor_rooms(scenario: &Scenario) -> BTreeMap<String, String> {
     rooms
 }
 
-/// The rooms of its sensors in a log itself.
+/// The rooms of its sensors that a log has itself.
 pub(crate) fn rooms_of_log(log: &Log) -> BTreeMap<String, String> {
     let told = log.known.iter().filter_map(|known| Some((known.id.clone(), known.room.clone()?)));
     told.collect()
@@ -48,7 +48,7 @@ pub(crate) fn name_sensors(log: &mut Log, scenario: &Scenario) {
     know_sensors(log, scenario);
 }
 
-/// Adds the names, kinds and rooms that a scenario's home has of the log's sensors.
+/// Adds the names, kinds and rooms of the log's sensors in a scenario's home.
 pub(crate) fn know_sensors(log: &mut Log, scenario: &Scenario) {
     for sensor in scenario.home.placed_sensors() {
         let info = SensorInfo::in_home(sensor, scenario);

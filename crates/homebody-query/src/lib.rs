@@ -3,8 +3,6 @@
 //! A [`LogRef`] says where a log is, and knows its run. A [`LoadedLog`] is the log on the wall clock of its home, a [`UtcLog`] the log in
 //! UTC. This crate does not know who asks, nor how an answer is shown. Reading order:
 
-#![warn(missing_docs)]
-
 pub mod search;
 mod error;
 pub mod catalogue;

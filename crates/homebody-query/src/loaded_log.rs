@@ -1,5 +1,5 @@
-//! A log on the wall clock of its home, with the ground truth and the recording beside it: the recording has the names of the
-//! sensors, the time zone, and the time of the run.
+//! A log on the wall clock of its home, with the ground truth and the recording in its folder: the recording has the names of the sensors,
+//! the time zone, and the time of the run.
 
 use crate::error::QueryError;
 use crate::home_sensors::{name_sensors, rooms_of_log, sensor_rooms};
@@ -20,7 +20,8 @@ use homebody_log::source::TruthValue;
 use homebody_log::table::truth::{Truth, tables};
 use homebody_log::text::one_word;
 use homebody_log::truth::truth_rows;
-use homebody_log::{Life, Log, Url, lives};
+use homebody_log::{Log, Url, read_timeline};
+use homebody_timeline::{PersonTimeline, Timeline};
 use homebody_walk::Mesh;
 use jiff::civil::Date;
 use jiff::tz::TimeZone;
@@ -33,9 +34,9 @@ pub struct LoadedLog {
     pub name: String,
     /// Its rows; `log.clock` says whether they could be put on the wall.
     pub log: Log,
-    /// The intervals of the ground truth, if there is one.
-    pub lives: Vec<Life<WallTime>>,
-    /// The rooms of its sensors, by their names in the log, as the home of its run or the log itself has them.
+    /// The timeline of the ground truth; empty without a truth.
+    pub timeline: Timeline<WallTime>,
+    /// The rooms of its sensors, by their names in the log, from the home of its run or from the log itself.
     pub rooms: BTreeMap<String, String>,
     /// The time of the run, if that is known.
     pub recorded: Option<Interval<WallTime>>,
@@ -43,11 +44,11 @@ pub struct LoadedLog {
     pub zone: Option<TimeZone>,
     /// The files that the log itself is in.
     pub files: Vec<PathBuf>,
-    /// All its files, with those of its ground truth and its recording; no output replaces them.
+    /// All its files, with those of its ground truth and its recording; an output must not replace them.
     pub sources: Vec<PathBuf>,
-    /// The scenario with its home, where that is known: its run's, or the one that its sensors were placed in.
+    /// The scenario with its home, if that is known: its run's, or the one that its sensors were placed in.
     home: Option<Scenario>,
-    /// The place of its rows, if they are too many for memory: `log` has none then.
+    /// The place of its rows, if they are too many for memory: then `log` has no rows.
     long: Option<LongLog>,
     /// Its ground truth, and the zone of the home if that is in UTC.
     truth: Option<(Url, Option<TimeZone>)>,
@@ -62,20 +63,19 @@ pub struct LostMessage {
     pub at: WallTime,
     /// The sensor's name in its home, or else its id.
     pub sensor: String,
-    /// The message.
     pub value: String,
     /// The cause, in a word of the ground truth.
     pub loss: String,
 }
 
 impl LoadedLog {
-    /// Reads a log by its URL, by its path alone, or by the folder of its run. One in UTC is put on the wall of `zone`, of its
-    /// run's zone, or of the one that its instants have the offsets of; without any it stays in UTC.
+    /// Reads a log by its URL, by its path alone, or by the folder of its run. A log in UTC is put on the wall of `zone`, of its run's
+    /// zone, or of the zone by the offsets of its instants; without any it stays in UTC.
     ///
     /// # Errors
     ///
-    /// [`QueryError::TimeZone`] if no zone has this name, [`QueryError::Simulation`] if the log or the truth beside it cannot be read, and those of
-    /// [`LogRef::find`] and [`LogRef::read`].
+    /// [`QueryError::TimeZone`] if no zone has this name, [`QueryError::Simulation`] if the log or the truth in its folder cannot be read,
+    /// and those of [`LogRef::find`] and [`LogRef::read`].
     pub fn read(text: &str, zone: Option<&str>) -> Result<LoadedLog, QueryError> {
         LoadedLog::from_ref(LogRef::find(text)?, zone)
     }
@@ -115,8 +115,7 @@ impl LoadedLog {
         LoadedLog::with(named, log, long, truth, zone)
     }
 
-    /// The log alone, without the truth beside it. Of one that has more rows only the first `most` are in memory, and `log.rows`
-    /// says how many there are.
+    /// The log alone, without its truth. Only its first `most` rows are in memory; `log.rows` is the number of all.
     ///
     /// # Errors
     ///
@@ -141,7 +140,7 @@ impl LoadedLog {
         let asked = zone.map(|name| Calendar::zone(name).map_err(|_| QueryError::zone(name))).transpose()?;
         // Days are drawn on the wall, so these are the instants as the truth tells them.
         let as_told = TimeScale::one();
-        let lives = truth.as_ref().map(|truth| lives(truth, &as_told)).transpose()?.unwrap_or_default();
+        let timeline = truth.as_ref().map(|truth| read_timeline(truth, &as_told)).transpose()?.unwrap_or_default();
         let incomplete = named.incomplete();
         let known_zone = named.zone();
         let LogRef { name, place, run, scenario, .. } = named;
@@ -161,7 +160,7 @@ impl LoadedLog {
             let at = as_told.run_to_wall(at);
             of_utc.as_ref().map_or(at, |zone| on_wall(at, zone))
         };
-        let lives = lives.into_iter().map(|life| life.map(wall)).collect();
+        let timeline = timeline.map(wall);
         if let Some(zone) = &of_utc {
             put_on_wall(&mut log, zone);
             long.iter_mut().for_each(|long| long.put_on_wall(zone));
@@ -177,10 +176,23 @@ impl LoadedLog {
         let without = run.map(|run| run.without).filter(|without| !without.is_empty());
         let name = name + without.map_or_else(String::new, |names| format!(", without {}", names.join(", "))).as_str();
         let home = scenario;
-        Ok(LoadedLog { name, log, lives, rooms, recorded, zone, files, sources, home, long, truth: told, incomplete })
+        Ok(LoadedLog {
+            name,
+            log,
+            timeline,
+            rooms,
+            recorded,
+            zone,
+            files,
+            sources,
+            home,
+            long,
+            truth: told,
+            incomplete,
+        })
     }
 
-    /// Gives its sensors the names and rooms that they have in the home of a scenario. Says how many of them are in it.
+    /// Gives its sensors the names and rooms that they have in the home of a scenario. Returns the number of them in that home.
     pub fn place_in(&mut self, scenario: &Scenario) -> usize {
         name_sensors(&mut self.log, scenario);
         self.rooms = sensor_rooms(scenario);
@@ -188,7 +200,7 @@ impl LoadedLog {
         self.log.sensors.iter().filter(|sensor| self.rooms.contains_key(*sensor)).count()
     }
 
-    /// The scenario with its home, where that is known.
+    /// The scenario with its home, if that is known.
     pub fn scenario(&self) -> Option<&Scenario> {
         self.home.as_ref()
     }
@@ -274,11 +286,11 @@ impl LoadedLog {
     pub fn residents(&self) -> Vec<&str> {
         match &self.home {
             Some(home) => home.residents.iter().map(|resident| resident.file.name.as_str()).collect(),
-            None => self.lives.iter().map(|life| life.resident.as_str()).collect(),
+            None => self.timeline.people.iter().map(|person| person.name.as_str()).collect(),
         }
     }
 
-    /// The subject of sentences about the log: the name of a resident who lives alone.
+    /// The subject of sentences about the log: the name of the only resident.
     pub fn subject(&self) -> String {
         match self.residents()[..] {
             [] => "the resident".to_owned(),
@@ -319,17 +331,16 @@ impl LoadedLog {
     pub fn company(&self) -> Option<Vec<Interval<WallTime>>> {
         self.home.as_ref()?;
         let residents = self.residents();
-        let is_guest = |life: &&Life<WallTime>| !residents.contains(&life.resident.as_str());
-        let guests = self.lives.iter().filter(is_guest);
-        Some(guests.flat_map(|guest| guest.rooms.iter().map(|room| Interval::new(room.begin, room.end))).collect())
+        let is_guest = |person: &&PersonTimeline<WallTime>| !residents.contains(&person.name.as_str());
+        let guests = self.timeline.people.iter().filter(is_guest);
+        Some(guests.flat_map(|guest| guest.rooms.iter().map(|room| room.time)).collect())
     }
 
-    /// When its recording ended, if that is known.
     pub fn ended(&self) -> Option<WallTime> {
         self.recorded.map(|recorded| recorded.end)
     }
 
-    /// The first and the last of its dates: those of its run, on which nothing may have been said, else those of its rows.
+    /// The first and the last of its dates: those of its run, even without rows, or else those of its rows.
     pub fn dates(&self) -> Option<(Date, Date)> {
         let of_run = self.recorded.map(|run| (run.begin.date(), (run.end - Span::MICROSECOND).date()));
         of_run.or_else(|| self.rows_span().map(|rows| (rows.begin.date(), rows.end.date())))

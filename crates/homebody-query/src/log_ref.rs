@@ -18,19 +18,17 @@ use std::path::{Path, PathBuf};
 pub struct IncompleteLog {
     /// The folder of the run.
     pub folder: PathBuf,
-    /// Whether the run was killed, so that its log and its ground truth may end at different instants.
+    /// The run was killed, so that its log and its ground truth may end at different instants.
     pub is_killed: bool,
 }
 
-/// A log before it is read: where it is, and the run that left it.
+/// A log before it is read: its place, and its run.
 pub struct LogRef {
-    /// Its name.
     pub name: String,
-    /// Its place.
     pub place: LogSource,
     /// The names of its table and columns, by the logger of its run, or else the usual ones.
     pub mapping: LoggerFile,
-    /// The recording beside it.
+    /// The recording in its folder.
     pub(crate) run: Option<Recording>,
     pub(crate) scenario: Option<Scenario>,
 }
@@ -40,8 +38,8 @@ impl LogRef {
     ///
     /// # Errors
     ///
-    /// [`QueryError::NoLog`] or [`QueryError::IsCohort`] if it is a folder without one log, [`QueryError::NoRows`] if it is that of a run which
-    /// has not stored any, [`QueryError::Simulation`] if there is no such file.
+    /// [`QueryError::NoLog`] or [`QueryError::IsCohort`] if it is a folder without one log, [`QueryError::NoRows`] if its run has not
+    /// stored any row, [`QueryError::Simulation`] if there is no such file.
     pub fn find(text: &str) -> Result<LogRef, QueryError> {
         let path = PathBuf::from(text);
         if path.join(LIST).is_file() {
@@ -151,19 +149,19 @@ impl LogRef {
         Some(IncompleteLog { folder, is_killed: !run.is_complete() })
     }
 
-    /// Whether the recording beside it says that the run's log is here.
+    /// The recording in its folder says that the run's log is here.
     fn is_of_its_run(&self) -> bool {
         let file = self.place.path();
         let folder = file.parent().unwrap_or(Path::new(""));
         logs_of(folder, self.scenario.as_ref()).any(|url| url.file() == Some(file))
     }
 
-    /// The clock of the ground truth beside it. If the run is unknown, instants are taken as they are.
+    /// The clock of the ground truth in its folder. If the run is unknown, it changes no instant.
     pub fn clock(&self) -> TimeScale {
         clock(self.scenario.as_ref(), self.run.as_ref())
     }
 
-    /// The clock of a ground truth that may be elsewhere, by the recording beside it or beside the log.
+    /// The clock of a ground truth that may be elsewhere, by the recording in its folder or in the folder of the log.
     pub fn clock_beside(&self, truth: &Url) -> TimeScale {
         if self.scenario.is_some() {
             return self.clock();

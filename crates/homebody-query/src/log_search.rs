@@ -1,4 +1,4 @@
-//! Searches in a log by its name, with the ground truth beside it if there is one.
+//! Searches in a log by its name, with the ground truth in its folder if there is one.
 
 use crate::camera_falls::{RunSilhouettes, silhouettes_of};
 use crate::error::QueryError;
@@ -13,7 +13,7 @@ use homebody_analysis::measures::SensorRooms;
 use homebody_analysis::signs::{Kind, kinds};
 use homebody_core::activity::FALLEN;
 use homebody_core::time::{DAY, Interval, RunTime, Span, WallTime};
-use homebody_log::{Activity, Life};
+use homebody_timeline::EpisodeKind;
 use std::borrow::Cow;
 
 /// The remark on rooms that are guessed, as measures guess them.
@@ -31,17 +31,17 @@ pub fn find_in_log(query: &Query, read: &LoadedLog) -> Result<SearchResult<WallT
     let clock = |Interval { begin, end }| SearchDay { begin, end, clock: Span::ZERO, turn: None };
     let days = (0..(end - begin) / DAY).map(|number| clock(day(number))).collect();
     let span = read.recorded.unwrap_or_else(|| heard(read));
-    let rooms = stays(read, |life| &life.rooms, |_| true);
+    let rooms = stays(read, EpisodeKind::Room, |_| true);
     let told = match query.what {
         SearchSubject::Room => rooms.clone(),
-        SearchSubject::Doing => stays(read, |life| &life.activities, |_| true),
+        SearchSubject::Doing => stays(read, EpisodeKind::Activity, |_| true),
         SearchSubject::Fall => falls(read, rooms.as_deref(), ""),
         SearchSubject::SeenFall => Some(seen_falls(read, rooms.as_deref())?),
         SearchSubject::Lost => lost(read)?,
         SearchSubject::Alert => Some(of_alerts(read)?),
         SearchSubject::On | SearchSubject::Still => None,
     };
-    let home = rooms.map(|stays| at_home(stays.iter().map(|stay| Interval::new(stay.begin, stay.end))));
+    let home = rooms.as_deref().map(at_home);
     let guessed = (query.what == SearchSubject::Room && told.is_none() && read.rooms.is_empty())
         .then(|| SensorRooms::from_sensors(&read.log.sensors, &read.rooms));
     let guess = |sensor: usize| Some(guessed.as_ref()?.name_of(sensor)?.to_owned());
@@ -70,25 +70,16 @@ fn heard(read: &LoadedLog) -> Interval<WallTime> {
 }
 
 /// The intervals of residents in the ground truth; `None` without one.
-fn stays<'a>(
-    read: &'a LoadedLog,
-    of: impl Fn(&'a Life<WallTime>) -> &'a Vec<Activity>,
-    is_asked: impl Fn(&str) -> bool,
-) -> Option<Vec<KnownStay<'a, WallTime>>> {
-    if read.lives.is_empty() {
+fn stays(read: &LoadedLog, kind: EpisodeKind, is_asked: impl Fn(&str) -> bool) -> Option<Vec<KnownStay<'_, WallTime>>> {
+    if read.timeline.people.is_empty() {
         return None;
     }
     let mut all = Vec::new();
-    for life in &read.lives {
-        all.extend(of(life).iter().filter(|stay| is_asked(&stay.name)).map(|stay| KnownStay {
-            begin: stay.begin,
-            end: stay.end,
-            who: Some(Cow::Borrowed(life.resident.as_str())),
-            name: Cow::Borrowed(stay.name.as_str()),
-            words: Cow::Borrowed(""),
-        }));
+    for person in &read.timeline.people {
+        let asked = person.episodes(kind).iter().filter(|stay| is_asked(&stay.label));
+        all.extend(asked.map(|stay| KnownStay::with_person(&person.name, &stay.label, stay.time)));
     }
-    all.sort_by_key(|stay| stay.begin);
+    all.sort_by_key(|stay| stay.time.begin);
     Some(all)
 }
 
@@ -98,15 +89,14 @@ fn falls<'a>(
     rooms: Option<&[KnownStay<WallTime>]>,
     by: &str,
 ) -> Option<Vec<KnownStay<'a, WallTime>>> {
-    let falls = stays(read, |life| &life.activities, |name| name == FALLEN)?;
+    let falls = stays(read, EpisodeKind::Activity, |name| name == FALLEN)?;
     Some(falls_in_rooms(falls, rooms.unwrap_or_default(), by))
 }
 
 fn lost(read: &LoadedLog) -> Result<Option<Vec<KnownStay<'static, WallTime>>>, QueryError> {
     let Some(lost) = read.lost()? else { return Ok(None) };
     let stay = |lost: crate::loaded_log::LostMessage| KnownStay {
-        begin: lost.at,
-        end: lost.at,
+        time: Interval::instant(lost.at),
         who: None,
         words: Cow::Owned(format!("{} said {}, lost: {}", lost.sensor, lost.value, lost.loss)),
         name: Cow::Owned(lost.sensor),
@@ -124,26 +114,24 @@ fn seen_falls<'a>(
     let kept = RunSilhouettes::open(&path, read.scenario().ok_or_else(missing)?)?;
     let wall = |at: RunTime| WallTime::from(kept.scenario.calendar.local(at).datetime());
     let seen = kept.falls(&FallRules::default(), |_| true)?.falls.into_iter().map(|fall| KnownStay {
-        begin: wall(fall.at),
-        end: wall(fall.alarm_at),
+        time: Interval::new(fall.at, fall.alarm_at).map(wall),
         who: None,
         words: Cow::Owned(kept.words(&fall)),
         name: Cow::Owned(fall.rule),
     });
     let mut all: Vec<KnownStay<WallTime>> = seen.collect();
     all.extend(falls(read, rooms, BY_TRUTH).unwrap_or_default());
-    all.sort_by_key(|stay| stay.begin);
+    all.sort_by_key(|stay| stay.time.begin);
     Ok(all)
 }
 
-/// Alerts by the usual rules, which are of whole days.
+/// Alerts by the usual rules; they are of whole days.
 fn of_alerts(read: &LoadedLog) -> Result<Vec<KnownStay<'static, WallTime>>, QueryError> {
     let unread = |why: String| QueryError::Search(SearchError::Unread(why));
     let measures = read.measures().map_err(|why| unread(why.to_string()))?;
     let rules = Rules::read(USUAL).map_err(|problems| unread(problems.to_string()))?;
     let stay = |alert: homebody_analysis::alerts::Alert| KnownStay {
-        begin: WallTime::midnight(alert.date),
-        end: WallTime::midnight(alert.date) + DAY,
+        time: Interval::starting(WallTime::midnight(alert.date), DAY),
         who: None,
         name: Cow::Owned(alert.rule),
         words: Cow::Owned(alert.words),
@@ -157,7 +145,7 @@ mod tests {
     use crate::log_ref::LogRef;
 
     #[test]
-    fn rooms_that_measures_guess_are_found_and_said_to_be_a_guess() {
+    fn finds_guessed_rooms_with_a_remark() {
         let folder = tempfile::tempdir().unwrap();
         let find = |sensor: &str| {
             let path = folder.path().join("log.csv");

@@ -18,10 +18,9 @@ pub(crate) const MOST_COMPARED: usize = 2000;
 /// Largest number of rows that wait for earlier ones.
 const MOST_WAITING: usize = 1 << 17;
 
-/// No clock is set back by more.
+/// Largest change of a clock that is set back.
 const SET_BACK: Span = HOUR.times(3);
 
-/// Takes rows one by one.
 pub type TakeEvent<'t> = &'t mut dyn FnMut(&Event) -> Result<(), NoMap>;
 
 /// A long log in its place.
@@ -30,9 +29,9 @@ pub(crate) struct LongLog {
     mapping: LoggerFile,
     /// The zone of the home, if the log is in UTC.
     zone: Option<TimeZone>,
-    /// From its first row to its last, on its own clock.
+    /// The time of its rows, on its own clock.
     span: Interval<WallTime>,
-    /// So many rows wait at most.
+    /// Largest number of waiting rows.
     waiting: usize,
 }
 
@@ -45,7 +44,7 @@ pub(crate) struct KeptRows {
 }
 
 impl KeptRows {
-    /// So many rows at most, and none of a log with more.
+    /// At most so many rows; empty for a log with more.
     pub fn new(most: usize) -> KeptRows {
         KeptRows { most, events: Vec::new(), span: None, is_long: false }
     }
@@ -70,12 +69,12 @@ impl KeptRows {
 }
 
 impl LongLog {
-    /// Has its rows put on the wall of a zone.
+    /// Puts its rows on the wall of a zone.
     pub fn put_on_wall(&mut self, zone: &TimeZone) {
         self.zone = Some(zone.clone());
     }
 
-    /// From its first row to its last, on the wall.
+    /// The time of its rows, on the wall.
     pub fn span(&self) -> Interval<WallTime> {
         self.span.map(|at| self.on_wall(at))
     }

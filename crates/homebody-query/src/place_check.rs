@@ -19,23 +19,19 @@ use serde::Serialize;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-/// The checks of a place.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct PlaceReport {
-    /// The name of the place.
     pub place: String,
-    /// The checks in their order.
     pub checks: Vec<Check>,
 }
 
-/// The options of a check.
 #[derive(Clone, Debug, Default)]
 pub struct PlaceCheck {
-    /// The names of a log's table and columns; `None` for those of its run, or the usual ones.
+    /// The names of a log's table and columns; by default those of its run, or the usual ones.
     pub mapping: Option<LoggerFile>,
-    /// Whether a check may write, and then removes it.
+    /// A check may write; it removes what it has written.
     pub may_write: bool,
-    /// Whether a run is replayed and compared, firing by firing.
+    /// A run is replayed and compared, firing by firing.
     pub replays: bool,
 }
 
@@ -139,7 +135,7 @@ impl PlaceCheck {
         Ok(checks)
     }
 
-    /// Checks whether the run is complete, and whether this program can resume it.
+    /// Checks that the run is complete, or that this program can resume it.
     fn recorded(&self, folder: &Path, run: &Recording) -> Check {
         let resume = match has_no_end(run) {
             _ if !run.lives_again() => "run it again with the program that has its driver".into(),
@@ -281,7 +277,6 @@ fn left(folder: &Path) -> Vec<Check> {
     .collect()
 }
 
-/// The files in a folder, by their names.
 fn files(folder: &Path) -> impl Iterator<Item = PathBuf> {
     let mut all: Vec<PathBuf> = fs::read_dir(folder)
         .into_iter()

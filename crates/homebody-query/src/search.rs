@@ -1,10 +1,10 @@
-//! Searches over a whole log or run: where a person is, what is on, when nothing stirs, falls, lost messages, alerts.
+//! Searches over a whole log or run: stays in rooms, sensors that are on, times without movement, falls, lost messages, alerts.
 //!
-//! A match is an interval. It is cut to the given hours of the day, and only then compared with the shortest duration: of a stay from
-//! 5:50 to 6:10, "between 0 and 6" has ten minutes. Rooms and activities are those of the ground truth, if there is one. Without it a
-//! person is in a room from a message of its sensors until a message of another room's sensors, whoever the person is. A sensor is on
-//! until it says that it is off, or until its state is unknown; a sensor that is never off is on as long as it repeats itself within
-//! ten minutes. Nothing stirs while no sensor says anything but readings; if the times at home are known, only those count.
+//! A match is an interval. It is cut to the given hours of the day, and only then compared with the shortest duration: a stay from 5:50 to
+//! 6:10 has ten minutes "between 0 and 6". Rooms and activities are those of the ground truth, if there is one. Without it, a person is in
+//! a room from a message of its sensors until a message of another room's sensors; people are not told apart. A sensor is on until it says
+//! that it is off, or until its state is unknown; a sensor that is never off is on as long as it repeats itself within ten minutes. Nothing
+//! stirs while no sensor says anything but readings; if the times at home are known, only those count.
 
 mod hours;
 
@@ -21,32 +21,29 @@ const PAUSE: Span = MINUTE;
 /// Time within which a repeated event belongs to one match, for a sensor without an end of its events (our choice).
 const BOUT: Span = MINUTE.times(10);
 
-/// The first words about a fall of the ground truth, besides those that cameras see.
+/// The first words about a fall of the ground truth, next to those that cameras see.
 pub const BY_TRUTH: &str = "by the truth: ";
 
-/// The subject of a search.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum SearchSubject {
-    /// Somebody is in a room.
+    /// A person is in a room.
     Room,
     /// A sensor is on.
     On,
     /// No sensor says anything but readings while a person is at home.
     Still,
-    /// Somebody does something.
+    /// A person does an activity.
     Doing,
-    /// Somebody has fallen.
+    /// A person has fallen.
     Fall,
-    /// Cameras take something for a fall; beside these what the truth tells of falls.
+    /// Cameras see a fall; the ground truth has its falls, too.
     SeenFall,
     /// A message never reached the logger.
     Lost,
-    /// Something is different from before.
     Alert,
 }
 
 impl SearchSubject {
-    /// All of them.
     pub const ALL: [SearchSubject; 8] = [
         SearchSubject::Room,
         SearchSubject::On,
@@ -58,7 +55,7 @@ impl SearchSubject {
         SearchSubject::Alert,
     ];
 
-    /// In a word, as it is asked for.
+    /// The word for it in a query.
     pub fn word(self) -> &'static str {
         match self {
             SearchSubject::Room => "room",
@@ -72,12 +69,12 @@ impl SearchSubject {
         }
     }
 
-    /// Whether a name has to be said: which room, which sensor, what is done.
+    /// A search for it needs a name: of a room, a sensor or an activity.
     pub fn has_name(self) -> bool {
         matches!(self, SearchSubject::Room | SearchSubject::On | SearchSubject::Doing)
     }
 
-    /// Whether it is known without a look at the rows.
+    /// It is known without a look at the rows.
     fn is_told(self) -> bool {
         matches!(
             self,
@@ -90,14 +87,11 @@ impl SearchSubject {
     }
 }
 
-/// A search.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Query {
-    /// The subject of a search.
     pub what: SearchSubject,
-    /// Which room, which sensor, what is done; of lost messages, alerts and falls that cameras see, whose alone.
+    /// The room, sensor or activity; of lost messages, alerts and seen falls, the name of their sensor or rule.
     pub name: Option<String>,
-    /// Between which hours of the day.
     pub hours: Option<DayHours>,
     /// The shortest duration of a match.
     pub least: Span,
@@ -106,38 +100,41 @@ pub struct Query {
 /// An interval that is known without a look at the rows.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct KnownStay<'a, T> {
-    /// From when.
-    pub begin: T,
-    /// Until when; as it begins, what has no length.
-    pub end: T,
+    /// From when to when; empty for an event.
+    pub time: Interval<T>,
     /// The resident, if it is about one.
     pub who: Option<Cow<'a, str>>,
     /// The room, what was done, the sensor of a lost message, the rule of an alert or of a fall that cameras see.
     pub name: Cow<'a, str>,
-    /// Further words about it.
+    /// Further words.
     pub words: Cow<'a, str>,
 }
 
-/// A sensor of the log.
+impl<'a, T> KnownStay<'a, T> {
+    /// A time in which a person is in a room or does something.
+    pub fn with_person(who: &'a str, name: &'a str, time: Interval<T>) -> KnownStay<'a, T> {
+        KnownStay { time, who: Some(Cow::Borrowed(who)), name: Cow::Borrowed(name), words: Cow::Borrowed("") }
+    }
+}
+
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Listener {
     /// Its name in the home, or else in the log.
     pub name: String,
-    /// The room that it is in, where that is known.
+    /// The room, if it is known.
     pub room: Option<String>,
-    /// Whether it tells of no person, as an automation does: its rows do not count.
+    /// It tells of no person, as an automation does: its rows do not count.
     pub tells_of_nobody: bool,
 }
 
-/// Takes a row: when, the sensor's number, the value's.
+/// Takes a row: time, number of the sensor, number of the value.
 pub type TakeSearchRow<'a, T> = dyn FnMut(T, u32, u32) + 'a;
 
 /// Hands over all rows in the order of time.
 pub type SearchRows<'a, T> = dyn FnMut(&mut TakeSearchRow<T>) -> Result<(), String> + 'a;
 
-/// The log or run that is searched.
 pub struct SearchGround<'a, T> {
-    /// From when to when there is something to be found.
+    /// The time of the log.
     pub span: Interval<T>,
     /// Its days, by the clock on the wall.
     pub days: Vec<SearchDay<T>>,
@@ -145,35 +142,28 @@ pub struct SearchGround<'a, T> {
     pub told: Option<Vec<KnownStay<'a, T>>>,
     /// The times with a person at home, in order; `None` if they are unknown.
     pub home: Option<Vec<Interval<T>>>,
-    /// Those of the rows.
+    /// The sensors of the rows.
     pub sensors: Vec<Listener>,
-    /// The values of the rows.
     pub values: &'a [String],
-    /// When nothing was recorded, in order.
+    /// The gaps of the recorder, in order.
     pub gaps: Vec<Interval<T>>,
-    /// The rows.
     pub rows: &'a mut SearchRows<'a, T>,
 }
 
-/// An interval in which it was so.
+/// An interval that a search finds.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Hit<T> {
-    /// From when.
-    pub begin: T,
-    /// Until when.
-    pub end: T,
-    /// The room, the sensor, what was done, or the rule; empty where nothing stirs.
+    /// From when to when.
+    pub time: Interval<T>,
+    /// The room, the sensor, the activity, or the rule; empty for a time without movement.
     pub name: String,
     /// The resident and the details, as far as they are known.
     pub words: String,
 }
 
-/// All that was found.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct SearchResult<T> {
-    /// In the order of their beginnings.
     pub hits: Vec<Hit<T>>,
-    /// Remarks on the search.
     pub remarks: Vec<String>,
 }
 
@@ -253,26 +243,27 @@ pub fn find<T: TimePoint + Default>(
         Some(within) => all.into_iter().flat_map(|hit| parts(&hit, within)).collect(),
         None => all,
     };
-    hits.retain(|hit| hit.end - hit.begin >= query.least);
-    hits.sort_by_key(|hit| hit.begin);
+    hits.retain(|hit| hit.time.length() >= query.least);
+    hits.sort_by_key(|hit| hit.time.begin);
     Ok(SearchResult { hits, remarks })
 }
 
-/// The parts of what was found that lie in intervals in order; what has no length is in them or not.
+/// The parts of a match within intervals in order; a match without length is in them or not.
 fn parts<T: TimePoint>(hit: &Hit<T>, within: &[Interval<T>]) -> Vec<Hit<T>> {
-    let within = &within[within.partition_point(|interval| interval.end <= hit.begin)..];
-    if hit.begin == hit.end {
-        return within.first().filter(|first| first.contains(hit.begin)).map(|_| hit.clone()).into_iter().collect();
+    let Interval { begin, end } = hit.time;
+    let within = &within[within.partition_point(|interval| interval.end <= begin)..];
+    if begin == end {
+        return within.first().filter(|first| first.contains(begin)).map(|_| hit.clone()).into_iter().collect();
     }
-    let parts = intersection(&[Interval::new(hit.begin, hit.end)], within).into_iter();
-    parts.map(|Interval { begin, end }| Hit { begin, end, ..hit.clone() }).collect()
+    let parts = intersection(&[hit.time], within).into_iter();
+    parts.map(|time| Hit { time, ..hit.clone() }).collect()
 }
 
 fn rooms<'a, T>(ground: &'a SearchGround<T>) -> impl Iterator<Item = &'a str> {
     ground.sensors.iter().filter_map(|sensor| sensor.room.as_deref())
 }
 
-/// The one of these names that is meant, whatever the case of its letters.
+/// The one of these names that `name` means, in any case of its letters.
 fn named<'n>(kind: &'static str, name: &str, known: impl Iterator<Item = &'n str>) -> Result<String, SearchError> {
     let mut known: Vec<&str> = known.collect();
     known.sort_unstable();
@@ -295,7 +286,7 @@ fn hit<T: TimePoint>(stay: &KnownStay<T>) -> Hit<T> {
         (Some(who), words) => format!("{who}: {words}"),
         (None, words) => words.to_owned(),
     };
-    Hit { begin: stay.begin, end: stay.end, name: stay.name.to_string(), words }
+    Hit { time: stay.time, name: stay.name.to_string(), words }
 }
 
 /// The stays of one name by person; stays with a short pause between are one.
@@ -305,7 +296,9 @@ fn merged<T: TimePoint>(told: Vec<KnownStay<T>>, name: &str) -> Vec<Hit<T>> {
     for stay in told.into_iter().filter(|stay| *stay.name == *name) {
         let known = last.iter_mut().find(|(who, _)| *who == stay.who);
         match known {
-            Some((_, at)) if stay.begin - all[*at].end <= PAUSE => all[*at].end = all[*at].end.max(stay.end),
+            Some((_, at)) if stay.time.begin - all[*at].time.end <= PAUSE => {
+                all[*at].time.end = all[*at].time.end.max(stay.time.end);
+            }
             Some((_, at)) => {
                 *at = all.len();
                 all.push(hit(&stay));
@@ -319,13 +312,12 @@ fn merged<T: TimePoint>(told: Vec<KnownStay<T>>, name: &str) -> Vec<Hit<T>> {
     all
 }
 
-/// Intervals of which nothing more is said.
+/// Intervals without further words.
 fn wordless<T: TimePoint>(spans: Vec<Interval<T>>, name: &str) -> Vec<Hit<T>> {
-    let hit = |Interval { begin, end }| Hit { begin, end, name: name.to_owned(), words: String::new() };
+    let hit = |time| Hit { time, name: name.to_owned(), words: String::new() };
     spans.into_iter().map(hit).collect()
 }
 
-/// The meanings of values.
 fn meanings(values: &[String]) -> Vec<Says> {
     values.iter().map(|value| says(value)).collect()
 }
@@ -451,15 +443,14 @@ fn still<T: TimePoint>(ground: &mut SearchGround<T>, remarks: &mut Vec<String>) 
     Ok(wordless(spans, ""))
 }
 
-/// Falls, and in which room each was, by who was where. `by` says who tells of them, and may be empty.
+/// Falls, with the room of each, by the stays of the same person. `by` begins their words, and may be empty.
 pub fn falls_in_rooms<'a, T: TimePoint>(
     falls: Vec<KnownStay<'a, T>>,
     stays: &[KnownStay<T>],
     by: &str,
 ) -> Vec<KnownStay<'a, T>> {
     let told = |fall: KnownStay<'a, T>| {
-        let is_there =
-            |stay: &&KnownStay<T>| stay.who == fall.who && Interval::new(stay.begin, stay.end).contains(fall.begin);
+        let is_there = |stay: &&KnownStay<T>| stay.who == fall.who && stay.time.contains(fall.time.begin);
         let room = stays.iter().find(is_there).filter(|stay| !stay.name.is_empty());
         let words = room.map_or_else(|| format!("{by}has fallen"), |room| format!("{by}has fallen, {}", room.name));
         KnownStay { words: Cow::Owned(words), ..fall }
@@ -468,8 +459,8 @@ pub fn falls_in_rooms<'a, T: TimePoint>(
 }
 
 /// The times with a person at home: all stays in rooms together, with short ways between rooms.
-pub fn at_home<T: TimePoint>(stays: impl IntoIterator<Item = Interval<T>>) -> Vec<Interval<T>> {
-    let mut stays: Vec<Interval<T>> = stays.into_iter().collect();
+pub fn at_home<T: TimePoint>(stays: &[KnownStay<T>]) -> Vec<Interval<T>> {
+    let mut stays: Vec<Interval<T>> = stays.iter().map(|stay| stay.time).collect();
     stays.sort_unstable();
     joined(stays, PAUSE)
 }

@@ -13,20 +13,21 @@ use homebody_log::source::TruthValue;
 use homebody_log::table::ColumnKind;
 use homebody_log::table::truth::{Truth, tables};
 use homebody_log::truth::truth_rows;
-use homebody_log::{Activity, Event, Life, Log, LogError, Url, activities, lives};
+use homebody_log::{Event, Log, LogError, Url, read_timeline};
+use homebody_timeline::{Episode, PersonTimeline, Timeline};
 use jiff::tz::TimeZone;
 
 /// A log in UTC. Without a known zone, its wall clock is taken for UTC.
 pub struct UtcLog {
     /// The log, its sensors by the names that they have in their home.
     pub log: Log<UtcTime>,
-    /// The intervals of residents in the ground truth, or in the log itself, which has no names.
-    pub lives: Vec<Life<UtcTime>>,
-    /// The zone of the home; None where instants are on the wall.
+    /// The timeline of the ground truth, or else the activities of the log itself, for a person without a name.
+    pub timeline: Timeline<UtcTime>,
+    /// The zone of the home; `None` if instants are on the wall.
     pub zone: Option<String>,
 }
 
-/// Reads instants that one file tells one after the other.
+/// Reads successive instants of one file.
 struct UtcReader<'s> {
     scale: &'s TimeScale,
     /// The last instant in the file of a run; `None` if the run is unknown.
@@ -50,7 +51,7 @@ fn wall_around(instants: impl Iterator<Item = WallTime>, zone: &TimeZone) -> Tim
 }
 
 impl LogRef {
-    /// Reads it by the world's clock. `zone` is that of its home, where its run does not tell it.
+    /// Reads it in UTC. `zone` is that of its home, if its run is unknown.
     ///
     /// # Errors
     ///
@@ -60,7 +61,7 @@ impl LogRef {
         let mut log = self.read()?;
         let first = log.events.iter().take(MOST_COMPARED).copied().collect();
         let truth = self.truth_of_run(&mut log, first)?;
-        let lives = truth.map(|truth| lives(&truth, &self.clock())).transpose()?.unwrap_or_default();
+        let timeline = truth.map(|truth| read_timeline(&truth, &self.clock())).transpose()?.unwrap_or_default();
         let known = self.zone();
         let is_naive = log.clock == Clock::Local && known.is_none() && asked.is_none();
         let as_told = TimeScale::one();
@@ -69,9 +70,9 @@ impl LogRef {
         let scale = match (of_run, &asked) {
             (Some(of_run), _) => of_run,
             (None, Some(zone)) if log.clock == Clock::Local => {
-                let parts = lives.iter().flat_map(|life| life.activities.iter().chain(&life.rooms));
-                let parts = parts.flat_map(|part| [part.begin, part.end].map(|at| as_told.run_to_wall(at)));
-                let noted = log.activities.iter().flat_map(|noted| [noted.begin, noted.end]);
+                let parts = timeline.people.iter().flat_map(|person| person.activities.iter().chain(&person.rooms));
+                let parts = parts.flat_map(|part| [part.begin(), part.end()].map(|at| as_told.run_to_wall(at)));
+                let noted = log.activities.iter().flat_map(|noted| [noted.begin(), noted.end()]);
                 let gaps = log.gaps.iter().flat_map(|gap| [gap.begin, gap.end]);
                 wall_around(log.events.iter().map(|event| event.at).chain(noted).chain(gaps).chain(parts), zone)
             }
@@ -83,7 +84,7 @@ impl LogRef {
         let events: Vec<Event<UtcTime>> = events.into_iter().map(|event| event.map(|at| told.earth(at))).collect();
         let mut told = reader();
         let noted = std::mem::take(&mut log.activities);
-        let noted: Vec<Activity<UtcTime>> = noted.into_iter().map(|noted| noted.map(|at| told.earth(at))).collect();
+        let noted: Vec<Episode<UtcTime>> = noted.into_iter().map(|noted| noted.map(|at| told.earth(at))).collect();
         let mut told = reader();
         let gaps = std::mem::take(&mut log.gaps).into_iter().map(|gap| gap.map(|at| told.earth(at))).collect();
         // Those are on the run's own clock already.
@@ -91,9 +92,9 @@ impl LogRef {
             Some(_) => scale.to_utc(at),
             None => scale.from_wall(as_told.run_to_wall(at)),
         };
-        let mut lives: Vec<Life<UtcTime>> = lives.into_iter().map(|life| life.map(earth)).collect();
-        if lives.is_empty() && !noted.is_empty() {
-            lives.push(Life { resident: String::new(), activities: noted, rooms: Vec::new() });
+        let mut timeline = timeline.map(earth);
+        if timeline.people.is_empty() && !noted.is_empty() {
+            timeline.people.push(PersonTimeline { activities: noted, ..PersonTimeline::default() });
         }
         for sensor in &mut log.sensors {
             if let Some(name) = self.name_of(sensor) {
@@ -102,10 +103,10 @@ impl LogRef {
         }
         let zone = known.or(asked).or_else(|| log.zone.clone()).unwrap_or(TimeZone::UTC);
         let zone = (!is_naive).then(|| zone.iana_name().unwrap_or("UTC").to_owned());
-        Ok(UtcLog { log: log.with(events, Vec::new(), gaps), lives, zone })
+        Ok(UtcLog { log: log.with(events, Vec::new(), gaps), timeline, zone })
     }
 
-    /// The truth beside it.
+    /// The truth in its folder.
     ///
     /// # Errors
     ///
@@ -115,7 +116,7 @@ impl LogRef {
         Ok(self.truth().ok_or_else(no_truth)?)
     }
 
-    /// Gives the rows of a table of the truth beside it, with instants as [`UtcLog`] has them.
+    /// Hands over the rows of a table of the truth in its folder, with instants as in [`UtcLog`].
     ///
     /// # Errors
     ///
@@ -145,9 +146,9 @@ impl LogRef {
         Ok(())
     }
 
-    /// What residents did, in the order of their beginnings, as the truth or the log tells it. A log in UTC, of a run that nobody knows, is
-    /// put on the wall of `zone`, where one is given. With a truth, it is on a wall that is never set, and was at midnight of 1970 when the
-    /// run began.
+    /// Reads the log with the activities of its truth, or of the log itself, in the order of their beginnings. A log in UTC, of an unknown
+    /// run, is put on the wall of `zone`, where one is given. With a truth, it is on a wall that is never set, so that lengths of time
+    /// are right; it shows the time of the home as the run begins.
     ///
     /// # Errors
     ///
@@ -161,10 +162,10 @@ impl LogRef {
             put_on_wall(&mut log, &zone);
         }
         if let Some(truth) = truth {
-            let never_set = TimeScale::one();
-            let wall = |at| never_set.run_to_wall(at);
-            log.activities = activities(&truth, &self.clock())?.into_iter().map(|did| did.map(wall)).collect();
-            // Rows are put on the clock of the run, which is never set, as activities of the truth are.
+            let home = self.clock_of(Clock::Local).unwrap_or_else(TimeScale::one);
+            let start = home.run_to_wall(RunTime::START);
+            let wall = |at: RunTime| start + at.since_zero();
+            log.activities = read_timeline(&truth, &self.clock())?.map(wall).into_activities();
             let scale = self.clock_of(log.clock).unwrap_or_else(TimeScale::one);
             let mut last = RunTime::MIN;
             for event in &mut log.events {

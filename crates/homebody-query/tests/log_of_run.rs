@@ -4,7 +4,7 @@ use homebody_query::LoadedLog;
 use homebody_simulation::{Destinations, template};
 
 #[test]
-fn the_recording_beside_a_log_tells_its_zone_and_its_home() {
+fn recording_of_a_log_gives_its_zone_and_home() {
     let folder = tempfile::tempdir().unwrap();
     let run = template("tigerplace").unwrap().run().days(0.25).start().unwrap();
     let summary = run.store(&Destinations::new_folder_in(folder.path()), |_| ()).unwrap();

@@ -184,12 +184,8 @@ impl ScriptDriver {
         let is_walk = matches!(next.doing, MotionState::Stride { .. });
         let look = now + if is_walk { LOOKS_WALKING } else { LOOKS_STAYING };
         if next.end > look && self.program.notices() && next.doing != MotionState::Away {
-            let first = next.until(look);
-            let doing = match (first.to(), next.doing) {
-                (Some(from), MotionState::Stride { to, .. }) => MotionState::Stride { from, to },
-                (_, doing) => doing,
-            };
-            self.moves.push_front(MotionSegment { begin: look, doing, ..next });
+            let [first, rest] = next.split(look);
+            self.moves.push_front(rest);
             next = first;
         }
         self.body.follow(&next);

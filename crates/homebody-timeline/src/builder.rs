@@ -5,14 +5,13 @@ use homebody_core::event::Fact;
 use homebody_core::run::Run;
 use homebody_core::time::{Interval, RunTime};
 
-/// Takes the facts of a run as they come to be known, and builds the timelines of its people.
+/// Builds the timelines of people from the facts of a run.
 #[derive(Clone, Debug, Default)]
 pub struct TimelineBuilder {
     rooms: Vec<String>,
     people: Vec<Building>,
 }
 
-/// One person's timeline so far.
 #[derive(Clone, Debug, Default)]
 struct Building {
     done: PersonTimeline<RunTime>,
@@ -21,19 +20,18 @@ struct Building {
 }
 
 impl TimelineBuilder {
-    /// For all people of a run, its guests included.
-    pub fn of(run: &Run) -> TimelineBuilder {
+    /// A builder for all people of a run, its guests included.
+    pub fn for_run(run: &Run) -> TimelineBuilder {
         TimelineBuilder::new(run.names(), run.home().plan.rooms.iter().map(|room| room.name.clone()).collect())
     }
 
-    /// For people with these names, in a home with these rooms, both in the order of their ids in facts.
+    /// A builder for people with these names in a home with these rooms, both in the order of their ids in facts.
     pub fn new(people: Vec<String>, rooms: Vec<String>) -> TimelineBuilder {
-        let person =
-            |name| Building { done: PersonTimeline { name, ..PersonTimeline::default() }, ..Building::default() };
+        let person = |name| Building { done: PersonTimeline::new(name), ..Building::default() };
         TimelineBuilder { rooms, people: people.into_iter().map(person).collect() }
     }
 
-    /// Takes facts in the order in which a run reports them. Facts of people beyond the names, such as visitors, are passed over.
+    /// Takes facts in the order in which a run reports them. It ignores people without a name in the builder, such as visitors.
     pub fn take<'f>(&mut self, facts: impl IntoIterator<Item = &'f Fact>) {
         for fact in facts {
             match fact {
@@ -51,16 +49,16 @@ impl TimelineBuilder {
         }
     }
 
-    /// Hands over the episodes that have ended since the last time; those that are under way follow later.
+    /// Hands over the episodes that have ended since the last call.
     pub fn take_ended(&mut self) -> Timeline<RunTime> {
         let ended = |person: &mut Building| {
-            let name = person.done.name.clone();
-            std::mem::replace(&mut person.done, PersonTimeline { name, ..PersonTimeline::default() })
+            let next = PersonTimeline::new(person.done.name.clone());
+            std::mem::replace(&mut person.done, next)
         };
         Timeline { people: self.people.iter_mut().map(ended).collect() }
     }
 
-    /// Ends what is under way, and hands over what was not yet handed over.
+    /// Ends the open episodes, and hands over all that it has not yet handed over.
     pub fn finish(mut self, end: RunTime) -> Timeline<RunTime> {
         for person in &mut self.people {
             turn(&mut person.activity, &mut person.done.activities, end, None);
@@ -70,8 +68,8 @@ impl TimelineBuilder {
     }
 }
 
-/// Ends what is under way, and begins what is next. A stride may be told to enter a room later than the end of the run: that episode is left
-/// out.
+/// Ends the open episode, and opens the next. A run reports a stride as it begins, so a room may be entered after the end of the run; that
+/// episode is left out.
 fn turn(open: &mut Option<(RunTime, String)>, ended: &mut Vec<Episode>, at: RunTime, next: Option<String>) {
     let next = next.map(|label| (at, label));
     if let Some((begin, label)) = std::mem::replace(open, next)

@@ -1,8 +1,8 @@
-//! Who was where, doing what, when.
+//! Timelines of people: where they were, doing what, and when.
 //!
 //! A [`Timeline`] has the activities and the rooms of each person, on one scale of time. A [`TimelineBuilder`] makes it from the facts of a
-//! run; `homebody-log` makes it from a stored ground truth. Whatever asks for the truth of a run reads a timeline: measures,
-//! experiments, labels, pictures, the page.
+//! run; `read_timeline` of `homebody-log` makes it from a stored ground truth. Measures, experiments, labels, pictures and the page read
+//! timelines.
 
 #![warn(missing_docs)]
 
@@ -12,24 +12,33 @@ pub use builder::TimelineBuilder;
 
 use homebody_core::time::{Interval, RunTime, Span, TimePoint};
 
-/// An interval of a person's time and its label: an activity, such as `sleeping`, or a room.
-#[derive(Clone, Debug, PartialEq, Eq)]
+/// An interval of time and its label: an activity, such as `sleeping`, or a room.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Episode<T = RunTime, L = String> {
-    /// The activity, or the name of the room.
+    /// The activity, or the room; its name, or its number in a list of names.
     pub label: L,
-    /// When it was.
+    /// From when to when.
     pub time: Interval<T>,
 }
 
 /// The activities and rooms of one person, each in the order of time.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct PersonTimeline<T = RunTime> {
+pub struct PersonTimeline<T = RunTime, L = String> {
     /// The person's name; empty where a log does not name them.
     pub name: String,
-    /// What they did; nothing in particular between two episodes.
-    pub activities: Vec<Episode<T>>,
-    /// Where they were; between rooms or out of the home between two episodes.
-    pub rooms: Vec<Episode<T>>,
+    /// The activities; nothing in particular between two episodes.
+    pub activities: Vec<Episode<T, L>>,
+    /// The rooms; between rooms or out of the home between two episodes.
+    pub rooms: Vec<Episode<T, L>>,
+}
+
+/// The kind of an episode, by its label.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum EpisodeKind {
+    /// One of [`PersonTimeline::activities`].
+    Activity,
+    /// One of [`PersonTimeline::rooms`].
+    Room,
 }
 
 /// The timelines of all people of a home.
@@ -57,16 +66,21 @@ impl<T: TimePoint, L> Episode<T, L> {
         self.time.end
     }
 
-    /// How long it lasted.
+    /// The length of the episode.
     pub fn length(&self) -> Span {
         self.time.length()
+    }
+
+    /// The same episode on another scale of time.
+    pub fn map<U>(self, change: impl FnMut(T) -> U) -> Episode<U, L> {
+        Episode { label: self.label, time: self.time.map(change) }
     }
 }
 
 // Not derived: that would ask for a `T` that has a default.
-impl<T> Default for PersonTimeline<T> {
-    fn default() -> PersonTimeline<T> {
-        PersonTimeline { name: String::new(), activities: Vec::new(), rooms: Vec::new() }
+impl<T, L> Default for PersonTimeline<T, L> {
+    fn default() -> PersonTimeline<T, L> {
+        PersonTimeline::new(String::new())
     }
 }
 
@@ -76,8 +90,31 @@ impl<T> Default for Timeline<T> {
     }
 }
 
+impl<T, L> PersonTimeline<T, L> {
+    /// The timeline of a person with this name, without any episode.
+    pub const fn new(name: String) -> PersonTimeline<T, L> {
+        PersonTimeline { name, activities: Vec::new(), rooms: Vec::new() }
+    }
+
+    /// The episodes of a kind.
+    pub fn episodes(&self, kind: EpisodeKind) -> &[Episode<T, L>] {
+        match kind {
+            EpisodeKind::Activity => &self.activities,
+            EpisodeKind::Room => &self.rooms,
+        }
+    }
+
+    /// The episodes of a kind, to be added to.
+    pub fn episodes_mut(&mut self, kind: EpisodeKind) -> &mut Vec<Episode<T, L>> {
+        match kind {
+            EpisodeKind::Activity => &mut self.activities,
+            EpisodeKind::Room => &mut self.rooms,
+        }
+    }
+}
+
 impl<T: TimePoint> PersonTimeline<T> {
-    /// Whether nothing is known of the person.
+    /// Nothing is known of the person.
     pub fn is_empty(&self) -> bool {
         self.activities.is_empty() && self.rooms.is_empty()
     }
@@ -92,16 +129,15 @@ impl<T: TimePoint> PersonTimeline<T> {
         label_at(&self.rooms, at)
     }
 
-    /// The same on another scale.
-    pub fn map<U>(self, change: &mut impl FnMut(T) -> U) -> PersonTimeline<U> {
+    /// The same timeline on another scale of time.
+    fn map<U>(self, change: &mut impl FnMut(T) -> U) -> PersonTimeline<U> {
         let mut map = |episodes: Vec<Episode<T>>| {
-            let changed = |Episode { label, time }| Episode { label, time: time.map(&mut *change) };
-            episodes.into_iter().map(changed).collect()
+            episodes.into_iter().map(|episode| episode.map(&mut *change)).collect::<Vec<Episode<U>>>()
         };
         PersonTimeline { activities: map(self.activities), rooms: map(self.rooms), name: self.name }
     }
 
-    /// Forgets what was over by an instant.
+    /// Forgets the episodes that were over by an instant.
     pub fn forget_before(&mut self, at: T) {
         self.activities.retain(|episode| episode.end() > at);
         self.rooms.retain(|episode| episode.end() > at);
@@ -109,7 +145,7 @@ impl<T: TimePoint> PersonTimeline<T> {
 }
 
 impl<T: TimePoint> Timeline<T> {
-    /// The same on another scale.
+    /// The same timelines on another scale of time.
     pub fn map<U>(self, mut change: impl FnMut(T) -> U) -> Timeline<U> {
         Timeline { people: self.people.into_iter().map(|person| person.map(&mut change)).collect() }
     }
@@ -122,7 +158,7 @@ impl<T: TimePoint> Timeline<T> {
     }
 }
 
-/// The label at an instant of episodes in order, of which no two overlap.
+/// The label at an instant of episodes in order, without overlaps.
 fn label_at<T: TimePoint>(episodes: &[Episode<T>], at: T) -> Option<&str> {
     let next = episodes.partition_point(|episode| episode.begin() <= at);
     let last = episodes[..next].last()?;

@@ -1,7 +1,7 @@
-//! Walking back: what it costs to walk a log back through the plan of its home, beside living the same days.
+//! The time to locate a log in its home, compared with simulating the same days.
 //!
-//! Both sides of a ratio take turns in one run, so that a noisy machine disturbs both. What is learnt of the home once, before
-//! the first message, is in the time of walking back.
+//! Both sides of a ratio take turns in one run, so that a noisy machine disturbs both. The work that is done once for the home, before the
+//! first message, is in the time of locating.
 //!
 //! Ends with one line per home: `RATIO walked_vs_lived <home> <median> <min>..<max>`. Names after `--` ask for those homes alone.
 

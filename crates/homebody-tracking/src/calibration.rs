@@ -1,17 +1,17 @@
-//! A scenario fitted to the log of its home: its sensors' timing, the rhythm of who lives there, and the link.
+//! A scenario fitted to the log of its home: its sensors' timing, the rhythm of its resident, and the link.
 //!
-//! What a log tells by itself is read off it: how long ONs last and how soon they come again (`homebody_analysis::timing`), and
-//! which messages come twice or not at all. The rhythm is read off the log walked back through the home: nights, outings, meals
-//! and visits to the bathroom become a diary, and the diary sentences (`homebody_routine::rhythm`). How much somebody moves by
-//! day and turns by night, and how much days differ, cannot be read off: the fitted scenario is lived, its firings an hour are held
-//! against the log's, and the sentences are changed until they agree.
+//! The lengths of ONs and the times between them come from the log itself (`homebody_analysis::timing`), and so do repeated and lost
+//! messages. The rhythm comes from the located log: nights, outings, meals and visits to the bathroom become a diary, and the diary
+//! sentences (`homebody_routine::rhythm`). The movement by day, the turning by night and the differences between days are found by
+//! simulation: the fitted scenario is simulated, its firings an hour are compared with the log's, and the sentences change until they
+//! agree.
 //!
-//! How far sensors see and what they miss is what makes them fire most like the log when the walked path is lived again
-//! (`seeing`); the log is then walked back anew.
+//! The reach and the misses of sensors are those with which a simulation of the located path fires most like the log (`sight`); the log is
+//! then located anew.
 //!
 //! We assume one resident, whose days are all of a kind.
 //!
-//! Left out: where furniture stands and sensors hang; visitors; weekdays.
+//! Left out: the places of furniture and sensors; visitors; weekdays.
 
 mod diary;
 mod sight;
@@ -35,32 +35,27 @@ pub use simulated_log::simulated_log;
 use std::collections::BTreeMap;
 use std::ops::Range;
 
-/// A scenario fitted to a log.
 pub struct Calibration {
-    /// Its files by name.
     pub files: BTreeMap<String, String>,
     /// The name of its own file among them.
     pub entry: String,
     /// By sensor of the log: its name in the home; its id where the home has no such sensor.
     pub names: Vec<String>,
-    /// The fitted parameters.
     pub fitted: Fitted,
 }
 
-/// The fitted parameters.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Fitted {
     /// The timing of the sensors and of the link in the log.
     pub timing: MotionTiming,
-    /// The ranges and misses of the motion sensors that fired often enough.
+    /// The ranges and misses of the motion sensors with enough firings.
     pub sights: Vec<SensorSight>,
-    /// The nights and days that the rhythm was read off.
+    /// The number of nights in the rhythm.
     pub nights: usize,
-    /// The sentences of the routine.
     pub routine: Vec<String>,
-    /// So many times as much movement while up as usual.
+    /// Factor on the usual movement while up.
     pub movement: f64,
-    /// So many times as much turning in bed as usual.
+    /// Factor on the usual turning in bed.
     pub turning: f64,
     /// The difference between days: the parameter `life.day_spread`.
     pub day_spread: f64,
@@ -71,9 +66,9 @@ pub struct Fitted {
 /// The rates of motion sensors.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
 pub struct FiringRates {
-    /// An hour, between the usual times of rising and of going to bed.
+    /// Firings an hour between the usual times of rising and of going to bed.
     pub up: f64,
-    /// An hour, between the usual times of going to bed and of rising.
+    /// Firings an hour between the usual times of going to bed and of rising.
     pub in_bed: f64,
 }
 
@@ -87,7 +82,7 @@ const MOVEMENT: Range<f64> = 0.1..4.0;
 const TURNING: Range<f64> = 0.05..10.0;
 /// Difference from 1 below which a factor is omitted (our choice): runs differ by more.
 const ABOUT_AS_USUAL: f64 = 0.05;
-/// The number of how lively days are.
+/// The parameter of the differences between days.
 const DAY_SPREAD: &str = "life.day_spread";
 /// Largest value of the parameter.
 const MOST_DAY_SPREAD: f64 = 2.0;
@@ -179,7 +174,7 @@ impl Fitted {
         (self.nights < FEW_NIGHTS).then_some(CalibrationMessage::FewNights { nights: self.nights })
     }
 
-    /// The routine with how much somebody moves and turns.
+    /// The routine, with factors on movement and turning.
     fn text(&self) -> String {
         let mut sentences = self.routine.clone();
         let said = |times: f64, less: &str, more: &str| {
@@ -194,8 +189,7 @@ impl Fitted {
 }
 
 impl FiringRates {
-    /// Of a log, whose usual night is known as times of day. Of hours by day only those count in which anything fires: in others
-    /// nobody was at home.
+    /// The rates of a log, with its usual night as times of day. By day, hours without any firing do not count: the resident was out.
     fn new(log: &Log, night: &UsualNight) -> FiringRates {
         let kinds = kinds(log);
         let is_firing =
@@ -240,7 +234,7 @@ fn day_spread(scenario: &Scenario) -> f64 {
     scenario.file.numbers.get(DAY_SPREAD).copied().or_else(usual).unwrap_or_default()
 }
 
-/// The scenario as it is fitted so far.
+/// The scenario, as fitted so far.
 fn open(walked: &OpenScenario, fitted: &Fitted) -> Result<OpenScenario, TrackingError> {
     let edit = walked.scenario().edit().routine(0, ROUTINE, fitted.text()).file(|file| {
         // A thousandth more or less is nothing that a few days can tell.

@@ -6,6 +6,5 @@ use crate::translation::TranslationMessage;
 use homebody_core::messages::{Catalogue, CatalogueEntry};
 use homebody_infer::ResponseError;
 
-/// The messages by area.
 pub const MESSAGES: &[&[CatalogueEntry]] =
     &[TrackingError::ENTRIES, TranslationMessage::ENTRIES, CalibrationMessage::ENTRIES, ResponseError::ENTRIES];

@@ -9,10 +9,10 @@ use homebody_log::Log;
 use serde::Serialize;
 use std::fmt;
 
-/// Interval, in the time of the log, of the positions between two rows (our choice): silence is evidence, too.
+/// Interval, in the time of the log, between positions without a row (our choice): silence is evidence, too.
 const ASKED: Span = SECOND.times(30);
 
-/// The responses of the sensors of a home to the bodies that may be there.
+/// The responses of the sensors of a home to the possible bodies.
 pub struct FollowedHome {
     bodies: Vec<Senses>,
     nobody: Senses,
@@ -24,34 +24,34 @@ pub struct FollowedHome {
 /// The place of a person now, and its probability.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct PersonLocation {
-    /// On the clock on the wall.
+    /// The time on the clock on the wall.
     pub time: String,
     /// The resident, or a guest if there is one resident.
     pub who: String,
-    /// The room; nothing of who is out or between the rooms.
+    /// The room; `None` outside and between rooms.
     pub room: Option<String>,
     /// Their movement there.
     pub doing: &'static str,
     /// The probability of the room, from 0 to 1.
     pub chance: f64,
-    /// The position in metres; nothing for a person who is out.
+    /// The position in metres; `None` outside.
     pub at_m: Option<[f64; 2]>,
 }
 
-/// A log that is followed through the plan of its home.
+/// A follower of a log through the plan of its home.
 pub struct LogFollower<'a> {
     learnt: &'a FollowedHome,
     scenario: &'a Scenario,
     follower: Follower<'a>,
-    /// When the row was that was taken last, and how many of that instant were taken.
+    /// The time of the last row, and the number of rows at that time.
     last: Option<(RunTime, usize)>,
-    /// When it is asked next.
+    /// The time of the next position without a row.
     next: RunTime,
     /// The last report of each person.
     told: Vec<Option<(RoomState, Confidence)>>,
 }
 
-/// A room, or being out, or between the rooms.
+/// True if the person is out; the room, if they are in a room.
 type RoomState = (bool, Option<usize>);
 
 /// The confidence in a room, in words.
@@ -87,7 +87,7 @@ impl FollowedHome {
 }
 
 impl<'a> LogFollower<'a> {
-    /// Of a log of which nothing has been read.
+    /// A follower before the first row.
     pub fn new(learnt: &'a FollowedHome, scenario: &'a Scenario) -> LogFollower<'a> {
         let follower = Follower::new(&learnt.bodies, &learnt.nobody);
         let told = vec![None; learnt.people.len()];
@@ -141,7 +141,7 @@ impl<'a> LogFollower<'a> {
                 Some((before, doubt)) if *before == place => doubt.after(guess.chance),
                 _ => Confidence::from_chance(guess.chance),
             };
-            // Of somebody who may visit it is told once they do.
+            // A guest is reported once they come.
             let is_new = told.is_some() || !place.0 || learnt.people.first() == Some(who);
             if is_new && told.replace((place, doubt)) != Some((place, doubt)) {
                 tell(presence(heard.calendar.wall_clock(now.at), who, &guess, &learnt.rooms));
@@ -178,7 +178,7 @@ impl Confidence {
         }
     }
 
-    /// The word that comes after this one: the same, as long as the chance is hardly beyond its limits.
+    /// The next word: the same, as long as the chance is hardly beyond its limits.
     fn after(self, chance: f64) -> Confidence {
         match [chance - BEYOND, chance + BEYOND].map(Confidence::from_chance).contains(&self) {
             true => self,

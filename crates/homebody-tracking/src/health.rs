@@ -1,4 +1,4 @@
-//! What is wrong with the sensors of a home, by its log.
+//! The faults of the sensors of a home, by its log.
 
 use crate::error::TrackingError;
 use crate::translation::{HomeMessages, bodies, misfits};
@@ -12,12 +12,11 @@ use serde::Serialize;
 use std::fmt;
 use std::sync::{Mutex, PoisonError};
 
-/// The faults of the sensors of a home.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Health {
     /// The number of sensors in the log.
     pub sensors: usize,
-    /// When the log begins and ends, on the clock on the wall.
+    /// The begin of the log, on the clock on the wall.
     pub from: String,
     /// The end of its last hour.
     pub to: String,
@@ -27,16 +26,13 @@ pub struct Health {
     pub remarks: Vec<String>,
 }
 
-/// Something that is wrong with a sensor for a time.
+/// A fault of a sensor for a time.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct SensorFinding {
-    /// Its name in the home.
     pub sensor: String,
-    /// Since when, on the clock on the wall.
+    /// The begin, on the clock on the wall.
     pub from: String,
-    /// Until when.
     pub to: String,
-    /// The fault.
     #[serde(flatten)]
     pub ailment: SensorFault,
 }
@@ -68,7 +64,7 @@ pub fn health(log: &Log, scenario: &Scenario, progress: impl FnMut(f64) + Send) 
     })
 }
 
-/// Runs the passes of an examination at the same time, as far as there are processors.
+/// Runs the passes of an examination in parallel, as far as there are processors.
 fn findings(examination: &Examination, progress: impl FnMut(f64) + Send) -> Vec<FaultFinding> {
     let passes = Passes {
         shares: Mutex::new((vec![0.0; Examination::PASSES], progress)),
@@ -84,9 +80,8 @@ fn findings(examination: &Examination, progress: impl FnMut(f64) + Send) -> Vec<
 /// The passes of an examination. They take turns: without turns one processor would run the last of five passes, and the
 /// other one would wait.
 struct Passes<F> {
-    /// Of each, the share that is done; and who hears of it.
+    /// The finished share of each, and the receiver of the mean.
     shares: Mutex<(Vec<f64>, F)>,
-    /// Of each, what it counted.
     counted: Mutex<Vec<Option<PassCounts>>>,
 }
 

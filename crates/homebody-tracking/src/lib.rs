@@ -3,8 +3,6 @@
 //! `homebody-infer` has the model; this crate applies it to a log by its name and a scenario, and simulates the result. It does not know
 //! who asks, nor how an answer is shown. Reading order:
 
-#![warn(missing_docs)]
-
 mod error;
 pub mod catalogue;
 
@@ -12,7 +10,6 @@ mod translation;
 mod follower;
 mod health;
 
-/// The folder of a located log.
 pub mod located_folder;
 
 mod calibration;

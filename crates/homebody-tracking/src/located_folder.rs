@@ -21,11 +21,11 @@ use std::path::Path;
 
 /// The folder of the run that simulates the paths.
 pub const SIMULATED_RUN: &str = "run";
-/// The folder with a copy of the log as it was given.
+/// The folder with a copy of the log.
 pub const GIVEN: &str = "given";
-/// The table of where everybody was.
+/// The table of the places of all people.
 pub const WHERE: &str = "where.csv";
-/// The table of how likely everybody was in each room.
+/// The table of the probabilities of the rooms of each person.
 pub const ROOMS: &str = "rooms.csv";
 /// The report as JSON.
 pub const REPORT: &str = "report.json";
@@ -39,10 +39,9 @@ const MOST_DOUBTS: usize = 10_000_000;
 /// Share of the time that locating takes (our choice). Simulating the path takes the rest.
 const WALKING: f64 = 0.7;
 
-/// The report of a located log.
 #[derive(Clone, Debug, Serialize)]
 pub struct LocatingReport {
-    /// As the log was named.
+    /// The name of the log, as the user gave it.
     pub log: String,
     /// The number of rows of the log.
     pub rows: u64,
@@ -50,11 +49,11 @@ pub struct LocatingReport {
     pub rows_taken: u64,
     /// The residents, and last a guest if there is one resident.
     pub people: Vec<String>,
-    /// Whether a guest was ever there.
+    /// A guest was seen.
     pub guest_seen: bool,
-    /// Sensors that the home does not have.
+    /// Sensors that the home lacks.
     pub unknown_sensors: Vec<UnknownSensor>,
-    /// Sensors of the home that the log does not have.
+    /// Sensors of the home that the log lacks.
     pub sensors_without_rows: Vec<String>,
     /// Sensors that could not be believed for a time.
     pub not_believed: Vec<DistrustedSensor>,
@@ -66,33 +65,27 @@ pub struct LocatingReport {
     pub explained: Explained,
 }
 
-/// A sensor that the home does not have.
 #[derive(Clone, Debug, Serialize)]
 pub struct UnknownSensor {
-    /// Its id in the log.
     pub id: String,
-    /// The number of its rows.
     pub rows: u64,
 }
 
 /// A sensor that could not be believed for a time.
 #[derive(Clone, Debug, Serialize)]
 pub struct DistrustedSensor {
-    /// Its name in the home.
     pub sensor: String,
-    /// From when, on the clock on the wall.
+    /// The begin, on the clock on the wall.
     pub from: String,
-    /// Until when.
     pub to: String,
-    /// The fault.
     pub why: FaultIntervalKind,
 }
 
-/// The part of a report that is read back from its folder.
+/// The part of a report that is read from its folder.
 #[derive(Clone, Debug, Default, Deserialize)]
 #[serde(default)]
 pub struct LocatingSummary {
-    /// As the log was named.
+    /// The name of the log, as the user gave it.
     pub log: String,
     /// The people of the tables.
     pub people: Vec<String>,
@@ -100,12 +93,12 @@ pub struct LocatingSummary {
     pub remarks: Vec<String>,
 }
 
-/// Locates the people of a log in the home of a scenario, simulates their paths, and writes all of it into a folder, which is created.
-/// `name` is what the log was called; `progress` gets the share that is done, from 0 to 1.
+/// Locates the people of a log in the home of a scenario, simulates their paths, and writes all of it into a folder, which it creates.
+/// `name` is the name of the log; `progress` gets the share that is done, from 0 to 1.
 ///
 /// # Errors
 ///
-/// Those of [`locate`], of which nothing is written; [`TrackingError::Simulation`] and [`TrackingError::Simulation`] where something cannot be written.
+/// Those of [`locate`], before anything is written; [`TrackingError::Simulation`] if something cannot be written.
 pub fn locate_into(
     to: &Path,
     (name, read): (&str, &LoadedLog),
@@ -122,7 +115,7 @@ pub fn locate_into(
     }
 }
 
-/// Writes what a log was walked back to into a folder that is there.
+/// Writes a located log into an existing folder.
 fn write_into(
     to: &Path,
     (name, read): (&str, &LoadedLog),
@@ -158,7 +151,7 @@ fn keep(given: &Path, read: &LoadedLog) -> Result<(), TrackingError> {
     Ok(())
 }
 
-/// Simulates the path; its log.
+/// Simulates the path, and returns its log.
 fn simulate_path(
     to: &Path,
     entry: &str,
@@ -205,7 +198,7 @@ fn report(name: &str, read: &LoadedLog, relived: &LoadedLog, translation: &Trans
     }
 }
 
-/// Says that a path uses no things, where the log has firings of sensors that report such use.
+/// A remark that a path uses no things, where the log has firings of sensors that report such use.
 fn unexplained_uses(explained: &Explained, scenario: &Scenario) -> Option<String> {
     let sensors = scenario.home.placed_sensors();
     let reports_use = |name: &str| sensors.iter().any(|sensor| sensor.name == name && !sensor.senses_motion());

@@ -30,38 +30,35 @@ pub struct Translation {
     pub whereabouts: Vec<PersonStay>,
     /// The probabilities of the places, in order of time: only changes of [`LEAST_CHANGE`] or more.
     pub doubts: Vec<PlaceChance>,
-    /// Whether a guest was ever there.
+    /// A guest was seen.
     pub has_guest: bool,
-    /// When which sensors could not be believed.
+    /// Sensors and the times in which they could not be believed.
     pub spells: Vec<(String, FaultInterval)>,
     /// By sensor of the log: its name in the home; its id where the home has no such sensor.
     pub names: Vec<String>,
-    /// Ids of the log that are none of the home's, with their rows.
+    /// Ids of the log that the home lacks, with their rows.
     pub strangers: Vec<(String, u64)>,
-    /// Sensors of the home that the log does not have.
+    /// Sensors of the home that the log lacks.
     pub unheard: Vec<String>,
     /// The number of used rows, and of all rows.
     pub rows: [u64; 2],
-    /// The length of the log, to the end of its last hour.
     pub length: Span,
     /// The length of the paths: less if they are too long for a file.
     pub acted_out: Span,
-    /// The files of a scenario in which everybody goes that way, by name, and the name of its own file.
+    /// The files of a scenario in which everybody walks that way, by name, and the name of its own file.
     pub files: BTreeMap<String, String>,
-    /// The name of the scenario's own file among them.
     pub entry: String,
 }
 
 /// The place of a person from an instant on.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PersonStay {
-    /// From when, since the translation's start.
+    /// The begin, since the translation's start.
     pub at: RunTime,
-    /// Index into the people.
     pub who: usize,
-    /// Index of the plan's room; none between rooms and out.
+    /// Index of the plan's room; `None` between rooms and outside.
     pub room: Option<usize>,
-    /// The place in metres; none while out.
+    /// The place in metres; `None` outside.
     pub place: Option<Point>,
     /// Their movement there.
     pub kind: StateKind,
@@ -72,11 +69,9 @@ pub struct PersonStay {
 /// The probability of a place of a person, from an instant on.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PlaceChance {
-    /// From when, since the translation's start.
+    /// The begin, since the translation's start.
     pub at: RunTime,
-    /// Index into the people.
     pub who: usize,
-    /// The place.
     pub place: PossiblePlace,
     /// From 0 to 1.
     pub chance: f32,
@@ -85,9 +80,9 @@ pub struct PlaceChance {
 /// A place where a person may be.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum PossiblePlace {
-    /// Not at home.
+    /// Outside the home.
     Out,
-    /// At home and in no room: in a doorway.
+    /// At home but outside the rooms: in a doorway.
     Between,
     /// In the plan's room of this index.
     Room(usize),
@@ -179,7 +174,7 @@ pub fn locate(
     let heard = HomeMessages::new(log, scenario, &names)?;
     let residents = scenario.residents.len();
     let (bodies, people) = bodies(scenario)?;
-    // Who has no messages left comes to an end soon.
+    // A person without further messages leaves soon.
     let messages = || heard.messages.iter().copied().take_while(|_| !cancel.is_cancelled());
     let ill = fault_intervals(messages(), names.len(), heard.end);
     let mut told = TrackRecorder::new(bodies.len());
@@ -234,8 +229,8 @@ impl Translation {
     }
 }
 
-/// What of a log does not fit its home: how many of its rows were taken, and of how many; ids that are none of the home's,
-/// with their rows; sensors of the home that it does not have.
+/// The mismatches of a log and its home: the number of rows that were taken, and of all; ids that the home lacks, with their rows; sensors
+/// of the home that the log lacks.
 pub(crate) fn misfits([taken, all]: [u64; 2], strangers: &[(String, u64)], unheard: &[String]) -> Vec<String> {
     let mut said = Vec::new();
     let of_strangers: u64 = strangers.iter().map(|(_, rows)| rows).sum();
@@ -261,10 +256,10 @@ pub(crate) fn misfits([taken, all]: [u64; 2], strangers: &[(String, u64)], unhea
 struct TrackRecorder {
     tracks: Vec<Track>,
     whereabouts: Vec<PersonStay>,
-    /// By body: what it did last, and where.
+    /// By body: its last movement, and the place.
     last: Vec<Option<(StateKind, Option<Point>)>>,
     doubts: Vec<PlaceChance>,
-    /// By body: the chances as they were told, of being out, between the rooms, and in each of them.
+    /// By body: the recorded chances of being out, between the rooms, and in each of them.
     chances: Vec<Vec<f32>>,
 }
 
@@ -299,7 +294,7 @@ impl TrackRecorder {
         }
     }
 
-    /// Tells what has changed enough of how likely each place is.
+    /// Records changes in the chances of places.
     fn doubt(&mut self, at: RunTime, who: usize, chances: &[f32]) {
         let last = &mut self.chances[who];
         // Nobody has no rooms to be in.
@@ -327,7 +322,7 @@ fn mover(instant: &InstantEstimate, guesses: &[Guess]) -> Option<usize> {
     best.filter(|(_, guess)| guess.says > 0.0).map(|(who, _)| who)
 }
 
-/// By sensor of a log: the index of the sensor of the home that it is, by its name or by the id that the logger gives it.
+/// By sensor of a log: the index of the sensor of the home, by its name or by the id that the logger gives it.
 pub fn sensors_of_home(log: &Log, scenario: &Scenario) -> Vec<Option<usize>> {
     let sensors = scenario.home.placed_sensors().iter().map(|sensor| &sensor.name).enumerate();
     let id = |name: &String| scenario.logger.ids.get(name).unwrap_or(name).to_lowercase();
@@ -384,18 +379,18 @@ impl HomeMessages {
     }
 }
 
-/// The clock on the wall, by which a log tells its instants.
+/// The clock on the wall, for the instants of a log.
 struct WallReader<'a> {
     calendar: &'a Calendar,
     /// Midnight before the first row.
     midnight: WallTime,
-    /// The instant before.
+    /// The previous instant.
     last: RunTime,
 }
 
 impl WallReader<'_> {
-    /// The instant of a row that comes after those before. Where the clock goes back, the hour that comes
-    /// twice is the second where time would run backward in the first.
+    /// The instant of a row after those before. If the clock goes back, the hour that comes twice is the second where time would run
+    /// backward in the first.
     fn instant(&mut self, at: WallTime) -> RunTime {
         /// Largest delay of a row that does not indicate another hour (our choice).
         const LATE: Span = MINUTE.times(30);
@@ -442,7 +437,7 @@ fn acted_out(
     Ok((loaded.sources, loaded.entry, length))
 }
 
-/// The path of a track until `end`, and how much of it the path has: so many whole days as its file may be large.
+/// The path of a track until `end`, and its length: as many whole days as its file has room for.
 fn path_that_is_read(track: &Track, mesh: &Mesh, end: RunTime) -> (PathFile, Span) {
     let (mut path, mut length) = track.path(mesh, end);
     loop {

@@ -53,7 +53,7 @@ fn probabilities_sum_to_one_and_the_likeliest_place_is_reported() {
 }
 
 #[test]
-fn a_folder_says_again_what_was_written_and_what_is_damaged_is_told_with_its_line() {
+fn reads_a_folder_back_and_reports_damage_with_its_line() {
     let folder = TempDir::new().unwrap();
     let (home, read) = (template("studio").unwrap(), log("studio", &folder));
     let to = folder.path().join("walked");

@@ -4,6 +4,7 @@ use crate::wire::{DateView, PlaybackView};
 use homebody_core::calendar::Calendar;
 use homebody_core::time::{ClockChange, Interval, MINUTE, RunTime, Span};
 use homebody_query::search::SearchDay;
+use homebody_timeline::Episode;
 use std::ops::Range;
 
 /// All days of a run of this length.
@@ -75,9 +76,12 @@ pub fn nights(height: impl Fn(RunTime) -> f64, length: Span) -> Vec<(i64, i64)> 
     nights.into_iter().map(|night| (night.begin.micros(), night.end.micros())).collect()
 }
 
-/// An interval and what it is of, as the page is told them.
-pub fn told<T: Copy>(&(Interval { begin, end }, what): &(Interval<RunTime>, T)) -> (i64, i64, T) {
-    (begin.micros(), end.micros(), what)
+/// An episode whose label is a number in a list of names.
+pub type NumberedEpisode = Episode<RunTime, u32>;
+
+/// The form of an episode in messages: begin, end and label.
+pub fn told<L: Copy>(episode: &Episode<RunTime, L>) -> (i64, i64, L) {
+    (episode.begin().micros(), episode.end().micros(), episode.label)
 }
 
 impl DateView {

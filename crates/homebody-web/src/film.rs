@@ -143,8 +143,7 @@ impl Film {
         let kept = RunSilhouettes::open(&self.path, &self.scenario).map_err(damaged)?;
         let looked = kept.falls(&RULES, |_| !cancel.is_cancelled()).map_err(damaged)?;
         let stay = |fall: &homebody_analysis::falls::watch::Fall| KnownStay {
-            begin: fall.at,
-            end: fall.alarm_at,
+            time: Interval::new(fall.at, fall.alarm_at),
             who: None,
             name: Cow::Owned(fall.rule.clone()),
             words: Cow::Owned(kept.words(fall)),

@@ -10,7 +10,7 @@ mod lanes;
 mod lived;
 mod reading;
 
-use crate::dates;
+use crate::dates::{self, NumberedEpisode};
 use crate::draw;
 use crate::film::Film;
 use crate::keeping;
@@ -34,7 +34,8 @@ use homebody_log::run::places::{RECORDING, SILHOUETTES};
 use homebody_log::{LogError, Movement, MovementKind, Movements, Url, scale_of};
 use homebody_query::search::KnownStay;
 use homebody_routine::household::Household;
-use lived::{Lived, Lives, Spans};
+use homebody_timeline::{Episode, PersonTimeline};
+use lived::{Lived, Lives};
 use reading::Reading;
 use std::collections::HashMap;
 use std::fs;
@@ -229,8 +230,9 @@ impl Playback {
         if let Some(lived) = &run.lived {
             let known = lived.coming().until(interval.end)?;
             for (index, life) in lives.iter_mut().enumerate() {
-                life.rooms = overlapping(&known.lives().rooms[index], interval);
-                life.activities = overlapping(&known.lives().activities[index], interval);
+                let person = &known.lives().people[index];
+                life.rooms = overlapping(&person.rooms, interval);
+                life.activities = overlapping(&person.activities, interval);
             }
         }
         for (index, life) in lives.iter_mut().enumerate() {
@@ -405,9 +407,9 @@ impl Opened {
         }
         if let Some(lived) = &self.lived {
             let known = lived.coming().known();
-            view.activities = known.lives().names.clone();
+            view.activities = known.lives().activities.clone();
             if view.read_us.is_none() {
-                view.spans = few(&known.lives().activities);
+                view.spans = few(&known.lives().people);
             }
         }
         Ok(match view.read_us {
@@ -456,11 +458,12 @@ impl Opened {
                 for movement in of {
                     match last {
                         // One that goes on over the hour is found in both.
-                        Some(before) if before.begin >= movement.begin || before.end >= movement.end => {}
+                        Some(before)
+                            if before.time.begin >= movement.time.begin || before.time.end >= movement.time.end => {}
                         Some(before) if goes_on(before, &movement) => {
-                            before.end = movement.end;
+                            before.time.end = movement.time.end;
                             if let Some(told) = life.movements.last_mut() {
-                                told.1 = movement.end.micros();
+                                told.1 = movement.time.end.micros();
                             }
                         }
                         _ => {
@@ -499,7 +502,7 @@ fn made_ms(folder: &Path) -> Option<i64> {
 fn goes_on(before: &Movement, next: &Movement) -> bool {
     let is_still = matches!(next.kind, MovementKind::Rest | MovementKind::Away);
     is_still
-        && before.end == next.begin
+        && before.time.end == next.time.begin
         && (before.kind, before.to, before.posture) == (next.kind, next.to, next.posture)
 }
 
@@ -535,31 +538,32 @@ fn whole(name: &str, run: &Run, scenario: &Scenario) -> PlaybackView {
     }
 }
 
-/// Spans of activities, no more than [`MOST_SPANS`] in all: what goes on after a pause is one, and the shortest are left out.
-fn few(activities: &[Spans]) -> Vec<Vec<(i64, i64, u32)>> {
-    let mut few: Vec<Spans> = Vec::new();
-    for all in activities {
-        let mut merged = Spans::new();
-        for &(span, name) in all {
+/// The activities of each person, no more than [`MOST_SPANS`] in all: one that continues after a pause is one, and the shortest are left out.
+fn few(people: &[PersonTimeline<RunTime, u32>]) -> Vec<Vec<(i64, i64, u32)>> {
+    let mut few: Vec<Vec<NumberedEpisode>> = Vec::new();
+    for person in people {
+        let mut merged: Vec<NumberedEpisode> = Vec::new();
+        for &activity in &person.activities {
             match merged.last_mut() {
-                Some((last, of)) if *of == name && span.begin - last.end <= PAUSE => last.end = last.end.max(span.end),
-                _ => merged.push((span, name)),
+                Some(last) if last.label == activity.label && activity.begin() - last.end() <= PAUSE => {
+                    last.time.end = last.end().max(activity.end());
+                }
+                _ => merged.push(activity),
             }
         }
         few.push(merged);
     }
-    let mut lengths: Vec<Span> = few.iter().flatten().map(|(span, _)| span.length()).collect();
+    let mut lengths: Vec<Span> = few.iter().flatten().map(Episode::length).collect();
     if lengths.len() > MOST_SPANS {
         lengths.sort_unstable_by(|a, b| b.cmp(a));
         let least = lengths[MOST_SPANS];
-        few.iter_mut().for_each(|spans| spans.retain(|(span, _)| span.length() > least));
+        few.iter_mut().for_each(|activities| activities.retain(|activity| activity.length() > least));
     }
-    few.iter().map(|spans| spans.iter().map(dates::told).collect()).collect()
+    few.iter().map(|activities| activities.iter().map(dates::told).collect()).collect()
 }
 
-/// Spans in the order of time that are not over before a span and begin in it.
-fn overlapping(spans: &[(Interval<RunTime>, u32)], of: Interval<RunTime>) -> Vec<(i64, i64, u32)> {
-    spans.iter().filter(|(span, _)| span.overlaps(of)).map(dates::told).collect()
+fn overlapping(episodes: &[NumberedEpisode], time: Interval<RunTime>) -> Vec<(i64, i64, u32)> {
+    episodes.iter().filter(|episode| episode.time.overlaps(time)).map(dates::told).collect()
 }
 
 fn told(movement: &Movement) -> MovementView {
@@ -570,5 +574,5 @@ fn told(movement: &Movement) -> MovementView {
         MovementKind::Away => MotionState::Away,
     };
     let (from, to) = (movement.from.map(draw::at), movement.to.map(draw::at));
-    (movement.begin.micros(), movement.end.micros(), doing, draw::posture(movement.posture), from, to)
+    (movement.time.begin.micros(), movement.time.end.micros(), doing, draw::posture(movement.posture), from, to)
 }

@@ -10,6 +10,7 @@ use homebody_core::time::{Interval, RunTime, SECOND, Span};
 use homebody_log::files::plain;
 use homebody_log::limits::LARGEST_RECORDING_BYTES;
 use homebody_query::LogRef;
+use homebody_timeline::Episode;
 use homebody_tracking::located_folder::{GIVEN, LocatingSummary, REPORT, ROOMS, doubts};
 use homebody_tracking::{PlaceChance, PossiblePlace, sensors_of_home};
 use std::path::{Path, PathBuf};
@@ -99,10 +100,10 @@ impl Walked {
     }
 }
 
-/// Where somebody most likely was, and from when to when.
-fn stays(chances: &[KnownChance], places: usize, end: RunTime) -> Vec<(Interval<RunTime>, i32)> {
+/// The most likely places of a person.
+fn stays(chances: &[KnownChance], places: usize, end: RunTime) -> Vec<Episode<RunTime, i32>> {
     let mut now = Known::new(places);
-    let mut all: Vec<(Interval<RunTime>, i32)> = Vec::new();
+    let mut all: Vec<Episode<RunTime, i32>> = Vec::new();
     for (index, &(at, place, chance)) in chances.iter().enumerate() {
         now.set(place, chance);
         // What changes at one instant is one change.
@@ -111,15 +112,14 @@ fn stays(chances: &[KnownChance], places: usize, end: RunTime) -> Vec<(Interval<
         }
         let best = now.best();
         match all.last_mut() {
-            Some((last, place)) if *place == best => last.end = end,
-            Some((last, _)) => {
-                last.end = at;
-                all.push((Interval::new(at, end), best));
+            Some(last) if last.label == best => last.time.end = end,
+            last => {
+                last.into_iter().for_each(|last| last.time.end = at);
+                all.push(Episode::new(best, Interval::new(at, end)));
             }
-            None => all.push((Interval::new(at, end), best)),
         }
     }
-    all.retain(|(stay, place)| *place != BETWEEN && stay.length() >= LEAST_STAY);
+    all.retain(|stay| stay.label != BETWEEN && stay.length() >= LEAST_STAY);
     all
 }
 
@@ -184,11 +184,11 @@ mod tests {
     }
 
     #[test]
-    fn stays_are_where_somebody_most_likely_was_and_short_ones_are_none() {
+    fn stays_have_the_likeliest_place_and_last_for_a_while() {
         let end = second(100);
         let all = stays(&CHANCES, 4, end);
-        assert_eq!(all.first().map(|stay| stay.1), Some(1));
-        assert_eq!(all.last(), Some(&(Interval::new(second(32), end), OUT)));
-        assert!(all.iter().all(|(stay, _)| stay.length() >= LEAST_STAY), "{all:?}");
+        assert_eq!(all.first().map(|stay| stay.label), Some(1));
+        assert_eq!(all.last(), Some(&Episode::new(OUT, Interval::new(second(32), end))));
+        assert!(all.iter().all(|stay| stay.length() >= LEAST_STAY), "{all:?}");
     }
 }

@@ -4,33 +4,28 @@ use crate::measures::{DailyMeasure, MEASURES};
 use homebody_core::problem::{Problem, Problems};
 use serde::Deserialize;
 
-/// The rules that hold where nobody says others.
+/// The rules of those who give none of their own.
 pub const USUAL: &str = include_str!("rules.json");
 
-/// A file of rules.
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields, expecting = "an object with \"rules\", a list of rules")]
 pub struct Rules {
-    /// One measure each.
     pub rules: Vec<AlertRule>,
-    /// Several measures at once; without it nothing is said of these.
+    /// Several measures at once; without it no alert has several.
     pub several: Option<Several>,
 }
 
-/// When a measure is worth an alert.
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields, expecting = "a rule: an object with name, measure and when")]
 pub struct AlertRule {
-    /// What the alert is called.
     pub name: String,
-    /// The measure's name.
     pub measure: String,
-    /// Whether it is one if there is more than usual, less, or either.
+    /// The direction of a difference that is an alert.
     pub when: AlertDirection,
-    /// How a day is held against those before.
+    /// The method of comparing a day with those before.
     #[serde(default)]
     pub method: AlertMethod,
-    /// How many standard deviations from the mean.
+    /// Number of standard deviations from the mean.
     #[serde(default = "three")]
     pub k_sd: f64,
     /// The standard deviation is taken to be at least so large, in the measure's unit.
@@ -39,7 +34,7 @@ pub struct AlertRule {
     /// The usual is that of so many days before; those that do not count are passed over, not replaced.
     #[serde(default = "fourteen")]
     pub baseline_days: usize,
-    /// With fewer of them that count there is no usual.
+    /// Number of days that count below which there are no usual values.
     #[serde(default = "seven")]
     pub min_days: usize,
     /// On so many days in a row, for the method `deviation`.
@@ -67,15 +62,12 @@ pub struct Several {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum AlertDirection {
-    /// More than usual.
     More,
-    /// Less than usual.
     Less,
-    /// Both.
     Either,
 }
 
-/// How a day is held against those before.
+/// A method of comparing a day with those before.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum AlertMethod {
@@ -176,7 +168,6 @@ impl Rules {
     ///
     /// # Errors
     ///
-    /// All problems of the text.
     pub fn read(text: &str) -> Result<Rules, Problems> {
         let unread =
             |error: serde_json::Error| Problems(vec![AlertRuleMessage::Form { why: error.to_string() }.into()]);
@@ -208,7 +199,7 @@ impl Several {
 }
 
 impl AlertRule {
-    /// The measure that it is about.
+    /// The measure of the rule.
     pub fn measure(&self) -> Option<(usize, &'static DailyMeasure)> {
         MEASURES.iter().enumerate().find(|(_, measure)| measure.name == self.measure)
     }

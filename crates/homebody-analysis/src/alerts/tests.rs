@@ -37,7 +37,7 @@ fn then(values: &[f64]) -> Vec<Option<f64>> {
 const NIGHTS: &str = r#"{ "name": "nights", "measure": "bathroom_night", "when": "more", "days": 2, "least_sd": 0.5 }"#;
 
 #[test]
-fn what_is_far_from_usual_on_days_in_a_row_is_told_once() {
+fn unusual_days_in_a_row_give_one_alert() {
     let found = alerts(&days_of("bathroom_night", &then(&[6.0, 2.0, 6.0, 5.0, 6.0])), &rules(NIGHTS));
     let [alert] = &found.alerts[..] else { panic!("{found}") };
     assert_eq!((alert.date, alert.shown_by.len()), (date(2024, 1, 18), 2));
@@ -50,7 +50,7 @@ fn what_is_far_from_usual_on_days_in_a_row_is_told_once() {
 }
 
 #[test]
-fn times_of_day_are_told_as_such_and_so_many_days_as_there_are() {
+fn alerts_show_times_of_day_and_numbers_of_days() {
     let values: Vec<Option<f64>> = [22.0, 22.5, 22.0, 22.5, 22.0, 22.5, 22.0, 24.5].into_iter().map(Some).collect();
     let found =
         alerts(&days_of("bedtime", &values), &rules(r#"{ "name": "late", "measure": "bedtime", "when": "either" }"#));
@@ -106,7 +106,7 @@ fn a_change_is_found_with_the_day_since_when_it_is_so() {
 }
 
 #[test]
-fn a_silent_sensor_is_told_of() {
+fn silent_sensor_gives_an_alert() {
     let mut measures = days_of("meals", &then(&[2.0; 5]));
     measures.silent.push(SilentSensor {
         sensor: "kitchen motion".into(),

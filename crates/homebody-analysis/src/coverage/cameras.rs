@@ -1,9 +1,9 @@
-//! The floor before a camera: what it sees of it, and what furniture hides.
+//! The floor before a camera: the part that it sees, and the part that furniture hides.
 //!
-//! We assume that whoever is on a bed or a seat is seen where its top is.
+//! We assume that a camera sees a person on a bed or a seat if it sees its top.
 //!
-//! It is sampled at the middles of square cells. Walls and closed doors end what is before a camera; furniture hides what is behind
-//! it, and the floor below itself.
+//! The floor is sampled at the middles of square cells. Walls and closed doors end the floor before a camera; furniture hides the floor
+//! behind it, and the floor below itself.
 //!
 //! Left out: floor further off than [`FAR_M`], on which a body is some pixels high.
 
@@ -28,9 +28,9 @@ pub type Rectangle = [f64; 4];
 /// The floor before a camera, as rectangles that share no floor.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct CameraFloor {
-    /// What it sees.
+    /// The floor that the camera sees.
     pub seen: Vec<Rectangle>,
-    /// What it would see if no furniture stood there.
+    /// The floor that the camera would see without furniture.
     pub hidden: Vec<Rectangle>,
 }
 
@@ -82,7 +82,7 @@ impl CameraFloor {
         floor
     }
 
-    /// Adds a run of cells of a row; one that is as wide as what lies below it is joined to that.
+    /// Adds a run of cells of a row; it joins one that is as wide as the piece below it.
     fn add(&mut self, cell: FloorCell, next: Rectangle) {
         let of = match cell {
             FloorCell::Seen => &mut self.seen,
@@ -137,7 +137,7 @@ mod tests {
         }
         let empty = CameraFloor::from_lens(&plan(json!([])), &lens());
         assert_eq!(empty.hidden, Vec::<Rectangle>::new());
-        // What furniture hides, and what is left, is all that there was.
+        // The hidden part and the rest make the whole.
         let all = square_m(&floor.seen) + square_m(&floor.hidden);
         assert!((all - square_m(&empty.seen)).abs() < 1e-9, "{all}");
         // Without a door nothing of the other room is before it.

@@ -16,11 +16,9 @@ use homebody_core::sensor_set::SensorSet;
 pub struct CoverageGrid {
     /// The side of a cell, in metres.
     pub step_m: f64,
-    /// How many cells there are from west to east.
     pub columns: usize,
-    /// How many cells there are from south to north.
     pub rows: usize,
-    /// Row by row from the south-west: nothing where no body can stand, else the sensors that see it.
+    /// Row by row from the south-west: `None` where no body can stand, else the sensors that see the cell.
     pub cells: Vec<Option<SensorSet>>,
     /// The south-west corner, in steps.
     least: CellCorner,
@@ -51,13 +49,12 @@ impl CoverageGrid {
         grid
     }
 
-    /// The middle of a cell, in metres.
     pub fn middle(&self, cell: usize) -> Point {
         let [x, y] = self.south_west(cell);
         Point::new(x as f64 + 0.5, y as f64 + 0.5) * self.step_m
     }
 
-    /// How many sensors see a cell; nothing where no body can stand.
+    /// The number of sensors that see a cell; `None` where no body can stand.
     pub fn watchers(&self, cell: usize) -> Option<usize> {
         self.cells[cell].as_ref().map(SensorSet::len)
     }
@@ -95,13 +92,13 @@ impl CoverageGrid {
         region.cells.len() as f64 * self.step_m * self.step_m
     }
 
-    /// How far the area of a region may be from the true one, by the sides of its border.
+    /// The largest difference of the area of a region from the true one, by the sides of its border.
     pub fn region_error_m2(&self, region: &Region) -> f64 {
         self.error_m2(region.rings.iter().map(Vec::len).sum())
     }
 
-    /// How far the area of the chosen cells may be from the true one, if its sides are straight:
-    /// half a cell for each side of a cell in the border, and a cell for the corners.
+    /// The largest difference of the area of the chosen cells from the true one, if its sides are straight: half a cell for each side of a
+    /// cell in the border, and a cell for the corners.
     pub fn area_error_m2(&self, chosen: impl Fn(usize) -> bool) -> f64 {
         let chosen_cells = (0..self.cells.len()).filter(|&cell| chosen(cell));
         let sides: usize = chosen_cells
@@ -193,7 +190,7 @@ impl CoverageGrid {
             }
             rings.push(ring);
         }
-        // Counter-clockwise encloses a positive area: the outer ring, of which a region has one.
+        // Counter-clockwise encloses a positive area: the outer ring, and a region has one.
         rings.sort_by_key(|ring| doubled_area(ring) < 0);
         rings
     }
@@ -227,7 +224,6 @@ fn rightmost(from: CellCorner, to: CellCorner, ends: &[CellCorner]) -> CellCorne
     *ends.iter().min_by_key(|&&end| turn(from, to, end)).expect("every side of a border is followed by another")
 }
 
-/// Positive to the left, negative to the right.
 fn turn(from: CellCorner, to: CellCorner, end: CellCorner) -> i64 {
     (to[0] - from[0]) * (end[1] - to[1]) - (to[1] - from[1]) * (end[0] - to[0])
 }
@@ -246,7 +242,7 @@ fn doubled_area(ring: &[CellCorner]) -> i64 {
     ring.iter().enumerate().map(|(i, a)| a[0] * next(i)[1] - a[1] * next(i)[0]).sum()
 }
 
-/// A ring without the corners at which it goes straight on.
+/// A ring without the corners in the middle of a straight side.
 pub fn straightened(ring: &[CellCorner]) -> Vec<CellCorner> {
     let n = ring.len();
     let bends = |&i: &usize| turn(ring[(i + n - 1) % n], ring[i], ring[(i + 1) % n]) != 0;

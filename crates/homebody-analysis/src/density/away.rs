@@ -1,77 +1,74 @@
-//! When nobody was at home, by the sensors alone: Wang and Skubic's *time away from home*.
+//! Absences by the sensors alone: Wang and Skubic's *time away from home*.
 //!
-//! An absence begins and ends at the entrance, and in between there is next to nothing. Firings no more than two minutes apart
-//! make a bout. A bout of three firings or more is somebody's, and one in which something was opened or used. A shorter one of
-//! motion sensors is stray: in an empty home they fire now and then, by the sun or a heater. Nobody is at home between two bouts of
-//! somebody if
+//! An absence begins and ends at the entrance, and in between there is next to nothing. Firings no more than two minutes apart make a bout.
+//! A bout of three firings or more is a person's, and so is one with a thing used or opened. A shorter one of motion sensors is stray: in
+//! an empty home they fire now and then, by the sun or a heater. The home is empty between two bouts of a person if
 //!
-//! - they are longer apart than the least absence, 30 minutes unless asked otherwise,
+//! - they are longer apart than the least absence, 30 minutes by default,
 //! - an entrance sensor fired in the last minute of the first bout, and in the first minute of the second, and
-//! - no sensor of a bed or a chair said meanwhile, for more than five minutes, that somebody is there, and
-//! - there are no more stray firings than two, and one for each hour; or the home is five times as quiet as usual, for a faulty sensor
-//!   in it may fire more often.
+//! - no sensor of a bed or a chair was occupied meanwhile for more than five minutes, and
+//! - there are at most two stray firings, and one for each hour; or the home is five times as quiet as usual, for a faulty sensor in it may
+//!   fire more often.
 //!
-//! So a night with the last firing in the bedroom is sleep, and so is a nap in an armchair. The rule is that of the
-//! literature (Wang & Skubic 2008: a gap after the front door, an empty bed); the least absence is the upper end of its 10
-//! to 30 minutes; bouts, strays, their number and the minute are ours. In a week of the CASAS home HH111, whose rows note who left and
-//! came, it finds all 15 absences of more than half an hour and no other, with at most 4 stray firings in 5 hours; in one of TM000, the
-//! journey of three days, with 15. These are no test of it: with five minutes instead of two, a stray firing hid one of the 15.
+//! So a night with the last firing in the bedroom is sleep, and so is a nap in an armchair. The rule is that of the literature (Wang &
+//! Skubic 2008: a gap after the front door, an empty bed); the least absence is the upper end of its 10 to 30 minutes; bouts, strays, their
+//! number and the minute are our choice. In a week of the CASAS home HH111, whose rows note who left and came, it finds all 15 absences of
+//! more than half an hour and no other, with at most 4 stray firings in 5 hours; in one of TM000, the journey of three days, with 15. These
+//! do not test it: with five minutes instead of two, a stray firing hid one of the 15.
 //!
-//! An absence is a guess unless a contact tells that a door was opened as it began and as it ended.
+//! An absence is a guess unless a contact shows that a door was opened as it began and as it ended.
 //!
-//! Left out: more residents than one, of whom one leaves; visitors; whoever leaves through a door without a sensor; absences
-//! that go on when the log begins. No map has an absence that lasts when the log ends; a day's measures count it until the day ends.
+//! Left out: more than one resident, if one of them leaves; visitors; people who leave through a door without a sensor; absences that have
+//! begun before the log. No map has an absence that lasts when the log ends; a day's measures count it until the day ends.
 
 use homebody_core::time::{HOUR, Interval, MINUTE, Span, WallTime};
 use serde::{Serialize, Serializer};
 
-/// Firings farther apart than this belong to different bouts.
+/// Time between firings that separates two bouts.
 const BOUT: Span = MINUTE.times(2);
-/// A bed or a chair that is taken for longer has somebody in it; a motion sensor of that name only blinks.
+/// Time after which a bed or a chair is occupied; a motion sensor of that name only blinks.
 pub const SEATED: Span = MINUTE.times(5);
-/// A bout of fewer firings is stray, if they are of motion sensors alone.
+/// Number of firings below which a bout is stray, if they are of motion sensors alone.
 const LEAST_FIRINGS: usize = 3;
 /// Number of stray firings, beyond one for each such time, above which a person is at home. A small share of the usual
 /// firings is stray in any case.
 const MOST_STRAY: usize = 2;
 const STRAY_EVERY: Span = HOUR;
 const QUIET: f64 = 0.2;
-/// How near to a bout's end the entrance has to fire.
+/// Time from a bout's end within which the entrance has to fire.
 const EDGE: Span = MINUTE;
 
-/// The least absence that is looked for unless asked otherwise: the upper end of Wang & Skubic's 10 to 30 minutes.
+/// The least absence by default: the upper end of Wang & Skubic's 10 to 30 minutes.
 pub const LEAST: Span = MINUTE.times(30);
 
-/// A time when nobody was at home.
+/// A time with an empty home.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 pub struct HomeAbsence {
-    /// The last sign of somebody who leaves, on the clock on the wall.
+    /// The last sign of the person who leaves, on the clock on the wall.
     #[serde(serialize_with = "as_text")]
     pub begin: WallTime,
-    /// The first sign of somebody who comes home.
+    /// The first sign of the person who comes home.
     #[serde(serialize_with = "as_text")]
     pub end: WallTime,
     /// Firings meanwhile, in the empty home.
     pub stray: usize,
-    /// Whether no door was seen to open as it began and as it ended: that somebody was at the entrance and then nowhere
-    /// is all that tells it.
+    /// No door opened as it began and as it ended: a person was at the entrance and then nowhere.
     pub is_guess: bool,
 }
 
-/// A sign of somebody: when, and whether it is at the entrance.
+/// A sign of a person: the time, and the entrance.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct PresenceSign {
-    /// When.
     pub at: WallTime,
-    /// Whether a sensor at the entrance tells it.
+    /// A sensor at the entrance gives it.
     pub at_entrance: bool,
-    /// Whether it is a door there that is opened.
+    /// A door at the entrance opens.
     pub opens_door: bool,
-    /// Whether something is used or opened, which no empty home does.
+    /// It is an act: use or opening, which no empty home has.
     pub is_use: bool,
 }
 
-/// The absences longer than `least`; signs in order, and the spans over which a bed or a chair is taken, in any order.
+/// The absences longer than `least`; signs in order, and the times in which a bed or a chair is occupied, in any order.
 pub fn absences(signs: &[PresenceSign], taken: &[Interval<WallTime>], least: Span) -> Vec<HomeAbsence> {
     let mut leaving = Leaving::new(least);
     let mut found: Vec<HomeAbsence> = signs.iter().filter_map(|sign| leaving.take(sign)).collect();
@@ -80,7 +77,7 @@ pub fn absences(signs: &[PresenceSign], taken: &[Interval<WallTime>], least: Spa
     found
 }
 
-/// Looks for absences while signs come, in the order of time. It does not know of beds and chairs.
+/// Looks for absences in signs, in the order of time. It does not know of beds and chairs.
 #[derive(Clone, Debug)]
 pub struct Leaving {
     least: Span,
@@ -94,17 +91,17 @@ pub struct Leaving {
     span: Option<Interval<WallTime>>,
 }
 
-/// A bout of signs: whether the resident leaves after it, or comes with it.
+/// A bout of signs, and whether the resident leaves after it, or comes with it.
 #[derive(Clone, Copy, Debug)]
 struct Bout {
     begin: WallTime,
     end: WallTime,
     firings: usize,
     is_use: bool,
-    /// Whether the entrance speaks, and a door there is opened, near its beginning.
+    /// The entrance fires, and a door there opens, near its beginning.
     comes: bool,
     comes_by_door: bool,
-    /// When the entrance spoke last, and when a door there was opened last.
+    /// The last firing of the entrance, and the last opening of a door there.
     entrance: Option<WallTime>,
     door: Option<WallTime>,
 }
@@ -152,12 +149,12 @@ impl Bout {
 }
 
 impl Leaving {
-    /// Before the first sign.
+    /// A search without any sign yet.
     pub fn new(least: Span) -> Leaving {
         Leaving { least, before: None, stray: 0, bout: None, firings: 0, span: None }
     }
 
-    /// Takes a sign; the absence that ended with the bout before it, if there is one.
+    /// Takes a sign; returns the absence that ended with the bout before it, if there is one.
     pub fn take(&mut self, sign: &PresenceSign) -> Option<HomeAbsence> {
         self.firings += 1;
         self.span = Some(Interval::new(self.span.map_or(sign.at, |span| span.begin), sign.at));
@@ -204,7 +201,7 @@ impl Leaving {
         (self.before, self.bout, self.stray) = (None, None, 0);
     }
 
-    /// Whether the home may have been empty for so long with so many stray firings.
+    /// The home may have been empty for so long with so many stray firings.
     fn is_empty(&self, stray: usize, length: Span) -> bool {
         let all = self.span.map(|span| span.length().max(Span::MICROSECOND));
         let usual = all.map_or(0.0, |all| self.firings as f64 / all.micros() as f64);
@@ -213,17 +210,15 @@ impl Leaving {
 }
 
 impl HomeAbsence {
-    /// Whether a bed or a chair is taken meanwhile, by the spans over which one is.
+    /// A bed or a chair is occupied meanwhile, by the times in which one is.
     pub fn is_taken(&self, taken: &[Interval<WallTime>]) -> bool {
         taken.iter().any(|span| span.overlap(self.interval()) > SEATED)
     }
 
-    /// From when to when it lasts.
     pub fn interval(&self) -> Interval<WallTime> {
         Interval::new(self.begin, self.end)
     }
 
-    /// How long it is, in hours.
     pub fn hours(&self) -> f64 {
         self.interval().length().seconds() / 3600.0
     }
@@ -255,17 +250,17 @@ mod tests {
     }
 
     #[test]
-    fn who_leaves_and_comes_by_the_door_is_away() {
+    fn leaving_and_coming_by_the_door_is_an_absence() {
         assert_eq!(found(&[10, 20, -30, -4000, 4010, 4020], &[]), [(30, 4000, 0)]);
         // The hall sensor sees the back that goes out, and is first to see who comes.
         assert_eq!(found(&[10, -20, 40, 4000, -4010, 4020], &[]), [(40, 4000, 0)]);
-        // Half an hour is no absence yet, a second more is.
+        // An absence lasts for more than half an hour.
         assert_eq!(found(&[10, 20, -30, -1830, 1840, 1850], &[]), []);
         assert_eq!(found(&[10, 20, -30, -1831, 1840, 1850], &[]), [(30, 1831, 0)]);
     }
 
     #[test]
-    fn a_long_sleep_is_no_absence() {
+    fn long_sleep_does_not_count_as_absence() {
         // To bed past the front door two minutes ago, and up again in the bedroom.
         assert_eq!(found(&[-10, 100, 130, 30_000, 30_010, -30_020], &[]), []);
         // Only one of the two is at the entrance.
@@ -277,12 +272,12 @@ mod tests {
     fn stray_firings_in_an_empty_home_do_not_end_an_absence() {
         let strays = [10, 20, -30, 5000, 5100, -9000, -20_000, 20_010, 20_020];
         assert_eq!(found(&strays, &[]), [(30, 20_000, 3)]);
-        // Three in a row are somebody's, here of somebody who did not come by the door.
+        // Three in a row are a person's, here of one who did not come by the door.
         assert_eq!(found(&[10, 20, -30, 5000, 5100, 5200, -20_000, 20_010, 20_020], &[]), []);
     }
 
     #[test]
-    fn where_the_bed_is_taken_somebody_is_there() {
+    fn occupied_bed_means_presence() {
         let day = [10, 20, -30, -30_000, 30_010, 30_020];
         assert_eq!(found(&day, &[span(100, 20_000)]), []);
         // Not for as long as a motion sensor of that name blinks, and not before or after.
@@ -291,7 +286,7 @@ mod tests {
     }
 
     #[test]
-    fn where_no_door_is_seen_to_open_it_is_a_guess() {
+    fn absence_without_an_opening_door_is_a_guess() {
         let mut day = signs(&[10, 20, -30, -4000, 4010, 4020]);
         assert!(absences(&day, &[], LEAST)[0].is_guess);
         day[2].opens_door = true;
@@ -301,7 +296,7 @@ mod tests {
     }
 
     #[test]
-    fn who_left_and_has_not_come_is_away_until_now() {
+    fn absence_lasts_until_the_return() {
         let open = |at_s: &[i64], now_s: i64, has_door: bool| {
             let mut leaving = Leaving::new(LEAST);
             for sign in signs(at_s) {
@@ -317,7 +312,7 @@ mod tests {
     }
 
     #[test]
-    fn a_home_in_which_somebody_moves_is_not_empty() {
+    fn home_with_movement_is_not_empty() {
         // Out from minute 1 to minute 181, and so many movements in between.
         let with = |movements: i64| {
             let mut at_s = vec![10, 20, -30];

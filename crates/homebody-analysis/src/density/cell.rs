@@ -9,48 +9,46 @@ pub const LEAST_AT_HOME_H: f64 = 1.0 / 6.0;
 /// of all.
 pub const LEAST_RECORDED_H: f64 = 1.0 / 4.0;
 
-/// What some cells come to.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
 pub struct CellSum {
-    /// How many motion events they have.
+    /// The number of motion events.
     pub events: u64,
-    /// For how many of their hours there is data.
+    /// The hours with data.
     pub recorded_h: f64,
-    /// For how many of these nobody was at home.
+    /// The hours with data in which the home was empty.
     pub away_h: f64,
-    /// Events an hour at home, over the cells in which somebody was; `None` where nobody ever was.
+    /// Events an hour at home, over the cells with a person at home; `None` where no cell has one.
     pub density_per_h: Option<f64>,
 }
 
 /// An hour of a day.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct DensityCell {
-    /// How many motion events it has.
+    /// The number of motion events.
     pub events: u64,
-    /// For how much of the hour there is data, in hours.
+    /// The recorded part of the hour, in hours.
     pub recorded_h: f64,
-    /// For how much of the recorded part nobody was at home, in hours.
+    /// The recorded part in which the home was empty, in hours.
     pub away_h: f64,
 }
 
-/// What is known of an hour.
+/// The knowledge of an hour.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum HourState {
-    /// Too little of the hour was recorded, less than a quarter.
+    /// Less than a quarter of the hour was recorded.
     NoData,
-    /// Somebody was at home for less than ten minutes of it.
+    /// A person was at home for less than ten minutes.
     Away,
     /// Firings an hour at home.
     Density(f64),
 }
 
 impl DensityCell {
-    /// For how much of the hour there is data and somebody was at home, in hours.
+    /// The recorded time with a person at home, in hours.
     pub fn at_home_h(&self) -> f64 {
         (self.recorded_h - self.away_h).max(0.0)
     }
 
-    /// What is known of the hour.
     pub fn state(&self) -> HourState {
         match () {
             () if self.recorded_h < LEAST_RECORDED_H => HourState::NoData,
@@ -59,14 +57,14 @@ impl DensityCell {
         }
     }
 
-    /// Firings an hour at home, if somebody was.
+    /// Firings an hour at home, if a person was at home.
     pub fn density(&self) -> Option<f64> {
         if let HourState::Density(density) = self.state() { Some(density) } else { None }
     }
 }
 
 impl CellSum {
-    /// The sum of some cells, with the density of those of them in which somebody was at home.
+    /// The sum of some cells, with the density of those with a person at home.
     pub fn from_cells<'a>(cells: impl IntoIterator<Item = &'a DensityCell>) -> CellSum {
         let mut sum = CellSum::default();
         let (mut events, mut at_home_h) = (0, 0.0);

@@ -6,26 +6,25 @@ use crate::signs::{Kind, LogSensors};
 use homebody_core::doors::{Leads, leads};
 use homebody_core::names::words;
 
-/// The sensors by which somebody leaves and comes home.
+/// The sensors by which a person leaves and comes home.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Entrance {
-    /// Their ids in the log.
     pub sensors: Vec<String>,
-    /// Why they are taken for that.
+    /// The reason for this choice.
     pub chosen: EntranceSource,
 }
 
-/// Why they are taken for that.
+/// The reason for the choice of an entrance.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum EntranceSource {
-    /// Somebody says so.
+    /// The user names them.
     Asked,
     /// Their names speak of an entrance, or are those of bare doors.
     Known,
-    /// They are other contacts, or their names speak of a door or a hall, and no better ones are there.
+    /// They are other contacts, or their names speak of a door or a hall, and the log has none better.
     Guessed,
-    /// There is none.
+    /// The log has no entrance.
     None,
 }
 

@@ -13,25 +13,23 @@ use crate::holds::{HiddenMovement, HoldTimes, LONGEST};
 use crate::rows::{Ongoing, StateRow, Tallies};
 use crate::signs::{Kind, LogSensors, OwnWords, Says, UnknownStates, is_seat};
 
-/// A longer silence of all sensors is no recording.
+/// Silence of all sensors after which nothing is recorded.
 pub const SILENCE: Span = DAY;
-/// In a longer stretch that is not known the resident may have come home and left again.
+/// Unknown time after which the resident may have come home and left again.
 const UNSEEN: Span = MINUTE.times(10);
 
-/// What somebody wants to know of a log.
 #[derive(Clone, Debug)]
 pub struct DensityOptions {
-    /// The sensors at the entrance; none to have them found by their names.
+    /// The sensors at the entrance; empty to find them by their names.
     pub doors: Vec<String>,
-    /// The least absence.
     pub away_after: Span,
-    /// From when to when the log was recorded, if that is known.
+    /// The time of the recording, if that is known.
     pub recorded: Option<Interval<WallTime>>,
-    /// The zone on whose wall the log is, if that is known: on a day on which clocks are set, it says how long its hours are.
+    /// The zone on whose wall the log is, if that is known: on a day on which clocks are set, it gives the length of the hours.
     pub zone: Option<TimeZone>,
     /// The first day; `None`: the first of the log.
     pub from: Option<Date>,
-    /// How many days from the first on; `None`: to the last of the log.
+    /// The number of days; `None`: to the last of the log.
     pub days: Option<usize>,
 }
 
@@ -100,43 +98,36 @@ impl NoMap {
 /// The hours of some days.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Map {
-    /// What the log is called.
     pub name: String,
-    /// The first day.
     pub from: Date,
-    /// How many motion events there are.
+    /// The number of motion events.
     pub events: u64,
-    /// How many sensors tell of motion.
     pub motion_sensors: usize,
-    /// The sensors that tell of something else, and are left out.
     pub left_out: Vec<String>,
-    /// The sensors by which somebody leaves and comes home.
     pub entrance: Entrance,
-    /// For how many hours there is data.
+    /// The hours with data.
     pub recorded_h: f64,
-    /// For how many of these nobody was at home.
+    /// The hours with data in which the home was empty.
     pub away_h: f64,
-    /// Firings an hour at home, if anybody ever was.
+    /// Firings an hour at home, if a person was ever at home.
     pub density_per_h: Option<f64>,
-    /// Hours away a day recorded.
+    /// Hours away on a recorded day.
     pub away_h_per_day: f64,
-    /// What each day comes to.
+    /// The sums of the days.
     pub days: Vec<MapDay>,
     /// The 24 hours of the day over all days.
     pub hours: Vec<Hour>,
-    /// All of which at least a part lies in these days.
+    /// The absences that overlap these days.
     pub absences: Vec<HomeAbsence>,
     /// By day and hour.
     #[serde(skip)]
     pub cells: Vec<[DensityCell; 24]>,
 }
 
-/// One day of a map.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct MapDay {
-    /// Which day it is.
     pub date: Date,
-    /// What its hours come to.
+    /// The sum of its hours.
     #[serde(flatten)]
     pub sum: CellSum,
 }
@@ -144,15 +135,14 @@ pub struct MapDay {
 /// One hour of the day over all days of a map.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Hour {
-    /// Which hour it is, from 0 to 23.
     pub hour: usize,
-    /// What it comes to over all days.
+    /// The sum over all days.
     #[serde(flatten)]
     pub sum: CellSum,
 }
 
 impl Map {
-    /// The map of the days that are asked for.
+    /// The map of the chosen days.
     pub fn from_log(name: &str, log: &Log, asked: &DensityOptions) -> Result<Map, NoMap> {
         let mut mapping = Mapping::new(log, LogSensors::from_log(log), asked);
         log.in_order().into_iter().for_each(|event| mapping.take(event));
@@ -185,8 +175,8 @@ impl Map {
         }
     }
 
-    /// The cells as rows of a table: `date,hour,events,athome_h,density`; without a density where nobody was at home, and
-    /// without hours at home where nothing is known.
+    /// The cells as rows of a table: `date,hour,events,athome_h,density`; without a density in an empty home, and without hours at home if
+    /// nothing is known.
     pub fn csv(&self) -> String {
         let mut text = String::from("date,hour,events,athome_h,density\n");
         for (day, cells) in self.days.iter().zip(&self.cells) {
@@ -203,20 +193,20 @@ impl Map {
     }
 }
 
-/// Which rows are signs of the resident, by the kinds of their sensors.
+/// Finds the signs of the resident among rows, by the kinds of their sensors.
 pub struct Signs {
     kinds: Vec<Kind>,
     at_entrance: Vec<bool>,
 }
 
 impl Signs {
-    /// Of sensors of these ids.
+    /// For sensors of these ids.
     pub fn new(ids: &[String], kinds: &[Kind], entrance: &Entrance) -> Signs {
         let at_entrance = ids.iter().map(|name| entrance.sensors.contains(name)).collect();
         Signs { kinds: kinds.to_vec(), at_entrance }
     }
 
-    /// The sign that a row is, if it is one.
+    /// The sign in a row, if there is one.
     pub fn sign(&self, row: &StateRow) -> Option<PresenceSign> {
         let sensor = row.sensor as usize;
         let (kind, at_entrance) = (self.kinds[sensor], self.at_entrance[sensor]);
@@ -225,35 +215,34 @@ impl Signs {
         (is_use || self.is_motion(row)).then_some(PresenceSign { at: row.at, at_entrance, opens_door, is_use })
     }
 
-    /// The sign that a movement between reports is.
+    /// The sign in a movement between reports.
     pub fn of_movement(&self, movement: &HiddenMovement) -> PresenceSign {
         let at_entrance = self.at_entrance[movement.sensor as usize];
         PresenceSign { at: movement.at, at_entrance, opens_door: false, is_use: false }
     }
 
-    /// The kind of a sensor.
     pub fn kind(&self, sensor: u32) -> Kind {
         self.kinds[sensor as usize]
     }
 
-    /// Whether a movement is seen.
+    /// A motion sensor sees a movement.
     pub fn is_motion(&self, row: &StateRow) -> bool {
         self.kinds[row.sensor as usize] == Kind::Motion && row.said.says == Says::Begins && row.said.begins()
     }
 
-    /// Whether a door at the entrance is opened or closed.
+    /// A door at the entrance opens or closes.
     pub fn is_door(&self, row: &StateRow) -> bool {
         let sensor = row.sensor as usize;
         self.kinds[sensor] == Kind::Contact && self.at_entrance[sensor]
     }
 
-    /// Whether a contact at the entrance tells who leaves and comes.
+    /// A contact at the entrance shows who leaves and comes.
     pub fn has_door(&self) -> bool {
         self.kinds.iter().zip(&self.at_entrance).any(|(kind, at)| *at && *kind == Kind::Contact)
     }
 }
 
-/// A map under construction. It takes the rows of its log in the order of time, and keeps none of them.
+/// A map under construction. It takes the rows of its log in the order of time, and keeps no row.
 pub struct Mapping<'a> {
     log: &'a Log,
     asked: &'a DensityOptions,
@@ -262,7 +251,7 @@ pub struct Mapping<'a> {
     signs: Signs,
     rows: Tallies,
     is_seat: Vec<bool>,
-    /// The spans over which a bed or a chair is taken for long.
+    /// The times in which a bed or a chair is occupied for long.
     taken: Ongoing,
     leaving: Leaving,
     holds: HoldTimes,
@@ -274,16 +263,16 @@ pub struct Mapping<'a> {
     /// Events of motion by their hour since 1970, of the days that may be in the map.
     events: BTreeMap<i64, u64>,
     has_signs: bool,
-    /// The first row and the last, and between which two rows all sensors were silent for long.
+    /// The first row and the last, and the long silences of all sensors.
     span: Option<(WallTime, WallTime)>,
     silences: Vec<Interval<WallTime>>,
-    /// How many gaps of the log have begun.
+    /// The number of gaps of the log that have begun.
     gaps: usize,
     unknown: UnknownStates,
 }
 
 impl<'a> Mapping<'a> {
-    /// Of a log, whose own rows it does not look at.
+    /// For a log, whose own rows it does not look at.
     pub fn new(log: &'a Log, sensors: LogSensors, asked: &'a DensityOptions) -> Mapping<'a> {
         let entrance = Entrance::find(&log.sensors, &sensors, &asked.doors);
         Mapping {
@@ -414,7 +403,7 @@ impl<'a> Mapping<'a> {
     }
 }
 
-/// What of a log is no matter of its cells.
+/// The rest of the log for a map: what is not in its cells.
 struct MapContext {
     motion_sensors: usize,
     left_out: Vec<String>,
@@ -422,7 +411,6 @@ struct MapContext {
     absences: Vec<HomeAbsence>,
 }
 
-/// The days of a map.
 struct DayColumns {
     first: Date,
     count: usize,
@@ -462,7 +450,7 @@ impl DayColumns {
         }
     }
 
-    /// The same as it was lived: what the clock on the wall leaves out is none of the span, and what it shows again is in it twice.
+    /// The same in real time: the span lacks a time that the clock on the wall leaves out, and has twice what it shows again.
     fn add_lived(
         &self,
         cells: &mut [[DensityCell; 24]],
@@ -480,7 +468,7 @@ impl DayColumns {
     }
 }
 
-/// Where the clocks of a zone are set during a span on its wall: the first time that they leave out, or show again.
+/// The changes of the clocks of a zone during a span on its wall: the first time that they leave out, or show again.
 fn clocks_set(span: Interval<WallTime>, zone: &TimeZone) -> Vec<ClockChange<WallTime>> {
     // The wall is never further than a day from UTC.
     let range = Interval::new(span.begin - DAY, span.end + DAY).map(WallTime::as_of_utc);
@@ -492,7 +480,7 @@ fn clocks_set(span: Interval<WallTime>, zone: &TimeZone) -> Vec<ClockChange<Wall
     scale.changes().map(on_wall).collect()
 }
 
-/// From the first row to the last, but for silences that no absence explains.
+/// From the first row to the last, without silences that no absence explains.
 fn without_silences(
     rows: Interval<WallTime>,
     silences: &[Interval<WallTime>],

@@ -9,7 +9,7 @@ use homebody_log::{Url, read};
 use jiff::civil::{DateTime, date};
 use std::path::PathBuf;
 
-/// The file of a real home; says so and gives none where it is not there.
+/// The file of a real home; prints a message and returns `None` where it is missing.
 fn recorded(name: &str) -> Option<PathBuf> {
     let path = std::env::var_os("HOMEBODY_DATA").map(|data| PathBuf::from(data).join(name));
     let path = path.filter(|path| path.is_file());

@@ -7,10 +7,10 @@ use crate::dates::clock;
 use homebody_core::problem::counted;
 use homebody_core::time::WallTime;
 
-/// Largest numbers of days, and of absences, that are listed one by one. For more, weeks are listed.
+/// Largest numbers of days, and of absences, in a list. For more, weeks are listed.
 const MOST_DAYS: usize = 31;
 const MOST_ABSENCES: usize = 40;
-/// Largest number of omitted sensors that are named.
+/// Largest number of omitted sensors with their names.
 const MOST_LEFT_OUT: usize = 12;
 
 impl fmt::Display for Density {
@@ -143,7 +143,7 @@ fn row(f: &mut fmt::Formatter, name: &str, width: usize, sum: &CellSum) -> fmt::
     writeln!(f, "{name:width$}  {events:>8}  {recorded_h:>10.1}  {away_h:>6.1}  {density:>18}")
 }
 
-/// Hours as people say them.
+/// Hours as text.
 fn hours_and_minutes(hours: f64) -> String {
     let minutes = (hours * 60.0).round() as u64;
     format!("{} h {:02} min", minutes / 60, minutes % 60)

@@ -37,7 +37,7 @@ fn an_hour_that_is_known_for_minutes_is_not_the_darkest() {
 }
 
 #[test]
-fn what_is_away_is_no_hour_at_home() {
+fn hours_away_do_not_count_as_hours_at_home() {
     // Leaves at 01:30 by the front door and comes back at 03:00; the run was a whole day.
     let front = "front door";
     let leave = [(5380, "hall", "ON"), (5390, "hall", "ON"), (5400, front, "ON")];
@@ -58,14 +58,14 @@ fn what_is_away_is_no_hour_at_home() {
     assert_eq!((map.density_per_h, map.events), (Some(6.0 / 22.5), 7));
     assert!(map.csv().contains("1970-01-01,1,3,0.5000,6.0000\n1970-01-01,2,1,0.0000,\n"), "{}", map.csv());
 
-    // Where clocks are set from 2 to 3, that hour does not come; where they are set back, the hour from 1 to 2 comes twice.
+    // If clocks are set from 2 to 3, that hour does not come; if they are set back, the hour from 1 to 2 comes twice.
     let zone = |rule: &str| Some(jiff::tz::TimeZone::posix(rule).unwrap());
     let set_on = self::map(&rows, &DensityOptions { zone: zone("EST5EDT,J1,J200"), ..asked.clone() });
     assert_eq!((set_on.recorded_h, set_on.cells[0][2].state(), set_on.away_h), (23.0, HourState::NoData, 0.5));
     let set_back = self::map(&rows, &DensityOptions { zone: zone("EST5EDT,J100,J1"), ..asked.clone() });
     assert_eq!((set_back.recorded_h, set_back.cells[0][1].recorded_h, set_back.away_h), (25.0, 2.0, 2.0));
 
-    // With the hall as the entrance it is the same, with the bedroom nobody was away.
+    // With the hall as the entrance it is the same, with the bedroom there is an empty list.
     let doors = |door: &str| DensityOptions { doors: vec![door.into()], ..asked.clone() };
     assert_eq!(self::map(&rows, &doors("hall")).absences.len(), 1);
     assert_eq!(self::map(&rows, &doors("bedroom")).absences.len(), 0);
@@ -120,7 +120,7 @@ fn a_part_of_the_days_is_cut_out() {
 }
 
 #[test]
-fn without_motion_there_is_no_map() {
+fn rejects_log_without_motion() {
     for rows in [[(0, "T1", "21.5")], [(0, "D1", "OPEN")], [(0, "M1", "OFF")]] {
         assert_eq!(Map::from_log("log", &log(&rows), &DensityOptions::default()), Err(NoMap::NoMotion));
     }
@@ -130,7 +130,7 @@ fn without_motion_there_is_no_map() {
 }
 
 #[test]
-fn a_silence_of_days_is_no_quiet_day() {
+fn silence_of_days_is_without_data() {
     let rows = [(0, "M1", "ON"), (H, "M1", "ON"), (80 * H, "M1", "ON"), (81 * H, "M1", "ON")];
     let quiet = map(&rows, &DensityOptions::default());
     assert!((quiet.recorded_h - 2.0).abs() < 1e-6, "{}", quiet.recorded_h);
@@ -142,7 +142,7 @@ fn a_silence_of_days_is_no_quiet_day() {
 }
 
 #[test]
-fn a_map_is_no_distance_from_itself() {
+fn distance_of_a_map_from_itself_is_0() {
     let day = |day: i64, every: i64| (0..86_400 / every).map(move |i| (day * 86_400 + i * every, "M1", "ON"));
     let steady = log(&(0..21).flat_map(|number| day(number, 600)).collect::<Vec<_>>());
     let other = log(&(0..21).flat_map(|number| day(number, 200 + 100 * number)).collect::<Vec<_>>());

@@ -1,9 +1,8 @@
 //! The texture of a density map, by Haralick's grey-level co-occurrence matrix.
 //!
-//! Each cell is one of eight levels, steps of equal height from none up to the map's top. The matrix `p` counts how often
-//! levels `i` and `j` lie beside each other: in hours that follow each other on one day, and in the same hour of days that
-//! follow each other, in both directions; it sums to 1. A neighbour that is away or unknown does not count, and a day's
-//! last hour is no neighbour of the next day's first. Then
+//! Each cell is one of eight levels, steps of equal height from none up to the map's top. The matrix `p` counts the pairs of levels `i` and
+//! `j` of neighbours: hours that follow each other on one day, and the same hour of days that follow each other, in both directions; it
+//! sums to 1. A neighbour that is away or unknown does not count, and a day's last hour is not a neighbour of the next day's first. Then
 //!
 //! | feature | formula | is |
 //! |---|---|---|
@@ -11,15 +10,15 @@
 //! | contrast | `sum p (i - j)^2` | 0 where all are alike, 49 where none and most alternate |
 //! | entropy | `-sum p ln p` | 0 where all are alike, ln 64 where any pair is as likely |
 //!
-//! Wang & Skubic (2008) take these three, contrast as *local variation*, with the density at home and the time away as the
-//! features of a map. Levels, neighbours and the handling of absences are ours.
+//! Wang & Skubic (2008) take these three, contrast as *local variation*, with the density at home and the time away as the features of a
+//! map. Levels, neighbours and the handling of absences are our choice.
 
 use serde::Serialize;
 
-/// How many levels there are.
+/// The number of levels.
 pub const LEVELS: usize = 8;
 
-/// How alike neighbours in a map are.
+/// The similarity of neighbours in a map.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Texture {
     /// From 0 to 1, as the table above defines it: 1 where all neighbours are alike.
@@ -28,18 +27,18 @@ pub struct Texture {
     pub contrast: f64,
     /// In nats.
     pub entropy: f64,
-    /// So many pairs of neighbours were counted.
+    /// The number of pairs of neighbours.
     pub pairs: u64,
 }
 
 /// The level of a density, steps of `step_per_h` high.
 pub fn level(density: f64, step_per_h: f64) -> usize {
-    // What is above the top is of the highest level, too.
+    // The highest level has the densities above the top, too.
     ((density / step_per_h) as usize).min(LEVELS - 1)
 }
 
 impl Texture {
-    /// Of levels by day and hour; none where no two neighbours are known.
+    /// From levels by day and hour; `None` where no two neighbours are known.
     pub fn from_levels<Row: AsRef<[Option<usize>]>>(days: &[Row]) -> Option<Texture> {
         let hours = days.iter().flat_map(|day| day.as_ref().windows(2).map(|pair| (pair[0], pair[1])));
         let next_days =
@@ -92,7 +91,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_not_known_is_nobodys_neighbour() {
+    fn unknown_cells_have_no_neighbours() {
         assert_eq!(Texture::from_levels(&[[Some(1), None, Some(5)]]), None);
         assert_eq!(Texture::from_levels::<[Option<usize>; 24]>(&[]), None);
         let texture = Texture::from_levels(&[[Some(1), Some(1)], [None, Some(2)]]).unwrap();

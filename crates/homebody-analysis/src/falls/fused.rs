@@ -1,15 +1,15 @@
 //! Silhouettes and passive sensors together.
 //!
-//! What silhouettes are sure of is told at once. What they doubt is told once passive sensors have been quiet for a while: who
-//! kneels, bends or exercises moves on, who has fallen often does not.
+//! A sure fall by silhouettes is reported at once. A doubtful one is reported once passive sensors have been quiet for a while: a person
+//! who kneels, bends or exercises moves again, a person who has fallen often does not.
 //!
-//! Cameras look on for a while after the last movement, and sleep then. Whoever they saw on the floor last lies there as long as
-//! nothing moves: that is told sooner than a long lie of which passive sensors tell alone. Such a one is told unless cameras saw
-//! somebody off the floor after the last movement: who has fallen lies on the floor by then, or out of their sight.
+//! Cameras look for a while after the last movement, and sleep then. A person whom they saw on the floor last lies there as long as nothing
+//! moves: this fall is reported earlier than a long lie by passive sensors alone. A long lie is reported unless cameras saw the person off
+//! the floor after the last movement: by then a fallen person lies on the floor, or out of their sight.
 //!
-//! A fall is told once: not again until somebody has been seen off the floor.
+//! A fall is reported once: not again until cameras have seen the person off the floor.
 //!
-//! Left out: weighing one word against another by how often each was wrong.
+//! Left out: weights for the two sources by their errors.
 
 use super::long_lie::{LongLie, LongLieRule, long_lies};
 use super::passive::{PassiveMeaning, PassiveMessage};
@@ -19,26 +19,26 @@ use super::watch::Fall;
 use homebody_core::time::{RunTime, Span};
 use serde::{Deserialize, Serialize};
 
-/// How words of both are put together.
+/// Parameters of the combination of cameras and passive sensors.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Fusion {
-    /// What silhouettes are so sure of is told at once, from 0 to 1.
+    /// Confidence of silhouettes from which a fall is reported at once, from 0 to 1.
     pub sure: f64,
-    /// What they are less sure of than this is not heard at all.
+    /// Confidence of silhouettes below which a fall is ignored, from 0 to 1.
     pub doubtful: f64,
-    /// What they doubt is told if nothing moves for so long, in seconds.
+    /// Time without movement after which a doubtful fall is reported, in seconds.
     pub still_s: f64,
-    /// Who was seen on the floor last is told of if nothing moves for so long after that, in seconds.
+    /// Time without movement after which a person last seen on the floor is reported, in seconds.
     pub floor_s: f64,
-    /// Who is seen off the floor so long after the last movement has not fallen with it, in seconds.
+    /// Time after the last movement at which a person seen off the floor has not fallen with it, in seconds.
     pub fallen_s: f64,
-    /// When passive sensors tell of somebody alone.
+    /// The rule of passive sensors alone.
     pub long_lie: LongLieRule,
 }
 
 impl Default for Fusion {
-    /// All are ours, and fitted to nothing.
+    /// All are our choice, and fitted to no data.
     fn default() -> Fusion {
         Fusion {
             sure: 0.75,
@@ -51,20 +51,19 @@ impl Default for Fusion {
     }
 }
 
-/// What silhouettes and passive sensors have told.
+/// The reports of silhouettes and passive sensors.
 #[derive(Clone, Copy, Debug)]
 pub struct FallEvidence<'a> {
-    /// Falls by silhouettes.
     pub falls: &'a [Fall],
-    /// When somebody was seen, and how they were held to be, in order of time.
+    /// The states in which cameras saw the person, in order of time.
     pub sightings: &'a [CameraSighting],
-    /// What passive sensors said, in order of time.
+    /// The messages of passive sensors, in order of time.
     pub heard: &'a [PassiveMessage],
-    /// Until when.
+    /// The end of the observation.
     pub until: RunTime,
 }
 
-/// When both together tell of a fall, in order of time.
+/// The falls by both together, in order of time.
 pub fn fused(fusion: &Fusion, told: &FallEvidence) -> Vec<RunTime> {
     let [still, floor, fallen] = [fusion.still_s, fusion.floor_s, fusion.fallen_s].map(Span::from_seconds);
     let by_silhouettes = told.falls.iter().filter_map(|fall| match fall.confidence {
@@ -103,7 +102,7 @@ impl FallEvidence<'_> {
         &self.sightings[..self.sightings.partition_point(|seen| seen.at <= at)]
     }
 
-    /// Whether nothing moves for so long from an instant on, as far as is known.
+    /// Nothing is known to move for so long from an instant on.
     fn is_still(&self, from: RunTime, long: Span) -> bool {
         let first = self.heard.partition_point(|heard| heard.at <= from);
         let next = self.heard[first..]
@@ -139,7 +138,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_sure_is_told_at_once_and_what_is_doubtful_once_nothing_moves() {
+    fn reports_sure_falls_at_once_and_doubtful_ones_without_movement() {
         let busy: Vec<PassiveMessage> = (0..300).map(|step| moved(step * 10)).collect();
         assert_eq!(alarms(&[fall(100, 0.9)], &[], &busy), [100]);
         assert_eq!(alarms(&[fall(100, 0.5)], &[], &busy), NEVER);
@@ -148,26 +147,26 @@ mod tests {
     }
 
     #[test]
-    fn a_long_lie_is_told_unless_cameras_saw_somebody_off_the_floor_after_the_last_movement() {
+    fn reports_long_lie_unless_cameras_saw_the_person_off_the_floor() {
         let seen = |at_s: i64, state| CameraSighting { at: at(at_s), state };
         let then = |sightings: &[CameraSighting]| alarms(&[], sightings, &[moved(100)]);
         assert_eq!(then(&[]), [1300]);
         assert_eq!(then(&[seen(115, FallState::Upright)]), NEVER);
         assert_eq!(then(&[seen(115, FallState::InBetween)]), NEVER);
-        // Out of sight with the last movement, or seen only after it was told.
+        // Out of sight with the last movement, or seen only after the report.
         assert_eq!(then(&[seen(101, FallState::Upright)]), [1300]);
         assert_eq!(then(&[seen(1400, FallState::Upright)]), [1300]);
     }
 
     #[test]
-    fn who_was_seen_on_the_floor_last_is_told_of_soon_and_once() {
+    fn person_last_seen_on_the_floor_is_reported_soon_and_once() {
         let seen = |at_s: i64, state| CameraSighting { at: at(at_s), state };
         let (up, down) = (FallState::Upright, FallState::OnTheGround);
         let lies = [seen(90, up), seen(101, down), seen(115, down)];
         assert_eq!(alarms(&[], &lies, &[moved(100)]), [235]);
         // Told by silhouettes already.
         assert_eq!(alarms(&[fall(105, 0.9)], &lies, &[moved(100)]), [105]);
-        // Who stirs is told of once they keep still, who gets up is not.
+        // A person who stirs is reported once they keep still, one who gets up is not.
         assert_eq!(alarms(&[], &[&lies[..], &[seen(215, down)]].concat(), &[moved(100), moved(200)]), [335]);
         assert_eq!(alarms(&[], &[&lies[..], &[seen(150, up)]].concat(), &[moved(100), moved(139)]), NEVER);
     }

@@ -1,45 +1,44 @@
-//! The long lie, by passive sensors alone: somebody moved where nobody rests, and nothing has moved since.
+//! The long lie, by passive sensors alone: a person moved away from places of rest, and nothing has moved since.
 //!
-//! Who lies on the floor and cannot rise moves little. A rule of two times is all there is to it: how long nothing has moved, and
-//! how long somebody has to have moved elsewhere after they were in a bed or on a seat. Whoever was in one last is still there;
-//! whoever used the door to the outside last is out.
+//! A person who lies on the floor and cannot rise moves little. The rule has two times: the time without movement, and the time that a
+//! person has to have moved elsewhere after they were in a bed or on a seat. A person who was in one last is still there; one who used the
+//! door to the outside last is out.
 //!
-//! We assume that one person lives there.
+//! We assume that the home has one resident.
 //!
-//! Left out: learning how long somebody keeps still at which hour and in which room.
+//! Left out: learning the usual times without movement by hour and room.
 
 use super::passive::{PassiveMeaning, PassiveMessage};
 use homebody_core::time::{RunTime, Span};
 use serde::{Deserialize, Serialize};
 
-/// When a lie is long.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct LongLieRule {
-    /// Nothing has moved for so long, in seconds.
+    /// Time without movement, in seconds.
     pub quiet_s: f64,
-    /// Who moves elsewhere so long after they moved in a bed or on a seat, or used the door, has left it, in seconds: sensors of the
-    /// room see who stirs on a seat, too.
+    /// Time of movement elsewhere after which a person has left a bed, a seat or the door, in seconds: sensors of the room see a person who
+    /// stirs on a seat, too.
     pub leaves_s: f64,
 }
 
 impl Default for LongLieRule {
-    /// Both are ours, and fitted to nothing.
+    /// Both are our choice, and fitted to no data.
     fn default() -> LongLieRule {
         LongLieRule { quiet_s: 1200.0, leaves_s: 10.0 }
     }
 }
 
-/// Somebody who has kept still too long.
+/// A person has kept still for too long.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct LongLie {
     /// The last movement.
     pub since: RunTime,
-    /// When it had been quiet for long enough.
+    /// The end of the time without movement.
     pub alarm_at: RunTime,
 }
 
-/// The long lies in messages that are in order of time, until an instant.
+/// The long lies in messages in order of time, until an instant.
 pub fn long_lies(rule: &LongLieRule, heard: &[PassiveMessage], until: RunTime) -> Vec<LongLie> {
     let [quiet, leaves] = [rule.quiet_s, rule.leaves_s].map(Span::from_seconds);
     let mut lies = Vec::new();
@@ -80,14 +79,14 @@ mod tests {
     }
 
     #[test]
-    fn who_moves_and_then_no_more_lies_somewhere() {
+    fn movement_that_stops_is_a_long_lie() {
         assert_eq!(alarms(&[(0, MOVED), (8, MOVED)], 3600), [1208]);
         assert_eq!(alarms(&[(0, MOVED), (8, MOVED)], 1200), NEVER);
         assert_eq!(alarms(&[(0, MOVED), (1000, MOVED), (2000, MOVED)], 3000), NEVER);
     }
 
     #[test]
-    fn who_was_in_a_bed_or_on_a_seat_last_or_at_the_door_is_there_or_out() {
+    fn rest_and_outings_are_not_long_lies() {
         assert_eq!(alarms(&[(0, MOVED), (8, STIRRED)], 3600), NEVER);
         // The room's sensor sees who stirs on the seat.
         assert_eq!(alarms(&[(0, MOVED), (8, STIRRED), (9, MOVED)], 3600), NEVER);

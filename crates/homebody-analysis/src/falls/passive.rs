@@ -1,9 +1,9 @@
-//! What passive sensors tell of somebody who may have fallen: that they moved, where, that they sit or lie where a sensor feels it,
-//! and that the door to the outside was used.
+//! The messages of passive sensors about a person who may have fallen: movement and its place, an occupied bed or seat, and use of the door
+//! to the outside.
 //!
-//! We assume that a motion sensor whose area holds a bed or a seat tells of who is in it, and that all others tell of who is not.
+//! We assume that a motion sensor whose area holds a bed or a seat sees the person in it, and that all others see a person who is not.
 //!
-//! Left out: what appliances, water and temperatures tell.
+//! Left out: appliances, water and temperatures.
 
 use homebody_core::event::Value;
 use homebody_core::geometry::Point;
@@ -15,48 +15,48 @@ use homebody_core::sensors::ceiling_motion::CeilingMotion;
 use homebody_core::sensors::kinds::SensorFile;
 use homebody_core::time::RunTime;
 
-/// Where somebody rests. Who lies beside a toilet is seen by the same sensor as who sits on it, so it is none of them.
+/// Places of rest. The sensor that sees a toilet sees a person who lies next to it, too, so a toilet is not among them.
 const RESTING: [Role; 5] = [Role::Bed, Role::Armchair, Role::Sofa, Role::DiningSeat, Role::GuestSeat];
 
 /// Height below which a piece is not a seat, in metres (our choice): rugs, shower trays.
 const LOWEST_SEAT_M: f64 = 0.2;
 
-/// What a message of a passive sensor tells.
+/// The meaning of a message of a passive sensor.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum PassiveMeaning {
-    /// Somebody moved.
+    /// A person moved.
     Moved {
-        /// Whether that was where somebody sits or lies.
+        /// The movement was at a place to sit or lie.
         at_rest: bool,
     },
-    /// A pad or a bed's sensor feels somebody.
+    /// A pad or a bed's sensor becomes occupied.
     Rests,
-    /// A pad or a bed's sensor feels nobody any more.
+    /// A pad or a bed's sensor becomes free.
     Rises,
-    /// The door to the outside was opened or closed.
+    /// The door to the outside opened or closed.
     Door,
 }
 
-/// What one of a home's sensors can tell.
+/// The meanings of a home's sensor.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Ear {
     /// Movement.
     Motion {
-        /// Whether it looks at a bed or a seat.
+        /// It looks at a bed or a seat.
         at_rest: bool,
     },
-    /// That somebody is in a bed or on a seat.
+    /// A bed or a seat is occupied.
     Seat,
-    /// That the door to the outside is used.
+    /// The door to the outside moves.
     Door,
-    /// That something else was opened or closed, or stepped on.
+    /// A thing opens or closes, or a person steps on it.
     Use,
-    /// Nothing of this.
+    /// No meaning.
     Deaf,
 }
 
 impl Ear {
-    /// Of each sensor of a home, in the order of its file.
+    /// The meanings of each sensor of a home, in the order of its file.
     pub fn all_of_home(home: &ResolvedHome) -> Vec<Ear> {
         let seat = |piece: &&FurnitureFile| piece.enterable && piece.height_m >= LOWEST_SEAT_M && is_for_rest(piece);
         let seats: Vec<&FurnitureFile> = home.furniture.iter().filter(seat).collect();
@@ -80,10 +80,10 @@ impl Ear {
         home.sensors.iter().map(ear).collect()
     }
 
-    /// What it tells by a message.
+    /// The meaning of its message.
     pub fn hears(self, value: Value) -> Option<PassiveMeaning> {
         match (self, value) {
-            // What is over began with a movement.
+            // An end means that there was a movement.
             (Ear::Motion { .. }, Value::Off) | (Ear::Deaf, _) => None,
             (Ear::Motion { at_rest }, _) => Some(PassiveMeaning::Moved { at_rest }),
             (Ear::Seat, Value::Out | Value::Off) => Some(PassiveMeaning::Rises),
@@ -94,12 +94,9 @@ impl Ear {
     }
 }
 
-/// A message and when it came.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct PassiveMessage {
-    /// When it came.
     pub at: RunTime,
-    /// What it tells.
     pub heard: PassiveMeaning,
 }
 

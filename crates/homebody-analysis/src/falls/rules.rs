@@ -8,7 +8,7 @@ use homebody_core::problem::{Problem, Problems};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 
-/// How somebody is.
+/// The state of a person.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum FallState {
@@ -20,19 +20,16 @@ pub enum FallState {
     OnTheGround,
 }
 
-/// How far somebody is in each state, from 0 to 1.
+/// The degree of each state, from 0 to 1.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
 pub struct Memberships {
-    /// On the feet.
     pub upright: f64,
-    /// In between.
     pub in_between: f64,
-    /// On the floor.
     pub on_the_ground: f64,
 }
 
 impl Memberships {
-    /// How far somebody is in a state.
+    /// The degree of a state.
     pub fn membership(&self, state: FallState) -> f64 {
         match state {
             FallState::Upright => self.upright,
@@ -50,22 +47,21 @@ impl Memberships {
     }
 }
 
-/// A number of a shape that rules speak of.
+/// A number of a shape in the conditions of rules.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Feature {
-    /// How high the middle is, in metres.
+    /// The height of the middle, in metres.
     CentroidUpM,
-    /// How high the top is, in metres.
+    /// The height of the top, in metres.
     HeightM,
     /// The angle to the vertical, in degrees.
     TiltDeg,
-    /// How large it is, in litres.
+    /// The volume, in litres.
     VolumeL,
 }
 
 impl Feature {
-    /// Its name in a file of rules.
     fn name(self) -> String {
         serde_json::to_value(self).ok().and_then(|name| name.as_str().map(str::to_owned)).unwrap_or_default()
     }
@@ -80,51 +76,45 @@ impl Feature {
     }
 }
 
-/// A rule of the first level: who is like this is in this state.
+/// A rule of the first level: a shape means a state.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct StateRule {
-    /// The state that follows.
     pub state: FallState,
-    /// What has to be so: of each feature, one of its terms. The least of them is how far the rule holds.
+    /// The conditions: for each feature, one of its terms. The least degree is that of the rule.
     #[serde(rename = "if")]
     pub conditions: BTreeMap<Feature, String>,
 }
 
-/// A rule of the second level: who is on the ground like this has fallen.
+/// A rule of the second level: a time on the ground means a fall.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct FallRule {
-    /// What it is called.
     pub name: String,
-    /// How long somebody has to be on the ground.
+    /// Time on the ground.
     pub lies_s: f64,
-    /// How they were just before, and how many seconds earlier at most; without it, whatever was before.
+    /// The state just before, if it matters.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub before: Option<Before>,
-    /// How sure it is at most, from 0 to 1.
+    /// The highest confidence, from 0 to 1.
     pub confidence: f64,
 }
 
-/// How somebody was before they were on the ground.
+/// The state before the ground.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Before {
-    /// The state.
     pub state: FallState,
-    /// How many seconds earlier at most.
+    /// The time since that state, in seconds, at most.
     pub within_s: f64,
 }
 
-/// All rules.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct FallRules {
-    /// What words mean: by feature and term, where it begins to hold, where it holds wholly, until where, and where it ends.
+    /// The terms by feature: the values at which a term begins to hold, holds fully, stops to hold fully, and ends.
     pub terms: BTreeMap<Feature, BTreeMap<String, [f64; 4]>>,
-    /// The first level.
     pub states: Vec<StateRule>,
-    /// The second level.
     pub falls: Vec<FallRule>,
 }
 
@@ -201,7 +191,6 @@ impl FallRules {
     ///
     /// # Errors
     ///
-    /// All problems of the text.
     pub fn parse(text: &str) -> Result<FallRules, Problems> {
         let unread = |error: serde_json::Error| Problems(vec![FallRuleMessage::Form { why: error.to_string() }.into()]);
         let rules: FallRules = serde_json::from_str(text).map_err(unread)?;
@@ -249,7 +238,7 @@ impl FallRules {
         wrong
     }
 
-    /// How far somebody of this shape is in each state.
+    /// The degree of each state, for this shape.
     pub fn memberships(&self, shape: &BodyShape) -> Memberships {
         let mut memberships = Memberships::default();
         for rule in &self.states {

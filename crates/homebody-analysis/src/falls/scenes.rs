@@ -2,7 +2,7 @@
 //!
 //! We assume that pictures come in order of time.
 //!
-//! Where two cameras agree on somebody the voxel person counts; otherwise the first camera that sees somebody tells of them alone.
+//! Where two cameras agree on a person, the voxel person counts; otherwise the first camera that sees a person.
 
 use super::rules::{FallRules, FallState, Memberships};
 use super::voxels::VoxelSpace;
@@ -17,14 +17,10 @@ use homebody_core::plan::Plan;
 use homebody_core::time::RunTime;
 use std::sync::Arc;
 
-/// A picture of one of the cameras.
 #[derive(Clone, Debug)]
 pub struct CameraPicture {
-    /// When it was taken.
     pub at: RunTime,
-    /// Which camera took it.
     pub camera: usize,
-    /// The picture.
     pub silhouette: Silhouette,
 }
 
@@ -37,33 +33,31 @@ impl CameraPicture {
     }
 }
 
-/// Somebody in a room, as the pictures of an instant tell it.
+/// A person in a room, by the pictures of an instant.
 #[derive(Clone, Debug)]
 pub struct SeenPerson {
-    /// What their body is like.
     pub shape: BodyShape,
-    /// How far they are upright, in between and on the ground.
+    /// The degrees of the states.
     pub memberships: Memberships,
-    /// The middles of the cubes that two cameras or more agree on; none where one camera alone tells of them.
+    /// The middles of the cubes that two cameras or more agree on; empty if one camera alone sees the person.
     pub cubes: Vec<Point3>,
 }
 
-/// The rooms with cameras, watched.
+/// The rooms with cameras.
 #[derive(Clone)]
 pub struct Scenes<'r> {
     rules: &'r FallRules,
     scenes: Vec<RoomScene<'r>>,
     at: RunTime,
-    /// How many instants two cameras or more agreed on.
+    /// The number of instants on which two cameras or more agreed.
     pub voxel_persons: u64,
 }
 
-/// Somebody was seen.
+/// A sight of a person.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct CameraSighting {
-    /// When.
     pub at: RunTime,
-    /// How they were held to be.
+    /// The state of the person.
     pub state: FallState,
 }
 
@@ -73,18 +67,18 @@ struct RoomScene<'r> {
     /// Their numbers among all cameras.
     cameras: Vec<usize>,
     lenses: Vec<Lens>,
-    /// The same in all copies.
+    /// Shared by all copies.
     space: Arc<VoxelSpace>,
     ground: Arc<Ground>,
     watch: FallWatch<'r>,
     /// Pictures of the present instant, by camera of the scene.
     now: Vec<Option<CameraPicture>>,
-    /// When somebody was last seen.
+    /// The last sight of a person.
     seen_at: RunTime,
 }
 
 impl<'r> Scenes<'r> {
-    /// Of these cameras in a home.
+    /// For these cameras in a home.
     pub fn new(plan: &Plan, lenses: &[Lens], rules: &'r FallRules) -> Scenes<'r> {
         let room = |lens: &Lens| plan.room_at(lens.at.truncate());
         let mut groups: Vec<Vec<usize>> = Vec::new();
@@ -111,7 +105,7 @@ impl<'r> Scenes<'r> {
         Scenes { rules, scenes: groups.into_iter().map(scene).collect(), at: RunTime::MIN, voxel_persons: 0 }
     }
 
-    /// The next picture; what was found in those of the instant before it.
+    /// Takes the next picture; returns the falls in those of the instant before it.
     pub fn next(&mut self, seen: CameraPicture) -> Vec<Fall> {
         let seen = seen.without_specks();
         let found = if seen.at == self.at { Vec::new() } else { self.look() };
@@ -125,13 +119,13 @@ impl<'r> Scenes<'r> {
         found
     }
 
-    /// When somebody was seen last, by the cameras of whichever room, and how they are held to be.
+    /// The last sight of a person by the cameras of any room, and their state.
     pub fn last_sighting(&self) -> Option<CameraSighting> {
         let scene = self.scenes.iter().max_by_key(|scene| scene.seen_at)?;
         Some(CameraSighting { at: scene.seen_at, state: scene.watch.state()? })
     }
 
-    /// Who is in which room by the pictures of one instant, looked at by themselves: what was before is not asked.
+    /// The people in the rooms by the pictures of one instant alone, without those before.
     pub fn persons(&self, seen: &[CameraPicture]) -> Vec<SeenPerson> {
         let seen: Vec<CameraPicture> = seen.iter().map(CameraPicture::without_specks).collect();
         let person = |scene: &RoomScene| {
@@ -143,7 +137,7 @@ impl<'r> Scenes<'r> {
         self.scenes.iter().filter_map(person).collect()
     }
 
-    /// What is found in the pictures of the last instant.
+    /// The falls in the pictures of the last instant.
     pub fn look(&mut self) -> Vec<Fall> {
         let persons = &mut self.voxel_persons;
         self.scenes.iter_mut().filter_map(|scene| scene.look(persons)).collect()
@@ -163,7 +157,7 @@ impl RoomScene<'_> {
         self.watch.next(&ShapeAt { at, shape })
     }
 
-    /// What somebody's body is like by the pictures of an instant, and the cubes that this was told by.
+    /// The shape of a body in the pictures of an instant, and the cubes of it.
     fn shape(&self, now: &[Option<&CameraPicture>]) -> Option<(BodyShape, Vec<Point3>)> {
         let pictures: Vec<_> = now.iter().map(|seen| seen.map(|seen| &seen.silhouette)).collect();
         if let Some(person) = self.space.person(&pictures) {

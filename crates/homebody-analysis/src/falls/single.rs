@@ -1,15 +1,15 @@
-//! What one camera alone can tell: its silhouette stands where its lowest pixels meet the floor.
+//! The shape of a body by one camera alone: its silhouette stands where its lowest pixels meet the floor.
 //!
-//! We assume that somebody touches the floor where the silhouette ends below, and is either upright above that place or lies along
-//! the floor.
+//! We assume that a person touches the floor at the lower end of the silhouette, and is either upright above that place or lies along the
+//! floor.
 //!
-//! An upright body is as high as the way through its top crosses the upright plane at its feet. It lies if it is seen across what is
-//! upright there, and would be no longer on the floor than a body is.
+//! An upright body is as high as the ray through its top crosses the upright plane at its feet. A body lies if it appears across the
+//! upright there, and would not be longer on the floor than a body is.
 //!
-//! Who lies along the line of sight looks as who kneels; who is cut off by furniture or by the edge of the picture seems nearer or
-//! further than they are: that is what a second camera is for.
+//! A person who lies along the line of sight looks as one who kneels; one who is cut off by furniture or by the edge of the picture seems
+//! nearer or further than they are: that needs a second camera.
 //!
-//! Nobody lies on the floor where a seat or a bed is. Left out: how high those are who sit or lie there.
+//! A person over a seat or a bed does not lie on the floor. Left out: the height of people who sit or lie there.
 
 use super::BodyShape;
 use homebody_core::body::figure::Point3;
@@ -22,19 +22,19 @@ use homebody_core::geometry::Point;
 /// Depth of a body, as a share of its visible width (our choice).
 const DEEP: f64 = 0.6;
 
-/// How far what is seen lies across what is upright, by the angle between them in the picture, in degrees (ours).
+/// The degree to which a shape lies across the upright, by the angle between them in the picture, in degrees (our choice).
 const ACROSS_DEG: Fuzzy = Fuzzy { low: 30.0, from: 50.0, to: 90.0, high: 90.0 };
 
-/// How far it has a direction at all, by its elongation (ours).
+/// The degree to which a shape has a direction at all, by its elongation (our choice).
 const ELONGATED: Fuzzy = Fuzzy { low: 1.1, from: 1.4, to: f64::MAX, high: f64::MAX };
 
-/// How far it would be as short on the floor as a body, in metres (ours).
+/// The degree to which a shape on the floor would be as short as a body, in metres (our choice).
 const SHORT_M: Fuzzy = Fuzzy { low: 0.0, from: 0.0, to: 1.9, high: 2.4 };
 
 /// Height of a lying person, in metres (our choice). The middle is at half of it.
 const LYING_M: f64 = 0.3;
 
-/// What somebody's body is like by one silhouette; None where nobody is seen, or they stand beyond the horizon.
+/// The shape of a body by one silhouette; `None` without a person, or if they stand beyond the horizon.
 pub fn shape(lens: &Lens, silhouette: &Silhouette, ground: &Ground) -> Option<BodyShape> {
     let features = silhouette.features()?;
     let [left, top, right, bottom] = features.box_px.map(f64::from);
@@ -47,7 +47,7 @@ pub fn shape(lens: &Lens, silhouette: &Silhouette, ground: &Ground) -> Option<Bo
     let foot = lens.at + down * (lens.at.z / -down.z);
     let level = (foot - lens.at).with_z(0.0);
     let distance_m = level.length();
-    // Where a way crosses the upright plane through the foot, across the line of sight.
+    // The point at which a ray crosses the upright plane through the foot, across the line of sight.
     let height_of = |y: f64| {
         let way: Point3 = way(middle, y);
         let times = level.dot(level) / way.with_z(0.0).dot(level);
@@ -80,15 +80,15 @@ fn tilt_deg(lens: &Lens, features: &Features, foot: Point3) -> f64 {
     apart.min(180.0 - apart)
 }
 
-/// Whether the middle of what is seen is over a seat or a bed.
+/// The middle of the shape is over a seat or a bed.
 fn is_on_furniture(lens: &Lens, features: &Features, ground: &Ground) -> bool {
     let way = lens.ray_through(features.centroid_px[0], features.centroid_px[1]);
     let at = lens.at + way * ((lens.at.z - HIGHEST_SUPPORT_M) / -way.z);
     way.z < -1e-6 && ground.support_m(at.truncate()) > 0.0
 }
 
-/// How long what is seen would be if all of it lay on the floor, in metres; infinite if some of it is above the horizon. An even rod
-/// is as long as its standard deviation times the root of 12.
+/// The length of the silhouette if all of it lay on the floor, in metres; infinite if a part of it is above the horizon. An even rod is as
+/// long as its standard deviation times the root of 12.
 fn length_on_floor_m(lens: &Lens, silhouette: &Silhouette) -> f64 {
     let (mut n, mut sum, mut squares, mut product) = (0.0, Point::ZERO, Point::ZERO, 0.0);
     for (column, row) in silhouette.pixels() {
@@ -138,7 +138,7 @@ mod tests {
     }
 
     #[test]
-    fn who_lies_is_low_wherever_the_camera_is_and_who_is_upright_is_not() {
+    fn lying_is_low_and_standing_is_high_for_each_camera() {
         // High up in the corner of a small room, and far away in a large one.
         let near = Lens::new(Point3::new(0.0, 0.0, 2.3), 0.7, 0.8, 1.75, [160, 120]);
         let far = Lens::new(Point3::new(-3.5, -2.0, 2.3), 0.6, 0.4, 1.6, [160, 120]);
@@ -161,7 +161,7 @@ mod tests {
     }
 
     #[test]
-    fn nobody_is_low_who_lies_on_a_bed() {
+    fn lying_on_a_bed_is_not_low() {
         let lens = Lens::new(Point3::new(0.0, 0.0, 2.3), 0.7, 0.4, 1.6, [160, 120]);
         let (at, half) = (Point::new(2.2, 2.0), Point::new(1.0, 0.45));
         let outline = [(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)].map(|(x, y)| at + Point::new(x, y) * half);

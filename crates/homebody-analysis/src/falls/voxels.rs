@@ -1,9 +1,9 @@
-//! The voxel person: the small cubes of the room that all cameras agree are somebody.
+//! The voxel person: the small cubes of the room that all cameras agree on.
 //!
-//! We assume that cameras are calibrated, that they take their pictures at the same instants, and that what stands still is known.
+//! We assume that cameras are calibrated, that they take their pictures at the same instants, and that the furniture is known.
 //!
-//! Of each cube it is known beforehand which pixel of which camera it is in, if that camera sees it. A cube is somebody if two
-//! cameras or more see it and all of these have its pixel set.
+//! The pixel of each cube in each camera that sees it is computed once. A cube is a person's if two cameras or more see it and all of these
+//! have its pixel set.
 //!
 //! Left out: carving by cubes that are in part a body's.
 
@@ -20,7 +20,7 @@ use homebody_core::plan::Plan;
 /// more in 160 by 120 pixels.
 pub const EDGE_M: f64 = 0.05;
 
-/// Nobody is looked for higher up, in metres.
+/// Height of the topmost cubes, in metres.
 const TOP_M: f64 = 2.1;
 
 /// Smallest number of cubes of a person (our choice): a litre.
@@ -107,17 +107,16 @@ impl VoxelSpace {
         self.cubes.push(cubes);
     }
 
-    /// How many cubes there are.
     pub fn len(&self) -> usize {
         self.middles.len()
     }
 
-    /// Whether no two cameras look at the same place.
+    /// No two cameras look at the same place.
     pub fn is_empty(&self) -> bool {
         self.middles.is_empty()
     }
 
-    /// The cubes that are somebody, by what the cameras see: None for one that has no picture of this instant.
+    /// The cubes of a person, by the pictures; `None` for a camera without a picture of this instant.
     fn occupied(&self, pictures: &[Option<&Silhouette>]) -> Vec<Point3> {
         let mut occupied = Vec::new();
         for (camera, picture) in pictures.iter().enumerate() {
@@ -135,7 +134,7 @@ impl VoxelSpace {
         occupied
     }
 
-    /// Whether a cube in whose pixel a camera sees somebody is somebody's. Only the first of the cameras that see it is asked.
+    /// The cube is a person's, where a camera sees a person in its pixel. Only the first of the cameras that see it is asked.
     fn is_somebody(&self, cube: usize, first: usize, pictures: &[Option<&Silhouette>]) -> bool {
         let mut agreeing = 1;
         for (camera, picture) in pictures.iter().enumerate() {
@@ -152,8 +151,8 @@ impl VoxelSpace {
         agreeing >= 2
     }
 
-    /// What somebody's body is like, and the middles of its cubes; None where fewer than two cameras have a picture, or their
-    /// pictures agree on nobody.
+    /// The shape of a person, and the middles of its cubes; `None` where fewer than two cameras have a picture, or their pictures agree on
+    /// no cube.
     pub fn person(&self, pictures: &[Option<&Silhouette>]) -> Option<(BodyShape, Vec<Point3>)> {
         if pictures.iter().flatten().count() < 2 {
             return None;
@@ -174,7 +173,7 @@ fn pixel(lens: &Lens, scenery: &Scenery, point: Point3) -> u32 {
     if is_hidden { UNSEEN } else { (row * lens.columns as usize + column) as u32 }
 }
 
-/// What a set of cubes is like; None where they are too few to be somebody.
+/// The shape of a set of cubes; `None` where they are too few for a person.
 fn shape(cubes: &[Point3]) -> Option<BodyShape> {
     if cubes.len() < LEAST {
         return None;
@@ -257,7 +256,7 @@ mod tests {
     }
 
     #[test]
-    fn who_stands_is_upright_and_who_lies_is_on_the_ground() {
+    fn separates_standing_from_lying() {
         let (standing, lying) = (seen(Stance::Standing, 0.0), seen(Stance::Prone, 0.0));
         let height_m = ADULT.height_m;
         assert!((standing.height_m - height_m).abs() < 0.12, "{standing:?}");

@@ -1,7 +1,7 @@
-//! The second level: states over time become falls, with how sure that is.
+//! The second level: states over time become falls, with a confidence.
 //!
-//! Somebody is on the ground from the instant at which that holds more than half, until it has not for a second. What was before is
-//! the last instant at which another state held more than half.
+//! A person is on the ground from the instant at which that holds more than half, until it has not for a second. The state before is that
+//! of the last instant at which another state held more than half.
 //!
 //! We assume that nothing changes for two seconds without a picture, and that nothing is known after longer.
 
@@ -10,7 +10,7 @@ use super::rules::{FallRule, FallRules, FallState, Memberships};
 use homebody_core::time::{RunTime, SECOND, Span};
 use serde::Serialize;
 
-/// A state holds from here on.
+/// Degree from which a state holds.
 const HOLDS: f64 = 0.5;
 
 /// Longest disagreement of pictures about a person on the ground that is ignored (our choice).
@@ -21,23 +21,22 @@ const GAP: Span = SECOND.times(2);
 
 const STATES: [FallState; 3] = [FallState::Upright, FallState::InBetween, FallState::OnTheGround];
 
-/// A fall that was found.
+/// A detected fall.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Fall {
-    /// Since when somebody has been on the ground.
+    /// The begin of the time on the ground.
     pub at: RunTime,
-    /// When that was enough for the rule.
+    /// The time at which the rule was met.
     pub alarm_at: RunTime,
-    /// Where, in metres.
+    /// The place, in metres.
     pub at_m: [f64; 2],
-    /// The rule.
     pub rule: String,
-    /// How sure it is, from 0 to 1.
+    /// The confidence, from 0 to 1.
     pub confidence: f64,
 }
 
 impl Fall {
-    /// How sure it is, in words.
+    /// The confidence in words.
     pub fn words(&self) -> &'static str {
         match self.confidence {
             sure if sure >= 0.8 => "very likely a fall",
@@ -48,12 +47,11 @@ impl Fall {
     }
 }
 
-/// Watches states as they come.
 #[derive(Clone, Debug)]
 pub struct FallWatch<'r> {
     rules: &'r FallRules,
     last: Option<RunTime>,
-    /// When another state held last, by state.
+    /// The last time of another state, by state.
     upright_at: Option<RunTime>,
     in_between_at: Option<RunTime>,
     ground: Option<Lying>,
@@ -66,10 +64,10 @@ struct Lying {
     last: RunTime,
     sum: f64,
     pictures: u32,
-    /// How long before they were upright, and in between; None for not, or nobody knows.
+    /// The time since the person was upright, and in between; `None` if they were not, or that is unknown.
     upright_before: Option<Span>,
     in_between_before: Option<Span>,
-    /// The confidence of what has been told.
+    /// The confidence of the reported fall.
     told: f64,
 }
 
@@ -79,12 +77,12 @@ impl<'r> FallWatch<'r> {
         FallWatch { rules, last: None, upright_at: None, in_between_at: None, ground: None, state: None }
     }
 
-    /// How somebody was held to be last; None before anything was sure.
+    /// The last state of the person; `None` before anything was sure.
     pub fn state(&self) -> Option<FallState> {
         self.state
     }
 
-    /// The next shape, in order of time. A fall is told once, and again only where a rule is surer of it.
+    /// Takes the next shape, in order of time. It returns a fall once, and again only if a rule is surer of it.
     pub fn next(&mut self, ShapeAt { at, shape }: &ShapeAt) -> Option<Fall> {
         let at = *at;
         let memberships: Memberships = self.rules.memberships(shape);
@@ -170,7 +168,7 @@ mod tests {
     }
 
     #[test]
-    fn who_is_upright_and_then_on_the_ground_has_fallen() {
+    fn upright_then_on_the_ground_is_a_fall() {
         let falls = found(&[(1.65, 20), (1.0, 3), (0.3, 60)]);
         assert_eq!(falls.len(), 1, "{falls:?}");
         assert_eq!((falls[0].rule.as_str(), falls[0].words()), ("sudden", "very likely a fall"));
@@ -179,7 +177,7 @@ mod tests {
     }
 
     #[test]
-    fn who_lies_down_slowly_has_not_but_is_told_of_after_two_minutes() {
+    fn lying_down_slowly_is_reported_after_two_minutes() {
         let slowly = [(1.65, 20), (1.0, 15), (0.3, 60)];
         let falls = found(&slowly);
         assert!(falls.iter().all(|fall| fall.rule != "sudden"), "{falls:?}");
@@ -189,7 +187,7 @@ mod tests {
     }
 
     #[test]
-    fn who_is_down_for_a_moment_is_not_told_of() {
+    fn ignores_a_moment_on_the_ground() {
         assert_eq!(found(&[(1.65, 20), (0.3, 10), (1.65, 20)]), []);
         assert_eq!(found(&[(1.65, 20), (1.0, 100), (1.65, 20)]), []);
     }

@@ -1,4 +1,4 @@
-//! How many rows each sensor has on each date.
+//! The rows of each sensor on each date.
 
 use crate::dates::MOST_DAYS;
 use homebody_core::time::{DAY, WallTime};
@@ -14,7 +14,7 @@ pub(super) struct DayCounts {
     /// Days since 1970.
     all: BTreeMap<(i64, u32), u32>,
     day: i64,
-    /// Those of this day, by sensor, and which of them are not 0.
+    /// The counts of this day, by sensor, and the numbers of those above 0.
     now: Vec<u32>,
     touched: Vec<u32>,
     is_too_long: bool,
@@ -48,7 +48,7 @@ impl DayCounts {
         }
     }
 
-    /// The dates from the first to the last, and by sensor the counts of all these; neither where they are too many.
+    /// The dates from the first to the last, and by sensor the counts of all these; both empty where they are too many.
     pub fn finish(mut self, sensors: usize) -> (Vec<Date>, Vec<Vec<u32>>) {
         self.keep();
         let (Some(((first, _), _)), Some(((last, _), _))) = (self.all.first_key_value(), self.all.last_key_value())

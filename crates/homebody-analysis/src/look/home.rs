@@ -1,8 +1,8 @@
-//! How the sensors of a log fit those of a home.
+//! The fit of the sensors of a log to those of a home.
 
 use super::overview::{HomeSensor, Misfit, OfHome, SensorLook, UnlistedSensor};
 
-/// Holds the sensors of a log, which has so many rows, against those of a home.
+/// Compares the sensors of a log, with its number of rows, with those of a home.
 pub(super) fn of_home(name: &str, home: &[HomeSensor], sensors: &[SensorLook], rows: u64) -> OfHome {
     let find = |sensor: &SensorLook| {
         let is_it = |of: &&HomeSensor| {

@@ -11,14 +11,15 @@ use crate::signs::{Beforehand, OwnWords, Says, SensorTally, is_number, says};
 use homebody_core::sensed::domain_of;
 use homebody_core::time::{DAY, HOUR, Interval, Span, WallTime};
 use homebody_log::log::Clock;
-use homebody_log::{Activity, Event, Log};
+use homebody_log::{Event, Log};
+use homebody_timeline::Episode;
 use jiff::tz::TimeZone;
 use std::collections::BTreeMap;
 
 /// Shortest silence of a log (our choice).
 const SILENCE: Span = HOUR.times(12);
 
-/// So many silences are listed, and so many gaps.
+/// Number of silences, and of gaps, in a list.
 const LISTED: usize = 100;
 
 /// A source of rows: hands each part of a log to a function, and returns the log without its rows.
@@ -38,11 +39,11 @@ pub fn looked<E>(mut looker: Looker, stream: &mut RowStream<'_, E>) -> Result<(L
     Ok((looker, about))
 }
 
-/// Takes the rows of a log, part by part.
+/// Examines the rows of a log, part by part.
 pub struct Looker {
     zone: Option<TimeZone>,
     is_by_own_zone: bool,
-    /// By value: what it says, and the number that it is.
+    /// By value: its meaning, and the number that it is.
     values: Vec<(Says, Option<f64>)>,
     sensors: Vec<SensorHistory>,
     by_day: DayCounts,
@@ -50,19 +51,19 @@ pub struct Looker {
     latest: WallTime,
     before: Option<WallTime>,
     orders: OrderCounts,
-    /// The rows that wait, where they are looked at in the order of time.
+    /// The waiting rows, if they are examined in the order of time.
     waiting: Option<RowBuffer>,
     clock: Clock,
     own: OwnWords,
     silences: (Vec<Interval<WallTime>>, u64),
     /// The gaps of the recorder, on the clock of the instants.
     gaps: Vec<Interval<WallTime>>,
-    /// Whether the recorder is one that stores states as it starts.
+    /// The recorder stores states as it starts.
     restores: bool,
 }
 
 impl Looker {
-    /// A log in UTC is told on the wall of the zone, if there is one.
+    /// An overview has a log in UTC on the wall of the zone, if there is one.
     pub fn new(zone: Option<TimeZone>) -> Looker {
         Looker {
             zone,
@@ -83,7 +84,7 @@ impl Looker {
         }
     }
 
-    /// Puts instants on the wall of the zone that the log tells, by its name or by offsets, where no zone is given.
+    /// Puts instants on the wall of the log's own zone, by its name or by offsets, where no zone is given.
     pub fn by_own_zone(self) -> Looker {
         Looker { is_by_own_zone: self.zone.is_none(), ..self }
     }
@@ -102,7 +103,7 @@ impl Looker {
         Some(Looker { waiting, own, ..Looker::new(zone) })
     }
 
-    /// Whether its rows are out of order, and few enough to be put right.
+    /// Its rows are out of order, and few enough to be sorted.
     fn is_to_sort(&self, about: &Log) -> bool {
         self.orders.order(about.sensors.len()) != RowOrder::OfTime && about.rows <= MOST_WAITING
     }
@@ -165,14 +166,14 @@ impl Looker {
         self.by_day.take(event.sensor, at);
     }
 
-    /// Whether the recorder did not run for most of the time between two instants.
+    /// The recorder did not run for most of the time between two instants.
     fn has_gap(&self, span: Interval<WallTime>) -> bool {
         let gaps = &self.gaps[self.gaps.partition_point(|gap| gap.end <= span.begin)..];
         let gaps = gaps.iter().take_while(|gap| gap.begin < span.end);
         2 * gaps.map(|gap| gap.overlap(span)).sum::<Span>() > span.length()
     }
 
-    /// What the log holds. `about` is what is left of it once all rows have been taken; `named` finds another name of a sensor.
+    /// The overview of the log. `about` is the log without its rows, once all have been taken; `named` finds another name of a sensor.
     pub fn look(
         mut self,
         name: &str,
@@ -254,22 +255,22 @@ impl Looker {
 impl Looker {
     fn of_activities(&self, about: &Log) -> (Option<WallTime>, Option<WallTime>) {
         let told = |at: WallTime| self.on_wall(at, about.clock);
-        let begins = about.activities.iter().map(|of| told(of.begin));
-        (begins.min(), about.activities.iter().map(|of| told(of.end)).max())
+        let begins = about.activities.iter().map(|of| told(of.begin()));
+        (begins.min(), about.activities.iter().map(|of| told(of.end())).max())
     }
 }
 
-/// An instant as people read it: `2009-03-02 07:12:03`, with a fraction where it has one, and a Z in UTC.
+/// An instant for readers: `2009-03-02 07:12:03`, with a fraction where it has one, and a Z in UTC.
 fn instant_text(at: WallTime, clock: Clock) -> String {
     let zone = if clock == Clock::Utc { "Z" } else { "" };
     at.as_of_utc().timestamp().strftime("%Y-%m-%d %H:%M:%S%.f").to_string() + zone
 }
 
-fn activities(all: &[Activity]) -> Vec<ActivityLook> {
+fn activities(all: &[Episode<WallTime>]) -> Vec<ActivityLook> {
     let mut by_label: BTreeMap<&str, (u64, Span)> = BTreeMap::new();
-    for Activity { name, begin, end } in all {
-        let (times, length) = by_label.entry(name).or_default();
-        (*times, *length) = (*times + 1, length.saturating_add(*end - *begin));
+    for activity in all {
+        let (times, length) = by_label.entry(&activity.label).or_default();
+        (*times, *length) = (*times + 1, length.saturating_add(activity.length()));
     }
     let look = |(label, (times, length)): (&str, (u64, Span))| ActivityLook {
         label: label.to_owned(),

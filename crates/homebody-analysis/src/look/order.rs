@@ -11,19 +11,18 @@ const SET_BACK: Span = HOUR.times(3);
 /// Largest number of rows that are put into order (our choice): they take 24 MB.
 pub(super) const MOST_WAITING: u64 = 1 << 20;
 
-/// The order of rows.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum RowOrder {
-    /// That of time, but for clocks that were set back.
+    /// The order of time, except where clocks were set back.
     OfTime,
     NewestFirst,
     BySensor,
-    /// Another one, such as file by file or home by home.
+    /// Another order, such as file by file or home by home.
     Another,
 }
 
 impl RowOrder {
-    /// A sentence on a log that has this order, and whether it was put into that of time.
+    /// A sentence on the order of a log, and on whether it was sorted by time.
     pub fn remark(self, is_put_right: bool) -> Option<String> {
         let order = match self {
             RowOrder::OfTime => return None,
@@ -40,18 +39,18 @@ impl RowOrder {
     }
 }
 
-/// Counts that show the order, taken row by row.
+/// Counts that show the order.
 #[derive(Clone, Debug, Default)]
 pub(super) struct OrderCounts {
     last: Option<(WallTime, u32)>,
     first: WallTime,
     forward: u64,
     back: u64,
-    /// How often a row is earlier than the one before it, which is of the same sensor.
+    /// The rows that are earlier than the one before, which is of the same sensor.
     back_within: u64,
-    /// The most that a row is earlier than the one before it.
+    /// The largest time by which a row is earlier than the one before.
     most: Span,
-    /// How many times rows of one sensor follow rows of another.
+    /// The times that rows of one sensor follow rows of another.
     turns: u64,
 }
 
@@ -69,12 +68,11 @@ impl OrderCounts {
         self.last = Some((at, sensor));
     }
 
-    /// Whether no row has come.
     pub fn is_empty(&self) -> bool {
         self.last.is_none()
     }
 
-    /// How often a row was earlier than the one before it, and by how much at most.
+    /// The rows that are earlier than the one before, and the largest difference.
     pub fn set_back(&self) -> (u64, Span) {
         (self.back, self.most)
     }
@@ -92,7 +90,7 @@ impl OrderCounts {
     }
 }
 
-/// Rows that wait to be put into the order of time; those of one instant stay as they come.
+/// Rows that wait to be sorted by time; those of one instant keep their order.
 #[derive(Default)]
 pub(super) struct RowBuffer {
     rows: BinaryHeap<Reverse<(WallTime, u64, u32, u32)>>,

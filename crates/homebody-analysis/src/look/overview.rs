@@ -1,4 +1,4 @@
-//! What a log holds, as plain data.
+//! The overview of a log, as plain data.
 
 use crate::signs::{Evidence, Kind};
 use homebody_log::error::Skipped;
@@ -6,131 +6,115 @@ use homebody_log::log::{Clock, ColumnUse};
 use jiff::civil::Date;
 use serde::Serialize;
 
-/// What a log holds.
+/// The content of a log.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct LogOverview {
-    /// What the log is called.
     pub name: String,
-    /// The form in which it was read.
     pub form: String,
-    /// How many rows were understood.
+    /// The number of rows that were understood.
     pub rows: u64,
     /// The earliest instant of a row, or of an activity in a log without rows; `None` without either.
     pub first: Option<String>,
-    /// The latest.
+    /// The same of the latest.
     pub last: Option<String>,
-    /// The clock that instants are told by.
+    /// The clock of the instants.
     pub clock: Clock,
-    /// The dates of the counts by day, one after the other; none where they are too many.
+    /// The dates of the counts by day, one after the other; empty where they are too many.
     pub days: Vec<Date>,
     /// The use of each column of a table, and why; empty for forms without columns.
     pub columns: Vec<ColumnUse>,
-    /// Sensors, by name, numbers in it by their size.
+    /// The sensors, in the natural order of their names.
     pub sensors: Vec<SensorLook>,
-    /// What somebody did, by label, as the log itself notes it.
     pub activities: Vec<ActivityLook>,
-    /// Rows that say what was said already: see the table above.
+    /// Rows that repeat the state: see the table above.
     pub repeated: u64,
-    /// Rows before which another is missing.
+    /// Rows after a missing one.
     pub missing: u64,
     /// Rows that are there twice.
     pub doubled: u64,
-    /// How often the clock was set back.
+    /// The number of times that the clock was set back.
     pub set_back: u64,
-    /// The most that it was set back by.
+    /// The largest time that it was set back by.
     pub set_back_most_s: f64,
     /// The first of the silences, in the order of time.
     pub silences: Vec<LogSilence>,
-    /// How many silences there are.
     pub silences_in_all: u64,
     /// The first of the recorder's gaps, in the order of time. They do not count as silences.
     pub gaps: Vec<LogSilence>,
-    /// How many gaps there are.
     pub gaps_in_all: u64,
-    /// The lines that were not understood, as far as they are listed.
+    /// The listed lines that were not understood.
     pub refused: Vec<u64>,
-    /// How many lines were not understood.
+    /// The number of lines that were not understood.
     pub refused_in_all: u64,
-    /// Why, for those that are listed.
+    /// The reasons, for the listed lines.
     pub why_refused: Vec<Skipped>,
-    /// What else is left out: a sentence each.
+    /// Other things that are left out, in sentences.
     pub remarks: Vec<String>,
-    /// How it fits a home, where one was given.
+    /// The fit to a home, if there is one.
     pub home: Option<OfHome>,
 }
 
-/// What a log says of one sensor.
+/// The content of a log about one sensor.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct SensorLook {
-    /// What the log calls it.
+    /// The id in the log.
     pub id: String,
-    /// What the home, a map or a table beside the log calls it.
+    /// The name in the home, a map or a table next to the log.
     pub name: Option<String>,
-    /// What it is taken for.
+    /// The kind of the sensor.
     pub kind: Kind,
-    /// By which evidence.
+    /// The evidence for the kind.
     pub by: Evidence,
     /// The evidence in words.
     pub because: String,
-    /// How many rows it has.
     pub rows: u64,
-    /// On how many dates it says something.
+    /// The number of dates with a row.
     pub days: u64,
-    /// How many rows it has on each of the log's dates; empty where these are not listed.
+    /// The rows on each of the log's dates; empty where these are not listed.
     pub by_day: Vec<u32>,
     /// Its earliest row.
     pub first: String,
     /// Its latest row.
     pub last: String,
-    /// What it says most often, with how often; of numbers none.
+    /// The most frequent values, with their counts; empty for numbers.
     pub values: Vec<(String, u64)>,
-    /// The least and the most of the numbers that it tells.
+    /// The least and the greatest number.
     pub range: Option<[f64; 2]>,
-    /// Rows that say what was said already.
+    /// Rows that repeat the state.
     pub repeated: u64,
-    /// Rows before which another is missing.
+    /// Rows after a missing one.
     pub missing: u64,
     /// Rows that are there twice.
     pub doubled: u64,
-    /// Rows that say that its state is not known.
+    /// Rows with an unknown state.
     pub unknown: u64,
-    /// Rows that restore a state after a stretch that is not known.
+    /// Rows that restore a state after an unknown time.
     pub restored: u64,
-    /// What is the matter with it.
+    /// The fault of the sensor, if there is one.
     pub trouble: Option<SensorTrouble>,
 }
 
-/// What is the matter with a sensor.
+/// A fault of a sensor.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum SensorTrouble {
-    /// It says nothing more.
-    Dead {
-        /// Its last row.
-        since: String,
-    },
+    /// It sends no more rows.
+    Dead { since: String },
     /// It is on, and does not go off.
     StuckOn {
-        /// When it came on.
+        /// The begin of the ON.
         since: String,
-        /// For how long it was on.
         hours: f64,
     },
-    /// It tells the same number again and again.
-    StuckAt {
-        /// The number.
-        value: String,
-    },
+    /// It repeats the same number.
+    StuckAt { value: String },
 }
 
-/// How often, and for how long in all, somebody did something.
+/// The number and the total length of an activity.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct ActivityLook {
-    /// Its label.
     pub label: String,
-    /// How often.
     pub times: u64,
-    /// For how long in all.
     pub hours: f64,
 }
 
@@ -141,61 +125,55 @@ pub struct LogSilence {
     pub from: String,
     /// The first after it.
     pub to: String,
-    /// How long it is.
     pub hours: f64,
-    /// Where it is on the days: parts of a day after the first one's midnight.
+    /// Its place on the days: parts of a day after the first one's midnight.
     #[serde(skip)]
     pub at_days: [f64; 2],
 }
 
-/// A sensor of a home.
 #[derive(Clone, Debug, PartialEq)]
 pub struct HomeSensor {
-    /// What the home calls it.
     pub name: String,
-    /// What logs of the home call it.
+    /// The ids in logs of the home.
     pub ids: Vec<String>,
-    /// What its rows make it look like.
+    /// The kind that its rows suggest.
     pub kind: Kind,
 }
 
-/// How the sensors of a log fit those of a home.
+/// The fit of the sensors of a log to those of a home.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct OfHome {
-    /// What the home is called.
+    /// The name of the home.
     pub name: String,
-    /// How many of the log's sensors the home has.
+    /// The number of the log's sensors that the home has.
     pub known: usize,
-    /// The share of the log's rows that are of these; `None` where there are no rows.
+    /// The share of the log's rows from these; `None` without rows.
     pub known_share: Option<f64>,
-    /// The others.
+    /// The other sensors.
     pub unknown: Vec<UnlistedSensor>,
-    /// Those of the home that the log does not have.
+    /// The sensors of the home that the log lacks.
     pub unheard: Vec<String>,
-    /// Those that say something else than their kind does in the home.
+    /// The sensors of another kind than in the home.
     pub misfits: Vec<Misfit>,
 }
 
-/// A sensor that the home does not have.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct UnlistedSensor {
-    /// What the log calls it.
+    /// The id in the log.
     pub id: String,
-    /// How many rows it has.
     pub rows: u64,
-    /// Which share of all rows they are.
+    /// Its share of all rows.
     pub share: f64,
 }
 
 /// A sensor that is of another kind than in the home.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Misfit {
-    /// What the log calls it.
+    /// The id in the log.
     pub id: String,
-    /// What the home calls it.
+    /// The name in the home.
     pub name: String,
-    /// What it is taken for.
+    /// The kind by the log.
     pub is: Kind,
-    /// What the home has there.
     pub of_home: Kind,
 }

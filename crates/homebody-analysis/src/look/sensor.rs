@@ -21,13 +21,13 @@ const VALUES: usize = 8;
 
 /// The recorder of the log, as far as the log has been taken.
 pub(super) struct Recorder<'a> {
-    /// When it did not run.
+    /// The times without a recorder.
     pub gaps: &'a [Interval<WallTime>],
-    /// Whether it stores states as it starts, so that the first row of a sensor may be what was so before.
+    /// It stores states as it starts, so that the first row of a sensor may repeat an earlier state.
     pub restores: bool,
 }
 
-/// What a sensor has said so far.
+/// The rows of a sensor so far.
 #[derive(Clone, Default)]
 pub(super) struct SensorHistory {
     pub tally: SensorTally,
@@ -41,23 +41,23 @@ pub(super) struct SensorHistory {
     quiet: Span,
     is_on: bool,
     on_since: WallTime,
-    /// The longest time that it was on, and since when.
+    /// The longest time on, and its begin.
     on_longest: (Span, WallTime),
     on_after_on: u64,
     off_without_on: u64,
     ends: u64,
     doubled: u64,
-    /// Rows that say that the state is not known, and rows that restore a state after that.
+    /// Rows with an unknown state, and rows that restore a state after that.
     unknown: u64,
     restored: u64,
-    /// The first values, with how often they came.
+    /// The first values, with their counts.
     values: Vec<(u32, u64)>,
     numbers: u64,
     range: Option<[f64; 2]>,
 }
 
 impl SensorHistory {
-    /// Takes a row: when, its value, and what that says.
+    /// Takes a row: its time and value, and their meaning.
     pub fn take(&mut self, (at, value): (WallTime, u32), (says, number): (Says, Option<f64>), recorder: &Recorder) {
         let said = self.tally.take(at, says, number.is_some(), recorder.gaps);
         let is_first = self.rows == 0 && recorder.restores;

@@ -1,7 +1,7 @@
 use super::*;
 use crate::sample::{log, span};
 use crate::signs::Kind;
-use homebody_core::time::Span;
+use homebody_core::time::{Interval, Span};
 use homebody_log::Log;
 use homebody_log::log::Clock;
 use jiff::tz::TimeZone;
@@ -25,7 +25,7 @@ fn first_and_last_instants_are_those_of_rows() {
     let mut log = log(&[(10, "M1", "ON"), (20, "M1", "OFF")]);
     log.rows = 2;
     let (begin, end) = (log.events[0].at - 5 * Span::MICROSECOND, log.events[1].at + Span::MICROSECOND);
-    log.activities.push(homebody_log::Activity { name: "sleep".into(), begin, end });
+    log.activities.push(homebody_timeline::Episode::new("sleep".to_owned(), Interval::new(begin, end)));
     let look = |log: &homebody_log::Log| {
         let mut looker = Looker::new(None);
         looker.take(log);
@@ -40,7 +40,7 @@ fn first_and_last_instants_are_those_of_rows() {
 }
 
 #[test]
-fn what_is_odd_is_counted() {
+fn counts_oddities() {
     let look = look_of(
         &[
             (0, "M1", "OFF"),
@@ -60,7 +60,7 @@ fn what_is_odd_is_counted() {
     assert_eq!((look.repeated, look.missing, look.doubled), (2, 2, 1));
     assert_eq!((look.set_back, look.set_back_most_s), (1, 1.0));
     assert_eq!((sensor(&look, "M1").repeated, sensor(&look, "M1").missing), (2, 2));
-    // What never ends only begins, and numbers come again and again.
+    // A sensor without ends only begins, and numbers come again and again.
     assert_eq!((sensor(&look, "fire").repeated, sensor(&look, "T1").repeated), (0, 0));
     assert_eq!(sensor(&look, "T1").range, Some([1.0, 20.0]));
     assert_eq!(
@@ -126,7 +126,7 @@ fn an_empty_log_and_one_sensor() {
 }
 
 #[test]
-fn utc_is_told_on_the_wall_where_that_is_known() {
+fn shows_utc_on_a_known_wall() {
     let mut log = log(&[(1_236_499_200, "M1", "ON")]);
     (log.clock, log.rows) = (Clock::Utc, 1);
     let told = |zone: Option<TimeZone>| {
@@ -145,7 +145,7 @@ fn utc_is_told_on_the_wall_where_that_is_known() {
 }
 
 #[test]
-fn what_is_not_known_is_neither_stuck_nor_missing() {
+fn unknown_state_is_neither_stuck_nor_missing() {
     let rows = [
         (0, "kitchen motion", "on"),
         (60, "kitchen motion", "off"),

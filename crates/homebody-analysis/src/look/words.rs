@@ -1,4 +1,4 @@
-//! What a log holds, for people.
+//! The overview of a log in words.
 
 use super::overview::{LogOverview, OfHome, SensorLook, SensorTrouble};
 use crate::signs::Evidence;
@@ -67,7 +67,7 @@ impl fmt::Display for LogOverview {
 }
 
 impl LogOverview {
-    /// Whether nothing says anything on a date, by its number in the list.
+    /// No sensor has a row on a date, by its number in the list.
     pub fn is_silent(&self, day: usize) -> bool {
         self.sensors.iter().all(|sensor| sensor.by_day.get(day).is_none_or(|&count| count == 0))
     }
@@ -123,7 +123,7 @@ impl LogOverview {
     }
 }
 
-/// How long a gap lasted: hours as silences have them, or what there is of one.
+/// The length of a gap.
 fn lasted(hours: f64) -> String {
     match hours {
         1.0.. => format!("{hours:.1} h"),
@@ -131,7 +131,7 @@ fn lasted(hours: f64) -> String {
     }
 }
 
-/// The use of a column, in a word or two.
+/// The role of a column, in a word or two.
 fn role(role: ColumnRole) -> &'static str {
     match role {
         ColumnRole::Time => "time",
@@ -150,7 +150,7 @@ fn role(role: ColumnRole) -> &'static str {
 }
 
 impl SensorLook {
-    /// By which evidence it is taken for what it is.
+    /// The evidence for its kind.
     pub fn evidence(&self) -> String {
         match self.by {
             Evidence::Guess => format!("a guess: {}", self.because),
@@ -158,7 +158,7 @@ impl SensorLook {
         }
     }
 
-    /// What it says, and what is the matter with it.
+    /// Its content, and its fault.
     pub fn in_words(&self) -> String {
         let mut parts: Vec<String> = self.values.iter().map(|(value, times)| format!("{value} {times}")).collect();
         parts.extend(self.range.map(|[least, most]| format!("{least} to {most}")));

@@ -1,16 +1,16 @@
-//! When somebody besides the resident was there, by a contact of the door: a guess.
+//! The times with company, by a contact of the door: a guess.
 //!
-//! Who leaves an empty home behind is the resident. Where the door was used, and somebody was at home before and after, somebody
-//! came or went: a guest, or the post. A visit is the time between two such uses that follow each other, in which the home is
-//! livelier than it usually is at these hours; of two that share a use of the door, the livelier one.
+//! The person who leaves an empty home behind is the resident. If the door was used with a person at home before and after, a guest came or
+//! went, or the post did. A visit is the time between two such uses that follow each other, in which the home is livelier than usual at
+//! these hours; of two that share a use of the door, the livelier one.
 //!
-//! Whether sensors that speak sooner after each other than somebody walks from one to the other tell of a guest was tried before: that
-//! found a tenth of the hours, as most guests sit with their host. So nothing is known where no door tells it.
+//! We tried to find a guest by sensors that fire sooner after each other than one person walks: that found a tenth of the hours, as most
+//! guests sit with their host. So nothing is known without a door.
 //!
-//! The limits were set while looking at six lives of the studio and of the house with two floors, in which a visit gives 1.3 to 3
-//! times the usual signs; no log of a real home that we have tells of its visitors.
+//! The limits come from six simulations of the studio and of the house with two floors, in which a visit gives 1.3 to 3 times the usual
+//! signs; no log of a real home that we have notes its visitors.
 //!
-//! Left out: guests whom the resident fetches or sees home, guests who come or go as the resident does, and how many guests there are.
+//! Left out: guests whom the resident fetches or sees home, guests who come or go as the resident does, and the number of guests.
 
 use super::signs::RoomSign;
 use homebody_core::time::{HOUR, Interval, MINUTE, Span, WallTime};
@@ -68,7 +68,7 @@ pub fn company(
     Some(taken.into_iter().map(|number| between[number]).collect())
 }
 
-/// Whether somebody was at home between two uses of the door.
+/// A person was at home between two uses of the door.
 fn is_lived_in(signs: &[RoomSign], span: Interval<WallTime>) -> bool {
     count(signs, Interval::new(span.begin + AT_THE_DOOR, span.end - AT_THE_DOOR)) >= LEAST_SIGNS
 }
@@ -78,16 +78,16 @@ fn count(signs: &[RoomSign], span: Interval<WallTime>) -> usize {
     before.end.saturating_sub(before.begin)
 }
 
-/// How many signs there were in each hour of the last days that had any.
+/// The signs in each hour of the last days with signs.
 #[derive(Default)]
 pub struct UsualSigns {
     days: VecDeque<[u32; 24]>,
-    /// Whether a door out has been used.
+    /// A door out was used.
     has_door: bool,
 }
 
 impl UsualSigns {
-    /// Takes a day: its signs, and whether a door out was used on it.
+    /// Takes a day: its signs, and whether a door out was used.
     pub fn add(&mut self, signs: &[RoomSign], has_door: bool) {
         self.has_door |= has_door;
         if signs.is_empty() {
@@ -101,7 +101,7 @@ impl UsualSigns {
         }
     }
 
-    /// By hour of the day, the median over the days that have any sign in it; `None` of too few days.
+    /// By hour of the day, the median over the days with a sign in it; `None` with too few days.
     fn hours(&self) -> Option<[f64; 24]> {
         if self.days.len() < LEAST_DAYS {
             return None;
@@ -116,7 +116,7 @@ impl UsualSigns {
     }
 }
 
-/// How many signs are usual in a span; one at least.
+/// The usual number of signs in an interval; one at least.
 fn usual_signs(usual: &[f64; 24], span: Interval<WallTime>) -> f64 {
     let hours = span.map(|at| at.since_zero().div_euclid(HOUR));
     let in_hour = |hour: i64| {
@@ -131,8 +131,8 @@ mod tests {
     use super::*;
     use homebody_core::time::DAY;
 
-    /// Ten days with a sign every five minutes from 08:00 to 22:00, but for when nobody is there, and every minute in the
-    /// lively hours of the eighth.
+    /// Ten days with a sign every five minutes from 08:00 to 22:00, except in an empty home, and every minute in the lively hours of the
+    /// eighth.
     fn signs(out: &[(i64, i64)], lively: &[(i64, i64)]) -> Vec<RoomSign> {
         let minutes = (0..10).flat_map(|day| (8 * 60..22 * 60).map(move |minute| (day, minute)));
         let is_in = |spans: &[(i64, i64)], day: i64, minute: i64| {
@@ -160,7 +160,7 @@ mod tests {
     }
 
     #[test]
-    fn who_comes_and_goes_while_somebody_is_at_home_and_makes_it_lively_is_a_guest() {
+    fn lively_time_between_two_uses_of_the_door_is_a_visit() {
         assert_eq!(found(&[], &[(900, 1000)], &[900, 1000]), [Interval::new(at(8, 900), at(8, 1000))]);
         // The post comes at 11:00, and nothing is lively between it and the guest.
         assert_eq!(found(&[], &[(900, 1000)], &[660, 900, 1000]), [Interval::new(at(8, 900), at(8, 1000))]);
@@ -169,13 +169,13 @@ mod tests {
     }
 
     #[test]
-    fn who_leaves_nobody_behind_is_the_resident() {
+    fn leaving_an_empty_home_is_not_a_visit() {
         // Lively between two ways out: it is the resident alone.
         assert_eq!(found(&[(700, 800), (900, 1000)], &[(800, 900)], &[700, 800, 900, 1000]), []);
     }
 
     #[test]
-    fn a_few_days_or_a_door_without_a_contact_tell_of_nobody() {
+    fn company_needs_days_and_a_door_contact() {
         assert_eq!(told(&signs(&[], &[(900, 1000)]), &[]), None);
         let few: Vec<RoomSign> = signs(&[], &[]).into_iter().filter(|sign| sign.at < at(5, 0)).collect();
         assert_eq!(told(&few, &[at(3, 900), at(3, 1000)]), None);

@@ -27,13 +27,13 @@ use homebody_core::time::{DAY, HOUR, Interval, Span, WallTime};
 use homebody_log::{Event, Log};
 use std::collections::VecDeque;
 
-/// Rows of so many days before are read again with a day, as much begins before midnight.
+/// Number of days before a day whose rows are read again with it, as much begins before midnight.
 const DAYS_BEFORE: i64 = 2;
-/// Two weeks: so many days are compared, and the first so many whole days give the height of a level of density.
+/// Two weeks: number of days in comparisons, and of the first whole days that give the height of a level of density.
 const WEEKS: usize = 14;
 /// Largest number of rows of a home on a day. Further rows are ignored, and the day has no measures.
 const MOST_ROWS: usize = 250_000;
-/// Absences are kept for so long: in an empty home no sensor is silent.
+/// Time for which absences are kept: in an empty home no sensor is silent.
 const ABSENCES_KEPT: Span = DAY.times(70);
 
 /// Measures a log row by row, in the order of time.
@@ -47,10 +47,10 @@ pub struct Measuring<'a> {
     rows: Tallies,
     /// The midnight at which the current day began; `None` before the first row.
     day: Option<WallTime>,
-    /// The rows of the last days, without numbers; and how many of them are of days before the current one.
+    /// The rows of the last days, without numbers, and the number of those before the current day.
     window: Vec<StateRow>,
     of_days_before: usize,
-    /// Whether more rows came on the day than are kept.
+    /// The day has more rows than are kept.
     is_full: bool,
     /// By sensor, the first and the last of the day's numbers and other words.
     other: Vec<Option<Interval<WallTime>>>,
@@ -58,64 +58,60 @@ pub struct Measuring<'a> {
     days: Vec<DayMeasures>,
 }
 
-/// The measures of a whole log.
 pub struct MeasuredLog {
     pub days: Vec<DayMeasures>,
     /// The sensors that fell silent.
     pub silent: Vec<SilentSensor>,
     /// The sensors at the way out.
     pub entrance: Entrance,
-    /// Whether silence alone shows some absences.
+    /// Silence alone shows some absences.
     pub guesses_absences: bool,
-    /// The rooms of all sensors, of thermometers too.
+    /// The rooms of all sensors, thermometers included.
     pub all_rooms: SensorRooms,
-    /// On how many days there were more rows than are looked at.
+    /// The number of days with more rows than are kept.
     pub crowded: usize,
-    /// Whether any sensor looks for movement.
     pub has_motion: bool,
     /// The timeline of the last day.
     pub timeline: MeasureTimeline,
 }
 
-/// Knowledge that carries over from day to day.
 struct SoFar {
     time: KnownTime,
     kinds: Vec<Kind>,
-    /// As the kinds of the sensors tell it.
+    /// By the kinds of the sensors.
     entrance: Entrance,
     knows_entrance: bool,
-    /// Whether a contact is at the entrance.
+    /// A contact is at the entrance.
     has_door: bool,
     rooms: SensorRooms,
     has_spoken: Vec<bool>,
     has_bed: bool,
-    /// How many signs there were in rooms that are known, and how many of them are movements that were seen.
+    /// The number of signs in known rooms, and of seen movements among them.
     signs: [u64; 2],
     ongoing: Ongoing,
     is_seat: Vec<bool>,
-    /// The spans over which a bed or a chair is taken for long.
+    /// The times in which a bed or a chair is occupied for long.
     taken: Ongoing,
     leaving: Leaving,
     holds: HoldTimes,
     /// The movements of the last days that lie between reports.
     movements: Vec<HiddenMovement>,
-    /// The absences of the last weeks that are over, and whether any ever was a guess.
+    /// The absences of the last weeks that are over, and whether any absence was a guess.
     absences: Vec<HomeAbsence>,
     guesses_absences: bool,
     listening: Listening,
     paces: Paces,
     usual: UsualSigns,
-    /// The last days: for how long each hour is known, and what it holds.
+    /// The last days: the known part of each hour, and its cell.
     history: VecDeque<([f64; 24], [DensityCell; 24])>,
-    /// The cells of the first days that are whole, until they are enough.
+    /// The cells of the first whole days, until they are enough.
     first_cells: Vec<[DensityCell; 24]>,
     step_per_h: Option<f64>,
     /// The timeline of the last day.
     last: MeasureTimeline,
-    /// Whether any sensor looks for movement, and whether there was any sign of the resident.
     has_motion: bool,
     has_signs: bool,
-    /// On how many days there were more rows than are looked at.
+    /// The number of days with more rows than are kept.
     crowded: usize,
 }
 
@@ -285,7 +281,7 @@ impl<'a> Measuring<'a> {
         self.day = Some(end);
     }
 
-    /// Learns the kinds of sensors from the rows of a day, and which of them give signs.
+    /// Learns from the rows of a day the kinds of sensors, and which of them give signs.
     fn know_sensors(&mut self, from: usize) {
         let so_far = &mut self.so_far;
         let sensors = LogSensors { kinds: self.rows.kinds(), called: std::mem::take(&mut self.called) };
@@ -467,7 +463,7 @@ impl SoFar {
         }
     }
 
-    /// Keeps what later days need of a day, and drops the rest.
+    /// Keeps the parts of a day that later days need, and drops the rest.
     fn remember(&mut self, timeline: MeasureTimeline, begin: WallTime) {
         self.last = timeline;
         self.ongoing.retain(|span| span.end >= begin - (DAYS_BEFORE - 1) * DAY);

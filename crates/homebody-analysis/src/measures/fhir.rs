@@ -12,7 +12,7 @@ use serde_json::{Value, json};
 pub const SYSTEM: &str = "urn:homebody:measure";
 
 impl Measures {
-    /// A bundle of the type `collection`; `patient` is what the patient is called, and no identifier.
+    /// A bundle of the type `collection`; `patient` is the name of the patient, and no identifier.
     pub fn fhir(&self, patient: &str) -> Value {
         let of_day = |day: &DayMeasures| -> Vec<Value> {
             let known = self.measures.iter().zip(&day.values).filter_map(|(measure, value)| Some((measure, (*value)?)));

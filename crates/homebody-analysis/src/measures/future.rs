@@ -37,7 +37,6 @@ impl Writing {
         self.log.events.push(Event { at, sensor: sensor as u32, value });
     }
 
-    /// A sensor is on for some seconds.
     fn on(&mut self, at: WallTime, sensor: usize, seconds: i64) {
         self.say(at, sensor, 0);
         self.say(at + seconds * SECOND, sensor, 1);
@@ -193,7 +192,6 @@ fn ways() -> Ways {
     Ways::from_home(&home, &|_, to| Some(vec![to]), &|_| Vec::new())
 }
 
-/// The measures of the first days of a log.
 fn of_first(log: &Log, days: usize, ways: Option<&Ways>) -> Measures {
     let recorded = Interval::starting(WallTime::EPOCH, days as i64 * DAY);
     let events = log.events.iter().filter(|event| event.at < recorded.end).copied().collect();

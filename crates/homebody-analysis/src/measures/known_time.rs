@@ -7,7 +7,7 @@ use super::timeline::within_h;
 use crate::density::{DensityCell, SILENCE};
 use homebody_core::time::{DAY, HOUR, Interval, Span, WallTime, union, without};
 
-/// Unknown times are kept for so many days.
+/// Time for which unknown times are kept.
 const KEPT: Span = DAY.times(16);
 
 /// The times of a log that are known, up to the current day.
@@ -23,11 +23,11 @@ pub struct KnownTime {
 
 /// The known part of a day.
 pub struct KnownDay {
-    /// For how long anything is known of each hour, in hours.
+    /// The known part of each hour, in hours.
     pub hours: [f64; 24],
     /// The unknown times, also of the days before.
     pub unknown: Vec<Interval<WallTime>>,
-    /// Until when the day is known.
+    /// The end of the known part.
     pub until: WallTime,
 }
 
@@ -44,7 +44,7 @@ impl KnownTime {
         KnownTime { recorded, gaps: gaps.to_vec(), first: None, last: None, broken: None, unknown: Vec::new() }
     }
 
-    /// Takes that there is a row.
+    /// Takes the time of a row.
     pub fn take(&mut self, at: WallTime) {
         self.first = self.first.or(Some(at));
         let last = self.last.unwrap_or(at);
@@ -54,12 +54,10 @@ impl KnownTime {
         self.last = Some(last.max(at));
     }
 
-    /// When the first row was.
     pub fn first(&self) -> Option<WallTime> {
         self.first
     }
 
-    /// When the last row was.
     pub fn last(&self) -> Option<WallTime> {
         self.last
     }
@@ -78,7 +76,7 @@ impl KnownTime {
         breaks
     }
 
-    /// Whether the log's source reports a gap that begins at an instant.
+    /// The log's source reports a gap that begins at an instant.
     pub fn is_gap(&self, at: WallTime) -> bool {
         self.gaps.iter().any(|gap| gap.begin == at)
     }
@@ -132,7 +130,7 @@ mod tests {
         span(from * 3600, to * 3600)
     }
 
-    /// For how many hours anything is known of each day, by the hours of rows.
+    /// The known hours of each day, by the hours of rows.
     fn known_h(rows: &[i64], gaps: &[Interval<WallTime>], away: &[Interval<WallTime>], days: i64) -> Vec<f64> {
         let mut known = KnownTime::new(None, gaps);
         let mut rows = rows.iter().map(|&hour| hours(hour, hour).begin).peekable();

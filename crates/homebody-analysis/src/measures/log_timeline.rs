@@ -1,4 +1,4 @@
-//! What measures are taken from, as a log tells it.
+//! Builds the timeline of measures from a log.
 
 use super::measured_day::VISIT;
 use super::rooms::Purpose;
@@ -11,6 +11,7 @@ use crate::signs::Kind;
 use homebody_core::names::words;
 use homebody_core::time::{Interval, MINUTE, SECOND, Span, WallTime, joined, without};
 use homebody_core::vocabulary::{WINDOW_WORDS, has_any};
+use homebody_timeline::Episode;
 
 /// Time without firings after which a person in a bedroom is in bed, and after which a person in bed sleeps (our
 /// choice).
@@ -40,31 +41,30 @@ const BATHROOM_LIVELY: Span = MINUTE;
 /// Longest time between stays in the kitchen that belong to one meal, and shortest meal (our choice).
 const MEAL_APART: Span = MINUTE.times(15);
 const MEAL_LASTS: Span = MINUTE.times(15);
-/// A shorter gap of the recording ends no stay.
+/// Length of a gap of the recording below which it ends no stay.
 const BRIDGED: Span = MINUTE.times(10);
 
 /// A log of some days, up to the end of the last of them.
 pub struct LogExcerpt<'a> {
-    /// The ids of the sensors.
     pub ids: &'a [String],
     pub kinds: &'a [Kind],
-    /// The spans over which each reports that something is on.
+    /// The times in which a sensor reports that something is on.
     pub spans: &'a dyn Fn(usize) -> Vec<Interval<WallTime>>,
     /// The lengths of the ways between sensors, if they are known.
     pub ways: Option<&'a Ways>,
-    /// Which of them are beds and showers, by their names.
+    /// The beds and showers among them, by their names.
     pub named: &'a NamedSensors,
-    /// Whether a bed's sensor has been on so far.
+    /// A bed's sensor has been on so far.
     pub has_bed: bool,
-    /// The sensors that have given a sign yet.
+    /// The sensors with a sign so far.
     pub has_spoken: &'a [bool],
-    /// For how long sensors stay on.
+    /// The hold times of sensors.
     pub holds: &'a HoldTimes,
-    /// Until when the last day is known.
+    /// The end of the known part of the last day.
     pub until: WallTime,
 }
 
-/// Which sensors are beds and showers, by their names.
+/// The beds and showers among sensors, by their names.
 pub struct NamedSensors {
     bed: Vec<bool>,
     shower: Vec<bool>,
@@ -84,7 +84,7 @@ impl NamedSensors {
 }
 
 impl MeasureTimeline {
-    /// Adds stays in rooms, times in bed, showers and meals by a log. Days, rooms and absences are there already.
+    /// Adds stays in rooms, times in bed, showers and meals by a log. Days, rooms and absences are known before.
     pub(super) fn hear(&mut self, heard: &LogExcerpt, signs: &[RoomSign]) {
         let seen = || signs.iter().filter(|sign| sign.is_seen).copied().collect::<Vec<RoomSign>>();
         self.walks = heard.ways.map(|ways| walks(&seen(), heard.ids, ways));
@@ -94,21 +94,21 @@ impl MeasureTimeline {
         self.wash_and_eat(heard, signs);
     }
 
-    /// Whether a sensor that looks for movement has seen any in a room for this.
+    /// A motion sensor has seen a movement in a room for this.
     fn is_seen(&self, heard: &LogExcerpt, purpose: Purpose) -> bool {
         let rooms = self.rooms.of_sensors.iter().enumerate();
         let mut of_purpose = rooms.filter(|(_, room)| room.is_some_and(|room| self.rooms.purpose(room) == purpose));
         of_purpose.any(|(sensor, _)| heard.kinds[sensor] == Kind::Motion && heard.has_spoken[sensor])
     }
 
-    /// The longest time that a motion sensor of a room for this stays on; 0 where all say when they see nothing more.
+    /// The longest hold time of a motion sensor of a room for this; 0 where all report the end of movement.
     fn hold(&self, heard: &LogExcerpt, purpose: Purpose) -> Span {
         let rooms = self.rooms.of_sensors.iter().enumerate();
         let of_purpose = rooms.filter(|(_, room)| room.is_some_and(|room| self.rooms.purpose(room) == purpose));
         of_purpose.filter_map(|(sensor, _)| heard.holds.hold(sensor)).max().unwrap_or_default()
     }
 
-    /// Finds the times in bed: by what is in the bed, or else by silence in the bedroom.
+    /// Finds the times in bed: by a bed's sensor, or else by silence in the bedroom.
     fn lie_down(&mut self, heard: &LogExcerpt, signs: &[RoomSign]) {
         if !heard.has_bed && !self.rooms.has(Purpose::Bedroom) {
             return;
@@ -124,7 +124,7 @@ impl MeasureTimeline {
             lain.sort();
         } else {
             self.guesses_nights = !sees_bedroom;
-            let of_bedroom = self.stays.iter().filter(|stay| self.rooms.purpose(stay.room) == Purpose::Bedroom);
+            let of_bedroom = self.stays.iter().filter(|stay| self.rooms.purpose(stay.label) == Purpose::Bedroom);
             lain = nights(&of_bedroom.copied().collect::<Vec<RoomStay>>(), &in_bedroom);
         }
         let lain = joined(lain, Span::ZERO);
@@ -143,7 +143,7 @@ impl MeasureTimeline {
             }
         }
         self.in_bed = Some(lain);
-        // Without a movement in the bedroom, or of who lies in bed, nobody knows who is awake.
+        // Without a movement in the bedroom, or in bed, waking is unknown.
         let hold = self.hold(heard, Purpose::Bedroom);
         self.asleep = (sees_bedroom && hold < SLEEPS).then_some(asleep);
         self.stirs = (sees_bedroom && hold <= BOUT).then_some(stirs);
@@ -179,7 +179,7 @@ impl MeasureTimeline {
             self.showers = begins(by_day, BATHROOM_LONG);
             self.guesses_showers = true;
         }
-        // An open window is no sign of cooking.
+        // An open window does not show cooking.
         let in_kitchen = |room: &Option<usize>| room.is_some_and(|room| self.rooms.purpose(room) == Purpose::Kitchen);
         let tells_cooking = |(sensor, room): (usize, &Option<usize>)| in_kitchen(room) && !heard.named.window[sensor];
         if self.rooms.of_sensors.iter().enumerate().any(tells_cooking) {
@@ -206,8 +206,8 @@ fn is_named(name: &str, as_one_of: &[&str]) -> bool {
     words(name).iter().any(|word| as_one_of.contains(&word.as_str()))
 }
 
-/// Somebody is in the room of the last sign until there is one of another, or until they leave. A single sign of a room is a
-/// glimpse of somebody who passes: a moment of its own between two other rooms, and nothing within one. A single sign of a sensor that
+/// A person is in the room of the last sign until there is a sign of another room, or until they leave. A single sign of a room is a
+/// glimpse of a person who passes: a moment of its own between two other rooms, and nothing within one. A single sign of a sensor that
 /// stays on is a stay, unless the next sign comes soon.
 fn stays(signs: &[RoomSign], away: &[Interval<WallTime>], last: WallTime) -> Vec<RoomStay> {
     let rooms: Vec<&[RoomSign]> = signs.chunk_by(|a, b| a.room == b.room).collect();
@@ -222,23 +222,24 @@ fn stays(signs: &[RoomSign], away: &[Interval<WallTime>], last: WallTime) -> Vec
         let is_alone = of_room.len() == 1 && !is_all;
         let is_glimpse = is_alone || last - begin < GLIMPSE && end - last < SEEN_PASSING;
         match stays.last_mut() {
-            Some(before) if before.room == room => before.end = end,
-            Some(before) if is_glimpse && next.is_some_and(|next| next[0].room == before.room) => before.end = end,
-            Some(before) if is_glimpse && next.is_some() => {
-                before.end = begin;
-                stays.push(RoomStay { room, begin, end: end.min(begin + GLIMPSE) });
+            Some(before) if before.label == room => before.time.end = end,
+            Some(before) if is_glimpse && next.is_some_and(|next| next[0].room == before.label) => {
+                before.time.end = end
             }
-            _ => stays.push(RoomStay { room, begin, end }),
+            Some(before) if is_glimpse && next.is_some() => {
+                before.time.end = begin;
+                stays.push(Episode::new(room, Interval::new(begin, end.min(begin + GLIMPSE))));
+            }
+            _ => stays.push(Episode::new(room, Interval::new(begin, end))),
         }
     }
-    // What comes after a glimpse has begun when that is over.
+    // The stay after a glimpse has begun when the glimpse is over.
     for index in 1..stays.len() {
-        stays[index].begin = stays[index].begin.min(stays[index - 1].end);
+        stays[index].time.begin = stays[index].begin().min(stays[index - 1].end());
     }
     let parts = stays.iter().flat_map(|stay| {
-        let first = away.partition_point(|absence| absence.end <= stay.begin);
-        let parts = without(&[stay.interval()], &away[first..]);
-        parts.into_iter().map(|Interval { begin, end }| RoomStay { room: stay.room, begin, end })
+        let first = away.partition_point(|absence| absence.end <= stay.begin());
+        without(&[stay.time], &away[first..]).into_iter().map(|time| Episode::new(stay.label, time))
     });
     parts.collect()
 }
@@ -246,9 +247,9 @@ fn stays(signs: &[RoomSign], away: &[Interval<WallTime>], last: WallTime) -> Vec
 /// Known stays: each ends where a gap begins, unless the gap is short.
 fn known_stays(stays: Vec<RoomStay>, unknown: &[Interval<WallTime>]) -> Vec<RoomStay> {
     let known = |stay: RoomStay| {
-        let first = unknown.partition_point(|gap| gap.begin < stay.begin);
-        let gap = unknown[first..].iter().take_while(|gap| gap.begin < stay.end).find(|gap| gap.length() > BRIDGED);
-        RoomStay { end: gap.map_or(stay.end, |gap| gap.begin), ..stay }
+        let first = unknown.partition_point(|gap| gap.begin < stay.begin());
+        let gap = unknown[first..].iter().take_while(|gap| gap.begin < stay.end()).find(|gap| gap.length() > BRIDGED);
+        Episode::new(stay.label, Interval { end: gap.map_or(stay.end(), |gap| gap.begin), ..stay.time })
     };
     stays.into_iter().map(known).collect()
 }
@@ -258,34 +259,34 @@ fn within<'a>(signs: &'a [&'a RoomSign], span: Interval<WallTime>) -> &'a [&'a R
     &signs[before.begin..before.end.max(before.begin)]
 }
 
-/// When somebody lies in bed, by the stays in the bedroom that have a long silence. Who goes to the bathroom at night lies down at
-/// once when they are back, and until they go. Who comes to bed lies down at once, unless it takes them too long to be still.
+/// The times in bed, by the stays in the bedroom that have a long silence. A person back from the bathroom at night lies down at once,
+/// until they go again. A person who comes to bed lies down at once, unless it takes them too long to be still.
 fn nights(stays: &[RoomStay], signs: &[&RoomSign]) -> Vec<Interval<WallTime>> {
     let mut lain: Vec<Interval<WallTime>> = Vec::new();
     let mut until: Option<WallTime> = None;
     for stay in stays {
         let Some(Interval { begin, end }) = still(stay, signs) else { continue };
-        let end = if stay.end - end <= WAKES { stay.end } else { end };
-        let was_up_for = until.map(|until| stay.begin - until);
+        let end = if stay.end() - end <= WAKES { stay.end() } else { end };
+        let was_up_for = until.map(|until| stay.begin() - until);
         match lain.last_mut() {
             Some(last) if was_up_for.is_some_and(|up| up <= UP_AT_NIGHT) => {
                 last.end = until.unwrap_or(last.end);
-                lain.push(Interval::new(stay.begin, end));
+                lain.push(Interval::new(stay.begin(), end));
             }
             _ => {
-                let begin = if begin - stay.begin <= FALLS_ASLEEP { stay.begin } else { begin };
+                let begin = if begin - stay.begin() <= FALLS_ASLEEP { stay.begin() } else { begin };
                 lain.push(Interval::new(begin, end));
             }
         }
-        until = Some(stay.end);
+        until = Some(stay.end());
     }
     lain
 }
 
 /// From the first to the last long silence of a stay, if there is one.
 fn still(stay: &RoomStay, signs: &[&RoomSign]) -> Option<Interval<WallTime>> {
-    let of = within(signs, stay.interval());
-    let times: Vec<WallTime> = of.iter().map(|sign| sign.at).chain([stay.end]).collect();
+    let of = within(signs, stay.time);
+    let times: Vec<WallTime> = of.iter().map(|sign| sign.at).chain([stay.end()]).collect();
     let is_long = |pair: &&[WallTime]| pair[1] - pair[0] >= LIES_STILL;
     let mut long = times.windows(2).filter(is_long);
     let first = long.next()?;

@@ -10,7 +10,6 @@ use std::fmt;
 pub struct DailyMeasure {
     /// The name in tables and JSON.
     pub name: &'static str,
-    /// The unit.
     pub unit: MeasureUnit,
     /// The name in pictures and, with a small letter, in sentences.
     pub title: &'static str,
@@ -98,24 +97,18 @@ pub enum Needs {
 /// The meaning of a note of an activity.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum NoteMeaning {
-    /// A shower.
     Shower,
     /// A visit to the bathroom.
     Bathroom,
-    /// A time in bed.
     Bed,
-    /// A meal.
     Meal,
     /// A time out; only its beginning if other notes mean coming home.
     Leaves,
-    /// Coming home.
     Comes,
 }
 
-/// A measure in the report for carers.
 #[derive(Clone, Copy, Debug)]
 pub struct CareUse {
-    /// The least standard deviation of the usual values.
     pub least_sd: f64,
     /// The coarser measure of the same thing. The report has the coarser one if the finer has no value at all.
     pub instead_of: Option<&'static str>,
@@ -134,7 +127,6 @@ pub struct SummaryUse {
     pub least_sd: f64,
 }
 
-/// The unit of a measure.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct MeasureUnit {
     /// The unit in tables and JSON.
@@ -148,15 +140,12 @@ pub struct MeasureUnit {
 /// The form of values in sentences.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ValueForm {
-    /// Hours.
     Hours,
     /// A time of day, in hours since midnight: 24.5 is half past midnight.
     Clock,
-    /// A count.
     Times,
     /// Multiples of the usual value.
     OfUsual,
-    /// Metres a second.
     MetresASecond,
     /// Any other amount: sentences give the difference in per cent.
     Amount,

@@ -1,7 +1,7 @@
 //! A day of a timeline, and what each measure comes to on it.
 
 use super::rooms::Purpose;
-use super::timeline::{MeasureTimeline, RoomStay, within_h};
+use super::timeline::{MeasureTimeline, within_h};
 use super::wandering::WanderingStarts;
 use crate::density::{CellSum, DensityCell, distance};
 use homebody_core::time::{DAY, Interval, MINUTE, SECOND, Span, WallTime, without};
@@ -10,24 +10,21 @@ use homebody_core::time::{DAY, Interval, MINUTE, SECOND, Span, WallTime, without
 pub const VISIT: Span = SECOND.times(20);
 /// Time within which a person who comes back has not left (our choice).
 const VISITS_APART: Span = MINUTE;
-/// An outing lasts for so long at least.
+/// Shortest outing.
 const LEAST_OUTING: Span = MINUTE.times(30);
-/// Who stays in a room for so long sits there.
+/// Time in a room after which a person sits there.
 const SITS: Span = MINUTE.times(30);
 /// Largest number of unknown hours of a day or a night with measures (our choice).
 pub const UNKNOWN_H: f64 = 1.0;
 /// Smallest number of ways, and of walks of a known length, for a distribution (our choice).
 const LEAST_WAYS: usize = 10;
 const LEAST_WALKS: usize = 5;
-/// What is told of a week is told of so many days.
+/// Number of days of a weekly measure.
 const WEEK: usize = 7;
 
-/// What all days ask for.
 pub struct DayContext<'a> {
-    /// What is known.
     pub timeline: &'a MeasureTimeline,
     pub bathroom: Vec<Interval<WallTime>>,
-    /// Long stays in one room.
     pub sitting: Vec<Interval<WallTime>>,
     pub wandering: WanderingStarts,
     /// The height of a level of density, in firings an hour, once enough days tell it.
@@ -36,7 +33,7 @@ pub struct DayContext<'a> {
 
 impl<'a> DayContext<'a> {
     pub fn new(timeline: &'a MeasureTimeline, step_per_h: Option<f64>) -> DayContext<'a> {
-        let long = timeline.stays.iter().map(RoomStay::interval).filter(|stay| stay.length() >= SITS);
+        let long = timeline.stays.iter().map(|stay| stay.time).filter(|stay| stay.length() >= SITS);
         DayContext {
             timeline,
             bathroom: visits_to(&timeline.visits(Purpose::Bathroom, Span::ZERO)),
@@ -47,7 +44,7 @@ impl<'a> DayContext<'a> {
     }
 }
 
-/// Times in a room, those that are close as one visit: with so much time in the room in all that nobody has just passed its door.
+/// Visits to a room: times that are close are one, with so much time in the room in all that the person has not just passed its door.
 fn visits_to(times: &[Interval<WallTime>]) -> Vec<Interval<WallTime>> {
     let visits = times.chunk_by(|a, b| b.begin - a.end <= VISITS_APART);
     let there = |visit: &[Interval<WallTime>]| visit.iter().map(|time| time.length()).sum::<Span>();
@@ -68,7 +65,7 @@ pub struct MeasuredDay<'a> {
 }
 
 impl<'a> MeasuredDay<'a> {
-    /// The day of a number. One that is not over is not known yet, though the night that ended on it may be.
+    /// A day by its number. A day that is not over is not known yet, though the night that ended on it may be.
     pub fn new(common: &'a DayContext<'a>, number: usize, is_over: bool) -> MeasuredDay<'a> {
         let timeline = common.timeline;
         let day = timeline.day(number);
@@ -84,12 +81,12 @@ impl<'a> MeasuredDay<'a> {
         }
     }
 
-    /// Whether so little is missing of the day that it has measures.
+    /// So little of the day is unknown that it has measures.
     pub fn is_known(&self) -> bool {
         self.is_known
     }
 
-    /// The night, if it is known, and how it begins and ends.
+    /// The night, if it is known, with its begin and end.
     fn by_night(&self) -> Option<Interval<WallTime>> {
         let are_near = |one: WallTime, other: WallTime| (one - other).abs() <= VISITS_APART;
         let is_cut = |night: &Interval<WallTime>| {
@@ -104,18 +101,18 @@ impl<'a> MeasuredDay<'a> {
         self.night.into_iter().chain(self.evening)
     }
 
-    /// How many instants lie within the day.
+    /// The number of instants within the day.
     fn count(&self, instants: Option<&[WallTime]>) -> Option<f64> {
         let instants = instants.filter(|_| self.is_known)?;
         Some(instants.iter().filter(|&&at| self.day.contains(at)).count() as f64)
     }
 
-    /// What is known, if movements tell it.
+    /// The timeline, if it comes from movements.
     fn watched(&self) -> Option<&MeasureTimeline> {
         Some(self.common.timeline).filter(|timeline| !timeline.is_unwatched)
     }
 
-    /// The same, if the sensors are in so many rooms that are known.
+    /// The same, if the sensors are in so many known rooms.
     fn among_rooms(&self, least: usize) -> Option<&MeasureTimeline> {
         self.watched().filter(|timeline| timeline.rooms.rooms.len() >= least)
     }
@@ -183,11 +180,11 @@ impl<'a> MeasuredDay<'a> {
 
     pub(super) fn room_changes(&self) -> Option<f64> {
         let stays = &self.among_rooms(2)?.stays;
-        let changes = stays.windows(2).filter(|pair| pair[0].room != pair[1].room).map(|pair| pair[1].begin);
+        let changes = stays.windows(2).filter(|pair| pair[0].label != pair[1].label).map(|pair| pair[1].begin());
         self.count(Some(&changes.collect::<Vec<_>>()))
     }
 
-    /// How fast the ways of the day were gone, the slowest first.
+    /// The paces of the ways of the day, the slowest first.
     fn paces(&self) -> Option<Vec<f64>> {
         let passages = self.common.timeline.passages.as_ref().filter(|_| self.is_known)?;
         let from = passages.partition_point(|passage| passage.at < self.day.begin);
@@ -207,7 +204,7 @@ impl<'a> MeasuredDay<'a> {
         Some(paces[paces.len() / 10])
     }
 
-    /// How fast the walks of the day were, the slowest first: that at a share of them.
+    /// The speed of the walks of the day at a share of them, the slowest first.
     pub(super) fn speed(&self, share: f64) -> Option<f64> {
         let walks = self.common.timeline.walks.as_ref().filter(|_| self.is_known)?;
         let from = walks.partition_point(|walk| walk.at < self.day.begin);

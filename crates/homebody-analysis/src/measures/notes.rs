@@ -10,7 +10,7 @@ use homebody_core::activity::{AWAY, EATING_LUNCH, SHOWERING, SLEEPING};
 use homebody_core::names::words;
 use homebody_core::statistics::mean;
 use homebody_core::time::{Interval, MINUTE, Span, WallTime};
-use homebody_log::{Activity, Life};
+use homebody_timeline::{Episode, PersonTimeline};
 
 /// The meaning of a label, by the beginning of one of its words (our choice). The first that fits counts.
 const MEANINGS: [(NoteMeaning, &[&str]); 6] = [
@@ -38,48 +38,48 @@ impl NoteMeaning {
 
 impl Measures {
     /// By the notes of a log, for the days that touch `recorded`; `None` if no note has a meaning for any measure.
-    pub fn from_notes(name: &str, activities: &[Activity], recorded: Interval<WallTime>) -> Option<Measures> {
-        let mut told: Vec<(NoteMeaning, &Activity)> =
-            activities.iter().filter_map(|one| Some((NoteMeaning::of_label(&one.name)?, one))).collect();
-        told.sort_by_key(|(_, one)| one.begin);
+    pub fn from_notes(name: &str, activities: &[Episode<WallTime>], recorded: Interval<WallTime>) -> Option<Measures> {
+        let mut told: Vec<(NoteMeaning, &Episode<WallTime>)> =
+            activities.iter().filter_map(|one| Some((NoteMeaning::of_label(&one.label)?, one))).collect();
+        told.sort_by_key(|(_, one)| one.begin());
         let has = |tells: NoteMeaning| told.iter().any(|(other, _)| *other == tells);
         if MEASURES.iter().filter_map(|measure| measure.noted).all(|meaning| !has(meaning)) {
             return None;
         }
-        let mut life = Life::default();
+        let mut person = PersonTimeline::default();
         for (number, &(tells, one)) in told.iter().enumerate() {
-            let mut add = |name: &str, end: WallTime| {
-                life.activities.push(Activity { name: name.to_owned(), begin: one.begin, end });
+            let mut add = |label: &str, end: WallTime| {
+                person.activities.push(Episode::new(label.to_owned(), Interval::new(one.begin(), end)));
             };
             match tells {
-                NoteMeaning::Bed => add(SLEEPING, one.end),
-                NoteMeaning::Meal => add(EATING_LUNCH, one.end),
-                NoteMeaning::Shower => add(SHOWERING, one.end),
-                // Who leaves twice without coming has left with the second.
+                NoteMeaning::Bed => add(SLEEPING, one.end()),
+                NoteMeaning::Meal => add(EATING_LUNCH, one.end()),
+                NoteMeaning::Shower => add(SHOWERING, one.end()),
+                // A person who leaves twice without coming has left with the second.
                 NoteMeaning::Leaves if has(NoteMeaning::Comes) => {
                     let next = told[number + 1..]
                         .iter()
                         .find(|(tells, _)| matches!(tells, NoteMeaning::Leaves | NoteMeaning::Comes));
                     let comes = next.filter(|(tells, _)| *tells == NoteMeaning::Comes);
-                    comes.iter().for_each(|(_, comes)| add(AWAY, comes.end));
+                    comes.iter().for_each(|(_, comes)| add(AWAY, comes.end()));
                 }
-                NoteMeaning::Leaves => add(AWAY, one.end),
+                NoteMeaning::Leaves => add(AWAY, one.end()),
                 NoteMeaning::Bathroom | NoteMeaning::Comes => {}
             }
             if matches!(tells, NoteMeaning::Shower | NoteMeaning::Bathroom) {
-                // Nothing else is noted in between, so nobody left.
+                // There is no other note in between, so the person stayed.
                 let is_next = told[..number]
                     .last()
                     .is_some_and(|(tells, _)| matches!(tells, NoteMeaning::Shower | NoteMeaning::Bathroom));
-                match life.rooms.last_mut().filter(|last| is_next && one.begin - last.end <= ONE_VISIT) {
-                    Some(last) => last.end = last.end.max(one.end),
-                    None => life.rooms.push(Activity { name: "bathroom".to_owned(), ..one.clone() }),
+                match person.rooms.last_mut().filter(|last| is_next && one.begin() - last.end() <= ONE_VISIT) {
+                    Some(last) => last.time = last.time.hull(one.time),
+                    None => person.rooms.push(Episode::new("bathroom".to_owned(), one.time)),
                 }
             }
         }
-        let mut measures = Measures::from_timeline(name, &MeasureTimeline::from_truth(&life, recorded), Vec::new());
+        let mut measures = Measures::from_timeline(name, &MeasureTimeline::from_truth(&person, recorded), Vec::new());
         let first =
-            |tells: NoteMeaning| told.iter().find(|(other, _)| *other == tells).map(|(_, one)| one.begin.date());
+            |tells: NoteMeaning| told.iter().find(|(other, _)| *other == tells).map(|(_, one)| one.begin().date());
         for (number, measure) in MEASURES.iter().enumerate() {
             // Before the first note of a kind, its count is not known.
             let since = measure.noted.and_then(first);
@@ -91,7 +91,7 @@ impl Measures {
     }
 
     /// Compares measures by sensors with measures by the notes of a log. A measure that no sensor has given yet is taken from the notes.
-    pub(super) fn compare_with_notes(&mut self, notes: &[Activity], recorded: Interval<WallTime>) {
+    pub(super) fn compare_with_notes(&mut self, notes: &[Episode<WallTime>], recorded: Interval<WallTime>) {
         let Some(told) = Measures::from_notes(&self.name, notes, recorded) else { return };
         for (number, measure) in MEASURES.iter().enumerate() {
             let noted = |date| told.days.iter().find(|day| day.date == date)?.values[number];
@@ -137,9 +137,9 @@ mod tests {
     const RECORDED: Interval<WallTime> = Interval::new(WallTime::EPOCH, WallTime::from_micros(DAY.times(2).micros()));
 
     /// From one hour of the second day to another.
-    fn one(name: &str, begin_h: f64, end_h: f64) -> Activity {
+    fn one(name: &str, begin_h: f64, end_h: f64) -> Episode<WallTime> {
         let at = |hours: f64| WallTime::EPOCH + DAY + HOUR.scaled(hours);
-        Activity { name: name.to_owned(), begin: at(begin_h), end: at(end_h) }
+        Episode::new(name.to_owned(), Interval::new(at(begin_h), at(end_h)))
     }
 
     fn on_day_1(measures: &Measures, name: &str) -> Option<f64> {
@@ -147,7 +147,7 @@ mod tests {
     }
 
     #[test]
-    fn labels_in_anybodys_words_are_measured() {
+    fn measures_free_labels() {
         let activities = [
             one("Sleeping", -1.0, 7.0),
             one("Bed_Toilet_Transition", 3.0, 3.05),
@@ -174,11 +174,11 @@ mod tests {
     }
 
     #[test]
-    fn who_leaves_is_out_until_they_come() {
+    fn outing_lasts_from_leaving_to_coming() {
         let activities = [one("Leave_Home", 9.0, 9.0 + 1.0 / 60.0), one("Enter_Home", 11.0, 11.0)];
         let measures = Measures::from_notes("log", &activities, RECORDED).unwrap();
         assert_eq!((on_day_1(&measures, "time_out"), on_day_1(&measures, "outings")), (Some(2.0), Some(1.0)));
-        // The first time nobody noted when they came.
+        // The first time there is no note of coming.
         let twice = [one("Leave_Home", 7.0, 7.0), activities[0].clone(), activities[1].clone()];
         let measures = Measures::from_notes("log", &twice, RECORDED).unwrap();
         assert_eq!(on_day_1(&measures, "time_out"), Some(2.0));

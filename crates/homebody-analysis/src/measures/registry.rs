@@ -418,7 +418,6 @@ pub static MEASURES: &[DailyMeasure] = &[
 ];
 
 impl DailyMeasure {
-    /// The measure of this name.
     pub fn named(name: &str) -> Option<&'static DailyMeasure> {
         MEASURES.iter().find(|measure| measure.name == name)
     }

@@ -16,7 +16,6 @@ pub struct Remarks {
 }
 
 impl Remarks {
-    /// Of a log that has been measured.
     pub fn from_log(log: &Log, known: &HomeKnowledge, measured: &MeasuredLog) -> Remarks {
         let mut told = Remarks { remarks: Vec::new(), guesses: Vec::new() };
         told.remarks.extend_from_slice(OwnWords::from_log(log).not_understood());

@@ -3,31 +3,26 @@
 use homebody_core::names::words;
 use std::collections::BTreeMap;
 
-/// What a room is for, as far as measures ask for it.
+/// The purpose of a room in measures.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Purpose {
-    /// Where one sleeps.
     Bedroom,
-    /// Where toilet or shower are.
     Bathroom,
-    /// Where one cooks.
     Kitchen,
-    /// All else.
     Other,
 }
 
 /// The rooms of a log, and in which of them its sensors are.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct SensorRooms {
-    /// By number: what it is called, and what it is for.
+    /// By number: the name and the purpose.
     pub rooms: Vec<(String, Purpose)>,
     /// By sensor of the log.
     pub of_sensors: Vec<Option<usize>>,
 }
 
-/// A room as names of sensors tell it: what it is called here, what it is for, and the words that tell it (ours). Of two, the
-/// word that stands first in a name decides: a `KitchenDoor` is the kitchen's. The hall comes last, for a `hall-bathroom door` and a
-/// `front bedroom` are of the other.
+/// A room in names of sensors: its name here, its purpose, and its words (our choice). Of two, the word that stands first in a name
+/// decides: a `KitchenDoor` is the kitchen's. The hall comes last, for a `hall-bathroom door` and a `front bedroom` are of the other.
 const ROOM_WORDS: [(&str, Purpose, &[&str]); 7] = [
     ("bedroom", Purpose::Bedroom, &["bedroom", "bed", "bedside", "mattress"]),
     (
@@ -61,7 +56,6 @@ const ROOM_WORDS: [(&str, Purpose, &[&str]); 7] = [
     ),
 ];
 
-/// The room that a name speaks of.
 fn named_room(name: &str) -> Option<(&'static str, Purpose)> {
     let said = words(name);
     let (hall, others) = ROOM_WORDS.split_last()?;
@@ -74,13 +68,12 @@ fn named_room(name: &str) -> Option<(&'static str, Purpose)> {
     tells(others).or_else(|| tells(std::slice::from_ref(hall)))
 }
 
-/// What a room of this name is for.
 pub fn purpose(room: &str) -> Purpose {
     named_room(room).map_or(Purpose::Other, |(_, purpose)| purpose)
 }
 
 impl SensorRooms {
-    /// Of these sensors; `known` says which of them are in which rooms. Where it says nothing of any, names decide.
+    /// The rooms of these sensors. `known` has the rooms of some of them; if it has none, names decide.
     pub fn from_sensors(sensors: &[String], known: &BTreeMap<String, String>) -> SensorRooms {
         let mut rooms = SensorRooms::default();
         for sensor in sensors {
@@ -105,7 +98,7 @@ impl SensorRooms {
         rooms
     }
 
-    /// The number of a room, which is a new one where it is not known.
+    /// The number of a room; an unknown room gets a new one.
     pub fn number(&mut self, room: (String, Purpose)) -> usize {
         self.rooms.iter().position(|known| known.0 == room.0).unwrap_or_else(|| {
             self.rooms.push(room);
@@ -118,12 +111,11 @@ impl SensorRooms {
         Some(&self.rooms[self.of_sensors.get(sensor).copied().flatten()?].0)
     }
 
-    /// What a room is for.
     pub fn purpose(&self, room: usize) -> Purpose {
         self.rooms[room].1
     }
 
-    /// Whether there is a room for this.
+    /// A room has this purpose.
     pub fn has(&self, purpose: Purpose) -> bool {
         self.rooms.iter().any(|room| room.1 == purpose)
     }

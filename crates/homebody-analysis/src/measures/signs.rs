@@ -1,6 +1,6 @@
-//! Signs of somebody in rooms that are known, and in which room somebody is whom several sensors see at once.
+//! Signs of a person in known rooms, and the room of a person whom several sensors see at once.
 //!
-//! Whatever is used, opened and closed is a sign as much as a movement that is seen: many real homes have hardly a motion sensor.
+//! Use, opening and closing of a thing are signs as much as a movement: many real homes have hardly a motion sensor.
 
 use super::rooms::SensorRooms;
 use crate::holds::{HiddenMovement, HoldTimes};
@@ -11,17 +11,16 @@ use homebody_core::time::{SECOND, Span, WallTime};
 /// Time within which sensors see the same movement (our choice).
 const TOGETHER: Span = SECOND.times(2);
 
-/// A sign of somebody: when, where, and by which sensor.
+/// A sign of a person: time, room and sensor.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct RoomSign {
     pub at: WallTime,
-    /// The room, by its number.
     pub room: usize,
     /// The sensor, by its number in the log.
     pub sensor: usize,
-    /// Whether a movement was seen as it began. Else something was used, or a movement continued.
+    /// A movement was seen as it began. Else a thing was used, or a movement continued.
     pub is_seen: bool,
-    /// Whether its sensor stays on for a hold time: then a single sign is as much as many of another sensor.
+    /// Its sensor stays on for a hold time: then a single sign is as much as many of another sensor.
     pub is_held: bool,
 }
 
@@ -63,7 +62,7 @@ pub fn with_movements(signs: &[RoomSign], movements: &[HiddenMovement], rooms: &
     (0..all.len()).filter(is_sure).map(|index| all[index].0).collect()
 }
 
-/// Whether such a row of a sensor of this kind is a sign of the resident.
+/// A row of a sensor of this kind, with this meaning, is a sign of the resident.
 pub fn gives_signs(kind: Kind, said: &RowMeaning) -> bool {
     match kind {
         Kind::Motion => said.says == Says::Begins && said.is_sign(),
@@ -135,14 +134,14 @@ mod tests {
     }
 
     #[test]
-    fn somebody_is_in_the_room_of_most_of_the_sensors_that_see_them() {
+    fn room_is_that_of_most_sensors_at_once() {
         // Two sensors of the bathroom, and that of the hall, which looks in.
         assert_eq!(rooms(&[(0, BATHROOM, 1), (1, HALL, 0), (2, BATHROOM, 2)]), [BATHROOM; 3]);
         // Two sensors of the hall, and that of the bathroom, which looks out.
         assert_eq!(rooms(&[(0, HALL, 3), (1, BATHROOM, 1), (2, HALL, 0)]), [HALL; 3]);
         // One of each, and each alone: nothing is known better.
         assert_eq!(rooms(&[(0, HALL, 0), (1, BATHROOM, 1)]), [HALL, BATHROOM]);
-        // One that speaks twice is no two.
+        // Two signs of one sensor count once.
         assert_eq!(rooms(&[(0, HALL, 0), (1, BATHROOM, 1), (2, HALL, 0)]), [HALL, BATHROOM, HALL]);
         assert_eq!(rooms(&[(0, BATHROOM, 1), (1, BATHROOM, 2), (9, HALL, 0)]), [BATHROOM, BATHROOM, HALL]);
     }

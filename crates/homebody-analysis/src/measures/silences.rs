@@ -14,7 +14,7 @@ use homebody_core::time::{DAY, Interval, Span, WallTime};
 /// as in `inspect` (our choice).
 const SILENT: Span = DAY.times(2);
 const SILENT_TIMES: i64 = 3;
-/// A sensor that reports on most days is doubted after so long, and so many times as long as ever before.
+/// Silence after which a sensor that reports on most days is doubted, and factor on its longest silence before.
 const DOUBTED: Span = DAY;
 const DOUBTED_TIMES: i64 = 2;
 /// Days with events that a sensor of a used or opened thing needs before a silence counts, and their share of all days
@@ -31,12 +31,12 @@ pub struct Listening {
 #[derive(Clone, Default)]
 struct SensorReports {
     before: Option<WallTime>,
-    /// The longest time without a word that was no silence.
+    /// The longest time without a report that was not a silence.
     longest: Span,
-    /// The first day on which it spoke, and on how many it has.
+    /// The first day with a report, and the number of such days.
     first_day: i64,
     days: i64,
-    /// The day at whose end it was first known to be silent, while it is.
+    /// The day at whose end the current silence was first known.
     told: Option<WallTime>,
 }
 
@@ -60,7 +60,7 @@ impl SensorReports {
         self.days >= LEAST_DAYS && self.days * OF_DAYS.1 >= so_far * OF_DAYS.0
     }
 
-    /// The silence that lasts at an instant, if it is one.
+    /// The silence at an instant, if there is one.
     fn silence(&self, sensor: usize, kind: Kind, at: WallTime, away: &[Interval<WallTime>]) -> Option<SensorSilence> {
         let quiet = self.quiet(at, away)?;
         let least = SILENT.max(self.longest * SILENT_TIMES);
@@ -95,7 +95,7 @@ impl Listening {
         }
     }
 
-    /// The sensors that lack on a day, as known when it ends.
+    /// The missing sensors of a day, as known when it ends.
     pub fn on_day(&mut self, day: Interval<WallTime>, kinds: &[Kind], away: &[Interval<WallTime>]) -> MissingSensors {
         let over = self.over.iter().rev().take_while(|silence| silence.span.end >= day.begin);
         let mut silent: Vec<usize> = over.map(|silence| silence.sensor).collect();
@@ -113,7 +113,7 @@ impl Listening {
         MissingSensors { silent, doubted, spoke }
     }
 
-    /// All silences, those that last by `now` too.
+    /// All silences, including those that last at `now`.
     pub fn silent_sensors(
         &self,
         ids: &[String],
@@ -132,16 +132,16 @@ impl Listening {
     }
 }
 
-/// The sensors that lack on a day.
+/// The missing sensors of a day.
 pub struct MissingSensors {
     silent: Vec<usize>,
     doubted: Vec<usize>,
-    /// By sensor, whether it spoke on the day.
+    /// By sensor: it has reported on the day.
     spoke: Vec<bool>,
 }
 
 impl MissingSensors {
-    /// Whether a measure cannot be taken without them.
+    /// A measure needs one of them.
     pub fn hinders(&self, measure: &DailyMeasure, rooms: &SensorRooms, at_entrance: &dyn Fn(usize) -> bool) -> bool {
         let needs = |sensor: usize| {
             needs(measure, rooms.of_sensors[sensor].map(|room| rooms.purpose(room)), at_entrance(sensor))
@@ -153,7 +153,7 @@ impl MissingSensors {
     }
 }
 
-/// Whether a measure needs a sensor, by the room that this is in; `None` of a measure that needs all of them.
+/// A measure needs a sensor, by the room of the sensor; `None` for a measure that needs all of them.
 fn needs(measure: &DailyMeasure, room: Option<Purpose>, is_at_entrance: bool) -> Option<bool> {
     match measure.needs {
         Needs::AllSensors => None,
@@ -210,7 +210,7 @@ mod tests {
         assert_eq!(found_of(100..240, Kind::Contact, &[]), [(1, 98, 240)]);
         assert_eq!(found_of(70..240, Kind::Contact, &[]), []);
         assert_eq!(found(70..240, &[]), [(1, 68, 240)]);
-        // With nobody at home it has nothing to say.
+        // In an empty home it does not report.
         assert_eq!(found(100..160, &[Interval::new(at(101), at(150))]), []);
     }
 

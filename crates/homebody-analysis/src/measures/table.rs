@@ -8,7 +8,7 @@ use std::fmt;
 use std::fmt::Write;
 
 impl Measures {
-    /// A row for each day, a column for each measure: `date,time_in_bed,...`; what is not known is empty.
+    /// A row for each day, a column for each measure: `date,time_in_bed,...`; unknown values are empty.
     pub fn csv(&self) -> String {
         let names: Vec<&str> = MEASURES.iter().map(|measure| measure.name).collect();
         let mut text = format!("date,{}\n", names.join(","));
@@ -19,13 +19,13 @@ impl Measures {
         text
     }
 
-    /// The values of a measure that are known, in the order of days.
+    /// The known values of a measure, in the order of days.
     pub fn known(&self, measure: usize) -> Vec<f64> {
         self.days.iter().filter_map(|day| day.values[measure]).collect()
     }
 }
 
-/// What each measure usually comes to, and on the last days.
+/// The usual value of each measure, and the last days.
 impl fmt::Display for Measures {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
         const LAST: usize = 7;

@@ -14,7 +14,7 @@ const KITCHEN: u32 = 2;
 const LIVING: u32 = 3;
 const ENTRANCE: u32 = 4;
 
-/// What is said on an ordinary day: from which minute to which, so many minutes apart, by which sensor.
+/// The messages of an ordinary day: from one minute to another, so many minutes apart, by which sensor.
 const ORDINARY: [(i64, i64, i64, u32); 11] = [
     (0, 1, 1, BEDROOM),
     (200, 206, 2, BATHROOM),
@@ -124,7 +124,7 @@ fn sensors_that_stay_on_hide_no_stays() {
 }
 
 #[test]
-fn what_no_sensor_can_tell_is_not_zero() {
+fn measures_without_a_sensor_are_unknown() {
     let all = log_of(5, &|_, _, _| true);
     let of_rooms = |rooms: &[u32]| Log {
         events: all.events.iter().filter(|event| rooms.contains(&event.sensor)).copied().collect(),
@@ -161,7 +161,7 @@ fn three_days_have_no_usual_and_nothing_is_invented() {
 }
 
 #[test]
-fn in_weeks_without_a_log_nothing_is_known_and_nothing_is_told_of_them() {
+fn weeks_without_a_log_are_unknown() {
     let (measures, told) = measured(&log_of(60, &|day, _, _| !(20..40).contains(&day)));
     for name in ["meals", "bathroom_day", "room_changes", "sedentary", "density_morning"] {
         let known = values(&measures, name);
@@ -174,13 +174,13 @@ fn in_weeks_without_a_log_nothing_is_known_and_nothing_is_told_of_them() {
 }
 
 #[test]
-fn of_a_sensor_that_dies_it_is_told_that_it_does_and_not_that_nobody_eats() {
+fn dead_sensor_gives_an_alert_instead_of_zeros() {
     let (measures, told) = measured(&log_of(40, &|day, _, sensor| day < 25 || sensor != KITCHEN));
     assert_eq!(measures.silent.iter().map(|silent| silent.sensor.as_str()).collect::<Vec<_>>(), ["kitchen motion"]);
     assert!(values(&measures, "meals")[27..].iter().all(Option::is_none));
     let rules: Vec<&str> = told.alerts.iter().map(|alert| alert.rule.as_str()).collect();
     assert_eq!(rules, [SENSOR], "{told}");
-    // Who does stop eating, while the sensor still sees them pass, is told of.
+    // A person who does stop eating, while the sensor still sees them pass, has a value.
     let (_, told) = measured(&log_of(40, &|day, minute, sensor| {
         day < 25 || sensor != KITCHEN || minute % 180 == 0 || minute == 440
     }));
@@ -188,7 +188,7 @@ fn of_a_sensor_that_dies_it_is_told_that_it_does_and_not_that_nobody_eats() {
 }
 
 #[test]
-fn a_night_away_is_no_sleepless_night() {
+fn night_away_has_no_sleep_measure() {
     let away = |day: i64, minute: i64, _: u32| !(day == 30 && minute > 1110 || day == 31 && minute < 600);
     let mut log = log_of(40, &away);
     // Out by the door in the evening, and home in the morning.
@@ -206,7 +206,7 @@ fn a_night_away_is_no_sleepless_night() {
 }
 
 #[test]
-fn furniture_that_is_moved_is_told_of_for_a_while_and_becomes_usual() {
+fn moved_furniture_gives_alerts_until_it_is_usual() {
     // The armchair stands where the sensor of the living room no longer sees it: it tells a third of what it did.
     let moved = |day: i64, minute: i64, sensor: u32| day < 40 || sensor != LIVING || (minute / 5) % 3 == 0;
     let (measures, _) = measured(&log_of(100, &moved));
@@ -223,8 +223,8 @@ fn furniture_that_is_moved_is_told_of_for_a_while_and_becomes_usual() {
 }
 
 #[test]
-fn a_night_on_which_clocks_change_is_whole_and_alarms_nobody() {
-    // In spring no clock tells 02:00 to 03:00, and in autumn it is told twice.
+fn night_of_a_clock_change_is_whole_and_without_alerts() {
+    // In spring clocks leave out 02:00 to 03:00, and in autumn they show it twice.
     for hour in [|minute: i64| !(120..180).contains(&minute), |_: i64| true] {
         let mut log = log_of(40, &|day, minute, _| day != 30 || hour(minute));
         if hour(150) {
@@ -237,7 +237,7 @@ fn a_night_on_which_clocks_change_is_whole_and_alarms_nobody() {
     }
 }
 
-/// What a home of contacts says on a day: the minute, the sensor, and for how many minutes it is on.
+/// The messages of a home of contacts on a day: the minute, the sensor, and the minutes that it is on.
 const OF_CONTACTS: [(i64, &str, i64); 14] = [
     (0, "bed pressure", 420),
     (422, "Hall-Toilet door", 1),
@@ -283,7 +283,7 @@ fn a_home_of_contacts_is_measured_as_far_as_they_tell() {
         assert_eq!(on_day_5(name), None, "{name}");
     }
     assert!(!measures.guesses.contains(&"time_in_bed"));
-    // Where the bed has no sensor, and no motion sensor sees the bedroom, a night is a guess.
+    // If the bed has no sensor, and no motion sensor sees the bedroom, a night is a guess.
     let mut without_bed = of_contacts(9);
     let bed = without_bed.sensors.iter().position(|name| name == "bed pressure").unwrap();
     without_bed.sensors[bed] = "bedroom drawer".into();
@@ -291,7 +291,7 @@ fn a_home_of_contacts_is_measured_as_far_as_they_tell() {
     for name in ["time_in_bed", "bedtime", "rising", "bathroom_night"] {
         assert!(guessed.guesses.contains(&name), "{name}: {:?}", guessed.remarks);
     }
-    // Where nobody opens the door there is no outing: who sits on for four hours has not left.
+    // Without an open door there is not an outing: a person who sits for four hours has not left.
     let mut indoors = of_contacts(9);
     let door = indoors.sensors.iter().position(|name| name == "Frontdoor").unwrap();
     indoors.events.retain(|event| event.sensor as usize != door);

@@ -1,93 +1,74 @@
-//! What measures are taken from: who was in which room, in bed, asleep and out, and from when to when. A log tells it in
-//! `heard`, a truth in `lived`.
+//! The timeline that measures are taken from: rooms, times in bed, sleep and absences. `log_timeline` builds it from a log,
+//! `truth_timeline` from a truth.
 
 use super::rooms::{Purpose, SensorRooms};
 use crate::density::DensityCell;
 use homebody_core::time::{DAY, HOUR, Interval, MINUTE, Span, WallTime, joined};
+use homebody_timeline::Episode;
 use jiff::civil::Date;
 
-/// A time in one room.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct RoomStay {
-    /// The room, by its number.
-    pub room: usize,
-    /// From when.
-    pub begin: WallTime,
-    /// Until when.
-    pub end: WallTime,
-}
+/// A time in one room, whose number is the label.
+pub type RoomStay = Episode<WallTime, usize>;
 
-impl RoomStay {
-    /// From when to when.
-    pub fn interval(&self) -> Interval<WallTime> {
-        Interval::new(self.begin, self.end)
-    }
-}
-
-/// The way from one sensor to another, as they speak one after the other.
+/// The way from one sensor to another that fires next.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SensorPassage {
-    /// When the second one speaks.
+    /// The time of the second firing.
     pub at: WallTime,
-    /// How fast it was gone, as multiples of what is usual between the two.
+    /// The pace, as multiples of the usual time between the two.
     pub of_usual: f64,
 }
 
 /// A walk whose length is known.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TimedWalk {
-    /// When it ended.
+    /// The end of the walk.
     pub at: WallTime,
-    /// How fast it was, in metres a second.
     pub speed_m_s: f64,
 }
 
-/// What is known of some days.
+/// The timeline of some days, from sensors or from a truth, that measures are taken from.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct MeasureTimeline {
-    /// The first day.
     pub first: Date,
-    /// Midnight at its beginning.
+    /// Midnight at the begin of the first day.
     pub begin: WallTime,
-    /// For how many hours of each hour of each day anything is known.
+    /// The known part of each hour of each day, in hours.
     pub recorded_h: Vec<[f64; 24]>,
-    /// The rooms.
     pub rooms: SensorRooms,
-    /// Whether most signs are of what is used, so that nobody knows where somebody is meanwhile, and how often they move.
+    /// Most signs come from things that are used, so that rooms and movements in between are unknown.
     pub is_unwatched: bool,
     /// The unknown times, in order.
     pub unknown: Vec<Interval<WallTime>>,
-    /// Who was where, in order of time.
+    /// The stays of the resident in rooms, in order of time.
     pub stays: Vec<RoomStay>,
-    /// When nobody was at home.
+    /// The absences of all people.
     pub away: Option<Vec<Interval<WallTime>>>,
-    /// When somebody was in bed: by night and by day.
+    /// The times in bed, by night and by day.
     pub in_bed: Option<Vec<Interval<WallTime>>>,
-    /// When somebody was asleep in bed.
+    /// The times asleep in bed.
     pub asleep: Option<Vec<Interval<WallTime>>>,
-    /// When somebody stirred in bed: the beginnings of bouts.
+    /// The movements in bed: the beginnings of bouts.
     pub stirs: Option<Vec<WallTime>>,
-    /// Whether showers are guessed.
     pub guesses_showers: bool,
-    /// Whether the bathroom's motion sensors stay on for so long that visits to it are a guess.
+    /// The bathroom's motion sensors stay on for so long that visits to it are a guess.
     pub hides_visits: bool,
-    /// Whether the bathroom's motion sensors stay on for so long that they hide showers.
+    /// The bathroom's motion sensors stay on for so long that they hide showers.
     pub hides_showers: bool,
-    /// Whether the bedroom's motion sensors stay on for so long that they hide movements in bed.
+    /// The bedroom's motion sensors stay on for so long that they hide movements in bed.
     pub hides_stirs: bool,
-    /// Whether the times in bed are a guess by what is used in the bedroom.
+    /// The times in bed are a guess by the things that are used in the bedroom.
     pub guesses_nights: bool,
-    /// When showers and baths began.
+    /// The beginnings of showers and baths.
     pub showers: Option<Vec<WallTime>>,
-    /// When meals began, or their cooking where only that is known.
+    /// The beginnings of meals, or of their cooking where only that is known.
     pub meals: Option<Vec<WallTime>>,
-    /// How fast somebody walked.
+    /// The passages between sensors.
     pub passages: Option<Vec<SensorPassage>>,
-    /// The same in metres a second, where the home is known.
+    /// The walks of known length, where the home is known.
     pub walks: Option<Vec<TimedWalk>>,
-    /// When somebody besides the resident was there.
     pub company: Option<Vec<Interval<WallTime>>>,
-    /// How much is said in each hour.
+    /// The density of each hour.
     pub cells: Option<Vec<[DensityCell; 24]>>,
 }
 
@@ -98,17 +79,15 @@ const OUT_OF_BED: Span = MINUTE.times(90);
 const LEAST_NIGHT: Span = HOUR.times(2);
 
 impl MeasureTimeline {
-    /// How many days there are.
     pub fn days(&self) -> usize {
         self.recorded_h.len()
     }
 
-    /// From midnight to midnight.
     pub fn day(&self, day: usize) -> Interval<WallTime> {
         Interval::starting(self.begin + day as i64 * DAY, DAY)
     }
 
-    /// For how many hours between two instants anything is known, to the hour.
+    /// The known hours between two instants, to the hour.
     pub fn known_h(&self, span: Interval<WallTime>) -> f64 {
         let hours = span.map(|at| (at - self.begin).div_euclid(HOUR));
         let known = (hours.begin..hours.end).filter_map(|hour| {
@@ -120,8 +99,8 @@ impl MeasureTimeline {
 
     /// The stays in rooms for this; those that are no farther apart than `apart` are one.
     pub fn visits(&self, purpose: Purpose, apart: Span) -> Vec<Interval<WallTime>> {
-        let stays = self.stays.iter().filter(|stay| self.rooms.purpose(stay.room) == purpose);
-        joined(stays.map(RoomStay::interval), apart)
+        let stays = self.stays.iter().filter(|stay| self.rooms.purpose(stay.label) == purpose);
+        joined(stays.map(|stay| stay.time), apart)
     }
 
     /// The night in bed that ends on a day: from lying down to getting up, with the times out of bed in between. If the resident is in bed for
@@ -160,7 +139,7 @@ impl MeasureTimeline {
     }
 }
 
-/// For how many hours some spans, of which none are at once, lie within another.
+/// The hours of some intervals without overlaps that lie within another.
 pub fn within_h(spans: &[Interval<WallTime>], within: Interval<WallTime>) -> f64 {
     spans.iter().map(|span| span.overlap(within)).sum::<Span>().seconds() / 3600.0
 }
@@ -189,7 +168,7 @@ mod tests {
             MeasureTimeline { recorded_h: vec![[1.0; 24]; 2], in_bed: Some(in_bed), ..MeasureTimeline::default() };
         assert_eq!(timeline.night(1), Some(hours(22, 31)));
         assert_eq!(timeline.night(0), None);
-        // What ends at eleven in the evening is no night that ends on the next day.
+        // A time in bed that ends at eleven in the evening is not a night that ends on the next day.
         let by_day = MeasureTimeline { in_bed: Some(vec![hours(14, 23)]), ..timeline.clone() };
         assert_eq!((by_day.night(0), by_day.night(1)), (None, None));
         // By the end of the first day the resident is in bed since ten.

@@ -1,4 +1,4 @@
-//! What measures are taken from, as a truth tells it.
+//! Builds the timeline of measures from the timeline of a person.
 
 use super::rooms::{SensorRooms, purpose};
 use super::timeline::{MeasureTimeline, RoomStay, TimedWalk};
@@ -6,30 +6,30 @@ use homebody_core::activity::{
     AWAY, EATING_BREAKFAST, EATING_DINNER, EATING_LUNCH, GOING_TO_BED, LYING_AWAKE, SHOWERING, SLEEPING,
 };
 use homebody_core::time::{DAY, HOUR, Interval, MINUTE, SECOND, Span, WallTime, joined};
-use homebody_log::Life;
+use homebody_timeline::{Episode, PersonTimeline};
 
 /// Longest gap within one activity (our choice): a walk to the toilet does not make a second meal.
 const APART: Span = MINUTE.times(5);
 
-/// What a truth tells of a resident besides their rooms and what they do.
+/// Details of a truth besides the timeline of a resident.
 #[derive(Clone, Debug, Default)]
 pub struct TruthDetails {
-    /// How fast they walked, in order of time.
+    /// Walks of the resident, in order of time.
     pub walks: Option<Vec<TimedWalk>>,
-    /// When guests were in the home.
+    /// The times with guests in the home.
     pub company: Option<Vec<Interval<WallTime>>>,
 }
 
 impl MeasureTimeline {
-    /// As the truth tells it of one resident, for the days that touch `recorded`.
-    pub fn from_truth(life: &Life<WallTime>, recorded: Interval<WallTime>) -> MeasureTimeline {
-        MeasureTimeline::from_detailed_truth(life, &TruthDetails::default(), recorded)
+    /// For the days that touch `recorded`.
+    pub fn from_truth(person: &PersonTimeline<WallTime>, recorded: Interval<WallTime>) -> MeasureTimeline {
+        MeasureTimeline::from_detailed_truth(person, &TruthDetails::default(), recorded)
     }
 
-    /// The same, with what is known besides.
+    /// The same, with details.
     pub fn from_detailed_truth(
-        life: &Life<WallTime>,
-        beside: &TruthDetails,
+        person: &PersonTimeline<WallTime>,
+        details: &TruthDetails,
         recorded: Interval<WallTime>,
     ) -> MeasureTimeline {
         let first = recorded.begin.date();
@@ -40,16 +40,16 @@ impl MeasureTimeline {
         let hours = |day: i64| std::array::from_fn(|number| known(begin + day * DAY + number as i64 * HOUR));
         let mut rooms = SensorRooms::default();
         let mut stays: Vec<RoomStay> = Vec::new();
-        for one in life.rooms.iter().filter(|one| one.name != AWAY) {
-            let room = rooms.number((one.name.clone(), purpose(&one.name)));
-            match stays.last_mut().filter(|stay| stay.room == room && stay.end >= one.begin) {
-                Some(stay) => stay.end = one.end,
-                None => stays.push(RoomStay { room, begin: one.begin, end: one.end }),
+        for one in person.rooms.iter().filter(|one| one.label != AWAY) {
+            let room = rooms.number((one.label.clone(), purpose(&one.label)));
+            match stays.last_mut().filter(|stay| stay.label == room && stay.end() >= one.begin()) {
+                Some(stay) => stay.time.end = one.end(),
+                None => stays.push(Episode::new(room, one.time)),
             }
         }
         let of = |labels: &[&str]| -> Vec<Interval<WallTime>> {
-            let done = life.activities.iter().filter(|one| labels.contains(&one.name.as_str()));
-            done.map(|one| Interval::new(one.begin, one.end)).collect()
+            let done = person.activities.iter().filter(|one| labels.contains(&one.label.as_str()));
+            done.map(|one| one.time).collect()
         };
         let begins = |labels: &[&str]| -> Option<Vec<WallTime>> {
             Some(joined(of(labels), APART).into_iter().map(|span| span.begin).collect())
@@ -65,8 +65,8 @@ impl MeasureTimeline {
             asleep: Some(of(&[SLEEPING])),
             showers: begins(&[SHOWERING]),
             meals: begins(&[EATING_BREAKFAST, EATING_LUNCH, EATING_DINNER]),
-            walks: beside.walks.clone(),
-            company: beside.company.as_ref().map(|company| {
+            walks: details.walks.clone(),
+            company: details.company.as_ref().map(|company| {
                 let mut company = company.clone();
                 company.sort_unstable();
                 joined(company, APART)

@@ -1,4 +1,4 @@
-//! What measures come to: plain data.
+//! The values of measures, as plain data.
 
 use super::measure::DailyMeasure;
 use super::registry::MEASURES;
@@ -16,15 +16,14 @@ const AWAY_H: f64 = 16.0;
 /// The measures of all days of a log.
 #[derive(Clone, Debug, Default, Serialize)]
 pub struct Measures {
-    /// What the log is called.
     pub name: String,
-    /// What is measured, in the order of the values.
+    /// The measures, in the order of the values.
     pub measures: &'static [DailyMeasure],
-    /// What it cannot tell, or only roughly, in sentences.
+    /// The limits of the measures, in sentences.
     pub remarks: Vec<String>,
-    /// The names of measures that are guessed, as no sensor tells of them: see the remarks.
+    /// The names of measures that are a guess, as no sensor gives them: see the remarks.
     pub guesses: Vec<&'static str>,
-    /// Sensors that fell silent: what needs them has no value meanwhile.
+    /// Sensors that fell silent: measures that need them have no value meanwhile.
     pub silent: Vec<SilentSensor>,
     /// Differences between measures by the sensors and by the log's notes of activities, if it has any.
     #[serde(skip_serializing_if = "Vec::is_empty")]
@@ -35,29 +34,25 @@ pub struct Measures {
     /// The rooms of sensors by id, if only the words of the ids name them.
     #[serde(skip_serializing_if = "BTreeMap::is_empty")]
     pub guessed_rooms: BTreeMap<String, String>,
-    /// Day by day.
     pub days: Vec<DayMeasures>,
 }
 
-/// What the measures come to on a day.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct DayMeasures {
-    /// Which day it is.
     pub date: Date,
-    /// Whether less than an hour of it is unknown.
+    /// Less than an hour of it is unknown.
     pub is_whole: bool,
-    /// By measure; those that are not known have none.
+    /// By measure; `None` if unknown.
     #[serde(serialize_with = "by_name")]
     pub values: Vec<Option<f64>>,
 }
 
 impl DayMeasures {
-    /// What a measure comes to.
     pub fn value(&self, name: &str) -> Option<f64> {
         *self.values.get(MEASURES.iter().position(|measure| measure.name == name)?)?
     }
 
-    /// Whether the day tells something about usual days: it is whole, and somebody was at home for most of it.
+    /// The day shows usual days: it is whole, and a person was at home for most of it.
     pub fn counts(&self) -> bool {
         self.is_whole && self.value("time_out").is_none_or(|hours| hours < AWAY_H)
     }
@@ -73,20 +68,16 @@ fn by_name<S: Serializer>(values: &[Option<f64>], serializer: S) -> Result<S::Ok
     map.end()
 }
 
-/// How far a measure by the sensors is from the same by the notes of a log, over the days on which both are known.
+/// The difference of a measure by the sensors from the same by the notes of a log, over the days on which both are known.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct NoteComparison {
-    /// Which measure.
     pub measure: &'static str,
-    /// Its unit.
     pub unit: &'static str,
-    /// On how many days both are known.
+    /// The number of days on which both are known.
     pub days: usize,
-    /// Its mean by the notes.
     pub by_notes: f64,
-    /// Its mean by the sensors.
     pub by_sensors: f64,
-    /// How far the two are apart on a day, on average.
+    /// The average difference of the two on a day.
     pub apart: f64,
 }
 
@@ -105,18 +96,17 @@ impl fmt::Display for NoteComparison {
 /// A sensor that has fallen silent.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct SilentSensor {
-    /// Its id in the log.
     pub sensor: String,
-    /// The day of its last word.
+    /// The day of its last report.
     pub since: Date,
-    /// The day on which that can be said.
+    /// The day on which the silence is known.
     pub told: Date,
-    /// The day on which it speaks again; `None` if it never does.
+    /// The day of its next report, if there is one.
     pub until: Option<Date>,
 }
 
 impl SilentSensor {
-    /// In words, those of the same days together: each time the first of them, and the sentence.
+    /// In words, for sensors with the same days together: each time the first of them, and the sentence.
     pub fn sentences(silent: &[SilentSensor]) -> Vec<(&SilentSensor, String)> {
         let mut told: Vec<(&SilentSensor, Vec<&str>)> = Vec::new();
         for one in silent {
@@ -147,7 +137,7 @@ mod tests {
     use jiff::civil::date;
 
     #[test]
-    fn sensors_that_fall_silent_together_are_told_in_one_sentence() {
+    fn joins_sensors_that_fall_silent_together() {
         let one = |sensor: &str, until: Option<Date>| SilentSensor {
             sensor: sensor.into(),
             since: date(2024, 1, 15),

@@ -1,8 +1,9 @@
-//! How fast somebody walks from sensor to sensor: beside what is usual between the two, and in metres a second where a home tells
-//! how far apart they are.
+//! Walking from sensor to sensor: the pace as multiples of the usual time between the two, and the speed in metres a second where the home
+//! gives their distance.
 //!
-//! Metres a second need three sensors and more that speak one after the other on one way: the first tells from where somebody comes
-//! into the view of the second, and the last is where the walk ends. A stop on the way looks like a slow walk, so the slowest tenth tells of stops, too.
+//! Metres a second need three sensors and more that fire one after the other on one way: the first shows from where a person comes into the
+//! view of the second, and the last is the end of the walk. A stop on the way looks like a slow walk, so the slowest tenth contains stops,
+//! too.
 
 use super::signs::RoomSign;
 use super::timeline::{SensorPassage, TimedWalk};
@@ -10,9 +11,9 @@ use super::ways::Ways;
 use homebody_core::time::{SECOND, Span, WallTime};
 use std::collections::BTreeMap;
 
-/// A way from one sensor to another takes no longer.
+/// Longest time of a way from one sensor to another.
 const PASSES_WITHIN: Span = SECOND.times(15);
-/// The usual time of a way is known after so many times, and by so many of the first times at most.
+/// Number of times after which the usual time of a way is known, and largest number of first times that it is taken from.
 const PASSES_KNOWN: usize = 20;
 const PASSES_KEPT: usize = 100;
 /// Largest number of pairs of sensors with a way between them.
@@ -34,12 +35,12 @@ pub struct Paces {
     pairs: BTreeMap<(usize, usize), WayTimes>,
 }
 
-/// The way between two sensors: the seconds of the first times that it was gone, the shortest first.
+/// The way between two sensors: the seconds of its first times, the shortest first.
 #[derive(Default)]
 struct WayTimes(Vec<f64>);
 
 impl WayTimes {
-    /// The seconds that the way usually takes, once it has been gone often enough.
+    /// The usual seconds of the way, once they are known.
     fn usual(&self) -> Option<f64> {
         (self.0.len() >= PASSES_KNOWN).then(|| self.0[self.0.len() / 2])
     }
@@ -73,22 +74,22 @@ impl Paces {
         passages
     }
 
-    /// Forgets who was seen last.
+    /// Forgets the last sensor.
     pub fn forget(&mut self) {
         self.before = None;
     }
 
-    /// Whether the usual time of any way is known.
+    /// The usual time of a way is known.
     pub fn is_known(&self) -> bool {
         self.pairs.values().any(|pair| pair.usual().is_some())
     }
 }
 
-/// How fast somebody walked, by the ways of their home.
+/// The walks of a person, by the ways of their home.
 pub fn walks(signs: &[RoomSign], sensors: &[String], ways: &Ways) -> Vec<TimedWalk> {
     let numbers: Vec<Option<usize>> = sensors.iter().map(|sensor| ways.number(sensor)).collect();
     let mut before: Vec<Option<WallTime>> = vec![None; sensors.len()];
-    // Each sign with its sensor's number in the home, and whether somebody has just come into its view.
+    // Each sign with its sensor's number in the home; true if a person has just come into its view.
     let coming: Vec<(WallTime, Option<usize>, bool)> = (signs.iter())
         .map(|sign| {
             let was = before[sign.sensor].replace(sign.at);

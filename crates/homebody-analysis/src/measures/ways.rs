@@ -1,7 +1,7 @@
-//! How far it is from sensor to sensor in a home that is known, along the ways that one walks.
+//! The distances from sensor to sensor in a known home, along the ways that people walk.
 //!
-//! A way leads from the middle of what one sensor sees to the middle of what another does. On it somebody comes into the view of
-//! others, each so many metres from its beginning. Whoever knows where one walks finds the ways: this module knows views alone.
+//! A way leads from the middle of the field of one sensor to the middle of another's. On it a person comes into the view of others, each so
+//! many metres from its beginning. The caller finds the ways: this module knows views alone.
 
 use crate::coverage;
 use homebody_core::geometry::Point;
@@ -31,7 +31,7 @@ pub struct Ways {
     ways: Vec<Vec<Option<ViewEntries>>>,
 }
 
-/// A way from one sensor to another: where somebody comes into the view of which sensor, in metres from the beginning.
+/// A way from one sensor to another: the sensors whose view it enters, in metres from the beginning.
 type ViewEntries = Vec<(usize, f64)>;
 
 impl Ways {
@@ -73,7 +73,7 @@ impl Ways {
         self.numbers.get(name).copied()
     }
 
-    /// How many metres one walks from coming into the view of `from` to coming into that of `to`, on the way from `before`.
+    /// The metres from the view of `from` to the view of `to`, on the way from `before`.
     pub fn walked_m(&self, before: usize, from: usize, to: usize) -> Option<f64> {
         let way = self.ways[before][to].as_ref()?;
         let comes = |sensor: usize| way.iter().find(|(other, _)| *other == sensor).map(|(_, at)| *at);

@@ -18,12 +18,12 @@ pub(crate) enum Earlier {
 }
 
 impl DailyMeasure {
-    /// Whether values are times of day, in hours since midnight.
+    /// Values are times of day, in hours since midnight.
     pub fn is_clock(&self) -> bool {
         self.unit.form == ValueForm::Clock
     }
 
-    /// A value with its unit, or as the time of day that it is.
+    /// A value with its unit, or as a time of day.
     pub fn with_unit(&self, value: f64, decimals: usize) -> String {
         if self.is_clock() { clock_of_hours(value) } else { format!("{value:.decimals$} {}", self.unit) }
     }

@@ -12,50 +12,41 @@ use std::fmt;
 const LEAST: f64 = 0.5;
 const LEAST_M: f64 = 0.01;
 
-/// A home with its sensors as they are.
+/// A home with its sensors.
 #[derive(Clone, Copy, Debug)]
 pub struct SensorLayout<'a> {
-    /// What people call it.
+    /// The name of the layout.
     pub name: &'a str,
-    /// The home with its sensors.
     pub home: &'a HomeFile,
-    /// The body that is to be seen.
+    /// The body that the sensors should see.
     pub build: Build,
 }
 
-/// What a layout comes to.
+/// The figures of a layout.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct LayoutSummary {
-    /// What people call it.
+    /// The name of the layout.
     pub name: String,
-    /// How many sensors it has.
     pub sensors: usize,
-    /// What is put up.
     #[serde(flatten)]
     pub parts: PartsList,
-    /// All walkable floor, and the shares of it that are seen.
+    /// All walkable floor, and the shares of it that sensors see.
     pub whole: SeenFloor,
     /// The same of each room.
     pub rooms: Vec<SeenFloor>,
-    /// How many places no sensor sees.
     pub dead_zones: usize,
 }
 
-/// A sensor, and in what it differs.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct SensorDifference {
-    /// The sensor's name.
     pub sensor: String,
-    /// What is different in the second layout.
+    /// The differences in the second layout.
     pub what: String,
 }
 
-/// Two layouts.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct LayoutComparison {
-    /// The first and the second.
     pub layouts: [LayoutSummary; 2],
-    /// The sensors that are not the same in both.
     pub differences: Vec<SensorDifference>,
 }
 
@@ -98,7 +89,7 @@ fn differences(one: &[SensorPart], other: &[SensorPart]) -> Vec<SensorDifference
     of_first.chain(fresh).collect()
 }
 
-/// In what the second is another than the first; nothing where it is the same.
+/// The differences of the second part, if there are any.
 fn changed(one: &SensorPart, other: &SensorPart) -> Option<String> {
     let mut what: Vec<String> = Vec::new();
     if one.device != other.device {
@@ -156,7 +147,7 @@ impl fmt::Display for LayoutComparison {
     }
 }
 
-/// A name as a column of a table has room for it; where all of it counts, JSON has it.
+/// A name as long as a column of a table has room for; JSON has the whole name.
 fn shortened(name: &str) -> String {
     const LETTERS: usize = 16;
     match name.chars().count() > LETTERS {

@@ -13,7 +13,7 @@ const STRAIGHT_DEG: f64 = 3.0;
 
 /// A wall as seen from a point in a room.
 struct FacingWall {
-    /// Straight into the wall.
+    /// The direction straight into the wall.
     towards: Point,
     distance_m: f64,
 }
@@ -28,7 +28,7 @@ impl FacingWall {
     }
 }
 
-/// How far a place is from the two nearest walls that are not side by side; empty where it is in no room.
+/// The distances of a place from the two nearest walls that are not side by side; empty outside rooms.
 pub fn from_walls(plan: &Plan, at: Point) -> String {
     match &two_walls(plan, at)[..] {
         [one, other] => format!("{} and {}", one.words(), other.words()),
@@ -37,7 +37,7 @@ pub fn from_walls(plan: &Plan, at: Point) -> String {
     }
 }
 
-/// Where on its wall a sensor hangs.
+/// The place of a sensor on its wall.
 pub fn on_wall(plan: &Plan, at: Point) -> String {
     match &two_walls(plan, at)[..] {
         [one, other] if one.distance_m <= ON_WALL_M && other.distance_m <= ON_WALL_M => {
@@ -49,7 +49,7 @@ pub fn on_wall(plan: &Plan, at: Point) -> String {
     }
 }
 
-/// Where a lens looks: by the compass, and from the wall that it hangs on.
+/// The direction of a lens: by the compass, and from its wall.
 pub fn looks(plan: &Plan, at: Point, facing_deg: f64) -> String {
     let ahead = geometry::direction(facing_deg);
     let compass = geometry::compass(ahead);
@@ -90,7 +90,7 @@ fn two_walls(plan: &Plan, at: Point) -> Vec<FacingWall> {
     [Some(nearest), across].into_iter().flatten().collect()
 }
 
-/// How far off the face of a wall is; the border of the room where there is no wall near it.
+/// The distance of the face of a wall, or of the border of the room without a wall near it.
 fn face(plan: &Plan, at: Point, towards: Point, border: f64) -> f64 {
     /// Largest distance of a wall from the border of its room, in metres (our choice): walls may be this thick.
     const NEAR_BORDER_M: f64 = 0.35;

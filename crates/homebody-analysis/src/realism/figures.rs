@@ -5,26 +5,26 @@ use super::measures::{TOGETHER, is_together, quantile};
 use homebody_core::time::{HOUR, Interval, MINUTE, Span, WallTime};
 use std::collections::BTreeSet;
 
-/// What stands in for what cannot be told, such as the gaps of an hour without firings.
+/// The value of an unknown figure, such as the gaps of an hour without firings.
 const UNKNOWN: f64 = -1.0;
 
 /// Number of sensors, those with the most firings, whose shares are figures.
 const MOST_SENSORS: usize = 24;
 
-/// A silence longer than this ends a burst.
+/// Silence that ends a burst.
 const BURST: Span = MINUTE;
 
-/// Which figures there are: they are the same for both logs.
+/// The figures of rows: they are the same for both logs.
 pub struct DayFigures {
     /// The sensors whose shares count, by name.
     sensors: Vec<String>,
-    /// Whether both logs tell how long an ON lasts.
+    /// Both logs have the lengths of ONs.
     with_on: bool,
     of_days: bool,
 }
 
 impl DayFigures {
-    /// The figures by which days, or else hours, of two logs can be told apart.
+    /// The figures that may separate days, or else hours, of two logs.
     pub fn from_firings(logs: [&MotionFirings; 2], of_days: bool) -> DayFigures {
         let counts = logs.map(MotionFirings::counts);
         let both = counts[0].iter().filter_map(|(name, a)| Some((a + counts[1].get(name)?, (*name).to_owned())));
@@ -66,7 +66,7 @@ impl DayFigures {
         names
     }
 
-    /// The figures of a span, in the order of their names.
+    /// The figures of an interval, in the order of their names.
     pub fn row(&self, log: &MotionFirings, span: Interval<WallTime>) -> Vec<f64> {
         let firings = log.firings_in(span);
         let mut row = vec![firings.len() as f64];
@@ -108,7 +108,7 @@ impl DayFigures {
     }
 }
 
-/// The share of the time with a sensor ON in which another is, too.
+/// The share of the time with a sensor ON in which another is ON, too.
 fn shared(on: &[(Interval<WallTime>, usize)]) -> f64 {
     let [one, two, more] = super::measures::at_once(on);
     let whole = one + two + more;

@@ -1,4 +1,4 @@
-//! What the motion sensors of a log said on its whole days.
+//! The firings of the motion sensors of a log on its whole days.
 
 use crate::signs::{Kind, Says, kinds, said, spans};
 use homebody_core::time::{DAY, HOUR, Interval, Span, WallTime};
@@ -6,23 +6,23 @@ use homebody_log::Log;
 use std::collections::BTreeMap;
 use std::ops::Range;
 
-/// A day counts if this much of it was recorded.
+/// Recorded time from which a day counts.
 const WHOLE_DAY: Span = HOUR.times(23);
 
 /// The firings of motion sensors on days that follow each other.
 #[derive(Clone, Debug)]
 pub struct MotionFirings {
     pub sensors: Vec<String>,
-    /// When which of them fired, in order.
+    /// The firings, in order: the time and the sensor.
     pub firings: Vec<(WallTime, usize)>,
-    /// When which of them was ON, in order of beginning; nothing where the log does not tell when an ON ends.
+    /// The ONs, in order of beginning, with their sensors; empty where the log does not tell when an ON ends.
     pub on: Vec<(Interval<WallTime>, usize)>,
     /// The days since 1970.
     pub days: Range<i64>,
 }
 
 impl MotionFirings {
-    /// What a log says on its whole days; `recorded` is from when to when it was recorded, if that is known.
+    /// The firings of a log on its whole days; `recorded` is the time of its recording, if that is known.
     pub fn from_log(log: &Log, recorded: Option<Interval<WallTime>>) -> MotionFirings {
         let kinds = kinds(log);
         let motion: Vec<usize> = (0..log.sensors.len()).filter(|&sensor| kinds[sensor] == Kind::Motion).collect();
@@ -95,7 +95,7 @@ impl MotionFirings {
         (self.days.end - self.days.start).max(0) as usize
     }
 
-    /// How often each sensor fired, by name.
+    /// The firings of each sensor, by name.
     pub fn counts(&self) -> BTreeMap<&str, f64> {
         let mut counts: BTreeMap<&str, f64> = BTreeMap::new();
         for &(_, sensor) in &self.firings {
@@ -111,7 +111,7 @@ pub fn of_days(days: &Range<i64>) -> Interval<WallTime> {
     Interval::new(midnight(days.start), midnight(days.end))
 }
 
-/// The days that a span covers all but an hour of.
+/// The days that lie within an interval but for an hour.
 fn whole_days(span: Interval<WallTime>) -> Range<i64> {
     let covered = |day: i64| span.overlap(of_days(&(day..day + 1)));
     let (mut first, mut last) = (span.begin.day_number(), (span.end - Span::MICROSECOND).day_number());

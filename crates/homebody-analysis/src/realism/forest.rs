@@ -13,18 +13,17 @@ use homebody_core::random::Stream;
 pub struct FigureRows {
     /// Each as long as the others.
     pub figures: Vec<Vec<f64>>,
-    /// Whether a row is of the second log.
+    /// A row is of the second log.
     pub is_second: Vec<bool>,
     /// The number of the row's day in its log: rows of one day are never on both sides of a turn.
     pub day: Vec<usize>,
 }
 
-/// How well they are told apart.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Separation {
     /// The area under the curve, from 0 to 1.
     pub auc: f64,
-    /// What each figure adds to it; together 1, or 0 where there is nothing to tell.
+    /// The part of each figure in it; together 1, or 0 where nothing separates the rows.
     pub importance: Vec<f64>,
 }
 
@@ -34,7 +33,7 @@ const TURNS: usize = 5;
 const MOST_ROWS: usize = 1_500;
 
 impl FigureRows {
-    /// How well a forest tells them apart; nothing where a log has rows of less than `least` days.
+    /// The separation of the rows by a forest; `None` where a log has rows of less than `least` days.
     pub fn told_apart(&self, least: usize) -> Option<Separation> {
         let days = [false, true].map(|which| {
             let mut days: Vec<usize> = self.of(which).map(|row| self.day[row]).collect();
@@ -157,7 +156,7 @@ mod tests {
     }
 
     #[test]
-    fn what_differs_is_told_and_what_does_not_is_guessed() {
+    fn separates_different_rows_and_guesses_equal_ones() {
         let alike = rows(0.0).told_apart(4).unwrap();
         assert!((0.38..0.62).contains(&alike.auc), "{alike:?}");
         // Two normal distributions that are 1.5 standard deviations apart: the best that can be is Phi(1.5 / sqrt 2) = 0.856.

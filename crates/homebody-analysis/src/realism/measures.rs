@@ -5,10 +5,10 @@ use crate::compare::distance;
 use homebody_core::time::{HOUR, Interval, MINUTE, SECOND, Span, WallTime};
 use std::collections::BTreeMap;
 
-/// Two sensors fire together within this span.
+/// Longest time between firings that are together.
 pub const TOGETHER: Span = SECOND.times(3);
 
-/// From one sensor to another within this span is a way from the one to the other.
+/// Longest time of a way from one sensor to another.
 const ON_THE_WAY: Span = MINUTE;
 
 /// The times from each firing in the home to the next.
@@ -22,7 +22,7 @@ pub fn refires(log: &MotionFirings) -> Vec<Span> {
     log.firings.iter().filter_map(|&(at, sensor)| Some(at - last[sensor].replace(at)?)).collect()
 }
 
-/// How long each ON lasts.
+/// The lengths of ONs.
 pub fn on_lengths(log: &MotionFirings) -> Vec<Span> {
     log.on.iter().map(|(on, _)| on.length()).collect()
 }
@@ -36,7 +36,7 @@ pub fn ks<T: Copy + Ord>(of: fn(&MotionFirings) -> Vec<T>, logs: [&MotionFirings
     distance(logs.map(of))
 }
 
-/// How the firings are spread over the hours of the day, in firings an hour.
+/// The distribution of the firings over the hours of the day, in firings an hour.
 pub fn profile(log: &MotionFirings) -> [f64; 24] {
     let mut hours = [0.0; 24];
     for (index, hour) in log.each_hour().enumerate() {
@@ -51,7 +51,7 @@ pub fn hours_apart(logs: [&MotionFirings; 2]) -> Option<f64> {
     jensen_shannon(a.into_iter().zip(b))
 }
 
-/// Whether sensors of the same name fire at least half of the time in both logs, so that their names can be compared.
+/// Sensors of the same name have at least half of the firings of both logs, so that their names can be compared.
 pub fn names_agree(logs: [&MotionFirings; 2]) -> bool {
     let counts = logs.map(MotionFirings::counts);
     let agrees = |which: usize| {
@@ -72,7 +72,7 @@ pub fn ways_apart(logs: [&MotionFirings; 2]) -> Option<f64> {
     names_agree(logs).then(|| jensen_shannon_of(&logs.map(ways)))?
 }
 
-/// How often which sensor is followed by which other.
+/// The number of times that one sensor follows another.
 fn ways(log: &MotionFirings) -> BTreeMap<(&str, &str), f64> {
     let mut ways = BTreeMap::new();
     for pair in log.firings.windows(2) {
@@ -83,13 +83,13 @@ fn ways(log: &MotionFirings) -> BTreeMap<(&str, &str), f64> {
     ways
 }
 
-/// The distance of how long one, two, and three and more sensors are ON at once.
+/// The distance of the times in which one, two, and three and more sensors are ON at once.
 pub fn at_once_apart(logs: [&MotionFirings; 2]) -> Option<f64> {
     let [a, b] = logs.map(|log| at_once(&log.on));
     jensen_shannon(a.into_iter().zip(b))
 }
 
-/// For how many seconds exactly one, exactly two, and three and more sensors are ON.
+/// The seconds in which exactly one, exactly two, and three and more sensors are ON.
 pub fn at_once(on: &[(Interval<WallTime>, usize)]) -> [f64; 3] {
     let mut turns: Vec<(WallTime, i32)> = on.iter().flat_map(|(on, _)| [(on.begin, 1), (on.end, -1)]).collect();
     turns.sort_unstable();
@@ -103,7 +103,7 @@ pub fn at_once(on: &[(Interval<WallTime>, usize)]) -> [f64; 3] {
     spans
 }
 
-/// Whether another sensor fires within `span` of a firing.
+/// Another sensor fires within `span` of a firing.
 pub fn is_together(firings: &[(WallTime, usize)], index: usize, span: Span) -> bool {
     let (at, sensor) = firings[index];
     let before = firings[..index].iter().rev().take_while(|firing| at - firing.0 <= span);
@@ -111,19 +111,19 @@ pub fn is_together(firings: &[(WallTime, usize)], index: usize, span: Span) -> b
     before.chain(after).any(|firing| firing.1 != sensor)
 }
 
-/// The share of firings beside which another sensor fires.
+/// The share of firings with another sensor's near them.
 pub fn together(log: &MotionFirings) -> Option<f64> {
     let beside = (0..log.firings.len()).filter(|&index| is_together(&log.firings, index, TOGETHER)).count();
     (!log.firings.is_empty()).then(|| beside as f64 / log.firings.len() as f64)
 }
 
-/// The share of hours in which nothing fires.
+/// The share of hours without firings.
 pub fn empty_hours(log: &MotionFirings) -> Option<f64> {
     let empty = log.each_hour().filter(|hour| log.firings_in(*hour).is_empty()).count();
     (log.days_count() > 0).then(|| empty as f64 / (24 * log.days_count()) as f64)
 }
 
-/// By day the firings an hour, of hours in which anything fires; nothing of a day on which nothing does.
+/// By day, the firings an hour, of hours with firings; `None` for a day without firings.
 fn liveliness(log: &MotionFirings) -> Vec<Option<f64>> {
     let of = |day: Interval<WallTime>| {
         let hours = (0..24).map(|hour| Interval::starting(day.begin + hour * HOUR, HOUR));
@@ -133,12 +133,12 @@ fn liveliness(log: &MotionFirings) -> Vec<Option<f64>> {
     log.each_day().map(of).collect()
 }
 
-/// How much days differ: the standard deviation of their liveliness over its mean.
+/// The differences between days: the standard deviation of their liveliness over its mean.
 pub fn days_differ(log: &MotionFirings) -> Option<f64> {
     spread(&liveliness(log).into_iter().flatten().collect::<Vec<f64>>())
 }
 
-/// How much days are like the day before: the correlation of their liveliness, of four pairs or more.
+/// The similarity of days to the day before: the correlation of their liveliness, with four pairs or more.
 pub fn days_follow(log: &MotionFirings) -> Option<f64> {
     let pairs: Vec<(f64, f64)> = liveliness(log).windows(2).filter_map(|pair| pair[0].zip(pair[1])).collect();
     if pairs.len() < 4 {
@@ -165,7 +165,7 @@ pub fn quantile(sorted: &[f64], share: f64) -> Option<f64> {
     sorted.get(((sorted.len() as f64 * share) as usize).min(sorted.len().saturating_sub(1))).copied()
 }
 
-/// The Jensen-Shannon distance of what two logs count, by key.
+/// The Jensen-Shannon distance of the counts of two logs, by key.
 fn jensen_shannon_of<K: Ord>(counts: &[BTreeMap<K, f64>; 2]) -> Option<f64> {
     let of_a = counts[0].iter().map(|(key, &a)| (a, counts[1].get(key).copied().unwrap_or(0.0)));
     let of_b = counts[1].iter().filter(|(key, _)| !counts[0].contains_key(key)).map(|(_, &b)| (0.0, b));

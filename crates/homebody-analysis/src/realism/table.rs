@@ -38,7 +38,7 @@ fn told_by(f: &mut fmt::Formatter, what: &str, signs: &[TellingFigure]) -> fmt::
     Ok(())
 }
 
-/// What the measures are, for people.
+/// The measures, for readers.
 pub const MEASURES: &str = "\
 value  Distance of B from A: 0 means equal, 1 means disjoint (density maps have another scale). KS is the
        Kolmogorov-Smirnov distance, JS the Jensen-Shannon distance. An area under the curve of 0.5 means that

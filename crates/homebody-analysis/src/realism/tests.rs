@@ -56,7 +56,7 @@ fn together_is_within_three_seconds_of_another() {
 fn shares_and_ways_are_compared_where_names_agree() {
     let (a, b) = (heard(1, &[(0, 0), (1, 1), (2, 0), (3, 1)]), heard(1, &[(0, 0), (1, 1), (2, 0), (100, 1)]));
     close(shares_apart([&a, &b]), 0.0);
-    // Ways a-b twice and b-a once; once each in the other, as 98 s are no way.
+    // Ways a-b twice and b-a once; once each in the other, as 98 s are too long.
     close(ways_apart([&a, &b]), jensen_shannon([(2.0, 1.0), (1.0, 1.0)].into_iter()).unwrap());
     let mut other = b.clone();
     other.sensors = vec!["x".into(), "y".into()];
@@ -66,7 +66,7 @@ fn shares_and_ways_are_compared_where_names_agree() {
 #[test]
 fn days_differ_follow_and_have_empty_hours() {
     const DAY_S: i64 = 24 * 3600;
-    // 2, 4, 6, 8 and 10 firings in one hour each of five days, of which the next is empty.
+    // 2, 4, 6, 8 and 10 firings in one hour each of five days, with an empty hour after it.
     let firings: Vec<(i64, usize)> =
         (0..5).flat_map(|day| (0..2 * (day + 1)).map(move |second| (day * DAY_S + second, 0))).collect();
     let log = heard(6, &firings);
@@ -107,7 +107,7 @@ fn against(a: &Log, b: &Log) -> Realism {
 }
 
 #[test]
-fn a_log_of_the_same_kind_is_near_and_another_is_told_apart() {
+fn similar_log_is_near_and_other_is_separated() {
     let real = lived(1, 12, 300.0, 4);
     let same = against(&real, &lived(2, 12, 300.0, 4));
     assert!(same.gaps_ks.value.unwrap() < 0.05 && same.shares_js.value.unwrap() < 0.05, "{same:?}");
@@ -131,7 +131,7 @@ fn json_has_a_value_and_a_floor_of_each() {
 }
 
 #[test]
-fn all_that_is_wrong_is_told_at_once() {
+fn reports_all_problems_at_once() {
     let (door, short) = (log(&[(0, "door", "OPEN")]), log(&[(0, "hall", "ON"), (60, "hall", "OFF")]));
     let told = |name, log| ComparedLog { name, log, recorded: None };
     let problems = realism(told("A", &door), told("B", &short)).unwrap_err();

@@ -8,25 +8,22 @@ use homebody_core::languages::room_use;
 use homebody_core::sensed::{Kind, Meaning, domain_of, meaning};
 use homebody_log::{Log, SaidBy, SensorInfo};
 
-/// In a home with motion sensors more than one row of so many is theirs.
+/// In a home with motion sensors, more than one row of so many is theirs.
 const FEWER: u64 = 10;
 
-/// The sensors of a log as other files ask for them, in its order.
+/// The sensors of a log for other files, in its order.
 pub struct LogSensors {
-    /// Their names.
     pub called: Vec<String>,
-    /// The kinds that they are taken for.
     pub kinds: Vec<Kind>,
 }
 
 impl LogSensors {
-    /// Those of a log.
     pub fn from_log(log: &Log) -> LogSensors {
         LogSensors { called: log.called(), kinds: kinds(log) }
     }
 }
 
-/// The kinds that the sensors of a log are taken for, in its order.
+/// The kinds of the sensors of a log, in its order.
 pub fn kinds(log: &Log) -> Vec<Kind> {
     taken(log).into_iter().map(|taken| taken.kind).collect()
 }
@@ -42,14 +39,13 @@ pub fn taken(log: &Log) -> Vec<Classification> {
     Beforehand::from_log(log).taken(&tallies.iter().collect::<Vec<_>>())
 }
 
-/// The names, kinds and units of the sensors of a log. Each is looked up once, however often the kinds are asked for.
+/// The names, kinds and units of the sensors of a log, each looked up once.
 pub struct Beforehand {
     sensors: Vec<SensorDescription>,
     own: OwnWords,
 }
 
 impl Beforehand {
-    /// Of a log.
     pub fn from_log(log: &Log) -> Beforehand {
         Beforehand {
             sensors: log.sensors.iter().map(|id| SensorDescription::from_log(log, id)).collect(),
@@ -57,7 +53,7 @@ impl Beforehand {
         }
     }
 
-    /// The kinds that the sensors are taken for; `tallies` are of their rows, in the order of the log.
+    /// The kinds of the sensors; `tallies` are of their rows, in the order of the log.
     pub fn taken(&self, tallies: &[&SensorTally]) -> Vec<Classification> {
         let sensors: Vec<SensorEvidence> =
             self.sensors.iter().zip(tallies).map(|(known, tally)| SensorEvidence { known, tally }).collect();
@@ -106,13 +102,13 @@ struct SensorDescription {
     kind: (Evidence, String),
     /// The meaning of that word, or of its id.
     meaning: Option<Meaning>,
-    /// The domain of its id, where nothing but the id tells its kind.
+    /// The domain of its id, where only the id tells its kind.
     domain: Option<String>,
     unit: Option<String>,
     named: Option<(NamedKind, String)>,
     is_seat: bool,
     is_room_letter_place: bool,
-    /// Whether its id is that of an entity of Home Assistant, and whether its name and room tell of no person: many are of programs.
+    /// Its id is that of an entity of Home Assistant, and its name and room tell of no person: many are of programs.
     is_entity: bool,
     is_of_program: bool,
 }
@@ -140,26 +136,25 @@ impl SensorDescription {
     }
 }
 
-/// Whether neither the name of an entity nor its room tells of a person.
+/// Neither the name of an entity nor its room tells of a person.
 fn tells_of_no_person(known: Option<&SensorInfo>, id: &str, domain: &str) -> bool {
     let name = known.filter(|known| known.name != id).map_or(&id[domain.len() + 1..], |known| &known.name);
     let has_room = known.is_some_and(|known| known.room.is_some()) || room_use(name).is_some();
     !has_room || is_of_program(name)
 }
 
-/// A sensor, with all that there is to go by.
 struct SensorEvidence<'a> {
     known: &'a SensorDescription,
     tally: &'a SensorTally,
 }
 
 impl SensorEvidence<'_> {
-    /// Its kind by any evidence but how long it is on.
+    /// Its kind by any evidence but the time that it is on.
     fn surely(&self) -> Option<Classification> {
         self.by_its_kind().or_else(|| self.by_values()).or_else(|| self.by_name())
     }
 
-    /// By the kind that a table, the source or a home has for it, by its unit, and by the domain of its id.
+    /// Its kind by the kind in a table, the source or a home, by its unit, and by the domain of its id.
     fn by_its_kind(&self) -> Option<Classification> {
         let (by, kind) = (self.known.kind.0, self.known.kind.1.as_str());
         let Some(kind_of) = self.known.meaning.and_then(|meaning| self.kind(meaning)) else {
@@ -182,7 +177,7 @@ impl SensorEvidence<'_> {
         Some(Classification::new(kind_of, by, because))
     }
 
-    /// The kind that a meaning comes to; `None` where what it says does not fit.
+    /// The kind of a meaning; `None` where its values do not fit.
     fn kind(&self, meaning: Meaning) -> Option<Kind> {
         match meaning {
             Meaning::Is(kind) => Some(kind),
@@ -224,13 +219,13 @@ impl SensorEvidence<'_> {
         Some(Classification::new(kind, Evidence::Name, format!("{word:?} in its name")))
     }
 
-    /// Whether it is at a door or a thing, and its rows show how long it is on.
+    /// It is at a door or a thing, and its rows show how long it is on.
     fn is_at_thing(&self) -> bool {
         let is_at = matches!(self.known.named, Some((NamedKind::Door | NamedKind::Seat | NamedKind::Place, _)));
         is_at && self.tally.has_spans()
     }
 
-    /// Its kind by its name and by how long it is on; `says_motion` if a sensor of the log is surely one of motion.
+    /// Its kind by its name and by the time that it is on; `says_motion` if a sensor of the log is surely a motion sensor.
     fn guess(&self, says_motion: bool) -> Classification {
         let motion = |because: &str| Classification::new(Kind::Motion, Evidence::Guess, because);
         let Some((named, word)) = &self.known.named else {
@@ -261,7 +256,7 @@ impl SensorEvidence<'_> {
         }
     }
 
-    /// Its kind unless it looks for movement: a contact at a door, or else a thing that is used.
+    /// Its kind unless it is a motion sensor: a contact at a door, or else a thing that is used.
     fn used(&self) -> Classification {
         match &self.known.named {
             Some((NamedKind::Door, word)) => {

@@ -8,21 +8,20 @@ use homebody_log::Log;
 /// The meaning of a row after the rows of its sensor before it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct RowMeaning<T = WallTime> {
-    /// The meaning of its value.
     pub says: Says,
-    /// From when on the state was not known before this row, or is not known now; `None` where it was known all along.
+    /// The begin of an unknown state before this row, or at it; `None` where the state was known all along.
     pub unknown_from: Option<T>,
-    /// Whether it repeats the state from before a stretch that is not known: the system restored it, and nothing happened.
+    /// It repeats the state from before an unknown time: the system restored it, and nothing happened.
     pub is_restored: bool,
 }
 
 impl<T> RowMeaning<T> {
-    /// Whether something begins or is opened at this row.
+    /// Something begins or opens at this row.
     pub fn begins(&self) -> bool {
         self.says.is_on() && !self.is_restored
     }
 
-    /// Whether something begins, ends, is opened or closed at this row.
+    /// Something begins, ends, opens or closes at this row.
     pub fn is_sign(&self) -> bool {
         self.says.is_sign() && !self.is_restored
     }
@@ -31,11 +30,11 @@ impl<T> RowMeaning<T> {
 /// The state of one sensor by its rows so far.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct SensorCourse<T = WallTime> {
-    /// The last state that was known.
+    /// The last known state.
     state: Option<Says>,
     /// The last row.
     at: Option<T>,
-    /// From when on the state is not known.
+    /// The begin of the unknown state.
     unknown_from: Option<T>,
 }
 

@@ -3,7 +3,7 @@
 use homebody_core::sensed::Kind;
 use serde::Serialize;
 
-/// By which evidence a sensor is taken for what it is, the best first.
+/// Evidence for the kind of a sensor, the best first.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Evidence {
@@ -13,20 +13,18 @@ pub enum Evidence {
     Source,
     /// The home that the log is of.
     Home,
-    /// Values that no other kind says.
+    /// Values that no other kind has.
     Values,
     /// Its name or its id.
     Name,
-    /// A guess by how long it is on.
+    /// A guess by the time that it is on.
     Guess,
 }
 
-/// The kind that a sensor is taken for, and the evidence.
+/// The kind of a sensor, and the evidence.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Classification {
-    /// The kind.
     pub kind: Kind,
-    /// By which evidence.
     pub by: Evidence,
     /// The evidence in words.
     pub because: String,

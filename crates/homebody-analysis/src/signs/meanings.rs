@@ -21,7 +21,7 @@ pub struct Meanings {
 }
 
 impl Meanings {
-    /// Those of a log that has been read.
+    /// The meanings of a log that has been read.
     pub fn from_log<T>(log: &Log<T>) -> Meanings {
         let values = log.values.iter().map(|value| (says(value), is_number(value))).collect();
         Meanings { values, own: OwnWords::from_log(log) }
@@ -42,7 +42,7 @@ impl Meanings {
 /// The words that single sensors of a log have for two states.
 #[derive(Clone, Debug, Default)]
 pub struct OwnWords {
-    /// By sensor; those behind the last are left out.
+    /// By sensor, up to the last one with words of its own.
     of_sensors: Vec<Option<TwoWords>>,
     not_understood: Vec<String>,
 }
@@ -57,7 +57,7 @@ struct TwoWords {
 }
 
 impl OwnWords {
-    /// Those of a log that has been read.
+    /// The words of a log that has been read.
     pub fn from_log<T>(log: &Log<T>) -> OwnWords {
         let mut own = OwnWords::default();
         for pair in &log.pairs {
@@ -95,23 +95,23 @@ impl OwnWords {
         }
     }
 
-    /// Which word of a sensor was taken for ON, and why; `None` of one without words of its own.
+    /// The word of a sensor that means ON, and why; `None` without words of its own.
     pub fn because(&self, sensor: usize) -> Option<&str> {
         Some(&self.of_sensors.get(sensor)?.as_ref()?.because)
     }
 
-    /// Whether no sensor has any.
+    /// No sensor has words of its own.
     pub fn is_empty(&self) -> bool {
         self.of_sensors.is_empty()
     }
 
-    /// A sentence on each sensor whose two words are not understood.
+    /// A sentence on each sensor with two unknown words.
     pub fn not_understood(&self) -> &[String] {
         &self.not_understood
     }
 }
 
-/// The kind of a sensor that its source or its name takes for one of motion, a contact or a place to sit or lie.
+/// The kind of a motion sensor, a contact or a place to sit or lie, by its source or its name.
 fn kind_of_states<T>(log: &Log<T>, id: &str) -> Option<Kind> {
     let (known, named) = known_and_named(log, id);
     // An id such as that of `input_select.motion_mode` says what its entity is, whatever follows.
@@ -132,7 +132,7 @@ fn kind_of_states<T>(log: &Log<T>, id: &str) -> Option<Kind> {
     }
 }
 
-/// Which of two texts begins something, and why; `None` where nothing tells.
+/// The number of the text that begins something, and why; `None` where nothing tells.
 fn which_begins(pair: &ValuePair, texts: [&str; 2]) -> Option<(usize, String)> {
     let said = texts.map(says);
     for (one, other) in [(0, 1), (1, 0)] {
@@ -157,13 +157,12 @@ fn which_begins(pair: &ValuePair, texts: [&str; 2]) -> Option<(usize, String)> {
 
 const LESS_TIME: &str = "it holds for less of the time";
 
-/// Whether a text is another one behind letters or words that turn it round, such as `unbelegt` of `belegt`.
+/// A text is another one after letters or words that negate it, such as `unbelegt` of `belegt`.
 fn negates(text: &str, other: &str) -> bool {
     let [text, other] = [text, other].map(|text| words(text).concat());
     other.chars().count() > 1 && text.len() > other.len() && text.ends_with(&other)
 }
 
-/// Whether a value is a number.
 pub fn is_number(value: &str) -> bool {
     value.parse::<f64>().is_ok_and(f64::is_finite)
 }

@@ -9,10 +9,10 @@ use homebody_core::vocabulary::{
 use homebody_log::text::one_word;
 use homebody_log::{Log, SensorInfo};
 
-/// The kind that a sensor has by its name.
+/// The kind of a sensor by its name.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum NamedKind {
-    /// It has a word for motion, or is named as CASAS names its motion sensors: `M001`, `MA015`.
+    /// It has a word for motion, or a name that CASAS gives to its motion sensors: `M001`, `MA015`.
     Motion,
     /// It has a word for a contact.
     Contact,
@@ -44,7 +44,7 @@ const SEATS_BY_ROLE: [Role; 4] = [Role::Bed, Role::Sofa, Role::Armchair, Role::D
 const PLACES: &str = "cabinet closet computer";
 const SEATS: &str = "bed chair seat";
 
-/// The kind that a name says, and the word that says so.
+/// The kind by a name, and the word for it.
 pub fn named(name: &str) -> Option<(NamedKind, String)> {
     let words = words(name);
     let by = |known: &str| words.iter().find(|word| has_any(std::slice::from_ref(word), known)).cloned();
@@ -76,7 +76,7 @@ pub fn named(name: &str) -> Option<(NamedKind, String)> {
         .or_else(|| by(DOOR_WORDS).or_else(|| by(WINDOW_WORDS)).map(|word| (NamedKind::Door, word)))
 }
 
-/// A sensor as the log knows it, and the kind that its name says.
+/// A sensor in the log's list, and the kind by its name.
 pub fn known_and_named<'a, T>(log: &'a Log<T>, id: &str) -> (Option<&'a SensorInfo>, Option<(NamedKind, String)>) {
     let known = log.known.iter().find(|known| known.id == id || one_word(&known.id) == id);
     let name = known.map(|known| known.name.as_str()).filter(|name| *name != id);
@@ -85,21 +85,21 @@ pub fn known_and_named<'a, T>(log: &'a Log<T>, id: &str) -> (Option<&'a SensorIn
     (known, name.and_then(named).or_else(|| named(own)))
 }
 
-/// Whether a name is that of a place to lie or sit. While such a sensor is on, it is taken.
+/// The name is that of a place to lie or sit. While such a sensor is on, the place is occupied.
 pub fn is_seat(name: &str) -> bool {
     let words = words(name);
     has_any(&words, SEATS)
         || ROLE_WORDS.iter().any(|(role, known)| SEATS_BY_ROLE.contains(role) && has_any(&words, known))
 }
 
-/// Whether a name has a word for a program, a network, a calendar or what people carry with them.
+/// A name has a word for a program, a network, a calendar or a thing that people carry with them.
 pub fn is_of_program(name: &str) -> bool {
     const WORDS: &str = "ping router network internet wan vpn nas server printer workday holiday calendar api cloud raspberry supervisor addon \
         phone iphone ipad android pixel smartphone handy tablet watch laptop werktag feiertag netzwerk drucker";
     has_any(&words(name), WORDS)
 }
 
-/// Whether CASAS names motion sensors so: a room, a letter, and where in the room it looks, such as `BedroomADoor`.
+/// CASAS names motion sensors so: a room, a letter, and a place in the room, such as `BedroomADoor`.
 pub fn is_room_letter_place(name: &str) -> bool {
     let words = words(name);
     let is_letter = |word: &String| word.len() == 1 && word.chars().all(|c| c.is_ascii_alphabetic());

@@ -12,7 +12,7 @@ pub fn spans(log: &Log) -> Vec<Vec<Interval<WallTime>>> {
     spans_until(log, None)
 }
 
-/// The same, but what has not ended when the log does ends at an instant, where one is given.
+/// The same, but open spans end at an instant, if one is given.
 pub fn spans_until(log: &Log, end: Option<WallTime>) -> Vec<Vec<Interval<WallTime>>> {
     let meanings = Meanings::from_log(log);
     let mut ends = vec![false; log.sensors.len()];
@@ -47,7 +47,7 @@ pub fn spans_until(log: &Log, end: Option<WallTime>) -> Vec<Vec<Interval<WallTim
     spans
 }
 
-/// When the states of sensors are not known, by rows in the order of time. It keeps no rows.
+/// The times in which the states of sensors are unknown, by rows in the order of time. It keeps no rows.
 #[derive(Clone, Debug, Default)]
 pub struct UnknownStates {
     sensors: Vec<UnknownState>,
@@ -59,7 +59,7 @@ pub struct UnknownStates {
 struct UnknownState {
     /// Its first row.
     first: Option<WallTime>,
-    /// Since when its state is not known.
+    /// The begin of the unknown state.
     since: Option<WallTime>,
     spans: Vec<Interval<WallTime>>,
 }
@@ -70,7 +70,7 @@ impl UnknownStates {
         UnknownStates { sensors: vec![UnknownState::default(); sensors], last: None }
     }
 
-    /// Of all rows of a log.
+    /// For all rows of a log.
     pub fn from_log(log: &Log) -> UnknownStates {
         let meanings = Meanings::from_log(log);
         let mut states = UnknownStates::new(log.sensors.len());
@@ -102,7 +102,7 @@ impl UnknownStates {
         all.collect()
     }
 
-    /// When nothing is known of any of some sensors, in order. Before its first row a sensor cannot say that anything is known.
+    /// The times in which nothing is known of some sensors, in order. Before its first row a sensor does not make anything known.
     pub fn of_all(self, gaps: &[Interval<WallTime>], asks: &dyn Fn(usize) -> bool) -> Vec<Interval<WallTime>> {
         let first: Vec<Option<WallTime>> = self.sensors.iter().map(|sensor| sensor.first).collect();
         let asked = self.spans(gaps).into_iter().zip(first).enumerate().filter(|(sensor, _)| asks(*sensor));

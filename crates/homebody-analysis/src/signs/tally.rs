@@ -4,10 +4,10 @@ use super::course::{RowMeaning, SensorCourse};
 use homebody_core::states::Says;
 use homebody_core::time::{Interval, SECOND, Span, WallTime};
 
-/// At least half of the spans of a sensor that is brief are shorter. A bed or a stove is used for longer.
+/// Length below which half of the spans of a brief sensor lie. A bed or a stove is used for longer.
 const BRIEF: Span = SECOND.times(20);
 
-/// At least half of the spans of a sensor that blinks are shorter. A door that people walk through is open for longer.
+/// Length below which half of the spans of a blinking sensor lie. A door that people walk through is open for longer.
 const BLINK: Span = SECOND.times(5);
 
 /// Counts over the rows of one sensor, taken one by one in the order of time.
@@ -17,20 +17,20 @@ pub struct SensorTally {
     contact: u64,
     words: u64,
     reading: u64,
-    /// Those of them that say 1 or 0: where a sensor tells other numbers, too, these are numbers as well.
+    /// The rows with 1 or 0 among them: where a sensor has other numbers, too, these are numbers as well.
     ones: u64,
     course: SensorCourse,
-    /// Whether it ever says that something ends or is closed.
+    /// It has reported an end or a closing.
     ends: bool,
     since: Option<WallTime>,
-    /// How often it was on for any time, and how often of these for seconds, and for a moment.
+    /// The times that it was on for any time, and those of them for seconds, and for a moment.
     spans: u64,
     brief: u64,
     blinks: u64,
 }
 
 impl SensorTally {
-    /// Takes a row; what it says after those before it.
+    /// Takes a row; returns its meaning after those before it.
     pub fn take(&mut self, at: WallTime, says: Says, is_number: bool, gaps: &[Interval<WallTime>]) -> RowMeaning {
         let said = self.course.take(at, says, gaps);
         match says {
@@ -60,17 +60,17 @@ impl SensorTally {
         said
     }
 
-    /// How many rows say that something begins, ends, is opened or closed.
+    /// The rows at which something begins, ends, opens or closes.
     pub(super) fn signs(&self) -> u64 {
         self.motion + self.contact
     }
 
-    /// Whether most of its rows have other words.
+    /// Most of its rows have other words.
     pub(super) fn says_words(&self) -> bool {
         self.words > self.signs()
     }
 
-    /// Whether it says `ON` and `OFF`, `OPEN` and `CLOSE`, or numbers, most of the time.
+    /// Most of its rows are `ON` and `OFF`, `OPEN` and `CLOSE`, or numbers.
     pub(super) fn says_numbers(&self) -> bool {
         let (motion, reading) = self.without_ones();
         reading > motion.max(self.contact)
@@ -85,22 +85,22 @@ impl SensorTally {
         (self.motion - ones, self.reading + ones)
     }
 
-    /// Whether it says that something begins, and never that it ends.
+    /// It reports beginnings, and no ends.
     pub(super) fn only_begins(&self) -> bool {
         self.motion > 0 && !self.ends
     }
 
-    /// Whether it is on for any time.
+    /// It is on for any time.
     pub(super) fn has_spans(&self) -> bool {
         self.spans > 0
     }
 
-    /// Whether it is on for seconds at a time, as motion sensors are.
+    /// It is on for seconds at a time, as motion sensors are.
     pub(super) fn is_brief(&self) -> bool {
         self.brief > 0 && 2 * self.brief >= self.spans
     }
 
-    /// Whether it is on for a moment at a time.
+    /// It is on for a moment at a time.
     pub(super) fn blinks(&self) -> bool {
         self.blinks > 0 && 2 * self.blinks >= self.spans
     }

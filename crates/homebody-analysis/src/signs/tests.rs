@@ -68,7 +68,7 @@ fn of_a_home_of_contacts_that_say_on_nothing_sees_movement() {
 }
 
 #[test]
-fn what_our_own_sensors_say_first_begins_something() {
+fn first_values_of_simulated_sensors_are_beginnings() {
     for kind in homebody_core::sensors::kinds::KINDS {
         let Some(first) = kind.values.first() else { continue };
         let says = says(&first.to_string());
@@ -77,7 +77,7 @@ fn what_our_own_sensors_say_first_begins_something() {
 }
 
 #[test]
-fn what_is_on_goes_on_until_it_is_off() {
+fn on_lasts_until_off() {
     let log = log(&[
         (5, "M1", "ON"),
         (0, "M1", "ON"),
@@ -104,7 +104,7 @@ fn rows<'a>(sensors: &[(&'a str, i64)]) -> Vec<(i64, &'a str, &'a str)> {
 }
 
 #[test]
-fn what_a_source_says_decides_and_a_table_overrides_it() {
+fn kind_of_source_decides_and_table_overrides_it() {
     let mut log = log(&rows(&[("A", 3), ("B", 3), ("C", 4000), ("D", 3), ("E", 3), ("F", 3)]));
     log.known = vec![
         of_kind("A", "motion"),
@@ -142,7 +142,7 @@ fn occupancy_of_a_bed_is_use_and_of_a_room_is_motion() {
 }
 
 #[test]
-fn a_domain_says_what_is_no_sensor_of_somebody() {
+fn domains_of_programs_tell_of_no_person() {
     let names = [
         ("automation.hall_light", Kind::Other),
         ("update.core", Kind::Other),
@@ -190,7 +190,7 @@ fn motion_sensors_by_their_names_stay_so_however_often_they_speak() {
 }
 
 #[test]
-fn what_was_on_ends_where_its_state_is_not_known() {
+fn on_ends_where_state_becomes_unknown() {
     let log = log(&[
         (0, "M1", "on"),
         (20, "M1", "unavailable"),
@@ -212,7 +212,7 @@ fn what_was_on_ends_where_its_state_is_not_known() {
 }
 
 #[test]
-fn nothing_goes_on_across_a_gap_of_the_recorder() {
+fn spans_end_at_gaps_of_the_recorder() {
     let mut log = log(&[
         (0, "bed", "off"),
         (0, "bed", "on"),
@@ -348,7 +348,7 @@ fn an_entity_whose_name_tells_of_no_room_and_no_movement_is_of_no_person() {
 }
 
 #[test]
-fn a_setting_is_not_said_to_be_a_reading_whatever_its_name_says() {
+fn settings_are_not_readings_whatever_their_names() {
     let log = in_turn("input_select.motion_mode", ["zing", "zang"], [20, 30]);
     assert_eq!((OwnWords::from_log(&log).not_understood().len(), kinds(&log)), (0, vec![Kind::Other]));
 }

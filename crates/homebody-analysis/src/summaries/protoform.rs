@@ -1,4 +1,4 @@
-//! What can be said of a measure, how true each of it is, and which says most.
+//! The possible sentences about a measure, their truth, and the one that says most.
 
 use super::sentence::{SummarySentence, SummarySubject, TRUE_ENOUGH};
 use super::set::{BORDER, Set};
@@ -22,7 +22,7 @@ pub(super) fn topics() -> Vec<Topic> {
 const MOST_TIMES: u32 = 8;
 /// Factor on the likelihood for each further count (our choice).
 const ONE_MORE: f64 = 0.6;
-/// Sets of hours are so wide.
+/// The widths of sets of hours.
 const WIDTHS_H: [f64; 5] = [0.5, 1.0, 1.5, 2.0, 3.0];
 
 /// Strength of the quantifiers of each level, from the strongest on (our choice).
@@ -34,10 +34,10 @@ const STRICT: [(Quantifier, f64); 6] = [
     (Quantifier::AboutHalf, 0.5),
     (Quantifier::Sometimes, 0.3),
 ];
-/// What has not changed is beyond the past on some days all the same: a change is told of so many of them.
+/// Number of days of a change: some days are beyond the past without a change.
 const OF_CHANGES: usize = 4;
 
-/// What was found to say.
+/// A possible sentence.
 pub(super) struct Protoform {
     quantifier: Quantifier,
     set: Set,
@@ -46,7 +46,7 @@ pub(super) struct Protoform {
     before: Option<f64>,
 }
 
-/// The share of values that are in a set, and how well it fits a quantifier.
+/// The share of values that are in a set, and the degree to which it fits a quantifier.
 pub fn truth(quantifier: Quantifier, set: Set, values: impl Iterator<Item = f64>) -> (f64, f64) {
     let set = set.fuzzy();
     let (mut sum, mut count) = (0.0, 0.0);
@@ -57,12 +57,12 @@ pub fn truth(quantifier: Quantifier, set: Set, values: impl Iterator<Item = f64>
     (share, quantifier.share().agreement(share))
 }
 
-/// How a measure is, if anything says it.
+/// The level of a measure, if a sentence fits.
 pub(super) fn level((measure, summary): Topic, values: &[(Date, f64)]) -> Option<Protoform> {
     let mut best: Option<Protoform> = None;
     let range = summary.range?;
     for set in sets(measure.unit.form, range) {
-        // How narrow it is beside all that the measure can be.
+        // The narrowness of the set in the range of the measure.
         let narrow = 1.0 - covers(set, range);
         for (quantifier, strict) in STRICT {
             let is_not_at_all = set == Set::Exactly(0);
@@ -79,7 +79,7 @@ pub(super) fn level((measure, summary): Topic, values: &[(Date, f64)]) -> Option
     best
 }
 
-/// The sets that may tell how a measure is.
+/// The sets that may describe a measure.
 fn sets(unit: ValueForm, (low, high): (f64, f64)) -> Vec<Set> {
     match unit {
         ValueForm::Times => {
@@ -94,7 +94,7 @@ fn sets(unit: ValueForm, (low, high): (f64, f64)) -> Vec<Set> {
     }
 }
 
-/// How much of all that a measure can be a set covers: more times are taken to be rarer, each so many times as likely as one fewer.
+/// The share of all possible values that a set covers: higher counts are taken to be rarer, each so many times as likely as one fewer.
 fn covers(set: Set, (low, high): (f64, f64)) -> f64 {
     let at_least = |times: u32| (0..times).fold(1.0, |share, _| share * ONE_MORE);
     match set {
@@ -105,7 +105,7 @@ fn covers(set: Set, (low, high): (f64, f64)) -> f64 {
     }
 }
 
-/// What has changed, if anything has.
+/// The change of a measure, if there is one.
 pub(super) fn change((_, summary): Topic, values: &[(Date, f64)], past: &[(Date, f64)]) -> Option<Protoform> {
     let count = past.len() as f64;
     let mean = past.iter().map(|(_, value)| value).sum::<f64>() / count;

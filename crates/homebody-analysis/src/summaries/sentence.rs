@@ -1,4 +1,4 @@
-//! What a summary comes to: plain data.
+//! The sentences of a summary, as plain data.
 
 use super::set::Set;
 use homebody_core::fuzzy::Quantifier;
@@ -11,17 +11,16 @@ pub const TRUE_ENOUGH: f64 = 0.8;
 /// The days of a log in words.
 #[derive(Clone, Debug, Serialize)]
 pub struct VerbalSummary {
-    /// What the log is called.
     pub name: String,
-    /// The first of the days that it is about.
+    /// The first of the days.
     pub from: Option<Date>,
-    /// How many days it is about, and how many of them count.
+    /// The number of days, and of those that count.
     pub days: usize,
-    /// Those that are whole, with somebody at home.
+    /// The whole days with a person at home.
     pub days_that_count: usize,
-    /// Whether enough days that count lie before to say what has changed.
+    /// Enough days that count lie before to show changes.
     pub is_compared: bool,
-    /// What cannot be said, in sentences.
+    /// The limits of the summary, in sentences.
     pub remarks: Vec<String>,
     /// The sentences, those that say most first.
     pub sentences: Vec<SummarySentence>,
@@ -37,36 +36,34 @@ pub struct SummarySentence {
     /// The days of the plain sentence, and the average where that has none.
     #[serde(skip)]
     pub numbers: String,
-    /// The measure's name.
     pub measure: &'static str,
-    /// Whether it says what has changed: more than before, or less; `None` where it says how things are.
+    /// The direction of a change from before; `None` for a sentence about a level.
     pub is_more: Option<bool>,
-    /// On how many of the days.
+    /// The share of the days, as a quantifier.
     pub quantifier: Quantifier,
-    /// How the measure is on them.
+    /// The set of values on these days.
     pub set: Set,
     /// From 0 to 1.
     pub truth: f64,
     /// The share of the days on which the measure is known.
     pub focus: f64,
-    /// How much it says, from 0 to 1.
+    /// The content of the sentence, from 0 to 1.
     pub says: f64,
-    /// The share of the days on which it is so.
+    /// The share of the days that fit.
     pub share: f64,
     /// The measure's mean over the days.
     pub mean: f64,
     /// The mean of the days before, of a change.
     pub before: Option<f64>,
-    /// The days on which it is so.
+    /// The days that fit.
     pub shown_by: Vec<Date>,
 }
 
-/// Whom sentences are about.
 #[derive(Clone, Copy, Debug)]
 pub struct SummarySubject<'a> {
-    /// What they are called: `Margaret`, or `The resident`.
+    /// The name: `Margaret`, or `The resident`.
     pub subject: &'a str,
-    /// So many of the last days.
+    /// The number of the last days.
     pub last: usize,
 }
 

@@ -1,31 +1,26 @@
-//! What values of a measure a sentence is about, as fuzzy sets.
+//! The values of a measure in a sentence, as fuzzy sets.
 
 use homebody_core::fuzzy::Fuzzy;
 use serde::Serialize;
 
-/// What values of a measure a sentence is about.
+/// The values of a measure in a sentence.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Set {
     /// So many times, or more often.
     AtLeast(u32),
-    /// So many times.
     Exactly(u32),
     /// Between two values.
     Between(f64, f64),
     /// More than before, or less: from half a standard deviation on a little, from one and a half on fully.
     Beyond {
-        /// The mean before.
         mean: f64,
-        /// The standard deviation before.
         sd: f64,
-        /// Whether it is more.
         is_more: bool,
     },
 }
 
 impl Set {
-    /// As a fuzzy number.
     pub fn fuzzy(self) -> Fuzzy {
         match self {
             Set::AtLeast(times) => {

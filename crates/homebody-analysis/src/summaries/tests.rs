@@ -22,7 +22,7 @@ fn days(visits: &[f64], bedtimes: &[f64]) -> Measures {
 const ADA: SummarySubject = SummarySubject { subject: "Ada", last: 14 };
 
 #[test]
-fn what_is_told_is_true_and_says_most() {
+fn sentences_are_true_and_say_most() {
     let summary = summarise(&days(&[2.0; 14], &[22.6; 14]), ADA);
     let told: Vec<&str> = summary.sentences.iter().map(|sentence| sentence.plain.as_str()).collect();
     assert!(told.contains(&"Ada got up for the bathroom twice on every night of the last two weeks."), "{told:?}");
@@ -40,7 +40,7 @@ fn what_is_told_is_true_and_says_most() {
 }
 
 #[test]
-fn what_has_changed_comes_first() {
+fn changes_come_first() {
     let visits = [[1.0; 28].as_slice(), &[3.0; 14]].concat();
     let summary = summarise(&days(&visits, &[22.6; 42]), ADA);
     let first = &summary.sentences[0];

@@ -69,7 +69,7 @@ pub fn sees(home: &HomeFile, plan: &Plan, p: Point) -> SensorSet {
     seen.map(|(index, _)| SensorId::new(index)).collect()
 }
 
-/// Where a beam from `a` to `b` ends at something tall.
+/// The end of a beam from `a` to `b` at something tall.
 #[allow(dead_code, reason = "each test that shares this file uses a part of it")]
 pub fn beam_end(plan: &Plan, a: Point, b: Point) -> Point {
     let tall = plan.solids.iter().filter(|solid| solid.height_m > 1.0);

@@ -1,6 +1,6 @@
 //! Converts instants between the scales of a run, of the world and of a clock on a wall.
 
-use super::{DAY, Interval, RunTime, SECOND, Span, TimePoint, UtcTime, WallTime};
+use super::{Interval, RunTime, SECOND, Span, TimePoint, UtcTime, WallTime};
 use jiff::tz::TimeZone;
 use std::cmp::Reverse;
 
@@ -136,16 +136,11 @@ impl<T: TimePoint> ClockChange<T> {
     }
 }
 
-/// The range over which a scale of a run of this length knows the wall.
-pub(crate) fn range_of_run(start: UtcTime, length: Span) -> Interval<UtcTime> {
-    Interval::new(start, start.saturating_add(length).saturating_add(DAY))
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::calendar::Calendar;
-    use crate::time::{HOUR, MINUTE};
+    use crate::time::{DAY, HOUR, MINUTE};
 
     #[test]
     fn an_hour_that_comes_twice_is_known_by_what_came_before() {

@@ -10,10 +10,9 @@ use homebody_analysis::look::Looker;
 use homebody_core::scenario::logger::LoggerFile;
 use homebody_core::scenario::scheme::Scheme;
 use homebody_core::time::TimeScale;
-use homebody_log::activities;
-use homebody_log::truth_at;
-use homebody_log::{Log, LogError, LogSource, Transfer, WriteMode, read, survey};
-use homebody_log::{convert, label};
+use homebody_log::{
+    Log, LogError, LogSource, Transfer, WriteMode, convert, label, read, read_timeline, survey, truth_at,
+};
 use homebody_picture::{DayChart, day_chart, density_map, look_page, png};
 use homebody_query::LoadedLog;
 use homebody_simulation::Url;
@@ -47,11 +46,8 @@ pub fn all(from: &LogSource, mapping: &LoggerFile, truth: &Path, folder: &Path) 
     }
     labelled(from, mapping, &survey, truth, folder)?;
     let scale = TimeScale::one();
-    match activities(&truth_at(&truth.to_string_lossy()), &scale) {
-        Ok(known) => {
-            let on_wall = known.into_iter().map(|activity| activity.map(|at| scale.run_to_wall(at)));
-            log.activities = on_wall.collect();
-        }
+    match read_timeline(&truth_at(&truth.to_string_lossy()), &scale) {
+        Ok(known) => log.activities = known.map(|at| scale.run_to_wall(at)).into_activities(),
         Err(error) => check_refusal(&error)?,
     }
     let _ = compare(&log, &log).to_string();
@@ -125,7 +121,7 @@ fn labelled(from: &LogSource, mapping: &LoggerFile, survey: &Log, truth: &Path, 
 fn drawn(given: &LoadedLog) -> Result<(), String> {
     if let Some((first, last)) = given.dates() {
         for date in [first, last] {
-            let day = DayRecord::from_log(&given.name, &given.log, &given.lives, given.ended(), date);
+            let day = DayRecord::from_log(&given.name, &given.log, &given.timeline.people, given.ended(), date);
             let _ = day.to_string();
             let svg = day_chart(&DayChart::new(&day));
             // Rasterising takes time, so only some days are drawn.

@@ -6,7 +6,7 @@ use crate::mutate::texts;
 use crate::seeds;
 use crate::target::{self, CaseFiles, ReadVerdict, Target};
 use homebody_core::scenario::logger::LoggerFile;
-use homebody_log::{Activity, Log, LogError, LogSource};
+use homebody_log::{Log, LogError, LogSource};
 use std::collections::BTreeMap;
 use std::fs;
 use std::path::Path;
@@ -145,8 +145,8 @@ fn rows(log: &Log) -> BTreeMap<(i64, String, String), u64> {
         *rows.entry((event.at.micros(), log.sensor(event).to_owned(), log.value(event).to_owned())).or_default() += 1;
     }
     if log.events.is_empty() {
-        for Activity { name, begin, end } in &log.activities {
-            *rows.entry((begin.micros(), name.clone(), end.to_string())).or_default() += 1;
+        for of in &log.activities {
+            *rows.entry((of.begin().micros(), of.label.clone(), of.end().to_string())).or_default() += 1;
         }
     }
     rows

@@ -9,7 +9,7 @@ use homebody_core::scenario::logger::LoggerFile;
 use homebody_core::time::{MINUTE, TimeScale};
 use homebody_log::examine::{CheckOptions, examine};
 use homebody_log::label;
-use homebody_log::lives;
+use homebody_log::read_timeline;
 use homebody_log::registry::{Registry, install};
 use homebody_log::{Transfer, WriteMode, survey};
 use homebody_simulation::{Destinations, ScenarioSource, Url};
@@ -72,7 +72,7 @@ fn run(files: &CaseFiles, folder: &Path) -> Result<ReadVerdict, String> {
     let truth = url(format!("{ending}:{}", folder.join(format!("truth.{ending}")).display()))?;
     let scale = TimeScale::one();
     let mut verdict = ReadVerdict::Accepted;
-    if let Err(error) = lives(&truth, &scale) {
+    if let Err(error) = read_timeline(&truth, &scale) {
         messages::message(&error.to_string())?;
         verdict = ReadVerdict::Refused;
     }

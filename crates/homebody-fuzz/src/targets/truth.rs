@@ -5,10 +5,7 @@ use crate::choices::Choices;
 use crate::target::{CaseFiles, ReadVerdict, Target};
 use homebody_core::calendar::Calendar;
 use homebody_core::time::{DAY, HOUR, Interval, RunTime, TimeScale};
-use homebody_log::activities;
-use homebody_log::lives;
-use homebody_log::truth_at;
-use homebody_log::{LogError, Movements, Url};
+use homebody_log::{LogError, Movements, Url, read_timeline, truth_at};
 use std::fs;
 use std::path::Path;
 
@@ -35,7 +32,7 @@ fn run(files: &CaseFiles, folder: &Path) -> Result<ReadVerdict, String> {
     fs::write(&path, files.get(log::TRUTH).map(Vec::as_slice).unwrap_or_default())
         .map_err(|error| error.to_string())?;
     let (url, scale) = (truth_at(&path.to_string_lossy()), TimeScale::one());
-    let read = [activities(&url, &scale).map(drop), lives(&url, &scale).map(drop), movements(&url)];
+    let read = [read_timeline(&url, &scale).map(drop), movements(&url)];
     for error in read.iter().filter_map(|told| told.as_ref().err()) {
         messages::message(&error.to_string())?;
     }

@@ -90,7 +90,7 @@ impl Life {
         Life {
             calendar: calendar.clone(),
             days,
-            builder: TimelineBuilder::of(run),
+            builder: TimelineBuilder::for_run(run),
             people: Vec::new(),
             things: plan
                 .things

@@ -72,7 +72,7 @@ fn simulate(scenario: &Scenario, household: &Household, seed: u64, days: u32) ->
         MessagesFile::OnOff(on_off) => Span::from_seconds(on_off.hold_s),
         MessagesFile::Occupancy(occupancy) => Span::from_seconds(occupancy.timeout_s),
     };
-    let mut timeline = TimelineBuilder::of(&run);
+    let mut timeline = TimelineBuilder::for_run(&run);
     timeline.take(&events.facts);
     let timeline = timeline.finish(scenario.calendar.instant(days as i32, Span::ZERO));
     Ok(Person::of(&Lived {

@@ -7,7 +7,7 @@ use homebody_core::scenario::logger::{LoggerFile, LumpFile, MessagesFile, OnOffF
 use homebody_core::sensors::Sensor;
 use homebody_core::sensors::kinds::SensorFile;
 use homebody_core::sensors::preset::Preset;
-use homebody_core::time::{DAY, Interval, RunTime, Span, WallTime};
+use homebody_core::time::{DAY, Interval, Span, WallTime};
 use homebody_log::{Log, SimulatedRun};
 use homebody_picture::realism_chart;
 use serde::Serialize;
@@ -93,10 +93,11 @@ fn simulated_log(seed: u64, days: u32) -> Result<Log, Failure> {
     let logger = LoggerFile { messages, time: TimeFormat::Local, ..LoggerFile::default() };
     let edit = opened.scenario().edit().home(|home| home.sensors.iter_mut().for_each(follow)).logger(&logger);
     let scenario = edit.load()?;
-    let run = SimulatedRun::new(&scenario, opened.household(), seed, i64::from(days) * DAY)?;
+    let length = i64::from(days) * DAY;
+    let run = SimulatedRun::new(&scenario, opened.household(), seed, length)?;
     let is_motion: Vec<bool> = run.run().sensors().iter().map(Sensor::senses_motion).collect();
-    let wall = WallTime::midnight(scenario.calendar.local(RunTime::START).date());
-    let mut log = run.into_log(|at| wall + at.since_zero(), |_| {})?;
+    let scale = scenario.calendar.scale(length);
+    let mut log = run.into_log(|at| scale.run_to_wall(at), |_| {})?;
     log.events.retain(|event| is_motion[event.sensor as usize]);
     Ok(log)
 }

@@ -2,9 +2,9 @@
 
 use super::windows::On;
 use homebody_core::time::{Interval, WallTime};
-use homebody_log::Activity as Annotation;
 use homebody_routine::rhythm::DiaryEntry;
 use homebody_routine::routine::{Activity, Meal};
+use homebody_timeline::Episode;
 
 /// The activity that annotations of each name stand for; spare time is what is left, so that nothing is noted of it.
 const NAMES: [(&str, Activity); 9] = [
@@ -27,10 +27,10 @@ pub fn known() -> Vec<Activity> {
 
 /// The activities within an interval. A meal is prepared until the last time that a sensor of the kitchen begins or ends in it, and eaten
 /// then.
-pub fn noted(annotations: &[Annotation], kitchen: &[On], within: Interval<WallTime>) -> Vec<DiaryEntry> {
+pub fn noted(annotations: &[Episode<WallTime>], kitchen: &[On], within: Interval<WallTime>) -> Vec<DiaryEntry> {
     let mut noted = Vec::new();
-    for Annotation { name, begin, end } in annotations {
-        let Some((_, what)) = NAMES.iter().find(|(called, _)| called == name) else { continue };
+    for Episode { label, time: Interval { begin, end } } in annotations {
+        let Some((_, what)) = NAMES.iter().find(|(called, _)| called == label) else { continue };
         let (begin, end) = (*begin, *end);
         if !within.contains(begin) || end > within.end {
             continue;
@@ -59,7 +59,7 @@ mod tests {
     fn a_meal_is_prepared_until_the_kitchen_is_left() {
         let second = |second: i64| WallTime::EPOCH + second * SECOND;
         let annotation =
-            |name: &str, begin, end| Annotation { name: name.into(), begin: second(begin), end: second(end) };
+            |label: &str, begin, end| Episode::new(label.to_owned(), Interval::new(second(begin), second(end)));
         let annotations = [
             annotation("Lunch", 100, 400),
             annotation("Spare_Time/TV", 400, 900),

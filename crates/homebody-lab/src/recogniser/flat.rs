@@ -5,7 +5,7 @@ use homebody_core::problem::{Problem, Problems};
 use homebody_core::run::Run;
 use homebody_core::scenario::load::Scenario;
 use homebody_core::time::{DAY, RunTime, Span, WallTime};
-use homebody_log::{Activity, Log, LogError, SimulatedRun};
+use homebody_log::{Log, LogError, SimulatedRun};
 use homebody_routine::household::Household;
 use homebody_timeline::TimelineBuilder;
 use std::collections::BTreeMap;
@@ -84,10 +84,9 @@ impl Flat {
         let length = i64::from(days) * DAY;
         let wall = |at: RunTime| midnight + at.since_zero();
         let run = SimulatedRun::new(&self.scenario, &self.household, seed, length)?;
-        let mut timeline = TimelineBuilder::of(run.run());
+        let mut timeline = TimelineBuilder::for_run(run.run());
         let log = run.into_log(wall, |facts| timeline.take(facts))?;
         let activities = timeline.finish(RunTime::START + length).map(wall).into_activities();
-        let activities = activities.into_iter().map(Activity::from).collect();
         Ok(Log { sensors: self.sensors.clone(), activities, ..log })
     }
 }
@@ -112,8 +111,8 @@ mod tests {
             .unwrap();
         let day = |number: i64| WallTime::EPOCH + number * DAY;
         let log = flat.simulate(1, 2, day(100)).unwrap();
-        assert!(log.activities.windows(2).all(|pair| pair[0].end == pair[1].begin));
-        assert_eq!((log.activities[0].begin, log.activities.last().unwrap().end), (day(100), day(102)));
+        assert!(log.activities.windows(2).all(|pair| pair[0].end() == pair[1].begin()));
+        assert_eq!((log.activities[0].begin(), log.activities.last().unwrap().end()), (day(100), day(102)));
         let says = |sensor: &str| log.events.iter().any(|event| log.sensor(event) == sensor);
         for sensor in
             ["Shower PIR Bathroom", "Seat Pressure Living", "Bed Pressure Bedroom", "Maindoor Magnetic Entrance"]

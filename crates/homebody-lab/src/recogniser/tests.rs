@@ -15,15 +15,15 @@ fn day(number: i64) -> WallTime {
 fn annotated(days: u32) -> Log {
     let mut log = Flat::new(ROUTINE).unwrap().simulate(77, days, day(15_000)).unwrap();
     for activity in &mut log.activities {
-        activity.name = classes::class_of(&activity.name).map_or("", |class| CLASSES[class]).into();
+        activity.label = classes::class_of(&activity.label).map_or("", |class| CLASSES[class]).into();
     }
     // Going out begins at the coats and ends there: to the data set it is one.
     log.activities.dedup_by(|next, last| {
-        let is_same = next.name == last.name;
-        last.end = if is_same { next.end } else { last.end };
+        let is_same = next.label == last.label;
+        last.time.end = if is_same { next.end() } else { last.end() };
         is_same
     });
-    log.activities.retain(|activity| !activity.name.is_empty());
+    log.activities.retain(|activity| !activity.label.is_empty());
     log
 }
 
@@ -43,9 +43,8 @@ fn who_has_learnt_from_a_life_like_the_real_one_recognises_it() {
     assert_eq!(real.of_real, 1.0);
     // The negative control: where the annotations of the second half are ten hours off, they are not recognised.
     let mut shifted = log.clone();
-    for activity in shifted.activities.iter_mut().filter(|activity| activity.begin >= day(15_004)) {
-        activity.begin += 10 * HOUR;
-        activity.end += 10 * HOUR;
+    for activity in shifted.activities.iter_mut().filter(|activity| activity.begin() >= day(15_004)) {
+        activity.time = activity.time.map(|at| at + 10 * HOUR);
     }
     let prepared = Prepared::new(&shifted).unwrap();
     let control = prepared.experiment(vec![prepared.case(1, 4).unwrap()], 4);

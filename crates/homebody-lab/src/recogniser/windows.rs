@@ -82,8 +82,8 @@ pub fn windows(log: &Log, sensors: &[String], span: Interval<WallTime>) -> Vec<W
     }
     let mut classes = vec![[0.0; COUNT]; count];
     for activity in &log.activities {
-        let Some(class) = class_of(&activity.name) else { continue };
-        for (window, share) in parts(Interval::new(activity.begin, activity.end), span) {
+        let Some(class) = class_of(&activity.label) else { continue };
+        for (window, share) in parts(activity.time, span) {
             classes[window][class] += share;
         }
     }
@@ -130,7 +130,8 @@ fn parts(time: Interval<WallTime>, span: Interval<WallTime>) -> impl Iterator<It
 mod tests {
     use super::*;
     use homebody_core::time::{DAY, SECOND};
-    use homebody_log::{Activity, Event};
+    use homebody_log::Event;
+    use homebody_timeline::Episode;
 
     fn minute(number: i64) -> WallTime {
         WallTime::EPOCH + number * MINUTE
@@ -151,7 +152,7 @@ mod tests {
             values: ["OPEN", "CLOSE", "ON", "OFF"].map(String::from).into(),
             events: events.map(|(at, sensor, value)| Event { at, sensor, value }).into(),
             activities: [("Breakfast", 3, 8), ("Dancing", 8, 10), ("Spare_Time/TV", 10, 20)]
-                .map(|(name, begin, end)| Activity { name: name.into(), begin: minute(begin), end: minute(end) })
+                .map(|(name, begin, end)| Episode::new(name.to_owned(), Interval::new(minute(begin), minute(end))))
                 .into(),
             ..Log::default()
         }

@@ -1,24 +1,7 @@
-//! What somebody did when, and the notes of a log that tell it.
+//! The notes of a log from which activities follow.
 
-use homebody_core::time::{Span, WallTime};
-
-/// What somebody did over a span; the end is no part of it. That of a log is on its wall, that of a truth in its run.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Activity<T = WallTime> {
-    /// Its label, such as `sleeping`; of a span in a room, the room's name.
-    pub name: String,
-    /// From when.
-    pub begin: T,
-    /// Until when.
-    pub end: T,
-}
-
-impl<T> Activity<T> {
-    /// The same with both instants changed, as to another scale: the begin first.
-    pub fn map<U>(self, mut change: impl FnMut(T) -> U) -> Activity<U> {
-        Activity { name: self.name, begin: change(self.begin), end: change(self.end) }
-    }
-}
+use homebody_core::time::{Interval, Span, WallTime};
+use homebody_timeline::Episode;
 
 /// Puts together what a log notes apart: that an activity begins, and that it ends; or that each row is of one.
 #[derive(Default)]
@@ -47,7 +30,7 @@ struct OpenActivity {
 impl ActivityNotes {
     /// A note; gives the activity that it ends, or that is over by it. An end without a beginning is
     /// passed over. An activity that begins twice lasts to its second end, if that comes before it begins anew.
-    pub fn take(&mut self, name: &str, begins: bool, at: WallTime) -> Option<Activity> {
+    pub fn take(&mut self, name: &str, begins: bool, at: WallTime) -> Option<Episode<WallTime>> {
         let known = self.open.iter().position(|open| open.name == name);
         match (known, begins) {
             (None, true) if self.open.len() < MOST_OPEN => self.begin(name, at),
@@ -86,7 +69,7 @@ impl ActivityNotes {
     }
 
     /// The label of a row, if it has one; gives the activity that was that of the rows before it.
-    pub fn label(&mut self, name: Option<&str>, at: WallTime) -> Option<Activity> {
+    pub fn label(&mut self, name: Option<&str>, at: WallTime) -> Option<Episode<WallTime>> {
         match (&self.label, name) {
             (None, None) => return None,
             (Some((known, _)), Some(name)) if known == name => return None,
@@ -95,12 +78,12 @@ impl ActivityNotes {
         let before = self.label.take();
         self.label = name.map(|name| (name.to_owned(), at));
         // A row is an instant: of one that is alone at its own there would be nothing left.
-        before.map(|(name, begin)| Activity { name, begin, end: at.max(begin + Span::MICROSECOND) })
+        before.map(|(name, begin)| Episode::new(name, Interval::new(begin, at.max(begin + Span::MICROSECOND))))
     }
 
     /// The activities that the last row ends: that of its label, and those that lack a second end. All others that have
     /// begun have no end.
-    pub fn end(&mut self, last: WallTime) -> Vec<Activity> {
+    pub fn end(&mut self, last: WallTime) -> Vec<Episode<WallTime>> {
         let mut over = Vec::new();
         for open in std::mem::take(&mut self.open) {
             match open.end {
@@ -114,7 +97,7 @@ impl ActivityNotes {
 }
 
 impl OpenActivity {
-    fn until(self, end: WallTime) -> Activity {
-        Activity { name: self.name, begin: self.begin, end: end.max(self.begin) }
+    fn until(self, end: WallTime) -> Episode<WallTime> {
+        Episode::new(self.name, Interval::new(self.begin, end.max(self.begin)))
     }
 }

@@ -1,10 +1,10 @@
 //! Activities in a log that is written anew: as a table of their own, and on the rows themselves.
 
 use super::Log;
-use super::activities::Activity;
 use crate::limits::LONGEST_VALUE;
 use crate::table::{Cell, Column, ColumnKind, Table, TextPool};
 use homebody_core::time::{RunTime, WallTime};
+use homebody_timeline::Episode;
 use std::collections::VecDeque;
 
 /// The table of whole activities. In CSV it is a file next to the log, in the form of pyadlml.
@@ -39,15 +39,15 @@ pub(crate) fn table() -> Table {
 }
 
 /// The cells of an activity, with instants since `start`.
-pub(crate) fn cells(activity: &Activity, start: WallTime, texts: &mut TextPool) -> [Cell; 3] {
-    let name = Cell::Text(texts.id(&activity.name));
+pub(crate) fn cells(activity: &Episode<WallTime>, start: WallTime, texts: &mut TextPool) -> [Cell; 3] {
+    let name = Cell::Text(texts.id(&activity.label));
     let since_start = |at: WallTime| Cell::Instant(RunTime::START + (at - start));
-    [since_start(activity.begin), since_start(activity.end), name]
+    [since_start(activity.begin()), since_start(activity.end()), name]
 }
 
 /// The activities at each row, for instants that mostly rise: activities in the order of their begins.
 pub(crate) struct GoingOn<'a> {
-    all: &'a [Activity],
+    all: &'a [Episode<WallTime>],
     /// The first that has not begun yet.
     next: usize,
     now: Vec<usize>,
@@ -65,16 +65,16 @@ impl<'a> GoingOn<'a> {
             (self.next, self.now) = (0, Vec::new());
         }
         self.at = at;
-        while let Some(activity) = self.all.get(self.next).filter(|activity| activity.begin <= at) {
-            if activity.end > at {
+        while let Some(activity) = self.all.get(self.next).filter(|activity| activity.begin() <= at) {
+            if activity.end() > at {
                 self.now.push(self.next);
             }
             self.next += 1;
         }
-        self.now.retain(|&index| self.all[index].end > at);
+        self.now.retain(|&index| self.all[index].end() > at);
         let mut label = String::new();
         for &index in &self.now {
-            let name = &self.all[index].name;
+            let name = &self.all[index].label;
             if !label.is_empty() && label.len() + name.len() < LONGEST_VALUE {
                 label += AND;
                 label += name;
@@ -96,10 +96,10 @@ impl<'a> RowNotes<'a> {
     /// None where a log has fewer rows than notes.
     pub fn for_log(log: &'a Log) -> Option<RowNotes<'a>> {
         let mut notes = Vec::with_capacity(2 * log.activities.len());
-        for Activity { name, begin, end } in &log.activities {
+        for Episode { label, time } in &log.activities {
             // An end comes before a begin at this instant.
-            let last = if begin == end { 2 } else { 0 };
-            notes.extend([(*begin, 1, name.as_str(), "begin"), (*end, last, name.as_str(), "end")]);
+            let last = if time.begin == time.end { 2 } else { 0 };
+            notes.extend([(time.begin, 1, label.as_str(), "begin"), (time.end, last, label.as_str(), "end")]);
         }
         notes.sort_by_key(|&(at, order, ..)| (at, order));
         let left = notes.into_iter().map(|(at, _, name, change)| (at, name, change)).collect();

@@ -285,7 +285,7 @@ mod tests {
              2009-03-02 08:30:00 M001 OFF Cook end",
         );
         let [cook] = &log.activities[..] else { panic!("{:?}", log.activities) };
-        assert_eq!((cook.name.as_str(), cook.end - cook.begin), ("Cook", 30 * MINUTE));
+        assert_eq!((cook.label.as_str(), cook.length()), ("Cook", 30 * MINUTE));
         assert_eq!(log.remarks, ["3 notes that an activity begins or ends have no other end"]);
     }
 
@@ -298,7 +298,7 @@ mod tests {
         ] {
             let log = read(&format!("2009-03-02 08:00:00 M001 ON\t{begin}\n2009-03-02 08:30:00 M001 OFF\t{end}\t"));
             assert_eq!(log.activities.len(), 1, "{begin}");
-            assert_eq!(log.activities[0].name, "Meal Preparation", "{begin}");
+            assert_eq!(log.activities[0].label, "Meal Preparation", "{begin}");
         }
     }
 
@@ -308,7 +308,7 @@ mod tests {
             "2009-03-02 08:00:00 M001 M001 ON Cook\n2009-03-02 08:10:00 M001 M001 OFF Cook\n\
              2009-03-02 08:20:00 M001 M001 ON Eat\n2009-03-02 08:30:00 M001 M001 OFF\n2009-03-02 08:40:00 M001 M001 ON Eat",
         );
-        let told: Vec<_> = log.activities.iter().map(|of| (of.name.as_str(), of.end - of.begin)).collect();
+        let told: Vec<_> = log.activities.iter().map(|of| (of.label.as_str(), of.length())).collect();
         assert_eq!(told, [("Cook", 20 * MINUTE), ("Eat", 10 * MINUTE), ("Eat", Span::MICROSECOND)]);
     }
 

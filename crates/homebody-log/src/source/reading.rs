@@ -7,12 +7,13 @@ use crate::error::{LogError, Skipped, place_of};
 use crate::files::plain::text;
 use crate::files::unpacked;
 use crate::limits::{LONGEST_ID, LONGEST_VALUE, MOST_ACTIVITIES, beginning};
-use crate::log::{Activity, ActivityNotes, Clock, ColumnRole, ColumnUse, Event, Log, Pairs, SensorInfo};
+use crate::log::{ActivityNotes, Clock, ColumnRole, ColumnUse, Event, Log, Pairs, SensorInfo};
 use crate::source::instant::date_parts::no_instant;
 use foldhash::HashMap;
 use homebody_core::calendar::Calendar;
 use homebody_core::problem::readable;
 use homebody_core::time::{DAY, Interval, Span, UtcTime, WallTime};
+use homebody_timeline::Episode;
 use jiff::Timestamp;
 use std::collections::BTreeMap;
 use std::io::Read;
@@ -297,13 +298,13 @@ impl<'t> LogReading<'t> {
             _ if name.is_empty() => Err("there is no activity"),
             _ if name.len() > LONGEST_VALUE => Err("the activity's name is too long"),
             (Ok(begin), Ok(end)) if end < begin => Err(ENDS_BEFORE),
-            (Ok(begin), Ok(end)) => Ok((begin, end)),
+            (Ok(begin), Ok(end)) => Ok(Interval::new(begin, end)),
             (Err(fault), _) | (_, Err(fault)) => Err(fault),
         };
         match told {
-            Ok((at, end)) => {
+            Ok(time) => {
                 self.keep_clock(begin);
-                self.keep(Some(Activity { name: name.into(), begin: at, end }));
+                self.keep(Some(Episode::new(name.into(), time)));
             }
             Err(fault) => self.skip(line, fault.into()),
         }
@@ -316,7 +317,7 @@ impl<'t> LogReading<'t> {
         }
     }
 
-    fn keep(&mut self, activity: Option<Activity>) {
+    fn keep(&mut self, activity: Option<Episode<WallTime>>) {
         match activity {
             Some(_) if self.log.activities.len() >= MOST_ACTIVITIES => self.beyond += 1,
             activity => self.log.activities.extend(activity),
@@ -383,13 +384,13 @@ impl<'t> LogReading<'t> {
         if self.seams.is_empty() {
             return;
         }
-        let mut joined: Vec<Activity> = Vec::with_capacity(self.log.activities.len());
+        let mut joined: Vec<Episode<WallTime>> = Vec::with_capacity(self.log.activities.len());
         for activity in self.log.activities.drain(..) {
-            let is_further = self.seams.contains(&activity.begin);
+            let is_further = self.seams.contains(&activity.begin());
             let before = joined.iter_mut().rev().take(MOST_JOINED).filter(|_| is_further);
-            let before = before.into_iter().find(|of| of.end == activity.begin && of.name == activity.name);
+            let before = before.into_iter().find(|of| of.end() == activity.begin() && of.label == activity.label);
             match before {
-                Some(before) => before.end = activity.end,
+                Some(before) => before.time.end = activity.end(),
                 None => joined.push(activity),
             }
         }
@@ -408,7 +409,7 @@ impl<'t> LogReading<'t> {
         self.end_notes();
         self.log.pairs = std::mem::take(&mut self.pairs).end(&self.log.values);
         // Notes are known once they end.
-        self.log.activities.sort_by_key(|activity| activity.begin);
+        self.log.activities.sort_by_key(Episode::begin);
         self.join_at_seams();
         for (count, what) in [
             (self.notes.alone, "notes that an activity begins or ends have no other end"),

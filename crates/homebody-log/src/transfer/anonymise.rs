@@ -8,9 +8,10 @@
 use super::convert::convert_as;
 use super::{Rewrite, Transfer};
 use crate::error::LogError;
-use crate::log::{Activity, Log};
+use crate::log::Log;
 use crate::read::stream;
 use homebody_core::time::{DAY, WallTime};
+use homebody_timeline::Episode;
 
 /// The way in which a log is made anonymous.
 pub struct Anonymising<'a> {
@@ -56,11 +57,11 @@ pub fn anonymise(
         }
         Ok(())
     })?;
-    let first = about.activities.iter().map(|of| of.begin).chain([first]).min().filter(|&at| at != WallTime::MAX);
+    let first = about.activities.iter().map(Episode::begin).chain([first]).min().filter(|&at| at != WallTime::MAX);
     let weeks = by.weeks.unwrap_or_else(|| (MONDAY - monday(first.unwrap_or_default())) / WEEK);
     let shift = weeks * WEEK * DAY;
     let activities = about.activities.iter().filter(|_| by.with_activities);
-    let shifted = |of: &Activity| Activity { name: of.name.clone(), begin: of.begin + shift, end: of.end + shift };
+    let shifted = |of: &Episode<WallTime>| of.clone().map(|at| at + shift);
     let nobodys = Log {
         sensors: by.names.to_vec(),
         activities: activities.map(shifted).collect(),

@@ -10,13 +10,14 @@
 use super::{Besides, Transfer};
 use crate::error::{LogError, OtherRunMessage};
 use crate::limits::beginning;
-use crate::log::{Activity, Event, Log};
+use crate::log::{Event, Log};
 use crate::read::stream;
 use crate::table::{Cell, Column, ColumnKind, TextPool};
 use crate::text::one_word;
-use crate::truth::{Cause, Causes, LABEL_TABLES, Life, RecordedTruth, lives_of};
+use crate::truth::{Cause, Causes, LABEL_TABLES, RecordedTruth, timeline_of};
 use crate::url::Url;
-use homebody_core::time::{RunTime, TimeScale};
+use homebody_core::time::TimeScale;
+use homebody_timeline::Timeline;
 
 /// The result of a join.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -51,7 +52,7 @@ pub fn label(
     }
     let (place, truth) = (truth.to_string(), RecordedTruth::open(truth, &LABEL_TABLES)?);
     make_sure(transfer, about, Causes::of(&truth, scale)?, &place)?;
-    let lives = lives_of(&truth, scale)?;
+    let timeline = timeline_of(&truth, scale)?;
     let mut causes = Causes::of(&truth, scale)?;
     let mut labelled = Labelled::default();
     let mut label = |row: u64, _: &Event, _: &Log, texts: &mut TextPool, cells: &mut Vec<Cell>| {
@@ -62,7 +63,7 @@ pub fn label(
             Some(Cause { resident: None, .. }) => labelled.nobodys += 1,
         }
         let mut text = |text: Option<&str>| text.map_or(Cell::Null, |text| Cell::Text(texts.id(text)));
-        cells.extend(labels(cause.as_ref(), &lives).map(&mut text));
+        cells.extend(labels(cause.as_ref(), &timeline).map(&mut text));
         Ok(())
     };
     labelled.rows = transfer.write(about, besides(), &mut label, &mut progress)?;
@@ -70,12 +71,12 @@ pub fn label(
 }
 
 /// The person, the room, the activity, the cause, and the thing that was used.
-fn labels<'t>(cause: Option<&'t Cause>, lives: &'t [Life]) -> [Option<&'t str>; 5] {
+fn labels<'t>(cause: Option<&'t Cause>, timeline: &'t Timeline) -> [Option<&'t str>; 5] {
     let who = cause.and_then(|cause| cause.resident.as_deref());
     let at = cause.and_then(|cause| cause.seen_at);
-    let life = who.and_then(|who| lives.iter().find(|life| life.resident == who));
-    let room = life.zip(at).and_then(|(life, at)| span_at(&life.rooms, at));
-    let activity = life.zip(at).and_then(|(life, at)| span_at(&life.activities, at));
+    let person = who.and_then(|who| timeline.people.iter().find(|person| person.name == who)).zip(at);
+    let room = person.and_then(|(person, at)| person.room_at(at));
+    let activity = person.and_then(|(person, at)| person.activity_at(at));
     [who, room, activity, cause.map(|cause| cause.why.as_str()), cause.and_then(|cause| cause.thing.as_deref())]
 }
 
@@ -116,10 +117,4 @@ fn make_sure(transfer: &Transfer, about: &Log, mut causes: Causes<'_>, truth: &s
         Ok(())
     })?;
     Ok(())
-}
-
-/// The label at an instant.
-fn span_at(spans: &[Activity<RunTime>], at: RunTime) -> Option<&str> {
-    let next = spans.partition_point(|span| span.begin <= at);
-    spans[..next].last().filter(|span| at < span.end).map(|span| span.name.as_str())
 }

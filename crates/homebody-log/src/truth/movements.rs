@@ -1,7 +1,7 @@
-//! What bodies did in a span of a run, from its truth.
+//! The movements of bodies in an interval of a run, from its truth.
 //!
 //! The truth has no index: a row is stored once the movement after it is known, so that rows come in the order of their ends,
-//! and those of a span are found by halving. The one in which somebody is as the span ends may be long, such as a
+//! and those of an interval are found by halving. The movement at the end of the interval may be long, such as a
 //! visitor's absence of weeks; it is looked for further on, once.
 
 use super::RecordedTruth;
@@ -19,24 +19,22 @@ use rusqlite::{Connection, OptionalExtension, Row};
 /// Time after the end of a span beyond which a missing item is searched for by its name (our choice).
 const FURTHER: Span = HOUR;
 
-/// What a body did, from when to when in the run.
+/// A movement of a body.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Movement {
-    /// From when.
-    pub begin: RunTime,
-    /// Until when.
-    pub end: RunTime,
-    /// What kind of movement it was.
+    /// From when to when.
+    pub time: Interval<RunTime>,
+    /// The kind of movement.
     pub kind: MovementKind,
-    /// Nothing for who is away.
+    /// Where it began, in metres; `None` while away.
     pub from: Option<Point>,
-    /// Where it ended, in metres; `None` for who is away.
+    /// Where it ended, in metres; `None` while away.
     pub to: Option<Point>,
-    /// How the body held itself.
+    /// The posture meanwhile.
     pub posture: Posture,
 }
 
-/// What a body did, as the truth's column `kind` says.
+/// A kind of movement, by the truth's column `kind`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum MovementKind {
     /// A straight movement at constant speed.
@@ -55,14 +53,14 @@ pub struct Movements {
     scale: TimeScale,
     residents: Vec<String>,
     instants: InstantReader,
-    /// By resident, those that lasted beyond a span by far.
+    /// By resident, movements that lasted far beyond an interval.
     long: Vec<Vec<Movement>>,
 }
 
 const COLUMNS: &str = "resident, begin_at, end_at, kind, from_x, from_y, to_x, to_y, posture";
 
 impl Movements {
-    /// The movements of these residents; whoever else is in the truth is passed over.
+    /// Finds the movements of these residents alone.
     ///
     /// # Errors
     ///
@@ -79,12 +77,13 @@ impl Movements {
         })
     }
 
-    /// What each resident did in an interval of the run, in order; first and last may reach beyond.
+    /// The movements of each resident that overlap an interval, in order.
     pub fn of(&mut self, interval: Interval<RunTime>) -> Result<Vec<Vec<Movement>>, LogError> {
         self.read(interval).map_err(|error| self.truth.error(error))
     }
 
-    fn read(&mut self, Interval { begin, end }: Interval<RunTime>) -> rusqlite::Result<Vec<Vec<Movement>>> {
+    fn read(&mut self, time: Interval<RunTime>) -> rusqlite::Result<Vec<Vec<Movement>>> {
+        let Interval { begin, end } = time;
         let Movements { truth: RecordedTruth { connection, .. }, scale, residents, instants, long } = self;
         let first = first_row(connection, instants, |end| scale.run_from_wall(end, RunTime::MIN) <= begin - FURTHER)?;
         let mut of: Vec<Vec<Movement>> = vec![Vec::new(); residents.len()];
@@ -96,13 +95,13 @@ impl Movements {
             last_row = row.get(9)?;
             let who = text(row.get_ref(0)?);
             let Some(resident) = residents.iter().position(|resident| *resident == who) else { continue };
-            let last = of[resident].last().map_or(begin, |before| before.end);
+            let last = of[resident].last().map_or(begin, |before| before.time.end);
             let Some(movement) = movement(row, instants, scale, last)? else { continue };
-            if movement.begin < end && movement.end > begin {
+            if movement.time.overlaps(time) {
                 of[resident].push(movement);
             }
-            let is_there = |movements: &Vec<Movement>| movements.last().is_some_and(|last| last.end >= end);
-            if movement.end > end.saturating_add(FURTHER) || of.iter().all(is_there) {
+            let is_there = |movements: &Vec<Movement>| movements.last().is_some_and(|last| last.time.end >= end);
+            if movement.time.end > end.saturating_add(FURTHER) || of.iter().all(is_there) {
                 break;
             }
         }
@@ -110,18 +109,18 @@ impl Movements {
         let sql = format!("SELECT {COLUMNS} FROM movement WHERE rowid > ? AND resident = ? ORDER BY rowid LIMIT 1");
         let mut statement = connection.prepare_cached(&sql)?;
         for (resident, found) in of.iter_mut().enumerate() {
-            let until = found.last().map_or(begin, |last| last.end);
+            let until = found.last().map_or(begin, |last| last.time.end);
             if until >= end {
                 continue;
             }
-            let is_it = |long: &&Movement| long.begin <= until && long.end > until;
+            let is_it = |long: &&Movement| long.time.contains(until);
             if let Some(known) = long[resident].iter().find(is_it) {
                 found.push(*known);
                 continue;
             }
             let next = |row: &Row| movement(row, instants, scale, until);
             let next = statement.query_row((last_row, &residents[resident]), next).optional()?.flatten();
-            if let Some(next) = next.filter(|next| next.begin < end && next.end > begin) {
+            if let Some(next) = next.filter(|next| next.time.overlaps(time)) {
                 long[resident].push(next);
                 found.push(next);
             }
@@ -130,8 +129,8 @@ impl Movements {
     }
 }
 
-/// The first row whose movement does not end before what is looked for; `is_before` is asked of ends as the rows tell them. On a clock
-/// that goes back an hour is told twice: whoever asks looks from an hour before.
+/// The first row whose movement does not end before an instant; `is_before` gets ends as the rows have them. On a clock that is set back an
+/// hour comes twice: the caller looks from an hour before.
 pub(crate) fn first_row(
     connection: &Connection,
     instants: &mut InstantReader,
@@ -147,7 +146,7 @@ pub(crate) fn first_row(
     })
 }
 
-/// A row of [`COLUMNS`]; nothing where it is none of ours.
+/// A row of [`COLUMNS`]; `None` for an unknown kind.
 fn movement(
     row: &Row,
     instants: &mut InstantReader,
@@ -168,7 +167,8 @@ fn movement(
     let posture = row.get_ref(8)?.as_str().ok().and_then(Posture::named).unwrap_or_default();
     let point = |x| Ok::<_, rusqlite::Error>(number(row, x)?.zip(number(row, x + 1)?).map(|(x, y)| Point::new(x, y)));
     let (from, to) = (point(4)?, point(6)?);
-    Ok(Some(Movement { begin, end: scale.run_from_wall_after(end, begin), kind, from, to, posture }))
+    let time = Interval::new(begin, scale.run_from_wall_after(end, begin));
+    Ok(Some(Movement { time, kind, from, to, posture }))
 }
 
 /// A finite number.

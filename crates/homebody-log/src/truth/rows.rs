@@ -16,7 +16,7 @@ use std::collections::HashMap;
 
 /// Gives the rows of a table of a truth in the order in which they were written, with their cells in the order of the columns of
 /// [`tables`]. An instant is a [`TruthValue::Integer`]: microseconds of [`RunTime`]. The wall of the scale is as in
-/// [`lives`](crate::truth::lives()).
+/// [`read_timeline`](crate::read_timeline).
 ///
 /// # Errors
 ///

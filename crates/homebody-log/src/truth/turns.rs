@@ -1,17 +1,17 @@
-//! The hour that a clock on the wall tells twice as it is set back: which of the two an instant of the truth is in.
+//! The hour that a clock on the wall shows twice as it is set back: the choice between the two instants of a time in the truth.
 //!
-//! An activity, a change of room or a sighting begins when the resident moves. So of the two instants that one time may mean, we
-//! take the one at which the resident moved. The times of movements themselves are known because movements follow each other
-//! without gaps.
+//! An activity, a change of room or a sighting begins when the resident moves. So of the two instants of a time, we take the one at which
+//! the resident moved. The times of movements themselves are known because movements follow each other without gaps.
 //!
-//! Left out: a resident who keeps still through the whole of both hours gives no sign of the second. Then the first is taken. What
-//! goes on for days gives none either.
+//! Left out: a resident who keeps still through the whole of both hours gives no sign of the second. Then the first is taken. Activities of
+//! several days give no sign either.
 
 use super::RecordedTruth;
 use super::movements::first_row;
 use crate::error::LogError;
 use crate::source::{InstantReader, instant_of_cell};
 use homebody_core::time::{DAY, HOUR, Interval, RunTime, Span, TimeScale, WallTime};
+use homebody_timeline::Episode;
 use std::collections::BTreeMap;
 
 /// Time before an hour that the clock repeats after which movements are read (our choice).
@@ -23,17 +23,11 @@ const LONGEST: Span = DAY;
 /// Reads the instants of a truth.
 pub(crate) struct TruthClock {
     scale: TimeScale,
-    /// By resident, in their order: those in the hours that are told twice.
-    moved: BTreeMap<String, Vec<MovedInterval>>,
+    /// By resident, in their order: the movements in the hours that the clock shows twice.
+    moved: BTreeMap<String, Vec<Episode<RunTime, ChangeSign>>>,
 }
 
-struct MovedInterval {
-    begin: RunTime,
-    end: RunTime,
-    how: ChangeSign,
-}
-
-/// How likely it is that something began at an instant, by what the body did.
+/// Evidence that something began at an instant, by the movement of the body.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 enum ChangeSign {
     None,
@@ -75,13 +69,13 @@ impl TruthClock {
                 continue;
             }
             let moved = self.moved.entry(row.get(2)?).or_default();
-            let begin = self.scale.run_from_wall_after(begin, moved.last().map_or(RunTime::MIN, |last| last.end));
+            let begin = self.scale.run_from_wall_after(begin, moved.last().map_or(RunTime::MIN, Episode::end));
             let how = match row.get_ref(3)?.as_str() {
                 Ok("stride") => ChangeSign::Stride,
                 Ok("in_place" | "stir") => ChangeSign::InPlace,
                 _ => ChangeSign::None,
             };
-            moved.push(MovedInterval { begin, end: self.scale.run_from_wall_after(end, begin), how });
+            moved.push(Episode::new(how, Interval::new(begin, self.scale.run_from_wall_after(end, begin))));
         }
         Ok(())
     }
@@ -91,7 +85,7 @@ impl TruthClock {
         self.scale.all_utc(at).map(|at| self.scale.from_utc(at))
     }
 
-    /// The run's instant at which something of a resident began or ended that is told as `at`, no earlier than `first`.
+    /// The run's instant, no earlier than `first`, at which an activity or a stay of a resident began or ended, for its time in the truth.
     pub fn turn(&self, resident: &str, at: WallTime, first: RunTime) -> RunTime {
         let sign = |instant: &RunTime| (self.sign(resident, *instant), instant.abs_diff(first));
         let known = self.all(at).filter(|instant| *instant >= first);
@@ -102,7 +96,7 @@ impl TruthClock {
         best.unwrap_or_else(|| self.scale.run_from_wall(at, first))
     }
 
-    /// The run's instant at which a resident was noticed that is told as `at`; `last` is that of what was noticed before.
+    /// The run's instant at which a sensor noticed a resident, for its time in the truth; `last` is that of the row before.
     pub fn sight(&self, resident: Option<&str>, at: WallTime, last: RunTime) -> RunTime {
         let moved = |instant: &RunTime| resident.is_some_and(|who| self.sign(who, *instant) > ChangeSign::None);
         let mut signs = self.all(at).filter(moved);
@@ -114,10 +108,12 @@ impl TruthClock {
 
     fn sign(&self, resident: &str, at: RunTime) -> ChangeSign {
         let Some(moved) = self.moved.get(resident) else { return ChangeSign::None };
-        let next = moved.partition_point(|moved| moved.end < at);
-        let around = moved[next..].iter().take_while(|moved| moved.begin <= at);
-        let sign =
-            |moved: &MovedInterval| if [moved.begin, moved.end].contains(&at) { ChangeSign::Change } else { moved.how };
-        around.map(sign).max().unwrap_or(ChangeSign::None)
+        let next = moved.partition_point(|moved| moved.end() < at);
+        let around = moved[next..].iter().take_while(|moved| moved.begin() <= at);
+        let is_end = |moved: &Episode<RunTime, ChangeSign>| [moved.begin(), moved.end()].contains(&at);
+        around
+            .map(|moved| if is_end(moved) { ChangeSign::Change } else { moved.label })
+            .max()
+            .unwrap_or(ChangeSign::None)
     }
 }

@@ -10,11 +10,10 @@ use super::{AXIS_TEXT, GRID, TOP, WIDTH, heading, nice_step, steps};
 /// The firings of one activity, such as walking slowly at five feet.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FiringLane {
-    /// The name of the lane.
     pub label: String,
-    /// The part of the experiment it belongs to; activities of one portion stand together.
+    /// The part of the experiment; activities of one portion stand together.
     pub portion: char,
-    /// When the sensor fired, from the activity's start.
+    /// The firings, from the activity's start.
     pub firings_s: Vec<f64>,
 }
 

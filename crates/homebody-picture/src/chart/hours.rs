@@ -12,7 +12,7 @@ use super::{AXIS_TEXT, GRID, TOP, WIDTH, heading};
 pub struct HourShares {
     /// The names of the bands, from the lowest on.
     pub names: Vec<String>,
-    /// By hour of the day, how much of it goes into each band: from 0 to 1, together at most 1.
+    /// By hour of the day, the share of each band: from 0 to 1, together at most 1.
     pub shares: Vec<Vec<f64>>,
 }
 
@@ -26,7 +26,7 @@ const BANDS: [&str; 11] = [
     "#c9cdd2",
 ];
 
-/// Each hour is a column as wide as it is long, so that the bands step from hour to hour.
+/// A column is as wide as an hour, so that the bands step from hour to hour.
 pub fn hour_chart(title: &str, hours: &HourShares) -> String {
     let count = hours.shares.len().max(1) as f64;
     let whole = |band: usize| hours.shares.iter().filter_map(|hour| hour.get(band)).sum::<f64>() * 24.0 / count;

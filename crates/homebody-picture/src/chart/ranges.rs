@@ -1,4 +1,4 @@
-//! Figures beside the ranges that were published of them: a dot against a bar.
+//! Figures with their published ranges: a dot against a bar.
 
 use homebody_core::geometry::Point;
 
@@ -10,7 +10,6 @@ use super::{TOP, WIDTH, heading};
 /// A figure and the range that was published.
 #[derive(Clone, Debug, PartialEq)]
 pub struct RangeFigure {
-    /// The name of the figure.
     pub label: String,
     /// The figure and the published one, in words.
     pub words: String,
@@ -18,7 +17,6 @@ pub struct RangeFigure {
     pub low: f64,
     /// The upper end of the published range.
     pub high: f64,
-    /// The figure.
     pub value: f64,
 }
 

@@ -10,7 +10,6 @@ use super::{AXIS_TEXT, GRID, TOP, WIDTH, heading, nice_step, steps};
 /// A stretch of time with lanes of its own, such as one recording.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Panel {
-    /// Its title.
     pub label: String,
     /// Its length, in seconds.
     pub duration_s: f64,
@@ -21,7 +20,6 @@ pub struct Panel {
 /// The spans of a sensor and those of the truth, in seconds since the panel's start.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Lane {
-    /// The name of the lane.
     pub label: String,
     /// Shaded behind the tellings.
     pub truth: Vec<[f64; 2]>,
@@ -32,7 +30,7 @@ pub struct Lane {
 const LEFT: f64 = 120.0;
 const RIGHT: f64 = WIDTH - 40.0;
 const LANE: f64 = 26.0;
-/// Of the bars of a telling, of which two share a lane.
+/// Height of a bar; two of them share a lane.
 const BAR: f64 = 10.0;
 const HEAD: f64 = 30.0;
 const FOOT: f64 = 64.0;

@@ -16,10 +16,10 @@ pub struct TotalsLine {
     pub points: Vec<(f64, f64)>,
 }
 
-/// A total that others published.
+/// A published total.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Reference {
-    /// The text beside the dashed line.
+    /// The text at the dashed line.
     pub label: String,
     /// The total, in the unit of the totals of the lines.
     pub total: f64,
@@ -106,12 +106,12 @@ impl TotalsAxes {
     }
 }
 
-/// A line's name, at the height where it stands and where its line ends.
+/// The name of a line, at its height, and the end of the line.
 struct Name<'a> {
     y: f64,
     end: f64,
     words: &'a str,
-    /// Nothing for the reference.
+    /// `None` for the reference.
     line: Option<usize>,
 }
 
@@ -138,7 +138,7 @@ fn draw_names(svg: &mut Svg, mut names: Vec<Name>) {
     }
 }
 
-/// The mark of a line's points: each line has a shape of its own beside its colour.
+/// The mark of a line's points: each line has a shape of its own, not only a colour.
 fn mark(svg: &mut Svg, index: usize, at: Point, size: f64) {
     let colour = SERIES[index % SERIES.len()];
     let (filled, hollow) = (Paint::fill(colour).outlined(WHITE, 1.2), Paint::fill(WHITE).outlined(colour, 2.0));

@@ -23,7 +23,7 @@ impl From<usvg::Error> for PdfError {
 
 /// Bytes as a stream that is inflated has them.
 pub fn packed(bytes: &[u8]) -> Vec<u8> {
-    /// As zlib has it where nothing else is said.
+    /// The default of zlib.
     const LEVEL: u8 = 6;
     miniz_oxide::deflate::compress_to_vec_zlib(bytes, LEVEL)
 }

@@ -10,7 +10,7 @@ use skrifa::{FontRef, GlyphId, MetadataProvider};
 use std::collections::BTreeMap;
 use subsetter::GlyphRemapper;
 
-/// The fonts that were set so far.
+/// The fonts so far.
 #[derive(Default)]
 pub struct Fonts(Vec<Font>);
 

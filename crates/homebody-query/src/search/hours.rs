@@ -4,7 +4,7 @@ use homebody_core::time::{ClockChange, DAY, Interval, MINUTE, Span, TimePoint, j
 use std::fmt;
 use std::str::FromStr;
 
-/// From which minute of the day to which; over midnight where the first is later.
+/// A part of each day in minutes; over midnight where the first is later.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct DayHours {
     from_min: u32,
@@ -14,13 +14,11 @@ pub struct DayHours {
 /// A day by the clock on the wall, in instants.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct SearchDay<T> {
-    /// When it begins.
     pub begin: T,
-    /// When it ends.
     pub end: T,
     /// The time of day at its start: the first day of a run may begin at noon.
     pub clock: Span,
-    /// When clocks are set in it, and by how much.
+    /// The change of the clocks in it, if there is one.
     pub turn: Option<ClockChange<T>>,
 }
 

@@ -16,7 +16,7 @@ fn intervals<const N: usize>(of: [(Span, Span); N]) -> Vec<Interval<RunTime>> {
 
 fn stay(begin: Span, end: Span, who: &'static str, name: &'static str) -> KnownStay<'static, RunTime> {
     let who = (!who.is_empty()).then_some(Cow::Borrowed(who));
-    KnownStay { begin: at(begin), end: at(end), who, name: Cow::Borrowed(name), words: Cow::Borrowed("") }
+    KnownStay { time: Interval::new(at(begin), at(end)), who, name: Cow::Borrowed(name), words: Cow::Borrowed("") }
 }
 
 fn sensors() -> Vec<Listener> {
@@ -54,7 +54,7 @@ fn found(
         rows,
     };
     let found = find(query, &mut ground)?;
-    Ok(found.hits.iter().map(|hit| Interval::new(hit.begin, hit.end)).collect())
+    Ok(found.hits.iter().map(|hit| hit.time).collect())
 }
 
 const ON: u32 = 0;
@@ -88,7 +88,7 @@ fn in_a_room_between_hours_is_the_part_of_a_stay_that_lies_in_them() {
 }
 
 #[test]
-fn without_a_truth_somebody_is_where_sensors_say_so_until_others_do() {
+fn without_a_truth_sensors_show_the_room_until_others_fire() {
     let rows = [(HOUR, 0, ON), (HOUR + MINUTE, 0, OFF), (2 * HOUR, 1, ON), (3 * HOUR, 0, ON), (4 * HOUR, 0, READING)];
     let query = asked(SearchSubject::Room, "bathroom", "", Span::ZERO);
     let wanted = intervals([(HOUR, 2 * HOUR), (3 * HOUR, 4 * HOUR)]);
@@ -96,7 +96,7 @@ fn without_a_truth_somebody_is_where_sensors_say_so_until_others_do() {
 }
 
 #[test]
-fn what_is_on_is_so_until_its_sensor_says_otherwise_or_no_longer_says_so() {
+fn sensor_is_on_until_it_is_off_or_stops_repeating() {
     let query = asked(SearchSubject::On, "stove", "", 30 * MINUTE);
     let soon = HOUR + Span::from_micros(5);
     let rows = [(HOUR, 2, ON), (soon, 1, ON), (2 * HOUR, 2, OFF), (3 * HOUR, 2, ON), (3 * HOUR + MINUTE, 2, OFF)];
@@ -109,7 +109,7 @@ fn what_is_on_is_so_until_its_sensor_says_otherwise_or_no_longer_says_so() {
 }
 
 #[test]
-fn nothing_stirs_where_no_sensor_speaks_while_somebody_is_at_home() {
+fn home_is_still_while_no_sensor_fires_and_a_person_is_at_home() {
     let rows =
         [(9 * HOUR, 0, ON), (10 * HOUR, 1, READING), (14 * HOUR, 0, ON), (15 * HOUR, 0, OFF), (40 * HOUR, 0, ON)];
     let query = asked(SearchSubject::Still, "", "8-20", 3 * HOUR);
@@ -122,7 +122,7 @@ fn nothing_stirs_where_no_sensor_speaks_while_somebody_is_at_home() {
 }
 
 #[test]
-fn falls_lost_messages_and_alerts_are_those_that_are_told_and_nobody_knows_them_otherwise() {
+fn falls_lost_messages_and_alerts_need_a_truth() {
     let told = vec![stay(HOUR, 2 * HOUR, "ada", "fallen"), stay(30 * HOUR, 30 * HOUR, "", "stove")];
     let at_once = intervals([(30 * HOUR, 30 * HOUR)]);
     for what in [SearchSubject::Fall, SearchSubject::Lost, SearchSubject::Alert] {
@@ -134,7 +134,7 @@ fn falls_lost_messages_and_alerts_are_those_that_are_told_and_nobody_knows_them_
 }
 
 #[test]
-fn a_name_that_leads_nowhere_is_told_with_the_nearest() {
+fn unknown_name_has_the_nearest_as_hint() {
     let error = found(&asked(SearchSubject::On, "stov", "", Span::ZERO), &[], None, None).unwrap_err().to_string();
     assert!(error.contains("did you mean \"stove\"?"), "{error}");
     let error = found(&asked(SearchSubject::Room, "attic", "", Span::ZERO), &[], None, None).unwrap_err().to_string();

@@ -8,7 +8,7 @@ use super::watch::Watches;
 use crate::routine::RuleTrigger;
 use homebody_core::drivers::{Next, Surroundings};
 use homebody_core::ids::ThingId;
-use homebody_core::motion::{MotionSegment, MotionState};
+use homebody_core::motion::MotionState;
 use homebody_core::posture::Posture;
 use homebody_core::time::{RunTime, SECOND, Span};
 
@@ -90,15 +90,9 @@ impl RoutineDriver {
             self.body.follow(&segment);
             return Next::Segment(segment);
         }
-        let first = segment.until(until);
+        let [first, rest] = segment.split(until);
         self.body.follow(&first);
-        let doing = match (&segment.doing, &first.doing) {
-            (MotionState::Stride { to, .. }, MotionState::Stride { to: here, .. }) => {
-                MotionState::Stride { from: *here, to: *to }
-            }
-            (other, _) => *other,
-        };
-        self.sight.rest = Some(MotionSegment { begin: until, doing, ..segment });
+        self.sight.rest = Some(rest);
         Next::Segment(first)
     }
 }

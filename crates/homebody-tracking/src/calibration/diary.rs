@@ -2,14 +2,14 @@
 //!
 //! | what | when |
 //! |---|---|
-//! | night | from noon to noon the longest time in bed, of three hours and more; who is back in bed within an hour and a half was not up |
+//! | night | from noon to noon the longest time in bed, of three hours and more; up to an hour and a half out of bed do not end it |
 //! | in bed by day | any other time in bed of twenty minutes and more |
 //! | outing | out for five minutes and more |
-//! | toilet, shower, washing | at the toilet, the shower, the washbasin for so long that it is no way past; washing after the toilet is part of it |
-//! | sitting | on an armchair, a sofa or a chair at a desk for ten minutes and more; who is back within five minutes sat on |
+//! | toilet, shower, washing | at the toilet, the shower, the washbasin for longer than a way past; washing after the toilet is part of it |
+//! | sitting | on an armchair, a sofa or a chair at a desk for ten minutes and more; up to five minutes elsewhere do not end it |
 //! | meal | at stove, counter, fridge or sink for four minutes and more, until one sits at the table: the longest in the morning, around noon and around six of each day |
 //!
-//! All limits are ours.
+//! All limits are our choice.
 
 use crate::translation::{PersonStay, Translation};
 use homebody_core::geometry::Point;
@@ -19,6 +19,7 @@ use homebody_core::time::{DAY, HOUR, Interval, MINUTE, RunTime, SECOND, Span, Wa
 use homebody_infer::StateKind;
 use homebody_routine::rhythm::{DiaryEntry, sentences};
 use homebody_routine::routine::{Activity, Meal};
+use homebody_timeline::Episode;
 use homebody_walk::Mesh;
 use homebody_walk::places::HomePlaces;
 use std::collections::BTreeMap;
@@ -28,7 +29,6 @@ use std::ops::Range;
 const AT_M: f64 = 1.0;
 /// Longest absence from bed that does not end the night.
 const UP_AT_NIGHT: Span = MINUTE.times(90);
-/// Shortest nap.
 const SHORTEST_NAP: Span = MINUTE.times(20);
 /// Longest absence from a seat that does not end the sitting.
 const SITS_ON: Span = MINUTE.times(5);
@@ -53,8 +53,8 @@ const CARE: [(Role, Activity, Range<Span>); 3] = [
 /// Seats for long sittings other than meals.
 const SEATS: [Role; 3] = [Role::Armchair, Role::Sofa, Role::Desk];
 
-/// Places where food is prepared.
-const KITCHEN: [Role; 5] = [Role::Stove, Role::Counter, Role::Fridge, Role::Sink, Role::Drawers];
+/// Places of meals: where food is prepared, and where it is eaten.
+const MEAL_PLACES: [Role; 6] = [Role::Stove, Role::Counter, Role::Fridge, Role::Sink, Role::Drawers, Role::DiningSeat];
 
 /// Places of the diary.
 const AT: [Role; 13] = [
@@ -80,7 +80,6 @@ const MEALS: [(Meal, Range<Span>); 3] = [
     (Meal::Dinner, HOUR.times(16)..HOUR.times(21)),
 ];
 
-/// The usual night, as times of day.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct UsualNight {
     bed: Span,
@@ -88,7 +87,7 @@ pub struct UsualNight {
 }
 
 impl UsualNight {
-    /// Whether the hour that begins at an instant is one of the night (true) or of the day; nothing where it is of both.
+    /// True if the hour that begins at an instant is one of the night, false if it is one of the day; `None` if it is of both.
     pub fn covers_hour(&self, begin: WallTime) -> Option<bool> {
         let length = (self.up - self.bed).rem_euclid(DAY);
         let since = |at: WallTime| (at - self.bed).time_of_day();
@@ -103,7 +102,7 @@ pub struct Rhythm {
 }
 
 impl Rhythm {
-    /// Of the first resident of a log that was walked back.
+    /// The diary of the first resident of a located log.
     pub fn new(translation: &Translation, scenario: &Scenario) -> Rhythm {
         let resident = &scenario.residents[0].file;
         let plan = scenario.home.plan();
@@ -117,8 +116,8 @@ impl Rhythm {
             let name = places.for_role(seat).map_or("", |spot| &spot.name);
             sittings(&stays, seat, name)
         }));
-        let out = merged(&stays, Span::ZERO, |stay| stay.is_out);
-        let outings = out.into_iter().filter(|span| span.length() >= SHORTEST_OUTING);
+        let out = stays.iter().filter(|stay| stay.label == DiaryPlace::Out).map(|stay| stay.time);
+        let outings = joined(out, Span::ZERO).into_iter().filter(|span| span.length() >= SHORTEST_OUTING);
         noted.extend(outings.map(|span| done(Activity::Leave, span)));
         noted.extend(care(&stays));
         noted.extend(meals(&stays));
@@ -126,18 +125,17 @@ impl Rhythm {
         Rhythm { noted }
     }
 
-    /// Its sentences: of what is noted, since what a log does not show may be done all the same.
+    /// Its sentences: of the entries alone, since a person may do what a log does not show.
     pub fn sentences(&self) -> Vec<String> {
         let known: Vec<Activity> = self.noted.iter().map(|one| one.what.clone()).collect();
         sentences(&self.noted, &known)
     }
 
-    /// The number of its nights.
     pub fn nights(&self) -> usize {
         self.noted.iter().filter(|one| one.what == Activity::GoToBed).count()
     }
 
-    /// The usual night: the median of beds and risings; nothing where there are less than two nights.
+    /// The usual night: the median of beds and risings; `None` with less than two nights.
     pub fn night(&self) -> Option<UsualNight> {
         let nights: Vec<&DiaryEntry> = self.noted.iter().filter(|one| one.what == Activity::GoToBed).collect();
         // From noon on, so that midnight parts none.
@@ -151,13 +149,14 @@ impl Rhythm {
     }
 }
 
-/// A stay of the first resident.
-struct DiaryStay {
-    span: Interval<WallTime>,
-    /// The piece of furniture.
-    at: Option<Role>,
-    is_out: bool,
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum DiaryPlace {
+    Out,
+    At(Role),
+    Elsewhere,
 }
+
+type DiaryStay = Episode<WallTime, DiaryPlace>;
 
 /// The home's own pieces with their places.
 type Spots = Vec<(Role, Point)>;
@@ -171,12 +170,12 @@ fn stays(translation: &Translation, spots: &Spots) -> Vec<DiaryStay> {
     let own: Vec<&PersonStay> = translation.whereabouts.iter().filter(|one| one.who == 0).collect();
     let end = |index: usize| own.get(index + 1).map_or(RunTime::START + translation.length, |next| next.at);
     let stay = |(index, one): (usize, &&PersonStay)| {
-        let (is_out, walks) = (one.kind == StateKind::Out, one.kind == StateKind::Walks);
-        DiaryStay {
-            span: Interval::new(one.at, end(index)).map(|at| translation.wall(at)),
-            at: one.place.filter(|_| !walks).and_then(|at| at_what(at, spots)),
-            is_out,
-        }
+        let place = match one.kind {
+            StateKind::Out => DiaryPlace::Out,
+            StateKind::Walks => DiaryPlace::Elsewhere,
+            _ => one.place.and_then(|at| at_what(at, spots)).map_or(DiaryPlace::Elsewhere, DiaryPlace::At),
+        };
+        Episode::new(place, Interval::new(one.at, end(index)).map(|at| translation.wall(at)))
     };
     own.iter().enumerate().map(stay).collect()
 }
@@ -191,18 +190,15 @@ fn done(what: Activity, Interval { begin, end }: Interval<WallTime>) -> DiaryEnt
     DiaryEntry { what, begin, end }
 }
 
-/// The spans of the stays that fit; those that are no more than `gap` apart are one.
-fn merged(stays: &[DiaryStay], gap: Span, fits: impl Fn(&DiaryStay) -> bool) -> Vec<Interval<WallTime>> {
-    joined(stays.iter().filter(|stay| fits(stay)).map(|stay| stay.span), gap)
+/// The times at one of these roles; a gap of at most `gap` between two does not count.
+fn times_at(stays: &[DiaryStay], gap: Span, roles: &[Role]) -> Vec<Interval<WallTime>> {
+    let is_there = |stay: &&DiaryStay| matches!(&stay.label, DiaryPlace::At(role) if roles.contains(role));
+    joined(stays.iter().filter(is_there).map(|stay| stay.time), gap)
 }
 
-fn is_at(stay: &DiaryStay, roles: &[Role]) -> bool {
-    stay.at.is_some_and(|at| roles.contains(&at))
-}
-
-/// From noon to noon the longest time in bed; what is shorter is a nap.
+/// From noon to noon the longest time in bed; a shorter one is a nap.
 fn nights(stays: &[DiaryStay]) -> Vec<DiaryEntry> {
-    let in_bed = merged(stays, UP_AT_NIGHT, |stay| is_at(stay, &[Role::Bed]));
+    let in_bed = times_at(stays, UP_AT_NIGHT, &[Role::Bed]);
     let mut longest: BTreeMap<i64, Interval<WallTime>> = BTreeMap::new();
     for span in in_bed.into_iter().filter(|span| span.length() >= SHORTEST_NIGHT) {
         let middle = span.begin + span.length() / 2;
@@ -214,9 +210,9 @@ fn nights(stays: &[DiaryStay]) -> Vec<DiaryEntry> {
     longest.into_values().map(|span| done(Activity::GoToBed, span)).collect()
 }
 
-/// Times in bed that are none of the nights.
+/// The times in bed outside the nights.
 fn naps(stays: &[DiaryStay], nights: &[DiaryEntry]) -> Vec<DiaryEntry> {
-    let in_bed = merged(stays, SITS_ON, |stay| is_at(stay, &[Role::Bed]));
+    let in_bed = times_at(stays, SITS_ON, &[Role::Bed]);
     let is_nap = |span: &Interval<WallTime>| {
         let is_of_night = nights.iter().any(|night| Interval::new(night.begin, night.end).overlaps(*span));
         span.length() >= SHORTEST_NAP && !is_of_night
@@ -225,9 +221,8 @@ fn naps(stays: &[DiaryStay], nights: &[DiaryEntry]) -> Vec<DiaryEntry> {
     in_bed.into_iter().filter(is_nap).map(|span| done(nap(), span)).collect()
 }
 
-/// Times in a seat of this name.
 fn sittings(stays: &[DiaryStay], seat: Role, name: &str) -> Vec<DiaryEntry> {
-    let spans = merged(stays, SITS_ON, |stay| is_at(stay, &[seat]));
+    let spans = times_at(stays, SITS_ON, &[seat]);
     let long = spans.into_iter().filter(|span| span.length() >= SHORTEST_SITTING);
     long.map(|span| done(Activity::Other(format!("sits in the {name}")), span)).collect()
 }
@@ -235,7 +230,7 @@ fn sittings(stays: &[DiaryStay], seat: Role, name: &str) -> Vec<DiaryEntry> {
 fn care(stays: &[DiaryStay]) -> Vec<DiaryEntry> {
     let mut noted: Vec<DiaryEntry> = Vec::new();
     for (role, what, lasts) in CARE {
-        let spans = merged(stays, MINUTE, |stay| is_at(stay, &[role]));
+        let spans = times_at(stays, MINUTE, &[role]);
         let spans = spans.into_iter().filter(|span| lasts.contains(&span.length()));
         noted.extend(spans.map(|span| done(what.clone(), span)));
     }
@@ -248,8 +243,8 @@ fn care(stays: &[DiaryStay]) -> Vec<DiaryEntry> {
 
 /// Of each day and meal the longest time in the kitchen and at the table: prepared until one sits down, then eaten.
 fn meals(stays: &[DiaryStay]) -> Vec<DiaryEntry> {
-    let spans = merged(stays, GOES_ON, |stay| is_at(stay, &KITCHEN) || is_at(stay, &[Role::DiningSeat]));
-    let seated = merged(stays, MINUTE, |stay| is_at(stay, &[Role::DiningSeat]));
+    let spans = times_at(stays, GOES_ON, &MEAL_PLACES);
+    let seated = times_at(stays, MINUTE, &[Role::DiningSeat]);
     let first = spans.first().map_or(0, |span| span.begin.day_number());
     let last = spans.last().map_or(0, |span| span.end.day_number() + 1);
     let days = (first..last).flat_map(|day| MEALS.iter().map(move |(meal, hours)| (day, *meal, hours)));
@@ -281,7 +276,7 @@ mod tests {
     }
 
     fn stay(from: i64, to: i64, at: Option<Role>) -> DiaryStay {
-        DiaryStay { span: span(from, to), at, is_out: false }
+        Episode::new(at.map_or(DiaryPlace::Elsewhere, DiaryPlace::At), span(from, to))
     }
 
     const BED: Option<Role> = Some(Role::Bed);
@@ -289,14 +284,14 @@ mod tests {
     const SEAT: Option<Role> = Some(Role::DiningSeat);
 
     #[test]
-    fn who_is_near_several_is_at_the_nearest() {
+    fn takes_the_nearest_of_several_spots() {
         let spots = vec![(Role::Stove, point([1.0, 1.0])), (Role::DiningSeat, point([1.5, 1.0]))];
         let told = [1.1, 1.4, 2.4, 2.6].map(|x| at_what(point([x, 1.0]), &spots));
         assert_eq!(told, [STOVE, SEAT, SEAT, None]);
     }
 
     #[test]
-    fn who_is_back_in_bed_soon_was_not_up() {
+    fn short_time_out_of_bed_does_not_end_the_night() {
         let stays = [
             stay(0, 200, BED),
             stay(200, 210, Some(Role::Toilet)),
@@ -308,7 +303,7 @@ mod tests {
     }
 
     #[test]
-    fn a_long_nap_is_no_night() {
+    fn long_nap_is_not_a_night() {
         let day = 24 * 60;
         let stays = [
             stay(0, 400, BED),
@@ -343,7 +338,7 @@ mod tests {
     }
 
     #[test]
-    fn who_washes_right_after_the_toilet_washes_their_hands() {
+    fn washing_right_after_the_toilet_is_part_of_it() {
         let [toilet, basin] = [Role::Toilet, Role::Washbasin].map(Some);
         let stays = [stay(0, 5, toilet), stay(6, 8, basin), stay(60, 63, basin), stay(90, 92, toilet)];
         let told: Vec<Activity> = care(&stays).into_iter().map(|one| one.what).collect();

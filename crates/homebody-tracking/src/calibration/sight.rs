@@ -1,21 +1,22 @@
-//! How far sensors see and how much they miss.
+//! The reach and the misses of sensors.
 //!
-//! A log that was walked back is a path, and a path can be lived again in the same home with sensors that see otherwise. Sensors do
-//! not hear each other, so that one life tries a value for all of them at once.
+//! A located log is a path, and a path can be simulated again in the same home with other sensors. Sensors do not affect each other, so
+//! that one simulation tries a value for all of them at once.
 //!
-//! | what | found where |
+//! | parameter | value |
 //! |---|---|
-//! | how far it sees | the sensor's firings are most like the log's: `2 m / (a + b)` is highest, of `a` firings in the log and `b` in the life, of which `m` are no more than 10 s apart |
-//! | what it misses | it fires as often as in the log |
+//! | reach | the sensor's firings are most like the log's: `2 m / (a + b)` is highest, for `a` firings in the log and `b` in the simulation, `m` of them no more than 10 s apart |
+//! | misses | the sensor fires as often as in the log |
 //!
-//! A path that was walked back is where the sensors spoke rather than where somebody was, so that both come out wrong by themselves.
-//! They do so in the same way for a life that is lived in the same home with sensors that are known: the same is done with its log, and
-//! only what differs is believed (indirect inference: Gouriéroux, Monfort & Renault 1993).
+//! A located path is where the sensors fired rather than where the person was, so that both values are biased. They are biased in the same
+//! way for a simulation in the same home with known sensors: the same is done with its log, and only the difference is believed (indirect
+//! inference: Gouriéroux, Monfort & Renault 1993).
 //!
-//! We assume that somebody who lives there as the scenario says passes its sensors as the one in the log does. The log is walked
-//! back anew with the fitted sensors; what is seen then is not fitted again.
+//! We assume that the scenario's resident passes the sensors as the one in the log does. The log is located anew with the fitted sensors;
+//! the sensors are not fitted again.
 //!
-//! Left out: where a sensor hangs and looks, and how small a movement it notices. What notices every movement misses nothing.
+//! Left out: the places and directions of sensors, and the smallest movement that they notice. A sensor that notices every movement misses
+//! nothing.
 
 use super::simulated_log::{SEED, log_for};
 use crate::error::TrackingError;
@@ -47,11 +48,10 @@ const OFTENER: f64 = 1.2;
 /// The fitted range of a sensor, and its share of misses.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct SensorSight {
-    /// Its name in the home.
     pub sensor: String,
-    /// It sees so many times as far as the scenario said.
+    /// Factor on its reach in the scenario.
     pub reach: f64,
-    /// The share of what passes that it misses; nothing for one that notices every movement.
+    /// The share of passings that it misses; `None` if it notices every movement.
     pub missed: Option<f64>,
     /// The agreement of its firings with the log's before and after, from 0 to 1.
     pub agreement: [f64; 2],
@@ -101,7 +101,7 @@ pub fn fitted(
     Ok((scenario.edit().home(|home| home.sensors = sensors).load()?, sights))
 }
 
-/// The path of a log, to simulate with other sensors.
+/// The path of a located log, to simulate with other sensors.
 struct Resimulation {
     path: ScenarioEdit,
     length: Span,
@@ -116,7 +116,7 @@ impl Resimulation {
         Ok(Resimulation { path, length: walked.acted_out, log: beginning(log, &walked) })
     }
 
-    /// By sensor of the home, how its firings agree with the log's.
+    /// By sensor of the home, the agreement of its firings with the log's.
     fn counts(&self, sensors: &[SensorFile]) -> Result<Vec<ExplainedCounts>, TrackingError> {
         let edit = self.path.clone().home(|home| home.sensors = sensors.to_vec());
         let entry = edit.entry().to_owned();
@@ -131,7 +131,7 @@ impl Resimulation {
         Ok(sensors.iter().map(of).collect())
     }
 
-    /// By sensor, at how many times its reach it agrees best with the log.
+    /// By sensor, the factor on its reach with the best agreement.
     fn reaches(&self, tries: &[(f64, Vec<SensorFile>)]) -> Result<Vec<f64>, TrackingError> {
         let mut best: Vec<(f64, f64)> = Vec::new();
         for (times, sensors) in tries {
@@ -145,14 +145,14 @@ impl Resimulation {
         Ok(best.into_iter().map(|(times, _)| times).collect())
     }
 
-    /// By sensor, how many times as often it fires as in the log; nothing where that is not told.
+    /// By sensor, the ratio of its firings to those of the log; `None` where that is unknown.
     fn oftener(&self, sensors: &[SensorFile]) -> Result<Vec<Option<f64>>, TrackingError> {
         let counts = self.counts(sensors)?;
         let times = |counts: &ExplainedCounts| counts.relived.max(1) as f64 / counts.real as f64;
         Ok(counts.iter().map(|counts| is_told_of(counts).then(|| times(counts))).collect())
     }
 
-    /// By sensor, the share to miss with which it fires as many times as often as in the log as is usual; nothing where it does.
+    /// By sensor, the share to miss with which that ratio is the usual one; `None` where it is so already.
     fn misses(&self, sensors: &[SensorFile], usual: &[Option<f64>]) -> Result<Vec<Option<f64>>, TrackingError> {
         let off = |times: &[Option<f64>]| -> Vec<f64> {
             let each = times.iter().zip(usual).map(|(times, usual)| Some(libm::log((*times)? / (*usual)?).abs()));
@@ -178,18 +178,18 @@ fn is_told_of(counts: &ExplainedCounts) -> bool {
     counts.real >= LEAST_FIRINGS
 }
 
-/// From 0 to 1: the share of all firings of both that have one in the other.
+/// From 0 to 1: the share of all firings of both with a partner in the other.
 fn agreement(counts: &ExplainedCounts) -> f64 {
     2.0 * counts.matched as f64 / (counts.real + counts.relived).max(1) as f64
 }
 
-/// The nearest of some values, in times as much.
+/// The nearest of some values, by their ratio.
 fn nearest(values: &[f64], wanted: f64) -> f64 {
     let off = |value: f64| libm::log(value / wanted).abs();
     values.iter().copied().min_by(|a, b| off(*a).total_cmp(&off(*b))).unwrap_or(wanted)
 }
 
-/// The sensors of a home, of which those see so many times as far that do not see through walls then.
+/// The sensors of a home with another reach, except those that would see through walls then.
 fn seeing_as_far(scenario: &Scenario, times: f64) -> Vec<SensorFile> {
     let sensors = &scenario.home.sensors;
     let changed = |(number, given): (usize, &SensorFile)| {
@@ -200,7 +200,7 @@ fn seeing_as_far(scenario: &Scenario, times: f64) -> Vec<SensorFile> {
     sensors.iter().enumerate().map(changed).collect()
 }
 
-/// A sensor that sees so many times as far.
+/// A sensor with another reach.
 fn scaled(sensor: &SensorFile, times: f64) -> Option<SensorFile> {
     let mut sensor = sensor.clone();
     match &mut sensor {
@@ -216,7 +216,7 @@ fn scaled(sensor: &SensorFile, times: f64) -> Option<SensorFile> {
     Some(sensor)
 }
 
-/// A sensor that misses such a share of what passes; none of one that notices every movement.
+/// A sensor that misses such a share of passings; `None` for one that notices every movement.
 fn missing(sensor: &SensorFile, share: f64) -> Option<SensorFile> {
     let Some(Notice::Chance(chance)) = sensor.notice() else { return None };
     let mut sensor = sensor.clone();

@@ -1,7 +1,7 @@
 //! Simulated logs, to compare with a log.
 
 use crate::error::TrackingError;
-use homebody_core::time::{DAY, RunTime, Span, WallTime};
+use homebody_core::time::{DAY, Span};
 use homebody_log::{Log, SimulatedRun};
 use homebody_simulation::{OpenScenario, SimulationError};
 
@@ -17,10 +17,10 @@ pub fn simulated_log(open: &OpenScenario, seed: u64, days: u32) -> Result<Log, T
     log_for(open, seed, i64::from(days) * DAY)
 }
 
-/// The log of a simulation of this length, as [`simulated_log`] has it.
+/// The log of a simulation of this length, as in [`simulated_log`].
 pub fn log_for(open: &OpenScenario, seed: u64, length: Span) -> Result<Log, TrackingError> {
     let scenario = open.scenario();
-    let midnight = WallTime::midnight(scenario.calendar.local(RunTime::START).date());
+    let scale = scenario.calendar.scale(length);
     let run = SimulatedRun::new(scenario, open.household(), seed, length)?;
-    Ok(run.into_log(|at| midnight + at.since_zero(), |_| {}).map_err(SimulationError::from)?)
+    Ok(run.into_log(|at| scale.run_to_wall(at), |_| {}).map_err(SimulationError::from)?)
 }

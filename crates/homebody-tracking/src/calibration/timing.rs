@@ -13,7 +13,7 @@ const CHANCE: f64 = 0.0005;
 /// movement (our choice).
 const ONE_LUMP: f64 = 1.2;
 
-/// The scenario with the timing and the link of a log. What the log does not tell stays as it is.
+/// The scenario with the timing and the link of a log. Other parts stay.
 pub fn fitted(edit: ScenarioEdit, timing: &MotionTiming, logger: &LoggerFile, link: Option<&LinkFile>) -> ScenarioEdit {
     let hold = timing.all.hold();
     let mut edit = edit.home(|home| {
@@ -27,7 +27,7 @@ pub fn fitted(edit: ScenarioEdit, timing: &MotionTiming, logger: &LoggerFile, li
     if let Some(messages) = messages(hold, &timing.all) {
         edit = edit.logger(&LoggerFile { messages, ..logger.clone() });
     }
-    // Where there are OFFs, a message that comes twice only prolongs an ON, and repeated rows are the logger's.
+    // With OFFs, a repeated message only prolongs an ON, and repeated rows are the logger's.
     let repeated = if hold == HoldStyle::None { timing.repeated } else { 0.0 };
     let [repeated, missing] = [repeated, timing.missing].map(|share| (share > CHANCE).then_some(rounded(share)));
     if repeated.is_some() || missing.is_some() {
@@ -38,7 +38,7 @@ pub fn fitted(edit: ScenarioEdit, timing: &MotionTiming, logger: &LoggerFile, li
     edit
 }
 
-/// The device that holds its ONs so, and from when on it fires again.
+/// Fits the device that holds its ONs so, and the time after which it fires again.
 fn fit(sensor: &mut SensorFile, hold: HoldStyle, told: Option<&SensorTiming>) {
     let (preset, refire_s) = match sensor {
         SensorFile::Motion(motion) => (&mut motion.preset, &mut motion.refire_s),
@@ -58,7 +58,7 @@ fn fit(sensor: &mut SensorFile, hold: HoldStyle, told: Option<&SensorTiming>) {
     }
 }
 
-/// The messages of a log whose ONs are held so; nothing where it has no OFFs.
+/// The messages of a log with such ONs; `None` without OFFs.
 fn messages(hold: HoldStyle, all: &SensorTiming) -> Option<MessagesFile> {
     let quantiles @ [shortest, first, ..] = all.on_s?;
     let (hold_s, ends) = match hold {

@@ -1,6 +1,6 @@
 //! The life that a draft comes to, with copies that are kept every few days, so that a later month begins nearby.
 
-use crate::dates;
+use crate::dates::{self, NumberedEpisode};
 use crate::effort::Effort;
 use crate::growth::Growth;
 use crate::wire::MonthView;
@@ -10,7 +10,7 @@ use homebody_core::run::Run;
 use homebody_core::scenario::load::Scenario;
 use homebody_core::sensors::Sensor;
 use homebody_core::snapshots::Snapshots;
-use homebody_core::time::{DAY, HOUR, Interval, RunTime, Span};
+use homebody_core::time::{DAY, HOUR, RunTime, Span};
 use homebody_routine::household::Household;
 use homebody_simulation::Cancel;
 use homebody_timeline::{Episode, Timeline, TimelineBuilder};
@@ -148,7 +148,7 @@ fn lived(
         *why = format!("The days are shown up to {}. {why}", calendar.wall_clock(end));
     }
     // A stride may come to another room later.
-    ended.stays.iter_mut().flatten().for_each(|(stay, _)| stay.end = stay.end.min(end));
+    ended.stays.iter_mut().flatten().for_each(|stay| stay.time.end = stay.end().min(end));
     let mut hours = life.growth.view().hours;
     hours.resize(hours.len().max(from as usize + days.len()), vec![0; 24]);
     let told = |all: Vec<Spans>| all.iter().map(|spans| spans.iter().map(dates::told).collect()).collect();
@@ -165,8 +165,8 @@ fn lived(
     })
 }
 
-/// Of a resident: from when until when, and a number of what.
-type Spans = Vec<(Interval<RunTime>, u32)>;
+/// Episodes of a resident.
+type Spans = Vec<NumberedEpisode>;
 
 /// What has ended of lives, by resident, and why there is no more.
 struct Ended {
@@ -185,7 +185,9 @@ impl Ended {
     }
 }
 
-fn numbered(episodes: Vec<Episode>, names: &[String]) -> impl Iterator<Item = (Interval<RunTime>, u32)> {
+fn numbered(episodes: Vec<Episode>, names: &[String]) -> impl Iterator<Item = NumberedEpisode> {
     let lasting = episodes.into_iter().filter(|episode| !episode.time.is_empty());
-    lasting.filter_map(|Episode { label, time }| Some((time, names.iter().position(|name| *name == label)? as u32)))
+    lasting.filter_map(|Episode { label, time }| {
+        Some(Episode::new(names.iter().position(|name| *name == label)? as u32, time))
+    })
 }

@@ -1,6 +1,7 @@
 //! Searches over a whole stored run.
 
 use super::{Opened, Playback, Refusal};
+use crate::dates::NumberedEpisode;
 use crate::messages::PageMessage;
 use crate::refusal::{damaged, unknown};
 use crate::wire::{AlertView, DateView, Find, FindWhat, FoundView, HitView, PlaybackView};
@@ -14,6 +15,7 @@ use homebody_query::search::{
     at_home, falls_in_rooms, find,
 };
 use homebody_simulation::Cancel;
+use homebody_timeline::Episode;
 use std::borrow::Cow;
 use std::collections::HashMap;
 
@@ -42,9 +44,7 @@ impl Playback {
             SearchSubject::On | SearchSubject::Still => None,
         };
         let home = match query.what {
-            SearchSubject::Still => {
-                run.stays()?.map(|stays| at_home(stays.iter().map(|stay| Interval::new(stay.begin, stay.end))))
-            }
+            SearchSubject::Still => run.stays()?.as_deref().map(at_home),
             _ => None,
         };
         let days = run.view.days.len();
@@ -77,8 +77,8 @@ impl Playback {
         let all = found.hits.len() as u64;
         let hits = found.hits.into_iter().take(MOST_HITS);
         let view = |hit: Hit<RunTime>| HitView {
-            begin_us: hit.begin.micros(),
-            end_us: hit.end.micros(),
+            begin_us: hit.time.begin.micros(),
+            end_us: hit.time.end.micros(),
             is_fall: hit.name == FALLEN,
             words: hit.words,
         };
@@ -131,8 +131,9 @@ impl Opened {
                 all.extend(stays.iter().filter_map(stay));
             }
         } else if let Some(lives) = self.lives()? {
-            for (stays, who) in lives.rooms.iter().zip(&self.view.residents) {
-                all.extend(stays.iter().map(|&(span, place)| self.stay(span, &who.name, room(place as usize))));
+            for (person, who) in lives.people.iter().zip(&self.view.residents) {
+                let stay = |stay: &NumberedEpisode| self.stay(stay.time, &who.name, room(stay.label as usize));
+                all.extend(person.rooms.iter().map(stay));
             }
         } else {
             return Ok(None);
@@ -144,11 +145,11 @@ impl Opened {
     fn doings(&self, is_asked: impl Fn(&str) -> bool) -> Result<Option<Vec<KnownStay<'_, RunTime>>>, Refusal> {
         let Some(lives) = self.lives()?.filter(|_| self.view.walk.is_none()) else { return Ok(None) };
         let mut all = Vec::new();
-        for (spans, who) in lives.activities.iter().zip(&self.view.residents) {
-            for &(span, number) in spans {
-                let name = lives.names.get(number as usize).map_or("", String::as_str);
+        for (person, who) in lives.people.iter().zip(&self.view.residents) {
+            for &Episode { label, time } in &person.activities {
+                let name = lives.activities.get(label as usize).map_or("", String::as_str);
                 if is_asked(name) {
-                    all.push(self.stay(span, &who.name, name));
+                    all.push(self.stay(time, &who.name, name));
                 }
             }
         }
@@ -169,8 +170,7 @@ impl Opened {
 
     fn stay<'a>(&self, span: Interval<RunTime>, who: &'a str, name: &'a str) -> KnownStay<'a, RunTime> {
         let run = self.view.interval();
-        let Interval { begin, end } = span.map(|at| at.clamp(run.begin, run.end));
-        KnownStay { begin, end, who: Some(Cow::Borrowed(who)), name: Cow::Borrowed(name), words: Cow::Borrowed("") }
+        KnownStay::with_person(who, name, span.map(|at| at.clamp(run.begin, run.end)))
     }
 
     /// The messages that never reached the logger, by the truth.
@@ -193,7 +193,7 @@ impl Opened {
             let name = known.get(text(0)).map_or(text(0), |sensor| &sensor.name).to_owned();
             let words = format!("{name}: {}, lost: {}", text(1), text(4));
             let (name, words) = (Cow::Owned(name), Cow::Owned(words));
-            all.push(KnownStay { begin: at, end: at, who: None, name, words });
+            all.push(KnownStay { time: Interval::instant(at), who: None, name, words });
             Ok(())
         })
         .map_err(damaged)?;
@@ -205,14 +205,13 @@ impl Opened {
         let stay = |alert: &'a AlertView| {
             let day = self.view.days.iter().find(|day| day.date == alert.day)?;
             let (name, words) = (Cow::Borrowed(alert.rule.as_str()), Cow::Borrowed(alert.words.as_str()));
-            let Interval { begin, end } = day.interval();
-            Some(KnownStay { begin, end, who: None, name, words })
+            Some(KnownStay { time: day.interval(), who: None, name, words })
         };
         sorted(alerts.iter().filter_map(stay).collect())
     }
 }
 
 fn sorted(mut stays: Vec<KnownStay<RunTime>>) -> Vec<KnownStay<RunTime>> {
-    stays.sort_by_key(|stay| stay.begin);
+    stays.sort_by_key(|stay| stay.time.begin);
     stays
 }

@@ -1,9 +1,11 @@
-//! What residents did and where they were, of a run whose truth is read while the run is open already, as its log is.
+//! The timelines of residents, of a run whose truth is read while the run is already open, as its log is.
 
 use super::coming::{Coming, Grows, HowFar, read_in};
+use crate::dates::NumberedEpisode;
 use crate::refusal::{Refusal, damaged};
-use homebody_core::time::{DAY, Interval, RunTime, Span, TimeScale};
-use homebody_log::{LifeSpan, LogError, SpanKind, Url};
+use homebody_core::time::{DAY, RunTime, Span, TimeScale};
+use homebody_log::{LogError, Url, each_episode};
+use homebody_timeline::{Episode, EpisodeKind, PersonTimeline};
 use std::collections::HashMap;
 use std::sync::Arc;
 
@@ -11,24 +13,24 @@ use std::sync::Arc;
 /// back.
 const LATE: Span = DAY.times(31);
 
-/// Spans that are passed on together (our choice).
+/// Episodes that are passed on together (our choice).
 const MOST_AT_ONCE: usize = 1000;
 
-/// Of a resident: from when until when, and a number of what.
-pub(super) type Spans = Vec<(Interval<RunTime>, u32)>;
-
-/// What the truth tells of the whole run, or of as much as has come.
-#[derive(Clone, Debug, Default, PartialEq)]
+/// The truth of the whole run, or of as much as has come.
+#[derive(Clone, Debug, PartialEq)]
 pub(super) struct Lives {
-    /// By resident; numbers are those of the home's rooms.
-    pub rooms: Vec<Spans>,
-    /// By resident; numbers are those of `names`.
-    pub activities: Vec<Spans>,
-    /// What is done, in the order in which it comes.
-    pub names: Vec<String>,
+    /// The residents. The numbers of rooms are those of the home, and those of activities are of `activities`.
+    pub people: Vec<PersonTimeline<RunTime, u32>>,
+    /// The activities, in the order in which they come.
+    pub activities: Vec<String>,
 }
 
-/// What is known of lives so far.
+impl Lives {
+    fn new(residents: &[String]) -> Lives {
+        Lives { people: residents.iter().cloned().map(PersonTimeline::new).collect(), activities: Vec::new() }
+    }
+}
+
 pub(super) struct Known {
     lives: Arc<Lives>,
     how_far: HowFar,
@@ -40,7 +42,6 @@ impl Grows for Known {
     }
 }
 
-/// Lives, as far as they have come.
 pub(super) struct Lived {
     coming: Coming<Known>,
 }
@@ -49,15 +50,14 @@ impl Lived {
     /// Begins to read the truth of a run with these residents and rooms in another thread.
     pub fn begin(truth: Url, scale: TimeScale, residents: Vec<String>, rooms: &[String]) -> Result<Lived, Refusal> {
         let rooms: HashMap<String, u32> = rooms.iter().cloned().zip(0..).collect();
-        let none = || vec![Vec::new(); residents.len()];
-        let lives = Arc::new(Lives { rooms: none(), activities: none(), names: Vec::new() });
+        let lives = Arc::new(Lives::new(&residents));
         let coming = Coming::new(Known { lives, how_far: HowFar::begun(LATE) });
         let lived = Lived { coming: coming.clone() };
         read_in("reads a truth", move || {
-            let mut taken = Taken { residents, rooms, names: HashMap::new(), spans: Vec::new() };
-            let read = homebody_log::life_spans(&truth, &scale, &mut |span| {
-                taken.take(&span);
-                if taken.spans.len() >= MOST_AT_ONCE { coming.grow(|known| taken.hand_on(known)) } else { Ok(()) }
+            let mut taken = Taken { residents, rooms, activities: HashMap::new(), episodes: Vec::new() };
+            let read = each_episode(&truth, &scale, &mut |resident, kind, episode| {
+                taken.take(resident, kind, &episode);
+                if taken.episodes.len() >= MOST_AT_ONCE { coming.grow(|known| taken.hand_on(known)) } else { Ok(()) }
             });
             let read = read.and_then(|()| coming.grow(|known| taken.hand_on(known)));
             coming.end(|known| known.how_far.ended = Some(read.map_err(damaged)));
@@ -65,7 +65,7 @@ impl Lived {
         Ok(lived)
     }
 
-    /// What has come, to be waited for.
+    /// The known part, to wait for.
     pub fn coming(&self) -> &Coming<Known> {
         &self.coming
     }
@@ -77,54 +77,49 @@ impl Lived {
 }
 
 impl Known {
-    /// What has come of lives.
+    /// The known part of lives.
     pub fn lives(&self) -> &Lives {
         &self.lives
     }
 }
 
-/// What has been taken from a truth and is not handed on yet.
+/// The episodes that are not handed on yet.
 struct Taken {
     residents: Vec<String>,
     rooms: HashMap<String, u32>,
-    names: HashMap<String, u32>,
-    /// Of which resident, of what, and the span.
-    spans: Vec<(usize, SpanKind, (Interval<RunTime>, u32))>,
+    activities: HashMap<String, u32>,
+    /// By the number of the resident.
+    episodes: Vec<(usize, EpisodeKind, NumberedEpisode)>,
 }
 
 impl Taken {
-    fn take(&mut self, span: &LifeSpan) {
-        let Some(resident) = self.residents.iter().position(|name| name == span.resident) else { return };
-        let number = match span.kind {
-            SpanKind::Room => self.rooms.get(span.name).copied(),
-            SpanKind::Activity => match self.names.get(span.name) {
+    fn take(&mut self, resident: &str, kind: EpisodeKind, Episode { label, time }: &Episode) {
+        let Some(resident) = self.residents.iter().position(|name| name == resident) else { return };
+        let number = match kind {
+            EpisodeKind::Room => self.rooms.get(label).copied(),
+            EpisodeKind::Activity => match self.activities.get(label) {
                 Some(&number) => Some(number),
                 None => {
-                    let number = self.names.len() as u32;
-                    self.names.insert(span.name.to_owned(), number);
+                    let number = self.activities.len() as u32;
+                    self.activities.insert(label.clone(), number);
                     Some(number)
                 }
             },
         };
-        let interval = Interval::new(span.begin, span.end);
-        self.spans.extend(number.map(|number| (resident, span.kind, (interval, number))));
+        self.episodes.extend(number.map(|number| (resident, kind, Episode::new(number, *time))));
     }
 
     fn hand_on(&mut self, known: &mut Known) -> Result<(), LogError> {
         // Nobody else has it before all has come.
         let lives = Arc::make_mut(&mut known.lives);
-        if lives.names.len() < self.names.len() {
-            let mut names: Vec<(&String, &u32)> = self.names.iter().collect();
+        if lives.activities.len() < self.activities.len() {
+            let mut names: Vec<(&String, &u32)> = self.activities.iter().collect();
             names.sort_by_key(|(_, number)| **number);
-            lives.names = names.into_iter().map(|(name, _)| name.clone()).collect();
+            lives.activities = names.into_iter().map(|(name, _)| name.clone()).collect();
         }
-        for (resident, kind, span) in self.spans.drain(..) {
-            known.how_far.last_us = known.how_far.last_us.max(span.0.end);
-            let of = match kind {
-                SpanKind::Room => &mut lives.rooms,
-                SpanKind::Activity => &mut lives.activities,
-            };
-            of[resident].push(span);
+        for (resident, kind, episode) in self.episodes.drain(..) {
+            known.how_far.last_us = known.how_far.last_us.max(episode.end());
+            lives.people[resident].episodes_mut(kind).push(episode);
         }
         Ok(())
     }
@@ -133,33 +128,34 @@ impl Taken {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use homebody_core::time::Interval;
 
     #[test]
-    fn what_is_done_is_known_once_nothing_more_of_its_time_comes() {
-        let lives = Arc::new(Lives { rooms: vec![Vec::new()], activities: vec![Vec::new()], names: Vec::new() });
+    fn activities_are_known_once_no_earlier_ones_can_come() {
+        let residents = vec!["ann".to_owned()];
+        let lives = Arc::new(Lives::new(&residents));
         let coming = Coming::new(Known { lives, how_far: HowFar::begun(LATE) });
         let lived = Lived { coming: coming.clone() };
         let rooms = HashMap::from([("hall".to_owned(), 7)]);
-        let mut taken = Taken { residents: vec!["ann".into()], rooms, names: HashMap::new(), spans: Vec::new() };
+        let mut taken = Taken { residents, rooms, activities: HashMap::new(), episodes: Vec::new() };
         let day = |days: i64| RunTime::START + days * DAY;
-        let mut hand_on = |kind, resident, name, begin, end| {
-            taken.take(&LifeSpan { kind, resident, name, begin: day(begin), end: day(end) });
+        let days = |begin, end| Interval::new(day(begin), day(end));
+        let mut hand_on = |kind, resident, label: &str, begin, end| {
+            taken.take(resident, kind, &Episode::new(label.to_owned(), days(begin, end)));
             coming.grow(|known| taken.hand_on(known)).unwrap();
         };
-        hand_on(SpanKind::Activity, "ann", "sleeping", 0, 1);
-        hand_on(SpanKind::Room, "ann", "hall", 1, 2);
-        hand_on(SpanKind::Room, "ann", "attic", 2, 3);
-        hand_on(SpanKind::Activity, "nobody", "reading", 2, 3);
+        hand_on(EpisodeKind::Activity, "ann", "sleeping", 0, 1);
+        hand_on(EpisodeKind::Room, "ann", "hall", 1, 2);
+        hand_on(EpisodeKind::Room, "ann", "attic", 2, 3);
+        hand_on(EpisodeKind::Activity, "bob", "reading", 2, 3);
         assert!(coming.known().read_us().unwrap().unwrap() < day(0));
-        hand_on(SpanKind::Activity, "ann", "eating", 3, 40);
+        hand_on(EpisodeKind::Activity, "ann", "eating", 3, 40);
         assert_eq!(coming.known().read_us(), Ok(Some(day(9))));
-        let days = |begin, end| Interval::new(day(begin), day(end));
         let known = coming.until(day(9)).unwrap().lives().clone();
-        assert_eq!(
-            (&known.rooms[0][..], &known.activities[0][..]),
-            (&[(days(1, 2), 7)][..], &[(days(0, 1), 0), (days(3, 40), 1)][..])
-        );
-        assert_eq!(known.names, ["sleeping", "eating"]);
+        let [ann] = &known.people[..] else { panic!("{known:?}") };
+        assert_eq!(ann.rooms, [Episode::new(7, days(1, 2))]);
+        assert_eq!(ann.activities, [Episode::new(0, days(0, 1)), Episode::new(1, days(3, 40))]);
+        assert_eq!(known.activities, ["sleeping", "eating"]);
         coming.end(|known| known.how_far.ended = Some(Ok(())));
         assert_eq!(*lived.whole().unwrap(), known);
     }

@@ -12,11 +12,11 @@ use homebody_core::scenario::scheme::{KNOWN_EXTENSIONS, SCHEMES, SchemeRow};
 use homebody_core::time::{TimeScale, WallTime};
 use homebody_log::convert;
 use homebody_log::files::fresh::same_file;
-use homebody_log::lives;
 use homebody_log::registry::forms;
 use homebody_log::source::LogForm;
 use homebody_log::table::truth::tables;
-use homebody_log::{Activity, Life, LogError, Transfer, Url};
+use homebody_log::{LogError, Transfer, Url, read_timeline};
+use homebody_timeline::{Episode, Timeline};
 use indicatif::ProgressBar;
 use std::path::{Path, PathBuf};
 
@@ -93,8 +93,7 @@ impl Arguments {
             let no_truth = || LogContentMessage::NoTruth { log: text.to_owned(), command: "convert" };
             let truth = named.truth().ok_or_else(|| Failure::file(no_truth()))?;
             let scale = TimeScale::one();
-            let lives = lives(&truth, &scale)?.into_iter();
-            log.activities = told_activities(lives.map(|life| life.map(|at| scale.run_to_wall(at))).collect());
+            log.activities = told_activities(read_timeline(&truth, &scale)?.map(|at| scale.run_to_wall(at)));
         }
         let look = looker.look(&named.name, named.place.form().name, &log, &|_| None, None);
         log.remarks.clone_from(&look.remarks);
@@ -129,16 +128,14 @@ impl Arguments {
     }
 }
 
-/// What residents did, by their numbers where there are several: `R1_` stands before what the first of them does.
-fn told_activities(lives: Vec<Life<WallTime>>) -> Vec<Activity> {
-    let are_several = lives.len() > 1;
-    let of_life = |(number, life): (usize, Life<WallTime>)| {
-        let prefix = if are_several { format!("R{}_", number + 1) } else { String::new() };
-        life.activities.into_iter().map(move |of| Activity { name: format!("{prefix}{}", of.name), ..of })
-    };
-    let mut all: Vec<Activity> = lives.into_iter().enumerate().flat_map(of_life).collect();
-    all.sort_by_key(|of| of.begin);
-    all
+/// The activities of residents. If there are several residents, `R1_` stands before the activities of the first, and so on.
+fn told_activities(mut timeline: Timeline<WallTime>) -> Vec<Episode<WallTime>> {
+    if timeline.people.len() > 1 {
+        for (number, person) in timeline.people.iter_mut().enumerate() {
+            person.activities.iter_mut().for_each(|of| of.label = format!("R{}_{}", number + 1, of.label));
+        }
+    }
+    timeline.into_activities()
 }
 
 /// Makes sure that an output does not replace what the command reads.

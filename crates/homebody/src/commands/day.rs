@@ -42,7 +42,7 @@ impl Arguments {
             Failure::asked(LogContentMessage::NoDay { log: log(), day, first, last })
         };
         let date = self.date.within(there).ok_or_else(no_day)?;
-        let day = DayRecord::from_log(&read.name, &read.log, &read.lives, read.ended(), date);
+        let day = DayRecord::from_log(&read.name, &read.log, &read.timeline.people, read.ended(), date);
         answer.give(&day, [&|| day_chart(&DayChart::new(&day))])
     }
 }

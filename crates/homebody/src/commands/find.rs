@@ -90,9 +90,9 @@ impl Arguments {
         let query = Query { what, name: self.name.clone(), hours: self.between, least };
         let found = find_in_log(&query, &read)?;
         let one = |hit: homebody_query::search::Hit<WallTime>| One {
-            begin: instant(hit.begin),
-            end: instant(hit.end),
-            lasts_s: (hit.end - hit.begin).seconds(),
+            begin: instant(hit.time.begin),
+            end: instant(hit.time.end),
+            lasts_s: hit.time.length().seconds(),
             name: hit.name,
             words: hit.words,
         };

@@ -180,11 +180,11 @@ pub fn within(read: &LoadedLog) -> Option<Interval<WallTime>> {
 
 /// The measures of what a resident did.
 fn lived(read: &LoadedLog, resident: &str) -> Result<Measures, Failure> {
-    let Some(life) = read.lives.iter().find(|life| life.resident == resident) else {
-        let known = read.lives.iter().map(|life| life.resident.clone()).collect();
+    let Some(person) = read.timeline.people.iter().find(|person| person.name == resident) else {
+        let known = read.timeline.people.iter().map(|person| person.name.clone()).collect();
         return Err(Failure::asked(MeasuresMessage::NoResident { resident: resident.to_owned(), known }));
     };
     let recorded = read.recorded.or_else(|| within(read)).unwrap_or_default();
     let beside = TruthDetails { company: read.company(), ..TruthDetails::default() };
-    Ok(Measures::from_detailed_truth(&format!("{}, {resident}", read.name), life, &beside, recorded))
+    Ok(Measures::from_detailed_truth(&format!("{}, {resident}", read.name), person, &beside, recorded))
 }

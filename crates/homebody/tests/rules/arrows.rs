@@ -17,7 +17,7 @@ const ARROWS: [(&str, &[&str]); 25] = [
     ("homebody-infer", &["homebody-core", "homebody-log", "homebody-walk"]),
     ("homebody-script", &["homebody-core", "homebody-walk"]),
     ("homebody-routine", &["homebody-core", "homebody-script", "homebody-walk"]),
-    ("homebody-analysis", &["homebody-core", "homebody-log"]),
+    ("homebody-analysis", &["homebody-core", "homebody-log", "homebody-timeline"]),
     ("homebody-picture", &["homebody-analysis", "homebody-core"]),
     ("homebody-timeline", &["homebody-core"]),
     (
@@ -63,6 +63,7 @@ const ARROWS: [(&str, &[&str]); 25] = [
             "homebody-log",
             "homebody-routine",
             "homebody-simulation",
+            "homebody-timeline",
             "homebody-walk",
         ],
     ),
@@ -76,6 +77,7 @@ const ARROWS: [(&str, &[&str]); 25] = [
             "homebody-query",
             "homebody-routine",
             "homebody-simulation",
+            "homebody-timeline",
             "homebody-walk",
         ],
     ),
@@ -164,12 +166,13 @@ const ARROWS: [(&str, &[&str]); 25] = [
 ];
 
 /// Dev-dependencies besides, and why.
-const BACKWARD: [(&str, &str, &str); 5] = [
+const BACKWARD: [(&str, &str, &str); 6] = [
     ("homebody-core", "homebody-oracle", "the tests compare the kernel with the update loop of the paper"),
     ("homebody", "homebody-lab", "the rules read the messages and the command line of the experiments"),
     ("homebody", "homebody-walk", "the tests count to how much of an imported plan there is a way"),
     ("homebody-core", "homebody-log", "the benchmarks hold the kernel beside the database that stores its firings"),
     ("homebody-picture", "homebody-log", "the tests draw what was analysed of logs"),
+    ("homebody-picture", "homebody-timeline", "the tests draw the activities of a day"),
 ];
 
 #[test]

@@ -6,10 +6,10 @@ use crate::commands::scenario::Chosen;
 use crate::failure::Failure;
 use homebody_analysis::day::DayRecord;
 use homebody_core::time::{RunTime, Span, TimeScale, WallTime};
-use homebody_log::{Life, Log};
+use homebody_log::Log;
 use homebody_picture::{DayChart, day_chart};
 use homebody_simulation::Simulation;
-use homebody_timeline::TimelineBuilder;
+use homebody_timeline::{PersonTimeline, TimelineBuilder};
 
 /// Simulate a day and show activities and rooms, with a chart
 ///
@@ -51,15 +51,15 @@ impl Arguments {
         let length = end - RunTime::START;
         let run = opened.run().seed(self.seed.unwrap_or(scenario.file.seed)).length(length).without(&self.without);
         let run = run.start()?;
-        let lives = simulate(run, begin, &scenario.calendar.scale(length))?;
+        let people = simulate(run, begin, &scenario.calendar.scale(length))?;
         let name = format!("{}, simulated", scenario.file.name);
-        let day = DayRecord::from_log(&name, &Log::default(), &lives, None, date);
+        let day = DayRecord::from_log(&name, &Log::default(), &people, None, date);
         answer.give(&day, [&|| day_chart(&DayChart::new(&day))])
     }
 }
 
-/// Simulates a run to its end. Returns what each person does, and where, from an instant on.
-fn simulate(mut run: Simulation, from: RunTime, scale: &TimeScale) -> Result<Vec<Life<WallTime>>, Failure> {
+/// Simulates a run to its end. Returns the timelines of people from an instant on.
+fn simulate(mut run: Simulation, from: RunTime, scale: &TimeScale) -> Result<Vec<PersonTimeline<WallTime>>, Failure> {
     let rooms = run.home().plan.rooms.iter().map(|room| room.name.clone()).collect();
     let mut timeline = TimelineBuilder::new(run.residents(), rooms);
     while let Some(batch) = run.next_batch()? {
@@ -71,5 +71,5 @@ fn simulate(mut run: Simulation, from: RunTime, scale: &TimeScale) -> Result<Vec
         person.forget_before(from);
         person
     });
-    Ok(known.filter(|person| !person.is_empty()).map(Life::from).collect())
+    Ok(known.filter(|person| !person.is_empty()).collect())
 }

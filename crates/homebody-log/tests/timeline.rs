@@ -1,4 +1,4 @@
-//! Reading the ground truth of a run returns what its residents did.
+//! Timelines of residents are built from the truth of a run.
 
 use crate::stage::{self, Folder};
 use homebody_core::calendar::Calendar;
@@ -9,9 +9,9 @@ use homebody_core::motion::MotionState;
 use homebody_core::posture::Posture;
 use homebody_core::scenario::logger::{LoggerFile, TimeFormat};
 use homebody_core::scenario::scheme::Scheme;
-use homebody_core::time::{HOUR, MINUTE, RunTime, SECOND, Span, TimeScale};
-use homebody_log::lives;
-use homebody_log::{Activity, Life, RowsOfFirings, RunInfo, TruthLog, Url, WriteMode};
+use homebody_core::time::{HOUR, Interval, MINUTE, RunTime, SECOND, Span, TimeScale};
+use homebody_log::{RowsOfFirings, RunInfo, TruthLog, Url, WriteMode, read_timeline};
+use homebody_timeline::{Episode, PersonTimeline};
 use std::sync::Arc;
 
 fn at(span: Span) -> RunTime {
@@ -37,22 +37,23 @@ fn reads_activities_and_rooms_of_each_resident() {
     // The clock on the wall, and the world's, six hours later.
     for (time, start) in [(TimeFormat::Local, 1_236_463_200), (TimeFormat::EpochS, 1_236_484_800)] {
         let start = at(start * SECOND);
-        let folder = Folder::new(&format!("lives-{time:?}"));
+        let folder = Folder::new(&format!("timeline-{time:?}"));
         let file = LoggerFile { time, ..LoggerFile::default() };
         let path = folder.path().join("truth.db");
         let mut log = stage::open_truth(&path, &[], &file).unwrap();
         log.store(&Events { facts: facts.clone(), ..Events::default() }, &RowsOfFirings::default()).unwrap();
         log.finish(at(3 * HOUR)).unwrap();
 
-        let span = |name: &str, begin, end| Activity { name: name.into(), begin: start + begin, end: start + end };
-        let ann = Life {
-            resident: "margaret".into(),
+        let span = |label: &str, begin, end| Episode::new(label.to_owned(), Interval::new(start + begin, start + end));
+        let ann = PersonTimeline {
+            name: "margaret".into(),
             activities: vec![span("sleeping", Span::ZERO, HOUR), span("cooking", 2 * HOUR, 3 * HOUR)],
             rooms: vec![span("bedroom", Span::ZERO, HOUR), span("kitchen", HOUR + SECOND, 3 * HOUR)],
         };
         let rooms = vec![span("kitchen", Span::ZERO, 3 * HOUR)];
-        let bob = Life { resident: "walter".into(), activities: vec![], rooms };
-        assert_eq!(lives(&Url::new(Scheme::Sqlite, &path), &TimeScale::one()).unwrap(), [ann, bob], "{time:?}");
+        let bob = PersonTimeline { name: "walter".into(), activities: vec![], rooms };
+        let read = read_timeline(&Url::new(Scheme::Sqlite, &path), &TimeScale::one()).unwrap();
+        assert_eq!(read.people, [ann, bob], "{time:?}");
     }
 }
 
@@ -83,9 +84,9 @@ fn movements_tell_a_repeated_hour() {
     facts.push(movement(up, up + 3 * SECOND, MotionState::Stride { from: bed, to: kitchen }));
     facts.push(movement(up + 3 * SECOND, end, MotionState::Rest { at: kitchen }));
 
-    let span = |name: &str, begin, end| Activity { name: name.into(), begin, end };
-    let lived = Life {
-        resident: "margaret".into(),
+    let span = |label: &str, begin, end| Episode::new(label.to_owned(), Interval::new(begin, end));
+    let expected = PersonTimeline {
+        name: "margaret".into(),
         activities: vec![span("sleeping", RunTime::START, up), span("drinking", up, end)],
         rooms: vec![span("bedroom", RunTime::START, up + 2 * SECOND), span("kitchen", up + 2 * SECOND, end)],
     };
@@ -99,17 +100,20 @@ fn movements_tell_a_repeated_hour() {
             let mut log = TruthLog::open(&url, &[], &file, &run, WriteMode::Create).unwrap();
             log.store(&Events { facts: facts.clone(), ..Events::default() }, &RowsOfFirings::default()).unwrap();
             log.finish(end).unwrap();
-            assert_eq!(lives(&url, &scale).unwrap(), std::slice::from_ref(&lived), "{time:?}, {scheme:?}");
+            assert_eq!(
+                read_timeline(&url, &scale).unwrap().people,
+                std::slice::from_ref(&expected),
+                "{time:?}, {scheme:?}"
+            );
             // Without the run, an activity on a wall that is set back is in two pieces, whose lengths are right.
-            let pieces = &lives(&url, &TimeScale::one()).unwrap()[0].activities;
+            let pieces = &read_timeline(&url, &TimeScale::one()).unwrap().people[0].activities;
             let is_local = time == TimeFormat::Local;
-            let slept: Span =
-                pieces.iter().filter(|piece| piece.name == "sleeping").map(|piece| piece.end - piece.begin).sum();
+            let slept: Span = pieces.iter().filter(|piece| piece.label == "sleeping").map(Episode::length).sum();
             let between_pieces = if is_local { Span::MICROSECOND } else { Span::ZERO };
             assert_eq!(slept + between_pieces, up.since_zero(), "{pieces:?}");
-            assert!(pieces.iter().all(|piece| piece.begin < piece.end), "{pieces:?}");
+            assert!(pieces.iter().all(|piece| !piece.time.is_empty()), "{pieces:?}");
             // The control: the wall does go back.
-            assert_eq!(pieces.windows(2).any(|pair| pair[1].begin < pair[0].end), is_local, "{pieces:?}");
+            assert_eq!(pieces.windows(2).any(|pair| pair[1].begin() < pair[0].end()), is_local, "{pieces:?}");
         }
     }
 }
