@@ -1,4 +1,4 @@
-//! Whatever is in the files and on the command line, the command says what is wrong, and never breaks down.
+//! Invalid files and arguments: the command explains each problem, and never panics.
 
 use crate::flat::flat;
 use crate::folder::Folder;
@@ -61,7 +61,7 @@ fn problems_of_routines_come_with_the_others() {
 }
 
 #[test]
-fn what_is_asked_wrongly_is_refused() {
+fn rejects_invalid_arguments() {
     let folder = flat();
     let given = folder.files();
     for (words, said) in [
@@ -118,7 +118,7 @@ fn what_is_asked_wrongly_is_refused() {
 }
 
 #[test]
-fn what_is_no_scenario_is_told_apart() {
+fn distinguishes_reasons_for_a_missing_scenario() {
     let folder = flat();
     fs::create_dir(folder.path("empty")).unwrap();
     folder.write("latin/scenario.json", b"{ \"name\": \"\xe9\" }");
@@ -159,7 +159,7 @@ impl Chance {
     }
 }
 
-/// What JSON's grammar hangs on, and what no text holds.
+/// The signs of JSON's grammar, and characters that texts cannot contain.
 const BYTES: &[u8] = b"{}[],:\"-.0123456789e\\\n\0 tfn\xff\xc3";
 
 #[test]
@@ -191,7 +191,7 @@ fn no_file_makes_the_command_break_down() {
         match done.code {
             Some(0) => {
                 ended[0] += 1;
-                // What is accepted can be lived.
+                // Accepted files can be simulated.
                 let lived = folder.run("run tigerplace --for 8h --quiet --force --out csv:log.csv");
                 assert_eq!(lived.code, Some(0), "{what}{}", lived.err);
             }

@@ -5,7 +5,7 @@ use serde_json::Value;
 
 /// The end of the line of the sensor in the hallway.
 const HALLWAY: &str = r#"[3.6, 2.4], [2.95, 2.4]], "preset": "casas_pulse" }"#;
-/// What the sensor in the middle of the hallway sees, half as wide and half as long.
+/// The field of the sensor in the middle of the hallway, half as wide and half as long.
 const HALF_AS_FAR: &str = "[[4.425, 1.925], [4.875, 1.925], [4.875, 2.375], [4.425, 2.375]]";
 
 /// A folder with the log of a home whose numbers are known: six days of units that hold their ONs for three seconds, one of which
@@ -64,7 +64,7 @@ fn the_numbers_of_a_life_that_is_known_are_found_again() {
     assert!(lengths["fitted"].as_f64().unwrap() < 0.3 && lengths["before"].as_f64().unwrap() > 0.6, "{lengths}");
     let sights = report["fitted"]["sights"].as_array().unwrap();
     let of = |name: &str| sights.iter().find(|sight| sight["sensor"] == name).unwrap();
-    // Of few days nobody can say whether a sensor misses much or sees little.
+    // With few days, misses and a short reach cannot be distinguished.
     let sees_less = |sight: &Value| sight["missed"].as_f64().unwrap() > 0.3 || sight["reach"].as_f64().unwrap() < 0.8;
     assert!(sees_less(of("hallway")), "{sights:?}");
     assert!(of("hallway middle")["reach"].as_f64().unwrap() < 0.8, "{sights:?}");
@@ -75,7 +75,7 @@ fn the_numbers_of_a_life_that_is_known_are_found_again() {
 }
 
 #[test]
-fn what_cannot_be_fitted_is_said_and_nothing_is_written() {
+fn a_failed_fit_is_explained_and_writes_nothing() {
     let folder = known();
     folder
         .run("fit casas:log.txt --home known --training-days 2011-06-06..2011-06-07 --out fitted")

@@ -1,4 +1,4 @@
-//! What the command finds out about homes and sensors, as figures and as pictures.
+//! Results of commands about homes and sensors, as JSON and as pictures.
 
 use crate::flat::flat;
 use crate::folder::{Folder, ROOT};

@@ -1,11 +1,11 @@
-//! What is looked for over a whole log.
+//! Intervals found in a whole log.
 
 use crate::folder::Folder;
 use serde_json::Value;
 use std::fs;
 
 #[test]
-fn what_is_looked_for_is_told_with_its_times_and_what_leads_nowhere_is_refused() {
+fn finds_intervals_and_rejects_unknown_names() {
     let folder = Folder::new();
     folder.copy_hand_written_day();
     folder.run("run tigerplace --quiet --for 3d").ok();

@@ -15,7 +15,7 @@ const ROOM: &str = "
     <doorOrWindow name='Front door' x='300' y='400' width='90' depth='20' height='210'/>
     <doorOrWindow name='Window' x='300' y='0' width='90' depth='20' height='110' elevation='90'/>";
 
-/// What an ordinary life needs besides.
+/// Further furniture for an ordinary routine.
 const FURNITURE: &str = "
     <pieceOfFurniture name='Bed' x='110' y='80' width='140' depth='200' height='50' angle='1.5707964'/>
     <pieceOfFurniture name='Toilet' x='550' y='50' width='40' depth='60' height='45'/>
@@ -140,7 +140,7 @@ fn adds_what_a_plan_lacks_in_the_rooms_and_the_language_of_the_plan() {
 }
 
 #[test]
-fn what_is_out_of_reach_is_added_where_people_get_to() {
+fn unreachable_furniture_is_added_in_reach() {
     let folder = Folder::new();
     let beds = |x: u32| format!("<pieceOfFurniture name='Bed' x='{x}' y='110' width='140' depth='200' height='50'/>");
     let toilet = "<pieceOfFurniture name='Toilet' x='1560' y='350' width='40' depth='60' height='45'/>";
@@ -190,7 +190,7 @@ fn the_check_says_what_keeps_a_life_or_a_log_from_coming() {
 }
 
 #[test]
-fn who_does_all_that_is_said_has_a_home_to_live_in() {
+fn the_hints_lead_to_a_complete_home() {
     let folder = Folder::new();
     let bare = ROOM.replace("Kitchen", "Room");
     folder.write("room.sh3d", plan(&bare));
@@ -213,7 +213,7 @@ fn who_does_all_that_is_said_has_a_home_to_live_in() {
             home.replacen("\"furniture\": []", &format!("\"furniture\": [{}]", others.join(", ")), 1),
         );
         let is_bed = pieces[index].contains("\"bed\"");
-        // Whoever has no bed sleeps in an armchair.
+        // A resident without a bed sleeps in an armchair.
         assert_eq!(folder.run("check mine").code, Some(if is_bed { 0 } else { 2 }), "{}", pieces[index]);
     }
 }
@@ -237,7 +237,7 @@ fn walls_across_each_other_do_not_break_it_down() {
 }
 
 #[test]
-fn what_is_there_stays_and_what_fails_leaves_nothing() {
+fn a_failed_import_keeps_existing_files_and_leaves_none() {
     let folder = Folder::new();
     folder.write("flat.sh3d", plan(ROOM));
     folder.write("text.sh3d", "no plan");

@@ -66,7 +66,7 @@ fn killed_commands_are_given_again() {
 
 /// The control: what was there before a command was given is not taken for what a killed one has left.
 #[test]
-fn what_is_whole_is_not_replaced_unasked() {
+fn complete_files_are_replaced_only_with_force() {
     let folder = flat();
     folder.run("run flat --for 20m --quiet").ok();
     folder.run("new my-home --template tigerplace").ok();

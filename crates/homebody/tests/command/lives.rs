@@ -43,7 +43,7 @@ fn a_couple_and_a_cat_share_a_home() {
 }
 
 #[test]
-fn who_lives_upstairs_takes_the_stairs() {
+fn residents_use_the_stairs() {
     let folder = lived("house-two-floors", "7d");
     let rooms = "SELECT count(*) FROM room WHERE resident = 'eleanor' AND room = 'stairs'";
     let a_day = number(&folder, rooms) / 7.0;

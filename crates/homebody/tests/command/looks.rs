@@ -1,10 +1,10 @@
-//! What a log holds is told, its activities go along, and it can be made nobody's.
+//! Descriptions of logs, their activities, and anonymous copies.
 
 use crate::flat::flat;
 use crate::folder::Folder;
 use serde_json::json;
 
-/// A log of two days whose clock is set back, with a line that is none.
+/// A log of two days with a clock that is set back, and with an invalid line.
 const LOG: &str = "2009-03-02 07:00:00 M1 ON Cook begin\n2009-03-02 07:00:04 M1 OFF\nnonsense\n\
     2009-03-02 07:01:00 D1 OPEN\n2009-03-02 07:00:30 D1 CLOSE Cook end\n2009-03-03 21:00:00 T1 21.5\n\
     2009-03-03 21:00:00 T1 unavailable\n2009-03-03 21:00:05 M1 OFF\n";
@@ -16,7 +16,7 @@ fn folder() -> Folder {
 }
 
 #[test]
-fn what_a_log_holds_is_told_as_figures_words_and_pictures() {
+fn describes_a_log_as_json_text_and_pictures() {
     let folder = folder();
     let said = folder.run("inspect log.txt --json look.json --html look.html --png look.png --svg look.svg").ok();
     assert!(said.out.contains("7 rows of 3 sensors, 2009-03-02 07:00:00 to 2009-03-03 21:00:05"), "{}", said.out);

@@ -1,8 +1,8 @@
-//! A password that somebody writes into a URL is refused in every place of the command, and never told again.
+//! A password in a URL is refused at every place of the command, and never printed.
 
 use crate::flat::flat;
 
-/// What must be nowhere.
+/// The text that must not occur.
 const CANARY: &str = "s3cr3t-canary";
 
 #[test]

@@ -12,7 +12,7 @@ use homebody_walk::Mesh;
 use std::fs;
 use std::path::PathBuf;
 
-/// What an ordinary life needs, and how it is told.
+/// Furniture for an ordinary routine, and its names in messages.
 const NEEDED: [(&str, &[Role]); 4] = [
     ("bed", &[Role::Bed]),
     ("seat", &[Role::Armchair, Role::Sofa, Role::DiningSeat]),
@@ -23,7 +23,7 @@ const NEEDED: [(&str, &[Role]); 4] = [
 /// An older adult's body.
 const BODY_M: f64 = 0.22;
 
-/// Of the plans that have all that, so many are to be lived in.
+/// Least share of the plans with all furniture in which the routine runs.
 const LEAST_SHARE: f64 = 0.9;
 
 /// An ordinary day has so much at least: hours asleep, meals, visits to the bathroom (ours).
@@ -45,7 +45,7 @@ fn plans() -> Vec<(String, Vec<u8>)> {
     files.iter().map(|path| (name(path), fs::read(path).unwrap())).collect()
 }
 
-/// What becomes of one file.
+/// The result for one file.
 fn found(bytes: &[u8]) -> Found {
     let folder = Folder::new();
     folder.write("plan.sh3d", bytes);

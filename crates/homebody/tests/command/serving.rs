@@ -72,7 +72,7 @@ fn the_token_is_on_no_command_line() {
     served.wait().unwrap();
 }
 
-/// As `homebody run`, it takes a scenario for one's own where that is said.
+/// As with `homebody run`, a scenario can be trusted on request.
 #[test]
 fn a_scenario_of_ones_own_is_served_by_its_links() {
     let folder = Folder::new();

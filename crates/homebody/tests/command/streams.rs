@@ -1,4 +1,4 @@
-//! Rows on standard output, texts that are packed, and files that are no text, as people and pipes use them.
+//! Rows on standard output, compressed texts, and files that are not text, as in pipes.
 
 use crate::flat::flat;
 use crate::folder::Folder;
@@ -49,7 +49,7 @@ fn a_reader_that_goes_away_ends_the_run_and_is_told() {
 }
 
 #[test]
-fn what_is_packed_is_read_by_all_commands() {
+fn all_commands_read_compressed_logs() {
     let folder = lived();
     folder.run("convert log.csv --out csv:log.csv.gz").ok();
     folder.run("convert log.csv.gz --out jsonl:log.jsonl.gz").ok();
@@ -90,7 +90,7 @@ fn columns_are_written_and_read_by_the_command() {
     folder.run("inspect cut.parquet").fails(2, "error[parquet::damaged]: cannot read cut.parquet as a log");
 }
 
-/// A store elsewhere is told as such, and no folder is made that is called so.
+/// A remote store is reported as remote, and no folder with its name is made.
 #[test]
 #[cfg(feature = "parquet")]
 fn a_store_that_this_build_does_not_have_is_refused() {

@@ -1,4 +1,4 @@
-//! What packages are made of: the unit's and the container's words are understood by the command, and paths lead somewhere.
+//! The parts of packages: the command accepts the options of the unit and of the container, and paths exist.
 #![cfg(unix)]
 #![allow(dead_code, reason = "what tests of several programs share is used in part by each")]
 
@@ -41,7 +41,7 @@ fn the_words_of_the_unit_are_understood() {
     let words = start.strip_prefix("/usr/bin/homebody ").unwrap();
     let words = words.replace("$HOMEBODY_WORDS", "--metrics 9464").replace("%i", "tigerplace");
     understood(&words, "/etc/homebody/tigerplace");
-    // What a stopped home ends with is no failure.
+    // The exit code of a stopped home is not a failure.
     assert_eq!(said(&unit, "SuccessExitStatus"), ["143"]);
     assert_eq!(said(&unit, "StateDirectory"), ["homebody"]);
     assert_eq!(said(&unit, "WorkingDirectory"), ["/var/lib/homebody"]);
@@ -101,7 +101,7 @@ fn systemd_finds_nothing_wrong_with_the_unit() {
 }
 
 #[test]
-fn what_the_container_is_made_of_is_there() {
+fn the_sources_of_the_container_exist() {
     let file = read("Containerfile");
     let folder = Folder::new();
     let mut copied = 0;
@@ -118,7 +118,7 @@ fn what_the_container_is_made_of_is_there() {
     };
     assert_eq!(words("ENTRYPOINT"), ["/usr/bin/homebody"]);
     folder.run(&words("CMD").join(" ")).ok();
-    // What is not to be in it is left out.
+    // Files that do not belong in it are left out.
     let left_out = fs::read_to_string(Path::new(ROOT).join(".containerignore")).unwrap();
     assert!(["target", ".git", "web/node_modules"].iter().all(|name| left_out.lines().any(|line| line == *name)));
     // The page is built with it, and so are all kinds of places.
