@@ -1,4 +1,4 @@
-//! What is wrong with the program where it is installed: what it was built with, and what the machine gives it.
+//! Checks of the installation: the features of the build, and the resources of the machine.
 
 use homebody_core::calendar::Calendar;
 use homebody_core::scenario::scheme::SCHEMES;
@@ -21,7 +21,7 @@ const LAST_YEAR: i16 = 2100;
 /// Doctor warns of less free space (our choice): a year of a home takes about 150 MB.
 const LEAST_BYTES: u64 = 1 << 30;
 
-/// All that there is to say; runs go into `folder`.
+/// Checks the installation; `folder` is that of runs.
 pub fn examine(folder: &Path) -> Vec<Check> {
     let mut checks = vec![
         Check::ok("version", format!("homebody {VERSION} on {} {}", env::consts::OS, env::consts::ARCH)),
@@ -90,7 +90,7 @@ fn clock(now: Timestamp) -> Check {
     }
 }
 
-/// Whether runs can be written where they go.
+/// Checks that runs can be written into the folder.
 #[cfg(unix)]
 fn room(folder: &Path) -> Vec<Check> {
     use nix::sys::statvfs::statvfs;
@@ -150,7 +150,7 @@ mod tests {
     use homebody_query::CheckVerdict;
 
     #[test]
-    fn a_clock_that_was_never_set_is_told() {
+    fn reports_a_clock_that_was_never_set() {
         let at = |year: i64| Timestamp::from_second((year - 1970) * 31_557_600).unwrap();
         assert_eq!(clock(at(2027)).verdict, CheckVerdict::Ok);
         for year in [1971, 2000, 2200] {

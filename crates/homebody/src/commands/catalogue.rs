@@ -17,13 +17,12 @@ use super::serve::ServeMessage;
 use super::silhouettes::messages::SilhouettesMessage;
 use super::suggest_sensors::GoalsMessage;
 use crate::failure::SimulationMessage;
+use crate::metrics::MetricsMessage;
 use crate::old_names::GoneMessage;
 use crate::pace::ControlMessage;
 use crate::print::ResultMessage;
-use crate::watched::MetricsMessage;
 use homebody_core::messages::{Catalogue, CatalogueEntry};
 
-/// The messages by area.
 pub const MESSAGES: &[&[CatalogueEntry]] = &[
     RunMessage::ENTRIES,
     ReplayMessage::ENTRIES,

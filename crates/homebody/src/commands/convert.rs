@@ -1,7 +1,7 @@
 //! `homebody convert`: write a log in another form.
 
+use super::log_input::{LogArguments, print_remarks};
 use super::messages::LogContentMessage;
-use super::read_log::{Mapped, tell_remarks};
 use super::replacing::Replacing;
 use crate::failure::{EXIT_CODES, Failure};
 use crate::print::{counted, tell};
@@ -17,10 +17,9 @@ use homebody_log::registry::forms;
 use homebody_log::source::LogForm;
 use homebody_log::table::truth::tables;
 use homebody_log::{Activity, Life, LogError, Transfer, Url};
-use indicatif::ProgressBar;
 use std::path::{Path, PathBuf};
 
-/// The forms of a log, for a help text.
+/// The forms of logs, for a help text.
 pub fn forms_of_logs() -> String {
     let form = |row: SchemeRow| format!("  {:<32} {}\n", format!("{}:{}", row.name, row.at), row.what);
     let forms = SCHEMES.map(form).concat();
@@ -36,7 +35,6 @@ fn forms_of_sources() -> String {
     forms().map(form).collect()
 }
 
-/// The columns of a log that is written anew.
 pub const LOG_COLUMNS: &str = "seq, fired_at, sensor, value";
 
 /// Convert a log to another form: CSV, SQLite, CASAS, Parquet and more
@@ -66,9 +64,9 @@ Homebody skips rows that it cannot parse, and reports them. It does not replace 
 folder.
 
 {EXIT_CODES}.", forms = forms_of_logs(), read = forms_of_sources()))]
-pub struct Arguments {
+pub struct ConvertArguments {
     #[command(flatten)]
-    log: Mapped,
+    log: LogArguments,
     /// Destination: FILE.csv, FILE.db, jsonl:- and so on, as listed below
     #[arg(short, long, value_name = "DESTINATION", help_heading = "Output")]
     out: Url,
@@ -82,23 +80,23 @@ pub struct Arguments {
     replacing: Replacing,
 }
 
-impl Arguments {
+impl ConvertArguments {
     pub fn run(self) -> Result<(), Failure> {
         Calendar::zone(&self.time_zone).map_err(Failure::asked)?;
         let named = self.log.find()?;
         let text = self.log.text();
-        keep(&self.out, &named.place.files())?;
+        refuse_inputs(&self.out, &named.place.files())?;
         let (looker, mut log) = looked(Looker::new(None), &mut |take| named.stream(take))?;
         if self.activities {
             let no_truth = || LogContentMessage::NoTruth { log: text.to_owned(), command: "convert" };
             let truth = named.truth().ok_or_else(|| Failure::file(no_truth()))?;
             let scale = TimeScale::one();
             let lives = lives(&truth, &scale)?.into_iter();
-            log.activities = told_activities(lives.map(|life| life.map(|at| scale.run_to_wall(at))).collect());
+            log.activities = numbered_activities(lives.map(|life| life.map(|at| scale.run_to_wall(at))).collect());
         }
         let look = looker.look(&named.name, named.place.form().name, &log, &|_| None, None);
         log.remarks.clone_from(&look.remarks);
-        tell_remarks(text, &log);
+        print_remarks(text, &log);
         for skipped in &log.problems {
             tell(format_args!("{}: skipped: {}", skipped.place(text), skipped.why));
         }
@@ -109,10 +107,7 @@ impl Arguments {
         let how = self.replacing.how(&self.out);
         let zone = &self.time_zone;
         let transfer = Transfer { from: &named.place, mapping: &named.mapping, to: &self.out, name: text, zone, how };
-        let progress = rows_bar(log.rows);
-        let rows = convert(&transfer, &log, |rows| progress.set_position(rows));
-        progress.finish_and_clear();
-        let rows = rows?;
+        let rows = show_rows(log.rows, |progress| convert(&transfer, &log, progress))?;
         let sensors = counted(log.sensors.len() as u64, "sensor", "sensors");
         tell(format_args!("{}: {} from {sensors}", self.out, counted(rows, "row", "rows")));
         for (count, one, many) in [
@@ -129,8 +124,8 @@ impl Arguments {
     }
 }
 
-/// What residents did, by their numbers where there are several: `R1_` stands before what the first of them does.
-fn told_activities(lives: Vec<Life<WallTime>>) -> Vec<Activity> {
+/// The activities of residents. With several residents, a prefix such as `R1_` has the number of the resident.
+fn numbered_activities(lives: Vec<Life<WallTime>>) -> Vec<Activity> {
     let are_several = lives.len() > 1;
     let of_life = |(number, life): (usize, Life<WallTime>)| {
         let prefix = if are_several { format!("R{}_", number + 1) } else { String::new() };
@@ -141,8 +136,8 @@ fn told_activities(lives: Vec<Life<WallTime>>) -> Vec<Activity> {
     all
 }
 
-/// Makes sure that an output does not replace what the command reads.
-pub fn keep(to: &Url, sources: &[PathBuf]) -> Result<(), Failure> {
+/// Refuses an output that would replace an input.
+pub fn refuse_inputs(to: &Url, sources: &[PathBuf]) -> Result<(), Failure> {
     let is_in = |source: &PathBuf| match to.file() {
         Some(file) => same_file(source, file),
         // The run of a data set is in a folder of it.
@@ -154,12 +149,12 @@ pub fn keep(to: &Url, sources: &[PathBuf]) -> Result<(), Failure> {
     Ok(())
 }
 
-/// The files of a truth.
 pub fn files_of(truth: &Url) -> Vec<PathBuf> {
     truth.files(&tables()).into_iter().chain(truth.file().map(Path::to_owned)).collect()
 }
 
-/// A bar that shows how many rows have been written.
-pub fn rows_bar(rows: u64) -> ProgressBar {
-    progress::bar(rows, "{bar:40} {percent:>3} %  {human_pos} rows  {eta} left")
+/// Shows a bar during work that reports the number of written rows.
+pub fn show_rows<T>(rows: u64, work: impl FnOnce(&dyn Fn(u64)) -> T) -> T {
+    let template = "{bar:40} {percent:>3} %  {human_pos} rows  {eta} left";
+    progress::show(rows, template, |bar| work(&|rows| bar.set_position(rows)))
 }

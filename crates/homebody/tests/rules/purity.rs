@@ -9,7 +9,7 @@ use toml::{Table, Value};
 const LINTS: &str = "crates/homebody-core/clippy.toml";
 const CORE: &str = "crates/homebody-core/src/";
 
-/// What `clippy.toml` forbids in any case.
+/// The entries that `clippy.toml` must have.
 const FORBIDDEN: [&str; 20] = [
     "std::collections::HashMap",
     "std::collections::HashSet",
