@@ -20,7 +20,7 @@ mod room;
 mod weeks;
 
 pub use cases::FallCase;
-pub use detectors::{DETECTORS, DetectorSetup, Method};
+pub use detectors::{DETECTORS, DetectorSetup};
 pub use room::Condition;
 pub use weeks::{CameraHome, WeeksResult};
 
@@ -81,10 +81,6 @@ pub struct FallsExperiment {
 type Outcome = Vec<Option<f64>>;
 
 /// Simulates `cases` of each kind and some weeks of a home with cameras, and evaluates all detectors.
-///
-/// # Errors
-///
-/// If a simulation fails.
 pub fn experiment(
     cases: u32,
     seed: u64,

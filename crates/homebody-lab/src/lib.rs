@@ -14,22 +14,21 @@ macro_rules! from_errors {
     };
 }
 
+mod alerting;
 pub mod catalogue;
+mod claims;
 mod commands;
+mod daily_life;
+mod falls;
+mod godsey2009;
+mod locating;
+mod measures;
 mod messages;
+mod possible;
+mod recogniser;
+mod round_trip;
+mod sensor_faults;
 mod simulated;
-
-pub mod alerting;
-pub mod claims;
-pub mod daily_life;
-pub mod falls;
-pub mod godsey2009;
-pub mod locating;
-pub mod measures;
-pub mod possible;
-pub mod recogniser;
-pub mod round_trip;
-pub mod sensor_faults;
-pub mod sphere;
+mod sphere;
 
 pub use commands::{command, run};

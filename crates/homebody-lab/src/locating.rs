@@ -50,10 +50,6 @@ const ASKED: Span = SECOND.times(30);
 const VISIT: Span = SECOND.times(10);
 
 /// Simulates a home for some days, and locates its residents from the log.
-///
-/// # Errors
-///
-/// If the simulation fails, or the response of a sensor cannot be computed.
 pub fn case(home: &SimulatedHome, seed: u64, days: u32) -> Result<LocatingCase, LocatingError> {
     let scenario = home.scenario;
     let length = i64::from(days) * DAY;

@@ -66,10 +66,6 @@ impl MeasureError {
 }
 
 /// Simulates a home of one resident for so many days, and compares the measures of its log with the true ones.
-///
-/// # Errors
-///
-/// If the simulation fails, or no sensor detects motion.
 pub fn case(home: &SimulatedHome, seed: u64, days: u32) -> Result<Vec<MeasureError>, SimulatedLogError> {
     let log = SimulatedLog::simulate(home.scenario, home.drivers, seed, days)?.with_ways(ways(home));
     Ok(errors_between(&log.measures()?, &log.true_measures()))

@@ -108,10 +108,6 @@ pub fn drawn_routine(name: &str, seed: u64) -> String {
 }
 
 /// Simulates a home, summarises its log, and compares each sentence with the routine of its first resident.
-///
-/// # Errors
-///
-/// If the simulation fails, or no sensor detects motion.
 pub fn round_trip(
     home: &SimulatedHome,
     life: &ResidentRoutine,

@@ -99,10 +99,6 @@ fn fault(scenario: &Scenario, kind: &str, sensor: String, length: f64) -> Option
 }
 
 /// Simulates a home with a faulty link, and diagnoses its sensors from the log.
-///
-/// # Errors
-///
-/// If the simulation fails, or the response of a sensor cannot be computed.
 pub fn case(home: &SimulatedHome, seed: u64, length: u32) -> Result<FaultCase, LocatingError> {
     let scenario = home.scenario;
     let lasts = i64::from(length) * DAY;

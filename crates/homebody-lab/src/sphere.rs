@@ -25,10 +25,9 @@ mod short_stays;
 mod words;
 
 pub use compare::{compare_run, compare_runs, hold};
-pub use comparison::{Comparison, Finding, RoomComparison, SensorFigures};
+pub use comparison::Comparison;
 pub use experiment::{RecordingResult, SphereError, SphereExperiment};
 pub use house::SphereHouse;
-pub use located::LocatedRecording;
 pub use parse::{RecordingTexts, RowError, RowMessage, parse};
 pub use path::{PlacementError, path_of};
 pub use short_stays::{ShortStay, without_short_stays};

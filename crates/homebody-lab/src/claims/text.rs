@@ -75,10 +75,6 @@ pub enum Beside {
 
 impl ClaimCase {
     /// Parses all cases of a text.
-    ///
-    /// # Errors
-    ///
-    /// Lines that cannot be parsed.
     pub fn read(text: &str) -> Result<Vec<ClaimCase>, String> {
         let mut cases: Vec<ClaimCase> = Vec::new();
         let (mut form, mut case) = (String::new(), ClaimCase::default());

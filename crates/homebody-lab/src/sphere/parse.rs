@@ -51,8 +51,6 @@ impl fmt::Display for RowError {
     }
 }
 
-impl std::error::Error for RowError {}
-
 /// Parses a recording, or reports all wrong rows.
 pub fn parse(texts: &RecordingTexts) -> Result<AnnotatedRun, Vec<RowError>> {
     let mut bad = Vec::new();
