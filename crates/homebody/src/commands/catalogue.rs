@@ -23,7 +23,7 @@ use crate::pace::ControlMessage;
 use crate::print::ResultMessage;
 use homebody_core::messages::{Catalogue, CatalogueEntry};
 
-pub const MESSAGES: &[&[CatalogueEntry]] = &[
+const MESSAGES: &[&[CatalogueEntry]] = &[
     RunMessage::ENTRIES,
     ReplayMessage::ENTRIES,
     LiveMessage::ENTRIES,
@@ -44,6 +44,12 @@ pub const MESSAGES: &[&[CatalogueEntry]] = &[
     SilhouettesMessage::ENTRIES,
     GoalsMessage::ENTRIES,
     DoctorMessage::ENTRIES,
+    ControlMessage::ENTRIES,
+    MetricsMessage::ENTRIES,
+    ResultMessage::ENTRIES,
+    SimulationMessage::ENTRIES,
+    ExplainMessage::ENTRIES,
+    GoneMessage::ENTRIES,
 ];
 
 /// The messages of all crates, by area.
@@ -68,14 +74,6 @@ pub fn all() -> impl Iterator<Item = &'static CatalogueEntry> + Clone {
         homebody_placement::catalogue::MESSAGES,
         homebody_web::catalogue::MESSAGES,
         MESSAGES,
-        &[
-            ControlMessage::ENTRIES,
-            MetricsMessage::ENTRIES,
-            ResultMessage::ENTRIES,
-            SimulationMessage::ENTRIES,
-            ExplainMessage::ENTRIES,
-            GoneMessage::ENTRIES,
-        ],
     ]
     .into_iter()
     .chain(homebody_simulation::catalogue::EXTENSIONS.iter().copied())

@@ -15,7 +15,7 @@ use homebody_log::run::places::SILHOUETTES;
 use homebody_log::silhouettes::KeptSilhouettes;
 use homebody_picture::{SilhouetteStrip, StripMoment, silhouette_strip};
 use homebody_query::{LogRef, RunSilhouettes};
-use outputs::{SilhouetteOutput, SilhouetteOutputs, WrittenOutput};
+use outputs::{SilhouetteCount, SilhouetteOutput, SilhouetteOutputs, WrittenOutput};
 use selection::SilhouetteSelection;
 use serde::Serialize;
 use std::fmt;
@@ -87,7 +87,8 @@ impl SilhouettesArguments {
             .answer
             .has_pictures()
             .then(|| StripMoments::new(&selection, self.every.unwrap_or(STRIP_EVERY), self.frames));
-        let (counted, scale) = (answered.counted(), self.scale);
+        let counted = SilhouetteCount { pictures: answered.pictures, instants: answered.instants };
+        let scale = self.scale;
         let mut outputs =
             SilhouetteOutputs::begin(outputs, &kept, &selection.cameras, counted, scale, self.answer.replaces())?;
         if film.is_some() || !outputs.is_empty() {
@@ -235,12 +236,6 @@ struct CameraSummary {
     /// In local time.
     first: Option<String>,
     last: Option<String>,
-}
-
-impl SilhouettesAnswer {
-    fn counted(&self) -> outputs::SilhouetteCount {
-        outputs::SilhouetteCount { pictures: self.pictures, instants: self.instants }
-    }
 }
 
 impl fmt::Display for SilhouettesAnswer {
