@@ -90,22 +90,22 @@ pub struct CurvePoint {
 
 /// The quality of the alerts that rules give for people.
 pub fn quality(people: &[Watched], rules: &Rules, days: u32) -> AlertQuality {
-    let told: Vec<Alerts> = people.iter().map(|watched| alerts_of(watched.measures, rules)).collect();
+    let alerts: Vec<Alerts> = people.iter().map(|watched| alerts_of(watched.measures, rules)).collect();
     let mut names: Vec<&str> = rules.rules.iter().map(|rule| rule.name.as_str()).collect();
     names.extend(["several", "any"]);
     let conditions = conditions(people);
-    let false_alarms: Vec<RuleFalseAlarms> = names.iter().map(|rule| false_alarms_of(people, &told, rule)).collect();
+    let false_alarms: Vec<RuleFalseAlarms> = names.iter().map(|rule| false_alarms_of(people, &alerts, rule)).collect();
     let mut rows = Vec::new();
     for condition in &conditions {
         for (rule, idle) in names.iter().zip(&false_alarms) {
-            let row = row(people, &told, condition, (rule, idle));
+            let row = row(people, &alerts, condition, (rule, idle));
             rows.extend(row.filter(|row| row.sensitivity > 0.0));
         }
     }
     let swept: Vec<(f64, Vec<Alerts>)> = swept(people, rules).collect();
     let curve = |condition: &&'static str| AlertCurve {
         condition: (*condition).to_owned(),
-        points: swept.iter().map(|(k_sd, told)| point(people, told, *k_sd, Some(condition))).collect(),
+        points: swept.iter().map(|(k_sd, alerts)| point(people, alerts, *k_sd, Some(condition))).collect(),
     };
     let curves = conditions.iter().map(curve).collect();
     let methods = METHODS.map(|(name, method)| {
@@ -120,10 +120,10 @@ pub fn quality(people: &[Watched], rules: &Rules, days: u32) -> AlertQuality {
 const METHODS: [(&str, AlertMethod); 3] =
     [("deviation", AlertMethod::Deviation), ("ewma", AlertMethod::Ewma), ("cusum", AlertMethod::Cusum)];
 
-fn point(people: &[Watched], told: &[Alerts], k_sd: f64, condition: Option<&str>) -> CurvePoint {
-    let firsts = delays(people, told, condition, "any");
+fn point(people: &[Watched], alerts: &[Alerts], k_sd: f64, condition: Option<&str>) -> CurvePoint {
+    let firsts = delays(people, alerts, condition, "any");
     let found = firsts.iter().flatten().filter(|&&delay| delay < WITHIN).count();
-    let false_alarms_per_week = false_alarms(people, told, "any").per_week();
+    let false_alarms_per_week = false_alarms(people, alerts, "any").per_week();
     CurvePoint { k_sd, sensitivity: found as f64 / firsts.len().max(1) as f64, false_alarms_per_week }
 }
 
@@ -136,8 +136,8 @@ pub fn later(than: &Adequacy, by: &Adequacy) -> (f64, [f64; 2]) {
     (middle, [middle - error, middle + error])
 }
 
-fn false_alarms_of(people: &[Watched], told: &[Alerts], rule: &str) -> RuleFalseAlarms {
-    let counted = false_alarms(people, told, rule);
+fn false_alarms_of(people: &[Watched], alerts: &[Alerts], rule: &str) -> RuleFalseAlarms {
+    let counted = false_alarms(people, alerts, rule);
     let (per_week, FalseAlarmCount { count, weeks }) = (counted.per_week(), counted);
     // Counts as those of Poisson, by the normal law.
     let apart = Z * count.max(1.0).sqrt() / weeks.max(1e-9);
@@ -146,11 +146,11 @@ fn false_alarms_of(people: &[Watched], told: &[Alerts], rule: &str) -> RuleFalse
 
 fn row(
     people: &[Watched],
-    told: &[Alerts],
+    alerts: &[Alerts],
     condition: &str,
     (rule, idle): (&str, &RuleFalseAlarms),
 ) -> Option<AlertsRow> {
-    let (found, healthy) = (delays(people, told, Some(condition), rule), delays(people, told, None, rule));
+    let (found, healthy) = (delays(people, alerts, Some(condition), rule), delays(people, alerts, None, rule));
     let count = found.len();
     let height = people.iter().find(|watched| watched.person.condition == Some(condition))?.person.height;
     let mut delays: Vec<usize> = found.into_iter().flatten().collect();
@@ -196,10 +196,10 @@ mod tests {
     fn alerts_before_the_onset_are_false() {
         let measures = Measures::default();
         let people = [&OF_GRIEF, &OF_GRIEF, &OF_NONE].map(|person| Watched { person, measures: &measures });
-        let told = [[30, 70, 80].map(|day| (day, "sleep".to_owned())).to_vec(), vec![], vec![]];
-        let idle = false_alarms_of(&people, &told, "sleep");
+        let alerts = [[30, 70, 80].map(|day| (day, "sleep".to_owned())).to_vec(), vec![], vec![]];
+        let idle = false_alarms_of(&people, &alerts, "sleep");
         assert!((idle.per_week - 1.0 / (2.0 * 45.0 / 7.0)).abs() < 1e-9, "{idle:?}");
-        let row = row(&people, &told, "grief", ("sleep", &idle)).unwrap();
+        let row = row(&people, &alerts, "grief", ("sleep", &idle)).unwrap();
         assert_eq!((row.people, row.sensitivity, row.by_chance), (2, 0.5, 0.0));
         assert_eq!((row.delay_days, row.lead_days), (Some([10.0; 3]), Some(18.0)));
         assert_eq!(row.within[..2], [(7, 0.0), (14, 0.5)]);

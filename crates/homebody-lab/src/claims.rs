@@ -88,10 +88,10 @@ impl ConditionsExperiment {
 }
 
 /// A simulated case: its truth, or the warnings before the run.
-struct Tried {
+struct SimulatedCase {
     life: Option<ClaimTruth>,
     who: usize,
-    told: Vec<String>,
+    warnings: Vec<String>,
 }
 
 impl ClaimsExperiment {
@@ -117,33 +117,34 @@ impl ClaimCase {
         self.claims.iter().map(|claim| self.judge(claim, &with, twin.as_ref())).collect()
     }
 
-    fn simulate_sentences(&self, said: &[String], days: i32, seed: u64) -> Tried {
+    fn simulate_sentences(&self, said: &[String], days: i32, seed: u64) -> SimulatedCase {
         let files = self.files(said);
         let (scenario, household) = match Household::load(&files, "scenario.json", &[]) {
             Ok(loaded) => loaded,
             Err(problems) => {
-                let told = problems.0.iter().map(|problem| format!("{}{}", problem.label(), problem.text())).collect();
-                return Tried { life: None, who: 0, told };
+                let warnings =
+                    problems.0.iter().map(|problem| format!("{}{}", problem.label(), problem.text())).collect();
+                return SimulatedCase { life: None, who: 0, warnings };
             }
         };
-        let mut told = Vec::new();
+        let mut warnings = Vec::new();
         for routine in (0..scenario.residents.len()).filter_map(|resident| household.routine(resident)) {
-            told.extend(routine.remarks.iter().map(|remark| format!("{}: remark: not lived", remark.text)));
+            warnings.extend(routine.remarks.iter().map(|remark| format!("{}: remark: not lived", remark.text)));
         }
         let length = i64::from(days) * DAY;
         let mut run = Run::new(&scenario, &household, seed, length);
         let mut life = ClaimTruth::new(&run, &scenario.calendar, days);
         if let Err(error) = each_step(&mut run, DAY, |events| life.absorb(events)) {
-            told.push(error.to_string());
-            return Tried { life: None, who: 0, told };
+            warnings.push(error.to_string());
+            return SimulatedCase { life: None, who: 0, warnings };
         }
         life.finish();
         // The report of `homebody routine check --lived` on these sentences.
         let all = words(&said.join(" "));
         let of_them = Household::differences(&run).into_iter().filter(|of| all.contains(&words(&of.text)));
-        told.extend(of_them.map(|of| format!("{}: expected {}; lived {}", of.text, of.expected, of.lived)));
+        warnings.extend(of_them.map(|of| format!("{}: expected {}; lived {}", of.text, of.expected, of.lived)));
         let who = life.body(self.whose.as_deref(), 0).unwrap_or(0);
-        Tried { life: Some(life), who, told }
+        SimulatedCase { life: Some(life), who, warnings }
     }
 
     /// The files of the home with these sentences in the routine.
@@ -161,7 +162,7 @@ impl ClaimCase {
     }
 
     /// Judges one claim by the ground truth, by the twin, and by the warnings before the run.
-    fn judge(&self, claim: &Claim, with: &Tried, twin: Option<&Tried>) -> ClaimRow {
+    fn judge(&self, claim: &Claim, with: &SimulatedCase, twin: Option<&SimulatedCase>) -> ClaimRow {
         let row = |expected: String, measured: String, verdict: Verdict| ClaimRow {
             form: self.form.clone(),
             line: self.line,
@@ -172,17 +173,17 @@ impl ClaimCase {
             measured,
             verdict,
         };
-        let told = || with.told.join("; ");
-        let or_told = if with.told.is_empty() { Verdict::Neither } else { Verdict::Told };
+        let warnings = || with.warnings.join("; ");
+        let or_told = if with.warnings.is_empty() { Verdict::Neither } else { Verdict::Told };
         let (of, subject, measure, filter, beside) = match &claim.what {
             ClaimContent::Told(words) => {
-                let is_told = with.told.iter().any(|told| told.contains(words.as_str()));
-                let verdict = if is_told { Verdict::Told } else { Verdict::Neither };
-                return row(format!("told: {words}"), told(), verdict);
+                let is_warned = with.warnings.iter().any(|warning| warning.contains(words.as_str()));
+                let verdict = if is_warned { Verdict::Told } else { Verdict::Neither };
+                return row(format!("told: {words}"), warnings(), verdict);
             }
             ClaimContent::Measured { of, subject, measure, filter, beside } => (of, subject, measure, filter, *beside),
         };
-        let value = |tried: &Tried| {
+        let value = |tried: &SimulatedCase| {
             let life = tried.life.as_ref()?;
             let who = life.body(of.as_deref(), tried.who)?;
             Some((measure.value(life, who, subject, filter), measure.many(life, who, subject, filter)))
@@ -190,7 +191,7 @@ impl ClaimCase {
         let measured = value(with);
         let (low, high) = measure.bounds(measured.map_or(1.0, |(_, many)| many), beside != Beside::Itself);
         let expected = measure.in_words((low, high), beside);
-        let Some((value_with, _)) = measured else { return row(expected, told(), or_told) };
+        let Some((value_with, _)) = measured else { return row(expected, warnings(), or_told) };
         let value = match (beside, twin.and_then(value)) {
             (Beside::Itself, _) => value_with,
             (Beside::ShareOfTwin, Some((of_twin, _))) => value_with / of_twin,
@@ -201,7 +202,11 @@ impl ClaimCase {
         let holds = value >= low - 1e-9 && value <= high + 1e-9;
         let verdict = if holds { Verdict::Lived } else { or_told };
         let measured = measure.value_in_words(value, beside);
-        row(expected, if holds || with.told.is_empty() { measured } else { format!("{measured}; {}", told()) }, verdict)
+        row(
+            expected,
+            if holds || with.warnings.is_empty() { measured } else { format!("{measured}; {}", warnings()) },
+            verdict,
+        )
     }
 }
 

@@ -63,7 +63,7 @@ pub fn case(home: &SimulatedHome, seed: u64, days: u32) -> Result<LocatingCase, 
     let simulated = MessagesWithTruth::simulate(home, seed, length)?;
     let mut judge = score(&bodies, &simulated, &home.people, scenario.home.plan().rooms.len());
     let visitors = has_visitor.then_some(judge.visitors);
-    let part = |[missed, told]: [u64; 2]| (missed + told > 0).then(|| told as f64 / (missed + told) as f64);
+    let part = |[missed, located]: [u64; 2]| (missed + located > 0).then(|| located as f64 / (missed + located) as f64);
     judge.distances_m.sort_by(f64::total_cmp);
     let distance = |share: f64| {
         let place = (judge.distances_m.len() as f64 * share) as usize;
@@ -96,7 +96,7 @@ pub(crate) fn score<'a>(
     rooms: usize,
 ) -> LocatingScore<'a> {
     let seconds = simulated.places.first().map_or(0, Vec::len);
-    let told = located(bodies, simulated, second_begins(seconds));
+    let located = located(bodies, simulated, second_begins(seconds));
     let mut judge = LocatingScore::new(people);
     let live = located_live(bodies, simulated);
     let (mut place, mut live_place) = (0, 0);
@@ -104,14 +104,14 @@ pub(crate) fn score<'a>(
     let rooms = rooms_only(simulated, rooms, people.len());
     for second in 0..seconds {
         let at = second_begins(second);
-        while place + 1 < told.len() && told[place].0 + (told[place + 1].0 - told[place].0) / 2 <= at {
+        while place + 1 < located.len() && located[place].0 + (located[place + 1].0 - located[place].0) / 2 <= at {
             place += 1;
         }
         while live_place + 1 < live.len() && live[live_place + 1].0 <= at {
             live_place += 1;
         }
-        let told_live = live.get(live_place).map_or(&[][..], |told| &told.1);
-        judge.add_second(simulated, second, [&told[place].1, told_live], &last[second], &rooms[second]);
+        let located_so_far = live.get(live_place).map_or(&[][..], |located| &located.1);
+        judge.add_second(simulated, second, [&located[place].1, located_so_far], &last[second], &rooms[second]);
     }
     judge
 }
@@ -120,23 +120,23 @@ pub(crate) fn score<'a>(
 type LocatedInstant = (RunTime, Vec<(PersonPlace, Option<Point>)>);
 
 fn located(bodies: &[Senses], simulated: &MessagesWithTruth, end: RunTime) -> Vec<LocatedInstant> {
-    let mut told = Vec::new();
+    let mut located = Vec::new();
     let messages = || simulated.messages.iter().copied();
     let spells = spells(messages(), simulated.room_of.len(), end);
-    translate(bodies, &spells, messages(), end, |instant| told.push(places(&instant)));
-    told
+    translate(bodies, &spells, messages(), end, |instant| located.push(places(&instant)));
+    located
 }
 
 /// The same, with the messages until each instant only.
 fn located_live(bodies: &[Senses], simulated: &MessagesWithTruth) -> Vec<LocatedInstant> {
-    let mut told = Vec::new();
+    let mut located = Vec::new();
     let length = simulated.places.first().map_or(0, Vec::len) as i64 * SECOND;
     let asked = (1..length / ASKED).map(|number| (RunTime::START + number * ASKED, None));
     let said = simulated.messages.iter().map(|&message| (message.at, Some(message)));
     let mut instants: Vec<(RunTime, Option<LogMessage>)> = asked.chain(said).collect();
     instants.sort_by_key(|(at, _)| *at);
-    follow(bodies, instants, |instant| told.push(places(&instant)));
-    told
+    follow(bodies, instants, |instant| located.push(places(&instant)));
+    located
 }
 
 fn places(instant: &InstantEstimate) -> LocatedInstant {
@@ -185,12 +185,12 @@ impl<'a> LocatingScore<'a> {
         &mut self,
         simulated: &MessagesWithTruth,
         second: usize,
-        [told, live]: [&[(PersonPlace, Option<Point>)]; 2],
+        [located, live]: [&[(PersonPlace, Option<Point>)]; 2],
         last: &[PersonPlace],
         rooms: &[PersonPlace],
     ) {
         let truth: Vec<PersonPlace> = self.people.iter().map(|&body| simulated.places[body][second]).collect();
-        let guesses: Vec<PersonPlace> = self.people.iter().map(|&body| told[body].0).collect();
+        let guesses: Vec<PersonPlace> = self.people.iter().map(|&body| located[body].0).collect();
         self.visit(&truth, &guesses, second);
         if truth.contains(&PersonPlace::Between) {
             return;
@@ -202,10 +202,10 @@ impl<'a> LocatingScore<'a> {
         self.last_right += matching(&truth, last);
         self.rooms_right += matching(&truth, rooms);
         let &[person] = self.people else { return };
-        if let (Some(is), Some(told)) = (simulated.at[person][second], told[person].1) {
-            self.distances_m.push(is.distance(told));
+        if let (Some(is), Some(located)) = (simulated.at[person][second], located[person].1) {
+            self.distances_m.push(is.distance(located));
         }
-        if let Some((place, _)) = told.get(1).filter(|_| simulated.residents == 1) {
+        if let Some((place, _)) = located.get(1).filter(|_| simulated.residents == 1) {
             let is_there = (simulated.residents..simulated.places.len())
                 .any(|body| simulated.places[body][second] != PersonPlace::Out);
             self.visitors[usize::from(is_there)][usize::from(*place != PersonPlace::Out)] += 1;
@@ -215,9 +215,9 @@ impl<'a> LocatingScore<'a> {
     /// Extends or ends the stays of people in rooms.
     fn visit(&mut self, truth: &[PersonPlace], guesses: &[PersonPlace], second: usize) {
         for (stay, place) in self.stays.iter_mut().zip(truth) {
-            let is_told = guesses.contains(place);
+            let is_found = guesses.contains(place);
             match (stay.as_mut(), place) {
-                (Some((room, _, found)), PersonPlace::Room(here)) if room == here => *found |= is_told,
+                (Some((room, _, found)), PersonPlace::Room(here)) if room == here => *found |= is_found,
                 (ended, here) => {
                     let is_visit = |since: usize| (second - since) as i64 * SECOND >= VISIT;
                     if let Some((_, _, found)) = ended.filter(|(_, since, _)| is_visit(*since)) {
@@ -225,7 +225,7 @@ impl<'a> LocatingScore<'a> {
                         self.found += u64::from(*found);
                     }
                     *stay = match here {
-                        PersonPlace::Room(room) => Some((*room, second, is_told)),
+                        PersonPlace::Room(room) => Some((*room, second, is_found)),
                         _ => None,
                     };
                 }
@@ -235,11 +235,11 @@ impl<'a> LocatingScore<'a> {
 }
 
 /// The number of right places, in any order of the people.
-fn matching(truth: &[PersonPlace], told: &[PersonPlace]) -> u64 {
+fn matching(truth: &[PersonPlace], located: &[PersonPlace]) -> u64 {
     let mut left = truth.to_vec();
     let mut is_right = |place: &&PersonPlace| {
         let found = left.iter().position(|one| one == *place);
         found.map(|found| left.swap_remove(found)).is_some()
     };
-    told.iter().filter(|place| is_right(place)).count() as u64
+    located.iter().filter(|place| is_right(place)).count() as u64
 }

@@ -163,7 +163,7 @@ impl Prepared {
                 cases.iter().map(|case| (case.macro_f1[which] - macro_f1) * (case.macro_f1[which] - macro_f1)).sum();
             let all = Confusion::sum(cases.iter().map(|case| &case.confusion[which]));
             let per_seed = |is: &usize| {
-                self.classes.iter().map(|&told| f64::from(all.0[*is][told]) / cases.len().max(1) as f64).collect()
+                self.classes.iter().map(|&class| f64::from(all.0[*is][class]) / cases.len().max(1) as f64).collect()
             };
             Score {
                 learnt_from: LEARNT_FROM[which],

@@ -96,13 +96,13 @@ fn room(folder: &Path) -> Vec<Check> {
     use nix::sys::statvfs::statvfs;
     use nix::unistd::{AccessFlags, access};
     let there = folder.ancestors().find(|folder| folder.is_dir()).unwrap_or(Path::new("."));
-    let told = there.display();
+    let shown = there.display();
     let mut checks = Vec::new();
     checks.push(match access(there, AccessFlags::W_OK | AccessFlags::X_OK) {
-        Ok(()) => Check::ok("folder", format!("{told} is writable")),
+        Ok(()) => Check::ok("folder", format!("{shown} is writable")),
         Err(why) => Check::wrong(
             "folder",
-            format!("{told} is not writable: {}", why.desc()),
+            format!("{shown} is not writable: {}", why.desc()),
             "change to a folder of yours, or name another with --out",
         ),
     });
@@ -114,10 +114,10 @@ fn room(folder: &Path) -> Vec<Check> {
             found.files_available() as u64,
             found.files() as u64,
         );
-        let says = format!("{:.1} GB free in {told}", free as f64 / 1e9);
+        let says = format!("{:.1} GB free in {shown}", free as f64 / 1e9);
         checks.push(match free {
             _ if all > 0 && files == 0 => {
-                Check::wrong("room", format!("{told} can hold no more files"), "remove some files")
+                Check::wrong("room", format!("{shown} can hold no more files"), "remove some files")
             }
             LEAST_BYTES.. => Check::ok("room", says),
             _ => Check::warning("room", says, "free some space: a year of a home takes about 150 MB"),

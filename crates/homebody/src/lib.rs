@@ -166,8 +166,8 @@ fn refuse(error: &clap::Error, words: &[OsString]) -> u8 {
         error.exit();
     }
     let quoted = error.render().to_string();
-    let told = secret.iter().fold(quoted, |told, value| told.replace(value.as_str(), &without_password(value)));
-    tell(format_args!("{}", told.trim_end()));
+    let shown = secret.iter().fold(quoted, |shown, value| shown.replace(value.as_str(), &without_password(value)));
+    tell(format_args!("{}", shown.trim_end()));
     2
 }
 

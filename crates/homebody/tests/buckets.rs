@@ -1,7 +1,6 @@
-//! The command and a bucket of S3: a run goes there day by day, is gone on with after a death, looked at, read, labelled and refused; a
-//! cohort member by member.
+//! Runs and cohorts in a bucket of S3: written day by day and member by member, resumed after a death, inspected, read, labelled and refused.
 //!
-//! It is tried in builds with the feature `cloud`, with the server of moto: `moto_server` on the `PATH`, or as `HOMEBODY_MOTO` names it.
+//! The tests need a build with the feature `cloud` and the server of moto: `moto_server` on the `PATH`, or the path in `HOMEBODY_MOTO`.
 #![cfg(all(unix, feature = "cloud"))]
 #![allow(dead_code, reason = "what tests of several programs share is used in part by each")]
 

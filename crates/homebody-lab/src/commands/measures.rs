@@ -81,9 +81,9 @@ impl MeasuresLabArguments {
             // A measure by the notes alone cannot be compared with the notes.
             let notes = std::mem::take(&mut read.log.activities);
             let heard = read.measures().map_err(|why| not_measurable(log, &why))?;
-            let told = Measures::from_notes(&read.name, &notes, within(read).unwrap_or_default());
-            let told = told.ok_or_else(|| Failure::asked(ExperimentMessage::NoActivities { log: log.clone() }))?;
-            Ok(RealLogErrors { name: read.name.clone(), errors: errors_between(&heard, &told) })
+            let noted = Measures::from_notes(&read.name, &notes, within(read).unwrap_or_default());
+            let noted = noted.ok_or_else(|| Failure::asked(ExperimentMessage::NoActivities { log: log.clone() }))?;
+            Ok(RealLogErrors { name: read.name.clone(), errors: errors_between(&heard, &noted) })
         };
         let logs = self.data.iter().zip(&mut read).map(of_log).collect::<Result<Vec<_>, Failure>>()?;
         answer.write(&RealLogsExperiment { logs }, [])

@@ -69,8 +69,8 @@ impl RealismLabArguments {
         let simulated = ComparedLog { name: SCENARIO, log: &log, recorded: None };
         let mut homes = Vec::new();
         for (real, at_home) in &logs {
-            let told = ComparedLog { name: &real.name, log: &real.log, recorded: *at_home };
-            homes.push(realism(told, simulated).map_err(|problems| not_comparable(&problems))?);
+            let compared = ComparedLog { name: &real.name, log: &real.log, recorded: *at_home };
+            homes.push(realism(compared, simulated).map_err(|problems| not_comparable(&problems))?);
         }
         let experiment = RealismExperiment { seed: self.seed, homes };
         let [first, second] = [0, 1].map(|home| &experiment.homes[home]);

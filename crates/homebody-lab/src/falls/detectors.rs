@@ -128,13 +128,13 @@ impl<'r> FallDetector<'r> {
                 Some(PassiveMessage { at: firing.at, heard: self.ears[firing.sensor.index()].hears(firing.value)? })
             })
             .collect();
-        let told = FallEvidence { falls: &falls, sightings: &sightings, heard: &heard, until };
+        let evidence = FallEvidence { falls: &falls, sightings: &sightings, heard: &heard, until };
         let by = |Setting { confidence, fusion }: &Setting| match self.way.method {
             Method::Silhouettes => {
                 falls.iter().filter(|fall| fall.confidence >= *confidence).map(|fall| fall.alarm_at).collect()
             }
             Method::Passive => long_lies(&fusion.long_lie, &heard, until).into_iter().map(|lie| lie.alarm_at).collect(),
-            Method::Fused => fused(fusion, &told),
+            Method::Fused => fused(fusion, &evidence),
         };
         self.settings.iter().map(by).collect()
     }

@@ -69,17 +69,17 @@ pub(crate) fn rooms_only(simulated: &MessagesWithTruth, rooms: usize, people: us
         now = normal(step(&now).iter().enumerate().map(|(state, one)| one * chance(state, look)).collect());
         ahead.push(now.clone());
     }
-    let mut told = vec![PersonPlace::Out; looks];
+    let mut located = vec![PersonPlace::Out; looks];
     let mut after = vec![1.0; states];
     for look in (0..looks).rev() {
         let both = |state: &usize| ahead[look][*state] * after[*state];
         let best = (0..states).max_by(|a, b| both(a).total_cmp(&both(b))).unwrap_or(rooms);
-        told[look] = if best == rooms { PersonPlace::Out } else { PersonPlace::Room(best) };
+        located[look] = if best == rooms { PersonPlace::Out } else { PersonPlace::Room(best) };
         after = normal(step(
             &after.iter().enumerate().map(|(state, one)| one * chance(state, &fired[look])).collect::<Vec<f64>>(),
         ));
     }
-    (0..seconds).map(|second| vec![told[second / LOOK_S]; people]).collect()
+    (0..seconds).map(|second| vec![located[second / LOOK_S]; people]).collect()
 }
 
 fn normal(mut chances: Vec<f64>) -> Vec<f64> {

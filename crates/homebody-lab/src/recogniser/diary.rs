@@ -69,14 +69,14 @@ mod tests {
         let on = |begin, end| On { sensor: 0, time: Interval::new(second(begin), second(end)) };
         let kitchen = [on(90, 120), on(150, 250), on(500, 510)];
         let noted = diary_entries(&annotations, &kitchen, Interval::new(second(0), second(1000)));
-        let told: Vec<(Activity, WallTime, WallTime)> =
+        let entries: Vec<(Activity, WallTime, WallTime)> =
             noted.into_iter().map(|one| (one.what, one.begin, one.end)).collect();
         let wanted = [
             (Activity::Prepare(Meal::Lunch), second(100), second(250)),
             (Activity::Eat(Meal::Lunch), second(250), second(400)),
             (Activity::Snack, second(900), second(910)),
         ];
-        assert_eq!(told, wanted);
+        assert_eq!(entries, wanted);
     }
 
     #[test]

@@ -11,7 +11,7 @@ impl Confusion {
     /// Counts pairs of true and predicted class.
     pub fn from_pairs(judged: impl Iterator<Item = (usize, usize)>) -> Confusion {
         let mut counts = [[0; COUNT]; COUNT];
-        judged.for_each(|(is, told)| counts[is][told] += 1);
+        judged.for_each(|(is, predicted)| counts[is][predicted] += 1);
         Confusion(counts)
     }
 
@@ -27,8 +27,8 @@ impl Confusion {
     pub fn f1(&self, class: usize) -> Option<f64> {
         let right = self.0[class][class];
         let is: u32 = self.0[class].iter().sum();
-        let told: u32 = self.0.iter().map(|row| row[class]).sum();
-        (is + told > 0).then(|| 2.0 * f64::from(right) / f64::from(is + told))
+        let predicted: u32 = self.0.iter().map(|row| row[class]).sum();
+        (is + predicted > 0).then(|| 2.0 * f64::from(right) / f64::from(is + predicted))
     }
 
     /// The mean of the F1 of these classes; the F1 of an absent class is 0.

@@ -162,10 +162,10 @@ mod tests {
     #[test]
     fn windows_have_features_and_a_class() {
         let all = windows(&log(), &sensors(), Interval::new(minute(0), minute(20)));
-        let told: Vec<(WallTime, usize)> = all.iter().map(|window| (window.begin, window.class)).collect();
+        let classes: Vec<(WallTime, usize)> = all.iter().map(|window| (window.begin, window.class)).collect();
         let [breakfast, spare] = ["Breakfast", "Spare_Time/TV"].map(|name| class_of(name).unwrap());
         // Of the first five minutes two are breakfast's, which is too little.
-        assert_eq!(told, [(minute(5), breakfast), (minute(10), spare), (minute(15), spare)]);
+        assert_eq!(classes, [(minute(5), breakfast), (minute(10), spare), (minute(15), spare)]);
         // Shares ON, whether ON, which began last, whether none was ON, the hour.
         assert_eq!(all[0].figures, [0.2, 0.0, 1.0, 0.0, 1.0, 0.0, 0.0, 5.0 / 60.0]);
         assert_eq!(all[1].figures, [0.0, 1.0, 0.0, 1.0, 1.0, 0.0, 0.0, 10.0 / 60.0]);

@@ -182,12 +182,16 @@ impl fmt::Display for SphereExperiment {
             )?;
         }
         writeln!(f, "\nThe right room by the real sensors alone, share of the annotated time:")?;
-        for RecordingResult { name, walked_back: told, .. } in &self.by_recording {
+        for RecordingResult { name, walked_back: found, .. } in &self.by_recording {
             writeln!(
                 f,
                 "  {name}  located {:.3}  by the last firing {:.3}  by rooms alone {:.3}  visits found {:.3}  messages \
                  from other rooms {:.3}",
-                told.room_right, told.last_firing_right, told.rooms_only_right, told.visits_found, told.said_elsewhere
+                found.room_right,
+                found.last_firing_right,
+                found.rooms_only_right,
+                found.visits_found,
+                found.said_elsewhere
             )?;
         }
         let named = |recording: &RecordingResult| {

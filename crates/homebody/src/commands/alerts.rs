@@ -79,25 +79,26 @@ impl AlertsArguments {
         if !self.figures.is_empty() || !self.programs.is_empty_or_printed() {
             return Err(Failure::asked(AlertsMessage::FilesWithFollow));
         }
-        let mut told: Vec<Alert> = Vec::new();
+        let mut printed: Vec<Alert> = Vec::new();
         loop {
             // A log without a complete day, or one that is being written, is read again.
             let found = self.measured.read().and_then(|read| self.measured.measures(&read));
             match found {
-                Err(failure) if told.is_empty() && !self.measured.is_there() => return Err(failure),
+                Err(failure) if printed.is_empty() && !self.measured.is_there() => return Err(failure),
                 Err(_) => {}
                 Ok(measures) => {
                     let all = alerts(&measures, rules);
-                    let is_told =
-                        |new: &Alert| told.iter().any(|told| (told.date, &told.rule) == (new.date, &new.rule));
-                    let new: Vec<Alert> = all.alerts.into_iter().filter(|alert| !is_told(alert)).collect();
+                    let is_printed = |new: &Alert| {
+                        printed.iter().any(|printed| (printed.date, &printed.rule) == (new.date, &new.rule))
+                    };
+                    let new: Vec<Alert> = all.alerts.into_iter().filter(|alert| !is_printed(alert)).collect();
                     match self.programs.is_printed() {
                         true => print_json_text(&records(&all.name, &new).lines())?,
                         false => {
                             new.iter().try_for_each(|alert| print_text(&format!("{} {}\n", alert.date, alert.words)))?
                         }
                     }
-                    told.extend(new);
+                    printed.extend(new);
                 }
             }
             std::thread::sleep(Duration::from_secs(self.poll));

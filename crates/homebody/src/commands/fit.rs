@@ -274,8 +274,8 @@ impl fmt::Display for FitReport {
         fitted.routine.iter().try_for_each(|sentence| writeln!(f, "  {sentence}"))?;
         writeln!(f, "\n{:<18} {:>8} {:>10} {:>8}", "test days against", "fitted", "training", "before")?;
         for row in measures {
-            let told = |value: Option<f64>| value.map_or("-".into(), |value| format!("{value:.3}"));
-            let [fitted, own, before] = [row.fitted, row.seen_days, row.before].map(told);
+            let cell = |value: Option<f64>| value.map_or("-".into(), |value| format!("{value:.3}"));
+            let [fitted, own, before] = [row.fitted, row.seen_days, row.before].map(cell);
             writeln!(f, "{:<18} {fitted:>9} {own:>10} {before:>8}  {}", row.measure, row.about)?;
         }
         Ok(())

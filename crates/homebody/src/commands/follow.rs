@@ -113,16 +113,16 @@ impl FollowedLog<'_> {
     }
 
     fn take(&self, following: &mut LogFollower, read: &LoadedLog) -> Result<(), Failure> {
-        let mut told = String::new();
+        let mut text = String::new();
         let mut failed = None;
         following.take(&read.log, |presence| {
-            self.line(&presence).map_or_else(|error| failed = Some(error), |line| told.push_str(&line))
+            self.line(&presence).map_or_else(|error| failed = Some(error), |line| text.push_str(&line))
         })?;
         match failed {
             Some(error) => Err(error),
-            None if told.is_empty() => Ok(()),
-            None if self.is_json => print_json_text(&told),
-            None => print_text(&told),
+            None if text.is_empty() => Ok(()),
+            None if self.is_json => print_json_text(&text),
+            None => print_text(&text),
         }
     }
 

@@ -95,13 +95,13 @@ fn starting_point(name: &str) -> Result<StartingPoint, String> {
 /// A line for each template, with the description in its scenario.
 fn templates() -> String {
     let width = Template::all().map(|template| template.name().len()).max().unwrap_or(0);
-    let told = |name: &str, about: &str| format!("  {name:width$}  {about}\n");
+    let row = |name: &str, about: &str| format!("  {name:width$}  {about}\n");
     let line = |template: Template| {
         let text = template.files().find(|(name, _)| name == "scenario.json").map(|(_, text)| text);
         let scenario: serde_json::Value = text.and_then(|text| serde_json::from_str(&text).ok()).unwrap_or_default();
-        told(&template.name(), first_words(scenario["about"].as_str().unwrap_or_default()))
+        row(&template.name(), first_words(scenario["about"].as_str().unwrap_or_default()))
     };
-    [told(EMPTY, EMPTY_ABOUT)].into_iter().chain(Template::all().map(line)).collect()
+    [row(EMPTY, EMPTY_ABOUT)].into_iter().chain(Template::all().map(line)).collect()
 }
 
 /// The part of the first sentence that fits into a line.

@@ -8,9 +8,9 @@ const HALLWAY: &str = r#"[3.6, 2.4], [2.95, 2.4]], "preset": "casas_pulse" }"#;
 /// The field of the sensor in the middle of the hallway, half as wide and half as long.
 const HALF_AS_FAR: &str = "[[4.425, 1.925], [4.875, 1.925], [4.875, 2.375], [4.425, 2.375]]";
 
-/// A folder with the log of a home whose numbers are known: six days of units that hold their ONs for three seconds, one of which
-/// misses most of what passes and one sees half as far, of somebody who gets up at eight and goes to bed at ten; and the same home
-/// with numbers that are not those.
+/// A folder with the log of a home with known numbers: six days of units that hold their ONs for three seconds. One of them misses most
+/// of the passing people, and one has half the reach. The resident gets up at eight and goes to bed at ten. The folder also has the same
+/// home with other numbers.
 fn known() -> Folder {
     let folder = Folder::new();
     folder.run("new known --template older-adult").ok();

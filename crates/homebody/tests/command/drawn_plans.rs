@@ -1,5 +1,4 @@
-//! Plans of Sweet Home 3D that have all that a life needs, each with something that real plans have and that keeps people from
-//! living there if it is not understood.
+//! Complete plans of Sweet Home 3D, each with a feature of real plans that would keep people from using the home if it were misread.
 
 use crate::imports::plan;
 use std::f64::consts::FRAC_PI_2;

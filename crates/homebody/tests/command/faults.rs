@@ -1,7 +1,7 @@
-//! The system refuses a call, whichever it is: the run says so and ends, or goes on as if nothing had been, and nothing is half written
-//! under a whole name.
+//! Refused system calls: the run reports the failure and ends, or continues normally, and no complete name has a partial file.
 //!
-//! strace refuses the n-th call of a kind. `HOMEBODY_FAULTS=all` has each of them refused, one a run, and a number so many of each kind.
+//! strace refuses the n-th call of a kind. `HOMEBODY_FAULTS=all` refuses each of them, one per run, and a number refuses that many of each
+//! kind.
 #![cfg(target_os = "linux")]
 
 use crate::flat::flat;

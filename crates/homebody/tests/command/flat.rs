@@ -1,7 +1,7 @@
-//! A small flat in which somebody moves from the first moment on, so that short runs have firings.
+//! A small flat in which a person moves from the first moment on, so that short runs have firings.
 //!
-//! Ann walks up and down the kitchen by a path, Bob steps about the bedroom by keys; nobody is in the study, whose
-//! door is shut. The sensors of the floor fire more often than real ones.
+//! Ann walks up and down the kitchen by a path, and Bob moves in the bedroom by keys. The study is empty, and its door is shut. The sensors
+//! of the floor fire more often than real ones.
 
 use crate::folder::Folder;
 

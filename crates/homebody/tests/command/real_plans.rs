@@ -1,6 +1,6 @@
-//! Real plans of Sweet Home 3D, of which there are none here: how many become homes, and in how many an ordinary day is lived.
+//! Real plans of Sweet Home 3D, which the repository does not contain: the share that becomes homes, and the share with an ordinary day.
 //!
-//! `HOMEBODY_PLANS` names a folder with `.sh3d` files. Without it, plans that are written here are gone through instead.
+//! `HOMEBODY_PLANS` names a folder with `.sh3d` files. Without it, the tests use plans that they write.
 
 use crate::drawn_plans::whole_plans;
 use crate::folder::Folder;
@@ -26,7 +26,7 @@ const BODY_M: f64 = 0.22;
 /// Least share of the plans with all furniture in which the routine runs.
 const LEAST_SHARE: f64 = 0.9;
 
-/// An ordinary day has so much at least: hours asleep, meals, visits to the bathroom (ours).
+/// Least values of an ordinary day: hours asleep, meals, visits to the bathroom (our choice).
 const LEAST: [f64; 3] = [4.0, 2.0, 2.0];
 
 struct Found {

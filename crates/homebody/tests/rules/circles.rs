@@ -1,8 +1,8 @@
 //! Files and folders that need each other in a circle: none of them can be read, tested or moved without the others.
 //!
-//! A file needs another of its crate if it names what is defined there: in a `use`, or in a path such as
-//! `crate::time::DAY` or `grid::Corner`. What a file only passes on by `pub use` is sought where it is defined, so a
-//! `mod.rs` that declares and passes on, and does nothing else, is in no circle. Code for tests is left out.
+//! A file needs another of its crate if it names one of its definitions: in a `use`, or in a path such as `crate::time::DAY` or
+//! `grid::Corner`. A name from a `pub use` counts to the file of its definition, so a module that only declares and re-exports is in no
+//! circle. Code for tests is left out.
 //!
 //! A folder needs what its files need. A module `name.rs` and its folder `name` are one.
 

@@ -1,7 +1,7 @@
-//! One digest of all rows, whatever they were written to, how fast, by how many threads, and whoever looked on.
+//! One digest of all rows, for any destination, speed and number of threads, watched or not.
 //!
-//! The digest is of what our readers give back: for each row its number, instant, sensor and value. `HOMEBODY_SCENARIOS=20` takes that
-//! many scenarios: all that come with the program, and some of these with drawn seeds and other messages.
+//! The digest is that of the rows from our readers: for each row its number, instant, sensor and value. `HOMEBODY_SCENARIOS=20` takes that
+//! many scenarios: all templates, and some of them with random seeds and other messages.
 
 use crate::folder::{Folder, ROOT};
 use crate::mosquitto::Broker;

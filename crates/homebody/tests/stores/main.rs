@@ -1,6 +1,6 @@
-//! The command and the places of all kinds, servers too: what goes there comes back, and what is wrong with one is told.
+//! Places of all kinds, including servers: their rows can be read back, and their problems are reported.
 //!
-//! Servers are begun by the tests. Where they are not installed the tests say so and pass, unless `HOMEBODY_SERVERS=required` is set.
+//! The tests start the servers. Without an installed server they print a note and pass, unless `HOMEBODY_SERVERS=required` is set.
 #![cfg(all(unix, feature = "postgresql", feature = "parquet", feature = "mqtt"))]
 #![allow(dead_code, reason = "what tests of several programs share is used in part by each")]
 
