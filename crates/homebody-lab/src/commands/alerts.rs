@@ -47,7 +47,7 @@ pub struct AlertsLabArguments {
     #[arg(long, value_name = "FILE")]
     rules: Option<PathBuf>,
     #[command(flatten)]
-    answer: ResultOutput,
+    output: ResultOutput,
 }
 
 const SCENARIO: &str = "older-adult";
@@ -57,7 +57,7 @@ type OfLayouts = Vec<Measures>;
 
 impl AlertsLabArguments {
     pub fn run(self) -> Result<(), Failure> {
-        let answer = self.answer.check([""], &[])?;
+        let output = self.output.check([""], &[])?;
         let rules = alert_rules(self.rules.as_deref())?;
         let template = template(SCENARIO)?;
         let home = LoadedScenario { scenario: template.scenario().clone(), household: template.household().clone() };
@@ -98,7 +98,7 @@ impl AlertsLabArguments {
             quality: quality(&by(0), &rules, self.days),
             layouts: compare_subsets(&layouts, &by, &rules),
         };
-        answer.write(&found, [&|| curves(&found.quality.curves)])
+        output.write(&found, [&|| curves(&found.quality.curves)])
     }
 }
 

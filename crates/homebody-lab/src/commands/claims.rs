@@ -25,16 +25,16 @@ pub struct ClaimsLabArguments {
     #[arg(long, value_name = "N", default_value_t = 11)]
     seed: u64,
     #[command(flatten)]
-    figures: JsonOutput,
+    output: JsonOutput,
 }
 
 impl ClaimsLabArguments {
     pub fn run(self) -> Result<(), Failure> {
-        let answer = self.figures.check(&[])?;
+        let output = self.output.check(&[])?;
         let cases = cases(CLAIMS)?;
         let rows = simulated(&cases, self.days, self.seed)?;
         let experiment = ClaimsExperiment::from_rows(rows, self.days, self.seed);
-        answer.write(&experiment, [])?;
+        output.write(&experiment, [])?;
         match experiment.neither {
             0 => Ok(()),
             count => Err(Failure::asked(ExperimentMessage::ClaimsFail { count })),

@@ -20,14 +20,14 @@ pub struct ConditionsLabArguments {
     #[arg(long, value_name = "N", default_value_t = 11)]
     seed: u64,
     #[command(flatten)]
-    figures: JsonOutput,
+    output: JsonOutput,
 }
 
 impl ConditionsLabArguments {
     pub fn run(self) -> Result<(), Failure> {
-        let answer = self.figures.check(&[])?;
+        let output = self.output.check(&[])?;
         let cases = cases(CONDITIONS)?;
         let rows = simulated(&cases, 0, self.seed)?;
-        answer.write(&ConditionsExperiment::from_rows(rows, self.seed), [])
+        output.write(&ConditionsExperiment::from_rows(rows, self.seed), [])
     }
 }

@@ -33,14 +33,14 @@ pub struct DailyLifeLabArguments {
     #[arg(long, value_name = "N", default_value_t = 2012)]
     seed: u64,
     #[command(flatten)]
-    answer: ResultOutput,
+    output: ResultOutput,
 }
 
 const SCENARIO: &str = "older-adult";
 
 impl DailyLifeLabArguments {
     pub fn run(self) -> Result<(), Failure> {
-        let answer = self.answer.check(["", "hours"], &[])?;
+        let output = self.output.check(["", "hours"], &[])?;
         let opened = homebody_simulation::template(SCENARIO)?;
         let (scenario, household) = (opened.scenario(), opened.household().one_of_many());
         let numbers: Vec<u32> = (0..self.people).collect();
@@ -48,7 +48,7 @@ impl DailyLifeLabArguments {
             simulate(scenario, &household, seed_of(self.seed, number), self.days)
         })?;
         let experiment = DailyLifeExperiment::from_people(persons, self.seed);
-        answer.write(&experiment, [&|| experiment.chart(), &|| experiment.hours()])
+        output.write(&experiment, [&|| experiment.chart(), &|| experiment.hours()])
     }
 }
 

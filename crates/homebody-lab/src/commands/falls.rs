@@ -31,18 +31,18 @@ pub struct FallsLabArguments {
     #[arg(long, value_name = "N", default_value_t = 2, value_parser = clap::value_parser!(u32).range(0..=520))]
     weeks: u32,
     #[command(flatten)]
-    answer: ResultOutput,
+    output: ResultOutput,
 }
 
 const SCENARIO: &str = "cameras";
 
 impl FallsLabArguments {
     pub fn run(self) -> Result<(), Failure> {
-        let answer = self.answer.check([""], &[])?;
+        let output = self.output.check([""], &[])?;
         let template = template(SCENARIO)?;
         let home = CameraHome { scenario: template.scenario(), drivers: template.household() };
         let rules = FallRules::default();
         let found = experiment(self.cases, self.seed, &rules, (&home, self.weeks))?;
-        answer.write(&found, [&|| found.picture()])
+        output.write(&found, [&|| found.picture()])
     }
 }

@@ -14,14 +14,14 @@ pub struct Godsey2009LabArguments {
     #[arg(long, value_name = "N", default_value_t = 2009)]
     seed: u64,
     #[command(flatten)]
-    answer: ResultOutput,
+    output: ResultOutput,
 }
 
 impl Godsey2009LabArguments {
     pub fn run(self) -> Result<(), Failure> {
-        let answer = self.answer.check(["", "totals"], &[])?;
+        let output = self.output.check(["", "totals"], &[])?;
         let experiment = GodseyExperiment::run(self.seed)?;
-        answer.write(&experiment, [&|| firings(&experiment), &|| totals(&experiment)])
+        output.write(&experiment, [&|| firings(&experiment), &|| totals(&experiment)])
     }
 }
 

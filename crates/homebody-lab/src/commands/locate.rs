@@ -28,7 +28,7 @@ pub struct LocateLabArguments {
     #[arg(long, value_name = "N", default_value_t = 7, value_parser = clap::value_parser!(u32).range(1..=366))]
     days: u32,
     #[command(flatten)]
-    figures: JsonOutput,
+    output: JsonOutput,
 }
 
 const HOMES: [&str; 5] = ["tigerplace", "older-adult", "studio", "house-two-floors", "couple-with-cat"];
@@ -41,10 +41,10 @@ struct LocatingExperiment {
 
 impl LocateLabArguments {
     pub fn run(self) -> Result<(), Failure> {
-        let answer = self.figures.check(&[])?;
+        let output = self.output.check(&[])?;
         let cases = with_and_without_faults(self.homes, self.days, |home| home, case)?;
         let cases = cases.into_iter().map(|(_, case)| case).collect();
-        answer.write(&LocatingExperiment { days: self.days, cases }, [])
+        output.write(&LocatingExperiment { days: self.days, cases }, [])
     }
 }
 

@@ -32,7 +32,7 @@ pub struct MeasuresLabArguments {
     #[arg(long, value_name = "LOG", conflicts_with_all = ["homes", "days"])]
     data: Vec<String>,
     #[command(flatten)]
-    figures: JsonOutput,
+    output: JsonOutput,
 }
 
 /// Measures of real logs, compared with noted activities.
@@ -61,13 +61,13 @@ impl MeasuresLabArguments {
         if !self.data.is_empty() {
             return self.compare_real_logs();
         }
-        let answer = self.figures.check(&[])?;
+        let output = self.output.check(&[])?;
         let cases = with_and_without_faults(self.homes, self.days, single_home, case)?;
         let all = |faults: bool| {
             let same = cases.iter().filter(|(with_faults, _)| *with_faults == faults);
             MeasureError::over_homes(same.flat_map(|(_, case)| case).collect::<Vec<_>>().into_iter())
         };
-        answer.write(&MeasuresExperiment { days: self.days, clean: all(false), faults: all(true) }, [])
+        output.write(&MeasuresExperiment { days: self.days, clean: all(false), faults: all(true) }, [])
     }
 }
 
@@ -76,7 +76,7 @@ impl MeasuresLabArguments {
         let read = |log: &String| read_log(log, None, &LogOptions::default());
         let mut read = self.data.iter().map(read).collect::<Result<Vec<_>, _>>()?;
         let sources: Vec<PathBuf> = read.iter().flat_map(|read| read.sources.clone()).collect();
-        let answer = self.figures.check(&sources)?;
+        let output = self.output.check(&sources)?;
         let of_log = |(log, read): (&String, &mut LoadedLog)| {
             // A measure by the notes alone cannot be compared with the notes.
             let notes = std::mem::take(&mut read.log.activities);
@@ -86,7 +86,7 @@ impl MeasuresLabArguments {
             Ok(RealLogErrors { name: read.name.clone(), errors: errors_between(&heard, &noted) })
         };
         let logs = self.data.iter().zip(&mut read).map(of_log).collect::<Result<Vec<_>, Failure>>()?;
-        answer.write(&RealLogsExperiment { logs }, [])
+        output.write(&RealLogsExperiment { logs }, [])
     }
 }
 

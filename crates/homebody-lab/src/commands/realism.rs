@@ -34,7 +34,7 @@ pub struct RealismLabArguments {
     #[arg(long, value_name = "N", default_value_t = 2012)]
     seed: u64,
     #[command(flatten)]
-    answer: ResultOutput,
+    output: ResultOutput,
 }
 
 /// The logs of homes with Control4 units, below the folder of the data, and the day from which the resident is at home.
@@ -53,7 +53,7 @@ struct RealismExperiment {
 
 impl RealismLabArguments {
     pub fn run(self) -> Result<(), Failure> {
-        let answer = self.answer.check(["", "other"], &[])?;
+        let output = self.output.check(["", "other"], &[])?;
         let mut logs = Vec::new();
         for (file, from) in LOGS {
             let path = self.data.join(file);
@@ -74,7 +74,7 @@ impl RealismLabArguments {
         }
         let experiment = RealismExperiment { seed: self.seed, homes };
         let [first, second] = [0, 1].map(|home| &experiment.homes[home]);
-        answer.write(&experiment, [&|| realism_chart(first), &|| realism_chart(second)])
+        output.write(&experiment, [&|| realism_chart(first), &|| realism_chart(second)])
     }
 }
 

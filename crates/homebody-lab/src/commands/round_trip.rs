@@ -28,7 +28,7 @@ pub struct RoundTripLabArguments {
     #[arg(long, value_name = "N", default_value_t = 1)]
     seed: u64,
     #[command(flatten)]
-    figures: JsonOutput,
+    output: JsonOutput,
 }
 
 #[derive(Serialize)]
@@ -46,7 +46,7 @@ struct RoundTripExperiment {
 
 impl RoundTripLabArguments {
     pub fn run(self) -> Result<(), Failure> {
-        let answer = self.figures.check(&[])?;
+        let output = self.output.check(&[])?;
         let homes: Vec<usize> = (0..self.homes as usize).collect();
         let cases = each_home(
             &homes,
@@ -69,7 +69,7 @@ impl RoundTripLabArguments {
             true_by_life: checkable.iter().filter(|held| held.is_lived()).count(),
             sentences: sentences.clone(),
         };
-        answer.write(&found, [])
+        output.write(&found, [])
     }
 }
 

@@ -22,7 +22,7 @@ pub struct SensorFaultsLabArguments {
     #[arg(long, value_name = "N", default_value_t = 14, value_parser = clap::value_parser!(u32).range(7..=366))]
     days: u32,
     #[command(flatten)]
-    figures: JsonOutput,
+    output: JsonOutput,
 }
 
 #[derive(Serialize)]
@@ -48,7 +48,7 @@ struct FaultKindResult {
 
 impl SensorFaultsLabArguments {
     pub fn run(self) -> Result<(), Failure> {
-        let answer = self.figures.check(&[])?;
+        let output = self.output.check(&[])?;
         let homes: Vec<usize> = (0..self.homes as usize).collect();
         let cases = each_home(
             &homes,
@@ -58,7 +58,7 @@ impl SensorFaultsLabArguments {
                 with_link(opened, &link, |home| case(home, 1 + number as u64, self.days))
             },
         )?;
-        answer.write(&FaultsExperiment::from_cases(cases, self.days), [])
+        output.write(&FaultsExperiment::from_cases(cases, self.days), [])
     }
 }
 

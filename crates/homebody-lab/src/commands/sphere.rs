@@ -32,12 +32,12 @@ pub struct SphereLabArguments {
     #[arg(long, value_name = "N", default_value_t = 2016)]
     seed: u64,
     #[command(flatten)]
-    answer: ResultOutput,
+    output: ResultOutput,
 }
 
 impl SphereLabArguments {
     pub fn run(self) -> Result<(), Failure> {
-        let answer = self.answer.check([""], &[])?;
+        let output = self.output.check([""], &[])?;
         let source = match &self.house {
             Some(path) => ScenarioSource::at(path)?,
             None => Template::named("sphere-house")?.source(),
@@ -45,7 +45,7 @@ impl SphereLabArguments {
         let house = source.scenario()?;
         let recordings = recordings(&self.data)?;
         let experiment = SphereExperiment::run(&recordings, &house, self.seed).map_err(Failure::asked)?;
-        answer.write(&experiment, [&|| picture(&experiment)])
+        output.write(&experiment, [&|| picture(&experiment)])
     }
 }
 

@@ -56,7 +56,7 @@ pub struct AlertsArguments {
     #[command(flatten)]
     programs: RowDestinations,
     #[command(flatten)]
-    figures: JsonOutput,
+    output: JsonOutput,
 }
 
 impl AlertsArguments {
@@ -66,17 +66,17 @@ impl AlertsArguments {
             return self.follow(&rules);
         }
         let read = self.measured.read()?;
-        let answer = self.figures.check(&read.sources)?.silent_if(self.programs.is_printed());
-        self.programs.check(false, &read.sources, self.figures.replaces())?;
+        let output = self.output.check(&read.sources)?.silent_if(self.programs.is_printed());
+        self.programs.check(false, &read.sources, self.output.replaces())?;
         let measures = self.measured.measures(&read)?;
         let alerts = alerts(&measures, &rules);
-        self.programs.store(&records(&alerts.name, &alerts.alerts), &Default::default, self.figures.replaces())?;
-        answer.write(&alerts, [])
+        self.programs.store(&records(&alerts.name, &alerts.alerts), &Default::default, self.output.replaces())?;
+        output.write(&alerts, [])
     }
 
     /// Prints all alerts, and then each new one: one line each, as JSON if rows go to standard output.
     fn follow(&self, rules: &Rules) -> Result<(), Failure> {
-        if !self.figures.is_empty() || !self.programs.is_empty_or_printed() {
+        if !self.output.is_empty() || !self.programs.is_empty_or_printed() {
             return Err(Failure::asked(AlertsMessage::FilesWithFollow));
         }
         let mut printed: Vec<Alert> = Vec::new();

@@ -19,16 +19,16 @@ pub struct CoverageArguments {
     #[command(flatten)]
     scenario: ScenarioArguments,
     #[command(flatten)]
-    answer: ResultOutput,
+    output: ResultOutput,
 }
 
 impl CoverageArguments {
     pub fn run(self) -> Result<(), Failure> {
         let source = self.scenario.source()?;
         let scenario = source.scenario()?;
-        let answer = self.answer.check([""], &source.paths(&scenario))?;
+        let output = self.output.check([""], &source.paths(&scenario))?;
         let seen = coverage::of_home(&scenario.home, build(&scenario), STEP_M);
         let map = || coverage_map(&seen.home, &seen.coverage, &seen.beams());
-        answer.write(&seen.coverage, [&map])
+        output.write(&seen.coverage, [&map])
     }
 }

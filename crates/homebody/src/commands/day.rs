@@ -26,13 +26,13 @@ pub struct DayArguments {
     #[arg(long, value_name = "ZONE")]
     time_zone: Option<String>,
     #[command(flatten)]
-    answer: ResultOutput,
+    output: ResultOutput,
 }
 
 impl DayArguments {
     pub fn run(self) -> Result<(), Failure> {
         let read = self.log.read(self.time_zone.as_deref())?;
-        let answer = self.answer.check([""], &read.sources)?;
+        let output = self.output.check([""], &read.sources)?;
         let log = || self.log.to_string();
         let there = read.dates().ok_or_else(|| Failure::asked(LogContentMessage::NoRows { log: log() }))?;
         let no_day = || {
@@ -41,6 +41,6 @@ impl DayArguments {
         };
         let date = self.date.within(there).ok_or_else(no_day)?;
         let day = DayRecord::from_log(&read.name, &read.log, &read.lives, read.ended(), date);
-        answer.write(&day, [&|| day_chart(&DayChart::new(&day))])
+        output.write(&day, [&|| day_chart(&DayChart::new(&day))])
     }
 }

@@ -72,7 +72,7 @@ pub struct DensityArguments {
     #[arg(long, value_name = "FILE", help_heading = "Output")]
     csv: Option<PathBuf>,
     #[command(flatten)]
-    answer: ResultOutput,
+    output: ResultOutput,
 }
 
 impl DensityArguments {
@@ -83,7 +83,7 @@ impl DensityArguments {
         let sources: Vec<PathBuf> =
             [Some(&log), other.as_ref()].into_iter().flatten().flat_map(|log| log.sources.clone()).collect();
         let csv = self.csv.as_deref();
-        let answer = self.answer.check_with_table([""], csv, &sources)?;
+        let output = self.output.check_with_table([""], csv, &sources)?;
 
         let known: Vec<&LoadedLog> = [Some(&log), other.as_ref()].into_iter().flatten().collect();
         let problems: Vec<Diagnostic> = self.unknown_doors(&known).chain(self.unknown_day(&log)).collect();
@@ -111,7 +111,7 @@ impl DensityArguments {
                 tell(format_args!("note: {}: the density counts all residents: {}", log.name, people.join(", ")));
             }
         }
-        answer.write_with_table(&density, [&|| density_map(&density)], &|| density.of.map.csv())
+        output.write_with_table(&density, [&|| density_map(&density)], &|| density.of.map.csv())
     }
 
     /// The requested doors that a log has.

@@ -40,7 +40,7 @@ pub struct FallsArguments {
     #[arg(long, conflicts_with_all = ["log", "rules", "json"])]
     show_rules: bool,
     #[command(flatten)]
-    figures: JsonOutput,
+    output: JsonOutput,
 }
 
 impl FallsArguments {
@@ -51,14 +51,14 @@ impl FallsArguments {
         let rules = self.rules.as_deref().map(rules).transpose()?.unwrap_or_default();
         let named = LogRef::find(&self.log.unwrap_or_default())?;
         let sources: Vec<PathBuf> = named.place.files().into_iter().chain(self.rules.clone()).collect();
-        let answer = self.figures.check(&sources)?;
+        let output = self.output.check(&sources)?;
         let bar = looking_bar(&named);
         let found = falls_in(&named, &rules, |at| {
             bar.set_position(position(at));
             true
         });
         bar.finish_and_clear();
-        answer.write(&FallsAnswer(found?), [])
+        output.write(&FallsAnswer(found?), [])
     }
 }
 

@@ -43,7 +43,7 @@ pub struct FindArguments {
     #[arg(long, value_name = "ZONE")]
     time_zone: Option<String>,
     #[command(flatten)]
-    figures: JsonOutput,
+    output: JsonOutput,
 }
 
 /// The subject of a search, as a word of the command line.
@@ -82,7 +82,7 @@ impl clap::ValueEnum for FindSubject {
 impl FindArguments {
     pub fn run(self) -> Result<(), Failure> {
         let read = self.log.read(self.time_zone.as_deref())?;
-        let answer = self.figures.check(&read.sources)?;
+        let output = self.output.check(&read.sources)?;
         let what = self.what.0;
         let least = self.min_duration.unwrap_or(Span::ZERO);
         let query = Query { what, name: self.name.clone(), hours: self.between, least };
@@ -102,7 +102,7 @@ impl FindArguments {
             remarks: found.remarks,
             found: found.hits.into_iter().map(one).collect(),
         };
-        answer.write(&found, [])
+        output.write(&found, [])
     }
 }
 

@@ -55,7 +55,7 @@ pub struct InspectArguments {
     #[arg(long, value_name = "FILE", help_heading = "Output")]
     html: Option<PathBuf>,
     #[command(flatten)]
-    answer: ResultOutput,
+    output: ResultOutput,
 }
 
 impl InspectArguments {
@@ -63,22 +63,22 @@ impl InspectArguments {
         let named = self.log.find()?;
         let sources: Vec<PathBuf> = named.place.files().into_iter().chain(self.sensors.clone()).collect();
         let html: Vec<&Path> = self.html.as_deref().into_iter().collect();
-        can_be_written(&html, &sources, self.answer.replaces())?;
-        self.answer.check(["", DENSITY], &sources)?;
+        can_be_written(&html, &sources, self.output.replaces())?;
+        self.output.check(["", DENSITY], &sources)?;
         let look = self.look(&named)?;
         warn_of_incomplete(&named.name, named.incomplete().as_ref());
-        let drawn = self.html.is_some() || self.answer.has_pictures();
+        let drawn = self.html.is_some() || self.output.has_pictures();
         let density = if drawn { self.density() } else { None };
         if let Some(page) = &self.html {
-            write_file(page, look_page(&look, density.as_deref()).as_bytes(), self.answer.replaces())?;
+            write_file(page, look_page(&look, density.as_deref()).as_bytes(), self.output.replaces())?;
         }
         let map = || look_map(&look);
         match &density {
             Some(density) => {
-                let answer = self.answer.check(["", DENSITY], &sources)?;
-                answer.write(&look, [&map, &|| density.clone()])
+                let output = self.output.check(["", DENSITY], &sources)?;
+                output.write(&look, [&map, &|| density.clone()])
             }
-            None => self.answer.check([""], &sources)?.write(&look, [&map]),
+            None => self.output.check([""], &sources)?.write(&look, [&map]),
         }
     }
 

@@ -35,7 +35,7 @@ pub struct InstallSheetArguments {
     #[arg(long, value_name = "FILE", help_heading = "Output")]
     pdf: Option<PathBuf>,
     #[command(flatten)]
-    answer: ResultOutput,
+    output: ResultOutput,
 }
 
 impl InstallSheetArguments {
@@ -52,16 +52,16 @@ impl InstallSheetArguments {
                 Some((path.display().to_string(), other))
             }
         };
-        let answer = self.answer.check_with_table([""], self.csv.as_deref(), &sources)?;
+        let output = self.output.check_with_table([""], self.csv.as_deref(), &sources)?;
         if let Some(path) = &self.pdf {
-            can_be_written(&[path.as_path()], &sources, self.answer.replaces())?;
+            can_be_written(&[path.as_path()], &sources, self.output.replaces())?;
         }
         let (home, build, parts) = (&scenario.home, build(&scenario), PartsList::from_home(&scenario.home));
         if let Some(path) = &self.pdf {
             let pages = installing(home, &coverage::of_home(home, build, STEP_M), &parts);
             let bytes = pdf(&home.name, &pages);
             let bytes = bytes.map_err(Failure::file)?;
-            write_file(path, &bytes, self.answer.replaces())?;
+            write_file(path, &bytes, self.output.replaces())?;
             tell(format_args!("wrote {}", path.display()));
         }
         let map = || {
@@ -70,11 +70,11 @@ impl InstallSheetArguments {
         };
         let table = || parts.csv();
         match other {
-            None => answer.write_with_table(&parts, [&map], &table),
+            None => output.write_with_table(&parts, [&map], &table),
             Some((path, other)) => {
                 let one = SensorLayout { name: &self.scenario.name(), home, build };
                 let two = SensorLayout { name: &path, home: &other.home, build };
-                answer.write_with_table(&beside([one, two]), [&map], &table)
+                output.write_with_table(&beside([one, two]), [&map], &table)
             }
         }
     }

@@ -64,19 +64,19 @@ pub struct MeasuresArguments {
     #[command(flatten)]
     programs: RowDestinations,
     #[command(flatten)]
-    answer: ResultOutput,
+    output: ResultOutput,
 }
 
 impl MeasuresArguments {
     pub fn run(self) -> Result<(), Failure> {
         let read = self.measured.read()?;
-        let answer = self.answer.check_with_table([""], self.csv.as_deref(), &read.sources)?;
-        let answer = answer.silent_if(self.programs.is_printed());
-        self.programs.check(true, &read.sources, self.answer.replaces())?;
+        let output = self.output.check_with_table([""], self.csv.as_deref(), &read.sources)?;
+        let output = output.silent_if(self.programs.is_printed());
+        self.programs.check(true, &read.sources, self.output.replaces())?;
         let measures = self.measured.measures(&read)?;
         let patient = self.measured.subject(&read);
-        self.programs.store(&records(&measures), &|| measures.fhir(&patient), self.answer.replaces())?;
-        answer.write_with_table(&measures, [&|| measures_picture(&measures)], &|| measures.csv())
+        self.programs.store(&records(&measures), &|| measures.fhir(&patient), self.output.replaces())?;
+        output.write_with_table(&measures, [&|| measures_picture(&measures)], &|| measures.csv())
     }
 }
 

@@ -39,7 +39,7 @@ pub struct RealismArguments {
     #[arg(long, value_name = "ZONE")]
     time_zone: Option<String>,
     #[command(flatten)]
-    answer: ResultOutput,
+    output: ResultOutput,
 }
 
 impl RealismArguments {
@@ -47,11 +47,11 @@ impl RealismArguments {
         let zone = self.time_zone.as_deref();
         let (a, b) = (read_log(&self.a, zone, &self.how)?, read_log(&self.b, zone, &self.how)?);
         let sources: Vec<PathBuf> = [&a, &b].into_iter().flat_map(|log| log.sources.clone()).collect();
-        let answer = self.answer.check_with_table([""], self.html.as_deref(), &sources)?;
+        let output = self.output.check_with_table([""], self.html.as_deref(), &sources)?;
         let comparing = Working::on(format!("comparing {} with {}", self.b, self.a));
         let realism = realism(compared(&a), compared(&b)).map_err(|problems| not_comparable(&problems))?;
         drop(comparing);
-        answer.write_with_table(&realism, [&|| realism_chart(&realism)], &|| realism_page(&realism))
+        output.write_with_table(&realism, [&|| realism_chart(&realism)], &|| realism_page(&realism))
     }
 }
 

@@ -34,19 +34,19 @@ pub struct SensorFaultsArguments {
     #[arg(long, value_name = "ZONE")]
     time_zone: Option<String>,
     #[command(flatten)]
-    figures: JsonOutput,
+    output: JsonOutput,
     #[command(flatten)]
     trust: Trust,
 }
 
 impl SensorFaultsArguments {
     pub fn run(self) -> Result<(), Failure> {
-        let answer = self.figures.check(&[])?;
+        let output = self.output.check(&[])?;
         let home = self.trust.source(&self.home)?.open()?;
         let zone = self.time_zone.clone().unwrap_or_else(|| home.scenario().file.time_zone.clone());
         let read = self.log.read(Some(&zone))?;
         let health = progress::show_share(|progress| health(&read.log, home.scenario(), progress))?;
         health.remarks.iter().for_each(|remark| tell(format_args!("{}: {remark}", self.log)));
-        answer.write(&health, [])
+        output.write(&health, [])
     }
 }

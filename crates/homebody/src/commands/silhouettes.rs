@@ -67,7 +67,7 @@ pub struct SilhouettesArguments {
     #[arg(long, value_name = "N", help_heading = "Output", default_value_t = 3, value_parser = clap::value_parser!(u32).range(1..=32))]
     scale: u32,
     #[command(flatten)]
-    answer: ResultOutput,
+    output: ResultOutput,
 }
 
 impl SilhouettesArguments {
@@ -76,21 +76,21 @@ impl SilhouettesArguments {
         let kept = RunSilhouettes::beside(&named)?;
         let mut sources = named.place.files();
         sources.push(named.place.path().with_file_name(SILHOUETTES));
-        let strip = self.answer.has_pictures().then(|| self.every.unwrap_or(STRIP_EVERY) * i64::from(self.frames - 1));
+        let strip = self.output.has_pictures().then(|| self.every.unwrap_or(STRIP_EVERY) * i64::from(self.frames - 1));
         let selection =
             SilhouetteSelection::parse(&kept, (&self.camera[..], self.from.as_deref(), self.to.as_deref()), strip)?;
-        let outputs = SilhouetteOutput::check_all(&self.out, &sources, self.answer.replaces())?;
-        let checked = self.answer.check([""], &sources)?;
+        let outputs = SilhouetteOutput::check_all(&self.out, &sources, self.output.replaces())?;
+        let checked = self.output.check([""], &sources)?;
         let bar = looking_bar(&named);
         let mut answered = self.survey(&named.name, &kept, &selection, &bar)?;
         let mut film = self
-            .answer
+            .output
             .has_pictures()
             .then(|| StripMoments::new(&selection, self.every.unwrap_or(STRIP_EVERY), self.frames));
         let counted = SilhouetteCount { pictures: answered.pictures, instants: answered.instants };
         let scale = self.scale;
         let mut outputs =
-            SilhouetteOutputs::begin(outputs, &kept, &selection.cameras, counted, scale, self.answer.replaces())?;
+            SilhouetteOutputs::begin(outputs, &kept, &selection.cameras, counted, scale, self.output.replaces())?;
         if film.is_some() || !outputs.is_empty() {
             let mut thinned = Thinned::new(self.every);
             selection.for_each::<Failure>(&kept, |kept, camera| {

@@ -32,13 +32,13 @@ pub struct StoryboardArguments {
     #[arg(long, value_name = "N", default_value_t = 6, value_parser = clap::value_parser!(u8).range(1..=60))]
     frames: u8,
     #[command(flatten)]
-    answer: ResultOutput,
+    output: ResultOutput,
 }
 
 impl StoryboardArguments {
     pub fn run(self) -> Result<(), Failure> {
         let path = if self.run.is_dir() { self.run.join(RECORDING) } else { self.run.clone() };
-        let answer = self.answer.check([""], std::slice::from_ref(&path))?;
+        let output = self.output.check([""], std::slice::from_ref(&path))?;
         let recorded = RecordedRun::open(&path)?;
         let home = recorded.scenario().home.clone();
         let calendar = recorded.scenario().calendar.clone();
@@ -60,7 +60,7 @@ impl StoryboardArguments {
             things: home.plan().things.iter().map(|thing| thing.name.as_str()).collect(),
         };
         let strip = film.strip(&names, |at| calendar.wall_clock(at));
-        answer.write(&strip, [&|| film_strip(&home, &strip)])
+        output.write(&strip, [&|| film_strip(&home, &strip)])
     }
 
     /// The instant of the first moment, within the run.

@@ -81,14 +81,14 @@ pub struct SuggestSensorsArguments {
     #[arg(long, value_name = "FILE")]
     rules: Option<PathBuf>,
     #[command(flatten)]
-    answer: ResultOutput,
+    output: ResultOutput,
 }
 
 impl SuggestSensorsArguments {
     pub fn run(self) -> Result<(), Failure> {
         let source = self.scenario.source()?;
         let scenario = source.open()?;
-        let answer = self.answer.check([""], &scenario.paths())?;
+        let output = self.output.check([""], &scenario.paths())?;
         let rules = rules(self.rules.as_deref())?;
         let goals = goals(&self.goals)?;
         let device = self.device.as_deref().map(device).transpose()?;
@@ -103,7 +103,7 @@ impl SuggestSensorsArguments {
         progress.bar.lock().expect("nothing panics while it is held").finish_and_clear();
         let found = SuggestionAnswer { proposal: found?, asked: sensors };
         let drawn = HomeFile { sensors: found.proposal.sensors.clone(), ..HomeFile::clone(home) };
-        answer.write(&found, [&|| floor_plan(&drawn)])
+        output.write(&found, [&|| floor_plan(&drawn)])
     }
 }
 

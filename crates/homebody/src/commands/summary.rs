@@ -37,7 +37,7 @@ pub struct SummaryArguments {
     #[command(flatten)]
     programs: RowDestinations,
     #[command(flatten)]
-    figures: JsonOutput,
+    output: JsonOutput,
 }
 
 /// The reader of a summary.
@@ -52,8 +52,8 @@ enum Reader {
 impl SummaryArguments {
     pub fn run(self) -> Result<(), Failure> {
         let read = self.measured.read()?;
-        let answer = self.figures.check(&read.sources)?.silent_if(self.programs.is_printed());
-        self.programs.check(false, &read.sources, self.figures.replaces())?;
+        let output = self.output.check(&read.sources)?.silent_if(self.programs.is_printed());
+        self.programs.check(false, &read.sources, self.output.replaces())?;
         let measures = self.measured.measures(&read)?;
         let subject = self.measured.subject(&read);
         let about = SummarySubject { subject: &subject, last: self.last.into() };
@@ -66,8 +66,8 @@ impl SummaryArguments {
                 Some(of_summaries(&summary, &summarise(&measures, about)))
             }
         };
-        self.programs.store(&records(&summary), &Default::default, self.figures.replaces())?;
-        answer.write(&SummaryAnswer { summary, distance, reader: self.audience }, [])
+        self.programs.store(&records(&summary), &Default::default, self.output.replaces())?;
+        output.write(&SummaryAnswer { summary, distance, reader: self.audience }, [])
     }
 }
 
