@@ -29,7 +29,7 @@ pub enum Deed {
         /// Its name in the home.
         sensor: String,
         /// How.
-        failure: Failure,
+        failure: SensorFailure,
         /// Until when; None for the rest of the run.
         #[serde(default, skip_serializing_if = "Option::is_none")]
         until_us: Option<RunTime>,
@@ -46,7 +46,7 @@ pub enum Deed {
 /// How a sensor fails, as the faults of a link file have it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(tag = "kind", rename_all = "snake_case", deny_unknown_fields)]
-pub enum Failure {
+pub enum SensorFailure {
     /// Its battery fades for so long, and is empty then.
     Battery {
         /// How long; 0 where it is empty at once.
@@ -79,14 +79,14 @@ impl Deed {
     }
 }
 
-impl Failure {
+impl SensorFailure {
     /// What it is, in a word, as link files have it.
     pub fn word(self) -> &'static str {
         match self {
-            Failure::Battery { .. } => "battery",
-            Failure::Stuck { .. } => "stuck",
-            Failure::FallsOff => "falls_off",
-            Failure::BadLink { .. } => "bad_link",
+            SensorFailure::Battery { .. } => "battery",
+            SensorFailure::Stuck { .. } => "stuck",
+            SensorFailure::FallsOff => "falls_off",
+            SensorFailure::BadLink { .. } => "bad_link",
         }
     }
 }

@@ -11,7 +11,7 @@ pub mod resolved;
 
 use crate::numbers::Numbers;
 use crate::posture::Posture;
-use crate::sensors::{Sensor, SensorInfo};
+use crate::sensors::{Sensor, SensorPlacement};
 use crate::time::RunTime;
 use field::Field;
 use resolved::ResolvedHome;
@@ -59,7 +59,7 @@ impl Home {
     }
 
     /// What there is to say of each sensor, in the order of [`Home::sensors`].
-    pub fn sensor_infos(&self) -> Vec<SensorInfo> {
+    pub fn sensor_infos(&self) -> Vec<SensorPlacement> {
         self.sensors.iter().map(|sensor| sensor.info(&self.plan)).collect()
     }
 

@@ -19,7 +19,7 @@ pub(crate) mod radio;
 mod sources;
 mod channel;
 
-use crate::deed::Failure;
+use crate::deed::SensorFailure;
 use crate::event::{Events, Fact, Firing, Loss, Provenance, Trigger, Value};
 use crate::ids::SensorId;
 use crate::link::form::{FaultFile, LinkFile, MovedFile};
@@ -165,10 +165,17 @@ impl Link {
     }
 
     /// A sensor of this name fails for a time, whatever the link's file says.
-    pub(crate) fn fails(&mut self, sensor: SensorId, failure: Failure, span: Interval<RunTime>, name: &str, seed: u64) {
+    pub(crate) fn fails(
+        &mut self,
+        sensor: SensorId,
+        failure: SensorFailure,
+        span: Interval<RunTime>,
+        name: &str,
+        seed: u64,
+    ) {
         let Some(channel) = self.channels.get_mut(sensor.index()) else { return };
         channel.fails(failure, span);
-        if let Failure::Stuck { every_us: Some(every) } = failure {
+        if let SensorFailure::Stuck { every_us: Some(every) } = failure {
             self.sources.repeat(
                 sensor,
                 every,

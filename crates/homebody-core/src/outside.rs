@@ -4,7 +4,7 @@
 //! Each has its instant, and happens before all that happens in the home at that instant. A run that is lived again is told all
 //! of it beforehand, and lives the same life.
 
-use crate::deed::{Deed, Failure, FromOutside};
+use crate::deed::{Deed, FromOutside, SensorFailure};
 use crate::ids::{ResidentId, SensorId, ThingId};
 use crate::nearest::{nearest, some_names, suggestion};
 use crate::numbers::Numbers;
@@ -116,7 +116,7 @@ impl From<OutsideMessage> for Refusal {
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum ResolvedDeed {
     Use { thing: ThingId, on: bool },
-    Fail { sensor: SensorId, failure: Failure, until: Option<RunTime> },
+    Fail { sensor: SensorId, failure: SensorFailure, until: Option<RunTime> },
     Fall { resident: ResidentId, lies: Span },
 }
 
@@ -157,15 +157,15 @@ impl ResolvedDeed {
     }
 }
 
-fn possible(failure: Failure) -> Result<(), OutsideMessage> {
+fn possible(failure: SensorFailure) -> Result<(), OutsideMessage> {
     match failure {
-        Failure::Battery { fades_us } if !(Span::ZERO..=LONGEST).contains(&fades_us) => {
+        SensorFailure::Battery { fades_us } if !(Span::ZERO..=LONGEST).contains(&fades_us) => {
             Err(OutsideMessage::BatteryFading { fades_us })
         }
-        Failure::Stuck { every_us: Some(every_us) } if !REPEATS.contains(&every_us) => {
+        SensorFailure::Stuck { every_us: Some(every_us) } if !REPEATS.contains(&every_us) => {
             Err(OutsideMessage::RepeatInterval { every_us })
         }
-        Failure::BadLink { lost_ppm } if lost_ppm > 1_000_000 => Err(OutsideMessage::LostShare { lost_ppm }),
+        SensorFailure::BadLink { lost_ppm } if lost_ppm > 1_000_000 => Err(OutsideMessage::LostShare { lost_ppm }),
         _ => Ok(()),
     }
 }

@@ -58,7 +58,7 @@ pub struct Sensor {
 
 /// What there is to say of a sensor before it has said anything: what the destinations of a log are told as it begins.
 #[derive(Clone, Debug, PartialEq)]
-pub struct SensorInfo {
+pub struct SensorPlacement {
     /// As the home's file has it; a log may know the sensor by an id besides.
     pub name: String,
     /// What there is to know of its kind.
@@ -117,8 +117,8 @@ impl Sensor {
     }
 
     /// What there is to say of it; the plan is that of its home.
-    pub fn info(&self, plan: &Plan) -> SensorInfo {
-        SensorInfo {
+    pub fn info(&self, plan: &Plan) -> SensorPlacement {
+        SensorPlacement {
             name: self.name.clone(),
             kind: self.row,
             room: self.room.map(|room| plan.rooms[room.index()].name.clone()),

@@ -1,8 +1,8 @@
-//! The quality of alerts: whether they come after a condition has begun, how soon, and how often they are false.
+//! The quality of alerts: their sensitivity, their delay, and their rate of false alarms.
 //!
-//! People differ as those of a cohort do. Each shows one condition from a day on that is known, growing for so many days as such
-//! conditions do, or none. Each log is measured, and its alerts are compared with that day. An alert before it, and any of
-//! a person without a condition, is a false alarm. Lead is counted back from the day on which the condition is at its height.
+//! People differ as in a cohort. Each person has no condition, or one from a known day on, which grows as such conditions do. The
+//! alerts from each log are compared with that day. An alert before it is a false alarm, and so is any alert of a person without a
+//! condition. Lead is counted back from the day of the full effect.
 
 use homebody_analysis::alerts::{AlertMethod, AlertRule, Rules};
 use homebody_placement::adequacy::{
@@ -14,63 +14,55 @@ use serde::Serialize;
 /// Days after the onset for which the sensitivity is printed.
 const AFTER: [usize; 4] = [7, 14, 28, 56];
 
-/// The quality of alerts.
 #[derive(Clone, Debug, Serialize)]
-pub struct Quality {
-    /// Number of people.
+pub struct AlertQuality {
     pub people: usize,
-    /// The days of each.
+    /// Days that are simulated for each person.
     pub days: u32,
-    /// For each condition and rule that spoke of anybody with it; the rule `any` is all together.
-    pub rows: Vec<Row>,
+    /// A row for each condition and each rule with an alert after the onset; the rule `any` is all rules together.
+    pub rows: Vec<AlertsRow>,
     /// False alarms by rule.
-    pub false_alarms: Vec<FalseAlarms>,
-    /// For each condition, all rules together, with other numbers of standard deviations.
-    pub curves: Vec<Curve>,
-    /// A comparison of the methods of rules.
-    pub methods: Vec<OfMethod>,
+    pub false_alarms: Vec<RuleFalseAlarms>,
+    /// For each condition, all rules together with other thresholds.
+    pub curves: Vec<AlertCurve>,
+    pub methods: Vec<MethodQuality>,
 }
 
-/// The result with one method for all rules that are control charts.
+/// The result if all control charts use one method.
 #[derive(Clone, Debug, Serialize)]
-pub struct OfMethod {
+pub struct MethodQuality {
     /// The name of the method in rules.
     pub method: &'static str,
-    /// The delay until people are found, with bearable false alarms.
+    /// The delay until people are found, with at most a given number of false alarms.
     #[serde(flatten)]
     pub adequacy: Adequacy,
 }
 
-/// A condition and a rule.
 #[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct Row {
-    /// The condition.
+pub struct AlertsRow {
     pub condition: String,
     /// The rule's name, or `any`.
     pub rule: String,
     /// Number of people with the condition.
     pub people: usize,
-    /// The share of them with an alert until the end, with its interval of 95 % (Wilson 1927).
+    /// The share of people with an alert between the onset and the end; the interval of 95 % is that of Wilson (1927).
     pub sensitivity: f64,
-    /// The interval.
     pub sensitivity_95: [f64; 2],
-    /// The share of those without a condition who have one in the same days: what chance does.
+    /// The share of people without a condition who have an alert in the same days: the effect of chance.
     pub by_chance: f64,
-    /// The share of them with an alert within so many days after the beginning.
+    /// The share of people with an alert within a number of days after the onset.
     pub within: Vec<(usize, f64)>,
-    /// The median of the days from the beginning to the first alert, of those who have one, with quartiles.
+    /// Days from the onset to the first alert of people who have one: quartile, median, quartile.
     pub delay_days: Option<[f64; 3]>,
-    /// The median of the days from the first alert to the height of the condition.
+    /// Median of the days from the first alert to the full effect of the condition.
     pub lead_days: Option<f64>,
     /// False alarms of one person in a week.
     pub false_alarms_per_week: f64,
-    /// The interval.
     pub false_alarms_95: [f64; 2],
 }
 
-/// The false alarms of a rule.
 #[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct FalseAlarms {
+pub struct RuleFalseAlarms {
     /// The rule's name, or `any`.
     pub rule: String,
     /// False alarms of one person in a week.
@@ -79,18 +71,15 @@ pub struct FalseAlarms {
     pub per_week_95: [f64; 2],
 }
 
-/// Sensitivity against false alarms.
 #[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct Curve {
-    /// The condition.
+pub struct AlertCurve {
     pub condition: String,
     /// By number of standard deviations.
-    pub points: Vec<Point>,
+    pub points: Vec<CurvePoint>,
 }
 
-/// A point of a curve.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
-pub struct Point {
+pub struct CurvePoint {
     /// The number of standard deviations, for all rules.
     pub k_sd: f64,
     /// The share of those with the condition who are found within 28 days.
@@ -100,45 +89,45 @@ pub struct Point {
 }
 
 /// The quality of the alerts that rules give for people.
-pub fn quality(people: &[Watched], rules: &Rules, days: u32) -> Quality {
-    let told: Vec<Alerts> = people.iter().map(|watched| alerts_of(watched.measures, rules)).collect();
+pub fn quality(people: &[Watched], rules: &Rules, days: u32) -> AlertQuality {
+    let alerts: Vec<Alerts> = people.iter().map(|watched| alerts_of(watched.measures, rules)).collect();
     let mut names: Vec<&str> = rules.rules.iter().map(|rule| rule.name.as_str()).collect();
     names.extend(["several", "any"]);
     let conditions = conditions(people);
-    let false_alarms: Vec<FalseAlarms> = names.iter().map(|rule| false_alarms_of(people, &told, rule)).collect();
+    let false_alarms: Vec<RuleFalseAlarms> = names.iter().map(|rule| false_alarms_of(people, &alerts, rule)).collect();
     let mut rows = Vec::new();
     for condition in &conditions {
         for (rule, idle) in names.iter().zip(&false_alarms) {
-            let row = row(people, &told, condition, (rule, idle));
+            let row = row(people, &alerts, condition, (rule, idle));
             rows.extend(row.filter(|row| row.sensitivity > 0.0));
         }
     }
     let swept: Vec<(f64, Vec<Alerts>)> = swept(people, rules).collect();
-    let curve = |condition: &&'static str| Curve {
+    let curve = |condition: &&'static str| AlertCurve {
         condition: (*condition).to_owned(),
-        points: swept.iter().map(|(k_sd, told)| point(people, told, *k_sd, Some(condition))).collect(),
+        points: swept.iter().map(|(k_sd, alerts)| point(people, alerts, *k_sd, Some(condition))).collect(),
     };
     let curves = conditions.iter().map(curve).collect();
     let methods = METHODS.map(|(name, method)| {
         let charts = rules.rules.iter().filter(|rule| rule.method != AlertMethod::Deviation);
         let rules = charts.map(|rule| AlertRule { method, ..rule.clone() }).collect();
-        OfMethod { method: name, adequacy: adequacy(people, &Rules { rules, several: None }) }
+        MethodQuality { method: name, adequacy: adequacy(people, &Rules { rules, several: None }) }
     });
-    Quality { people: people.len(), days, rows, false_alarms, curves, methods: methods.into() }
+    AlertQuality { people: people.len(), days, rows, false_alarms, curves, methods: methods.into() }
 }
 
-/// The methods that are held beside each other.
+/// The methods that are compared.
 const METHODS: [(&str, AlertMethod); 3] =
     [("deviation", AlertMethod::Deviation), ("ewma", AlertMethod::Ewma), ("cusum", AlertMethod::Cusum)];
 
-fn point(people: &[Watched], told: &[Alerts], k_sd: f64, condition: Option<&str>) -> Point {
-    let firsts = delays(people, told, condition, "any");
+fn point(people: &[Watched], alerts: &[Alerts], k_sd: f64, condition: Option<&str>) -> CurvePoint {
+    let firsts = delays(people, alerts, condition, "any");
     let found = firsts.iter().flatten().filter(|&&delay| delay < WITHIN).count();
-    let false_alarms_per_week = false_alarms(people, told, "any").per_week();
-    Point { k_sd, sensitivity: found as f64 / firsts.len().max(1) as f64, false_alarms_per_week }
+    let false_alarms_per_week = false_alarms(people, alerts, "any").per_week();
+    CurvePoint { k_sd, sensitivity: found as f64 / firsts.len().max(1) as f64, false_alarms_per_week }
 }
 
-/// The mean number of days by which people are found later than by another layout, with the interval of 95 %: of the same people.
+/// Mean number of days by which another layout finds the same people later, with the interval of 95 %.
 pub fn later(than: &Adequacy, by: &Adequacy) -> (f64, [f64; 2]) {
     let apart: Vec<f64> = by.by_person.iter().zip(&than.by_person).map(|(by, than)| by - than).collect();
     let middle = mean(&apart);
@@ -147,16 +136,21 @@ pub fn later(than: &Adequacy, by: &Adequacy) -> (f64, [f64; 2]) {
     (middle, [middle - error, middle + error])
 }
 
-fn false_alarms_of(people: &[Watched], told: &[Alerts], rule: &str) -> FalseAlarms {
-    let counted = false_alarms(people, told, rule);
+fn false_alarms_of(people: &[Watched], alerts: &[Alerts], rule: &str) -> RuleFalseAlarms {
+    let counted = false_alarms(people, alerts, rule);
     let (per_week, FalseAlarmCount { count, weeks }) = (counted.per_week(), counted);
     // Counts as those of Poisson, by the normal law.
     let apart = Z * count.max(1.0).sqrt() / weeks.max(1e-9);
-    FalseAlarms { rule: rule.to_owned(), per_week, per_week_95: [(per_week - apart).max(0.0), per_week + apart] }
+    RuleFalseAlarms { rule: rule.to_owned(), per_week, per_week_95: [(per_week - apart).max(0.0), per_week + apart] }
 }
 
-fn row(people: &[Watched], told: &[Alerts], condition: &str, (rule, idle): (&str, &FalseAlarms)) -> Option<Row> {
-    let (found, healthy) = (delays(people, told, Some(condition), rule), delays(people, told, None, rule));
+fn row(
+    people: &[Watched],
+    alerts: &[Alerts],
+    condition: &str,
+    (rule, idle): (&str, &RuleFalseAlarms),
+) -> Option<AlertsRow> {
+    let (found, healthy) = (delays(people, alerts, Some(condition), rule), delays(people, alerts, None, rule));
     let count = found.len();
     let height = people.iter().find(|watched| watched.person.condition == Some(condition))?.person.height;
     let mut delays: Vec<usize> = found.into_iter().flatten().collect();
@@ -165,7 +159,7 @@ fn row(people: &[Watched], told: &[Alerts], condition: &str, (rule, idle): (&str
     let at =
         |share: f64| delays.get(((delays.len().max(1) - 1) as f64 * share).round() as usize).map(|&day| day as f64);
     let delay_days = at(0.25).zip(at(0.5)).zip(at(0.75)).map(|((low, middle), high)| [low, middle, high]);
-    (count > 0).then(|| Row {
+    (count > 0).then(|| AlertsRow {
         condition: condition.to_owned(),
         rule: rule.to_owned(),
         people: count,
@@ -180,7 +174,7 @@ fn row(people: &[Watched], told: &[Alerts], condition: &str, (rule, idle): (&str
     })
 }
 
-/// The interval of a share.
+/// The interval of 95 % of a share (Wilson 1927).
 pub(crate) fn wilson(found: usize, of: usize) -> [f64; 2] {
     let (count, share) = (of as f64, found as f64 / of as f64);
     let whole = 1.0 + Z * Z / count;
@@ -199,13 +193,13 @@ mod tests {
     const OF_NONE: Person = Person { condition: None, ..OF_GRIEF };
 
     #[test]
-    fn alerts_after_the_beginning_count_and_those_before_are_false() {
+    fn alerts_before_the_onset_are_false() {
         let measures = Measures::default();
         let people = [&OF_GRIEF, &OF_GRIEF, &OF_NONE].map(|person| Watched { person, measures: &measures });
-        let told = [[30, 70, 80].map(|day| (day, "sleep".to_owned())).to_vec(), vec![], vec![]];
-        let idle = false_alarms_of(&people, &told, "sleep");
+        let alerts = [[30, 70, 80].map(|day| (day, "sleep".to_owned())).to_vec(), vec![], vec![]];
+        let idle = false_alarms_of(&people, &alerts, "sleep");
         assert!((idle.per_week - 1.0 / (2.0 * 45.0 / 7.0)).abs() < 1e-9, "{idle:?}");
-        let row = row(&people, &told, "grief", ("sleep", &idle)).unwrap();
+        let row = row(&people, &alerts, "grief", ("sleep", &idle)).unwrap();
         assert_eq!((row.people, row.sensitivity, row.by_chance), (2, 0.5, 0.0));
         assert_eq!((row.delay_days, row.lead_days), (Some([10.0; 3]), Some(18.0)));
         assert_eq!(row.within[..2], [(7, 0.0), (14, 0.5)]);

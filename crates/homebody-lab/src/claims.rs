@@ -1,56 +1,55 @@
-//! Simulations follow the sentences of routines, or the user is warned before the run: a table of claims.
+//! Simulations follow the sentences of routines, or Homebody warns before the run: a table of claims.
 //!
-//! Each case is some sentences of a routine, put over a calm life, and what is to come of them by their words. The bounds are
-//! written by hand, not taken from how the program understands the sentences, and measured in the truth alone. A claim that
-//! does not hold is told if the program says before the run that the sentences are refused, kept as a remark or not lived.
+//! A case adds sentences to a simple routine, and states what they must cause. The bounds are written by hand, and not taken from the
+//! program's reading of the sentences. They are measured in the ground truth alone. A claim that does not hold counts as told if the
+//! program warns before the run: it rejects the sentences, keeps them as a remark, or reports that it does not follow them.
 
 mod homes;
-mod life;
 mod measure;
 mod report;
 mod subject;
 mod text;
+mod truth;
 
 #[cfg(test)]
 mod tests;
 
-pub use life::Life;
-pub use text::{CLAIMS, CONDITIONS, Case, Claim, Home};
+pub use text::{CLAIMS, CONDITIONS, Claim, ClaimCase, ClaimHome};
+pub use truth::ClaimTruth;
 
-use homebody_core::event::Events;
+use crate::simulated::each_step;
 use homebody_core::run::Run;
-use homebody_core::time::{DAY, RunTime};
+use homebody_core::time::DAY;
 use homebody_routine::household::Household;
 use serde::Serialize;
 use std::collections::BTreeMap;
-use text::{Beside, What};
+use text::{Beside, ClaimContent};
 
-/// Three meals, up at seven, in bed at half past ten; what is unsaid goes as it usually does.
+/// Three meals, up at seven, in bed at half past ten; defaults apply to everything else.
 const CALM: &str = "Margaret is 82. She walks at 0.65 m/s.\nShe gets up at 07:00.\nShe goes to bed at 22:30.\n";
 
 /// A Monday in winter, in UTC: no clock changes.
 const START: &str = "2009-01-05";
 
-/// The result of a claim.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Verdict {
-    /// It was measured as the words say.
+    /// The measured value agrees with the sentence.
     Lived,
-    /// It was not, and that is told before the run.
+    /// The measured value differs, and Homebody warned before the run.
     Told,
-    /// It was not, and nobody says so.
+    /// The measured value differs, and Homebody did not warn.
     Neither,
 }
 
-/// One claim with what was measured.
+/// The result of one claim.
 #[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct Row {
+pub struct ClaimRow {
     /// The form of sentences, a heading of the table.
     pub form: String,
     /// The line of the case in the table of claims.
     pub line: usize,
-    /// The sentences that are tried.
+    /// The sentences of the case.
     pub text: String,
     /// The claims, as in the table.
     pub claim: String,
@@ -62,10 +61,10 @@ pub struct Row {
     pub verdict: Verdict,
 }
 
-/// All claims and what came of them.
+/// The results of all claims.
 #[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct Experiment {
-    pub claims: Vec<Row>,
+pub struct ClaimsExperiment {
+    pub claims: Vec<ClaimRow>,
     pub lived: usize,
     pub told: usize,
     pub neither: usize,
@@ -73,34 +72,32 @@ pub struct Experiment {
     pub seed: u64,
 }
 
-/// The effects of conditions, beside published sizes.
 #[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct Conditions {
-    pub conditions: Vec<Row>,
+pub struct ConditionsExperiment {
+    pub conditions: Vec<ClaimRow>,
     /// Number of effects within the expected range.
     pub within: usize,
     pub seed: u64,
 }
 
-impl Conditions {
-    pub fn of(rows: Vec<Row>, seed: u64) -> Conditions {
+impl ConditionsExperiment {
+    pub fn from_rows(rows: Vec<ClaimRow>, seed: u64) -> ConditionsExperiment {
         let within = rows.iter().filter(|row| row.verdict == Verdict::Lived).count();
-        Conditions { conditions: rows, within, seed }
+        ConditionsExperiment { conditions: rows, within, seed }
     }
 }
 
 /// A simulated case: its truth, or the warnings before the run.
-struct Tried {
-    life: Option<Life>,
-    /// Whose life counts where a claim names nobody.
+struct SimulatedCase {
+    life: Option<ClaimTruth>,
     who: usize,
-    told: Vec<String>,
+    warnings: Vec<String>,
 }
 
-impl Experiment {
-    pub fn of(rows: Vec<Row>, days: i32, seed: u64) -> Experiment {
+impl ClaimsExperiment {
+    pub fn from_rows(rows: Vec<ClaimRow>, days: i32, seed: u64) -> ClaimsExperiment {
         let count = |verdict: Verdict| rows.iter().filter(|row| row.verdict == verdict).count();
-        Experiment {
+        ClaimsExperiment {
             lived: count(Verdict::Lived),
             told: count(Verdict::Told),
             neither: count(Verdict::Neither),
@@ -111,48 +108,43 @@ impl Experiment {
     }
 }
 
-impl Case {
-    /// Simulates the sentences, for so many days unless the case sets them, and judges each claim.
-    pub fn simulate(&self, days: i32, seed: u64) -> Vec<Row> {
+impl ClaimCase {
+    /// Simulates the sentences for a number of days, unless the case sets it, and judges each claim.
+    pub fn simulate(&self, days: i32, seed: u64) -> Vec<ClaimRow> {
         let days = self.days.unwrap_or(days);
-        let with = self.tried(&self.said, days, seed);
-        let twin = self.has_twin().then(|| self.tried(&[], days, seed));
+        let with = self.simulate_sentences(&self.said, days, seed);
+        let twin = self.has_twin().then(|| self.simulate_sentences(&[], days, seed));
         self.claims.iter().map(|claim| self.judge(claim, &with, twin.as_ref())).collect()
     }
 
-    fn tried(&self, said: &[String], days: i32, seed: u64) -> Tried {
+    fn simulate_sentences(&self, said: &[String], days: i32, seed: u64) -> SimulatedCase {
         let files = self.files(said);
         let (scenario, household) = match Household::load(&files, "scenario.json", &[]) {
             Ok(loaded) => loaded,
             Err(problems) => {
-                let told = problems.0.iter().map(|problem| format!("{}{}", problem.label(), problem.text())).collect();
-                return Tried { life: None, who: 0, told };
+                let warnings =
+                    problems.0.iter().map(|problem| format!("{}{}", problem.label(), problem.text())).collect();
+                return SimulatedCase { life: None, who: 0, warnings };
             }
         };
-        let mut told = Vec::new();
+        let mut warnings = Vec::new();
         for routine in (0..scenario.residents.len()).filter_map(|resident| household.routine(resident)) {
-            told.extend(routine.remarks.iter().map(|remark| format!("{}: remark: not lived", remark.text)));
+            warnings.extend(routine.remarks.iter().map(|remark| format!("{}: remark: not lived", remark.text)));
         }
         let length = i64::from(days) * DAY;
-        let end = RunTime::START + length;
         let mut run = Run::new(&scenario, &household, seed, length);
-        let mut life = Life::new(&run, &scenario.calendar, days);
-        let mut events = Events::default();
-        while run.now() < end {
-            if let Err(error) = run.advance((run.now() + DAY).min(end), &mut events) {
-                told.push(error.to_string());
-                return Tried { life: None, who: 0, told };
-            }
-            life.absorb(&events);
-            events.clear();
+        let mut life = ClaimTruth::new(&run, &scenario.calendar, days);
+        if let Err(error) = each_step(&mut run, DAY, |events| life.absorb(events)) {
+            warnings.push(error.to_string());
+            return SimulatedCase { life: None, who: 0, warnings };
         }
         life.finish();
         // The report of `homebody routine check --lived` on these sentences.
         let all = words(&said.join(" "));
         let of_them = Household::differences(&run).into_iter().filter(|of| all.contains(&words(&of.text)));
-        told.extend(of_them.map(|of| format!("{}: expected {}; lived {}", of.text, of.expected, of.lived)));
+        warnings.extend(of_them.map(|of| format!("{}: expected {}; lived {}", of.text, of.expected, of.lived)));
         let who = life.body(self.whose.as_deref(), 0).unwrap_or(0);
-        Tried { life: Some(life), who, told }
+        SimulatedCase { life: Some(life), who, warnings }
     }
 
     /// The files of the home with these sentences in the routine.
@@ -162,16 +154,16 @@ impl Case {
         let file = format!("{}.routine", self.whose.as_deref().unwrap_or("margaret"));
         let base = match self.home {
             _ if self.alone => String::new(),
-            Home::Apartment => CALM.to_owned(),
-            Home::Couple => files.get(&file).cloned().unwrap_or_default(),
+            ClaimHome::Apartment => CALM.to_owned(),
+            ClaimHome::Couple => files.get(&file).cloned().unwrap_or_default(),
         };
         files.insert(file, format!("{base}{lines}"));
         files
     }
 
-    /// Judges one claim by the truth, beside the twin, and by the warnings.
-    fn judge(&self, claim: &Claim, with: &Tried, twin: Option<&Tried>) -> Row {
-        let row = |expected: String, measured: String, verdict: Verdict| Row {
+    /// Judges one claim by the ground truth, by the twin, and by the warnings before the run.
+    fn judge(&self, claim: &Claim, with: &SimulatedCase, twin: Option<&SimulatedCase>) -> ClaimRow {
+        let row = |expected: String, measured: String, verdict: Verdict| ClaimRow {
             form: self.form.clone(),
             line: self.line,
             text: self.sentence(),
@@ -181,40 +173,43 @@ impl Case {
             measured,
             verdict,
         };
-        let told = || with.told.join("; ");
-        let or_told = if with.told.is_empty() { Verdict::Neither } else { Verdict::Told };
+        let warnings = || with.warnings.join("; ");
+        let or_told = if with.warnings.is_empty() { Verdict::Neither } else { Verdict::Told };
         let (of, subject, measure, filter, beside) = match &claim.what {
-            What::Told(words) => {
-                let is_told = with.told.iter().any(|told| told.contains(words.as_str()));
-                let verdict = if is_told { Verdict::Told } else { Verdict::Neither };
-                return row(format!("told: {words}"), told(), verdict);
+            ClaimContent::Told(words) => {
+                let is_warned = with.warnings.iter().any(|warning| warning.contains(words.as_str()));
+                let verdict = if is_warned { Verdict::Told } else { Verdict::Neither };
+                return row(format!("told: {words}"), warnings(), verdict);
             }
-            What::Measured { of, subject, measure, filter, beside } => (of, subject, measure, filter, *beside),
+            ClaimContent::Measured { of, subject, measure, filter, beside } => (of, subject, measure, filter, *beside),
         };
-        let value = |tried: &Tried| {
+        let value = |tried: &SimulatedCase| {
             let life = tried.life.as_ref()?;
             let who = life.body(of.as_deref(), tried.who)?;
-            Some((measure.of(life, who, subject, filter), measure.many(life, who, subject, filter)))
+            Some((measure.value(life, who, subject, filter), measure.many(life, who, subject, filter)))
         };
         let measured = value(with);
         let (low, high) = measure.bounds(measured.map_or(1.0, |(_, many)| many), beside != Beside::Itself);
         let expected = measure.in_words((low, high), beside);
-        let Some((value_with, _)) = measured else { return row(expected, told(), or_told) };
+        let Some((value_with, _)) = measured else { return row(expected, warnings(), or_told) };
         let value = match (beside, twin.and_then(value)) {
             (Beside::Itself, _) => value_with,
             (Beside::ShareOfTwin, Some((of_twin, _))) => value_with / of_twin,
             (Beside::MoreThanTwin, Some((of_twin, _))) => value_with - of_twin,
             (_, None) => f64::NAN,
         };
-        // Rounded as it is shown.
+        // The report rounds values.
         let holds = value >= low - 1e-9 && value <= high + 1e-9;
         let verdict = if holds { Verdict::Lived } else { or_told };
         let measured = measure.value_in_words(value, beside);
-        row(expected, if holds || with.told.is_empty() { measured } else { format!("{measured}; {}", told()) }, verdict)
+        row(
+            expected,
+            if holds || with.warnings.is_empty() { measured } else { format!("{measured}; {}", warnings()) },
+            verdict,
+        )
     }
 }
 
-/// A text with one space between its words.
 fn words(text: &str) -> String {
     text.split_whitespace().collect::<Vec<_>>().join(" ")
 }

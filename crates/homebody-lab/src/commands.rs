@@ -48,27 +48,27 @@ use std::ffi::OsString;
   homebody-lab recogniser --data uci
   homebody-lab explain experiment::no-data"
 )]
-struct Arguments {
+struct LabArguments {
     #[command(subcommand)]
-    command: Command,
+    command: LabCommand,
     /// How to write progress, notes and errors to standard error
     #[arg(long, global = true, value_enum, default_value_t, value_name = "FORM")]
     log_format: LogFormat,
 }
 
 macro_rules! commands {
-    ($($name:ident($($module:ident)::+)),*) => {
+    ($($name:ident($arguments:ty),)*) => {
         #[derive(clap::Subcommand)]
-        enum Command {
-            $($name($($module)::+::Arguments),)*
-            Explain(ExplainArguments),
+        enum LabCommand {
+            $($name($arguments),)*
+            Explain(ExplainLabArguments),
         }
 
-        impl Command {
+        impl LabCommand {
             fn run(self) -> Result<(), Failure> {
                 match self {
-                    $(Command::$name(arguments) => arguments.run(),)*
-                    Command::Explain(arguments) => shared::explain(arguments.code, catalogue::all()),
+                    $(LabCommand::$name(arguments) => arguments.run(),)*
+                    LabCommand::Explain(arguments) => shared::explain(arguments.code, catalogue::all()),
                 }
             }
         }
@@ -76,59 +76,54 @@ macro_rules! commands {
 }
 
 commands! {
-    Godsey2009(godsey2009),
-    Sphere(sphere),
-    DailyLife(daily_life),
-    Claims(claims),
-    Conditions(conditions),
-    Possible(possible),
-    Realism(realism),
-    Recogniser(recogniser),
-    Locate(locate),
-    Measures(measures),
-    Alerts(alerts),
-    Falls(falls),
-    RoundTrip(round_trip),
-    SensorFaults(sensor_faults)
+    Godsey2009(godsey2009::Godsey2009LabArguments),
+    Sphere(sphere::SphereLabArguments),
+    DailyLife(daily_life::DailyLifeLabArguments),
+    Claims(claims::ClaimsLabArguments),
+    Conditions(conditions::ConditionsLabArguments),
+    Possible(possible::PossibleLabArguments),
+    Realism(realism::RealismLabArguments),
+    Recogniser(recogniser::RecogniserLabArguments),
+    Locate(locate::LocateLabArguments),
+    Measures(measures::MeasuresLabArguments),
+    Alerts(alerts::AlertsLabArguments),
+    Falls(falls::FallsLabArguments),
+    RoundTrip(round_trip::RoundTripLabArguments),
+    SensorFaults(sensor_faults::SensorFaultsLabArguments),
 }
 
 /// Explain a message of an experiment by its code
 #[derive(clap::Args)]
 #[command(after_help = "Example:\n  homebody-lab explain experiment::no-data")]
-struct ExplainArguments {
+struct ExplainLabArguments {
     /// The code of a message, or the part before `::` (default: list all messages of the experiments)
     #[arg(value_name = "CODE")]
     code: Option<String>,
 }
 
-/// Asks something of each case, on all processors, and shows the progress. The answers are in the order of the cases.
-fn ask_each<C: Sync, T: Send, E: Into<Failure>>(
+/// Evaluates each case, on all processors, and shows the progress. The results are in the order of the cases.
+fn evaluate_each<C: Sync, T: Send, E: Into<Failure>>(
     cases: &[C],
     noun: &str,
     ask: impl Fn(&C) -> Result<T, E> + Sync,
 ) -> Result<Vec<T>, Failure> {
     let pool = rayon::ThreadPoolBuilder::new().build();
     let pool = pool.map_err(|error| SimulationError::Threads { why: error.to_string() })?;
-    let progress = shared::bar(cases.len() as u64, &format!("{{bar:40}} {{pos}} of {{len}} {noun}  {{eta}} left"));
-    let ask = |case: &C| {
-        let answer = ask(case).map_err(Into::into);
-        progress.inc(1);
-        answer
-    };
-    let answers = pool.install(|| cases.par_iter().map(ask).collect());
-    progress.finish_and_clear();
-    answers
+    let template = format!("{{bar:40}} {{pos}} of {{len}} {noun}  {{eta}} left");
+    shared::show(cases.len() as u64, &template, |progress| {
+        let ask = |case: &C| ask(case).map_err(Into::into).inspect(|_| progress.inc(1));
+        pool.install(|| cases.par_iter().map(ask).collect())
+    })
 }
 
-/// The whole command line.
 pub fn command() -> clap::Command {
-    <Arguments as clap::CommandFactory>::command()
+    <LabArguments as clap::CommandFactory>::command()
 }
 
 /// Runs the experiment of a command line, whose first word is the program's name. Returns the exit code. No thread may run before.
 pub fn run(words: Vec<OsString>) -> u8 {
     shared::prepare();
-    let Arguments { command, log_format } = Arguments::parse_from(words);
+    let LabArguments { command, log_format } = LabArguments::parse_from(words);
     shared::write_messages_as(log_format);
     shared::exit_code(command.run())
 }

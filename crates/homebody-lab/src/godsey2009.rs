@@ -1,16 +1,16 @@
-//! The experiment of Godsey & Skubic 2009, section IV, done again: one sensor, one person who walks
-//! perpendicular to it at five and ten feet, at half, normal and double pace, five minutes each; then the same
-//! without randomness at 1, 5, 10, 50 and 100 times real time.
+//! The experiment of Godsey & Skubic 2009, section IV: one person walks perpendicular to one sensor at five and ten feet, at half, normal
+//! and double pace, five minutes each; then the same without randomness at 1, 5, 10, 50 and 100 times real time.
 //!
-//! The paper says neither how long the walk is nor how the person turns. Both are assumptions here, stated and
-//! varied; nothing is tuned to the published total.
+//! The paper states neither the length of the walk nor the way of turning. Both are assumptions here, stated and varied; nothing is tuned
+//! to the published total.
 //!
-//! The paper's agreement is "in number of sensor firings per activity [...] around 93% (difference of 16 in 230 total
-//! firings)". It prints no number of an activity, so ours can only be of totals, in which what one activity has too many
-//! makes up for what another lacks: the two are not the same measure.
+//! The paper's agreement is "in number of sensor firings per activity [...] around 93% (difference of 16 in 230 total firings)". It prints
+//! no number of an activity, so ours can only compare totals, in which a surplus of one activity makes up for a lack of another: the two are
+//! not the same measure.
 
+use crate::simulated::each_step;
 use homebody_core::drivers::path::form::{Go, PathFile, PathStep, Repeat, StirFile, Wait};
-use homebody_core::event::{Events, Firing};
+use homebody_core::event::Firing;
 use homebody_core::home::form::HomeFile;
 use homebody_core::plan::form::{RoomFile, Spot, WallFile};
 use homebody_core::posture::Posture;
@@ -32,18 +32,16 @@ use std::fmt;
 const DISTANCES_M: [f64; 2] = [1.524, 3.048];
 const SPEEDS_MPS: [f64; 3] = [0.5, 1.0, 2.0];
 const LENGTH: Span = MINUTE.times(5);
-/// How long each activity lasts.
 pub const LENGTH_S: f64 = (LENGTH.micros() / SECOND.micros()) as f64;
 /// The figures that the paper prints.
 const PUBLISHED_FIRINGS: u64 = 230;
 const PUBLISHED_DIFFERENCE: u64 = 16;
 
-/// What the paper does not say; the values are ours.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Assumptions {
-    /// From one turn to the next: across the middle of a living room of 4 m.
+    /// Length between two turns: across the middle of a living room of 4 m.
     pub walk_m: f64,
-    /// How long a turn takes, the body moving on the spot: as a healthy adult turns round without haste.
+    /// Duration of a turn on the spot: that of a healthy adult who turns without haste.
     pub turn_s: f64,
 }
 
@@ -53,17 +51,16 @@ impl Default for Assumptions {
     }
 }
 
-/// Everything the experiment found.
 #[derive(Clone, Debug, Serialize)]
-pub struct Experiment {
+pub struct GodseyExperiment {
     pub assumptions: Assumptions,
     pub seed: u64,
-    pub activities: Vec<Activity>,
+    pub activities: Vec<WalkActivity>,
     /// All firings of the six activities.
     pub firings: u64,
     /// 1 - |ours - published| / published, of the totals: ours and the 230 real firings.
     pub agreement: f64,
-    pub published: Published,
+    pub published: PublishedFirings,
     /// Least and greatest total over twenty seeds.
     pub firings_by_seed: [u64; 2],
     /// The total under other assumptions, with the same seed.
@@ -73,27 +70,25 @@ pub struct Experiment {
 
 /// One pace at one distance for five minutes.
 #[derive(Clone, Debug, Serialize)]
-pub struct Activity {
+pub struct WalkActivity {
     /// A, B or C: slow, normal, fast.
     pub portion: char,
     pub distance_m: f64,
     pub speed_mps: f64,
     pub firings: u64,
-    /// When, in seconds since the activity's start.
+    /// Seconds since the start of the activity.
     pub fired_s: Vec<f64>,
 }
 
-/// What the paper reports.
 #[derive(Clone, Debug, Serialize)]
-pub struct Published {
+pub struct PublishedFirings {
     pub firings: u64,
     /// "Difference of 16 in 230 total firings".
     pub difference: u64,
-    /// "Per activity", by the paper's words.
+    /// "Per activity", in the words of the paper.
     pub agreement: f64,
 }
 
-/// A total under assumptions.
 #[derive(Clone, Debug, Serialize)]
 pub struct Total {
     #[serde(flatten)]
@@ -101,29 +96,28 @@ pub struct Total {
     pub firings: u64,
 }
 
-/// The same walk at a multiple of real time, without randomness, against real time.
+/// The same walk at a multiple of real time, without randomness, compared with real time.
 #[derive(Clone, Debug, Serialize)]
 pub struct AtSpeed {
     pub speed: i64,
-    /// How many firings fewer, and more, activities have, in sum: a difference of counts, which says nothing of when.
+    /// Sums of the missing and of the additional firings of activities: differences of counts, which ignore times.
     pub lost: u64,
     pub gained: u64,
-    /// Whether every firing is the same to the microsecond.
+    /// True if every firing is the same to the microsecond.
     pub identical: bool,
-    /// The paper's own loop, whose step grows with its speed, run here.
+    /// The results of the paper's own loop, whose step grows with its speed.
     pub paper_loop_lost: u64,
     pub paper_loop_gained: u64,
 }
 
-impl Experiment {
-    /// Does the experiment.
-    pub fn run(seed: u64) -> Result<Experiment, Problems> {
+impl GodseyExperiment {
+    pub fn run(seed: u64) -> Result<GodseyExperiment, Problems> {
         let assumptions = Assumptions::default();
         let mut activities = Vec::new();
         for ((speed_mps, portion), distance_m) in cases() {
-            let walk = Walk { distance_m, speed_mps, assumptions, random: true };
+            let walk = SensorWalk { distance_m, speed_mps, assumptions, random: true };
             let fired_s: Vec<f64> = walk.firings(seed, LENGTH)?.into_iter().map(RunTime::seconds).collect();
-            activities.push(Activity { portion, distance_m, speed_mps, firings: fired_s.len() as u64, fired_s });
+            activities.push(WalkActivity { portion, distance_m, speed_mps, firings: fired_s.len() as u64, fired_s });
         }
         let firings = activities.iter().map(|activity| activity.firings).sum();
         let mut totals = Vec::new();
@@ -136,13 +130,13 @@ impl Experiment {
         let by_seed = (0..20).map(|seed| total(assumptions, seed)).collect::<Result<Vec<u64>, _>>()?;
         let bounds =
             |totals: &[u64]| [totals.iter().copied().min().unwrap_or(0), totals.iter().copied().max().unwrap_or(0)];
-        Ok(Experiment {
+        Ok(GodseyExperiment {
             assumptions,
             seed,
             activities,
             firings,
             agreement: agreement(firings),
-            published: Published {
+            published: PublishedFirings {
                 firings: PUBLISHED_FIRINGS,
                 difference: PUBLISHED_DIFFERENCE,
                 agreement: agreement(PUBLISHED_FIRINGS - PUBLISHED_DIFFERENCE),
@@ -169,16 +163,16 @@ fn agreement(firings: u64) -> f64 {
 
 fn total(assumptions: Assumptions, seed: u64) -> Result<u64, Problems> {
     let one = |((speed_mps, _), distance_m)| {
-        Ok(Walk { distance_m, speed_mps, assumptions, random: true }.firings(seed, LENGTH)?.len() as u64)
+        Ok(SensorWalk { distance_m, speed_mps, assumptions, random: true }.firings(seed, LENGTH)?.len() as u64)
     };
     cases().map(one).sum()
 }
 
-/// Without randomness: ours advanced in the steps of a loop at that speed, and the paper's loop itself.
+/// Without randomness: our run with the steps of a loop at that speed, and the paper's loop itself.
 fn at_speed(speed: i64, assumptions: Assumptions) -> Result<AtSpeed, Problems> {
     let mut at = AtSpeed { speed, lost: 0, gained: 0, identical: true, paper_loop_lost: 0, paper_loop_gained: 0 };
     for ((speed_mps, _), distance_m) in cases() {
-        let walk = Walk { distance_m, speed_mps, assumptions, random: false };
+        let walk = SensorWalk { distance_m, speed_mps, assumptions, random: false };
         let (real, ours) = (walk.firings(0, SECOND / 60)?, walk.firings(0, speed * SECOND / 60)?);
         at.identical &= real == ours;
         at.lost += real.len().saturating_sub(ours.len()) as u64;
@@ -190,30 +184,29 @@ fn at_speed(speed: i64, assumptions: Assumptions) -> Result<AtSpeed, Problems> {
     Ok(at)
 }
 
-/// Why a walk is walked to its end.
+/// Reason why no step of a walk fails.
 const WALKABLE: &str = "a path that has passed its checks";
 
 /// One activity as a scenario.
 #[derive(Clone, Copy)]
-struct Walk {
+struct SensorWalk {
     distance_m: f64,
     speed_mps: f64,
     assumptions: Assumptions,
     random: bool,
 }
 
-impl Walk {
-    /// When the sensor fires, the run being advanced `step` at a time.
+impl SensorWalk {
+    /// The firings of the sensor, if the run advances by `step` at a time.
     fn firings(&self, seed: u64, step: Span) -> Result<Vec<RunTime>, Problems> {
         let mut run = Run::new(&self.scenario()?, &(), seed, LENGTH);
-        let mut events = Events::default();
-        while run.now().since_zero() < LENGTH {
-            run.advance(run.now() + step, &mut events).expect(WALKABLE);
-        }
-        Ok(events.firings.iter().map(|firing| firing.at).collect())
+        let mut firings = Vec::new();
+        each_step(&mut run, step, |events| firings.extend(events.firings.iter().map(|firing| firing.at)))
+            .expect(WALKABLE);
+        Ok(firings)
     }
 
-    /// How often the sensor fires in the paper's own loop at a multiple of real time.
+    /// The number of firings in the paper's own loop at a multiple of real time.
     fn paper_loop(&self, speed: i64) -> Result<usize, Problems> {
         let scenario = self.scenario()?;
         let run = Run::new(&scenario, &(), 0, LENGTH);
@@ -227,9 +220,9 @@ impl Walk {
         Ok(firings.len())
     }
 
-    /// A room that holds the walk, with the sensor in the middle of its west wall.
+    /// A room around the walk, with the sensor in the middle of its west wall.
     fn scenario(&self) -> Result<Scenario, Problems> {
-        let Walk { distance_m, speed_mps, assumptions: Assumptions { walk_m, turn_s }, random } = *self;
+        let SensorWalk { distance_m, speed_mps, assumptions: Assumptions { walk_m, turn_s }, random } = *self;
         let (width, depth) = (4.0, walk_m + 2.0);
         let corners = [[0.0, 0.0], [width, 0.0], [width, depth], [0.0, depth]];
         let mut home = HomeFile::new("one room");
@@ -266,11 +259,11 @@ impl Walk {
     }
 }
 
-impl fmt::Display for Experiment {
+impl fmt::Display for GodseyExperiment {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
         writeln!(f, "One sensor, one person, five minutes each (seed {})\n", self.seed)?;
         writeln!(f, "  portion  distance   pace      firings")?;
-        for Activity { portion, distance_m, speed_mps, firings, .. } in &self.activities {
+        for WalkActivity { portion, distance_m, speed_mps, firings, .. } in &self.activities {
             writeln!(f, "  {portion}        {distance_m:.2} m     {speed_mps:.1} m/s   {firings:>6}")?;
         }
         writeln!(
@@ -278,7 +271,7 @@ impl fmt::Display for Experiment {
             "  all                           {:>6}   ({} to {} over 20 seeds)\n",
             self.firings, self.firings_by_seed[0], self.firings_by_seed[1]
         )?;
-        let Published { firings, difference, agreement } = &self.published;
+        let PublishedFirings { firings, difference, agreement } = &self.published;
         writeln!(f, "  the real sensor, as published  {firings:>5}")?;
         writeln!(
             f,
@@ -334,7 +327,7 @@ mod tests {
 
     #[test]
     fn no_speed_loses_or_gains_a_firing() {
-        let experiment = Experiment::run(2009).expect("a sound scenario");
+        let experiment = GodseyExperiment::run(2009).expect("a sound scenario");
         assert!(experiment.speeds.iter().all(|at| at.lost == 0 && at.gained == 0 && at.identical));
         // The negative control: a loop whose step grows with its speed does lose or gain some.
         assert!(experiment.speeds.iter().any(|at| at.paper_loop_lost + at.paper_loop_gained > 0));
@@ -349,7 +342,7 @@ mod tests {
 
     #[test]
     fn a_sensor_that_always_sees_fires_every_seven_seconds() {
-        let walk = Walk { distance_m: 1.524, speed_mps: 1.0, assumptions: Assumptions::default(), random: false };
+        let walk = SensorWalk { distance_m: 1.524, speed_mps: 1.0, assumptions: Assumptions::default(), random: false };
         let firings = walk.firings(0, LENGTH).expect("a sound scenario");
         let expected: Vec<RunTime> = (0..43).map(|i| RunTime::from_micros(1_500_000 + i * 7_000_000)).collect();
         assert_eq!(firings, expected);

@@ -1,38 +1,34 @@
-//! Measures of days taken from logs, held against the same taken from what residents did.
+//! Measures of days from logs, compared with the same measures from the ground truth.
 
-use crate::locating::Home;
+use crate::locating::SimulatedHome;
 use homebody_analysis::measures::{MEASURES, Measures, Ways};
 use homebody_placement::simulated::{SimulatedLog, SimulatedLogError};
 use homebody_walk::Mesh;
 use serde::Serialize;
 
-/// How a measure of a home's log differs from the truth.
+/// The error of a measure from a log.
 #[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct Error {
-    /// The measure's name.
+pub struct MeasureError {
     pub measure: &'static str,
-    /// Its unit.
     pub unit: &'static str,
-    /// By day on which both are known: what the log says, and what was so.
+    /// For each day with both values: the value from the log, and the true value.
     #[serde(skip)]
     pub pairs: Vec<(f64, f64)>,
-    /// On how many days both are known.
     pub days: usize,
-    /// The mean of the truth.
     pub mean_true: f64,
-    /// The mean of what the log says, less that of the truth.
+    /// The mean of the values from the log, less that of the true values.
     pub bias: f64,
-    /// The mean of how far the two are apart.
+    /// The mean absolute error.
     pub mean_error: f64,
-    /// On nine days of ten they are no farther apart.
+    /// The largest error on nine of ten days.
     pub p90_error: f64,
-    /// How well the log follows the truth from day to day: Pearson's correlation; `None` where either never changes.
+    /// Pearson's correlation of the daily values; `None` if either is constant.
     pub correlation: Option<f64>,
 }
 
-impl Error {
-    /// Of pairs of what a log says and what was so; `None` without any.
-    pub fn of(measure: &'static str, unit: &'static str, pairs: Vec<(f64, f64)>) -> Option<Error> {
+impl MeasureError {
+    /// The error of pairs of a value from the log and a true value; `None` without pairs.
+    pub fn from_pairs(measure: &'static str, unit: &'static str, pairs: Vec<(f64, f64)>) -> Option<MeasureError> {
         let count = pairs.len() as f64;
         let mean = |of: &dyn Fn(&(f64, f64)) -> f64| pairs.iter().map(of).sum::<f64>() / count;
         let mut apart: Vec<f64> = pairs.iter().map(|(heard, lived)| (heard - lived).abs()).collect();
@@ -42,7 +38,7 @@ impl Error {
         let together = mean(&|pair| (pair.0 - mean_heard) * (pair.1 - mean_true));
         let spread = [mean(&|pair| (pair.0 - mean_heard).powi(2)), mean(&|pair| (pair.1 - mean_true).powi(2))];
         let spread = spread[0].sqrt() * spread[1].sqrt();
-        Some(Error {
+        Some(MeasureError {
             measure,
             unit,
             days: pairs.len(),
@@ -55,40 +51,40 @@ impl Error {
         })
     }
 
-    /// All days of several homes together.
-    pub fn all<'a>(of_homes: impl Iterator<Item = &'a Error> + Clone) -> Vec<Error> {
+    /// The errors on the days of several homes.
+    pub fn over_homes<'a>(of_homes: impl Iterator<Item = &'a MeasureError> + Clone) -> Vec<MeasureError> {
         let of_measure = |measure: &homebody_analysis::measures::DailyMeasure| {
             let same = of_homes.clone().filter(|error| error.measure == measure.name);
-            Error::of(measure.name, measure.unit.name, same.flat_map(|error| error.pairs.iter().copied()).collect())
+            MeasureError::from_pairs(
+                measure.name,
+                measure.unit.name,
+                same.flat_map(|error| error.pairs.iter().copied()).collect(),
+            )
         };
         MEASURES.iter().filter_map(of_measure).collect()
     }
 }
 
 /// Simulates a home of one resident for so many days, and compares the measures of its log with the true ones.
-///
-/// # Errors
-///
-/// If the simulation fails, or no sensor detects motion.
-pub fn case(home: &Home, seed: u64, days: u32) -> Result<Vec<Error>, SimulatedLogError> {
+pub fn case(home: &SimulatedHome, seed: u64, days: u32) -> Result<Vec<MeasureError>, SimulatedLogError> {
     let log = SimulatedLog::simulate(home.scenario, home.drivers, seed, days)?.with_ways(ways(home));
-    Ok(beside(&log.measures()?, &log.true_measures()))
+    Ok(errors_between(&log.measures()?, &log.true_measures()))
 }
 
-/// Measures of a log beside those that are taken for true, on the days that both know.
-pub fn beside(heard: &Measures, lived: &Measures) -> Vec<Error> {
+/// Compares measures with true measures, on the days that both have.
+pub fn errors_between(heard: &Measures, lived: &Measures) -> Vec<MeasureError> {
     let errors = MEASURES.iter().enumerate().filter_map(|(number, measure)| {
         let pairs = heard.days.iter().filter_map(|day| {
             let lived = lived.days.iter().find(|lived| lived.date == day.date)?;
             day.values[number].zip(lived.values[number])
         });
-        Error::of(measure.name, measure.unit.name, pairs.collect())
+        MeasureError::from_pairs(measure.name, measure.unit.name, pairs.collect())
     });
     errors.collect()
 }
 
-/// The distances between the sensors of a home, as its first resident walks.
-fn ways(home: &Home) -> Option<Ways> {
+/// The distances between the sensors of a home on the paths of its first resident.
+fn ways(home: &SimulatedHome) -> Option<Ways> {
     let scenario = home.scenario;
     let resident = scenario.residents.first()?;
     let mesh = Mesh::with_numbers(scenario.home.plan(), resident.file.radius_m, scenario.home.numbers());
@@ -100,11 +96,12 @@ mod tests {
     use super::*;
 
     #[test]
-    fn errors_are_told_beside_the_truth() {
-        let error = Error::of("meals", "times", vec![(3.0, 3.0), (4.0, 3.0), (1.0, 2.0), (5.0, 4.0)]).unwrap();
+    fn errors_compare_the_log_with_the_truth() {
+        let error =
+            MeasureError::from_pairs("meals", "times", vec![(3.0, 3.0), (4.0, 3.0), (1.0, 2.0), (5.0, 4.0)]).unwrap();
         assert_eq!((error.days, error.mean_true, error.bias, error.mean_error), (4, 3.0, 0.25, 0.75));
         assert!((error.p90_error - 1.0).abs() < 1e-9 && error.correlation.unwrap() > 0.9);
-        assert_eq!(Error::of("meals", "times", Vec::new()), None);
-        assert_eq!(Error::of("meals", "times", vec![(1.0, 2.0); 3]).unwrap().correlation, None);
+        assert_eq!(MeasureError::from_pairs("meals", "times", Vec::new()), None);
+        assert_eq!(MeasureError::from_pairs("meals", "times", vec![(1.0, 2.0); 3]).unwrap().correlation, None);
     }
 }

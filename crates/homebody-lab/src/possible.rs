@@ -1,7 +1,7 @@
-//! Counts impossible events in simulations: two people on one spot, people who walk through each other, visits to an empty home, meals
+//! Counts impossible events in simulations: two people on one spot, people who walk through each other, visits to an empty home, and meals
 //! that are eaten before they are cooked.
 //!
-//! It reads the ground truth alone, so it judges any driver in the same way.
+//! The counts use the ground truth alone, so they apply to any driver in the same way.
 
 use homebody_core::activity::{
     EATING_BREAKFAST, EATING_DINNER, EATING_LUNCH, PREPARING_BREAKFAST, PREPARING_DINNER, PREPARING_LUNCH,
@@ -22,27 +22,23 @@ const LOOKS: i64 = 5;
 /// Time before the last dish is served within which a person may sit down to a meal (our choice).
 const SERVING: Span = MINUTE;
 
-/// The impossible events of one household.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
-pub struct Impossible {
-    /// Two people who stay on one spot.
+pub struct ImpossibleCounts {
     pub on_one_spot: u32,
-    /// The time of that in all.
+    /// Duration of all such stays.
     pub on_one_spot_s: f64,
-    /// People who walk through a person who stands or walks.
+    /// Pairs of people of whom one walks through the other.
     pub through_somebody: u32,
     /// Time that visitors spend in a home without the host.
     pub visiting_nobody_s: f64,
-    /// Meals that one person eats while another still cooks them.
     pub eaten_uncooked: u32,
-    /// Intervals that end before they begin.
     pub ends_before_it_begins: u32,
 }
 
-impl Impossible {
-    /// True without any impossible event.
+impl ImpossibleCounts {
+    /// True without an impossible event.
     pub fn is_nothing(&self) -> bool {
-        *self == Impossible::default()
+        *self == ImpossibleCounts::default()
     }
 }
 
@@ -52,14 +48,14 @@ pub struct HouseholdTruth {
     /// By body, in the order of [`ResidentId`](homebody_core::ids::ResidentId): the residents, then the visitors.
     moves: Vec<Vec<MotionSegment>>,
     doing: Vec<Vec<(RunTime, Option<String>)>>,
-    /// By body: a person, and no pet.
+    /// By body: true for a person, false for a pet.
     are_people: Vec<bool>,
-    /// Visitors and their hosts, by their places among the bodies.
+    /// Visitors and their hosts, by their indices among the bodies.
     hosts: Vec<(usize, usize)>,
 }
 
 impl HouseholdTruth {
-    /// A household before its first fact. `hosts` has visitors and their hosts, by their places among the bodies.
+    /// A household before its first fact. `hosts` has visitors and their hosts, by their indices among the bodies.
     pub fn new(are_people: Vec<bool>, hosts: Vec<(usize, usize)>) -> HouseholdTruth {
         let bodies = are_people.len();
         HouseholdTruth { moves: vec![Vec::new(); bodies], doing: vec![Vec::new(); bodies], are_people, hosts }
@@ -77,7 +73,6 @@ impl HouseholdTruth {
         }
     }
 
-    /// The number of visits.
     pub fn visits(&self) -> usize {
         let is_out = |segment: &MotionSegment| segment.doing == MotionState::Away;
         let comings =
@@ -85,9 +80,8 @@ impl HouseholdTruth {
         self.hosts.iter().map(|&(visitor, _)| comings(&self.moves[visitor])).sum()
     }
 
-    /// The impossible events.
-    pub fn impossible(&self) -> Impossible {
-        let mut found = Impossible::default();
+    pub fn impossible(&self) -> ImpossibleCounts {
+        let mut found = ImpossibleCounts::default();
         let people: Vec<usize> = (0..self.moves.len()).filter(|&body| self.are_people[body]).collect();
         for (place, &first) in people.iter().enumerate() {
             for &second in &people[place + 1..] {
@@ -109,7 +103,7 @@ impl HouseholdTruth {
         found
     }
 
-    /// The number of meals that one person begins to eat while the other still cooks them.
+    /// The number of meals that one person starts while the other still cooks.
     fn uncooked(&self, eats: usize, cooks: usize) -> u32 {
         let meals = [
             (EATING_BREAKFAST, PREPARING_BREAKFAST),
@@ -131,7 +125,7 @@ impl HouseholdTruth {
 }
 
 /// Counts the times at which two people are in one place.
-fn meet(a: &[MotionSegment], b: &[MotionSegment], found: &mut Impossible) {
+fn meet(a: &[MotionSegment], b: &[MotionSegment], found: &mut ImpossibleCounts) {
     together(a, b, |a, b, time| {
         let stays = |segment: &MotionSegment| !matches!(segment.doing, MotionState::Stride { .. });
         let nearest = nearest(a, b, time);
@@ -151,7 +145,7 @@ fn nearest(a: &MotionSegment, b: &MotionSegment, time: Interval<RunTime>) -> f64
     instants.filter_map(at).fold(f64::INFINITY, f64::min)
 }
 
-/// Hands over the simultaneous movements of two people, and their time.
+/// Passes on the simultaneous movements of two people, and their time.
 fn together(
     a: &[MotionSegment],
     b: &[MotionSegment],
@@ -171,37 +165,31 @@ fn together(
     }
 }
 
-/// The impossible events of each scenario.
 #[derive(Clone, Debug, Default, Serialize)]
-pub struct Possible {
-    /// Simulated days of each.
+pub struct ImpossibleEvents {
     pub days: u32,
-    /// In the order in which they were named.
-    pub scenarios: Vec<Row>,
+    /// In the order of the arguments.
+    pub scenarios: Vec<ScenarioRow>,
 }
 
-/// One scenario.
 #[derive(Clone, Debug, Serialize)]
-pub struct Row {
-    /// Its name.
+pub struct ScenarioRow {
     pub scenario: String,
     /// Number of residents and visitors.
     pub people: usize,
-    /// Number of visits.
     pub visits: usize,
-    /// The impossible events.
     #[serde(flatten)]
-    pub impossible: Impossible,
+    pub impossible: ImpossibleCounts,
 }
 
-impl Possible {
-    /// True without any impossible event.
+impl ImpossibleEvents {
+    /// True without an impossible event.
     pub fn is_clean(&self) -> bool {
         self.scenarios.iter().all(|row| row.impossible.is_nothing())
     }
 }
 
-impl fmt::Display for Possible {
+impl fmt::Display for ImpossibleEvents {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
         let width = self.scenarios.iter().map(|row| row.scenario.chars().count()).max().unwrap_or(0).max(8);
         writeln!(
@@ -209,9 +197,9 @@ impl fmt::Display for Possible {
             "{:width$}  people  visits  one spot  through  visit to nobody  uncooked  backwards",
             format!("{} days", self.days)
         )?;
-        for Row { scenario, people, visits, impossible } in &self.scenarios {
-            let Impossible { on_one_spot, through_somebody, visiting_nobody_s, .. } = impossible;
-            let Impossible { eaten_uncooked, ends_before_it_begins, .. } = impossible;
+        for ScenarioRow { scenario, people, visits, impossible } in &self.scenarios {
+            let ImpossibleCounts { on_one_spot, through_somebody, visiting_nobody_s, .. } = impossible;
+            let ImpossibleCounts { eaten_uncooked, ends_before_it_begins, .. } = impossible;
             writeln!(
                 f,
                 "{scenario:width$}  {people:>6}  {visits:>6}  {on_one_spot:>8}  {through_somebody:>7}  {visiting_nobody_s:>13.0} s  {eaten_uncooked:>8}  {ends_before_it_begins:>9}"
@@ -250,7 +238,7 @@ mod tests {
             let (resident, name) = (ResidentId::new(body), Some(name.to_owned()));
             lives.take(&Fact::Activity { resident, at: second(at), name });
         }
-        let expected = Impossible {
+        let expected = ImpossibleCounts {
             on_one_spot: 1,
             on_one_spot_s: 4.0,
             through_somebody: 1,
@@ -259,6 +247,6 @@ mod tests {
             ends_before_it_begins: 1,
         };
         assert_eq!(lives.impossible(), expected);
-        assert!(!expected.is_nothing() && Impossible::default().is_nothing());
+        assert!(!expected.is_nothing() && ImpossibleCounts::default().is_nothing());
     }
 }

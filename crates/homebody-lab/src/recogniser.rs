@@ -1,12 +1,12 @@
-//! Recognising activities in a real home after having learnt from simulated days alone.
+//! Activities recognised in a real home after training on simulated days alone.
 //!
-//! The flat of one adult whose log and annotations are public ("ADLs Recognition Using Binary Sensors", Ordonez, de Toledo and
-//! Sanchis 2013, home A) is built as a scenario. A routine is written from the first half of its days. A random forest
-//! (`homebody_analysis::forest`) learns to tell classes of activities from windows of five minutes, and is judged on the second half,
-//! by the mean F1 of the classes: once it has learnt from our days alone, once from the real first half, once from three days
-//! of that, and once from ours with these three.
+//! The home is a flat of one adult with a public log and annotations ("ADLs Recognition Using Binary Sensors", Ordonez, de Toledo and
+//! Sanchis 2013, home A), built as a scenario. A routine is written from the first half of its days. A random forest
+//! (`homebody_analysis::forest`) learns classes of activities from windows of five minutes. Its score on the second half is the mean F1 of
+//! the classes, after training on simulated days, on the real first half, on three days of that half, and on simulated days with these
+//! three.
 //!
-//! We assume that a class counts which has a few windows in each half, and that windows without an annotation are no class.
+//! We assume that a class counts if it has a few windows in each half, and that windows without an annotation have no class.
 //!
 //! Left out: the rest of the data set, a second home with people whom these sensors do not describe as well.
 
@@ -32,18 +32,17 @@ use windows::{Window, ons, windows};
 
 /// Smallest number of windows in each half of a class that counts (our choice).
 const LEAST_WINDOWS: usize = 5;
-/// A forest has so many trees.
+/// Trees of a forest.
 const TREES: usize = 200;
-/// A recogniser that has little of a home learns from so many of its days.
+/// Days of a recogniser that knows little of a home.
 const FEW_DAYS: usize = 3;
 
-/// The training data of a recogniser.
 pub const LEARNT_FROM: [&str; 4] =
     ["simulated days", "real first half", "three real days", "simulated days and these three"];
 
 homebody_core::messages! {
     /// Reasons why the experiment with recognisers is not possible.
-    pub enum NotRecognised in "recogniser" {
+    pub enum RecogniserError in "recogniser" {
         /// A recogniser is trained on activities that people noted. The data set has them in a file of its own, next to the file of the
         /// sensors.
         NoActivities error "no-activities" ("the log has no activities")
@@ -60,87 +59,77 @@ homebody_core::messages! {
     }
 }
 
-impl From<FlatError> for NotRecognised {
-    fn from(error: FlatError) -> NotRecognised {
-        NotRecognised::Flat(error)
-    }
-}
+from_errors!(RecogniserError: Flat(FlatError));
 
-/// The real days, and the flat with the routine that was written from the first half of them.
+/// The real days, and the flat with the routine from their first half.
 pub struct Prepared {
     flat: Flat,
-    /// Its sentences.
     pub routine: String,
     halves: [Vec<Window>; 2],
     first: Interval<WallTime>,
     classes: Vec<usize>,
 }
 
-/// The scores of four recognisers for one seed.
+/// The scores of four recognisers with one seed.
 #[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct Case {
-    /// The number that all randomness comes from.
+pub struct RecogniserCase {
     pub seed: u64,
     /// In the order of [`LEARNT_FROM`].
     pub macro_f1: [f64; 4],
-    /// The same, window by window.
+    /// Counts of windows, in the same order.
     pub confusion: [Confusion; 4],
 }
 
-/// The result of the experiment.
 #[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct Experiment {
+pub struct RecogniserExperiment {
     /// Days simulated for each case.
     pub simulated_days: u32,
     /// Real days of each half.
     pub real_days: [usize; 2],
-    /// The routine that was written from the first half.
     pub routine: String,
     /// The classes that count, by name.
     pub classes: Vec<&'static str>,
     /// By training data: the mean score and its spread between seeds.
     pub scores: Vec<Score>,
-    /// By seed.
-    pub cases: Vec<Case>,
+    pub cases: Vec<RecogniserCase>,
 }
 
-/// The score of recognisers with the same training data.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Score {
-    /// The training data.
     pub learnt_from: &'static str,
     /// The mean over the seeds.
     pub macro_f1: f64,
     /// The standard deviation between seeds.
     pub spread: f64,
-    /// The mean as a part of that of the real first half.
+    /// The mean, relative to that of the real first half.
     pub of_real: f64,
     /// The F1 of each class that counts, all seeds together.
     pub f1: Vec<f64>,
-    /// The windows of each class that counts, by row, and what they were taken for, by column, per seed.
+    /// The windows of each class, by row, and their predicted class, by column, per seed.
     pub confusion: Vec<Vec<f64>>,
 }
 
 impl Prepared {
-    /// Cuts a log of the flat in halves, and writes the routine.
-    pub fn new(log: &Log) -> Result<Prepared, NotRecognised> {
-        let begins = log.activities.iter().map(|activity| activity.begin()).min().ok_or(NotRecognised::NoActivities)?;
+    /// Splits a log of the flat into halves, and writes the routine.
+    pub fn new(log: &Log) -> Result<Prepared, RecogniserError> {
+        let begins =
+            log.activities.iter().map(|activity| activity.begin()).min().ok_or(RecogniserError::NoActivities)?;
         let ends = log.activities.iter().map(|activity| activity.end()).max().unwrap_or(begins);
         let (first_day, last_day) = (begins.day_number(), (ends - Span::MICROSECOND).day_number() + 1);
         let half = (last_day - first_day) / 2;
         if half < FEW_DAYS as i64 {
-            return Err(NotRecognised::TooFewDays(last_day - first_day));
+            return Err(RecogniserError::TooFewDays(last_day - first_day));
         }
         let midnight = |day: i64| WallTime::EPOCH + day * DAY;
         let spans = [(first_day, first_day + half), (first_day + half, last_day)]
             .map(|(from, until)| Interval::new(midnight(from), midnight(until)));
         let sensors = Flat::new("")?;
         if let Some(missing) = sensors.sensors.iter().find(|name| !log.sensors.contains(name)) {
-            return Err(NotRecognised::NoSensor(missing.clone()));
+            return Err(RecogniserError::NoSensor(missing.clone()));
         }
         let all = ons(log, &sensors.sensors);
         let kitchen: Vec<_> = all.iter().filter(|on| sensors.in_kitchen[on.sensor]).copied().collect();
-        let noted = diary::noted(&log.activities, &kitchen, spans[0]);
+        let noted = diary::diary_entries(&log.activities, &kitchen, spans[0]);
         let routine = sentences(&noted, &diary::known()).join("\n") + "\n";
         let halves = spans.map(|span| windows(log, &sensors.sensors, span));
         let has_enough = |class: &usize| {
@@ -151,9 +140,9 @@ impl Prepared {
         Ok(Prepared { flat: Flat::new(&routine)?, routine, halves, first: spans[0], classes })
     }
 
-    /// Simulates so many days with this seed, learns from them and from the real ones, and judges.
-    pub fn case(&self, seed: u64, days: u32) -> Result<Case, NotRecognised> {
-        // The first day begins at midnight in a home that nobody has lived in.
+    /// Simulates some days with this seed, trains all recognisers, and tests them.
+    pub fn case(&self, seed: u64, days: u32) -> Result<RecogniserCase, RecogniserError> {
+        // The first day starts at midnight without a history.
         let log = self.flat.simulate(seed, days + 1, self.first.begin - DAY)?;
         let span = Interval::starting(self.first.begin, i64::from(days) * DAY);
         let simulated = windows(&log, &self.flat.sensors, span);
@@ -161,13 +150,12 @@ impl Prepared {
         let few = few_days(first, seed);
         let learnt: [Vec<&Window>; 4] =
             [simulated.iter().collect(), first.iter().collect(), few.clone(), simulated.iter().chain(few).collect()];
-        let confusion = learnt.map(|learnt| judged(&learnt, second, seed));
+        let confusion = learnt.map(|learnt| confusion_of(&learnt, second, seed));
         let macro_f1 = confusion.each_ref().map(|confusion| confusion.macro_f1(&self.classes));
-        Ok(Case { seed, macro_f1, confusion })
+        Ok(RecogniserCase { seed, macro_f1, confusion })
     }
 
-    /// The result of all cases.
-    pub fn experiment(&self, cases: Vec<Case>, simulated_days: u32) -> Experiment {
+    pub fn experiment(&self, cases: Vec<RecogniserCase>, simulated_days: u32) -> RecogniserExperiment {
         let mean =
             |which: usize| cases.iter().map(|case| case.macro_f1[which]).sum::<f64>() / cases.len().max(1) as f64;
         let score = |which: usize| {
@@ -176,7 +164,7 @@ impl Prepared {
                 cases.iter().map(|case| (case.macro_f1[which] - macro_f1) * (case.macro_f1[which] - macro_f1)).sum();
             let all = Confusion::sum(cases.iter().map(|case| &case.confusion[which]));
             let per_seed = |is: &usize| {
-                self.classes.iter().map(|&told| f64::from(all.0[*is][told]) / cases.len().max(1) as f64).collect()
+                self.classes.iter().map(|&class| f64::from(all.0[*is][class]) / cases.len().max(1) as f64).collect()
             };
             Score {
                 learnt_from: LEARNT_FROM[which],
@@ -187,7 +175,7 @@ impl Prepared {
                 confusion: self.classes.iter().map(per_seed).collect(),
             }
         };
-        Experiment {
+        RecogniserExperiment {
             simulated_days,
             real_days: self.halves.each_ref().map(|half| days_of(half).len()),
             routine: self.routine.clone(),
@@ -198,7 +186,7 @@ impl Prepared {
     }
 }
 
-/// The windows of a few days, drawn anew for each seed.
+/// The windows of a few random days.
 fn few_days(windows: &[Window], seed: u64) -> Vec<&Window> {
     let mut days = days_of(windows);
     let stream = &mut Stream::named(seed, "recogniser/days");
@@ -214,8 +202,8 @@ fn days_of(windows: &[Window]) -> Vec<i64> {
     days
 }
 
-/// Learns from windows, and judges others.
-fn judged(learnt: &[&Window], judged: &[Window], seed: u64) -> Confusion {
+/// Trains on windows, and tests on others.
+fn confusion_of(learnt: &[&Window], judged: &[Window], seed: u64) -> Confusion {
     let figures: Vec<Vec<f64>> = learnt.iter().map(|window| window.figures.clone()).collect();
     let class: Vec<usize> = learnt.iter().map(|window| window.class).collect();
     let from: Vec<Vec<usize>> =
@@ -223,7 +211,7 @@ fn judged(learnt: &[&Window], judged: &[Window], seed: u64) -> Confusion {
     let each: Vec<usize> = from.iter().map(Vec::len).collect();
     let examples = Examples { figures: &figures, class: &class, classes: COUNT };
     let forest = Forest::grow(examples, &from, &each, TREES, &mut Stream::named(seed, "recogniser/forest"));
-    Confusion::of(judged.iter().map(|window| (window.class, forest.class_of(&window.figures))))
+    Confusion::from_pairs(judged.iter().map(|window| (window.class, forest.class_of(&window.figures))))
 }
 
 #[cfg(test)]

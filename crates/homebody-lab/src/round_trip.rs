@@ -1,14 +1,13 @@
-//! Round trips: a routine is simulated, its log alone is summarised, and each sentence of the summary is compared with the routine.
+//! Round trips: a routine is simulated, its log is summarised, and each sentence of the summary is compared with the routine.
 //!
-//! Routines are made of sentences that are drawn: when the person gets up and goes to bed, how often they go to the bathroom at
-//! night, shower, eat and go out, and what of it changes after four weeks. What the routine says of a day is a
-//! distribution: of the fuzzy numbers and chances of its sentences. The share of days on which a summary's sentence would be so
-//! by these gives its truth by the routine. A sentence that says "every" is held against "nearly all": a routine promises no
-//! single day.
+//! The sentences of routines are random: times of getting up and going to bed, bathroom visits at night, showers, meals, outings, and a
+//! change after four weeks. A routine gives a distribution for each day, from the fuzzy numbers and chances of its sentences. The truth of
+//! a summary's sentence by the routine is the share of days that it describes. A sentence with "every" is compared as "nearly all",
+//! because a routine promises no single day.
 //!
-//! Sentences about what no sentence of a routine decides, such as sleep and sitting, are not checkable.
+//! Sentences about measures that no routine determines, such as sleep and sitting, are not checkable.
 
-use crate::locating::Home;
+use crate::locating::SimulatedHome;
 use homebody_analysis::measures::Measures;
 use homebody_analysis::summaries::{SummarySentence, SummarySubject, TRUE_ENOUGH, summarise, truth};
 use homebody_core::fuzzy::{Fuzzy, Quantifier};
@@ -19,7 +18,7 @@ use homebody_routine::routine::{Activity, Habit, HabitTime, Meal};
 use serde::Serialize;
 use std::fmt::Write;
 
-/// Days to simulate. The last of them are summarised; changes begin with the first of these.
+/// Days to simulate. The last ones are summarised; changes start with the first of these.
 pub const DAYS: u32 = 56;
 const LAST: usize = 28;
 /// Number of draws of a routine's statement about a day (our choice).
@@ -28,37 +27,33 @@ const HOUR: f64 = 3600.0;
 /// Hours out of bed for a visit to the bathroom (our choice): the median of the activity.
 const VISIT_H: f64 = 0.1;
 
-/// A sentence of a summary beside what the routine says.
+/// A sentence of a summary, compared with the routine.
 #[derive(Clone, Debug, Serialize)]
-pub struct Held {
-    /// The sentence, with numbers.
+pub struct CheckedSentence {
     pub sentence: String,
-    /// The measure that it is about.
     pub measure: &'static str,
-    /// How true it is by the log.
+    /// Truth by the log.
     pub truth: f64,
-    /// How true by what the routine says; `None` where it says nothing of it.
+    /// Truth by the routine; `None` if the routine does not determine it.
     pub by_routine: Option<f64>,
-    /// How true by what the resident did.
+    /// Truth by the activities of the resident.
     pub by_life: f64,
-    /// Why it does not agree with the routine.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub why: Option<String>,
 }
 
-impl Held {
-    /// Whether the routine says as much.
+impl CheckedSentence {
+    /// True if the routine agrees.
     pub fn agrees(&self) -> Option<bool> {
         self.by_routine.map(|truth| truth >= TRUE_ENOUGH)
     }
 
-    /// Whether it was so.
     pub fn is_lived(&self) -> bool {
         self.by_life >= TRUE_ENOUGH
     }
 }
 
-/// A routine of somebody, drawn.
+/// A random routine.
 pub fn drawn_routine(name: &str, seed: u64) -> String {
     let mut stream = Stream::named(seed, "round-trip/routine");
     let mut drawn = |count: usize| (stream.unit() * count as f64) as usize;
@@ -113,35 +108,40 @@ pub fn drawn_routine(name: &str, seed: u64) -> String {
 }
 
 /// Simulates a home, summarises its log, and compares each sentence with the routine of its first resident.
-///
-/// # Errors
-///
-/// If the simulation fails, or no sensor detects motion.
-pub fn round_trip(home: &Home, life: &ResidentRoutine, seed: u64) -> Result<Vec<Held>, SimulatedLogError> {
+pub fn round_trip(
+    home: &SimulatedHome,
+    life: &ResidentRoutine,
+    seed: u64,
+) -> Result<Vec<CheckedSentence>, SimulatedLogError> {
     let log = SimulatedLog::simulate(home.scenario, home.drivers, seed, DAYS)?;
     let (heard, lived) = (log.measures()?, log.true_measures());
     let summary = summarise(&heard, SummarySubject { subject: "the resident", last: LAST });
-    let said = Said { life };
-    Ok(summary.sentences.iter().map(|sentence| held(sentence, &said, &heard, &lived)).collect())
+    let said = RoutineClaims { life };
+    Ok(summary.sentences.iter().map(|sentence| check_sentence(sentence, &said, &heard, &lived)).collect())
 }
 
-fn held(sentence: &SummarySentence, said: &Said, heard: &Measures, lived: &Measures) -> Held {
+fn check_sentence(
+    sentence: &SummarySentence,
+    said: &RoutineClaims,
+    heard: &Measures,
+    lived: &Measures,
+) -> CheckedSentence {
     let quantifier = match sentence.quantifier {
         Quantifier::Every => Quantifier::AlmostAlways,
         other => other,
     };
     let values: Option<Vec<f64>> = (DAYS as usize - LAST..DAYS as usize)
-        .map(|day| said.of(sentence.measure, day as i32))
+        .map(|day| said.values(sentence.measure, day as i32))
         .collect::<Option<Vec<_>>>()
         .map(|days| days.concat());
     let mean_said = values.as_ref().map(|values| values.iter().sum::<f64>() / values.len().max(1) as f64);
     let by_routine = values.map(|values| truth(quantifier, sentence.set, values.into_iter()).1);
     let lived_values = lived.days[DAYS as usize - LAST..].iter().filter_map(|day| day.value(sentence.measure));
-    // What has changed by the log is held against what was before by the life.
+    // The truth by the log may refer to earlier days; the truth by the activities does not.
     let by_life = truth(quantifier, sentence.set, lived_values).1;
     let differs = by_routine.filter(|truth| *truth < TRUE_ENOUGH).zip(mean_said);
     let why = differs.map(|(_, said)| why(sentence, by_life, heard, lived, said));
-    Held {
+    CheckedSentence {
         sentence: sentence.expert.clone(),
         measure: sentence.measure,
         truth: sentence.truth,
@@ -151,7 +151,7 @@ fn held(sentence: &SummarySentence, said: &Said, heard: &Measures, lived: &Measu
     }
 }
 
-/// Why the log says something else than the routine.
+/// The reason why the log differs from the routine.
 fn why(sentence: &SummarySentence, by_life: f64, heard: &Measures, lived: &Measures, said: f64) -> String {
     let mean = |of: &Measures| {
         let values: Vec<f64> =
@@ -168,14 +168,14 @@ fn why(sentence: &SummarySentence, by_life: f64, heard: &Measures, lived: &Measu
     }
 }
 
-/// What a routine says of days.
-struct Said<'a> {
+/// The statements of a routine about days.
+struct RoutineClaims<'a> {
     life: &'a ResidentRoutine,
 }
 
-impl Said<'_> {
-    /// Values that a measure may have on a day, as often as they are likely; `None` where the routine does not decide it.
-    fn of(&self, measure: &str, day: i32) -> Option<Vec<f64>> {
+impl RoutineClaims<'_> {
+    /// Random values of a measure on a day; `None` if the routine does not determine it.
+    fn values(&self, measure: &str, day: i32) -> Option<Vec<f64>> {
         let mut stream = Stream::named(0, &format!("round-trip/{measure}/{day}"));
         let mut draws = || -> Option<f64> {
             match measure {
@@ -207,7 +207,7 @@ impl Said<'_> {
         (0..DRAWS).map(|_| draws()).collect()
     }
 
-    /// The habits that hold on a day: those of the routine, or what goes as usual where it says nothing.
+    /// The habits that hold on a day: those of the routine, or the defaults where it has none.
     fn habits(&self, day: i32, is_it: impl Fn(&Habit) -> bool) -> Vec<InForce<'_, Habit>> {
         let holds = |habit: &InForce<Habit>| {
             habit.said.visitor.is_none()
@@ -218,7 +218,7 @@ impl Said<'_> {
         self.life.habits(day).filter(holds).collect()
     }
 
-    /// The hour of day at which the habit of a day begins.
+    /// The hour of day at which a habit starts.
     fn clock(&self, activity: &Activity, day: i32, stream: &mut Stream) -> Option<f64> {
         let habits = self.habits(day, |habit| habit.activity == *activity);
         let at = habits.iter().find_map(|habit| match &habit.said.when {
@@ -228,7 +228,7 @@ impl Said<'_> {
         at.map(|time| time.draw(stream) / HOUR)
     }
 
-    /// That of the evening before, which is up to noon the next day.
+    /// The bedtime of the evening before, which lasts to noon of the next day.
     fn bedtime(&self, day: i32, stream: &mut Stream) -> Option<f64> {
         let hour = self.clock(&Activity::GoToBed, day - 1, stream)?;
         Some(if hour < 12.0 { hour + 24.0 } else { hour })

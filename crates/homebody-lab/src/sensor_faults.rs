@@ -1,10 +1,10 @@
-//! What is wrong with sensors, by the logs of their homes alone, held against the faults that were planted.
+//! Sensor faults diagnosed from the logs of homes alone, compared with the planted faults.
 //!
-//! Homes are lived with faulty links, and each log is walked back. A fault is found where something is said of its sensor for
-//! a time that overlaps with it, and named where it is said what it is. All else that is said is a false alarm.
+//! A fault is found if a finding about its sensor overlaps with its time, and named if the finding has its kind. All other findings are
+//! false alarms.
 
 use crate::locating::truth::MessagesWithTruth;
-use crate::locating::{Home, LocatingError};
+use crate::locating::{LocatingError, SimulatedHome};
 use homebody_core::link::form::{
     BadLinkFile, BatteryFile, DriftFile, FallsOffFile, FalseFiresFile, FaultFile, LinkFile, MovedFile, Network,
     StuckFile,
@@ -17,54 +17,46 @@ use homebody_core::time::{DAY, Interval, RunTime};
 use homebody_infer::{FaultFinding, Senses, SensorFault, health};
 use serde::Serialize;
 
-/// How one home's faults were found.
+/// The result for one home.
 #[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct Case {
-    /// The scenario's name.
+pub struct FaultCase {
     pub home: String,
-    /// The number that all randomness of the lives comes from.
+    /// Seed of the simulation.
     pub seed: u64,
-    /// The faults that were planted.
-    pub faults: Vec<Planted>,
-    /// What was said without a fault: the sensor's name, and what.
+    pub faults: Vec<PlantedFault>,
+    /// Findings without a fault.
     pub false_alarms: Vec<FalseAlarm>,
-    /// How many sensors were watched, each for all days.
+    /// Number of sensors.
     pub sensors: usize,
-    /// For how many days.
     pub days: u32,
 }
 
-/// A fault, and what was said of its sensor meanwhile.
+/// A planted fault, and the finding about its sensor.
 #[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct Planted {
-    /// The kind of the fault, as `link.json` has it; of a stuck sensor, whether it repeats itself.
+pub struct PlantedFault {
+    /// The kind, as in `link.json`; for a stuck sensor also whether it repeats itself.
     pub kind: &'static str,
-    /// The sensor's name.
     pub sensor: String,
-    /// Whether something was said of it.
+    /// True with a finding about the sensor.
     pub found: bool,
-    /// Whether that was what it is.
+    /// True if the finding names the fault.
     pub named: bool,
-    /// How many days after the fault's beginning what was found begins; below 0 before it.
+    /// Days from the start of the fault to the start of the finding; negative before it.
     pub late_days: Option<f64>,
-    /// What was said.
     pub said: Option<SensorFault>,
 }
 
-/// Something that was said of a sensor that was well.
+/// A finding about an intact sensor.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct FalseAlarm {
-    /// The sensor's name.
     pub sensor: String,
-    /// What was said.
     pub said: SensorFault,
 }
 
-/// The kinds of faults that are planted, in this order.
-pub const KINDS: [&str; 8] =
+pub const PLANTED_KINDS: [&str; 8] =
     ["battery", "stuck, repeating", "drift", "bad_link", "stuck, silent", "falls_off", "false_fires", "moved"];
 
-/// A link with half of the kinds of faults, each of another of the motion sensors: the half and the sensors go by `number`.
+/// A link with half of the kinds of faults, each in another motion sensor; `number` selects the half and the sensors.
 pub fn faulty(scenario: &Scenario, number: usize, length: u32) -> LinkFile {
     let sensors = scenario.home.placed_sensors();
     let mut motion: Vec<String> =
@@ -74,13 +66,13 @@ pub fn faulty(scenario: &Scenario, number: usize, length: u32) -> LinkFile {
         let other = (stream.unit() * (place + 1) as f64) as usize;
         motion.swap(place, other.min(place));
     }
-    let half = KINDS.len() / 2;
-    let kinds = &KINDS[number % 2 * half..][..half];
+    let half = PLANTED_KINDS.len() / 2;
+    let kinds = &PLANTED_KINDS[number % 2 * half..][..half];
     let faults = kinds.iter().zip(motion).filter_map(|(kind, sensor)| fault(scenario, kind, sensor, f64::from(length)));
     LinkFile { preset: Network::Zigbee, faults: faults.collect(), ..LinkFile::default() }
 }
 
-/// A fault of a kind in a run of so many days. What is moved hangs where the next wall sensor of another room hangs.
+/// A fault of a kind in a run of `length` days. A moved sensor takes the place of the next wall sensor in another room.
 fn fault(scenario: &Scenario, kind: &str, sensor: String, length: f64) -> Option<FaultFile> {
     let from_day = length * 0.4;
     let days = Some(length * 0.5);
@@ -106,12 +98,8 @@ fn fault(scenario: &Scenario, kind: &str, sensor: String, length: f64) -> Option
     })
 }
 
-/// Lives a home with a faulty link for some days, walks its log back, and asks what is wrong with its sensors.
-///
-/// # Errors
-///
-/// If the simulation fails, or the response of a sensor cannot be computed.
-pub fn case(home: &Home, seed: u64, length: u32) -> Result<Case, LocatingError> {
+/// Simulates a home with a faulty link, and diagnoses its sensors from the log.
+pub fn case(home: &SimulatedHome, seed: u64, length: u32) -> Result<FaultCase, LocatingError> {
     let scenario = home.scenario;
     let lasts = i64::from(length) * DAY;
     let residents = scenario.residents.len();
@@ -123,14 +111,14 @@ pub fn case(home: &Home, seed: u64, length: u32) -> Result<Case, LocatingError> 
     let names: Vec<&str> = scenario.home.placed_sensors().iter().map(|sensor| sensor.name.as_str()).collect();
     let findings = health(&bodies, &simulated.messages, RunTime::START + lasts);
     let faults = scenario.link.iter().flat_map(|link| &link.faults);
-    let faults: Vec<(&FaultFile, Planted)> =
+    let faults: Vec<(&FaultFile, PlantedFault)> =
         faults.filter_map(|fault| Some((fault, planted(fault, &names, &findings)?))).collect();
     let is_of = |finding: &FaultFinding, fault: &FaultFile| {
         fault.sensor() == Some(names[finding.sensor]) && overlaps(finding, fault)
     };
     let alarms = findings.iter().filter(|finding| !faults.iter().any(|(fault, _)| is_of(finding, fault)));
     let alarm = |finding: &FaultFinding| FalseAlarm { sensor: names[finding.sensor].into(), said: finding.ailment };
-    Ok(Case {
+    Ok(FaultCase {
         home: scenario.file.name.clone(),
         seed,
         false_alarms: alarms.map(alarm).collect(),
@@ -144,15 +132,15 @@ fn overlaps(finding: &FaultFinding, fault: &FaultFile) -> bool {
     fault.span().overlaps(Interval::new(finding.from, finding.to))
 }
 
-/// What was said of a fault; of one of the logger nothing is asked.
-fn planted(fault: &FaultFile, names: &[&str], findings: &[FaultFinding]) -> Option<Planted> {
+/// The finding about a fault; `None` for a fault of the logger.
+fn planted(fault: &FaultFile, names: &[&str], findings: &[FaultFinding]) -> Option<PlantedFault> {
     let sensor = fault.sensor()?;
     let of = |finding: &&FaultFinding| names[finding.sensor] == sensor && overlaps(finding, fault);
     let all: Vec<&FaultFinding> = findings.iter().filter(of).collect();
     let right = all.iter().find(|finding| is_named(fault, finding.ailment));
     let said = right.or(all.first());
     let late = |from: RunTime| (from - fault.span().begin).ratio(DAY);
-    Some(Planted {
+    Some(PlantedFault {
         kind: kind(fault),
         sensor: sensor.into(),
         found: said.is_some(),
@@ -170,7 +158,7 @@ fn kind(fault: &FaultFile) -> &'static str {
     }
 }
 
-/// Whether this is what a fault looks like.
+/// True if a finding names a fault.
 fn is_named(fault: &FaultFile, said: SensorFault) -> bool {
     match fault {
         FaultFile::Battery(_) => said == SensorFault::Fading,

@@ -59,7 +59,7 @@ impl<E: Eye> Loop<E> {
         let counter = |sensor: &homebody_core::sensors::Sensor| Counter {
             timing: sensor.timing,
             stream: Stream::named(seed, &format!("sensor/{}/timing", sensor.name)),
-            state: State::Idle,
+            state: DetectorState::Idle,
             last_seen: None,
         };
         let counters: Vec<Counter> = home.sensors.iter().map(counter).collect();
@@ -101,11 +101,11 @@ impl<E: Eye> Loop<E> {
 struct Counter {
     timing: FiringTiming,
     stream: Stream,
-    state: State,
+    state: DetectorState,
     last_seen: Option<RunTime>,
 }
 
-enum State {
+enum DetectorState {
     Idle,
     Delay { fire: RunTime },
     Wait { decide: RunTime },
@@ -116,22 +116,22 @@ impl Counter {
         let counted_from = |due| if remainder == Remainder::Kept { due } else { now };
         loop {
             match self.state {
-                State::Idle if changed => {
-                    self.state = State::Delay { fire: now + self.stream.span(self.timing.first_fire) };
+                DetectorState::Idle if changed => {
+                    self.state = DetectorState::Delay { fire: now + self.stream.span(self.timing.first_fire) };
                 }
-                State::Delay { fire: at } if now >= at => {
+                DetectorState::Delay { fire: at } if now >= at => {
                     let at = counted_from(at);
                     fire(at);
-                    self.state = State::Wait { decide: at + self.stream.span(self.timing.refire) };
+                    self.state = DetectorState::Wait { decide: at + self.stream.span(self.timing.refire) };
                 }
-                State::Wait { decide } if now >= decide => {
+                DetectorState::Wait { decide } if now >= decide => {
                     let seen = if changed { Some(now) } else { self.last_seen };
                     if seen.is_some_and(|seen| seen >= decide - self.timing.persist) {
                         let at = counted_from(decide);
                         fire(at);
-                        self.state = State::Wait { decide: at + self.stream.span(self.timing.refire) };
+                        self.state = DetectorState::Wait { decide: at + self.stream.span(self.timing.refire) };
                     } else {
-                        self.state = State::Idle;
+                        self.state = DetectorState::Idle;
                     }
                 }
                 _ => break,

@@ -1,7 +1,7 @@
 //! Suggests a layout of sensors for a home, by the logs of people who are simulated in it.
 
 use crate::people::{CONDITIONS, LoadedScenario, ONSET, People, PeopleError, PersonRun};
-use crate::search::{Found, Goal, Layout, SearchStep, SimulatedPerson, Trial, candidates};
+use crate::search::{Goal, Layout, SearchStep, SimulatedPerson, SuggestedSteps, Trial, candidates};
 use homebody_analysis::alerts::Rules;
 use homebody_analysis::coverage;
 use homebody_core::home::form::HomeFile;
@@ -41,7 +41,7 @@ pub struct Proposal {
     /// The sensors in the form of a home's file, the most useful first.
     pub sensors: Vec<SensorFile>,
     #[serde(flatten)]
-    pub found: Found,
+    pub found: SuggestedSteps,
     /// The layout of the home's own sensors.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub own: Option<Layout>,

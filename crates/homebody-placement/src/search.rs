@@ -98,14 +98,14 @@ pub struct Layout {
 }
 
 #[derive(Clone, Debug, Serialize)]
-pub struct Found {
+pub struct SuggestedSteps {
     /// The layouts with one sensor, two, and so on.
     pub steps: Vec<Layout>,
     /// The exchanges in the last step.
     pub swapped: Vec<Swap>,
 }
 
-impl Found {
+impl SuggestedSteps {
     /// All steps and swaps.
     pub fn layouts_mut(&mut self) -> impl Iterator<Item = &mut Layout> {
         self.steps.iter_mut().chain(self.swapped.iter_mut().map(|swap| &mut swap.layout))
@@ -113,7 +113,7 @@ impl Found {
 
     /// Removes the last swaps, as long as they gain nothing.
     pub fn drop_useless_swaps(&mut self) {
-        let is_worse = |found: &Found| {
+        let is_worse = |found: &SuggestedSteps| {
             let (last, before) = found.swapped.split_last()?;
             let before = before.last().map(|swap| &swap.layout).or(found.steps.last())?;
             Some(last.layout.score <= before.score)
@@ -185,7 +185,7 @@ impl Trial<'_> {
         candidates: &[String],
         count: usize,
         goes_on: &dyn Fn(SearchStep, usize) -> bool,
-    ) -> Option<Found> {
+    ) -> Option<SuggestedSteps> {
         let (coverage, mut known) = (self.coverage(), Known::new());
         let count = count.min(candidates.len());
         let mut steps: Vec<Layout> = Vec::new();
@@ -224,7 +224,7 @@ impl Trial<'_> {
             steps.push(ones.swap_remove(0));
         }
         let swapped = self.swaps(&steps, candidates, (&coverage, &mut known), goes_on)?;
-        Some(Found { steps, swapped })
+        Some(SuggestedSteps { steps, swapped })
     }
 
     /// Exchanges sensors of the last layout, as long as the score rises.

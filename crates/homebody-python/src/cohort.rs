@@ -1,8 +1,8 @@
 //! Cohorts: on this machine by threads, or member by member, wherever somebody has them lived.
 
 use crate::fault::{json, named, raised};
-use crate::scenario::Scenario;
-use crate::work::Watched;
+use crate::scenario::PythonScenario;
+use crate::work::PythonProgress;
 use homebody_core::problem::Problem;
 use homebody_simulation::{CohortLayout, CohortSummary, MemberSummary, RunProgress, SimulationError, TruthKept, Url};
 use pyo3::prelude::*;
@@ -16,9 +16,9 @@ pub struct PythonCohort {
     remarks: Vec<Problem>,
 }
 
-/// What a cohort is to be, as `homebody._cohort` says it.
+/// What a cohort is to be, as `homebody._cohort` passes it.
 #[derive(FromPyObject)]
-pub struct Wanted {
+pub struct CohortOptions {
     #[pyo3(item)]
     residents: Option<u32>,
     /// The name of a list of profiles, and its text.
@@ -42,7 +42,7 @@ pub struct Wanted {
 impl PythonCohort {
     /// As it is wanted, of a scenario.
     #[new]
-    fn new(py: Python<'_>, scenario: &Scenario, wanted: Wanted) -> PyResult<PythonCohort> {
+    fn new(py: Python<'_>, scenario: &PythonScenario, wanted: CohortOptions) -> PyResult<PythonCohort> {
         let place: Url = format!("{}:cohort", wanted.form).parse().map_err(|why| named("ScenarioError", why))?;
         let layout = CohortLayout::at(&place).map_err(|why| named("ScenarioError", why))?;
         let opened = &scenario.opened;
@@ -122,7 +122,7 @@ impl PythonCohort {
 
     /// Lives all who are missing in a folder in which it was begun, on all processors; whether it was ended early.
     fn go_on(&self, py: Python<'_>, folder: PathBuf, told: Option<Py<PyAny>>) -> PyResult<bool> {
-        let watched = Watched::new(told);
+        let watched = PythonProgress::new(told);
         let result = py.detach(|| {
             let unfinished = match homebody_simulation::IncompleteCohort::open(&folder) {
                 Err(SimulationError::Complete { .. }) => return Ok(false),

@@ -33,9 +33,9 @@ fn _homebody(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add("MOST_MEMBERS", homebody_simulation::MOST_MEMBERS)?;
     let observed = MEASURES.iter().filter(|measure| measure.is_observed).map(|measure| measure.name);
     module.add("OBSERVED_MEASURES", observed.collect::<Vec<_>>())?;
-    module.add_class::<table::Stream>()?;
-    module.add_class::<scenario::Scenario>()?;
-    module.add_class::<log::Log>()?;
+    module.add_class::<table::TableStream>()?;
+    module.add_class::<scenario::PythonScenario>()?;
+    module.add_class::<log::PythonLog>()?;
     module.add_class::<stepped::LiveRun>()?;
     module.add_class::<cohort::PythonCohort>()?;
     for function in [

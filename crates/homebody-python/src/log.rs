@@ -1,9 +1,9 @@
 //! Logs, and what the truth beside them tells: read, cut into windows, labelled, drawn, compared.
 
 use crate::fault::{json, named, raised};
-use crate::scenario::Scenario;
-use crate::table::Stream;
-use crate::work::Watched;
+use crate::scenario::PythonScenario;
+use crate::table::TableStream;
+use crate::work::PythonProgress;
 use arrow_array::{ArrayRef, RecordBatch};
 use homebody_analysis::dates::DayChoice;
 use homebody_analysis::day::DayRecord;
@@ -30,15 +30,15 @@ use std::sync::OnceLock;
 const LABELS: [&str; 5] = ["resident", "room", "activity", "cause", "thing"];
 
 /// A log that somebody has named.
-#[pyclass(frozen, module = "homebody._homebody")]
-pub struct Log {
+#[pyclass(frozen, name = "Log", module = "homebody._homebody")]
+pub struct PythonLog {
     text: String,
     zone: Option<String>,
     instants: OnceLock<UtcLog>,
     on_the_wall: OnceLock<LoadedLog>,
 }
 
-impl Log {
+impl PythonLog {
     fn named(&self) -> Result<LogRef, QueryError> {
         LogRef::find(&self.text)
     }
@@ -96,16 +96,16 @@ impl Log {
 }
 
 #[pymethods]
-impl Log {
+impl PythonLog {
     #[new]
-    fn new(py: Python<'_>, text: String, zone: Option<String>) -> PyResult<Log> {
+    fn new(py: Python<'_>, text: String, zone: Option<String>) -> PyResult<PythonLog> {
         if let Some(zone) = zone.as_deref().filter(|zone| TimeZone::get(zone).is_err()) {
             let hint = "write a name such as Europe/Berlin";
             return Err(PyValueError::new_err(format!(
                 "time_zone is {zone:?}: no time zone has this name\n  hint: {hint}"
             )));
         }
-        let log = Log { text, zone, instants: OnceLock::new(), on_the_wall: OnceLock::new() };
+        let log = PythonLog { text, zone, instants: OnceLock::new(), on_the_wall: OnceLock::new() };
         py.detach(|| log.named()).map_err(raised)?;
         Ok(log)
     }
@@ -142,15 +142,15 @@ impl Log {
     }
 
     /// Its rows: time, device, value.
-    fn events(&self, py: Python<'_>) -> PyResult<Stream> {
+    fn events(&self, py: Python<'_>) -> PyResult<TableStream> {
         py.detach(|| {
             let rows = self.instants()?.log.events.len();
-            Stream::of(self.event_batch(0..rows)?)
+            TableStream::of(self.event_batch(0..rows)?)
         })
     }
 
     /// What residents did: start_time, end_time, activity, resident; or where they were, with `room` for the activity.
-    fn spans(&self, py: Python<'_>, are_rooms: bool) -> PyResult<Stream> {
+    fn spans(&self, py: Python<'_>, are_rooms: bool) -> PyResult<TableStream> {
         py.detach(|| {
             let UtcLog { timeline, zone, .. } = self.instants()?;
             let mut spans: Vec<(Interval<UtcTime>, &str, &str)> = Vec::new();
@@ -169,17 +169,17 @@ impl Log {
             let frame = ColumnTable::default().instants("start_time", begins, zone.as_deref());
             let frame = frame.instants("end_time", ends, zone.as_deref());
             let frame = frame.texts(if are_rooms { "room" } else { "activity" }, names);
-            Stream::of(frame.and_then(|frame| frame.texts("resident", residents)).and_then(ColumnTable::batch))
+            TableStream::of(frame.and_then(|frame| frame.texts("resident", residents)).and_then(ColumnTable::batch))
         })
     }
 
     /// A table of the truth, as `docs/reference/truth.md` has it.
-    fn truth(&self, py: Python<'_>, table: &str) -> PyResult<Stream> {
+    fn truth(&self, py: Python<'_>, table: &str) -> PyResult<TableStream> {
         py.detach(|| {
             let zone = self.instants()?.zone.clone();
             let all = tables();
             let columns = all.iter().find(|known| known.name == table).map_or(&[][..], |table| &table.columns);
-            let mut cells: Vec<Cells> = columns.iter().map(|column| Cells::of(column.kind)).collect();
+            let mut cells: Vec<TruthColumn> = columns.iter().map(|column| TruthColumn::of(column.kind)).collect();
             let mut take =
                 |row: &[TruthValue<'_>]| cells.iter_mut().zip(row).for_each(|(cells, cell)| cells.push(*cell));
             self.named().and_then(|named| named.truth_rows(table, &mut take)).map_err(raised)?;
@@ -187,12 +187,12 @@ impl Log {
             for (column, cells) in columns.iter().zip(cells) {
                 frame = frame.and_then(|frame| cells.into_frame(frame, &column.name, zone.as_deref()));
             }
-            Stream::of(frame.and_then(ColumnTable::batch))
+            TableStream::of(frame.and_then(ColumnTable::batch))
         })
     }
 
     /// Windows of so many seconds: time, resident, label, room, hour, weekday, last, and a count for each sensor.
-    fn windows(&self, py: Python<'_>, span_s: f64) -> PyResult<Stream> {
+    fn windows(&self, py: Python<'_>, span_s: f64) -> PyResult<TableStream> {
         py.detach(|| {
             let UtcLog { log, timeline, zone } = self.instants()?;
             let wall = zone.as_deref().and_then(|zone| TimeZone::get(zone).ok()).unwrap_or(TimeZone::UTC);
@@ -223,12 +223,12 @@ impl Log {
                 let columns = cut.sensors.iter().zip(counts);
                 columns.fold(frame, |frame, (sensor, counts)| frame.integers(sensor, counts))
             });
-            Stream::of(frame.and_then(ColumnTable::batch))
+            TableStream::of(frame.and_then(ColumnTable::batch))
         })
     }
 
     /// The log with labels, by way of a file of Arrow IPC.
-    fn labelled(&self, py: Python<'_>, by: PathBuf) -> PyResult<Stream> {
+    fn labelled(&self, py: Python<'_>, by: PathBuf) -> PyResult<TableStream> {
         py.detach(|| {
             self.labelled_into(&by).map_err(raised)?;
             let (_, batches) = whole_file(&by).map_err(|error| named("LogError", error))?;
@@ -245,7 +245,7 @@ impl Log {
                 let whole = RecordBatch::try_from_iter_with_nullable(all);
                 whole.map_err(|error| named("HomebodyError", error))
             });
-            Stream::of_parts(batches.collect::<PyResult<_>>()?)
+            TableStream::of_parts(batches.collect::<PyResult<_>>()?)
         })
     }
 
@@ -304,29 +304,29 @@ impl Log {
 }
 
 /// The cells of a column of the truth on their way.
-enum Cells {
+enum TruthColumn {
     Instants(Vec<Option<i64>>),
     Integers(Vec<Option<i64>>),
     Reals(Vec<Option<f64>>),
     Texts(TextColumn),
 }
 
-impl Cells {
-    fn of(kind: ColumnKind) -> Cells {
+impl TruthColumn {
+    fn of(kind: ColumnKind) -> TruthColumn {
         match kind {
-            ColumnKind::Instant => Cells::Instants(Vec::new()),
-            ColumnKind::Integer => Cells::Integers(Vec::new()),
-            ColumnKind::Real => Cells::Reals(Vec::new()),
-            ColumnKind::Text => Cells::Texts(TextColumn::default()),
+            ColumnKind::Instant => TruthColumn::Instants(Vec::new()),
+            ColumnKind::Integer => TruthColumn::Integers(Vec::new()),
+            ColumnKind::Real => TruthColumn::Reals(Vec::new()),
+            ColumnKind::Text => TruthColumn::Texts(TextColumn::default()),
         }
     }
 
     fn push(&mut self, cell: TruthValue<'_>) {
         let whole = |cell| if let TruthValue::Integer(number) = cell { Some(number) } else { None };
         match self {
-            Cells::Instants(all) | Cells::Integers(all) => all.push(whole(cell)),
-            Cells::Reals(all) => all.push(if let TruthValue::Real(number) = cell { Some(number) } else { None }),
-            Cells::Texts(all) => match cell {
+            TruthColumn::Instants(all) | TruthColumn::Integers(all) => all.push(whole(cell)),
+            TruthColumn::Reals(all) => all.push(if let TruthValue::Real(number) = cell { Some(number) } else { None }),
+            TruthColumn::Texts(all) => match cell {
                 TruthValue::Integer(number) => all.push(Some(&number.to_string())),
                 TruthValue::Text(text) => all.push(Some(text)),
                 _ => all.push(None),
@@ -336,10 +336,10 @@ impl Cells {
 
     fn into_frame(self, frame: ColumnTable, name: &str, zone: Option<&str>) -> Result<ColumnTable, ArrowError> {
         Ok(match self {
-            Cells::Instants(all) => frame.instants(name, all, zone),
-            Cells::Integers(all) => frame.integers(name, all),
-            Cells::Reals(all) => frame.reals(name, all),
-            Cells::Texts(all) => frame.texts(name, all)?,
+            TruthColumn::Instants(all) => frame.instants(name, all, zone),
+            TruthColumn::Integers(all) => frame.integers(name, all),
+            TruthColumn::Reals(all) => frame.reals(name, all),
+            TruthColumn::Texts(all) => frame.texts(name, all)?,
         })
     }
 }
@@ -371,11 +371,11 @@ pub fn translate(
     py: Python<'_>,
     text: &str,
     zone: Option<&str>,
-    home: &Scenario,
+    home: &PythonScenario,
     to: PathBuf,
     told: Option<Py<PyAny>>,
 ) -> PyResult<String> {
-    let watched = Watched::new(told);
+    let watched = PythonProgress::new(told);
     let result = py.detach(|| {
         let scenario = home.opened.scenario();
         let zone = zone.unwrap_or(&scenario.file.time_zone);

@@ -4,7 +4,7 @@ use crate::driver::{PythonDriver, Raised, or_raised};
 use crate::fault::{json, named, raised};
 use crate::lived::lived;
 use crate::stepped::LiveRun;
-use crate::work::Watched;
+use crate::work::PythonProgress;
 use homebody_analysis::coverage::{self, STEP_M};
 use homebody_core::problem::{Problem, Problems};
 use homebody_core::resident::Build;
@@ -23,14 +23,14 @@ pub fn templates() -> Vec<String> {
 }
 
 /// A scenario that has passed every check.
-#[pyclass(frozen, module = "homebody._homebody")]
-pub struct Scenario {
+#[pyclass(frozen, name = "Scenario", module = "homebody._homebody")]
+pub struct PythonScenario {
     pub opened: OpenScenario,
 }
 
 /// What a run is to be, as `homebody.scenario` says it.
 #[derive(FromPyObject)]
-pub struct Wanted {
+pub struct RunOptions {
     #[pyo3(item)]
     days: Option<f64>,
     #[pyo3(item)]
@@ -48,7 +48,7 @@ pub struct Wanted {
     drivers: BTreeMap<String, Py<PyAny>>,
 }
 
-impl Scenario {
+impl PythonScenario {
     /// As it is, or with a run that begins when that is said.
     fn starting(&self, start: Option<&str>) -> PyResult<OpenScenario> {
         let Some(start) = start else { return Ok(self.opened.clone()) };
@@ -65,8 +65,8 @@ impl Scenario {
     }
 
     /// A run as it is wanted, and where exceptions of its drivers are left.
-    fn setup(&self, wanted: Wanted) -> PyResult<(RunSetup, Raised)> {
-        let Wanted { days, seed, start, without, numbers, one_of_many, drivers } = wanted;
+    fn setup(&self, wanted: RunOptions) -> PyResult<(RunSetup, Raised)> {
+        let RunOptions { days, seed, start, without, numbers, one_of_many, drivers } = wanted;
         let opened = self.starting(start.as_deref())?;
         let mut setup = opened.run().without(without);
         if let Some(days) = days {
@@ -91,28 +91,30 @@ impl Scenario {
 }
 
 #[pymethods]
-impl Scenario {
+impl PythonScenario {
     /// By a folder or its `scenario.json`.
     #[staticmethod]
-    fn at(py: Python<'_>, path: PathBuf, trusted: bool) -> PyResult<Scenario> {
+    fn at(py: Python<'_>, path: PathBuf, trusted: bool) -> PyResult<PythonScenario> {
         py.detach(|| {
             let source = ScenarioSource::at(path)?;
             if trusted { source.trusted().open() } else { source.open() }
         })
-        .map(|opened| Scenario { opened })
+        .map(|opened| PythonScenario { opened })
         .map_err(raised)
     }
 
     /// One that came with the program.
     #[staticmethod]
-    fn template(py: Python<'_>, name: &str) -> PyResult<Scenario> {
-        py.detach(|| homebody_simulation::template(name)).map(|opened| Scenario { opened }).map_err(raised)
+    fn template(py: Python<'_>, name: &str) -> PyResult<PythonScenario> {
+        py.detach(|| homebody_simulation::template(name)).map(|opened| PythonScenario { opened }).map_err(raised)
     }
 
     /// Of texts by the names of their files.
     #[staticmethod]
-    fn of_texts(py: Python<'_>, texts: BTreeMap<String, String>, entry: String) -> PyResult<Scenario> {
-        py.detach(|| ScenarioSource::from_texts(texts, entry).open()).map(|opened| Scenario { opened }).map_err(raised)
+    fn of_texts(py: Python<'_>, texts: BTreeMap<String, String>, entry: String) -> PyResult<PythonScenario> {
+        py.detach(|| ScenarioSource::from_texts(texts, entry).open())
+            .map(|opened| PythonScenario { opened })
+            .map_err(raised)
     }
 
     #[getter]
@@ -226,9 +228,9 @@ impl Scenario {
     }
 
     /// Lives a run into a new folder in `runs`; returns what became of it as JSON.
-    fn run(&self, py: Python<'_>, runs: PathBuf, wanted: Wanted, told: Option<Py<PyAny>>) -> PyResult<String> {
+    fn run(&self, py: Python<'_>, runs: PathBuf, wanted: RunOptions, told: Option<Py<PyAny>>) -> PyResult<String> {
         let (setup, by_driver) = self.setup(wanted)?;
-        let watched = Watched::new(told);
+        let watched = PythonProgress::new(told);
         let result = py.detach(|| {
             let run = setup.cancel(&watched.cancel).start().map_err(|error| or_raised(error, &by_driver))?;
             let stored = run.store(&Destinations::new_folder_in(runs), |progress| {
@@ -240,7 +242,7 @@ impl Scenario {
     }
 
     /// A run at its beginning, to be stepped.
-    fn live(&self, py: Python<'_>, wanted: Wanted) -> PyResult<LiveRun> {
+    fn live(&self, py: Python<'_>, wanted: RunOptions) -> PyResult<LiveRun> {
         let (setup, by_driver) = self.setup(wanted)?;
         let run = py.detach(|| setup.start()).map_err(|error| or_raised(error, &by_driver))?;
         Ok(LiveRun::new(run, by_driver))

@@ -2,7 +2,7 @@
 
 use crate::driver::{Raised, or_raised};
 use crate::fault::{json, named};
-use crate::table::Stream;
+use crate::table::TableStream;
 use homebody_arrow::{ColumnTable, TextColumn};
 use homebody_core::time::{RunTime, SECOND};
 use pyo3::prelude::*;
@@ -30,7 +30,7 @@ impl LiveRun {
 #[pymethods]
 impl LiveRun {
     /// Lives on for so many seconds, and returns what the sensors said.
-    fn step(&self, py: Python<'_>, lasts_s: f64) -> PyResult<Stream> {
+    fn step(&self, py: Python<'_>, lasts_s: f64) -> PyResult<TableStream> {
         if lasts_s.is_nan() || lasts_s <= 0.0 {
             return Err(named("HomebodyError", "a step is longer than nothing"));
         }
@@ -50,7 +50,7 @@ impl LiveRun {
             let zone = calendar.local(RunTime::START).time_zone().iana_name().unwrap_or("UTC").to_owned();
             let frame = ColumnTable::default().instants("time", times, Some(&zone));
             let frame = frame.texts("device", devices).and_then(|frame| frame.texts("value", values));
-            Stream::of(frame.and_then(ColumnTable::batch))
+            TableStream::of(frame.and_then(ColumnTable::batch))
         })
     }
 

@@ -11,27 +11,27 @@ use pyo3::types::PyCapsule;
 const NAME: &std::ffi::CStr = c"arrow_array_stream";
 
 /// A table in memory. Each stream of it is over the same memory.
-#[pyclass(frozen, module = "homebody._homebody")]
-pub struct Stream {
+#[pyclass(frozen, name = "Stream", module = "homebody._homebody")]
+pub struct TableStream {
     schema: SchemaRef,
     batches: Vec<RecordBatch>,
 }
 
-impl Stream {
-    pub fn of(batch: Result<RecordBatch, impl std::fmt::Display>) -> PyResult<Stream> {
+impl TableStream {
+    pub fn of(batch: Result<RecordBatch, impl std::fmt::Display>) -> PyResult<TableStream> {
         let batch = batch.map_err(|error| named("HomebodyError", error))?;
-        Ok(Stream { schema: batch.schema(), batches: vec![batch] })
+        Ok(TableStream { schema: batch.schema(), batches: vec![batch] })
     }
 
     /// Of parts with the same columns, one after the other.
-    pub fn of_parts(batches: Vec<RecordBatch>) -> PyResult<Stream> {
+    pub fn of_parts(batches: Vec<RecordBatch>) -> PyResult<TableStream> {
         let schema = batches.first().ok_or_else(|| named("LogError", "it has no rows"))?.schema();
-        Ok(Stream { schema, batches })
+        Ok(TableStream { schema, batches })
     }
 }
 
 #[pymethods]
-impl Stream {
+impl TableStream {
     #[getter]
     fn rows(&self) -> usize {
         self.batches.iter().map(RecordBatch::num_rows).sum()

@@ -10,21 +10,25 @@ use std::time::{Duration, Instant};
 const EVERY: Duration = Duration::from_millis(50);
 
 /// What tells Python how far some work is, and ends the work where Python raises.
-pub struct Watched {
+pub struct PythonProgress {
     told: Option<Py<PyAny>>,
     pub cancel: Cancel,
-    state: Mutex<State>,
+    state: Mutex<ProgressState>,
 }
 
-struct State {
+struct ProgressState {
     last: Instant,
     raised: Option<PyErr>,
 }
 
-impl Watched {
+impl PythonProgress {
     /// `told` is called with what is done and of how much.
-    pub fn new(told: Option<Py<PyAny>>) -> Watched {
-        Watched { told, cancel: Cancel::new(), state: Mutex::new(State { last: Instant::now(), raised: None }) }
+    pub fn new(told: Option<Py<PyAny>>) -> PythonProgress {
+        PythonProgress {
+            told,
+            cancel: Cancel::new(),
+            state: Mutex::new(ProgressState { last: Instant::now(), raised: None }),
+        }
     }
 
     /// How far it is; from whichever thread.

@@ -18,7 +18,7 @@ pub struct BrokerCleanup {
 #[cfg(feature = "mqtt")]
 mod built {
     use super::*;
-    use crate::interventions::{Failure, Intervention, InterventionRequest, Refusal};
+    use crate::interventions::{Intervention, InterventionRequest, Refusal, SensorFailure};
     use crate::pace::{RunCommand, Speed};
     use crate::simulation::orders::OrderMessage;
     use homebody_core::time::Span;
@@ -107,11 +107,13 @@ mod built {
             Order::Close { thing } | Order::Off { thing } => Intervention::Use { thing, on: false },
             Order::Fault { sensor, kind, minutes: lasts, fading_minutes, every_s, loss } => {
                 let failure = match kind {
-                    OrderedFault::Dead => Failure::Battery { fades_us: Span::ZERO },
-                    OrderedFault::Battery => Failure::Battery { fades_us: fading_minutes.map_or(Span::ZERO, minutes) },
-                    OrderedFault::Stuck => Failure::Stuck { every_us: every_s.map(Span::from_seconds) },
-                    OrderedFault::FallsOff => Failure::FallsOff,
-                    OrderedFault::BadLink => Failure::BadLink { lost_ppm: (loss.unwrap_or(1.0) * 1e6).round() as u32 },
+                    OrderedFault::Dead => SensorFailure::Battery { fades_us: Span::ZERO },
+                    OrderedFault::Battery => {
+                        SensorFailure::Battery { fades_us: fading_minutes.map_or(Span::ZERO, minutes) }
+                    }
+                    OrderedFault::Stuck => SensorFailure::Stuck { every_us: every_s.map(Span::from_seconds) },
+                    OrderedFault::FallsOff => SensorFailure::FallsOff,
+                    OrderedFault::BadLink => SensorFailure::BadLink { lost_ppm: (loss.unwrap_or(1.0) * 1e6).round() as u32 },
                 };
                 Intervention::Fail { sensor, failure, lasts: lasts.map(minutes) }
             }
@@ -149,18 +151,22 @@ mod built {
             assert_eq!(wish(serde_json::json!({ "do": "off", "thing": "door" })), door(false));
             let fails = |failure, lasts| Intervention::Fail { sensor: "bed".into(), failure, lasts };
             for (order, failure, lasts) in [
-                (serde_json::json!({ "kind": "dead" }), Failure::Battery { fades_us: Span::ZERO }, None),
+                (serde_json::json!({ "kind": "dead" }), SensorFailure::Battery { fades_us: Span::ZERO }, None),
                 (
                     serde_json::json!({ "kind": "battery", "fading_minutes": 2, "minutes": 3 }),
-                    Failure::Battery { fades_us: 2 * MINUTE },
+                    SensorFailure::Battery { fades_us: 2 * MINUTE },
                     Some(3 * MINUTE),
                 ),
                 (
                     serde_json::json!({ "kind": "stuck", "every_s": 7 }),
-                    Failure::Stuck { every_us: Some(Span::from_seconds(7.0)) },
+                    SensorFailure::Stuck { every_us: Some(Span::from_seconds(7.0)) },
                     None,
                 ),
-                (serde_json::json!({ "kind": "bad_link", "loss": 0.25 }), Failure::BadLink { lost_ppm: 250_000 }, None),
+                (
+                    serde_json::json!({ "kind": "bad_link", "loss": 0.25 }),
+                    SensorFailure::BadLink { lost_ppm: 250_000 },
+                    None,
+                ),
             ] {
                 let mut whole = order.clone();
                 (whole["do"], whole["sensor"]) = ("fault".into(), "bed".into());

@@ -3,7 +3,7 @@
 //! An intervention happens at the instant that the run has come to. The recording has it before any of its consequences is stored,
 //! so a replay and a resumed run repeat it.
 
-pub use homebody_core::deed::{Deed, Failure, FromOutside};
+pub use homebody_core::deed::{Deed, FromOutside, SensorFailure};
 use homebody_core::numbers::Numbers;
 pub use homebody_core::outside::Refusal;
 use homebody_core::outside::usual_lie;
@@ -24,7 +24,7 @@ pub enum Intervention {
         /// Its name in the home.
         sensor: String,
         /// The kind of failure.
-        failure: Failure,
+        failure: SensorFailure,
         /// The duration; `None` for the rest of the run.
         lasts: Option<Span>,
     },

@@ -1,7 +1,7 @@
 //! Interventions from outside take effect, are in the ground truth, and replay.
 
 use homebody_core::time::{HOUR, MINUTE, RunTime, Span};
-use homebody_simulation::interventions::{Failure, Intervention, InterventionRequest, Refusal};
+use homebody_simulation::interventions::{Intervention, InterventionRequest, Refusal, SensorFailure};
 use homebody_simulation::{Cancel, Destinations, IncompleteRun, RecordedRun, RunProgress, RunSummary, SimulationError};
 use rusqlite::Connection;
 use std::fs;
@@ -19,7 +19,7 @@ fn fall(minutes: i64) -> Intervention {
     Intervention::Fall { resident: "margaret".into(), lies: Some(minutes * MINUTE) }
 }
 
-fn fails(sensor: &str, failure: Failure, lasts: Option<Span>) -> Intervention {
+fn fails(sensor: &str, failure: SensorFailure, lasts: Option<Span>) -> Intervention {
     Intervention::Fail { sensor: sensor.into(), failure, lasts }
 }
 
@@ -91,10 +91,10 @@ fn a_few_wishes() -> Vec<(i64, Intervention)> {
         (2, on("front door", true)),
         (3, on("front door", false)),
         (4, fall(15)),
-        (6, fails("bedroom motion", Failure::Stuck { every_us: Some(7 * MINUTE) }, Some(3 * HOUR))),
-        (8, fails("living room motion", Failure::Battery { fades_us: Span::ZERO }, Some(4 * HOUR))),
+        (6, fails("bedroom motion", SensorFailure::Stuck { every_us: Some(7 * MINUTE) }, Some(3 * HOUR))),
+        (8, fails("living room motion", SensorFailure::Battery { fades_us: Span::ZERO }, Some(4 * HOUR))),
         (20, fall(40)),
-        (21, fails("bed sensor", Failure::BadLink { lost_ppm: 500_000 }, None)),
+        (21, fails("bed sensor", SensorFailure::BadLink { lost_ppm: 500_000 }, None)),
         (26, on("stove", true)),
     ]
 }
@@ -215,10 +215,10 @@ fn refuses_impossible_actions_and_changes_nothing() {
     let wrong = [
         (on("front dor", true), "outside::unknown-name", "front door"),
         (on("front door", false), "outside::already-so", ""),
-        (fails("hall", Failure::FallsOff, None), "outside::unknown-name", ""),
-        (fails("bed sensor", Failure::FallsOff, Some(Span::ZERO)), "outside::fault-ends-too-soon", ""),
+        (fails("hall", SensorFailure::FallsOff, None), "outside::unknown-name", ""),
+        (fails("bed sensor", SensorFailure::FallsOff, Some(Span::ZERO)), "outside::fault-ends-too-soon", ""),
         (
-            fails("bed sensor", Failure::Stuck { every_us: Some(Span::MICROSECOND) }, None),
+            fails("bed sensor", SensorFailure::Stuck { every_us: Some(Span::MICROSECOND) }, None),
             "outside::repeat-interval",
             "0.1 s",
         ),

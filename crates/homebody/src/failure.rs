@@ -1,8 +1,8 @@
-//! How a command fails: what people read, and the exit code that scripts read.
+//! Failures of commands: their messages and exit codes.
 
 use homebody_core::drivers::error::DriverError;
 use homebody_core::messages::Diagnose;
-use homebody_core::problem::{Diagnostic, Problems};
+use homebody_core::problem::{Diagnostic, Problem, Problems};
 use homebody_fleet::FleetError;
 use homebody_log::LogError;
 use homebody_placement::people::PeopleError;
@@ -11,14 +11,14 @@ use homebody_scaffold::ScaffoldError;
 use homebody_simulation::SimulationError;
 use homebody_tracking::TrackingError;
 use std::fmt::Display;
+use std::path::Path;
 
-/// The exit codes of every command.
 pub const EXIT_CODES: &str =
     "Exit codes: 0 success, 1 a file could not be read or written, 2 an argument or a file is invalid";
 
-/// Why a command ended early.
+/// A failure of a command.
 pub enum Failure {
-    /// Problems with what the user wrote.
+    /// Problems with the input of the user.
     Problems(Problems),
     /// A message with a code, and the exit code.
     Coded(Box<Diagnostic>, u8),
@@ -27,12 +27,12 @@ pub enum Failure {
 }
 
 impl Failure {
-    /// A problem with what the user asked for, by its message.
+    /// A problem with the arguments or the input.
     pub fn asked(message: impl Diagnose) -> Failure {
         Failure::Coded(Box::new(message.diagnostic()), 2)
     }
 
-    /// Several problems at once. A single one that is about no file is printed like any other message.
+    /// Several problems at once. A single one without a file is printed like any other message.
     pub fn all(problems: Vec<Diagnostic>) -> Failure {
         match &problems[..] {
             [only] if only.file.is_empty() => Failure::Coded(Box::new(only.clone()), 2),
@@ -40,12 +40,18 @@ impl Failure {
         }
     }
 
-    /// Problems with arguments: a single one is printed like any other message.
+    /// Problems with arguments. A single one is printed like any other message.
     fn of_arguments(mut problems: Problems) -> Failure {
         match problems.0.pop() {
             Some(only) if problems.0.is_empty() => Failure::asked(only),
             last => Failure::Problems(Problems(problems.0.into_iter().chain(last).collect())),
         }
+    }
+
+    /// The problems of a file.
+    pub fn in_file(path: &Path, Problems(problems): Problems) -> Failure {
+        let name = path.display().to_string();
+        Failure::all(problems.into_iter().map(|problem| Problem::of_file(&name, problem, None)).collect())
     }
 
     /// The same failure with another hint.
@@ -63,7 +69,7 @@ impl Failure {
         Failure::file(SimulationMessage::NotMeasured { why: why.to_string() })
     }
 
-    /// A file that cannot be read or written, by its message.
+    /// A file that cannot be read or written.
     pub fn file(message: impl Diagnose) -> Failure {
         Failure::Coded(Box::new(message.diagnostic()), 1)
     }
@@ -77,10 +83,7 @@ homebody_core::messages! {
         NoRoutine error "no-routine" ("the first resident has no routine, so Homebody cannot simulate conditions")
             hint ("name a routine as \"driver\" of the first resident in the scenario");
         /// A simulated home has no log that can be measured, or a resident was asked to do something impossible.
-        NotMeasured {
-            /// The reason.
-            why: String,
-        } error "not-measured" ("cannot simulate and measure a home: {why}");
+        NotMeasured { why: String } error "not-measured" ("cannot simulate and measure a home: {why}");
         /// The simulation ended before its result was complete.
         Stopped error "stopped" ("the simulation was stopped before its end")
             hint ("run the command again");

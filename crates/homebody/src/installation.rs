@@ -1,4 +1,4 @@
-//! What is wrong with the program where it is installed: what it was built with, and what the machine gives it.
+//! Checks of the installation: the features of the build, and the resources of the machine.
 
 use homebody_core::calendar::Calendar;
 use homebody_core::scenario::scheme::SCHEMES;
@@ -21,7 +21,7 @@ const LAST_YEAR: i16 = 2100;
 /// Doctor warns of less free space (our choice): a year of a home takes about 150 MB.
 const LEAST_BYTES: u64 = 1 << 30;
 
-/// All that there is to say; runs go into `folder`.
+/// Checks the installation; `folder` is that of runs.
 pub fn examine(folder: &Path) -> Vec<Check> {
     let mut checks = vec![
         Check::ok("version", format!("homebody {VERSION} on {} {}", env::consts::OS, env::consts::ARCH)),
@@ -90,19 +90,19 @@ fn clock(now: Timestamp) -> Check {
     }
 }
 
-/// Whether runs can be written where they go.
+/// Checks that runs can be written into the folder.
 #[cfg(unix)]
 fn room(folder: &Path) -> Vec<Check> {
     use nix::sys::statvfs::statvfs;
     use nix::unistd::{AccessFlags, access};
     let there = folder.ancestors().find(|folder| folder.is_dir()).unwrap_or(Path::new("."));
-    let told = there.display();
+    let shown = there.display();
     let mut checks = Vec::new();
     checks.push(match access(there, AccessFlags::W_OK | AccessFlags::X_OK) {
-        Ok(()) => Check::ok("folder", format!("{told} is writable")),
+        Ok(()) => Check::ok("folder", format!("{shown} is writable")),
         Err(why) => Check::wrong(
             "folder",
-            format!("{told} is not writable: {}", why.desc()),
+            format!("{shown} is not writable: {}", why.desc()),
             "change to a folder of yours, or name another with --out",
         ),
     });
@@ -114,10 +114,10 @@ fn room(folder: &Path) -> Vec<Check> {
             found.files_available() as u64,
             found.files() as u64,
         );
-        let says = format!("{:.1} GB free in {told}", free as f64 / 1e9);
+        let says = format!("{:.1} GB free in {shown}", free as f64 / 1e9);
         checks.push(match free {
             _ if all > 0 && files == 0 => {
-                Check::wrong("room", format!("{told} can hold no more files"), "remove some files")
+                Check::wrong("room", format!("{shown} can hold no more files"), "remove some files")
             }
             LEAST_BYTES.. => Check::ok("room", says),
             _ => Check::warning("room", says, "free some space: a year of a home takes about 150 MB"),
@@ -150,7 +150,7 @@ mod tests {
     use homebody_query::CheckVerdict;
 
     #[test]
-    fn a_clock_that_was_never_set_is_told() {
+    fn reports_a_clock_that_was_never_set() {
         let at = |year: i64| Timestamp::from_second((year - 1970) * 31_557_600).unwrap();
         assert_eq!(clock(at(2027)).verdict, CheckVerdict::Ok);
         for year in [1971, 2000, 2200] {

@@ -1,18 +1,18 @@
-//! Lengths of time as people ask for them: days by the calendar, hours and less by the clock.
+//! Durations: days by the calendar, hours and less by the clock.
 
 use homebody_core::calendar::Calendar;
 use homebody_core::time::{LONGEST, Span};
 
-/// How long a run is to last.
+/// The length of a run.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Length {
-    /// Days of the home's own time: one on which clocks change has 23 or 25 hours.
+    /// Days of the local time of the home: one with a clock change has 23 or 25 hours.
     Days(f64),
     Time(Span),
 }
 
 impl Length {
-    /// How long that is from the start of a run, by its calendar.
+    /// The duration from the start of a run, by its calendar.
     pub fn by(self, calendar: &Calendar) -> Span {
         match self {
             Length::Time(span) => span,
@@ -21,7 +21,6 @@ impl Length {
     }
 }
 
-/// The length of a run as people write it.
 pub fn length(text: &str) -> Result<Length, String> {
     let (number, unit) = parts(text)?;
     match unit {
@@ -31,7 +30,7 @@ pub fn length(text: &str) -> Result<Length, String> {
     }
 }
 
-/// A span of time as people write it, in which all days have 24 hours.
+/// A duration, in which all days have 24 hours.
 pub fn span(text: &str) -> Result<Span, String> {
     let (number, unit) = parts(text)?;
     let unit = match unit {
@@ -46,7 +45,7 @@ pub fn span(text: &str) -> Result<Span, String> {
     is_span.then_some(span).ok_or_else(|| "a duration is longer than 0 and at most 100 years".into())
 }
 
-/// A number and a unit that is known.
+/// A number and a known unit.
 fn parts(text: &str) -> Result<(f64, &str), String> {
     let (number, unit) = text.split_at(text.trim_end_matches(|c: char| c.is_ascii_alphabetic()).len());
     if !["s", "m", "min", "h", "d", "w"].contains(&unit) {

@@ -5,33 +5,34 @@ mod commands;
 mod failure;
 mod installation;
 mod length;
+mod metrics;
 mod old_names;
 mod pace;
 mod print;
 mod progress;
+mod prometheus;
 mod signals;
 mod start;
 mod suggestions;
-mod prometheus;
-mod watched;
+mod text_table;
 
-/// All messages of the program.
 pub mod messages {
     pub use crate::commands::catalogue::all;
 }
 
-/// The parts of commands that the program `homebody-lab` uses, too.
+/// Parts of commands for the program `homebody-lab`.
 pub mod shared {
     pub use crate::commands::alerts::rules as alert_rules;
-    pub use crate::commands::answer::{Answer, Figures};
     pub use crate::commands::explain::explain;
+    pub use crate::commands::log_input::{LogOptions, read_log};
     pub use crate::commands::measures::within;
     pub use crate::commands::messages::{not_comparable, not_measurable};
-    pub use crate::commands::read_log::{HowRead, read_log};
+    pub use crate::commands::result_output::{JsonOutput, ResultOutput};
     pub use crate::commands::scenario::Trust;
     pub use crate::failure::Failure;
     pub use crate::print::{LogFormat, json_text, print_json, print_text, tell_as as write_messages_as, write_file};
-    pub use crate::progress::bar;
+    pub use crate::progress::show;
+    pub use crate::text_table::TextTable;
     pub use crate::{exit_code, prepare};
 }
 
@@ -55,7 +56,7 @@ use std::ffi::OsString;
     after_help = "homebody help COMMAND explains a command, with examples.",
     after_long_help = format!("{EXAMPLES}\n\n{EXIT_CODES},\n{SIGNALS}")
 )]
-struct Arguments {
+struct HomebodyArguments {
     #[command(subcommand)]
     command: Command,
     /// How to write progress, notes and errors to standard error
@@ -74,9 +75,9 @@ Examples:
 const SIGNALS: &str =
     "129, 130 or 143 SIGHUP, SIGINT or SIGTERM ended a run early; what was simulated until then is stored.";
 
-/// The whole command line: commands in groups, and old names as aliases.
+/// The command line: commands in groups, and old names as aliases.
 pub fn command() -> clap::Command {
-    let whole = old_names::with_aliases(Arguments::command());
+    let whole = old_names::with_aliases(HomebodyArguments::command());
     let template = groups::template(&whole);
     whole.help_template(template)
 }
@@ -84,9 +85,9 @@ pub fn command() -> clap::Command {
 fn parse<'a>(
     mut whole: clap::Command,
     words: impl IntoIterator<Item = &'a OsString>,
-) -> Result<Arguments, clap::Error> {
+) -> Result<HomebodyArguments, clap::Error> {
     let mut matches = whole.try_get_matches_from_mut(words)?;
-    Arguments::from_arg_matches_mut(&mut matches).map_err(|error| error.format(&mut whole))
+    HomebodyArguments::from_arg_matches_mut(&mut matches).map_err(|error| error.format(&mut whole))
 }
 
 /// Runs the command of a command line, whose first word is the program's name. Returns the exit code. No thread may run before.
@@ -102,7 +103,7 @@ pub fn run(words: Vec<OsString>) -> u8 {
                 return exit_code(Err(gone));
             }
             notes.iter().for_each(tell);
-            return refuse(&with_meant(error, &words), &words);
+            return refuse(&with_working_tip(error, &words), &words);
         }
     };
     tell_as(arguments.log_format);
@@ -110,7 +111,7 @@ pub fn run(words: Vec<OsString>) -> u8 {
     exit_code(arguments.command.run(command))
 }
 
-/// Prepares the process: full files and destinations. No thread may run before.
+/// Prepares the process for full files and installs the destinations. No thread may run before.
 pub fn prepare() {
     signals::outlive_full_files();
     homebody_simulation::install_sinks();
@@ -130,7 +131,7 @@ fn without_help_of_help(mut words: Vec<OsString>) -> Vec<OsString> {
 }
 
 /// The error with a tip that works. If clap proposes an argument that is refused, too, the tips of that one replace it.
-fn with_meant(error: clap::Error, words: &[OsString]) -> clap::Error {
+fn with_working_tip(error: clap::Error, words: &[OsString]) -> clap::Error {
     let first = words.iter().skip(1).map(|word| word.to_string_lossy()).find(|word| !word.starts_with('-'));
     let mut error = suggestions::with_command(error, &command(), &first.unwrap_or_default());
     let text = |value: Option<&ContextValue>| match value {
@@ -165,8 +166,8 @@ fn refuse(error: &clap::Error, words: &[OsString]) -> u8 {
         error.exit();
     }
     let quoted = error.render().to_string();
-    let told = secret.iter().fold(quoted, |told, value| told.replace(value.as_str(), &without_password(value)));
-    tell(format_args!("{}", told.trim_end()));
+    let shown = secret.iter().fold(quoted, |shown, value| shown.replace(value.as_str(), &without_password(value)));
+    tell(format_args!("{}", shown.trim_end()));
     2
 }
 

@@ -1,4 +1,4 @@
-//! The program `homebody`: all of it is in the library beside.
+//! The program `homebody`, which is in the library.
 
 use std::process::ExitCode;
 

@@ -5,7 +5,6 @@ use crate::print::LogFormat;
 use clap::{Command, ValueEnum};
 use std::ffi::OsString;
 
-/// The release that drops the old names.
 const GONE_IN: &str = "0.2.0";
 
 /// Commands: the old name, the new one, and the command that has it. The empty command is the whole program.
@@ -106,15 +105,12 @@ homebody_core::messages! {
         /// ```sh
         /// cargo run --release --package homebody-lab -- realism --data casas
         /// ```
-        Experiments {
-            /// The name of an experiment.
-            name: String,
-        } error "experiments-gone" ("the experiments are no part of this program any more")
+        Experiments { name: String } error "experiments-gone" ("the experiments are no part of this program any more")
             hint ("in a clone of the repository, run `cargo run --release --package homebody-lab -- {name}`");
     }
 }
 
-/// The failure of a command line whose command left the program. The first word is the program's name.
+/// The failure if the command of a command line left the program. The first word is the program's name.
 pub fn gone(words: &[OsString]) -> Option<Failure> {
     let words = words.iter().skip(1).map(|word| word.to_string_lossy().into_owned());
     let mut names = words.filter(|word| !word.starts_with('-')).skip_while(|word| word == "help" || is_form(word));
@@ -129,7 +125,7 @@ pub fn gone(words: &[OsString]) -> Option<Failure> {
     Some(Failure::asked(GoneMessage::Experiments { name }))
 }
 
-/// Whether a word is a value of `--log-format`, which may come before the command.
+/// True for a value of `--log-format`, which may come before the command.
 fn is_form(word: &str) -> bool {
     LogFormat::from_str(word, false).is_ok()
 }

@@ -33,7 +33,7 @@ homebody_core::messages! {
 /// The speed of a run, and its control.
 #[derive(clap::Args)]
 #[command(next_help_heading = "Speed")]
-pub struct Asked {
+pub struct PaceArguments {
     /// Simulated seconds per real second: 0.1 to 1000, or max; the speed does not change the log
     #[arg(long, value_name = "FACTOR", default_value = "max")]
     speed: Speed,
@@ -44,9 +44,9 @@ pub struct Asked {
     paused: bool,
 }
 
-impl Asked {
-    /// Whether anything but as fast as it can is asked for.
-    pub fn is_said(&self) -> bool {
+impl PaceArguments {
+    /// True for any other speed than the default.
+    pub fn is_given(&self) -> bool {
         self.control || self.paused || self.speed != Speed::Max
     }
 
@@ -54,7 +54,7 @@ impl Asked {
         if self.paused { Pace::paused(self.speed) } else { Pace::new(self.speed) }
     }
 
-    /// The commands that come by lines, if any may.
+    /// The commands on standard input, with `--control`.
     pub fn commands(&self) -> Result<Option<Receiver<RunCommand>>, Failure> {
         if !self.control {
             return Ok(None);
@@ -76,12 +76,11 @@ impl Asked {
     }
 }
 
-/// The command of a line.
 fn command(line: Result<String, ControlMessage>) -> Result<RunCommand, Diagnostic> {
     line.map_err(|message| message.diagnostic())?.parse::<RunCommand>().map_err(Diagnostic::from)
 }
 
-/// The next line, or its problem; None at the end. Stores only the beginning of a line that is too long.
+/// The next line, or its problem; `None` at the end. Stores only the start of a line that is too long.
 fn next_line(input: &mut impl BufRead) -> io::Result<Option<Result<String, ControlMessage>>> {
     let mut line = Vec::new();
     if input.take(LONGEST_COMMAND_BYTES as u64 + 1).read_until(b'\n', &mut line)? == 0 {
@@ -99,7 +98,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_line_without_end_is_passed_over_in_little_memory() {
+    fn skips_an_endless_line_in_little_memory() {
         let endless = io::repeat(b'x').take(50_000_000).chain(&b"\nstop\n\xff\nlast"[..]);
         let mut input = io::BufReader::new(endless);
         let mut said = Vec::new();

@@ -14,10 +14,7 @@ homebody_core::messages! {
     /// Errors of writing the result of a command.
     pub enum ResultMessage in "result" {
         /// Homebody cannot turn the result into JSON or CSV. This is an error of the program: report it with the command that you ran.
-        NotWritten {
-            /// The reason.
-            why: String,
-        } error "not-written" ("cannot write the result: {why}");
+        NotWritten { why: String } error "not-written" ("cannot write the result: {why}");
         /// A program that reads rows from standard output expects rows only. The result or the report would be among them.
         StandardOutput {
             /// `result` or `report`.
@@ -38,7 +35,7 @@ pub fn not_written(why: impl std::fmt::Display) -> Failure {
     Failure::asked(ResultMessage::NotWritten { why: why.to_string() })
 }
 
-/// A JSON object as files and scripts get it.
+/// A JSON object with its end of line.
 pub fn json_text(value: &impl serde::Serialize) -> Result<String, Failure> {
     Ok(serde_json::to_string_pretty(value).map_err(not_written)? + "\n")
 }
@@ -48,12 +45,12 @@ pub fn print_json(value: &impl serde::Serialize) -> Result<(), Failure> {
     print_json_text(&json_text(value)?)
 }
 
-/// Prints what is JSON already, such as objects a line.
+/// Prints JSON text, such as one object per line.
 pub fn print_json_text(text: &str) -> Result<(), Failure> {
     print_text(&escaped_json(text))
 }
 
-/// The same JSON with escapes for invisible characters: its value stays, and a terminal acts on none of them.
+/// The same JSON with escapes for invisible characters: its value stays, and no terminal acts on them.
 fn escaped_json(text: &str) -> Cow<'_, str> {
     escaped(text, |c| c.encode_utf16(&mut [0; 2]).iter().map(|unit| format!("\\u{unit:04x}")).collect())
 }
@@ -76,7 +73,7 @@ pub fn counted(number: u64, one: &str, many: &str) -> String {
     format!("{} {}", grouped(number), if number == 1 { one } else { many })
 }
 
-/// Prints on standard output; a reader that has gone away is no error.
+/// Prints on standard output. A reader that has closed it is not an error.
 pub fn print_text(text: &str) -> Result<(), Failure> {
     use std::io::{ErrorKind, Write};
     match std::io::stdout().lock().write_all(seen(text).as_bytes()) {
@@ -87,12 +84,12 @@ pub fn print_text(text: &str) -> Result<(), Failure> {
     }
 }
 
-/// Writes a whole file under its name or not at all; one that exists is replaced with `force` only.
+/// Writes a whole file, or nothing. Replaces an existing file only with `force`.
 pub fn write_file(path: &Path, bytes: &[u8], force: bool) -> Result<(), Failure> {
     Ok(FreshFile::write_whole(path, bytes, force)?)
 }
 
-/// Tells people something on standard error; that nobody listens there is no error.
+/// Prints a note on standard error. A closed standard error is not an error.
 pub fn tell(text: impl std::fmt::Display) {
     use std::io::Write;
     let text = text.to_string();
@@ -103,7 +100,7 @@ pub fn tell(text: impl std::fmt::Display) {
     };
 }
 
-/// Prints the same text with figures for programs: an object of JSON has them under this name.
+/// Prints a text; in JSON, its object also has the figures under this name.
 pub fn tell_with(text: impl std::fmt::Display, name: &str, figures: &impl serde::Serialize) {
     tell_at(None, text, name, figures);
 }
@@ -117,12 +114,11 @@ pub fn tell_message(message: &Diagnostic) {
     tell_at(Some(message.severity.word()), format!("{label}{message}"), "diagnostics", &[message]);
 }
 
-/// Prints a warning.
 pub fn warn(message: impl Diagnose) {
     tell_message(&message.diagnostic());
 }
 
-/// Prints errors as a text that names the file of each, and as a list for programs.
+/// Prints errors as a text with the file of each; in JSON also as a list.
 pub fn tell_problems(text: impl std::fmt::Display, problems: &impl serde::Serialize) {
     tell_at(Some("error"), text, "diagnostics", problems);
 }
@@ -157,7 +153,7 @@ pub fn tell_as(form: LogFormat) {
     IN_JSON.store(form == LogFormat::Json, Ordering::Relaxed);
 }
 
-/// What is told as an object.
+/// A note as a JSON object.
 fn as_json(text: &str, now: Timestamp) -> serde_json::Value {
     let levels = [("error", "error"), ("warning", "warning"), ("note", "info")];
     // A code may stand between the level and the text.
@@ -170,7 +166,7 @@ fn as_json(text: &str, now: Timestamp) -> serde_json::Value {
     serde_json::json!({ "time": now.to_string(), "level": level, "message": message })
 }
 
-/// The text with an escape such as `\u{202e}` for each invisible character that a terminal would act on: names come from strangers' files.
+/// The text with an escape such as `\u{202e}` for each invisible character that a terminal acts on: names come from files of strangers.
 fn seen(text: &str) -> Cow<'_, str> {
     escaped(text, |c| c.escape_unicode().to_string())
 }
@@ -188,7 +184,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn what_is_told_is_an_object_where_programs_collect_it() {
+    fn notes_are_objects_in_json() {
         let told = |text| as_json(text, Timestamp::from_second(0).unwrap());
         let object = told("warning: the \"hall\"\nis dark");
         assert_eq!(object["level"], "warning");
@@ -203,13 +199,13 @@ mod tests {
     }
 
     #[test]
-    fn no_terminal_heeds_a_name() {
+    fn escapes_characters_that_terminals_act_on() {
         assert_eq!(seen("sensor\u{1b}[2J\u{7}\u{9b}1m, a\tb\r\n"), "sensor\\u{1b}[2J\\u{7}\\u{9b}1m, a\tb\\u{d}\n");
         for (heeded, shown) in [("\u{202e}", "\\u{202e}"), ("\u{2066}", "\\u{2066}"), ("\u{200b}", "\\u{200b}")] {
             assert_eq!(seen(&format!("hall {heeded}motion")), format!("hall {shown}motion"));
         }
         assert!(matches!(seen("hall motion, Öz 好\n"), Cow::Borrowed(_)));
-        // JSON says the same with its own escapes.
+        // JSON has its own escapes.
         let said = serde_json::json!({ "sensor": "a\u{202e}b\u{9b}\u{e0041}" });
         let text = escaped_json(&said.to_string()).into_owned();
         assert_eq!(text, r#"{"sensor":"a\u202eb\u009b\udb40\udc41"}"#);

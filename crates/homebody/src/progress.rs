@@ -1,4 +1,4 @@
-//! Shows how far long work has come: as a bar on a terminal, elsewhere as a line a minute on standard error.
+//! The progress of long work: a bar on a terminal, elsewhere one line a minute on standard error.
 
 use crate::print::tell;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle, TermLike};
@@ -7,19 +7,19 @@ use std::sync::{Mutex, PoisonError};
 use std::thread;
 use std::time::{Duration, Instant};
 
-/// Off a terminal the first line comes after this time: shorter work needs none.
+/// Time before the first line without a terminal: shorter work needs none.
 const FIRST_LINE: Duration = Duration::from_secs(10);
 
-/// Off a terminal one line follows the other after this time.
+/// Time between two lines without a terminal.
 const NEXT_LINE: Duration = Duration::from_secs(60);
 
-/// The bar is drawn this often even where the work reports nothing.
+/// Time between two drawings of the bar, even without progress.
 const TICK: Duration = Duration::from_millis(500);
 
 /// A share of the work in percent.
 pub const SHARE: &str = "{bar:40} {percent:>3} %  {eta} left";
 
-/// A bar for work of a length; its template says what is counted. Work of unknown length has a spinner in its template.
+/// A bar for work of a length; its template names the unit. The template of work without a length has a spinner.
 pub fn bar(length: impl Into<Option<u64>>, template: &str) -> ProgressBar {
     let target = match stderr().is_terminal() {
         true => ProgressDrawTarget::stderr(),
@@ -36,12 +36,25 @@ pub fn bar(length: impl Into<Option<u64>>, template: &str) -> ProgressBar {
     bar
 }
 
-/// A bar that shows nothing where the user asked for quiet.
+/// Shows a bar during work, and clears it afterwards.
+pub fn show<T>(length: impl Into<Option<u64>>, template: &str, work: impl FnOnce(&ProgressBar) -> T) -> T {
+    let bar = bar(length, template);
+    let result = work(&bar);
+    bar.finish_and_clear();
+    result
+}
+
+/// Shows a bar during work that reports its completed share, from 0 to 1.
+pub fn show_share<T>(work: impl FnOnce(&(dyn Fn(f64) + Sync)) -> T) -> T {
+    show(1000, SHARE, |bar| work(&|share| bar.set_position((share * 1000.0) as u64)))
+}
+
+/// A bar that is hidden with `--quiet`.
 pub fn bar_unless(is_quiet: bool, length: impl Into<Option<u64>>, template: &str) -> ProgressBar {
     if is_quiet { ProgressBar::hidden() } else { bar(length, template) }
 }
 
-/// Shows that work without a known length is under way, until it is dropped.
+/// A spinner for work without a length; it ends when it is dropped.
 pub struct Working(ProgressBar);
 
 impl Working {
@@ -59,20 +72,20 @@ impl Drop for Working {
     }
 }
 
-/// The template of lines: a drawn bar and a spinner say nothing there.
+/// The template without a bar and a spinner, for lines.
 fn without_bar(template: &str) -> String {
     ["{bar:40} ", "{spinner} "].iter().fold(template.to_owned(), |text, part| text.replace(part, ""))
 }
 
-/// A terminal that prints what is drawn as lines, a few in a long time.
+/// A terminal that prints some of the drawings as lines.
 struct Lines<T> {
     first: Duration,
     next: Duration,
-    state: Mutex<State>,
+    state: Mutex<LineState>,
     print: T,
 }
 
-struct State {
+struct LineState {
     begun: Instant,
     printed: Option<Instant>,
     drawn: String,
@@ -80,11 +93,11 @@ struct State {
 
 impl<T> Lines<T> {
     fn new(first: Duration, next: Duration, print: T) -> Lines<T> {
-        let state = State { begun: Instant::now(), printed: None, drawn: String::new() };
+        let state = LineState { begun: Instant::now(), printed: None, drawn: String::new() };
         Lines { first, next, state: Mutex::new(state), print }
     }
 
-    fn state(&self) -> std::sync::MutexGuard<'_, State> {
+    fn state(&self) -> std::sync::MutexGuard<'_, LineState> {
         self.state.lock().unwrap_or_else(PoisonError::into_inner)
     }
 }

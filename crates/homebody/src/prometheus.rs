@@ -7,19 +7,18 @@ use std::sync::{Arc, Mutex};
 /// The last report of a fleet, for other threads.
 pub type LastReport = Arc<Mutex<FleetReport>>;
 
-/// Numbers in this format.
-pub struct Numbers {
+pub struct PrometheusText {
     pub text: String,
     scenario: String,
 }
 
-impl Numbers {
-    /// None yet, of what this scenario is called.
-    pub fn of(scenario: &str) -> Numbers {
-        Numbers { text: String::new(), scenario: escaped(scenario) }
+impl PrometheusText {
+    /// Starts a text without numbers for a scenario.
+    pub fn new(scenario: &str) -> PrometheusText {
+        PrometheusText { text: String::new(), scenario: escaped(scenario) }
     }
 
-    /// Adds a family of numbers: each with its further [labels](label).
+    /// Adds a family of numbers, each with its additional [labels](label).
     pub fn add<N: Display>(
         &mut self,
         name: &str,
@@ -27,8 +26,8 @@ impl Numbers {
         help: &str,
         values: impl IntoIterator<Item = (String, N)>,
     ) {
-        let Numbers { text, scenario } = self;
-        // A string takes whatever is written to it.
+        let PrometheusText { text, scenario } = self;
+        // Writing to a string cannot fail.
         let _ = writeln!(text, "# HELP {name} {help}\n# TYPE {name} {kind}");
         for (labels, value) in values {
             let _ = writeln!(text, "{name}{{scenario=\"{scenario}\"{labels}}} {value}");
@@ -36,19 +35,17 @@ impl Numbers {
     }
 }
 
-/// A label of a number.
 pub fn label(name: &str, value: &str) -> String {
     format!(",{name}=\"{}\"", escaped(value))
 }
 
-/// A label's value, as the format wants it.
+/// Escapes the value of a label.
 fn escaped(text: &str) -> String {
     text.replace('\\', "\\\\").replace('"', "\\\"").replace('\n', "\\n")
 }
 
-/// The numbers of a fleet.
 pub fn fleet_numbers(scenario: &str, report: &FleetReport) -> String {
-    let mut numbers = Numbers::of(scenario);
+    let mut numbers = PrometheusText::new(scenario);
     let mut one = |name: &str, help: &str, value: f64| numbers.add(name, "gauge", help, [(String::new(), value)]);
     one("homebody_homes", "Homes that are online.", report.homes as f64);
     one("homebody_messages_per_second", "Messages sent a second.", report.messages_per_s);

@@ -1,4 +1,4 @@
-//! What the system says to the program while it works: signals that ask it to end, and one that it does not want.
+//! Signals of the system: those that end the program, and one that it ignores.
 
 use crate::failure::Failure;
 use homebody_log::error::no_thread;
@@ -6,23 +6,23 @@ use homebody_simulation::Cancel;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, AtomicI32, Ordering};
 
-/// A program that a signal ends has this exit code and the signal's number in it, as shells count.
+/// Exit code of a program that a signal ended, less the number of the signal, as in shells.
 const SIGNALLED: i32 = 128;
 
-/// Listens for the signals that ask a program to end: SIGINT (Ctrl-C), SIGTERM, and SIGHUP, for a terminal that is closed.
+/// Listens for the signals that end a program: SIGINT (Ctrl-C), SIGTERM, and SIGHUP for a closed terminal.
 ///
-/// Until somebody takes the handle by [`Signals::cancel`], a signal ends the program at once. After that the first one cancels, so
-/// that what was lived is stored, and the second ends the program at once.
+/// Before a call of [`Signals::cancel`], a signal ends the program at once. After it, the first signal cancels the work, so that the
+/// simulated part is stored, and the second ends the program at once.
 #[derive(Clone, Default)]
 pub struct Signals {
     cancel: Cancel,
     is_taken: Arc<AtomicBool>,
-    /// The number of the first signal; 0 until there is one.
+    /// The number of the first signal, or 0.
     first: Arc<AtomicI32>,
 }
 
 impl Signals {
-    /// Begins to listen. Nobody may have begun a thread before.
+    /// Starts to listen. No thread may run before.
     pub fn listen() -> Result<Signals, Failure> {
         let signals = Signals::default();
         let heard = signals.clone();
@@ -31,7 +31,7 @@ impl Signals {
         Ok(signals)
     }
 
-    /// What the first signal cancels from now on.
+    /// The handle that the first signal cancels from now on.
     pub fn cancel(&self) -> &Cancel {
         self.is_taken.store(true, Ordering::SeqCst);
         &self.cancel
@@ -53,13 +53,12 @@ impl Signals {
     }
 }
 
-/// A file that would grow beyond what the system allows is an error of writing, and does not kill the program. Nobody may have
-/// begun a thread before.
+/// Makes a file beyond the limit of the system an error of writing, which does not kill the program. No thread may run before.
 pub fn outlive_full_files() {
     system::outlive_full_files();
 }
 
-/// Begins another program, to which signals mean what they mean anywhere: it would inherit what is blocked here.
+/// Starts another program with the default signal mask, because it would inherit the blocked signals.
 pub fn begin_other<T>(begin: impl FnOnce() -> T) -> T {
     system::begin_other(begin)
 }
@@ -70,7 +69,7 @@ mod system {
     use std::io;
     use std::thread;
 
-    /// Signals that are blocked here are blocked in all threads to come, and wait until one thread asks for them.
+    /// Blocks the signals in all later threads, except for one thread that waits for them.
     pub fn listen(hear: impl Fn(i32) + Send + 'static) -> io::Result<()> {
         let asked: SigSet = [Signal::SIGINT, Signal::SIGTERM, Signal::SIGHUP].into_iter().collect();
         asked.thread_block()?;
@@ -83,7 +82,7 @@ mod system {
     }
 
     pub fn outlive_full_files() {
-        // Blocked, it waits in vain for somebody who asks, and writing fails. There is nothing to do where it cannot be.
+        // A blocked signal stays pending, and writing fails with an error. A failure to block it does not matter.
         let _ = SigSet::from(Signal::SIGXFSZ).thread_block();
     }
 
@@ -101,7 +100,7 @@ mod system {
 mod system {
     use std::io;
 
-    /// What Ctrl-C is called where there are no other signals.
+    /// The number of Ctrl-C on systems without other signals.
     const SIGINT: i32 = 2;
 
     pub fn listen(hear: impl Fn(i32) + Send + 'static) -> io::Result<()> {

@@ -1,4 +1,4 @@
-//! When a run is asked to begin.
+//! The start of a run.
 
 use crate::failure::Failure;
 use homebody_core::time::RunTime;
@@ -10,35 +10,35 @@ use std::str::FromStr;
 
 /// A date and time on the clock of the home.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Start {
-    /// This second.
+pub enum StartTime {
+    /// The current second.
     Now,
-    /// The midnight before.
+    /// The last midnight.
     Today,
     At(DateTime),
 }
 
-impl FromStr for Start {
+impl FromStr for StartTime {
     type Err = String;
 
-    fn from_str(text: &str) -> Result<Start, String> {
+    fn from_str(text: &str) -> Result<StartTime, String> {
         match text {
-            "now" => return Ok(Start::Now),
-            "today" => return Ok(Start::Today),
+            "now" => return Ok(StartTime::Now),
+            "today" => return Ok(StartTime::Today),
             _ => {}
         }
         let date = text.parse::<Date>().map(|date| date.to_datetime(Time::midnight()));
         let is_plain = text.bytes().all(|byte| byte.is_ascii_digit() || b"-:T ".contains(&byte));
         let at = if text.len() > 10 { text.parse::<DateTime>() } else { date };
         match at {
-            Ok(at) if is_plain => Ok(Start::At(at)),
+            Ok(at) if is_plain => Ok(StartTime::At(at)),
             _ => Err("not a date and time\n  hint: write now, today, 2026-11-01 or 2026-11-01T08:00".into()),
         }
     }
 }
 
-impl Start {
-    /// The scenario, begun then.
+impl StartTime {
+    /// The scenario with this start.
     pub fn of(self, scenario: &OpenScenario) -> Result<OpenScenario, Failure> {
         let zone = scenario.scenario().calendar.local(RunTime::START).time_zone().clone();
         Ok(scenario.starting(self.on_clock(&zone))?)
@@ -47,9 +47,9 @@ impl Start {
     fn on_clock(self, zone: &TimeZone) -> String {
         let now = || Timestamp::now().to_zoned(zone.clone()).datetime();
         let at = match self {
-            Start::Now => now(),
-            Start::Today => now().date().to_datetime(Time::midnight()),
-            Start::At(at) => at,
+            StartTime::Now => now(),
+            StartTime::Today => now().date().to_datetime(Time::midnight()),
+            StartTime::At(at) => at,
         };
         at.strftime("%Y-%m-%dT%H:%M:%S").to_string()
     }
@@ -61,7 +61,7 @@ mod tests {
 
     #[test]
     fn a_start_is_a_date_a_date_and_time_or_now() {
-        let on_clock = |text: &str| text.parse::<Start>().map(|start| start.on_clock(&TimeZone::UTC));
+        let on_clock = |text: &str| text.parse::<StartTime>().map(|start| start.on_clock(&TimeZone::UTC));
         assert_eq!(on_clock("2026-11-01").unwrap(), "2026-11-01T00:00:00");
         assert_eq!(on_clock("2026-11-01T08:05").unwrap(), "2026-11-01T08:05:00");
         assert_eq!(on_clock("2026-11-01 08:05:09").unwrap(), "2026-11-01T08:05:09");

@@ -1,7 +1,7 @@
 //! The command and a bucket of S3: a run writes to it day by day, resumes after a kill, and is checked, read, labelled and refused; a
 //! cohort writes member by member.
 //!
-//! It is tried in builds with the feature `cloud`, with the server of moto: `moto_server` on the `PATH`, or as `HOMEBODY_MOTO` names it.
+//! The tests need a build with the feature `cloud` and the server of moto: `moto_server` on the `PATH`, or the path in `HOMEBODY_MOTO`.
 #![cfg(all(unix, feature = "cloud"))]
 #![allow(dead_code, reason = "what tests of several programs share is used in part by each")]
 
@@ -59,7 +59,7 @@ impl Store {
 
     fn bytes(&self, method: &str, path: &str) -> Vec<u8> {
         let mut stream = TcpStream::connect(("127.0.0.1", self.port)).unwrap();
-        // The store does not look who it is, as long as somebody says so.
+        // The store accepts any credentials.
         let head = format!(
             "{method} {path} HTTP/1.1\r\nHost: 127.0.0.1\r\nAuthorization: AWS ann:signed\r\nContent-Length: 0\r\n\
             Connection: close\r\n\r\n"
@@ -70,7 +70,7 @@ impl Store {
         answer
     }
 
-    /// How many files there are below a name.
+    /// Number of files below a name.
     fn files(&self, below: &str) -> usize {
         self.ask("GET", &format!("/bucket?list-type=2&prefix={below}")).matches("<Key>").count()
     }
@@ -105,11 +105,11 @@ fn a_run_goes_into_a_bucket_and_comes_back() {
     store.run(&folder, "doctor parquet:s3://bucket/lives").ok();
     store.run(&folder, "inspect parquet:s3://bucket/lives").ok();
     store.run(&folder, "label parquet:s3://bucket/lives truth.db --out csv:labelled.csv").ok();
-    // What is there is refused, and replaced where that is said.
+    // Existing files are refused, and replaced on request.
     store.run(&folder, &run.replace("truth.db", "other.db")).fails(1, "--force");
     store.run(&folder, &format!("{run} --force")).ok();
     assert_eq!(said("parquet:s3://bucket/lives"), said("parquet:lives"));
-    // What is not there is told, be it a run, a bucket or a store.
+    // A missing run, bucket or store is reported.
     store.run(&folder, "inspect parquet:s3://bucket/nowhere").fails(1, "parquet:s3://bucket/nowhere");
     store
         .run(&folder, &run.replace("bucket", "no-such-bucket").replace("truth.db", "none.db"))
@@ -174,11 +174,11 @@ fn a_cohort_goes_into_a_bucket_as_into_a_folder_and_goes_on_there() {
         assert_eq!(store.files(&format!("{below}/")), here.len(), "{below} has no file besides");
     };
     same("whole");
-    // Nothing is replaced, whatever it is; one that is complete is not gone on with.
+    // Nothing is replaced, and a complete run is not resumed.
     store.run(&folder, &format!("{run}s3://bucket/whole")).fails(1, "a cohort was begun there");
     store.run(&folder, "run --resume s3://bucket/whole").fails(2, "is complete");
     store.run(&folder, "run --resume s3://bucket/nowhere").fails(1, "kit::no-recording");
-    // Killed on its way, it has members as wholes, and goes on to the same bytes.
+    // A killed cohort has complete members, and resumes to the same bytes.
     let mut child = store.command(&folder, &format!("{run}s3://bucket/died")).spawn().unwrap();
     let begun = Instant::now();
     while store.files("died/members/") < 2 {

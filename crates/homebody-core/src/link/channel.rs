@@ -2,7 +2,7 @@
 
 use super::clock::SensorClock;
 use super::message::{Draws, IDS, LinkChance};
-use crate::deed::Failure;
+use crate::deed::SensorFailure;
 use crate::event::{Loss, Value};
 use crate::ids::SensorId;
 use crate::link::form::{FaultFile, LinkFile};
@@ -79,12 +79,12 @@ impl Channel {
     }
 
     /// Its device or its way fails for a time.
-    pub fn fails(&mut self, failure: Failure, span: Interval<RunTime>) {
+    pub fn fails(&mut self, failure: SensorFailure, span: Interval<RunTime>) {
         let fault = match failure {
-            Failure::Battery { fades_us } => ChannelFault::Battery { fades: fades_us },
-            Failure::Stuck { .. } => ChannelFault::Stuck,
-            Failure::FallsOff => ChannelFault::FallsOff,
-            Failure::BadLink { lost_ppm } => ChannelFault::BadLink { loss: f64::from(lost_ppm) / 1e6 },
+            SensorFailure::Battery { fades_us } => ChannelFault::Battery { fades: fades_us },
+            SensorFailure::Stuck { .. } => ChannelFault::Stuck,
+            SensorFailure::FallsOff => ChannelFault::FallsOff,
+            SensorFailure::BadLink { lost_ppm } => ChannelFault::BadLink { loss: f64::from(lost_ppm) / 1e6 },
         };
         self.faults.push((span, fault));
     }

@@ -1,6 +1,6 @@
-//! The homes that cases are lived in: two that come with the program.
+//! The homes of cases: two templates.
 
-use super::text::Home;
+use super::text::ClaimHome;
 use std::collections::BTreeMap;
 
 macro_rules! files {
@@ -17,12 +17,12 @@ const COUPLE: &[(&str, &str)] = files!(
     "ruth.routine", "minka.json", "minka.routine"
 );
 
-impl Home {
-    /// Its files, in UTC, where no clock changes, from a day on.
+impl ClaimHome {
+    /// The files of the home, in UTC, so that no clock changes, from a day on.
     pub fn files(self, start: &str) -> BTreeMap<String, String> {
         let (files, known) = match self {
-            Home::Apartment => (APARTMENT, ["2009-03-02", "America/Chicago"]),
-            Home::Couple => (COUPLE, ["2025-09-01", "Europe/London"]),
+            ClaimHome::Apartment => (APARTMENT, ["2009-03-02", "America/Chicago"]),
+            ClaimHome::Couple => (COUPLE, ["2025-09-01", "Europe/London"]),
         };
         let text = |name: &str, text: &str| match name {
             "scenario.json" => text.replace(known[0], start).replace(known[1], "UTC"),

@@ -1,17 +1,18 @@
-//! The table: a line for each claim, what does not hold first.
+//! The report on claims: a table, and the claims that do not hold.
 
-use super::measure::Measure;
+use super::measure::ClaimMeasure;
 use super::subject::Range;
 use super::text::Beside;
-use super::{Conditions, Experiment, Verdict};
+use super::{ClaimsExperiment, ConditionsExperiment, Verdict};
+use homebody::shared::TextTable;
 use std::fmt;
 
-impl Measure {
+impl ClaimMeasure {
     pub fn is_of_nights(&self) -> bool {
-        matches!(self, Measure::OnDays { nights: true, .. } | Measure::TimesADay { nights: true, .. })
+        matches!(self, Self::OnDays { nights: true, .. } | Self::TimesADay { nights: true, .. })
     }
 
-    /// A number of this measure, in its unit.
+    /// A value of this measure, with its unit.
     pub fn value_in_words(&self, value: f64, beside: Beside) -> String {
         if value.is_nan() {
             return "never".to_owned();
@@ -23,28 +24,24 @@ impl Measure {
         };
         match self {
             _ if beside == Beside::ShareOfTwin => format!("{value:.2} times the twin's"),
-            Measure::BeginsOnAverage(_) if beside == Beside::MoreThanTwin => format!("{value:.0} min later"),
-            Measure::BeginsOnAverage(_) => clock(value),
-            Measure::OnDays { nights: true, .. } => format!("{:.1} % of nights", value * 100.0),
-            Measure::OnDays { .. } => format!("{:.1} % of days", value * 100.0),
-            Measure::DaysAWeek(_) => format!("{:.0} % of weeks", value * 100.0),
-            Measure::Begins(_)
-            | Measure::Ends(_)
-            | Measure::After(..)
-            | Measure::Before(..)
-            | Measure::With(..)
-            | Measure::Mostly(_) => format!("{:.0} % of times", value * 100.0),
-            Measure::In(_) => format!("{:.0} % of the time", value * 100.0),
-            Measure::Times(_) => format!("{} times", plain(value)),
-            Measure::TimesADay { nights: true, .. } => format!("{} a night", plain(value)),
-            Measure::TimesADay { .. } => format!("{} a day", plain(value)),
-            Measure::Spread(_) | Measure::Lasts(_) | Measure::Longest(_) => length(value),
-            Measure::Minutes(_) => format!("{} a day", length(value)),
-            Measure::Is(_) => plain(value),
+            Self::BeginsOnAverage(_) if beside == Beside::MoreThanTwin => format!("{value:.0} min later"),
+            Self::BeginsOnAverage(_) => clock(value),
+            Self::OnDays { nights: true, .. } => format!("{:.1} % of nights", value * 100.0),
+            Self::OnDays { .. } => format!("{:.1} % of days", value * 100.0),
+            Self::DaysAWeek(_) => format!("{:.0} % of weeks", value * 100.0),
+            Self::Begins(_) | Self::Ends(_) | Self::After(..) | Self::Before(..) | Self::With(..) | Self::Mostly(_) => {
+                format!("{:.0} % of times", value * 100.0)
+            }
+            Self::In(_) => format!("{:.0} % of the time", value * 100.0),
+            Self::Times(_) => format!("{} times", plain(value)),
+            Self::TimesADay { nights: true, .. } => format!("{} a night", plain(value)),
+            Self::TimesADay { .. } => format!("{} a day", plain(value)),
+            Self::Spread(_) | Self::Lasts(_) | Self::Longest(_) => length(value),
+            Self::Minutes(_) => format!("{} a day", length(value)),
+            Self::Is(_) => plain(value),
         }
     }
 
-    /// The bounds in words.
     pub fn in_words(&self, (low, high): Range, beside: Beside) -> String {
         match low == high {
             true => self.value_in_words(low, beside),
@@ -66,22 +63,23 @@ fn length(minutes: f64) -> String {
     }
 }
 
-impl fmt::Display for Experiment {
+impl fmt::Display for ClaimsExperiment {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
-        let Experiment { claims: rows, lived, told, neither, days, seed } = self;
+        let ClaimsExperiment { claims: rows, lived, told, neither, days, seed } = self;
         let claims = rows.len();
         writeln!(
             f,
             "{claims} claims of what sentences come to, over {days} days where a case says no other (seed {seed})"
         )?;
-        writeln!(f, "\n  {:<34} {:>7} {:>6} {:>5} {:>8}", "form", "claims", "lived", "told", "neither")?;
+        let table = TextTable::new("-34 form|7 claims|6 lived|5 told|8 neither");
+        write!(f, "\n  {}", table.heading())?;
         for group in rows.chunk_by(|a, b| a.form == b.form) {
             let of = |verdict: Verdict| group.iter().filter(|row| row.verdict == verdict).count();
             let (lived, told, neither) = (of(Verdict::Lived), of(Verdict::Told), of(Verdict::Neither));
             let form = group.first().map_or("", |row| row.form.as_str());
-            writeln!(f, "  {form:<34} {:>7} {lived:>6} {told:>5} {neither:>8}", group.len())?;
+            write!(f, "  {}", table.row(&[&form, &group.len(), &lived, &told, &neither]))?;
         }
-        writeln!(f, "  {:<34} {claims:>7} {lived:>6} {told:>5} {neither:>8}", "all")?;
+        write!(f, "  {}", table.row(&[&"all", &claims, lived, told, neither]))?;
         for (verdict, title) in [(Verdict::Told, "Told before the run:"), (Verdict::Neither, "Neither lived nor told:")]
         {
             let mut of = rows.iter().filter(|row| row.verdict == verdict).peekable();
@@ -99,7 +97,7 @@ impl fmt::Display for Experiment {
 }
 
 /// A table in Markdown.
-impl fmt::Display for Conditions {
+impl fmt::Display for ConditionsExperiment {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
         writeln!(f, "| condition | what is measured | source | expected | measured |")?;
         writeln!(f, "|---|---|---|---|---|")?;

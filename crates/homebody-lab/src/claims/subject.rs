@@ -1,25 +1,21 @@
 //! The subjects of claims, their days and hours, and the reading of numbers.
 
-/// The subject of a claim.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Subject {
     /// An activity, by its label.
     Activity(String),
-    /// A door, a piece of furniture or a lamp: while it is open or on.
+    /// A door, a piece of furniture or a lamp, while it is open or on.
     Thing(String),
-    /// While in a room.
+    /// The stay in a room.
     Room(String),
-    /// While any lamp is on.
     Lamps,
     /// A value of a sensor, such as `OPEN`.
     Says(String),
     /// Metres walked a day.
     Metres,
-    /// Speed of walking, in metres a second.
     Pace,
     /// Seconds of movement in bed an hour asleep.
     Turning,
-    /// The severity of a condition.
     Severity(String),
     /// All firings of a day, or of some of its hours.
     Firings,
@@ -27,18 +23,18 @@ pub enum Subject {
 
 pub type Range = (f64, f64);
 
-/// Which days and which hours count.
+/// The days and hours that count.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Filter {
     /// The first and the last day, counted from 1.
     pub days: Option<(i32, i32)>,
     /// Bit 0 is Monday.
     pub weekdays: Option<u8>,
-    /// Every so many days from the first.
+    /// Every nth day from the first.
     pub every: Option<i32>,
-    /// What begins between these minutes of the day; the second may be of the next.
+    /// Starts between these minutes of the day; the second may be of the next day.
     pub between: Option<Range>,
-    /// What lasts at least so many minutes.
+    /// Shortest duration, in minutes.
     pub at_least: Option<f64>,
 }
 
@@ -62,7 +58,7 @@ impl Subject {
 }
 
 impl Filter {
-    /// What stands behind a measure, and the measure without it.
+    /// Splits the filters from a measure.
     pub fn read(text: &str) -> Result<(&str, Filter), String> {
         let mut filter = Filter::default();
         let mut rest = text;
@@ -109,7 +105,6 @@ pub fn range(text: &str) -> Result<Range, String> {
     }
 }
 
-/// A range in minutes.
 pub fn scaled(text: &str, unit: &str) -> Result<Range, String> {
     let (from, to) = range(text)?;
     let minutes = match unit {
@@ -121,7 +116,7 @@ pub fn scaled(text: &str, unit: &str) -> Result<Range, String> {
     Ok((from * minutes, to * minutes))
 }
 
-/// A range of times of day in minutes; the second is of the next day where it is smaller.
+/// A range of times of day in minutes; a smaller end is on the next day.
 pub fn clock_range(text: &str) -> Option<Range> {
     let clock = |text: &str| {
         let (hours, minutes) = text.split_once(':')?;

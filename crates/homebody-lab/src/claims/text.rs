@@ -1,10 +1,9 @@
-//! The claims as they stand in `claims.txt`: cases, each some sentences of a routine and what is to come of them.
+//! The claims of `claims.txt`: cases of sentences and their expected results.
 
-use super::measure::Measure;
+use super::measure::ClaimMeasure;
 use super::subject::{Filter, Subject};
 use std::fmt::Write;
 
-/// The whole table.
 pub const CLAIMS: &str = include_str!("claims.txt");
 
 /// The effects of conditions, by their sources.
@@ -12,30 +11,29 @@ pub const CONDITIONS: &str = include_str!("conditions.txt");
 
 /// Sentences, the home and routine that they are added to, and claims.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct Case {
+pub struct ClaimCase {
     /// Counted from 1.
     pub line: usize,
-    /// The form of sentences that it belongs to.
+    /// The form of its sentences.
     pub form: String,
-    pub home: Home,
-    /// Whose routine the sentences are put over; the home's first resident without it.
+    pub home: ClaimHome,
+    /// The resident whose routine gets the sentences; the first resident without it.
     pub whose: Option<String>,
-    /// The sentences stand alone, without the calm routine.
+    /// True without the simple routine.
     pub alone: bool,
-    /// The day that the run begins on, if it matters.
+    /// The first day of the run, if it matters.
     pub start: Option<String>,
     /// Days to simulate, if the number matters.
     pub days: Option<i32>,
-    /// The sentences that are tried.
+    /// The sentences of the case.
     pub said: Vec<String>,
-    /// Sentences that the twin has as well.
+    /// Sentences of the case and of its twin.
     pub both: Vec<String>,
     pub claims: Vec<Claim>,
 }
 
-/// The home of a case.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Home {
+pub enum ClaimHome {
     /// One woman alone.
     #[default]
     Apartment,
@@ -43,48 +41,43 @@ pub enum Home {
     Couple,
 }
 
-/// One claim: what is to come of the sentences.
+/// An expected result of the sentences.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Claim {
-    /// As it stands in the table.
+    /// The text in the table.
     pub text: String,
-    /// The source of its size, if it is named.
+    /// The source of the size, if the table names it.
     pub source: String,
-    pub what: What,
+    pub what: ClaimContent,
 }
 
 #[derive(Clone, Debug, PartialEq)]
-pub enum What {
-    /// It is told before the run, in these words.
+pub enum ClaimContent {
+    /// A warning before the run with these words.
     Told(String),
     Measured {
         of: Option<String>,
         subject: Subject,
-        measure: Measure,
+        measure: ClaimMeasure,
         filter: Filter,
         beside: Beside,
     },
 }
 
-/// The comparison of a measure.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Beside {
     Itself,
-    /// It is divided by the same of the twin, who has not heard the sentences.
+    /// Divided by the value of the twin, whose routine lacks the sentences.
     ShareOfTwin,
-    /// The same of the twin is taken from it.
+    /// Less the value of the twin.
     MoreThanTwin,
 }
 
-impl Case {
-    /// All cases of a text.
-    ///
-    /// # Errors
-    ///
-    /// Lines that cannot be read.
-    pub fn read(text: &str) -> Result<Vec<Case>, String> {
-        let mut cases: Vec<Case> = Vec::new();
-        let (mut form, mut case) = (String::new(), Case::default());
+impl ClaimCase {
+    /// Parses all cases of a text.
+    pub fn read(text: &str) -> Result<Vec<ClaimCase>, String> {
+        let mut cases: Vec<ClaimCase> = Vec::new();
+        let (mut form, mut case) = (String::new(), ClaimCase::default());
         for (number, line) in text.lines().enumerate() {
             let trimmed = line.trim();
             let wrong = |why: String| format!("line {}: {why}: {trimmed:?}", number + 1);
@@ -115,7 +108,7 @@ impl Case {
     fn set(&mut self, setting: &str) -> Result<(), String> {
         match setting.split_once(' ').unwrap_or((setting, "")) {
             ("alone", "") => self.alone = true,
-            ("couple", who) => (self.home, self.whose) = (Home::Couple, Some(who.to_owned())),
+            ("couple", who) => (self.home, self.whose) = (ClaimHome::Couple, Some(who.to_owned())),
             ("start", date) => self.start = Some(date.to_owned()),
             ("days", days) => self.days = Some(days.parse().map_err(|_| "a number of days is missing")?),
             _ => return Err("there is no such setting".into()),
@@ -123,7 +116,7 @@ impl Case {
         Ok(())
     }
 
-    /// The sentences that are tried, in one line.
+    /// The sentences in one line.
     pub fn sentence(&self) -> String {
         let words = self.said.iter().flat_map(|line| line.split_whitespace());
         words.fold(String::new(), |mut text, word| {
@@ -132,15 +125,15 @@ impl Case {
         })
     }
 
-    /// Tells if a claim needs the twin.
     pub fn has_twin(&self) -> bool {
-        let needs = |claim: &Claim| matches!(&claim.what, What::Measured { beside, .. } if *beside != Beside::Itself);
+        let needs =
+            |claim: &Claim| matches!(&claim.what, ClaimContent::Measured { beside, .. } if *beside != Beside::Itself);
         self.claims.iter().any(needs)
     }
 }
 
-/// A blank line ends a case.
-fn finish(cases: &mut Vec<Case>, case: &mut Case) -> Result<(), String> {
+/// Ends a case at a blank line.
+fn finish(cases: &mut Vec<ClaimCase>, case: &mut ClaimCase) -> Result<(), String> {
     let done = std::mem::take(case);
     match (done.line, done.said.is_empty(), done.claims.is_empty()) {
         (0, ..) => {}
@@ -161,7 +154,7 @@ impl Claim {
             .or(text.split_once(": "))
             .ok_or("a colon is missing")?;
         if subject == "told" {
-            return Ok(Claim { text: text.to_owned(), source, what: What::Told(said.to_owned()) });
+            return Ok(Claim { text: text.to_owned(), source, what: ClaimContent::Told(said.to_owned()) });
         }
         let (subject, of) = match subject.split_once(" of ") {
             Some((subject, of)) => (subject, Some(of.to_owned())),
@@ -175,7 +168,11 @@ impl Claim {
         } else {
             (said, Beside::Itself)
         };
-        let (subject, measure) = (Subject::read(subject), Measure::read(said)?);
-        Ok(Claim { text: text.to_owned(), source, what: What::Measured { of, subject, measure, filter, beside } })
+        let (subject, measure) = (Subject::read(subject), ClaimMeasure::read(said)?);
+        Ok(Claim {
+            text: text.to_owned(),
+            source,
+            what: ClaimContent::Measured { of, subject, measure, filter, beside },
+        })
     }
 }

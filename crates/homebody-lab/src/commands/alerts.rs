@@ -1,8 +1,8 @@
 //! `homebody-lab alerts`.
 
 use super::locate::every_fault;
-use crate::alerting::{Curve, OfMethod, Quality, later, quality};
-use homebody::shared::{Answer, Failure, alert_rules, bar};
+use crate::alerting::{AlertCurve, AlertQuality, AlertsRow, MethodQuality, later, quality};
+use homebody::shared::{Failure, ResultOutput, TextTable, alert_rules, show};
 use homebody_analysis::alerts::Rules;
 use homebody_analysis::measures::Measures;
 use homebody_core::link::form::LinkFile;
@@ -30,7 +30,7 @@ use std::path::PathBuf;
 
 JSON has \"rows\", each with condition, rule, sensitivity, lead_days and false_alarms_per_week, with 95 %
 confidence intervals; and \"curves\", the same for alert rules with other thresholds, in standard deviations.")]
-pub struct Arguments {
+pub struct AlertsLabArguments {
     /// Number of people
     #[arg(long, value_name = "N", default_value_t = 200, value_parser = clap::value_parser!(u32).range(9..=100_000))]
     people: u32,
@@ -47,67 +47,70 @@ pub struct Arguments {
     #[arg(long, value_name = "FILE")]
     rules: Option<PathBuf>,
     #[command(flatten)]
-    answer: Answer,
+    output: ResultOutput,
 }
 
-/// The scenario of all people.
 const SCENARIO: &str = "older-adult";
 
-/// The measures of a person: by the home as it is, then by each of the other layouts.
+/// The measures of a person: with all sensors, then with each of the other subsets.
 type OfLayouts = Vec<Measures>;
 
-impl Arguments {
+impl AlertsLabArguments {
     pub fn run(self) -> Result<(), Failure> {
-        let answer = self.answer.check([""], &[])?;
+        let output = self.output.check([""], &[])?;
         let rules = alert_rules(self.rules.as_deref())?;
         let template = template(SCENARIO)?;
         let home = LoadedScenario { scenario: template.scenario().clone(), household: template.household().clone() };
         let people = People::new(&home, &CONDITIONS, self.people, (self.days, self.seed))?;
-        let layouts = if self.layouts { Layout::all(&home.scenario) } else { vec![Layout::AsItIs] };
+        let layouts = if self.layouts { SensorSubset::all(&home.scenario) } else { vec![SensorSubset::AsItIs] };
         let measure = |person: &PersonRun| -> Result<OfLayouts, Failure> {
             let logged = person.simulate(&LinkFile::default())?;
-            let heard = |layout: &Layout| match layout {
-                Layout::AsItIs => logged.measures().map_err(Failure::not_measured),
-                Layout::WithFaults => {
+            let heard = |layout: &SensorSubset| match layout {
+                SensorSubset::AsItIs => logged.measures().map_err(Failure::not_measured),
+                SensorSubset::WithFaults => {
                     let half = f64::from(self.days) / 2.0;
                     // Faults come as often before conditions as after.
                     let from_day = half * [0.0, 0.5, 1.0][person.number % 3];
                     let link = every_fault(&person.home.scenario, person.number, (from_day, half));
                     person.simulate(&link)?.measures().map_err(Failure::not_measured)
                 }
-                Layout::OneInEachRoom(kept) => {
+                SensorSubset::OneInEachRoom(kept) => {
                     logged.measures_by(&|sensor| kept.iter().any(|name| name == sensor)).map_err(Failure::not_measured)
                 }
-                Layout::Without(taken) => logged.measures_by(&|sensor| sensor != taken).map_err(Failure::not_measured),
+                SensorSubset::Without(taken) => {
+                    logged.measures_by(&|sensor| sensor != taken).map_err(Failure::not_measured)
+                }
             };
             layouts.iter().map(heard).collect()
         };
-        let progress = bar(u64::from(people.count()), "{bar:40} {pos} of {len} people  {eta} left");
-        let one_more = || {
-            progress.inc(1);
-            true
-        };
-        let watched: Vec<(Person, OfLayouts)> = people.each(one_more, measure)?;
-        progress.finish_and_clear();
+        let template = "{bar:40} {pos} of {len} people  {eta} left";
+        let watched: Vec<(Person, OfLayouts)> = show(u64::from(people.count()), template, |progress| {
+            let advance = || {
+                progress.inc(1);
+                true
+            };
+            people.each(advance, measure)
+        })?;
         let by = |layout: usize| -> Vec<Watched> {
             watched.iter().map(|(person, measures)| Watched { person, measures: &measures[layout] }).collect()
         };
-        let found =
-            Found { quality: quality(&by(0), &rules, self.days), layouts: beside_each_other(&layouts, &by, &rules) };
-        answer.give(&found, [&|| curves(&found.quality.curves)])
+        let found = AlertsExperiment {
+            quality: quality(&by(0), &rules, self.days),
+            layouts: compare_subsets(&layouts, &by, &rules),
+        };
+        output.write(&found, [&|| curves(&found.quality.curves)])
     }
 }
 
-/// A layout of sensors.
-enum Layout {
+enum SensorSubset {
     AsItIs,
     WithFaults,
     OneInEachRoom(Vec<String>),
     Without(String),
 }
 
-impl Layout {
-    fn all(scenario: &Scenario) -> Vec<Layout> {
+impl SensorSubset {
+    fn all(scenario: &Scenario) -> Vec<SensorSubset> {
         let home = &scenario.home;
         let sensors = home.placed_sensors();
         let mut rooms = Vec::new();
@@ -118,52 +121,57 @@ impl Layout {
             is_new
         };
         let one_each: Vec<String> = sensors.iter().filter(of_new_room).map(|sensor| sensor.name.clone()).collect();
-        let without = sensors.iter().map(|sensor| Layout::Without(sensor.name.clone()));
-        [Layout::AsItIs, Layout::WithFaults, Layout::OneInEachRoom(one_each)].into_iter().chain(without).collect()
+        let without = sensors.iter().map(|sensor| SensorSubset::Without(sensor.name.clone()));
+        [SensorSubset::AsItIs, SensorSubset::WithFaults, SensorSubset::OneInEachRoom(one_each)]
+            .into_iter()
+            .chain(without)
+            .collect()
     }
 }
 
-impl fmt::Display for Layout {
+impl fmt::Display for SensorSubset {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
         match self {
-            Layout::AsItIs => f.write_str("all sensors"),
-            Layout::WithFaults => f.write_str("all sensors, with every fault"),
-            Layout::OneInEachRoom(kept) => write!(f, "{} motion sensors, one per room", kept.len()),
-            Layout::Without(sensor) => write!(f, "without {sensor}"),
+            SensorSubset::AsItIs => f.write_str("all sensors"),
+            SensorSubset::WithFaults => f.write_str("all sensors, with every fault"),
+            SensorSubset::OneInEachRoom(kept) => write!(f, "{} motion sensors, one per room", kept.len()),
+            SensorSubset::Without(sensor) => write!(f, "without {sensor}"),
         }
     }
 }
 
-/// The delay until people are found by one layout.
+/// The delay until people are found with some of the sensors.
 #[derive(Serialize)]
-struct OfLayout {
+struct SubsetQuality {
     layout: String,
     #[serde(flatten)]
     adequacy: Adequacy,
-    /// How many days later than by all sensors, on average.
+    /// Mean number of days later than with all sensors.
     later_days: f64,
-    /// The interval of 95 %.
     later_95: [f64; 2],
 }
 
-fn beside_each_other<'a>(layouts: &[Layout], by: &dyn Fn(usize) -> Vec<Watched<'a>>, rules: &Rules) -> Vec<OfLayout> {
+fn compare_subsets<'a>(
+    layouts: &[SensorSubset],
+    by: &dyn Fn(usize) -> Vec<Watched<'a>>,
+    rules: &Rules,
+) -> Vec<SubsetQuality> {
     if layouts.len() < 2 {
         return Vec::new();
     }
     let of_each: Vec<Adequacy> = (0..layouts.len()).map(|layout| adequacy(&by(layout), rules)).collect();
-    let beside = |(layout, adequacy): (&Layout, &Adequacy)| {
+    let beside = |(layout, adequacy): (&SensorSubset, &Adequacy)| {
         let (later_days, later_95) = later(&of_each[0], adequacy);
-        OfLayout { layout: layout.to_string(), adequacy: adequacy.clone(), later_days, later_95 }
+        SubsetQuality { layout: layout.to_string(), adequacy: adequacy.clone(), later_days, later_95 }
     };
     layouts.iter().zip(&of_each).map(beside).collect()
 }
 
-/// Curves are drawn as far as anybody would bear.
+/// Largest drawn rate of false alarms.
 const DRAWN_PER_WEEK: f64 = 1.0;
 
-/// Sensitivity against false alarms: a line for each condition.
-fn curves(curves: &[Curve]) -> String {
-    let line = |curve: &Curve| TotalsLine {
+fn curves(curves: &[AlertCurve]) -> String {
+    let line = |curve: &AlertCurve| TotalsLine {
         label: curve.condition.clone(),
         points: (curve.points.iter().rev())
             .map(|point| (point.false_alarms_per_week, point.sensitivity))
@@ -175,43 +183,32 @@ fn curves(curves: &[Curve]) -> String {
     totals_chart("Found conditions and false alarms, by number of standard deviations", axes, &lines, None)
 }
 
-/// The result as text.
 #[derive(Serialize)]
-struct Found {
+struct AlertsExperiment {
     #[serde(flatten)]
-    quality: Quality,
-    /// Where layouts are asked for.
+    quality: AlertQuality,
+    /// With `--layouts` only.
     #[serde(skip_serializing_if = "Vec::is_empty")]
-    layouts: Vec<OfLayout>,
+    layouts: Vec<SubsetQuality>,
 }
 
-impl fmt::Display for Found {
+impl fmt::Display for AlertsExperiment {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
-        let Quality { people, days, rows, false_alarms, .. } = &self.quality;
+        let AlertQuality { people, days, rows, false_alarms, .. } = &self.quality;
         writeln!(f, "Alerts of {people} people over {days} days; conditions begin on day {}\n", ONSET + 1)?;
-        writeln!(
-            f,
-            "{:24} {:26} {:>6} {:>19} {:>7} {:>6} {:>6} {:>6} {:>11}",
-            "condition", "rule", "people", "found (95 %)", "chance", "14 d", "28 d", "delay", "lead, days"
-        )?;
+        let table = TextTable::new(
+            "-24 condition|-26 rule|6 people|19 found (95 %)|7 chance|6 14 d|6 28 d|6 delay|11 lead, days",
+        );
+        f.write_str(&table.heading())?;
         for row in rows {
-            let within =
-                |days: usize| row.within.iter().find(|(after, _)| *after == days).map_or(0.0, |(_, share)| *share);
-            let [low, high] = row.sensitivity_95;
+            let AlertsRow { condition, rule, people, sensitivity, sensitivity_95: [low, high], within, .. } = row;
+            let after = |days: usize| within.iter().find(|(after, _)| *after == days).map_or(0.0, |(_, share)| *share);
             let days = |days: Option<f64>| days.map_or("-".to_owned(), |days| format!("{days:.0}"));
-            let found = format!("{:.2} ({low:.2}-{high:.2})", row.sensitivity);
-            writeln!(
-                f,
-                "{:24} {:26} {:>6} {found:>19} {:>7.2} {:>6.2} {:>6.2} {:>6} {:>11}",
-                row.condition,
-                row.rule,
-                row.people,
-                row.by_chance,
-                within(14),
-                within(28),
-                days(row.delay_days.map(|[_, middle, _]| middle)),
-                days(row.lead_days)
-            )?;
+            let found = format!("{sensitivity:.2} ({low:.2}-{high:.2})");
+            let [chance, two, four] = [row.by_chance, after(14), after(28)].map(|share| format!("{share:.2}"));
+            let [delay, lead] = [row.delay_days.map(|[_, middle, _]| middle), row.lead_days].map(days);
+            let cells: [&dyn fmt::Display; 9] = [condition, rule, people, &found, &chance, &two, &four, &delay, &lead];
+            f.write_str(&table.row(&cells))?;
         }
         writeln!(f, "\n{:51} per person and week (95 %)", "false alarms")?;
         for idle in false_alarms {
@@ -219,34 +216,35 @@ impl fmt::Display for Found {
             writeln!(f, "{:51} {:.3} ({low:.3}-{high:.3})", idle.rule, idle.per_week)?;
         }
         writeln!(f, "\nControl charts by method, with at most one false alarm per person in five weeks\n")?;
-        writeln!(f, "{:12} {:>5} {:>13} {:>6} {:>8}", "method", "k", "false/week", "found", "days")?;
-        for OfMethod { method, adequacy } in &self.quality.methods {
-            let Adequacy { k_sd, false_alarms_per_week, found, days, .. } = adequacy;
-            writeln!(f, "{method:12} {k_sd:>5} {false_alarms_per_week:>13.2} {found:>6.2} {days:>8.1}")?;
+        let table = TextTable::new("-12 method|5 k|13 false/week|6 found|8 days");
+        f.write_str(&table.heading())?;
+        for MethodQuality { method, adequacy } in &self.quality.methods {
+            let [per_week, found, days] = adequacy_cells(adequacy);
+            f.write_str(&table.row(&[method, &adequacy.k_sd, &per_week, &found, &days]))?;
         }
-        self.tell_layouts(f)
+        self.write_layouts(f)
     }
 }
 
-impl Found {
-    fn tell_layouts(&self, f: &mut fmt::Formatter) -> fmt::Result {
+impl AlertsExperiment {
+    fn write_layouts(&self, f: &mut fmt::Formatter) -> fmt::Result {
         if self.layouts.is_empty() {
             return Ok(());
         }
         writeln!(f, "\nWith at most one false alarm per person in five weeks:\n")?;
-        writeln!(
-            f,
-            "{:32} {:>5} {:>13} {:>6} {:>8} {:>22}",
-            "layout", "k", "false/week", "found", "days", "later, days (95 %)"
-        )?;
-        for OfLayout { layout, adequacy, later_days, later_95: [low, high] } in &self.layouts {
-            let Adequacy { k_sd, false_alarms_per_week, found, days, .. } = adequacy;
-            writeln!(
-                f,
-                "{layout:32} {k_sd:>5} {false_alarms_per_week:>13.2} {found:>6.2} {days:>8.1} {:>22}",
-                format!("{later_days:+.1} ({low:+.1} to {high:+.1})")
-            )?;
+        let table = TextTable::new("-32 layout|5 k|13 false/week|6 found|8 days|22 later, days (95 %)");
+        f.write_str(&table.heading())?;
+        for SubsetQuality { layout, adequacy, later_days, later_95: [low, high] } in &self.layouts {
+            let [per_week, found, days] = adequacy_cells(adequacy);
+            let later = format!("{later_days:+.1} ({low:+.1} to {high:+.1})");
+            f.write_str(&table.row(&[layout, &adequacy.k_sd, &per_week, &found, &days, &later]))?;
         }
         Ok(())
     }
+}
+
+/// False alarms a week, found people, and days until they are found.
+fn adequacy_cells(adequacy: &Adequacy) -> [String; 3] {
+    let Adequacy { false_alarms_per_week, found, days, .. } = adequacy;
+    [format!("{false_alarms_per_week:.2}"), format!("{found:.2}"), format!("{days:.1}")]
 }

@@ -1,9 +1,9 @@
 //! `homebody-lab claims`.
 
-use super::ask_each;
-use crate::claims::{CLAIMS, Case, Experiment, Row};
+use super::evaluate_each;
+use crate::claims::{CLAIMS, ClaimCase, ClaimRow, ClaimsExperiment};
 use crate::messages::ExperimentMessage;
-use homebody::shared::{Failure, Figures};
+use homebody::shared::{Failure, JsonOutput};
 
 /// Measure whether simulations follow the sentences of routines
 ///
@@ -17,7 +17,7 @@ use homebody::shared::{Failure, Figures};
 
 JSON has \"claims\", each with form, text, claim, expected, measured, verdict and the line of its case in
 the table of claims; and the numbers of \"lived\", \"told\" and \"neither\".")]
-pub struct Arguments {
+pub struct ClaimsLabArguments {
     /// Number of days, for cases that do not set it
     #[arg(long, value_name = "N", default_value_t = 60, value_parser = clap::value_parser!(i32).range(60..=3660))]
     days: i32,
@@ -25,16 +25,16 @@ pub struct Arguments {
     #[arg(long, value_name = "N", default_value_t = 11)]
     seed: u64,
     #[command(flatten)]
-    figures: Figures,
+    output: JsonOutput,
 }
 
-impl Arguments {
+impl ClaimsLabArguments {
     pub fn run(self) -> Result<(), Failure> {
-        let answer = self.figures.check(&[])?;
+        let output = self.output.check(&[])?;
         let cases = cases(CLAIMS)?;
         let rows = simulated(&cases, self.days, self.seed)?;
-        let experiment = Experiment::of(rows, self.days, self.seed);
-        answer.give(&experiment, [])?;
+        let experiment = ClaimsExperiment::from_rows(rows, self.days, self.seed);
+        output.write(&experiment, [])?;
         match experiment.neither {
             0 => Ok(()),
             count => Err(Failure::asked(ExperimentMessage::ClaimsFail { count })),
@@ -42,13 +42,12 @@ impl Arguments {
     }
 }
 
-/// The cases of a table.
-pub fn cases(table: &str) -> Result<Vec<Case>, Failure> {
-    Case::read(table).map_err(|why| Failure::asked(ExperimentMessage::Cases { why: why.to_string() }))
+pub fn cases(table: &str) -> Result<Vec<ClaimCase>, Failure> {
+    ClaimCase::read(table).map_err(|why| Failure::asked(ExperimentMessage::Cases { why: why.to_string() }))
 }
 
 /// Simulates all cases, on all processors, and returns their results in order.
-pub fn simulated(cases: &[Case], days: i32, seed: u64) -> Result<Vec<Row>, Failure> {
-    let rows = ask_each(cases, "cases", |case| Ok::<_, Failure>(case.simulate(days, seed)))?;
+pub fn simulated(cases: &[ClaimCase], days: i32, seed: u64) -> Result<Vec<ClaimRow>, Failure> {
+    let rows = evaluate_each(cases, "cases", |case| Ok::<_, Failure>(case.simulate(days, seed)))?;
     Ok(rows.concat())
 }

@@ -1,8 +1,8 @@
 //! `homebody-lab conditions`.
 
 use super::claims::{cases, simulated};
-use crate::claims::{CONDITIONS, Conditions};
-use homebody::shared::{Failure, Figures};
+use crate::claims::{CONDITIONS, ConditionsExperiment};
+use homebody::shared::{Failure, JsonOutput};
 
 /// Compare the effects of conditions with published sizes
 ///
@@ -15,19 +15,19 @@ use homebody::shared::{Failure, Figures};
 
 JSON has \"conditions\", each with the condition, the measure, the expected size, its source, the measured
 size, and whether it is in range.")]
-pub struct Arguments {
+pub struct ConditionsLabArguments {
     /// Seed of all random numbers
     #[arg(long, value_name = "N", default_value_t = 11)]
     seed: u64,
     #[command(flatten)]
-    figures: Figures,
+    output: JsonOutput,
 }
 
-impl Arguments {
+impl ConditionsLabArguments {
     pub fn run(self) -> Result<(), Failure> {
-        let answer = self.figures.check(&[])?;
+        let output = self.output.check(&[])?;
         let cases = cases(CONDITIONS)?;
         let rows = simulated(&cases, 0, self.seed)?;
-        answer.give(&Conditions::of(rows, self.seed), [])
+        output.write(&ConditionsExperiment::from_rows(rows, self.seed), [])
     }
 }

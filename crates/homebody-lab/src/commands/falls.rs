@@ -1,7 +1,7 @@
 //! `homebody-lab falls`.
 
-use crate::falls::{FIRST_SEED, Home, experiment};
-use homebody::shared::{Answer, Failure};
+use crate::falls::{CameraHome, FIRST_SEED, experiment};
+use homebody::shared::{Failure, ResultOutput};
 use homebody_analysis::falls::rules::FallRules;
 use homebody_simulation::template;
 
@@ -20,7 +20,7 @@ use homebody_simulation::template;
 JSON has \"rows\" of \"method\", \"cameras\", \"condition\", \"sensitivity\", \"false_alarms_per_day\" and
 \"seconds_to_alarm\", with 95 % confidence intervals. The picture shows the sensitivity of each method
 against its false alarms.")]
-pub struct Arguments {
+pub struct FallsLabArguments {
     /// Number of cases of each kind
     #[arg(long, value_name = "N", default_value_t = 20, value_parser = clap::value_parser!(u32).range(1..=10_000))]
     cases: u32,
@@ -31,19 +31,18 @@ pub struct Arguments {
     #[arg(long, value_name = "N", default_value_t = 2, value_parser = clap::value_parser!(u32).range(0..=520))]
     weeks: u32,
     #[command(flatten)]
-    answer: Answer,
+    output: ResultOutput,
 }
 
-/// The scenario of the weeks.
 const SCENARIO: &str = "cameras";
 
-impl Arguments {
+impl FallsLabArguments {
     pub fn run(self) -> Result<(), Failure> {
-        let answer = self.answer.check([""], &[])?;
+        let output = self.output.check([""], &[])?;
         let template = template(SCENARIO)?;
-        let home = Home { scenario: template.scenario(), drivers: template.household() };
+        let home = CameraHome { scenario: template.scenario(), drivers: template.household() };
         let rules = FallRules::default();
         let found = experiment(self.cases, self.seed, &rules, (&home, self.weeks))?;
-        answer.give(&found, [&|| found.picture()])
+        output.write(&found, [&|| found.picture()])
     }
 }

@@ -1,7 +1,7 @@
 //! `homebody-lab godsey2009`.
 
-use crate::godsey2009::{Experiment, LENGTH_S};
-use homebody::shared::{Answer, Failure};
+use crate::godsey2009::{GodseyExperiment, LENGTH_S};
+use homebody::shared::{Failure, ResultOutput};
 use homebody_picture::{FiringLane, Reference, TotalsLine, firing_chart, totals_chart};
 
 /// Repeat the experiment of Godsey & Skubic 2009 with one sensor
@@ -9,24 +9,24 @@ use homebody_picture::{FiringLane, Reference, TotalsLine, firing_chart, totals_c
 /// One person walks past one motion sensor at three speeds and two distances.
 #[derive(clap::Args)]
 #[command(after_long_help = "Example:\n  homebody-lab godsey2009 --json figures.json --svg firings.svg")]
-pub struct Arguments {
+pub struct Godsey2009LabArguments {
     /// Seed of all random numbers
     #[arg(long, value_name = "N", default_value_t = 2009)]
     seed: u64,
     #[command(flatten)]
-    answer: Answer,
+    output: ResultOutput,
 }
 
-impl Arguments {
+impl Godsey2009LabArguments {
     pub fn run(self) -> Result<(), Failure> {
-        let answer = self.answer.check(["", "totals"], &[])?;
-        let experiment = Experiment::run(self.seed)?;
-        answer.give(&experiment, [&|| firings(&experiment), &|| totals(&experiment)])
+        let output = self.output.check(["", "totals"], &[])?;
+        let experiment = GodseyExperiment::run(self.seed)?;
+        output.write(&experiment, [&|| firings(&experiment), &|| totals(&experiment)])
     }
 }
 
 /// The paper's figure 4: firings over time, portions A, B and C.
-fn firings(experiment: &Experiment) -> String {
+fn firings(experiment: &GodseyExperiment) -> String {
     let activities: Vec<FiringLane> = experiment
         .activities
         .iter()
@@ -39,8 +39,8 @@ fn firings(experiment: &Experiment) -> String {
     firing_chart("Firings of one sensor, five minutes each", &activities, LENGTH_S)
 }
 
-/// How the total depends on what the paper does not say.
-fn totals(experiment: &Experiment) -> String {
+/// The dependence of the total on assumptions, which the paper does not state.
+fn totals(experiment: &GodseyExperiment) -> String {
     let rows = experiment.totals.chunk_by(|a, b| a.assumptions.turn_s == b.assumptions.turn_s);
     let lines: Vec<TotalsLine> = rows
         .map(|row| TotalsLine {

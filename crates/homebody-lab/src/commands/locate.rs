@@ -1,8 +1,8 @@
 //! `homebody-lab locate`.
 
-use super::ask_each;
-use crate::locating::{Case, Home, case};
-use homebody::shared::{Failure, Figures};
+use super::evaluate_each;
+use crate::locating::{LocatingCase, SimulatedHome, case};
+use homebody::shared::{Failure, JsonOutput, TextTable};
 use homebody_core::link::form::LinkFile;
 use homebody_core::scenario::load::Scenario;
 use homebody_routine::household::Household;
@@ -20,7 +20,7 @@ use std::fmt;
 #[command(after_long_help = "Examples:
   homebody-lab locate
   homebody-lab locate --homes 5 --days 3 --json locate.json")]
-pub struct Arguments {
+pub struct LocateLabArguments {
     /// Number of homes
     #[arg(long, value_name = "N", default_value_t = 20, value_parser = clap::value_parser!(u32).range(1..=1000))]
     homes: u32,
@@ -28,50 +28,49 @@ pub struct Arguments {
     #[arg(long, value_name = "N", default_value_t = 7, value_parser = clap::value_parser!(u32).range(1..=366))]
     days: u32,
     #[command(flatten)]
-    figures: Figures,
+    output: JsonOutput,
 }
 
-/// The templates of the homes, in turn.
 const HOMES: [&str; 5] = ["tigerplace", "older-adult", "studio", "house-two-floors", "couple-with-cat"];
 
 #[derive(Serialize)]
-struct WalkBack {
+struct LocatingExperiment {
     days: u32,
-    cases: Vec<Case>,
+    cases: Vec<LocatingCase>,
 }
 
-impl Arguments {
+impl LocateLabArguments {
     pub fn run(self) -> Result<(), Failure> {
-        let answer = self.figures.check(&[])?;
+        let output = self.output.check(&[])?;
         let cases = with_and_without_faults(self.homes, self.days, |home| home, case)?;
         let cases = cases.into_iter().map(|(_, case)| case).collect();
-        answer.give(&WalkBack { days: self.days, cases }, [])
+        output.write(&LocatingExperiment { days: self.days, cases }, [])
     }
 }
 
-/// The number of a home among all homes, by its number among those with one resident, which come before the last of [`HOMES`].
-pub(super) fn of_one(number: usize) -> usize {
+/// The index of a home among all homes, by its index among those with one resident, which come before the last of [`HOMES`].
+pub(super) fn single_home(number: usize) -> usize {
     let of_one = HOMES.len() - 1;
     number / of_one * HOMES.len() + number % of_one
 }
 
-/// Asks something of each case, on all processors: the template of its home goes by the home's number.
-pub(super) fn of_homes<Case: Sync, T: Send>(
-    cases: &[Case],
-    home: impl Fn(&Case) -> usize + Sync,
-    ask: impl Fn(&OpenScenario, &Case) -> Result<T, Failure> + Sync,
+/// Evaluates each case, on all processors, with the template of its home number.
+pub(super) fn each_home<C: Sync, T: Send>(
+    cases: &[C],
+    home: impl Fn(&C) -> usize + Sync,
+    ask: impl Fn(&OpenScenario, &C) -> Result<T, Failure> + Sync,
 ) -> Result<Vec<T>, Failure> {
     let opened = HOMES.map(template).into_iter().collect::<Result<Vec<OpenScenario>, _>>()?;
-    ask_each(cases, "logs", |case| ask(&opened[home(case) % HOMES.len()], case))
+    evaluate_each(cases, "logs", |case| ask(&opened[home(case) % HOMES.len()], case))
 }
 
-/// Asks something of homes, each with a link that loses nothing and then with every fault, and says which of both an answer is of. The
-/// template of a home goes by the number that `template` gives it.
+/// Evaluates homes with a perfect link, and with every fault; each result says if it is with faults. `template` maps a home number to
+/// that of its template.
 pub(super) fn with_and_without_faults<T: Send, E: fmt::Display>(
     homes: u32,
     days: u32,
     template: impl Fn(usize) -> usize + Sync,
-    ask: impl Fn(&Home, u64, u32) -> Result<T, E> + Sync,
+    ask: impl Fn(&SimulatedHome, u64, u32) -> Result<T, E> + Sync,
 ) -> Result<Vec<(bool, T)>, Failure> {
     let cases: Vec<(usize, bool)> = (0..homes as usize).flat_map(|home| [(home, false), (home, true)]).collect();
     let of_case = |opened: &OpenScenario, &(number, faults): &(usize, bool)| {
@@ -81,29 +80,29 @@ pub(super) fn with_and_without_faults<T: Send, E: fmt::Display>(
         };
         Ok((faults, with_link(opened, &link, |home| ask(home, 1 + number as u64, days))?))
     };
-    of_homes(&cases, |&(number, _)| template(number), of_case)
+    each_home(&cases, |&(number, _)| template(number), of_case)
 }
 
-/// True of a resident that is a person, not a pet.
+/// True for a person, false for a pet.
 pub(super) fn is_person(household: &Household, resident: usize) -> bool {
     let person = household.routine(resident).and_then(|routine| routine.person.as_ref());
     person.is_none_or(|person| person.kind == ResidentKind::Person)
 }
 
-/// Asks a question of a home with this link.
+/// Evaluates a home with this link.
 pub(super) fn with_link<T, E: fmt::Display>(
     opened: &OpenScenario,
     link: &LinkFile,
-    ask: impl FnOnce(&Home) -> Result<T, E>,
+    ask: impl FnOnce(&SimulatedHome) -> Result<T, E>,
 ) -> Result<T, Failure> {
     let household = opened.household();
     let residents = 0..opened.scenario().residents.len();
     let people = residents.filter(|&resident| is_person(household, resident)).collect();
     let scenario = opened.scenario().edit().link(link).load()?;
-    ask(&Home { scenario: &scenario, drivers: household, people }).map_err(Failure::not_measured)
+    ask(&SimulatedHome { scenario: &scenario, drivers: household, people }).map_err(Failure::not_measured)
 }
 
-/// A link of a real network with every fault on in a span of days, each of another of the motion sensors.
+/// The link of a real network with every fault in some days, each in another motion sensor.
 pub(super) fn every_fault(scenario: &Scenario, home: usize, (from_day, days): (f64, f64)) -> LinkFile {
     let sensors = scenario.home.placed_sensors();
     let motion: Vec<&str> =
@@ -123,46 +122,26 @@ pub(super) fn every_fault(scenario: &Scenario, home: usize, (from_day, days): (f
     serde_json::from_value(link).unwrap_or_default()
 }
 
-impl fmt::Display for WalkBack {
+impl fmt::Display for LocatingExperiment {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
         writeln!(f, "Residents located from the logs of {} days; shares of the time in the right room\n", self.days)?;
-        writeln!(
-            f,
-            "{:<18} {:>4} {:>6} {:>6}  {:>6} {:>6} {:>6} {:>6}  {:>6} {:>6} {:>6}  {:>6} {:>8}",
-            "home",
-            "seed",
-            "people",
-            "faults",
-            "right",
-            "live",
-            "last",
-            "rooms",
-            "visits",
-            "p50 m",
-            "p90 m",
-            "guests",
-            "invented"
-        )?;
+        let table = TextTable::new(
+            "-18 home|4 seed|6 people|6 faults|7 right|6 live|6 last|6 rooms|7 visits|6 p50 m|6 p90 m|7 guests|8 invented",
+        );
+        f.write_str(&table.heading())?;
         for case in &self.cases {
-            let share = |value: Option<f64>| value.map_or("-".into(), |value| format!("{value:.3}"));
+            let LocatingCase { home, seed, residents, room_right, room_right_live, visits_found, .. } = case;
+            let share = |value: f64| format!("{value:.3}");
+            let [right, live, visits] = [*room_right, *room_right_live, *visits_found].map(share);
+            let [last, rooms] = [case.last_firing_right, case.rooms_only_right].map(share);
             let metres = |value: Option<f64>| value.map_or("-".into(), |value| format!("{value:.2}"));
-            writeln!(
-                f,
-                "{:<18} {:>4} {:>6} {:>6}  {:>6.3} {:>6.3} {:>6.3} {:>6.3}  {:>6.3} {:>6} {:>6}  {:>6} {:>8}",
-                case.home,
-                case.seed,
-                case.residents,
-                if case.faults { "every" } else { "none" },
-                case.room_right,
-                case.room_right_live,
-                case.last_firing_right,
-                case.rooms_only_right,
-                case.visits_found,
-                metres(case.p50_m),
-                metres(case.p90_m),
-                share(case.visitors_found),
-                share(case.visitors_invented)
-            )?;
+            let [p50, p90] = [case.p50_m, case.p90_m].map(metres);
+            let share = |value: Option<f64>| value.map_or("-".into(), share);
+            let [guests, invented] = [case.visitors_found, case.visitors_invented].map(share);
+            let faults = if case.faults { "every" } else { "none" };
+            let cells: [&dyn fmt::Display; 13] =
+                [home, seed, residents, &faults, &right, &live, &last, &rooms, &visits, &p50, &p90, &guests, &invented];
+            f.write_str(&table.row(&cells))?;
         }
         writeln!(f)?;
         for (what, faults, several) in [
@@ -171,12 +150,13 @@ impl fmt::Display for WalkBack {
             ("two people, no faults", false, true),
             ("two people, every fault", true, true),
         ] {
-            let fits = |case: &&Case| case.faults == faults && (case.residents > 1) == several;
-            let cases: Vec<&Case> = self.cases.iter().filter(fits).collect();
+            let fits = |case: &&LocatingCase| case.faults == faults && (case.residents > 1) == several;
+            let cases: Vec<&LocatingCase> = self.cases.iter().filter(fits).collect();
             if cases.is_empty() {
                 continue;
             }
-            let mean = |of: fn(&Case) -> f64| cases.iter().map(|case| of(case)).sum::<f64>() / cases.len() as f64;
+            let mean =
+                |of: fn(&LocatingCase) -> f64| cases.iter().map(|case| of(case)).sum::<f64>() / cases.len() as f64;
             writeln!(
                 f,
                 "{what:<24} right {:.3}, live {:.3}, by the last event {:.3}, by rooms alone {:.3}, visits found {:.3}",

@@ -1,9 +1,9 @@
 //! `homebody-lab measures`.
 
-use super::locate::{of_one, with_and_without_faults};
-use crate::measures::{Error, beside, case};
+use super::locate::{single_home, with_and_without_faults};
+use crate::measures::{MeasureError, case, errors_between};
 use crate::messages::ExperimentMessage;
-use homebody::shared::{Failure, Figures, HowRead, not_measurable, read_log, within};
+use homebody::shared::{Failure, JsonOutput, LogOptions, TextTable, not_measurable, read_log, within};
 use homebody_analysis::measures::Measures;
 use homebody_query::LoadedLog;
 use serde::Serialize;
@@ -21,7 +21,7 @@ use std::path::PathBuf;
   homebody-lab measures
   homebody-lab measures --homes 8 --days 14 --json measures.json
   homebody-lab measures --data OrdonezA_Sensors.txt --data kasterenSenseData.txt")]
-pub struct Arguments {
+pub struct MeasuresLabArguments {
     /// Number of homes
     #[arg(long, value_name = "N", default_value_t = 20, value_parser = clap::value_parser!(u32).range(1..=1000))]
     homes: u32,
@@ -32,98 +32,92 @@ pub struct Arguments {
     #[arg(long, value_name = "LOG", conflicts_with_all = ["homes", "days"])]
     data: Vec<String>,
     #[command(flatten)]
-    figures: Figures,
+    output: JsonOutput,
 }
 
-/// Measures of logs of real homes, beside what people wrote down.
+/// Measures of real logs, compared with noted activities.
 #[derive(Serialize)]
-struct OfRealLogs {
-    logs: Vec<OfRealLog>,
+struct RealLogsExperiment {
+    logs: Vec<RealLogErrors>,
 }
 
 #[derive(Serialize)]
-struct OfRealLog {
+struct RealLogErrors {
     name: String,
-    errors: Vec<Error>,
+    errors: Vec<MeasureError>,
 }
 
 #[derive(Serialize)]
-struct OfLogs {
+struct MeasuresExperiment {
     days: u32,
-    /// Over all homes, with a link that loses nothing.
-    clean: Vec<Error>,
-    /// The same with every fault on.
-    faults: Vec<Error>,
+    /// Over all homes, with a perfect link.
+    clean: Vec<MeasureError>,
+    /// Over all homes, with every fault.
+    faults: Vec<MeasureError>,
 }
 
-impl Arguments {
+impl MeasuresLabArguments {
     pub fn run(self) -> Result<(), Failure> {
         if !self.data.is_empty() {
-            return self.of_real_logs();
+            return self.compare_real_logs();
         }
-        let answer = self.figures.check(&[])?;
-        let cases = with_and_without_faults(self.homes, self.days, of_one, case)?;
+        let output = self.output.check(&[])?;
+        let cases = with_and_without_faults(self.homes, self.days, single_home, case)?;
         let all = |faults: bool| {
             let same = cases.iter().filter(|(with_faults, _)| *with_faults == faults);
-            Error::all(same.flat_map(|(_, case)| case).collect::<Vec<_>>().into_iter())
+            MeasureError::over_homes(same.flat_map(|(_, case)| case).collect::<Vec<_>>().into_iter())
         };
-        answer.give(&OfLogs { days: self.days, clean: all(false), faults: all(true) }, [])
+        output.write(&MeasuresExperiment { days: self.days, clean: all(false), faults: all(true) }, [])
     }
 }
 
-impl Arguments {
-    fn of_real_logs(self) -> Result<(), Failure> {
-        let read = |log: &String| read_log(log, None, &HowRead::default());
+impl MeasuresLabArguments {
+    fn compare_real_logs(self) -> Result<(), Failure> {
+        let read = |log: &String| read_log(log, None, &LogOptions::default());
         let mut read = self.data.iter().map(read).collect::<Result<Vec<_>, _>>()?;
         let sources: Vec<PathBuf> = read.iter().flat_map(|read| read.sources.clone()).collect();
-        let answer = self.figures.check(&sources)?;
+        let output = self.output.check(&sources)?;
         let of_log = |(log, read): (&String, &mut LoadedLog)| {
             // A measure by the notes alone cannot be compared with the notes.
             let notes = std::mem::take(&mut read.log.activities);
             let heard = read.measures().map_err(|why| not_measurable(log, &why))?;
-            let told = Measures::from_notes(&read.name, &notes, within(read).unwrap_or_default());
-            let told = told.ok_or_else(|| Failure::asked(ExperimentMessage::NoActivities { log: log.clone() }))?;
-            Ok(OfRealLog { name: read.name.clone(), errors: beside(&heard, &told) })
+            let noted = Measures::from_notes(&read.name, &notes, within(read).unwrap_or_default());
+            let noted = noted.ok_or_else(|| Failure::asked(ExperimentMessage::NoActivities { log: log.clone() }))?;
+            Ok(RealLogErrors { name: read.name.clone(), errors: errors_between(&heard, &noted) })
         };
         let logs = self.data.iter().zip(&mut read).map(of_log).collect::<Result<Vec<_>, Failure>>()?;
-        answer.give(&OfRealLogs { logs }, [])
+        output.write(&RealLogsExperiment { logs }, [])
     }
 }
 
-fn table(f: &mut fmt::Formatter, errors: &[Error]) -> fmt::Result {
-    writeln!(
-        f,
-        "  {:18} {:8} {:>6} {:>10} {:>8} {:>11} {:>10} {:>7}",
-        "measure", "unit", "days", "true", "bias", "mean error", "90 % error", "r"
-    )?;
-    for error in errors {
-        let Error { measure, unit, days, mean_true, bias, mean_error, p90_error, correlation, .. } = error;
+fn write_errors(f: &mut fmt::Formatter, errors: &[MeasureError]) -> fmt::Result {
+    let table = TextTable::new("-20   measure|-8 unit|6 days|10 true|8 bias|11 mean error|10 90 % error|7 r");
+    f.write_str(&table.heading())?;
+    for MeasureError { measure, unit, days, mean_true, bias, mean_error, p90_error, correlation, .. } in errors {
+        let [truth, bias, mean, p90] = [mean_true, bias, mean_error, p90_error].map(|value| format!("{value:.2}"));
         let r = correlation.map_or("-".to_owned(), |r| format!("{r:.2}"));
-        writeln!(
-            f,
-            "  {measure:18} {unit:8} {days:>6} {mean_true:>10.2} {bias:>8.2} {mean_error:>11.2} {p90_error:>10.2} {r:>7}"
-        )?;
+        f.write_str(&table.row(&[&format_args!("  {measure}"), unit, days, &truth, &bias, &mean, &p90, &r]))?;
     }
     writeln!(f)
 }
 
-impl fmt::Display for OfLogs {
+impl fmt::Display for MeasuresExperiment {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
         writeln!(f, "Measures of {} days from logs, compared with the ground truth\n", self.days)?;
         for (link, errors) in [("no losses", &self.clean), ("every sensor fault", &self.faults)] {
             writeln!(f, "With {link}")?;
-            table(f, errors)?;
+            write_errors(f, errors)?;
         }
         Ok(())
     }
 }
 
-impl fmt::Display for OfRealLogs {
+impl fmt::Display for RealLogsExperiment {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
         writeln!(f, "Measures from sensors of real homes, compared with noted activities\n")?;
-        for OfRealLog { name, errors } in &self.logs {
+        for RealLogErrors { name, errors } in &self.logs {
             writeln!(f, "{name}")?;
-            table(f, errors)?;
+            write_errors(f, errors)?;
         }
         Ok(())
     }

@@ -1,14 +1,14 @@
 //! `homebody-lab possible`.
 
-use super::ask_each;
+use super::evaluate_each;
 use super::locate::is_person;
 use crate::messages::ExperimentMessage;
-use crate::possible::{HouseholdTruth, Possible, Row};
+use crate::possible::{HouseholdTruth, ImpossibleEvents, ScenarioRow};
+use crate::simulated::each_step;
 use homebody::shared::{Failure, Trust, print_json, print_text};
 use homebody_core::drivers::error::DriverError;
-use homebody_core::event::Events;
 use homebody_core::run::{DriverProvider, Run};
-use homebody_core::time::{DAY, HOUR, RunTime};
+use homebody_core::time::{DAY, HOUR};
 use homebody_simulation::{OpenScenario, Template};
 use std::path::PathBuf;
 
@@ -21,7 +21,7 @@ use std::path::PathBuf;
 #[command(after_long_help = "Examples:
   homebody-lab possible
   homebody-lab possible my-home --days 365 --json")]
-pub struct Arguments {
+pub struct PossibleLabArguments {
     /// Scenario folders (default: all templates)
     scenarios: Vec<PathBuf>,
     /// Days to simulate for each scenario
@@ -34,7 +34,7 @@ pub struct Arguments {
     trust: Trust,
 }
 
-impl Arguments {
+impl PossibleLabArguments {
     pub fn run(self) -> Result<(), Failure> {
         let opened: Vec<OpenScenario> = match self.scenarios.is_empty() {
             true => Template::all().map(|template| template.source().open()).collect::<Result<_, _>>()?,
@@ -43,8 +43,8 @@ impl Arguments {
                 self.scenarios.iter().map(open).collect::<Result<_, _>>()?
             }
         };
-        let rows = ask_each(&opened, "scenarios", |opened| simulate(opened, self.days))?;
-        let possible = Possible { days: self.days, scenarios: rows };
+        let rows = evaluate_each(&opened, "scenarios", |opened| simulate(opened, self.days))?;
+        let possible = ImpossibleEvents { days: self.days, scenarios: rows };
         if self.json {
             print_json(&possible)?
         } else {
@@ -57,8 +57,7 @@ impl Arguments {
     }
 }
 
-/// Simulates a scenario, and counts its impossible events.
-fn simulate(opened: &OpenScenario, days: u32) -> Result<Row, DriverError> {
+fn simulate(opened: &OpenScenario, days: u32) -> Result<ScenarioRow, DriverError> {
     let (mut scenario, household) = (opened.scenario().clone(), opened.household());
     scenario.home = scenario.home.without_cameras();
     let residents = scenario.residents.len();
@@ -72,11 +71,11 @@ fn simulate(opened: &OpenScenario, days: u32) -> Result<Row, DriverError> {
     let people = are_people.iter().filter(|&&is| is).count();
     let mut lives = HouseholdTruth::new(are_people, hosts.collect());
     let mut run = Run::new(&scenario, household, scenario.file.seed, i64::from(days) * DAY);
-    let mut events = Events::default();
-    while run.now() < RunTime::START + run.length() {
-        run.advance(run.now() + HOUR, &mut events)?;
-        events.facts.iter().for_each(|fact| lives.take(fact));
-        events.clear();
-    }
-    Ok(Row { scenario: scenario.file.name.clone(), people, visits: lives.visits(), impossible: lives.impossible() })
+    each_step(&mut run, HOUR, |events| events.facts.iter().for_each(|fact| lives.take(fact)))?;
+    Ok(ScenarioRow {
+        scenario: scenario.file.name.clone(),
+        people,
+        visits: lives.visits(),
+        impossible: lives.impossible(),
+    })
 }

@@ -1,7 +1,7 @@
 //! `homebody-lab realism`.
 
 use crate::messages::ExperimentMessage;
-use homebody::shared::{Answer, Failure, HowRead, not_comparable, read_log};
+use homebody::shared::{Failure, LogOptions, ResultOutput, not_comparable, read_log};
 use homebody_analysis::realism::{ComparedLog, Realism, realism};
 use homebody_core::scenario::logger::{LoggerFile, LumpFile, MessagesFile, OnOffFile, TimeFormat};
 use homebody_core::sensors::Sensor;
@@ -23,7 +23,7 @@ use std::path::PathBuf;
 /// other homes. Homes and residents differ, so a perfect match is not possible.
 #[derive(clap::Args)]
 #[command(after_long_help = "Example:\n  homebody-lab realism --data casas --json realism.json")]
-pub struct Arguments {
+pub struct RealismLabArguments {
     /// Folder that contains the folders of the real logs
     #[arg(long, value_name = "FOLDER")]
     data: PathBuf,
@@ -34,7 +34,7 @@ pub struct Arguments {
     #[arg(long, value_name = "N", default_value_t = 2012)]
     seed: u64,
     #[command(flatten)]
-    answer: Answer,
+    output: ResultOutput,
 }
 
 /// The logs of homes with Control4 units, below the folder of the data, and the day from which the resident is at home.
@@ -43,25 +43,24 @@ const LOGS: [(&str, Option<jiff::civil::Date>); 2] = [
     ("casas_tm000/tm000.multiday_absence.txt", Some(jiff::civil::date(2016, 7, 17))),
 ];
 
-/// The simulated scenario.
 const SCENARIO: &str = "older-adult";
 
 #[derive(Serialize)]
-struct Experiment {
+struct RealismExperiment {
     seed: u64,
     homes: Vec<Realism>,
 }
 
-impl Arguments {
+impl RealismLabArguments {
     pub fn run(self) -> Result<(), Failure> {
-        let answer = self.answer.check(["", "other"], &[])?;
+        let output = self.output.check(["", "other"], &[])?;
         let mut logs = Vec::new();
         for (file, from) in LOGS {
             let path = self.data.join(file);
             if !path.is_file() {
                 return Err(Failure::file(ExperimentMessage::NoData { folder: self.data, file: file.to_owned() }));
             }
-            let read = read_log(&path.to_string_lossy(), None, &HowRead::default())?;
+            let read = read_log(&path.to_string_lossy(), None, &LogOptions::default())?;
             let last = read.log.events.iter().map(|event| event.at).max().unwrap_or(WallTime::EPOCH);
             let at_home = |from| Interval::new(WallTime::midnight(from), last + Span::MICROSECOND);
             logs.push((read, from.map(at_home)));
@@ -70,12 +69,12 @@ impl Arguments {
         let simulated = ComparedLog { name: SCENARIO, log: &log, recorded: None };
         let mut homes = Vec::new();
         for (real, at_home) in &logs {
-            let told = ComparedLog { name: &real.name, log: &real.log, recorded: *at_home };
-            homes.push(realism(told, simulated).map_err(|problems| not_comparable(&problems))?);
+            let compared = ComparedLog { name: &real.name, log: &real.log, recorded: *at_home };
+            homes.push(realism(compared, simulated).map_err(|problems| not_comparable(&problems))?);
         }
-        let experiment = Experiment { seed: self.seed, homes };
+        let experiment = RealismExperiment { seed: self.seed, homes };
         let [first, second] = [0, 1].map(|home| &experiment.homes[home]);
-        answer.give(&experiment, [&|| realism_chart(first), &|| realism_chart(second)])
+        output.write(&experiment, [&|| realism_chart(first), &|| realism_chart(second)])
     }
 }
 
@@ -102,7 +101,7 @@ fn simulated_log(seed: u64, days: u32) -> Result<Log, Failure> {
     Ok(log)
 }
 
-impl fmt::Display for Experiment {
+impl fmt::Display for RealismExperiment {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
         for (index, home) in self.homes.iter().enumerate() {
             let part = if index > 0 { "\n" } else { "" };

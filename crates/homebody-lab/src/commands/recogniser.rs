@@ -1,9 +1,9 @@
 //! `homebody-lab recogniser`.
 
-use super::ask_each;
+use super::evaluate_each;
 use crate::messages::ExperimentMessage;
-use crate::recogniser::{NotRecognised, Prepared};
-use homebody::shared::{Failure, HowRead, json_text, print_json, print_text, read_log, write_file};
+use crate::recogniser::{Prepared, RecogniserError};
+use homebody::shared::{Failure, LogOptions, json_text, print_json, print_text, read_log, write_file};
 use homebody_core::messages::Diagnose;
 use homebody_core::problem::Diagnostic;
 use homebody_log::run::places::can_be_written;
@@ -19,7 +19,7 @@ use std::path::{Path, PathBuf};
 #[command(after_long_help = "Examples:
   homebody-lab recogniser --data uci
   homebody-lab recogniser --data uci --seeds 20 --days 56 --json recogniser.json")]
-pub struct Arguments {
+pub struct RecogniserLabArguments {
     /// Folder of the data set, or the folder above it
     #[arg(long, value_name = "FOLDER")]
     data: PathBuf,
@@ -41,7 +41,7 @@ pub struct Arguments {
 const FOLDER: &str = "uci_adl_ordonez";
 const SENSORS: &str = "OrdonezA_Sensors.txt";
 
-impl Arguments {
+impl RecogniserLabArguments {
     pub fn run(self) -> Result<(), Failure> {
         let file = self.json.as_deref().filter(|path| path.as_os_str() != "-");
         can_be_written(&file.into_iter().collect::<Vec<&Path>>(), &[], self.force)?;
@@ -51,11 +51,11 @@ impl Arguments {
             return Err(Failure::file(ExperimentMessage::NoData { folder: self.data, file: SENSORS.to_owned() }));
         };
         let log = path.display().to_string();
-        let refused = |why: NotRecognised| Failure::asked(Diagnostic::of_file(&log, why.diagnostic(), None));
+        let refused = |why: RecogniserError| Failure::asked(Diagnostic::of_file(&log, why.diagnostic(), None));
         let prepared =
-            Prepared::new(&read_log(&path.to_string_lossy(), None, &HowRead::default())?.log).map_err(refused)?;
+            Prepared::new(&read_log(&path.to_string_lossy(), None, &LogOptions::default())?.log).map_err(refused)?;
         let seeds: Vec<u64> = (1..=u64::from(self.seeds)).collect();
-        let cases = ask_each(&seeds, "seeds", |&seed| prepared.case(seed, self.days).map_err(refused))?;
+        let cases = evaluate_each(&seeds, "seeds", |&seed| prepared.case(seed, self.days).map_err(refused))?;
         let experiment = prepared.experiment(cases, self.days);
         match file {
             Some(path) => {

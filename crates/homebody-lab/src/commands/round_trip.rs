@@ -1,8 +1,8 @@
 //! `homebody-lab round-trip`.
 
-use super::locate::{of_homes, of_one, with_link};
-use crate::round_trip::{DAYS, Held, drawn_routine, round_trip};
-use homebody::shared::{Failure, Figures};
+use super::locate::{each_home, single_home, with_link};
+use crate::round_trip::{CheckedSentence, DAYS, drawn_routine, round_trip};
+use homebody::shared::{Failure, JsonOutput, TextTable};
 use homebody_core::link::form::LinkFile;
 use homebody_core::names::capitalised;
 use homebody_simulation::{OpenScenario, ScenarioSource};
@@ -20,7 +20,7 @@ use std::fmt;
   homebody-lab round-trip --homes 40 --json round-trip.json
 
 JSON has the numbers of \"checkable\" sentences and of those that \"agree\", and all \"sentences\".")]
-pub struct Arguments {
+pub struct RoundTripLabArguments {
     /// Number of homes and routines
     #[arg(long, value_name = "N", default_value_t = 20, value_parser = clap::value_parser!(u32).range(1..=1000))]
     homes: u32,
@@ -28,29 +28,29 @@ pub struct Arguments {
     #[arg(long, value_name = "N", default_value_t = 1)]
     seed: u64,
     #[command(flatten)]
-    figures: Figures,
+    output: JsonOutput,
 }
 
 #[derive(Serialize)]
-struct RoundTrip {
+struct RoundTripExperiment {
     homes: u32,
     days: u32,
-    /// Sentences of which the routine says something.
+    /// Sentences that the routine determines.
     checkable: usize,
-    /// Those of them that are true by the routine, to 0.8 and more.
+    /// Checkable sentences that are true by the routine, to 0.8 or more.
     agree: usize,
-    /// The truth values of the checkable by what was done: how many are true to 0.8 and more.
+    /// Checkable sentences that are true by the ground truth, to 0.8 or more.
     true_by_life: usize,
-    sentences: Vec<Held>,
+    sentences: Vec<CheckedSentence>,
 }
 
-impl Arguments {
+impl RoundTripLabArguments {
     pub fn run(self) -> Result<(), Failure> {
-        let answer = self.figures.check(&[])?;
+        let output = self.output.check(&[])?;
         let homes: Vec<usize> = (0..self.homes as usize).collect();
-        let cases = of_homes(
+        let cases = each_home(
             &homes,
-            |&home| of_one(home),
+            |&home| single_home(home),
             |opened, &home| {
                 let seed = self.seed + home as u64;
                 let opened = with_routine(opened, seed)?;
@@ -60,8 +60,8 @@ impl Arguments {
             },
         )?;
         let sentences = cases.concat();
-        let checkable: Vec<&Held> = sentences.iter().filter(|held| held.by_routine.is_some()).collect();
-        let found = RoundTrip {
+        let checkable: Vec<&CheckedSentence> = sentences.iter().filter(|held| held.by_routine.is_some()).collect();
+        let found = RoundTripExperiment {
             homes: self.homes,
             days: DAYS,
             checkable: checkable.len(),
@@ -69,11 +69,11 @@ impl Arguments {
             true_by_life: checkable.iter().filter(|held| held.is_lived()).count(),
             sentences: sentences.clone(),
         };
-        answer.give(&found, [])
+        output.write(&found, [])
     }
 }
 
-/// The home with a routine that is drawn.
+/// The home with a random routine.
 fn with_routine(opened: &OpenScenario, seed: u64) -> Result<OpenScenario, Failure> {
     let scenario = opened.scenario();
     let name = scenario.residents.first().map_or("", |resident| resident.file.name.as_str());
@@ -82,9 +82,9 @@ fn with_routine(opened: &OpenScenario, seed: u64) -> Result<OpenScenario, Failur
     Ok(ScenarioSource::from_texts(edit.into_texts(), entry).open()?)
 }
 
-impl fmt::Display for RoundTrip {
+impl fmt::Display for RoundTripExperiment {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
-        let RoundTrip { homes, days, checkable, agree, true_by_life, sentences } = self;
+        let RoundTripExperiment { homes, days, checkable, agree, true_by_life, sentences } = self;
         let share = 100.0 * *agree as f64 / (*checkable).max(1) as f64;
         writeln!(
             f,
@@ -95,15 +95,16 @@ impl fmt::Display for RoundTrip {
         let mut measures: Vec<&str> = sentences.iter().map(|held| held.measure).collect();
         measures.sort_unstable();
         measures.dedup();
-        writeln!(f, "{:18} {:>10} {:>10} {:>7} {:>12}", "measure", "sentences", "checkable", "agree", "by truth")?;
+        let table = TextTable::new("-18 measure|10 sentences|10 checkable|7 agree|12 by truth");
+        f.write_str(&table.heading())?;
         for measure in measures {
-            let of: Vec<&Held> = sentences.iter().filter(|held| held.measure == measure).collect();
+            let of: Vec<&CheckedSentence> = sentences.iter().filter(|held| held.measure == measure).collect();
             let checkable = of.iter().filter(|held| held.by_routine.is_some()).count();
             let agree = of.iter().filter(|held| held.agrees() == Some(true)).count();
             let lived = of.iter().filter(|held| held.is_lived()).count();
-            writeln!(f, "{measure:18} {:>10} {checkable:>10} {agree:>7} {lived:>12}", of.len())?;
+            f.write_str(&table.row(&[&measure, &of.len(), &checkable, &agree, &lived]))?;
         }
-        let others: Vec<&Held> = sentences.iter().filter(|held| held.agrees() == Some(false)).collect();
+        let others: Vec<&CheckedSentence> = sentences.iter().filter(|held| held.agrees() == Some(false)).collect();
         if !others.is_empty() {
             writeln!(f, "\nSentences that do not agree:")?;
         }

@@ -1,8 +1,8 @@
 //! `homebody-lab sensor-faults`.
 
-use super::locate::{of_homes, with_link};
-use crate::sensor_faults::{Case, KINDS, Planted, case, faulty};
-use homebody::shared::{Failure, Figures};
+use super::locate::{each_home, with_link};
+use crate::sensor_faults::{FaultCase, PLANTED_KINDS, PlantedFault, case, faulty};
+use homebody::shared::{Failure, JsonOutput, TextTable};
 use serde::Serialize;
 use std::fmt;
 
@@ -14,7 +14,7 @@ use std::fmt;
 #[command(after_long_help = "Examples:
   homebody-lab sensor-faults
   homebody-lab sensor-faults --homes 5 --days 21 --json sensor-faults.json")]
-pub struct Arguments {
+pub struct SensorFaultsLabArguments {
     /// Number of homes
     #[arg(long, value_name = "N", default_value_t = 20, value_parser = clap::value_parser!(u32).range(1..=1000))]
     homes: u32,
@@ -22,35 +22,35 @@ pub struct Arguments {
     #[arg(long, value_name = "N", default_value_t = 14, value_parser = clap::value_parser!(u32).range(7..=366))]
     days: u32,
     #[command(flatten)]
-    figures: Figures,
+    output: JsonOutput,
 }
 
 #[derive(Serialize)]
-struct SensorHealth {
+struct FaultsExperiment {
     days: u32,
-    kinds: Vec<Kind>,
-    /// How many things were said of sensors that were well, and of how many sensor-days.
+    kinds: Vec<FaultKindResult>,
+    /// Findings about intact sensors, and the number of sensor-days.
     false_alarms: usize,
     sensor_days: u64,
-    cases: Vec<Case>,
+    cases: Vec<FaultCase>,
 }
 
-/// How faults of a kind were found.
+/// The result for faults of one kind.
 #[derive(Serialize)]
-struct Kind {
+struct FaultKindResult {
     kind: &'static str,
     planted: usize,
     found: usize,
     named: usize,
-    /// The median of how many days after its beginning what was found begins.
+    /// Median number of days from the start of the fault to the start of the finding.
     late_days: Option<f64>,
 }
 
-impl Arguments {
+impl SensorFaultsLabArguments {
     pub fn run(self) -> Result<(), Failure> {
-        let answer = self.figures.check(&[])?;
+        let output = self.output.check(&[])?;
         let homes: Vec<usize> = (0..self.homes as usize).collect();
-        let cases = of_homes(
+        let cases = each_home(
             &homes,
             |&home| home,
             |opened, &number| {
@@ -58,18 +58,18 @@ impl Arguments {
                 with_link(opened, &link, |home| case(home, 1 + number as u64, self.days))
             },
         )?;
-        answer.give(&SensorHealth::of(cases, self.days), [])
+        output.write(&FaultsExperiment::from_cases(cases, self.days), [])
     }
 }
 
-impl SensorHealth {
-    fn of(cases: Vec<Case>, days: u32) -> SensorHealth {
+impl FaultsExperiment {
+    fn from_cases(cases: Vec<FaultCase>, days: u32) -> FaultsExperiment {
         let of_kind = |kind: &&'static str| {
-            let all: Vec<&Planted> =
+            let all: Vec<&PlantedFault> =
                 cases.iter().flat_map(|case| &case.faults).filter(|fault| fault.kind == *kind).collect();
             let mut late: Vec<f64> = all.iter().filter_map(|fault| fault.late_days).collect();
             late.sort_by(f64::total_cmp);
-            Kind {
+            FaultKindResult {
                 kind,
                 planted: all.len(),
                 found: all.iter().filter(|fault| fault.found).count(),
@@ -77,9 +77,9 @@ impl SensorHealth {
                 late_days: late.get(late.len() / 2).copied(),
             }
         };
-        SensorHealth {
+        FaultsExperiment {
             days,
-            kinds: KINDS.iter().map(of_kind).collect(),
+            kinds: PLANTED_KINDS.iter().map(of_kind).collect(),
             false_alarms: cases.iter().map(|case| case.false_alarms.len()).sum(),
             sensor_days: cases.iter().map(|case| case.sensors as u64 * u64::from(case.days)).sum(),
             cases,
@@ -87,13 +87,14 @@ impl SensorHealth {
     }
 }
 
-impl fmt::Display for SensorHealth {
+impl fmt::Display for FaultsExperiment {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
         writeln!(f, "Sensor faults found from the logs of {} days\n", self.days)?;
-        writeln!(f, "{:<18} {:>7} {:>6} {:>6} {:>10}", "fault", "planted", "found", "named", "days late")?;
-        for Kind { kind, planted, found, named, late_days } in &self.kinds {
+        let table = TextTable::new("-18 fault|7 planted|6 found|6 named|10 days late");
+        f.write_str(&table.heading())?;
+        for FaultKindResult { kind, planted, found, named, late_days } in &self.kinds {
             let late = late_days.map_or("-".into(), |late| format!("{late:.1}"));
-            writeln!(f, "{kind:<18} {planted:>7} {found:>6} {named:>6} {late:>10}")?;
+            f.write_str(&table.row(&[kind, planted, found, named, &late]))?;
         }
         let per_year = self.false_alarms as f64 / self.sensor_days.max(1) as f64 * 365.0;
         writeln!(f, "\nfalse alarms: {}, {per_year:.2} per sensor and year", self.false_alarms)

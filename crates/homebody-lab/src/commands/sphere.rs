@@ -1,8 +1,8 @@
 //! `homebody-lab sphere`.
 
 use crate::messages::ExperimentMessage;
-use crate::sphere::{AnnotatedRun, BadRow, Experiment, Interval, Recording, Texts, parse};
-use homebody::shared::{Answer, Failure};
+use crate::sphere::{AnnotatedRun, Interval, RecordingResult, RecordingTexts, RowError, SphereExperiment, parse};
+use homebody::shared::{Failure, ResultOutput};
 use homebody_core::messages::Diagnose;
 use homebody_core::problem::Problem;
 use homebody_log::LogError;
@@ -21,7 +21,7 @@ use std::path::{Path, PathBuf};
 /// location_0.csv, annotations_0.csv and pir.csv.
 #[derive(clap::Args)]
 #[command(after_long_help = "Example:\n  homebody-lab sphere --data sphere_challenge --svg rooms.svg")]
-pub struct Arguments {
+pub struct SphereLabArguments {
     /// Folder of the recordings; if its name is `train`, the folder above it also works
     #[arg(long, value_name = "FOLDER")]
     data: PathBuf,
@@ -32,20 +32,20 @@ pub struct Arguments {
     #[arg(long, value_name = "N", default_value_t = 2016)]
     seed: u64,
     #[command(flatten)]
-    answer: Answer,
+    output: ResultOutput,
 }
 
-impl Arguments {
+impl SphereLabArguments {
     pub fn run(self) -> Result<(), Failure> {
-        let answer = self.answer.check([""], &[])?;
+        let output = self.output.check([""], &[])?;
         let source = match &self.house {
             Some(path) => ScenarioSource::at(path)?,
             None => Template::named("sphere-house")?.source(),
         };
         let house = source.scenario()?;
         let recordings = recordings(&self.data)?;
-        let experiment = Experiment::run(&recordings, &house, self.seed).map_err(Failure::asked)?;
-        answer.give(&experiment, [&|| picture(&experiment)])
+        let experiment = SphereExperiment::run(&recordings, &house, self.seed).map_err(Failure::asked)?;
+        output.write(&experiment, [&|| picture(&experiment)])
     }
 }
 
@@ -94,13 +94,13 @@ fn recording(folder: &Path) -> Result<Parsed, Failure> {
         Err((ErrorKind::NotFound, _)) => None,
         Err((_, failure)) => return Err(failure),
     };
-    let texts = Texts {
+    let texts = RecordingTexts {
         location: &location,
         annotations: &annotations,
         pir: &pir,
         second_location: second_location.as_deref(),
     };
-    let problem = |row: &BadRow| {
+    let problem = |row: &RowError| {
         let file = folder.join(row.file).display().to_string();
         Problem { line: row.line as u32, column: 1, ..Problem::of_file(&file, row.what.diagnostic(), None) }
     };
@@ -110,15 +110,15 @@ fn recording(folder: &Path) -> Result<Parsed, Failure> {
     })
 }
 
-/// When the real and the simulated sensor of each room was ON, over when the person was there.
-fn picture(experiment: &Experiment) -> String {
+/// The ON times of the real and the simulated sensor of each room, above the stays of the person.
+fn picture(experiment: &SphereExperiment) -> String {
     let panels: Vec<Panel> = experiment.by_recording.iter().map(panel).collect();
     let told = ["the real sensor is ON", "the simulated sensor is ON"];
     span_chart("A real house and its simulation", "the person is in the room", told, &panels)
 }
 
-fn panel(recording: &Recording) -> Panel {
-    let Recording { name, begin_s, end_s, .. } = recording;
+fn panel(recording: &RecordingResult) -> Panel {
+    let RecordingResult { name, begin_s, end_s, .. } = recording;
     let lanes = recording.comparison.rooms.iter().map(|room| {
         let spans = |intervals: &[Interval]| -> Vec<[f64; 2]> {
             let of_room = intervals.iter().filter(|interval| interval.name == room.room);

@@ -1,7 +1,7 @@
 //! Days: what the time goes into, meals, naps, visits to the toilet, ways through the home.
 
-use super::life::{HALF_HOUR, Lived, Moved, minutes, overlap_h, speed_mps};
 use super::nights::IN_BED;
+use super::record::{BodyMovement, HALF_HOUR, PersonRecord, minutes, overlap_h, speed_mps};
 use homebody_core::activity::{
     AWAY, DRINKING, EATING_BREAKFAST, EATING_DINNER, EATING_LUNCH, HAVING_A_SNACK, NAPPING, TimeUse, USING_BATHROOM,
 };
@@ -13,41 +13,37 @@ use serde::Serialize;
 
 pub const USES: usize = TimeUse::ALL.len();
 
-/// Days of one person; counts are means of a day. A visit to the toilet is by day unless it interrupts a night in bed.
+/// Days of one person; counts are means per day. A visit to the toilet is by day unless it interrupts a night in bed.
 #[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct Days {
+pub struct DailyFigures {
     pub days: usize,
     /// Hours of a day, by [`TimeUse::ALL`].
     pub hours: [f64; USES],
-    /// The share of each hour of the day that goes into each use.
+    /// The share of each use in each hour of the day.
     pub by_hour: [[f64; USES]; 24],
     pub away_h: f64,
     pub toilet: f64,
     pub toilet_min: Option<f64>,
     pub meals: f64,
-    /// The share of days with three meals.
     pub three_meals: f64,
-    /// Meals, snacks and drinks.
     pub occasions: f64,
-    /// The share of days with a nap, how long one is, and how naps lie over the half hours of a day.
+    /// The share of days with a nap, the length of a nap, and the hours of naps in each half hour of the day.
     pub naps: f64,
     pub nap_min: Option<f64>,
     pub nap_half_hours: Vec<f64>,
     pub rooms: f64,
     pub hall: f64,
     pub rises: f64,
-    /// The speed of walks.
     pub pace_mps: Option<f64>,
     pub pace_sd_mps: Option<f64>,
 }
 
 const MEALS: [&str; 3] = [EATING_BREAKFAST, EATING_LUNCH, EATING_DINNER];
 
-/// Meals, snacks and drinks.
 const OCCASIONS: [&str; 5] = [EATING_BREAKFAST, EATING_LUNCH, EATING_DINNER, HAVING_A_SNACK, DRINKING];
 
-impl Days {
-    pub fn of(lived: &Lived, activities: &[Episode], moves: &[Moved]) -> Days {
+impl DailyFigures {
+    pub fn measure(lived: &PersonRecord, activities: &[Episode], moves: &[BodyMovement]) -> DailyFigures {
         let span = lived.span();
         let days = lived.days.len().max(1);
         let a_day = |count: usize| count as f64 / days as f64;
@@ -77,7 +73,7 @@ impl Days {
         let rises = moves.windows(2).filter(|pair| pair[0].posture != Posture::Standing && is_up(&pair[1])).count();
         let speeds: Vec<f64> = moves.iter().filter_map(speed_mps).collect();
         let hours = hours(activities, span).map(|hours| hours / days as f64);
-        Days {
+        DailyFigures {
             days,
             hours,
             by_hour: by_hour(lived, activities),
@@ -100,11 +96,10 @@ impl Days {
     }
 }
 
-fn is_up(moved: &Moved) -> bool {
+fn is_up(moved: &BodyMovement) -> bool {
     moved.posture == Posture::Standing
 }
 
-/// Hours in each use within an interval.
 fn hours(activities: &[Episode], within: Interval<RunTime>) -> [f64; USES] {
     let mut hours = [0.0; USES];
     for done in activities {
@@ -113,7 +108,7 @@ fn hours(activities: &[Episode], within: Interval<RunTime>) -> [f64; USES] {
     hours
 }
 
-fn by_hour(lived: &Lived, activities: &[Episode]) -> [[f64; USES]; 24] {
+fn by_hour(lived: &PersonRecord, activities: &[Episode]) -> [[f64; USES]; 24] {
     let mut shares = [[0.0; USES]; 24];
     let days = lived.days.len().max(1) as f64;
     for day in lived.days.clone() {
@@ -132,7 +127,7 @@ fn by_hour(lived: &Lived, activities: &[Episode]) -> [[f64; USES]; 24] {
 }
 
 /// Hours of naps in each half hour of the day.
-fn half_hours(lived: &Lived, naps: &[&Episode]) -> Vec<f64> {
+fn half_hours(lived: &PersonRecord, naps: &[&Episode]) -> Vec<f64> {
     let mut hours = vec![0.0; 48];
     for nap in naps {
         let mut at = nap.time.begin;

@@ -1,9 +1,9 @@
 //! Nights: time in bed, sleep, wakefulness and visits to the toilet.
 //!
-//! A night is what lies between lying down and getting up for good, from one noon to the next. What else is done in
-//! between, such as going to the toilet, is part of it.
+//! A night lasts from lying down to getting up for good, between two noons. Other activities in between, such as going to the toilet,
+//! are part of it.
 
-use super::life::{Lived, Moved, hours, minutes};
+use super::record::{BodyMovement, PersonRecord, hours, minutes};
 use homebody_core::activity::{GOING_TO_BED, LYING_AWAKE, SLEEPING, USING_BATHROOM};
 use homebody_core::posture::Posture;
 use homebody_core::statistics::{mean, sd, share};
@@ -11,7 +11,6 @@ use homebody_core::time::{DAY, Interval, RunTime};
 use homebody_timeline::Episode;
 use serde::Serialize;
 
-/// One night.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Night {
     /// Hours since the midnight before it: 23.5, or 24.5 after midnight.
@@ -27,9 +26,8 @@ pub struct Night {
     pub time: Interval<RunTime>,
 }
 
-/// The nights of one person.
 #[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct Nights {
+pub struct NightlyFigures {
     pub nights: usize,
     pub to_bed_h: Option<f64>,
     pub to_bed_sd_h: Option<f64>,
@@ -46,16 +44,15 @@ pub struct Nights {
     pub trip_min: Option<f64>,
 }
 
-/// The activities in bed at night.
 pub const IN_BED: [&str; 3] = [GOING_TO_BED, SLEEPING, LYING_AWAKE];
 
-/// The nights that end in the days that count; the first begins on the evening before them.
-pub fn nights(lived: &Lived, activities: &[Episode], moves: &[Moved]) -> Vec<Night> {
+/// The nights that end in the days that count; the first starts on the evening before them.
+pub fn nights(lived: &PersonRecord, activities: &[Episode], moves: &[BodyMovement]) -> Vec<Night> {
     let days = lived.days.start - 1..lived.days.end - 1;
     days.filter_map(|day| night(lived, activities, moves, day)).collect()
 }
 
-fn night(lived: &Lived, activities: &[Episode], moves: &[Moved], day: i32) -> Option<Night> {
+fn night(lived: &PersonRecord, activities: &[Episode], moves: &[BodyMovement], day: i32) -> Option<Night> {
     let noon = |day: i32| activities.partition_point(|done| done.time.begin < lived.midnight(day) + DAY / 2);
     let of_night = &activities[noon(day)..noon(day + 1)];
     let mut in_bed = of_night.iter().enumerate().filter(|(_, done)| IN_BED.contains(&&*done.label));
@@ -77,15 +74,15 @@ fn night(lived: &Lived, activities: &[Episode], moves: &[Moved], day: i32) -> Op
     })
 }
 
-/// The instant in an interval at which the body first lies.
-fn lies_from(moves: &[Moved], time: Interval<RunTime>) -> Option<RunTime> {
+/// The first instant in an interval at which the body lies.
+fn lies_from(moves: &[BodyMovement], time: Interval<RunTime>) -> Option<RunTime> {
     let from = moves.partition_point(|moved| moved.time.end <= time.begin);
     let mut within = moves[from..].iter().take_while(|moved| moved.time.begin < time.end);
     within.find(|moved| moved.posture == Posture::Lying).map(|lies| lies.time.begin.max(time.begin))
 }
 
-impl Nights {
-    pub fn of(nights: &[Night], activities: &[Episode]) -> Nights {
+impl NightlyFigures {
+    pub fn measure(nights: &[Night], activities: &[Episode]) -> NightlyFigures {
         let all = |of: fn(&Night) -> f64| -> Vec<f64> { nights.iter().map(of).collect() };
         let in_night = |at: RunTime| {
             let night = nights.get(nights.partition_point(|night| night.time.end <= at));
@@ -93,7 +90,7 @@ impl Nights {
         };
         let trips = activities.iter().filter(|done| done.label == USING_BATHROOM && in_night(done.time.begin));
         let trip_min: Vec<f64> = trips.map(|trip| minutes(trip.length())).collect();
-        Nights {
+        NightlyFigures {
             nights: nights.len(),
             to_bed_h: mean(&all(|night| night.to_bed_h)),
             to_bed_sd_h: sd(&all(|night| night.to_bed_h)),

@@ -1,29 +1,27 @@
-//! One generated person, measured from the truth of their run and from what their sensors say.
+//! A simulated person, measured in the ground truth and in the firings.
 
 use super::nights::nights;
-use super::{Days, Lived, Nights, Sensing};
+use super::{DailyFigures, NightlyFigures, PersonRecord, SensingFigures};
 use homebody_timeline::Episode;
 use serde::Serialize;
 
-/// One person, measured.
 #[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct Person {
-    pub nights: Nights,
-    pub days: Days,
-    pub sensing: Sensing,
+pub struct PersonFigures {
+    pub nights: NightlyFigures,
+    pub days: DailyFigures,
+    pub sensing: SensingFigures,
 }
 
-impl Person {
-    /// Measures a person.
-    pub fn of(lived: &Lived) -> Person {
+impl PersonFigures {
+    pub fn measure(lived: &PersonRecord) -> PersonFigures {
         let done = lived.timeline.activities.iter().filter(|one| !one.time.is_empty());
         let activities: Vec<Episode> = done.cloned().collect();
         let moves = lived.moves();
         let nights = nights(lived, &activities, &moves);
-        Person {
-            nights: Nights::of(&nights, &activities),
-            days: Days::of(lived, &activities, &moves),
-            sensing: Sensing::of(lived),
+        PersonFigures {
+            nights: NightlyFigures::measure(&nights, &activities),
+            days: DailyFigures::measure(lived, &activities, &moves),
+            sensing: SensingFigures::measure(lived),
         }
     }
 }

@@ -1,35 +1,34 @@
 //! The motion sensors of a simulated person, as logs with ON and OFF have them.
 
-use super::life::Lived;
+use super::record::PersonRecord;
 use homebody_core::ids::SensorId;
 use homebody_core::statistics::{lag_1_autocorrelation, mean, quantile, sd};
 use homebody_core::time::{Interval, RunTime};
 use serde::Serialize;
 
-/// The motion sensors of one person's home.
 #[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct Sensing {
-    /// ONs of a day: their mean, their spread over the days, and how much a day's go with those of the day before.
+pub struct SensingFigures {
+    /// ONs per day: their mean, their spread between days, and the correlation with the day before.
     pub ons: f64,
     pub ons_sd: Option<f64>,
     pub ons_next_day: Option<f64>,
-    /// Seconds between two ONs of any sensors: 50, 90, 95 and 99 % are shorter.
+    /// Seconds between two ONs of any sensors: the quantiles of 50, 90, 95 and 99 %.
     pub gaps_s: [Option<f64>; 4],
-    /// The share of those over an hour.
+    /// The share of gaps over an hour.
     pub gaps_over_an_hour: Option<f64>,
-    /// Seconds that an ON lasts: 5, 50 and 95 % are shorter.
+    /// Seconds of an ON: the quantiles of 5, 50 and 95 %.
     pub on_s: [Option<f64>; 3],
-    /// Seconds from ON to ON of one sensor while movement goes on: 5, 25 and 50 % are shorter.
+    /// Seconds from ON to ON of one sensor during a movement: the quantiles of 5, 25 and 50 %.
     pub again_s: [Option<f64>; 3],
-    /// Of the time with any sensor ON, the shares with exactly one, two, and more.
+    /// The shares of one, two, and more sensors in the time with any sensor ON.
     pub at_once: Option<[f64; 3]>,
 }
 
 /// Time within which a sensor that is ON again continues a movement (our choice).
 const GOES_ON_S: f64 = 30.0;
 
-impl Sensing {
-    pub fn of(lived: &Lived) -> Sensing {
+impl SensingFigures {
+    pub fn measure(lived: &PersonRecord) -> SensingFigures {
         let ons = lived.ons();
         let mut days = vec![0.0; lived.days.len()];
         let mut last = vec![None; lived.is_motion.len()];
@@ -46,7 +45,7 @@ impl Sensing {
         let gaps: Vec<f64> = ons.windows(2).map(|pair| (pair[1].1.begin - pair[0].1.begin).seconds()).collect();
         let lasting: Vec<f64> = ons.iter().map(|(_, on)| on.length().seconds()).collect();
         let over_an_hour = gaps.iter().filter(|&&gap| gap > 3600.0).count();
-        Sensing {
+        SensingFigures {
             ons: mean(&days).unwrap_or(0.0),
             ons_sd: sd(&days),
             ons_next_day: lag_1_autocorrelation(&days),

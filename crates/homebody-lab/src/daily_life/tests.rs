@@ -1,4 +1,4 @@
-//! Each measure on a tiny life made by hand, whose answers are known.
+//! Each measure on a small run made by hand, with known results.
 
 use super::*;
 use homebody_core::calendar::Calendar;
@@ -53,7 +53,7 @@ fn life() -> Events {
         tell(at(day, 19, 0), "relaxing");
     }
     bodies(&mut events);
-    // Whoever else is there does not count.
+    // Other people do not count.
     events.facts.push(Fact::Activity { resident: ResidentId(1), at: at(1, 9, 0), name: Some("napping".into()) });
     events
 }
@@ -82,11 +82,11 @@ fn bodies(events: &mut Events) {
     }
 }
 
-fn measure(events: &Events) -> Person {
+fn measure(events: &Events) -> PersonFigures {
     let calendar = Calendar::new("2011-06-06T00:00:00", "America/Los_Angeles").expect("a date and a zone");
     let mut timeline = TimelineBuilder::new(vec!["her".into()], vec!["hall".into(), "kitchen".into()]);
     timeline.take(&events.facts);
-    Person::of(&Lived {
+    PersonFigures::measure(&PersonRecord {
         events,
         resident: ResidentId(0),
         timeline: &timeline.finish(calendar.instant(3, Span::ZERO)).people[0],
@@ -161,10 +161,10 @@ fn ways_are_counted() {
 }
 
 #[test]
-fn what_sensors_say_is_measured_as_logs_have_it() {
+fn measures_sensors_as_in_logs() {
     let mut events = life();
     let second = |day: i64, second: i64| at(day, 10, 0) + second * SECOND;
-    // A firing while ON prolongs it; one sensor is none of motion; the first day does not count.
+    // A firing while ON prolongs it; one sensor does not detect motion; the first day does not count.
     let fired = [
         (second(0, 0), 0),
         (second(1, 0), 0),
@@ -193,19 +193,19 @@ fn what_sensors_say_is_measured_as_logs_have_it() {
 }
 
 #[test]
-fn a_life_without_anything_is_too_little_to_tell() {
+fn an_empty_run_is_too_short() {
     let person = measure(&Events::default());
     assert_eq!((person.nights.nights, person.nights.in_bed_h), (0, None));
     assert_eq!((person.sensing.gaps_s[0], person.sensing.at_once), (None, None));
-    let experiment = Experiment::of(vec![person], 1);
+    let experiment = DailyLifeExperiment::from_people(vec![person], 1);
     assert!(experiment.to_string().contains("too little to tell"));
 }
 
 #[test]
-fn the_report_names_what_lies_outside_and_why() {
-    let experiment = Experiment::of(vec![measure(&life()); 3], 1);
-    let outside: Vec<&Line> = experiment.outside().collect();
-    // Two ways through the hall are no hundred.
+fn reports_figures_outside_with_reasons() {
+    let experiment = DailyLifeExperiment::from_people(vec![measure(&life()); 3], 1);
+    let outside: Vec<&FigureLine> = experiment.outside().collect();
+    // The norm is a hundred passes of the hall.
     assert!(outside.iter().any(|line| line.what == "passes of the hall a day"));
     let report = experiment.to_string();
     let (_, named) = report.split_once("Outside, and why that may be").expect("something lies outside");
@@ -213,15 +213,15 @@ fn the_report_names_what_lies_outside_and_why() {
         assert!(named.contains(&format!("  {}: ", line.what)), "{}", line.what);
         assert!(named.contains(line.guess), "{}", line.what);
     }
-    // What lies inside, such as the time in bed, is not named there.
+    // Figures inside, such as the time in bed, are not listed there.
     let inside = experiment.lines.iter().find(|line| line.what == "time in bed").expect("there is such a line");
     assert_eq!(inside.inside, Some(true));
     assert!(!named.contains("time in bed:"));
 }
 
 #[test]
-fn every_line_that_may_lie_outside_has_a_guess_and_a_range_that_holds_something() {
-    for line in &Experiment::of(Vec::new(), 1).lines {
+fn every_line_with_a_norm_has_a_reason_and_a_range() {
+    for line in &DailyLifeExperiment::from_people(Vec::new(), 1).lines {
         assert!(line.range.is_none_or(|[low, high]| low < high && !line.guess.is_empty()), "{}", line.what);
         assert!(!line.source.is_empty() && !line.published.is_empty(), "{}", line.what);
         assert_eq!((line.ours, line.inside), (None, None), "{}", line.what);
@@ -229,8 +229,8 @@ fn every_line_that_may_lie_outside_has_a_guess_and_a_range_that_holds_something(
 }
 
 #[test]
-fn the_charts_show_what_the_report_says() {
-    let experiment = Experiment::of(vec![measure(&life()); 2], 1);
+fn charts_show_the_figures_of_the_report() {
+    let experiment = DailyLifeExperiment::from_people(vec![measure(&life()); 2], 1);
     let chart = experiment.chart();
     assert!(chart.starts_with("<svg") && chart.contains("time in bed") && chart.contains("8.00 h"));
     let hours = experiment.hours();

@@ -2,27 +2,25 @@
 
 use crate::alerting::wilson;
 
-/// The chance that is left out on each side.
+/// Probability beyond each end of an interval.
 const TAIL: f64 = 0.025;
 
-/// A count of something rare in so many days; the days differ from one kind of event to another.
+/// A count of rare events in some days; the days differ between kinds of event.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Counted {
-    /// How many there were.
+pub(super) struct EventCount {
     pub events: u32,
-    /// In so many days.
     pub days: f64,
 }
 
-/// The exact interval of a Poisson distribution's mean, by a count from it (Garwood 1936).
+/// The exact interval of the mean of a Poisson distribution, from a count (Garwood 1936).
 pub(super) fn poisson_exact(count: u32) -> [f64; 2] {
     let lower = if count == 0 { 0.0 } else { mean_where(|mean| 1.0 - at_most(count - 1, mean), TAIL) };
     [lower, mean_where(|mean| 1.0 - at_most(count, mean), 1.0 - TAIL)]
 }
 
-/// Events a day of all kinds together, and the interval: that of the sum of all counts, scaled to the standard deviation of the
-/// weighted sum (Dobson et al. 1991). Where nothing was counted, as if all kinds came as often as the one with the fewest days.
-pub(super) fn per_day(counted: &[Counted]) -> (f64, [f64; 2]) {
+/// Events a day of all kinds, and the interval: that of the sum of all counts, scaled to the standard deviation of the weighted sum
+/// (Dobson et al. 1991). Without events, the upper limit is that of the kind with the fewest days.
+pub(super) fn per_day(counted: &[EventCount]) -> (f64, [f64; 2]) {
     let count: u32 = counted.iter().map(|one| one.events).sum();
     let [lower, upper] = poisson_exact(count);
     let rate: f64 = counted.iter().map(|one| f64::from(one.events) / one.days).sum();
@@ -36,17 +34,16 @@ pub(super) fn per_day(counted: &[Counted]) -> (f64, [f64; 2]) {
     (rate, [apart(lower), apart(upper)])
 }
 
-/// A share and its interval (Wilson 1927).
 pub(super) fn share(found: u32, of: u32) -> (f64, [f64; 2]) {
     (f64::from(found) / f64::from(of), wilson(found as usize, of as usize))
 }
 
-/// The median and its interval by ranks, which assumes nothing of how numbers are spread; None of no numbers.
+/// The median and its interval by ranks, which assumes no distribution; `None` without numbers.
 pub(super) fn median(mut numbers: Vec<f64>) -> Option<(f64, [f64; 2])> {
     numbers.sort_by(f64::total_cmp);
     let count = numbers.len();
     let middle = homebody_core::statistics::quantile(&numbers, 0.5)?;
-    // How many of them are below the median is one of two sides of so many coins.
+    // The number of values below the median has a binomial distribution.
     let mut chance = 0.5f64.powi(count as i32);
     let (mut below, mut sum) = (0, chance);
     while sum <= TAIL {
@@ -57,7 +54,6 @@ pub(super) fn median(mut numbers: Vec<f64>) -> Option<(f64, [f64; 2])> {
     Some((middle, [numbers[below.saturating_sub(1)], numbers[(count - below).min(count - 1)]]))
 }
 
-/// The chance of at most so many.
 fn at_most(count: u32, mean: f64) -> f64 {
     let mut chance = (-mean).exp();
     let mut sum = chance;
@@ -68,7 +64,7 @@ fn at_most(count: u32, mean: f64) -> f64 {
     sum
 }
 
-/// The mean at which a chance that rises with it is so high.
+/// The mean at which an increasing probability has this value.
 fn mean_where(chance: impl Fn(f64) -> f64, is: f64) -> f64 {
     let (mut low, mut high) = (0.0, 1.0);
     while chance(high) < is {
@@ -99,11 +95,11 @@ mod tests {
 
     #[test]
     fn a_single_kind_has_the_limits_of_its_count() {
-        let (rate, interval) = per_day(&[Counted { events: 10, days: 20.0 }]);
+        let (rate, interval) = per_day(&[EventCount { events: 10, days: 20.0 }]);
         assert_eq!(rate, 0.5);
         is_near(interval, [0.24, 0.92]);
-        assert_eq!(per_day(&[Counted { events: 0, days: 2.0 }, Counted { events: 0, days: 9.0 }]).0, 0.0);
-        is_near(per_day(&[Counted { events: 0, days: 2.0 }]).1, [0.0, 1.844]);
+        assert_eq!(per_day(&[EventCount { events: 0, days: 2.0 }, EventCount { events: 0, days: 9.0 }]).0, 0.0);
+        is_near(per_day(&[EventCount { events: 0, days: 2.0 }]).1, [0.0, 1.844]);
     }
 
     #[test]

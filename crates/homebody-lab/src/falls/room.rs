@@ -1,21 +1,19 @@
 //! The room of the experiment, as its files.
 
-use super::cases::Case;
+use super::cases::FallCase;
 use homebody_core::random::Stream;
 use homebody_core::scenario::load::Scenario;
 use serde::Serialize;
 use serde_json::{Value, json};
 use std::collections::BTreeMap;
 
-/// What is different about the room or its cameras.
+/// A variant of the room or its cameras.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Condition {
-    /// Nothing.
     Usual,
-    /// Silhouettes are clean.
     NoNoise,
-    /// Silhouettes are disturbed about three times as much as usual.
+    /// Silhouettes with about three times the usual noise.
     MoreNoise,
     /// A bookcase, a sideboard and a table hide the floor behind them.
     Furniture,
@@ -25,7 +23,6 @@ impl Condition {
     /// All of them.
     pub const ALL: [Condition; 4] = [Condition::Usual, Condition::NoNoise, Condition::MoreNoise, Condition::Furniture];
 
-    /// What it is called.
     pub fn name(self) -> &'static str {
         match self {
             Condition::Usual => "as usual",
@@ -46,11 +43,11 @@ impl Condition {
     }
 }
 
-/// A case as a scenario, and how long it takes, in seconds.
-pub(super) fn scenario(case: Case, seed: u64, condition: Condition) -> (Scenario, f64) {
+/// A case as a scenario, and its duration in seconds.
+pub(super) fn scenario(case: FallCase, seed: u64, condition: Condition) -> (Scenario, f64) {
     let mut stream = Stream::named(seed, &format!("falls/{}", case.name()));
     let story = case.story(&mut stream);
-    let [height_m, radius_m] = if case == Case::Cat { [0.3, 0.1] } else { [stream.between(1.5, 1.8), 0.2] };
+    let [height_m, radius_m] = if case == FallCase::Cat { [0.3, 0.1] } else { [stream.between(1.5, 1.8), 0.2] };
     let entry = json!({ "name": "falls", "start": "2026-03-02T09:00:00", "time_zone": "UTC", "home": "home.json",
         "days": 1, "residents": ["somebody.json"], "numbers": condition.numbers() });
     let somebody =

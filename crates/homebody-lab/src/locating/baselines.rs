@@ -1,20 +1,20 @@
-//! Two simpler methods to compare with: both know rooms only.
+//! Two simpler methods for comparison, which know rooms only.
 
-use super::truth::{MessagesWithTruth, Place, second_begins};
+use super::truth::{MessagesWithTruth, PersonPlace, second_begins};
 use homebody_core::time::SECOND;
 use homebody_infer::MessageKind;
 
 /// By second: the rooms of the sensors that fired last, one for each person.
-pub(crate) fn last_firing(simulated: &MessagesWithTruth, people: usize) -> Vec<Vec<Place>> {
+pub(crate) fn last_firing(simulated: &MessagesWithTruth, people: usize) -> Vec<Vec<PersonPlace>> {
     let seconds = simulated.places.first().map_or(0, Vec::len);
-    let mut recent: Vec<Place> = Vec::new();
+    let mut recent: Vec<PersonPlace> = Vec::new();
     let mut messages = simulated.messages.iter().peekable();
     let mut rooms = Vec::with_capacity(seconds);
     for second in 0..seconds {
         while let Some(message) = messages.next_if(|message| message.at <= second_begins(second)) {
             if let Some(room) = simulated.room_of[message.sensor].filter(|_| message.said != MessageKind::Off) {
-                recent.retain(|one| *one != Place::Room(room));
-                recent.insert(0, Place::Room(room));
+                recent.retain(|one| *one != PersonPlace::Room(room));
+                recent.insert(0, PersonPlace::Room(room));
                 recent.truncate(people);
             }
         }
@@ -33,10 +33,9 @@ const SEEN_OUT: f64 = 0.0001;
 /// Probability of the same room in the next look (our choice, selected in the same way).
 const STAYS: f64 = 0.999;
 
-/// By second: the room that a hidden Markov model tells, which knows which sensors hang in which room and no more. Its states
-/// are the rooms and being out; what it sees is whether sensors of each room fired within ten seconds. Where several live, each
-/// has the same room.
-pub(crate) fn rooms_only(simulated: &MessagesWithTruth, rooms: usize, people: usize) -> Vec<Vec<Place>> {
+/// By second: the room by a hidden Markov model that knows the sensors of each room and no more. Its states are the rooms and
+/// being out; it observes whether sensors of each room fired within ten seconds. Several people all get the same room.
+pub(crate) fn rooms_only(simulated: &MessagesWithTruth, rooms: usize, people: usize) -> Vec<Vec<PersonPlace>> {
     let seconds = simulated.places.first().map_or(0, Vec::len);
     let looks = seconds.div_ceil(LOOK_S);
     let mut fired = vec![vec![false; rooms]; looks];
@@ -70,17 +69,17 @@ pub(crate) fn rooms_only(simulated: &MessagesWithTruth, rooms: usize, people: us
         now = normal(step(&now).iter().enumerate().map(|(state, one)| one * chance(state, look)).collect());
         ahead.push(now.clone());
     }
-    let mut told = vec![Place::Out; looks];
+    let mut located = vec![PersonPlace::Out; looks];
     let mut after = vec![1.0; states];
     for look in (0..looks).rev() {
         let both = |state: &usize| ahead[look][*state] * after[*state];
         let best = (0..states).max_by(|a, b| both(a).total_cmp(&both(b))).unwrap_or(rooms);
-        told[look] = if best == rooms { Place::Out } else { Place::Room(best) };
+        located[look] = if best == rooms { PersonPlace::Out } else { PersonPlace::Room(best) };
         after = normal(step(
             &after.iter().enumerate().map(|(state, one)| one * chance(state, &fired[look])).collect::<Vec<f64>>(),
         ));
     }
-    (0..seconds).map(|second| vec![told[second / LOOK_S]; people]).collect()
+    (0..seconds).map(|second| vec![located[second / LOOK_S]; people]).collect()
 }
 
 fn normal(mut chances: Vec<f64>) -> Vec<f64> {

@@ -10,11 +10,9 @@ use homebody_core::time::{RunTime, SECOND, Span};
 use homebody_infer::{LogMessage, MessageKind, ResponseError};
 use homebody_log::{LogError, SimulatedRun};
 
-/// A home and its residents.
-pub struct Home<'a> {
-    /// The home, with its link.
+pub struct SimulatedHome<'a> {
+    /// The scenario, with its link.
     pub scenario: &'a Scenario,
-    /// The drivers of its residents.
     pub drivers: &'a dyn DriverProvider,
     /// The residents that are people, not pets.
     pub people: Vec<usize>,
@@ -34,43 +32,26 @@ homebody_core::messages! {
     }
 }
 
-impl From<ResponseError> for LocatingError {
-    fn from(error: ResponseError) -> LocatingError {
-        LocatingError::Home(error)
-    }
-}
-
-impl From<LogError> for LocatingError {
-    fn from(error: LogError) -> LocatingError {
-        LocatingError::Log(error)
-    }
-}
-
-impl From<DriverError> for LocatingError {
-    fn from(error: DriverError) -> LocatingError {
-        LocatingError::Run(error)
-    }
-}
+from_errors!(LocatingError: Home(ResponseError), Log(LogError), Run(DriverError));
 
 /// The place of a person: out, between rooms, or in a room by its index.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Place {
+pub(crate) enum PersonPlace {
     Out,
     Between,
     Room(usize),
 }
 
-impl Place {
-    pub(crate) fn of(at: Option<Point>, room: Option<usize>) -> Place {
+impl PersonPlace {
+    pub(crate) fn new(at: Option<Point>, room: Option<usize>) -> PersonPlace {
         match (at, room) {
-            (None, _) => Place::Out,
-            (_, None) => Place::Between,
-            (_, Some(room)) => Place::Room(room),
+            (None, _) => PersonPlace::Out,
+            (_, None) => PersonPlace::Between,
+            (_, Some(room)) => PersonPlace::Room(room),
         }
     }
 }
 
-/// The beginning of a second of a run.
 pub(crate) fn second_begins(second: usize) -> RunTime {
     RunTime::START + second as i64 * SECOND
 }
@@ -78,17 +59,16 @@ pub(crate) fn second_begins(second: usize) -> RunTime {
 /// The messages of a simulated run, and the truth of each second.
 pub(crate) struct MessagesWithTruth {
     pub messages: Vec<LogMessage>,
-    /// By sensor: the room that it hangs in.
+    /// By sensor: its room.
     pub room_of: Vec<Option<usize>>,
-    /// The number of bodies that live there; the others visit.
+    /// The number of residents among the bodies; the others are visitors.
     pub residents: usize,
-    /// By body and second.
-    pub places: Vec<Vec<Place>>,
+    pub places: Vec<Vec<PersonPlace>>,
     pub at: Vec<Vec<Option<Point>>>,
 }
 
 impl MessagesWithTruth {
-    pub fn simulate(home: &Home, seed: u64, length: Span) -> Result<MessagesWithTruth, LocatingError> {
+    pub fn simulate(home: &SimulatedHome, seed: u64, length: Span) -> Result<MessagesWithTruth, LocatingError> {
         let mut simulated = SimulatedRun::new(home.scenario, home.drivers, seed, length)?;
         let run = simulated.run();
         let (bodies, seconds) = (run.names().len(), (length / SECOND) as usize);
@@ -96,7 +76,7 @@ impl MessagesWithTruth {
             messages: Vec::new(),
             room_of: run.sensors().iter().map(|sensor| sensor.room.map(|room| room.index())).collect(),
             residents: home.scenario.residents.len(),
-            places: vec![vec![Place::Out; seconds]; bodies],
+            places: vec![vec![PersonPlace::Out; seconds]; bodies],
             at: vec![vec![None; seconds]; bodies],
         };
         simulated.each_hour(|facts, rows| {
@@ -112,14 +92,14 @@ impl MessagesWithTruth {
         Ok(all)
     }
 
-    fn moves(&mut self, home: &Home, body: usize, segment: &MotionSegment) {
+    fn moves(&mut self, home: &SimulatedHome, body: usize, segment: &MotionSegment) {
         let plan = home.scenario.home.plan();
         // The seconds that begin within it.
         let next_second = |at: RunTime| (at.since_zero() + SECOND - Span::MICROSECOND) / SECOND;
         let (first, end) = (next_second(segment.begin), next_second(segment.end));
         for second in (first.max(0) as usize)..(end as usize).min(self.places[body].len()) {
             let at = segment.position(second_begins(second));
-            self.places[body][second] = Place::of(at, at.and_then(|at| plan.room_at(at)));
+            self.places[body][second] = PersonPlace::new(at, at.and_then(|at| plan.room_at(at)));
             self.at[body][second] = at;
         }
     }

@@ -1,4 +1,4 @@
-//! The classes of the data set, and what of a life counts as each.
+//! The classes of the data set, and the simulated activities of each.
 
 use homebody_core::activity::{
     AWAY, COMING_HOME, DRINKING, EATING_BREAKFAST, EATING_DINNER, EATING_LUNCH, FRESHENING_UP, GOING_TO_BED, GROOMING,
@@ -6,7 +6,6 @@ use homebody_core::activity::{
     SLEEPING, TimeUse, USING_BATHROOM, WASHING,
 };
 
-/// The classes, as the data set's annotations call them.
 pub const CLASSES: [&str; 10] = [
     "Sleeping",
     "Toileting",
@@ -20,7 +19,6 @@ pub const CLASSES: [&str; 10] = [
     "Leaving",
 ];
 
-/// Number of classes.
 pub const COUNT: usize = CLASSES.len();
 
 /// The labels of each class in a simulation, in the same order. Spare time is what people do for pleasure.
@@ -37,7 +35,7 @@ const LIVED: [&[&str]; COUNT] = [
     &[AWAY, LEAVING_HOME, COMING_HOME],
 ];
 
-/// The class that the annotations, or a life, call so; nothing where it is none of theirs.
+/// The class with this name in the annotations or in a simulation; `None` for other activities.
 pub fn class_of(name: &str) -> Option<usize> {
     let said = CLASSES.iter().position(|class| *class == name);
     let lived = || LIVED.iter().position(|labels| labels.contains(&name));

@@ -6,7 +6,7 @@ use homebody_routine::rhythm::DiaryEntry;
 use homebody_routine::routine::{Activity, Meal};
 use homebody_timeline::Episode;
 
-/// The activity that annotations of each name stand for; spare time is what is left, so that nothing is noted of it.
+/// The activity behind each annotation. Spare time is the rest, so no entry is made for it.
 const NAMES: [(&str, Activity); 9] = [
     ("Sleeping", Activity::GoToBed),
     ("Toileting", Activity::UseBathroom),
@@ -19,7 +19,7 @@ const NAMES: [(&str, Activity); 9] = [
     ("Leaving", Activity::Leave),
 ];
 
-/// The activities that the annotations cover, under any name: meals are prepared, and naps would be sleep.
+/// The activities that the annotations cover, under any name: meals include their preparation, and sleep includes naps.
 pub fn known() -> Vec<Activity> {
     let meals = [Meal::Breakfast, Meal::Lunch, Meal::Dinner].map(Activity::Prepare);
     NAMES.map(|(_, activity)| activity).into_iter().chain(meals).chain([Activity::Nap]).collect()
@@ -27,7 +27,11 @@ pub fn known() -> Vec<Activity> {
 
 /// The activities within an interval. A meal is prepared until the last time that a sensor of the kitchen begins or ends in it, and eaten
 /// then.
-pub fn noted(annotations: &[Episode<WallTime>], kitchen: &[On], within: Interval<WallTime>) -> Vec<DiaryEntry> {
+pub fn diary_entries(
+    annotations: &[Episode<WallTime>],
+    kitchen: &[On],
+    within: Interval<WallTime>,
+) -> Vec<DiaryEntry> {
     let mut noted = Vec::new();
     for Episode { label, time: Interval { begin, end } } in annotations {
         let Some((_, what)) = NAMES.iter().find(|(called, _)| called == label) else { continue };
@@ -68,19 +72,19 @@ mod tests {
         ];
         let on = |begin, end| On { sensor: 0, time: Interval::new(second(begin), second(end)) };
         let kitchen = [on(90, 120), on(150, 250), on(500, 510)];
-        let noted = noted(&annotations, &kitchen, Interval::new(second(0), second(1000)));
-        let told: Vec<(Activity, WallTime, WallTime)> =
+        let noted = diary_entries(&annotations, &kitchen, Interval::new(second(0), second(1000)));
+        let entries: Vec<(Activity, WallTime, WallTime)> =
             noted.into_iter().map(|one| (one.what, one.begin, one.end)).collect();
         let wanted = [
             (Activity::Prepare(Meal::Lunch), second(100), second(250)),
             (Activity::Eat(Meal::Lunch), second(250), second(400)),
             (Activity::Snack, second(900), second(910)),
         ];
-        assert_eq!(told, wanted);
+        assert_eq!(entries, wanted);
     }
 
     #[test]
-    fn all_that_annotations_are_called_is_of_a_class() {
+    fn every_annotation_has_a_class() {
         for (name, activity) in NAMES {
             assert_eq!(
                 super::super::classes::class_of(name),

@@ -14,20 +14,18 @@ macro_rules! files {
     ($($name:literal),*) => { [$(($name, include_str!(concat!("flat/", $name)))),*] };
 }
 
-/// All but the routine.
+/// All files except the routine.
 const FILES: [(&str, &str); 4] = files!("scenario.json", "home.json", "logger.json", "resident.json");
 const ENTRY: &str = "scenario.json";
 const ROUTINE: &str = "resident.routine";
-/// The room whose sensors say that a meal is being prepared.
+/// The room whose sensors show the preparation of a meal.
 const KITCHEN: &str = "kitchen";
 
-/// The flat with its resident.
 pub struct Flat {
     scenario: Scenario,
     household: Household,
     /// The names of the sensors in the log, in the order of the home.
     pub sensors: Vec<String>,
-    /// Which of them are in the kitchen.
     pub in_kitchen: Vec<bool>,
 }
 
@@ -49,20 +47,10 @@ homebody_core::messages! {
     }
 }
 
-impl From<LogError> for FlatError {
-    fn from(error: LogError) -> FlatError {
-        FlatError::Log(error)
-    }
-}
-
-impl From<DriverError> for FlatError {
-    fn from(error: DriverError) -> FlatError {
-        FlatError::Run(error)
-    }
-}
+from_errors!(FlatError: Log(LogError), Run(DriverError));
 
 impl Flat {
-    /// The flat whose resident lives by this routine.
+    /// The flat with this routine of its resident.
     pub fn new(routine: &str) -> Result<Flat, FlatError> {
         let mut files: BTreeMap<String, String> =
             FILES.iter().map(|(name, text)| ((*name).to_owned(), (*text).to_owned())).collect();
@@ -79,7 +67,7 @@ impl Flat {
         Ok(Flat { sensors, in_kitchen, scenario, household })
     }
 
-    /// Simulates so many days from a midnight on. The wall clock is never set.
+    /// Simulates some days from a midnight on. The wall clock is never set.
     pub fn simulate(&self, seed: u64, days: u32, midnight: WallTime) -> Result<Log, FlatError> {
         let length = i64::from(days) * DAY;
         let wall = |at: RunTime| midnight + at.since_zero();

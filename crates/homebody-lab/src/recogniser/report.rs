@@ -1,11 +1,12 @@
-//! The experiment in words.
+//! The report of the experiment.
 
-use super::Experiment;
+use super::{RecogniserExperiment, Score};
+use homebody::shared::TextTable;
 use std::fmt;
 
-impl fmt::Display for Experiment {
+impl fmt::Display for RecogniserExperiment {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
-        let Experiment { simulated_days, real_days: [first, second], cases, .. } = self;
+        let RecogniserExperiment { simulated_days, real_days: [first, second], cases, .. } = self;
         writeln!(
             f,
             "Activities in windows of 5 minutes, recognised on the last {second} of {} real days; {} seeds, {simulated_days} \
@@ -13,36 +14,37 @@ impl fmt::Display for Experiment {
             first + second,
             cases.len()
         )?;
-        writeln!(f, "{:<32} {:>8} {:>7} {:>8}", "learnt from", "macro F1", "spread", "of real")?;
-        for score in &self.scores {
-            let (name, part) = (score.learnt_from, format!("{:.0} %", score.of_real * 100.0));
-            writeln!(f, "{name:<32} {:>8.3} {:>7.3} {part:>8}", score.macro_f1, score.spread)?;
+        let table = TextTable::new("-32 learnt from|8 macro F1|7 spread|8 of real");
+        f.write_str(&table.heading())?;
+        for Score { learnt_from, macro_f1, spread, of_real, .. } in &self.scores {
+            let [macro_f1, spread] = [macro_f1, spread].map(|value| format!("{value:.3}"));
+            f.write_str(&table.row(&[learnt_from, &macro_f1, &spread, &format!("{:.0} %", of_real * 100.0)]))?;
         }
         writeln!(f, "\nF1 by class")?;
-        write!(f, "{:<32}", "learnt from")?;
-        self.classes.iter().try_for_each(|class| write!(f, " {:>9}", short(class)))?;
-        writeln!(f)?;
-        for score in &self.scores {
-            write!(f, "{:<32}", score.learnt_from)?;
-            score.f1.iter().try_for_each(|f1| write!(f, " {f1:>9.2}"))?;
-            writeln!(f)?;
+        let classes = || self.classes.iter().map(|class| short(class).to_owned());
+        write_row(f, "learnt from", classes())?;
+        for Score { learnt_from, f1, .. } in &self.scores {
+            write_row(f, learnt_from, f1.iter().map(|f1| format!("{f1:.2}")))?;
         }
         for score in self.scores.iter().take(2) {
             writeln!(f, "\nWhat windows were taken for, learnt from {}", score.learnt_from)?;
-            write!(f, "{:<32}", "are")?;
-            self.classes.iter().try_for_each(|class| write!(f, " {:>9}", short(class)))?;
-            writeln!(f)?;
+            write_row(f, "are", classes())?;
             for (class, row) in self.classes.iter().zip(&score.confusion) {
-                write!(f, "{class:<32}")?;
-                row.iter().try_for_each(|count| write!(f, " {count:>9.1}"))?;
-                writeln!(f)?;
+                write_row(f, class, row.iter().map(|count| format!("{count:.1}")))?;
             }
         }
         writeln!(f, "\nThe routine, written from the first {first} days\n\n{}", self.routine.trim_end())
     }
 }
 
-/// As much of a name as a column has room for.
+/// A name, and a cell for each class.
+fn write_row(f: &mut fmt::Formatter, name: &str, cells: impl Iterator<Item = String>) -> fmt::Result {
+    write!(f, "{name:<32}")?;
+    cells.into_iter().try_for_each(|cell| write!(f, " {cell:>9}"))?;
+    writeln!(f)
+}
+
+/// The part of a name that fits into a column.
 fn short(class: &str) -> &str {
     class.get(..9).unwrap_or(class)
 }

@@ -3,19 +3,18 @@
 use super::classes::COUNT;
 use serde::Serialize;
 
-/// The number of windows of each class, by row, that were taken for each class, by column.
+/// The number of windows of each class, by row, and predicted class, by column.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Confusion(pub [[u32; COUNT]; COUNT]);
 
 impl Confusion {
-    /// Of what windows are, and what they were taken for.
-    pub fn of(judged: impl Iterator<Item = (usize, usize)>) -> Confusion {
+    /// Counts pairs of true and predicted class.
+    pub fn from_pairs(judged: impl Iterator<Item = (usize, usize)>) -> Confusion {
         let mut counts = [[0; COUNT]; COUNT];
-        judged.for_each(|(is, told)| counts[is][told] += 1);
+        judged.for_each(|(is, predicted)| counts[is][predicted] += 1);
         Confusion(counts)
     }
 
-    /// All of them together.
     pub fn sum<'a>(all: impl Iterator<Item = &'a Confusion>) -> Confusion {
         let mut sum = [[0; COUNT]; COUNT];
         for (row, of) in all.flat_map(|one| one.0.iter().enumerate()) {
@@ -24,15 +23,15 @@ impl Confusion {
         Confusion(sum)
     }
 
-    /// The harmonic mean of precision and recall of a class; nothing where no window is of it or taken for it.
+    /// The harmonic mean of precision and recall of a class; `None` if no window has this true or predicted class.
     pub fn f1(&self, class: usize) -> Option<f64> {
         let right = self.0[class][class];
         let is: u32 = self.0[class].iter().sum();
-        let told: u32 = self.0.iter().map(|row| row[class]).sum();
-        (is + told > 0).then(|| 2.0 * f64::from(right) / f64::from(is + told))
+        let predicted: u32 = self.0.iter().map(|row| row[class]).sum();
+        (is + predicted > 0).then(|| 2.0 * f64::from(right) / f64::from(is + predicted))
     }
 
-    /// The mean of the F1 of these classes; one that is never there and never told counts as 0.
+    /// The mean of the F1 of these classes; the F1 of an absent class is 0.
     pub fn macro_f1(&self, classes: &[usize]) -> f64 {
         classes.iter().map(|&class| self.f1(class).unwrap_or(0.0)).sum::<f64>() / classes.len().max(1) as f64
     }
@@ -44,9 +43,9 @@ mod tests {
 
     #[test]
     fn f1_is_the_harmonic_mean_of_precision_and_recall() {
-        // Of class 0, three of four are found, and one of four that are told is of class 1.
+        // Three of four windows of class 0 are found, and one of four predictions of class 0 is wrong.
         let judged = [(0, 0), (0, 0), (0, 0), (0, 1), (1, 0), (1, 1), (2, 2)];
-        let confusion = Confusion::of(judged.into_iter());
+        let confusion = Confusion::from_pairs(judged.into_iter());
         assert_eq!(confusion.f1(0), Some(0.75));
         assert_eq!(confusion.f1(1), Some(0.5));
         assert_eq!(confusion.f1(2), Some(1.0));

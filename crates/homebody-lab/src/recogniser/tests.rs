@@ -28,7 +28,7 @@ fn annotated(days: u32) -> Log {
 }
 
 #[test]
-fn who_has_learnt_from_a_life_like_the_real_one_recognises_it() {
+fn training_on_similar_days_recognises_activities() {
     let log = annotated(8);
     let prepared = Prepared::new(&log).unwrap();
     assert!(prepared.routine.contains("She gets up at about 08:0"), "{}", prepared.routine);
@@ -52,14 +52,14 @@ fn who_has_learnt_from_a_life_like_the_real_one_recognises_it() {
 }
 
 #[test]
-fn what_cannot_be_judged_is_said() {
+fn rejects_unsuitable_logs() {
     let log = annotated(5);
-    assert!(matches!(Prepared::new(&log), Err(NotRecognised::TooFewDays(5))));
+    assert!(matches!(Prepared::new(&log), Err(RecogniserError::TooFewDays(5))));
     let silent = Log { activities: Vec::new(), ..log.clone() };
-    assert!(matches!(Prepared::new(&silent), Err(NotRecognised::NoActivities)));
+    assert!(matches!(Prepared::new(&silent), Err(RecogniserError::NoActivities)));
     let mut other = annotated(6);
     other.sensors[0] = "somewhere".into();
-    assert!(matches!(Prepared::new(&other), Err(NotRecognised::NoSensor(name)) if name == "Bed Pressure Bedroom"));
+    assert!(matches!(Prepared::new(&other), Err(RecogniserError::NoSensor(name)) if name == "Bed Pressure Bedroom"));
 }
 
 /// The data set, where HOMEBODY_DATA names the folder that holds it.

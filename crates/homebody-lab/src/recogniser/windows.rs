@@ -1,17 +1,15 @@
-//! A log cut into windows: what its sensors said in each, and which class of activity it is of.
+//! A log cut into windows, each with features of its sensors and with a class of activity.
 //!
-//! A window's figures are, of each sensor, for which share of the window it was ON and whether it was ON at all; which sensor had
-//! begun last before the window; whether none was ON; and the hour of the day. ONs of a sensor that are less than a minute apart are
-//! one, as they are in data sets that keep intervals.
+//! The features of a window are: for each sensor, the share of the window in which it was ON, and if it was ON at all; the sensor with the
+//! last start before the window; if all sensors were OFF; and the hour of the day. ONs of a sensor with less than a minute between them are
+//! one, as in data sets of intervals.
 //!
-//! A window is of the class that fills most of it, if activities of any class fill half of it or more; else it is of none, and left
-//! out.
+//! The class of a window is the one that fills most of it, if activities with a class fill at least half of it. Other windows are left out.
 
 use super::classes::{COUNT, class_of};
 use homebody_core::time::{HOUR, Interval, MINUTE, Span, WallTime};
 use homebody_log::Log;
 
-/// Length of a window.
 pub const WINDOW: Span = MINUTE.times(5);
 
 /// Time between ONs of a sensor below which they are one (our choice).
@@ -20,27 +18,22 @@ const FUSED: Span = MINUTE;
 /// Time after which the start of a sensor's ON no longer makes it the last sensor (our choice).
 const REMEMBERED: Span = HOUR.times(12);
 
-/// One window.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Window {
-    /// When it begins.
     pub begin: WallTime,
-    /// The features.
     pub figures: Vec<f64>,
-    /// Of which class it is.
     pub class: usize,
 }
 
-/// When a sensor was ON, or open.
+/// An ON time of a sensor.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct On {
     /// Index into the sensors that are asked for.
     pub sensor: usize,
-    /// When.
     pub time: Interval<WallTime>,
 }
 
-/// When these sensors were ON, in order of begin; other sensors of the log do not count.
+/// The ON times of these sensors, in order of start; other sensors of the log do not count.
 pub fn ons(log: &Log, sensors: &[String]) -> Vec<On> {
     let index: Vec<Option<usize>> =
         log.sensors.iter().map(|name| sensors.iter().position(|wanted| wanted == name)).collect();
@@ -68,7 +61,6 @@ pub fn ons(log: &Log, sensors: &[String]) -> Vec<On> {
     ons
 }
 
-/// The windows of an interval that begins at a midnight.
 pub fn windows(log: &Log, sensors: &[String], span: Interval<WallTime>) -> Vec<Window> {
     let ons = ons(log, sensors);
     let count = (span.length() / WINDOW).max(0) as usize;
@@ -114,7 +106,7 @@ fn figures(shares: &[f64], last: Option<usize>, begin: WallTime) -> Vec<f64> {
     figures
 }
 
-/// The windows that a time has a part in, and which share of each.
+/// The windows that overlap with a time, and the share of each.
 fn parts(time: Interval<WallTime>, span: Interval<WallTime>) -> impl Iterator<Item = (usize, f64)> {
     let Interval { begin, end } = time;
     let (from, to) = (begin.max(span.begin), end.min(span.end - Span::MICROSECOND).max(begin));
@@ -169,12 +161,12 @@ mod tests {
     }
 
     #[test]
-    fn windows_say_what_was_on_and_what_was_done() {
+    fn windows_have_features_and_a_class() {
         let all = windows(&log(), &sensors(), Interval::new(minute(0), minute(20)));
-        let told: Vec<(WallTime, usize)> = all.iter().map(|window| (window.begin, window.class)).collect();
+        let classes: Vec<(WallTime, usize)> = all.iter().map(|window| (window.begin, window.class)).collect();
         let [breakfast, spare] = ["Breakfast", "Spare_Time/TV"].map(|name| class_of(name).unwrap());
         // Of the first five minutes two are breakfast's, which is too little.
-        assert_eq!(told, [(minute(5), breakfast), (minute(10), spare), (minute(15), spare)]);
+        assert_eq!(classes, [(minute(5), breakfast), (minute(10), spare), (minute(15), spare)]);
         // Shares ON, whether ON, which began last, whether none was ON, the hour.
         assert_eq!(all[0].figures, [0.2, 0.0, 1.0, 0.0, 1.0, 0.0, 0.0, 5.0 / 60.0]);
         assert_eq!(all[1].figures, [0.0, 1.0, 0.0, 1.0, 1.0, 0.0, 0.0, 10.0 / 60.0]);
@@ -182,7 +174,7 @@ mod tests {
     }
 
     #[test]
-    fn what_lies_outside_of_the_span_does_not_count() {
+    fn times_outside_the_span_do_not_count() {
         let day = windows(&log(), &sensors(), Interval::new(minute(15), minute(25)));
         assert_eq!(day.len(), 1);
         assert_eq!(day[0].figures[..4], [0.0, 1.0, 0.0, 1.0]);

@@ -3,7 +3,7 @@
 //! Only the annotated span counts, and only rooms with a sensor. Every figure is of sums over all
 //! recordings, so a long recording counts more than a short one.
 
-use super::comparison::{Comparison, Figures, RoomComparison};
+use super::comparison::{Comparison, RoomComparison, SensorFigures};
 use super::words;
 use super::{AnnotatedRun, Interval, at_moment, moments};
 use homebody_core::statistics::quantile;
@@ -38,11 +38,10 @@ pub fn compare_runs(runs: &[(&AnnotatedRun, &[Interval])], rooms: &[String]) -> 
     }
 }
 
-/// The intervals in which sensors are ON that stay so for `hold_s` after each firing; firings (seconds
-/// and index of the sensor) in order of time, `rooms` by sensor.
+/// The ON intervals of sensors, which stay ON for `hold_s` after each firing. Firings (seconds and index of the sensor) are in order of
+/// time, `rooms` by sensor.
 ///
-/// The same as the logger's ON and OFF, which are rows of a log and this the spans between them: a firing at the very
-/// instant of the OFF begins anew.
+/// The same as the ON and OFF of the logger: a firing at the instant of an OFF starts a new interval.
 pub fn hold(firings: impl IntoIterator<Item = (f64, usize)>, rooms: &[String], hold_s: f64) -> Vec<Interval> {
     let mut last: Vec<Option<usize>> = vec![None; rooms.len()];
     let mut intervals: Vec<Interval> = Vec::new();
@@ -58,18 +57,16 @@ pub fn hold(firings: impl IntoIterator<Item = (f64, usize)>, rooms: &[String], h
     intervals
 }
 
-/// The sums behind a room's figures.
 #[derive(Default)]
 struct RoomTally {
     visits: usize,
     in_room_s: f64,
     real: Tally,
     simulated: Tally,
-    /// Seconds by whether the real and the simulated sensor is ON.
+    /// Seconds by state of the real and of the simulated sensor.
     seconds: [[u64; 2]; 2],
 }
 
-/// The sums behind one sensor's figures.
 #[derive(Default)]
 struct Tally {
     intervals: usize,
@@ -132,7 +129,7 @@ impl Tally {
             let within = on.iter().filter(|on| on.start_s < visit.end_s && on.end_s > visit.start_s);
             let common = |on: &Interval| on.end_s.min(visit.end_s) - on.start_s.max(visit.start_s);
             self.on_in_room_s += within.clone().map(common).sum::<f64>();
-            // Whatever was ON already has seen them at once.
+            // A sensor that was ON already has no latency.
             let entries = within.map(|on| (on.start_s - visit.start_s).max(0.0));
             self.latencies_s.extend(entries.min_by(f64::total_cmp));
         }
@@ -145,8 +142,8 @@ impl Tally {
         self.latencies_s.extend(&other.latencies_s);
     }
 
-    fn figures(&self, in_room_s: f64) -> Figures {
-        Figures {
+    fn figures(&self, in_room_s: f64) -> SensorFigures {
+        SensorFigures {
             intervals: self.intervals,
             on_s: self.on_s,
             visits_seen: self.latencies_s.len(),
@@ -195,7 +192,7 @@ pub mod tests {
         let comparison = compare_run(&run, &simulated, &names(&["hall", "kitchen"]));
         let hall = &comparison.rooms[0];
         assert_eq!((hall.visits, hall.in_room_s), (2, 20.0));
-        let real = Figures {
+        let real = SensorFigures {
             intervals: 2,
             on_s: 6.0,
             visits_seen: 1,
@@ -204,7 +201,7 @@ pub mod tests {
             recall: Some(2.0 / 20.0),
         };
         assert_eq!(hall.real, real);
-        let simulated = Figures {
+        let simulated = SensorFigures {
             intervals: 2,
             on_s: 8.0,
             visits_seen: 2,
@@ -226,7 +223,7 @@ pub mod tests {
     }
 
     #[test]
-    fn what_equals_itself_agrees_in_everything() {
+    fn equal_sensors_agree() {
         let pir = [on(11.0, 14.0, "hall"), on(22.0, 80.0, "kitchen"), on(111.0, 119.0, "hall")];
         let run = recording(&pir);
         let comparison = compare_run(&run, &pir, &names(&["hall", "kitchen"]));

@@ -1,7 +1,6 @@
-//! The house that recordings are acted out in: where a person can stand and sit in its rooms, the doors between them, and
-//! how far it is from place to place.
+//! The house of the recordings: places to stand and sit in its rooms, the doors between them, and the distances.
 //!
-//! Ways are those of a mesh for the resident's body. To stand on, each room has the points of a lattice that are free.
+//! Paths are those of a mesh for the resident's body. The places to stand are the free points of a lattice.
 
 use homebody_core::geometry::{self, Point};
 use homebody_core::plan::{Opening, Origin, Plan};
@@ -16,8 +15,8 @@ const LATTICE_M: f64 = 0.2;
 /// SPHERE house, 0.73 m, is still wide enough.
 const KEEPS_OFF_M: f64 = 0.03;
 
-/// A house in which ways are looked for. Points are metres in its plane, rooms indices into those of its plan.
-pub struct House<'a> {
+/// A house with its paths. Points are metres in its plane, rooms are indices into those of its plan.
+pub struct SphereHouse<'a> {
     pub(super) plan: &'a Plan,
     routes: Routes,
     floor: Vec<Vec<Point>>,
@@ -31,47 +30,45 @@ struct Door {
     rooms: [usize; 2],
 }
 
-/// Enterable furniture.
 struct Seat {
     at: Point,
     room: usize,
-    /// Its greatest length.
     extent_m: f64,
 }
 
-/// A way after where it begins, and its length.
+/// A path without its start, and its length.
 #[derive(Clone, Debug)]
-pub(super) struct Way {
+pub(super) struct HouseWay {
     pub(super) to: Arc<[Point]>,
     pub(super) length_m: f64,
 }
 
-impl<'a> House<'a> {
-    /// The house for a body of this radius, which is above 0.
-    pub fn new(plan: &'a Plan, radius_m: f64) -> House<'a> {
+impl<'a> SphereHouse<'a> {
+    /// The house for a body with this radius, which is above 0.
+    pub fn new(plan: &'a Plan, radius_m: f64) -> SphereHouse<'a> {
         let mesh = Mesh::new(plan, radius_m + KEEPS_OFF_M);
         let floor = floor(plan, &mesh);
-        House { plan, routes: Routes::new(Arc::new(mesh)), floor, doors: doors(plan), seats: seats(plan) }
+        SphereHouse { plan, routes: Routes::new(Arc::new(mesh)), floor, doors: doors(plan), seats: seats(plan) }
     }
 
-    /// The points of a room to stand on; none where the body does not fit into it.
+    /// The points of a room to stand on; empty if the body does not fit into it.
     pub(super) fn floor(&self, room: usize) -> &[Point] {
         &self.floor[room]
     }
 
-    /// The shortest way; `None`: no way leads there.
-    pub(super) fn way(&mut self, from: Point, to: Point) -> Option<Way> {
+    /// The shortest path; `None` without a path.
+    pub(super) fn way(&mut self, from: Point, to: Point) -> Option<HouseWay> {
         let way = self.routes.path(from, to)?;
         let length_m = [from].iter().chain(&*way).zip(&*way).map(|(a, b)| a.distance(*b)).sum();
-        Some(Way { to: way, length_m })
+        Some(HouseWay { to: way, length_m })
     }
 
-    /// How long the shortest way is; infinite where none leads there.
+    /// The length of the shortest path; infinite without a path.
     pub(super) fn distance_m(&mut self, from: Point, to: Point) -> f64 {
         self.way(from, to).map_or(f64::INFINITY, |way| way.length_m)
     }
 
-    /// How far each of the points of a room to stand on is, in their order.
+    /// The distance of each point to stand on in a room, in their order.
     pub(super) fn floor_distances_m(&mut self, from: Point, room: usize) -> Vec<f64> {
         (0..self.floor[room].len()).map(|index| self.distance_m(from, self.floor[room][index])).collect()
     }
@@ -82,8 +79,7 @@ impl<'a> House<'a> {
         of_room.map(|seat| (seat.at, seat.extent_m)).collect()
     }
 
-    /// The middles of the doors on the way from one room to another that leads through the fewest others; none if no way
-    /// leads there.
+    /// The middles of the doors on the path from one room to another through the fewest others; empty without a path.
     pub(super) fn doors_between(&self, from: usize, to: usize) -> Vec<Point> {
         let mut came_by: Vec<Option<(Point, usize)>> = vec![None; self.plan.rooms.len()];
         let mut queue = VecDeque::from([from]);
@@ -154,7 +150,7 @@ mod tests {
     #[test]
     fn a_room_has_points_all_over_its_free_floor() {
         let plan = plan();
-        let house = House::new(&plan, RADIUS_M);
+        let house = SphereHouse::new(&plan, RADIUS_M);
         for name in ["kitchen", "hall", "bedroom", "shed"] {
             let room = room(&plan, name);
             let floor = house.floor(room);
@@ -163,14 +159,14 @@ mod tests {
             let (west_south, east_north) = geometry::bounds(plan.rooms[room].outline.iter().copied());
             assert!((least - west_south).max_element() < 0.6 && (east_north - most).max_element() < 0.6, "{name}");
         }
-        let thick = House::new(&plan, 1.6);
+        let thick = SphereHouse::new(&plan, 1.6);
         assert!(thick.floor(room(&plan, "hall")).is_empty(), "a body that does not fit stands nowhere");
     }
 
     #[test]
     fn ways_are_as_long_as_they_are() {
         let plan = plan();
-        let mut house = House::new(&plan, RADIUS_M);
+        let mut house = SphereHouse::new(&plan, RADIUS_M);
         let (from, bed) = (Point::new(2.0, 1.0), house.seats(room(&plan, "bedroom"))[0].0);
         let way = house.way(from, bed).unwrap();
         assert_eq!(way.to.last(), Some(&bed));
@@ -182,7 +178,7 @@ mod tests {
     #[test]
     fn rooms_are_joined_by_their_doors() {
         let plan = plan();
-        let house = House::new(&plan, RADIUS_M);
+        let house = SphereHouse::new(&plan, RADIUS_M);
         let (kitchen, hall, bedroom) = (room(&plan, "kitchen"), room(&plan, "hall"), room(&plan, "bedroom"));
         assert_eq!(house.doors_between(kitchen, bedroom), [Point::new(3.0, 0.8), Point::new(5.0, 2.2)]);
         assert_eq!(house.doors_between(bedroom, hall), [Point::new(5.0, 2.2)]);

@@ -5,16 +5,12 @@ use csv::{ReaderBuilder, StringRecord, Trim};
 use homebody_core::problem::readable;
 use std::fmt;
 
-/// The text of a recording's files.
 #[derive(Clone, Copy, Debug)]
-pub struct Texts<'a> {
-    /// `location_0.csv`.
+pub struct RecordingTexts<'a> {
     pub location: &'a str,
-    /// `annotations_0.csv`.
     pub annotations: &'a str,
-    /// `pir.csv`.
     pub pir: &'a str,
-    /// `location_1.csv`, where a second annotator saw the recording.
+    /// Rooms by a second annotator.
     pub second_location: Option<&'a str>,
 }
 
@@ -26,30 +22,15 @@ homebody_core::messages! {
         NoRoom error "no-annotated-room" ("no room is annotated")
             hint ("download the recording again");
         /// Each file of a recording begins with the names of its columns.
-        Heading {
-            /// The line.
-            line: String,
-            /// The expected line.
-            expected: &'static str,
-        } error "heading" ("the first line does not name the columns: {line:?}")
+        Heading { line: String, expected: &'static str } error "heading"
+            ("the first line does not name the columns: {line:?}")
             hint ("write {expected} in the first line");
         /// Each row has a start, an end, a name and an index.
-        Fields {
-            /// The number of fields.
-            count: usize,
-        } error "fields" ("the row has {count} fields, and 4 are expected");
+        Fields { count: usize } error "fields" ("the row has {count} fields, and 4 are expected");
         /// Times are seconds since the start of the recording.
-        Time {
-            /// The text.
-            text: String,
-        } error "time" ("{text:?} is not a time in seconds");
+        Time { text: String } error "time" ("{text:?} is not a time in seconds");
         /// A row lasts from its start to its end.
-        Backward {
-            /// The start, in seconds.
-            start_s: f64,
-            /// The end, in seconds.
-            end_s: f64,
-        } error "backward" ("the row ends at {end_s} s, before it starts at {start_s} s");
+        Backward { start_s: f64, end_s: f64 } error "backward" ("the row ends at {end_s} s, before it starts at {start_s} s");
         /// A row names a room or a movement.
         NoName error "no-name" ("the row has no name");
     }
@@ -57,23 +38,21 @@ homebody_core::messages! {
 
 /// A row that cannot be parsed.
 #[derive(Clone, Debug, PartialEq)]
-pub struct BadRow {
+pub struct RowError {
     pub file: &'static str,
     /// Counted from 1.
     pub line: usize,
     pub what: RowMessage,
 }
 
-impl fmt::Display for BadRow {
+impl fmt::Display for RowError {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
         write!(f, "{}:{}: {}", self.file, self.line, self.what)
     }
 }
 
-impl std::error::Error for BadRow {}
-
-/// Reads a recording, or says everything that is wrong with it.
-pub fn parse(texts: &Texts) -> Result<AnnotatedRun, Vec<BadRow>> {
+/// Parses a recording, or reports all wrong rows.
+pub fn parse(texts: &RecordingTexts) -> Result<AnnotatedRun, Vec<RowError>> {
     let mut bad = Vec::new();
     let (rooms, room_lines) = without_overlaps(rows("location_0.csv", texts.location, &mut bad)).into_iter().unzip();
     let movements = without_overlaps(rows("annotations_0.csv", texts.annotations, &mut bad));
@@ -87,7 +66,7 @@ pub fn parse(texts: &Texts) -> Result<AnnotatedRun, Vec<BadRow>> {
         second_rooms: second.map(intervals),
     };
     if run.rooms.is_empty() && bad.is_empty() {
-        bad.push(BadRow { file: "location_0.csv", line: 1, what: RowMessage::NoRoom });
+        bad.push(RowError { file: "location_0.csv", line: 1, what: RowMessage::NoRoom });
     }
     if bad.is_empty() { Ok(run) } else { Err(bad) }
 }
@@ -96,11 +75,10 @@ fn intervals(rows: Vec<(Interval, usize)>) -> Vec<Interval> {
     rows.into_iter().map(|(interval, _)| interval).collect()
 }
 
-/// The columns of every file.
 const COLUMNS: &str = "start,end,name,index";
 
 /// The rows of a file, in order of time, each with its line.
-fn rows(file: &'static str, text: &str, bad: &mut Vec<BadRow>) -> Vec<(Interval, usize)> {
+fn rows(file: &'static str, text: &str, bad: &mut Vec<RowError>) -> Vec<(Interval, usize)> {
     let text = text.trim_start_matches('\u{feff}');
     let mut reader =
         ReaderBuilder::new().has_headers(false).flexible(true).trim(Trim::All).from_reader(text.as_bytes());
@@ -117,7 +95,7 @@ fn rows(file: &'static str, text: &str, bad: &mut Vec<BadRow>) -> Vec<(Interval,
         };
         match parsed {
             Ok(interval) => rows.push((interval, line)),
-            Err(what) => bad.push(BadRow { file, line, what }),
+            Err(what) => bad.push(RowError { file, line, what }),
         }
     }
     rows.sort_by(|(a, _), (b, _)| a.start_s.total_cmp(&b.start_s));
@@ -128,8 +106,8 @@ fn fields(record: &StringRecord) -> Vec<&str> {
     record.iter().collect()
 }
 
-/// The line that a record begins on, counted from 1. The reader's own place is where the record before ended: what is left
-/// of that line's end, and empty lines, come in between.
+/// The line of a record, counted from 1. The reader's own place is the end of the record before: the rest of that line's end,
+/// and empty lines, come in between.
 fn line_of(record: &StringRecord, text: &str) -> usize {
     let Some(place) = record.position() else { return 0 };
     let left = text.as_bytes().get(place.byte() as usize..).unwrap_or_default();
@@ -155,7 +133,7 @@ fn row(record: &StringRecord) -> Result<Interval, RowMessage> {
     Ok(Interval { start_s, end_s, name: name.into() })
 }
 
-/// A person is in one room and does one thing: what begins ends what was before.
+/// A person is in one room and does one thing: a start ends the row before.
 fn without_overlaps(mut rows: Vec<(Interval, usize)>) -> Vec<(Interval, usize)> {
     for index in 1..rows.len() {
         let start_s = rows[index].0.start_s;
@@ -172,8 +150,8 @@ mod tests {
 
     const LOCATION: &str = "start,end,name,index\n1.5,4,hall,3\n4.1,9,living,5\n";
 
-    fn texts<'a>(location: &'a str, pir: &'a str) -> Texts<'a> {
-        Texts { location, annotations: "start,end,name,index\n1.4,4.2,a_walk,4\n", pir, second_location: None }
+    fn texts<'a>(location: &'a str, pir: &'a str) -> RecordingTexts<'a> {
+        RecordingTexts { location, annotations: "start,end,name,index\n1.4,4.2,a_walk,4\n", pir, second_location: None }
     }
 
     #[test]
@@ -188,7 +166,7 @@ mod tests {
     }
 
     #[test]
-    fn what_begins_ends_what_was_before() {
+    fn a_start_ends_the_row_before() {
         let run = parse(&texts("start,end,name,index\n1,6,hall,3\n4,9,living,5\n4,5,bath,0\n", LOCATION)).unwrap();
         let rooms: Vec<_> = run.rooms.iter().map(|room| (room.start_s, room.end_s, room.name.as_str())).collect();
         assert_eq!(rooms, [(1.0, 4.0, "hall"), (4.0, 5.0, "bath")]);
@@ -221,7 +199,7 @@ mod tests {
             let location =
                 "\u{feff}start,end,name,index\n\n1,2,hall,3\n  \n\n3,4,living,5\n5,now,hall,3\n".replace('\n', end);
             let bad = parse(&texts(&location, LOCATION)).unwrap_err();
-            let bad: Vec<String> = bad.iter().map(BadRow::to_string).collect();
+            let bad: Vec<String> = bad.iter().map(RowError::to_string).collect();
             assert_eq!(bad, ["location_0.csv:7: \"now\" is not a time in seconds"], "{end:?}");
             let right = location.replace("now", "6");
             assert_eq!(parse(&texts(&right, LOCATION)).unwrap().room_lines, [3, 6, 7], "{end:?}");
@@ -238,7 +216,7 @@ mod tests {
     #[test]
     fn annotators_agree_by_the_second() {
         let second = "start,end,name,index\n1.5,5,hall,3\n5,9,living,5\n";
-        let run = parse(&Texts { second_location: Some(second), ..texts(LOCATION, LOCATION) }).unwrap();
+        let run = parse(&RecordingTexts { second_location: Some(second), ..texts(LOCATION, LOCATION) }).unwrap();
         // Seven seconds, 1.9 to 7.9, have a room from both; at 4.9 it is not the same.
         assert_eq!(run.annotators_agree(), Some((6, 7)));
     }

@@ -1,20 +1,18 @@
-//! From an annotated recording to a path that can be acted out.
+//! The path of an annotated recording.
 //!
-//! What is known: in which room the person was, and what they did: walk, turn, sit, lie. So every
-//! span of the path has the annotated times and posture, and a door is passed at the instant at which the
-//! room changes.
+//! Known are the rooms of the person, and the movements: walking, turning, sitting, lying. Each part of the path has the annotated times
+//! and posture, and the person passes a door at the instant at which the room changes.
 //!
-//! What we assume: where a walk inside a room leads. Its goal is the floor point whose way from
-//! here is as long as a usual pace makes it; a long walk goes to and fro between far ends of the room. Who
-//! sits or lies next goes to a seat or bed. An annotated posture is kept still, an annotated change of
-//! posture is one movement on the spot.
+//! We assume the goals of walks inside a room. A goal is a floor point whose path has the right length at a usual pace; a long walk goes
+//! to and fro between far ends of the room. A person who sits or lies next goes to a seat or bed. An annotated posture is kept still, and an
+//! annotated change of posture is one movement on the spot.
 //!
-//! How: per stay in a room, cut the annotation into pieces, find the doors before and after,
-//! give each walk a goal, and lend a hurried walk some of the standing beside it.
+//! For each stay in a room, the module cuts the annotation into pieces, finds the doors before and after, gives each walk a goal, and
+//! lengthens a hurried walk at the expense of the time before and after it.
 //!
-//! What is left out: kneeling and squatting are as low as sitting, bending as high as standing.
+//! Left out: kneeling and squatting are as low as sitting, bending as high as standing.
 
-use super::house::House;
+use super::house::SphereHouse;
 use super::{AnnotatedRun, Interval};
 use homebody_core::drivers::path::form::{Go, PathFile, PathStep, StirFile, Wait};
 use homebody_core::geometry::Point;
@@ -23,7 +21,7 @@ use homebody_core::plan::form::Spot;
 use homebody_core::posture::Posture;
 use homebody_core::time::{RunTime, SECOND, Span};
 
-/// What we take for the pace of adults who follow a script indoors, in metres a second.
+/// Pace of adults who follow a script indoors, in metres a second.
 const PACE_MPS: f64 = 0.8;
 /// Speed above which a walk takes time from the stays before and after it (our choice).
 const HURRIED_MPS: f64 = 1.5;
@@ -35,28 +33,23 @@ const LEAST_WALK_M: f64 = 0.4;
 homebody_core::messages! {
     /// Reasons why a recording cannot be placed in a home.
     #[derive(Clone, PartialEq, Eq)]
-    pub enum Unplaced in "sphere" {
+    pub enum PlacementError in "sphere" {
         /// The recording names a room that the home does not have, or one whose furniture leaves no place for a body.
         Room(room: String) error "no-room" ("the home has no room {room:?}, or the room has no space for a person");
         /// The person of the recording walks from one room to the other. In the home no doors and rooms connect them.
-        Way {
-            /// The name of the first room.
-            from: String,
-            /// The name of the second room.
-            to: String,
-        } error "no-way" ("no way leads from {from:?} to {to:?}");
+        Way { from: String, to: String } error "no-way" ("no way leads from {from:?} to {to:?}");
         /// The annotations of the SPHERE challenge have some twenty names of movements. This one is another.
         Movement(name: String) error "unknown-movement" ("the annotation {name:?} is not a known movement");
     }
 }
 
 /// The path of a recording through a home. Its second 0 is the first annotated instant, [`AnnotatedRun::begin_s`].
-pub fn path_of(run: &AnnotatedRun, house: &mut House) -> Result<PathFile, Unplaced> {
+pub fn path_of(run: &AnnotatedRun, house: &mut SphereHouse) -> Result<PathFile, PlacementError> {
     let plan = house.plan;
     let stays = stays(run, plan)?;
     let doors = doors(&stays, house)?;
     let mut here = start(&stays[0], doors.first().copied(), house)
-        .ok_or_else(|| Unplaced::Room(plan.rooms[stays[0].room].name.clone()))?;
+        .ok_or_else(|| PlacementError::Room(plan.rooms[stays[0].room].name.clone()))?;
     let start = spot(here);
     let posture = stays[0].pieces.first().map_or(Posture::Standing, |piece| piece.doing.posture());
     let rooms: Vec<usize> = stays.iter().map(|stay| stay.room).collect();
@@ -65,7 +58,7 @@ pub fn path_of(run: &AnnotatedRun, house: &mut House) -> Result<PathFile, Unplac
         let ways = walk(&mut stay, &mut here, doors.get(index).copied(), house).ok_or_else(|| {
             let name = |room: usize| plan.rooms[room].name.clone();
             // Only a door can be out of reach.
-            Unplaced::Way { from: name(rooms[index]), to: name(*rooms.get(index + 1).unwrap_or(&rooms[index])) }
+            PlacementError::Way { from: name(rooms[index]), to: name(*rooms.get(index + 1).unwrap_or(&rooms[index])) }
         })?;
         unhurry(&mut stay.pieces, &ways);
         let mut ways = ways.into_iter();
@@ -77,15 +70,13 @@ pub fn path_of(run: &AnnotatedRun, house: &mut House) -> Result<PathFile, Unplac
     Ok(PathFile { schema: None, start, posture, steps })
 }
 
-/// A stretch of time in one room.
-struct Stay {
+struct PathStay {
     room: usize,
-    /// Without gaps.
     pieces: Vec<Piece>,
 }
 
-impl Stay {
-    /// Adds what comes next; a walk that follows a walk is the same walk.
+impl PathStay {
+    /// Adds the next piece; a walk after a walk is the same walk.
     fn push(&mut self, piece: Piece) {
         match self.pieces.last_mut() {
             Some(last) if last.doing == Annotated::Walk && piece.doing == Annotated::Walk => last.end = piece.end,
@@ -98,7 +89,7 @@ impl Stay {
     }
 }
 
-/// A stretch of time with one way to move. The run starts at the first annotated instant.
+/// A part of a stay with one kind of movement. The run starts at the first annotated instant.
 #[derive(Clone, Copy, Debug)]
 struct Piece {
     begin: RunTime,
@@ -111,7 +102,7 @@ impl Piece {
         self.end - self.begin
     }
 
-    /// How far one gets in this time at the usual pace.
+    /// The length of a walk at the usual pace in this time.
     fn walked_m(&self) -> f64 {
         PACE_MPS * self.lasts().seconds()
     }
@@ -127,17 +118,17 @@ enum Annotated {
     },
     Still {
         posture: Posture,
-        /// Whether it takes a seat or a bed, rather than the floor.
+        /// True for a seat or a bed, false for the floor.
         seated: bool,
     },
 }
 
 impl Annotated {
-    /// What an annotation means; `before` is the posture before it.
+    /// The meaning of an annotation; `before` is the posture before it.
     ///
-    /// How far what moves moves is ours: the head and trunk of an adult who sits down or bends come
-    /// half a metre lower, a turn moves the shoulders.
-    fn of(name: &str, before: Posture) -> Option<Annotated> {
+    /// The amplitudes are ours: the head and trunk of an adult who sits down or bends move down by half a metre, a turn moves the
+    /// shoulders.
+    fn parse(name: &str, before: Posture) -> Option<Annotated> {
         let in_place = |posture, amplitude_m| Annotated::InPlace { posture, amplitude_m };
         let still = |posture, seated| Annotated::Still { posture, seated };
         Some(match name {
@@ -164,15 +155,15 @@ impl Annotated {
     }
 }
 
-/// The recording as stays, each with its pieces. A gap in the annotation keeps the posture before it, and who walks
-/// before and after it walks on.
-fn stays(run: &AnnotatedRun, plan: &Plan) -> Result<Vec<Stay>, Unplaced> {
+/// The recording as stays, each with its pieces. A gap in the annotation keeps the posture before it, and a walk before and
+/// after a gap continues.
+fn stays(run: &AnnotatedRun, plan: &Plan) -> Result<Vec<PathStay>, PlacementError> {
     let begin_s = run.begin_s();
     let instant = |second: f64| RunTime::START + Span::from_seconds(second - begin_s);
     let mut pieces: Vec<Piece> = Vec::new();
     let mut posture = Posture::Standing;
     for Interval { start_s, end_s, name } in &run.movements {
-        let doing = Annotated::of(name, posture).ok_or_else(|| Unplaced::Movement(name.clone()))?;
+        let doing = Annotated::parse(name, posture).ok_or_else(|| PlacementError::Movement(name.clone()))?;
         let before = pieces.last().copied().unwrap_or(Piece {
             begin: RunTime::START,
             end: RunTime::START,
@@ -187,7 +178,7 @@ fn stays(run: &AnnotatedRun, plan: &Plan) -> Result<Vec<Stay>, Unplaced> {
     let end = pieces.last().map_or(RunTime::START, |piece| piece.end);
     pieces.push(Piece { begin: end, end: instant(run.end_s()), doing: Annotated::Still { posture, seated: false } });
 
-    let mut stays: Vec<Stay> = Vec::new();
+    let mut stays: Vec<PathStay> = Vec::new();
     for (index, Interval { start_s, name, .. }) in run.rooms.iter().enumerate() {
         let room = room_of(name, plan)?;
         let begin = if index == 0 { RunTime::START } else { instant(*start_s) };
@@ -195,7 +186,7 @@ fn stays(run: &AnnotatedRun, plan: &Plan) -> Result<Vec<Stay>, Unplaced> {
         let cut = |piece: &Piece| Piece { begin: piece.begin.max(begin), end: piece.end.min(end), ..*piece };
         let within = pieces.iter().map(cut).filter(|piece| piece.end > piece.begin);
         if stays.last().is_none_or(|last| last.room != room) {
-            stays.push(Stay { room, pieces: Vec::new() });
+            stays.push(PathStay { room, pieces: Vec::new() });
         }
         let stay = stays.last_mut().expect("pushed where there was none");
         within.for_each(|piece| stay.push(piece));
@@ -203,32 +194,35 @@ fn stays(run: &AnnotatedRun, plan: &Plan) -> Result<Vec<Stay>, Unplaced> {
     Ok(stays)
 }
 
-/// The door in which the person is as each stay but the last ends.
+/// The door of the person at the end of each stay but the last.
 ///
-/// Where rooms are not next to each other, the one in between was walked through but not annotated.
-/// We count it to the shorter of the two stays, which is a passage too.
-fn doors(stays: &[Stay], house: &House) -> Result<Vec<Point>, Unplaced> {
-    let door =
-        |[before, after]: [&Stay; 2]| door_between([before.room, after.room], before.lasts() < after.lasts(), house);
+/// If rooms are not next to each other, the person walked through the one in between without an annotation. We count it to the
+/// shorter of the two stays, which is a passage, too.
+fn doors(stays: &[PathStay], house: &SphereHouse) -> Result<Vec<Point>, PlacementError> {
+    let door = |[before, after]: [&PathStay; 2]| {
+        door_between([before.room, after.room], before.lasts() < after.lasts(), house)
+    };
     stays.windows(2).map(|pair| door([&pair[0], &pair[1]])).collect()
 }
 
-/// The door in which the person changes from one room to another: the last on the way where what is between them is walked
-/// through in the first, else the first.
-pub(super) fn door_between([from, to]: [usize; 2], in_first: bool, house: &House) -> Result<Point, Unplaced> {
+/// The door between two rooms: the last on the path if the rooms in between count to the first room, else the first.
+pub(super) fn door_between(
+    [from, to]: [usize; 2],
+    in_first: bool,
+    house: &SphereHouse,
+) -> Result<Point, PlacementError> {
     let way = house.doors_between(from, to);
     let door = if in_first { way.last() } else { way.first() };
     let name = |room: usize| house.plan.rooms[room].name.clone();
-    door.copied().ok_or_else(|| Unplaced::Way { from: name(from), to: name(to) })
+    door.copied().ok_or_else(|| PlacementError::Way { from: name(from), to: name(to) })
 }
 
-/// The index of the room of a name.
-pub(super) fn room_of(name: &str, plan: &Plan) -> Result<usize, Unplaced> {
-    plan.rooms.iter().position(|room| room.name == name).ok_or_else(|| Unplaced::Room(name.to_owned()))
+pub(super) fn room_of(name: &str, plan: &Plan) -> Result<usize, PlacementError> {
+    plan.rooms.iter().position(|room| room.name == name).ok_or_else(|| PlacementError::Room(name.to_owned()))
 }
 
-/// A point of the first room as far from its exit as the walking in it lasts.
-fn start(stay: &Stay, exit: Option<Point>, house: &mut House) -> Option<Point> {
+/// A point of the first room as far from its exit as the length of the walks in it.
+fn start(stay: &PathStay, exit: Option<Point>, house: &mut SphereHouse) -> Option<Point> {
     let walks = stay.pieces.iter().filter(|piece| piece.doing == Annotated::Walk);
     let length_m: f64 = walks.map(Piece::walked_m).sum();
     let to_exit_m = exit.map(|exit| house.floor_distances_m(exit, stay.room));
@@ -239,13 +233,13 @@ fn start(stay: &Stay, exit: Option<Point>, house: &mut House) -> Option<Point> {
 
 /// A walk's waypoints and length.
 #[derive(Debug, Default)]
-struct Walked {
+struct WalkRoute {
     to: Vec<Point>,
     length_m: f64,
 }
 
-/// Gives every walk of a stay its way, and moves `here` to where the last one ends; none where the exit is out of reach.
-fn walk(stay: &mut Stay, here: &mut Point, exit: Option<Point>, house: &mut House) -> Option<Vec<Walked>> {
+/// Gives each walk of a stay its path, and moves `here` to the end of the last one; `None` if the exit cannot be reached.
+fn walk(stay: &mut PathStay, here: &mut Point, exit: Option<Point>, house: &mut SphereHouse) -> Option<Vec<WalkRoute>> {
     let last_walk = stay.pieces.iter().rposition(|piece| piece.doing == Annotated::Walk);
     let pause = stay.pieces.iter().skip(last_walk.map_or(0, |index| index + 1));
     let pause: Span = pause.map(Piece::lasts).sum();
@@ -276,8 +270,8 @@ fn walk(stay: &mut Stay, here: &mut Point, exit: Option<Point>, house: &mut Hous
     Some(ways)
 }
 
-/// Where the pause after a walk is spent, if not on the floor: the largest bed or the nearest seat.
-fn seat(pause: &[Piece], room: usize, here: Point, house: &mut House) -> Option<Point> {
+/// The place of the pause after a walk, if not on the floor: the largest bed or the nearest seat.
+fn seat(pause: &[Piece], room: usize, here: Point, house: &mut SphereHouse) -> Option<Point> {
     let postures = pause.iter().filter_map(|piece| match piece.doing {
         Annotated::Still { posture, seated: true } => Some(posture),
         _ => None,
@@ -290,19 +284,18 @@ fn seat(pause: &[Piece], room: usize, here: Point, house: &mut House) -> Option<
     seats.min_by(|(_, a), (_, b)| a.total_cmp(b)).map(|(at, _)| at)
 }
 
-/// A walk from `here` about so long, to the goal or to any floor point of the room that is not too far from where
-/// they go afterwards: as often as there is time for it, first to the far end of the room. None where no way leads
-/// to the goal.
+/// A walk of about this length from `here` to the goal, or to any floor point that is not too far from the next goal. A long
+/// walk goes to and fro, first to the far end of the room. `None` without a path to the goal.
 fn tour(
     here: &mut Point,
     goal: Option<Point>,
     room: usize,
     length_m: f64,
     too_far_m: impl Fn(usize) -> f64,
-    house: &mut House,
-) -> Option<Walked> {
+    house: &mut SphereHouse,
+) -> Option<WalkRoute> {
     let to_goal_m = goal.map(|goal| house.floor_distances_m(goal, room));
-    let (mut way, mut left_m) = (Walked::default(), length_m);
+    let (mut way, mut left_m) = (WalkRoute::default(), length_m);
     loop {
         let away_m = house.floor_distances_m(*here, room);
         let farthest =
@@ -326,7 +319,7 @@ fn tour(
     }
 }
 
-fn extend(walked: &mut Walked, here: &mut Point, to: Point, house: &mut House) -> Option<()> {
+fn extend(walked: &mut WalkRoute, here: &mut Point, to: Point, house: &mut SphereHouse) -> Option<()> {
     let way = house.way(*here, to)?;
     for &corner in &*way.to {
         let last = walked.to.last().copied().unwrap_or(*here);
@@ -340,14 +333,14 @@ fn extend(walked: &mut Walked, here: &mut Point, to: Point, house: &mut House) -
     Some(())
 }
 
-/// Which of so many is least off; none where all are infinitely off.
+/// The index with the least deviation; `None` if all are infinite.
 fn least_off(count: usize, off_m: impl Fn(usize) -> f64) -> Option<usize> {
     let least = (0..count).map(|index| (index, off_m(index))).min_by(|(_, a), (_, b)| a.total_cmp(b));
     least.filter(|(_, off_m)| off_m.is_finite()).map(|(index, _)| index)
 }
 
-/// Lengthens each walk that would be hurried, first into what comes before it, then into what follows.
-fn unhurry(pieces: &mut [Piece], ways: &[Walked]) {
+/// Lengthens each hurried walk, first into the time before it, then into the time after it.
+fn unhurry(pieces: &mut [Piece], ways: &[WalkRoute]) {
     let walks: Vec<usize> = (0..pieces.len()).filter(|&index| pieces[index].doing == Annotated::Walk).collect();
     for (&walk, way) in walks.iter().zip(ways) {
         let needed = Span::from_seconds(way.length_m / HURRIED_MPS);
@@ -368,7 +361,7 @@ fn unhurry(pieces: &mut [Piece], ways: &[Walked]) {
     }
 }
 
-fn step(piece: &Piece, way: Option<Walked>) -> Option<PathStep> {
+fn step(piece: &Piece, way: Option<WalkRoute>) -> Option<PathStep> {
     let span_s = piece.lasts().seconds();
     let wait = |posture, stir| PathStep::Wait(Wait { for_s: Some(span_s), until: None, posture, stir });
     // A stir is one movement that fills the span; the format wants a tenth of a second between two.
@@ -387,7 +380,7 @@ fn step(piece: &Piece, way: Option<Walked>) -> Option<PathStep> {
     (piece.end > piece.begin).then_some(step)
 }
 
-/// A point to the millimetre, as a file would have it.
+/// A point to the millimetre, as in a file.
 fn spot(at: Point) -> Spot {
     let rounded = |metres: f64| (metres * 1000.0).round() / 1000.0;
     Spot::At([rounded(at.x), rounded(at.y)])
@@ -395,7 +388,7 @@ fn spot(at: Point) -> Spot {
 
 #[cfg(test)]
 pub mod tests {
-    use super::super::parse::{Texts, parse};
+    use super::super::parse::{RecordingTexts, parse};
     use super::*;
     use homebody_core::geometry::point;
     use serde_json::json;
@@ -435,14 +428,15 @@ pub mod tests {
         plan.rooms.iter().position(|room| room.name == name).unwrap()
     }
 
-    /// The path through a home for a body of an older adult.
-    fn placed(run: &AnnotatedRun, plan: &Plan) -> Result<PathFile, Unplaced> {
-        path_of(run, &mut House::new(plan, 0.22))
+    /// The path through a home for the body of an older adult.
+    fn placed(run: &AnnotatedRun, plan: &Plan) -> Result<PathFile, PlacementError> {
+        path_of(run, &mut SphereHouse::new(plan, 0.22))
     }
 
     pub fn recording(rooms: &str, movements: &str) -> AnnotatedRun {
         let (location, annotations) = (rows(rooms), rows(movements));
-        parse(&Texts { location: &location, annotations: &annotations, pir: &rows(""), second_location: None }).unwrap()
+        parse(&RecordingTexts { location: &location, annotations: &annotations, pir: &rows(""), second_location: None })
+            .unwrap()
     }
 
     /// Rows of `start-end name`, separated by commas, as a file.
@@ -456,7 +450,7 @@ pub mod tests {
         format!("start,end,name,index\n{rows}")
     }
 
-    /// When each step ends and where.
+    /// The time and place at the end of each step.
     fn ends(path: &PathFile) -> Vec<(f64, Point)> {
         let at = |spot: &Spot| match spot {
             Spot::At(at) => point(*at),
@@ -498,7 +492,7 @@ pub mod tests {
     }
 
     #[test]
-    fn a_room_nobody_annotated_is_walked_through_in_the_shorter_stay() {
+    fn a_room_without_annotation_counts_to_the_shorter_stay() {
         let path = placed(&recording("0-8 kitchen, 8-40 bedroom", "0-40 a_walk"), &plan()).unwrap();
         let ends = ends(&path);
         assert!(ends.contains(&(8.0, point([5.0, 2.2]))), "{ends:?}");
@@ -508,7 +502,7 @@ pub mod tests {
     }
 
     #[test]
-    fn who_leaves_without_a_walk_leaves_in_time_and_unhurried() {
+    fn a_missing_walk_to_the_door_is_added_in_time() {
         let path = placed(&recording("0-20 kitchen, 20-30 hall", "0-4 a_walk, 4-20 p_stand, 20-30 p_stand"), &plan());
         let path = path.unwrap();
         let ends = ends(&path);
@@ -527,12 +521,12 @@ pub mod tests {
     }
 
     #[test]
-    fn nobody_goes_through_what_blocks_the_way() {
+    fn paths_avoid_obstacles() {
         let recording = recording("0-10 kitchen, 10-20 hall, 20-30 bedroom", "0-30 a_walk");
         assert!(placed(&recording, &plan()).is_ok());
         let shelf = json!([{ "name": "shelf", "at": [4.0, 1.5], "size_m": [0.3, 3.0], "height_m": 2.0 }]);
         let why = placed(&recording, &furnished(shelf)).unwrap_err();
-        assert_eq!(why, Unplaced::Way { from: "hall".into(), to: "bedroom".into() });
+        assert_eq!(why, PlacementError::Way { from: "hall".into(), to: "bedroom".into() });
     }
 
     #[test]
@@ -547,8 +541,11 @@ pub mod tests {
     fn names_rooms_and_movements_that_cannot_be_placed() {
         let plan = plan();
         let why = |rooms, movements| placed(&recording(rooms, movements), &plan).unwrap_err();
-        assert_eq!(why("0-9 attic", "0-9 a_walk"), Unplaced::Room("attic".into()));
-        assert_eq!(why("0-9 hall, 9-12 shed", "0-9 a_walk"), Unplaced::Way { from: "hall".into(), to: "shed".into() });
-        assert_eq!(why("0-9 hall", "0-9 a_fly"), Unplaced::Movement("a_fly".into()));
+        assert_eq!(why("0-9 attic", "0-9 a_walk"), PlacementError::Room("attic".into()));
+        assert_eq!(
+            why("0-9 hall, 9-12 shed", "0-9 a_walk"),
+            PlacementError::Way { from: "hall".into(), to: "shed".into() }
+        );
+        assert_eq!(why("0-9 hall", "0-9 a_fly"), PlacementError::Movement("a_fly".into()));
     }
 }

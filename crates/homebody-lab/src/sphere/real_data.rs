@@ -12,7 +12,7 @@ fn repository() -> PathBuf {
     PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../..")
 }
 
-/// The recordings; says so and gives none where nobody says where they are.
+/// The recordings; none if HOMEBODY_DATA is not set.
 fn recordings() -> Vec<AnnotatedRun> {
     let Some(data) = std::env::var_os("HOMEBODY_DATA").map(PathBuf::from) else {
         eprintln!("skipped: HOMEBODY_DATA does not name a folder that holds sphere_challenge");
@@ -26,8 +26,12 @@ fn recordings() -> Vec<AnnotatedRun> {
         let [location, annotations, pir] =
             ["location_0.csv", "annotations_0.csv", "pir.csv"].map(|name| read(&folder, name).unwrap());
         let second = read(&folder, "location_1.csv").ok();
-        let texts =
-            Texts { location: &location, annotations: &annotations, pir: &pir, second_location: second.as_deref() };
+        let texts = RecordingTexts {
+            location: &location,
+            annotations: &annotations,
+            pir: &pir,
+            second_location: second.as_deref(),
+        };
         parse(&texts).unwrap()
     };
     folders.into_iter().map(recording).collect()
@@ -42,7 +46,7 @@ fn rooms() -> Vec<String> {
     ["bath", "bed1", "bed2", "hall", "kitchen", "living", "stairs", "study", "toilet"].map(String::from).to_vec()
 }
 
-/// A straight leg of a path, or staying where it ends; seconds of the recording.
+/// A straight leg of a path, or a stay at its end; seconds of the recording.
 struct Leg {
     begin_s: f64,
     end_s: f64,
@@ -81,7 +85,7 @@ fn legs(path: &PathFile, begin_s: f64) -> Vec<Leg> {
 #[test]
 fn recordings_become_walks_that_a_person_can_walk() {
     let plan = plan();
-    let mut house = House::new(&plan, 0.22);
+    let mut house = SphereHouse::new(&plan, 0.22);
     for run in recordings() {
         let legs = legs(&path_of(&run, &mut house).unwrap(), run.begin_s());
         assert!((legs[legs.len() - 1].end_s - run.end_s()).abs() < 1e-3);
@@ -108,7 +112,7 @@ fn recordings_pass_the_checks_of_every_path() {
     let recordings: Vec<(String, AnnotatedRun)> =
         recordings().into_iter().enumerate().map(|(index, run)| (index.to_string(), run)).collect();
     let house = experiment::tests::house();
-    let experiment = Experiment::run(&recordings, &house, 1).unwrap();
+    let experiment = SphereExperiment::run(&recordings, &house, 1).unwrap();
     assert_eq!(experiment.by_recording.len(), recordings.len());
 }
 

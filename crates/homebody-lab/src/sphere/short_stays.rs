@@ -1,13 +1,13 @@
-//! Stays in a room that are too short to be lived.
+//! Stays in a room that are too short for a person.
 //!
-//! Annotators mark the frame of a video at which a room changes. Where a mark is off, or one was set twice, somebody is in a
-//! room for a few frames, or passes through it faster than anybody walks. Nobody can act that out, so such a stay counts to
-//! the room before or after it, for the path and for the comparison alike, and it is said which it was.
+//! Annotators mark the frame of a video at which a room changes. After a wrong or a double mark, the person is in a room for a few frames,
+//! or passes through it faster than a person walks. No path can follow that. Such a stay counts to the room before or after it, for the path
+//! and for the comparison, and the report lists it.
 //!
-//! We assume that nobody is in a room for less than a fifth of a second, and that nobody runs from door to door.
+//! We assume that a stay lasts at least a fifth of a second, and that a person does not run from door to door.
 
-use super::house::House;
-use super::path::{Unplaced, door_between, room_of};
+use super::house::SphereHouse;
+use super::path::{PlacementError, door_between, room_of};
 use super::{AnnotatedRun, Interval};
 use serde::Serialize;
 use std::fmt;
@@ -19,18 +19,17 @@ const LEAST_STAY_S: f64 = 0.2;
 /// Highest walking speed from door to door (our choice: adults begin to run at about this speed).
 const FASTEST_WALK_MPS: f64 = 2.0;
 
-/// A stay that was too short to be lived.
+/// A stay that was too short for a person.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct ShortStay {
-    /// Its row in `location_0.csv`, the first of several, as a line counted from 1.
+    /// Its first row in `location_0.csv`, as a line counted from 1.
     pub line: usize,
     pub room: String,
-    /// How long it lasts as annotated.
+    /// Annotated duration.
     pub lasts_s: f64,
-    /// What would have to be walked in that time, from the door that one came by to the one that one leaves by; `None`: it
-    /// is too short whatever the way.
+    /// Length of the path from the entry door to the exit door; `None`: the stay is too short for any path.
     pub way_m: Option<f64>,
-    /// The room that it counts to, before or after it.
+    /// The room before or after it, which gets its time.
     pub counted_to: String,
 }
 
@@ -46,12 +45,15 @@ impl fmt::Display for ShortStay {
     }
 }
 
-/// The recording without its short stays, and those, in the order in which they were found.
-pub fn without_short_stays(run: &AnnotatedRun, house: &mut House) -> Result<(AnnotatedRun, Vec<ShortStay>), Unplaced> {
+/// The recording without its short stays, and the short stays in the order of their discovery.
+pub fn without_short_stays(
+    run: &AnnotatedRun,
+    house: &mut SphereHouse,
+) -> Result<(AnnotatedRun, Vec<ShortStay>), PlacementError> {
     let (mut run, mut found) = (run.clone(), Vec::new());
     loop {
         let stays = stays(&run);
-        // Those that have no time at all first: no door need lead to where nobody was.
+        // The shortest stays first: their rooms need no door.
         let short = match stays.iter().position(|stay| stay.lasts_s < LEAST_STAY_S) {
             Some(short) => Some((short, None)),
             None => hurried(&stays, house)?,
@@ -66,27 +68,27 @@ pub fn without_short_stays(run: &AnnotatedRun, house: &mut House) -> Result<(Ann
     }
 }
 
-/// A stretch of time in one room, and its rows.
-struct Stay {
+/// A stay in one room, and its rows.
+struct AnnotatedStay {
     room: String,
     rows: Range<usize>,
     lasts_s: f64,
 }
 
-/// The stays of a recording: rows of one room that follow each other are one, and it lasts until the next begins.
-fn stays(run: &AnnotatedRun) -> Vec<Stay> {
+/// The stays of a recording: successive rows of one room are one stay, which lasts until the next starts.
+fn stays(run: &AnnotatedRun) -> Vec<AnnotatedStay> {
     let mut first = 0;
     let stays = run.rooms.chunk_by(|a, b| a.name == b.name).map(|rows| {
         let begin_s = if first == 0 { run.begin_s() } else { rows[0].start_s };
         let end_s = run.rooms.get(first + rows.len()).map_or(run.end_s(), |next| next.start_s);
         first += rows.len();
-        Stay { room: rows[0].name.clone(), rows: first - rows.len()..first, lasts_s: end_s - begin_s }
+        AnnotatedStay { room: rows[0].name.clone(), rows: first - rows.len()..first, lasts_s: end_s - begin_s }
     });
     stays.collect()
 }
 
-/// The first stay in which one would have to run from door to door, and how far.
-fn hurried(stays: &[Stay], house: &mut House) -> Result<Option<(usize, Option<f64>)>, Unplaced> {
+/// The first stay in which a person would have to run from door to door, with the distance.
+fn hurried(stays: &[AnnotatedStay], house: &mut SphereHouse) -> Result<Option<(usize, Option<f64>)>, PlacementError> {
     let mut doors = Vec::new();
     for pair in stays.windows(2) {
         let [before, after] = [&pair[0], &pair[1]];
@@ -95,7 +97,7 @@ fn hurried(stays: &[Stay], house: &mut House) -> Result<Option<(usize, Option<f6
     }
     for (index, pair) in doors.windows(2).enumerate() {
         let way_m = house.distance_m(pair[0], pair[1]);
-        // Where no way leads, it is said when the path is made.
+        // `path_of` reports a missing path.
         if way_m.is_finite() && stays[index + 1].lasts_s < way_m / FASTEST_WALK_MPS {
             return Ok(Some((index + 1, Some(way_m))));
         }
@@ -103,15 +105,15 @@ fn hurried(stays: &[Stay], house: &mut House) -> Result<Option<(usize, Option<f6
     Ok(None)
 }
 
-/// Counts a stay to the shorter of those beside it, which is a passage too; where both are in one room, it was never left.
-/// `None`: there is no other stay.
-fn merge(run: &mut AnnotatedRun, stays: &[Stay], short: usize, way_m: Option<f64>) -> Option<ShortStay> {
+/// Adds a stay to the shorter neighbour, which is a passage, too; between two stays in one room, the person never left it.
+/// `None` without another stay.
+fn merge(run: &mut AnnotatedRun, stays: &[AnnotatedStay], short: usize, way_m: Option<f64>) -> Option<ShortStay> {
     let beside = [short.checked_sub(1), Some(short + 1)].into_iter().flatten().filter_map(|index| stays.get(index));
     let to = beside.min_by(|a, b| a.lasts_s.total_cmp(&b.lasts_s))?;
-    let Stay { room, rows, lasts_s } = &stays[short];
+    let AnnotatedStay { room, rows, lasts_s } = &stays[short];
     let line = run.room_lines[rows.start];
     let neighbour = if to.rows.start < rows.start { rows.start - 1 } else { rows.end };
-    // One row of all that is one stay now, so that it is one visit.
+    // The rows of the new stay become one row, so that they are one visit.
     let is_there = |row: usize| run.rooms.get(row).is_some_and(|row| row.name == to.room);
     let from = rows.start - usize::from(rows.start > 0 && is_there(rows.start - 1));
     let until = rows.end + usize::from(is_there(rows.end));
@@ -132,10 +134,10 @@ mod tests {
 
     const MOVEMENTS: &str = "0-40 a_walk";
 
-    /// What is left of the rooms, as `start-end name`, and what is said of the others.
+    /// The remaining rooms, as `start-end name`, and the reports on the others.
     fn kept(rooms: &str) -> (Vec<String>, Vec<String>) {
         let plan = plan();
-        let house = &mut House::new(&plan, 0.22);
+        let house = &mut SphereHouse::new(&plan, 0.22);
         let (run, short) = without_short_stays(&recording(rooms, MOVEMENTS), house).unwrap();
         assert_eq!(run.rooms.len(), run.room_lines.len());
         let row = |Interval { start_s, end_s, name }: &Interval| format!("{start_s}-{end_s} {name}");
@@ -169,11 +171,11 @@ mod tests {
         assert_eq!(rooms, ["0-10.085 kitchen", "10.085-40 bedroom"]);
     }
 
-    /// The negative control is the path of what was annotated, which nobody can walk.
+    /// The negative control is the annotated path, which a person cannot walk.
     #[test]
-    fn what_is_left_can_be_walked_and_what_was_there_cannot() {
+    fn remaining_stays_can_be_walked() {
         let plan = plan();
-        let house = &mut House::new(&plan, 0.22);
+        let house = &mut SphereHouse::new(&plan, 0.22);
         for rooms in ["0-20 kitchen, 20-20.085 hall, 20.085-40 bedroom", "0-20 kitchen, 20-20.9 hall, 20.9-40 bedroom"]
         {
             let annotated = recording(rooms, MOVEMENTS);
@@ -185,7 +187,7 @@ mod tests {
     }
 
     #[test]
-    fn nobody_runs_from_door_to_door() {
+    fn rejects_stays_that_need_running() {
         let (rooms, said) = kept("0-20 kitchen, 20-20.9 hall, 20.9-40 bedroom");
         assert_eq!(rooms, ["0-20 kitchen", "20-40 bedroom"]);
         let [said] = &said[..] else { panic!("{said:?}") };
@@ -202,7 +204,7 @@ mod tests {
     }
 
     #[test]
-    fn at_either_end_there_is_one_room_beside_it() {
+    fn a_stay_at_either_end_has_one_neighbour() {
         assert_eq!(kept("0-0.1 kitchen, 0.1-40 hall").0, ["0-40 hall"]);
         assert_eq!(kept("0-39.9 hall, 39.9-40 bedroom").0, ["0-40 hall"]);
         assert_eq!(
@@ -212,10 +214,10 @@ mod tests {
     }
 
     #[test]
-    fn no_door_need_lead_to_where_nobody_was() {
+    fn a_room_of_a_very_short_stay_needs_no_door() {
         assert_eq!(kept("0-20 kitchen, 20-20.1 shed, 20.1-40 kitchen").0, ["0-40 kitchen"]);
         let plan = plan();
         let longer = recording("0-20 kitchen, 20-21 shed, 21-40 kitchen", MOVEMENTS);
-        assert!(without_short_stays(&longer, &mut House::new(&plan, 0.22)).is_err());
+        assert!(without_short_stays(&longer, &mut SphereHouse::new(&plan, 0.22)).is_err());
     }
 }

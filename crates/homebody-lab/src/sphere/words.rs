@@ -1,6 +1,7 @@
-//! The comparison in words and as a table.
+//! The comparison as a table and as sentences.
 
-use super::comparison::{Comparison, Figures, Finding, RoomComparison};
+use super::comparison::{Comparison, Finding, RoomComparison, SensorFigures};
+use homebody::shared::TextTable;
 use std::fmt;
 
 /// Largest ratio of two counts or durations that agree (our choice, except for kappa).
@@ -17,37 +18,37 @@ const LEAST_VISITS: usize = 3;
 const LEAST_ON_S: f64 = 10.0;
 
 /// Measures that are judged, room by room.
-struct Measure {
+struct RoomMeasure {
     name: &'static str,
-    /// Real and simulated; nothing where there is too little to say.
+    /// Real and simulated; `None` with too little data.
     of: fn(&RoomComparison) -> Option<(f64, f64)>,
     agrees: fn(f64, f64) -> bool,
     show: fn(f64) -> String,
 }
 
-const MEASURES: [Measure; 6] = [
-    Measure {
+const MEASURES: [RoomMeasure; 6] = [
+    RoomMeasure {
         name: "intervals",
         of: |room| either(room, |figures| figures.intervals as f64),
         agrees: within_factor,
         show: |count| format!("{count:.0}"),
     },
-    Measure {
+    RoomMeasure {
         name: "time ON",
         of: |room| either(room, |figures| figures.on_s),
         agrees: within_factor,
         show: |span_s| format!("{span_s:.0} s"),
     },
-    Measure {
+    RoomMeasure {
         name: "visits seen",
         of: |room| {
-            let seen = |figures: &Figures| figures.visits_seen as f64 / room.visits as f64;
+            let seen = |figures: &SensorFigures| figures.visits_seen as f64 / room.visits as f64;
             (room.visits >= LEAST_VISITS).then(|| (seen(&room.real), seen(&room.simulated)))
         },
         agrees: |real, simulated| (real - simulated).abs() <= LIKE_SHARE,
         show: percent,
     },
-    Measure {
+    RoomMeasure {
         name: "latency",
         of: |room| {
             let enough = room.real.visits_seen.min(room.simulated.visits_seen) >= LEAST_VISITS;
@@ -56,13 +57,13 @@ const MEASURES: [Measure; 6] = [
         agrees: |real, simulated| (real - simulated).abs() <= LIKE_LATENCY_S,
         show: |span_s| format!("{span_s:.1} s"),
     },
-    Measure {
+    RoomMeasure {
         name: "precision",
         of: |room| room.real.precision.zip(room.simulated.precision),
         agrees: |real, simulated| (real - simulated).abs() <= LIKE_SHARE,
         show: percent,
     },
-    Measure {
+    RoomMeasure {
         name: "recall",
         of: |room| room.real.recall.zip(room.simulated.recall),
         agrees: |real, simulated| (real - simulated).abs() <= LIKE_SHARE,
@@ -70,7 +71,7 @@ const MEASURES: [Measure; 6] = [
     },
 ];
 
-fn either(room: &RoomComparison, of: fn(&Figures) -> f64) -> Option<(f64, f64)> {
+fn either(room: &RoomComparison, of: fn(&SensorFigures) -> f64) -> Option<(f64, f64)> {
     (room.real.on_s.max(room.simulated.on_s) >= LEAST_ON_S).then(|| (of(&room.real), of(&room.simulated)))
 }
 
@@ -78,7 +79,7 @@ fn within_factor(real: f64, simulated: f64) -> bool {
     real.max(simulated) <= LIKE_FACTOR * real.min(simulated)
 }
 
-/// What agrees and what does not: for each measure all rooms together, then the rooms that agree, then each that does not.
+/// The results: for each measure all rooms together, then the rooms that agree, then each that does not.
 pub fn findings(rooms: &[RoomComparison], overall: &RoomComparison) -> Vec<Finding> {
     let mut findings = Vec::new();
     for measure in &MEASURES {
@@ -101,7 +102,7 @@ pub fn findings(rooms: &[RoomComparison], overall: &RoomComparison) -> Vec<Findi
     findings
 }
 
-impl Measure {
+impl RoomMeasure {
     fn finding(&self, where_: &str, real: f64, simulated: f64) -> Finding {
         let (name, show) = (self.name, self.show);
         let what = format!("{name}, {where_}: real {}, simulated {}", show(real), show(simulated));
@@ -109,7 +110,7 @@ impl Measure {
     }
 }
 
-/// A table of the rooms with the real figure before the simulated one, then what agrees and what does not.
+/// A table of the rooms with the real figure before the simulated one, then the results.
 impl fmt::Display for Comparison {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
         let minutes = self.annotated_s / 60.0;
@@ -118,27 +119,24 @@ impl fmt::Display for Comparison {
             write!(f, "; two annotators name the same room {} of the time", percent(agreement))?;
         }
         writeln!(f, "\n\nreal | simulated")?;
-        writeln!(
-            f,
-            "{:10} {:>6} {:>7}  {:>11}  {:>13}  {:>9}  {:>11}  {:>11}  {:>11} {:>6}",
-            "room", "visits", "there", "intervals", "ON", "seen", "latency", "precision", "recall", "kappa"
-        )?;
-        for room in self.rooms.iter().chain([&self.overall]) {
-            let pair = |of: fn(&Figures) -> String| format!("{} | {}", of(&room.real), of(&room.simulated));
-            writeln!(
-                f,
-                "{:10} {:>6} {:>5.0} s  {:>11}  {:>13}  {:>9}  {:>11}  {:>11}  {:>11} {:>6}",
-                room.room,
-                room.visits,
-                room.in_room_s,
-                pair(|figures| figures.intervals.to_string()),
-                pair(|figures| format!("{:.0} s", figures.on_s)),
-                pair(|figures| figures.visits_seen.to_string()),
-                pair(|figures| figures.latency_s.map_or("-".into(), |span_s| format!("{span_s:.1} s"))),
-                pair(|figures| figures.precision.map_or("-".into(), percent)),
-                pair(|figures| figures.recall.map_or("-".into(), percent)),
-                room.kappa.map_or("-".into(), |kappa| format!("{kappa:.2}")),
-            )?;
+        let table = TextTable::new(
+            "-10 room|6 visits|7 there|12 intervals|14 ON|10 seen|12 latency|12 precision|12 recall|6 kappa",
+        );
+        f.write_str(&table.heading())?;
+        for row in self.rooms.iter().chain([&self.overall]) {
+            let RoomComparison { room, visits, in_room_s, real, simulated, kappa } = row;
+            let there = format!("{in_room_s:.0} s");
+            let pair = |of: fn(&SensorFigures) -> String| format!("{} | {}", of(real), of(simulated));
+            let intervals = pair(|figures| figures.intervals.to_string());
+            let on = pair(|figures| format!("{:.0} s", figures.on_s));
+            let seen = pair(|figures| figures.visits_seen.to_string());
+            let latency = pair(|figures| figures.latency_s.map_or("-".into(), |span_s| format!("{span_s:.1} s")));
+            let precision = pair(|figures| figures.precision.map_or("-".into(), percent));
+            let recall = pair(|figures| figures.recall.map_or("-".into(), percent));
+            let kappa = kappa.map_or("-".into(), |kappa| format!("{kappa:.2}"));
+            let cells: [&dyn fmt::Display; 10] =
+                [room, visits, &there, &intervals, &on, &seen, &latency, &precision, &recall, &kappa];
+            f.write_str(&table.row(&cells))?;
         }
         writeln!(
             f,
@@ -168,17 +166,17 @@ fn percent(share: f64) -> String {
 mod tests {
     use super::*;
 
-    fn room(name: &str, real: Figures, simulated: Figures) -> RoomComparison {
+    fn room(name: &str, real: SensorFigures, simulated: SensorFigures) -> RoomComparison {
         RoomComparison { room: name.into(), visits: 10, in_room_s: 100.0, real, simulated, kappa: Some(0.3) }
     }
 
-    fn figures(intervals: usize, on_s: f64, visits_seen: usize) -> Figures {
+    fn figures(intervals: usize, on_s: f64, visits_seen: usize) -> SensorFigures {
         let (precision, recall) = (Some(0.9), Some(on_s / 100.0));
-        Figures { intervals, on_s, visits_seen, latency_s: Some(2.0), precision, recall }
+        SensorFigures { intervals, on_s, visits_seen, latency_s: Some(2.0), precision, recall }
     }
 
     #[test]
-    fn thresholds_part_what_agrees_from_what_does_not() {
+    fn thresholds_separate_agreement_from_disagreement() {
         let rooms = [
             room("hall", figures(2, 8.0, 1), figures(20, 60.0, 10)),
             room("kitchen", figures(20, 50.0, 10), figures(30, 60.0, 9)),

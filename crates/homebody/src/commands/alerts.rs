@@ -1,12 +1,11 @@
 //! `homebody alerts`: changes of daily life.
 
-use super::answer::Figures;
-use super::for_programs::{ForPrograms, row};
-use super::measures::Measured;
+use super::measures::MeasuresSource;
+use super::result_output::JsonOutput;
+use super::row_destinations::{RowDestinations, row};
 use crate::failure::{EXIT_CODES, Failure};
 use crate::print::{print_json_text, print_text};
 use homebody_analysis::alerts::{Alert, Rules, USUAL, alerts};
-use homebody_core::problem::Problem;
 use homebody_log::LogError;
 use homebody_log::records::Records;
 use std::fs;
@@ -22,10 +21,7 @@ homebody_core::messages! {
         FilesWithFollow error "files-with-follow" ("with --follow, Homebody prints alerts and cannot write them to a file")
             hint ("pass --out jsonl:- to print the alerts as lines of JSON");
         /// `--rules` names a file with rules of your own. Without it, Homebody uses the default rules.
-        NoRules {
-            /// The file.
-            file: PathBuf,
-        } error "no-rules" ("the file of rules {file} does not exist", file = file.display())
+        NoRules { file: PathBuf } error "no-rules" ("the file of rules {file} does not exist", file = file.display())
             hint ("correct the path; docs/reference/measures.md lists the default rules");
     }
 }
@@ -44,9 +40,9 @@ homebody_core::messages! {
   homebody alerts casas:home.txt --follow --out jsonl:-
 
 {EXIT_CODES}."))]
-pub struct Arguments {
+pub struct AlertsArguments {
     #[command(flatten)]
-    measured: Measured,
+    measured: MeasuresSource,
     /// JSON file with alert rules, instead of the default rules
     #[arg(long, value_name = "FILE")]
     rules: Option<PathBuf>,
@@ -58,53 +54,51 @@ pub struct Arguments {
           value_parser = clap::value_parser!(u64).range(1..=86_400))]
     poll: u64,
     #[command(flatten)]
-    programs: ForPrograms,
+    programs: RowDestinations,
     #[command(flatten)]
-    figures: Figures,
+    output: JsonOutput,
 }
 
-impl Arguments {
+impl AlertsArguments {
     pub fn run(self) -> Result<(), Failure> {
         let rules = rules(self.rules.as_deref())?;
         if self.follow {
             return self.follow(&rules);
         }
         let read = self.measured.read()?;
-        let answer = self.figures.check(&read.sources)?;
-        self.programs.check(false, &read.sources, self.figures.replaces())?;
+        let output = self.output.check(&read.sources)?.silent_if(self.programs.is_printed());
+        self.programs.check(false, &read.sources, self.output.replaces())?;
         let measures = self.measured.measures(&read)?;
         let alerts = alerts(&measures, &rules);
-        self.programs.store(&records(&alerts.name, &alerts.alerts), &Default::default, self.figures.replaces())?;
-        match self.programs.is_printed() {
-            true => answer.give_to_files(&alerts, [], &String::new),
-            false => answer.give(&alerts, []),
-        }
+        self.programs.store(&records(&alerts.name, &alerts.alerts), &Default::default, self.output.replaces())?;
+        output.write(&alerts, [])
     }
 
-    /// Prints all alerts, and then each new one: one line each, as JSON if the command asks for lines.
+    /// Prints all alerts, and then each new one: one line each, as JSON if rows go to standard output.
     fn follow(&self, rules: &Rules) -> Result<(), Failure> {
-        if !self.figures.is_empty() || !self.programs.is_empty_or_printed() {
+        if !self.output.is_empty() || !self.programs.is_empty_or_printed() {
             return Err(Failure::asked(AlertsMessage::FilesWithFollow));
         }
-        let mut told: Vec<Alert> = Vec::new();
+        let mut printed: Vec<Alert> = Vec::new();
         loop {
-            // A log that has no day yet, or is being written, is looked at again.
+            // A log without a complete day, or one that is being written, is read again.
             let found = self.measured.read().and_then(|read| self.measured.measures(&read));
             match found {
-                Err(failure) if told.is_empty() && !self.measured.is_there() => return Err(failure),
+                Err(failure) if printed.is_empty() && !self.measured.is_there() => return Err(failure),
                 Err(_) => {}
                 Ok(measures) => {
                     let all = alerts(&measures, rules);
-                    let is_told =
-                        |new: &Alert| told.iter().any(|told| (told.date, &told.rule) == (new.date, &new.rule));
-                    let new: Vec<Alert> = all.alerts.into_iter().filter(|alert| !is_told(alert)).collect();
+                    let is_printed = |new: &Alert| {
+                        printed.iter().any(|printed| (printed.date, &printed.rule) == (new.date, &new.rule))
+                    };
+                    let new: Vec<Alert> = all.alerts.into_iter().filter(|alert| !is_printed(alert)).collect();
                     match self.programs.is_printed() {
                         true => print_json_text(&records(&all.name, &new).lines())?,
                         false => {
                             new.iter().try_for_each(|alert| print_text(&format!("{} {}\n", alert.date, alert.words)))?
                         }
                     }
-                    told.extend(new);
+                    printed.extend(new);
                 }
             }
             std::thread::sleep(Duration::from_secs(self.poll));
@@ -112,7 +106,6 @@ impl Arguments {
     }
 }
 
-/// A row for each alert.
 fn records(log: &str, alerts: &[Alert]) -> Records {
     let of = |alert: &Alert| {
         let mut row = row(alert);
@@ -123,7 +116,6 @@ fn records(log: &str, alerts: &[Alert]) -> Records {
     Records { kind: "alert", columns, rows: alerts.iter().map(of).collect() }
 }
 
-/// The rules of a file, or the default rules.
 pub fn rules(path: Option<&Path>) -> Result<Rules, Failure> {
     let Some(path) = path else {
         return Ok(Rules::read(USUAL)?);
@@ -132,7 +124,5 @@ pub fn rules(path: Option<&Path>) -> Result<Rules, Failure> {
         ErrorKind::NotFound => Failure::asked(AlertsMessage::NoRules { file: path.to_owned() }),
         _ => LogError::reading(path, error).into(),
     })?;
-    let name = path.display().to_string();
-    let of_file = |problem| Problem::of_file(&name, problem, None);
-    Rules::read(&text).map_err(|problems| Failure::all(problems.0.into_iter().map(of_file).collect()))
+    Rules::read(&text).map_err(|problems| Failure::in_file(path, problems))
 }

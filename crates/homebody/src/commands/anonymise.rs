@@ -1,7 +1,7 @@
 //! `homebody anonymise`: a log without names, places and dates.
 
-use super::convert::{keep, rows_bar};
-use super::read_log::Mapped;
+use super::convert::{refuse_inputs, show_rows};
+use super::log_input::LogArguments;
 use super::replacing::Replacing;
 use crate::failure::{EXIT_CODES, Failure};
 use crate::print::{counted, tell, write_file};
@@ -31,9 +31,9 @@ use std::path::PathBuf;
 reads it.
 
 {EXIT_CODES}."))]
-pub struct Arguments {
+pub struct AnonymiseArguments {
     #[command(flatten)]
-    log: Mapped,
+    log: LogArguments,
     /// Destination: FILE.csv, FILE.db, casas:FILE and so on (homebody convert --help lists all forms)
     #[arg(short, long, value_name = "DESTINATION", help_heading = "Output")]
     out: Url,
@@ -53,11 +53,11 @@ pub struct Arguments {
     replacing: Replacing,
 }
 
-impl Arguments {
+impl AnonymiseArguments {
     pub fn run(self) -> Result<(), Failure> {
         Calendar::zone(&self.time_zone).map_err(Failure::asked)?;
         let named = self.log.find()?;
-        keep(&self.out, &named.place.files())?;
+        refuse_inputs(&self.out, &named.place.files())?;
         let key: Vec<&std::path::Path> = self.key.as_deref().into_iter().collect();
         can_be_written(&key, &named.place.files(), self.replacing.force)?;
         let (looker, log) = looked(Looker::new(None), &mut |take| named.stream(take))?;
@@ -72,10 +72,7 @@ impl Arguments {
             keeps: &|value| is_number(value) || says(value) != Says::Else,
             with_activities: self.activities,
         };
-        let progress = rows_bar(log.rows);
-        let done = anonymise(&transfer, &log, &by, |rows| progress.set_position(rows));
-        progress.finish_and_clear();
-        let done = done?;
+        let done = show_rows(log.rows, |progress| anonymise(&transfer, &log, &by, progress))?;
         if let Some(path) = &self.key {
             write_file(path, key_of(&names, &log.sensors).as_bytes(), self.replacing.force)?;
             tell(format_args!("wrote {}, with the original name of each sensor: keep it secret", path.display()));
@@ -95,10 +92,9 @@ impl Arguments {
     }
 }
 
-/// The name of an anonymised log.
 const ANONYMOUS: &str = "anonymised";
 
-/// A name for each sensor of a log: its kind and a number, in the order in which they came.
+/// A name for each sensor of a log: its kind and a number, in order of first appearance.
 fn names(log: &Log, look: &LogOverview) -> Vec<String> {
     let kinds: BTreeMap<&str, Kind> = look.sensors.iter().map(|sensor| (sensor.id.as_str(), sensor.kind)).collect();
     let mut numbers: BTreeMap<&str, u32> = BTreeMap::new();
@@ -111,7 +107,6 @@ fn names(log: &Log, look: &LogOverview) -> Vec<String> {
     log.sensors.iter().map(name).collect()
 }
 
-/// The table of names: which sensor has which.
 fn key_of(names: &[String], ids: &[String]) -> String {
     let rows = names.iter().zip(ids).map(|(name, id)| csv_line([name.as_str(), id]) + "\n");
     std::iter::once("id,name\n".to_owned()).chain(rows).collect()

@@ -17,14 +17,13 @@ use super::serve::ServeMessage;
 use super::silhouettes::messages::SilhouettesMessage;
 use super::suggest_sensors::GoalsMessage;
 use crate::failure::SimulationMessage;
+use crate::metrics::MetricsMessage;
 use crate::old_names::GoneMessage;
 use crate::pace::ControlMessage;
 use crate::print::ResultMessage;
-use crate::watched::MetricsMessage;
 use homebody_core::messages::{Catalogue, CatalogueEntry};
 
-/// The messages by area.
-pub const MESSAGES: &[&[CatalogueEntry]] = &[
+const MESSAGES: &[&[CatalogueEntry]] = &[
     RunMessage::ENTRIES,
     ReplayMessage::ENTRIES,
     LiveMessage::ENTRIES,
@@ -45,6 +44,12 @@ pub const MESSAGES: &[&[CatalogueEntry]] = &[
     SilhouettesMessage::ENTRIES,
     GoalsMessage::ENTRIES,
     DoctorMessage::ENTRIES,
+    ControlMessage::ENTRIES,
+    MetricsMessage::ENTRIES,
+    ResultMessage::ENTRIES,
+    SimulationMessage::ENTRIES,
+    ExplainMessage::ENTRIES,
+    GoneMessage::ENTRIES,
 ];
 
 /// The messages of all crates, by area.
@@ -69,14 +74,6 @@ pub fn all() -> impl Iterator<Item = &'static CatalogueEntry> + Clone {
         homebody_placement::catalogue::MESSAGES,
         homebody_web::catalogue::MESSAGES,
         MESSAGES,
-        &[
-            ControlMessage::ENTRIES,
-            MetricsMessage::ENTRIES,
-            ResultMessage::ENTRIES,
-            SimulationMessage::ENTRIES,
-            ExplainMessage::ENTRIES,
-            GoneMessage::ENTRIES,
-        ],
     ]
     .into_iter()
     .chain(homebody_simulation::catalogue::EXTENSIONS.iter().copied())

@@ -1,6 +1,6 @@
 //! `homebody check`: all problems of a scenario at once.
 
-use super::scenario::Chosen;
+use super::scenario::ScenarioArguments;
 use crate::failure::Failure;
 use crate::length::Length;
 use crate::print::{print_json, tell, tell_message};
@@ -17,21 +17,21 @@ use serde_json::json;
 /// file; if the file is home.json, it also omits problems of the routines.
 #[derive(clap::Args)]
 #[command(after_long_help = "Examples:\n  homebody check scenarios/tigerplace\n  homebody check my-home --json")]
-pub struct Arguments {
+pub struct CheckArguments {
     #[command(flatten)]
-    scenario: Chosen,
+    scenario: ScenarioArguments,
     /// Print the problems as one JSON object
     #[arg(long)]
     json: bool,
 }
 
-impl Arguments {
+impl CheckArguments {
     pub fn run(self) -> Result<(), Failure> {
         let remarks = |opened: &OpenScenario| {
             let scenario = opened.scenario();
             opened.remarks(Length::Days(scenario.file.days).by(&scenario.calendar))
         };
-        let opened = load_and_say(self.scenario.source(), self.json, remarks)?;
+        let opened = load_with_warnings(self.scenario.source(), self.json, remarks)?;
         let scenario = opened.scenario();
         let home = &scenario.home;
         let found = match opened.missing_parts().is_empty() {
@@ -52,7 +52,7 @@ impl Arguments {
 }
 
 /// Loads a scenario with its routines, and prints warnings. As JSON, it prints empty lists, too.
-pub fn load_and_say(
+pub fn load_with_warnings(
     source: Result<ScenarioSource, SimulationError>,
     json: bool,
     remarks: impl Fn(&OpenScenario) -> Vec<Problem>,
@@ -72,7 +72,6 @@ pub fn load_and_say(
     Ok(opened?)
 }
 
-/// Prints a warning.
 pub fn tell_remark(remark: &Problem) {
     tell_message(&Problem { severity: Severity::Warning, ..remark.clone() });
 }

@@ -1,8 +1,8 @@
 //! `homebody compare`: two logs, compared.
 
-use super::read_log::{HowRead, tell_remarks, tell_unfinished};
+use super::log_input::{LogOptions, print_remarks, print_skipped, warn_of_incomplete};
 use crate::failure::Failure;
-use crate::print::{counted, print_json, print_text, tell};
+use crate::print::{print_json, print_text, tell};
 use homebody_analysis::compare::{MEASURES, begins, compare};
 use homebody_log::{Log, SensorMap};
 use homebody_query::LogRef;
@@ -21,13 +21,13 @@ use std::path::PathBuf;
 
 Measures:
 {}", MEASURES.trim_end()))]
-pub struct Arguments {
+pub struct CompareArguments {
     /// Log: a file, a run folder, a data set folder, or FORM:FILE
     a: String,
     /// Reference log
     b: String,
     #[command(flatten)]
-    how: HowRead,
+    how: LogOptions,
     /// CSV file with the columns id and name; before the comparison, Homebody gives each sensor id its name in both logs
     #[arg(long, value_name = "FILE")]
     sensors: Option<PathBuf>,
@@ -36,11 +36,11 @@ pub struct Arguments {
     json: bool,
 }
 
-impl Arguments {
+impl CompareArguments {
     pub fn run(self) -> Result<(), Failure> {
         let map = self.sensors.as_deref().map(SensorMap::read).transpose()?.unwrap_or_default();
         let found = [self.how.find(&self.a)?, self.how.find(&self.b)?];
-        // A run knows what its own log's ids mean, and those of a copy of it.
+        // A run knows the sensors of its own log, and of a copy of it.
         let name = |id: &str| found.iter().find_map(|named| named.name_of(id)).unwrap_or(id).to_owned();
         let read = |text: &str, named: &LogRef| {
             let mut log = log(text, named)?;
@@ -54,21 +54,18 @@ impl Arguments {
     }
 }
 
-/// The log, with the activities that the truth of its run tells.
+/// The log, with the activities of the ground truth of its run.
 fn log(text: &str, named: &LogRef) -> Result<Log, Failure> {
     let log = named.with_activities(None)?;
-    tell_remarks(text, &log);
-    tell_unfinished(text, named.incomplete().as_ref());
-    if log.skipped > 0 {
-        tell(format_args!("{text}: skipped {}; homebody inspect lists them", counted(log.skipped, "line", "lines")));
-    }
+    print_remarks(text, &log);
+    warn_of_incomplete(text, named.incomplete().as_ref());
+    print_skipped(text, &log);
     if !log.events.is_empty() && !log.values.iter().any(|value| begins(value)) {
         tell(format_args!("{text}: no row marks the start of an event; its values are {}", listed(&log.values)));
     }
     Ok(log)
 }
 
-/// The first of the values.
 fn listed(values: &[String]) -> String {
     let first: Vec<String> = values.iter().take(5).map(|value| format!("{value:?}")).collect();
     let others = if values.len() > first.len() { " and others" } else { "" };

@@ -10,12 +10,12 @@ use clap_complete::{Shell, generate};
   homebody completions bash > ~/.local/share/bash-completion/completions/homebody
   homebody completions zsh > ~/.zfunc/_homebody
   homebody completions fish > ~/.config/fish/completions/homebody.fish")]
-pub struct Arguments {
+pub struct CompletionsArguments {
     /// Name of the shell
     shell: Shell,
 }
 
-impl Arguments {
+impl CompletionsArguments {
     pub fn run(self, mut whole: clap::Command) -> Result<(), Failure> {
         let mut script = Vec::new();
         generate(self.shell, &mut whole, "homebody", &mut script);

@@ -1,7 +1,7 @@
 //! `homebody convert`: write a log in another form.
 
+use super::log_input::{LogArguments, print_remarks};
 use super::messages::LogContentMessage;
-use super::read_log::{Mapped, tell_remarks};
 use super::replacing::Replacing;
 use crate::failure::{EXIT_CODES, Failure};
 use crate::print::{counted, tell};
@@ -20,7 +20,7 @@ use homebody_timeline::{Episode, Timeline};
 use indicatif::ProgressBar;
 use std::path::{Path, PathBuf};
 
-/// The forms of a log, for a help text.
+/// The forms of logs, for a help text.
 pub fn forms_of_logs() -> String {
     let form = |row: SchemeRow| format!("  {:<32} {}\n", format!("{}:{}", row.name, row.at), row.what);
     let forms = SCHEMES.map(form).concat();
@@ -36,7 +36,6 @@ fn forms_of_sources() -> String {
     forms().map(form).collect()
 }
 
-/// The columns of a log that is written anew.
 pub const LOG_COLUMNS: &str = "seq, fired_at, sensor, value";
 
 /// Convert a log to another form: CSV, SQLite, CASAS, Parquet and more
@@ -66,9 +65,9 @@ Homebody skips rows that it cannot parse, and reports them. It does not replace 
 folder.
 
 {EXIT_CODES}.", forms = forms_of_logs(), read = forms_of_sources()))]
-pub struct Arguments {
+pub struct ConvertArguments {
     #[command(flatten)]
-    log: Mapped,
+    log: LogArguments,
     /// Destination: FILE.csv, FILE.db, jsonl:- and so on, as listed below
     #[arg(short, long, value_name = "DESTINATION", help_heading = "Output")]
     out: Url,
@@ -82,22 +81,22 @@ pub struct Arguments {
     replacing: Replacing,
 }
 
-impl Arguments {
+impl ConvertArguments {
     pub fn run(self) -> Result<(), Failure> {
         Calendar::zone(&self.time_zone).map_err(Failure::asked)?;
         let named = self.log.find()?;
         let text = self.log.text();
-        keep(&self.out, &named.place.files())?;
+        refuse_inputs(&self.out, &named.place.files())?;
         let (looker, mut log) = looked(Looker::new(None), &mut |take| named.stream(take))?;
         if self.activities {
             let no_truth = || LogContentMessage::NoTruth { log: text.to_owned(), command: "convert" };
             let truth = named.truth().ok_or_else(|| Failure::file(no_truth()))?;
             let scale = TimeScale::one();
-            log.activities = told_activities(read_timeline(&truth, &scale)?.map(|at| scale.run_to_wall(at)));
+            log.activities = numbered_activities(read_timeline(&truth, &scale)?.map(|at| scale.run_to_wall(at)));
         }
         let look = looker.look(&named.name, named.place.form().name, &log, &|_| None, None);
         log.remarks.clone_from(&look.remarks);
-        tell_remarks(text, &log);
+        print_remarks(text, &log);
         for skipped in &log.problems {
             tell(format_args!("{}: skipped: {}", skipped.place(text), skipped.why));
         }
@@ -108,10 +107,7 @@ impl Arguments {
         let how = self.replacing.how(&self.out);
         let zone = &self.time_zone;
         let transfer = Transfer { from: &named.place, mapping: &named.mapping, to: &self.out, name: text, zone, how };
-        let progress = rows_bar(log.rows);
-        let rows = convert(&transfer, &log, |rows| progress.set_position(rows));
-        progress.finish_and_clear();
-        let rows = rows?;
+        let rows = show_rows(log.rows, |progress| convert(&transfer, &log, progress))?;
         let sensors = counted(log.sensors.len() as u64, "sensor", "sensors");
         tell(format_args!("{}: {} from {sensors}", self.out, counted(rows, "row", "rows")));
         for (count, one, many) in [
@@ -128,8 +124,8 @@ impl Arguments {
     }
 }
 
-/// The activities of residents. If there are several residents, `R1_` stands before the activities of the first, and so on.
-fn told_activities(mut timeline: Timeline<WallTime>) -> Vec<Episode<WallTime>> {
+/// The activities of residents. With several residents, a prefix such as `R1_` has the number of the resident.
+fn numbered_activities(mut timeline: Timeline<WallTime>) -> Vec<Episode<WallTime>> {
     if timeline.people.len() > 1 {
         for (number, person) in timeline.people.iter_mut().enumerate() {
             person.activities.iter_mut().for_each(|of| of.label = format!("R{}_{}", number + 1, of.label));
@@ -138,8 +134,8 @@ fn told_activities(mut timeline: Timeline<WallTime>) -> Vec<Episode<WallTime>> {
     timeline.into_activities()
 }
 
-/// Makes sure that an output does not replace what the command reads.
-pub fn keep(to: &Url, sources: &[PathBuf]) -> Result<(), Failure> {
+/// Refuses an output that would replace an input.
+pub fn refuse_inputs(to: &Url, sources: &[PathBuf]) -> Result<(), Failure> {
     let is_in = |source: &PathBuf| match to.file() {
         Some(file) => same_file(source, file),
         // The run of a data set is in a folder of it.
@@ -151,12 +147,12 @@ pub fn keep(to: &Url, sources: &[PathBuf]) -> Result<(), Failure> {
     Ok(())
 }
 
-/// The files of a truth.
 pub fn files_of(truth: &Url) -> Vec<PathBuf> {
     truth.files(&tables()).into_iter().chain(truth.file().map(Path::to_owned)).collect()
 }
 
-/// A bar that shows how many rows have been written.
-pub fn rows_bar(rows: u64) -> ProgressBar {
-    progress::bar(rows, "{bar:40} {percent:>3} %  {human_pos} rows  {eta} left")
+/// Shows a bar during work that reports the number of written rows.
+pub fn show_rows<T>(rows: u64, work: impl FnOnce(&dyn Fn(u64)) -> T) -> T {
+    let template = "{bar:40} {percent:>3} %  {human_pos} rows  {eta} left";
+    progress::show(rows, template, |bar| work(&|rows| bar.set_position(rows)))
 }

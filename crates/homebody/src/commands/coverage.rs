@@ -1,8 +1,8 @@
-//! `homebody coverage`: what the sensors of a home see.
+//! `homebody coverage`: the fields of view of a home's sensors.
 
-use super::answer::Answer;
 use super::install_sheet::build;
-use super::scenario::Chosen;
+use super::result_output::ResultOutput;
+use super::scenario::ScenarioArguments;
 use crate::failure::Failure;
 use homebody_analysis::coverage::{self, STEP_M};
 use homebody_picture::coverage_map;
@@ -15,20 +15,20 @@ use homebody_picture::coverage_map;
 #[command(after_long_help = "Examples:
   homebody coverage scenarios/tigerplace
   homebody coverage my-home --png map.png --json coverage.json")]
-pub struct Arguments {
+pub struct CoverageArguments {
     #[command(flatten)]
-    scenario: Chosen,
+    scenario: ScenarioArguments,
     #[command(flatten)]
-    answer: Answer,
+    output: ResultOutput,
 }
 
-impl Arguments {
+impl CoverageArguments {
     pub fn run(self) -> Result<(), Failure> {
         let source = self.scenario.source()?;
         let scenario = source.scenario()?;
-        let answer = self.answer.check([""], &source.paths(&scenario))?;
+        let output = self.output.check([""], &source.paths(&scenario))?;
         let seen = coverage::of_home(&scenario.home, build(&scenario), STEP_M);
         let map = || coverage_map(&seen.home, &seen.coverage, &seen.beams());
-        answer.give(&seen.coverage, [&map])
+        output.write(&seen.coverage, [&map])
     }
 }

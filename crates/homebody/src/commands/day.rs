@@ -1,8 +1,8 @@
 //! `homebody day`: one day of a log.
 
-use super::answer::Answer;
+use super::log_input::LogArguments;
 use super::messages::LogContentMessage;
-use super::read_log::{HowRead, read_log};
+use super::result_output::ResultOutput;
 use crate::failure::Failure;
 use homebody_analysis::dates::DayChoice;
 use homebody_analysis::day::DayRecord;
@@ -16,11 +16,9 @@ use homebody_picture::{DayChart, day_chart};
 #[command(after_long_help = "Examples:
   homebody day runs/tigerplace-1 first --png day.png
   homebody day casas:aruba.txt 2010-11-04")]
-pub struct Arguments {
-    /// Log: a file, a run folder, a data set folder, or FORM:FILE
-    log: String,
+pub struct DayArguments {
     #[command(flatten)]
-    how: HowRead,
+    log: LogArguments,
     /// Date such as 2009-03-02, or first or last
     #[arg(value_name = "DATE")]
     date: DayChoice,
@@ -28,14 +26,14 @@ pub struct Arguments {
     #[arg(long, value_name = "ZONE")]
     time_zone: Option<String>,
     #[command(flatten)]
-    answer: Answer,
+    output: ResultOutput,
 }
 
-impl Arguments {
+impl DayArguments {
     pub fn run(self) -> Result<(), Failure> {
-        let read = read_log(&self.log, self.time_zone.as_deref(), &self.how)?;
-        let answer = self.answer.check([""], &read.sources)?;
-        let log = || self.log.clone();
+        let read = self.log.read(self.time_zone.as_deref())?;
+        let output = self.output.check([""], &read.sources)?;
+        let log = || self.log.to_string();
         let there = read.dates().ok_or_else(|| Failure::asked(LogContentMessage::NoRows { log: log() }))?;
         let no_day = || {
             let [day, first, last] = [self.date.to_string(), there.0.to_string(), there.1.to_string()];
@@ -43,6 +41,6 @@ impl Arguments {
         };
         let date = self.date.within(there).ok_or_else(no_day)?;
         let day = DayRecord::from_log(&read.name, &read.log, &read.timeline.people, read.ended(), date);
-        answer.give(&day, [&|| day_chart(&DayChart::new(&day))])
+        output.write(&day, [&|| day_chart(&DayChart::new(&day))])
     }
 }

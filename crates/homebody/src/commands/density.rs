@@ -1,8 +1,8 @@
 //! `homebody density`: motion density, hour by hour.
 
-use super::answer::Answer;
+use super::log_input::{LogArguments, read_any_length};
 use super::messages::{LogContentMessage, not_measurable};
-use super::read_log::{HowRead, read_any_length};
+use super::result_output::ResultOutput;
 use crate::failure::Failure;
 use crate::length::span;
 use crate::print::tell;
@@ -21,25 +21,15 @@ homebody_core::messages! {
     /// Problems with density maps.
     pub enum DensityMessage in "density" {
         /// `--door` names a sensor at the entrance, by its name in the log. Absences begin and end with its events.
-        NoDoor {
-            /// The name asked for.
-            door: String,
-            /// The most similar name.
-            nearest: Option<String>,
-            /// The sensors of the logs.
-            known: Vec<String>,
-        } error "no-door" ("--door {door:?}: no sensor has this name")
+        NoDoor { door: String, nearest: Option<String>, known: Vec<String> } error "no-door"
+            ("--door {door:?}: no sensor has this name")
             advice (Some(match nearest {
                 Some(nearest) => format!("did you mean {nearest:?}?"),
                 None => format!("the sensors are {}", known.join(", ")),
             }));
         /// Measures and maps come from the events of sensors, above all of motion sensors. This log only lists what people did.
-        OnlyActivities {
-            /// The log.
-            log: String,
-            /// The number of activities.
-            activities: usize,
-        } error "only-activities" ("{log} has no rows of sensors, only {n}", n = counted(*activities, "activity", "activities"))
+        OnlyActivities { log: String, activities: usize } error "only-activities"
+            ("{log} has no rows of sensors, only {n}", n = counted(*activities, "activity", "activities"))
             hint ("homebody inspect {log} lists them");
     }
 }
@@ -57,11 +47,9 @@ homebody_core::messages! {
   homebody density runs/tigerplace-1 --png density.png
   homebody density casas:tm000.txt --door MainEntryway --from 2016-07-12 --days 7 --csv density.csv
   homebody density runs/tigerplace-1 --compare real.csv --json")]
-pub struct Arguments {
-    /// Log: a file, a run folder, a data set folder, or FORM:FILE
-    log: String,
+pub struct DensityArguments {
     #[command(flatten)]
-    how: HowRead,
+    log: LogArguments,
     /// Compare with this log: report the distance between the two maps, and draw both
     #[arg(long, value_name = "LOG")]
     compare: Option<String>,
@@ -84,18 +72,18 @@ pub struct Arguments {
     #[arg(long, value_name = "FILE", help_heading = "Output")]
     csv: Option<PathBuf>,
     #[command(flatten)]
-    answer: Answer,
+    output: ResultOutput,
 }
 
-impl Arguments {
+impl DensityArguments {
     pub fn run(self) -> Result<(), Failure> {
         let zone = self.time_zone.as_deref();
-        let log = read_any_length(&self.log, zone, &self.how)?;
-        let other = self.compare.as_deref().map(|other| read_any_length(other, zone, &self.how)).transpose()?;
+        let log = self.log.read_any_length(zone)?;
+        let other = self.compare.as_deref().map(|other| read_any_length(other, zone, self.log.how())).transpose()?;
         let sources: Vec<PathBuf> =
             [Some(&log), other.as_ref()].into_iter().flatten().flat_map(|log| log.sources.clone()).collect();
         let csv = self.csv.as_deref();
-        let answer = self.answer.check_beside([""], csv, &sources)?;
+        let output = self.output.check_with_table([""], csv, &sources)?;
 
         let known: Vec<&LoadedLog> = [Some(&log), other.as_ref()].into_iter().flatten().collect();
         let problems: Vec<Diagnostic> = self.unknown_doors(&known).chain(self.unknown_day(&log)).collect();
@@ -109,7 +97,7 @@ impl Arguments {
         // The days of the other log are its own.
         let asked_of =
             |other: &LoadedLog| DensityOptions { doors: self.doors(other), away_after, days, ..other.density_asked() };
-        let map = log.density(&asked).map_err(|why| no_map(&self.log, &log, &why))?;
+        let map = log.density(&asked).map_err(|why| no_map(self.log.text(), &log, &why))?;
         let against = other.as_ref().zip(self.compare.as_ref());
         let against =
             against.map(|(other, name)| other.density(&asked_of(other)).map_err(|why| no_map(name, other, &why)));
@@ -123,15 +111,15 @@ impl Arguments {
                 tell(format_args!("note: {}: the density counts all residents: {}", log.name, people.join(", ")));
             }
         }
-        answer.give_beside(&density, [&|| density_map(&density)], &|| density.of.map.csv())
+        output.write_with_table(&density, [&|| density_map(&density)], &|| density.of.map.csv())
     }
 
-    /// Of the doors that are asked for those that a log has.
+    /// The requested doors that a log has.
     fn doors(&self, log: &LoadedLog) -> Vec<String> {
         self.door.iter().filter(|door| log.log.sensors.contains(door)).cloned().collect()
     }
 
-    /// A problem for each door that no log has.
+    /// A problem for each door that is in no log.
     fn unknown_doors(&self, logs: &[&LoadedLog]) -> impl Iterator<Item = Diagnostic> {
         let sensors = || logs.iter().flat_map(|log| log.log.sensors.iter().map(String::as_str));
         let unknown = self.door.iter().filter(move |door| !sensors().any(|sensor| sensor == **door));
@@ -147,7 +135,7 @@ impl Arguments {
         let (asked, there) = (self.from?, log.dates()?);
         let problem = || {
             let [day, first, last] = [asked.to_string(), there.0.to_string(), there.1.to_string()];
-            Diagnostic::from(LogContentMessage::NoDay { log: self.log.clone(), day, first, last })
+            Diagnostic::from(LogContentMessage::NoDay { log: self.log.to_string(), day, first, last })
         };
         asked.within(there).is_none().then(problem)
     }
@@ -168,7 +156,7 @@ pub fn no_map(name: &str, log: &LoadedLog, why: &NoMap) -> Failure {
     if hint.is_empty() { failure } else { failure.advising(&hint) }
 }
 
-/// How rows of comma-separated values are sorted whose dates begin with the year; nothing of other logs.
+/// A command that sorts a CSV log by dates that start with the year; empty for other logs.
 fn sorting(name: &str, columns: &[ColumnUse]) -> String {
     let is_time = |at: &usize| columns[*at].used_as == ColumnRole::Time;
     let keys: String = (0..columns.len()).filter(is_time).map(|at| format!(" -k{0},{0}", at + 1)).collect();
@@ -185,7 +173,7 @@ fn sorting(name: &str, columns: &[ColumnUse]) -> String {
     }
 }
 
-/// Whether nobody has said which sensors are at the entrance.
+/// True if the sensors at the entrance were guessed.
 fn is_by_name(of: &TexturedMap) -> bool {
     of.map.entrance.chosen != EntranceSource::Asked
 }
@@ -195,7 +183,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_table_that_is_out_of_order_is_sorted_by_its_times_below_its_heading() {
+    fn the_hint_sorts_rows_below_the_heading_by_time() {
         let column = |(column, used_as): &(&str, ColumnRole)| {
             let because = String::new();
             ColumnUse { column: (*column).into(), used_as: *used_as, because, is_guess: false }

@@ -2,6 +2,7 @@
 
 use crate::failure::Failure;
 use crate::print::{print_json, print_text};
+use crate::text_table::TextTable;
 use homebody_core::nearest::nearest;
 use homebody_core::sensors::products::Product;
 use serde_json::{Value, json};
@@ -11,14 +12,7 @@ homebody_core::messages! {
     /// Problems with the devices of the catalogue.
     pub enum DeviceMessage in "device" {
         /// Homebody knows the values of some makes of motion sensors. `homebody devices` lists them by name.
-        Unknown {
-            /// The name asked for.
-            name: String,
-            /// The most similar name.
-            nearest: Option<String>,
-            /// The known names.
-            known: Vec<String>,
-        } error "unknown" ("no device is called {name:?}")
+        Unknown { name: String, nearest: Option<String>, known: Vec<String> } error "unknown" ("no device is called {name:?}")
             advice (Some(match nearest {
                 Some(nearest) => format!("did you mean {nearest:?}?"),
                 None => format!("the devices are {}", known.join(", ")),
@@ -35,7 +29,7 @@ homebody_core::messages! {
   homebody devices
   homebody devices fibaro
   homebody devices --json")]
-pub struct Arguments {
+pub struct DevicesArguments {
     /// Show this device only, with the sources of its values
     name: Option<String>,
     /// Print one JSON object
@@ -43,7 +37,7 @@ pub struct Arguments {
     json: bool,
 }
 
-impl Arguments {
+impl DevicesArguments {
     pub fn run(self) -> Result<(), Failure> {
         let one = self.name.as_deref().map(device).transpose()?;
         let devices: Vec<Product> = one.map_or_else(|| Product::all().collect(), |one| vec![one]);
@@ -57,7 +51,6 @@ impl Arguments {
     }
 }
 
-/// The device of a name.
 pub fn device(name: &str) -> Result<Product, Failure> {
     Product::all().find(|device| device.key() == name).ok_or_else(|| {
         let known: Vec<String> = Product::all().map(|device| device.key()).collect();
@@ -77,25 +70,16 @@ fn row(device: &Product) -> Value {
 }
 
 fn table(devices: &[Product]) -> String {
-    let mut text = format!(
-        "{:14} {:48} {:10} {:>8} {:>12} {:>7} {:>14}\n",
-        "name", "make and model", "network", "height m", "field °", "reach m", "next after s"
-    );
-    for device in devices {
+    let table =
+        TextTable::new("-14 name|-48 make and model|-10 network|8 height m|12 field °|7 reach m|14 next after s");
+    let row = |device: &Product| {
         let [across, down] = device.field_deg.value;
-        let _ = writeln!(
-            text,
-            "{:14} {:48} {:10} {:>8} {:>12} {:>7} {:>14}",
-            device.key(),
-            device.name(),
-            device.network,
-            device.height_m.value,
-            format!("{across} x {down}"),
-            device.reach_m.value,
-            range(device.preset.timing().refire_s)
-        );
-    }
-    text
+        let field = format!("{across} x {down}");
+        let (height_m, reach_m, next) =
+            (device.height_m.value, device.reach_m.value, range(device.preset.timing().refire_s));
+        table.row(&[&device.key(), &device.name(), &device.network, &height_m, &field, &reach_m, &next])
+    };
+    std::iter::once(table.heading()).chain(devices.iter().map(row)).collect()
 }
 
 fn sheet(device: &Product) -> String {

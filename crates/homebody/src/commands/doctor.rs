@@ -14,10 +14,7 @@ homebody_core::messages! {
     /// The result of `homebody doctor`.
     pub enum DoctorMessage in "doctor" {
         /// At least one check is wrong. The report lists each check with its result and a hint. Warnings do not count.
-        Wrong {
-            /// The number of wrong checks.
-            count: usize,
-        } error "wrong" ("number of checks marked wrong: {count}")
+        Wrong { count: usize } error "wrong" ("number of checks marked wrong: {count}")
             hint ("follow the hints of the report, and run homebody doctor again");
     }
 }
@@ -35,7 +32,7 @@ homebody_core::messages! {
   homebody doctor postgresql://ann@db.example/homes mqtts://ann@broker/homebody --write
 
 {EXIT_CODES}."))]
-pub struct Arguments {
+pub struct DoctorArguments {
     /// Places to check (default: the installation)
     #[arg(value_name = "PLACE")]
     places: Vec<String>,
@@ -53,7 +50,7 @@ pub struct Arguments {
     json: bool,
 }
 
-impl Arguments {
+impl DoctorArguments {
     pub fn run(self) -> Result<(), Failure> {
         let mapping = self.mapping.as_deref().map(read_mapping).transpose()?;
         let examining = PlaceCheck { mapping, may_write: self.write, replays: self.replay };
@@ -81,7 +78,7 @@ impl Arguments {
     }
 }
 
-/// A place and a line for each thing that was looked at.
+/// A place, and a line for each check.
 fn text(examined: &PlaceReport) -> String {
     let width = examined.checks.iter().map(|check| check.about.len()).max().unwrap_or(0);
     let line = |check: &Check| {

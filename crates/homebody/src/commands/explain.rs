@@ -15,19 +15,19 @@ use homebody_core::nearest::nearest;
   homebody explain log::exists    explain one message
   homebody explain log            list the messages about logs
   homebody explain                list all messages")]
-pub struct Arguments {
+pub struct ExplainArguments {
     /// The code of a message, or the part before `::` (default: list all messages)
     #[arg(value_name = "CODE")]
     code: Option<String>,
 }
 
-impl Arguments {
+impl ExplainArguments {
     pub fn run(self) -> Result<(), Failure> {
         explain(self.code, catalogue::all())
     }
 }
 
-/// Prints the long form of the message with a code, a list of the messages of an area, or a list of all messages.
+/// Prints the long form of a message, or a list of the messages of an area or of all areas.
 pub fn explain(
     code: Option<String>,
     all: impl Iterator<Item = &'static CatalogueEntry> + Clone,
@@ -53,7 +53,7 @@ fn list<'a>(entries: impl Iterator<Item = &'a CatalogueEntry> + Clone) -> String
     entries.map(|entry| format!("{:width$}  {}\n", entry.code, entry.text)).collect()
 }
 
-/// All that is known of a message.
+/// The long form of a message.
 fn in_full(entry: &CatalogueEntry) -> String {
     let mut text = format!("{}[{}]: {}\n", entry.severity.word(), entry.code, entry.text);
     if let Some(hint) = entry.hint {

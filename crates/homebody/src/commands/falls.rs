@@ -1,11 +1,10 @@
 //! `homebody falls`: falls in the silhouettes of a run's cameras.
 
-use super::answer::Figures;
+use super::result_output::JsonOutput;
 use crate::failure::{EXIT_CODES, Failure};
 use crate::print::print_text;
 use crate::progress;
 use homebody_analysis::falls::rules::{FallRules, USUAL};
-use homebody_core::problem::Problem;
 use homebody_core::time::RunTime;
 use homebody_log::LogError;
 use homebody_log::files::plain;
@@ -30,7 +29,7 @@ use std::path::{Path, PathBuf};
   homebody silhouettes runs/cameras-1 --from 2025-06-03T03:12 --every 0.5s --png fall.png
 
 {EXIT_CODES}."))]
-pub struct Arguments {
+pub struct FallsArguments {
     /// Folder of a run with cameras
     #[arg(required_unless_present = "show_rules")]
     log: Option<String>,
@@ -41,10 +40,10 @@ pub struct Arguments {
     #[arg(long, conflicts_with_all = ["log", "rules", "json"])]
     show_rules: bool,
     #[command(flatten)]
-    figures: Figures,
+    output: JsonOutput,
 }
 
-impl Arguments {
+impl FallsArguments {
     pub fn run(self) -> Result<(), Failure> {
         if self.show_rules {
             return print_text(USUAL);
@@ -52,44 +51,40 @@ impl Arguments {
         let rules = self.rules.as_deref().map(rules).transpose()?.unwrap_or_default();
         let named = LogRef::find(&self.log.unwrap_or_default())?;
         let sources: Vec<PathBuf> = named.place.files().into_iter().chain(self.rules.clone()).collect();
-        let answer = self.figures.check(&sources)?;
+        let output = self.output.check(&sources)?;
         let bar = looking_bar(&named);
         let found = falls_in(&named, &rules, |at| {
             bar.set_position(position(at));
             true
         });
         bar.finish_and_clear();
-        answer.give(&Answered(found?), [])
+        output.write(&FallsAnswer(found?), [])
     }
 }
 
-/// A bar that shows how far silhouettes have been looked at.
+/// A bar for the search in silhouettes.
 pub fn looking_bar(named: &LogRef) -> ProgressBar {
     let span = RunSilhouettes::beside(named).and_then(|kept| Ok(kept.silhouettes.span()?));
     let end = span.ok().flatten().map_or(0, |span| position(span.end));
     progress::bar(end, progress::SHARE)
 }
 
-/// Where an instant is on this bar.
+/// The position of an instant on this bar.
 pub fn position(at: RunTime) -> u64 {
     at.micros().max(0) as u64
 }
 
-/// The rules of a file.
 fn rules(path: &Path) -> Result<FallRules, Failure> {
     let text = plain::read_text(path, LARGEST_OF_SCENARIO_BYTES)
         .map_err(|error| Failure::asked(LogError::reading(path, error)))?;
-    let name = path.display().to_string();
-    let of_file = |problem| Problem::of_file(&name, problem, None);
-    FallRules::parse(&text).map_err(|problems| Failure::all(problems.0.into_iter().map(of_file).collect()))
+    FallRules::parse(&text).map_err(|problems| Failure::in_file(path, problems))
 }
 
-/// What was found, in words.
 #[derive(Serialize)]
 #[serde(transparent)]
-struct Answered(FallReport);
+struct FallsAnswer(FallReport);
 
-impl fmt::Display for Answered {
+impl fmt::Display for FallsAnswer {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
         let FallReport { name, cameras, pictures, voxel_persons, falls } = &self.0;
         let cameras = if *cameras == 1 { "1 camera".into() } else { format!("{cameras} cameras") };

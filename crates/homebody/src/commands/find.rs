@@ -1,7 +1,7 @@
 //! `homebody find`: intervals of a log.
 
-use super::answer::Figures;
-use super::read_log::{HowRead, read_log};
+use super::log_input::LogArguments;
+use super::result_output::JsonOutput;
 use crate::failure::Failure;
 use crate::length::span;
 use clap::builder::PossibleValue;
@@ -26,13 +26,11 @@ use std::fmt;
   homebody find runs/tigerplace-1 fall
   homebody find runs/cameras-1 seen-fall
   homebody find runs/tigerplace-depression-1 alert")]
-pub struct Arguments {
-    /// Log: a file, a run folder, a data set folder, or FORM:FILE
-    log: String,
+pub struct FindArguments {
     #[command(flatten)]
-    how: HowRead,
+    log: LogArguments,
     /// Kind of interval
-    what: Wanted,
+    what: FindSubject,
     /// Name to find: a room, a sensor (for `on` and `lost`), an activity, or a rule (for `alert` and `seen-fall`)
     name: Option<String>,
     /// Find only in these hours of the day, such as 0-6, 22-6 or 08:30-20
@@ -45,20 +43,20 @@ pub struct Arguments {
     #[arg(long, value_name = "ZONE")]
     time_zone: Option<String>,
     #[command(flatten)]
-    figures: Figures,
+    output: JsonOutput,
 }
 
 /// The subject of a search, as a word of the command line.
 #[derive(Clone, Copy)]
-struct Wanted(SearchSubject);
+struct FindSubject(SearchSubject);
 
-impl clap::ValueEnum for Wanted {
-    fn value_variants<'a>() -> &'a [Wanted] {
-        const ALL: [Wanted; SearchSubject::ALL.len()] = {
-            let mut all = [Wanted(SearchSubject::Room); SearchSubject::ALL.len()];
+impl clap::ValueEnum for FindSubject {
+    fn value_variants<'a>() -> &'a [FindSubject] {
+        const ALL: [FindSubject; SearchSubject::ALL.len()] = {
+            let mut all = [FindSubject(SearchSubject::Room); SearchSubject::ALL.len()];
             let mut at = 0;
             while at < all.len() {
-                all[at] = Wanted(SearchSubject::ALL[at]);
+                all[at] = FindSubject(SearchSubject::ALL[at]);
                 at += 1;
             }
             all
@@ -81,22 +79,22 @@ impl clap::ValueEnum for Wanted {
     }
 }
 
-impl Arguments {
+impl FindArguments {
     pub fn run(self) -> Result<(), Failure> {
-        let read = read_log(&self.log, self.time_zone.as_deref(), &self.how)?;
-        let answer = self.figures.check(&read.sources)?;
+        let read = self.log.read(self.time_zone.as_deref())?;
+        let output = self.output.check(&read.sources)?;
         let what = self.what.0;
         let least = self.min_duration.unwrap_or(Span::ZERO);
         let query = Query { what, name: self.name.clone(), hours: self.between, least };
         let found = find_in_log(&query, &read)?;
-        let one = |hit: homebody_query::search::Hit<WallTime>| One {
+        let one = |hit: homebody_query::search::Hit<WallTime>| FoundInterval {
             begin: instant(hit.time.begin),
             end: instant(hit.time.end),
             lasts_s: hit.time.length().seconds(),
             name: hit.name,
             words: hit.words,
         };
-        let found = Answered {
+        let found = FindAnswer {
             name: read.name.clone(),
             what: what.word(),
             of: self.name.filter(|_| what.has_name()),
@@ -104,7 +102,7 @@ impl Arguments {
             remarks: found.remarks,
             found: found.hits.into_iter().map(one).collect(),
         };
-        answer.give(&found, [])
+        output.write(&found, [])
     }
 }
 
@@ -113,28 +111,27 @@ fn instant(at: WallTime) -> String {
     format!("{} {}", at.date(), clock_s(at))
 }
 
-/// All that was found.
 #[derive(Serialize)]
-struct Answered {
+struct FindAnswer {
     name: String,
     what: &'static str,
     of: Option<String>,
     between: Option<String>,
     remarks: Vec<String>,
-    found: Vec<One>,
+    found: Vec<FoundInterval>,
 }
 
 #[derive(Serialize)]
-struct One {
+struct FoundInterval {
     begin: String,
     end: String,
     lasts_s: f64,
-    /// The room, the sensor, what was done, or the rule.
+    /// The room, sensor, activity or rule.
     name: String,
     words: String,
 }
 
-impl fmt::Display for Answered {
+impl fmt::Display for FindAnswer {
     fn fmt(&self, formatter: &mut fmt::Formatter) -> fmt::Result {
         let of = self.of.as_ref().map_or_else(String::new, |of| format!(" {of}"));
         let between = self.between.as_ref().map_or_else(String::new, |hours| format!(", between {hours}"));

@@ -1,7 +1,7 @@
 //! `homebody fit`: a scenario fitted to the log of its home.
 
+use super::log_input::LogArguments;
 use super::messages::{LogContentMessage, not_comparable};
-use super::read_log::{HowRead, read_log};
 use super::scenario::Trust;
 use crate::failure::{EXIT_CODES, Failure};
 use crate::print::{json_text, print_json, print_text, tell, write_file};
@@ -23,18 +23,8 @@ homebody_core::messages! {
     pub enum TrainingMessage in "training" {
         /// Homebody fits the scenario to the training days and evaluates it on the others, the test days. Without `--training-days`, the
         /// first half of the log is for training.
-        FewDays {
-            /// The log.
-            log: String,
-            /// The number of training days.
-            training_days: usize,
-            /// The number of test days.
-            test_days: usize,
-            /// The first date of the log.
-            first: String,
-            /// The last date of the log.
-            last: String,
-        } error "few-days" ("{log}: too few days: {training_days} for training and {test_days} for the test")
+        FewDays { log: String, training_days: usize, test_days: usize, first: String, last: String } error "few-days"
+            ("{log}: too few days: {training_days} for training and {test_days} for the test")
             hint (
                 "choose --training-days from {first} to {last}, or use a longer log: a fit needs {LEAST_DAYS} training days and 1 test day"
             );
@@ -64,11 +54,9 @@ The report compares the test days with the fitted scenario, with the training da
 differs from itself), and with the scenario before the fit.
 
 {EXIT_CODES}."))]
-pub struct Arguments {
-    /// Log: a file, a run folder, a data set folder, or FORM:FILE
-    log: String,
+pub struct FitArguments {
     #[command(flatten)]
-    how: HowRead,
+    log: LogArguments,
     /// Scenario with the home of the log
     #[arg(long, value_name = "SCENARIO")]
     home: PathBuf,
@@ -98,49 +86,46 @@ fn days(text: &str) -> Result<(Date, Date), String> {
     }
 }
 
-/// So many days are lived to be held against the unseen ones.
+/// Simulated days that are compared with the test days.
 const LIVED_DAYS: u32 = 28;
-/// Other lives than those by which it was fitted.
+/// Another seed than that of the fit.
 const SEED: u64 = 1000;
 
-/// What came of it.
 #[derive(Serialize)]
-struct Report {
+struct FitReport {
     log: String,
     seen_days: Vec<String>,
     unseen_days: Vec<String>,
     fitted: Fitted,
-    measures: Vec<Row>,
+    measures: Vec<FitMeasure>,
 }
 
-/// A measure of unseen days against three others.
+/// A measure of the test days, compared with three other logs.
 #[derive(Serialize)]
-struct Row {
+struct FitMeasure {
     measure: &'static str,
     about: &'static str,
-    /// Of the fitted scenario.
+    /// Distance from the fitted scenario.
     fitted: Option<f64>,
-    /// Of the seen days: how near the home is to itself.
+    /// Distance from the training days: the variation of the home.
     seen_days: Option<f64>,
-    /// Of the scenario before it was fitted.
+    /// Distance from the scenario before the fit.
     before: Option<f64>,
 }
 
-impl Arguments {
+impl FitArguments {
     pub fn run(self) -> Result<(), Failure> {
         if self.out.exists() {
             return Err(SimulationError::Exists { path: self.out }.into());
         }
         let home = self.trust.source(&self.home)?.open()?;
         let zone = self.time_zone.clone().unwrap_or_else(|| home.scenario().file.time_zone.clone());
-        let read = read_log(&self.log, Some(&zone), &self.how)?;
-        let parts = self.parts(&read.log, read.recorded)?;
-        let bar = progress::bar(1000, progress::SHARE);
-        let seen = parts.of(&read.log, true);
-        let calibration = calibrate(&seen, &home, |share| bar.set_position((share * 1000.0) as u64))?;
-        bar.finish_and_clear();
-        let report = Report {
-            log: self.log.clone(),
+        let read = self.log.read(Some(&zone))?;
+        let parts = self.split(&read.log, read.recorded)?;
+        let seen = parts.part(&read.log, true);
+        let calibration = progress::show_share(|progress| calibrate(&seen, &home, progress))?;
+        let report = FitReport {
+            log: self.log.to_string(),
             seen_days: parts.dates(true),
             unseen_days: parts.dates(false),
             measures: self.measures(&read.log, &parts, &home, &calibration)?,
@@ -163,12 +148,12 @@ impl Arguments {
         Ok(())
     }
 
-    /// The days that are seen and those that are not.
-    fn parts(&self, log: &Log, recorded: Option<Interval<WallTime>>) -> Result<Parts, Failure> {
+    /// The training days and the test days.
+    fn split(&self, log: &Log, recorded: Option<Interval<WallTime>>) -> Result<LogSplit, Failure> {
         let rows = || log.events.iter().map(|event| event.at);
         let of_rows = |(first, last)| Interval::new(first, last + Span::MICROSECOND);
         let whole = recorded.or_else(|| rows().min().zip(rows().max()).map(of_rows));
-        let no_rows = || Failure::asked(LogContentMessage::NoRows { log: self.log.clone() });
+        let no_rows = || Failure::asked(LogContentMessage::NoRows { log: self.log.to_string() });
         let whole = whole.ok_or_else(no_rows)?;
         let last_instant = whole.end - Span::MICROSECOND;
         let (first, last) = (whole.begin.day_number(), last_instant.day_number() + 1);
@@ -180,34 +165,34 @@ impl Arguments {
         let (count, unseen) = (seen.end - seen.start, last - first - (seen.end - seen.start).max(0));
         if count < LEAST_DAYS || unseen < 1 {
             return Err(Failure::asked(TrainingMessage::FewDays {
-                log: self.log.clone(),
+                log: self.log.to_string(),
                 training_days: count.max(0) as usize,
                 test_days: unseen.max(0) as usize,
                 first: whole.begin.date().to_string(),
                 last: last_instant.date().to_string(),
             }));
         }
-        // What is not seen is one stretch: the longer of what is before and after.
+        // The test days are the longer part, before or after the training days.
         let unseen = if last - seen.end >= seen.start - first { seen.end..last } else { first..seen.start };
         let midnight = |day: i64| WallTime::EPOCH + day * DAY;
         let within = |days: Range<i64>| Interval::new(midnight(days.start), midnight(days.end)).intersection(whole);
-        Ok(Parts { seen: within(seen), unseen: within(unseen) })
+        Ok(LogSplit { seen: within(seen), unseen: within(unseen) })
     }
 
-    /// The measures of unseen days against the fitted scenario, the seen days, and the scenario as it was.
+    /// The measures of the test days.
     fn measures(
         &self,
         log: &Log,
-        parts: &Parts,
+        parts: &LogSplit,
         home: &OpenScenario,
         calibration: &Calibration,
-    ) -> Result<Vec<Row>, Failure> {
+    ) -> Result<Vec<FitMeasure>, Failure> {
         let open = ScenarioSource::from_texts(calibration.files.clone(), calibration.entry.clone()).open()?;
         let log = Log { sensors: calibration.names.clone(), ..log.clone() };
-        let unseen = parts.of(&log, false);
-        let seen = parts.of(&log, true);
+        let unseen = parts.part(&log, false);
+        let seen = parts.part(&log, true);
         let against = |name: &str, other: &Log, recorded: Option<Interval<WallTime>>| -> Result<Realism, Failure> {
-            let real = ComparedLog { name: &self.log, log: &unseen, recorded: Some(parts.unseen) };
+            let real = ComparedLog { name: self.log.text(), log: &unseen, recorded: Some(parts.unseen) };
             realism(real, ComparedLog { name, log: other, recorded }).map_err(|problems| not_comparable(&problems))
         };
         let fitted = against("the fitted scenario", &simulated_log(&open, SEED, LIVED_DAYS)?, None)?;
@@ -216,7 +201,7 @@ impl Arguments {
         let rows = fitted.measures().into_iter().zip(own.measures()).zip(before.measures());
         let value = |measure: RealismMeasure| measure.value;
         Ok(rows
-            .map(|(((measure, about, fitted), (_, _, own)), (_, _, before))| Row {
+            .map(|(((measure, about, fitted), (_, _, own)), (_, _, before))| FitMeasure {
                 measure,
                 about,
                 fitted: value(fitted),
@@ -230,27 +215,26 @@ impl Arguments {
 /// Fewest days for a rhythm (our choice).
 const LEAST_DAYS: i64 = 3;
 
-/// The two parts of a log, as instants on the clock on the wall.
-struct Parts {
+/// The training days and the test days of a log, in local time.
+struct LogSplit {
     seen: Interval<WallTime>,
     unseen: Interval<WallTime>,
 }
 
-impl Parts {
-    fn of(&self, log: &Log, seen: bool) -> Log {
+impl LogSplit {
+    fn part(&self, log: &Log, seen: bool) -> Log {
         let span = if seen { self.seen } else { self.unseen };
         let events = log.events.iter().filter(|event| span.contains(event.at)).copied().collect();
         Log { events, ..log.clone() }
     }
 
-    /// The first and the last date.
     fn dates(&self, seen: bool) -> Vec<String> {
         let span = if seen { self.seen } else { self.unseen };
         [span.begin, span.end - Span::MICROSECOND].map(|at| at.date().to_string()).into()
     }
 }
 
-/// How far the sensors see and what they miss, a line each.
+/// The reach and the misses of the sensors, one line each.
 fn sights(f: &mut fmt::Formatter, sights: &[SensorSight]) -> fmt::Result {
     if sights.is_empty() {
         return Ok(());
@@ -264,9 +248,9 @@ fn sights(f: &mut fmt::Formatter, sights: &[SensorSight]) -> fmt::Result {
     writeln!(f)
 }
 
-impl fmt::Display for Report {
+impl fmt::Display for FitReport {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
-        let Report { log, seen_days, unseen_days, fitted, measures } = self;
+        let FitReport { log, seen_days, unseen_days, fitted, measures } = self;
         let [real, ours] = fitted.firings_an_hour;
         writeln!(f, "{log}, fitted to {}, tested on {}\n", seen_days.join(" to "), unseen_days.join(" to "))?;
         writeln!(f, "{}", fitted.timing.all)?;
@@ -290,8 +274,8 @@ impl fmt::Display for Report {
         fitted.routine.iter().try_for_each(|sentence| writeln!(f, "  {sentence}"))?;
         writeln!(f, "\n{:<18} {:>8} {:>10} {:>8}", "test days against", "fitted", "training", "before")?;
         for row in measures {
-            let told = |value: Option<f64>| value.map_or("-".into(), |value| format!("{value:.3}"));
-            let [fitted, own, before] = [row.fitted, row.seen_days, row.before].map(told);
+            let cell = |value: Option<f64>| value.map_or("-".into(), |value| format!("{value:.3}"));
+            let [fitted, own, before] = [row.fitted, row.seen_days, row.before].map(cell);
             writeln!(f, "{:<18} {fitted:>9} {own:>10} {before:>8}  {}", row.measure, row.about)?;
         }
         Ok(())

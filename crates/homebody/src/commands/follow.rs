@@ -1,6 +1,6 @@
-//! `homebody locate --follow`: where residents are, as the rows of a log arrive.
+//! `homebody locate --follow`: the location of residents while a log grows.
 
-use super::read_log::{HowRead, read_log};
+use super::log_input::LogArguments;
 use crate::failure::Failure;
 use crate::print::{ResultMessage, print_json_text, print_text};
 use crate::signals::Signals;
@@ -29,48 +29,44 @@ homebody_core::messages! {
     }
 }
 
-/// A log that grows.
-pub struct Followed<'a> {
-    /// As it was named; one of standard input ends with [`INPUT`].
-    pub log: &'a str,
-    /// How its table is read.
-    pub how: &'a HowRead,
-    /// The time zone of its home.
+pub struct FollowedLog<'a> {
+    /// That of standard input ends with [`INPUT`].
+    pub log: &'a LogArguments,
     pub zone: &'a str,
-    /// How many seconds pass from one look at it to the next.
+    /// Seconds between two reads of the log.
     pub every_s: u64,
-    /// Whether each line is an object.
+    /// True for an object per line.
     pub is_json: bool,
 }
 
-/// What is written for a file where standard input is meant.
+/// The end of an argument that means standard input.
 const INPUT: &str = ":-";
 /// Largest number of lines of standard input that wait to be stored.
 const MOST_WAITING: usize = 10_000;
-/// How soon a signal ends what waits.
+/// Longest delay after a signal.
 const BREATH: Duration = Duration::from_millis(100);
 
-impl Followed<'_> {
+impl FollowedLog<'_> {
     /// Prints the room of each resident until the input ends, or a signal comes.
     pub fn follow(&self, scenario: &Scenario) -> Result<(), Failure> {
-        if self.log == "-" {
+        if self.log.text() == "-" {
             return Err(Failure::asked(FollowMessage::NoForm));
         }
         let signals = Signals::listen()?;
         let cancel = signals.cancel();
         let learnt = FollowedHome::new(scenario)?;
         let following = &mut LogFollower::new(&learnt, scenario);
-        let done = match self.log.strip_suffix(INPUT) {
+        let done = match self.log.text().strip_suffix(INPUT) {
             Some(form) => self.input(form, following, cancel),
             None => self.file(following, cancel),
         };
         done.and_then(|()| signals.ended(cancel.is_cancelled()))
     }
 
-    /// Looks at a file, or a database, again and again.
+    /// Reads a file or a database repeatedly.
     fn file(&self, following: &mut LogFollower, cancel: &Cancel) -> Result<(), Failure> {
-        // What cannot be read now is a mistake; later it may be in the middle of being written.
-        let mut looked = Some(read_log(self.log, Some(self.zone), self.how)?);
+        // The first read must succeed. Later reads may meet a file that is being written.
+        let mut looked = Some(self.log.read(Some(self.zone))?);
         while !cancel.is_cancelled() {
             if let Some(read) = looked {
                 self.take(following, &read)?;
@@ -79,14 +75,14 @@ impl Followed<'_> {
             while began.elapsed() < Duration::from_secs(self.every_s) && !cancel.is_cancelled() {
                 thread::sleep(BREATH);
             }
-            looked = self.how.read(self.log, Some(self.zone)).ok();
+            looked = self.log.how().read(self.log.text(), Some(self.zone)).ok();
         }
         Ok(())
     }
 
-    /// Keeps the whole lines of standard input in a file of its own, and looks at that.
+    /// Stores the lines of standard input in a temporary file, and reads that file.
     fn input(&self, form: &str, following: &mut LogFollower, cancel: &Cancel) -> Result<(), Failure> {
-        let mut kept = Kept::new()?;
+        let mut kept = InputCopy::new()?;
         let named = format!("{form}:{}", kept.path.display());
         let lines = lines()?;
         let mut is_over = false;
@@ -103,8 +99,8 @@ impl Followed<'_> {
             }
             let is_time = looked.elapsed() >= Duration::from_secs(self.every_s) && is_new;
             if is_over || is_time {
-                let read = self.how.read(&named, Some(self.zone));
-                // Lines that are no log yet, as the first of a table, may become one.
+                let read = self.log.how().read(&named, Some(self.zone));
+                // The first lines of a table may not be a log yet.
                 match read {
                     Ok(read) => self.take(following, &read)?,
                     Err(error) if is_over => return Err(error),
@@ -117,16 +113,16 @@ impl Followed<'_> {
     }
 
     fn take(&self, following: &mut LogFollower, read: &LoadedLog) -> Result<(), Failure> {
-        let mut told = String::new();
+        let mut text = String::new();
         let mut failed = None;
         following.take(&read.log, |presence| {
-            self.line(&presence).map_or_else(|error| failed = Some(error), |line| told.push_str(&line))
+            self.line(&presence).map_or_else(|error| failed = Some(error), |line| text.push_str(&line))
         })?;
         match failed {
             Some(error) => Err(error),
-            None if told.is_empty() => Ok(()),
-            None if self.is_json => print_json_text(&told),
-            None => print_text(&told),
+            None if text.is_empty() => Ok(()),
+            None if self.is_json => print_json_text(&text),
+            None => print_text(&text),
         }
     }
 
@@ -141,7 +137,7 @@ impl Followed<'_> {
     }
 }
 
-/// The lines of standard input, as they come.
+/// The lines of standard input.
 fn lines() -> Result<Receiver<Vec<u8>>, Failure> {
     let (sender, lines) = sync_channel(MOST_WAITING);
     let read = move || {
@@ -158,20 +154,20 @@ fn lines() -> Result<Receiver<Vec<u8>>, Failure> {
     Ok(lines)
 }
 
-/// What has come by standard input, in a folder of its own that goes with it.
-struct Kept {
+/// The lines of standard input so far, in a temporary folder.
+struct InputCopy {
     folder: PathBuf,
     path: PathBuf,
     file: File,
 }
 
-impl Kept {
-    fn new() -> Result<Kept, Failure> {
+impl InputCopy {
+    fn new() -> Result<InputCopy, Failure> {
         let folder = std::env::temp_dir().join(format!("homebody-follow-{}", std::process::id()));
         fs::create_dir(&folder).map_err(|error| LogError::file(&folder, error))?;
         let path = folder.join("log");
         let file = File::create_new(&path).map_err(|error| LogError::file(&path, error))?;
-        Ok(Kept { folder, path, file })
+        Ok(InputCopy { folder, path, file })
     }
 
     fn add(&mut self, line: &[u8]) -> Result<(), Failure> {
@@ -179,8 +175,8 @@ impl Kept {
     }
 }
 
-impl Drop for Kept {
-    /// Nobody needs it any more; what cannot be removed is in a folder that the system empties.
+impl Drop for InputCopy {
+    /// Removes the folder. Errors do not matter: the system empties the folder for temporary files.
     fn drop(&mut self) {
         let _ = fs::remove_dir_all(&self.folder);
     }

@@ -15,7 +15,7 @@ pub const GROUPS: [(&str, &[&str]); 8] = [
     ("Set up", &["schema", "doctor", "explain", "completions"]),
 ];
 
-/// The help of the whole program: clap lists subcommands without groups, so that its template holds the groups as text.
+/// The help of the program. clap lists subcommands without groups, so the template holds the groups as text.
 pub fn template(command: &Command) -> String {
     format!(
         "{{about-with-newline}}\n{{usage-heading}} {{usage}}\n{}\nOptions:\n{{options}}{{after-help}}",
@@ -29,7 +29,7 @@ fn listed(command: &Command) -> String {
     let about = |name: &str| command.find_subcommand(name).and_then(Command::get_about).map(ToString::to_string);
     let mut text = String::new();
     for (heading, names) in GROUPS {
-        // A string takes whatever is written to it.
+        // Writing to a string cannot fail.
         let _ = write!(text, "\n{heading}:\n");
         for name in names {
             let _ = writeln!(text, "  {name:width$}  {}", about(name).unwrap_or_default());

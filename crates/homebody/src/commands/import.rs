@@ -28,7 +28,7 @@ use std::path::{Path, PathBuf};
   homebody import house.sh3d downstairs --level 1
 
 To draw over an image of a plan: homebody new my-home --image plan.png, or \"New home\" in homebody serve.")]
-pub struct Arguments {
+pub struct ImportArguments {
     /// Plan: a file of Sweet Home 3D 5.3 or later, or the Home.xml in it
     plan: PathBuf,
     /// New folder for the scenario
@@ -42,14 +42,14 @@ pub struct Arguments {
     furnish: bool,
 }
 
-/// A scenario that was made of a plan.
-struct Made {
+/// A scenario from a plan.
+struct ImportedScenario {
     remarks: Vec<String>,
     scenario: Scenario,
     lack: Vec<String>,
 }
 
-impl Arguments {
+impl ImportArguments {
     pub fn run(self) -> Result<(), Failure> {
         let bytes = read(&self.plan)?;
         let made = create(&self.folder, |part, name| self.make(part, name, &bytes))?;
@@ -58,7 +58,7 @@ impl Arguments {
     }
 
     /// Writes the scenario of a plan into a folder.
-    fn make(&self, folder: &Path, name: &str, bytes: &[u8]) -> Result<Made, Failure> {
+    fn make(&self, folder: &Path, name: &str, bytes: &[u8]) -> Result<ImportedScenario, Failure> {
         let imported = sweet_home(bytes, name, self.level.as_deref());
         let imported = imported
             .map_err(|error| Failure::asked(Problem::of_file(&self.plan.display().to_string(), error, None)))?;
@@ -70,10 +70,10 @@ impl Arguments {
         let texts = inhabited_texts(&begun);
         let scenario = Scenario::load_in(&mut RoutineLanguage::default(), &texts, "scenario.json")?;
         write(folder, &texts)?;
-        Ok(Made { remarks, scenario, lack: lack(&begun) })
+        Ok(ImportedScenario { remarks, scenario, lack: lack(&begun) })
     }
 
-    fn say(&self, Made { remarks, scenario, lack }: &Made) {
+    fn say(&self, ImportedScenario { remarks, scenario, lack }: &ImportedScenario) {
         remarks.iter().for_each(|remark| tell(format_args!("{}: {remark}", self.plan.display())));
         lack.iter().for_each(|lack| warn(NewHomeMessage::RoutineLacks { lack: lack.clone() }));
         if !lack.is_empty() {
@@ -94,10 +94,10 @@ impl Arguments {
     }
 }
 
-/// How a line for a home is proposed.
+/// The start of a line that proposes furniture.
 const PROPOSED: &str = "add to \"furniture\"";
 
-/// The bytes of a file, or one more than any plan has.
+/// The bytes of a file, up to one more than the limit.
 fn read(path: &Path) -> Result<Vec<u8>, Failure> {
     let mut bytes = Vec::new();
     let file = plain::open(path).map_err(|error| LogError::reading(path, error))?;

@@ -1,7 +1,7 @@
 //! `homebody inspect`: the contents of a log.
 
-use super::answer::Answer;
-use super::read_log::{Mapped, tell_unfinished};
+use super::log_input::{LogArguments, warn_of_incomplete};
+use super::result_output::ResultOutput;
 use crate::failure::{EXIT_CODES, Failure};
 use crate::print::write_file;
 use crate::progress::Working;
@@ -39,9 +39,9 @@ An ON ends at a state such as unavailable, and at a gap of the recorder. The fir
 is neither an event nor a missing message.
 
 {EXIT_CODES}."))]
-pub struct Arguments {
+pub struct InspectArguments {
     #[command(flatten)]
-    log: Mapped,
+    log: LogArguments,
     /// Compare with the home of this scenario, and report sensors that are unknown, silent or of another kind
     #[arg(long, value_name = "SCENARIO")]
     home: Option<PathBuf>,
@@ -55,30 +55,30 @@ pub struct Arguments {
     #[arg(long, value_name = "FILE", help_heading = "Output")]
     html: Option<PathBuf>,
     #[command(flatten)]
-    answer: Answer,
+    output: ResultOutput,
 }
 
-impl Arguments {
+impl InspectArguments {
     pub fn run(self) -> Result<(), Failure> {
         let named = self.log.find()?;
         let sources: Vec<PathBuf> = named.place.files().into_iter().chain(self.sensors.clone()).collect();
         let html: Vec<&Path> = self.html.as_deref().into_iter().collect();
-        can_be_written(&html, &sources, self.answer.replaces())?;
-        self.answer.check(["", DENSITY], &sources)?;
+        can_be_written(&html, &sources, self.output.replaces())?;
+        self.output.check(["", DENSITY], &sources)?;
         let look = self.look(&named)?;
-        tell_unfinished(&named.name, named.incomplete().as_ref());
-        let drawn = self.html.is_some() || self.answer.draws();
+        warn_of_incomplete(&named.name, named.incomplete().as_ref());
+        let drawn = self.html.is_some() || self.output.has_pictures();
         let density = if drawn { self.density() } else { None };
         if let Some(page) = &self.html {
-            write_file(page, look_page(&look, density.as_deref()).as_bytes(), self.answer.replaces())?;
+            write_file(page, look_page(&look, density.as_deref()).as_bytes(), self.output.replaces())?;
         }
         let map = || look_map(&look);
         match &density {
             Some(density) => {
-                let answer = self.answer.check(["", DENSITY], &sources)?;
-                answer.give(&look, [&map, &|| density.clone()])
+                let output = self.output.check(["", DENSITY], &sources)?;
+                output.write(&look, [&map, &|| density.clone()])
             }
-            None => self.answer.check([""], &sources)?.give(&look, [&map]),
+            None => self.output.check([""], &sources)?.write(&look, [&map]),
         }
     }
 
@@ -103,7 +103,7 @@ impl Arguments {
         Ok(looker.look(&named.name, named.place.form().name, &about, &name, home))
     }
 
-    /// The density map; none where the log has no motion sensors, or days that are too many.
+    /// The density map; `None` for a log without motion sensors, or with too many days.
     fn density(&self) -> Option<String> {
         let log = LoadedLog::from_ref(self.log.find().ok()?, self.time_zone.as_deref()).ok()?;
         let asked = log.density_asked();
@@ -111,5 +111,5 @@ impl Arguments {
     }
 }
 
-/// What the name of the density map's file ends in.
+/// The end of the density map's file name.
 const DENSITY: &str = "density";

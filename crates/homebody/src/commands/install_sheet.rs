@@ -1,7 +1,7 @@
 //! `homebody install-sheet`: the sensors of a home, for the installer.
 
-use super::answer::Answer;
-use super::scenario::Chosen;
+use super::result_output::ResultOutput;
+use super::scenario::ScenarioArguments;
 use crate::failure::Failure;
 use crate::print::{tell, write_file};
 use homebody_analysis::coverage::{self, STEP_M};
@@ -22,9 +22,9 @@ use std::path::PathBuf;
   homebody install-sheet scenarios/tigerplace
   homebody install-sheet my-home --csv sensors.csv --pdf sheet.pdf
   homebody install-sheet my-home --compare my-home-with-six --json")]
-pub struct Arguments {
+pub struct InstallSheetArguments {
     #[command(flatten)]
-    scenario: Chosen,
+    scenario: ScenarioArguments,
     /// Compare with the sensors of this scenario
     #[arg(long, value_name = "SCENARIO")]
     compare: Option<PathBuf>,
@@ -35,10 +35,10 @@ pub struct Arguments {
     #[arg(long, value_name = "FILE", help_heading = "Output")]
     pdf: Option<PathBuf>,
     #[command(flatten)]
-    answer: Answer,
+    output: ResultOutput,
 }
 
-impl Arguments {
+impl InstallSheetArguments {
     pub fn run(self) -> Result<(), Failure> {
         let source = self.scenario.source()?;
         let scenario = source.scenario()?;
@@ -52,16 +52,16 @@ impl Arguments {
                 Some((path.display().to_string(), other))
             }
         };
-        let answer = self.answer.check_beside([""], self.csv.as_deref(), &sources)?;
+        let output = self.output.check_with_table([""], self.csv.as_deref(), &sources)?;
         if let Some(path) = &self.pdf {
-            can_be_written(&[path.as_path()], &sources, self.answer.replaces())?;
+            can_be_written(&[path.as_path()], &sources, self.output.replaces())?;
         }
         let (home, build, parts) = (&scenario.home, build(&scenario), PartsList::from_home(&scenario.home));
         if let Some(path) = &self.pdf {
             let pages = installing(home, &coverage::of_home(home, build, STEP_M), &parts);
             let bytes = pdf(&home.name, &pages);
             let bytes = bytes.map_err(Failure::file)?;
-            write_file(path, &bytes, self.answer.replaces())?;
+            write_file(path, &bytes, self.output.replaces())?;
             tell(format_args!("wrote {}", path.display()));
         }
         let map = || {
@@ -70,17 +70,17 @@ impl Arguments {
         };
         let table = || parts.csv();
         match other {
-            None => answer.give_beside(&parts, [&map], &table),
+            None => output.write_with_table(&parts, [&map], &table),
             Some((path, other)) => {
                 let one = SensorLayout { name: &self.scenario.name(), home, build };
                 let two = SensorLayout { name: &path, home: &other.home, build };
-                answer.give_beside(&beside([one, two]), [&map], &table)
+                output.write_with_table(&beside([one, two]), [&map], &table)
             }
         }
     }
 }
 
-/// The body of the first resident, or an adult's where nobody lives there.
+/// The body of the first resident, or an adult's in a home without residents.
 pub fn build(scenario: &Scenario) -> Build {
     scenario.residents.first().map_or_else(Build::adult, |resident| Build::new(&resident.file))
 }

@@ -1,8 +1,8 @@
 //! `homebody label`: a log with the ground truth of each row.
 
-use super::convert::{LOG_COLUMNS, files_of, forms_of_logs, keep, rows_bar};
+use super::convert::{LOG_COLUMNS, files_of, forms_of_logs, refuse_inputs, show_rows};
+use super::log_input::{LogArguments, print_remarks, warn_of_incomplete};
 use super::messages::LogContentMessage;
-use super::read_log::{HowRead, tell_remarks, tell_unfinished};
 use super::replacing::Replacing;
 use crate::failure::{EXIT_CODES, Failure};
 use crate::print::{counted, grouped, tell};
@@ -38,11 +38,9 @@ The log must be complete and unchanged, because Homebody matches rows by number.
 replace files of a run's folder.
 
 {EXIT_CODES}.", forms = forms_of_logs()))]
-pub struct Arguments {
-    /// Log: a file, a run folder, a data set folder, or FORM:FILE
-    log: String,
+pub struct LabelArguments {
     #[command(flatten)]
-    how: HowRead,
+    log: LogArguments,
     /// Ground truth of the same run: a database, or csv:FILE and so on (default: the ground truth in the run folder)
     truth: Option<String>,
     /// Destination: FILE.csv, FILE.db, casas:FILE and so on, as listed below
@@ -55,29 +53,28 @@ pub struct Arguments {
     replacing: Replacing,
 }
 
-impl Arguments {
+impl LabelArguments {
     pub fn run(self) -> Result<(), Failure> {
         Calendar::zone(&self.time_zone).map_err(Failure::asked)?;
-        let named = self.how.find(&self.log)?;
+        let named = self.log.find()?;
         let Some(truth) = self.truth.as_deref().map(truth_at).or_else(|| named.truth()) else {
             return Err(Failure::file(LogContentMessage::NoTruth { log: named.place.to_string(), command: "label" }));
         };
-        keep(&self.out, &[named.place.files(), files_of(&truth)].concat())?;
+        refuse_inputs(&self.out, &[named.place.files(), files_of(&truth)].concat())?;
         let log = named.survey()?;
         let unfinished = named.incomplete();
         if let Some(run) = unfinished.as_ref().filter(|run| run.is_killed) {
-            let (log, resume) = (self.log.clone(), run.folder.clone());
+            let (log, resume) = (self.log.to_string(), run.folder.clone());
             return Err(Failure::file(LogContentMessage::UnequalEnds { log, resume }));
         }
-        tell_unfinished(&self.log, unfinished.as_ref());
-        tell_remarks(&self.log, &log);
+        warn_of_incomplete(self.log.text(), unfinished.as_ref());
+        print_remarks(self.log.text(), &log);
         let how = self.replacing.how(&self.out);
-        let (name, zone) = (&self.log, &self.time_zone);
+        let (name, zone) = (self.log.text(), &self.time_zone);
         let transfer = Transfer { from: &named.place, mapping: &named.mapping, to: &self.out, name, zone, how };
-        let progress = rows_bar(log.rows);
-        let labelled = label(&transfer, &log, &truth, &named.clock_beside(&truth), |rows| progress.set_position(rows));
-        progress.finish_and_clear();
-        let Labelled { rows, somebodys, nobodys, unexplained } = labelled?;
+        let clock = named.clock_beside(&truth);
+        let labelled = show_rows(log.rows, |progress| label(&transfer, &log, &truth, &clock, progress))?;
+        let Labelled { rows, somebodys, nobodys, unexplained } = labelled;
         let (rows, by, others) = (counted(rows, "row", "rows"), grouped(somebodys), grouped(nobodys));
         tell(format_args!("{}: {rows}, {by} caused by a resident, {others} by no resident", self.out));
         if unexplained > 0 {

@@ -3,10 +3,10 @@
 use super::lived::{Away, all_are_elsewhere, failure, how_far_ahead, is_not_yet, report_live};
 use super::scenario::Trust;
 use crate::failure::{EXIT_CODES, Failure};
+use crate::metrics::MetricsArguments;
 use crate::print::tell;
 use crate::signals::Signals;
-use crate::start::Start;
-use crate::watched::Watched;
+use crate::start::StartTime;
 use homebody_core::time::{RunTime, UtcTime};
 use homebody_simulation::{LiveHome, RunMetrics, RunProgress, Url};
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
@@ -71,7 +71,7 @@ pub struct Arguments {
     ///
     /// Homebody simulates the time before now as fast as possible.
     #[arg(long, value_name = "TIME", default_value = "now")]
-    start: Start,
+    start: StartTime,
     /// Folder for the files of the home (default: live/NAME, with the name in scenario.json)
     #[arg(long, value_name = "FOLDER")]
     folder: Option<PathBuf>,
@@ -87,7 +87,7 @@ pub struct Arguments {
     #[command(flatten)]
     away: Away,
     #[command(flatten)]
-    watched: Watched,
+    metrics: MetricsArguments,
     /// Print errors only
     #[arg(short, long)]
     quiet: bool,
@@ -123,7 +123,7 @@ impl Arguments {
         if !self.quiet {
             tell(format_args!("{} {}; press Ctrl-C to stop", opened.name(), how_it_begins(&home, &folder)));
         }
-        let (name, meters) = (opened.name().to_owned(), self.watched.begin(opened.name(), self.quiet)?);
+        let (name, meters) = (opened.name().to_owned(), self.metrics.begin(opened.name(), self.quiet)?);
         let mut watch = Watch::new(self.quiet, &meters);
         let lived = home.run(&self.out, &servers, &meters, signals.cancel(), |progress| watch.look(progress));
         watch.bar.finish_and_clear();
@@ -150,7 +150,7 @@ impl Arguments {
         let folder = folder.to_owned();
         let begins =
             home.begins().to_zoned(home.scenario().calendar.local(RunTime::START).time_zone().clone()).datetime();
-        if let Start::At(at) = self.start
+        if let StartTime::At(at) = self.start
             && at != begins
         {
             return Err(Failure::asked(LiveMessage::Start { folder, start: begins.to_string() }));

@@ -1,7 +1,7 @@
-//! `homebody locate`: where residents were, from the log of their home.
+//! `homebody locate`: the location of residents from the log of their home.
 
-use super::follow::Followed;
-use super::read_log::{HowRead, read_log};
+use super::follow::FollowedLog;
+use super::log_input::LogArguments;
 use super::scenario::Trust;
 use crate::failure::{EXIT_CODES, Failure};
 use crate::print::{print_json, print_text, tell};
@@ -48,11 +48,9 @@ Files in the new folder:
 Times are local times of the home.
 
 {EXIT_CODES}."))]
-pub struct Arguments {
-    /// Log: a file, a run folder, a data set folder, or FORM:FILE
-    log: String,
+pub struct LocateArguments {
     #[command(flatten)]
-    how: HowRead,
+    log: LogArguments,
     /// Scenario with the home of the log
     #[arg(long, value_name = "SCENARIO")]
     home: PathBuf,
@@ -75,7 +73,7 @@ pub struct Arguments {
     trust: Trust,
 }
 
-impl Arguments {
+impl LocateArguments {
     pub fn run(self) -> Result<(), Failure> {
         if let Some(to) = self.out.as_ref().filter(|to| to.exists()) {
             return Err(SimulationError::Exists { path: to.clone() }.into());
@@ -83,15 +81,13 @@ impl Arguments {
         let home = self.trust.source(&self.home)?.open()?;
         let zone = self.time_zone.clone().unwrap_or_else(|| home.scenario().file.time_zone.clone());
         let Some(to) = &self.out else {
-            let followed =
-                Followed { log: &self.log, how: &self.how, zone: &zone, every_s: self.poll, is_json: self.json };
+            let followed = FollowedLog { log: &self.log, zone: &zone, every_s: self.poll, is_json: self.json };
             return followed.follow(home.scenario());
         };
-        let read = read_log(&self.log, Some(&zone), &self.how)?;
-        let bar = progress::bar(1000, progress::SHARE);
-        let progress = |share| bar.set_position((share * 1000.0) as u64);
-        let report = locate_into(to, (&self.log, &read), home.scenario(), &Cancel::new(), progress)?;
-        bar.finish_and_clear();
+        let read = self.log.read(Some(&zone))?;
+        let report = progress::show_share(|progress| {
+            locate_into(to, (self.log.text(), &read), home.scenario(), &Cancel::new(), progress)
+        })?;
         report.remarks.iter().for_each(|remark| tell(format_args!("{}: {remark}", self.log)));
         if self.json {
             return print_json(&report);

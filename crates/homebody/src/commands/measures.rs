@@ -1,9 +1,9 @@
 //! `homebody measures`: measures of daily life, day by day.
 
-use super::answer::Answer;
 use super::density::no_map;
-use super::for_programs::{ForPrograms, row};
-use super::read_log::{HowRead, read_any_length};
+use super::log_input::LogArguments;
+use super::result_output::ResultOutput;
+use super::row_destinations::{RowDestinations, row};
 use crate::failure::{EXIT_CODES, Failure};
 use crate::print::warn;
 use homebody_analysis::measures::{DayMeasures, Measures, TruthDetails};
@@ -20,32 +20,16 @@ homebody_core::messages! {
     pub enum MeasuresMessage in "measures" {
         /// The sensors of the log and those of the home have different names, so Homebody knows no room of a sensor. Perhaps the log is
         /// of another home, or it has ids in place of names.
-        OtherHome {
-            /// The log.
-            log: String,
-            /// The scenario of the home.
-            home: PathBuf,
-        } error "other-home" ("the home in {home} has none of the sensors of {log}", home = home.display())
+        OtherHome { log: String, home: PathBuf } error "other-home"
+            ("the home in {home} has none of the sensors of {log}", home = home.display())
             hint ("homebody inspect {log} --home {home} lists the sensors of both", home = home.display());
         /// Homebody knows the rooms of less than half of the sensors. Measures of rooms leave out the events of the others.
-        FewSensors {
-            /// The log.
-            log: String,
-            /// The scenario of the home.
-            home: PathBuf,
-            /// The number of sensors that the home has.
-            placed: usize,
-            /// The number of sensors of the log.
-            sensors: usize,
-        } warning "few-sensors" ("the home in {home} has only {placed} of the {sensors} sensors of {log}", home = home.display())
+        FewSensors { log: String, home: PathBuf, placed: usize, sensors: usize } warning "few-sensors"
+            ("the home in {home} has only {placed} of the {sensors} sensors of {log}", home = home.display())
             hint ("homebody inspect {log} --home {home} lists the sensors of both", home = home.display());
         /// With `--resident`, measures come from the ground truth, which names the residents of the run.
-        NoResident {
-            /// The name asked for.
-            resident: String,
-            /// The residents of the ground truth.
-            known: Vec<String>,
-        } error "no-resident" ("--resident {resident:?}: the ground truth has no such resident")
+        NoResident { resident: String, known: Vec<String> } error "no-resident"
+            ("--resident {resident:?}: the ground truth has no such resident")
             advice (Some(match known.is_empty() {
                 true => "leave out --resident: this log has no ground truth, which homebody run writes".to_owned(),
                 false => format!("the residents are {}", known.join(", ")),
@@ -71,31 +55,28 @@ homebody_core::messages! {
 source. A day has no value for an unknown measure.
 
 {EXIT_CODES}."))]
-pub struct Arguments {
+pub struct MeasuresArguments {
     #[command(flatten)]
-    measured: Measured,
+    measured: MeasuresSource,
     /// Write a CSV file with a row for each day and a column for each measure
     #[arg(long, value_name = "FILE", help_heading = "Output")]
     csv: Option<PathBuf>,
     #[command(flatten)]
-    programs: ForPrograms,
+    programs: RowDestinations,
     #[command(flatten)]
-    answer: Answer,
+    output: ResultOutput,
 }
 
-impl Arguments {
+impl MeasuresArguments {
     pub fn run(self) -> Result<(), Failure> {
         let read = self.measured.read()?;
-        let answer = self.answer.check_beside([""], self.csv.as_deref(), &read.sources)?;
-        self.programs.check(true, &read.sources, self.answer.replaces())?;
+        let output = self.output.check_with_table([""], self.csv.as_deref(), &read.sources)?;
+        let output = output.silent_if(self.programs.is_printed());
+        self.programs.check(true, &read.sources, self.output.replaces())?;
         let measures = self.measured.measures(&read)?;
         let patient = self.measured.subject(&read);
-        self.programs.store(&records(&measures), &|| measures.fhir(&patient), self.answer.replaces())?;
-        let picture = || measures_picture(&measures);
-        match self.programs.is_printed() {
-            true => answer.give_to_files(&measures, [&picture], &|| measures.csv()),
-            false => answer.give_beside(&measures, [&picture], &|| measures.csv()),
-        }
+        self.programs.store(&records(&measures), &|| measures.fhir(&patient), self.output.replaces())?;
+        output.write_with_table(&measures, [&|| measures_picture(&measures)], &|| measures.csv())
     }
 }
 
@@ -121,11 +102,9 @@ fn records(measures: &Measures) -> Records {
 
 /// A log that is measured.
 #[derive(clap::Args)]
-pub struct Measured {
-    /// Log: a file, a run folder, a data set folder, or FORM:FILE
-    log: String,
+pub struct MeasuresSource {
     #[command(flatten)]
-    how: HowRead,
+    log: LogArguments,
     /// Scenario with the home of the log, for the rooms of its sensors
     #[arg(long, value_name = "SCENARIO")]
     home: Option<PathBuf>,
@@ -137,24 +116,23 @@ pub struct Measured {
     time_zone: Option<String>,
 }
 
-impl Measured {
-    /// Whom they are about.
+impl MeasuresSource {
     pub fn subject(&self, read: &LoadedLog) -> String {
         self.resident.as_deref().map_or_else(|| read.subject(), capitalised)
     }
 
-    /// Whether there is anything where the log is looked for.
+    /// True if the log exists.
     pub fn is_there(&self) -> bool {
-        let file = self.log.split_once(':').map_or(self.log.as_str(), |(_, file)| file);
-        Path::new(file).exists() || Path::new(&self.log).exists()
+        let file = self.log.text().split_once(':').map_or(self.log.text(), |(_, file)| file);
+        Path::new(file).exists() || Path::new(self.log.text()).exists()
     }
 
-    /// Reads the log, with its sensors in their rooms.
+    /// Reads the log, with the rooms of its sensors.
     pub fn read(&self) -> Result<LoadedLog, Failure> {
-        let mut read = read_any_length(&self.log, self.time_zone.as_deref(), &self.how)?;
+        let mut read = self.log.read_any_length(self.time_zone.as_deref())?;
         let Some(home) = &self.home else { return Ok(read) };
         let placed = read.place_in(&homebody_simulation::ScenarioSource::at(home)?.scenario()?);
-        let (log, home, sensors) = (self.log.clone(), home.clone(), read.log.sensors.len());
+        let (log, home, sensors) = (self.log.to_string(), home.clone(), read.log.sensors.len());
         if placed == 0 {
             return Err(Failure::asked(MeasuresMessage::OtherHome { log, home }));
         }
@@ -164,22 +142,21 @@ impl Measured {
         Ok(read)
     }
 
-    /// Measures it.
     pub fn measures(&self, read: &LoadedLog) -> Result<Measures, Failure> {
         if let Some(resident) = &self.resident {
-            return lived(read, resident);
+            return true_measures(read, resident);
         }
-        read.measures().map_err(|why| no_map(&self.log, read, &why))
+        read.measures().map_err(|why| no_map(self.log.text(), read, &why))
     }
 }
 
-/// From the first row of a log to its last one, which is part of it.
+/// The span from the first row of a log to its last one, inclusive.
 pub fn within(read: &LoadedLog) -> Option<Interval<WallTime>> {
     read.rows_span().map(|rows| Interval::new(rows.begin, rows.end + Span::MICROSECOND))
 }
 
-/// The measures of what a resident did.
-fn lived(read: &LoadedLog, resident: &str) -> Result<Measures, Failure> {
+/// The measures of a resident from the ground truth.
+fn true_measures(read: &LoadedLog, resident: &str) -> Result<Measures, Failure> {
     let Some(person) = read.timeline.people.iter().find(|person| person.name == resident) else {
         let known = read.timeline.people.iter().map(|person| person.name.clone()).collect();
         return Err(Failure::asked(MeasuresMessage::NoResident { resident: resident.to_owned(), known }));

@@ -17,7 +17,7 @@ pub fn not_measurable(log: &str, why: &NoMap) -> Failure {
     Failure::asked(Diagnostic::of_file(log, why.diagnostic(), None))
 }
 
-/// The failure to draw a picture that the option makes smaller.
+/// The failure to draw a picture; the option makes it smaller.
 pub fn undrawn(error: &PngError, option: &str) -> Failure {
     let failure = Failure::asked(error.diagnostic());
     match error {
@@ -31,49 +31,29 @@ homebody_core::messages! {
     pub enum LogContentMessage in "log-content" {
         /// A log without rows has no days. The run may have just begun, or no line of the file is a row: `homebody inspect` lists the
         /// lines that Homebody cannot parse.
-        NoRows {
-            /// The log.
-            log: String,
-        } error "no-rows" ("{log}: the log has no rows")
+        NoRows { log: String } error "no-rows" ("{log}: the log has no rows")
             hint ("name another log, or simulate a longer run");
         /// Days are dates in the local time of the home. The words first and last also name days of a log.
         NoDay {
-            /// The log.
             log: String,
             /// The date asked for, or `first` or `last`.
             day: String,
-            /// The first date of the log.
             first: String,
-            /// The last date of the log.
             last: String,
         } error "no-day" ("{log} has no day {day}")
             hint ("choose a day from {first} to {last}, or write first or last");
         /// The command needs the ground truth of the run that wrote the log. Homebody looks for it in the run's folder.
-        NoTruth {
-            /// The log.
-            log: String,
-            /// The command.
-            command: &'static str,
-        } error "no-truth" ("{log} has no ground truth")
+        NoTruth { log: String, command: &'static str } error "no-truth" ("{log} has no ground truth")
             advice (Some(match *command {
                 "convert" => "name the folder of a run with its ground truth, or leave out --activities to convert the log's activities".to_owned(),
                 _ => "name the ground truth after the log, such as truth.db, csv:FILE or parquet:FILE".to_owned(),
             }));
         /// The run was interrupted or still continues, so the log lacks its later rows. A resumed run writes them.
-        IncompleteRun {
-            /// The log.
-            log: String,
-            /// The folder to resume.
-            resume: PathBuf,
-        } warning "incomplete-run" ("{log}: this run is incomplete")
+        IncompleteRun { log: String, resume: PathBuf } warning "incomplete-run" ("{log}: this run is incomplete")
             hint ("homebody run --resume {resume} completes it", resume = resume.display());
         /// The run was killed, so its log and its ground truth may end at different rows. The rows in between would have no labels.
-        UnequalEnds {
-            /// The log.
-            log: String,
-            /// The folder to resume.
-            resume: PathBuf,
-        } error "unequal-ends" ("{log}: this run is incomplete, so its log and its ground truth may end at different rows")
+        UnequalEnds { log: String, resume: PathBuf } error "unequal-ends"
+            ("{log}: this run is incomplete, so its log and its ground truth may end at different rows")
             hint ("homebody run --resume {resume} completes it", resume = resume.display());
     }
 }
@@ -83,29 +63,14 @@ homebody_core::messages! {
     pub enum MomentMessage in "moment" {
         /// A moment of a run is a date and a time, or a time alone: then it is in the first 24 hours of the run. Times are those of the
         /// home's clock.
-        NotATime {
-            /// The text.
-            text: String,
-        } error "not-a-time" ("{text:?} is not a time")
+        NotATime { text: String } error "not-a-time" ("{text:?} is not a time")
             hint ("write a time such as 2026-01-12T18:40:05, or 18:40:05 in the first 24 hours of the run");
         /// The run begins later than this moment, or has ended before it. A moment without a date is in the first 24 hours of the run.
-        OutsideRun {
-            /// The moment asked for.
-            asked: String,
-            /// The beginning of the run.
-            begin: String,
-            /// The end of the run.
-            end: String,
-        } error "outside-run" ("the time {asked} is outside the run")
+        OutsideRun { asked: String, begin: String, end: String } error "outside-run" ("the time {asked} is outside the run")
             hint ("choose a time from {begin} to {end}");
         /// The last moment is at or before the first one, so no moment is between them. Perhaps the last one has no date: a time alone is in
         /// the first 24 hours of the run.
-        NoSpan {
-            /// The first moment.
-            from: String,
-            /// The last moment.
-            to: String,
-        } error "no-span" ("--to is {to}, which is not later than --from, {from}")
+        NoSpan { from: String, to: String } error "no-span" ("--to is {to}, which is not later than --from, {from}")
             hint ("pass a later time to --to, or an earlier time to --from");
     }
 }
@@ -120,9 +85,7 @@ homebody_core::messages! {
         Form {
             /// The option without its dashes: `svg` or `png`.
             form: &'static str,
-            /// The extension of the file.
             extension: String,
-            /// The file.
             path: PathBuf,
         } error "form" ("--{form} cannot write the file {path}, because its name ends in .{extension}", path = path.display())
             advice (Some(match extension.as_str() {
@@ -137,10 +100,7 @@ homebody_core::messages! {
     pub enum NewHomeMessage in "new-home" {
         /// Homebody gives the resident of a new home an ordinary routine. The routine needs furniture, such as a bed and a toilet, that
         /// the resident can reach.
-        RoutineLacks {
-            /// The first need, with a hint.
-            lack: String,
-        } warning "routine-lacks" ("the ordinary routine cannot run yet: {lack}");
+        RoutineLacks { lack: String } warning "routine-lacks" ("the ordinary routine cannot run yet: {lack}");
     }
 }
 
@@ -148,12 +108,7 @@ homebody_core::messages! {
     /// Errors of `homebody explain`.
     pub enum ExplainMessage in "explain" {
         /// Messages have codes such as `log::exists`. No message has the code that was asked for.
-        UnknownCode {
-            /// The code asked for.
-            code: String,
-            /// The most similar code.
-            nearest: Option<String>,
-        } error "unknown-code" ("no message has the code {code:?}")
+        UnknownCode { code: String, nearest: Option<String> } error "unknown-code" ("no message has the code {code:?}")
             advice (Some(match nearest {
                 Some(nearest) => format!("did you mean {nearest}?"),
                 None => "homebody explain lists all codes".to_owned(),

@@ -15,14 +15,14 @@ use serde_json::json;
   homebody mqtt clean mqtt://ann@broker/homebody?password-file=secret
 
 docs/how-to/mqtt-and-home-assistant.md describes the messages of homes, and the commands for them.")]
-pub struct Arguments {
+pub struct MqttArguments {
     #[command(subcommand)]
-    what: What,
+    what: MqttCommand,
 }
 
 #[derive(Subcommand)]
-enum What {
-    Clean(Clean),
+enum MqttCommand {
+    Clean(CleanArguments),
 }
 
 /// Remove the retained messages of Homebody's homes below a prefix
@@ -30,7 +30,7 @@ enum What {
 /// Retained messages are the states of sensors and the discovery messages for Home Assistant. Homebody removes only the messages of
 /// homes that it has marked as its own, in the topic PREFIX/HOME/run. A running home sends its messages again at its next connection.
 #[derive(clap::Args)]
-struct Clean {
+struct CleanArguments {
     /// Broker and prefix: mqtt://USER@HOST/PREFIX
     broker: Url,
     /// List the topics, and remove nothing
@@ -41,15 +41,15 @@ struct Clean {
     json: bool,
 }
 
-impl Arguments {
+impl MqttArguments {
     pub fn run(self) -> Result<(), Failure> {
         match self.what {
-            What::Clean(arguments) => arguments.run(),
+            MqttCommand::Clean(arguments) => arguments.run(),
         }
     }
 }
 
-impl Clean {
+impl CleanArguments {
     fn run(self) -> Result<(), Failure> {
         let BrokerCleanup { homes, topics, others } = tidy_up(&self.broker, self.dry_run)?;
         if self.json {

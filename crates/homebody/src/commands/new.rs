@@ -1,7 +1,7 @@
 //! `homebody new`: a scenario from a template, from an image of a plan, or from the log of a home.
 
+use super::log_input::{LogOptions, read_log};
 use super::messages::NewHomeMessage;
-use super::read_log::{HowRead, read_log};
 use crate::failure::{EXIT_CODES, Failure};
 use crate::print::{tell, warn, write_file};
 use homebody_core::calendar::Calendar;
@@ -40,17 +40,17 @@ what it watches (free text), and its position in pixels of the image, or in metr
 id is required. A column kind (motion or contact) corrects a wrong guess.
 
 {EXIT_CODES}.", templates()))]
-pub struct Arguments {
+pub struct NewArguments {
     /// New folder for the scenario
     folder: PathBuf,
     /// Template to start from, listed below
-    #[arg(long, value_name = "NAME", default_value = "tigerplace", value_parser = beginning)]
-    template: Beginning,
+    #[arg(long, value_name = "NAME", default_value = "tigerplace", value_parser = starting_point)]
+    template: StartingPoint,
     /// Make a schematic home from this log: a file, a run folder, a data set folder, or FORM:FILE
     #[arg(long, value_name = "LOG", conflicts_with = "template")]
     from_log: Option<String>,
     #[command(flatten)]
-    how: HowRead,
+    how: LogOptions,
     /// CSV file with the log's sensors: id, room, place, x, y
     #[arg(long, value_name = "FILE", requires = "from_log")]
     sensors: Option<PathBuf>,
@@ -66,51 +66,50 @@ pub struct Arguments {
     time_zone: Option<String>,
 }
 
-/// How the picture below the plan lies, for the page.
+/// The file with the position of the image below the plan, for the page.
 const UNDERLAY: &str = "underlay.json";
 
-/// What a scenario begins with where that is not a log.
+/// The start of a scenario without a log.
 #[derive(Clone, Copy, Debug)]
-enum Beginning {
+enum StartingPoint {
     Empty,
     Template(Template),
 }
 
-/// What the scenario in which nothing is drawn is called among the templates.
+/// The name of the empty scenario among the templates.
 const EMPTY: &str = "empty";
 
-/// What is told of it there.
+/// Its description in the list of templates.
 const EMPTY_ABOUT: &str = "An empty home, to draw on the page";
 
-/// A template by its name.
-fn beginning(name: &str) -> Result<Beginning, String> {
+fn starting_point(name: &str) -> Result<StartingPoint, String> {
     if name == EMPTY {
-        return Ok(Beginning::Empty);
+        return Ok(StartingPoint::Empty);
     }
-    Template::named(name).map(Beginning::Template).map_err(|_| {
+    Template::named(name).map(StartingPoint::Template).map_err(|_| {
         let names: Vec<_> = [EMPTY.to_owned()].into_iter().chain(Template::all().map(Template::name)).collect();
         format!("there is no such template; templates are: {}", names.join(", "))
     })
 }
 
-/// A line for each template, of what its scenario says about itself.
+/// A line for each template, with the description in its scenario.
 fn templates() -> String {
     let width = Template::all().map(|template| template.name().len()).max().unwrap_or(0);
-    let told = |name: &str, about: &str| format!("  {name:width$}  {about}\n");
+    let row = |name: &str, about: &str| format!("  {name:width$}  {about}\n");
     let line = |template: Template| {
         let text = template.files().find(|(name, _)| name == "scenario.json").map(|(_, text)| text);
         let scenario: serde_json::Value = text.and_then(|text| serde_json::from_str(&text).ok()).unwrap_or_default();
-        told(&template.name(), first_words(scenario["about"].as_str().unwrap_or_default()))
+        row(&template.name(), first_words(scenario["about"].as_str().unwrap_or_default()))
     };
-    [told(EMPTY, EMPTY_ABOUT)].into_iter().chain(Template::all().map(line)).collect()
+    [row(EMPTY, EMPTY_ABOUT)].into_iter().chain(Template::all().map(line)).collect()
 }
 
-/// As much of the first sentence as fits in a line.
+/// The part of the first sentence that fits into a line.
 fn first_words(about: &str) -> &str {
     const WIDTH: usize = 110;
     let ends = |(at, mark): (usize, &str)| {
         let rest = about[at + mark.len()..].strip_prefix(' ');
-        // "et al. 2016" goes on.
+        // "et al. 2016" does not end a sentence.
         rest.is_some_and(|rest| mark != "." || rest.starts_with(char::is_uppercase)).then_some(at)
     };
     let end = about.match_indices([':', ';', '.']).find_map(ends).unwrap_or(about.len());
@@ -121,46 +120,48 @@ fn first_words(about: &str) -> &str {
     &sentence[..end]
 }
 
-impl Arguments {
+impl NewArguments {
     pub fn run(self) -> Result<(), Failure> {
         if let Some(log) = &self.from_log {
             return self.make_of(log);
         }
         let folder = &self.folder;
         let picture = self.picture()?;
-        let beginning = if picture.is_some() { Beginning::Empty } else { self.template };
-        let texts = |name: &str| match beginning {
-            Beginning::Empty => empty(name),
-            Beginning::Template(template) => from_template(template, name),
+        let starting_point = if picture.is_some() { StartingPoint::Empty } else { self.template };
+        let texts = |name: &str| match starting_point {
+            StartingPoint::Empty => empty(name),
+            StartingPoint::Template(template) => from_template(template, name),
         };
         create(folder, |part, name| {
             write(part, &texts(name))?;
             self.lay_below(part, picture.as_ref())
         })?;
         let folder = folder.display();
-        tell(match beginning {
-            Beginning::Empty if picture.is_some() => {
+        tell(match starting_point {
+            StartingPoint::Empty if picture.is_some() => {
                 format!("{folder} is ready: draw over the image in Plan on the page.\n  homebody serve {folder}")
             }
-            Beginning::Empty => format!("{folder} is ready, and empty.\n  homebody serve {folder}"),
-            Beginning::Template(_) => format!("{folder} is ready.\n  homebody check {folder}\n  homebody run {folder}"),
+            StartingPoint::Empty => format!("{folder} is ready, and empty.\n  homebody serve {folder}"),
+            StartingPoint::Template(_) => {
+                format!("{folder} is ready.\n  homebody check {folder}\n  homebody run {folder}")
+            }
         });
         Ok(())
     }
 
-    /// The picture of the plan, with the places of its known points.
+    /// The image of the plan, with its known points.
     fn picture(&self) -> Result<Option<PlanPicture>, Failure> {
         Ok(self.image.as_deref().map(|image| PlanPicture::read(image, &self.known)).transpose()?)
     }
 
-    /// Writes the picture of the plan into the scenario's folder, where the page shows it below what is drawn.
+    /// Writes the image of the plan into the folder of the scenario, where the page shows it below the drawing.
     fn lay_below(&self, folder: &Path, picture: Option<&PlanPicture>) -> Result<(), Failure> {
         let Some(picture) = picture else { return Ok(()) };
         write_file(&folder.join(picture.file), &picture.bytes, false)?;
         write_file(&folder.join(UNDERLAY), picture.lies().as_bytes(), false)
     }
 
-    /// A scenario in a home that nobody has drawn.
+    /// Makes a scenario with a schematic home.
     fn make_of(&self, log: &str) -> Result<(), Failure> {
         let folder = &self.folder;
         let picture = self.picture()?;
@@ -197,7 +198,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_template_is_told_in_a_line() {
+    fn a_template_has_a_line_of_description() {
         let long = "A house (Twomey et al. 2016), with one motion sensor in each room that had one, of which there were nine or ten, \
             and a walk through all of them. Its date is ours.";
         let short = "A house (Twomey et al. 2016), with one motion sensor in each room that had one";

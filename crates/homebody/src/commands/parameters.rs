@@ -13,12 +13,7 @@ homebody_core::messages! {
     pub enum ParametersMessage in "parameters" {
         /// Names of parameters have parts with dots between them, such as `gait.slowest`. The command lists those that begin with the
         /// given parts.
-        NoGroup {
-            /// The beginning asked for.
-            group: String,
-            /// Names that may be meant.
-            similar: String,
-        } error "no-group" ("no parameter begins with {group:?}")
+        NoGroup { group: String, similar: String } error "no-group" ("no parameter begins with {group:?}")
             hint ("{similar}");
     }
 }
@@ -33,7 +28,7 @@ homebody_core::messages! {
   homebody parameters gait
   homebody parameters activity.reading --json
   homebody run scenarios/tigerplace --set gait.slowest=0.25")]
-pub struct Arguments {
+pub struct ParametersArguments {
     /// List only parameters whose names begin with this, such as gait
     group: Option<String>,
     /// Print one JSON object
@@ -41,7 +36,7 @@ pub struct Arguments {
     json: bool,
 }
 
-impl Arguments {
+impl ParametersArguments {
     pub fn run(self) -> Result<(), Failure> {
         let (all, group) = (numbers(), self.group.unwrap_or_default());
         let found: Vec<&Number> = all.iter().filter(|number| is_in(&number.name, &group)).collect();
@@ -65,7 +60,7 @@ impl Arguments {
     }
 }
 
-/// The most similar name, else the names that contain this one, else all groups.
+/// The most similar name, or the names with this part, or all groups.
 fn hint(asked: &str, all: &[Number]) -> String {
     let names = || all.iter().map(|number| &*number.name);
     let groups: BTreeSet<&str> = names().map(|name| name.split('.').next().unwrap_or(name)).collect();
@@ -83,7 +78,7 @@ fn hint(asked: &str, all: &[Number]) -> String {
 /// Most names in a hint (our choice).
 const FEW: usize = 5;
 
-/// Whether a name is this, or begins with it at one of its dots.
+/// True if the name is the group, or starts with it up to a dot.
 fn is_in(name: &str, group: &str) -> bool {
     let group = group.trim_end_matches('.');
     group.is_empty() || name.strip_prefix(group).is_some_and(|rest| rest.is_empty() || rest.starts_with('.'))

@@ -1,8 +1,8 @@
 //! `homebody plan`: the floor plan of a scenario's home.
 
-use super::answer::Pictures;
 use super::messages::PictureMessage;
-use super::scenario::Chosen;
+use super::result_output::PictureOutput;
+use super::scenario::ScenarioArguments;
 use crate::failure::Failure;
 use homebody_picture::floor_plan;
 
@@ -14,21 +14,21 @@ use homebody_picture::floor_plan;
 #[command(after_long_help = "Examples:
   homebody plan scenarios/tigerplace --svg plan.svg
   homebody plan my-home --png plan.png --force")]
-pub struct Arguments {
+pub struct PlanArguments {
     #[command(flatten)]
-    scenario: Chosen,
+    scenario: ScenarioArguments,
     #[command(flatten)]
-    pictures: Pictures,
+    pictures: PictureOutput,
 }
 
-impl Arguments {
+impl PlanArguments {
     pub fn run(self) -> Result<(), Failure> {
         if self.pictures.is_empty() {
             return Err(Failure::asked(PictureMessage::NoFile));
         }
         let source = self.scenario.source()?;
         let scenario = source.scenario()?;
-        let pictures = self.pictures.check([""], &source.paths(&scenario))?;
-        pictures.draw([&|| floor_plan(&scenario.home)])
+        self.pictures.check([""], &[], &source.paths(&scenario))?;
+        self.pictures.draw([""], [&|| floor_plan(&scenario.home)])
     }
 }

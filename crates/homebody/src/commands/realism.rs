@@ -1,8 +1,8 @@
 //! `homebody realism`: a log compared with a real one.
 
-use super::answer::Answer;
+use super::log_input::{LogOptions, read_log};
 use super::messages::not_comparable;
-use super::read_log::{HowRead, read_log};
+use super::result_output::ResultOutput;
 use crate::failure::Failure;
 use crate::progress::Working;
 use homebody_analysis::realism::{ComparedLog, MEASURES, realism};
@@ -25,13 +25,13 @@ use std::path::PathBuf;
 
 Measures:
 {}", MEASURES.trim_end()))]
-pub struct Arguments {
+pub struct RealismArguments {
     /// Real log: a file, a run folder, a data set folder, or FORM:FILE
     a: String,
     /// Log to evaluate
     b: String,
     #[command(flatten)]
-    how: HowRead,
+    how: LogOptions,
     /// Write the report as one HTML page with pictures
     #[arg(long, value_name = "FILE", help_heading = "Output")]
     html: Option<PathBuf>,
@@ -39,22 +39,22 @@ pub struct Arguments {
     #[arg(long, value_name = "ZONE")]
     time_zone: Option<String>,
     #[command(flatten)]
-    answer: Answer,
+    output: ResultOutput,
 }
 
-impl Arguments {
+impl RealismArguments {
     pub fn run(self) -> Result<(), Failure> {
         let zone = self.time_zone.as_deref();
         let (a, b) = (read_log(&self.a, zone, &self.how)?, read_log(&self.b, zone, &self.how)?);
         let sources: Vec<PathBuf> = [&a, &b].into_iter().flat_map(|log| log.sources.clone()).collect();
-        let answer = self.answer.check_beside([""], self.html.as_deref(), &sources)?;
+        let output = self.output.check_with_table([""], self.html.as_deref(), &sources)?;
         let comparing = Working::on(format!("comparing {} with {}", self.b, self.a));
-        let realism = realism(told(&a), told(&b)).map_err(|problems| not_comparable(&problems))?;
+        let realism = realism(compared(&a), compared(&b)).map_err(|problems| not_comparable(&problems))?;
         drop(comparing);
-        answer.give_beside(&realism, [&|| realism_chart(&realism)], &|| realism_page(&realism))
+        output.write_with_table(&realism, [&|| realism_chart(&realism)], &|| realism_page(&realism))
     }
 }
 
-fn told(log: &LoadedLog) -> ComparedLog<'_> {
+fn compared(log: &LoadedLog) -> ComparedLog<'_> {
     ComparedLog { name: &log.name, log: &log.log, recorded: log.recorded }
 }

@@ -2,7 +2,7 @@
 
 use super::lived::{Output, live};
 use crate::failure::Failure;
-use crate::pace::Asked;
+use crate::pace::PaceArguments;
 use crate::signals::Signals;
 use homebody_simulation::RecordedRun;
 use std::path::PathBuf;
@@ -12,16 +12,16 @@ use std::path::PathBuf;
 #[command(after_long_help = "Examples:
   homebody replay runs/tigerplace-1/recording.json
   homebody replay recording.json --speed 10 --out csv:again.csv")]
-pub struct Arguments {
+pub struct ReplayArguments {
     /// Recording of a run (recording.json)
     recording: PathBuf,
     #[command(flatten)]
     output: Output,
     #[command(flatten)]
-    pace: Asked,
+    pace: PaceArguments,
 }
 
-impl Arguments {
+impl ReplayArguments {
     pub fn run(self) -> Result<(), Failure> {
         let signals = Signals::listen()?;
         let recorded = RecordedRun::open(&self.recording)?;

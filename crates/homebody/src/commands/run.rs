@@ -7,11 +7,11 @@ use super::run_messages::RunMessage;
 use super::scenario::Trust;
 use crate::failure::Failure;
 use crate::length::{Length, length};
-use crate::pace::Asked;
+use crate::metrics::MetricsArguments;
+use crate::pace::PaceArguments;
 use crate::print::print_text;
 use crate::signals::Signals;
-use crate::start::Start;
-use crate::watched::Watched;
+use crate::start::StartTime;
 use clap::builder::UnknownArgumentValueParser;
 use homebody_core::problem::Diagnostic;
 use homebody_core::time::Span;
@@ -75,7 +75,7 @@ pub struct Arguments {
     _days: Option<()>,
     /// Start of the run in the home's local time: now, today, 2026-11-01 or 2026-11-01T08:00 (default: the start in the scenario)
     #[arg(long, value_name = "TIME")]
-    start: Option<Start>,
+    start: Option<StartTime>,
     /// Seed of all random numbers (default: that of the scenario)
     #[arg(long, value_name = "N")]
     seed: Option<u64>,
@@ -120,9 +120,9 @@ pub struct Arguments {
     #[arg(long, value_name = "FILE", help_heading = "Output")]
     recording: Option<PathBuf>,
     #[command(flatten)]
-    pace: Asked,
+    pace: PaceArguments,
     #[command(flatten)]
-    watched: Watched,
+    metrics: MetricsArguments,
 }
 
 #[derive(Clone, Copy, PartialEq, clap::ValueEnum)]
@@ -202,7 +202,7 @@ impl Arguments {
         }
         let run = opened.run().seed(seed).length(length).without(&self.without);
         let run = run.pace(self.pace.pace()).commands(self.pace.commands()?).cancel(cancel).start()?;
-        let run = run.metered(&self.watched.begin(opened.name(), self.output.quiet)?);
+        let run = run.metered(&self.metrics.begin(opened.name(), self.output.quiet)?);
         self.remark(&opened, length);
         live(run, self.recording, &self.output, &signals)
     }
@@ -246,8 +246,8 @@ impl Arguments {
             (self.recording.is_some(), "--recording", "each member has a recording in the cohort's folder"),
             (self.output.replacing.force, "--force", NEW),
             (self.output.replacing.replace_rows, "--replace-rows", NEW),
-            (self.pace.is_said(), PACE_OPTIONS, PACE),
-            (self.watched.is_said(), "--metrics", "only single runs and fleets have metrics"),
+            (self.pace.is_given(), PACE_OPTIONS, PACE),
+            (self.metrics.is_given(), "--metrics", "only single runs and fleets have metrics"),
         ];
         let refused = refused.into_iter().filter(|(is_asked, ..)| *is_asked);
         let refused: Vec<Diagnostic> =
@@ -270,7 +270,7 @@ impl Arguments {
         let place = folder.to_str().and_then(|text| text.parse::<Url>().ok()).filter(Url::is_in_store);
         let folder = place.as_ref().map_or(folder, Url::path);
         if folder.to_string_lossy().contains("://") || folder.join(LIST).is_file() {
-            if self.pace.is_said() {
+            if self.pace.is_given() {
                 let why = "a cohort runs as fast as possible";
                 return Err(Failure::asked(RunMessage::CohortOption { option: PACE_OPTIONS, why }));
             }
@@ -286,14 +286,14 @@ impl Arguments {
             return self.tell_cohort(&progress, &lived, signals);
         }
         let run = IncompleteRun::open(folder).map_err(not_resumed)?;
-        if run.has_no_end() && !self.pace.is_said() {
+        if run.has_no_end() && !self.pace.is_given() {
             return Err(Failure::asked(RunMessage::HomeInRealTime { folder: folder.to_owned() }));
         }
         let run = run.paced(self.pace.pace(), self.pace.commands()?, signals.cancel());
         all_are_elsewhere(&self.output.out)?;
         let run = self.with_truth(run)?;
         let servers = self.output.away.treatment()?;
-        let meters = self.watched.begin(&run.scenario().file.name, self.output.quiet)?;
+        let meters = self.metrics.begin(&run.scenario().file.name, self.output.quiet)?;
         let run = run.metered(&meters);
         let name = run.scenario().file.name.clone();
         let progress = self.output.progress(run.progress().length);

@@ -1,24 +1,22 @@
-//! A scenario that a command is given.
+//! The scenario of a command.
 
 use homebody_simulation::{ScenarioSource, SimulationError};
 use std::path::{Path, PathBuf};
 
 /// Which scenario, and whose.
 #[derive(clap::Args)]
-pub struct Chosen {
+pub struct ScenarioArguments {
     /// Scenario folder, or its scenario.json
     scenario: PathBuf,
     #[command(flatten)]
     trust: Trust,
 }
 
-impl Chosen {
-    /// What the user calls it.
+impl ScenarioArguments {
     pub fn name(&self) -> String {
         self.scenario.display().to_string()
     }
 
-    /// Where it comes from.
     pub fn source(&self) -> Result<ScenarioSource, SimulationError> {
         self.trust.source(&self.scenario)
     }
@@ -33,12 +31,11 @@ pub struct Trust {
 }
 
 impl Trust {
-    /// Whether it is.
     pub fn is_given(&self) -> bool {
         self.trust
     }
 
-    /// Where a scenario on disk comes from.
+    /// The source of a scenario on disk.
     pub fn source(&self, path: &Path) -> Result<ScenarioSource, SimulationError> {
         let source = ScenarioSource::at(path)?;
         Ok(if self.trust { source.trusted() } else { source })

@@ -12,12 +12,12 @@ use std::path::PathBuf;
 #[command(
     after_long_help = "Example:\n  homebody schema schemas\n\nMost editors use the schema named by the \"$schema\" key of a file."
 )]
-pub struct Arguments {
+pub struct SchemaArguments {
     /// Folder for the schemas; Homebody creates it if necessary
     folder: PathBuf,
 }
 
-impl Arguments {
+impl SchemaArguments {
     pub fn run(self) -> Result<(), Failure> {
         fs::create_dir_all(&self.folder).map_err(|error| LogError::file(&self.folder, error))?;
         for (name, schema) in schemas() {

@@ -1,7 +1,7 @@
 //! `homebody sensor-faults`: the faults of a home's sensors.
 
-use super::answer::Figures;
-use super::read_log::{HowRead, read_log};
+use super::log_input::LogArguments;
+use super::result_output::JsonOutput;
 use super::scenario::Trust;
 use crate::failure::{EXIT_CODES, Failure};
 use crate::print::tell;
@@ -24,11 +24,9 @@ use std::path::PathBuf;
 The experiment sensor-faults of homebody-lab measures how many simulated faults this command finds.
 
 {EXIT_CODES}."))]
-pub struct Arguments {
-    /// Log: a file, a run folder, a data set folder, or FORM:FILE
-    log: String,
+pub struct SensorFaultsArguments {
     #[command(flatten)]
-    how: HowRead,
+    log: LogArguments,
     /// Scenario with the home of the log
     #[arg(long, value_name = "SCENARIO")]
     home: PathBuf,
@@ -36,21 +34,19 @@ pub struct Arguments {
     #[arg(long, value_name = "ZONE")]
     time_zone: Option<String>,
     #[command(flatten)]
-    figures: Figures,
+    output: JsonOutput,
     #[command(flatten)]
     trust: Trust,
 }
 
-impl Arguments {
+impl SensorFaultsArguments {
     pub fn run(self) -> Result<(), Failure> {
-        let answer = self.figures.check(&[])?;
+        let output = self.output.check(&[])?;
         let home = self.trust.source(&self.home)?.open()?;
         let zone = self.time_zone.clone().unwrap_or_else(|| home.scenario().file.time_zone.clone());
-        let read = read_log(&self.log, Some(&zone), &self.how)?;
-        let bar = progress::bar(1000, progress::SHARE);
-        let health = health(&read.log, home.scenario(), |share| bar.set_position((share * 1000.0) as u64))?;
-        bar.finish_and_clear();
+        let read = self.log.read(Some(&zone))?;
+        let health = progress::show_share(|progress| health(&read.log, home.scenario(), progress))?;
         health.remarks.iter().for_each(|remark| tell(format_args!("{}: {remark}", self.log)));
-        answer.give(&health, [])
+        output.write(&health, [])
     }
 }

@@ -20,22 +20,16 @@ homebody_core::messages! {
     /// Problems with the page and its server.
     pub enum ServeMessage in "serve" {
         /// The page needs one address that browsers can open and that only belongs to this machine.
-        EveryAddress {
-            /// The address.
-            ip: String,
-        } error "every-address" ("{ip} means every address of this machine, and the page needs a single one")
+        EveryAddress { ip: String } error "every-address"
+            ("{ip} means every address of this machine, and the page needs a single one")
             hint ("pass --bind the address at which other machines reach this one");
         /// The page needs the token of the printed address. Other machines can try to guess it, and see the traffic of the network.
-        Exposed {
-            /// The address.
-            ip: String,
-        } warning "exposed" ("anyone who reaches {ip} can reach this server, and its traffic is not encrypted")
+        Exposed { ip: String } warning "exposed"
+            ("anyone who reaches {ip} can reach this server, and its traffic is not encrypted")
             hint ("leave out --bind to serve this machine only");
         /// The page opens scenarios with problems, lists the problems, and helps to fix them. Runs are possible after that.
-        Problems {
-            /// The number of problems.
-            count: usize,
-        } warning "problems" ("the scenario cannot run yet (problems: {count}); the page helps to fix them");
+        Problems { count: usize } warning "problems"
+            ("the scenario cannot run yet (problems: {count}); the page helps to fix them");
     }
 }
 
@@ -56,7 +50,7 @@ homebody_core::messages! {
   homebody serve my-home --port 9000 --no-open
   homebody serve                                     all homes of the current folder
   homebody serve homes --address-file ~/.homebody    the same address next time")]
-pub struct Arguments {
+pub struct ServeArguments {
     /// Scenario folder, its scenario.json, or a folder of scenarios
     #[arg(default_value = ".", hide_default_value = true)]
     scenario: PathBuf,
@@ -76,7 +70,7 @@ pub struct Arguments {
     bind: Option<IpAddr>,
 }
 
-impl Arguments {
+impl ServeArguments {
     pub fn run(self) -> Result<(), Failure> {
         let signals = Signals::listen()?;
         let offer = self.offer()?;
@@ -90,7 +84,7 @@ impl Arguments {
         let browser = !self.no_open;
         let options = Options { ip, port: self.port, browser, kept: self.address_file, ..Options::new(offer) };
         let ready = |address: Address| {
-            // Nobody is there to read it where standard output is closed.
+            // A closed standard output does not matter.
             let _ = print_text(&format!("{}\n", address.url));
             if browser && !address.file.is_some_and(open) {
                 tell("open this address in a browser");
@@ -100,8 +94,8 @@ impl Arguments {
     }
 }
 
-impl Arguments {
-    /// What is served: a scenario, or a folder of them.
+impl ServeArguments {
+    /// The scenario, or the folder of scenarios, to serve.
     fn offer(&self) -> Result<Offer, Failure> {
         let is_trusted = self.trust.is_given();
         if is_library(&self.scenario) {
@@ -121,12 +115,12 @@ impl Arguments {
     }
 }
 
-/// Whether a path is a folder that is no scenario's.
+/// True for a folder that does not belong to a scenario.
 fn is_library(path: &Path) -> bool {
     path.is_dir() && path.join("scenario.json").symlink_metadata().is_err()
 }
 
-/// Whether what is wrong with a scenario is in files that the page can show: what cannot be read, or leads out of the folder, it cannot.
+/// True if the page can show all files with problems. It cannot show unreadable files, and files outside the folder.
 fn can_be_mended(shelf: &Shelf) -> bool {
     let Ok(text) = shelf.read(&shelf.entry) else { return false };
     let Ok(root) = serde_json::from_str::<Value>(&text) else { return false };
@@ -136,8 +130,8 @@ fn can_be_mended(shelf: &Shelf) -> bool {
     !named.any(|name| matches!(shelf.read(name), Err(NoText::Unreadable { .. })))
 }
 
-/// Opens the file that leads to the page in the browser that this machine has, if it has one: everybody may read what a
-/// program is started with, so that the address itself, with its token, is not said there.
+/// Opens the browser with the file that leads to the page. All users of the machine can read the arguments of a program, so the
+/// address with its token is not an argument.
 fn open(file: &Path) -> bool {
     let opener = if cfg!(target_os = "macos") { "open" } else { "xdg-open" };
     let mut command = Command::new(opener);

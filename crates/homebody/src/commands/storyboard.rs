@@ -1,7 +1,7 @@
 //! `homebody storyboard`: moments of a recorded run side by side.
 
-use super::answer::Answer;
 use super::messages::MomentMessage;
+use super::result_output::ResultOutput;
 use crate::failure::Failure;
 use crate::length::span;
 use homebody_analysis::strip::{RunNames, StripRecorder};
@@ -19,7 +19,7 @@ use std::path::PathBuf;
 #[command(after_long_help = "Examples:
   homebody storyboard runs/dark-hall-1 18:40 --every 5s --png strip.png
   homebody storyboard runs/tigerplace-1 2009-03-03T07:00 --every 30s --frames 9 --png morning.png")]
-pub struct Arguments {
+pub struct StoryboardArguments {
     /// Run folder, or its recording
     run: PathBuf,
     /// First moment: a date and time such as 2026-01-12T18:40:05, or a time in the first 24 hours of the run
@@ -32,13 +32,13 @@ pub struct Arguments {
     #[arg(long, value_name = "N", default_value_t = 6, value_parser = clap::value_parser!(u8).range(1..=60))]
     frames: u8,
     #[command(flatten)]
-    answer: Answer,
+    output: ResultOutput,
 }
 
-impl Arguments {
+impl StoryboardArguments {
     pub fn run(self) -> Result<(), Failure> {
         let path = if self.run.is_dir() { self.run.join(RECORDING) } else { self.run.clone() };
-        let answer = self.answer.check([""], std::slice::from_ref(&path))?;
+        let output = self.output.check([""], std::slice::from_ref(&path))?;
         let recorded = RecordedRun::open(&path)?;
         let home = recorded.scenario().home.clone();
         let calendar = recorded.scenario().calendar.clone();
@@ -60,10 +60,10 @@ impl Arguments {
             things: home.plan().things.iter().map(|thing| thing.name.as_str()).collect(),
         };
         let strip = film.strip(&names, |at| calendar.wall_clock(at));
-        answer.give(&strip, [&|| film_strip(&home, &strip)])
+        output.write(&strip, [&|| film_strip(&home, &strip)])
     }
 
-    /// The instant of the first moment, within the whole run.
+    /// The instant of the first moment, within the run.
     fn first(&self, calendar: &Calendar, whole: Interval<RunTime>) -> Result<RunTime, Failure> {
         let wrong = || Failure::asked(MomentMessage::NotATime { text: self.from.clone() });
         let at = calendar.written(&self.from).ok_or_else(wrong)?;

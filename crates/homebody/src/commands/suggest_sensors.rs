@@ -1,10 +1,10 @@
-//! `homebody suggest-sensors`: where to mount sensors.
+//! `homebody suggest-sensors`: positions for sensors.
 
 use super::alerts::rules;
-use super::answer::Answer;
 use super::devices::device;
 use super::install_sheet::build;
-use super::scenario::Chosen;
+use super::result_output::ResultOutput;
+use super::scenario::ScenarioArguments;
 use crate::failure::Failure;
 use crate::progress::bar;
 use homebody_analysis::coverage::STEP_M;
@@ -28,14 +28,7 @@ homebody_core::messages! {
         /// ```sh
         /// homebody suggest-sensors my-home --goals depression,meals,falls
         /// ```
-        Unknown {
-            /// The names that mean nothing.
-            names: Vec<String>,
-            /// The conditions.
-            conditions: Vec<String>,
-            /// The measures.
-            measures: Vec<String>,
-        } error "unknown" (
+        Unknown { names: Vec<String>, conditions: Vec<String>, measures: Vec<String> } error "unknown" (
             "--goals: Homebody does not know {names}",
             names = names.iter().map(|name| format!("{name:?}")).collect::<Vec<_>>().join(", ")
         )
@@ -66,9 +59,9 @@ homebody_core::messages! {
 Goals: a condition that comes with the program; a measure of homebody measures, such as meals or
 time-out; night-bathroom; falls, by the share of the floor that sensors see. The JSON has \"sensors\",
 in the form that home.json uses, and \"steps\".")]
-pub struct Arguments {
+pub struct SuggestSensorsArguments {
     #[command(flatten)]
-    scenario: Chosen,
+    scenario: ScenarioArguments,
     /// Purpose of the sensors: conditions, measures, night-bathroom, falls; separated by commas
     #[arg(long, value_name = "GOALS", value_delimiter = ',', default_value = "depression,night-bathroom,falls")]
     goals: Vec<String>,
@@ -88,14 +81,14 @@ pub struct Arguments {
     #[arg(long, value_name = "FILE")]
     rules: Option<PathBuf>,
     #[command(flatten)]
-    answer: Answer,
+    output: ResultOutput,
 }
 
-impl Arguments {
+impl SuggestSensorsArguments {
     pub fn run(self) -> Result<(), Failure> {
         let source = self.scenario.source()?;
         let scenario = source.open()?;
-        let answer = self.answer.check([""], &scenario.paths())?;
+        let output = self.output.check([""], &scenario.paths())?;
         let rules = rules(self.rules.as_deref())?;
         let goals = goals(&self.goals)?;
         let device = self.device.as_deref().map(device).transpose()?;
@@ -105,28 +98,28 @@ impl Arguments {
         let request = Request { goals: &goals, sensors, people, seed, rules: &rules, device, build, step_m: STEP_M };
         let load =
             || Ok(LoadedScenario { scenario: scenario.scenario().clone(), household: scenario.household().clone() });
-        let progress = Progress::new(&request);
+        let progress = SearchProgress::new(&request);
         let found = proposal::propose(home, &request, load, &|step| progress.show(step));
         progress.bar.lock().expect("nothing panics while it is held").finish_and_clear();
-        let found = Found { proposal: found?, asked: sensors };
+        let found = SuggestionAnswer { proposal: found?, asked: sensors };
         let drawn = HomeFile { sensors: found.proposal.sensors.clone(), ..HomeFile::clone(home) };
-        answer.give(&found, [&|| floor_plan(&drawn)])
+        output.write(&found, [&|| floor_plan(&drawn)])
     }
 }
 
 /// The progress bar: the simulated people first, then the sensors.
-struct Progress {
+struct SearchProgress {
     bar: Mutex<ProgressBar>,
     sensors: u64,
 }
 
-impl Progress {
-    fn new(request: &Request) -> Progress {
+impl SearchProgress {
+    fn new(request: &Request) -> SearchProgress {
         let bar = match request.needs_people() {
             true => bar(u64::from(request.people), "{bar:40} {pos} of {len} people  {eta} left"),
             false => bar(request.sensors as u64, PLACING),
         };
-        Progress { bar: Mutex::new(bar), sensors: request.sensors as u64 }
+        SearchProgress { bar: Mutex::new(bar), sensors: request.sensors as u64 }
     }
 
     /// Shows a step. The work always continues.
@@ -153,7 +146,6 @@ impl Progress {
 
 const PLACING: &str = "{bar:40} {pos} of {len} sensors  {msg}";
 
-/// The goals of these names.
 fn goals(names: &[String]) -> Result<Vec<Goal>, Failure> {
     proposal::goals(names).map_err(|names| {
         let conditions = CONDITIONS.iter().map(|(name, _)| (*name).to_owned()).collect();
@@ -162,16 +154,15 @@ fn goals(names: &[String]) -> Result<Vec<Goal>, Failure> {
     })
 }
 
-/// The suggestion as text.
 #[derive(Serialize)]
 #[serde(transparent)]
-struct Found {
+struct SuggestionAnswer {
     proposal: Proposal,
     #[serde(skip)]
     asked: usize,
 }
 
-impl fmt::Display for Found {
+impl fmt::Display for SuggestionAnswer {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
         let Some(first) = self.proposal.found.steps.first() else {
             let text = match self.asked {
@@ -221,7 +212,7 @@ impl fmt::Display for Found {
     }
 }
 
-/// Says on which goals the home's own sensors score less than the proposed ones, and why more sensors may do so.
+/// Explains on which goals the home's own sensors score less than the suggested ones.
 fn write_why_less(f: &mut fmt::Formatter, own: &Layout, proposed: &Layout) -> fmt::Result {
     let (all, few) = (own.sensors.len(), proposed.sensors.len());
     writeln!(f, "\nThe home's own {all} sensors score less than the {few} suggested ones:")?;

@@ -1,10 +1,10 @@
 //! `homebody summary`: days in words.
 
-use super::answer::Figures;
-use super::for_programs::{ForPrograms, row};
-use super::measures::Measured;
+use super::log_input::{LogOptions, read_log};
+use super::measures::MeasuresSource;
 use super::messages::not_measurable;
-use super::read_log::{HowRead, read_log};
+use super::result_output::JsonOutput;
+use super::row_destinations::{RowDestinations, row};
 use crate::failure::{EXIT_CODES, Failure};
 use homebody_analysis::summaries::{SummarySentence, SummarySubject, VerbalSummary, of_summaries, summarise};
 use homebody_log::records::Records;
@@ -22,9 +22,9 @@ use std::fmt;
   homebody summary runs/tigerplace-1 --compare runs/tigerplace-depression-1 --json
 
 {EXIT_CODES}."))]
-pub struct Arguments {
+pub struct SummaryArguments {
     #[command(flatten)]
-    measured: Measured,
+    measured: MeasuresSource,
     /// Number of days, counted back from the end of the log
     #[arg(long, value_name = "DAYS", default_value_t = 14, value_parser = clap::value_parser!(u16).range(5..=366))]
     last: u16,
@@ -35,12 +35,12 @@ pub struct Arguments {
     #[arg(long, value_name = "LOG")]
     compare: Option<String>,
     #[command(flatten)]
-    programs: ForPrograms,
+    programs: RowDestinations,
     #[command(flatten)]
-    figures: Figures,
+    output: JsonOutput,
 }
 
-/// Who reads a summary.
+/// The reader of a summary.
 #[derive(Clone, Copy, clap::ValueEnum)]
 enum Reader {
     /// Plain sentences
@@ -49,11 +49,11 @@ enum Reader {
     Experts,
 }
 
-impl Arguments {
+impl SummaryArguments {
     pub fn run(self) -> Result<(), Failure> {
         let read = self.measured.read()?;
-        let answer = self.figures.check(&read.sources)?;
-        self.programs.check(false, &read.sources, self.figures.replaces())?;
+        let output = self.output.check(&read.sources)?.silent_if(self.programs.is_printed());
+        self.programs.check(false, &read.sources, self.output.replaces())?;
         let measures = self.measured.measures(&read)?;
         let subject = self.measured.subject(&read);
         let about = SummarySubject { subject: &subject, last: self.last.into() };
@@ -61,17 +61,13 @@ impl Arguments {
         let distance = match &self.compare {
             None => None,
             Some(other) => {
-                let read = read_log(other, None, &HowRead::default())?;
+                let read = read_log(other, None, &LogOptions::default())?;
                 let measures = read.measures().map_err(|why| not_measurable(other, &why))?;
                 Some(of_summaries(&summary, &summarise(&measures, about)))
             }
         };
-        self.programs.store(&records(&summary), &Default::default, self.figures.replaces())?;
-        let told = Told { summary, distance, reader: self.audience };
-        match self.programs.is_printed() {
-            true => answer.give_to_files(&told, [], &String::new),
-            false => answer.give(&told, []),
-        }
+        self.programs.store(&records(&summary), &Default::default, self.output.replaces())?;
+        output.write(&SummaryAnswer { summary, distance, reader: self.audience }, [])
     }
 }
 
@@ -102,17 +98,17 @@ fn records(summary: &VerbalSummary) -> Records {
 }
 
 #[derive(Serialize)]
-struct Told {
+struct SummaryAnswer {
     #[serde(flatten)]
     summary: VerbalSummary,
-    /// How far the other log's summary is from this one.
+    /// The distance to the summary of the other log.
     #[serde(skip_serializing_if = "Option::is_none")]
     distance: Option<f64>,
     #[serde(skip)]
     reader: Reader,
 }
 
-impl fmt::Display for Told {
+impl fmt::Display for SummaryAnswer {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
         self.summary.write(f, matches!(self.reader, Reader::Experts))?;
         match self.distance {

@@ -159,7 +159,7 @@ impl Chance {
     }
 }
 
-/// What JSON's grammar hangs on, and what no text holds.
+/// The signs of JSON's grammar, and characters that texts cannot contain.
 const BYTES: &[u8] = b"{}[],:\"-.0123456789e\\\n\0 tfn\xff\xc3";
 
 #[test]
@@ -191,7 +191,7 @@ fn no_file_makes_the_command_break_down() {
         match done.code {
             Some(0) => {
                 ended[0] += 1;
-                // What is accepted can be lived.
+                // Accepted files can be simulated.
                 let lived = folder.run("run tigerplace --for 8h --quiet --force --out csv:log.csv");
                 assert_eq!(lived.code, Some(0), "{what}{}", lived.err);
             }

@@ -5,12 +5,12 @@ use serde_json::Value;
 
 /// The end of the line of the sensor in the hallway.
 const HALLWAY: &str = r#"[3.6, 2.4], [2.95, 2.4]], "preset": "casas_pulse" }"#;
-/// What the sensor in the middle of the hallway sees, half as wide and half as long.
+/// The field of the sensor in the middle of the hallway, half as wide and half as long.
 const HALF_AS_FAR: &str = "[[4.425, 1.925], [4.875, 1.925], [4.875, 2.375], [4.425, 2.375]]";
 
-/// A folder with the log of a home whose numbers are known: six days of units that hold their ONs for three seconds, one of which
-/// misses most of what passes and one sees half as far, of somebody who gets up at eight and goes to bed at ten; and the same home
-/// with numbers that are not those.
+/// A folder with the log of a home with known numbers: six days of units that hold their ONs for three seconds. One of them misses most
+/// of the passing people, and one has half the reach. The resident gets up at eight and goes to bed at ten. The folder also has the same
+/// home with other numbers.
 fn known() -> Folder {
     let folder = Folder::new();
     folder.run("new known --template older-adult").ok();
@@ -64,7 +64,7 @@ fn the_numbers_of_a_life_that_is_known_are_found_again() {
     assert!(lengths["fitted"].as_f64().unwrap() < 0.3 && lengths["before"].as_f64().unwrap() > 0.6, "{lengths}");
     let sights = report["fitted"]["sights"].as_array().unwrap();
     let of = |name: &str| sights.iter().find(|sight| sight["sensor"] == name).unwrap();
-    // Of few days nobody can say whether a sensor misses much or sees little.
+    // With few days, misses and a short reach cannot be distinguished.
     let sees_less = |sight: &Value| sight["missed"].as_f64().unwrap() > 0.3 || sight["reach"].as_f64().unwrap() < 0.8;
     assert!(sees_less(of("hallway")), "{sights:?}");
     assert!(of("hallway middle")["reach"].as_f64().unwrap() < 0.8, "{sights:?}");

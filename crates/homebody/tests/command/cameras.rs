@@ -82,7 +82,7 @@ fn a_log_without_silhouettes_and_rules_that_are_wrong_are_told() {
     folder.run("silhouettes runs/studio-1").fails(2, "kit::no-silhouettes");
 }
 
-/// Three cameras that look at somebody for so long.
+/// Three cameras that watch a person for some time.
 fn postures(long: &str) -> Folder {
     let folder = Folder::new();
     folder.copy_scenario("postures");
@@ -114,7 +114,7 @@ fn silhouettes_become_a_film_tables_and_pictures() {
         assert!((row[12].parse::<f64>().unwrap() - stored[3].parse::<f64>().unwrap()).abs() < 1e-3);
     }
     assert!(rows[0][0].starts_with("2025-06-02T10:00:00") && rows[0][0].ends_with("-07:00"), "{:?}", rows[0]);
-    // By one camera alone somebody who stands is about as high as they are.
+    // By one camera alone, the height of a standing person is about right.
     assert!(rows.iter().take(30).any(|row| (1.5..1.9).contains(&row[15].parse::<f64>().unwrap())));
     let objects: Vec<serde_json::Value> =
         folder.read("features.jsonl").lines().map(|line| serde_json::from_str(line).unwrap()).collect();
@@ -134,7 +134,7 @@ fn silhouettes_become_a_film_tables_and_pictures() {
     assert_eq!(size(&pictures[0]), (320, 240, None));
     // Three cameras and two gaps of three pixels.
     assert_eq!(size("film.apng"), ((3 * 160 + 6) * 2, 240, Some(instants[0].parse().unwrap())));
-    // What is there is not replaced in silence.
+    // Existing files are not replaced without notice.
     folder.run("silhouettes runs/postures-1 --out film.apng").fails(1, "log::exists");
     folder.run("silhouettes runs/postures-1 --out pictures").fails(2, "error[silhouettes::not-empty]: pictures");
     folder.run("silhouettes runs/postures-1 --out film.apng --force --camera south-east --every 1s").ok();

@@ -1,6 +1,7 @@
 //! The system refuses a call: the run reports it and ends, or continues unchanged, and no complete file name holds half a file.
 //!
-//! strace refuses the n-th call of a kind. `HOMEBODY_FAULTS=all` has each of them refused, one a run, and a number so many of each kind.
+//! strace refuses the n-th call of a kind. `HOMEBODY_FAULTS=all` refuses each of them, one per run, and a number refuses that many of each
+//! kind.
 #![cfg(target_os = "linux")]
 
 use crate::flat::flat;
@@ -11,7 +12,7 @@ use std::process::Command;
 
 const USUAL: usize = 4;
 
-/// What a run asks of its files, and what the system answers.
+/// The system calls of a run for its files, and their failures.
 const REFUSED: [(&str, &str); 4] = [
     ("write,pwrite64", "ENOSPC"),
     ("fsync,fdatasync", "EIO"),
@@ -28,7 +29,7 @@ fn traced(folder: &Folder, strace: &[&str]) -> Done {
     Done::new(words, command.current_dir(folder.path("")).output().unwrap())
 }
 
-/// How often a call of one of these kinds is made once the run has begun to make files, and how often before.
+/// Number of calls of one of these kinds after the run has started to make files, and before.
 fn calls(folder: &Folder, kinds: &str) -> (usize, usize) {
     traced(folder, &["-o", "calls.trace", "-e", &format!("trace={kinds},openat")]).ok();
     let told = folder.read("calls.trace");
@@ -85,7 +86,7 @@ fn whichever_call_is_refused_nothing_is_half_written() {
             if done.code == Some(0) {
                 assert!(folder.read("log.csv") == whole, "{what}");
             } else {
-                // What is wrong is told in words.
+                // The message explains the failure.
                 assert!(done.err.contains("error: ") || done.err.contains("error["), "{what}");
                 assert!(!folder.path("log.csv").exists() || folder.read("log.csv") == whole, "{what}");
             }

@@ -1,7 +1,7 @@
 //! A small flat with movement from the first moment, so that short runs have firings.
 //!
-//! Ann walks up and down the kitchen by a path, Bob steps about the bedroom by keys; nobody is in the study, whose
-//! door is shut. The sensors of the floor fire more often than real ones.
+//! Ann walks up and down the kitchen by a path, and Bob moves in the bedroom by keys. The study is empty, and its door is shut. The sensors
+//! of the floor fire more often than real ones.
 
 use crate::folder::Folder;
 

@@ -12,7 +12,7 @@ use std::thread;
 use std::time::{Duration, Instant};
 use tempfile::TempDir;
 
-/// How long anything is waited for: far longer than it takes, for machines that are busy with other things.
+/// Longest wait: far longer than necessary, for busy machines.
 const PATIENCE: Duration = Duration::from_secs(120);
 
 /// The repository.
@@ -143,7 +143,7 @@ impl Folder {
         rows.map(|row| row.unwrap().join("|")).collect()
     }
 
-    /// How many rows a log has by now; none before there is a log.
+    /// The number of rows of a log; 0 before the log exists.
     pub fn stored_rows(&self, name: &str) -> i64 {
         let count = || {
             let connection = Connection::open_with_flags(self.path(name), OpenFlags::SQLITE_OPEN_READ_ONLY)?;

@@ -3,7 +3,7 @@
 use crate::folder::Folder;
 use serde_json::Value;
 
-/// Two days of a flat, in names of CASAS: somebody sleeps, washes, cooks, sits and goes out.
+/// Two days of a flat, with the sensor names of CASAS: a person sleeps, washes, cooks, sits and goes out.
 fn log() -> String {
     let walk =
         ["BedroomABed", "BedroomAArea", "BedroomADoor", "HallwayA", "BathroomAToilet", "BathroomASink", "HallwayA"];
@@ -54,7 +54,7 @@ fn a_log_becomes_a_home_in_which_it_is_walked_back() {
         (&logger["ids"]["bedroom bed"], &logger["ids"]["kitchen stove"]),
         (&"BedroomABed".into(), &"KitchenAStove".into())
     );
-    // Somebody lives there, and where the log leads is walked there.
+    // A run in the home works, and the log can be located there.
     folder.run("run flat --for 1d --quiet --out casas:lived.txt").ok();
     assert!(folder.read("lived.txt").contains("BedroomABed"));
     let told = folder.run("locate week.txt --home flat --out walked --json").ok().json();
@@ -67,7 +67,7 @@ fn a_log_becomes_a_home_in_which_it_is_walked_back() {
     assert_eq!(folder.read("more/flat/home.json"), folder.read("flat/home.json"));
 }
 
-/// A PNG's first bytes, as far as anybody looks at them: 1000 by 500 pixels.
+/// The first bytes of a PNG of 1000 by 500 pixels.
 const PICTURE: &[u8] = b"\x89PNG\r\n\x1a\n\0\0\0\rIHDR\0\0\x03\xe8\0\0\x01\xf4";
 
 #[test]

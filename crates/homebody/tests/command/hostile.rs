@@ -6,7 +6,7 @@ use std::fs;
 use std::os::unix::fs::symlink;
 use std::process::Command;
 
-/// A folder with a small scenario, and a file beside it that is none of its business.
+/// A folder with a small scenario, and a file outside the scenario.
 fn beside_a_secret() -> Folder {
     let folder = flat();
     folder.write("secret.json", "{ \"secret\": \"hunter2\" }");
@@ -168,7 +168,7 @@ fn resuming_a_strangers_cohort_writes_only_in_its_folder() {
     assert_eq!(folder.read("runs/flat-1/cohort.json"), list);
 }
 
-/// A log takes no place of the run's own files, nor one that is none: that is said before anything is lived.
+/// A log cannot replace the run's own files or have an invalid place; the command reports it before the simulation.
 #[test]
 fn a_log_takes_no_place_of_its_run() {
     let folder = flat();
@@ -230,7 +230,7 @@ fn a_condition_that_cannot_be_read_is_told() {
     folder.run("check tigerplace-depression").ok();
 }
 
-/// A pipe is told as what it is, wherever it stands.
+/// A pipe is reported as a pipe, at any place.
 #[test]
 fn a_pipe_is_told_as_a_pipe() {
     let folder = flat();
@@ -251,7 +251,7 @@ fn a_pipe_is_told_as_a_pipe() {
     folder.run("check flat").fails(1, "error[open::not-plain]: flat/scenario.json: ");
 }
 
-/// What is refused for its size costs little, however it was made.
+/// The refusal of a large file costs little.
 #[cfg(target_os = "linux")]
 #[test]
 fn a_scenario_that_is_too_large_as_a_whole_is_refused_at_once() {

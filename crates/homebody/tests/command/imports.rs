@@ -15,7 +15,7 @@ const ROOM: &str = "
     <doorOrWindow name='Front door' x='300' y='400' width='90' depth='20' height='210'/>
     <doorOrWindow name='Window' x='300' y='0' width='90' depth='20' height='110' elevation='90'/>";
 
-/// What an ordinary life needs besides.
+/// Further furniture for an ordinary routine.
 const FURNITURE: &str = "
     <pieceOfFurniture name='Bed' x='110' y='80' width='140' depth='200' height='50' angle='1.5707964'/>
     <pieceOfFurniture name='Toilet' x='550' y='50' width='40' depth='60' height='45'/>
@@ -213,7 +213,7 @@ fn following_all_hints_gives_a_habitable_home() {
             home.replacen("\"furniture\": []", &format!("\"furniture\": [{}]", others.join(", ")), 1),
         );
         let is_bed = pieces[index].contains("\"bed\"");
-        // Whoever has no bed sleeps in an armchair.
+        // A resident without a bed sleeps in an armchair.
         assert_eq!(folder.run("check mine").code, Some(if is_bed { 0 } else { 2 }), "{}", pieces[index]);
     }
 }

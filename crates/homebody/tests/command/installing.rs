@@ -35,7 +35,7 @@ fn two_layouts_are_compared() {
     let figures = folder.run("install-sheet flat --compare other --json").ok().json();
     assert_eq!(figures["differences"].as_array().unwrap().len(), 1);
     assert_eq!(figures["layouts"][1]["name"], json!("other"));
-    // The control: a home beside itself.
+    // The control: a home compared with itself.
     assert_eq!(folder.run("install-sheet flat --compare flat --json").ok().json()["differences"], json!([]));
     folder.run("install-sheet flat --compare nowhere").fails(1, "nowhere");
 }

@@ -149,7 +149,7 @@ fn adding_a_resident_changes_no_other() {
 fn truth_never_leaks() {
     let folder = flat();
     folder.run(&format!("run flat --recording recording.json {}", out("a"))).ok();
-    // What only the truth knows.
+    // Words that only the ground truth has.
     let secrets = ["Ann", "Bob", "strolling", "stride", "standing"];
     let truth = folder.dump("a-truth.db");
     for secret in secrets {

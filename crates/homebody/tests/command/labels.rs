@@ -9,7 +9,7 @@ use homebody_log::{LogSource, Transfer, Url, WriteMode, survey};
 use rusqlite::Connection;
 use std::fs;
 
-/// What a labelled file says of each row, but for the row's number and instant.
+/// The content of a labelled file, without the number and the instant of each row.
 fn labels(folder: &Folder, name: &str) -> Vec<String> {
     let rest = |line: &str| line.splitn(3, ',').nth(2).unwrap().to_owned();
     folder.read(name).lines().skip(1).map(rest).collect()
@@ -76,7 +76,7 @@ fn a_truth_of_texts_labels_as_a_database_does() {
     folder.run("run flat --for 20m --quiet --out csv:beside/log.csv --truth csv:beside/truth.csv").ok();
     folder.run("label beside/log.csv --out csv:found.csv --force").ok();
     assert_eq!(folder.read("found.csv"), wanted);
-    // What is missing of it is told, and so is what is no row of it.
+    // Missing and invalid rows are reported.
     folder.run("label log.csv csv:texts.csv --out csv:texts.room.csv --force").fails(1, "error[log::is-source]");
     folder.edit("texts.room.csv", "resident,at,room", "resident,at,place");
     folder.run("label log.csv csv:texts.csv --out csv:x.csv").fails(1, "error[truth::no-column]");
@@ -115,7 +115,7 @@ fn does_not_blame_the_truth_for_faults_of_a_log() {
     fs::rename(folder.path("truth.db"), folder.path("moved.db")).unwrap();
     folder.run("label log.csv --out csv:x.csv").fails(1, "error[log-content::no-truth]: csv:log.csv");
     assert!(!folder.path("x.csv").exists());
-    // Who follows the hints gets there.
+    // The hints lead to a labelled log.
     folder.run("label log.csv moved.db --out csv:x.csv").ok();
 }
 
@@ -137,7 +137,7 @@ fn a_run_without_rows_yet_is_told_as_such() {
         let folder = flat();
         let mut logger: serde_json::Value = serde_json::from_str(&folder.read("flat/logger.json")).unwrap();
         logger["to"] = serde_json::json!([log]);
-        // Names that nobody guesses.
+        // Names that cannot be guessed.
         logger["table"] = "hits".into();
         logger["columns"] = serde_json::json!({ "time": "zeit", "sensor": "wer", "value": "was" });
         folder.write("flat/logger.json", logger.to_string());
@@ -210,7 +210,7 @@ fn no_file_of_a_run_is_replaced() {
     }
     fs::remove_dir(folder.path("runs/flat-1/x")).unwrap();
     assert_eq!(all(&folder), before);
-    // What the run has not left is anybody's.
+    // Files that the run did not write may be replaced.
     folder.run("convert elsewhere.csv --out csv:runs/flat-1/log.csv").ok();
     // A run that is under way is going to have its log.
     let mut logger: serde_json::Value = serde_json::from_str(&folder.read("flat/logger.json")).unwrap();

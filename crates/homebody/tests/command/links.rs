@@ -60,7 +60,7 @@ fn causes_are_those_of_the_rows() {
     assert_eq!(rows, causes);
     let times = folder.query("log.db", "SELECT fired_at FROM firing ORDER BY seq");
     assert!(times.is_sorted());
-    // Whatever is nobody's doing has nobody.
+    // A row without a resident has an empty label.
     let whose = folder.query("truth.db", "SELECT DISTINCT why, resident IS NULL FROM cause ORDER BY why, 2");
     assert_eq!(whose, ["duplicate|0", "duplicate|1", "false|1", "movement|0"]);
     let reasons = folder.query("truth.db", "SELECT DISTINCT loss FROM lost ORDER BY loss");
@@ -143,7 +143,7 @@ fn faults_that_come_when_the_run_is_over_are_warned_of() {
     // Routines have nothing to do with radios.
     let routines = folder.run("routine check flat --json").ok();
     assert_eq!((routines.json()["warnings"].clone(), routines.err.matches("warning").count()), (json!([]), 0));
-    // What is asked for counts, not what is written.
+    // The options count, not the file.
     assert_eq!(folder.run("run flat --for 2d --out csv:a.csv").ok().err.matches("warning").count(), 0);
     assert_eq!(folder.run("run flat --for 1m --out csv:b.csv").ok().err.matches("warning").count(), 4);
     assert_eq!(folder.run("run flat --for 1m --out csv:c.csv --quiet").ok().err, "");
@@ -166,7 +166,7 @@ fn sensors_that_always_speak_at_once_on_one_channel_are_warned_of() {
     let said = pads(two).run("check flat").ok().err;
     let warning = "warning[link::simultaneous-messages]: link.json:1:13: ";
     assert!(said.contains(warning), "{said}");
-    // A pad that waits speaks at instants of its own, and so does whoever is on no channel.
+    // A waiting pad sends at instants of its own, and so does a sensor without a channel.
     let later = r#"{ "kind": "bed", "name": "left", "on": "bed" },
     { "kind": "pressure", "name": "pad", "on": "bed", "delay_s": 2 }"#;
     assert!(!pads(later).run("check flat").ok().err.contains("warning"));

@@ -105,10 +105,10 @@ fn logs_are_compared() {
     let half = folder.run("compare half.txt runs/flat-1/log.db --json").ok().json();
     let agreement = half["firings"]["agreement"].as_f64().unwrap();
     assert!((0.4..0.6).contains(&agreement), "{half}");
-    // The truth is no log.
+    // A ground truth is not a log.
     folder.run("compare runs/flat-1/truth.db runs/flat-1").fails(2, "error[log-form::no-log-table]");
 
-    // What has no firings is told, as its agreement tells little.
+    // A log without firings is reported, because its agreement has no meaning.
     folder.write("room.txt", "2009-03-02 07:12:03 T1 21.5\n2009-03-02 07:13:03 T1 21.6\n");
     let said = folder.run("compare room.txt runs/flat-1").ok().err;
     assert_eq!(said, "room.txt: no row marks the start of an event; its values are \"21.5\", \"21.6\"\n");

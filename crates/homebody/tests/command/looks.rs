@@ -4,7 +4,7 @@ use crate::flat::flat;
 use crate::folder::Folder;
 use serde_json::json;
 
-/// A log of two days whose clock is set back, with a line that is none.
+/// A log of two days with a clock that is set back, and with an invalid line.
 const LOG: &str = "2009-03-02 07:00:00 M1 ON Cook begin\n2009-03-02 07:00:04 M1 OFF\nnonsense\n\
     2009-03-02 07:01:00 D1 OPEN\n2009-03-02 07:00:30 D1 CLOSE Cook end\n2009-03-03 21:00:00 T1 21.5\n\
     2009-03-03 21:00:00 T1 unavailable\n2009-03-03 21:00:05 M1 OFF\n";

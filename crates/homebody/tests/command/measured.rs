@@ -125,10 +125,10 @@ fn sensors_are_placed() {
     let score = |step: &Value| step["score"].as_f64().unwrap();
     assert_eq!((steps.len(), placed["sensors"].as_array().unwrap().len()), (3, 3));
     assert!(score(&steps[2]) >= score(&steps[0]) && score(&steps[0]) > 0.0, "{placed}");
-    // What goes for another tells more.
+    // An exchange gives a better result.
     let swapped = placed["swapped"].as_array().unwrap();
     assert!(swapped.iter().all(|swap| score(swap) > score(&steps[2])), "{placed}");
-    // What is said of the floor is what the coverage says, of the home as it is and of one that takes what is proposed.
+    // The share of the floor is that of the coverage, for the home and for the suggested sensors.
     let seen = |layout: &Value| {
         let falls = layout["goals"].as_array().unwrap().iter().find(|goal| goal["goal"] == "falls").unwrap();
         falls["value"].as_f64().unwrap()

@@ -53,7 +53,7 @@ fn the_table_of_sensors_is_not_taken_for_the_log() {
 }
 
 #[test]
-fn nobody_learns_from_an_anonymised_log_what_its_sensors_were_called() {
+fn an_anonymised_log_hides_the_names_of_sensors() {
     let folder = flat();
     folder.run("run flat --for 20m --quiet --out csv:week.csv").ok();
     let name = row(&folder, "week.sensors.csv", "KitchenFloor")[1].clone();

@@ -163,7 +163,7 @@ fn scripts_get_one_object_and_people_their_words_apart() {
     assert_eq!((wrong.code, wrong.json()["problems"][0]["file"].as_str()), (Some(2), Some("scenario.json")));
     assert_eq!(wrong.json()["warnings"].as_array().map(Vec::len), Some(0));
     assert!(wrong.err.contains("scenario.json:5:11:") && wrong.err.contains("1 problem"), "{}", wrong.err);
-    // What fails otherwise says nothing to scripts but its code.
+    // Other failures give scripts only an exit code.
     folder.run("run flat --json").fails(2, "scenario.json:5:11:");
     folder.run("check nowhere --json").fails(1, "there is no such scenario");
     folder.run("compare log.db nowhere --json").fails(1, "[log::not-found]: nowhere");
@@ -181,7 +181,7 @@ fn quiet_is_quiet() {
 /// Words that print something, whatever is in the folder.
 fn talkative(folder: &Folder) -> Vec<String> {
     folder.run("run flat --for 1m --quiet --out csv:log.csv --recording r.json").ok();
-    // Some lines are left out, which is told on the other stream.
+    // Some lines are left out, with a note on the other stream.
     folder.write("dirty.txt", "2009-03-02 07:12:03 M1 ON\nnonsense\n");
     let words = [
         "run flat --for 1m --out csv:a.csv --force",

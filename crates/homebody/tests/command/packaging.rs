@@ -36,7 +36,7 @@ fn the_words_of_the_unit_are_understood() {
     let words = start.strip_prefix("/usr/bin/homebody ").unwrap();
     let words = words.replace("$HOMEBODY_WORDS", "--metrics 9464").replace("%i", "tigerplace");
     understood(&words, "/etc/homebody/tigerplace");
-    // What a stopped home ends with is no failure.
+    // The exit code of a stopped home is not a failure.
     assert_eq!(said(&unit, "SuccessExitStatus"), ["143"]);
     assert_eq!(said(&unit, "StateDirectory"), ["homebody"]);
     assert_eq!(said(&unit, "WorkingDirectory"), ["/var/lib/homebody"]);
@@ -113,7 +113,7 @@ fn the_files_of_the_container_exist() {
     };
     assert_eq!(words("ENTRYPOINT"), ["/usr/bin/homebody"]);
     folder.run(&words("CMD").join(" ")).ok();
-    // What is not to be in it is left out.
+    // Files that do not belong in it are left out.
     let left_out = fs::read_to_string(Path::new(ROOT).join(".containerignore")).unwrap();
     assert!(["target", ".git", "web/node_modules"].iter().all(|name| left_out.lines().any(|line| line == *name)));
     // The page is built with it, and so are all kinds of places.

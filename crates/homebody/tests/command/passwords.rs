@@ -2,7 +2,7 @@
 
 use crate::flat::flat;
 
-/// What must be nowhere.
+/// The text that must not occur.
 const CANARY: &str = "s3cr3t-canary";
 
 #[test]

@@ -1,6 +1,6 @@
 //! Real plans of Sweet Home 3D, which are not in the repository: the number of valid homes, and of homes with an ordinary day.
 //!
-//! `HOMEBODY_PLANS` names a folder with `.sh3d` files. Without it, plans that are written here are gone through instead.
+//! `HOMEBODY_PLANS` names a folder with `.sh3d` files. Without it, the tests use plans that they write.
 
 use crate::drawn_plans::whole_plans;
 use crate::folder::Folder;
@@ -12,7 +12,7 @@ use homebody_walk::Mesh;
 use std::fs;
 use std::path::PathBuf;
 
-/// What an ordinary life needs, and how it is told.
+/// Furniture for an ordinary routine, and its names in messages.
 const NEEDED: [(&str, &[Role]); 4] = [
     ("bed", &[Role::Bed]),
     ("seat", &[Role::Armchair, Role::Sofa, Role::DiningSeat]),
@@ -23,10 +23,10 @@ const NEEDED: [(&str, &[Role]); 4] = [
 /// An older adult's body.
 const BODY_M: f64 = 0.22;
 
-/// Of the plans that have all that, so many are to be lived in.
+/// Least share of the plans with all furniture in which the routine runs.
 const LEAST_SHARE: f64 = 0.9;
 
-/// An ordinary day has so much at least: hours asleep, meals, visits to the bathroom (ours).
+/// Least values of an ordinary day: hours asleep, meals, visits to the bathroom (our choice).
 const LEAST: [f64; 3] = [4.0, 2.0, 2.0];
 
 struct Found {
@@ -45,7 +45,7 @@ fn plans() -> Vec<(String, Vec<u8>)> {
     files.iter().map(|path| (name(path), fs::read(path).unwrap())).collect()
 }
 
-/// What becomes of one file.
+/// The result for one file.
 fn found(bytes: &[u8]) -> Found {
     let folder = Folder::new();
     folder.write("plan.sh3d", bytes);

@@ -62,7 +62,7 @@ fn a_changed_recording_is_refused() {
         json!(text.replacen(old, new, 1))
     };
     let cases: [(&str, Value, &str); 14] = [
-        // It can be lived, but another life comes out.
+        // It can be simulated, with a different result.
         ("/seed", json!(8), "the replay differs from the recording"),
         ("/length_us", json!(300_000_000), "the replay differs from the recording"),
         ("/sha256", json!("0".repeat(64)), "the replay differs from the recording"),
@@ -70,7 +70,7 @@ fn a_changed_recording_is_refused() {
         ("/files/ann.json", file("ann.json", "0.8", "0.81"), "the replay differs from the recording"),
         ("/files/bob.keys.json", file("bob.keys.json", "right", "down"), "the replay differs from the recording"),
         ("/files/home.json", file("home.json", "0.05, 1.5", "0.05, 1.0"), "the replay differs from the recording"),
-        // It cannot be lived.
+        // It cannot be simulated.
         ("/sha256", json!(""), "kit::incomplete-run"),
         ("/length_us", json!(-1), "kit::not-a-recording"),
         ("/length_us", json!(i64::MAX), "a run is at most 100 years long"),
@@ -107,7 +107,7 @@ fn a_recording_of_another_version_says_so() {
     let mut recording: Value = serde_json::from_str(&folder.read("recording.json")).unwrap();
     recording["version"] = json!("0.0.1");
     folder.write("old.json", recording.to_string());
-    // The same firings are the same, whoever recorded them.
+    // Equal firings are equal, whatever recorded them.
     folder.run("replay old.json --quiet --out csv:old.csv").ok();
     recording["seed"] = json!(8);
     folder.write("old.json", recording.to_string());

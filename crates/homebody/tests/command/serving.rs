@@ -15,8 +15,8 @@ fn mode(path: &Path) -> u32 {
     fs::metadata(path).unwrap().permissions().mode() & 0o777
 }
 
-/// Nobody else on the machine learns the token: it is in no program's command line, and the file that holds it is its user's
-/// alone, for as long as it is needed.
+/// The token stays secret on the machine: it is in no command line, and only its user can read the file with it, which exists only as
+/// long as necessary.
 #[test]
 fn the_token_is_on_no_command_line() {
     let folder = Folder::new();
@@ -72,7 +72,7 @@ fn the_token_is_on_no_command_line() {
     served.wait().unwrap();
 }
 
-/// As `homebody run`, it takes a scenario for one's own where that is said.
+/// As with `homebody run`, a scenario can be trusted on request.
 #[test]
 fn a_scenario_of_ones_own_is_served_by_its_links() {
     let folder = Folder::new();

@@ -90,7 +90,7 @@ fn columns_are_written_and_read_by_the_command() {
     folder.run("inspect cut.parquet").fails(2, "error[parquet::damaged]: cannot read cut.parquet as a log");
 }
 
-/// A store elsewhere is told as such, and no folder is made that is called so.
+/// A remote store is reported as remote, and no folder with its name is made.
 #[test]
 #[cfg(feature = "parquet")]
 fn a_store_that_this_build_does_not_have_is_refused() {

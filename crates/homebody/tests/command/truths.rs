@@ -19,7 +19,7 @@ fn lived(scenario: &str) -> Folder {
     folder
 }
 
-/// The rows of a query, which may attach the truth that lies beside the database.
+/// The rows of a query, which may attach the ground truth next to the database.
 fn ask(folder: &Folder, database: &str, query: &str) -> Vec<Vec<String>> {
     let truth = folder.path("truth.db").display().to_string();
     let query = query.replace("'truth.db'", &format!("'{truth}'"));

@@ -4,7 +4,7 @@ use crate::folder::{Files, Folder};
 use serde_json::Value;
 use std::sync::OnceLock;
 
-/// A folder with a day of the studio, in which one person lives.
+/// A folder with a day of the studio, with one resident.
 fn studio() -> Folder {
     static FILES: OnceLock<Files> = OnceLock::new();
     Folder::filled_once(&FILES, |folder| {
@@ -24,7 +24,7 @@ fn a_log_is_walked_back_and_what_is_lived_again_explains_it() {
     let all = report(&folder)["explained"]["all"].clone();
     let [real, relived, matched] = ["real", "relived", "matched"].map(|key| all[key].as_f64().unwrap());
     assert!(real > 300.0 && matched / real > 0.8 && (relived - matched) / relived < 0.25, "{all}");
-    // Where he was told is where he was, most of the day.
+    // The located room is right for most of the day.
     let rooms = folder.query(
         "truth.db",
         "SELECT substr(at, 1, 19) AS at, coalesce(room, '') FROM room WHERE resident = 'walter' ORDER BY at",
@@ -46,7 +46,7 @@ fn a_log_is_walked_back_and_what_is_lived_again_explains_it() {
     };
     let right = (1..1_440).filter(|&minute| matches!(room_at(minute), (Some(is), Some(told)) if is == told)).count();
     assert!(right > 1_300, "{right} of 1439 minutes");
-    // The chances by room are those of the rooms that were told, and come to 1.
+    // The probabilities by room belong to the located rooms, and add up to 1.
     let rooms = folder.read("walked/rooms.csv");
     let mut chances = std::collections::BTreeMap::new();
     for line in rooms.lines().skip(1).filter(|line| line.contains(",walter,") && &line[11..19] <= "12:00:00") {
@@ -59,7 +59,7 @@ fn a_log_is_walked_back_and_what_is_lived_again_explains_it() {
     let told_at_noon = told.iter().take_while(|(time, _)| &time[11..] <= "12:00:00").last().unwrap().1;
     assert_eq!(best.replace("out", ""), told_at_noon);
     assert!(folder.path("walked/given/log.db").is_file());
-    // What it has written is a scenario, and its run one that can be looked at.
+    // The result is a scenario, and its run can be inspected.
     folder.run("check walked").ok();
     folder.run("day walked/run 2026-03-02 --json");
     folder.run("locate log.db --home home --out walked").fails(1, "[kit::exists]: walked");
@@ -114,7 +114,7 @@ fn a_log_that_comes_in_pieces_says_where_everybody_is_as_it_does_at_once() {
     std::thread::sleep(std::time::Duration::from_millis(1_500));
     running.say(rest);
     assert_eq!(running.finish().ok().out, at_once.out);
-    // Where he is last is another thing than where he was in the middle.
+    // The last position differs from the one in the middle.
     let half = &log[..first.rfind('\n').unwrap() + 1];
     let told_of_half = folder.say("locate csv:- --home home --follow", half).ok().out;
     assert!(at_once.out.starts_with(&told_of_half) && at_once.out != told_of_half);

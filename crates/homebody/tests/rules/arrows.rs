@@ -208,7 +208,7 @@ fn a_crate_without_the_lints_of_the_workspace_is_found() {
     assert!(without_lints(&table("[package]\nname = 'a'")).is_some());
 }
 
-/// What is wrong with the arrows of a crate.
+/// The problems with the dependencies of a crate.
 fn astray(manifest: &Table) -> Vec<String> {
     let name = name(manifest);
     let Some((_, allowed)) = ARROWS.iter().find(|(from, _)| *from == name) else {

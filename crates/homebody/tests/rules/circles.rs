@@ -1,8 +1,8 @@
 //! Files and folders that need each other in a circle: a reader needs all of them at once.
 //!
-//! A file needs another of its crate if it names what is defined there: in a `use`, or in a path such as
-//! `crate::time::DAY` or `grid::Corner`. What a file only passes on by `pub use` is sought where it is defined, so a
-//! `mod.rs` that declares and passes on, and does nothing else, is in no circle. Code for tests is left out.
+//! A file needs another of its crate if it names one of its definitions: in a `use`, or in a path such as `crate::time::DAY` or
+//! `grid::Corner`. A name from a `pub use` counts to the file of its definition, so a module that only declares and re-exports is in no
+//! circle. Code for tests is left out.
 //!
 //! A folder needs what its files need. A module `name.rs` and its folder `name` are one.
 
@@ -152,14 +152,14 @@ struct Tree {
     modules: BTreeMap<Vec<String>, usize>,
 }
 
-/// A file of a crate as it is read here.
+/// A file of a crate.
 struct Source {
     /// Below `crates/`.
     path: String,
     /// Its crate, then its module.
     module: Vec<String>,
     imports: Vec<Import>,
-    /// What it says besides imports and declarations of modules: the words and signs.
+    /// The words and signs of the file without imports and declarations of modules.
     body: Vec<String>,
 }
 
@@ -237,13 +237,13 @@ impl Tree {
         circles
     }
 
-    /// What is wrong with a circle, and what closes it.
+    /// The problem with a circle, and the dependencies that close it.
     fn wrong(&self, circle: &[String]) -> String {
         let (files, why) = (circle.join(", "), self.why(circle).join("; "));
         format!("these need each other: {files}; move what they share into a file below them ({why})")
     }
 
-    /// What the files of a circle need each other for.
+    /// The dependencies between the files of a circle.
     fn why(&self, circle: &[String]) -> Vec<String> {
         let is_of = |source: &usize| circle.contains(&self.sources[*source].path);
         let mut why = Vec::new();
@@ -265,7 +265,7 @@ impl Tree {
     fn needs(&self, from: usize) -> Needs {
         let source = &self.sources[from];
         let is_said = |name: &String| source.body.contains(name);
-        // What is brought in as a module is needed where something of it is named.
+        // An imported module is needed where one of its items is named.
         let imports = source.imports.iter().filter(|import| !import.is_public || is_said(&import.name));
         let mut named: Vec<Vec<String>> = imports.filter_map(|import| self.from(source, &import.path)).collect();
         for path in paths(&source.body) {
@@ -288,7 +288,7 @@ impl Tree {
         needs
     }
 
-    /// A path as it is written in a file, from its crate on.
+    /// A path in a file, from its crate on.
     fn from(&self, source: &Source, path: &[String]) -> Option<Vec<String>> {
         let up = path.iter().take_while(|part| *part == "super").count();
         let (begin, rest) = match path.first()?.as_str() {

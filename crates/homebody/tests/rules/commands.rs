@@ -56,7 +56,7 @@ const SLOW: [&str; 5] = ["--speed", "--control", "--paused", "--resume", "scenar
 /// Runs of more days last.
 const MOST_DAYS: u32 = 7;
 
-/// What a document gives to the program.
+/// A command in a document.
 struct Shown {
     document: String,
     line: usize,
@@ -197,7 +197,7 @@ fn split(line: &str) -> Vec<Vec<String>> {
     commands
 }
 
-/// What in a command the program's help does not know.
+/// The words of a command that the program's help does not have.
 fn misunderstood(Shown { document, line, program, words, .. }: &Shown) -> Vec<String> {
     // `help run` is about `run`.
     let words = words.strip_prefix(&["help".to_owned()]).unwrap_or(&words[..]);
@@ -256,7 +256,7 @@ fn failing(Shown { document, line, program, words, is_in_block }: &Shown, folder
     let is_elsewhere = words.iter().any(|word| word.contains("://"));
     let lacks =
         !cfg!(feature = "parquet") && words.iter().any(|word| word.contains("parquet:") || word.contains("arrow:"));
-    // Whatever the repository does not have, the reader has to bring.
+    // The reader must supply files that the repository does not have.
     let has = |word: &String| word.starts_with('-') || word.starts_with("scenarios/") || folder.join(word).exists();
     let log = words.iter().skip_while(|word| *word != "--from-log").nth(1);
     let is_complete =

@@ -4,13 +4,13 @@ use super::markdown::Document;
 use super::{expect_none, files, ignored, paths, repository};
 use std::fs;
 
-/// What makes a bare name that of a file.
+/// The ends of names that make a word the name of a file.
 const EXTENSIONS: [&str; 17] = [
     "rs", "toml", "lock", "json", "md", "rhai", "routine", "sh", "py", "ts", "js", "svelte", "css", "html", "yml",
     "png", "svg",
 ];
 
-/// Names that look like files of the repository and are none, and what they are.
+/// Words that look like files of the repository, and their meaning.
 const ELSEWHERE: [(&str, &str); 2] = [
     ("recording.json", "a run writes it into its own folder"),
     ("my-home", "what examples call the reader's own scenario"),

@@ -57,7 +57,7 @@ fn files() -> Vec<File> {
     paths().into_iter().filter(|path| !path.ends_with('/')).filter_map(read).collect()
 }
 
-/// All files and folders, in order; a folder ends with a slash. What `.gitignore` names is left out.
+/// All files and folders, in order; a folder ends with a slash. Entries of `.gitignore` are left out.
 fn paths() -> Vec<String> {
     let mut paths = Vec::new();
     walk("", &ignored(), &mut paths);
@@ -102,7 +102,7 @@ fn numbered(text: &str) -> impl Iterator<Item = (usize, &str)> {
     (1..).zip(text.lines())
 }
 
-/// Whether `text` has `word` with no letter, digit or underscore right beside it.
+/// True if `text` has `word` without a letter, digit or underscore next to it.
 fn has_word(text: &str, word: &str) -> bool {
     let joins = |c: char| c.is_alphanumeric() || c == '_';
     text.match_indices(word).any(|(at, _)| !text[..at].ends_with(joins) && !text[at + word.len()..].starts_with(joins))

@@ -33,17 +33,17 @@ impl Document {
         document
     }
 
-    /// What stands between backticks, with its line.
+    /// Text between backticks, with its line.
     pub fn spans(&self) -> Vec<(usize, String)> {
         let spans = |line: &str| line.split('`').skip(1).step_by(2).map(str::to_owned).collect::<Vec<_>>();
         self.prose.iter().flat_map(|(number, line)| spans(line).into_iter().map(move |span| (*number, span))).collect()
     }
 
-    /// Where links and pictures lead, with their line: `[text](where)`, and `[text]: where` at a line's start.
+    /// Targets of links and pictures, with their line: `[text](where)`, and `[text]: where` at the start of a line.
     pub fn links(&self) -> Vec<(usize, String)> {
         let mut links = Vec::new();
         for (number, line) in &self.prose {
-            // What is code is no link.
+            // Code has no links.
             let line: String = line.split('`').step_by(2).collect::<Vec<_>>().join("code");
             let inline = line.split("](").skip(1).filter_map(|rest| rest.split([')', ' ']).next());
             let listed = line.trim().starts_with('[').then(|| line.split_once("]: ")).flatten().map(|(_, rest)| rest);
@@ -52,7 +52,7 @@ impl Document {
         links
     }
 
-    /// What `#...` may lead to in this document.
+    /// The targets of `#...` in this document.
     pub fn anchors(&self) -> Vec<String> {
         let titles = self.prose.iter().filter(|(_, line)| line.starts_with('#'));
         titles.map(|(_, line)| anchor(line.trim_start_matches('#').trim())).collect()

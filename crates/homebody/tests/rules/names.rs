@@ -5,8 +5,8 @@ use super::source::is_for_tests;
 use super::{File, files};
 use std::collections::{BTreeMap, BTreeSet};
 
-/// How many names several types may share. It only falls.
-const MOST_SHARED: usize = 51;
+/// Largest number of names that several types share. It only falls.
+const MOST_SHARED: usize = 20;
 
 #[test]
 fn types_share_few_names() {

@@ -59,7 +59,7 @@ const UNITS: [(&str, &str); 16] = [
     ("_BYTES", "bytes"),
 ];
 
-/// How the names of limits begin.
+/// The starts of the names of limits.
 const LIMITS: [&str; 4] = ["MOST", "LARGEST", "LONGEST", "GREATEST"];
 
 /// Folder of the files whose fields are keys of a scenario's files, with defaults of ours: they are set there.
@@ -167,7 +167,7 @@ fn judged(file: &File) -> (Vec<Fixed>, Vec<String>) {
     let mut comment = String::new();
     let text = before_tests(&file.text);
     let lines: Vec<&str> = text.lines().map(str::trim).collect();
-    // What is declared within a function is its own business, unless it is ours.
+    // Constants within a function count only if they are our choice.
     let is_inner: Vec<bool> = text.lines().map(|line| line.starts_with(' ')).collect();
     let mut at = 0;
     while let Some(&line) = lines.get(at) {
@@ -213,12 +213,12 @@ fn judged(file: &File) -> (Vec<Fixed>, Vec<String>) {
     (fixed, wrong)
 }
 
-/// Whether a constant is a limit, by its name. What programs for developers bear is nobody else's.
+/// True for the name of a limit. Programs for developers are exempt.
 pub(super) fn is_limit(path: &str, name: &str) -> bool {
     LIMITS.iter().any(|begin| name.starts_with(begin)) && !path.starts_with("crates/homebody-fuzz/")
 }
 
-/// The constant that is declared from a line on: its name, type and value, unless it is no number; and the line after it.
+/// The constant in a line: its name, type and value, if it is a number; and the next line.
 fn constant(lines: &[&str], from: usize) -> Option<(Option<[String; 3]>, usize)> {
     let first = lines.get(from)?;
     let (visibility, declared) = first.split_once("const ").or_else(|| first.split_once("static "))?;
@@ -241,7 +241,7 @@ fn unit(name: &str, kind: &str) -> &'static str {
     by_name.map_or(if has_word(kind, "Span") { "µs" } else { "1" }, |(_, unit)| unit)
 }
 
-/// What a comment says, without saying that it is ours.
+/// The text of a comment, without the mark of our choice.
 fn meaning(said: &str) -> String {
     let said = said.split_whitespace().collect::<Vec<_>>().join(" ");
     ["ours", "our choice", "our estimate"].iter().fold(said, |said, mark| {

@@ -46,7 +46,7 @@ fn picture(arrows: &Arrows) -> String {
     let short = |name: &str| name.strip_prefix("homebody-").unwrap_or(name).to_owned();
     let mut text = String::from("```mermaid\nflowchart TD\n");
     for (from, needed) in arrows {
-        // What another needed crate needs is drawn there.
+        // The dependencies of a needed crate are drawn there.
         let by_others: BTreeSet<&String> = needed.iter().flat_map(|other| reached(arrows, other)).collect();
         for to in needed.iter().filter(|to| !by_others.contains(to)) {
             text += &format!("    {} --> {}\n", short(from), short(to));

@@ -298,7 +298,7 @@ fn pair(words: &[&str], first: &[&str], second: &[&str]) -> bool {
     words.windows(2).any(|pair| first.contains(&pair[0]) && second.contains(&pair[1]))
 }
 
-/// `live` and its forms, but for the fixed terms of the field.
+/// True for `live` and its forms, except in the fixed terms of the field.
 fn lives(words: &[&str]) -> bool {
     const FORMS: [&str; 4] = ["live", "lives", "lived", "living"];
     const TERMS: [&str; 5] = ["room", "log", "view", "data", "resident"];

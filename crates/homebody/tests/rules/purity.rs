@@ -1,7 +1,7 @@
 //! The core stays pure: no clock, no file, no thread, no order of a hash map.
 //!
-//! Clippy holds it to that by the core's own `clippy.toml`; here we see to it that the file goes on saying so, and look
-//! at the text besides, since clippy sees calls and types but no mere `use`.
+//! Clippy checks it by the core's own `clippy.toml`. These rules check that the file stays complete, and they search the text, because
+//! clippy sees calls and types but no mere `use`.
 
 use super::{File, expect_none, files, has_word, numbered};
 use toml::{Table, Value};
@@ -9,7 +9,7 @@ use toml::{Table, Value};
 const LINTS: &str = "crates/homebody-core/clippy.toml";
 const CORE: &str = "crates/homebody-core/src/";
 
-/// What `clippy.toml` forbids in any case.
+/// The entries that `clippy.toml` must have.
 const FORBIDDEN: [&str; 20] = [
     "std::collections::HashMap",
     "std::collections::HashSet",

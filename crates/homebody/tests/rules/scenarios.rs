@@ -40,14 +40,14 @@ fn a_file_without_a_schema_is_found() {
     assert!(wrong("{"));
 }
 
-/// What `homebody check` has to say against a scenario.
+/// The problems that `homebody check` reports.
 fn problems(folder: &Path) -> Option<String> {
     let output = Command::new(env!("CARGO_BIN_EXE_homebody")).arg("check").arg(folder).output();
     let output = output.expect("homebody can be started");
     (!output.status.success()).then(|| String::from_utf8_lossy(&output.stderr).into_owned())
 }
 
-/// What is wrong with the `$schema` of a file, a path from the file's own folder.
+/// The problem with the `$schema` of a file, which is a path from the file's own folder.
 fn without_schema(path: &Path, text: &str) -> Option<String> {
     let schema =
         serde_json::from_str::<Value>(text).ok().and_then(|file| Some(file.get("$schema")?.as_str()?.to_owned()));

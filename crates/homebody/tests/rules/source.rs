@@ -64,6 +64,19 @@ fn a_name_that_is_empty_or_counts_versions_is_found() {
 }
 
 #[test]
+fn no_source_file_is_called_mod() {
+    expect_none(paths().iter().filter(|path| is_called_mod(path)).cloned().collect());
+}
+
+#[test]
+fn finds_a_source_file_called_mod() {
+    assert!(is_called_mod("crates/a/src/sink/mod.rs"));
+    for path in ["crates/a/src/sink.rs", "crates/a/src/model.rs", "crates/a/tests/folder/mod.rs"] {
+        assert!(!is_called_mod(path), "{path}");
+    }
+}
+
+#[test]
 fn code_outside_tests_says_why_it_cannot_fail() {
     let files = files();
     let wrong = files.iter().filter(|file| is_code(&file.path) && !is_for_tests(&file.path, &files)).flat_map(unwraps);
@@ -144,7 +157,7 @@ fn is_sensor(path: &str) -> bool {
     path.strip_prefix(SENSORS).is_some_and(|name| name != "mod.rs" && !name.contains('/') && name.ends_with(".rs"))
 }
 
-/// What is wrong with the head of a sensor's file: a title, then four paragraphs.
+/// The problem with the head of a sensor's file: a title, then four paragraphs.
 fn opens_wrongly(file: &File) -> Option<String> {
     let head: Vec<&str> = file.text.lines().map_while(|line| line.strip_prefix("//!")).map(str::trim).collect();
     let paragraphs: Vec<&[&str]> = head.split(|line| line.is_empty()).collect();
@@ -177,6 +190,11 @@ fn badly_named_modules(file: &File) -> Vec<String> {
     let lines = numbered(&file.text).filter(|_| file.is("rs"));
     let wrong = lines.filter(|(_, line)| module(line).is_some_and(|name| is_badly_named(&name)));
     wrong.map(|(number, line)| format!("{}:{number}: {}", file.path, line.trim())).collect()
+}
+
+/// A module `name` is in `name.rs`, and its parts are in the folder `name`.
+fn is_called_mod(path: &str) -> bool {
+    is_code(path) && path.ends_with("/mod.rs")
 }
 
 /// Whether the file is part of a crate, rather than of its tests or benchmarks.

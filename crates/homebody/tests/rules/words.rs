@@ -1,8 +1,8 @@
-//! What no file says: that something is still to be done, where its author's files are, how it came to be written.
+//! Words that no file contains: remaining work, paths of its author, and the way of its writing.
 
 use super::{File, RULES, expect_none, files, has_word, numbered};
 
-/// What is left where work was left.
+/// Marks of unfinished work.
 const MARKERS: [&str; 4] = ["TODO", "FIXME", "XXX", "HACK"];
 const MACROS: [&str; 4] = ["todo!", "unimplemented!", "dbg!", "#[ignore]"];
 

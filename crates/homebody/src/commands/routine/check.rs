@@ -1,8 +1,8 @@
 //! `homebody routine check`: the problems of routines.
 
 use super::messages::RoutinesMessage;
-use crate::commands::check::load_and_say;
-use crate::commands::scenario::Chosen;
+use crate::commands::check::load_with_warnings;
+use crate::commands::scenario::ScenarioArguments;
 use crate::failure::Failure;
 use crate::length::Length;
 use crate::print::{json_text, print_json, print_text, tell, write_file};
@@ -23,9 +23,9 @@ use std::path::{Path, PathBuf};
 
 With --lived, JSON has \"sentences\" that the simulation did not follow, each with resident, file, line,
 text, the expected and the simulated value, and whether Homebody warned before the run.")]
-pub struct Arguments {
+pub struct RoutineCheckArguments {
     #[command(flatten)]
-    scenario: Chosen,
+    scenario: ScenarioArguments,
     /// Print the problems as JSON; with --lived, print the sentences as JSON or write them to FILE
     #[arg(long, value_name = "FILE", num_args = 0..=1, default_missing_value = "-")]
     json: Option<PathBuf>,
@@ -43,15 +43,15 @@ pub struct Arguments {
     force: bool,
 }
 
-impl Arguments {
+impl RoutineCheckArguments {
     pub fn run(self) -> Result<(), Failure> {
         let to_output = self.json.as_deref() == Some(Path::new("-"));
         if !to_output && self.json.is_some() && !self.lived {
             return Err(Failure::asked(RoutinesMessage::NeedsLived));
         }
-        let opened = load_and_say(self.scenario.source(), to_output && !self.lived, |_| Vec::new())?;
+        let opened = load_with_warnings(self.scenario.source(), to_output && !self.lived, |_| Vec::new())?;
         if self.lived {
-            return self.live(&opened);
+            return self.simulate(&opened);
         }
         let (scenario, household) = (opened.scenario(), opened.household());
         let mut routines = 0;
@@ -73,8 +73,8 @@ impl Arguments {
         Ok(())
     }
 
-    /// Lives the scenario, and tells what came of its sentences.
-    fn live(&self, opened: &OpenScenario) -> Result<(), Failure> {
+    /// Simulates the scenario, and reports the sentences that it did not follow.
+    fn simulate(&self, opened: &OpenScenario) -> Result<(), Failure> {
         let scenario = opened.scenario();
         let days = self.days.map_or(scenario.file.days, f64::from);
         let run = opened.run().seed(self.seed.unwrap_or(scenario.file.seed));
@@ -89,7 +89,7 @@ impl Arguments {
     }
 }
 
-/// The sentences whose lives differ from their words, each in two lines.
+/// The sentences that the simulation did not follow, two lines each.
 pub fn in_words(sentences: &[Difference]) -> String {
     if sentences.is_empty() {
         return "The simulation followed every sentence.\n".to_owned();

@@ -1,8 +1,8 @@
 //! `homebody routine day`: one simulated day.
 
 use super::messages::RoutinesMessage;
-use crate::commands::answer::Answer;
-use crate::commands::scenario::Chosen;
+use crate::commands::result_output::ResultOutput;
+use crate::commands::scenario::ScenarioArguments;
 use crate::failure::Failure;
 use homebody_analysis::day::DayRecord;
 use homebody_core::time::{RunTime, Span, TimeScale, WallTime};
@@ -21,7 +21,7 @@ use homebody_timeline::{PersonTimeline, TimelineBuilder};
   homebody routine day scenarios/tigerplace-depression 2009-06-01 --without depression")]
 pub struct Arguments {
     #[command(flatten)]
-    scenario: Chosen,
+    scenario: ScenarioArguments,
     /// Date, such as 2009-03-02 (default: the second day of the run, because the first begins at night)
     #[arg(value_name = "DATE")]
     date: Option<jiff::civil::Date>,
@@ -32,7 +32,7 @@ pub struct Arguments {
     #[arg(long, value_name = "CONDITION")]
     without: Vec<String>,
     #[command(flatten)]
-    answer: Answer,
+    answer: ResultOutput,
 }
 
 impl Arguments {
@@ -54,7 +54,7 @@ impl Arguments {
         let people = simulate(run, begin, &scenario.calendar.scale(length))?;
         let name = format!("{}, simulated", scenario.file.name);
         let day = DayRecord::from_log(&name, &Log::default(), &people, None, date);
-        answer.give(&day, [&|| day_chart(&DayChart::new(&day))])
+        answer.write(&day, [&|| day_chart(&DayChart::new(&day))])
     }
 }
 

@@ -1,7 +1,7 @@
 //! `homebody routine explain`: the interpretation of routines.
 
 use super::messages::RoutinesMessage;
-use crate::commands::scenario::Chosen;
+use crate::commands::scenario::ScenarioArguments;
 use crate::failure::Failure;
 use crate::print::{print_json, print_text};
 use homebody_routine::explain::explain;
@@ -15,9 +15,9 @@ use serde_json::json;
   homebody routine explain scenarios/tigerplace
   homebody routine explain scenarios/tigerplace --unsaid
   homebody routine explain my-home --json")]
-pub struct Arguments {
+pub struct RoutineExplainArguments {
     #[command(flatten)]
-    scenario: Chosen,
+    scenario: ScenarioArguments,
     /// Also list the defaults that apply where the routine says nothing
     #[arg(long)]
     unsaid: bool,
@@ -26,7 +26,7 @@ pub struct Arguments {
     json: bool,
 }
 
-impl Arguments {
+impl RoutineExplainArguments {
     pub fn run(self) -> Result<(), Failure> {
         let opened = self.scenario.source()?.open()?;
         let (scenario, household) = (opened.scenario(), opened.household());

@@ -6,14 +6,8 @@ homebody_core::messages! {
     /// Problems with silhouettes and the files that they go to.
     pub enum SilhouettesMessage in "silhouettes" {
         /// The home of the run has no camera with this name.
-        NoCamera {
-            /// The name asked for.
-            name: String,
-            /// The most similar name.
-            nearest: Option<String>,
-            /// The names of the cameras.
-            known: Vec<String>,
-        } error "no-camera" ("no camera is called {name:?}")
+        NoCamera { name: String, nearest: Option<String>, known: Vec<String> } error "no-camera"
+            ("no camera is called {name:?}")
             advice ({
                 let meant = nearest.as_ref().map_or_else(String::new, |nearest| format!("did you mean {nearest:?}? "));
                 Some(format!("{meant}the cameras are {}", known.join(", ")))
@@ -44,40 +38,26 @@ homebody_core::messages! {
                 (!hints.is_empty()).then(|| hints.join("; "))
             });
         /// `--out` writes a film, a table or a folder of pictures. `--png` and `--svg` draw some moments side by side.
-        NotAFilm {
-            /// The file.
-            path: PathBuf,
-            /// Its extension.
-            extension: String,
-        } error "not-a-film" ("--out cannot write a single picture such as {path}", path = path.display())
+        NotAFilm { path: PathBuf, extension: String } error "not-a-film"
+            ("--out cannot write a single picture such as {path}", path = path.display())
             hint (
                 "pass --{extension} {path} to draw moments side by side, or --out {film} to write a film",
                 path = path.display(),
                 film = path.with_extension("apng").display()
             );
         /// The extension of the file names a form that Homebody does not write. It writes films as APNG, which browsers play.
-        Form {
-            /// The file.
-            path: PathBuf,
-            /// Its extension.
-            extension: String,
-        } error "form" ("--out {path}: cannot write .{extension}", path = path.display())
+        Form { path: PathBuf, extension: String } error "form"
+            ("--out {path}: cannot write .{extension}", path = path.display())
             hint ("use .apng for a film, .csv or .jsonl for a table, or a name without an extension for a folder of pictures");
         /// Pictures go into a folder of their own, so that none of them replaces another file.
-        NotEmpty {
-            /// The folder, or a file in its place.
-            path: PathBuf,
-        } error "not-empty" ("{path} is not an empty folder", path = path.display())
+        NotEmpty { path: PathBuf } error "not-empty" ("{path} is not an empty folder", path = path.display())
             hint ("name a new or an empty folder");
         /// A film or a folder of very many pictures takes too much memory or time.
         TooMany {
-            /// The film or folder.
             path: PathBuf,
-            /// The number of frames or pictures.
             count: u64,
             /// `frames` or `pictures`.
             what: &'static str,
-            /// The largest number.
             most: u64,
         } error "too-many" ("{path} would have {count} {what}, and the limit is {most}", path = path.display())
             hint ("select fewer {what} with --from and --to, with --camera, or with --every 1s");

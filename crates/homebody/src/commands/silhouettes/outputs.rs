@@ -1,4 +1,4 @@
-//! Where silhouettes go: films, tables, and folders of pictures. Each is whole under its name, or not there.
+//! Outputs of silhouettes: films, tables, and folders of pictures. Each gets its name once it is complete.
 
 use super::messages::SilhouettesMessage;
 use crate::commands::messages::undrawn;
@@ -29,113 +29,115 @@ const MOST_FRAMES: u64 = 3000;
 /// Most pictures of a folder (our choice): systems become slow with more.
 const MOST_PICTURES: u64 = 200_000;
 
-/// Longest time that a frame of a film is shown, whatever the time to the next.
+/// Longest time of a frame in a film, whatever the time to the next one.
 const LONGEST_FRAME: Span = SECOND;
 
-/// What a place is to become.
+/// The form of an output.
 #[derive(Clone, Copy, Debug, PartialEq)]
-enum Form {
+enum SilhouetteForm {
     Film,
     Csv,
     JsonLines,
     Folder,
 }
 
-/// A place that can be written.
-pub struct Output {
-    form: Form,
+/// An output that can be written.
+pub struct SilhouetteOutput {
+    form: SilhouetteForm,
     path: PathBuf,
 }
 
-impl Output {
-    /// Makes sure that all places can be written, over none of the `sources`.
-    pub fn of(paths: &[PathBuf], sources: &[PathBuf], force: bool) -> Result<Vec<Output>, Failure> {
+impl SilhouetteOutput {
+    /// Fails if an output cannot be written or is one of the `sources`.
+    pub fn check_all(paths: &[PathBuf], sources: &[PathBuf], force: bool) -> Result<Vec<SilhouetteOutput>, Failure> {
         let (mut outputs, mut wrong) = (Vec::new(), Vec::<Diagnostic>::new());
         for path in paths {
             match form(path) {
-                Ok(form) => outputs.push(Output { form, path: path.clone() }),
+                Ok(form) => outputs.push(SilhouetteOutput { form, path: path.clone() }),
                 Err(message) => wrong.push(message.into()),
             }
         }
         if !wrong.is_empty() {
             return Err(Failure::all(wrong));
         }
-        let is_file = |output: &&Output| output.form != Form::Folder;
+        let is_file = |output: &&SilhouetteOutput| output.form != SilhouetteForm::Folder;
         let files: Vec<&Path> = outputs.iter().filter(is_file).map(|output| output.path.as_path()).collect();
         can_be_written(&files, sources, force)?;
         Ok(outputs)
     }
 }
 
-/// The form of a place, by its extension.
-fn form(path: &Path) -> Result<Form, SilhouettesMessage> {
+/// The form of an output, by its extension.
+fn form(path: &Path) -> Result<SilhouetteForm, SilhouettesMessage> {
     let extension = path.extension().unwrap_or_default().to_string_lossy().to_lowercase();
     match extension.as_str() {
-        "apng" => Ok(Form::Film),
-        "csv" => Ok(Form::Csv),
-        "jsonl" => Ok(Form::JsonLines),
+        "apng" => Ok(SilhouetteForm::Film),
+        "csv" => Ok(SilhouetteForm::Csv),
+        "jsonl" => Ok(SilhouetteForm::JsonLines),
         "png" | "svg" => Err(SilhouettesMessage::NotAFilm { path: path.to_owned(), extension }),
         "gif" | "mp4" | "webm" | "avi" | "mkv" | "mov" | "json" | "jpg" | "jpeg" | "webp" | "tsv" | "txt" => {
             Err(SilhouettesMessage::Form { path: path.to_owned(), extension })
         }
         _ => {
             let is_full = path.is_file() || path.read_dir().is_ok_and(|mut entries| entries.next().is_some());
-            if is_full { Err(SilhouettesMessage::NotEmpty { path: path.to_owned() }) } else { Ok(Form::Folder) }
+            if is_full {
+                Err(SilhouettesMessage::NotEmpty { path: path.to_owned() })
+            } else {
+                Ok(SilhouetteForm::Folder)
+            }
         }
     }
 }
 
-/// How much is going to be written.
 #[derive(Clone, Copy)]
-pub struct Counted {
+pub struct SilhouetteCount {
     pub pictures: u64,
     pub instants: u64,
 }
 
-/// What was written, and where.
 #[derive(Serialize)]
-pub struct Written {
+pub struct WrittenOutput {
     pub path: String,
     pub what: String,
 }
 
-/// All places that silhouettes go to, in one pass.
-pub struct Outputs<'a> {
-    open: Vec<(PathBuf, Open)>,
+/// All outputs, which one pass writes.
+pub struct SilhouetteOutputs<'a> {
+    open: Vec<(PathBuf, OpenOutput)>,
     kept: &'a RunSilhouettes<'a>,
-    /// Where seats and beds are.
+    /// The places of seats and beds.
     ground: Ground,
     cameras: Vec<(&'a CameraFile, Lens)>,
     scale: u32,
     force: bool,
 }
 
-/// An instant, and what each camera has of it, packed.
+/// An instant, and the packed silhouette of each camera.
 type Instant = (RunTime, Vec<Option<Vec<u8>>>);
 
-enum Open {
-    /// What it has so far.
+enum OpenOutput {
+    /// The frames so far.
     Film(Vec<Instant>),
-    Table(Form, FreshFile, u64),
-    /// Under a name of its own until it is whole.
+    Table(SilhouetteForm, FreshFile, u64),
+    /// The temporary folder, and the number of pictures.
     Folder(PathBuf, u64),
 }
 
-impl<'a> Outputs<'a> {
-    /// Begins all of them. What would be too large is refused before anything is begun.
+impl<'a> SilhouetteOutputs<'a> {
+    /// Starts all outputs. Refuses outputs that are too large before any output starts.
     pub fn begin(
-        outputs: Vec<Output>,
+        outputs: Vec<SilhouetteOutput>,
         kept: &'a RunSilhouettes,
         cameras: &[usize],
-        all: Counted,
+        all: SilhouetteCount,
         scale: u32,
         force: bool,
-    ) -> Result<Outputs<'a>, Failure> {
-        for Output { form, path } in &outputs {
+    ) -> Result<SilhouetteOutputs<'a>, Failure> {
+        for SilhouetteOutput { form, path } in &outputs {
             let (count, most, what) = match form {
-                Form::Film => (all.instants, MOST_FRAMES, "frames"),
-                Form::Folder => (all.pictures, MOST_PICTURES, "pictures"),
-                Form::Csv | Form::JsonLines => continue,
+                SilhouetteForm::Film => (all.instants, MOST_FRAMES, "frames"),
+                SilhouetteForm::Folder => (all.pictures, MOST_PICTURES, "pictures"),
+                SilhouetteForm::Csv | SilhouetteForm::JsonLines => continue,
             };
             if count > most {
                 return Err(Failure::asked(SilhouettesMessage::TooMany { path: path.clone(), count, what, most }));
@@ -147,18 +149,20 @@ impl<'a> Outputs<'a> {
         };
         let ground = Outlook::new(kept.scenario.home.plan()).ground;
         let cameras = cameras.iter().map(camera).collect();
-        let mut begun = Outputs { open: Vec::new(), kept, ground, cameras, scale, force };
-        for Output { form, path } in outputs {
+        let mut begun = SilhouetteOutputs { open: Vec::new(), kept, ground, cameras, scale, force };
+        for SilhouetteOutput { form, path } in outputs {
             let open = match form {
-                Form::Film => Open::Film(Vec::new()),
-                Form::Csv | Form::JsonLines => Open::Table(form, FreshFile::create(&path, force)?, 0),
-                Form::Folder => {
+                SilhouetteForm::Film => OpenOutput::Film(Vec::new()),
+                SilhouetteForm::Csv | SilhouetteForm::JsonLines => {
+                    OpenOutput::Table(form, FreshFile::create(&path, force)?, 0)
+                }
+                SilhouetteForm::Folder => {
                     let part = part_of(&path);
                     begun.cameras.iter().enumerate().try_for_each(|(number, _)| {
                         let folder = part.join(begun.folder_of(number));
                         fs::create_dir_all(&folder).map_err(|error| LogError::file(&folder, error))
                     })?;
-                    Open::Folder(part, 0)
+                    OpenOutput::Folder(part, 0)
                 }
             };
             begun.open.push((path, open));
@@ -170,7 +174,7 @@ impl<'a> Outputs<'a> {
         self.open.is_empty()
     }
 
-    /// The folder of a camera's pictures: its name without what systems do not take, and its number where another's is the same.
+    /// The folder of a camera's pictures: its name in characters that all systems accept, with a number if it is not unique.
     fn folder_of(&self, camera: usize) -> String {
         let plain = |camera: usize| {
             let name = self.cameras[camera].0.name.chars().take(80);
@@ -188,21 +192,21 @@ impl<'a> Outputs<'a> {
         let local = self.kept.scenario.calendar.local(kept.at);
         for (_, open) in &mut self.open {
             match open {
-                Open::Film(frames) => {
+                OpenOutput::Film(frames) => {
                     if frames.last().is_none_or(|(at, _)| *at != kept.at) {
                         frames.push((kept.at, vec![None; self.cameras.len()]));
                     }
                     let seen = frames.last_mut().and_then(|(_, seen)| seen.get_mut(camera));
                     seen.into_iter().for_each(|seen| *seen = Some(kept.silhouette.packed()));
                 }
-                Open::Table(form, file, rows) => {
+                OpenOutput::Table(form, file, rows) => {
                     let at = local.strftime("%Y-%m-%dT%H:%M:%S%.3f%:z").to_string();
                     let (CameraFile { name, .. }, lens) = &self.cameras[camera];
-                    let name = if *form == Form::Csv { escaped(name) } else { name.into() };
-                    file.write(&row(*form, &Row::of(at, &name, (lens, &self.ground), kept), *rows == 0)?)?;
+                    let name = if *form == SilhouetteForm::Csv { escaped(name) } else { name.into() };
+                    file.write(&row(*form, &SilhouetteRow::new(at, &name, (lens, &self.ground), kept), *rows == 0)?)?;
                     *rows += 1;
                 }
-                Open::Folder(part, pictures) => {
+                OpenOutput::Folder(part, pictures) => {
                     let name = local.strftime("%Y-%m-%dT%H-%M-%S%.3f%z.png").to_string();
                     let path = part.join(&folder).join(name);
                     let png =
@@ -215,24 +219,24 @@ impl<'a> Outputs<'a> {
         Ok(())
     }
 
-    /// Completes all of them.
-    pub fn finish(mut self) -> Result<Vec<Written>, Failure> {
+    /// Completes all outputs.
+    pub fn finish(mut self) -> Result<Vec<WrittenOutput>, Failure> {
         let mut written = Vec::new();
         while !self.open.is_empty() {
             let (path, open) = self.open.remove(0);
             let what = match open {
-                Open::Film(frames) => {
+                OpenOutput::Film(frames) => {
                     FreshFile::write_whole(&path, &self.film(&frames)?, self.force)?;
                     format!("a film of {}", counted(frames.len(), "frame", "frames"))
                 }
-                Open::Table(form, file, rows) => {
+                OpenOutput::Table(form, file, rows) => {
                     file.finish()?;
                     match form {
-                        Form::Csv => counted(rows as usize, "row", "rows"),
+                        SilhouetteForm::Csv => counted(rows as usize, "row", "rows"),
                         _ => counted(rows as usize, "object", "objects"),
                     }
                 }
-                Open::Folder(part, pictures) => {
+                OpenOutput::Folder(part, pictures) => {
                     if path.is_dir() {
                         fs::remove_dir(&path).map_err(|error| LogError::file(&path, error))?;
                     }
@@ -240,7 +244,7 @@ impl<'a> Outputs<'a> {
                     counted(pictures as usize, "picture", "pictures")
                 }
             };
-            written.push(Written { path: path.display().to_string(), what });
+            written.push(WrittenOutput { path: path.display().to_string(), what });
         }
         Ok(written)
     }
@@ -263,26 +267,26 @@ impl<'a> Outputs<'a> {
     }
 }
 
-impl Drop for Outputs<'_> {
-    /// What was begun and is not whole is gone.
+impl Drop for SilhouetteOutputs<'_> {
+    /// Removes incomplete folders.
     fn drop(&mut self) {
         for (_, open) in &self.open {
-            if let Open::Folder(part, _) = open {
+            if let OpenOutput::Folder(part, _) = open {
                 let _ = fs::remove_dir_all(part);
             }
         }
     }
 }
 
-/// Where a folder is until it is whole.
+/// The name of a folder until it is complete.
 fn part_of(path: &Path) -> PathBuf {
     let name = path.file_name().unwrap_or_default().to_string_lossy();
     path.with_file_name(format!("{name}.{}.part", std::process::id()))
 }
 
-/// What a silhouette is like.
+/// The features of a silhouette.
 #[derive(Serialize)]
-struct Row<'a> {
+struct SilhouetteRow<'a> {
     at: String,
     camera: &'a str,
     area_px: u32,
@@ -296,19 +300,19 @@ struct Row<'a> {
     centroid_y_px: f64,
     orientation_deg: f64,
     elongation: f64,
-    /// By this camera alone; none where it stands beyond the horizon.
+    /// By this camera alone; `None` beyond the horizon.
     x_m: Option<f64>,
     y_m: Option<f64>,
     height_m: Option<f64>,
 }
 
-impl<'a> Row<'a> {
-    fn of(at: String, camera: &'a str, (lens, ground): (&Lens, &Ground), kept: &KeptSilhouettes) -> Row<'a> {
+impl<'a> SilhouetteRow<'a> {
+    fn new(at: String, camera: &'a str, (lens, ground): (&Lens, &Ground), kept: &KeptSilhouettes) -> SilhouetteRow<'a> {
         let rounded = |number: f64| (number * 1000.0).round() / 1000.0;
         let features = &kept.features;
         let [left_px, top_px, right_px, bottom_px] = features.box_px;
         let shape = single::shape(lens, &kept.silhouette, ground);
-        Row {
+        SilhouetteRow {
             at,
             camera,
             area_px: features.area_px,
@@ -329,9 +333,9 @@ impl<'a> Row<'a> {
     }
 }
 
-/// A row as a table has it; the first of CSV has the names of columns before it.
-fn row(form: Form, row: &Row, is_first: bool) -> Result<Vec<u8>, Failure> {
-    if form == Form::JsonLines {
+/// A row of a table; the first row of a CSV file follows the names of the columns.
+fn row(form: SilhouetteForm, row: &SilhouetteRow, is_first: bool) -> Result<Vec<u8>, Failure> {
+    if form == SilhouetteForm::JsonLines {
         let mut bytes = serde_json::to_vec(row).map_err(not_written)?;
         bytes.push(b'\n');
         return Ok(bytes);

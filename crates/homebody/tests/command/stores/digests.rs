@@ -1,7 +1,7 @@
 //! All rows have one digest, for any destination, speed and number of threads, watched or not.
 //!
-//! The digest is of what our readers give back: for each row its number, instant, sensor and value. `HOMEBODY_SCENARIOS=20` takes that
-//! many scenarios: all that come with the program, and some of these with drawn seeds and other messages.
+//! The digest is that of the rows from our readers: for each row its number, instant, sensor and value. `HOMEBODY_SCENARIOS=20` takes that
+//! many scenarios: all templates, and some of them with random seeds and other messages.
 
 use crate::folder::{Folder, ROOT};
 use crate::mosquitto::Broker;
@@ -17,10 +17,10 @@ use std::path::Path;
 use std::process::{Command, Stdio};
 use std::time::{Duration, Instant};
 
-/// A row as it was read back: instant in microseconds since 1970, sensor, value.
+/// A row of a reader: instant in microseconds since 1970, sensor, value.
 type Row = (i64, String, String);
 
-/// How long is lived at speeds: some seconds each, a second where there are few scenarios.
+/// Simulated time at speeds: some seconds each, or one second with few scenarios.
 const SPEEDS: [(&str, [&str; 2]); 3] = [("10", ["10s", "30s"]), ("100", ["2m", "5m"]), ("1000", ["20m", "40m"])];
 
 fn scenarios() -> usize {
@@ -30,7 +30,7 @@ fn scenarios() -> usize {
 fn rows(place: &Url) -> Vec<Row> {
     homebody_simulation::install_sinks();
     let log = read(LogSource::from(place), &LoggerFile::default()).unwrap_or_else(|error| panic!("{place}: {error}"));
-    // Where nobody has moved in so short a time, nothing tells the clock.
+    // Without a movement in so short a time, nothing shows the clock.
     assert!(log.skipped == 0 && (log.clock == Clock::Utc || log.rows == 0), "{place}");
     log.events
         .iter()
@@ -53,7 +53,7 @@ fn scenario(folder: &Folder, number: usize) -> String {
         .unwrap()
         .map(|entry| entry.unwrap().file_name().to_string_lossy().into_owned())
         .collect();
-    // What is lived by routines first: days of these have most rows.
+    // Scenarios with routines first: their days have the most rows.
     names.sort_by_key(|name| (!["tigerplace", "studio", "couple-with-cat"].contains(&name.as_str()), name.clone()));
     let (name, round) = (&names[number % names.len()], number / names.len());
     folder.copy_scenario(name);
@@ -155,7 +155,7 @@ fn control(base: &[Row]) {
     assert_ne!(digest(&other), digest(base));
 }
 
-/// Some minutes as a broker is told them, in the style of plain JSON; below a prefix of their own, of which it keeps nothing yet.
+/// Some minutes on a broker, in the style of plain JSON; below a prefix of their own, without retained messages.
 fn told(folder: &Folder, name: &str, broker: &Broker, prefix: &str) -> Vec<Row> {
     let port = broker.port.to_string();
     let listen = |more: &[&str]| {
@@ -164,7 +164,7 @@ fn told(folder: &Folder, name: &str, broker: &Broker, prefix: &str) -> Vec<Row> 
         let heard = Command::new("mosquitto_sub").args(args).args(more).stderr(Stdio::null()).output().unwrap();
         String::from_utf8(heard.stdout).unwrap()
     };
-    // Whoever has asked once gets all that is said while they are away.
+    // A client with a session gets all messages of its absence.
     listen(&["-E"]);
     let url = broker.url(&format!("{prefix}?allow-fast=true&style=plain"));
     folder.run(&format!("run {name} --quiet --force --for 20m --out {url} --out csv:beside.csv")).ok();
@@ -184,7 +184,7 @@ fn told(folder: &Folder, name: &str, broker: &Broker, prefix: &str) -> Vec<Row> 
     rows.into_values().collect()
 }
 
-/// A day that is lived in the page, as fast as it goes, with the log of its folder.
+/// A simulated day in the page, at full speed, with the log of its folder.
 fn looked_at(folder: &Folder, name: &str) -> Vec<Row> {
     use tungstenite::Message;
     use tungstenite::client::IntoClientRequest;
@@ -220,7 +220,7 @@ fn looked_at(folder: &Folder, name: &str) -> Vec<Row> {
     rows
 }
 
-/// Three lives side by side on one processor, on all, and each alone. Returns how many were compared.
+/// Three runs in parallel on one processor, on all, and each alone. Returns the number of comparisons.
 fn cohort(folder: &Folder, name: &str) -> usize {
     let live = |first: &str| {
         let mut command = Command::new("taskset");

@@ -9,7 +9,7 @@ use serde_json::Value;
 use std::fs;
 use std::os::unix::fs::PermissionsExt;
 
-/// What the doctor says of a place: whether something is wrong, and its checks as `verdict about: says`.
+/// The report of the doctor on a place: if a check is wrong, and its checks as `verdict about: says`.
 fn doctor(folder: &Folder, words: &str) -> (bool, Vec<String>) {
     let said = folder.run(&format!("doctor {words} --json"));
     assert!(!said.out.contains("s3cr3t-canary") && !said.err.contains("s3cr3t-canary"), "{}", said.out);
@@ -47,7 +47,7 @@ fn an_installation_is_looked_at() {
         assert!(said.out.contains(&format!("  {about}")), "{about}: {}", said.out);
     }
     assert!(folder.files().iter().all(|file| file.starts_with("flat/")), "it leaves nothing");
-    // What is wrong with the words is exit code 2.
+    // An invalid argument gives exit code 2.
     for (place, what) in [
         ("nonsense:x", "is not a place for a log"),
         ("postgresql://ann:s3cr3t-canary@host/homes", "had a password in it"),
@@ -211,7 +211,7 @@ fn finds_the_faults_of_a_database_on_a_server() {
     server.psql(&database, "CREATE ROLE guest LOGIN; REVOKE CREATE ON SCHEMA public FROM PUBLIC");
     tells(&folder, &server.url("guest", &database, ""), "wrong", "has no right to INSERT");
     tells(&folder, &server.url("guest", "postgres", "&schema=fresh"), "wrong", "may not create one");
-    // That a role may only read is told once for each schema, and not for each of the truth's tables.
+    // Read-only access of a role is reported once for each schema, and not for each table of the truth.
     let reads = "CREATE ROLE looker LOGIN; GRANT USAGE ON SCHEMA truth TO looker; \
                  GRANT SELECT ON ALL TABLES IN SCHEMA public, truth TO looker";
     server.psql(&database, reads);
@@ -248,7 +248,7 @@ fn finds_the_faults_of_a_broker() {
     tells(&folder, &broker.url("homes").to_string(), "wrong", "rejects this user");
 }
 
-/// What a broker keeps below `homes`, a line each.
+/// The retained messages of a broker below `homes`, one per line.
 fn broker_keeps(broker: &Broker) -> String {
     let port = broker.port.to_string();
     let args = ["-h", "127.0.0.1", "-p", &port, "-t", "homes/#", "--retained-only", "-W", "1", "-v"];
@@ -256,7 +256,7 @@ fn broker_keeps(broker: &Broker) -> String {
     String::from_utf8(heard.stdout).unwrap()
 }
 
-/// Before there were tables `outside` and `home`, truths had none; they are as whole as they were.
+/// Ground truths without the later tables `outside` and `home` are intact.
 #[test]
 fn a_truth_of_an_earlier_version_is_whole() {
     let folder = flat();
@@ -300,7 +300,7 @@ fn a_truth_of_an_earlier_version_is_whole() {
     is_whole(&folder, &carers);
 }
 
-/// A fleet has many runs: one line tells of them, and homes that come and go are no loss.
+/// A fleet has many runs: one line reports them, and added or removed homes are not losses.
 #[test]
 fn the_homes_of_a_fleet_are_told_of_together() {
     let Some(server) = Server::shared() else { return };
@@ -318,7 +318,7 @@ fn the_homes_of_a_fleet_are_told_of_together() {
     // As homes that were away leave it.
     server.psql(&database, "DELETE FROM churn.firing WHERE seq BETWEEN 10 AND 19");
     tells(&folder, &churned, "warning", "20 homes of a fleet lack the rows of 200 numbers");
-    // The control: what is there twice, or more of it than was told, is wrong in a fleet, too.
+    // The control: duplicate or surplus rows are wrong in a fleet, too.
     server.psql(&database, "UPDATE homebody_run SET rows = ARRAY[1] WHERE home = 'home00004'");
     tells(&folder, &url, "wrong", "and \"homebody_run\" says 1");
 }

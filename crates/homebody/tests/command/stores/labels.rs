@@ -36,7 +36,7 @@ fn labels_are_the_same_from_whatever_the_truth_was_written_to() {
     folder.run("label log.csv parquet:set --out csv:x.csv").fails(1, "name one of run=");
     let id = folder.query("truth.db", "SELECT run_id FROM run").remove(0);
     same(&format!("parquet:set/run={id}"));
-    // What is missing is told, all of it.
+    // All missing parts are reported.
     std::fs::remove_file(folder.path("columns.off.arrow")).unwrap();
     std::fs::remove_file(folder.path("columns.room.arrow")).unwrap();
     let said =
@@ -108,7 +108,7 @@ fn activities_come_back_from_a_server_and_a_truth_lies_beside_its_log_there() {
     folder.run("convert runs/tigerplace-1 --activities --out csv:wanted.csv").ok();
     let wanted = folder.read("wanted.activity.csv");
     assert!(wanted.lines().count() > 10);
-    // From the truth beside it.
+    // From the ground truth next to it.
     folder.run(&format!("convert {url} --activities --mapping tigerplace/logger.json --out csv:beside.csv")).ok();
     assert_eq!(folder.read("beside.activity.csv").lines().count(), wanted.lines().count());
     // Of a log that was written anew they go along, and come back.

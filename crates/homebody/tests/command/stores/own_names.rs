@@ -4,14 +4,14 @@ use crate::flat::flat;
 use crate::folder::Folder;
 use crate::postgres::Server;
 
-/// As a network of somebody's might have it: no name of it is one of the usual ones.
+/// A logger file with unusual names only.
 const LOGGER: &str = r#"{
   "to": ["sqlite:log.db"],
   "table": "uplink",
   "columns": { "run": "stay", "seq": "nr", "time": "heard", "sensor": "mote", "value": "payload" }
 }"#;
 
-/// What sensors said, in the order in which it is told; times are told by some places in UTC and by some on the wall.
+/// The values of sensors, in order; some places have times in UTC, and some in local time.
 fn said(folder: &Folder, place: &str) -> Vec<String> {
     folder.run(&format!("convert {place} --out csv:read.csv --force")).ok();
     let rows = folder.read("read.csv");
@@ -36,7 +36,7 @@ fn a_log_under_a_networks_names_is_read_without_a_mapping() {
     // The truth is labelled with, whatever the log is called.
     folder.run("label parquet:set parquet:truth --out csv:labelled.csv").ok();
     assert!(folder.read("labelled.csv").lines().count() == wanted.len() + 1);
-    // The control: a table of a truth has instants and texts, too, and is no log.
+    // The control: a table of a truth also has instants and texts, but it is not a log.
     for table in ["act", "cause", "lost"] {
         folder
             .run(&format!("convert parquet:truth/{table} --out csv:x.csv"))

@@ -16,19 +16,19 @@ use clap::Subcommand;
   homebody routine day scenarios/tigerplace 2009-03-03 --png day.png
 
 docs/reference/routine-language.md describes the language.")]
-pub struct Arguments {
+pub struct RoutineArguments {
     #[command(subcommand)]
     question: Question,
 }
 
 #[derive(Subcommand)]
 enum Question {
-    Check(check::Arguments),
-    Explain(explain::Arguments),
+    Check(check::RoutineCheckArguments),
+    Explain(explain::RoutineExplainArguments),
     Day(day::Arguments),
 }
 
-impl Arguments {
+impl RoutineArguments {
     pub fn run(self) -> Result<(), Failure> {
         match self.question {
             Question::Check(arguments) => arguments.run(),

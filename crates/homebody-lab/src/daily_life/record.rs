@@ -9,35 +9,30 @@ use homebody_core::time::{Interval, MINUTE, RunTime, Span};
 use homebody_timeline::{Episode, PersonTimeline};
 use std::ops::Range;
 
-/// A simulated person and their home.
+/// A simulated person and the home.
 #[derive(Clone, Debug)]
-pub struct Lived<'a> {
+pub struct PersonRecord<'a> {
     pub events: &'a Events,
-    /// The resident.
     pub resident: ResidentId,
-    /// The resident's activities and rooms, over the whole run.
     pub timeline: &'a PersonTimeline,
     pub calendar: &'a Calendar,
-    /// The days that count; the run begins before the first and ends with the last.
+    /// The days that count; the run starts before the first and ends with the last.
     pub days: Range<i32>,
-    /// The room that people pass through: where a line of sensors would be.
+    /// The room that people pass through: the place of a line of sensors.
     pub hall: Option<&'a str>,
-    /// By sensor: whether it detects motion.
+    /// By sensor: true if it detects motion.
     pub is_motion: &'a [bool],
-    /// Time that a firing keeps its sensor ON.
     pub hold: Span,
 }
 
-/// A movement or rest of a body.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Moved {
+pub struct BodyMovement {
     pub time: Interval<RunTime>,
     pub doing: MotionState,
     pub posture: Posture,
 }
 
-impl<'a> Lived<'a> {
-    /// Midnight at the beginning of a day.
+impl<'a> PersonRecord<'a> {
     pub fn midnight(&self, day: i32) -> RunTime {
         self.calendar.instant(day, Span::ZERO)
     }
@@ -55,17 +50,17 @@ impl<'a> Lived<'a> {
     }
 
     /// The movements and rests of the body, over the whole run.
-    pub fn moves(&self) -> Vec<Moved> {
+    pub fn moves(&self) -> Vec<BodyMovement> {
         let moved = |fact: &Fact| match *fact {
             Fact::Movement { resident, begin, end, doing, posture } if resident == self.resident => {
-                Some(Moved { time: Interval::new(begin, end), doing, posture })
+                Some(BodyMovement { time: Interval::new(begin, end), doing, posture })
             }
             _ => None,
         };
         self.events.facts.iter().filter_map(moved).collect()
     }
 
-    /// The rooms that the person entered after another one, with the instants; doorways and time away are no rooms.
+    /// The rooms that the person entered from another one, with the instants; doorways and time away do not count.
     pub fn rooms(&self) -> Vec<(RunTime, &'a str)> {
         let entered = self.timeline.rooms.iter().map(|stay| (stay.begin(), stay.label.as_str()));
         let mut rooms: Vec<(RunTime, &str)> = entered.collect();
@@ -73,7 +68,7 @@ impl<'a> Lived<'a> {
         rooms
     }
 
-    /// The intervals in which each motion sensor was ON, as a log with a hold has them, in order of beginning.
+    /// The ON times of the motion sensors, as in a log with a hold, in order of their start.
     pub fn ons(&self) -> Vec<(SensorId, Interval<RunTime>)> {
         let mut ons: Vec<(SensorId, Interval<RunTime>)> = Vec::new();
         let mut last: Vec<Option<usize>> = vec![None; self.is_motion.len()];
@@ -97,8 +92,8 @@ impl<'a> Lived<'a> {
     }
 }
 
-/// The speed of a stride that is long enough to tell.
-pub fn speed_mps(moved: &Moved) -> Option<f64> {
+/// The speed of a stride that is long enough.
+pub fn speed_mps(moved: &BodyMovement) -> Option<f64> {
     /// Shortest walk with a measured speed, as on a line of sensors (our choice).
     const LEAST_M: f64 = 1.0;
     let MotionState::Stride { from, to } = moved.doing else { return None };
@@ -114,10 +109,8 @@ pub fn minutes(span: Span) -> f64 {
     span.seconds() / 60.0
 }
 
-/// Hours of an activity inside an interval.
 pub fn overlap_h(done: &Episode, within: Interval<RunTime>) -> f64 {
     hours(done.time.overlap(within))
 }
 
-/// Half an hour.
 pub const HALF_HOUR: Span = MINUTE.times(30);

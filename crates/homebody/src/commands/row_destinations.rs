@@ -12,82 +12,81 @@ use std::str::FromStr;
 /// Destinations of rows for programs.
 #[derive(clap::Args)]
 #[command(next_help_heading = "Output")]
-pub struct ForPrograms {
+pub struct RowDestinations {
     /// Also write the results as rows for other programs: FILE.jsonl (jsonl:- for standard output), FILE.db (SQLite), or fhir:FILE
     /// (homebody measures only); repeatable
     #[arg(short = 'o', long = "out", value_name = "DESTINATION")]
-    to: Vec<To>,
+    to: Vec<RowDestination>,
 }
 
-/// A place for rows.
 #[derive(Clone, Debug, PartialEq)]
-enum To {
+enum RowDestination {
     Lines(PathBuf),
     Database(PathBuf),
     Fhir(PathBuf),
 }
 
-impl FromStr for To {
+impl FromStr for RowDestination {
     type Err = String;
 
-    fn from_str(text: &str) -> Result<To, String> {
+    fn from_str(text: &str) -> Result<RowDestination, String> {
         if let Some(("fhir", file)) = text.split_once(':').filter(|(_, file)| !file.is_empty()) {
-            return Ok(To::Fhir(file.into()));
+            return Ok(RowDestination::Fhir(file.into()));
         }
         match Scheme::split(text) {
-            Ok((Scheme::Jsonl, file)) => Ok(To::Lines(file.into())),
-            Ok((Scheme::Sqlite, file)) => Ok(To::Database(file.into())),
+            Ok((Scheme::Jsonl, file)) => Ok(RowDestination::Lines(file.into())),
+            Ok((Scheme::Sqlite, file)) => Ok(RowDestination::Database(file.into())),
             _ => Err("\n  hint: write jsonl:FILE, sqlite:FILE, or fhir:FILE for measures".into()),
         }
     }
 }
 
-impl ForPrograms {
-    /// Refuses destinations that cannot be written, before the command starts its work.
+impl RowDestinations {
+    /// Refuses destinations that cannot be written, before the work starts.
     pub fn check(&self, has_fhir: bool, sources: &[PathBuf], force: bool) -> Result<(), Failure> {
-        if !has_fhir && self.to.iter().any(|to| matches!(to, To::Fhir(_))) {
+        if !has_fhir && self.to.iter().any(|to| matches!(to, RowDestination::Fhir(_))) {
             return Err(Failure::asked(ResultMessage::Fhir));
         }
-        let files: Vec<&PathBuf> = self.to.iter().filter_map(To::whole_file).collect();
+        let files: Vec<&PathBuf> = self.to.iter().filter_map(RowDestination::whole_file).collect();
         let files: Vec<&std::path::Path> = files.into_iter().map(PathBuf::as_path).collect();
         Ok(can_be_written(&files, sources, force)?)
     }
 
-    /// Whether rows go to standard output, so that nothing else may.
+    /// True if rows go to standard output, which must then have nothing else.
     pub fn is_printed(&self) -> bool {
-        self.to.contains(&To::Lines("-".into()))
+        self.to.contains(&RowDestination::Lines("-".into()))
     }
 
-    /// Whether nothing is asked for but lines on standard output.
+    /// True if the only destination is standard output, or there is none.
     pub fn is_empty_or_printed(&self) -> bool {
-        self.to.iter().all(|to| *to == To::Lines("-".into()))
+        self.to.iter().all(|to| *to == RowDestination::Lines("-".into()))
     }
 
-    /// Stores rows; `fhir` makes the bundle where it is asked for.
+    /// Stores rows; `fhir` makes the bundle if a destination needs it.
     pub fn store(&self, records: &Records, fhir: &dyn Fn() -> Value, force: bool) -> Result<(), Failure> {
         for to in &self.to {
             match to {
-                To::Lines(path) if path.as_os_str() == "-" => print_json_text(&records.lines())?,
-                To::Lines(path) => write_file(path, records.lines().as_bytes(), force)?,
-                To::Database(path) => records.store(path, force)?,
-                To::Fhir(path) => write_file(path, json_text(&fhir())?.as_bytes(), force)?,
+                RowDestination::Lines(path) if path.as_os_str() == "-" => print_json_text(&records.lines())?,
+                RowDestination::Lines(path) => write_file(path, records.lines().as_bytes(), force)?,
+                RowDestination::Database(path) => records.store(path, force)?,
+                RowDestination::Fhir(path) => write_file(path, json_text(&fhir())?.as_bytes(), force)?,
             }
         }
         Ok(())
     }
 }
 
-impl To {
-    /// The file that is written as a whole.
+impl RowDestination {
+    /// The file of a destination that is written as a whole.
     fn whole_file(&self) -> Option<&PathBuf> {
         match self {
-            To::Lines(path) | To::Fhir(path) if path.as_os_str() != "-" => Some(path),
+            RowDestination::Lines(path) | RowDestination::Fhir(path) if path.as_os_str() != "-" => Some(path),
             _ => None,
         }
     }
 }
 
-/// A row of the named values of something.
+/// The fields of a value as a row.
 pub fn row(of: &impl serde::Serialize) -> serde_json::Map<String, Value> {
     match serde_json::to_value(of) {
         Ok(Value::Object(row)) => row,

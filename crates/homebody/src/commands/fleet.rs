@@ -7,10 +7,10 @@ use super::replacing::Replacing;
 use super::scenario::Trust;
 use crate::failure::{EXIT_CODES, Failure};
 use crate::length::span;
+use crate::metrics::MetricsArguments;
 use crate::print::{ResultMessage, counted, tell, write_file};
 use crate::signals::Signals;
-use crate::start::Start;
-use crate::watched::Watched;
+use crate::start::StartTime;
 use homebody_core::problem::Problems;
 use homebody_core::time::{MINUTE, RunTime, SECOND, Span, UtcTime};
 use homebody_fleet::{Churn, FleetError, FleetHomes, FleetRun, FleetSetup, MOST_HOMES, Outages, Patience};
@@ -58,7 +58,7 @@ pub struct Arguments {
     ///
     /// Homebody simulates the time before now as fast as possible.
     #[arg(long, value_name = "TIME", default_value = "now")]
-    start: Start,
+    start: StartTime,
     /// Simulated seconds per real second, from the start on: 0.1 to 1000 (default: real time)
     #[arg(long, value_name = "FACTOR", value_parser = speed)]
     speed: Option<f64>,
@@ -95,7 +95,7 @@ pub struct Arguments {
     #[arg(long, value_name = "FILE")]
     list: Option<PathBuf>,
     #[command(flatten)]
-    watched: Watched,
+    metrics: MetricsArguments,
     #[command(flatten)]
     replacing: Replacing,
     /// Print errors only
@@ -176,7 +176,7 @@ impl Arguments {
             write_list(list, &told::list(&fleet), self.replacing.force)?;
         }
         let report = self.report.as_ref().map(|path| reports(path, self.replacing.force)).transpose()?;
-        let look = self.watched.begin_fleet(&names.join(", "))?;
+        let look = self.metrics.begin_fleet(&names.join(", "))?;
         let mut telling = Telling::begin(self.quiet, self.json, report, look);
         run.patience = Patience {
             retry_for: if self.on_unavailable == WhenAway::Retry { RETRY_FOR } else { Duration::ZERO },

@@ -1,14 +1,13 @@
 //! `homebody silhouettes`: the stored silhouettes of a run's cameras, as pictures, a film or a table.
 
-mod asked;
 pub mod messages;
 mod outputs;
+mod selection;
 
-use super::answer::Answer;
 use super::falls::{looking_bar, position};
+use super::result_output::ResultOutput;
 use crate::failure::{EXIT_CODES, Failure};
 use crate::length::span;
-use asked::Asked;
 use homebody_core::problem::counted;
 use homebody_core::time::{Interval, RunTime, SECOND, Span};
 use homebody_log::LogError;
@@ -16,7 +15,8 @@ use homebody_log::run::places::SILHOUETTES;
 use homebody_log::silhouettes::KeptSilhouettes;
 use homebody_picture::{SilhouetteStrip, StripMoment, silhouette_strip};
 use homebody_query::{LogRef, RunSilhouettes};
-use outputs::{Output, Outputs, Written};
+use outputs::{SilhouetteCount, SilhouetteOutput, SilhouetteOutputs, WrittenOutput};
+use selection::SilhouetteSelection;
 use serde::Serialize;
 use std::fmt;
 use std::path::PathBuf;
@@ -42,7 +42,7 @@ const STRIP_EVERY: Span = SECOND;
 If two pictures are more than a second apart, a film shows them one second apart.
 
 {EXIT_CODES}."))]
-pub struct Arguments {
+pub struct SilhouettesArguments {
     /// Folder of a run with cameras
     run: String,
     /// Export only this camera; repeatable
@@ -67,27 +67,33 @@ pub struct Arguments {
     #[arg(long, value_name = "N", help_heading = "Output", default_value_t = 3, value_parser = clap::value_parser!(u32).range(1..=32))]
     scale: u32,
     #[command(flatten)]
-    answer: Answer,
+    output: ResultOutput,
 }
 
-impl Arguments {
+impl SilhouettesArguments {
     pub fn run(self) -> Result<(), Failure> {
         let named = LogRef::find(&self.run)?;
         let kept = RunSilhouettes::beside(&named)?;
         let mut sources = named.place.files();
         sources.push(named.place.path().with_file_name(SILHOUETTES));
-        let strip = self.answer.draws().then(|| self.every.unwrap_or(STRIP_EVERY) * i64::from(self.frames - 1));
-        let asked = Asked::of(&kept, (&self.camera[..], self.from.as_deref(), self.to.as_deref()), strip)?;
-        let outputs = Output::of(&self.out, &sources, self.answer.replaces())?;
-        let checked = self.answer.check([""], &sources)?;
+        let strip = self.output.has_pictures().then(|| self.every.unwrap_or(STRIP_EVERY) * i64::from(self.frames - 1));
+        let selection =
+            SilhouetteSelection::parse(&kept, (&self.camera[..], self.from.as_deref(), self.to.as_deref()), strip)?;
+        let outputs = SilhouetteOutput::check_all(&self.out, &sources, self.output.replaces())?;
+        let checked = self.output.check([""], &sources)?;
         let bar = looking_bar(&named);
-        let mut answered = self.survey(&named.name, &kept, &asked, &bar)?;
-        let mut film = self.answer.draws().then(|| Strip::new(&asked, self.every.unwrap_or(STRIP_EVERY), self.frames));
-        let (counted, scale) = (answered.counted(), self.scale);
-        let mut outputs = Outputs::begin(outputs, &kept, &asked.cameras, counted, scale, self.answer.replaces())?;
+        let mut answered = self.survey(&named.name, &kept, &selection, &bar)?;
+        let mut film = self
+            .output
+            .has_pictures()
+            .then(|| StripMoments::new(&selection, self.every.unwrap_or(STRIP_EVERY), self.frames));
+        let counted = SilhouetteCount { pictures: answered.pictures, instants: answered.instants };
+        let scale = self.scale;
+        let mut outputs =
+            SilhouetteOutputs::begin(outputs, &kept, &selection.cameras, counted, scale, self.output.replaces())?;
         if film.is_some() || !outputs.is_empty() {
             let mut thinned = Thinned::new(self.every);
-            asked.for_each::<Failure>(&kept, |kept, camera| {
+            selection.for_each::<Failure>(&kept, |kept, camera| {
                 bar.set_position(position(kept.at));
                 if let Some(film) = &mut film {
                     film.take(camera, &kept);
@@ -99,24 +105,24 @@ impl Arguments {
         answered.written = outputs.finish()?;
         let names: Vec<&str> = answered.cameras.iter().map(|camera| camera.name.as_str()).collect();
         let draw = || {
-            let strip = film.as_ref().map(|film| film.strip(&named.name, &names, |at| asked::clock(&kept, at)));
+            let strip = film.as_ref().map(|film| film.strip(&named.name, &names, |at| selection::clock(&kept, at)));
             strip.as_ref().map_or_else(String::new, silhouette_strip)
         };
-        checked.give(&answered, [&draw])
+        checked.write(&answered, [&draw])
     }
 
-    /// Counts what there is to be written, before anything is.
+    /// Counts the silhouettes, before any output starts.
     fn survey(
         &self,
         name: &str,
         kept: &RunSilhouettes,
-        asked: &Asked,
+        selection: &SilhouetteSelection,
         bar: &indicatif::ProgressBar,
-    ) -> Result<Answered, Failure> {
-        let mut seen = vec![(0u64, None::<(RunTime, RunTime)>); asked.cameras.len()];
+    ) -> Result<SilhouettesAnswer, Failure> {
+        let mut seen = vec![(0u64, None::<(RunTime, RunTime)>); selection.cameras.len()];
         let (mut instants, mut last) = (0, RunTime::MIN);
         let mut thinned = Thinned::new(self.every);
-        asked.for_each::<LogError>(kept, |kept, camera| {
+        selection.for_each::<LogError>(kept, |kept, camera| {
             bar.set_position(position(kept.at));
             if !thinned.takes(kept.at) {
                 return Ok(());
@@ -129,27 +135,27 @@ impl Arguments {
             Ok(())
         })?;
         if instants == 0 {
-            return Err(asked.nothing(kept)?);
+            return Err(selection.nothing(kept)?);
         }
-        let cameras = asked.cameras.iter().zip(seen).map(|(&camera, (pictures, span))| {
+        let cameras = selection.cameras.iter().zip(seen).map(|(&camera, (pictures, span))| {
             let file = &kept.silhouettes.cameras[camera].file;
-            CameraTold {
+            CameraSummary {
                 name: file.name.clone(),
                 columns: file.pixels[0],
                 rows: file.pixels[1],
                 frames_per_s: file.frames_per_s,
                 pictures,
-                first: span.map(|(first, _)| asked::clock(kept, first)),
-                last: span.map(|(_, last)| asked::clock(kept, last)),
+                first: span.map(|(first, _)| selection::clock(kept, first)),
+                last: span.map(|(_, last)| selection::clock(kept, last)),
             }
         });
-        let cameras: Vec<CameraTold> = cameras.collect();
+        let cameras: Vec<CameraSummary> = cameras.collect();
         let pictures = cameras.iter().map(|camera| camera.pictures).sum();
-        Ok(Answered { name: name.into(), pictures, instants, cameras, written: Vec::new() })
+        Ok(SilhouettesAnswer { name: name.into(), pictures, instants, cameras, written: Vec::new() })
     }
 }
 
-/// Takes pictures of instants that are so far apart, of all cameras at once.
+/// Selects instants with at least this time between them, for all cameras at once.
 struct Thinned {
     every: Span,
     taken: Option<RunTime>,
@@ -169,22 +175,22 @@ impl Thinned {
     }
 }
 
-/// The moments of a strip, as its pictures come.
-struct Strip {
+/// The moments of a strip so far.
+struct StripMoments {
     moments: Vec<(RunTime, Vec<Option<KeptSilhouettes>>)>,
-    /// How long a picture is the latest, by camera.
+    /// Time for which a picture is the latest, by camera.
     periods: Vec<Span>,
     sizes: Vec<[u32; 2]>,
 }
 
-impl Strip {
-    fn new(asked: &Asked, every: Span, count: u8) -> Strip {
-        let moment = |index| (asked.span.begin + every * i64::from(index), vec![None; asked.cameras.len()]);
-        let within = |(at, _): &(RunTime, _)| *at < asked.span.end;
-        Strip {
+impl StripMoments {
+    fn new(selection: &SilhouetteSelection, every: Span, count: u8) -> StripMoments {
+        let moment = |index| (selection.span.begin + every * i64::from(index), vec![None; selection.cameras.len()]);
+        let within = |(at, _): &(RunTime, _)| *at < selection.span.end;
+        StripMoments {
             moments: (0..count).map(moment).filter(within).collect(),
-            periods: asked.files.iter().map(|file| file.period()).collect(),
-            sizes: asked.files.iter().map(|file| file.pixels).collect(),
+            periods: selection.files.iter().map(|file| file.period()).collect(),
+            sizes: selection.files.iter().map(|file| file.pixels).collect(),
         }
     }
 
@@ -208,49 +214,43 @@ impl Strip {
     }
 }
 
-/// What there is, and what was written of it.
+/// The silhouettes, and the outputs that were written.
 #[derive(Serialize)]
-struct Answered {
+struct SilhouettesAnswer {
     name: String,
-    /// How many silhouettes.
+    /// Number of silhouettes.
     pictures: u64,
-    /// How many instants they are of.
+    /// Number of their instants.
     instants: u64,
-    cameras: Vec<CameraTold>,
-    written: Vec<Written>,
+    cameras: Vec<CameraSummary>,
+    written: Vec<WrittenOutput>,
 }
 
 #[derive(Serialize)]
-struct CameraTold {
+struct CameraSummary {
     name: String,
     columns: u32,
     rows: u32,
     frames_per_s: f64,
     pictures: u64,
-    /// On the clock on the wall.
+    /// In local time.
     first: Option<String>,
     last: Option<String>,
 }
 
-impl Answered {
-    fn counted(&self) -> outputs::Counted {
-        outputs::Counted { pictures: self.pictures, instants: self.instants }
-    }
-}
-
-impl fmt::Display for Answered {
+impl fmt::Display for SilhouettesAnswer {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
         let pictures = counted(self.pictures as usize, "silhouette", "silhouettes");
         let instants = counted(self.instants as usize, "instant", "instants");
         writeln!(f, "{}: {pictures} at {instants}", self.name)?;
-        for CameraTold { name, columns, rows, frames_per_s, pictures, first, last } in &self.cameras {
+        for CameraSummary { name, columns, rows, frames_per_s, pictures, first, last } in &self.cameras {
             write!(f, "  {name}, {columns} x {rows}, {frames_per_s} per second: ")?;
             match (first, last) {
                 (Some(first), Some(last)) => writeln!(f, "{pictures}, {first} to {last}")?,
                 _ => writeln!(f, "0")?,
             }
         }
-        for Written { path, what } in &self.written {
+        for WrittenOutput { path, what } in &self.written {
             writeln!(f, "{path}: {what}")?;
         }
         Ok(())

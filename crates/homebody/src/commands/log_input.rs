@@ -1,4 +1,4 @@
-//! The log of a command, and the notes on it.
+//! The log of a command, its options, and notes on it.
 
 use super::messages::LogContentMessage;
 use crate::failure::Failure;
@@ -8,33 +8,50 @@ use homebody_log::log::{Clock, ColumnRole};
 use homebody_log::source::{DateOrder, DecimalMark, HomeColumn, TableOptions};
 use homebody_log::{Log, read_mapping};
 use homebody_query::{IncompleteLog, LoadedLog, LogRef};
+use std::fmt;
 use std::path::PathBuf;
 
 /// A log, and how its table is read.
 #[derive(clap::Args)]
-pub struct Mapped {
+pub struct LogArguments {
     /// Log: a file, a run folder, a data set folder, or FORM:FILE
     log: String,
     #[command(flatten)]
-    how: HowRead,
+    how: LogOptions,
 }
 
-impl Mapped {
-    /// As it was named.
+impl LogArguments {
     pub fn text(&self) -> &str {
         &self.log
     }
 
-    /// Finds it.
+    pub fn how(&self) -> &LogOptions {
+        &self.how
+    }
+
+    pub fn read(&self, zone: Option<&str>) -> Result<LoadedLog, Failure> {
+        read_log(&self.log, zone, &self.how)
+    }
+
+    pub fn read_any_length(&self, zone: Option<&str>) -> Result<LoadedLog, Failure> {
+        read_any_length(&self.log, zone, &self.how)
+    }
+
     pub fn find(&self) -> Result<LogRef, Failure> {
         self.how.find(&self.log)
     }
 }
 
-/// How to read the table of a log, where its headings and rows do not decide it.
+impl fmt::Display for LogArguments {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        f.write_str(&self.log)
+    }
+}
+
+/// The interpretation of a table, if its headings and rows do not determine it.
 #[derive(clap::Args, Clone, Default)]
 #[command(next_help_heading = "Input form")]
-pub struct HowRead {
+pub struct LogOptions {
     /// File such as logger.json with the table and column names of a database or CSV file, if the names are unusual
     #[arg(long, value_name = "FILE")]
     mapping: Option<PathBuf>,
@@ -70,8 +87,8 @@ enum Decimals {
     Point,
 }
 
-impl HowRead {
-    /// Finds a log that is read so.
+impl LogOptions {
+    /// Finds a log, with these options.
     pub fn find(&self, text: &str) -> Result<LogRef, Failure> {
         let mut named = LogRef::find(text)?;
         if let Some(path) = &self.mapping {
@@ -81,7 +98,7 @@ impl HowRead {
         Ok(named)
     }
 
-    /// Reads a log on the clock on the wall of its home.
+    /// Reads a log in the local time of its home.
     pub fn read(&self, text: &str, zone: Option<&str>) -> Result<LoadedLog, Failure> {
         Ok(LoadedLog::from_ref(self.find(text)?, zone)?)
     }
@@ -103,39 +120,37 @@ impl HowRead {
     }
 }
 
-/// Reads a log on the clock on the wall of its home, and reports on standard error which parts of it are left out or guessed.
-pub fn read_log(text: &str, zone: Option<&str>, how: &HowRead) -> Result<LoadedLog, Failure> {
-    let reading = Working::on(format!("reading {text}"));
-    let read = how.read(text, zone)?;
-    drop(reading);
-    Ok(remarked(text, read))
+/// Reads a log in the local time of its home, and reports on standard error which parts are missing or guessed.
+pub fn read_log(text: &str, zone: Option<&str>, how: &LogOptions) -> Result<LoadedLog, Failure> {
+    read_with(text, || how.read(text, zone))
 }
 
-/// The same of a log of any length: the rows of a long one are not in memory.
-pub fn read_any_length(text: &str, zone: Option<&str>, how: &HowRead) -> Result<LoadedLog, Failure> {
-    let reading = Working::on(format!("reading {text}"));
-    let read = LoadedLog::of_any_length(how.find(text)?, zone)?;
-    drop(reading);
-    Ok(remarked(text, read))
+/// Reads a log of any length. The rows of a long one stay on disk.
+pub fn read_any_length(text: &str, zone: Option<&str>, how: &LogOptions) -> Result<LoadedLog, Failure> {
+    read_with(text, || Ok(LoadedLog::of_any_length(how.find(text)?, zone)?))
 }
 
-fn remarked(text: &str, read: LoadedLog) -> LoadedLog {
-    tell_remarks(text, &read.log);
-    if read.log.skipped > 0 {
-        tell(format_args!(
-            "{text}: skipped {}; homebody inspect lists them",
-            counted(read.log.skipped, "line", "lines")
-        ));
-    }
-    tell_unfinished(text, read.incomplete.as_ref());
+fn read_with(text: &str, read: impl FnOnce() -> Result<LoadedLog, Failure>) -> Result<LoadedLog, Failure> {
+    let reading = Working::on(format!("reading {text}"));
+    let read = read()?;
+    drop(reading);
+    print_remarks(text, &read.log);
+    print_skipped(text, &read.log);
+    warn_of_incomplete(text, read.incomplete.as_ref());
     if read.log.clock == Clock::Utc {
         tell(format_args!("{text}: times are in UTC; --time-zone sets the home's own zone"));
     }
-    read
+    Ok(read)
 }
 
-/// Says which columns were taken for time, sensor and value by their cells, where no heading decides it.
-fn tell_guessed(name: &str, log: &Log) {
+pub fn print_skipped(text: &str, log: &Log) {
+    if log.skipped > 0 {
+        tell(format_args!("{text}: skipped {}; homebody inspect lists them", counted(log.skipped, "line", "lines")));
+    }
+}
+
+/// Reports which columns were guessed by their cells.
+fn print_guesses(name: &str, log: &Log) {
     let guessed = log.columns.iter().filter(|of| of.is_guess && !of.column.is_empty());
     let guessed: Vec<String> = guessed
         .filter_map(|of| {
@@ -160,14 +175,14 @@ fn tell_guessed(name: &str, log: &Log) {
 }
 
 /// Warns of an incomplete run, whose log lacks its later rows.
-pub fn tell_unfinished(text: &str, unfinished: Option<&IncompleteLog>) {
+pub fn warn_of_incomplete(text: &str, unfinished: Option<&IncompleteLog>) {
     if let Some(run) = unfinished {
         warn(LogContentMessage::IncompleteRun { log: text.to_owned(), resume: run.folder.clone() });
     }
 }
 
-/// Reports what of a log was guessed, and what was left out but for single lines.
-pub fn tell_remarks(name: &str, log: &Log) {
-    tell_guessed(name, log);
+/// Reports guesses about a log, and its missing parts except for single lines.
+pub fn print_remarks(name: &str, log: &Log) {
+    print_guesses(name, log);
     log.remarks.iter().for_each(|remark| tell(format_args!("{name}: {remark}")));
 }

@@ -1,4 +1,4 @@
-//! The truth of a run, kept in little memory: activities, rooms, walks, and things that were on or open.
+//! The ground truth of a run in little memory: activities, rooms, walks, and things that were on or open.
 
 use super::subject::{Filter, Subject};
 use homebody_core::activity::{
@@ -40,23 +40,21 @@ const EACH_ALONE: [&str; 9] =
 /// Shortest stride with a known speed, in metres (our choice).
 const LEAST_M: f64 = 1.0;
 
-/// When something was done, was on, or was open; `lasted` leaves interruptions out.
+/// An interval of an activity, or of a thing that was on or open; `lasted` omits interruptions.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Occurrence {
-    /// The day, or the night, that it counts to.
+    /// The day, or the night, that counts it.
     pub day: i32,
     pub time: Interval<RunTime>,
     pub lasted: Span,
-    /// When it begins, in minutes of the day.
-    clock_min: f64,
+    /// The start, in minutes of the day.
+    pub clock_min: f64,
 }
 
-/// The truth of a run, as far as claims ask for it.
 #[derive(Clone, Debug)]
-pub struct Life {
+pub struct ClaimTruth {
     calendar: Calendar,
     days: i32,
-    /// Takes facts until the run ends.
     builder: TimelineBuilder,
     /// The activities and rooms of each body, once the run has ended.
     people: Vec<PersonTimeline>,
@@ -73,12 +71,12 @@ struct Body {
     metres: Vec<f64>,
     paces: Vec<(f64, f64)>,
     turning_s: Vec<f64>,
-    /// The severities of conditions, from when on.
+    /// The severities of conditions, with their start.
     severities: Vec<(RunTime, String, f64)>,
 }
 
-impl Life {
-    pub fn new(run: &Run, calendar: &Calendar, days: i32) -> Life {
+impl ClaimTruth {
+    pub fn new(run: &Run, calendar: &Calendar, days: i32) -> ClaimTruth {
         let plan = &run.home().plan;
         let many = days.max(0) as usize + 1;
         let body = |_| Body {
@@ -87,7 +85,7 @@ impl Life {
             turning_s: vec![0.0; many],
             ..Body::default()
         };
-        Life {
+        ClaimTruth {
             calendar: calendar.clone(),
             days,
             builder: TimelineBuilder::for_run(run),
@@ -126,7 +124,7 @@ impl Life {
         }
     }
 
-    /// Ends the activities and stays that are under way at the end of the run. Claims can be judged after that.
+    /// Ends the activities and stays at the end of the run. Claims can be judged after that.
     pub fn finish(&mut self) {
         self.people = std::mem::take(&mut self.builder).finish(self.end()).people;
     }
@@ -135,29 +133,28 @@ impl Life {
         self.calendar.instant(self.days, Span::ZERO)
     }
 
-    /// A body by its name, or the last part of it, such as `daughter`; the one at `else_of` without a name.
+    /// A body by its name, or the last part of it, such as `daughter`; `else_of` without a name.
     pub fn body(&self, name: Option<&str>, else_of: usize) -> Option<usize> {
         let Some(name) = name else { return Some(else_of) };
         self.people.iter().position(|person| person.name.to_lowercase().ends_with(&name.to_lowercase()))
     }
 
-    /// The days that count; of nights, those that are lived to their end.
+    /// The days that count; for nights, those that the run completes.
     pub fn days(&self, filter: &Filter, nights: bool) -> Vec<i32> {
         let last = if nights { self.days - 1 } else { self.days };
         (0..last).filter(|&day| filter.is_day(day, self.calendar.weekday(day))).collect()
     }
 
-    /// The Mondays of the weeks that are lived whole.
+    /// The Mondays of complete weeks.
     pub fn whole_weeks(&self) -> Vec<i32> {
         (0..=self.days - 7).filter(|&day| self.calendar.weekday(day) == 0).collect()
     }
 
-    /// Midnight before an instant.
     pub fn midnight(&self, at: RunTime) -> RunTime {
         self.calendar.instant(self.calendar.day(at), Span::ZERO)
     }
 
-    /// Each time of what counts, in order of time.
+    /// The occurrences that count, in order of time.
     pub fn occurrences(&self, who: usize, subject: &Subject, filter: &Filter, nights: bool) -> Vec<Occurrence> {
         let days = self.days(filter, nights);
         let mut all = self.spans(who, subject);
@@ -167,7 +164,7 @@ impl Life {
         }
         all.retain(|one| {
             let is_then = filter.between.is_none_or(|(from, to)| {
-                let minute = one.clock_min();
+                let minute = one.clock_min;
                 (from..to).contains(&minute) || (from..to).contains(&(minute + 1440.0))
             });
             let is_long = filter.at_least.is_none_or(|least| one.time.length().seconds() >= least * 60.0);
@@ -176,7 +173,7 @@ impl Life {
         all
     }
 
-    /// Each time of a subject, in order of time; what is interrupted counts once.
+    /// All occurrences of a subject, in order of time; an interrupted one counts once.
     pub fn spans(&self, who: usize, subject: &Subject) -> Vec<Occurrence> {
         match subject {
             Subject::Activity(name) => {
@@ -223,7 +220,7 @@ impl Life {
         self.joined(spans.into_iter(), TOUCHING)
     }
 
-    /// Intervals with less than a gap between them as one; with each, how long interruptions had taken by then.
+    /// Joins intervals with less than a gap between them. Each has the total time of interruptions until then.
     fn joined(&self, spans: impl Iterator<Item = (Interval<RunTime>, Span)>, gap: Span) -> Vec<Occurrence> {
         let (mut all, mut before): (Vec<Occurrence>, Span) = (Vec::new(), Span::ZERO);
         for (time, taken) in spans {
@@ -243,7 +240,7 @@ impl Life {
         all
     }
 
-    /// The part of an interval that is spent in a room.
+    /// The time in a room within an interval.
     pub fn time_in(&self, who: usize, room: &str, within: Interval<RunTime>) -> Span {
         let stays = &self.people[who].rooms;
         let first = stays.partition_point(|stay| stay.end() <= within.begin);
@@ -251,7 +248,6 @@ impl Life {
         until.filter(|stay| stay.label == room).map(|stay| stay.time.overlap(within)).sum()
     }
 
-    /// A number for each day that counts.
     pub fn daily(&self, who: usize, subject: &Subject, filter: &Filter) -> Vec<f64> {
         let body = &self.bodies[who];
         let days = self.days(filter, false);
@@ -297,12 +293,5 @@ impl Body {
             MotionState::InPlace { .. } if posture == Posture::Lying => self.turning_s[day] += lasts_s,
             _ => {}
         }
-    }
-}
-
-impl Occurrence {
-    /// When it begins, in minutes of the day.
-    pub fn clock_min(&self) -> f64 {
-        self.clock_min
     }
 }

@@ -1,4 +1,4 @@
-//! Which silhouettes are meant: of which cameras, and from when to when.
+//! The selection of silhouettes by camera and time.
 
 use super::messages::SilhouettesMessage;
 use crate::commands::messages::MomentMessage;
@@ -11,23 +11,23 @@ use homebody_log::LogError;
 use homebody_log::silhouettes::KeptSilhouettes;
 use homebody_query::RunSilhouettes;
 
-/// What is asked for, by numbers.
-pub struct Asked {
-    /// The cameras, among all that have kept something, in the order in which they were asked for.
+/// The selected cameras and times.
+pub struct SilhouetteSelection {
+    /// Indices of the cameras among all cameras with silhouettes, in the order of the arguments.
     pub cameras: Vec<usize>,
-    /// The same as their home has them.
+    /// The same cameras in the file of the home.
     pub files: Vec<CameraFile>,
     pub span: Interval<RunTime>,
 }
 
-impl Asked {
-    /// Parses the request, or returns all its problems. `strip` is the time that drawn moments take, if the command draws some: it is
-    /// the whole time if no end is given.
-    pub fn of(
+impl SilhouetteSelection {
+    /// Parses the arguments, or returns all their problems. `strip` is the duration of a strip of moments, if there is one: it is the
+    /// selected time if no end is given.
+    pub fn parse(
         kept: &RunSilhouettes,
         (names, from, to): (&[String], Option<&str>, Option<&str>),
         strip: Option<Span>,
-    ) -> Result<Asked, Failure> {
+    ) -> Result<SilhouetteSelection, Failure> {
         let mut wrong: Vec<Diagnostic> = Vec::new();
         let mut cameras: Vec<usize> = Vec::new();
         let all = || kept.silhouettes.cameras.iter().map(|camera| camera.file.name.as_str());
@@ -68,10 +68,10 @@ impl Asked {
         let last = strip.map_or(there.end, |long| begin + long);
         let end = to.unwrap_or(last + Span::MICROSECOND);
         let files = cameras.iter().map(|&camera| kept.silhouettes.cameras[camera].file.clone()).collect();
-        Ok(Asked { cameras, files, span: Interval::new(begin, end) })
+        Ok(SilhouetteSelection { cameras, files, span: Interval::new(begin, end) })
     }
 
-    /// Hands over those that are meant, each with the number of its camera among those.
+    /// Passes on the selected silhouettes, each with the index of its camera in the selection.
     pub fn for_each<E: From<LogError>>(
         &self,
         kept: &RunSilhouettes,
@@ -83,7 +83,7 @@ impl Asked {
         })
     }
 
-    /// The failure that no silhouette is in this time, with the nearest ones before and after.
+    /// The failure of a selection without silhouettes, with the nearest ones before and after.
     pub fn nothing(&self, kept: &RunSilhouettes) -> Result<Failure, LogError> {
         let [begin, end] = [self.span.begin, self.span.end].map(|at| clock(kept, at));
         let before = kept.silhouettes.last_before(self.span.begin)?;
@@ -100,7 +100,7 @@ impl Asked {
     }
 }
 
-/// An instant on the clock on the wall, such as `2025-06-03 03:12:05.200`.
+/// An instant in local time, such as `2025-06-03 03:12:05.200`.
 pub fn clock(kept: &RunSilhouettes, at: RunTime) -> String {
     kept.scenario.calendar.local(at).strftime("%Y-%m-%d %H:%M:%S%.3f").to_string()
 }

@@ -1,30 +1,34 @@
 //! The person of a recording, located by the real sensors alone.
 
 use super::{AnnotatedRun, at_moment};
-use crate::locating::judged;
-use crate::locating::truth::{MessagesWithTruth, Place};
+use crate::locating::score;
+use crate::locating::truth::{MessagesWithTruth, PersonPlace};
 use homebody_core::scenario::load::Scenario;
 use homebody_core::time::{RunTime, SECOND, Span};
 use homebody_infer::{LogMessage, MessageKind, Senses};
 use serde::Serialize;
 
-/// The result of locating the person of a recording.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
-pub struct WalkedBack {
-    /// Share of the annotated time in which the right room was told.
+pub struct LocatedRecording {
+    /// Share of the annotated time with the right room.
     pub room_right: f64,
-    /// The same, of the room of the sensor that fired last.
+    /// The same, by the room of the last firing.
     pub last_firing_right: f64,
-    /// The same, of a hidden Markov model that knows rooms alone.
+    /// The same, by a hidden Markov model that knows rooms alone.
     pub rooms_only_right: f64,
-    /// Share of the stays of 10 s or longer in a room in which that room was told at some time.
+    /// Share of the stays of 10 s or longer whose room was found at some time.
     pub visits_found: f64,
-    /// Share of the sensors' ON messages that came from other rooms than the person's: of somebody else, or late.
+    /// Share of ON messages from rooms without the person: of another person, or late.
     pub said_elsewhere: f64,
 }
 
-/// Walks a recording back, as of one person alone.
-pub(crate) fn walked_back(run: &AnnotatedRun, house: &Scenario, bodies: &[Senses], rooms: &[String]) -> WalkedBack {
+/// Locates the only person of a recording.
+pub(crate) fn locate_recording(
+    run: &AnnotatedRun,
+    house: &Scenario,
+    bodies: &[Senses],
+    rooms: &[String],
+) -> LocatedRecording {
     let plan = house.home.plan();
     let index_of = |room: &str| plan.rooms.iter().position(|one| one.name == room);
     let begin_s = run.begin_s();
@@ -40,7 +44,7 @@ pub(crate) fn walked_back(run: &AnnotatedRun, house: &Scenario, bodies: &[Senses
     messages.sort_by_key(|message| message.at);
     let place = |second: usize| {
         let room = at_moment(&run.rooms, begin_s + second as f64 + 0.5).and_then(index_of);
-        room.map_or(Place::Between, Place::Room)
+        room.map_or(PersonPlace::Between, PersonPlace::Room)
     };
     let simulated = MessagesWithTruth {
         messages,
@@ -49,17 +53,17 @@ pub(crate) fn walked_back(run: &AnnotatedRun, house: &Scenario, bodies: &[Senses
         places: vec![(0..seconds).map(place).collect()],
         at: vec![vec![None; seconds]],
     };
-    let judge = judged(bodies, &simulated, &[0], plan.rooms.len());
+    let judge = score(bodies, &simulated, &[0], plan.rooms.len());
     let place_at = |at: RunTime| simulated.places[0].get((at.since_zero() / SECOND) as usize);
     let elsewhere = |message: &&LogMessage| match (place_at(message.at), simulated.room_of[message.sensor]) {
-        (Some(Place::Room(room)), Some(own)) => *room != own,
+        (Some(PersonPlace::Room(room)), Some(own)) => *room != own,
         _ => false,
     };
     let begins: Vec<&LogMessage> =
         simulated.messages.iter().filter(|message| message.said == MessageKind::On).collect();
     let said_elsewhere = begins.iter().copied().filter(|message| elsewhere(message)).count();
     let share = |right: u64| right as f64 / judge.seconds.max(1) as f64;
-    WalkedBack {
+    LocatedRecording {
         room_right: share(judge.right),
         last_firing_right: share(judge.last_right),
         rooms_only_right: share(judge.rooms_right),

@@ -1,8 +1,8 @@
-//! How a run is watched from outside: its numbers in the text format of Prometheus, by `--metrics`.
+//! The metrics of a run in the text format of Prometheus, with `--metrics`.
 
 use crate::failure::Failure;
 use crate::print::{tell, warn};
-use crate::prometheus::{LastReport, Numbers, fleet_numbers, label};
+use crate::prometheus::{LastReport, PrometheusText, fleet_numbers, label};
 use homebody_core::time::UtcTime;
 use homebody_log::policy::MetricsReading;
 use homebody_simulation::{RunMetrics, RunReading};
@@ -16,17 +16,14 @@ homebody_core::messages! {
     pub enum MetricsMessage in "metrics" {
         /// Metrics have the name of the scenario and the destinations of the run. Any program on any machine that can connect to the
         /// address reads them, without a password.
-        Exposed {
-            /// The address.
-            address: String,
-        } warning "exposed" ("anyone who reaches {address} can read the run's metrics")
+        Exposed { address: String } warning "exposed" ("anyone who reaches {address} can read the run's metrics")
             hint ("pass --metrics a port without an IP address to serve this machine only");
     }
 }
 
 /// The option for metrics.
 #[derive(clap::Args)]
-pub struct Watched {
+pub struct MetricsArguments {
     /// Serve metrics for Prometheus (rows, lag, retries, spooled bytes) at this port of 127.0.0.1, or at IP:PORT
     #[arg(long, value_name = "PORT", help_heading = "Output", value_parser = address)]
     metrics: Option<SocketAddr>,
@@ -37,9 +34,8 @@ fn address(text: &str) -> Result<SocketAddr, String> {
     port.or_else(|_| text.parse()).map_err(|_| "write a port, such as 9464, or IP:PORT".into())
 }
 
-impl Watched {
-    /// Whether numbers are asked for.
-    pub fn is_said(&self) -> bool {
+impl MetricsArguments {
+    pub fn is_given(&self) -> bool {
         self.metrics.is_some()
     }
 
@@ -52,7 +48,7 @@ impl Watched {
         Ok(meters)
     }
 
-    /// The same for a fleet, of which the last report is served.
+    /// The same for a fleet: serves its last report.
     pub fn begin_fleet(&self, scenarios: &str) -> Result<LastReport, Failure> {
         let look = LastReport::default();
         let (seen, name) = (look.clone(), scenarios.to_owned());
@@ -82,10 +78,9 @@ const OF_DESTINATIONS: [Family; 5] = [
     ("homebody_destination_up", "gauge", "1 if a destination is reachable, else 0.", |r| u64::from(!r.is_away)),
 ];
 
-/// The numbers as text.
 fn text(scenario: &str, seen: &RunReading, now: Timestamp) -> String {
     let behind = seen.now.map(|at| (UtcTime::from(now) - UtcTime::from(at)).seconds());
-    let mut numbers = Numbers::of(scenario);
+    let mut numbers = PrometheusText::new(scenario);
     let help = "Simulated time of the run.";
     numbers.add("homebody_simulated_seconds_total", "counter", help, [(String::new(), seen.done.seconds())]);
     if let Some(behind) = behind {
@@ -105,7 +100,7 @@ mod tests {
     use homebody_core::time::{RunTime, SECOND};
 
     #[test]
-    fn numbers_are_told_as_prometheus_reads_them() {
+    fn writes_the_text_format_of_prometheus() {
         let reading = MetricsReading {
             rows: 12,
             durable: 10,

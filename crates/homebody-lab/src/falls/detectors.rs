@@ -1,4 +1,4 @@
-//! Ways of looking for falls, each made ready once for all cases of a home.
+//! Fall detectors, each prepared once for all cases of a home.
 
 use super::room::Condition;
 use homebody_analysis::falls::fused::{FallEvidence, Fusion, fused};
@@ -16,40 +16,38 @@ use homebody_core::time::RunTime;
 use homebody_log::silhouettes::cameras;
 use serde::Serialize;
 
-/// By what falls are looked for.
+/// The sensors of a fall detector.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Method {
-    /// By silhouettes alone.
     Silhouettes,
-    /// By motion sensors alone.
     Passive,
-    /// By both.
     Fused,
 }
 
-/// A way of looking.
+/// The setup of a fall detector.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
-pub struct Way {
-    /// By what.
+pub struct DetectorSetup {
     pub method: Method,
-    /// How many cameras.
     pub cameras: usize,
-    /// Which of them.
+    /// Indices of the cameras.
     #[serde(skip)]
     of: &'static [usize],
-    /// What it is called.
     pub name: &'static str,
-    /// What is different about the room.
     pub condition: Condition,
 }
 
-pub(super) const fn way(method: Method, of: &'static [usize], name: &'static str, condition: Condition) -> Way {
-    Way { method, cameras: of.len(), of, name, condition }
+pub(super) const fn way(
+    method: Method,
+    of: &'static [usize],
+    name: &'static str,
+    condition: Condition,
+) -> DetectorSetup {
+    DetectorSetup { method, cameras: of.len(), of, name, condition }
 }
 
-/// The ways of looking that are held against each other.
-pub const WAYS: [Way; 13] = {
+/// The detectors that are compared.
+pub const DETECTORS: [DetectorSetup; 13] = {
     use Condition::{Furniture, MoreNoise, NoNoise, Usual};
     use Method::{Fused, Passive, Silhouettes};
     [
@@ -69,19 +67,18 @@ pub const WAYS: [Way; 13] = {
     ]
 };
 
-/// How much is enough for an alarm. The first of each method is the usual one; the others make its curve.
+/// A threshold for alarms. The first of each method is the usual one; the others form its curve.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Setting {
-    /// Of silhouettes alone: how sure they have to be.
+    /// For silhouettes alone: the least confidence.
     pub confidence: f64,
-    /// Of passive sensors alone, and of both.
+    /// For passive sensors, alone or with cameras.
     pub fusion: Fusion,
 }
 
-/// What is hardly a fall is no alarm.
+/// Least confidence of an alarm.
 const USUAL_CONFIDENCE: f64 = 0.4;
 
-/// The settings of a method.
 pub(super) fn settings(method: Method) -> Vec<Setting> {
     let usual = Setting { confidence: USUAL_CONFIDENCE, fusion: Fusion::default() };
     let quiet = |minutes: f64| {
@@ -100,22 +97,22 @@ pub(super) fn settings(method: Method) -> Vec<Setting> {
     std::iter::once(usual).chain(others).collect()
 }
 
-/// A way of looking that is made ready once for all cases of a home.
-pub(super) struct Look<'r> {
-    pub way: Way,
+/// A fall detector for all cases of a home.
+pub(super) struct FallDetector<'r> {
+    pub way: DetectorSetup,
     settings: Vec<Setting>,
     cameras: Vec<(SensorId, Lens)>,
     scenes: Scenes<'r>,
     ears: Vec<Ear>,
 }
 
-impl<'r> Look<'r> {
-    pub fn new(way: Way, home: &ResolvedHome, rules: &'r FallRules) -> Look<'r> {
+impl<'r> FallDetector<'r> {
+    pub fn new(way: DetectorSetup, home: &ResolvedHome, rules: &'r FallRules) -> FallDetector<'r> {
         let all = cameras(home).enumerate().filter(|(number, _)| way.of.contains(number));
         let cameras: Vec<(SensorId, Lens)> = all.map(|(_, (sensor, camera))| (sensor, camera.lens())).collect();
         let lenses: Vec<Lens> = cameras.iter().map(|(_, lens)| *lens).collect();
         let scenes = Scenes::new(home.plan(), &lenses, rules);
-        Look { way, settings: settings(way.method), cameras, scenes, ears: Ear::all_of_home(home) }
+        FallDetector { way, settings: settings(way.method), cameras, scenes, ears: Ear::all_of_home(home) }
     }
 
     /// The alarms of a case, by setting.
@@ -131,18 +128,18 @@ impl<'r> Look<'r> {
                 Some(PassiveMessage { at: firing.at, heard: self.ears[firing.sensor.index()].hears(firing.value)? })
             })
             .collect();
-        let told = FallEvidence { falls: &falls, sightings: &sightings, heard: &heard, until };
+        let evidence = FallEvidence { falls: &falls, sightings: &sightings, heard: &heard, until };
         let by = |Setting { confidence, fusion }: &Setting| match self.way.method {
             Method::Silhouettes => {
                 falls.iter().filter(|fall| fall.confidence >= *confidence).map(|fall| fall.alarm_at).collect()
             }
             Method::Passive => long_lies(&fusion.long_lie, &heard, until).into_iter().map(|lie| lie.alarm_at).collect(),
-            Method::Fused => fused(fusion, &told),
+            Method::Fused => fused(fusion, &evidence),
         };
         self.settings.iter().map(by).collect()
     }
 
-    /// What is found in the pictures, and when somebody was seen.
+    /// The falls in the pictures, and the sightings of a person.
     fn seen(&self, events: &Events) -> (Vec<Fall>, Vec<CameraSighting>) {
         let mut scenes = self.scenes.clone();
         let (mut found, mut sightings) = (Vec::new(), Vec::<CameraSighting>::new());
@@ -155,7 +152,7 @@ impl<'r> Look<'r> {
         }
         found.extend(scenes.look());
         sightings.extend(scenes.last_sighting());
-        // Whoever is not seen any more was seen last when they were.
+        // Without a new picture, the last sighting repeats.
         sightings.dedup();
         (found, sightings)
     }
