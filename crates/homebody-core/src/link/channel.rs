@@ -2,9 +2,9 @@
 
 use super::clock::SensorClock;
 use super::message::{Draws, IDS, LinkChance};
-use crate::deed::Failure;
 use crate::event::{Loss, Value};
 use crate::ids::SensorId;
+use crate::intervention::Failure;
 use crate::link::form::{FaultFile, LinkFile};
 use crate::random::{SpanRange, Stream};
 use crate::time::{Interval, RunTime, Span};
@@ -21,7 +21,7 @@ pub struct Channel {
     pub clock: Option<SensorClock>,
     /// The id that its messages bear on the air.
     pub id: u32,
-    /// What its device said last; of sensors that look for movement, what they always say.
+    /// The last value of its device; for sensors that look for movement, their only value.
     pub said: Option<Value>,
     faults: Vec<(Interval<RunTime>, ChannelFault)>,
     /// From when on it hangs elsewhere, as which of the home's sensors; in order.

@@ -1,4 +1,4 @@
-//! What may be done to a home from outside, and when: plain data, in the words of a recording.
+//! Interventions in a home from outside, and their times, as plain data in the form of a recording.
 
 use crate::time::{RunTime, Span};
 use serde::{Deserialize, Serialize};
@@ -6,22 +6,23 @@ use serde::{Deserialize, Serialize};
 /// Something that is done from outside, and when.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub struct FromOutside {
+pub struct TimedIntervention {
     /// When.
     pub at_us: RunTime,
-    /// What is done.
-    pub deed: Deed,
+    /// The intervention.
+    #[serde(rename = "deed")]
+    pub intervention: Intervention,
 }
 
-/// What is done from outside.
+/// An intervention from outside.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(tag = "do", rename_all = "snake_case", deny_unknown_fields)]
-pub enum Deed {
+pub enum Intervention {
     /// A thing is opened, closed, turned on or off.
     Use {
         /// Its name.
         thing: String,
-        /// How it is afterwards: open or on, or closed or off.
+        /// The state afterwards: open or on, or closed or off.
         on: bool,
     },
     /// A sensor fails.
@@ -38,23 +39,23 @@ pub enum Deed {
     Fall {
         /// Their name.
         resident: String,
-        /// How long they lie before they get up.
+        /// The time on the floor before they get up.
         lies_us: Span,
     },
 }
 
-/// How a sensor fails, as the faults of a link file have it.
+/// A failure of a sensor. The faults of a link file have the same names.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(tag = "kind", rename_all = "snake_case", deny_unknown_fields)]
 pub enum Failure {
     /// Its battery fades for so long, and is empty then.
     Battery {
-        /// How long; 0 where it is empty at once.
+        /// The duration of the fading; 0 if it is empty at once.
         fades_us: Span,
     },
     /// It hears nothing, and repeats itself or is silent.
     Stuck {
-        /// How often it says again what it said last; None where it is silent.
+        /// The interval at which it repeats its last message; `None` if it is silent.
         #[serde(default, skip_serializing_if = "Option::is_none")]
         every_us: Option<Span>,
     },
@@ -67,20 +68,20 @@ pub enum Failure {
     },
 }
 
-impl Deed {
-    /// What it is, in a word.
+impl Intervention {
+    /// The name in the truth.
     pub fn word(&self) -> &'static str {
         match self {
-            Deed::Use { on: true, .. } => "on",
-            Deed::Use { on: false, .. } => "off",
-            Deed::Fail { failure, .. } => failure.word(),
-            Deed::Fall { .. } => "fall",
+            Intervention::Use { on: true, .. } => "on",
+            Intervention::Use { on: false, .. } => "off",
+            Intervention::Fail { failure, .. } => failure.word(),
+            Intervention::Fall { .. } => "fall",
         }
     }
 }
 
 impl Failure {
-    /// What it is, in a word, as link files have it.
+    /// The name in link files.
     pub fn word(self) -> &'static str {
         match self {
             Failure::Battery { .. } => "battery",
