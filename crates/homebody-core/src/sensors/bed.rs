@@ -1,7 +1,7 @@
 //! A pneumatic strip in a bed.
 //!
-//! The device is a tube of air across the bed under the trunk. Its pressure shows whether somebody is in the bed, how long
-//! each movement lasts, and whether pulse and respiration of somebody who lies still are low, normal or high (Godsey &
+//! The device is a tube of air across the bed under the trunk. Its pressure shows the presence of a person in the bed,
+//! the length of each movement, and a low, normal or high pulse and respiration of a person who lies still (Godsey &
 //! Skubic 2009, section III.D; the University of Virginia's page on ALARM-NET).
 //!
 //! We assume that a body is in the bed if it sits or lies with its middle within the bed's outline; a body that stands or
@@ -9,15 +9,15 @@
 //! Somebody whose vitals the truth does not know has a pulse of 62 and 15 breaths a minute. The error of a reading is normal,
 //! with a standard deviation of 2 beats and 1 breath a minute (all ours).
 //!
-//! A movement begins when somebody who lies there begins to move, and ends when all lie still. Movements without a pause
-//! between them are one. The sensor says `RESTLESS_1` to `RESTLESS_4` when a movement reaches the length of each level. Pulse
-//! and respiration are read first when the person measured has lain there for `still_s` without any movement in the bed, and
-//! then every `vitals_every_s`. A reading that is due during a movement waits until all have lain still for `still_s` again. A
-//! change of the true vitals into another class brings the next reading forward. What happens at one instant is taken in
-//! completely before the sensor decides what to say.
+//! A movement begins when a person in the bed begins to move, and ends when all lie still. Movements without a pause
+//! between them are one. The sensor sends `RESTLESS_1` to `RESTLESS_4` when a movement reaches the length of each
+//! level. Pulse and respiration are read first when the person measured has lain there for `still_s` without any
+//! movement in the bed, and then every `vitals_every_s`. A reading that is due during a movement waits until all have
+//! lain still for `still_s` again. A change of the true vitals into another class brings the next reading forward. All
+//! changes of one instant are known before the sensor decides on a message.
 //!
-//! Left out: people who lie beside the strip, pets, how strong a movement is, the effect of breathing on the pulse's signal,
-//! drift of the pressure.
+//! Left out: people who lie next to the strip, pets, the strength of a movement, the effect of breathing on the pulse's
+//! signal, drift of the pressure.
 
 use super::messages::SensorMessage;
 use super::outbox::{Change, DeviceModel, Outbox};
@@ -29,12 +29,12 @@ use crate::numbers::Numbers;
 use crate::plan::sun::Sun;
 use crate::posture::Posture;
 use crate::random::{Stream, no_stream};
-use crate::sensors::form::{Bearer, Colour, DeviceForm, FormProblem, KindRow, Mount, ReportedInstant, Shape, Site};
+use crate::sensors::form::{Bearer, Colour, FormProblem, KindRow, Mount, ReportedInstant, SensorForm, Shape, Site};
 use crate::time::{RunTime, Span};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-/// What there is to know of the kind.
+/// The row of the kind.
 pub static ROW: KindRow = KindRow {
     key: "bed",
     label: "bed",
@@ -92,11 +92,7 @@ pub struct BedFile {
     pub still_s: f64,
 }
 
-impl DeviceForm for BedFile {
-    fn row(&self) -> &'static KindRow {
-        &ROW
-    }
-
+impl SensorForm for BedFile {
     fn on(&self) -> Option<&str> {
         Some(&self.on)
     }
@@ -140,17 +136,17 @@ pub struct Bed {
     every: Span,
     still: Span,
     limits: Limits,
-    /// The vitals of somebody whose vitals the truth does not know, and the standard deviations of readings.
+    /// The vitals of a person without vitals in the truth, and the standard deviations of readings.
     ordinary: Vitals,
     noise: Vitals,
     stream: Stream,
     timer: RunTime,
-    /// What it knows of each resident.
+    /// Its data of each resident.
     sleepers: Vec<Sleeper>,
     /// The one in the bed who came first.
     first: Option<usize>,
     movement: Option<BedMovement>,
-    /// Since when somebody lies there and nobody moves.
+    /// Start of the time in which a person lies there without any movement.
     still_since: Option<RunTime>,
     read_at: Option<RunTime>,
 }
@@ -175,7 +171,7 @@ struct Sleeper {
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct BedMovement {
     onset: RunTime,
-    /// How many levels of restlessness were said.
+    /// The number of levels of restlessness that were sent.
     said: usize,
 }
 
@@ -336,8 +332,8 @@ impl Limits {
     }
 }
 
-/// Ours. That the bed sensors at TigerPlace report restlessness by the persistence of movement is said in the patent of
-/// Skubic et al., paragraphs 137 to 142; that it has four levels, on the page of the University of Virginia on ALARM-NET.
+/// Our choice. The patent of Skubic et al., paragraphs 137 to 142, states that the bed sensors at TigerPlace report
+/// restlessness by the persistence of movement; the page of the University of Virginia on ALARM-NET has four levels.
 fn levels() -> Vec<f64> {
     vec![0.0, 3.0, 6.0, 9.0]
 }

@@ -5,20 +5,20 @@
 //! We assume that it says so at once, and that water flows while a tap is open. Into a cistern it flows for a time by itself
 //! after each flush, about a minute.
 //!
-//! An act on its thing that changes how the thing is, is a message. Where water runs by itself, each act that turns it on is a
-//! flush, from which on it flows for its time, and acts that turn it off say nothing.
+//! An act that changes the state of its thing is a message. If water runs by itself, each act that turns it on is a
+//! flush, after which it flows for its time, and acts that turn it off send no message.
 //!
 //! Left out: how much flows, whether it is warm, other taps on the same pipe.
 
 use super::outbox::{Change, DeviceModel, Outbox};
 use crate::event::{Trigger, Value};
 use crate::ids::{ResidentId, ThingId};
-use crate::sensors::form::{Bearer, Colour, DeviceForm, KindRow, Mount, ReportedInstant, Shape, Site};
+use crate::sensors::form::{Bearer, Colour, KindRow, Mount, ReportedInstant, SensorForm, Shape, Site};
 use crate::time::{RunTime, Span};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-/// What there is to know of the kind.
+/// The row of the kind.
 pub static ROW: KindRow = KindRow {
     key: "flow",
     label: "flow",
@@ -47,11 +47,7 @@ pub struct FlowFile {
     pub runs_s: Option<f64>,
 }
 
-impl DeviceForm for FlowFile {
-    fn row(&self) -> &'static KindRow {
-        &ROW
-    }
-
+impl SensorForm for FlowFile {
     fn on(&self) -> Option<&str> {
         Some(&self.on)
     }
@@ -70,7 +66,7 @@ pub struct Flow {
     flows: bool,
     /// When it ceases by itself.
     ceases: RunTime,
-    /// Who flushed last, and when.
+    /// The last user and the time.
     by: Option<ResidentId>,
     since: RunTime,
 }

@@ -17,12 +17,12 @@ use crate::event::Trigger;
 use crate::numbers::Numbers;
 use crate::plan::sun::Sun;
 use crate::random::{Stream, no_stream};
-use crate::sensors::form::{Colour, DeviceForm, KindRow, Mount, ReportedInstant, Shape, Site, Unit};
+use crate::sensors::form::{Colour, KindRow, Mount, SensorForm, Shape, Site, Unit};
 use crate::time::{RunTime, Span};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-/// What there is to know of the kind.
+/// The row of the kind.
 pub static ROW: KindRow = KindRow {
     key: "temperature",
     label: "temperature",
@@ -62,17 +62,9 @@ pub struct TemperatureFile {
     pub every_s: f64,
 }
 
-impl DeviceForm for TemperatureFile {
-    fn row(&self) -> &'static KindRow {
-        &ROW
-    }
-
+impl SensorForm for TemperatureFile {
     fn room(&self) -> Option<&str> {
         Some(&self.room)
-    }
-
-    fn moment(&self) -> Option<ReportedInstant<'_>> {
-        None
     }
 }
 

@@ -1,4 +1,4 @@
-//! What each fault does to the messages of its sensor, and to no other's.
+//! The effect of each fault on the messages of its sensor, and no effect on others.
 
 use crate::*;
 use homebody_core::ids::SensorId;
@@ -68,7 +68,7 @@ fn a_stuck_contact_repeats_what_it_said_last() {
 }
 
 #[test]
-fn what_falls_off_sees_nothing_but_still_fires_for_no_reason() {
+fn a_fallen_sensor_sees_nothing_and_keeps_its_false_firings() {
     let sensors = motion_sensors(&["hall"]);
     let file = json!({ "false_fires_per_h": 1, "faults": [{ "kind": "falls_off", "sensor": "hall", "from_day": 1 }] });
     let events = carried(file, &sensors, &regular(0, 600 * SECOND, 1439), 10 * DAY);

@@ -9,7 +9,6 @@ use crate::link::moved_sensor;
 use crate::problem::Problem;
 use crate::scenario::source::{JsonSource, pointer_part};
 use crate::sensor_set::MAX_SENSORS;
-use crate::sensors::kinds::SensorFile;
 use crate::sensors::messages::SensorMessage;
 use crate::time::{DAY, RunTime};
 
@@ -211,7 +210,7 @@ fn check_sensors(report: &mut ProblemReport, file: &LinkFile, home: &HomeFile) {
             (Some(sensor), FaultFile::FalseFires(_)) if !sensor.senses_motion() => {
                 report.add(&pointer, LinkMessage::NotMotion { sensor: name.to_owned() });
             }
-            (Some(sensor), FaultFile::Moved(_)) if !matches!(sensor, SensorFile::Motion(_)) => {
+            (Some(_), FaultFile::Moved(moved)) if moved_sensor(moved, &home.sensors).is_none() => {
                 report.add(&pointer, LinkMessage::CannotMove { sensor: name.to_owned() });
             }
             _ => {}
@@ -243,7 +242,7 @@ fn check_place(
     surroundings: &HomeInCheck,
 ) {
     let Some(plan) = surroundings.plan else { return };
-    if let Some(SensorFile::Motion(motion)) = moved_sensor(moved, &home.sensors) {
-        check_mounting(report, &format!("/faults/{index}"), &motion, home, plan);
+    if let Some(sensor) = moved_sensor(moved, &home.sensors) {
+        check_mounting(report, &format!("/faults/{index}"), &sensor, home, plan);
     }
 }

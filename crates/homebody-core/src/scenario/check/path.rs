@@ -129,15 +129,15 @@ struct PathCheck<'a> {
     resident: &'a ResidentFile,
 }
 
-/// What a list of steps comes to.
+/// The outcome of a list of steps.
 struct StepsOutcome {
-    /// Where it ends; nothing where that is not known.
+    /// The end position, if known.
     end: Option<Point>,
     /// Whether it comes to an end at all.
     ends: bool,
     /// Whether it surely takes time, apart from the way to its first spot.
     takes_time: bool,
-    /// How many moves it has, and how many seconds they last; infinite where that is not known, or until a time of day.
+    /// The number of moves, and their length in seconds; infinite if unknown, or until a time of day.
     moves: f64,
     lasts_s: f64,
     /// The time of day at its end; nothing where that is not known.
@@ -308,7 +308,7 @@ impl PathCheck<'_> {
         time
     }
 
-    /// Where a spot is; nothing if it is unknown, or nowhere a person can be.
+    /// The position of a spot; `None` if it is unknown, or not a place for a person.
     fn spot(&mut self, pointer: &str, spot: &Spot, subject: &str) -> Option<Point> {
         let home = self.surroundings.home?;
         if let Spot::Place(name) = spot {
