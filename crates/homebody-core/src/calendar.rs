@@ -123,14 +123,14 @@ impl Calendar {
         (self.local(at).date() - self.start.date()).get_days()
     }
 
-    /// How long so many days of the home's own time are, from the start of a run: one on which clocks change has 23 or 25
-    /// hours.
+    /// The length of a number of days of the home's local time from the start of a run. A day on which clocks change
+    /// has 23 or 25 hours.
     pub fn span_of_days(&self, days: f64) -> Span {
         let (begin, end) = self.run_day(days as i32);
         begin.since_zero() + (end - begin).scaled(days.fract())
     }
 
-    /// How many days have been lived at an instant of a run.
+    /// The number of days of a run up to an instant.
     pub fn days_lived(&self, at: RunTime) -> f64 {
         // It began a day early at most, since a run may begin at noon.
         let mut whole = self.day(at);
@@ -152,7 +152,7 @@ impl Calendar {
     pub fn instant(&self, day: i32, time_of_day: Span) -> RunTime {
         let day = i64::from(day) + time_of_day.div_euclid(DAY);
         let time = time_of_day.rem_euclid(DAY);
-        // Beyond the calendar's end time goes on without dates.
+        // Beyond the calendar's end, days have 24 hours.
         let beyond = || RunTime::START + (DAY.saturating_mul(day).saturating_add(time) - self.start_of_day());
         let Ok(date) = self.start.date().checked_add(jiff::Span::new().days(day.clamp(-4_000_000, 4_000_000))) else {
             return beyond();
@@ -175,7 +175,7 @@ impl Calendar {
         (monday + i64::from(day)).rem_euclid(7) as u8
     }
 
-    /// The day of a date, the start's being 0; nothing if there is no such date.
+    /// The day of a date, from 0 at the start; `None` if there is no such date.
     pub fn day_of(&self, year: i16, month: u8, day: u8) -> Option<i32> {
         let date = jiff::civil::Date::new(year, i8::try_from(month).ok()?, i8::try_from(day).ok()?).ok()?;
         Some((date - self.start.date()).get_days())
@@ -285,7 +285,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_no_time_of_day_is_refused() {
+    fn rejects_invalid_times_of_day() {
         let wrong = ["", "7:30", "07", "07:3", "24:00", "07:60", "07:30:60", "07:30:15.", "07:30:15.1234567", "+7:30"];
         for text in wrong.into_iter().chain(["07:30:15:00", " 07:30", "07:30 ", "07:30:1٣", "07.30", "07:30:.5"]) {
             assert_eq!(time_of_day(text), None, "{text:?}");

@@ -37,6 +37,6 @@ id! {
     RoomId
 }
 id! {
-    /// What can be used: a door, a stove, a tap, a lamp.
+    /// A thing that can be used: a door, a stove, a tap, a lamp.
     ThingId
 }

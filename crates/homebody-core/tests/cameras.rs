@@ -1,4 +1,5 @@
-//! Cameras in a home: what they keep does not depend on how a run is advanced, they cost nothing while they sleep, and what is wrong with one is told.
+//! Cameras in a home: the steps of a run do not change their pictures, they cost nothing while they sleep, and their
+//! mistakes are reported.
 
 use homebody_core::event::{Events, Value};
 use homebody_core::run::Run;
@@ -9,7 +10,7 @@ use std::collections::BTreeMap;
 
 const LENGTH: Span = SECOND.times(120);
 
-/// A room with two cameras, through which somebody walks, and falls.
+/// A room with two cameras, in which a body walks and falls.
 fn texts(camera: &serde_json::Value) -> BTreeMap<String, String> {
     let home = json!({ "name": "one room",
         "rooms": [{ "name": "room", "outline": [[0, 0], [5, 0], [5, 4], [0, 4]] }],
@@ -45,7 +46,7 @@ fn lived(step: Span) -> Events {
 }
 
 #[test]
-fn how_a_run_is_advanced_changes_no_silhouette() {
+fn the_steps_of_a_run_change_no_silhouette() {
     let whole = lived(LENGTH);
     assert!(whole.frames.len() > 50, "{}", whole.frames.len());
     for step in [Span::from_millis(1), Span::from_micros(137_731), SECOND] {

@@ -119,7 +119,7 @@ fn key(piece: &FurnitureFile) -> String {
 
 /// True for a piece that people sit or lie on, or with a role.
 fn is_used(piece: &FurnitureFile) -> bool {
-    piece.enterable || piece.role.is_some() || Role::of_name(&key(piece)).next().is_some()
+    piece.enterable || piece.role.is_some() || Role::from_name(&key(piece)).next().is_some()
 }
 
 fn at(p: Point) -> At {

@@ -37,7 +37,7 @@ fn lived(shown: &str) -> Vec<&str> {
 }
 
 #[test]
-fn what_carers_say_means_what_is_written_beside_it() {
+fn sentences_of_carers_have_their_listed_meaning() {
     let mut wrong = Vec::new();
     for (said, means) in lines() {
         let (found, problems) = read(&said);

@@ -160,7 +160,7 @@ fn days_that_differ_a_lot_differ_more_around_the_same_mean() {
 }
 
 #[test]
-fn who_goes_to_bed_late_gets_up_as_much_later() {
+fn a_late_bedtime_delays_rising_as_much() {
     let base = "On Friday and Saturday she goes to bed at 01:00. On weekdays but not on Friday she goes to bed at 22:30. \
                 On Sunday she goes to bed at 22:30.";
     for said in [
@@ -204,7 +204,7 @@ fn a_stay_of_days_is_measured_from_coming_to_leaving() {
 }
 
 #[test]
-fn the_ordinary_life_is_lived_as_it_is_said() {
+fn the_ordinary_routine_runs_by_its_sentences() {
     let mut run = run(ORDINARY, DAYS);
     run.advance(RunTime::START + DAYS * DAY, &mut Events::default()).unwrap();
     assert_eq!(Household::differences(&run), []);

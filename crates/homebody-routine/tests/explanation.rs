@@ -67,7 +67,7 @@ line  what                                       on   when         lasts        
 }
 
 #[test]
-fn how_long_a_rule_waits_is_not_how_long_it_lasts() {
+fn the_delay_of_a_rule_is_not_its_duration() {
     let text = "She cooks lunch.\nWhenever the stove has been on for 20 minutes, she rests on the sofa for 1 hour.";
     let explained = explain(&understood(text));
     let json = serde_json::to_value(&explained.sentences[1]).unwrap();
@@ -80,7 +80,7 @@ fn how_long_a_rule_waits_is_not_how_long_it_lasts() {
 }
 
 #[test]
-fn how_severe_a_case_is_is_said_as_people_do() {
+fn severity_is_in_everyday_words() {
     for (severity, words) in [
         ("mild", "Depression, a mild case, 0.5 of a moderate one."),
         ("moderate", "Depression, a moderate case."),
@@ -91,7 +91,7 @@ fn how_severe_a_case_is_is_said_as_people_do() {
 }
 
 #[test]
-fn who_it_is_about_is_said_with_its_line() {
+fn the_person_is_explained_with_the_line() {
     let row = row("# Well until the sixth week.\nMargaret is 82. She walks at 0.65 m/s.");
     assert_eq!((row.line, row.said.as_str()), (2, "Margaret is 82"));
     assert_eq!(row.in_words, "Margaret: 82 years old, walks at 0.65 m/s.");

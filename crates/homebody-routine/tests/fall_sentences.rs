@@ -69,7 +69,7 @@ fn mostly_may_stand_anywhere() {
 }
 
 #[test]
-fn how_often_it_mostly_is_is_explained() {
+fn explains_the_usual_time_of_falls() {
     let row = explain(&understood("She falls once a week, mostly at night.")).sentences.remove(0);
     assert_eq!(row.when, "mostly night");
     assert_eq!(
@@ -95,7 +95,7 @@ fn no_time_of_a_fall_is_left_out() {
 }
 
 #[test]
-fn who_falls_out_of_bed_does_so_at_night_where_no_time_is_said() {
+fn falls_out_of_bed_without_a_time_are_at_night() {
     for (sentence, meant) in [
         ("She falls out of bed every day.", "Fall (out of bed) Every Night"),
         ("He slides out of bed twice a year.", "Fall (slowly, out of bed) p0.005 Night"),
@@ -110,7 +110,7 @@ fn who_falls_out_of_bed_does_so_at_night_where_no_time_is_said() {
 }
 
 #[test]
-fn who_finds_her_may_be_said() {
+fn the_finder_may_be_stated() {
     let found = "Fall (lies there until somebody comes) p0.033 & daughter: Visit Every";
     for ends in [
         "lies there until her daughter comes",
@@ -132,7 +132,7 @@ fn who_finds_her_may_be_said() {
 }
 
 #[test]
-fn who_sinks_down_falls_slowly() {
+fn sinking_down_is_a_slow_fall() {
     for says in
         ["sinks down", "sinks down slowly", "sinks slowly to the floor", "slides down to the floor", "slumps down"]
     {

@@ -69,7 +69,7 @@ fn place(doing: MotionState) -> Option<Point> {
 }
 
 #[test]
-fn falls_at_night_on_the_way_to_the_bathroom_are_there_and_last_as_said() {
+fn falls_at_night_happen_on_the_way_to_the_bathroom_for_the_stated_time() {
     let lived = live(
         "On half of the days she falls, mostly at night on the way to the bathroom, and lies there for 20 minutes.\n",
         60,
@@ -91,7 +91,7 @@ fn falls_at_night_on_the_way_to_the_bathroom_are_there_and_last_as_said() {
 }
 
 #[test]
-fn who_lies_still_is_heard_of_by_hardly_any_sensor() {
+fn hardly_any_sensor_reports_a_person_who_lies_still() {
     let lived = live("Every day she falls and lies there for 2 hours.\n", 20);
     let lies = lived.lies();
     assert!(lies.len() >= 18);
@@ -104,7 +104,7 @@ fn who_lies_still_is_heard_of_by_hardly_any_sensor() {
 }
 
 #[test]
-fn who_falls_out_of_bed_or_a_seat_lies_beside_it() {
+fn after_a_fall_out_of_bed_or_a_seat_the_person_lies_next_to_it() {
     for (said, from) in [("out of bed", "bed"), ("while getting up from her chair", "armchair")] {
         let lived = live(&format!("Every day she falls {said} and lies there for 10 minutes.\n"), 20);
         let seat = lived.at(from);
@@ -126,7 +126,7 @@ fn who_falls_out_of_bed_or_a_seat_lies_beside_it() {
 }
 
 #[test]
-fn who_reaches_the_phone_crawls_there() {
+fn a_person_crawls_to_the_phone() {
     let lived = live("Every day she falls and lies there until she reaches the phone.\n", 20);
     let crawls: Vec<Piece> = lived
         .pieces(0)
@@ -141,7 +141,7 @@ fn who_reaches_the_phone_crawls_there() {
 }
 
 #[test]
-fn who_lies_until_somebody_comes_is_found_by_the_visitor() {
+fn a_visitor_finds_the_person_on_the_floor() {
     let sentences = "Every night she falls on the way to the bathroom and lies there until somebody comes.\n\
         Her daughter visits every day at 09:00 for 30 minutes.\n";
     let lived = live(sentences, 20);
@@ -159,7 +159,7 @@ fn who_lies_until_somebody_comes_is_found_by_the_visitor() {
 }
 
 #[test]
-fn that_nobody_comes_is_told_before_the_run() {
+fn reports_before_the_run_that_no_visitor_comes() {
     let told = |sentences: &str| household(&files(&format!("{BASE}{sentences}"), &[]), &[]).err();
     let alone = told("She falls once a month and lies there until somebody comes.\n").unwrap();
     assert!(alone.contains("no person can find") && alone.contains("her daughter visits"), "{alone}");
@@ -175,7 +175,7 @@ fn that_nobody_comes_is_told_before_the_run() {
 }
 
 #[test]
-fn who_nearly_falls_is_not_on_the_floor() {
+fn a_near_fall_is_not_on_the_floor() {
     let lived = live("Every day she nearly falls.\n", 20);
     assert!(lived.of("stumbling").count() >= 15, "{}", lived.of("stumbling").count());
     assert_eq!(lived.lies(), []);
@@ -206,7 +206,7 @@ fn mostly_at_some_time_is_three_of_four_falls_with_every_rhythm() {
 }
 
 #[test]
-fn who_falls_out_of_bed_falls_out_of_their_sleep() {
+fn a_fall_out_of_bed_ends_sleep() {
     for said in ["falls out of bed every day", "falls every night in bed", "slides out of bed every day"] {
         let lived = live(&format!("She {said}.\n"), 30);
         let lies = lived.lies();
@@ -229,7 +229,7 @@ fn who_falls_out_of_bed_falls_out_of_their_sleep() {
     }
 }
 
-/// She wakes, falls beside the seat, and naps on.
+/// She wakes, falls next to the seat, and continues the nap.
 #[test]
 fn a_fall_that_has_its_time_breaks_into_a_nap() {
     let said = "Every day she naps in the armchair at 15:00 for 2 hours.\n\

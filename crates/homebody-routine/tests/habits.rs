@@ -95,7 +95,7 @@ fn spread(values: &[f64]) -> f64 {
 }
 
 #[test]
-fn nobody_walks_in_their_sleep() {
+fn a_sleeping_resident_does_not_walk() {
     let lived = live_for("She goes to the bathroom twice as often.\n", 30);
     let walked = |activity: &str| {
         let times: Vec<Interval<RunTime>> = lived.of(activity).collect();
@@ -115,7 +115,7 @@ fn nobody_walks_in_their_sleep() {
 }
 
 #[test]
-fn who_is_away_for_days_is_away_for_days() {
+fn an_absence_of_days_lasts_for_days() {
     for (said, first, days) in [
         ("From day 30, for 7 days, she is out.", 29, 7.0),
         ("From day 20 she stays with her sister for a week.", 19, 7.0),
@@ -138,7 +138,7 @@ fn who_is_away_for_days_is_away_for_days() {
 }
 
 #[test]
-fn who_is_out_over_night_comes_home_when_it_is_said() {
+fn an_outing_over_night_ends_at_its_time() {
     for (said, hours) in [("for 23 hours", 23.0), ("for 30 hours", 30.0)] {
         let lived = live(&format!("On Tuesday she goes out at 07:30 {said}.\n"));
         let away = lived.of("away").map(|away| away.length().ratio(HOUR));
@@ -150,7 +150,7 @@ fn who_is_out_over_night_comes_home_when_it_is_said() {
 }
 
 #[test]
-fn guests_who_stay_sleep_and_eat_and_life_goes_on() {
+fn guests_who_stay_sleep_and_eat_and_the_routine_continues() {
     let lived = live("From day 10 her sister visits for 30 days.\n");
     let guest = activities(&lived.events, 1, lived.days * DAY);
     let hours = |name: &str| {
@@ -186,7 +186,7 @@ fn at_night_is_the_evening_for_what_is_done_awake_and_the_night_for_the_rest() {
 }
 
 #[test]
-fn what_has_its_time_in_the_small_hours_is_lived_then() {
+fn activities_of_the_small_hours_happen_then() {
     for (said, name, at) in [
         ("She makes tea at 3:00.", "drinking", 3.0),
         ("She takes her medicine at 5:00.", "taking_medicine", 5.0),
@@ -276,7 +276,7 @@ fn hours_that_vary_more_have_the_means_that_they_had() {
 }
 
 #[test]
-fn how_often_replaces_a_need_and_a_time_adds_to_it() {
+fn a_frequency_replaces_a_need_and_a_time_adds_to_it() {
     let plain = live("");
     for (said, name, least, most) in [
         ("She drinks once or twice a day.", "drinking", 1.4, 1.6),
@@ -292,7 +292,7 @@ fn how_often_replaces_a_need_and_a_time_adds_to_it() {
 }
 
 #[test]
-fn bedtimes_and_risings_of_all_hours_are_lived() {
+fn bedtimes_and_risings_of_all_hours_happen() {
     for (up, bed) in
         [("07:00", "05:00"), ("14:30", "04:00"), ("01:00", "16:00"), ("15:00", "08:00"), ("11:00", "02:00")]
     {
@@ -316,14 +316,14 @@ fn bedtimes_and_risings_of_all_hours_are_lived() {
 }
 
 #[test]
-fn short_outings_are_lived() {
+fn short_outings_happen() {
     let lived = live("She goes out at 9:00 for 5 minutes.\n");
     let away: Vec<f64> = lived.of("away").map(|away| away.length().ratio(MINUTE)).collect();
     assert!((58..=60).contains(&away.len()) && (4.0..6.0).contains(&mean(&away)), "{} of {}", away.len(), mean(&away));
 }
 
 #[test]
-fn what_is_said_has_its_time_whatever_is_unsaid() {
+fn stated_activities_keep_their_time() {
     let shower = live("She takes a shower at 07:30.\n");
     let off: Vec<f64> = shower.hours("showering").iter().map(|hour| (hour - 7.5) * 60.0).collect();
     assert!(off.len() >= 59 && mean(&off).abs() < 4.0, "{off:?}");
@@ -390,7 +390,7 @@ fn a_severity_that_is_said_again_replaces_the_first() {
 }
 
 #[test]
-fn what_is_said_later_of_the_same_replaces_what_was_said_before() {
+fn a_later_sentence_on_the_same_replaces_an_earlier_one() {
     let lived = live("From day 10 she gets up 1 hour later.\nFrom day 30 she gets up 30 minutes later.\n");
     let ups = lived.hours("getting_up");
     assert!((mean(&ups[12..28]) - 8.0).abs() < 0.15 && (mean(&ups[32..]) - 7.5).abs() < 0.15, "{ups:?}");

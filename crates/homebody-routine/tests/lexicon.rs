@@ -40,7 +40,7 @@ fn a_scenario_has_words_of_its_own() {
 }
 
 #[test]
-fn what_is_wrong_in_it_is_told_with_its_line() {
+fn mistakes_are_reported_with_their_line() {
     for (words, wanted) in [
         ("~read", "own.words:1:1: this line has no section above it"),
         ("[readng]\n~leaf", "did you mean \"[reading]\"?"),

@@ -59,7 +59,7 @@ fn every_way_of_saying_an_activity_is_understood() {
 }
 
 #[test]
-fn what_the_page_says_is_refused_is_refused_in_its_words() {
+fn refusals_have_the_words_of_the_page() {
     let section = PAGE.split("## Refused sentences").nth(1).unwrap().split("\n## ").next().unwrap();
     let rows: Vec<Vec<&str>> =
         section.lines().filter(|line| line.starts_with("| `")).map(|line| line.split('`').collect()).collect();

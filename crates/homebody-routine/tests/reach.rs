@@ -112,7 +112,7 @@ fn assert_is_a_life(of: &BTreeMap<String, (f64, f64)>) {
 }
 
 #[test]
-fn with_another_chair_life_goes_on_with_that_one() {
+fn with_another_chair_the_routine_uses_that_one() {
     let other =
         r#"{ "name": "kitchen chair", "at": [6.6, 3.9], "size_m": [0.45, 0.45], "height_m": 0.9, "enterable": true },"#;
     let files = with_pieces(&TABLES, true, other);
@@ -131,7 +131,7 @@ fn with_another_chair_life_goes_on_with_that_one() {
 
 /// A home in which a way was blocked after the check.
 #[test]
-fn what_cannot_be_reached_does_not_take_the_day() {
+fn an_unreachable_place_does_not_take_the_day() {
     let shown = |pieces, file: fn(Pieces, bool) -> BTreeMap<String, String>| {
         let (_, household) = household(&file(pieces, false), &[]).unwrap();
         let lived = |in_the_way| {
@@ -176,7 +176,7 @@ fn asleep_in_the_armchair_h(sentence: &str) -> f64 {
 }
 
 #[test]
-fn who_sleeps_in_the_recliner_does_not_sleep_in_the_bed() {
+fn a_sleeper_in_the_recliner_does_not_use_the_bed() {
     let (recliner, bed) = (asleep_in_the_armchair_h("She sleeps in her recliner."), asleep_in_the_armchair_h(""));
     assert!(recliner > 3.0 && bed < 1.0, "{recliner} {bed}");
 }

@@ -76,7 +76,7 @@ fn a_sensor_more_changes_neither_the_life_nor_other_sensors() {
 }
 
 #[test]
-fn a_resident_more_changes_nobody_elses_plans() {
+fn another_resident_changes_no_plans() {
     let mut two = files(ORDINARY, &[("henry.routine", "Henry is 80.\n"), ("henry.json", "")]);
     let henry = two["margaret.json"].replace("margaret", "henry");
     two.insert("henry.json".into(), henry);
@@ -118,7 +118,7 @@ fn twins_differ_from_the_onset_on() {
 }
 
 #[test]
-fn what_a_condition_does_not_touch_draws_the_same_numbers() {
+fn a_condition_leaves_the_other_random_numbers() {
     let own = [("conditions/no-lunch.routine", "She skips lunch on 100 % of days.\n")];
     let routine = format!("{ORDINARY}\nFrom day 4 she shows no lunch.\n");
     let twin = |without: &[&str]| {
@@ -139,7 +139,7 @@ fn what_a_condition_does_not_touch_draws_the_same_numbers() {
 
 /// Segments are continuous in time, and in space except for absences.
 #[test]
-fn nobody_is_in_two_places() {
+fn a_resident_is_in_one_place() {
     for moves in everything(20).moves().unwrap() {
         let mut at: Option<Point> = None;
         for pair in moves.windows(2) {
@@ -161,7 +161,7 @@ fn nobody_is_in_two_places() {
 
 /// Frequencies in the ground truth agree with the quantifiers.
 #[test]
-fn what_is_written_is_what_is_lived() {
+fn the_run_follows_the_routine() {
     let days = 90;
     let end = days * DAY;
     let events = events(run(ORDINARY, days), DAY);
@@ -265,7 +265,7 @@ fn hours_of(routine: &str, days: i64, name: &str) -> Vec<f64> {
 }
 
 #[test]
-fn what_comes_then_comes_also_after_getting_up_and_after_the_toilet() {
+fn then_also_follows_rising_and_the_toilet() {
     let routine = "Margaret is 82.\nEvery day\n  she gets up at 7:00, then takes a shower\n\
         \x20 she goes to the toilet at 16:00, then reads for 30 minutes\n";
     let (showers, reading) = (hours_of(routine, 4, "showering"), hours_of(routine, 4, "reading"));
@@ -274,7 +274,7 @@ fn what_comes_then_comes_also_after_getting_up_and_after_the_toilet() {
 }
 
 #[test]
-fn who_gets_up_late_washes_and_dresses_first() {
+fn after_a_late_rising_washing_and_dressing_come_first() {
     let late = ORDINARY.replace("at about 06:45, give or take 45 minutes", "at about 11:00, give or take 15 minutes");
     assert_ne!(late, ORDINARY);
     let lived = activities(&events(run(&late, 14), DAY), 0, 14 * DAY);
@@ -292,7 +292,7 @@ fn who_gets_up_late_washes_and_dresses_first() {
 }
 
 #[test]
-fn what_has_its_time_in_the_night_is_done_in_the_night() {
+fn activities_of_the_night_happen_at_night() {
     let tea = hours_of("Margaret is 82.\nShe makes tea at 3:00 at night.\n", 4, "drinking");
     assert!(tea.iter().filter(|hour| (2.9..3.6).contains(*hour)).count() >= 3, "{tea:?}");
 }
@@ -340,7 +340,7 @@ fn a_rule_about_the_host_does_not_bring_visitors() {
 }
 
 #[test]
-fn what_a_condition_does_not_last_for_is_over() {
+fn a_condition_ends_after_its_time() {
     let routine = "Margaret is 82.\nFrom day 3 to day 5 she shows insomnia.\n";
     let told: Vec<(i64, f64)> = events(run(routine, 9), DAY)
         .facts
@@ -354,7 +354,7 @@ fn what_a_condition_does_not_last_for_is_over() {
 }
 
 #[test]
-fn what_cannot_be_reached_is_said_before_the_run() {
+fn unreachable_places_are_reported_before_the_run() {
     let mut closed = files(ORDINARY, &[]);
     let home = closed["home.json"].replace(
         "\"name\": \"bathroom door\", \"from\": [2.6, 1.65], \"to\": [2.6, 2.55]",
@@ -389,7 +389,7 @@ fn a_condition_of_ones_own_needs_no_rust() {
 }
 
 #[test]
-fn every_condition_that_the_program_knows_can_be_shown_and_lived() {
+fn every_condition_of_the_program_can_run() {
     for (name, text) in homebody_routine::household::CONDITIONS {
         let routine =
             format!("Margaret is 82.\nFrom day 2, over 2 days, she shows severe {}.\n", name.replace('-', " "));
@@ -402,7 +402,7 @@ fn every_condition_that_the_program_knows_can_be_shown_and_lived() {
 }
 
 #[test]
-fn leaving_out_what_nobody_shows_is_a_mistake() {
+fn rejects_leaving_out_a_condition_that_no_resident_has() {
     let said = household(&files(DECLINE, &[]), &["depresion"]).unwrap_err();
     assert!(said.contains("no resident shows \"depresion\"") && said.contains("cognitive-decline"), "{said}");
 }

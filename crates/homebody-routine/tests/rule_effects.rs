@@ -40,7 +40,7 @@ impl Lived {
 }
 
 #[test]
-fn what_is_over_brings_the_next_step_after_step() {
+fn the_end_of_a_step_brings_the_next() {
     let life = live("Whenever she has eaten lunch, she naps for 20 minutes, then reads for 10 minutes.");
     let lunches = life.ends("eating_lunch");
     assert!(lunches.len() as i64 >= DAYS - 1);
@@ -53,7 +53,7 @@ fn what_is_over_brings_the_next_step_after_step() {
 }
 
 #[test]
-fn what_has_to_be_so_is_asked_as_it_becomes_due() {
+fn conditions_of_a_rule_are_checked_when_it_is_due() {
     let naps =
         |rule: &str| live(rule).of("napping").filter(|nap| (12.0..14.0).contains(&hour(nap.begin))).count() as i64;
     let always = naps("Whenever she has eaten lunch, she naps for 20 minutes.");
@@ -63,7 +63,7 @@ fn what_has_to_be_so_is_asked_as_it_becomes_due() {
 }
 
 #[test]
-fn who_comes_is_noticed_and_so_is_that_nobody_is_there() {
+fn a_rule_notices_arrivals_and_an_empty_home() {
     let visit = "Her daughter visits on Sunday at 14:00 for 2 hours.\n";
     let life = live(&format!("{visit}Whenever her daughter comes, she has a drink."));
     let visits: Vec<RunTime> = life.of("visit").map(|visit| visit.begin).filter(|at| day(*at) % 7 == 6).collect();
@@ -88,7 +88,7 @@ fn dusk_is_noticed_every_day() {
 }
 
 #[test]
-fn who_has_sat_for_long_rises() {
+fn a_person_who_has_sat_for_long_rises() {
     let sits = "She reads in the armchair from 14:00 to 17:00.\n";
     let walks = |rule: &str| {
         live(&format!("{sits}{rule}")).of("wandering").filter(|walk| (14.0..17.2).contains(&hour(walk.begin))).count()
@@ -99,7 +99,7 @@ fn who_has_sat_for_long_rises() {
 }
 
 #[test]
-fn what_is_forgotten_is_done_later() {
+fn a_forgotten_response_comes_later() {
     let life = live(
         "Whenever she has eaten lunch, she naps for 10 minutes, but she forgets it on 50 % of days and does it 2 hours later.",
     );

@@ -1,4 +1,4 @@
-//! What a sentence's random numbers hang on: what it says, and nothing else of the text.
+//! The random numbers of a sentence depend on its meaning, and not on the rest of the text.
 #![expect(clippy::disallowed_methods, reason = "the scenarios are read from their folders")]
 
 mod stage;
@@ -154,7 +154,7 @@ fn another_sentence_leaves_the_numbers_of_the_others() {
 }
 
 #[test]
-fn what_says_the_same_is_told_apart_by_its_order() {
+fn equal_sentences_differ_by_their_order() {
     let one = "Margaret is 82.\nOn Monday she reads at about 15:00 for 10 to 60 minutes.\n";
     let two = format!("{one}On Tuesday she reads at about 15:00 for 10 to 60 minutes.\n");
     let twice = format!("{one}On Monday she reads at about 3 pm for 10-60 minutes.\n");

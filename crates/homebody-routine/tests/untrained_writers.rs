@@ -33,7 +33,7 @@ const VERDICTS: [(Verdict, &str); 4] = [
 ];
 
 #[test]
-fn what_becomes_of_sentences_of_others_is_written_beside_them() {
+fn sentences_of_untrained_writers_have_their_listed_results() {
     let known = KnownNames { usual: Activity::OWN_WAYS.to_vec(), ..home() };
     let (mut text, mut verdicts) = (String::new(), Vec::new());
     for line in include_str!("untrained_writers.jsonl").lines() {

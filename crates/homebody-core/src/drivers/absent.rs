@@ -5,7 +5,7 @@ use crate::motion::{MotionSegment, MotionState};
 use crate::posture::Posture;
 use crate::time::RunTime;
 
-/// The driver of a resident for whom there is none.
+/// The driver of a resident without a driver.
 #[derive(Clone, Copy, Debug)]
 pub struct Absent;
 

@@ -1,4 +1,4 @@
-//! What a scenario's files must not say although their shape is right, one file here for each of theirs.
+//! Faults in the meaning of a scenario's files: one file here for each of theirs.
 
 pub mod home;
 pub mod input;
@@ -17,7 +17,7 @@ use crate::problem::{Diagnostic, MOST_PER_FILE, Problem};
 use crate::scenario::source::JsonSource;
 use messages::{NameMessage, RangeMessage};
 
-/// What the checks of other files know of the home.
+/// The home, for the checks of other files.
 pub struct HomeInCheck<'a> {
     /// Nothing if its shape is wrong.
     pub home: Option<&'a HomeFile>,
@@ -85,7 +85,7 @@ fn at(p: Point) -> String {
     format!("({}, {})", short(p.x), short(p.y))
 }
 
-/// What a solid is, in the words of the home's file.
+/// A solid in the words of the home's file.
 fn solid_name(home: &HomeFile, solid: &Solid) -> String {
     match solid.origin {
         Origin::Wall(index) => {

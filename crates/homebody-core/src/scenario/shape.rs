@@ -19,12 +19,11 @@ const DECIMAL_POINT: &str = "write a number with a point: 0.5, not 0,5";
 /// Largest number of problems searched for in a file (our choice).
 const MOST_FOUND: usize = 1_000;
 
-/// What is wrong with a source's shape.
+/// The faults of a source's shape.
 #[derive(Debug, Default)]
 pub struct Misshape {
     pub problems: Vec<Problem>,
-    /// The keys that are none, by where they start, and which were meant; if there are as many as problems, the rest can be
-    /// read.
+    /// The unknown keys, by position, with the intended ones. If there are as many as problems, the rest can be read.
     pub keys: Misspelt,
 }
 
@@ -282,7 +281,7 @@ impl<'a> ShapeCheck<'a> {
         self.report(node.start, SchemaMessage::WrongType { subject, wanted, found, help });
     }
 
-    /// What the schema takes, in words.
+    /// The values that the schema accepts, in words.
     fn describe(&self, schema: &'a Schema, words: &mut Vec<String>) {
         let schema = self.resolve(schema);
         for branch in branches(schema, "anyOf").or(branches(schema, "oneOf")).into_iter().flatten() {

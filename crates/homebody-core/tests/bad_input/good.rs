@@ -1,5 +1,5 @@
-//! A small scenario with nothing wrong, in which the tests break one thing at a time. It has something of everything, and
-//! what is said of it names its lines: so it is not the flat that other tests live in.
+//! A small valid scenario, in which the tests break one thing at a time. It has an example of everything, and messages
+//! name its lines: so it is not the flat of other tests.
 
 use std::collections::BTreeMap;
 

@@ -1,4 +1,4 @@
-//! What is read is bounded, and what it costs grows as its size does.
+//! Reading is bounded, and its cost grows with the size.
 
 #![allow(
     clippy::disallowed_types,
@@ -11,7 +11,7 @@ use std::fmt::Write;
 use std::hint::black_box;
 use std::time::{Duration, Instant};
 
-/// Something of the good scenario made as large as it is asked to be.
+/// A part of the good scenario, enlarged to a size.
 type Grown = (&'static str, fn(usize) -> BTreeMap<String, String>);
 
 fn with(file: &str, text: String) -> BTreeMap<String, String> {
@@ -80,7 +80,7 @@ fn reading_and_checking_cost_no_more_than_a_small_multiple_of_the_size() {
 
 /// The control: who compares each key with all others is seen to take too long.
 #[test]
-fn what_costs_the_square_of_the_size_is_seen() {
+fn finds_a_cost_of_the_square_of_the_size() {
     let [small, large] = [4_000, 32_000].map(|size| {
         let keys: Vec<u64> = (0..size).collect();
         let repeated = || keys.iter().map(|one| keys.iter().filter(|other| *other == black_box(one)).count()).sum();

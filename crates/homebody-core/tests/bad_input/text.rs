@@ -1,4 +1,4 @@
-//! Text that is no JSON, and text that only looks odd.
+//! Text that breaks JSON, and text that only looks odd.
 
 use crate::*;
 

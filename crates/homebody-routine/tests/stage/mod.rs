@@ -1,4 +1,4 @@
-//! The apartment of the example, lived in by whatever routine a test writes.
+//! The apartment of the example, with the routine of a test.
 
 use homebody_core::event::{Events, Fact};
 use homebody_core::ids::ResidentId;
