@@ -141,7 +141,7 @@ impl Calendar {
         f64::from(whole) + (at - begin).ratio(end - begin)
     }
 
-    /// From when to when a day of a run is that begins at the hour of its start.
+    /// The interval of a run's day that begins at the hour of the start.
     fn run_day(&self, day: i32) -> (RunTime, RunTime) {
         let begin = |day| if day == 0 { RunTime::START } else { self.instant(day, self.start_of_day()) };
         (begin(day), begin(day.saturating_add(1)))
@@ -201,7 +201,7 @@ impl Calendar {
     }
 }
 
-/// The zone that was probably meant: a slip of the keys, or a city without its continent.
+/// The intended zone of a misspelt name, or of a city without its continent.
 fn nearest_zone(name: &str) -> Option<String> {
     let known: Vec<String> = TimeZoneDatabase::bundled().available().map(|name| name.to_string()).collect();
     let folded = |name: &str| name.trim().to_lowercase();

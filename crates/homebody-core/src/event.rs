@@ -34,9 +34,9 @@ pub enum Value {
     Open,
     /// It was closed.
     Close,
-    /// Somebody has come into the bed, which was empty.
+    /// A person has come into the empty bed.
     In,
-    /// Nobody is in the bed any more.
+    /// The bed is empty.
     Out,
     /// The level of restlessness in bed, from 1 to 4.
     Restless(u8),

@@ -30,7 +30,7 @@ pub struct Home {
     pub numbers: Numbers,
     /// One field for each size of body of the residents.
     pub fields: Vec<Field>,
-    /// The resident's fields: of who stands, of who sits, and of who lies.
+    /// The resident's fields for standing, sitting and lying.
     postures: Vec<[usize; 3]>,
 }
 

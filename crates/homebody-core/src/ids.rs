@@ -29,7 +29,7 @@ id! {
     SensorId
 }
 id! {
-    /// Somebody with a body: the scenario's residents first, then those who visit.
+    /// A body: the scenario's residents first, then visitors.
     ResidentId
 }
 id! {

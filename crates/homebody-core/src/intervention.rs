@@ -3,11 +3,11 @@
 use crate::time::{RunTime, Span};
 use serde::{Deserialize, Serialize};
 
-/// Something that is done from outside, and when.
+/// An intervention and its instant.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct TimedIntervention {
-    /// When.
+    /// The instant.
     pub at_us: RunTime,
     /// The intervention.
     #[serde(rename = "deed")]
@@ -29,13 +29,13 @@ pub enum Intervention {
     Fail {
         /// Its name in the home.
         sensor: String,
-        /// How.
+        /// The kind of failure.
         failure: Failure,
-        /// Until when; None for the rest of the run.
+        /// The end; `None` for the rest of the run.
         #[serde(default, skip_serializing_if = "Option::is_none")]
         until_us: Option<RunTime>,
     },
-    /// Somebody falls where they are.
+    /// A resident falls on the spot.
     Fall {
         /// Their name.
         resident: String,
@@ -48,12 +48,12 @@ pub enum Intervention {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(tag = "kind", rename_all = "snake_case", deny_unknown_fields)]
 pub enum Failure {
-    /// Its battery fades for so long, and is empty then.
+    /// Its battery fades, and is empty then.
     Battery {
         /// The duration of the fading; 0 if it is empty at once.
         fades_us: Span,
     },
-    /// It hears nothing, and repeats itself or is silent.
+    /// It detects nothing, and repeats itself or is silent.
     Stuck {
         /// The interval at which it repeats its last message; `None` if it is silent.
         #[serde(default, skip_serializing_if = "Option::is_none")]
@@ -61,9 +61,9 @@ pub enum Failure {
     },
     /// It comes off its place, and sees nothing real.
     FallsOff,
-    /// So many of a million of its messages are lost on the way.
+    /// A share of its messages is lost on the way.
     BadLink {
-        /// How many.
+        /// The number of lost messages in a million.
         lost_ppm: u32,
     },
 }

@@ -59,7 +59,6 @@ pub struct Link {
     seq: u64,
 }
 
-/// The next event of a message under way.
 #[derive(Clone, Debug)]
 struct Due {
     at: RunTime,
@@ -139,13 +138,13 @@ impl Link {
         }
     }
 
-    /// A link without losses, for sensors with these names that look for movement or do not. `told` messages came
+    /// A link without losses, for sensors with these names that look for movement or do not. `sent` messages came
     /// before.
     pub(crate) fn perfect<'n>(
         sensors: impl Iterator<Item = (&'n str, bool)>,
         numbers: &Numbers,
         seed: u64,
-        told: u64,
+        sent: u64,
     ) -> Link {
         let file = LinkFile::default();
         let sensors: Vec<(&str, bool)> = sensors.collect();
@@ -159,11 +158,11 @@ impl Link {
             damaged_ids: numbers.of(&DAMAGED_IDS),
             under_way: BinaryHeap::new(),
             order: 0,
-            seq: told,
+            seq: sent,
         }
     }
 
-    /// A sensor of this name fails for a time, whatever the link's file says.
+    /// Lets a sensor of this name fail for a time, in addition to the faults of the file.
     pub(crate) fn fails(&mut self, sensor: SensorId, failure: Failure, span: Interval<RunTime>, name: &str, seed: u64) {
         let Some(channel) = self.channels.get_mut(sensor.index()) else { return };
         channel.fails(failure, span);
@@ -211,7 +210,7 @@ impl Link {
                 break;
             } else if of_sources <= due {
                 let Some(spoken) = self.sources.speak() else { break };
-                self.says_for_no_reason(&spoken, events);
+                self.send_without_cause(&spoken, events);
             } else {
                 let Some(Reverse(due)) = self.under_way.pop() else { break };
                 self.next_stage(due, events);
@@ -239,7 +238,7 @@ impl Link {
         }
     }
 
-    fn says_for_no_reason(&mut self, told: &Utterance, events: &mut Events) {
+    fn send_without_cause(&mut self, told: &Utterance, events: &mut Events) {
         let Utterance { at, sensor, repeats, draws } = *told;
         let channel = &self.channels[sensor.index()];
         let provenance = Provenance { resident: None, seen_at: at, trigger: Trigger::False };
@@ -288,7 +287,7 @@ impl Link {
         }
     }
 
-    /// A message has come through the air, if chance does not take it.
+    /// A message has come through the air, unless chance takes it.
     fn receive(&mut self, at: RunTime, mut message: MessageUnderWay, events: &mut Events) {
         let channel = &self.channels[message.sensor.index()];
         let draws = message.draws;

@@ -32,7 +32,7 @@ pub const MOST_INTERVENTIONS: usize = 10_000;
 /// Longest time that a person lies on the floor (our choice).
 const LONGEST_LIE: Span = DAY;
 
-/// The least and the most between what a stuck sensor repeats.
+/// The shortest and the longest interval of repetitions of a stuck sensor.
 const REPEATS: std::ops::RangeInclusive<Span> = Span::from_millis(100)..=DAY;
 
 crate::messages! {
@@ -112,7 +112,6 @@ impl From<OutsideMessage> for Refusal {
     }
 }
 
-/// An intervention with its names resolved.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum ResolvedIntervention {
     Use { thing: ThingId, on: bool },

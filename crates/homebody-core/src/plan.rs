@@ -314,7 +314,6 @@ pub fn furniture_outline(piece: &FurnitureFile) -> Vec<Point> {
     vec![middle - x - y, middle + x - y, middle + x + y, middle - x + y]
 }
 
-/// Whether an outline turns the same way at all its corners.
 fn is_convex(outline: &[Point]) -> bool {
     let count = outline.len();
     let turn = |index: usize| {

@@ -257,7 +257,6 @@ impl From<&str> for Advice {
     }
 }
 
-/// The words.
 impl fmt::Display for Advice {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
         f.write_str(&self.text)
@@ -313,7 +312,6 @@ impl Excerpt {
     }
 }
 
-/// The position and the text, without the code.
 impl fmt::Display for Diagnostic {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
         write!(f, "{}{}", self.position(), self.text())

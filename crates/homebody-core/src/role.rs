@@ -25,7 +25,7 @@ pub struct RoleRow {
 
 macro_rules! roles {
     ($(#[doc = $about:literal] $(#[$more:meta])* $role:ident $names:tt or [$($instead:ident),*], $posture:expr;)*) => {
-        /// A purpose of furniture, which activities need.
+        /// What a piece of furniture is for, and what an activity needs.
         #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize, JsonSchema)]
         #[serde(rename_all = "snake_case")]
         #[schemars(title = "role")]

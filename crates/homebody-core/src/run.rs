@@ -32,26 +32,24 @@ use std::sync::Arc;
 pub struct Run {
     world: World,
     names: Vec<String>,
-    /// By resident: who decides, what the body is doing, and what the truth knows of where it is.
+    /// By resident: the driver, the movement of the body, and the truth about its place.
     drivers: Vec<Box<dyn Driver>>,
     occupants: Vec<Occupant>,
-    told: Vec<TruthSoFar>,
-    /// By thing of the plan: who has turned it on, or opened it.
+    truths: Vec<TruthSoFar>,
+    /// By thing of the plan: the residents who have turned it on, or opened it.
     users: Vec<Vec<ResidentId>>,
-    /// By thing of the plan: whether it is on, or open, and whether that was done from outside.
+    /// By thing of the plan: whether it is on, or open, and whether an intervention did that.
     on: Vec<bool>,
     by_outside: Vec<bool>,
-    /// Nothing where all that sensors say reaches the logger at once.
+    /// `None` if all messages of sensors reach the logger at once.
     link: Option<Box<Link>>,
     length: Span,
     seed: u64,
     /// The interventions that are still to come, in order of time.
     outside: VecDeque<TimedIntervention>,
-    /// Why it goes no further.
     failure: Option<DriverError>,
 }
 
-/// The part of a resident's truth that is out.
 #[derive(Clone, Debug, Default)]
 struct TruthSoFar {
     room: Option<RoomId>,
@@ -82,7 +80,7 @@ impl DriverProvider for () {
     }
 }
 
-/// Somebody who comes and goes.
+/// A visitor.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Guest {
     /// The name in the truth, such as `margaret's daughter`.
@@ -91,7 +89,6 @@ pub struct Guest {
     pub build: Build,
 }
 
-/// The bodies of all residents, and then of all visitors.
 fn builds(scenario: &Scenario, guests: &[Guest]) -> Vec<Build> {
     let residents = scenario.residents.iter().map(|resident| Build::new(&resident.file));
     residents.chain(guests.iter().map(|guest| guest.build)).collect()
@@ -158,7 +155,7 @@ impl Run {
             world,
             names,
             occupants: builds.into_iter().map(Occupant::new).collect(),
-            told: vec![TruthSoFar::default(); drivers.len()],
+            truths: vec![TruthSoFar::default(); drivers.len()],
             drivers,
             users,
             on,
@@ -219,7 +216,7 @@ impl Run {
                 at: self.world.position(resident)?,
                 heading: self.world.heading(resident),
                 posture: self.world.posture(resident),
-                room: self.told[resident.index()].room,
+                room: self.truths[resident.index()].room,
             })
         };
         let all = (0..self.drivers.len()).map(ResidentId::new);
@@ -299,7 +296,7 @@ impl Run {
         if self.now() >= self.end() || self.failure.is_some() {
             events.facts.extend(self.under_way());
             let now = self.now();
-            self.told.iter_mut().for_each(|told| told.since = now);
+            self.truths.iter_mut().for_each(|truth| truth.since = now);
         }
         self.failure.clone().map_or(Ok(()), Err)
     }
@@ -310,9 +307,8 @@ impl Run {
         (0..self.drivers.len()).map(ResidentId::new).filter_map(|resident| self.movement(resident))
     }
 
-    /// The movement of a resident up to now, unless it is reported.
     fn movement(&self, resident: ResidentId) -> Option<Fact> {
-        let begin = self.told[resident.index()].since;
+        let begin = self.truths[resident.index()].since;
         let MotionSegment { end, doing, posture, .. } = self.occupants[resident.index()].segment.until(self.now());
         (begin < end).then_some(Fact::Movement { resident, begin, end, doing, posture })
     }
@@ -322,7 +318,7 @@ impl Run {
         self.failure.as_ref()
     }
 
-    /// Asks the drivers of all whose move is over what comes next.
+    /// Asks the drivers of all residents whose move is over.
     fn begin_due(&mut self, events: &mut Events) -> Result<(), DriverError> {
         for resident in (0..self.drivers.len()).map(ResidentId::new) {
             if self.occupants[resident.index()].segment.end <= self.now() {
@@ -364,7 +360,7 @@ impl Run {
         Ok(moves)
     }
 
-    /// Asks the resident's driver what comes next, and tells the world.
+    /// Asks the resident's driver for the next move, and gives it to the world.
     fn begin_next(&mut self, resident: ResidentId, events: &mut Events) -> Result<(), DriverFault> {
         let now = self.world.now();
         let things = self.on.len();
@@ -398,7 +394,7 @@ impl Run {
         // A rest that is reported several times in a row is one movement.
         if !next.continues(&self.occupants[resident.index()].segment) {
             events.facts.extend(self.movement(resident));
-            self.told[resident.index()].since = now;
+            self.truths[resident.index()].since = now;
         }
         self.tell_rooms(resident, rooms, events);
         self.world.begin(resident, &next);
@@ -446,7 +442,6 @@ impl Run {
         Surroundings::new(self.now(), resident, &self.home().plan, &self.occupants, &self.on)
     }
 
-    /// The state of a thing after all interventions so far.
     fn state_after_interventions(&self, thing: ThingId) -> bool {
         let name = &self.home().plan.things[thing.index()].name;
         let said = self.outside.iter().rev().find_map(|one| match &one.intervention {
@@ -484,14 +479,14 @@ impl Run {
         }
     }
 
-    /// A link on which nothing goes wrong, for a run that had none until now.
+    /// A link without faults, for a run that had none until now.
     fn perfect_link(&self) -> Link {
         let home = self.world.home();
         let sensors = home.sensors.iter().map(|sensor| (sensor.name.as_str(), sensor.senses_motion()));
-        Link::perfect(sensors, &home.numbers, self.seed, self.world.said())
+        Link::perfect(sensors, &home.numbers, self.seed, self.world.message_count())
     }
 
-    /// Somebody falls where they are: what their body was doing ends now.
+    /// A resident falls on the spot, which ends the present movement.
     fn fall(&mut self, resident: ResidentId, lies: Span, events: &mut Events) {
         let now = self.now();
         let cut = self.occupants[resident.index()].segment.until(now);
@@ -543,7 +538,7 @@ impl Run {
         match next.doing {
             MotionState::InPlace { at, .. } | MotionState::Rest { at } if before == Some(at) => return Ok(Vec::new()),
             MotionState::Stride { from, to } if before == Some(from) => {
-                let here = self.told[resident.index()].room.map(|room| &plan.rooms[room.index()]);
+                let here = self.truths[resident.index()].room.map(|room| &plan.rooms[room.index()]);
                 if here.is_some_and(|room| room.surely_holds(from, to)) {
                     return Ok(Vec::new());
                 }
@@ -562,10 +557,10 @@ impl Run {
         }
     }
 
-    /// Tells the truth which rooms a resident comes through.
+    /// Reports the rooms along a resident's movement.
     fn tell_rooms(&mut self, resident: ResidentId, rooms: Vec<(RunTime, Option<usize>)>, events: &mut Events) {
         let end = self.end();
-        let TruthSoFar { room, located, .. } = &mut self.told[resident.index()];
+        let TruthSoFar { room, located, .. } = &mut self.truths[resident.index()];
         for (at, new) in rooms.into_iter().filter(|&(at, _)| at < end) {
             let new = new.map(RoomId::new);
             if !*located || *room != new {
@@ -576,7 +571,6 @@ impl Run {
     }
 }
 
-/// The driver that a resident's files ask for, if this crate knows it.
 fn driver(resident: &load::Resident, plan: &Plan, start_of_day: Span) -> Option<Box<dyn Driver>> {
     let load::Resident { file, driver } = resident;
     match driver {

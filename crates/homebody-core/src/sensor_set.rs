@@ -77,7 +77,6 @@ pub(crate) type Mask = u128;
 /// The number of sensors that share a mask.
 pub(crate) const BLOCK: usize = Mask::BITS as usize;
 
-/// The largest number of blocks.
 pub(crate) const BLOCKS: usize = MAX_SENSORS.div_ceil(BLOCK);
 
 /// The number of blocks for a number of sensors, at least one.

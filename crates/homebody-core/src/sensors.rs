@@ -98,9 +98,10 @@ impl Sensor {
                 let middle = area.middle;
                 (SensorKind::CeilingMotion(area), middle)
             }
-            told => {
-                let site = site(told, plan)?;
-                let device = SensorDevice::new(told, &site).expect("all that does not look for movement is told");
+            device => {
+                let site = site(device, plan)?;
+                let device =
+                    SensorDevice::new(device, &site).expect("a sensor that does not look for movement is a device");
                 (SensorKind::Device(Box::new(device)), site.at)
             }
         };

@@ -1,12 +1,12 @@
 //! The world: bodies move, fields see them, machines fire.
 //!
 //! One slice of time after another: within a slice every moving body stays in one cell of its
-//! field, so masks say which sensors see it; where they cannot tell, the instant of touching is
+//! field, so masks hold the sensors that surely see it; for the others, the instant of touching is
 //! computed. Sensors do not know of each other, so within a slice each runs by itself, and only the
 //! timers bring their firings into order.
 //!
 //! Times are compared as whole microseconds, never as floats. A slice is half-open: what happens at
-//! its end belongs to the next. At one instant, touching and being told come before timers.
+//! its end belongs to the next. At one instant, touches and changes come before timers.
 
 use crate::body::figure::Stature;
 use crate::event::{Events, Fact, Firing, Frame, Provenance, ThingUse, Trigger, Value, Vitals};
@@ -43,23 +43,20 @@ pub struct World {
     /// for movement.
     devices: Vec<Option<(SensorDevice, Outbox)>>,
     /// The numbers of the devices, and of those devices that react to movements of bodies.
-    told: Vec<usize>,
+    reacting: Vec<usize>,
     feeling: Vec<usize>,
-    /// Those that see bodies, however light; and by sensor, those that it wakes.
+    /// The devices that see bodies of any weight; and by sensor, those that it wakes.
     watching: Vec<usize>,
     wakes: Vec<Vec<usize>>,
     blocks: usize,
-    /// By block: the sensors whose machine waits for movement.
     want: [Mask; BLOCKS],
     timers: Timers,
     /// By sensor: whether it takes any change in a beam for movement.
     plain: Vec<bool>,
     /// By sensor: its looks, if it does not notice all.
     looks: Vec<Option<(NoticeChance, Marks)>>,
-    /// The pulses of the sensors that count pulses, in the order of these sensors.
     pulses: Vec<Pulses>,
     seq: u64,
-    /// A random number for each movement of a body.
     chances: Marks,
     /// Bodies of a smaller radius are not felt.
     light_m: f64,
@@ -73,7 +70,6 @@ crate::numbers! {
     static LIGHT_M = "body.light": 0.15, "m", [0.0, 0.3];
 }
 
-/// The movement of a body; it faces the way of its last stride.
 #[derive(Clone, Debug)]
 struct TrackedBody {
     posture: Posture,
@@ -81,7 +77,6 @@ struct TrackedBody {
     heading: Point,
 }
 
-/// A group of devices.
 #[derive(Clone, Copy, Debug)]
 enum Listeners {
     All,
@@ -97,7 +92,7 @@ enum BodyMotion {
     Away,
 }
 
-/// A body that moves in the present slice, and what a block knows of the cell that it stays in meanwhile.
+/// A body that moves in the present slice, and the entry of a block for its cell.
 #[derive(Clone, Copy, Debug)]
 struct Mover {
     body: u32,
@@ -124,12 +119,12 @@ impl World {
         };
         let devices: Vec<Option<(SensorDevice, Outbox)>> = home.sensors.iter().map(device).collect();
         let mut timers = Timers::new(machines.len());
-        let (mut told, mut feeling, mut watching) = (Vec::new(), Vec::new(), Vec::new());
+        let (mut reacting, mut feeling, mut watching) = (Vec::new(), Vec::new(), Vec::new());
         let mut wakes = vec![Vec::new(); devices.len()];
         for (sensor, device) in devices.iter().enumerate() {
             let Some((device, _)) = device else { continue };
             timers.set(sensor, device.timer());
-            told.push(sensor);
+            reacting.push(sensor);
             feeling.extend(device.feels_bodies().then_some(sensor));
             watching.extend(device.sees_bodies().then_some(sensor));
             // A sensor that is moved has several places, all of its name.
@@ -151,7 +146,7 @@ impl World {
             want,
             timers,
             devices,
-            told,
+            reacting,
             feeling,
             watching,
             wakes,
@@ -203,38 +198,38 @@ impl World {
         let change = Change::Body { resident, stature, begin, end, doing, posture, chance };
         // A cat presses no mat, and lies next to the strip.
         if radius_m >= self.light_m {
-            self.tell(&change, Listeners::Feeling);
+            self.inform(&change, Listeners::Feeling);
         }
-        self.tell(&change, Listeners::Watching);
+        self.inform(&change, Listeners::Watching);
     }
 
     /// A thing is used, now; by a resident unless it is from outside.
     pub fn act(&mut self, resident: Option<ResidentId>, act: ThingUse) {
         let ThingUse { thing, on } = act;
-        self.tell(&Change::Use { resident, thing, on }, Listeners::All);
+        self.inform(&Change::Use { resident, thing, on }, Listeners::All);
     }
 
     /// The number of messages that have left the sensors.
-    pub fn said(&self) -> u64 {
+    pub fn message_count(&self) -> u64 {
         self.seq
     }
 
     /// From now on a resident's heart and lungs are like this.
     pub fn feel(&mut self, resident: ResidentId, vitals: Vitals) {
-        self.tell(&Change::Vitals { resident, vitals }, Listeners::Feeling);
+        self.inform(&Change::Vitals { resident, vitals }, Listeners::Feeling);
     }
 
     /// Informs devices of a change. Their messages of this instant leave in the order of the sensors.
-    fn tell(&mut self, change: &Change, listeners: Listeners) {
+    fn inform(&mut self, change: &Change, listeners: Listeners) {
         let listeners = match listeners {
-            Listeners::All => &self.told,
+            Listeners::All => &self.reacting,
             Listeners::Feeling => &self.feeling,
             Listeners::Watching => &self.watching,
         };
         for &sensor in listeners {
             let Some((device, outbox)) = &mut self.devices[sensor] else { continue };
             device.on_event(self.now, change, outbox);
-            self.timers.set(sensor, if outbox.said.is_empty() { device.timer() } else { self.now });
+            self.timers.set(sensor, if outbox.messages.is_empty() { device.timer() } else { self.now });
         }
     }
 
@@ -245,7 +240,7 @@ impl World {
         for &woken in &self.wakes[sensor] {
             let Some((device, outbox)) = &mut self.devices[woken] else { continue };
             device.on_event(at, &Change::Fired, outbox);
-            self.timers.set(woken, if outbox.said.is_empty() { device.timer() } else { at });
+            self.timers.set(woken, if outbox.messages.is_empty() { device.timer() } else { at });
         }
     }
 
@@ -389,7 +384,7 @@ impl World {
         end
     }
 
-    /// Lets everything happen that happens between now and `end`.
+    /// Runs all events from now to `end`.
     fn run_slice<const ONE: bool>(&mut self, end: RunTime, events: &mut Events) {
         if !self.pulses.is_empty() {
             self.count_pulses(end);
@@ -419,10 +414,10 @@ impl World {
             if device.timer() <= at {
                 device.on_timer(at, outbox);
             }
-            let Outbox { said, pictures } = std::mem::take(outbox);
+            let Outbox { messages, pictures } = std::mem::take(outbox);
             let frame = |picture| Frame { at, sensor: SensorId::new(sensor), picture };
             events.frames.extend(pictures.into_iter().map(frame));
-            for (value, provenance) in said {
+            for (value, provenance) in messages {
                 self.send(at, sensor, value, provenance, events);
             }
         } else if let TimerOutcome::Fired(seen) = self.machines[sensor].on_timer() {
@@ -454,7 +449,7 @@ impl World {
         }
     }
 
-    /// Keeps what a machine wants and when its timer is due.
+    /// Keeps the wish and the next timer of a machine.
     fn note<const ONE: bool>(&mut self, sensor: usize) {
         if let Some((device, _)) = &self.devices[sensor] {
             return self.timers.set(sensor, device.timer());
@@ -541,7 +536,6 @@ impl World {
         &self.pulses[self.pulses.partition_point(|pulses| pulses.sensor < sensor)]
     }
 
-    /// Lets the sensors that count pulses count those between now and `end`.
     fn count_pulses(&mut self, end: RunTime) {
         for pulses in &mut self.pulses {
             let sensor = pulses.sensor;
@@ -584,7 +578,7 @@ fn first_touch(field: &Field, cell: &FieldCell, sensor: usize, motion: &BodyMoti
     }
 }
 
-/// Between which instants, both included, the movement is large enough as seen from the lens.
+/// The instants, both included, between which the movement is large enough as seen from the lens.
 fn span_of_notice(pir: &Motion, motion: &BodyMotion, reach_per_m: f64) -> Option<RangeInclusive<RunTime>> {
     match motion {
         BodyMotion::Stride(stride) => stride.span_within(pir.lens, stride.speed_mps() * reach_per_m),

@@ -48,7 +48,6 @@ const USUAL_RADIUS: f64 = share::SHOULDER_HALF_WIDTH;
 /// swaying.
 const GIRTH_SHARE: f64 = 0.5;
 
-/// The thickness of a body as a multiple of the usual one.
 fn girth(stature: &Stature) -> f64 {
     let times = stature.radius_m / (USUAL_RADIUS * stature.height_m);
     (1.0 + (times - 1.0) * GIRTH_SHARE).clamp(0.7, 1.6)

@@ -19,7 +19,6 @@ pub struct Ground {
     obstacles: Vec<Vec<Point>>,
 }
 
-/// A piece of furniture that people can be in.
 #[derive(Clone, Debug, PartialEq)]
 struct Support {
     outline: Vec<Point>,

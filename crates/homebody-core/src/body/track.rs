@@ -63,7 +63,7 @@ const CRAWLER_TURNS_RADPS: f64 = 1.0;
 const CRAWL_SWING: f64 = 0.85;
 const CRAWLS_MPS: f64 = 0.3;
 
-/// The length of a crawler's step as a share of the height: what thighs reach that swing so far.
+/// The length of a crawler's step as a share of the height: the reach of thighs with that swing.
 const CRAWL_STEP: f64 = 0.16;
 
 /// Durations of changes.
@@ -126,7 +126,6 @@ pub struct Segment {
     pub chance: DrawnValue,
 }
 
-/// A change between two stances.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum ByWayOf {
     /// It gets up from the floor over its knees.
@@ -147,7 +146,6 @@ pub struct BodyTrack {
     changed_at: RunTime,
     takes: Span,
     by_way_of: Option<ByWayOf>,
-    /// The facing at the end.
     facing_rad: f64,
     stance: Stance,
     /// The distance of the limbs from their usual places, as in [`Joints::sprawled`].
@@ -359,7 +357,6 @@ fn crawls(segment: &Segment) -> bool {
     is_low && matches!(segment.doing, MotionState::Stride { .. })
 }
 
-/// Whether a segment continues another.
 fn is_same(before: &Segment, next: &Segment) -> bool {
     before.posture == next.posture && before.begin == next.begin && before.doing == next.doing
 }
@@ -374,7 +371,7 @@ fn place(segment: &Segment, now: RunTime) -> Option<Point> {
     }
 }
 
-/// Arms and trunk of who does something on the spot: as far as what moves moves, about once in two seconds.
+/// Arms and trunk during a movement on the spot: by its amplitude, about once in two seconds.
 fn sway(joints: &mut Joints, now: RunTime, amplitude_m: f64) {
     let phase = (now.since_zero() % (2 * SECOND)).ratio(2 * SECOND) * 2.0 * PI;
     let far = (amplitude_m / 0.3).clamp(0.0, 2.0);

@@ -133,7 +133,7 @@ impl Drawing {
     }
 }
 
-/// The shadow on the floor of a body below a lamp: away from where the body faces least, from the feet on.
+/// The shadow on the floor of a body below a lamp: from the feet, opposite the facing.
 fn shadow_of(body: &[Capsule]) -> Vec<Capsule> {
     let (least, most) = crate::body::figure::bounds(body);
     if body.is_empty() {

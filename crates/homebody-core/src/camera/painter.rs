@@ -28,7 +28,7 @@ pub fn paint(figure: &[Capsule], lens: &Lens, scenery: &Scenery, onto: &mut Silh
 struct Projected {
     ends: [Point3; 2],
     radius_m: f64,
-    /// Its ends in the picture, each with a radius in pixels that surely holds what is seen of it; None where it is too near.
+    /// Its ends in the picture, each with a radius in pixels that covers all of it; `None` if it is too near.
     discs: Option<[(Point, f64); 2]>,
 }
 
@@ -88,7 +88,7 @@ impl Projected {
         }
     }
 
-    /// Between which columns a row may be of the capsule.
+    /// The columns of a row that may show the capsule.
     fn may_reach(&self, y: f64, columns: usize) -> Option<(usize, usize)> {
         let Some([(a, radius_a), (b, radius_b)]) = self.discs else { return Some((0, columns - 1)) };
         let radius = radius_a.max(radius_b);
@@ -114,7 +114,7 @@ impl Projected {
     }
 }
 
-/// Whether pixels are of a capsule, by what does not depend on the pixel.
+/// A test whether pixels show a capsule, prepared for all pixels.
 struct Test<'l> {
     lens: &'l Lens,
     ends: [Point3; 2],

@@ -13,7 +13,7 @@ use crate::geometry::{self, Point};
 #[derive(Clone, Debug, PartialEq)]
 pub struct Scenery {
     columns: usize,
-    /// By pixel, row by row: how far along the axis the nearest thing is, in metres.
+    /// By pixel, row by row: the distance of the nearest thing along the axis, in metres.
     depths_m: Vec<f32>,
 }
 

@@ -1,4 +1,4 @@
-//! Nobody decides: the resident is out for the whole run.
+//! A resident who is out for the whole run.
 
 use crate::drivers::{Driver, Next, Surroundings};
 use crate::motion::{MotionSegment, MotionState};

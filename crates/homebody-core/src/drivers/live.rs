@@ -44,7 +44,6 @@ pub struct LiveDriver {
     at: Point,
     obstacles: Obstacles,
     exits: Vec<Exit>,
-    /// The door through which the body has left.
     out: Option<Exit>,
 }
 
@@ -150,7 +149,7 @@ impl Exit {
         shut.chain(open).filter_map(exit).collect()
     }
 
-    /// Whether a body that pushes so is let out: mostly outward, and between the jambs.
+    /// Whether a body that pushes like this leaves: mostly outward, and between the jambs.
     fn takes(&self, at: Point, velocity: Point) -> bool {
         let along = self.to - self.from;
         let share = (at - self.from).dot(along) / along.length_squared();
@@ -171,10 +170,9 @@ fn step_from(at: RunTime) -> RunTime {
 #[derive(Clone, Debug)]
 pub struct KeyTrack {
     now: Input,
-    /// The uses that are not reported yet.
     uses: VecDeque<ThingUse>,
     coming: VecDeque<(RunTime, Input)>,
-    /// Whether changes that are not known yet may come: then no rest is longer than a step.
+    /// Whether input may still come: then no rest is longer than a step.
     open: bool,
 }
 
@@ -468,7 +466,7 @@ mod tests {
         assert!(hold(&mut at_front, &[DriveKey::Left], second(0), second(5), &open).last().is_some_and(is_away));
         let out = hold(&mut at_front, &[], second(5), second(6), &open);
         assert!(out.iter().all(|span| is_away(span) && span.end - span.begin <= SECOND / 60 + Span::MICROSECOND));
-        // Somebody has shut it meanwhile.
+        // It was shut meanwhile.
         let mut copy = at_front.clone();
         assert!(hold(&mut copy, &[DriveKey::Right], second(6), second(7), &shut).iter().all(is_away));
         let back = hold(&mut at_front, &[DriveKey::Right], second(6), second(8), &open);

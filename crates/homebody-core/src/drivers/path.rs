@@ -36,7 +36,6 @@ pub struct PathDriver {
     start_of_day: Span,
     /// The step that is being done; past the end once all is done.
     step: usize,
-    /// The progress of that step; `None` before it begins.
     under_way: Option<UnderWay>,
     /// The repeats that are open, outermost first.
     passes: Vec<RepeatPass>,
@@ -87,7 +86,6 @@ enum Pastime {
     Away,
 }
 
-/// The progress of a step.
 #[derive(Clone, Copy, Debug)]
 enum UnderWay {
     Walk(LegWalk),
@@ -106,7 +104,7 @@ struct LegWalk {
 #[derive(Clone, Copy, Debug)]
 struct RepeatPass {
     began: RunTime,
-    /// Passes to do, this one included; nothing where they never end.
+    /// Passes to do, this one included; `None` without end.
     left: Option<u32>,
 }
 
@@ -267,7 +265,6 @@ impl PathDriver {
         Some(MotionSegment { begin: now, end: until.min(end), doing, posture })
     }
 
-    /// Counts a pass of the innermost repeat, and returns the next step.
     fn after_pass(&mut self, first: usize, now: RunTime) -> usize {
         let beyond = self.step + 1;
         let Some(pass) = self.passes.last_mut() else { return beyond };
@@ -284,7 +281,7 @@ impl PathDriver {
         first
     }
 
-    /// When a span that begins now ends.
+    /// The end of a span that begins now.
     fn end_of(&self, lasts: Lasts, now: RunTime) -> RunTime {
         match lasts {
             Lasts::For(span) => now.saturating_add(span),

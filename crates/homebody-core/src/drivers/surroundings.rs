@@ -21,7 +21,7 @@ pub struct Surroundings<'a> {
     on: &'a [bool],
 }
 
-/// Somebody as a run knows them: their build, and what their body is doing.
+/// A body in a run: its build and its movement.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Occupant {
     /// The build of their body.
@@ -104,7 +104,7 @@ impl<'a> Surroundings<'a> {
 }
 
 impl Occupant {
-    /// Somebody who has not been placed yet.
+    /// A body without a place so far.
     pub fn new(build: Build) -> Occupant {
         let segment = MotionSegment {
             begin: RunTime::START,

@@ -61,7 +61,7 @@ fn blades(motion: &Motion, plan: &Plan, body_m: f64) -> Vec<Beam> {
     beams
 }
 
-/// The physics engine reckons in single precision: it is less far off than this.
+/// Bound of the error of the physics engine, which computes in single precision.
 const ENGINE_TOLERANCE_M: f64 = 0.01;
 
 /// The length of a ray of the physics engine from `from` up to the first wall, at most `reach`.

@@ -24,7 +24,6 @@ pub struct Field {
     pub beams: Vec<Beam>,
     /// The index of each sensor's first beam in `beams`, and the number of all.
     first_beam: Vec<u32>,
-    /// The outlines of ceiling sensors, by sensor.
     areas: Vec<Option<Vec<Point>>>,
     corner: Point,
     columns: i32,
@@ -47,7 +46,6 @@ pub(crate) struct FieldCell {
     unsure: u32,
 }
 
-/// The beams of one sensor that a body in a cell may touch.
 #[derive(Clone, Copy, Debug)]
 struct Beams {
     first: u32,

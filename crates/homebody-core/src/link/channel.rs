@@ -24,7 +24,7 @@ pub struct Channel {
     /// The last value of its device; for sensors that look for movement, their only value.
     pub said: Option<Value>,
     faults: Vec<(Interval<RunTime>, ChannelFault)>,
-    /// From when on it hangs elsewhere, as which of the home's sensors; in order.
+    /// The places that it moves to, in order, each as a sensor of the home, with the instant.
     moves: Vec<(RunTime, SensorId)>,
     stream: Stream,
 }
@@ -155,7 +155,7 @@ impl Channel {
     }
 }
 
-/// Which share of its messages a battery no longer sends, so long after it began to fade.
+/// The share of its messages that a battery does not send, some time after it began to fade.
 fn spent(since: Span, fades: Span) -> f64 {
     if since >= fades { 1.0 } else { since.ratio(fades) }
 }

@@ -25,7 +25,7 @@ impl SensorClock {
         at + self.offset + at.since_zero().scaled(self.gain)
     }
 
-    /// The first instant at which it shows more than this.
+    /// The first instant at which it shows a later time.
     fn passes(&self, shown: RunTime) -> RunTime {
         // Rounding leaves this a few microseconds off at most.
         let since_start = (shown - self.offset).micros() as f64 / (1.0 + self.gain);

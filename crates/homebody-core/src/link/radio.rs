@@ -30,7 +30,7 @@ pub struct Radio {
     on_air: Vec<Sending>,
 }
 
-/// A message on the air: whose, and since when.
+/// A message on the air: sender and start.
 #[derive(Clone, Copy, Debug)]
 struct Sending {
     sensor: SensorId,

@@ -11,7 +11,7 @@ use crate::time::{DAY, Interval, RunTime, Span};
 #[derive(Clone, Debug)]
 pub struct UtteranceSources {
     sources: Vec<UtteranceSource>,
-    /// Which is next, and when.
+    /// The next instant, and its source.
     next: (RunTime, usize),
 }
 

@@ -22,7 +22,6 @@ pub struct ScenarioEdit {
     entry: String,
     file: ScenarioFile,
     home: HomeFile,
-    /// In the order of the scenario.
     residents: Vec<ResidentFile>,
     texts: BTreeMap<String, String>,
 }

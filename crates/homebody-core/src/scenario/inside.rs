@@ -107,7 +107,7 @@ pub const CONFIRMED: &str = ".confirmed.json";
 /// The files of a run's folder besides its logs.
 const OF_RUN: [&str; 8] = [RECORDING, TRUTH, SENSORS, SILHOUETTES, LIST, ABOUT, NOTES, ANEW];
 
-/// The truth of a run that was stopped, while it is written anew.
+/// The truth of a stopped run, while it is written again.
 const ANEW: &str = "anew.truth.db";
 
 /// Endings of files that the program makes and removes by itself.

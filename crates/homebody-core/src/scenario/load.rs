@@ -218,7 +218,7 @@ pub struct DriverText<'a> {
     pub calendar: Option<&'a Calendar>,
 }
 
-/// Nobody who knows it.
+/// Accepts every routine and script unread.
 impl DriverLanguages for () {
     fn read(&mut self, _said: &DriverText, _home: &HomeFile, _plan: &Plan, _files: &dyn Files) -> Vec<Problem> {
         Vec::new()
@@ -260,21 +260,19 @@ struct Loader<'a> {
     language: &'a mut dyn DriverLanguages,
     problems: Vec<Problem>,
     sources: BTreeMap<String, String>,
-    /// The files in the order of the links, with the kind of each.
     order: Vec<(String, FileKind)>,
     /// The size of the files named so far in bytes, each counted as often as it is named.
     named_bytes: usize,
 }
 
-/// A file as data, and its text for the places of problems with its meaning.
+/// A file as data, and its text for the places of problems.
 struct Read<T> {
     source: JsonSource,
-    /// Nothing where its shape is wrong; what it links is looked at all the same.
+    /// `None` for an invalid shape; linked files are read all the same.
     data: Option<T>,
 }
 
 impl Loader<'_> {
-    /// The text of a file, which is read once.
     fn read(&mut self, name: &str) -> Result<String, NoText> {
         let most = self.files.most_bytes();
         let too_many = || {
@@ -289,7 +287,6 @@ impl Loader<'_> {
         if self.named_bytes > most { Err(too_many()) } else { Ok(text) }
     }
 
-    /// The message for a file that has no text.
     fn unread(&self, name: &str, why: NoText) -> FileMessage {
         let name = name.to_owned();
         match why {
@@ -424,7 +421,6 @@ impl Loader<'_> {
         Some(Resident { file: file?, driver })
     }
 
-    /// Reads the file that a link names, if it names one.
     fn link<T: DeserializeOwned>(
         &mut self,
         from: &JsonSource,
@@ -575,7 +571,7 @@ impl Loader<'_> {
     }
 }
 
-/// The other kind of file that this one is a faultless example of.
+/// The other kind of file of which this one is a valid example.
 fn mistaken_for(source: &JsonSource, kind: FileKind) -> Option<FileKind> {
     // A file that says nothing would be a faultless logger.
     let NodeValue::Object(entries) = &source.root.value else { return None };

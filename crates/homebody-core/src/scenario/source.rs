@@ -134,7 +134,6 @@ impl JsonSource {
         self.places.line(at)
     }
 
-    /// The positions of the key and the value at a JSON pointer.
     fn find(&self, pointer: &str) -> (usize, usize) {
         let (mut key_start, mut node) = (self.root.start, &self.root);
         for part in pointer.split('/').skip(1) {
@@ -208,7 +207,7 @@ impl TextPositions {
         TextPositions { chars: chars.collect(), lines: std::iter::once(0).chain(ends).collect() }
     }
 
-    /// Byte offset at which a line starts that is counted from 1, or the nearest that there is.
+    /// Byte offset of the start of a line counted from 1, or the nearest one.
     fn start(&self, line: usize) -> usize {
         self.lines[line.clamp(1, self.lines.len()) - 1]
     }
@@ -217,7 +216,6 @@ impl TextPositions {
         self.lines.partition_point(|&start| start <= at)
     }
 
-    /// The number of characters before a byte offset.
     fn chars_before(&self, text: &str, at: usize) -> usize {
         let chunk = (at / STRIDE_BYTES).min(self.chars.len().saturating_sub(1));
         self.chars.get(chunk).map_or(0, |before| before + begun(&text.as_bytes()[chunk * STRIDE_BYTES..at]))
@@ -234,7 +232,6 @@ impl TextPositions {
     }
 }
 
-/// The number of characters that begin in a part of a text.
 fn begun(bytes: &[u8]) -> usize {
     bytes.iter().filter(|&&byte| byte & 0xc0 != 0x80).count()
 }

@@ -6,7 +6,7 @@
 //!
 //! We assume that a body is in the bed if it sits or lies with its middle within the bed's outline; a body that stands or
 //! walks there is not. Every movement of a body that lies is felt. Of two people, the strip measures the one who came first.
-//! Somebody whose vitals the truth does not know has a pulse of 62 and 15 breaths a minute. The error of a reading is normal,
+//! A person without vitals in the truth has a pulse of 62 and 15 breaths a minute. The error of a reading is normal,
 //! with a standard deviation of 2 beats and 1 breath a minute (all ours).
 //!
 //! A movement begins when a person in the bed begins to move, and ends when all lie still. Movements without a pause
@@ -141,9 +141,8 @@ pub struct Bed {
     noise: Vitals,
     stream: Stream,
     timer: RunTime,
-    /// Its data of each resident.
     sleepers: Vec<Sleeper>,
-    /// The one in the bed who came first.
+    /// The first of the people in the bed.
     first: Option<usize>,
     movement: Option<BedMovement>,
     /// Start of the time in which a person lies there without any movement.
@@ -159,19 +158,18 @@ struct Limits {
 
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Sleeper {
-    /// Since when they are in the bed.
+    /// The start of their time in the bed.
     since: Option<RunTime>,
     lies: bool,
     stirs: bool,
     vitals: Vitals,
-    /// When the true vitals changed into another class, if no reading has come since.
+    /// The last change of the true vitals into another class without a reading since.
     news: Option<RunTime>,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct BedMovement {
     onset: RunTime,
-    /// The number of levels of restlessness that were sent.
     said: usize,
 }
 
@@ -260,8 +258,8 @@ impl Bed {
         let inside = self.sleepers.iter().enumerate().filter_map(|(who, sleeper)| Some((sleeper.since?, who)));
         let first = inside.min().map(|(_, who)| who);
         match (self.first, first) {
-            (None, Some(who)) => outbox.say(Value::In, Some(ResidentId::new(who)), at, Trigger::Movement),
-            (Some(who), None) => outbox.say(Value::Out, Some(ResidentId::new(who)), at, Trigger::Movement),
+            (None, Some(who)) => outbox.send(Value::In, Some(ResidentId::new(who)), at, Trigger::Movement),
+            (Some(who), None) => outbox.send(Value::Out, Some(ResidentId::new(who)), at, Trigger::Movement),
             _ => {}
         }
         if self.first != first {
@@ -269,7 +267,7 @@ impl Bed {
         }
     }
 
-    /// Says how long the movement has lasted; returns when it reaches its next level.
+    /// Sends the level of the present movement; returns the instant of the next level.
     fn settle_movement(&mut self, at: RunTime, outbox: &mut Outbox) -> RunTime {
         let moves = |sleeper: &Sleeper| sleeper.since.is_some() && sleeper.lies && sleeper.stirs;
         let Some(who) = self.sleepers.iter().position(moves) else {
@@ -281,7 +279,7 @@ impl Bed {
         let mut next = levels.next();
         while next.is_some_and(|next| next <= at) {
             movement.said += 1;
-            outbox.say(
+            outbox.send(
                 Value::Restless(movement.said as u8),
                 Some(ResidentId::new(who)),
                 movement.onset,
@@ -292,7 +290,7 @@ impl Bed {
         next.unwrap_or(RunTime::NEVER)
     }
 
-    /// Reads pulse and respiration if it is time to; returns when it will be.
+    /// Reads pulse and respiration if due; returns the instant of the next reading.
     fn settle_vitals(&mut self, at: RunTime, outbox: &mut Outbox) -> RunTime {
         let measured = self.first.filter(|&who| self.sleepers[who].lies && self.movement.is_none());
         let Some(who) = measured else {
@@ -314,8 +312,8 @@ impl Bed {
             respiration: self.stream.normal(respiration, self.noise.respiration),
         };
         let (pulse, respiration) = self.limits.bands(felt);
-        outbox.say(Value::Pulse(pulse), Some(ResidentId::new(who)), at, Trigger::Reading);
-        outbox.say(Value::Respiration(respiration), Some(ResidentId::new(who)), at, Trigger::Reading);
+        outbox.send(Value::Pulse(pulse), Some(ResidentId::new(who)), at, Trigger::Reading);
+        outbox.send(Value::Respiration(respiration), Some(ResidentId::new(who)), at, Trigger::Reading);
         (self.read_at, self.sleepers[who].news) = (Some(at), None);
         at + self.every
     }

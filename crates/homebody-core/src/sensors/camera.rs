@@ -185,7 +185,7 @@ pub struct Camera {
     light_lasts: Span,
     least_px: u32,
     bodies: Vec<BodyTrack>,
-    /// The figures in its last picture, and that picture before the noise: who keeps still is painted once.
+    /// The figures in its last picture, and that picture before the noise: a still body is painted once.
     painted: Option<(Vec<Figure>, Silhouette)>,
     /// Its next picture; `NEVER` while it sleeps.
     next: RunTime,
@@ -221,20 +221,18 @@ impl Camera {
         }
     }
 
-    /// The first picture not before an instant.
     fn picture_from(&self, at: RunTime) -> RunTime {
         RunTime::START + (at + self.period - Span::MICROSECOND).since_zero() / self.period * self.period
     }
 
     fn wake(&mut self, at: RunTime, outbox: &mut Outbox) {
         if self.next == RunTime::NEVER {
-            outbox.say(Value::Woke, None, at, Trigger::Reading);
+            outbox.send(Value::Woke, None, at, Trigger::Reading);
             self.next = self.picture_from(at);
         }
         self.awake_until = self.awake_until.max(at.saturating_add(self.stays_awake));
     }
 
-    /// The bodies that may be in its picture, with their residents.
     fn in_view(&self, at: RunTime) -> (Vec<ResidentId>, Vec<Figure>) {
         let near =
             |track: &&BodyTrack| track.place_at(at).is_some_and(|place| self.lens.may_see(place, track.reach_m()));
@@ -275,7 +273,7 @@ impl Camera {
         };
         let whose = residents.first().copied();
         if self.sees.is_none() {
-            outbox.say(Value::Seen, whose, at, Trigger::Movement);
+            outbox.send(Value::Seen, whose, at, Trigger::Movement);
         }
         self.sees = whose;
         outbox.pictures.push(Picture { packed: picture.packed(), features });
@@ -333,11 +331,11 @@ impl DeviceModel for Camera {
 
     fn on_timer(&mut self, at: RunTime, outbox: &mut Outbox) {
         if self.always && at == RunTime::START {
-            outbox.say(Value::Woke, None, at, Trigger::Reading);
+            outbox.send(Value::Woke, None, at, Trigger::Reading);
         }
         if at >= self.awake_until {
             (self.next, self.sees) = (RunTime::NEVER, None);
-            outbox.say(Value::Slept, None, at, Trigger::Reading);
+            outbox.send(Value::Slept, None, at, Trigger::Reading);
             return;
         }
         self.take(at, outbox);
@@ -390,7 +388,7 @@ mod tests {
         while camera.timer() < until {
             let (at, mut outbox) = (camera.timer(), Outbox::default());
             camera.on_timer(at, &mut outbox);
-            said.extend(outbox.said.iter().map(|(value, _)| (at, *value)));
+            said.extend(outbox.messages.iter().map(|(value, _)| (at, *value)));
             pictures += outbox.pictures.len();
         }
         (said, pictures)
@@ -404,7 +402,7 @@ mod tests {
         let mut outbox = Outbox::default();
         camera.on_event(at(100) + Span::MICROSECOND, &Change::Fired, &mut outbox);
         camera.on_event(at(101), &Change::Fired, &mut outbox);
-        assert_eq!(outbox.said.iter().map(|(value, _)| *value).collect::<Vec<_>>(), [Value::Woke]);
+        assert_eq!(outbox.messages.iter().map(|(value, _)| *value).collect::<Vec<_>>(), [Value::Woke]);
         let (said, pictures) = live(&mut camera, at(200));
         // From 100.2 s to 102.8 s, five a second.
         assert_eq!(said, [(at(100) + SECOND / 5, Value::Seen), (at(103), Value::Slept)]);

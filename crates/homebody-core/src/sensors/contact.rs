@@ -53,7 +53,6 @@ impl SensorForm for ContactFile {
 /// A contact sensor.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Contact {
-    /// Index into the home's things.
     thing: ThingId,
     open: bool,
 }
@@ -72,7 +71,7 @@ impl DeviceModel for Contact {
             && on != self.open
         {
             self.open = on;
-            outbox.say(if on { Value::Open } else { Value::Close }, resident, at, Trigger::Use(thing));
+            outbox.send(if on { Value::Open } else { Value::Close }, resident, at, Trigger::Use(thing));
         }
     }
 }
@@ -93,7 +92,7 @@ mod tests {
                 &mut outbox,
             );
         }
-        let values: Vec<Value> = outbox.said.iter().map(|(value, _)| *value).collect();
+        let values: Vec<Value> = outbox.messages.iter().map(|(value, _)| *value).collect();
         assert_eq!(values, [Value::Open, Value::Close]);
     }
 }

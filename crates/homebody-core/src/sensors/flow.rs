@@ -60,13 +60,10 @@ impl SensorForm for FlowFile {
 /// A flow sensor.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Flow {
-    /// Index into the home's things.
     thing: ThingId,
     runs: Option<Span>,
     flows: bool,
-    /// When it ceases by itself.
     ceases: RunTime,
-    /// The last user and the time.
     by: Option<ResidentId>,
     since: RunTime,
 }
@@ -95,7 +92,7 @@ impl DeviceModel for Flow {
         self.on_timer(at, outbox);
         if on != self.flows {
             self.flows = on;
-            outbox.say(if on { Value::On } else { Value::Off }, resident, at, Trigger::Use(thing));
+            outbox.send(if on { Value::On } else { Value::Off }, resident, at, Trigger::Use(thing));
         }
         if let Some(runs) = self.runs {
             (self.ceases, self.by, self.since) = (at + runs, resident, at);
@@ -109,7 +106,7 @@ impl DeviceModel for Flow {
     fn on_timer(&mut self, at: RunTime, outbox: &mut Outbox) {
         if self.ceases <= at {
             (self.flows, self.ceases) = (false, RunTime::NEVER);
-            outbox.say(Value::Off, self.by, self.since, Trigger::Use(self.thing));
+            outbox.send(Value::Off, self.by, self.since, Trigger::Use(self.thing));
         }
     }
 }
@@ -131,10 +128,10 @@ mod tests {
             if flow.timer() < at {
                 let due = flow.timer();
                 flow.on_timer(due, &mut outbox);
-                messages.extend(outbox.said.drain(..).map(|(value, _)| (due, value)));
+                messages.extend(outbox.messages.drain(..).map(|(value, _)| (due, value)));
             }
             flow.on_event(at, &Change::Use { resident: Some(ResidentId(0)), thing: ThingId(7), on }, &mut outbox);
-            messages.extend(outbox.said.drain(..).map(|(value, _)| (at, value)));
+            messages.extend(outbox.messages.drain(..).map(|(value, _)| (at, value)));
         }
         messages
     }

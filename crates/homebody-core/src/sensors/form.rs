@@ -249,7 +249,7 @@ impl FormProblem {
 /// An event whose instant a sensor reports at once.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum ReportedInstant<'a> {
-    /// Somebody has come into a piece of furniture, or left it, so long ago.
+    /// A person has come into a piece of furniture, or left it; reported after this time.
     Pressed(&'a str, Span),
     /// A thing is used.
     Used(&'a str),

@@ -140,7 +140,7 @@ impl DeviceModel for Light {
         if self.said_lux.is_none_or(|before| (now - before).abs() > (self.change * before).max(STEP_LUX)) {
             self.said_lux = Some(libm::round(now));
             let why = if by.is_some() { Trigger::Use(self.lamp) } else { Trigger::Reading };
-            outbox.say(reading(libm::round(now)), by.flatten(), at, why);
+            outbox.send(reading(libm::round(now)), by.flatten(), at, why);
         }
         self.measures = self.rounds.after(at);
     }
@@ -208,7 +208,7 @@ mod tests {
                 assert!(light.timer() > due);
                 messages.extend(
                     outbox
-                        .said
+                        .messages
                         .drain(..)
                         .map(|(value, provenance)| (due, value, provenance.resident.map(|resident| resident.0))),
                 );

@@ -103,15 +103,15 @@ pub trait DeviceModel: Clone {
 #[derive(Clone, Debug, Default)]
 pub struct Outbox {
     /// Messages.
-    pub said: Vec<(Value, Provenance)>,
+    pub messages: Vec<(Value, Provenance)>,
     /// Pictures that are kept apart from the messages.
     pub pictures: Vec<Picture>,
 }
 
 impl Outbox {
     /// Adds a message of this instant: its resident, if any, the first instant of the cause, and the kind of the cause.
-    pub fn say(&mut self, value: Value, resident: Option<ResidentId>, seen_at: RunTime, trigger: Trigger) {
-        self.said.push((value, Provenance { resident, seen_at, trigger }));
+    pub fn send(&mut self, value: Value, resident: Option<ResidentId>, seen_at: RunTime, trigger: Trigger) {
+        self.messages.push((value, Provenance { resident, seen_at, trigger }));
     }
 }
 

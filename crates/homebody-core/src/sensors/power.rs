@@ -97,7 +97,6 @@ crate::numbers! {
 /// A power sensor.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Power {
-    /// Index into the home's things.
     thing: ThingId,
     on: bool,
     by: Option<ResidentId>,
@@ -139,7 +138,7 @@ impl DeviceModel for Power {
         // A reading that is due at this instant still counts as on.
         self.on_timer(at, outbox);
         (self.on, self.by) = (on, resident);
-        outbox.say(if on { Value::On } else { Value::Off }, self.by, at, Trigger::Use(thing));
+        outbox.send(if on { Value::On } else { Value::Off }, self.by, at, Trigger::Use(thing));
         self.measure(at, outbox);
     }
 
@@ -158,7 +157,7 @@ impl Power {
     fn measure(&mut self, at: RunTime, outbox: &mut Outbox) {
         let Some(watts) = self.watts else { return };
         let drawn = if self.on { self.stream.normal(watts, self.noise * watts) } else { self.standby_watts };
-        outbox.say(reading(drawn), self.by, at, Trigger::Reading);
+        outbox.send(reading(drawn), self.by, at, Trigger::Reading);
         self.measures = self.every.filter(|_| self.on).map_or(RunTime::NEVER, |every| at + every);
     }
 }
@@ -188,7 +187,7 @@ mod tests {
             power.on_event(RunTime::from_micros(at), &act(on), &mut outbox);
             assert_eq!(power.timer(), RunTime::NEVER);
         }
-        assert_eq!(outbox.said.iter().map(|(value, _)| *value).collect::<Vec<_>>(), [Value::On, Value::Off]);
+        assert_eq!(outbox.messages.iter().map(|(value, _)| *value).collect::<Vec<_>>(), [Value::On, Value::Off]);
     }
 
     #[test]
@@ -204,7 +203,7 @@ mod tests {
         }
         power.on_event(power.timer(), &act(false), &mut outbox);
         assert_eq!(power.timer(), RunTime::NEVER);
-        let (last, all) = outbox.said.split_last().unwrap();
+        let (last, all) = outbox.messages.split_last().unwrap();
         assert_eq!((all[0].0, all[all.len() - 1].0, last.0), (Value::On, Value::Off, Value::Reading(500)));
         let watts: Vec<f64> = all
             .iter()

@@ -163,7 +163,12 @@ impl DeviceModel for Pressure {
         let says_at = if self.pressed == self.says_on { RunTime::NEVER } else { self.since.saturating_add(self.delay) };
         if says_at <= at {
             self.says_on = self.pressed;
-            outbox.say(if self.pressed { Value::On } else { Value::Off }, Some(self.by), self.since, Trigger::Movement);
+            outbox.send(
+                if self.pressed { Value::On } else { Value::Off },
+                Some(self.by),
+                self.since,
+                Trigger::Movement,
+            );
         }
         let changes = self.spans.iter().flat_map(|span| [span.begin, span.end]).filter(|&change| change > at);
         let says_at = if says_at > at { says_at } else { RunTime::NEVER };

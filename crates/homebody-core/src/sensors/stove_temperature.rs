@@ -182,13 +182,13 @@ impl DeviceModel for StoveTemperature {
         if self.crossing <= at {
             self.says_on = self.on;
             self.crossing = RunTime::NEVER;
-            outbox.say(if self.on { Value::On } else { Value::Off }, self.by, self.since, Trigger::Use(self.thing));
+            outbox.send(if self.on { Value::On } else { Value::Off }, self.by, self.since, Trigger::Use(self.thing));
         }
         if self.measures <= at {
             let now_c = self.temperature_c(at);
             if (now_c - self.told_c).abs() >= self.change_c {
                 self.told_c = now_c;
-                outbox.say(reading(now_c), self.by, at, Trigger::Reading);
+                outbox.send(reading(now_c), self.by, at, Trigger::Reading);
             }
             self.measures = self.next_measurement(at);
         }
@@ -266,10 +266,10 @@ mod tests {
                 let due = stove.timer();
                 stove.on_timer(due, &mut outbox);
                 assert!(stove.timer() > due);
-                messages.extend(outbox.said.drain(..).map(|(value, _)| (due, value)));
+                messages.extend(outbox.messages.drain(..).map(|(value, _)| (due, value)));
             }
             stove.on_event(at, &Change::Use { resident: Some(ResidentId(0)), thing: ThingId(2), on }, &mut outbox);
-            messages.extend(outbox.said.drain(..).map(|(value, _)| (at, value)));
+            messages.extend(outbox.messages.drain(..).map(|(value, _)| (at, value)));
         }
         messages
     }
@@ -304,8 +304,8 @@ mod tests {
         told_first.on_event(crossing, &act(false), &mut a);
         due_first.on_event(crossing, &act(false), &mut b);
         told_first.on_timer(crossing, &mut a);
-        assert_eq!((a.said.clone(), told_first), (b.said, due_first));
-        assert_eq!(a.said.len(), 1);
+        assert_eq!((a.messages.clone(), told_first), (b.messages, due_first));
+        assert_eq!(a.messages.len(), 1);
     }
 
     #[test]

@@ -48,7 +48,7 @@ pub struct Obstacles {
     fixed: Vec<Vec<Point>>,
     doors: Vec<InnerDoor>,
     parts: ObstacleShapes,
-    /// A ball for each other who has ever been near, by its number; the first `near_count` of them take part.
+    /// A ball for each other body that has ever been near, by its number; the first `near_count` of them take part.
     others: Vec<u32>,
     near_count: usize,
 }
@@ -85,7 +85,7 @@ impl CompositeShape for ObstacleShapes {
     }
 }
 
-/// A door within the home, where it is in a wall.
+/// A door within the home, in a wall.
 #[derive(Clone, Copy, Debug)]
 struct InnerDoor {
     thing: ThingId,
@@ -134,7 +134,7 @@ impl Obstacles {
             let Some(hull) = SharedShape::convex_hull(&corners) else { continue };
             let number = all.parts.add(hull);
             all.fixed.push(outline.clone());
-            // Nobody leaves the home, be its door open or not.
+            // No body leaves the home, even through an open door.
             let within = door.filter(|_| !leads_out(outline));
             if within.is_none_or(|(_, is_shut)| is_shut) {
                 all.parts.take_part(number);
@@ -199,7 +199,7 @@ impl Obstacles {
         self.out_of_walls(from, from + moved.as_dvec2())
     }
 
-    /// Puts balls where the others are whom the body could touch within `reach_m`.
+    /// Puts balls at the other bodies that could be touched within `reach_m`.
     fn place_others(&mut self, from: Point, reach_m: f64, others: impl Iterator<Item = PlacedBody>) {
         for &ball in &self.others[..self.near_count] {
             self.parts.tree.remove(ball);

@@ -108,7 +108,7 @@ fn check_delay(report: &mut ProblemReport, pointer: &str, delay: Option<[f64; 2]
     }
 }
 
-/// Times of day that there are.
+/// Checks that times of day exist.
 fn check_times(report: &mut ProblemReport, index: usize, fault: &FaultFile) {
     let mut wrong = |pointer: &str, text: &str| {
         let is_wrong = time_of_day(text).is_none();
@@ -135,7 +135,6 @@ fn check_times(report: &mut ProblemReport, index: usize, fault: &FaultFile) {
     }
 }
 
-/// Whether one sensor cannot have both faults.
 fn contradict(one: &FaultFile, other: &FaultFile) -> bool {
     use FaultFile::{BadLink, Battery, Drift, FallsOff, Moved, Stuck};
     let overlap = one.span().overlaps(other.span());
@@ -167,7 +166,6 @@ fn report_contradiction(report: &mut ProblemReport, index: usize, one: &FaultFil
     report.add(&format!("/faults/{index}"), message);
 }
 
-/// When a fault is, in words.
 fn days(fault: &FaultFile) -> String {
     let span = fault.span();
     let day = |at: RunTime| (at.since_zero().ratio(DAY) * 1000.0).round() / 1000.0;
@@ -218,7 +216,7 @@ fn check_sensors(report: &mut ProblemReport, file: &LinkFile, home: &HomeFile) {
     }
 }
 
-/// Places that sensors are moved to; each place counts as one more sensor for the computation of views.
+/// Checks places that sensors are moved to; each counts as one more sensor for the computation of views.
 fn check_places(report: &mut ProblemReport, file: &LinkFile, home: &HomeFile, surroundings: &HomeInCheck) {
     let moved = file.faults.iter().enumerate().filter_map(|(index, fault)| match fault {
         FaultFile::Moved(moved) => Some((index, moved)),
