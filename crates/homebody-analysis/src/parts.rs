@@ -16,6 +16,7 @@ use homebody_core::geometry::{self, Point};
 use homebody_core::home::form::HomeFile;
 use homebody_core::plan::Plan;
 use homebody_core::sensors::Sensor;
+use homebody_core::sensors::form::{Mount, Orientation};
 use homebody_core::sensors::kinds::SensorFile;
 use homebody_core::sensors::products::Product;
 use serde::Serialize;
@@ -154,23 +155,10 @@ impl SensorPart {
             field_deg: None,
             reach_m: None,
         };
-        let facing = match file {
-            SensorFile::Motion(motion) => {
-                (part.field_deg, part.reach_m) = (Some(motion.field_deg), Some(motion.reach_m));
-                Some((motion.height_m, motion.facing_deg, motion.tilt_deg))
-            }
-            SensorFile::Camera(camera) => {
-                let [columns, rows] = camera.pixels.map(f64::from);
-                let half_across = (camera.field_deg / 2.0).to_radians();
-                let down = 2.0 * (half_across.tan() * rows / columns).atan().to_degrees();
-                part.field_deg = Some([camera.field_deg, rounded(down)]);
-                Some((camera.height_m, camera.facing_deg, camera.tilt_deg))
-            }
-            _ => None,
-        };
-        if let Some((height_m, facing_deg, tilt_deg)) = facing {
+        if let Some(Orientation { height_m, facing_deg, tilt_deg, field_deg, reach_m, .. }) = file.orientation() {
             let facing_deg = facing_deg.rem_euclid(360.0);
             (part.height_m, part.facing_deg, part.tilt_deg) = (Some(height_m), Some(facing_deg), Some(tilt_deg));
+            (part.field_deg, part.reach_m) = (Some(field_deg), reach_m);
             part.looks = Some(place::looks(plan, sensor.at, facing_deg));
         }
         part.place = words(file, plan, sensor.at);
@@ -185,18 +173,18 @@ fn words(file: &SensorFile, plan: &Plan, at: Point) -> String {
         let size = most - least;
         format!("{:.1} x {:.1} m", size.x, size.y)
     };
-    match file {
-        SensorFile::Motion(_) => place::on_wall(plan, at),
-        SensorFile::CeilingMotion(ceiling) => {
-            format!("on the ceiling, {from_walls}; looks down on {}", extent(&ceiling.area))
-        }
-        _ => match (file.area(), file.on(), file.room()) {
-            (Some(area), ..) => format!("on the floor, its middle {from_walls}; {} large", extent(area)),
-            (_, Some(on), _) if plan.rooms.iter().any(|room| room.name == on) => format!("at the lamp of {on}"),
-            (_, Some(on), _) => format!("at {on}, {from_walls}"),
-            (_, _, Some(room)) => format!("anywhere in {room}"),
-            _ => from_walls,
-        },
+    if file.row().mount == Mount::Wall {
+        return place::on_wall(plan, at);
+    }
+    if let Some(area) = file.area_below() {
+        return format!("on the ceiling, {from_walls}; looks down on {}", extent(area));
+    }
+    match (file.area(), file.on(), file.room()) {
+        (Some(area), ..) => format!("on the floor, its middle {from_walls}; {} large", extent(area)),
+        (_, Some(on), _) if plan.rooms.iter().any(|room| room.name == on) => format!("at the lamp of {on}"),
+        (_, Some(on), _) => format!("at {on}, {from_walls}"),
+        (_, _, Some(room)) => format!("anywhere in {room}"),
+        _ => from_walls,
     }
 }
 

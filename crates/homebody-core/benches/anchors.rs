@@ -1,8 +1,8 @@
-//! The anchors: how fast the kernel is beside the paper's loop (P), a brute-force loop without a physics engine
-//! (R) and a bare loop of inserts, and what a step of live physics costs.
+//! The anchors: the speed of the kernel compared with the paper's loop (P), a brute-force loop without a physics engine
+//! (R) and a bare loop of inserts, and the cost of a step of live physics.
 //!
-//! Both sides of a ratio take turns in one run, so that a noisy machine disturbs both. The loops are too slow for
-//! whole days: they live excerpts spread evenly over the same schedule, and are timed per simulated second.
+//! Both sides of a ratio take turns in one run, so that a noisy machine disturbs both. The loops are too slow for whole
+//! days: they run excerpts spread evenly over the same schedule, and are timed per simulated second.
 //!
 //! Ends with one line per figure: `RATIO <name> <median> <min>..<max>` and `LIVE step_us <median>`.
 
@@ -43,7 +43,7 @@ use std::time::Instant;
 const ROUNDS: usize = 7;
 /// A round of live steps takes a millisecond: after the first dozens caches and clocks are warm.
 const LIVE_ROUNDS: usize = 500;
-/// How often a run into a database hands over what it has.
+/// The interval at which a run into a database hands over its rows.
 const STEP: Span = HOUR;
 /// So many excerpts, each so long, are a round of a loop.
 const EXCERPTS: i64 = 40;
@@ -183,7 +183,7 @@ fn run_into(path: &Path, home: &Arc<Home>, schedule: &[MotionSegment]) -> f64 {
     start.elapsed().as_secs_f64()
 }
 
-/// What a sixtieth of a second costs while keys move one resident about, physics and sensors together.
+/// The cost of a sixtieth of a second with keys that move one resident, physics and sensors together.
 fn live_step(home: Arc<Home>, build: Build) -> String {
     const STEPS: i64 = 60 * 60;
     let turns = [DriveKey::Up, DriveKey::Right, DriveKey::Down, DriveKey::Left];

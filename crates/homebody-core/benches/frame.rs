@@ -1,5 +1,5 @@
-//! What a frame of a camera costs: 160 by 120 pixels, three bodies and twenty pieces of furniture in view, with all noise, to the
-//! packed silhouette.
+//! The cost of a camera's frame: 160 by 120 pixels, three bodies and twenty pieces of furniture in view, with all
+//! noise, to the packed silhouette.
 //!
 //! Ends with `FRAME us <median> <min>..<max>`, and the same of a frame without noise.
 

@@ -104,7 +104,7 @@ fn piece(index: usize, at: [f64; 2], size_m: [f64; 2], height_m: f64) -> Furnitu
     }
 }
 
-/// What the resident does.
+/// The movements of the resident.
 pub type Schedule = Vec<MotionSegment>;
 
 /// Always walking, through the doors from room to room, for `length`.

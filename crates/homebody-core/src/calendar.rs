@@ -123,14 +123,14 @@ impl Calendar {
         (self.local(at).date() - self.start.date()).get_days()
     }
 
-    /// How long so many days of the home's own time are, from the start of a run: one on which clocks change has 23 or 25
-    /// hours.
+    /// The length of a number of days of the home's local time from the start of a run. A day on which clocks change
+    /// has 23 or 25 hours.
     pub fn span_of_days(&self, days: f64) -> Span {
         let (begin, end) = self.run_day(days as i32);
         begin.since_zero() + (end - begin).scaled(days.fract())
     }
 
-    /// How many days have been lived at an instant of a run.
+    /// The number of days of a run up to an instant.
     pub fn days_lived(&self, at: RunTime) -> f64 {
         // It began a day early at most, since a run may begin at noon.
         let mut whole = self.day(at);
@@ -141,7 +141,7 @@ impl Calendar {
         f64::from(whole) + (at - begin).ratio(end - begin)
     }
 
-    /// From when to when a day of a run is that begins at the hour of its start.
+    /// The interval of a run's day that begins at the hour of the start.
     fn run_day(&self, day: i32) -> (RunTime, RunTime) {
         let begin = |day| if day == 0 { RunTime::START } else { self.instant(day, self.start_of_day()) };
         (begin(day), begin(day.saturating_add(1)))
@@ -152,7 +152,7 @@ impl Calendar {
     pub fn instant(&self, day: i32, time_of_day: Span) -> RunTime {
         let day = i64::from(day) + time_of_day.div_euclid(DAY);
         let time = time_of_day.rem_euclid(DAY);
-        // Beyond the calendar's end time goes on without dates.
+        // Beyond the calendar's end, days have 24 hours.
         let beyond = || RunTime::START + (DAY.saturating_mul(day).saturating_add(time) - self.start_of_day());
         let Ok(date) = self.start.date().checked_add(jiff::Span::new().days(day.clamp(-4_000_000, 4_000_000))) else {
             return beyond();
@@ -175,7 +175,7 @@ impl Calendar {
         (monday + i64::from(day)).rem_euclid(7) as u8
     }
 
-    /// The day of a date, the start's being 0; nothing if there is no such date.
+    /// The day of a date, from 0 at the start; `None` if there is no such date.
     pub fn day_of(&self, year: i16, month: u8, day: u8) -> Option<i32> {
         let date = jiff::civil::Date::new(year, i8::try_from(month).ok()?, i8::try_from(day).ok()?).ok()?;
         Some((date - self.start.date()).get_days())
@@ -202,7 +202,7 @@ impl Calendar {
     }
 }
 
-/// The zone that was probably meant: a slip of the keys, or a city without its continent.
+/// The intended zone of a misspelt name, or of a city without its continent.
 fn nearest_zone(name: &str) -> Option<String> {
     let known: Vec<String> = TimeZoneDatabase::bundled().available().map(|name| name.to_string()).collect();
     let folded = |name: &str| name.trim().to_lowercase();
@@ -286,7 +286,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_no_time_of_day_is_refused() {
+    fn rejects_invalid_times_of_day() {
         let wrong = ["", "7:30", "07", "07:3", "24:00", "07:60", "07:30:60", "07:30:15.", "07:30:15.1234567", "+7:30"];
         for text in wrong.into_iter().chain(["07:30:15:00", " 07:30", "07:30 ", "07:30:1٣", "07.30", "07:30:.5"]) {
             assert_eq!(time_of_day(text), None, "{text:?}");

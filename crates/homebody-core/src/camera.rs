@@ -1,4 +1,4 @@
-//! What a camera sees of bodies: silhouettes, and nothing else.
+//! Cameras: they see bodies as silhouettes.
 //!
 //! [`lens`] turns points in space into pixels, [`scenery`] is how far off what stands still is in each pixel, [`silhouette`] is a
 //! picture of black and white, [`painter`] paints bodies into it, and [`noise`] does what a real background subtraction does to it.

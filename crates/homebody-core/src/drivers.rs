@@ -3,7 +3,7 @@
 //! A driver is asked at the instant its last segment ends, with its [`Surroundings`], and answers with the next one. Of
 //! sensors it knows nothing. A copy of a driver decides as the original.
 //!
-//! A driver may be written elsewhere. What is wrong with its answers, [`error`] says.
+//! A driver may be written elsewhere. [`error`] describes the faults of its answers.
 
 pub mod absent;
 pub mod error;
@@ -23,7 +23,7 @@ pub use surroundings::{Occupant, PlacedBody, Surroundings};
 /// A driver's answer.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Next {
-    /// What the body does from now on. It begins now and where the last one ended; who rests for ever does so until
+    /// The movement of the body from now on, from the end of the last one. A body that rests for ever does so until
     /// [`RunTime::NEVER`].
     Segment(MotionSegment),
     /// From this instant on the resident does this, or nothing that has a name. It takes no time: ask again.
@@ -36,26 +36,27 @@ pub enum Next {
     Need(BodilyNeed, f64),
     /// For the truth: from this instant on a condition is this severe. It takes no time: ask again.
     Condition(String, f64),
-    /// The driver cannot go on: why, in words for people, with a hint of its own. It ends the run.
+    /// The driver has failed: the reason in words for people, with a hint. It ends the run.
     Failed(String),
 }
 
-/// Who decides what a resident does.
+/// The decisions of a resident.
 pub trait Driver: fmt::Debug + Send + Sync {
-    /// What the resident does from now on. It is asked at the start and whenever a segment ends, and again after each answer that
-    /// takes no time. The first segment says where the body is; each later one begins where the last one ended, but after a
-    /// time away. An answer that no body can follow ends the run: see [`error::DriverFault`].
+    /// The next decision of the resident. It is asked at the start and whenever a segment ends, and again after each
+    /// answer that takes no time. The first segment gives the position of the body; each later one begins where the
+    /// last one ended, except after an absence. An answer that no body can follow ends the run: see
+    /// [`error::DriverFault`].
     fn next(&mut self, around: &Surroundings) -> Next;
 
     /// A copy that decides as the original.
     fn copy(&self) -> Box<dyn Driver>;
 
-    /// The driver itself, for whoever knows its type and asks what came of a life; `None` where it has nothing to say.
+    /// The driver itself, for callers that know its type and read its results after a run; `None` if it has no results.
     fn as_any(&self) -> Option<&dyn Any> {
         None
     }
 
-    /// From now on input may come while the run goes on, besides what the driver knows already. False if it takes none.
+    /// From now on input may come during the run, in addition to the input that the driver has. False if it takes none.
     fn open_input(&mut self) -> bool {
         false
     }

@@ -1,8 +1,8 @@
-//! What comes out of the world: firings, and apart from them the truth.
+//! The output of the world: firings, and separately the truth.
 
 use crate::camera::silhouette::Picture;
-use crate::deed::Deed;
 use crate::ids::{ResidentId, RoomId, SensorId, ThingId};
+use crate::intervention::Intervention;
 use crate::motion::MotionState;
 use crate::posture::Posture;
 use crate::time::RunTime;
@@ -15,38 +15,38 @@ pub struct Firing {
     pub seq: u64,
     /// The time that the log gives it.
     pub at: RunTime,
-    /// Whose message it is.
+    /// The sensor that sent the message.
     pub sensor: SensorId,
-    /// What the sensor said.
+    /// The value of the message.
     pub value: Value,
 }
 
-/// What a sensor says.
+/// A value of a message.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum Value {
     /// That it saw movement; a motion sensor has no more to say.
     Fire,
     /// It is on, began or is under way: an appliance, water, a load on a mat, heat.
     On,
-    /// What was on is over.
+    /// The detection, the use or the pressure is over.
     Off,
     /// A door or a piece of furniture was opened.
     Open,
     /// It was closed.
     Close,
-    /// Somebody has come into the bed, which was empty.
+    /// A person has come into the empty bed.
     In,
-    /// Nobody is in the bed any more.
+    /// The bed is empty.
     Out,
-    /// How restless somebody in bed is, from 1 to 4.
+    /// The level of restlessness in bed, from 1 to 4.
     Restless(u8),
-    /// Where the pulse of who lies still in the bed is beside what is normal.
+    /// The pulse of a person who lies still in the bed, compared with the normal pulse.
     Pulse(Band),
-    /// Where their respiration is beside what is normal.
+    /// The respiration of this person, compared with the normal respiration.
     Respiration(Band),
     /// A camera woke.
     Woke,
-    /// It sees somebody, whom it did not see before.
+    /// It sees a person, after a time without any.
     Seen,
     /// It sleeps.
     Slept,
@@ -54,7 +54,7 @@ pub enum Value {
     Reading(i32),
 }
 
-/// Where a number lies beside what is normal.
+/// A number compared with the limits of normal numbers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum Band {
     /// Below the lower limit of the sensor.
@@ -102,15 +102,15 @@ impl fmt::Display for Value {
 /// Why a sensor fired.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Provenance {
-    /// Whose doing it was, if it was anybody's.
+    /// The resident who caused it, if any.
     pub resident: Option<ResidentId>,
     /// When what it was began to be noticed.
     pub seen_at: RunTime,
-    /// What kind of cause it was.
+    /// The kind of cause.
     pub trigger: Trigger,
 }
 
-/// What kind of cause it was.
+/// A kind of cause.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Trigger {
     /// A body moved, came or left.
@@ -140,7 +140,7 @@ pub enum Loss {
     Place,
     /// It was stuck.
     Stuck,
-    /// Its id was garbled into one that nobody has.
+    /// Its id was garbled into an id of no sensor.
     Garbled,
     /// The logger was not running.
     Outage,
@@ -156,37 +156,37 @@ pub enum Fact {
         /// Why it came.
         provenance: Provenance,
     },
-    /// What a sensor said at `at`, or should have said, that never reached the logger.
+    /// A message that a sensor sent at `at`, or should have sent, and that never reached the logger.
     Lost {
         /// When it said so, or should have.
         at: RunTime,
-        /// Whose message it is.
+        /// The sensor.
         sensor: SensorId,
-        /// What it said, or should have said.
+        /// The value that it sent, or should have sent.
         value: Value,
         /// Why it would have come.
         provenance: Provenance,
-        /// What became of it.
+        /// The cause of the loss.
         loss: Loss,
     },
-    /// What a resident's body did over a span, told when that is over: the spans of a resident follow each other without
-    /// gaps, and no two that follow each other are the same rest, in-place motion or absence.
+    /// A resident's movement over a span, reported at its end. The spans of a resident follow each other without gaps,
+    /// and no two successive ones are the same rest, in-place motion or absence.
     Movement {
-        /// Whose body it is.
+        /// The resident.
         resident: ResidentId,
         /// From when.
         begin: RunTime,
         /// Until when; the next span begins at this instant.
         end: RunTime,
-        /// What the body did.
+        /// The movement.
         doing: MotionState,
-        /// How it held itself.
+        /// The posture.
         posture: Posture,
     },
     /// From `at` on, the resident is in this room, or in none: between
     /// rooms or away.
     Room {
-        /// Who came there.
+        /// The resident.
         resident: ResidentId,
         /// From when on.
         at: RunTime,
@@ -195,7 +195,7 @@ pub enum Fact {
     },
     /// From `at` on, the resident does this; nothing ends what was done before.
     Activity {
-        /// Who does it.
+        /// The resident.
         resident: ResidentId,
         /// From when on.
         at: RunTime,
@@ -204,27 +204,27 @@ pub enum Fact {
     },
     /// A thing was used.
     Use {
-        /// Who used it; `None` where it was nobody who lives there or visits.
+        /// The user; `None` if no resident or visitor used it.
         resident: Option<ResidentId>,
         /// When.
         at: RunTime,
         /// The thing, and how it is afterwards.
         act: ThingUse,
     },
-    /// How strong a need of a resident is, from 0 (met) to 1 (pressing).
+    /// The strength of a resident's need, from 0 (met) to 1 (pressing).
     Need {
-        /// Whose need it is.
+        /// The resident.
         resident: ResidentId,
         /// When.
         at: RunTime,
-        /// What is needed.
+        /// The need.
         need: BodilyNeed,
         /// From 0, met, to 1, pressing.
         level: f64,
     },
-    /// From `at` on, until it is told again, a resident's condition is this severe; 1 is a moderate case.
+    /// The severity of a resident's condition from `at` until the next report; 1 is a moderate case.
     Condition {
-        /// Who has it.
+        /// The resident.
         resident: ResidentId,
         /// From when on.
         at: RunTime,
@@ -233,12 +233,12 @@ pub enum Fact {
         /// 1 is a moderate case, 0 none.
         severity: f64,
     },
-    /// Something was done from outside. Of who falls, no room holds that was told for an instant after this.
+    /// An intervention from outside. If a resident falls, rooms reported for a later instant do not hold any more.
     Outside {
         /// When.
         at: RunTime,
         /// What.
-        deed: Deed,
+        intervention: Intervention,
     },
 }
 
@@ -247,11 +247,11 @@ pub enum Fact {
 pub struct ThingUse {
     /// The door, piece of furniture or lamp that is used.
     pub thing: ThingId,
-    /// How it is afterwards: on or open, or off or closed.
+    /// The state afterwards: on or open, or off or closed.
     pub on: bool,
 }
 
-/// What builds up until something is done about it.
+/// A need that builds up until it is met.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum BodilyNeed {
     /// To go to the toilet.
@@ -273,30 +273,31 @@ pub struct Vitals {
     pub respiration: f64,
 }
 
-/// A picture that a camera keeps: a silhouette in which somebody is seen.
+/// A picture that a camera keeps: a silhouette with a person in it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Frame {
     /// When it was taken.
     pub at: RunTime,
     /// The camera.
     pub sensor: SensorId,
-    /// What it kept.
+    /// The silhouette.
     pub picture: Picture,
 }
 
-/// What an advance of a run has brought: firings and pictures in order of time, facts in the order in which they came to be known.
+/// The output of an advance of a run: firings and pictures in order of time, facts in the order in which they became
+/// known.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Events {
-    /// What reached the logger, in order of time.
+    /// The messages that reached the logger, in order of time.
     pub firings: Vec<Firing>,
-    /// The truth, in the order in which it came to be known.
+    /// The truth, in the order in which it became known.
     pub facts: Vec<Fact>,
-    /// What cameras keep, in order of time.
+    /// The pictures of cameras, in order of time.
     pub frames: Vec<Frame>,
 }
 
 impl Events {
-    /// How many firings, facts and pictures there are together.
+    /// The number of firings, facts and pictures together.
     pub fn len(&self) -> usize {
         self.firings.len() + self.facts.len() + self.frames.len()
     }

@@ -1,7 +1,7 @@
 //! Fuzzy numbers and quantifiers: what "about", "give or take" and "most" mean in numbers.
 //!
-//! A fuzzy number is a trapezoid: how far a value agrees with the words, from 0 to 1. What is drawn from it has a
-//! density proportional to that agreement, so the values that the words fit best come most often.
+//! A fuzzy number is a trapezoid: the agreement of a value with the words, from 0 to 1. The density of a draw is
+//! proportional to that agreement, so the values that fit the words best are the most frequent.
 
 use crate::random::Stream;
 use serde::Serialize;
@@ -35,7 +35,7 @@ impl Fuzzy {
         Fuzzy { low: from, from, to, high: to }
     }
 
-    /// How far a value agrees with the words, from 0 to 1.
+    /// The agreement of a value with the words, from 0 to 1.
     pub fn agreement(&self, value: f64) -> f64 {
         if value < self.low || value > self.high {
             0.0
@@ -89,7 +89,7 @@ impl Fuzzy {
     }
 }
 
-/// How often: the fuzzy quantifiers of linguistic summaries.
+/// The fuzzy quantifiers of linguistic summaries, such as "often".
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Quantifier {
@@ -141,8 +141,8 @@ impl Quantifier {
         }
     }
 
-    /// How likely it is on one occasion: where the word fits best, so that a summary of what was made agrees with the
-    /// word that made it.
+    /// The probability on one occasion that fits the word best, so that a summary of the results agrees with the word
+    /// in the routine.
     pub fn probability(self) -> f64 {
         match self {
             // All shares above 0.8 fit as well; this leaves room for chance on both sides.
@@ -176,7 +176,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn what_is_drawn_follows_the_agreement() {
+    fn draws_follow_the_agreement() {
         for fuzzy in [
             Fuzzy::around(100.0, 30.0),
             Fuzzy::between(2.0, 3.0),

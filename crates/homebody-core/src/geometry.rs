@@ -13,6 +13,11 @@ pub fn point(at: At) -> Point {
     Point::new(at[0], at[1])
 }
 
+/// A length rounded to a millimetre.
+pub fn whole_millimetres(length_m: f64) -> f64 {
+    (length_m * 1000.0).round() / 1000.0
+}
+
 /// The direction of an angle: 0 degrees is east, 90 north.
 pub fn direction(angle_deg: f64) -> Point {
     let angle = angle_deg.to_radians();
@@ -93,7 +98,7 @@ pub fn distance_to_area(outline: &[Point], p: Point) -> f64 {
     if contains(outline, p) { 0.0 } else { distance_to_border(outline, p) }
 }
 
-/// How deep `p` lies inside the outline: the distance to its border, below 0 outside.
+/// The depth of `p` inside the outline: the distance to its border, below 0 outside.
 pub fn depth_in_area(outline: &[Point], p: Point) -> f64 {
     let distance = distance_to_border(outline, p);
     if contains(outline, p) { distance } else { -distance }

@@ -24,13 +24,13 @@ pub struct Home {
     /// The sensors by [`SensorId`](crate::ids::SensorId); after those of the home's file, one for each place that a
     /// sensor is moved to.
     pub sensors: Vec<Sensor>,
-    /// Where the sun stands as the run begins, for what measures light and warmth.
+    /// The sun at the start of the run, for sensors of light and temperature.
     pub sun: Sun,
-    /// What the scenario sets otherwise in the models of people and sensors.
+    /// The parameters that the scenario sets.
     pub numbers: Numbers,
-    /// One field for each size of body that lives here.
+    /// One field for each size of body of the residents.
     pub fields: Vec<Field>,
-    /// The resident's fields: of who stands, of who sits, and of who lies.
+    /// The resident's fields for standing, sitting and lying.
     postures: Vec<[usize; 3]>,
 }
 
@@ -40,7 +40,7 @@ impl Home {
         self.sun.elevation_sine(at) < self.numbers.of(&sun::DARK)
     }
 
-    /// Bakes a home for the bodies that live there.
+    /// Bakes a home for the bodies of its residents.
     pub fn bake(home: &ResolvedHome, residents: &[Build]) -> Home {
         let (plan, sensors, numbers) = (home.plan().clone(), home.placed_sensors().to_vec(), home.numbers().clone());
         let mut home = Home { plan, sensors, sun: Sun::default(), numbers, fields: Vec::new(), postures: Vec::new() };
@@ -58,12 +58,12 @@ impl Home {
         home
     }
 
-    /// What there is to say of each sensor, in the order of [`Home::sensors`].
+    /// The description of each sensor, in the order of [`Home::sensors`].
     pub fn sensor_infos(&self) -> Vec<SensorPlacement> {
         self.sensors.iter().map(|sensor| sensor.info(&self.plan)).collect()
     }
 
-    /// What the sensors see of a resident in a posture.
+    /// The field of view of the sensors for a resident in a posture.
     pub fn field(&self, resident: usize, posture: Posture) -> &Field {
         let height = match posture {
             Posture::Standing => 0,

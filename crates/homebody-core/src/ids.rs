@@ -29,7 +29,7 @@ id! {
     SensorId
 }
 id! {
-    /// Somebody with a body: the scenario's residents first, then those who visit.
+    /// A body: the scenario's residents first, then visitors.
     ResidentId
 }
 id! {
@@ -37,6 +37,6 @@ id! {
     RoomId
 }
 id! {
-    /// What can be used: a door, a stove, a tap, a lamp.
+    /// A thing that can be used: a door, a stove, a tap, a lamp.
     ThingId
 }

@@ -21,7 +21,7 @@ pub mod numbers;
 pub mod nearest;
 pub mod calendar;
 
-// What names are made of, what furniture is for, and what activities are called.
+// Names, roles of furniture, and activities.
 pub mod names;
 pub mod posture;
 pub mod role;
@@ -32,12 +32,12 @@ pub mod languages;
 pub mod doors;
 pub mod activity;
 
-// What is wrong with what the user wrote.
+// Messages about problems of the user's files.
 pub mod messages;
 pub mod problem;
 pub mod problems;
 
-// The building, and who lives there.
+// The building and its residents.
 pub mod stride;
 pub mod ids;
 pub mod plan;
@@ -48,16 +48,16 @@ pub mod resident;
 pub mod body;
 pub mod camera;
 
-// What sensors are, what they see in a home, who decides on movements, and the way of what sensors say.
+// Sensors, their views of a home, drivers, and the link.
 pub mod sensor_set;
-pub mod deed;
+pub mod intervention;
 pub mod event;
 pub mod sensors;
 pub mod home;
 pub mod drivers;
 pub mod link;
 
-// What the user wrote: read, checked and edited.
+// The scenario: reading, checking, editing.
 pub mod scenario;
 
 // A run: the world, what is done to it from outside, and what is kept of it.

@@ -1,14 +1,15 @@
 //! The link: the way from the sensors to the logger, and the faults of both.
 //!
-//! The devices say what they have to say, or fail to: they miss it, have an empty battery, are stuck or off their
-//! place. What they say goes over a radio where others may speak at the same time, gets lost by chance, is damaged or
-//! delayed, comes twice, and meets a logger that may not be running.
+//! A sensor sends its messages, or fails to: it misses a movement, its battery is empty, it is stuck or off its place.
+//! A message crosses a radio channel on which others may send at the same time. It may get lost by chance, be damaged
+//! or delayed, arrive twice, or meet a logger that is not running.
 //!
 //! We assume that each of these is independent of the others, and that what is lost stays lost.
 //!
-//! Everything happens in order of time: what the world says, what sensors say for no reason, and the stages of messages
-//! under way, which wait in a heap. Of each instant all is known before anything that comes later, so it makes no
-//! difference in how many steps a run is advanced. What is under way as the run ends never arrives, and is no loss.
+//! All happens in order of time: messages from the world, false firings of sensors, and the stages of messages under
+//! way, which wait in a heap. The link knows all of an instant before any later one, so the number of steps of a run
+//! makes no difference. A message that is still under way at the end of the run never arrives, and does not count as
+//! lost.
 //!
 //! Left out: receipts, meshes and their routes, and what a network does to keep itself together.
 
@@ -19,14 +20,14 @@ pub(crate) mod radio;
 mod sources;
 mod channel;
 
-use crate::deed::SensorFailure;
+use crate::intervention::SensorFailure;
 use crate::event::{Events, Fact, Firing, Loss, Provenance, Trigger, Value};
 use crate::ids::SensorId;
+use crate::intervention::Failure;
 use crate::link::form::{FaultFile, LinkFile, MovedFile};
 use crate::numbers::Numbers;
 use crate::random::Stream;
 use crate::sensors::kinds::SensorFile;
-use crate::sensors::motion::MotionFile;
 use crate::time::{Interval, RunTime, Span};
 use channel::Channel;
 use clock::SensorClocks;
@@ -45,13 +46,13 @@ crate::numbers! {
 #[derive(Clone, Debug)]
 pub struct Link {
     channels: Vec<Channel>,
-    /// Whose other places the sensors after those of the home are.
+    /// The sensors with other places, in the order of the sensors after those of the home.
     places: Vec<SensorId>,
     sources: UtteranceSources,
     radio: Option<Radio>,
     clocks: SensorClocks,
     outages: Vec<Interval<RunTime>>,
-    /// The share of damaged messages of which it is the id.
+    /// The share of damaged messages with a wrong id.
     damaged_ids: f64,
     under_way: BinaryHeap<Reverse<Due>>,
     /// Tells messages apart that are due at one instant.
@@ -59,7 +60,6 @@ pub struct Link {
     seq: u64,
 }
 
-/// What happens next to a message under way, and when.
 #[derive(Clone, Debug)]
 struct Due {
     at: RunTime,
@@ -82,16 +82,15 @@ enum MessageStage {
     },
 }
 
-/// The places that the link's file moves sensors to, each as a sensor of its own, for whoever bakes the home.
+/// The places to which the link's file moves sensors, each as a sensor of its own for the baking of the home.
 pub fn other_places(file: &LinkFile, sensors: &[SensorFile]) -> Vec<SensorFile> {
     moves(file).filter_map(|moved| moved_sensor(moved, sensors)).collect()
 }
 
 /// The sensor as it hangs once it has been moved; nothing for sensors that cannot be.
 pub fn moved_sensor(moved: &MovedFile, sensors: &[SensorFile]) -> Option<SensorFile> {
-    let sensor = sensors.iter().find(|sensor| sensor.name() == moved.sensor)?;
-    let SensorFile::Motion(motion) = sensor else { return None };
-    Some(SensorFile::Motion(MotionFile { at: moved.at, facing_deg: moved.facing_deg, ..motion.clone() }))
+    let mut sensor = sensors.iter().find(|sensor| sensor.name() == moved.sensor)?.clone();
+    sensor.relocate(moved.at, moved.facing_deg).then_some(sensor)
 }
 
 fn moves(file: &LinkFile) -> impl Iterator<Item = &MovedFile> {
@@ -140,13 +139,13 @@ impl Link {
         }
     }
 
-    /// A link of sensors of these names, with whether each looks for movement, on which nothing goes wrong by itself. So many
-    /// messages have been told before.
+    /// A link without losses, for sensors with these names that look for movement or do not. `sent` messages came
+    /// before.
     pub(crate) fn perfect<'n>(
         sensors: impl Iterator<Item = (&'n str, bool)>,
         numbers: &Numbers,
         seed: u64,
-        told: u64,
+        sent: u64,
     ) -> Link {
         let file = LinkFile::default();
         let sensors: Vec<(&str, bool)> = sensors.collect();
@@ -160,11 +159,11 @@ impl Link {
             damaged_ids: numbers.of(&DAMAGED_IDS),
             under_way: BinaryHeap::new(),
             order: 0,
-            seq: told,
+            seq: sent,
         }
     }
 
-    /// A sensor of this name fails for a time, whatever the link's file says.
+    /// Lets a sensor of this name fail for a time, in addition to the faults of the file.
     pub(crate) fn fails(
         &mut self,
         sensor: SensorId,
@@ -185,12 +184,12 @@ impl Link {
         }
     }
 
-    /// How many sensors the logger knows: other places are none.
+    /// The number of sensors that the logger knows, without other places.
     pub fn sensors(&self) -> usize {
         self.channels.len()
     }
 
-    /// The time up to which all firings have been told, once the run has come to `now`.
+    /// The time before which all firings are final, at the instant `now` of the run.
     pub fn settled(&self, now: RunTime) -> RunTime {
         self.clocks.settled(now)
     }
@@ -219,10 +218,10 @@ impl Link {
                 break;
             } else if of_sources <= due {
                 let Some(spoken) = self.sources.speak() else { break };
-                self.says_for_no_reason(&spoken, events);
+                self.send_without_cause(&spoken, events);
             } else {
                 let Some(Reverse(due)) = self.under_way.pop() else { break };
-                self.goes_on(due, events);
+                self.next_stage(due, events);
             }
         }
         said.clear();
@@ -247,7 +246,7 @@ impl Link {
         }
     }
 
-    fn says_for_no_reason(&mut self, told: &Utterance, events: &mut Events) {
+    fn send_without_cause(&mut self, told: &Utterance, events: &mut Events) {
         let Utterance { at, sensor, repeats, draws } = *told;
         let channel = &self.channels[sensor.index()];
         let provenance = Provenance { resident: None, seen_at: at, trigger: Trigger::False };
@@ -280,7 +279,7 @@ impl Link {
         self.order += 1;
     }
 
-    fn goes_on(&mut self, due: Due, events: &mut Events) {
+    fn next_stage(&mut self, due: Due, events: &mut Events) {
         let Due { at, stage, message, .. } = due;
         match stage {
             MessageStage::Sent { begin, copy } => {
@@ -296,7 +295,7 @@ impl Link {
         }
     }
 
-    /// A message has come through the air, if chance does not take it.
+    /// A message has come through the air, unless chance takes it.
     fn receive(&mut self, at: RunTime, mut message: MessageUnderWay, events: &mut Events) {
         let channel = &self.channels[message.sensor.index()];
         let draws = message.draws;
@@ -357,7 +356,7 @@ fn lose(message: &MessageUnderWay, loss: Loss, events: &mut Events) {
 }
 
 impl Due {
-    /// At one instant the air comes first; what arrives does so in the order in which it was sent.
+    /// At one instant the air comes first; messages arrive in the order in which they were sent.
     fn key(&self) -> (RunTime, u8, RunTime, u64) {
         let (stage, stamp) = match self.stage {
             MessageStage::Sent { .. } => (0, RunTime::START),

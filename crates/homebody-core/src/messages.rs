@@ -13,7 +13,7 @@ use std::path::{Path, PathBuf};
 pub struct CatalogueEntry {
     /// The stable code, such as `log::exists`.
     pub code: &'static str,
-    /// How serious it is.
+    /// The severity.
     pub severity: Severity,
     /// The text, with names in braces for the data.
     pub text: &'static str,

@@ -1,46 +1,46 @@
-//! What a body does for a time, as drivers say it.
+//! The movement of a body over a span, as an answer of a driver.
 
 use crate::geometry::Point;
 use crate::posture::Posture;
 use crate::stride::Stride;
 use crate::time::{Interval, RunTime};
 
-/// What a body does over a span.
+/// A movement of a body over a span.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum MotionState {
     /// A straight movement at constant speed.
     Stride {
-        /// Where it begins, in metres.
+        /// The start of the stride, in metres.
         from: Point,
-        /// Where it ends, in metres.
+        /// The end of the stride, in metres.
         to: Point,
     },
     /// Movement on the spot: `amplitude_m` is how far what moves moves.
     InPlace {
-        /// Where the body is, in metres.
+        /// The position of the body, in metres.
         at: Point,
-        /// How far what moves moves, in metres.
+        /// The amplitude of the moving part, in metres.
         amplitude_m: f64,
     },
     /// Keeping still.
     Rest {
-        /// Where the body is, in metres.
+        /// The position of the body, in metres.
         at: Point,
     },
     /// Out of the home.
     Away,
 }
 
-/// What a body does over a span; the spans of one resident follow each other without gaps.
+/// A movement over a span. The spans of one resident follow each other without gaps.
 #[derive(Clone, Debug, PartialEq)]
 pub struct MotionSegment {
     /// From when.
     pub begin: RunTime,
     /// Later than `begin`.
     pub end: RunTime,
-    /// What the body does.
+    /// The movement.
     pub doing: MotionState,
-    /// How it holds itself meanwhile.
+    /// The posture during the movement.
     pub posture: Posture,
 }
 
@@ -72,13 +72,13 @@ impl MotionSegment {
         [first, MotionSegment { begin: at, doing, ..*self }]
     }
 
-    /// Whether the body, which was doing `before` until this segment begins, just stays on as it is.
-    pub fn goes_on(&self, before: &MotionSegment) -> bool {
+    /// Whether the body continues the same rest or absence as `before`.
+    pub fn continues(&self, before: &MotionSegment) -> bool {
         let walks = matches!(self.doing, MotionState::Stride { .. });
         !walks && before.end == self.begin && before.doing == self.doing && before.posture == self.posture
     }
 
-    /// Where the body is at an instant of the segment, its end included; `None` while away.
+    /// The position of the body at an instant of the segment, its end included; `None` while away.
     pub fn position(&self, at: RunTime) -> Option<Point> {
         match self.doing {
             MotionState::Stride { from, to } => Some(Stride::new(from, to, self.begin, self.end).position(at)),
@@ -87,7 +87,7 @@ impl MotionSegment {
         }
     }
 
-    /// Where the body is at the end of the segment; `None` while away.
+    /// The position of the body at the end of the segment; `None` while away.
     pub fn to(&self) -> Option<Point> {
         match self.doing {
             MotionState::Stride { to, .. } => Some(to),

@@ -44,7 +44,6 @@ pub fn suggestion(nearest: &Option<String>, known: &[String]) -> Option<Advice> 
     }
 }
 
-/// Names in quotes, separated by commas.
 pub(super) fn quoted(names: &[String]) -> String {
     names.iter().map(|name| format!("{name:?}")).collect::<Vec<_>>().join(", ")
 }

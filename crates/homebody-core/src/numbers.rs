@@ -1,8 +1,7 @@
 //! The numbers that the models are made of, each with its unit and its range, and what a scenario sets otherwise.
 //!
-//! A number stands in the module that uses it, declared by [`numbers!`](crate::numbers!), which lists it, too. It is asked
-//! for as `numbers.of(&SLOWEST)`: that is its own value, unless the scenario says otherwise. Whoever does something often
-//! asks once, when it is made.
+//! A number is declared by [`numbers!`](crate::numbers!) in the module that uses it. `numbers.of(&SLOWEST)` is its
+//! default, unless the scenario sets it. Code that runs often asks once, on construction.
 
 use crate::nearest::nearest;
 use crate::problem::Advice;
@@ -50,23 +49,23 @@ fn shown(unit: &str) -> String {
 /// A number of a model that a scenario may set otherwise.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Number {
-    /// What scenarios call it, such as `gait.slowest`.
+    /// The name in scenarios, such as `gait.slowest`.
     pub name: Cow<'static, str>,
     /// Such as `m/s`; `1` for shares, factors and counts.
     pub unit: &'static str,
-    /// What it is where nothing else is set.
+    /// The default.
     pub value: f64,
     /// It can be set to this and to what lies between it and `most`.
     pub least: f64,
     /// The largest value that it can be set to, in its unit.
     pub most: f64,
-    /// What it means, in a sentence.
+    /// The meaning, in a sentence.
     pub what: Cow<'static, str>,
     /// The source file that it stands in.
     pub file: &'static str,
 }
 
-/// Declares the numbers of a module, and lists them as its `NUMBERS`. What a number means is its doc comment.
+/// Declares the numbers of a module, and lists them as its `NUMBERS`. The doc comment of a number is its meaning.
 ///
 /// ```
 /// homebody_core::numbers! {
@@ -116,7 +115,7 @@ impl Number {
         Number { name: name_in(table, row, column).into(), unit, value, least, most, what: what.into(), file }
     }
 
-    /// What it means, as one line.
+    /// The meaning on one line.
     pub fn meaning(&self) -> String {
         self.what.split_whitespace().collect::<Vec<_>>().join(" ")
     }
@@ -132,7 +131,7 @@ fn name_in(table: &str, row: &str, column: &str) -> String {
     format!("{table}.{row}.{column}")
 }
 
-/// What a scenario sets otherwise: mostly nothing. A clone is cheap.
+/// The numbers that a scenario sets, mostly none. A clone is cheap.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Numbers {
     /// By name; `None`: every number has its own value.
@@ -140,7 +139,7 @@ pub struct Numbers {
 }
 
 impl Numbers {
-    /// These set, all others as they are.
+    /// These numbers; all others have their defaults.
     pub fn new(set: &BTreeMap<String, f64>) -> Numbers {
         Numbers { set: (!set.is_empty()).then(|| Arc::new(set.clone())) }
     }
@@ -150,13 +149,13 @@ impl Numbers {
         self.set.is_some()
     }
 
-    /// What is set for a number, or else its own value.
+    /// The value of a number: as set, or the default.
     pub fn of(&self, number: &Number) -> f64 {
         let set = self.set.as_ref().and_then(|set| set.get(&*number.name));
         set.copied().unwrap_or(number.value)
     }
 
-    /// What is set for a number of a table, or else `value`, which is its own.
+    /// The value of a number of a table: as set, or the default `value`.
     pub fn of_table(&self, [table, row, column]: [&str; 3], value: f64) -> f64 {
         let set = self.set.as_ref().and_then(|set| set.get(&name_in(table, row, column)));
         set.copied().unwrap_or(value)
@@ -196,7 +195,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_set_counts_and_all_else_is_as_it_is() {
+    fn set_numbers_count_and_others_have_their_defaults() {
         let set = BTreeMap::from([("gait.share".to_owned(), 0.25), ("stay.reading.gap".to_owned(), 7.0)]);
         let numbers = Numbers::new(&set);
         assert_eq!([&SLOWEST, &SHARE].map(|number| numbers.of(number)), [0.2, 0.25]);

@@ -1,11 +1,12 @@
-//! What is done to a home from outside while it is lived: a thing is used that nobody there has touched, a sensor fails,
-//! somebody falls.
+//! Interventions from outside during a run: a thing is used that no resident has touched, a sensor fails, a resident
+//! falls.
 //!
-//! Each has its instant, and happens before all that happens in the home at that instant. A run that is lived again is told all
-//! of it beforehand, and lives the same life.
+//! Each has its instant, and comes before all other events of that instant. A replay gets all of them beforehand, and
+//! is the same run.
 
-use crate::deed::{Deed, FromOutside, SensorFailure};
+use crate::intervention::{Intervention, SensorFailure, TimedIntervention};
 use crate::ids::{ResidentId, SensorId, ThingId};
+use crate::intervention::{Failure, Intervention, TimedIntervention};
 use crate::nearest::{nearest, some_names, suggestion};
 use crate::numbers::Numbers;
 use crate::plan::Plan;
@@ -21,18 +22,18 @@ crate::numbers! {
     static LIES_MIN = "outside.lies": 20.0, "min", [0.1, 1440.0];
 }
 
-/// How long somebody lies who falls and of whom nobody says how long.
-pub fn usual_lie(numbers: &Numbers) -> Span {
+/// The time on the floor of a fall without a stated duration.
+pub fn usual_time_on_floor(numbers: &Numbers) -> Span {
     Span::from_seconds(numbers.of(&LIES_MIN) * 60.0)
 }
 
 /// Largest number of commands from outside in a run (our choice): a recording has all of them, and stays small.
-pub const MOST_DEEDS: usize = 10_000;
+pub const MOST_INTERVENTIONS: usize = 10_000;
 
 /// Longest time that a person lies on the floor (our choice).
 const LONGEST_LIE: Span = DAY;
 
-/// The least and the most between what a stuck sensor repeats.
+/// The shortest and the longest interval of repetitions of a stuck sensor.
 const REPEATS: std::ops::RangeInclusive<Span> = Span::from_millis(100)..=DAY;
 
 crate::messages! {
@@ -94,7 +95,7 @@ pub struct Refusal {
     pub code: &'static str,
     /// Why, in words for people.
     pub why: String,
-    /// What to do instead.
+    /// The advice.
     pub hint: String,
 }
 
@@ -112,46 +113,45 @@ impl From<OutsideMessage> for Refusal {
     }
 }
 
-/// A deed with what it names found.
 #[derive(Clone, Debug, PartialEq)]
-pub(crate) enum ResolvedDeed {
+pub(crate) enum ResolvedIntervention {
     Use { thing: ThingId, on: bool },
     Fail { sensor: SensorId, failure: SensorFailure, until: Option<RunTime> },
     Fall { resident: ResidentId, lies: Span },
 }
 
-impl ResolvedDeed {
-    /// Finds what a deed names among what there is, and looks at its numbers.
+impl ResolvedIntervention {
+    /// Resolves the names of an intervention, and checks its numbers.
     pub fn new(
-        deed: &Deed,
+        intervention: &Intervention,
         at: RunTime,
         plan: &Plan,
         sensors: &[&str],
         residents: &[&str],
-    ) -> Result<ResolvedDeed, OutsideMessage> {
-        match deed {
-            Deed::Use { thing, on } => {
+    ) -> Result<ResolvedIntervention, OutsideMessage> {
+        match intervention {
+            Intervention::Use { thing, on } => {
                 let known = plan.things.iter().map(|thing| thing.name.as_str());
                 let index = plan.thing(thing).ok_or_else(|| OutsideMessage::unknown("thing", thing, known))?;
-                Ok(ResolvedDeed::Use { thing: ThingId::new(index), on: *on })
+                Ok(ResolvedIntervention::Use { thing: ThingId::new(index), on: *on })
             }
-            Deed::Fail { sensor, failure, until_us } => {
+            Intervention::Fail { sensor, failure, until_us } => {
                 let index = sensors.iter().position(|known| known == sensor);
                 let index = index.ok_or_else(|| OutsideMessage::unknown("sensor", sensor, sensors.iter().copied()))?;
                 possible(*failure)?;
                 if until_us.is_some_and(|until| until <= at || until.since_zero() > 2 * LONGEST) {
                     return Err(OutsideMessage::EndsTooSoon);
                 }
-                Ok(ResolvedDeed::Fail { sensor: SensorId::new(index), failure: *failure, until: *until_us })
+                Ok(ResolvedIntervention::Fail { sensor: SensorId::new(index), failure: *failure, until: *until_us })
             }
-            Deed::Fall { resident, lies_us } => {
+            Intervention::Fall { resident, lies_us } => {
                 let index = residents.iter().position(|known| known == resident);
                 let names = residents.iter().copied();
                 let index = index.ok_or_else(|| OutsideMessage::unknown("resident", resident, names))?;
                 if !(SECOND..=LONGEST_LIE).contains(lies_us) {
                     return Err(OutsideMessage::LyingTime { lies_us: *lies_us });
                 }
-                Ok(ResolvedDeed::Fall { resident: ResidentId::new(index), lies: *lies_us })
+                Ok(ResolvedIntervention::Fall { resident: ResidentId::new(index), lies: *lies_us })
             }
         }
     }
@@ -171,15 +171,15 @@ fn possible(failure: SensorFailure) -> Result<(), OutsideMessage> {
 }
 
 /// The problems of the actions from outside in the recording of a run of this scenario; `file` is the name of the recording.
-pub fn check(done: &[FromOutside], scenario: &Scenario, residents: &[String], file: &str) -> Problems {
+pub fn check(done: &[TimedIntervention], scenario: &Scenario, residents: &[String], file: &str) -> Problems {
     let sensors: Vec<&str> = scenario.home.sensors.iter().map(|sensor| sensor.name()).collect();
     let residents: Vec<&str> = residents.iter().map(String::as_str).collect();
     let plan = scenario.home.plan();
     let mut problems = Vec::new();
-    if done.len() > MOST_DEEDS {
-        problems.push(Problem::of_file(file, OutsideMessage::TooMany { most: MOST_DEEDS }, None));
+    if done.len() > MOST_INTERVENTIONS {
+        problems.push(Problem::of_file(file, OutsideMessage::TooMany { most: MOST_INTERVENTIONS }, None));
     }
-    for (number, FromOutside { at_us, deed }) in done.iter().take(MOST_DEEDS).enumerate() {
+    for (number, TimedIntervention { at_us, intervention }) in done.iter().take(MOST_INTERVENTIONS).enumerate() {
         // A recording with very many problems costs no more than those that are shown.
         if problems.len() > MOST_PER_FILE {
             break;
@@ -192,7 +192,7 @@ pub fn check(done: &[FromOutside], scenario: &Scenario, residents: &[String], fi
         if !(Span::ZERO..=LONGEST).contains(&at_us.since_zero()) {
             wrong(OutsideMessage::NotInRun { at_us: *at_us });
         }
-        if let Err(message) = ResolvedDeed::new(deed, *at_us, plan, &sensors, &residents) {
+        if let Err(message) = ResolvedIntervention::new(intervention, *at_us, plan, &sensors, &residents) {
             wrong(message);
         }
     }

@@ -28,12 +28,12 @@ impl Room {
     }
 }
 
-/// What a solid was in the home's file: the index into that list.
+/// The part of the home's file that a solid comes from: the index into that list.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Origin {
     /// A piece of the wall of this index, between its doors.
     Wall(usize),
-    /// The door of this index, which is closed or is shut behind whoever goes through.
+    /// The door of this index, which is closed, or shut behind each person who passes.
     Door(usize),
     /// The piece of furniture of this index.
     Furniture(usize),
@@ -42,7 +42,7 @@ pub enum Origin {
 /// A convex thing that stands in the home.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Solid {
-    /// What it is made from.
+    /// The part of the file.
     pub origin: Origin,
     /// Convex, corners counter-clockwise.
     pub outline: Vec<Point>,
@@ -52,7 +52,7 @@ pub struct Solid {
     pub stops_bodies: bool,
 }
 
-/// Where people can go through a door: a rectangle through its wall.
+/// The passage of a door: a rectangle through its wall.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Opening {
     /// Index into the home's doors, which are also the first of its things.
@@ -66,9 +66,9 @@ pub struct Opening {
 pub struct Thing {
     /// The name of the door, of the piece of furniture or of the lamp's room.
     pub name: String,
-    /// Where it is, in metres: its middle.
+    /// The middle, in metres.
     pub at: Point,
-    /// How it is when a run begins: open or on.
+    /// The state at the start of a run: open or on.
     pub on: bool,
 }
 
@@ -77,9 +77,9 @@ pub struct Thing {
 pub struct Plan {
     /// The rooms by [`RoomId`](crate::ids::RoomId), in the order of the home's file.
     pub rooms: Vec<Room>,
-    /// What can be used: doors, then furniture, then the lamps of rooms, under the rooms' names.
+    /// The things that can be used: doors, then furniture, then the lamps of rooms, under the rooms' names.
     pub things: Vec<Thing>,
-    /// What stops bodies or beams: walls between their doors, closed doors, furniture.
+    /// The obstacles to bodies or beams: walls between their doors, closed doors, furniture.
     pub solids: Vec<Solid>,
     /// The doors that let people through.
     pub openings: Vec<Opening>,
@@ -87,7 +87,7 @@ pub struct Plan {
     pub places: Vec<(String, Point)>,
 }
 
-/// How far off a wall's middle line a door's jamb may be, in metres.
+/// The largest distance of a door's jamb from the middle line of its wall, in metres.
 pub const JAMB_TOLERANCE_M: f64 = 0.01;
 
 /// In metres. A shorter piece of wall next to a door comes from rounding. Its outline would be a point.
@@ -99,7 +99,7 @@ pub const FLAT_M: f64 = 0.05;
 /// A floor of a home that has several.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Floor {
-    /// What its rooms call it.
+    /// The name.
     pub name: String,
     /// The corners of the box around its rooms, in metres.
     pub bounds: (Point, Point),
@@ -201,14 +201,14 @@ impl Plan {
         self.room_at(p).is_some() || self.openings.iter().any(|opening| geometry::contains(&opening.outline, p))
     }
 
-    /// How far a point is from the nearest room or door opening, in metres; 0 inside.
+    /// The distance of a point from the nearest room or door opening, in metres; 0 inside.
     pub fn distance_outside(&self, p: Point) -> f64 {
         let rooms = self.rooms.iter().map(|room| &room.outline);
         let areas = rooms.chain(self.openings.iter().map(|opening| &opening.outline));
         areas.map(|area| geometry::distance_to_area(area, p)).fold(f64::INFINITY, f64::min)
     }
 
-    /// Whether a door's rectangle leads out: on one side of it, a body's radius from the wall, there is no home any more.
+    /// Whether a door's rectangle leads out: on one side of it, at a body's radius from the wall, the home ends.
     pub fn leads_out(&self, outline: &[Point], radius_m: f64) -> bool {
         let &[a, b, c, d] = outline else { return false };
         let (near, far) = ((a + b) / 2.0, (c + d) / 2.0);
@@ -229,7 +229,7 @@ impl Plan {
         self.is_inside(p) && !self.solids.iter().any(stops)
     }
 
-    /// The rooms that a stride comes through: from which instant on, and which, if any.
+    /// The rooms along a stride, each with the instant at which the body enters it; `None` between rooms.
     pub fn rooms_along(&self, stride: &Stride) -> Vec<(RunTime, Option<usize>)> {
         let way = stride.to - stride.from;
         let (least, most) = (stride.from.min(stride.to), stride.from.max(stride.to));
@@ -261,7 +261,7 @@ impl Plan {
         self.things.iter().position(|thing| thing.name == name)
     }
 
-    /// The index of the thing that is a room's lamp; nothing if there is no such room.
+    /// The index of the lamp of a room; `None` if there is no such room.
     pub fn lamp(&self, room: &str) -> Option<usize> {
         let room = self.rooms.iter().position(|known| known.name == room)?;
         Some(self.things.len() - self.rooms.len() + room)
@@ -274,7 +274,7 @@ impl Plan {
         pieces().zip(&self.things[doors..]).find(|(_, thing)| thing.name == name).map(|(piece, _)| piece)
     }
 
-    /// Where a spot of a path is; nothing if the home has no place of that name.
+    /// The position of a spot of a path; `None` if the home has no place of that name.
     pub fn spot(&self, spot: &Spot) -> Option<Point> {
         match spot {
             Spot::At(at) => Some(point(*at)),
@@ -289,7 +289,7 @@ impl Plan {
     }
 }
 
-/// Where on a wall a door lies, as distances from the wall's start; nothing if it is on another wall.
+/// The position of a door on a wall, as distances from the wall's start; `None` if it is on another wall.
 pub fn span_on_wall(from: Point, to: Point, jamb: Point, other: Point) -> Option<(f64, f64)> {
     let on_wall = |p: Point| geometry::distance_to_segment(p, from, to) <= JAMB_TOLERANCE_M;
     if !on_wall(jamb) || !on_wall(other) {
@@ -314,7 +314,6 @@ pub fn furniture_outline(piece: &FurnitureFile) -> Vec<Point> {
     vec![middle - x - y, middle + x - y, middle + x + y, middle - x + y]
 }
 
-/// Whether an outline turns the same way at all its corners.
 fn is_convex(outline: &[Point]) -> bool {
     let count = outline.len();
     let turn = |index: usize| {

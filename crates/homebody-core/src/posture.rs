@@ -28,7 +28,7 @@ impl Posture {
     pub const ALL: [Posture; 6] =
         [Posture::Standing, Posture::Bending, Posture::Sitting, Posture::Kneeling, Posture::Lying, Posture::Down];
 
-    /// What files call it.
+    /// The name in files.
     pub fn name(self) -> &'static str {
         match self {
             Posture::Standing => "standing",

@@ -1,11 +1,11 @@
-//! What is wrong with what a user wrote: all of it at once, each with its place and a hint.
+//! Problems of the user's input: all at once, each with its place and a hint.
 
 pub use crate::problems::Problems;
 use serde::Serialize;
 use serde_json::{Map, Value};
 use std::fmt;
 
-/// How serious a message is.
+/// The severity of a message.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Severity {
@@ -38,7 +38,7 @@ pub struct Diagnostic {
     /// The stable code, such as `log::exists`; `homebody explain` has more about it.
     #[serde(skip_serializing_if = "str::is_empty")]
     pub code: &'static str,
-    /// How serious it is.
+    /// The severity.
     pub severity: Severity,
     /// The file, as the scenario names it; empty for a message about no file.
     pub file: String,
@@ -102,9 +102,9 @@ pub struct Advice {
 pub struct Excerpt {
     /// The text, without control characters.
     pub text: String,
-    /// How many characters of the text come before the problem.
+    /// The number of characters of the text before the problem.
     pub before: u32,
-    /// How many characters the problem is about, at least one.
+    /// The number of characters with the problem, at least one.
     #[serde(skip_serializing_if = "is_one")]
     pub width: u32,
 }
@@ -257,7 +257,6 @@ impl From<&str> for Advice {
     }
 }
 
-/// The words.
 impl fmt::Display for Advice {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
         f.write_str(&self.text)
@@ -286,8 +285,8 @@ impl Diagnose for Diagnostic {
 impl std::error::Error for Diagnostic {}
 
 impl Excerpt {
-    /// What is on a line around a byte of it that has a problem: so much as fits beside a line number. A line may be as long
-    /// as its file: only what is near the place is looked at.
+    /// The part of a line around a byte with a problem that fits next to a line number. A line may be as long as its
+    /// file, so the rest of it is not read.
     pub fn around(line: &str, at: usize) -> Excerpt {
         const WIDTH: usize = 120;
         const BEFORE: usize = 80;
@@ -306,14 +305,13 @@ impl Excerpt {
         Excerpt { text, before: line[start..at].chars().count() as u32, width: 1 }
     }
 
-    /// The same with so many characters underlined, as far as they are in sight.
+    /// The same with a number of characters underlined, as far as they are visible.
     pub fn underlining(self, width: usize) -> Excerpt {
         let left = self.text.chars().count().saturating_sub(self.before as usize);
         Excerpt { width: width.min(left).max(1) as u32, ..self }
     }
 }
 
-/// The position and the text, without the code.
 impl fmt::Display for Diagnostic {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
         write!(f, "{}{}", self.position(), self.text())
@@ -325,8 +323,8 @@ pub fn boundary_before(text: &str, at: usize) -> usize {
     (0..=at.min(text.len())).rev().find(|&at| text.is_char_boundary(at)).unwrap_or(0)
 }
 
-/// A message that may quote what anybody has written, as people can read it: without control characters but the ends of its
-/// lines, and without its middle where it is longer than 600 bytes.
+/// A message that may quote any input, made readable: without control characters other than line ends, and without its
+/// middle if it is longer than 600 bytes.
 pub fn readable(mut text: String) -> String {
     if text.contains(|c: char| c.is_control() && c != '\n') {
         text = text.chars().map(|c| if c.is_control() && c != '\n' { ' ' } else { c }).collect();
@@ -347,7 +345,7 @@ pub fn is_unseen(c: char) -> bool {
         || matches!(c, '\u{2060}'..='\u{206f}' | '\u{feff}' | '\u{fff9}'..='\u{fffb}' | '\u{e0000}'..='\u{e007f}')
 }
 
-/// How many of what, as a sentence has it.
+/// A count and its noun, such as `2 rooms`.
 pub fn counted(count: usize, one: &str, many: &str) -> String {
     format!("{count} {}", if count == 1 { one } else { many })
 }
@@ -357,7 +355,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn what_nobody_sees_is_known() {
+    fn knows_invisible_characters() {
         for c in
             ['\u{1b}', '\u{9b}', '\u{200b}', '\u{202e}', '\u{2066}', '\u{2028}', '\u{feff}', '\u{e0041}', '\u{3164}']
         {
@@ -393,7 +391,7 @@ mod tests {
     }
 
     #[test]
-    fn a_hint_is_told_apart_from_the_piece_that_it_adds() {
+    fn separates_a_hint_from_the_piece_that_it_adds() {
         let piece = serde_json::json!({ "name": "bed", "at": [0.5, 1.5], "enterable": true });
         let advice = Advice::addition(piece.clone(), Some("hall".into())).after("add a bed; ");
         let words =

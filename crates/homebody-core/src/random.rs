@@ -98,8 +98,8 @@ impl Stream {
         d * drawn * factor * mean / shape
     }
 
-    /// How often something happens that happens `mean` times on average; 0 for a mean of 0 or less. Draws one value up to
-    /// a mean of 256, by inversion; beyond, where the normal distribution of the same mean and variance stands in, two.
+    /// A number of events with the mean `mean`; 0 for a mean of 0 or less. Takes one value up to a mean of 256, by
+    /// inversion; beyond, two, for the normal distribution of the same mean and variance.
     pub fn poisson(&mut self, mean: f64) -> u32 {
         if mean > POISSON_BY_INVERSION {
             return libm::round(self.normal(mean, libm::sqrt(mean))).max(0.0) as u32;
@@ -126,8 +126,8 @@ impl Stream {
     }
 }
 
-/// How often something happens that happens `mean` times on average, by a number from 0 up to 1: the count up to which the
-/// probabilities come to more than that.
+/// A number of events with the mean `mean`, from a number from 0 up to 1: the first count at which the sum of the
+/// probabilities exceeds that number.
 pub(crate) fn poisson_by_inversion(mean: f64, drawn: f64) -> u32 {
     let mut count = 0;
     let mut share = libm::exp(-mean.max(0.0));
@@ -144,7 +144,7 @@ pub(crate) fn poisson_by_inversion(mean: f64, drawn: f64) -> u32 {
     count
 }
 
-/// Numbers from one drawn value, of which only those that are asked for cost anything.
+/// Numbers from one drawn value. Each costs time only when it is computed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct DrawnValue(u64);
 
@@ -204,7 +204,7 @@ impl SpanRange {
     }
 }
 
-/// A stream that nobody draws from: what somebody holds until a run begins.
+/// A stream that is not drawn from, as a placeholder until a run begins.
 pub fn no_stream() -> Stream {
     Stream::named(0, "")
 }
@@ -250,7 +250,7 @@ mod tests {
         [mean, sd, mean_of(&|x| libm::pow((x - mean) / sd, 3.0))]
     }
 
-    /// How many raw values a draw takes.
+    /// The number of raw values that a draw takes.
     fn values<T>(draw: impl Fn(&mut Stream) -> T) -> usize {
         let (mut drawn, mut counted) = (Stream::named(5, "values"), Stream::named(5, "values"));
         draw(&mut drawn);

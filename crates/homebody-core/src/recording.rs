@@ -1,8 +1,8 @@
-//! A recording: the scenario with its live input, the seed, the length, and a sign by which a replay can
-//! be told to be the same. That is all a run depends on, so it is enough to live it again, byte for byte.
+//! A recording: the scenario with its live input, the seed, the length, and digests that show whether a replay is the
+//! same. A run depends on nothing else, so a recording is enough to replay it byte for byte.
 
-use crate::deed::FromOutside;
 use crate::event::{Firing, Value};
+use crate::intervention::TimedIntervention;
 use crate::problem::Problems;
 use crate::run::{DriverProvider, Run};
 use crate::scenario::load::Scenario;
@@ -12,7 +12,7 @@ use serde::{Deserialize, Serialize};
 use sha2::{Digest, Sha256};
 use std::collections::BTreeMap;
 
-/// A run that can be lived again, unless somebody was moved by a driver of the caller's own.
+/// A run that can be replayed, unless a driver of the caller's own moved a resident.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Recording {
@@ -24,7 +24,7 @@ pub struct Recording {
     pub files: BTreeMap<String, String>,
     /// The number that all randomness of the run comes from.
     pub seed: u64,
-    /// How long the run was.
+    /// The length of the run.
     pub length_us: Span,
     /// Conditions that the routines show, but this run does not.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
@@ -32,8 +32,8 @@ pub struct Recording {
     /// Whether the residents are one of many: not quite as their routines are written.
     #[serde(default, skip_serializing_if = "is_false")]
     pub one_of_many: bool,
-    /// Residents, by name, whom a driver of the caller's own has moved. It is in no file, so nobody can live such a run again from its
-    /// recording, which tells the place, the names and the clock of its log all the same.
+    /// The names of the residents that a driver of the caller's own moved. No file contains this driver, so such a run
+    /// cannot be replayed; its recording still gives the place, the names and the clock of its log.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub own_drivers: Vec<String>,
     /// Which home of several it is: the name of a member of a cohort.
@@ -42,16 +42,17 @@ pub struct Recording {
     /// The id that the rows of the run have; None where it follows from the rest.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub run_id: Option<i64>,
-    /// How long it was to be, where it was stopped before.
+    /// The intended length, if the run was stopped earlier.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub stopped_of_us: Option<Span>,
-    /// What was done to it from outside, in order of time.
+    /// The interventions from outside, in order of time.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
-    pub outside: Vec<FromOutside>,
-    /// How many rows each place of its log has got; None until the run is complete, and where nobody has counted them.
+    pub outside: Vec<TimedIntervention>,
+    /// The number of rows in each place of its log; `None` until the run is complete, and for rows that were not
+    /// counted.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub rows: Option<u64>,
-    /// How many firings it had, and the SHA-256 of them: empty until the run is complete.
+    /// The number of its firings, and their SHA-256: empty until the run is complete.
     pub firings: u64,
     /// The SHA-256 of all firings, in hexadecimal digits: see [`RunDigest`].
     pub sha256: String,
@@ -62,8 +63,8 @@ fn is_false(value: &bool) -> bool {
 }
 
 impl Recording {
-    /// The recording of a run of a scenario that has not begun; `entry` is the name of the scenario's own file. It has all of
-    /// its conditions and is no member of a cohort, unless that is said.
+    /// The recording of a run of a scenario that has not begun; `entry` is the name of the scenario's own file. Unless
+    /// set otherwise, it has all conditions of the scenario and belongs to no cohort.
     pub fn new(scenario: &Scenario, version: &str, entry: &str, seed: u64, length: Span) -> Recording {
         Recording {
             version: version.into(),
@@ -94,18 +95,18 @@ impl Recording {
         !self.sha256.is_empty()
     }
 
-    /// Whether it is enough to live the run again: nobody in it was moved by a driver of the caller's own.
-    pub fn lives_again(&self) -> bool {
+    /// Whether the run can be replayed from it: no driver of the caller's own moved a resident.
+    pub fn can_replay(&self) -> bool {
         self.own_drivers.is_empty()
     }
 
-    /// Whether the run was lived to its end.
+    /// Whether the run reached its end.
     pub fn is_whole(&self) -> bool {
         self.is_complete() && self.stopped_of_us.is_none()
     }
 
-    /// The recording of the same run as it is begun again, to be lived to its end.
-    pub fn begun_again(&self) -> Recording {
+    /// The recording of the same run from its start to its intended end.
+    pub fn restarted(&self) -> Recording {
         let length_us = self.stopped_of_us.unwrap_or(self.length_us);
         let (firings, sha256) = (0, String::new());
         Recording { length_us, stopped_of_us: None, rows: None, firings, sha256, ..self.clone() }
@@ -140,7 +141,7 @@ impl Recording {
     /// The recorded run from its start, with what was done to it from outside.
     pub fn run(&self, scenario: &Scenario, drivers_of: &dyn DriverProvider) -> Run {
         let mut run = Run::new(scenario, drivers_of, self.seed, self.length_us);
-        run.from_outside(self.outside.iter().cloned());
+        run.intervene(self.outside.iter().cloned());
         run
     }
 }
@@ -166,7 +167,7 @@ impl RunDigest {
         self.firings += firings.len() as u64;
     }
 
-    /// How many firings it has taken in.
+    /// The number of firings so far.
     pub fn firings(&self) -> u64 {
         self.firings
     }

@@ -74,8 +74,8 @@ impl WanderingFile {
 }
 
 impl ResidentFile {
-    /// Somebody of whom only the driver is known.
-    pub fn somebody(driver: DriverFile) -> ResidentFile {
+    /// A resident with the default values and this driver.
+    pub fn with_driver(driver: DriverFile) -> ResidentFile {
         let name = "somebody".into();
         ResidentFile {
             schema: None,
@@ -171,6 +171,6 @@ impl Build {
 pub struct BodySize {
     /// The radius of the body seen from above, in metres.
     pub radius_m: f64,
-    /// How high it reaches in its posture.
+    /// The height of the body in its posture.
     pub top_m: f64,
 }

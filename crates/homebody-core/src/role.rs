@@ -1,4 +1,4 @@
-//! What pieces of furniture are for: one table of roles. Routines, the check, the page and the documents read it.
+//! The purposes of furniture: one table of roles, for routines, the check, the page and the documents.
 //!
 //! The name of a piece implies its roles: a `couch` is a sofa. If `home.json` gives the piece a `role`, it has that role
 //! alone.
@@ -12,14 +12,14 @@ use serde::{Deserialize, Serialize};
 pub struct RoleRow {
     /// The role that the row is about.
     pub role: Role,
-    /// What a piece with this role is for, in one sentence.
+    /// The purpose of a piece with this role, in one sentence.
     pub about: &'static str,
     /// The names of pieces that have this role, in lower case, the best first.
     pub names: &'static [&'static str],
     /// The roles that are taken instead where no piece has this one, the best first.
     pub instead: &'static [Role],
-    /// The posture of a body in an enterable piece to which `home.json` gives this role; `None`: the posture that the piece's
-    /// name implies.
+    /// The posture of a body in an enterable piece with this `role` in `home.json`; `None` for the posture that the
+    /// piece's name implies.
     pub posture: Option<Posture>,
 }
 
@@ -110,7 +110,7 @@ impl Role {
         &ROLES[self as usize]
     }
 
-    /// What `home.json` calls it, such as `dining_seat`; `None` for the way out, which is not furniture.
+    /// The key in `home.json`, such as `dining_seat`; `None` for the way out, which is not furniture.
     pub fn key(self) -> Option<String> {
         let key = serde_json::to_value(self).ok()?;
         key.as_str().map(str::to_owned)
@@ -123,7 +123,7 @@ impl Role {
     }
 
     /// The roles that a name in lower case implies, in the order of the table.
-    pub fn of_name(name: &str) -> impl Iterator<Item = Role> {
+    pub fn from_name(name: &str) -> impl Iterator<Item = Role> {
         ROLES.iter().map(|row| row.role).filter(move |role| role.is_called(name))
     }
 }
@@ -158,10 +158,10 @@ mod tests {
 
     #[test]
     fn one_name_may_imply_several_roles() {
-        assert_eq!(Role::of_name("couch").collect::<Vec<_>>(), [Role::Sofa, Role::GuestSeat]);
-        assert_eq!(Role::of_name("table").count(), 0);
-        assert_eq!(Role::of_name("margaret's couch").collect::<Vec<_>>(), [Role::Sofa, Role::GuestSeat]);
-        // What only ends so is another thing.
-        assert_eq!(Role::of_name("toy couch").count(), 0);
+        assert_eq!(Role::from_name("couch").collect::<Vec<_>>(), [Role::Sofa, Role::GuestSeat]);
+        assert_eq!(Role::from_name("table").count(), 0);
+        assert_eq!(Role::from_name("margaret's couch").collect::<Vec<_>>(), [Role::Sofa, Role::GuestSeat]);
+        // A name that only ends like this is another thing.
+        assert_eq!(Role::from_name("toy couch").count(), 0);
     }
 }

@@ -1,6 +1,5 @@
 //! A run: residents with their drivers in a world, and the one loop of the program.
 
-use crate::deed::{Deed, FromOutside};
 use crate::drivers::absent::Absent;
 use crate::drivers::error::{DriverError, DriverFault, MOST_ANSWERS, WALL_M};
 use crate::drivers::input::Input;
@@ -10,9 +9,10 @@ use crate::drivers::{Driver, Next, Occupant, Surroundings};
 use crate::event::{Events, Fact, ThingUse};
 use crate::home::Home;
 use crate::ids::{ResidentId, RoomId, SensorId, ThingId};
+use crate::intervention::{Intervention, TimedIntervention};
 use crate::link::{self, Link};
 use crate::motion::{MotionSegment, MotionState};
-use crate::outside::{OutsideMessage, Refusal, ResolvedDeed};
+use crate::outside::{OutsideMessage, Refusal, ResolvedIntervention};
 use crate::plan::Plan;
 use crate::plan::sun::Sun;
 use crate::resident::Build;
@@ -27,43 +27,41 @@ use std::borrow::Cow;
 use std::collections::VecDeque;
 use std::sync::Arc;
 
-/// A scenario being lived. A clone continues exactly as the original.
+/// A run of a scenario. A clone continues exactly as the original.
 #[derive(Clone, Debug)]
 pub struct Run {
     world: World,
     names: Vec<String>,
-    /// By resident: who decides, what the body is doing, and what the truth knows of where it is.
+    /// By resident: the driver, the movement of the body, and the truth about its place.
     drivers: Vec<Box<dyn Driver>>,
     occupants: Vec<Occupant>,
-    told: Vec<TruthSoFar>,
-    /// By thing of the plan: who has turned it on, or opened it.
+    truths: Vec<TruthSoFar>,
+    /// By thing of the plan: the residents who have turned it on, or opened it.
     users: Vec<Vec<ResidentId>>,
-    /// By thing of the plan: whether it is on, or open, and whether that was done from outside.
+    /// By thing of the plan: whether it is on, or open, and whether an intervention did that.
     on: Vec<bool>,
     by_outside: Vec<bool>,
-    /// Nothing where all that sensors say reaches the logger at once.
+    /// `None` if all messages of sensors reach the logger at once.
     link: Option<Box<Link>>,
     length: Span,
     seed: u64,
-    /// What is still to be done from outside, in order of time.
-    outside: VecDeque<FromOutside>,
-    /// Why it goes no further.
+    /// The interventions that are still to come, in order of time.
+    outside: VecDeque<TimedIntervention>,
     failure: Option<DriverError>,
 }
 
-/// What the truth knows of a resident.
 #[derive(Clone, Debug, Default)]
 struct TruthSoFar {
     room: Option<RoomId>,
-    /// Whether any room was told yet.
+    /// Whether any room was reported yet.
     located: bool,
-    /// Since when the body has been doing what it does: that is told when it ends. Before, all has been told.
+    /// The start of the present movement, which is reported at its end. All before it is reported.
     since: RunTime,
 }
 
-/// Who decides for those whose driver is not of this crate.
+/// A source of drivers that this crate does not have.
 pub trait DriverProvider {
-    /// Who comes into the home besides the scenario's residents.
+    /// The guests: bodies that come into the home in addition to the scenario's residents.
     fn guests(&self) -> Vec<Guest>;
 
     /// The driver of a body: the scenario's residents first, then the guests. `None` where the scenario says all; one that
@@ -71,7 +69,7 @@ pub trait DriverProvider {
     fn driver(&self, body: usize, home: &Arc<Home>, seed: u64) -> Option<Box<dyn Driver>>;
 }
 
-/// A scenario of paths and keys needs nobody.
+/// A scenario of paths and keys needs no other drivers.
 impl DriverProvider for () {
     fn guests(&self) -> Vec<Guest> {
         Vec::new()
@@ -82,16 +80,15 @@ impl DriverProvider for () {
     }
 }
 
-/// Somebody who comes and goes.
+/// A visitor.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Guest {
-    /// What the truth calls them, such as `margaret's daughter`.
+    /// The name in the truth, such as `margaret's daughter`.
     pub name: String,
     /// The build of their body.
     pub build: Build,
 }
 
-/// The bodies of all who live there, and then of those who come to visit.
 fn builds(scenario: &Scenario, guests: &[Guest]) -> Vec<Build> {
     let residents = scenario.residents.iter().map(|resident| Build::new(&resident.file));
     residents.chain(guests.iter().map(|guest| guest.build)).collect()
@@ -104,7 +101,7 @@ impl Run {
         Run::in_home(home, scenario, drivers_of, seed, length)
     }
 
-    /// The home of a scenario's runs, baked for all who live there and come to visit. It is the same whatever their seeds.
+    /// The home of a scenario's runs, baked for all residents and visitors. It does not depend on the seed.
     pub fn home_of(scenario: &Scenario, guests: &[Guest]) -> Home {
         let places = scenario.link.as_ref().map(|link| link::other_places(link, &scenario.home.sensors));
         let moved = places.map_or(Cow::Borrowed(&scenario.home), |more| Cow::Owned(scenario.home.with_sensors(more)));
@@ -158,7 +155,7 @@ impl Run {
             world,
             names,
             occupants: builds.into_iter().map(Occupant::new).collect(),
-            told: vec![TruthSoFar::default(); drivers.len()],
+            truths: vec![TruthSoFar::default(); drivers.len()],
             drivers,
             users,
             on,
@@ -181,24 +178,24 @@ impl Run {
         self.names.clone()
     }
 
-    /// The sensors that the logger knows, in the order in which firings count them. The home has more where a sensor
-    /// is moved in the course of the run.
+    /// The sensors that the logger knows, in the order in which firings count them. The home has more if a sensor is
+    /// moved during the run.
     pub fn sensors(&self) -> &[Sensor] {
         let sensors = &self.home().sensors;
         &sensors[..self.link.as_ref().map_or(sensors.len(), |link| link.sensors())]
     }
 
-    /// How far the run has come.
+    /// The instant that the run has reached.
     pub fn now(&self) -> RunTime {
         self.world.now()
     }
 
-    /// The time up to which all firings have been told: how far the run has come, unless a sensor's clock is behind.
+    /// The time before which all firings are final: the present instant, unless a sensor's clock is behind.
     pub fn settled(&self) -> RunTime {
         self.link.as_ref().map_or(self.now(), |link| link.settled(self.now()))
     }
 
-    /// How long it is in all.
+    /// The whole length.
     pub fn length(&self) -> Span {
         self.length
     }
@@ -207,19 +204,19 @@ impl Run {
         RunTime::START + self.length
     }
 
-    /// Who decides what a resident does.
+    /// The driver of a resident.
     pub fn driver(&self, resident: ResidentId) -> Option<&dyn Driver> {
         self.drivers.get(resident.index()).map(Box::as_ref)
     }
 
-    /// What the run looks like now.
+    /// The state of the run now.
     pub fn scene(&self) -> Scene {
         let body = |resident: ResidentId| {
             Some(Presence {
                 at: self.world.position(resident)?,
                 heading: self.world.heading(resident),
                 posture: self.world.posture(resident),
-                room: self.told[resident.index()].room,
+                room: self.truths[resident.index()].room,
             })
         };
         let all = (0..self.drivers.len()).map(ResidentId::new);
@@ -235,7 +232,7 @@ impl Run {
         }
     }
 
-    /// From now on the input of a resident comes from whoever lives the run, after what its file says. False if its driver
+    /// From now on the input of a resident comes from the caller, after the input in its file. False if its driver
     /// takes none.
     pub fn open_input(&mut self, resident: ResidentId) -> bool {
         self.drivers.get_mut(resident.index()).is_some_and(|driver| driver.open_input())
@@ -250,9 +247,9 @@ impl Run {
     }
 
     /// From now on this is done to the run from outside as well, each at its instant; what is past is done now.
-    pub fn from_outside(&mut self, done: impl IntoIterator<Item = FromOutside>) {
+    pub fn intervene(&mut self, done: impl IntoIterator<Item = TimedIntervention>) {
         self.outside.extend(done);
-        // Of one instant, in the order in which it was said.
+        // At one instant, the order of the requests holds.
         self.outside.make_contiguous().sort_by_key(|one| one.at_us);
     }
 
@@ -279,16 +276,16 @@ impl Run {
         let mut said = Events::default();
         while self.now() < until && self.failure.is_none() && events.len() < most {
             while self.outside.front().is_some_and(|first| first.at_us <= self.now()) {
-                self.do_from_outside(&mut link, events);
+                self.apply_intervention(&mut link, events);
             }
             self.failure = self.begin_due(events).err();
             if self.failure.is_some() {
                 break;
             }
             match &mut link {
-                None => self.go_on(until, events),
+                None => self.advance_world(until, events),
                 Some(link) => {
-                    self.go_on(until, &mut said);
+                    self.advance_world(until, &mut said);
                     // Pictures have a wire of their own.
                     events.frames.append(&mut said.frames);
                     link.carry(&mut said, self.now(), events);
@@ -299,20 +296,19 @@ impl Run {
         if self.now() >= self.end() || self.failure.is_some() {
             events.facts.extend(self.under_way());
             let now = self.now();
-            self.told.iter_mut().for_each(|told| told.since = now);
+            self.truths.iter_mut().for_each(|truth| truth.since = now);
         }
         self.failure.clone().map_or(Ok(()), Err)
     }
 
-    /// What each resident's body has been doing until now that is not told yet, as movements that end now. At the end of the
-    /// run there is none; for who stops a run before its end.
+    /// The movement of each resident that is not reported yet, up to now. At the end of the run there is none; this is
+    /// for callers that stop a run before its end.
     pub fn under_way(&self) -> impl Iterator<Item = Fact> {
         (0..self.drivers.len()).map(ResidentId::new).filter_map(|resident| self.movement(resident))
     }
 
-    /// What a resident's body has been doing until now, unless that is told.
     fn movement(&self, resident: ResidentId) -> Option<Fact> {
-        let begin = self.told[resident.index()].since;
+        let begin = self.truths[resident.index()].since;
         let MotionSegment { end, doing, posture, .. } = self.occupants[resident.index()].segment.until(self.now());
         (begin < end).then_some(Fact::Movement { resident, begin, end, doing, posture })
     }
@@ -322,7 +318,7 @@ impl Run {
         self.failure.as_ref()
     }
 
-    /// Asks the drivers of all whose move is over what comes next.
+    /// Asks the drivers of all residents whose move is over.
     fn begin_due(&mut self, events: &mut Events) -> Result<(), DriverError> {
         for resident in (0..self.drivers.len()).map(ResidentId::new) {
             if self.occupants[resident.index()].segment.end <= self.now() {
@@ -336,15 +332,14 @@ impl Run {
         Ok(())
     }
 
-    /// Lets the world go on until somebody's move is over, or `until`.
-    fn go_on(&mut self, until: RunTime, events: &mut Events) {
+    /// Advances the world until a resident's move is over, or to `until`.
+    fn advance_world(&mut self, until: RunTime, events: &mut Events) {
         let next = self.occupants.iter().map(|occupant| occupant.segment.end).min();
         let done = self.outside.front().map_or(until, |first| first.at_us);
         self.world.advance(until.min(next.unwrap_or(until)).min(done), events);
     }
 
-    /// Lives the run from its beginning and returns what each resident does, for those who want to live it in another
-    /// way.
+    /// Runs from the beginning and returns the movements of each resident, for callers with another kernel.
     ///
     /// # Errors
     ///
@@ -365,7 +360,7 @@ impl Run {
         Ok(moves)
     }
 
-    /// Asks the resident's driver what comes next, and tells the world.
+    /// Asks the resident's driver for the next move, and gives it to the world.
     fn begin_next(&mut self, resident: ResidentId, events: &mut Events) -> Result<(), DriverFault> {
         let now = self.world.now();
         let things = self.on.len();
@@ -396,10 +391,10 @@ impl Run {
             }
         };
         let rooms = self.rooms_of(resident, &next)?;
-        // Staying on as one is, however often it is said anew, is one movement.
-        if !next.goes_on(&self.occupants[resident.index()].segment) {
+        // A rest that is reported several times in a row is one movement.
+        if !next.continues(&self.occupants[resident.index()].segment) {
             events.facts.extend(self.movement(resident));
-            self.told[resident.index()].since = now;
+            self.truths[resident.index()].since = now;
         }
         self.tell_rooms(resident, rooms, events);
         self.world.begin(resident, &next);
@@ -411,24 +406,24 @@ impl Run {
     ///
     /// # Errors
     ///
-    /// Why not: the home has no such thing, sensor or resident; it is so already; nobody can fall who is out or whose driver knows
-    /// no falls.
-    pub fn can_be_done(&self, deed: &Deed) -> Result<(), Refusal> {
-        match self.known(self.now(), deed)? {
-            ResolvedDeed::Use { thing, on } if self.will_be_on(thing) == on => {
+    /// A refusal: the home has no such thing, sensor or resident; it is in this state already; or the resident is out
+    /// or has a driver that cannot fall.
+    pub fn check_intervention(&self, intervention: &Intervention) -> Result<(), Refusal> {
+        match self.known(self.now(), intervention)? {
+            ResolvedIntervention::Use { thing, on } if self.state_after_interventions(thing) == on => {
                 let state = if on { "open or on" } else { "closed or off" };
                 Err(OutsideMessage::AlreadySo { state }.into())
             }
-            ResolvedDeed::Fall { resident, lies } => self.can_fall(resident, lies),
+            ResolvedIntervention::Fall { resident, lies } => self.can_fall(resident, lies),
             _ => Ok(()),
         }
     }
 
-    fn known(&self, at: RunTime, deed: &Deed) -> Result<ResolvedDeed, OutsideMessage> {
+    fn known(&self, at: RunTime, intervention: &Intervention) -> Result<ResolvedIntervention, OutsideMessage> {
         let sensors: Vec<&str> = self.sensors().iter().map(|sensor| sensor.name.as_str()).collect();
         let names = self.names();
         let names: Vec<&str> = names.iter().map(String::as_str).collect();
-        ResolvedDeed::new(deed, at, &self.home().plan, &sensors, &names)
+        ResolvedIntervention::new(intervention, at, &self.home().plan, &sensors, &names)
     }
 
     fn can_fall(&self, resident: ResidentId, lies: Span) -> Result<(), Refusal> {
@@ -443,30 +438,28 @@ impl Run {
         }
     }
 
-    /// What a resident sees now.
     fn surroundings(&self, resident: ResidentId) -> Surroundings<'_> {
         Surroundings::new(self.now(), resident, &self.home().plan, &self.occupants, &self.on)
     }
 
-    /// Whether a thing is on once all is done that is said from outside.
-    fn will_be_on(&self, thing: ThingId) -> bool {
+    fn state_after_interventions(&self, thing: ThingId) -> bool {
         let name = &self.home().plan.things[thing.index()].name;
-        let said = self.outside.iter().rev().find_map(|one| match &one.deed {
-            Deed::Use { thing, on } if thing == name => Some(*on),
+        let said = self.outside.iter().rev().find_map(|one| match &one.intervention {
+            Intervention::Use { thing, on } if thing == name => Some(*on),
             _ => None,
         });
         said.unwrap_or(self.on[thing.index()])
     }
 
-    /// Does the next of what is done from outside. What names what is not there was refused before.
-    fn do_from_outside(&mut self, link: &mut Option<Box<Link>>, events: &mut Events) {
-        let Some(FromOutside { deed, .. }) = self.outside.pop_front() else { return };
+    /// Applies the next intervention. Unknown names were refused before.
+    fn apply_intervention(&mut self, link: &mut Option<Box<Link>>, events: &mut Events) {
+        let Some(TimedIntervention { intervention, .. }) = self.outside.pop_front() else { return };
         let now = self.now();
-        let Ok(known) = self.known(now, &deed) else { return };
-        events.facts.push(Fact::Outside { at: now, deed });
+        let Ok(known) = self.known(now, &intervention) else { return };
+        events.facts.push(Fact::Outside { at: now, intervention });
         match known {
-            ResolvedDeed::Use { thing, on } => {
-                // Nobody who lives there has it in use.
+            ResolvedIntervention::Use { thing, on } => {
+                // No resident has it in use.
                 self.users[thing.index()].clear();
                 self.by_outside[thing.index()] = true;
                 if self.on[thing.index()] != on {
@@ -476,24 +469,24 @@ impl Run {
                     self.world.act(None, act);
                 }
             }
-            ResolvedDeed::Fail { sensor, failure, until } => {
+            ResolvedIntervention::Fail { sensor, failure, until } => {
                 let link = link.get_or_insert_with(|| Box::new(self.perfect_link()));
                 let name = &self.world.home().sensors[sensor.index()].name;
                 let span = Interval::new(now, until.unwrap_or(RunTime::NEVER));
                 link.fails(sensor, failure, span, name, self.seed);
             }
-            ResolvedDeed::Fall { resident, lies } => self.fall(resident, lies, events),
+            ResolvedIntervention::Fall { resident, lies } => self.fall(resident, lies, events),
         }
     }
 
-    /// A link on which nothing goes wrong, for a run that had none until now.
+    /// A link without faults, for a run that had none until now.
     fn perfect_link(&self) -> Link {
         let home = self.world.home();
         let sensors = home.sensors.iter().map(|sensor| (sensor.name.as_str(), sensor.senses_motion()));
-        Link::perfect(sensors, &home.numbers, self.seed, self.world.said())
+        Link::perfect(sensors, &home.numbers, self.seed, self.world.message_count())
     }
 
-    /// Somebody falls where they are: what their body was doing ends now.
+    /// A resident falls on the spot, which ends the present movement.
     fn fall(&mut self, resident: ResidentId, lies: Span, events: &mut Events) {
         let now = self.now();
         let cut = self.occupants[resident.index()].segment.until(now);
@@ -508,8 +501,8 @@ impl Run {
         }
     }
 
-    /// A resident uses a thing. What several have turned on goes off with the last of them; what somebody else has left on,
-    /// anybody turns off.
+    /// A resident uses a thing. A thing that several have turned on goes off with the last of them; a thing that a
+    /// resident has left on, any resident turns off.
     fn act(&mut self, resident: ResidentId, act: ThingUse, now: RunTime, events: &mut Events) {
         let users = &mut self.users[act.thing.index()];
         let was_on = !users.is_empty();
@@ -523,7 +516,7 @@ impl Run {
             users.clear();
         }
         let changes = if act.on { !was_on } else { users.is_empty() };
-        // What somebody outside has done already is not done again.
+        // An intervention is not repeated by a resident.
         let is_done = self.by_outside[act.thing.index()] && self.on[act.thing.index()] == act.on;
         if changes && !is_done {
             self.by_outside[act.thing.index()] = false;
@@ -533,8 +526,7 @@ impl Run {
         }
     }
 
-    /// The rooms that a resident comes through: from which instant on, and which, if any; none where that is as before. They
-    /// are of this home.
+    /// The rooms along a resident's movement, each with its instant; without those that are the same as before.
     fn rooms_of(
         &self,
         resident: ResidentId,
@@ -546,7 +538,7 @@ impl Run {
         match next.doing {
             MotionState::InPlace { at, .. } | MotionState::Rest { at } if before == Some(at) => return Ok(Vec::new()),
             MotionState::Stride { from, to } if before == Some(from) => {
-                let here = self.told[resident.index()].room.map(|room| &plan.rooms[room.index()]);
+                let here = self.truths[resident.index()].room.map(|room| &plan.rooms[room.index()]);
                 if here.is_some_and(|room| room.surely_holds(from, to)) {
                     return Ok(Vec::new());
                 }
@@ -565,10 +557,10 @@ impl Run {
         }
     }
 
-    /// Tells the truth which rooms a resident comes through.
+    /// Reports the rooms along a resident's movement.
     fn tell_rooms(&mut self, resident: ResidentId, rooms: Vec<(RunTime, Option<usize>)>, events: &mut Events) {
         let end = self.end();
-        let TruthSoFar { room, located, .. } = &mut self.told[resident.index()];
+        let TruthSoFar { room, located, .. } = &mut self.truths[resident.index()];
         for (at, new) in rooms.into_iter().filter(|&(at, _)| at < end) {
             let new = new.map(RoomId::new);
             if !*located || *room != new {
@@ -579,7 +571,6 @@ impl Run {
     }
 }
 
-/// The driver that a resident's files ask for, if this crate knows it.
 fn driver(resident: &load::Resident, plan: &Plan, start_of_day: Span) -> Option<Box<dyn Driver>> {
     let load::Resident { file, driver } = resident;
     match driver {

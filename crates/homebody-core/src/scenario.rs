@@ -1,9 +1,9 @@
 //! The scenario as its author wrote it: the JSON files of a scenario folder, as plain data.
 //!
-//! `scenario.json` links the home, the link, the logger and the residents; a resident links a driver.
-//! Except for this file and [`logger`], the forms of files are beside what they describe. Reading order: how the text
-//! becomes data ([`load`]), places in the text ([`source`]), the right shape (`shape`, by the [`schema`]), the right
-//! meaning (`check`), and what is right but hardly meant ([`remarks`]). Code makes and changes scenarios by [`edit`].
+//! `scenario.json` links the home, the link, the logger and the residents; a resident links a driver. Except for this
+//! file and [`logger`], the forms of files are in the modules of the things that they describe. Reading order: from
+//! text to data ([`load`]), places in the text ([`source`]), the shape (`shape`, by the [`schema`]), the meaning
+//! (`check`), and remarks on valid files ([`remarks`]). Code makes and changes scenarios by [`edit`].
 
 pub(crate) mod check;
 pub mod edit;
@@ -68,7 +68,7 @@ pub struct ScenarioFile {
 }
 
 impl ScenarioFile {
-    /// A scenario of nobody in a home in `home.json`, in UTC: `start` is such as `2009-03-02T00:00:00`.
+    /// A scenario without residents in a home in `home.json`, in UTC: `start` is such as `2009-03-02T00:00:00`.
     pub fn new(name: &str, start: &str, days: f64) -> ScenarioFile {
         ScenarioFile {
             schema: None,

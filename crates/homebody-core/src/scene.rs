@@ -1,4 +1,4 @@
-//! What a run looks like at an instant, for those who watch it. Looking changes nothing.
+//! The state of a run at an instant, for those who watch it. It does not affect the run.
 
 use crate::geometry::Point;
 use crate::ids::{RoomId, ThingId};
@@ -13,7 +13,7 @@ pub struct Scene {
     pub now: RunTime,
     /// By resident; nothing for those who are out.
     pub bodies: Vec<Option<Presence>>,
-    /// The sensors that see somebody move; also those of places that a sensor is moved to in the course of the run.
+    /// The sensors that see a movement; also those of places that a sensor is moved to during the run.
     pub seeing: SensorSet,
     /// The things that are on, or open.
     pub on: Vec<ThingId>,
@@ -24,11 +24,11 @@ pub struct Scene {
 /// A body in the home.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Presence {
-    /// Where its middle is, in metres.
+    /// The middle, in metres.
     pub at: Point,
     /// The direction of its last stride, of length one; the x axis before the first.
     pub heading: Point,
-    /// How it holds itself.
+    /// The posture.
     pub posture: Posture,
     /// The room that it is in; `None` between rooms.
     pub room: Option<RoomId>,

@@ -176,7 +176,7 @@ fn within(words: &[&str]) -> Option<Meaning> {
     parts.iter().find_map(|part| whole(&WORDS, part))
 }
 
-/// Whether one of some words with blanks between is this one, however it is joined.
+/// Whether one of some words, separated by blanks, is this one in any spelling.
 fn has(known: &str, word: &str) -> bool {
     known.split_whitespace().any(|known| known == word || known.replace('_', "") == word)
 }

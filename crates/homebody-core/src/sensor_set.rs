@@ -16,7 +16,7 @@ impl SensorSet {
         self.blocks.is_empty()
     }
 
-    /// How many sensors it has.
+    /// The number of sensors.
     pub fn len(&self) -> usize {
         self.blocks.iter().map(|block| block.count_ones() as usize).sum()
     }
@@ -74,13 +74,12 @@ pub const MAX_SENSORS: usize = 1024;
 /// One bit for each sensor of a block: sensor `n` is bit `n % BLOCK` of block `n / BLOCK`.
 pub(crate) type Mask = u128;
 
-/// How many sensors share a mask.
+/// The number of sensors that share a mask.
 pub(crate) const BLOCK: usize = Mask::BITS as usize;
 
-/// How many blocks there are at most.
 pub(crate) const BLOCKS: usize = MAX_SENSORS.div_ceil(BLOCK);
 
-/// How many blocks so many sensors take; none take one too.
+/// The number of blocks for a number of sensors, at least one.
 pub(crate) fn blocks(sensors: usize) -> usize {
     sensors.div_ceil(BLOCK).max(1)
 }

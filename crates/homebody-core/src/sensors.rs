@@ -30,8 +30,8 @@ use crate::plan::Plan;
 use ceiling_motion::CeilingMotion;
 use form::{KindRow, Site, Unit};
 use kinds::{SensorDevice, SensorFile};
-use motion::Motion;
-use notice::NoticeChance;
+use motion::{DetectionLevel, Motion};
+use notice::{NoticeChance, View};
 use std::sync::Arc;
 use timing::FiringTiming;
 
@@ -42,13 +42,13 @@ pub struct Sensor {
     pub name: String,
     /// Of sensors that look for movement.
     pub timing: FiringTiming,
-    /// What a sensor that looks for movement notices of it; `None` for all.
+    /// The chance by which a sensor that looks for movement notices one; `None` if it notices all.
     pub chance: Option<NoticeChance>,
-    /// What it works with.
+    /// The model.
     pub kind: SensorKind,
-    /// Where it is, seen from above.
+    /// The position, seen from above.
     pub at: Point,
-    /// What there is to know of its kind.
+    /// The row of its kind.
     pub row: &'static KindRow,
     /// The room that it is in; nothing between rooms, as on a door.
     pub room: Option<RoomId>,
@@ -56,24 +56,24 @@ pub struct Sensor {
     pub unit: Option<Unit>,
 }
 
-/// What there is to say of a sensor before it has said anything: what the destinations of a log are told as it begins.
+/// The description of a sensor for the destinations of a log, which get it at the beginning.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SensorPlacement {
     /// As the home's file has it; a log may know the sensor by an id besides.
     pub name: String,
-    /// What there is to know of its kind.
+    /// The row of its kind.
     pub kind: &'static KindRow,
     /// The name of the room that it is in; nothing between rooms, as on a door.
     pub room: Option<String>,
     /// Of its readings; nothing for one that gives none.
     pub unit: Option<Unit>,
-    /// What it can say besides readings; the text of each is that of logs that are stored as sent.
+    /// Its values other than readings; their texts are those of logs that are stored as sent.
     pub values: &'static [Value],
-    /// Where it is on the floor plan, in metres.
+    /// The position on the floor plan, in metres.
     pub at: Point,
 }
 
-/// What a sensor works with: two kinds look for movement, the others are told what happens.
+/// The model of a sensor: two kinds look for movement, the others react to use, weight or state.
 #[derive(Clone, Debug, PartialEq)]
 pub enum SensorKind {
     /// A fan of beams from a wall.
@@ -98,9 +98,10 @@ impl Sensor {
                 let middle = area.middle;
                 (SensorKind::CeilingMotion(area), middle)
             }
-            told => {
-                let site = site(told, plan)?;
-                let device = SensorDevice::new(told, &site).expect("all that does not look for movement is told");
+            device => {
+                let site = site(device, plan)?;
+                let device =
+                    SensorDevice::new(device, &site).expect("a sensor that does not look for movement is a device");
                 (SensorKind::Device(Box::new(device)), site.at)
             }
         };
@@ -116,7 +117,7 @@ impl Sensor {
         })
     }
 
-    /// What there is to say of it; the plan is that of its home.
+    /// The description for logs. `plan` is the plan of its home.
     pub fn info(&self, plan: &Plan) -> SensorPlacement {
         SensorPlacement {
             name: self.name.clone(),
@@ -133,13 +134,41 @@ impl Sensor {
         matches!(self.kind, SensorKind::Motion(_))
     }
 
-    /// Whether it looks for movement, rather than being told what happens.
+    /// Whether it looks for movement, unlike a device.
     pub fn senses_motion(&self) -> bool {
-        !matches!(self.kind, SensorKind::Device(_))
+        self.row.senses_motion()
     }
 }
 
-/// Where a device is; nothing where the plan does not have what it is on, or the room that it is in.
+impl SensorKind {
+    /// The changes in its field that count as movement, if it looks for movement.
+    pub fn level(&self) -> Option<DetectionLevel> {
+        match self {
+            SensorKind::Motion(motion) => Some(motion.level),
+            SensorKind::CeilingMotion(_) => Some(DetectionLevel::Paper),
+            SensorKind::Device(_) => None,
+        }
+    }
+
+    /// A body at this point as its lens sees it.
+    pub fn view(&self, at: Point) -> Option<View> {
+        match self {
+            SensorKind::Motion(motion) => Some(motion.view(at)),
+            SensorKind::CeilingMotion(area) => Some(area.view(at)),
+            SensorKind::Device(_) => None,
+        }
+    }
+
+    /// The outline of the area below it, counter-clockwise.
+    pub fn area_below(&self) -> Option<&[Point]> {
+        match self {
+            SensorKind::CeilingMotion(area) => Some(&area.outline),
+            SensorKind::Motion(_) | SensorKind::Device(_) => None,
+        }
+    }
+}
+
+/// The site of a device; `None` if the plan lacks the thing or the room.
 fn site(file: &SensorFile, plan: &Plan) -> Option<Site> {
     if let Some(spot) = file.spot() {
         let at = geometry::point(spot);

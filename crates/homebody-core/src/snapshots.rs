@@ -1,15 +1,15 @@
-//! Copies of what is being lived, kept as it goes, so that going back need not begin at the beginning.
+//! Copies of the state of a run, made as it advances, so that going back does not start at the beginning.
 //!
-//! A copy of a [`Run`](crate::run::Run) continues exactly as the original, so going on from one gives what living from the
-//! beginning gives. It holds for as long as seed, scenario and the input before its instant are the same: whoever changes one
-//! of these begins with none, or forgets those after the change.
+//! A copy of a [`Run`](crate::run::Run) continues exactly as the original, so a continued copy gives the same as a run
+//! from the beginning. It is valid as long as seed, scenario and the input before its instant are the same: after a
+//! change of one of these, start without copies.
 
 use crate::time::{RunTime, Span};
 
 /// Largest number of copies (our choice): with thinning, going back costs at most an eighth of the way.
 pub const MOST: usize = 16;
 
-/// Copies of a state at instants of a run, evenly spread over what has been lived.
+/// Copies of a state at instants of a run, evenly spread over the run so far.
 #[derive(Clone, Debug)]
 pub struct Snapshots<T> {
     /// In order of their instants; never more than [`MOST`].
@@ -47,11 +47,6 @@ impl<T> Snapshots<T> {
     pub fn nearest_before(&self, at: RunTime) -> Option<&T> {
         let later = self.kept.partition_point(|(kept, _)| *kept <= at);
         self.kept[..later].last().map(|(_, state)| state)
-    }
-
-    /// Forgets the copies after an instant, from which on all goes another way.
-    pub fn forget_after(&mut self, at: RunTime) {
-        self.kept.retain(|(kept, _)| *kept <= at);
     }
 }
 
@@ -98,12 +93,8 @@ mod tests {
         {
             assert_eq!(snapshots.nearest_before(at(when)).copied(), nearest, "{when}");
         }
-        // Who has gone back keeps nothing twice.
+        // After going back, no copy is made twice.
         snapshots.keep(at(20), || 20);
         assert_eq!(instants(&snapshots), [5, 15, 30]);
-        snapshots.forget_after(at(15));
-        snapshots.keep(at(25), || 26);
-        assert_eq!(instants(&snapshots), [5, 15, 25]);
-        assert_eq!(snapshots.nearest_before(at(25)), Some(&26));
     }
 }

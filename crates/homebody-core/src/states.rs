@@ -40,7 +40,6 @@ impl Says {
         matches!(self, Says::Ends | Says::Closes)
     }
 
-    /// The opposite of a state.
     fn opposite(self) -> Says {
         match self {
             Says::Begins => Says::Ends,
@@ -116,7 +115,7 @@ const WORDS: [(Says, &str); 5] = [
     ),
 ];
 
-/// Words that a state may stand behind: what it is of, and that it is so.
+/// Words that may come before a state: its subject, and forms of "be".
 const BEFORE: &str = "is was are has been now state status zone sensor door window contact motion movement person occupancy presence \
     ist wurde tur fenster kontakt bewegung est porte fenetre mouvement e la puerta ventana esta movimiento contacto is deur raam \
     kontakti ovi dorr";
@@ -163,7 +162,6 @@ fn of_words(words: &[String]) -> Says {
     }
 }
 
-/// The meaning of a word of the table.
 fn known(word: &str) -> Option<Says> {
     WORDS.iter().find(|(_, words)| has(words, word)).map(|(says, _)| *says)
 }

@@ -12,7 +12,7 @@ pub fn sd(numbers: &[f64]) -> Option<f64> {
     Some((squares / (numbers.len() - 1) as f64).sqrt())
 }
 
-/// The share of those for which something holds.
+/// The share of the items that fulfil a condition.
 pub fn share<T>(all: &[T], holds: impl Fn(&T) -> bool) -> Option<f64> {
     (!all.is_empty()).then(|| all.iter().filter(|one| holds(one)).count() as f64 / all.len() as f64)
 }
@@ -27,7 +27,7 @@ pub fn quantile(numbers: &[f64], share: f64) -> Option<f64> {
     Some(below + (above - below) * place.fract())
 }
 
-/// How much each number goes with the one before it: the correlation at a lag of one.
+/// The correlation of each number with the one before it, at a lag of one.
 pub fn lag_1_autocorrelation(numbers: &[f64]) -> Option<f64> {
     let mean = mean(numbers).filter(|_| numbers.len() > 2)?;
     let off: Vec<f64> = numbers.iter().map(|number| number - mean).collect();

@@ -10,9 +10,9 @@ use std::ops::RangeInclusive;
 /// it, changes no position by a single bit.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Stride {
-    /// Where it begins, in metres.
+    /// The start, in metres.
     pub from: Point,
-    /// Where it ends, in metres.
+    /// The end, in metres.
     pub to: Point,
     /// When it begins.
     pub begin: RunTime,
@@ -31,7 +31,7 @@ impl Stride {
         Stride { from, to, begin, end, velocity, slowness: velocity.abs().recip() }
     }
 
-    /// Where the body is at an instant of the stride.
+    /// The position of the body at an instant of the stride.
     pub fn position(&self, at: RunTime) -> Point {
         self.from + self.velocity * (at - self.begin).micros() as f64
     }
@@ -72,8 +72,7 @@ impl Stride {
         self.not_before(enter_disc(centre, self.velocity, radius)?, after)
     }
 
-    /// The span in which the centre is within `radius` of `point`, as instants that may lie
-    /// outside the stride.
+    /// The span of the centre within `radius` of `point`, as instants that may lie outside the stride.
     pub(crate) fn span_within(&self, point: Point, radius: f64) -> Option<RangeInclusive<RunTime>> {
         let start = self.from - point;
         let a = self.velocity.length_squared();
@@ -115,18 +114,18 @@ fn enter_disc(centre: Point, velocity: Point, radius: f64) -> Option<f64> {
 /// A straight line of sight: what a wall sensor sees in one direction.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Beam {
-    /// Where it begins, in metres.
+    /// The start, in metres.
     pub start: Point,
     /// Of length one.
     pub direction: Point,
-    /// How long it is, in metres.
+    /// The length, in metres.
     pub length: f64,
     /// Which of the sensor's beams this is a visible part of.
     pub number: u32,
 }
 
 impl Beam {
-    /// Where it ends, in metres.
+    /// The end, in metres.
     pub fn end(&self) -> Point {
         self.start + self.direction * self.length
     }

@@ -320,7 +320,7 @@ macro_rules! instant {
                 self.0.abs_diff(other.0)
             }
 
-            /// The instant so much later, unless there is none.
+            /// The instant after a span, unless it is out of range.
             pub fn checked_add(self, span: Span) -> Option<$name> {
                 self.0.checked_add(span.0).map($name)
             }
@@ -409,7 +409,7 @@ impl UtcTime {
         Timestamp::from_microsecond(self.0).unwrap_or(if self.0 < 0 { Timestamp::MIN } else { Timestamp::MAX })
     }
 
-    /// What a clock on the wall of UTC shows then.
+    /// The time that a clock in UTC shows at this instant.
     pub const fn on_wall_of_utc(self) -> WallTime {
         WallTime(self.0)
     }

@@ -36,7 +36,7 @@ impl Timers {
         }
     }
 
-    /// When the next timer is due, and whose it is; [`RunTime::NEVER`] if there is none.
+    /// The next timer and its owner; [`RunTime::NEVER`] if there is none.
     pub fn next(&self) -> (RunTime, usize) {
         let key = self.keys[1];
         let at = if key == NEVER { RunTime::NEVER } else { RunTime::from_micros(key >> SENSOR_BITS) };

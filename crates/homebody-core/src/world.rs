@@ -1,12 +1,12 @@
 //! The world: bodies move, fields see them, machines fire.
 //!
 //! One slice of time after another: within a slice every moving body stays in one cell of its
-//! field, so masks say which sensors see it; where they cannot tell, the instant of touching is
+//! field, so masks hold the sensors that surely see it; for the others, the instant of touching is
 //! computed. Sensors do not know of each other, so within a slice each runs by itself, and only the
 //! timers bring their firings into order.
 //!
 //! Times are compared as whole microseconds, never as floats. A slice is half-open: what happens at
-//! its end belongs to the next. At one instant, touching and being told come before timers.
+//! its end belongs to the next. At one instant, touches and changes come before timers.
 
 use crate::body::figure::Stature;
 use crate::event::{Events, Fact, Firing, Frame, Provenance, ThingUse, Trigger, Value, Vitals};
@@ -39,27 +39,24 @@ pub struct World {
     now: RunTime,
     bodies: Vec<TrackedBody>,
     machines: Vec<Machine>,
-    /// The sensors that are told what happens, by sensor, with what they have said now and not yet sent; the others look
+    /// The devices by sensor, with their messages of this instant that are not sent yet; `None` for sensors that look
     /// for movement.
     devices: Vec<Option<(SensorDevice, Outbox)>>,
-    /// The numbers of those that are told, and of those of them that want to be told what bodies do.
-    told: Vec<usize>,
+    /// The numbers of the devices, and of those devices that react to movements of bodies.
+    reacting: Vec<usize>,
     feeling: Vec<usize>,
-    /// Those that see bodies, however light; and by sensor, those that it wakes.
+    /// The devices that see bodies of any weight; and by sensor, those that it wakes.
     watching: Vec<usize>,
     wakes: Vec<Vec<usize>>,
     blocks: usize,
-    /// By block: those whose machine wants to be told of movement.
     want: [Mask; BLOCKS],
     timers: Timers,
     /// By sensor: whether it takes any change in a beam for movement.
     plain: Vec<bool>,
     /// By sensor: its looks, if it does not notice all.
     looks: Vec<Option<(NoticeChance, Marks)>>,
-    /// What sensors that count pulses have counted, in the order of these sensors.
     pulses: Vec<Pulses>,
     seq: u64,
-    /// What chance says of each movement of bodies.
     chances: Marks,
     /// Bodies of a smaller radius are not felt.
     light_m: f64,
@@ -73,7 +70,6 @@ crate::numbers! {
     static LIGHT_M = "body.light": 0.15, "m", [0.0, 0.3];
 }
 
-/// What a body is doing; it faces the way of its last stride.
 #[derive(Clone, Debug)]
 struct TrackedBody {
     posture: Posture,
@@ -81,7 +77,6 @@ struct TrackedBody {
     heading: Point,
 }
 
-/// Which of the devices are told.
 #[derive(Clone, Copy, Debug)]
 enum Listeners {
     All,
@@ -97,7 +92,7 @@ enum BodyMotion {
     Away,
 }
 
-/// A body that moves in the present slice, and what a block knows of the cell that it stays in meanwhile.
+/// A body that moves in the present slice, and the entry of a block for its cell.
 #[derive(Clone, Copy, Debug)]
 struct Mover {
     body: u32,
@@ -105,7 +100,7 @@ struct Mover {
 }
 
 impl World {
-    /// A world at the start of a run, with nobody in it until [`World::begin`] says what each resident does.
+    /// A world at the start of a run, without bodies until [`World::begin`] gives the movement of each resident.
     pub fn new(home: Arc<Home>, residents: usize, seed: u64) -> World {
         let machine = |sensor: &Sensor| {
             Machine::new(sensor.timing, Stream::named(seed, &format!("sensor/{}/timing", sensor.name)))
@@ -124,12 +119,12 @@ impl World {
         };
         let devices: Vec<Option<(SensorDevice, Outbox)>> = home.sensors.iter().map(device).collect();
         let mut timers = Timers::new(machines.len());
-        let (mut told, mut feeling, mut watching) = (Vec::new(), Vec::new(), Vec::new());
+        let (mut reacting, mut feeling, mut watching) = (Vec::new(), Vec::new(), Vec::new());
         let mut wakes = vec![Vec::new(); devices.len()];
         for (sensor, device) in devices.iter().enumerate() {
             let Some((device, _)) = device else { continue };
             timers.set(sensor, device.timer());
-            told.push(sensor);
+            reacting.push(sensor);
             feeling.extend(device.feels_bodies().then_some(sensor));
             watching.extend(device.sees_bodies().then_some(sensor));
             // A sensor that is moved has several places, all of its name.
@@ -137,12 +132,7 @@ impl World {
                 wakes[waker].push(sensor);
             }
         }
-        let level = |sensor: &Sensor| match &sensor.kind {
-            SensorKind::Motion(motion) => Some(motion.level),
-            SensorKind::CeilingMotion(_) => Some(DetectionLevel::Paper),
-            SensorKind::Device(_) => None,
-        };
-        let levels: Vec<Option<DetectionLevel>> = home.sensors.iter().map(level).collect();
+        let levels: Vec<Option<DetectionLevel>> = home.sensors.iter().map(|sensor| sensor.kind.level()).collect();
         let looks =
             |sensor: &Sensor| Some((sensor.chance?, Marks::named(seed, &format!("sensor/{}/notice", sensor.name))));
         let zoned = (0..levels.len()).filter(|&sensor| matches!(levels[sensor], Some(DetectionLevel::Zones { .. })));
@@ -156,7 +146,7 @@ impl World {
             want,
             timers,
             devices,
-            told,
+            reacting,
             feeling,
             watching,
             wakes,
@@ -173,7 +163,7 @@ impl World {
         }
     }
 
-    /// The instant up to which everything has happened.
+    /// The instant up to which all has happened.
     pub fn now(&self) -> RunTime {
         self.now
     }
@@ -206,41 +196,40 @@ impl World {
         let stature = Stature { radius_m, height_m: top_m };
         let chance = self.chances.of(begin.micros() as u64 ^ (u64::from(resident.0) << 56));
         let change = Change::Body { resident, stature, begin, end, doing, posture, chance };
-        // A cat presses no mat, and lies beside the strip.
+        // A cat presses no mat, and lies next to the strip.
         if radius_m >= self.light_m {
-            self.tell(&change, Listeners::Feeling);
+            self.inform(&change, Listeners::Feeling);
         }
-        self.tell(&change, Listeners::Watching);
+        self.inform(&change, Listeners::Watching);
     }
 
     /// A thing is used, now; by a resident unless it is from outside.
     pub fn act(&mut self, resident: Option<ResidentId>, act: ThingUse) {
         let ThingUse { thing, on } = act;
-        self.tell(&Change::Use { resident, thing, on }, Listeners::All);
+        self.inform(&Change::Use { resident, thing, on }, Listeners::All);
     }
 
-    /// How many messages have left the sensors.
-    pub fn said(&self) -> u64 {
+    /// The number of messages that have left the sensors.
+    pub fn message_count(&self) -> u64 {
         self.seq
     }
 
     /// From now on a resident's heart and lungs are like this.
     pub fn feel(&mut self, resident: ResidentId, vitals: Vitals) {
-        self.tell(&Change::Vitals { resident, vitals }, Listeners::Feeling);
+        self.inform(&Change::Vitals { resident, vitals }, Listeners::Feeling);
     }
 
-    /// Tells the devices among the sensors what happens now. What they say leaves them now too, but when it is their turn
-    /// among all sensors that have something to say.
-    fn tell(&mut self, change: &Change, listeners: Listeners) {
+    /// Informs devices of a change. Their messages of this instant leave in the order of the sensors.
+    fn inform(&mut self, change: &Change, listeners: Listeners) {
         let listeners = match listeners {
-            Listeners::All => &self.told,
+            Listeners::All => &self.reacting,
             Listeners::Feeling => &self.feeling,
             Listeners::Watching => &self.watching,
         };
         for &sensor in listeners {
             let Some((device, outbox)) = &mut self.devices[sensor] else { continue };
             device.on_event(self.now, change, outbox);
-            self.timers.set(sensor, if outbox.said.is_empty() { device.timer() } else { self.now });
+            self.timers.set(sensor, if outbox.messages.is_empty() { device.timer() } else { self.now });
         }
     }
 
@@ -251,11 +240,12 @@ impl World {
         for &woken in &self.wakes[sensor] {
             let Some((device, outbox)) = &mut self.devices[woken] else { continue };
             device.on_event(at, &Change::Fired, outbox);
-            self.timers.set(woken, if outbox.said.is_empty() { device.timer() } else { at });
+            self.timers.set(woken, if outbox.messages.is_empty() { device.timer() } else { at });
         }
     }
 
-    /// A body that changes its posture or appears touches other beams from one instant to the next; that is no pulse.
+    /// A body that changes its posture or appears touches other beams from one instant to the next. That is not a
+    /// pulse.
     fn settle(&mut self, resident: ResidentId) {
         let field = self.home.field(resident.index(), self.bodies[resident.index()].posture);
         let at = self.position(resident);
@@ -268,7 +258,7 @@ impl World {
         }
     }
 
-    /// Where a resident is; nothing while away.
+    /// The position of a resident; `None` while away.
     pub fn position(&self, resident: ResidentId) -> Option<Point> {
         match self.bodies[resident.index()].motion {
             BodyMotion::Stride(stride) => Some(stride.position(self.now)),
@@ -287,7 +277,7 @@ impl World {
         self.devices[sensor.index()].as_ref().is_some_and(|(device, _)| device.is_awake())
     }
 
-    /// The sensors in whose field a resident moves.
+    /// The sensors with this resident's movement in their field.
     pub fn seeing(&self, resident: ResidentId) -> SensorSet {
         let TrackedBody { posture, motion, .. } = &self.bodies[resident.index()];
         let field = self.home.field(resident.index(), *posture);
@@ -298,18 +288,22 @@ impl World {
         }
     }
 
-    /// How a resident's body holds itself now.
+    /// The present posture of a resident.
     pub fn posture(&self, resident: ResidentId) -> Posture {
         self.bodies[resident.index()].posture
     }
 
     /// Lets everything happen that happens before `until`.
     pub fn advance(&mut self, until: RunTime, events: &mut Events) {
-        if self.blocks == 1 { self.go_on::<true>(until, events) } else { self.go_on::<false>(until, events) }
+        if self.blocks == 1 {
+            self.advance_blocks::<true>(until, events)
+        } else {
+            self.advance_blocks::<false>(until, events)
+        }
     }
 
     /// [`World::advance`], compiled for homes of `ONE` block of sensors, as most are, and for others.
-    fn go_on<const ONE: bool>(&mut self, until: RunTime, events: &mut Events) {
+    fn advance_blocks<const ONE: bool>(&mut self, until: RunTime, events: &mut Events) {
         while self.now < until {
             self.now = self.coast::<ONE>(until, events);
             if self.now < until {
@@ -333,7 +327,7 @@ impl World {
             self.ring(at, sensor, events);
             if self.devices[sensor].is_none() && self.machines[sensor].wants() {
                 unseen = self.unseen_until(block_of::<ONE>(sensor), bit(sensor), at, unseen);
-                // It decides unseen: at once, as that says nothing to anybody.
+                // It decides unseen and at once, because no message depends on it.
                 let machine = &mut self.machines[sensor];
                 if machine.wants_until() < unseen {
                     machine.on_timer();
@@ -349,7 +343,7 @@ impl World {
     }
 
     /// The first instant from `now` on at which a body is in a cell where a sensor of `want`, all of one block, may see
-    /// it move; `until` if there is none before.
+    /// it move; `until` if no body is before then.
     fn unseen_until(&self, block: usize, want: Mask, now: RunTime, until: RunTime) -> RunTime {
         if !self.pulses.is_empty() {
             // They count what they saw before they woke, too.
@@ -390,7 +384,7 @@ impl World {
         end
     }
 
-    /// Lets everything happen that happens between now and `end`.
+    /// Runs all events from now to `end`.
     fn run_slice<const ONE: bool>(&mut self, end: RunTime, events: &mut Events) {
         if !self.pulses.is_empty() {
             self.count_pulses(end);
@@ -420,10 +414,10 @@ impl World {
             if device.timer() <= at {
                 device.on_timer(at, outbox);
             }
-            let Outbox { said, pictures } = std::mem::take(outbox);
+            let Outbox { messages, pictures } = std::mem::take(outbox);
             let frame = |picture| Frame { at, sensor: SensorId::new(sensor), picture };
             events.frames.extend(pictures.into_iter().map(frame));
-            for (value, provenance) in said {
+            for (value, provenance) in messages {
                 self.send(at, sensor, value, provenance, events);
             }
         } else if let TimerOutcome::Fired(seen) = self.machines[sensor].on_timer() {
@@ -455,7 +449,7 @@ impl World {
         }
     }
 
-    /// Keeps what a machine wants and when its timer is due.
+    /// Keeps the wish and the next timer of a machine.
     fn note<const ONE: bool>(&mut self, sensor: usize) {
         if let Some((device, _)) = &self.devices[sensor] {
             return self.timers.set(sensor, device.timer());
@@ -509,16 +503,13 @@ impl World {
             BodyMotion::Rest { .. } | BodyMotion::Away => return None,
         };
         let kind = &self.home.sensors[sensor].kind;
-        let chance_at = |at: Point| match kind {
-            SensorKind::Motion(pir) => {
-                let view = pir.view(at);
-                let is_too_small = matches!(pir.level, DetectionLevel::Sensitivity { reach_per_m } if moved_m * reach_per_m < view.distance_m);
-                if is_too_small { 0.0 } else { chance.of(view, moved_m, field.size.radius_m) }
-            }
-            SensorKind::CeilingMotion(area) => chance.of(area.view(at), moved_m, field.size.radius_m),
-            SensorKind::Device(_) => 0.0,
+        let level = kind.level();
+        let chance_at = |at: Point| {
+            let Some(view) = kind.view(at) else { return 0.0 };
+            let is_too_small = matches!(level, Some(DetectionLevel::Sensitivity { reach_per_m }) if moved_m * reach_per_m < view.distance_m);
+            if is_too_small { 0.0 } else { chance.of(view, moved_m, field.size.radius_m) }
         };
-        // Who stays is seen as well at each look.
+        // A body that stays is equally likely to be noticed at each look.
         let (stays_at, likely) = match motion {
             BodyMotion::InPlace { at, .. } => (*at, chance_at(*at)),
             _ => (Point::ZERO, 1.0),
@@ -545,7 +536,6 @@ impl World {
         &self.pulses[self.pulses.partition_point(|pulses| pulses.sensor < sensor)]
     }
 
-    /// Lets the sensors that count pulses count those between now and `end`.
     fn count_pulses(&mut self, end: RunTime) {
         for pulses in &mut self.pulses {
             let sensor = pulses.sensor;
@@ -588,7 +578,7 @@ fn first_touch(field: &Field, cell: &FieldCell, sensor: usize, motion: &BodyMoti
     }
 }
 
-/// Between which instants, both included, the movement is large enough as seen from the lens.
+/// The instants, both included, between which the movement is large enough as seen from the lens.
 fn span_of_notice(pir: &Motion, motion: &BodyMotion, reach_per_m: f64) -> Option<RangeInclusive<RunTime>> {
     match motion {
         BodyMotion::Stride(stride) => stride.span_within(pir.lens, stride.speed_mps() * reach_per_m),

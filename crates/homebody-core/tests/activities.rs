@@ -69,13 +69,13 @@ fn list<T: AsRef<str>>(words: impl IntoIterator<Item = T>) -> String {
     words.into_iter().map(|word| format!("`{}`", word.as_ref())).collect::<Vec<_>>().join(", ")
 }
 
-/// What a role is called; the way out by its best name.
+/// The name of a role; for the way out, its best name.
 fn called(role: Role) -> String {
     role.key().unwrap_or_else(|| role.row().names[0].to_owned())
 }
 
 fn activity(known: &KnownActivity) -> String {
-    let KnownActivity { label, about, kind, time_use, usual, roles } = known;
+    let KnownActivity { label, about, kind, time_use, usual, roles, .. } = known;
     let usual = usual.map_or(String::new(), |usual| usual.median_min.to_string());
     let roles = list(roles.iter().map(|&role| called(role)));
     format!("| `{label}` | {about} | {} | {} | {usual} | {roles} |\n", kind.in_words(), time_use.in_words())
@@ -117,7 +117,7 @@ fn the_document_is_what_the_tables_say() {
     is_generated("docs/reference/activities.md", &document());
 }
 
-/// What no activity goes to: the way to a seat on which nothing else is done, and what only pets and the page need.
+/// Roles without an activity: the way to a seat without another activity, and roles for pets and the page.
 #[test]
 fn every_role_is_used_by_an_activity_or_has_a_reason() {
     let used = |role: &Role| ACTIVITIES.iter().any(|known| known.roles.contains(role));

@@ -10,7 +10,7 @@ use std::collections::BTreeMap;
 
 const LENGTH: Span = SECOND.times(120);
 
-/// A room with two cameras, through which somebody walks, and falls.
+/// A room with two cameras, in which a body walks and falls.
 fn texts(camera: &serde_json::Value) -> BTreeMap<String, String> {
     let home = json!({ "name": "one room",
         "rooms": [{ "name": "room", "outline": [[0, 0], [5, 0], [5, 4], [0, 4]] }],

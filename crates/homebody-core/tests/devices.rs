@@ -58,8 +58,8 @@ fn home(sensor: serde_json::Value) -> Home {
     Home::bake(&ResolvedHome::new(serde_json::from_value(file).unwrap()).unwrap(), &[build, build])
 }
 
-/// What the sensor says until `until`: instants, values, and whose doing it was. Bodies do what they do
-/// until they are told to do something else; at `cuts`, in seconds, all are told again what they do.
+/// The messages of the sensor until `until`: instants, values, and residents. Bodies continue until their next
+/// movement; at `cuts`, in seconds, all movements are reported again.
 fn said(
     home: Home,
     happens: &[(f64, usize, Happens)],
@@ -182,7 +182,7 @@ fn restlessness_goes_by_how_long_a_movement_persists() {
         // 6 s, not more: it is over when it would be the third level.
         (30.0, 0, stir(IN_BED)),
         (36.0, 0, rest(IN_BED, Lying)),
-        // Who sits, or lies elsewhere, is not restless.
+        // A body that sits, or lies elsewhere, is not restless.
         (40.0, 0, Body(MotionState::InPlace { at: IN_BED, amplitude_m: 0.2 }, Sitting)),
         (50.0, 0, stir(BESIDE)),
     ];
@@ -340,7 +340,7 @@ fn a_mat_is_pressed_from_where_a_stride_enters_to_where_it_leaves() {
     let found: Vec<_> =
         found.into_iter().map(|(at, value, _, seen_at, _)| (at.micros(), value, seen_at.micros())).collect();
     assert_eq!(found, [(3_301_887, Value::On, 3_301_887), (4_622_642, Value::Off, 4_622_642)]);
-    // Who stays on it presses it all the while, over several moves.
+    // A body that stays on it presses it all the while, over several moves.
     let stays = [
         (0.0, 0, stride(Point::new(1.0, 3.0), Point::new(5.0, 3.0))),
         (4.0, 0, rest(Point::new(5.0, 3.0), Standing)),

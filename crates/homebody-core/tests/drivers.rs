@@ -77,7 +77,7 @@ fn run(drivers: Vec<Box<dyn Driver>>) -> Run {
     Run::from_drivers(HOME.clone(), builds, drivers, 1, LENGTH)
 }
 
-/// What becomes of who walks for ten seconds and then says this.
+/// A run with a walk of ten seconds and then this answer.
 fn after_a_walk(last: Next) -> (Run, Events, Result<(), DriverError>) {
     let mut run = run(vec![says(walk(), last)]);
     let mut events = Events::default();
@@ -152,7 +152,7 @@ fn a_driver_that_fails_at_once_does_nothing() {
 #[test]
 fn accepts_every_possible_step() {
     let (begin, end, here) = (seconds(10), RunTime::NEVER, at(3.0, 2.0));
-    // Rounding is no jump; who stands in a wall or a door is inside.
+    // Rounding is not a jump; a body in a wall or a door is inside.
     let close = at(3.005, 2.0);
     let away = segment(begin, seconds(20), MotionState::Away);
     let elsewhere = segment(seconds(20), end, MotionState::Rest { at: at(7.0, 1.0) });
@@ -171,7 +171,7 @@ fn accepts_every_possible_step() {
     }
 }
 
-/// What a driver has seen at an instant.
+/// The view of a driver at an instant.
 #[derive(Clone, Debug, PartialEq)]
 struct Seen {
     now: RunTime,
@@ -244,7 +244,7 @@ fn a_driver_sees_the_state_of_the_home() {
     assert!(seen[1..13].iter().zip(&scenes[2..]).all(|(seen, scene)| seen.others != scene.others));
 }
 
-/// A room in which somebody stands who is moved by keys.
+/// A room with a resident under held keys.
 fn by_keys() -> Run {
     let keys = LiveDriver::new(&HOME.plan, at(1.0, 2.0), 0.22, 0.6, KeyTrack::live());
     let mut run = Run::from_drivers(HOME.clone(), vec![Build::adult()], vec![Box::new(keys)], 1, HOUR);
@@ -289,7 +289,7 @@ fn standing_still_under_held_keys_adds_no_truth() {
 }
 
 #[test]
-fn staying_is_one_movement_however_often_it_is_said() {
+fn a_repeated_stay_is_one_movement() {
     let lying = |begin, end| MotionSegment {
         begin,
         end,
@@ -311,7 +311,7 @@ fn staying_is_one_movement_however_often_it_is_said() {
     let whole = life(&[seconds(10), seconds(40)], |_| Posture::Lying);
     assert_eq!(life(&cuts, |_| Posture::Lying), whole);
     assert_eq!(movements(whole.facts).len(), 3);
-    // The control: who turns from one posture to another does not stay as they are.
+    // The control: a turn from one posture to another is a change.
     let turning = |index: usize| if index.is_multiple_of(2) { Posture::Lying } else { Posture::Sitting };
     assert_eq!(movements(life(&cuts, turning).facts).len(), 2 + 30);
 }

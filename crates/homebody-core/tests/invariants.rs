@@ -14,7 +14,7 @@ use homebody_core::posture::Posture;
 use homebody_core::resident::Build;
 use homebody_core::run::Run;
 use homebody_core::sensor_set::SensorSet;
-use homebody_core::sensors::kinds::{KINDS, SensorFile};
+use homebody_core::sensors::kinds::KINDS;
 use homebody_core::time::{RunTime, SECOND, Span};
 use homebody_core::world::World;
 use std::collections::BTreeMap;
@@ -76,7 +76,7 @@ impl Case {
 
 const CASES: u64 = 300;
 
-/// How many of the doings are before an instant.
+/// The number of doings before an instant.
 fn at(doings: &[(RunTime, Done)], at: RunTime) -> usize {
     doings.partition_point(|&(done, _)| done < at)
 }
@@ -99,7 +99,7 @@ fn the_cases_have_something_to_say() {
     }
     let firings: usize = values.values().sum();
     assert!(firings > 50 * CASES as usize && values[&("motion", Value::Fire)] > 20 * CASES as usize, "{values:?}");
-    // All that any kind of sensor can say is said.
+    // Each value of each kind of sensor occurs.
     for kind in KINDS {
         for value in kind.values.iter().copied().chain(kind.unit.map(|_| Value::Reading(0))) {
             let count = values.get(&(kind.key, value)).copied().unwrap_or(0);
@@ -152,7 +152,7 @@ fn looking_at_samples_does_change_something() {
     assert!(changed > 30, "only {changed} of 40 homes noticed");
 }
 
-/// A stride as somebody who looks four times a second has it: still, then elsewhere.
+/// A stride as four looks a second show it: still, then elsewhere.
 fn sample(whole: &MotionSegment) -> Vec<MotionSegment> {
     let MotionState::Stride { from, to } = whole.doing else { return vec![whole.clone()] };
     let step = SECOND / 4;
@@ -263,7 +263,7 @@ fn sensors_beyond_a_mask_change_no_other() {
     for (case, more) in [(1, 300), (2, 1000)] {
         let mut file = random_home::crowded(case, Model::Whole, more);
         // A camera hears others.
-        file.sensors.retain(|sensor| !matches!(sensor, SensorFile::Camera(_)));
+        file.sensors.retain(|sensor| sensor.camera().is_none());
         let all = firings(&Case::with(case, file.clone(), vec![BODY]).events(&[]));
         let last = file.sensors.len() - 100;
         for part in [0..100, last..last + 100] {

@@ -269,7 +269,7 @@ fn a_walk_across_zones_makes_the_sensor_fire_within_one_to_two_seconds() {
     assert!((1.0..2.0).contains(&median_s), "{median_s}");
 }
 
-/// Of 400 times that somebody does this, a minute apart, how many a narrow sensor above (5, 4) sees.
+/// The share of 400 repetitions of a movement, a minute apart, that a narrow sensor above (5, 4) sees.
 fn share_seen(notice: &Value, once: impl Fn(Life) -> Life) -> f64 {
     const TIMES: usize = 400;
     let file = json!({
@@ -309,7 +309,7 @@ fn passing_is_seen_nine_times_in_ten_and_the_edge_is_soft() {
     assert!((0.82..0.97).contains(&middle), "{middle}");
     assert!((0.05..middle - 0.1).contains(&edge), "{edge}");
     assert_eq!(share_seen(&chance, pass(4.5)), 0.0);
-    // What is missed altogether is most of what is missed in the middle.
+    // Most of the missed movements in the middle are in spans without any notice.
     let never = json!({ "chance": { "missed": 0 } });
     assert!(share_seen(&never, pass(4.0)) > 0.97);
 }
@@ -319,7 +319,7 @@ fn misses_most_small_movements() {
     let chance = json!({ "chance": { "looks_per_s": 2, "sure_deg": 20, "missed": 0 } });
     let stir = |amplitude_m: f64| move |life: Life| life.stir(3.0, Posture::Sitting, (5.0, 4.0), amplitude_m);
     let [blanket, hand, arm] = [0.1, 0.2, 0.5].map(|amplitude_m| share_seen(&chance, stir(amplitude_m)));
-    // Six looks, each of which notices 0.1 m 1.5 m below the lens, 3.8 degrees, with the square of 3.8 / 20: 0.036.
+    // Six looks notice 0.1 m 1.5 m below the lens, 3.8 degrees, with the square of 3.8 / 20: 0.036.
     let by_hand = |metres: f64| {
         let angle = metres / 1.5 / 20.0_f64.to_radians();
         1.0 - libm::pow(1.0 - (angle * angle).min(1.0), 6.0)
@@ -346,14 +346,14 @@ fn people_go_through_a_door_that_they_shut_behind_them_and_beams_do_not() {
     assert_eq!(noticed_in(home(true), &json!({}), &beyond()), []);
     let plan = Plan::new(&serde_json::from_value(home(true)).expect("a home"));
     assert!(plan.is_walkable(Point::new(4.0, 4.0), 0.2) && !plan.is_walkable(Point::new(4.0, 2.0), 0.2));
-    // Who comes through is seen on this side.
+    // A body that comes through is seen on this side.
     let through = [Life::new().walk(1.0, (6.0, 4.0), (2.0, 4.0))];
     let seen = noticed_in(home(true), &json!({}), &through);
     assert!(seen.first().is_some_and(|(at, _)| (1_500_000..2_500_000).contains(at)), "{seen:?}");
 }
 
 #[test]
-fn a_threshold_holds_besides_chance() {
+fn a_threshold_holds_in_addition_to_chance() {
     let sensor = |threshold_deg: f64| {
         json!({ "level": { "sensitivity": { "threshold_deg": threshold_deg } },
             "notice": { "chance": { "looks_per_s": 50, "sure_deg": 5, "edge_m": 0, "missed": 0 } } })

@@ -24,7 +24,7 @@ fn motion_sensors(names: &[&str]) -> Vec<SensorFile> {
     names.iter().map(|name| serde_json::from_value(sensor(name)).unwrap()).collect()
 }
 
-/// What devices say: when, which of them, and what.
+/// Messages of devices: instant, sensor, value.
 fn said(messages: &[(RunTime, u32, Value)]) -> Events {
     let firing = |(seq, &(at, sensor, value)): (usize, &(RunTime, u32, Value))| Firing {
         seq: seq as u64,
@@ -44,7 +44,7 @@ fn said(messages: &[(RunTime, u32, Value)]) -> Events {
     }
 }
 
-/// What the logger gets of messages, in a run of this length that begins at midnight.
+/// The messages that the logger gets, in a run of this length that begins at midnight.
 fn carried(
     file: serde_json::Value,
     sensors: &[SensorFile],
@@ -62,7 +62,7 @@ fn regular(sensor: u32, every: Span, count: i64) -> Vec<(RunTime, u32, Value)> {
     (1..=count).map(|index| (RunTime::START + index * every, sensor, Value::Fire)).collect()
 }
 
-/// The messages that were lost: when they were sent, of which sensor, and why.
+/// The lost messages: instant, sensor, cause.
 fn lost(events: &Events) -> Vec<(RunTime, u32, Loss)> {
     let lost = |fact: &Fact| match *fact {
         Fact::Lost { at, sensor, loss, .. } => Some((at, sensor.0, loss)),

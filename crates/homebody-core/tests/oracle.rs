@@ -24,7 +24,7 @@ const UPDATE: Span = Span::from_micros(SECOND.micros() / 60 + 1);
 const LENGTH: Span = MINUTE;
 const END: RunTime = RunTime::START.saturating_add(LENGTH);
 
-/// What became of all comparisons.
+/// The result of all comparisons.
 #[derive(Debug, Default)]
 struct Tally {
     firings: usize,
@@ -61,7 +61,7 @@ impl Case {
             match next.doing {
                 MotionState::Stride { to, .. } => at = to,
                 MotionState::InPlace { at: here, .. } | MotionState::Rest { at: here } => at = here,
-                // The paper's loop would take somebody who vanishes for movement.
+                // The paper's loop would take the end of a body for movement.
                 MotionState::Away => next.doing = MotionState::Rest { at },
             }
         }
@@ -110,7 +110,7 @@ impl Case {
             });
             let Some(index) = parted else { continue };
             let first = [exact.get(index), naive.get(index)].into_iter().flatten().min().copied();
-            // What is due within the last updates one of the two may not come to any more.
+            // One of the two may not reach events of the last updates.
             if first.is_some_and(|at| at > END - 4 * UPDATE) {
                 continue;
             }
@@ -181,7 +181,7 @@ impl Case {
         })
     }
 
-    /// Where the body is, if it moves.
+    /// The position of the body, if it moves.
     fn moving_at(&self, at: RunTime) -> Option<Point> {
         let next = self.life.iter().find(|next| next.begin <= at && at < next.end)?;
         match next.doing {

@@ -144,7 +144,7 @@ fn places() -> String {
     text
 }
 
-/// What a key's numbers count, by the end of its name.
+/// The unit of a key's numbers, by the end of its name.
 const UNITS: [(&str, &str); 15] = [
     ("_per_s", "1/s"),
     ("_m", "m"),
@@ -236,7 +236,7 @@ fn every_key_says_what_it_is() {
 }
 
 #[test]
-fn ranges_and_defaults_are_told_in_words() {
+fn ranges_and_defaults_are_in_words() {
     let required = json!({ "required": ["a"] });
     let cells = |key: &str, schema: Value| row(key, &schema, &required, &Value::Null);
     let number = json!({ "type": "number", "description": "So.", "exclusiveMinimum": 0, "maximum": 2.5 });
@@ -377,7 +377,7 @@ fn unit(key: &str) -> Option<&'static str> {
     end.or(point).or(COUNTS.contains(&key).then_some(""))
 }
 
-/// What a value is, with a link to what it is made of.
+/// The kind of a value, with a link to its parts.
 fn kind_of(key: &str, value: &Value, all: &Value) -> String {
     let inner = [&value["allOf"][0], &value["anyOf"][0], value].into_iter().find_map(|inner| inner["$ref"].as_str());
     if let Some(name) = inner.and_then(|link| link.rsplit('/').next()) {

@@ -70,7 +70,7 @@ pub fn place(
 fn furniture(piece: &PlanPiece, meaning: PieceMeaning, names: &mut NamePool) -> Furniture {
     let millimetres = |length: f64| (length * 1e3).round() / 1e3;
     let name = names.give(&piece.name, "piece");
-    let is_said = |role: &Role| Role::of_name(&name.to_lowercase()).any(|said| said == *role);
+    let is_said = |role: &Role| Role::from_name(&name.to_lowercase()).any(|said| said == *role);
     Furniture {
         role: meaning.role.filter(|role| !is_said(role)),
         name,

@@ -118,7 +118,7 @@ fn key(piece: &FurnitureFile) -> String {
 
 /// True for a piece with a role, or one to sit or lie on.
 fn is_used(piece: &FurnitureFile) -> bool {
-    piece.enterable || piece.role.is_some() || Role::of_name(&key(piece)).next().is_some()
+    piece.enterable || piece.role.is_some() || Role::from_name(&key(piece)).next().is_some()
 }
 
 fn at(p: Point) -> At {

@@ -253,7 +253,7 @@ impl SensorWalk {
         let steps = vec![PathStep::Repeat(Repeat { times: None, steps })];
         let path = PathFile { schema: None, start: Spot::At(start), posture: Posture::Standing, steps };
         let driver = DriverFile::Path("path.json".into());
-        let person = ResidentFile { name: "person".into(), height_m: 1.75, ..ResidentFile::somebody(driver) };
+        let person = ResidentFile { name: "person".into(), height_m: 1.75, ..ResidentFile::with_driver(driver) };
         let scenario = ScenarioFile::new("Godsey & Skubic 2009", "2009-01-01T12:00:00", 1.0);
         ScenarioEdit::new(scenario, home).add_resident("person.json", person).path(0, "path.json", &path).load()
     }

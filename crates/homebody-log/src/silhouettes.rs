@@ -16,7 +16,6 @@ use homebody_core::home::resolved::ResolvedHome;
 use homebody_core::ids::SensorId;
 use homebody_core::scenario::logger::TimeFormat;
 use homebody_core::sensors::camera::CameraFile;
-use homebody_core::sensors::kinds::SensorFile;
 use homebody_core::time::{Interval, RunTime, UtcTime};
 use rusqlite::{Connection, OptionalExtension, params};
 use std::path::{Path, PathBuf};
@@ -56,10 +55,7 @@ pub struct SilhouetteLog {
 
 /// The cameras of a home, each with its number among the sensors.
 pub fn cameras(home: &ResolvedHome) -> impl Iterator<Item = (SensorId, &CameraFile)> {
-    home.sensors.iter().enumerate().filter_map(|(index, sensor)| match sensor {
-        SensorFile::Camera(camera) => Some((SensorId::new(index), camera)),
-        _ => None,
-    })
+    home.sensors.iter().enumerate().filter_map(|(index, sensor)| Some((SensorId::new(index), sensor.camera()?)))
 }
 
 impl SilhouetteLog {

@@ -5,6 +5,7 @@ use homebody_core::home::form::HomeFile;
 use homebody_core::plan::form::DoorFile;
 use homebody_core::plan::{Floor, Origin, Plan, floors as floors_of, furniture_outline, span_on_wall};
 use homebody_core::sensors::Sensor;
+use homebody_core::sensors::form::{Mount, Shape};
 use homebody_core::sensors::kinds::SensorFile;
 
 use super::font;
@@ -189,8 +190,8 @@ fn way_in(sheet: &mut Sheet, door: &DoorFile, at: Point, inward: Point) {
 /// The areas that ceiling sensors look down on.
 pub fn ceiling_areas(sheet: &mut Sheet, home: &HomeFile, fill: &str) {
     for sensor in &home.sensors {
-        if let SensorFile::CeilingMotion(ceiling) = sensor {
-            let area = sheet.outline(&corners(&ceiling.area));
+        if let Some(area) = sensor.area_below() {
+            let area = sheet.outline(&corners(area));
             sheet.svg.polygon(&area, &Paint::fill(fill).faint(0.14));
             sheet.svg.polygon(&area, &Paint::line(SENSOR, 1.6).dashed("7 4"));
             sheet.labels.soft.push(area);
@@ -214,15 +215,15 @@ pub fn sensors(sheet: &mut Sheet, home: &HomeFile, plan: &Plan) {
     for sensor in &home.sensors {
         let Some(Sensor { at, .. }) = Sensor::new(sensor, plan) else { continue };
         let at = sheet.at(at);
-        let bulk = match sensor {
-            SensorFile::Motion(motion) => {
-                let triangle = dart(at, flipped(geometry::direction(motion.facing_deg)));
+        let bulk = match sensor.row().shape {
+            Shape::Arrow => {
+                let triangle = dart(at, flipped(geometry::direction(facing_deg(sensor))));
                 sheet.svg.group("sensor", sensor.name(), |svg| {
                     svg.polygon(&triangle, &Paint::fill(SENSOR).outlined(WHITE, 1.5));
                 });
                 triangle
             }
-            SensorFile::CeilingMotion(_) => {
+            Shape::Ring => {
                 sheet.svg.group("sensor", sensor.name(), |svg| {
                     svg.circle(at, 5.5, &Paint::fill(WHITE).outlined(SENSOR, 2.0));
                     svg.circle(at, 1.8, &Paint::fill(SENSOR));
@@ -261,19 +262,20 @@ pub fn names(sheet: &mut Sheet, home: &HomeFile, plan: &Plan, furniture: Type) {
     for sensor in &home.sensors {
         let Some(Sensor { at, .. }) = Sensor::new(sensor, plan) else { continue };
         let at = sheet.at(at);
-        let facing_deg = match sensor {
-            SensorFile::Motion(motion) => motion.facing_deg,
-            _ => 0.0,
-        };
-        sheet.labels.beside(sensor.name(), at, facing_deg, SENSOR_NAME);
+        sheet.labels.beside(sensor.name(), at, facing_deg(sensor), SENSOR_NAME);
     }
+}
+
+fn facing_deg(sensor: &SensorFile) -> f64 {
+    let lens = sensor.orientation().filter(|_| sensor.senses_motion());
+    lens.map_or(0.0, |lens| lens.facing_deg)
 }
 
 /// Samples of the marks that this home's plan shows.
 pub fn explain(sheet: &mut Sheet, legend: &mut super::legend::Legend, home: &HomeFile) {
     let svg = &mut sheet.svg;
-    let wall_sensors = home.sensors.iter().any(|sensor| matches!(sensor, SensorFile::Motion(_)));
-    let ceiling_sensors = home.sensors.iter().any(|sensor| matches!(sensor, SensorFile::CeilingMotion(_)));
+    let [wall_sensors, ceiling_sensors] =
+        [Mount::Wall, Mount::Ceiling].map(|mount| home.sensors.iter().any(|sensor| sensor.row().mount == mount));
     if wall_sensors {
         legend.entry(svg, "motion sensor on the wall, points where it looks", |svg, least, most| {
             svg.polygon(&dart((least + most) / 2.0, Point::X), &Paint::fill(SENSOR).outlined(WHITE, 1.5));

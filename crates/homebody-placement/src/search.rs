@@ -447,7 +447,7 @@ fn piece_sensor(piece: &FurnitureFile, plan: &Plan) -> Option<SensorFile> {
         return None;
     }
     let middle = plan.places.iter().find(|(name, _)| *name == piece.name).map(|(_, at)| *at)?;
-    let role = piece.role.or_else(|| Role::of_name(&piece.name.to_lowercase()).next());
+    let role = piece.role.or_else(|| Role::from_name(&piece.name.to_lowercase()).next());
     if role == Some(Role::Bed) {
         return sensor(json!({ "kind": "bed", "name": format!("{} sensor", piece.name), "on": piece.name }));
     }

@@ -129,7 +129,7 @@ impl PlaceCheck {
         }
         checks.extend(notes(folder, &run));
         checks.extend(left(folder));
-        if self.replays && run.is_complete() && run.lives_again() {
+        if self.replays && run.is_complete() && run.can_replay() {
             checks.push(replayed(folder));
         }
         Ok(checks)
@@ -138,7 +138,7 @@ impl PlaceCheck {
     /// Checks that the run is complete, or that this program can resume it.
     fn recorded(&self, folder: &Path, run: &Recording) -> Check {
         let resume = match has_no_end(run) {
-            _ if !run.lives_again() => "run it again with the program that has its driver".into(),
+            _ if !run.can_replay() => "run it again with the program that has its driver".into(),
             true => format!("homebody live SCENARIO --folder {} resumes it", folder.display()),
             false => format!("homebody run --resume {} resumes it", folder.display()),
         };

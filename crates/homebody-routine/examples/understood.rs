@@ -1,5 +1,5 @@
-//! What the language makes of sentences in somebody's own words: reads files with one a line, as JSON with its `text` or `say`,
-//! writes beside each what is understood, what is kept as a remark and what is refused, and counts them.
+//! The language on sentences of other people: reads files with one a line, as JSON with its `text` or `say`, writes
+//! after each the understood part, the remarks and the refusals, and counts them.
 //!
 //! `cargo run -p homebody-routine --example understood -- SENTENCES.jsonl`
 

@@ -1,14 +1,12 @@
-//! Suggestions for editors that complete a routine: the usual forms, each of which the language understands.
+//! Suggestions for editors that complete a routine: the usual forms of the language.
 
 use crate::language::activities::usual_phrases;
 use crate::language::{KnownNames, severities};
 
-/// A suggestion.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Completion {
     pub text: String,
     pub kind: CompletionKind,
-    /// A short description.
     pub about: String,
 }
 
@@ -16,13 +14,9 @@ pub struct Completion {
 pub enum CompletionKind {
     /// With its full stop.
     Sentence,
-    /// An activity, after the person.
     Activity,
-    /// A time, length or frequency.
     Time,
-    /// A room, or a place in it.
     Place,
-    /// A condition with a severity.
     Condition,
 }
 
@@ -193,7 +187,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_offered_is_about_who_it_is_about() {
+    fn completions_are_about_the_person() {
         let about_her = words(&home(), "Margaret is 82. She reads. He is out.\nShe knits.");
         assert!(about_her.iter().any(|word| word.text == "Margaret is 82."));
         assert!(about_her.iter().any(|word| word.text.starts_with("Sometimes her daughter visits")));

@@ -13,7 +13,6 @@ use words::{clock, join, lasts_words, number, numbers, sentence, span_words};
 mod rules;
 pub(crate) mod words;
 
-/// In the order of the file.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Explanation {
     pub file: String,
@@ -26,7 +25,6 @@ pub struct Explanation {
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct ExplanationRow {
     pub line: u32,
-    /// The words of the routine.
     pub said: String,
     pub kind: ExplanationKind,
     /// The person with the activity, or the change.
@@ -62,14 +60,11 @@ pub enum ExplanationKind {
     Remark,
 }
 
-/// The distribution of a fuzzy number.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Spread {
     pub least: f64,
-    /// The 5th percentile.
     pub p5: f64,
     pub mean: f64,
-    /// The 95th percentile.
     pub p95: f64,
     pub most: f64,
 }
@@ -82,11 +77,11 @@ impl Spread {
 
 pub fn explain(routine: &Routine) -> Explanation {
     let mut rows: Vec<(u32, ExplanationRow)> = Vec::new();
-    rows.extend(routine.person.iter().map(|person| (person.said.column, of_person(person))));
-    rows.extend(routine.habits.iter().map(|habit| (habit.said.column, of_habit(habit))));
-    rows.extend(routine.rules.iter().map(|rule| (rule.said.column, of_rule(rule))));
-    rows.extend(routine.changes.iter().map(|change| (change.said.column, of_change(change))));
-    rows.extend(routine.remarks.iter().map(|remark| (remark.column, of_remark(remark))));
+    rows.extend(routine.person.iter().map(|person| (person.said.column, person_row(person))));
+    rows.extend(routine.habits.iter().map(|habit| (habit.said.column, habit_row(habit))));
+    rows.extend(routine.rules.iter().map(|rule| (rule.said.column, rule_row(rule))));
+    rows.extend(routine.changes.iter().map(|change| (change.said.column, change_row(change))));
+    rows.extend(routine.remarks.iter().map(|remark| (remark.column, remark_row(remark))));
     rows.sort_by_key(|(column, row)| (row.line, *column));
     let sentences = rows.into_iter().map(|(_, row)| row).collect();
     Explanation { file: routine.file.clone(), sentences, layers: rules::layers(routine) }
@@ -122,7 +117,7 @@ impl Explanation {
     }
 }
 
-fn of_person(person: &RoutinePerson) -> ExplanationRow {
+fn person_row(person: &RoutinePerson) -> ExplanationRow {
     let mut facts = Vec::new();
     if let Some(age) = person.age_years {
         facts.push(format!("{} years old", number(age)));
@@ -158,7 +153,7 @@ fn row(line: u32, said: &str, kind: ExplanationKind, what: String) -> Explanatio
     }
 }
 
-fn of_habit(habit: &Habit) -> ExplanationRow {
+fn habit_row(habit: &Habit) -> ExplanationRow {
     let who = habit.visitor.as_deref().unwrap_or("the person");
     let doing = match habit.falling.map(|falling| falling.words()).filter(|words| !words.is_empty()) {
         Some(words) => format!("{}: {words}", phrase(&habit.activity)),
@@ -213,7 +208,7 @@ fn of_habit(habit: &Habit) -> ExplanationRow {
     }
 }
 
-fn of_rule(rule: &RoutineRule) -> ExplanationRow {
+fn rule_row(rule: &RoutineRule) -> ExplanationRow {
     let whenever = rules::whenever(rule);
     let response = rules::answers(rule);
     let lasts = match &rule.response {
@@ -234,12 +229,12 @@ fn of_rule(rule: &RoutineRule) -> ExplanationRow {
     }
 }
 
-fn of_remark(remark: &Quote) -> ExplanationRow {
+fn remark_row(remark: &Quote) -> ExplanationRow {
     let in_words = format!("Remark, not lived: {}.", remark.text.trim());
     ExplanationRow { in_words, ..row(remark.line, &remark.text, ExplanationKind::Remark, "remark: not lived".into()) }
 }
 
-fn of_change(change: &RoutineChange) -> ExplanationRow {
+fn change_row(change: &RoutineChange) -> ExplanationRow {
     let what = effect_words(&change.effect);
     let phase = phase_words(&change.phase);
     let on = if change.days == DaySelection::ALL { String::new() } else { which_days(&change.days) };
@@ -364,7 +359,6 @@ fn which_days(days: &DaySelection) -> String {
 }
 
 impl DayKind {
-    /// As an adjective.
     pub(crate) fn word(self) -> &'static str {
         match self {
             DayKind::Quiet => "quiet",

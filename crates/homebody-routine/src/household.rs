@@ -43,7 +43,6 @@ pub struct Household {
     scenario: Scenario,
     /// By resident; `None` for one with a path or keys.
     routines: Vec<Option<Routine>>,
-    /// By resident.
     scripts: BTreeMap<usize, Arc<Program>>,
     conditions: BTreeMap<String, Routine>,
     /// Habits for whatever a routine leaves unsaid.
@@ -60,17 +59,14 @@ struct HouseholdVisitor {
     name: String,
 }
 
-/// A resident's routine as far as it is understood, with its problems.
+/// The understood part of a resident's routine, with its problems.
 #[derive(Clone, Debug)]
 pub struct RoutineReading {
     pub routine: Routine,
     /// The usual habits that the routine leaves unsaid.
     pub unsaid: Routine,
-    /// Conditions of the routine, by name.
     pub conditions: BTreeMap<String, Routine>,
-    /// Problems of the routine and its conditions.
     pub problems: Vec<Problem>,
-    /// Suggestions for an editor.
     pub words: Vec<Completion>,
     life: ResidentRoutine,
 }
@@ -215,7 +211,6 @@ impl Household {
         Household { is_one_of_many: true, ..self.clone() }
     }
 
-    /// `None` for a resident without one.
     pub fn routine(&self, resident: usize) -> Option<&Routine> {
         self.routines.get(resident)?.as_ref()
     }
@@ -225,7 +220,6 @@ impl Household {
         self.life(resident, 0).map(|life| life.unsaid())
     }
 
-    /// By name.
     pub fn conditions(&self) -> &BTreeMap<String, Routine> {
         &self.conditions
     }
@@ -350,7 +344,7 @@ impl Household {
         seed: u64,
     ) -> Option<Box<dyn drivers::Driver>> {
         let company = |build: Build| Company::new(on.people.clone(), build.radius_m, &home.numbers);
-        let life = |life: &ResidentRoutine| Arc::new(life.of_seed(seed));
+        let life = |life: &ResidentRoutine| Arc::new(life.with_seed(seed));
         if let Some(guest) = body.checked_sub(self.scenario.residents.len()) {
             let HouseholdVisitor { host, name } = self.guests.get(guest)?;
             let own = on.body(home, home.numbers.of(&GUEST_PACE_MPS));
@@ -417,7 +411,6 @@ impl DriverProvider for Household {
 pub struct RoutineLanguage {
     pub(crate) routines: BTreeMap<usize, Routine>,
     scripts: BTreeMap<usize, Arc<Program>>,
-    /// Conditions of all routines, by name.
     pub(crate) conditions: BTreeMap<String, Routine>,
     /// Their texts, by file.
     sources: BTreeMap<String, String>,
@@ -482,7 +475,6 @@ fn known(
     }
 }
 
-/// Reads routines, and the conditions that they show.
 struct RoutineReader<'a> {
     files: &'a dyn Files,
     home: &'a HomeFile,

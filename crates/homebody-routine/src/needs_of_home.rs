@@ -85,7 +85,7 @@ pub fn used_things(
     let places = HomePlaces::new(home, plan, &mesh(plan, resident, &Numbers::default()), &resident.name);
     let texts = with_conditions(routine, conditions);
     let roles = used_roles(&places, &texts).into_iter().map(|(role, _)| role).filter(|role| ACTED_ON.contains(role));
-    // Visitors fetch the mail too, and the television stands before the seat from which it is watched.
+    // Visitors fetch the mail too, and the television stands in front of its seat.
     let things = roles.chain([Role::FrontDoor, Role::Television]).filter_map(|role| places.thing(role));
     let things = things.map(|thing| places.thing_name(thing).to_owned());
     // All of these are used in turn.
@@ -240,7 +240,6 @@ impl NeedsCheck<'_> {
         }
     }
 
-    /// Reports each place once.
     fn no_way(&mut self, spot: &HomePlace, said: Option<(&str, &Quote)>, instead: Advice) {
         if self.told.insert(spot.name.to_lowercase()) {
             let help = instead.after(&self.what_to_do(spot));

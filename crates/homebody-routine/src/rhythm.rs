@@ -17,14 +17,11 @@ use crate::routine::{Activity, Meal};
 use homebody_core::statistics;
 use homebody_core::time::{HOUR, Interval, MINUTE, Span, WallTime, joined};
 
-/// An entry of a diary.
 #[derive(Clone, Debug, PartialEq)]
 pub struct DiaryEntry {
     /// The activity; a night is [`Activity::GoToBed`].
     pub what: Activity,
-    /// Start.
     pub begin: WallTime,
-    /// End.
     pub end: WallTime,
 }
 
@@ -56,7 +53,7 @@ pub fn sentences(noted: &[DiaryEntry], known: &[Activity]) -> Vec<String> {
         if of.iter().all(Vec::is_empty) {
             said.push(format!("She never {}.", phrase(what)));
         } else if !is_eaten_after_cooking(what, &days) {
-            said.extend(of_activity(what, &days, of));
+            said.extend(activity_sentences(what, &days, of));
         }
     }
     said
@@ -137,7 +134,7 @@ fn is_eaten_after_cooking(what: &Activity, days: &[DiaryDay]) -> bool {
     days.iter().any(|day| !day.entries(&Activity::Prepare(*meal)).is_empty())
 }
 
-fn of_activity(what: &Activity, days: &[DiaryDay], mut of: Vec<Vec<&DiaryEntry>>) -> Vec<String> {
+fn activity_sentences(what: &Activity, days: &[DiaryDay], mut of: Vec<Vec<&DiaryEntry>>) -> Vec<String> {
     let mut said = Vec::new();
     let all = days.len() as f64;
     let soon: Vec<usize> = (0..days.len())

@@ -89,7 +89,6 @@ pub const NEEDS: [Role; 4] = [Role::Bed, Role::Toilet, Role::Armchair, Role::Fri
 pub struct MissingFurniture {
     /// By role, a new piece that fits next to those before it; `None` if none fits.
     pub pieces: Vec<(Role, Option<FurnitureFile>)>,
-    /// The rooms of the chosen part.
     pub rooms: Vec<String>,
 }
 
@@ -319,7 +318,7 @@ mod tests {
     use serde_json::{from_value, json};
 
     #[test]
-    fn what_is_put_into_an_empty_room_has_its_back_at_a_wall_and_room_before_it() {
+    fn furniture_in_an_empty_room_has_its_back_to_a_wall_and_free_floor_in_front() {
         let mut home: HomeFile = from_value(json!({
             "name": "one room",
             "rooms": [{ "name": "room", "outline": [[0, 0], [4.2, 0], [4.2, 3.6], [0, 3.6]] }],

@@ -2,20 +2,19 @@
 //!
 //! It holds only what the text states; defaults, such as the length of a breakfast, come later.
 
+pub use activity::{Activity, Meal};
 pub use days::{DayKind, DaySelection, PartOfDay, Phase, PhaseDay};
 pub use falling::{FallEnds, Falling, FallsFrom, USUAL_SHARE};
-use homebody_core::activity::{self, UsualLength};
 use homebody_core::fuzzy::{Fuzzy, Quantifier};
-use homebody_core::role::Role;
 use serde::Serialize;
 
+mod activity;
 mod days;
 mod falling;
 
 /// A routine file, or a condition file, which names no person.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct Routine {
-    /// The file's name.
     pub file: String,
     /// `None` in a condition.
     pub person: Option<RoutinePerson>,
@@ -28,7 +27,6 @@ pub struct Routine {
     pub remarks: Vec<Quote>,
 }
 
-/// The person of a routine.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct RoutinePerson {
     /// The first sentence about the person.
@@ -59,11 +57,9 @@ pub struct Quote {
     pub line: u32,
     /// Counted from 1, in characters.
     pub column: u32,
-    /// As in the file.
     pub text: String,
 }
 
-/// An activity with its times.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Habit {
     pub said: Quote,
@@ -82,62 +78,8 @@ pub struct Habit {
     pub until: Option<Fuzzy>,
     /// The least and the most repetitions in each span that `when` names.
     pub times: (u32, u32),
-    /// Details of a fall, if stated.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub falling: Option<Falling>,
-}
-
-/// Most are done at the places that the home names for them.
-#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize)]
-#[serde(rename_all = "snake_case")]
-pub enum Activity {
-    GetUp,
-    UseBathroom,
-    Shower,
-    Wash,
-    Dress,
-    TakeMedicine,
-    Prepare(Meal),
-    Eat(Meal),
-    WashUp,
-    WatchTelevision,
-    Read,
-    Phone,
-    Nap,
-    Laundry,
-    Housework,
-    Leave,
-    ComeHome,
-    /// A visitor comes and stays a while.
-    Visit,
-    GoToBed,
-    /// Coffee, tea or water.
-    Drink,
-    Snack,
-    Exercise,
-    UseComputer,
-    /// Sitting without another activity.
-    Relax,
-    Wander,
-    Pace,
-    Lap,
-    LieAwake,
-    /// With a time on the floor.
-    Fall,
-    /// Without a fall.
-    Stumble,
-    /// An activity without own steps: its label in the table of activities.
-    Everyday(&'static str),
-    /// An activity of the user's lexicon, such as `knits`.
-    Other(String),
-}
-
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize)]
-#[serde(rename_all = "snake_case")]
-pub enum Meal {
-    Breakfast,
-    Lunch,
-    Dinner,
 }
 
 /// The probability of a habit on each day, night or occasion.
@@ -169,7 +111,6 @@ pub enum HabitTime {
     Then,
 }
 
-/// A reaction that interrupts other activities.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct RoutineRule {
     pub said: Quote,
@@ -187,7 +128,6 @@ pub struct RoutineRule {
 }
 
 impl RoutineRule {
-    /// All responses, in order.
     pub fn answers(&self) -> impl Iterator<Item = &Response> {
         std::iter::once(&self.response).chain(&self.then)
     }
@@ -224,9 +164,7 @@ pub enum RuleTrigger {
     Company(Option<String>),
     Alone,
     Sitting,
-    /// The person does the activity.
     Doing(Activity),
-    /// The person has finished the activity.
     Done(Activity),
     /// In seconds since midnight.
     Between(f64, f64),
@@ -236,7 +174,7 @@ pub enum RuleTrigger {
 
 impl RuleTrigger {
     /// Whether it must be polled, because others or the light decide it.
-    pub fn is_looked_for(&self) -> bool {
+    pub fn is_polled(&self) -> bool {
         matches!(
             self,
             RuleTrigger::Rings(_)
@@ -258,7 +196,6 @@ pub enum Response {
     Do { activity: Activity, place: Option<String>, lasts: Option<Fuzzy> },
 }
 
-/// A change of behaviour.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct RoutineChange {
     pub said: Quote,
@@ -334,122 +271,6 @@ impl Routine {
     }
 }
 
-impl Activity {
-    /// Activities with steps of their own.
-    pub const OWN_WAYS: [Activity; 34] = {
-        use Meal::{Breakfast, Dinner, Lunch};
-        [
-            Activity::GetUp,
-            Activity::UseBathroom,
-            Activity::Shower,
-            Activity::Wash,
-            Activity::Dress,
-            Activity::TakeMedicine,
-            Activity::Prepare(Breakfast),
-            Activity::Prepare(Lunch),
-            Activity::Prepare(Dinner),
-            Activity::Eat(Breakfast),
-            Activity::Eat(Lunch),
-            Activity::Eat(Dinner),
-            Activity::WashUp,
-            Activity::WatchTelevision,
-            Activity::Read,
-            Activity::Phone,
-            Activity::Nap,
-            Activity::Laundry,
-            Activity::Housework,
-            Activity::Leave,
-            Activity::ComeHome,
-            Activity::Visit,
-            Activity::GoToBed,
-            Activity::Drink,
-            Activity::Snack,
-            Activity::Exercise,
-            Activity::UseComputer,
-            Activity::Relax,
-            Activity::Wander,
-            Activity::Pace,
-            Activity::Lap,
-            Activity::LieAwake,
-            Activity::Fall,
-            Activity::Stumble,
-        ]
-    };
-
-    /// Activities without own steps that a routine can name. Those without a usual length only appear in the ground truth.
-    pub fn everyday() -> impl Iterator<Item = Activity> {
-        let is_own = |label: &str| Activity::OWN_WAYS.iter().any(|own| own.label() == label);
-        let rows = activity::ACTIVITIES.iter().filter(|known| known.usual.is_some()).map(|known| known.label);
-        rows.filter(move |label| !is_own(label)).map(Activity::Everyday)
-    }
-
-    /// `None` for a label that no routine can name.
-    pub fn of_label(label: &str) -> Option<Activity> {
-        Activity::OWN_WAYS.into_iter().chain(Activity::everyday()).find(|activity| activity.label() == label)
-    }
-
-    /// The label in the ground truth, such as `watching_television`; for the user's activities, the user's name.
-    pub fn label(&self) -> &str {
-        match self {
-            Activity::GetUp => activity::GETTING_UP,
-            Activity::UseBathroom => activity::USING_BATHROOM,
-            Activity::Shower => activity::SHOWERING,
-            Activity::Wash => activity::WASHING,
-            Activity::Dress => activity::DRESSING,
-            Activity::TakeMedicine => activity::TAKING_MEDICINE,
-            Activity::Prepare(Meal::Breakfast) => activity::PREPARING_BREAKFAST,
-            Activity::Prepare(Meal::Lunch) => activity::PREPARING_LUNCH,
-            Activity::Prepare(Meal::Dinner) => activity::PREPARING_DINNER,
-            Activity::Eat(Meal::Breakfast) => activity::EATING_BREAKFAST,
-            Activity::Eat(Meal::Lunch) => activity::EATING_LUNCH,
-            Activity::Eat(Meal::Dinner) => activity::EATING_DINNER,
-            Activity::WashUp => activity::WASHING_UP,
-            Activity::WatchTelevision => activity::WATCHING_TELEVISION,
-            Activity::Read => activity::READING,
-            Activity::Phone => activity::TELEPHONING,
-            Activity::Nap => activity::NAPPING,
-            Activity::Laundry => activity::LAUNDRY,
-            Activity::Housework => activity::HOUSEWORK,
-            Activity::Leave => activity::AWAY,
-            Activity::ComeHome => activity::COMING_HOME,
-            Activity::Visit => activity::VISIT,
-            Activity::GoToBed => activity::GOING_TO_BED,
-            Activity::Drink => activity::DRINKING,
-            Activity::Snack => activity::HAVING_A_SNACK,
-            Activity::Exercise => activity::EXERCISING,
-            Activity::UseComputer => activity::USING_COMPUTER,
-            Activity::Relax => activity::RELAXING,
-            Activity::Wander => activity::WANDERING,
-            Activity::Pace => activity::PACING,
-            Activity::Lap => activity::LAPPING,
-            Activity::LieAwake => activity::LYING_AWAKE,
-            Activity::Fall => activity::FALLEN,
-            Activity::Stumble => activity::STUMBLING,
-            Activity::Everyday(label) => label,
-            Activity::Other(words) => words,
-        }
-    }
-
-    /// Without a stated duration.
-    pub fn usual_length(&self) -> UsualLength {
-        /// For the user's activities (our choice).
-        const OWN: UsualLength = UsualLength { median_min: 30.0, sigma: 0.4 };
-        match self {
-            Activity::Other(_) => OWN,
-            _ => activity::known(self.label()).and_then(|known| known.usual).unwrap_or(OWN),
-        }
-    }
-
-    /// The roles of its places; empty for activities that go anywhere.
-    pub fn roles(&self) -> &'static [Role] {
-        match self {
-            // Without a stated place.
-            Activity::Other(_) => &[Role::Armchair],
-            _ => activity::known(self.label()).map_or(&[], |known| known.roles),
-        }
-    }
-}
-
 impl Habit {
     /// Whether it states the frequency of an activity by day or by night. A time, or a preceding activity, only describes
     /// one occasion.
@@ -499,10 +320,6 @@ impl Effect {
             _ => std::mem::discriminant(self) == std::mem::discriminant(other),
         }
     }
-}
-
-impl Meal {
-    pub const ALL: [Meal; 3] = [Meal::Breakfast, Meal::Lunch, Meal::Dinner];
 }
 
 impl HabitChance {

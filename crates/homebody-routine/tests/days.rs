@@ -183,7 +183,7 @@ fn a_stay_of_days_is_measured_from_coming_to_leaving() {
 }
 
 #[test]
-fn the_ordinary_life_is_lived_as_it_is_said() {
+fn the_ordinary_routine_runs_by_its_sentences() {
     let mut run = run(ORDINARY, DAYS);
     run.advance(RunTime::START + DAYS * DAY, &mut Events::default()).unwrap();
     assert_eq!(Household::differences(&run), []);

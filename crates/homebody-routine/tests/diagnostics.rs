@@ -39,7 +39,7 @@ fn an_order_that_goes_in_a_circle() {
 }
 
 #[test]
-fn a_condition_is_about_nobody_in_particular() {
+fn a_condition_names_no_person() {
     let problem = |text: &str| condition("x.routine", text, &home()).1.remove(0).code;
     assert_eq!(problem("Margaret is 82."), "routine::condition-name");
     assert_eq!(problem("She is 82."), "routine::condition-fact");

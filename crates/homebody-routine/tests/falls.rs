@@ -50,7 +50,7 @@ fn place(doing: MotionState) -> Option<Point> {
 }
 
 #[test]
-fn falls_at_night_on_the_way_to_the_bathroom_are_there_and_last_as_said() {
+fn falls_at_night_happen_on_the_way_to_the_bathroom_for_the_stated_time() {
     let lived = live(
         "On half of the days she falls, mostly at night on the way to the bathroom, and lies there for 20 minutes.\n",
         60,
@@ -210,7 +210,7 @@ fn falls_out_of_bed_interrupt_sleep() {
     }
 }
 
-/// She wakes, falls beside the seat, and naps on.
+/// She wakes, falls next to the seat, and continues the nap.
 #[test]
 fn a_fall_that_has_its_time_breaks_into_a_nap() {
     let said = "Every day she naps in the armchair at 15:00 for 2 hours.\n\

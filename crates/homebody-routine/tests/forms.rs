@@ -10,7 +10,7 @@ use std::fs;
 use std::path::Path;
 
 #[test]
-fn every_form_of_sentence_means_what_is_written_beside_it() {
+fn every_form_of_sentence_has_its_listed_meaning() {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/forms.txt");
     let table = fs::read_to_string(&path).unwrap();
     let mut found = String::new();

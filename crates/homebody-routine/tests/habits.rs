@@ -66,7 +66,7 @@ fn spread(values: &[f64]) -> f64 {
 }
 
 #[test]
-fn nobody_walks_in_their_sleep() {
+fn a_sleeping_resident_does_not_walk() {
     let lived = live_for("She goes to the bathroom twice as often.\n", 30);
     let walked = |activity: &str| {
         let times: Vec<Interval<RunTime>> = lived.of(activity).collect();
@@ -121,7 +121,7 @@ fn an_outing_over_night_ends_at_its_time() {
 }
 
 #[test]
-fn guests_who_stay_sleep_and_eat_and_life_goes_on() {
+fn guests_who_stay_sleep_and_eat_and_the_routine_continues() {
     let lived = live("From day 10 her sister visits for 30 days.\n");
     let guest = activities(&lived.events, 1, lived.days * DAY);
     let hours = |name: &str| {
@@ -283,7 +283,7 @@ fn bedtimes_and_risings_of_all_hours_are_lived() {
 }
 
 #[test]
-fn short_outings_are_lived() {
+fn short_outings_happen() {
     let lived = live("She goes out at 9:00 for 5 minutes.\n");
     let away: Vec<f64> = lived.of("away").map(|away| away.length().ratio(MINUTE)).collect();
     assert!((58..=60).contains(&away.len()) && (4.0..6.0).contains(&mean(&away)), "{} of {}", away.len(), mean(&away));

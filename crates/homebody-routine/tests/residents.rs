@@ -74,7 +74,7 @@ fn a_sensor_more_changes_neither_the_life_nor_other_sensors() {
 }
 
 #[test]
-fn a_resident_more_changes_nobody_elses_plans() {
+fn another_resident_changes_no_plans() {
     let mut two = files(ORDINARY, &[("henry.routine", "Henry is 80.\n"), ("henry.json", "")]);
     let henry = two["margaret.json"].replace("margaret", "henry");
     two.insert("henry.json".into(), henry);
@@ -116,7 +116,7 @@ fn twins_differ_from_the_onset_on() {
 }
 
 #[test]
-fn what_a_condition_does_not_touch_draws_the_same_numbers() {
+fn a_condition_leaves_the_other_random_numbers() {
     let own = [("conditions/no-lunch.routine", "She skips lunch on 100 % of days.\n")];
     let routine = format!("{ORDINARY}\nFrom day 4 she shows no lunch.\n");
     let twin = |without: &[&str]| {
@@ -137,7 +137,7 @@ fn what_a_condition_does_not_touch_draws_the_same_numbers() {
 
 /// Segments are continuous in time, and in space except for absences.
 #[test]
-fn nobody_is_in_two_places() {
+fn a_resident_is_in_one_place() {
     for moves in everything(20).moves().unwrap() {
         let mut at: Option<Point> = None;
         for pair in moves.windows(2) {
@@ -387,7 +387,7 @@ fn a_condition_of_ones_own_needs_no_rust() {
 }
 
 #[test]
-fn every_condition_that_the_program_knows_can_be_shown_and_lived() {
+fn every_condition_of_the_program_can_run() {
     for (name, text) in homebody_routine::household::CONDITIONS {
         let routine =
             format!("Margaret is 82.\nFrom day 2, over 2 days, she shows severe {}.\n", name.replace('-', " "));
@@ -400,7 +400,7 @@ fn every_condition_that_the_program_knows_can_be_shown_and_lived() {
 }
 
 #[test]
-fn leaving_out_what_nobody_shows_is_a_mistake() {
+fn rejects_leaving_out_a_condition_that_no_resident_has() {
     let said = household(&files(DECLINE, &[]), &["depresion"]).unwrap_err();
     assert!(said.contains("no resident shows \"depresion\"") && said.contains("cognitive-decline"), "{said}");
 }

@@ -34,7 +34,7 @@ fn a_table_whose_role_is_bed_is_slept_in() {
     let asleep = lies_h("bed", "");
     assert!(asleep > 4.0, "{asleep} h a night");
     assert_eq!(lies_h("table", "\"role\": \"bed\", "), asleep);
-    // The control: without its role a table is no bed.
+    // The control: without its role a table does not count as a bed.
     assert_eq!(lies_h("table", ""), 0.0);
 }
 

@@ -6,7 +6,6 @@ use homebody_walk::places::HomePlaces;
 use homebody_walk::{Gains, Mesh};
 use std::sync::Arc;
 
-/// The constants of a resident with a script.
 #[derive(Debug)]
 pub struct Cast {
     pub home: Arc<Home>,

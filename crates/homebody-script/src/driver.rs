@@ -70,7 +70,7 @@ pub struct ScriptDriver {
     own: Stream,
     /// The next step first.
     steps: VecDeque<ScriptStep>,
-    /// The current step, as far as it is not yet in `moves`.
+    /// The part of the current step that is not yet in `moves`.
     under_way: Option<ScriptStep>,
     moves: VecDeque<MotionSegment>,
     /// Answers without duration, which come before `moves`.
@@ -412,7 +412,6 @@ impl ScriptDriver {
         door.ok_or_else(|| self.program.at_next(ScriptMessage::NoFrontDoor))
     }
 
-    /// The steps at the front door.
     fn through_the_door(&self) -> Vec<ScriptStep> {
         let act = |on| self.cast.places.thing(Role::FrontDoor).map(|thing| ScriptStep::Use { thing, on });
         let stands = Some(ScriptStep::wait(AT_THE_DOOR, None));

@@ -45,7 +45,6 @@ pub fn wrong(message: ScriptMessage) -> ScriptError {
 #[derive(Clone)]
 pub struct Around(Arc<Mutex<ScriptMoment>>);
 
-/// The surroundings of one resident at an instant.
 pub struct ScriptMoment {
     pub cast: Arc<Cast>,
     pub constants: Constants,

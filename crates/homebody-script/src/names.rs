@@ -15,7 +15,6 @@ pub const ASKED: [(&str, usize); 3] = [(NEXT, 1), (NOTICE, 1), (BEGIN, 0)];
 
 #[derive(Clone, Debug, Default)]
 pub struct ScriptNames {
-    /// Places, furniture and rooms.
     pub places: Vec<String>,
     /// Furniture to get on or into.
     pub seats: Vec<String>,

@@ -13,7 +13,6 @@ pub enum ScriptStep {
     Go(HomePlace),
     /// Without a route, the body stays.
     GoTo(Point),
-    /// Rises, and leaves the seat.
     Stand,
     Straight {
         degrees: f64,
@@ -38,13 +37,10 @@ pub enum ScriptStep {
         thing: u32,
         on: bool,
     },
-    /// Sets the label of what follows.
     Activity(Option<String>),
-    /// Out by the front door.
     LeaveHome,
     /// The rest of that, behind the door.
     Outside,
-    /// In by the front door.
     ComeHome,
     /// Drops all waiting steps.
     Instead,

@@ -18,7 +18,7 @@ pub struct BrokerCleanup {
 #[cfg(feature = "mqtt")]
 mod built {
     use super::*;
-    use crate::interventions::{Intervention, InterventionRequest, Refusal, SensorFailure};
+    use crate::interventions::{InterventionRequest, OrderedIntervention, Refusal, SensorFailure};
     use crate::pace::{RunCommand, Speed};
     use crate::simulation::orders::OrderMessage;
     use homebody_core::time::Span;
@@ -62,7 +62,7 @@ mod built {
                 Ok(()) => reply.done(),
                 Err(_) => refuse(reply, OrderMessage::Busy),
             },
-            Ok(OrderMeaning::Deed(intervention)) => {
+            Ok(OrderMeaning::Intervention(intervention)) => {
                 // A full queue refuses the order as busy. If the run is over, the dropped answer says so.
                 let answer = Box::new(move |outcome: Result<_, Refusal>| match outcome {
                     Ok(at) => reply.done_at(at),
@@ -86,12 +86,12 @@ mod built {
     /// The meaning of an order.
     enum OrderMeaning {
         Pace(RunCommand),
-        Deed(Intervention),
+        Intervention(OrderedIntervention),
     }
 
     fn meant(order: Order, is_live: bool) -> Result<OrderMeaning, OrderMessage> {
         let minutes = |minutes: f64| Span::from_seconds(minutes * 60.0);
-        Ok(OrderMeaning::Deed(match order {
+        Ok(OrderMeaning::Intervention(match order {
             Order::Pause {} => return Ok(OrderMeaning::Pace(RunCommand::Pause)),
             Order::Resume {} => return Ok(OrderMeaning::Pace(RunCommand::Resume)),
             Order::Step { seconds } => return Ok(OrderMeaning::Pace(RunCommand::Step(Span::from_seconds(seconds)))),
@@ -103,8 +103,8 @@ mod built {
                 let speed = Speed::times(times).ok_or(OrderMessage::Speed { times })?;
                 return Ok(OrderMeaning::Pace(RunCommand::Speed(speed)));
             }
-            Order::Open { thing } | Order::On { thing } => Intervention::Use { thing, on: true },
-            Order::Close { thing } | Order::Off { thing } => Intervention::Use { thing, on: false },
+            Order::Open { thing } | Order::On { thing } => OrderedIntervention::Use { thing, on: true },
+            Order::Close { thing } | Order::Off { thing } => OrderedIntervention::Use { thing, on: false },
             Order::Fault { sensor, kind, minutes: lasts, fading_minutes, every_s, loss } => {
                 let failure = match kind {
                     OrderedFault::Dead => SensorFailure::Battery { fades_us: Span::ZERO },
@@ -115,9 +115,9 @@ mod built {
                     OrderedFault::FallsOff => SensorFailure::FallsOff,
                     OrderedFault::BadLink => SensorFailure::BadLink { lost_ppm: (loss.unwrap_or(1.0) * 1e6).round() as u32 },
                 };
-                Intervention::Fail { sensor, failure, lasts: lasts.map(minutes) }
+                OrderedIntervention::Fail { sensor, failure, lasts: lasts.map(minutes) }
             }
-            Order::Fall { resident, minutes: lies } => Intervention::Fall { resident, lies: lies.map(minutes) },
+            Order::Fall { resident, minutes: lies } => OrderedIntervention::Fall { resident, lies: lies.map(minutes) },
         }))
     }
 
@@ -133,10 +133,10 @@ mod built {
             }
         }
 
-        fn wish(order: serde_json::Value) -> Intervention {
+        fn wish(order: serde_json::Value) -> OrderedIntervention {
             match meant(serde_json::from_value(order).expect("it is an order"), true) {
-                Ok(OrderMeaning::Deed(intervention)) => intervention,
-                _ => panic!("no deed"),
+                Ok(OrderMeaning::Intervention(intervention)) => intervention,
+                _ => panic!("no intervention"),
             }
         }
 
@@ -146,10 +146,10 @@ mod built {
             assert_eq!(command(Order::Speed { times: 0.5 }, true), Some(RunCommand::Speed(Speed::Times(0.5))));
             assert_eq!(command(Order::Speed { times: 2.0 }, true), None);
             assert_eq!(command(Order::Speed { times: 2.0 }, false), Some(RunCommand::Speed(Speed::Times(2.0))));
-            let door = |on| Intervention::Use { thing: "door".into(), on };
+            let door = |on| OrderedIntervention::Use { thing: "door".into(), on };
             assert_eq!(wish(serde_json::json!({ "do": "open", "thing": "door" })), door(true));
             assert_eq!(wish(serde_json::json!({ "do": "off", "thing": "door" })), door(false));
-            let fails = |failure, lasts| Intervention::Fail { sensor: "bed".into(), failure, lasts };
+            let fails = |failure, lasts| OrderedIntervention::Fail { sensor: "bed".into(), failure, lasts };
             for (order, failure, lasts) in [
                 (serde_json::json!({ "kind": "dead" }), SensorFailure::Battery { fades_us: Span::ZERO }, None),
                 (
@@ -173,7 +173,7 @@ mod built {
                 assert_eq!(wish(whole), fails(failure, lasts), "{order}");
             }
             let fall = wish(serde_json::json!({ "do": "fall", "resident": "margaret", "minutes": 0.5 }));
-            assert_eq!(fall, Intervention::Fall { resident: "margaret".into(), lies: Some(MINUTE / 2) });
+            assert_eq!(fall, OrderedIntervention::Fall { resident: "margaret".into(), lies: Some(MINUTE / 2) });
         }
     }
 }

@@ -165,7 +165,7 @@ impl Simulation {
     /// Whether a file is the incomplete recording of this very run: then the same command resumes it.
     fn was_started_in(&self, path: &Path) -> bool {
         let own = Recording { version: VERSION.into(), ..self.recording.clone() };
-        let is_it = |left: &Recording| !left.is_whole() && left.begun_again() == own && own.lives_again();
+        let is_it = |left: &Recording| !left.is_whole() && left.restarted() == own && own.can_replay();
         recording(path).is_ok_and(|left| is_it(&left))
     }
 }

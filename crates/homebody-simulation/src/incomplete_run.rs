@@ -69,7 +69,7 @@ impl IncompleteRun {
             return Err(SimulationError::Complete { what: RUN, folder: folder.into() });
         }
         must_be_replayable(&folder.join(RECORDING), &recording)?;
-        let recording = recording.begun_again();
+        let recording = recording.restarted();
         must_be_of_this_version(RUN, folder, &recording)?;
         let (scenario, household) = Household::recorded(&recording)?;
         let mut places = RunPlaces::of_folder(folder, &scenario)?;

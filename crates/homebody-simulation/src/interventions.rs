@@ -3,15 +3,15 @@
 //! An intervention happens at the instant that the run has come to. The recording has it before any of its consequences is stored,
 //! so a replay and a resumed run repeat it.
 
-pub use homebody_core::deed::{Deed, FromOutside, SensorFailure};
+pub use homebody_core::intervention::{Intervention, SensorFailure, TimedIntervention};
 use homebody_core::numbers::Numbers;
 pub use homebody_core::outside::Refusal;
-use homebody_core::outside::usual_lie;
+use homebody_core::outside::usual_time_on_floor;
 use homebody_core::time::{RunTime, Span};
 
-/// An intervention now.
+/// An order for an intervention, with a duration instead of an end.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub enum Intervention {
+pub enum OrderedIntervention {
     /// Opens, closes, turns on or turns off a thing.
     Use {
         /// Its name.
@@ -40,21 +40,21 @@ pub enum Intervention {
 /// A requested intervention. A run that is over drops the request without an answer.
 pub struct InterventionRequest {
     /// The intervention.
-    pub intervention: Intervention,
+    pub intervention: OrderedIntervention,
     /// Takes the time of the intervention, or the reason against it. The thread of the run calls it, so it must not block.
     pub answer: Box<dyn FnOnce(Result<RunTime, Refusal>) + Send>,
 }
 
-impl Intervention {
-    /// The deed at an instant.
-    pub(crate) fn at(self, now: RunTime, numbers: &Numbers) -> Deed {
+impl OrderedIntervention {
+    /// The intervention at an instant.
+    pub(crate) fn at(self, now: RunTime, numbers: &Numbers) -> Intervention {
         match self {
-            Intervention::Use { thing, on } => Deed::Use { thing, on },
-            Intervention::Fail { sensor, failure, lasts } => {
-                Deed::Fail { sensor, failure, until_us: lasts.map(|lasts| now.saturating_add(lasts)) }
+            OrderedIntervention::Use { thing, on } => Intervention::Use { thing, on },
+            OrderedIntervention::Fail { sensor, failure, lasts } => {
+                Intervention::Fail { sensor, failure, until_us: lasts.map(|lasts| now.saturating_add(lasts)) }
             }
-            Intervention::Fall { resident, lies } => {
-                Deed::Fall { resident, lies_us: lies.unwrap_or_else(|| usual_lie(numbers)) }
+            OrderedIntervention::Fall { resident, lies } => {
+                Intervention::Fall { resident, lies_us: lies.unwrap_or_else(|| usual_time_on_floor(numbers)) }
             }
         }
     }

@@ -60,7 +60,7 @@ fn text(path: &Path, most_bytes: u64) -> Result<String, SimulationError> {
 
 /// A run with a driver of another program cannot be replayed from its recording.
 pub(crate) fn must_be_replayable(path: &Path, recording: &Recording) -> Result<(), SimulationError> {
-    match recording.lives_again() {
+    match recording.can_replay() {
         true => Ok(()),
         false => Err(SimulationError::OwnDrivers { path: path.into(), residents: recording.own_drivers.clone() }),
     }

@@ -1,7 +1,7 @@
 //! Interventions from outside take effect, are in the ground truth, and replay.
 
 use homebody_core::time::{HOUR, MINUTE, RunTime, Span};
-use homebody_simulation::interventions::{Intervention, InterventionRequest, Refusal, SensorFailure};
+use homebody_simulation::interventions::{InterventionRequest, OrderedIntervention, Refusal, SensorFailure};
 use homebody_simulation::{Cancel, Destinations, IncompleteRun, RecordedRun, RunProgress, RunSummary, SimulationError};
 use rusqlite::Connection;
 use std::fs;
@@ -11,20 +11,25 @@ use tempfile::TempDir;
 
 type Outcome = Result<RunTime, Refusal>;
 
-fn on(thing: &str, on: bool) -> Intervention {
-    Intervention::Use { thing: thing.into(), on }
+fn on(thing: &str, on: bool) -> OrderedIntervention {
+    OrderedIntervention::Use { thing: thing.into(), on }
 }
 
-fn fall(minutes: i64) -> Intervention {
-    Intervention::Fall { resident: "margaret".into(), lies: Some(minutes * MINUTE) }
+fn fall(minutes: i64) -> OrderedIntervention {
+    OrderedIntervention::Fall { resident: "margaret".into(), lies: Some(minutes * MINUTE) }
 }
 
-fn fails(sensor: &str, failure: SensorFailure, lasts: Option<Span>) -> Intervention {
-    Intervention::Fail { sensor: sensor.into(), failure, lasts }
+fn fails(sensor: &str, failure: SensorFailure, lasts: Option<Span>) -> OrderedIntervention {
+    OrderedIntervention::Fail { sensor: sensor.into(), failure, lasts }
 }
 
 /// Lives the days into a folder, and asks for each wish once the run has come to its hour. The run is cancelled at an hour, if any.
-fn live(runs: &Path, days: f64, wishes: &[(i64, Intervention)], stops_at: Option<i64>) -> (RunSummary, Vec<Outcome>) {
+fn live(
+    runs: &Path,
+    days: f64,
+    wishes: &[(i64, OrderedIntervention)],
+    stops_at: Option<i64>,
+) -> (RunSummary, Vec<Outcome>) {
     let (ask, asked) = channel();
     let (tell, told) = channel();
     let cancel = Cancel::new();
@@ -86,7 +91,7 @@ fn count(database: &Path, query: &str) -> i64 {
 }
 
 /// All kinds at once, over a day and a half.
-fn a_few_wishes() -> Vec<(i64, Intervention)> {
+fn a_few_wishes() -> Vec<(i64, OrderedIntervention)> {
     vec![
         (2, on("front door", true)),
         (3, on("front door", false)),
@@ -187,7 +192,8 @@ fn a_run_that_was_stopped_and_touched_and_died_is_gone_on_with() {
 #[test]
 fn a_fall_from_outside_happens_on_the_spot_and_ends() {
     let temporary = TempDir::new().unwrap();
-    let wishes: Vec<(i64, Intervention)> = (1..14 * 24).step_by(5).map(|hour| (hour, fall(hour % 50 + 1))).collect();
+    let wishes: Vec<(i64, OrderedIntervention)> =
+        (1..14 * 24).step_by(5).map(|hour| (hour, fall(hour % 50 + 1))).collect();
     let (lived, told) = live(temporary.path(), 15.0, &wishes, None);
     assert_eq!(told.len(), wishes.len());
     let out = told.iter().filter(|told| told.is_err()).count();
@@ -222,10 +228,14 @@ fn refuses_impossible_actions_and_changes_nothing() {
             "outside::repeat-interval",
             "0.1 s",
         ),
-        (Intervention::Fall { resident: "bob".into(), lies: None }, "outside::unknown-name", "margaret"),
-        (Intervention::Fall { resident: "margaret".into(), lies: Some(Span::MICROSECOND) }, "outside::lying-time", ""),
+        (OrderedIntervention::Fall { resident: "bob".into(), lies: None }, "outside::unknown-name", "margaret"),
+        (
+            OrderedIntervention::Fall { resident: "margaret".into(), lies: Some(Span::MICROSECOND) },
+            "outside::lying-time",
+            "",
+        ),
     ];
-    let wishes: Vec<(i64, Intervention)> = wrong.iter().map(|(wish, ..)| (2, wish.clone())).collect();
+    let wishes: Vec<(i64, OrderedIntervention)> = wrong.iter().map(|(wish, ..)| (2, wish.clone())).collect();
     let (lived, told) = live(&temporary.path().join("a"), 0.5, &wishes, None);
     for ((wish, code, hint), told) in wrong.iter().zip(&told) {
         let refusal = told.as_ref().expect_err("refused");

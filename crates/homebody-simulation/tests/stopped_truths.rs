@@ -49,7 +49,7 @@ fn the_texts_of_a_stopped_truth_are_written_anew() {
         let first = live(&places, &recording, WriteMode::Create, 1);
         assert!(first.stopped_of_us.is_some());
         assert_ne!(files(stopped.path()), files(whole.path()));
-        live(&places, &first.begun_again(), WriteMode::Resume, 2);
+        live(&places, &first.restarted(), WriteMode::Resume, 2);
         let (found, wanted) = (files(stopped.path()), files(whole.path()));
         assert_eq!(found.keys().collect::<Vec<_>>(), wanted.keys().collect::<Vec<_>>(), "{truth}");
         assert!(found == wanted, "{truth}: another truth");

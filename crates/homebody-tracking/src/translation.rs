@@ -421,7 +421,7 @@ fn acted_out(
     let residents = scenario.residents.len();
     if has_guest {
         let file =
-            ResidentFile { name: GUEST.into(), ..ResidentFile::somebody(DriverFile::Path(PATH_OF_GUEST.into())) };
+            ResidentFile { name: GUEST.into(), ..ResidentFile::with_driver(DriverFile::Path(PATH_OF_GUEST.into())) };
         edit = edit.add_resident("guest.json", file);
     }
     for (who, track) in tracks.iter().enumerate().take(residents + usize::from(has_guest)) {

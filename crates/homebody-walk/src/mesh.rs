@@ -207,7 +207,7 @@ impl Mesh {
         let (least, most) = (from.min(to), from.max(to));
         let is_near = |obstacle: &Obstacle| {
             obstacle.may_be_near(least, most, clearance_m)
-                && distance_of_segment(&obstacle.outline, from, to) < clearance_m
+                && distance_in_segment(&obstacle.outline, from, to) < clearance_m
         };
         self.plan.is_inside(from)
             && self.plan.is_inside(to)
@@ -371,7 +371,7 @@ fn corner_of([before, first, second, after]: [Point; 4]) -> Option<Point> {
 /// Distance from the meeting point of corners within which they become one (our choice).
 const ONE_CORNER_M: f64 = 0.25;
 
-fn distance_of_segment(outline: &[Point], from: Point, to: Point) -> f64 {
+fn distance_in_segment(outline: &[Point], from: Point, to: Point) -> f64 {
     if geometry::segment_inside_convex(outline, from, to).is_some() {
         return 0.0;
     }

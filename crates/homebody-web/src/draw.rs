@@ -12,10 +12,10 @@ use homebody_core::plan::form::FurnitureFile;
 use homebody_core::plan::{Origin, Plan};
 use homebody_core::posture;
 use homebody_core::role::Role;
+use homebody_core::sensors::Sensor;
 use homebody_core::sensors::camera::CameraFile;
 use homebody_core::sensors::form::{Bearer, Mount};
 use homebody_core::sensors::kinds::SensorFile;
-use homebody_core::sensors::{Sensor, SensorKind};
 
 /// How high the body reaches for which beams are drawn: an adult who stands.
 const BODY_M: f64 = 1.65;
@@ -88,7 +88,7 @@ fn verbs(kind: ThingKind, piece: Option<&FurnitureFile>) -> [String; 2] {
     const OPENS: [Role; 4] = [Role::Fridge, Role::Wardrobe, Role::Drawers, Role::Medicine];
     let roles = |piece: &FurnitureFile| match piece.role {
         Some(role) => vec![role],
-        None => Role::of_name(&piece.name.to_lowercase()).collect(),
+        None => Role::from_name(&piece.name.to_lowercase()).collect(),
     };
     let roles = piece.map(roles).unwrap_or_default();
     let is_one = |of: &[Role]| roles.iter().any(|role| of.contains(role));
@@ -103,13 +103,10 @@ fn verbs(kind: ThingKind, piece: Option<&FurnitureFile>) -> [String; 2] {
 }
 
 fn sensor(sensor: &Sensor, file: &SensorFile, plan: &Plan) -> SensorView {
-    let beams = match sensor.kind {
-        SensorKind::Motion(_) => bake::beams(sensor, plan, BODY_M),
-        SensorKind::CeilingMotion(_) | SensorKind::Device(_) => Vec::new(),
-    };
+    let beams = if sensor.is_on_wall() { bake::beams(sensor, plan, BODY_M) } else { Vec::new() };
     let on = file.on().and_then(|thing| plan.piece(thing)).map(|piece| outline(&piece.outline));
-    let area = match (&sensor.kind, file) {
-        (SensorKind::CeilingMotion(ceiling), _) => Some(outline(&ceiling.outline)),
+    let area = match sensor.kind.area_below() {
+        Some(below) => Some(outline(below)),
         _ if file.row().mount == Mount::Thing(&[Bearer::Enterable]) => file.area().map(<[_]>::to_vec).or(on),
         _ => None,
     };
@@ -118,17 +115,10 @@ fn sensor(sensor: &Sensor, file: &SensorFile, plan: &Plan) -> SensorView {
         kind: file.row().key.into(),
         room: sensor.info(plan).room,
         at: at(sensor.at),
-        facing_deg: match file {
-            SensorFile::Motion(motion) => Some(motion.facing_deg),
-            SensorFile::Camera(camera) => Some(camera.facing_deg),
-            _ => None,
-        },
+        facing_deg: file.orientation().map(|lens| lens.facing_deg),
         beams: beams.iter().map(|beam| [at(beam.start), at(beam.start + beam.direction * beam.length)]).collect(),
         area,
-        camera: match file {
-            SensorFile::Camera(camera) => Some(self::camera(camera, plan)),
-            _ => None,
-        },
+        camera: file.camera().map(|file| camera(file, plan)),
     }
 }
 

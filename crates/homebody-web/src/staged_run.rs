@@ -160,7 +160,7 @@ impl StagedRun {
 
     /// A recording, to replay.
     pub fn again(recording: Recording) -> Result<StagedRun, Unbegun> {
-        if !recording.lives_again() {
+        if !recording.can_replay() {
             return Err(StageMessage::OwnDrivers { residents: recording.own_drivers }.into());
         }
         let (scenario, household) = Household::recorded(&recording)?;

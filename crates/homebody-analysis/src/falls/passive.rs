@@ -6,12 +6,11 @@
 //! Left out: appliances, water and temperatures.
 
 use homebody_core::event::Value;
-use homebody_core::geometry::Point;
+use homebody_core::geometry::{Point, depth_in_area, point};
 use homebody_core::home::resolved::ResolvedHome;
 use homebody_core::plan::Plan;
 use homebody_core::plan::form::FurnitureFile;
 use homebody_core::role::Role;
-use homebody_core::sensors::ceiling_motion::CeilingMotion;
 use homebody_core::sensors::kinds::SensorFile;
 use homebody_core::time::RunTime;
 
@@ -62,10 +61,9 @@ impl Ear {
         let seats: Vec<&FurnitureFile> = home.furniture.iter().filter(seat).collect();
         let is_seat = |name: &str| seats.iter().any(|piece| piece.name == name);
         let ear = |sensor: &SensorFile| match sensor {
-            SensorFile::Motion(_) => Ear::Motion { at_rest: false },
-            SensorFile::CeilingMotion(file) => {
-                let area = CeilingMotion::new(file);
-                let holds = |middle: Point| area.view(middle).depth_m >= 0.0;
+            file if file.senses_motion() => {
+                let area: Option<Vec<Point>> = file.area_below().map(|area| area.iter().map(|&at| point(at)).collect());
+                let holds = |middle: Point| area.as_ref().is_some_and(|area| depth_in_area(area, middle) >= 0.0);
                 Ear::Motion { at_rest: seats.iter().any(|piece| middle(home.plan(), piece).is_some_and(holds)) }
             }
             SensorFile::Bed(_) => Ear::Seat,

@@ -1,4 +1,4 @@
-//! What benchmarks measure with: the rows of a log, a bare loop that inserts them, and the middle of some measurements.
+//! Parts of benchmarks: the rows of a log, a bare loop that inserts them, and the middle of some measurements.
 
 mod spread;
 

@@ -5,10 +5,10 @@
 //! We assume that lengths are fixed shares of the height, by Drillis and Contini (1966) as Winter's Biomechanics prints them,
 //! and that thickness goes with the radius of the body.
 //!
-//! Joints become points in space from the hips outward: the trunk upward, each leg and each arm downward. Who lies on a side is
-//! then rolled about the trunk's length.
+//! Joints become points in space from the hips outward: the trunk upward, each leg and each arm downward. A body on its
+//! side is then rolled about the trunk's length.
 //!
-//! Left out: hands, clothes, what somebody carries, and how soft tissue gives way.
+//! Left out: hands, clothes, carried things, and the give of soft tissue.
 
 use super::joints::{Joints, Side};
 use super::shares::{share, thick};
@@ -18,18 +18,18 @@ use std::f64::consts::{FRAC_PI_2, FRAC_PI_4};
 /// A point in space, in metres: x to the east, y to the north, z up from the floor.
 pub type Point3 = glam::DVec3;
 
-/// All points that are no further than a radius from a segment.
+/// All points within a radius of a segment.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Capsule {
     /// One end of the segment.
     pub from: Point3,
     /// The other end.
     pub to: Point3,
-    /// How far the surface is from the segment, in metres.
+    /// The distance of the surface from the segment, in metres.
     pub radius_m: f64,
 }
 
-/// How large a body is.
+/// The size of a body.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Stature {
     /// The radius of the body seen from above, in metres.
@@ -48,7 +48,6 @@ const USUAL_RADIUS: f64 = share::SHOULDER_HALF_WIDTH;
 /// swaying.
 const GIRTH_SHARE: f64 = 0.5;
 
-/// How many times as thick as usual a body is.
 fn girth(stature: &Stature) -> f64 {
     let times = stature.radius_m / (USUAL_RADIUS * stature.height_m);
     (1.0 + (times - 1.0) * GIRTH_SHARE).clamp(0.7, 1.6)
@@ -145,7 +144,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn who_stands_is_as_tall_as_the_build_says_and_has_both_feet_on_the_floor() {
+    fn a_standing_body_has_its_height_and_both_feet_on_the_floor() {
         for height_m in [1.5, 1.65, 1.9] {
             let stature = Stature { radius_m: 0.2, height_m };
             let joints = Joints::new(Stance::Standing, height_m, 0.0).at(Point::new(2.0, 1.0), 0.7);
@@ -159,7 +158,7 @@ mod tests {
     }
 
     #[test]
-    fn who_lies_on_the_left_side_has_the_left_arm_below_and_the_knees_to_the_front() {
+    fn on_the_left_side_the_left_arm_is_below_and_the_knees_are_in_front() {
         let stature = Stature { radius_m: 0.2, height_m: 1.65 };
         // Head to the east: who lies on the left side looks south, on the right side north.
         for (stance, is_left_below, south) in [(Stance::OnLeftSide, true, -1.0), (Stance::OnRightSide, false, 1.0)] {
@@ -172,7 +171,7 @@ mod tests {
     }
 
     #[test]
-    fn who_lies_as_they_fell_is_no_higher_and_not_in_the_floor() {
+    fn after_a_fall_a_body_is_not_higher_and_not_in_the_floor() {
         let stature = Stature { radius_m: 0.2, height_m: 1.65 };
         for stance in [Stance::Prone, Stance::Lying, Stance::OnLeftSide, Stance::OnRightSide] {
             for far in [[1.0; 4], [1.0, 0.0, 0.5, 1.0], [0.0; 4]] {
@@ -183,7 +182,7 @@ mod tests {
     }
 
     #[test]
-    fn each_stance_is_as_high_as_it_is_in_life() {
+    fn each_stance_has_the_height_of_real_ones() {
         let stature = Stature { radius_m: 0.2, height_m: 1.65 };
         let height = stature.height_m;
         let top = |stance: Stance, support_m: f64| {

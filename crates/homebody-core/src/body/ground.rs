@@ -1,4 +1,4 @@
-//! What a body stands, sits and lies on, and where it has room to lie.
+//! The surfaces that bodies stand, sit and lie on, and free floor to lie on.
 //!
 //! We assume that a seat or a mattress is where people can be in a piece of furniture, as high as the piece but no higher than a
 //! usual bed: what is higher of an armchair is its back.
@@ -11,15 +11,14 @@ use std::f64::consts::TAU;
 /// Greatest height of a seat or mattress, in metres (our choice).
 pub const HIGHEST_SUPPORT_M: f64 = 0.55;
 
-/// Where people can be in furniture, and what stands in the way of who lies down.
+/// The places of people in furniture, and the obstacles to lying down.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Ground {
     supports: Vec<Support>,
-    /// Walls, and furniture that nobody can be in.
+    /// Walls, and furniture that is not enterable.
     obstacles: Vec<Vec<Point>>,
 }
 
-/// A piece of furniture that people can be in.
 #[derive(Clone, Debug, PartialEq)]
 struct Support {
     outline: Vec<Point>,
@@ -44,20 +43,20 @@ impl Ground {
         self
     }
 
-    /// The same with something that nobody can be in.
+    /// The same with another obstacle.
     pub fn and_obstacle(mut self, outline: Vec<Point>) -> Ground {
         self.obstacles.push(outline);
         self
     }
 
-    /// How high what one stands, sits or lies on is at a point, in metres: 0 for the floor.
+    /// The height of the surface at a point, in metres: 0 for the floor.
     pub fn support_m(&self, at: Point) -> f64 {
         let under = self.supports.iter().filter(|support| geometry::contains(&support.outline, at));
         under.map(|support| support.height_m).fold(0.0, f64::max)
     }
 
-    /// Where who lies down at a point faces, which is where the feet are: along the bed, or along the free floor that is nearest
-    /// to the present facing. `length_m` is that of the body.
+    /// The facing of a body that lies down at a point, toward its feet: along the bed, or along the free floor nearest
+    /// to the present facing. `length_m` is the length of the body.
     pub fn lies_facing(&self, at: Point, facing_rad: f64, length_m: f64) -> f64 {
         if let Some(bed) = self.supports.iter().find(|support| geometry::contains(&support.outline, at)) {
             let turned = bed.along_rad + TAU / 2.0;
@@ -68,8 +67,8 @@ impl Ground {
         self.free_direction(at, facing_rad, length_m)
     }
 
-    /// The direction nearest to a wished one along which a body of this length has room on the floor, half of it on either side
-    /// of the point; the wished one where there is no room at all.
+    /// The direction nearest to a wished one along which a body of this length has room on the floor, half of it on
+    /// either side of the point; the wished one if there is no room at all.
     pub fn free_direction(&self, at: Point, wished_rad: f64, length_m: f64) -> f64 {
         let is_free = |angle: f64| {
             let half = Point::new(libm::cos(angle), libm::sin(angle)) * (length_m / 2.0);

@@ -1,7 +1,8 @@
-//! How a body holds its limbs.
+//! Postures of the limbs.
 //!
-//! Limbs bend in the plane of the facing, and are spread to the side out of it. Who lies on a side has all of that rolled over. A
-//! stance is a fixed set of angles with the height of the hips; walking moves legs and arms on top of it.
+//! Limbs bend in the plane of the facing, and are spread to the side out of it. A body on its side has all of that
+//! rolled over. A stance is a fixed set of angles with the height of the hips; walking moves legs and arms on top of
+//! it.
 //!
 //! We assume that a body moves from one stance to another along straight lines of these numbers, which looks right for what
 //! takes seconds.
@@ -12,7 +13,7 @@ use super::shares::{share, thick};
 use crate::geometry::Point;
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
-/// How a body holds itself, as far as a silhouette shows it.
+/// A posture as a silhouette shows it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Stance {
     /// Upright.
@@ -21,7 +22,7 @@ pub enum Stance {
     Sitting,
     /// On the back.
     Lying,
-    /// On the belly, with the hands beside the chest, as after a fall to the front.
+    /// On the belly, with the hands next to the chest, as after a fall to the front.
     Prone,
     /// On the left side, with bent hips and knees.
     OnLeftSide,
@@ -55,22 +56,23 @@ pub struct Side {
     pub arm_rad: f64,
     /// Of the forearm with the hand.
     pub forearm_rad: f64,
-    /// How far the leg is spread to its side, out of the plane.
+    /// The angle of the leg to its side, out of the plane.
     pub leg_out_rad: f64,
-    /// How far the arm is spread to its side, out of the plane.
+    /// The angle of the arm to its side, out of the plane.
     pub arm_out_rad: f64,
 }
 
 /// All joints of a person.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Joints {
-    /// Where the body is.
+    /// The position of the body.
     pub hips: Hips,
-    /// Where it faces: 0 is east, a quarter turn north.
+    /// The facing: 0 is east, a quarter turn north.
     pub facing_rad: f64,
-    /// How far the trunk leans to the front; 0 is upright, below 0 to the back.
+    /// The lean of the trunk to the front; 0 is upright, below 0 to the back.
     pub trunk_rad: f64,
-    /// How far all of it is rolled about the trunk's length: below 0, the front of who leans forward comes to the right.
+    /// The roll of the body about the trunk's length: below 0, the front of a body that leans forward comes to the
+    /// right.
     pub roll_rad: f64,
     /// Its left limbs.
     pub left: Side,
@@ -101,7 +103,7 @@ impl Joints {
             Stance::Sitting => {
                 let seat_m = if support_m > 0.2 { support_m } else { SEAT_M };
                 let up_m = seat_m + thick::THIGH * height_m;
-                // Where the seat is lower than the shank is long, the knees are higher than the hips.
+                // With a seat lower than the length of the shank, the knees are higher than the hips.
                 let rise = (share::HIP - share::THIGH) * height_m - up_m;
                 let lift = libm::asin((rise / (share::THIGH * height_m)).clamp(-0.4, 0.4));
                 (up_m, -0.12, side(FRAC_PI_2 + lift, 0.0, 0.3, 1.1))
@@ -128,7 +130,7 @@ impl Joints {
                 (up_m, FRAC_PI_2 + 0.06, side(0.0, -FRAC_PI_2, 0.15, -0.15))
             }
         };
-        // Who lies on a side lies on that arm.
+        // A body on its side lies on that arm.
         let (roll_rad, arm_out_rad) = match stance {
             Stance::OnLeftSide => (-FRAC_PI_2, 0.0),
             Stance::OnRightSide => (FRAC_PI_2, 0.0),
@@ -138,8 +140,8 @@ impl Joints {
         Joints { hips: Hips { at: Point::ZERO, up_m }, facing_rad: 0.0, trunk_rad, roll_rad, left: both, right: both }
     }
 
-    /// The same of somebody who lies as they fell: from 0 to 1, how far the left and the right arm, the left and the right leg are
-    /// from their usual places. Who lies on the belly or the back spreads them; who lies on a side bends them.
+    /// The same after a fall: from 0 to 1, the distance of the left and the right arm, the left and the right leg from
+    /// their usual places. A body on the belly or the back spreads them; one on its side bends them.
     pub fn sprawled(mut self, far: [f64; 4]) -> Joints {
         let is_on_side = self.roll_rad != 0.0;
         for (side, [arm, leg]) in [(&mut self.left, [far[0], far[2]]), (&mut self.right, [far[1], far[3]])] {

@@ -1,6 +1,6 @@
 //! A cat or a small dog as capsules: a trunk along the facing, a head in front, four legs and a tail.
 //!
-//! We assume that whoever is lower than 60 cm goes on four legs, and that the height of a body is that of the head.
+//! We assume that bodies lower than 60 cm walk on four legs, and that the height of a body is that of the head.
 //!
 //! Left out: breeds, sitting animals, jumps onto furniture.
 

@@ -3,8 +3,8 @@
 //! We assume that a new posture takes its time from the instant at which the world has it, also where the body walks on
 //! meanwhile, and that steps are as long as the height lets them be.
 //!
-//! What is told is a segment with a posture. Where either changes, the body goes from the joints that it has just then to the new
-//! ones; so it never jumps. How far it has walked says where in a step it is.
+//! The input is a segment with a posture. If either changes, the body moves from its present joints to the new ones, so
+//! it never jumps. The distance walked gives the phase of a step.
 //!
 //! Left out: turning on the spot step by step, limping, walking aids.
 
@@ -63,10 +63,10 @@ const CRAWLER_TURNS_RADPS: f64 = 1.0;
 const CRAWL_SWING: f64 = 0.85;
 const CRAWLS_MPS: f64 = 0.3;
 
-/// The length of a crawler's step as a share of the height: what thighs reach that swing so far.
+/// The length of a crawler's step as a share of the height: the reach of thighs with that swing.
 const CRAWL_STEP: f64 = 0.16;
 
-/// How long changes take.
+/// Durations of changes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Durations {
     sits_down: Span,
@@ -93,7 +93,7 @@ impl Durations {
         }
     }
 
-    /// From one posture to another, of somebody who walks at this speed.
+    /// From one posture to another, at this walking speed.
     fn between(&self, from: Posture, to: Posture, walks_mps: f64) -> Span {
         use Posture::{Bending, Down, Kneeling, Lying, Sitting, Standing};
         let slower = (USUAL_MPS / walks_mps.max(0.1)).clamp(1.0, 2.0);
@@ -111,22 +111,21 @@ impl Durations {
     }
 }
 
-/// What a body does over a span, as the world tells it.
+/// A movement of a body over a span, as the world reports it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Segment {
     /// When it begins.
     pub begin: RunTime,
     /// When it ends, later than it begins.
     pub end: RunTime,
-    /// What the body does.
+    /// The movement.
     pub doing: MotionState,
-    /// How it holds itself.
+    /// The posture.
     pub posture: Posture,
-    /// What chance says of it, such as which way it falls.
+    /// A random number of the segment, for example for the direction of a fall.
     pub chance: DrawnValue,
 }
 
-/// What a body goes through between two stances.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum ByWayOf {
     /// It gets up from the floor over its knees.
@@ -135,25 +134,24 @@ enum ByWayOf {
     HandsAndKnees,
 }
 
-/// A body that is followed. It says the same of an instant whoever asks, and in however many pieces it was told.
+/// The track of a body. Its state at an instant does not depend on the number of questions, or of pieces of the input.
 #[derive(Clone, Debug, PartialEq)]
 pub struct BodyTrack {
     resident: ResidentId,
     stature: Stature,
     durations: Durations,
     segment: Option<Segment>,
-    /// What it changes from, since when, and for how long.
+    /// The start of the change: joints, instant and duration.
     from: Joints,
     changed_at: RunTime,
     takes: Span,
     by_way_of: Option<ByWayOf>,
-    /// Where it faces once it is there.
     facing_rad: f64,
     stance: Stance,
-    /// How far limbs are from their usual places, as [`Joints::sprawled`] has it.
+    /// The distance of the limbs from their usual places, as in [`Joints::sprawled`].
     sprawl: [f64; 4],
     support_m: f64,
-    /// How far it walked before the present segment, and how fast it walked last.
+    /// The distance walked before the present segment, and the last walking speed.
     walked_m: f64,
     walks_mps: f64,
 }
@@ -204,7 +202,7 @@ impl BodyTrack {
         }
         self.segment = Some(*next);
         let Some(was) = was else {
-            // It comes through the door as it is.
+            // It comes through the door in its present posture.
             self.take_stance(next, at, before.map(|before| before.posture), ground);
             (self.changed_at, self.takes) = (next.begin.min(now), Span::ZERO);
             return;
@@ -244,7 +242,6 @@ impl BodyTrack {
         (self.from, self.changed_at, self.takes) = (was, now, takes);
     }
 
-    /// What it does with its limbs in a posture, after another one.
     fn take_stance(&mut self, next: &Segment, at: Point, before: Option<Posture>, ground: &Ground) {
         self.support_m = match next.posture {
             Posture::Down => 0.0,
@@ -262,7 +259,7 @@ impl BodyTrack {
                 self.facing_rad = ground.lies_facing(at, self.facing_rad, length_m);
                 Stance::Lying
             }
-            // Who has crawled lets themselves down where they are.
+            // A crawler lies down on the spot.
             Posture::Down if before == Some(Posture::Down) => Stance::Prone,
             Posture::Down => {
                 let (turned_rad, stance) = landing(before, next.chance);
@@ -326,22 +323,22 @@ impl BodyTrack {
         Some(animal(&self.stature, joints.hips.at, joints.facing_rad, self.support_m, lies, phase, swing))
     }
 
-    /// Whose body it is.
+    /// The resident with this body.
     pub fn resident(&self) -> ResidentId {
         self.resident
     }
 
-    /// How far from its place a part of the body can be, in metres.
+    /// The largest distance of a part of the body from its position, in metres.
     pub fn reach_m(&self) -> f64 {
         self.stature.height_m * 1.3
     }
 
-    /// Where the body is seen from above; None while it is away.
+    /// The position of the body seen from above; `None` while it is away.
     pub fn place_at(&self, now: RunTime) -> Option<Point> {
         place(self.segment.as_ref()?, now)
     }
 
-    /// Where in a step a stride is, and how far the limbs swing: less where somebody is slow or crawls.
+    /// The phase of a step of a stride, and the swing of the limbs: less for slow walks and crawls.
     fn step_at(&self, segment: &Segment, now: RunTime) -> (f64, f64) {
         let MotionState::Stride { from, to } = segment.doing else { return (0.0, 0.0) };
         let stride = Stride::new(from, to, segment.begin, segment.end);
@@ -360,7 +357,6 @@ fn crawls(segment: &Segment) -> bool {
     is_low && matches!(segment.doing, MotionState::Stride { .. })
 }
 
-/// Whether a segment goes on with what another is about.
 fn is_same(before: &Segment, next: &Segment) -> bool {
     before.posture == next.posture && before.begin == next.begin && before.doing == next.doing
 }
@@ -375,7 +371,7 @@ fn place(segment: &Segment, now: RunTime) -> Option<Point> {
     }
 }
 
-/// Arms and trunk of who does something on the spot: as far as what moves moves, about once in two seconds.
+/// Arms and trunk during a movement on the spot: by its amplitude, about once in two seconds.
 fn sway(joints: &mut Joints, now: RunTime, amplitude_m: f64) {
     let phase = (now.since_zero() % (2 * SECOND)).ratio(2 * SECOND) * 2.0 * PI;
     let far = (amplitude_m / 0.3).clamp(0.0, 2.0);
@@ -384,8 +380,8 @@ fn sway(joints: &mut Joints, now: RunTime, amplitude_m: f64) {
     joints.right.arm_rad += 0.5 * far * (1.0 + libm::cos(phase)) / 2.0;
 }
 
-/// How somebody comes to lie who falls out of a posture: how far the head's direction is from where they faced, and the stance. Each
-/// is as often as the others.
+/// The way in which a body lies after falling out of a posture: the direction of the head from the facing before, and
+/// the stance. All are equally likely.
 fn landing(before: Option<Posture>, chance: DrawnValue) -> (f64, Stance) {
     let aside_rad = match before {
         Some(Posture::Standing) | None => TRIPS_ASIDE_RAD,
@@ -438,7 +434,7 @@ mod tests {
     }
 
     #[test]
-    fn who_falls_crawls_lies_and_gets_up_never_jumps() {
+    fn a_body_that_falls_crawls_lies_and_gets_up_never_jumps() {
         for pair in figures().windows(2) {
             let [(_, before), (at, after)] = pair else { continue };
             for (before, after) in before.iter().zip(after) {
@@ -449,7 +445,7 @@ mod tests {
     }
 
     #[test]
-    fn who_gets_up_goes_over_their_knees() {
+    fn a_body_gets_up_over_its_knees() {
         let all = figures();
         let top = |figure: &Figure| figure.iter().map(|capsule| capsule.from.z.max(capsule.to.z)).fold(0.0, f64::max);
         let upright: Vec<f64> = all.iter().filter(|(now, _)| *now > at(45)).map(|(_, figure)| top(figure)).collect();
@@ -460,7 +456,7 @@ mod tests {
     }
 
     #[test]
-    fn who_crawls_goes_head_first() {
+    fn a_body_crawls_head_first() {
         let crawling = figures().into_iter().filter(|(now, _)| (at(14)..at(20)).contains(now));
         for (at, figure) in crawling {
             let (head, left_foot, right_foot) = (figure[0].to, figure[6].to, figure[11].to);

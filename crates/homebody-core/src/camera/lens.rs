@@ -7,10 +7,10 @@
 use crate::body::figure::Point3;
 use crate::geometry::Point;
 
-/// Where a camera is, where it looks, and how large its picture is.
+/// The position, direction and picture size of a camera.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Lens {
-    /// Where it is, in metres.
+    /// The position, in metres.
     pub at: Point3,
     /// Along its axis, of length one.
     pub forward: Point3,
@@ -22,7 +22,7 @@ pub struct Lens {
     pub columns: u32,
     /// Rows of the picture.
     pub rows: u32,
-    /// How many pixels a thing of 1 m is large at 1 m.
+    /// The size of a thing of 1 m at 1 m, in pixels.
     pub focal_px: f64,
 }
 
@@ -45,7 +45,7 @@ impl Lens {
         Point3::new(from.dot(self.right), from.dot(self.down), from.dot(self.forward))
     }
 
-    /// Where in the picture a point is, in pixels from its upper left corner; None behind the camera.
+    /// The position of a point in the picture, in pixels from its upper left corner; `None` behind the camera.
     pub fn project(&self, point: Point3) -> Option<Point> {
         let seen = self.seen(point);
         (seen.z > 1e-9).then(|| self.middle() + seen.truncate() * (self.focal_px / seen.z))

@@ -1,13 +1,13 @@
-//! What a real background subtraction makes of a clean silhouette.
+//! The errors of a real background subtraction, applied to a clean silhouette.
 //!
-//! Borders flicker, limbs whose colour is that of what is behind them leave holes, some of the shadow on the floor is taken for a
+//! Borders flicker, limbs of the colour of the background leave holes, some of the shadow on the floor is taken for a
 //! body, single specks appear, and for a moment after a lamp goes on or off much of the picture changes.
 //!
 //! We assume that each of these is independent of the others and from one frame to the next, but for holes, which stay for a
 //! second.
 //!
-//! How often and how large they are, are numbers of ours: published pictures of silhouettes have all of them, and no publication
-//! counts them.
+//! Their rates and sizes are our choice: published pictures of silhouettes have all of them, and no publication counts
+//! them.
 //!
 //! Left out: moved chairs, which stay in the picture until the background has been learned anew, television, sunlight, rain.
 
@@ -34,7 +34,7 @@ crate::numbers! {
     pub static LIGHT_S = "camera.light_lasts": 1.5, "s", [0.0, 60.0];
 }
 
-/// How noisy a camera's silhouettes are.
+/// The noise of a camera's silhouettes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Noise {
     flicker: f64,
@@ -133,7 +133,7 @@ impl Drawing {
     }
 }
 
-/// The shadow on the floor of a body below a lamp: away from where the body faces least, from the feet on.
+/// The shadow on the floor of a body below a lamp: from the feet, opposite the facing.
 fn shadow_of(body: &[Capsule]) -> Vec<Capsule> {
     let (least, most) = crate::body::figure::bounds(body);
     if body.is_empty() {
@@ -189,7 +189,7 @@ mod tests {
     }
 
     #[test]
-    fn without_noise_a_silhouette_stays_as_it_is() {
+    fn without_noise_a_silhouette_does_not_change() {
         let (_, _, _, clean) = scene();
         assert_eq!(disturbed(Noise::NONE, 1, 1.0), clean);
     }

@@ -1,21 +1,21 @@
-//! What cameras of a home have before them, and what bodies in it rest on.
+//! The things in view of a home's cameras, and the surfaces that its bodies rest on.
 
 use super::scenery::Prism;
 use crate::body::ground::Ground;
 use crate::body::ground::HIGHEST_SUPPORT_M;
 use crate::plan::{Origin, Plan};
 
-/// What there is to see, and what hides it.
+/// The surroundings of a camera.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Outlook {
-    /// What hides bodies.
+    /// The obstacles to the view of bodies.
     pub prisms: Vec<Prism>,
-    /// What bodies stand, sit and lie on.
+    /// The surfaces that bodies stand, sit and lie on.
     pub ground: Ground,
 }
 
 impl Outlook {
-    /// What cameras see of a home when nobody is there, and what bodies in it rest on.
+    /// The view of an empty home, and the surfaces that its bodies rest on.
     pub fn new(plan: &Plan) -> Outlook {
         let mut outlook = Outlook { prisms: Vec::new(), ground: Ground::floor() };
         for solid in &plan.solids {

@@ -16,7 +16,7 @@ use super::silhouette::Silhouette;
 use crate::body::figure::{Capsule, Point3};
 use crate::geometry::Point;
 
-/// What is nearer is not painted, in metres.
+/// Nearer parts are not painted, in metres.
 const NEAREST_M: f64 = 0.05;
 
 /// Paints what a camera sees of a figure.
@@ -28,7 +28,7 @@ pub fn paint(figure: &[Capsule], lens: &Lens, scenery: &Scenery, onto: &mut Silh
 struct Projected {
     ends: [Point3; 2],
     radius_m: f64,
-    /// Its ends in the picture, each with a radius in pixels that surely holds what is seen of it; None where it is too near.
+    /// Its ends in the picture, each with a radius in pixels that covers all of it; `None` if it is too near.
     discs: Option<[(Point, f64); 2]>,
 }
 
@@ -88,7 +88,7 @@ impl Projected {
         }
     }
 
-    /// Between which columns a row may be of the capsule.
+    /// The columns of a row that may show the capsule.
     fn may_reach(&self, y: f64, columns: usize) -> Option<(usize, usize)> {
         let Some([(a, radius_a), (b, radius_b)]) = self.discs else { return Some((0, columns - 1)) };
         let radius = radius_a.max(radius_b);
@@ -114,7 +114,7 @@ impl Projected {
     }
 }
 
-/// Whether pixels are of a capsule, by what does not depend on the pixel.
+/// A test whether pixels show a capsule, prepared for all pixels.
 struct Test<'l> {
     lens: &'l Lens,
     ends: [Point3; 2],
@@ -129,7 +129,7 @@ impl<'l> Test<'l> {
         Test { lens, ends, products: [a.dot(a), a.dot(b), b.dot(b)], radius_squared: radius_m * radius_m }
     }
 
-    /// How far along the camera's axis the capsule's own axis is in a pixel of it; None in others.
+    /// The distance of the capsule's axis along the camera's axis in a pixel of it; `None` in others.
     fn depth_m(&self, column: usize, row: usize) -> Option<f64> {
         let way = self.lens.ray(column as u32, row as u32);
         let [a, b] = self.ends;
@@ -197,13 +197,13 @@ mod tests {
                 let depth = test.depth_m(column, row).filter(|&depth| (depth as f32) < far.depth_m(column, row));
                 wrong += u32::from(depth.is_some() != picture.is_set(column, row));
             }
-            // Where a limb goes through the floor, its depth along a row is not quite straight.
+            // At the point of a limb in the floor, its depth along a row is not quite straight.
             assert!(wrong <= 8, "{wrong} pixels of {capsule:?}");
         }
     }
 
     #[test]
-    fn what_stands_before_a_body_hides_it() {
+    fn things_in_front_of_a_body_hide_it() {
         let pole = Capsule { from: Point3::new(4.0, 0.0, 0.2), to: Point3::new(4.0, 0.0, 1.6), radius_m: 0.1 };
         let corner = |x: f64, y: f64| Point::new(x, y);
         let wall = |height_m| Prism {

@@ -1,4 +1,4 @@
-//! How far off what stands still is: one depth a pixel, computed once.
+//! The distances of things that do not move: one depth a pixel, computed once.
 //!
 //! We assume that walls and closed doors reach up to wherever the camera looks, that furniture is a prism as high as the home
 //! says, and that people sit on a piece that they can be in, so that it hides them no higher than its seat.
@@ -9,11 +9,11 @@ use super::lens::Lens;
 use crate::body::figure::Point3;
 use crate::geometry::{self, Point};
 
-/// What a camera has before it when nobody is there.
+/// The view of a camera without bodies.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Scenery {
     columns: usize,
-    /// By pixel, row by row: how far along the axis the nearest thing is, in metres.
+    /// By pixel, row by row: the distance of the nearest thing along the axis, in metres.
     depths_m: Vec<f32>,
 }
 
@@ -27,7 +27,7 @@ pub struct Prism {
 }
 
 impl Scenery {
-    /// What a camera sees of these prisms and of the floor.
+    /// The view of these prisms and of the floor.
     pub fn new(lens: &Lens, prisms: &[Prism]) -> Scenery {
         let (columns, rows) = (lens.columns as usize, lens.rows as usize);
         let mut depths_m = Vec::with_capacity(columns * rows);
@@ -42,7 +42,7 @@ impl Scenery {
         Scenery { columns, depths_m }
     }
 
-    /// How far along the axis the nearest thing is in a pixel, in metres; infinite where there is none.
+    /// The distance of the nearest thing along the axis in a pixel, in metres; infinite without one.
     pub fn depth_m(&self, column: usize, row: usize) -> f32 {
         self.depths_m[row * self.columns + column]
     }
@@ -54,7 +54,8 @@ impl Scenery {
 }
 
 impl Prism {
-    /// How many times a way from a point the prism is met first; None if it is not, or if the point is in it.
+    /// The multiple of `way` from a point at which a ray first meets the prism; `None` if it does not, or if the point
+    /// is in it.
     pub fn first_hit(&self, from: Point3, way: Point3) -> Option<f64> {
         let (at, level) = (from.truncate(), way.truncate());
         let (mut enters, mut leaves) = (0.0_f64, f64::INFINITY);
@@ -102,7 +103,7 @@ mod tests {
         // Down by 2 m in 7: at 3.5 m it is 1 m high, which is the top of the block.
         let way = Point3::new(1.0, 0.0, -2.0 / 7.0);
         assert!((block(1.0).first_hit(from, way).unwrap() - 3.5).abs() < 1e-12);
-        // Steeper, it meets the side; beside the block, and away from it, nothing.
+        // Steeper, it meets the side; next to the block, and away from it, nothing.
         assert_eq!(block(1.0).first_hit(from, Point3::new(1.0, 0.0, -0.5)), Some(3.0));
         assert_eq!(block(1.0).first_hit(from, Point3::new(1.0, 1.0, -0.5)), None);
         assert_eq!(block(1.0).first_hit(from, Point3::new(-1.0, 0.0, -0.1)), None);

@@ -1,8 +1,8 @@
-//! A picture of black and white, and what can be said of it in a few numbers.
+//! A picture of black and white, and its description in a few numbers.
 
 use serde::{Deserialize, Serialize};
 
-/// A picture in which each pixel is set or not.
+/// A picture of pixels that are set or not.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Silhouette {
     columns: usize,
@@ -11,10 +11,10 @@ pub struct Silhouette {
     words: Vec<u64>,
 }
 
-/// What a silhouette is like.
+/// The description of a silhouette.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Features {
-    /// How many pixels are set.
+    /// The number of set pixels.
     pub area_px: u32,
     /// The first and last column and row with a pixel: left, top, right, bottom.
     pub box_px: [u32; 4],
@@ -22,23 +22,23 @@ pub struct Features {
     pub centroid_px: [f64; 2],
     /// The direction of the longest extent: 0 is level, 90 upright; from 0 up to 180.
     pub orientation_deg: f64,
-    /// How much longer than wide it is: the ratio of the standard deviations along and across that direction.
+    /// The ratio of the standard deviations along and across that direction.
     pub elongation: f64,
 }
 
-/// What a camera keeps of a picture.
+/// The data that a camera keeps of a picture.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Picture {
     /// The silhouette, as [`Silhouette::packed`] writes it.
     pub packed: Vec<u8>,
-    /// What it is like.
+    /// The description.
     pub features: Features,
 }
 
 const WORD: usize = 64;
 
 impl Silhouette {
-    /// A picture of this size in which no pixel is set.
+    /// A picture of this size without set pixels.
     pub fn new(columns: u32, rows: u32) -> Silhouette {
         let (columns, rows) = (columns as usize, rows as usize);
         Silhouette { columns, rows, words: vec![0; columns.div_ceil(WORD) * rows] }
@@ -49,7 +49,7 @@ impl Silhouette {
         self.columns
     }
 
-    /// How many rows there are.
+    /// The number of rows.
     pub fn rows(&self) -> usize {
         self.rows
     }
@@ -72,7 +72,7 @@ impl Silhouette {
         (row * self.columns.div_ceil(WORD) + column / WORD, column % WORD)
     }
 
-    /// How many pixels are set.
+    /// The number of set pixels.
     pub fn area_px(&self) -> u32 {
         self.words.iter().map(|word| word.count_ones()).sum()
     }
@@ -92,7 +92,7 @@ impl Silhouette {
         })
     }
 
-    /// The pixels at the border: set ones beside one that is not, and those beside a set one.
+    /// The pixels at the border: set ones next to one that is not, and those next to a set one.
     pub fn border(&self) -> Vec<(usize, usize)> {
         let words = self.columns.div_ceil(WORD);
         let last = if self.columns.is_multiple_of(WORD) { u64::MAX } else { (1 << (self.columns % WORD)) - 1 };
@@ -150,7 +150,7 @@ impl Silhouette {
         kept
     }
 
-    /// What it is like; None where no pixel is set.
+    /// The description; `None` without set pixels.
     pub fn features(&self) -> Option<Features> {
         let (mut area, mut left, mut right, mut top, mut bottom) = (0u64, usize::MAX, 0, usize::MAX, 0);
         let (mut x, mut y, mut xx, mut yy, mut xy) = (0u64, 0u64, 0u64, 0u64, 0u64);
@@ -202,8 +202,9 @@ impl Silhouette {
         })
     }
 
-    /// The picture in few bytes: lengths of runs that are off and on in turns, row by row, beginning with off; each a number of
-    /// seven bits a byte, the lowest first, whose last byte is below 128. What comes after the last pixel that is set is left out.
+    /// The picture in few bytes: lengths of runs that are off and on in turns, row by row, beginning with off. Each is
+    /// a number of seven bits a byte, the lowest first, whose last byte is below 128. Pixels after the last set one are
+    /// left out.
     pub fn packed(&self) -> Vec<u8> {
         let mut bytes = Vec::new();
         let mut push = |mut run: usize| {
@@ -233,7 +234,7 @@ impl Silhouette {
         bytes
     }
 
-    /// The picture of this size that was packed; None where these bytes are no such picture.
+    /// The unpacked picture of this size; `None` if the bytes are not such a picture.
     pub fn unpacked(bytes: &[u8], columns: u32, rows: u32) -> Option<Silhouette> {
         let mut picture = Silhouette::new(columns, rows);
         let most = picture.columns * picture.rows;
@@ -281,7 +282,7 @@ mod tests {
     }
 
     #[test]
-    fn what_a_rectangle_is_like_follows_from_its_sides() {
+    fn features_of_a_rectangle_follow_from_its_sides() {
         let features = rectangle(60, 20, 10, 40).features().unwrap();
         assert_eq!((features.area_px, features.box_px), (400, [60, 20, 69, 59]));
         assert_eq!(features.centroid_px, [65.0, 40.0]);
@@ -317,7 +318,7 @@ mod tests {
         // 2 * (6 + 5) - 4 inside, 2 * (6 + 5) outside.
         assert_eq!(border.len(), 18 + 22);
         assert!(border.contains(&(62, 20)) && border.contains(&(61, 20)) && !border.contains(&(61, 19)));
-        // At the edge of the picture nothing is beside it.
+        // Pixels at the edge of the picture have no neighbours outside.
         assert!(rectangle(155, 100, 5, 20).border().iter().all(|&(column, row)| column < 160 && row < 120));
     }
 

@@ -1,11 +1,11 @@
-//! Nobody decides: the resident is out for the whole run.
+//! A resident who is out for the whole run.
 
 use crate::drivers::{Driver, Next, Surroundings};
 use crate::motion::{MotionSegment, MotionState};
 use crate::posture::Posture;
 use crate::time::RunTime;
 
-/// The driver of a resident for whom there is none.
+/// The driver of a resident without a driver.
 #[derive(Clone, Copy, Debug)]
 pub struct Absent;
 

@@ -1,4 +1,4 @@
-//! What is wrong with a driver's answer. Drivers may be anybody's, so no answer is taken on trust.
+//! Faults of a driver's answer. Any program may supply a driver, so each answer is checked.
 
 use crate::drivers::Next;
 use crate::geometry::Point;
@@ -16,7 +16,7 @@ pub struct DriverError {
     pub resident: String,
     /// When it was asked.
     pub at: RunTime,
-    /// What is wrong with the answer.
+    /// The fault of the answer.
     pub fault: DriverFault,
 }
 
@@ -76,13 +76,13 @@ pub const WALL_M: f64 = 0.5;
 pub const MOST_ANSWERS: usize = 100_000;
 
 impl DriverFault {
-    /// What is wrong with an answer that was asked for at `now`, of a body that is at `here` (`None` while it is away) in a
-    /// home of so many things. Whether its place is in the home is not looked at.
+    /// The fault of an answer at `now`, of a body at `here` (`None` while it is away) in a home with a number of
+    /// things. Whether its position is in the home is not checked.
     #[inline]
     pub(crate) fn in_answer(answer: &Next, now: RunTime, here: Option<Point>, things: usize) -> Option<DriverFault> {
         let no_number = |what| Some(DriverFault::NoNumber { what });
         match answer {
-            Next::Segment(segment) => DriverFault::of_segment(segment, now, here),
+            Next::Segment(segment) => DriverFault::in_segment(segment, now, here),
             Next::Use(act) if act.thing.index() >= things => {
                 Some(DriverFault::NoSuchThing { thing: act.thing, things })
             }
@@ -97,7 +97,7 @@ impl DriverFault {
     }
 
     #[inline]
-    fn of_segment(segment: &MotionSegment, now: RunTime, here: Option<Point>) -> Option<DriverFault> {
+    fn in_segment(segment: &MotionSegment, now: RunTime, here: Option<Point>) -> Option<DriverFault> {
         let &MotionSegment { begin, end, doing, .. } = segment;
         if begin != now {
             return Some(DriverFault::BeginsElsewhen { begin });

@@ -1,4 +1,4 @@
-//! What somebody does at the keys.
+//! The input of a user at the keys.
 
 use crate::event::ThingUse;
 use crate::geometry::Point;
@@ -8,14 +8,14 @@ use crate::posture::Posture;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-/// What somebody does at the keys from an instant on.
+/// The input of a user at the keys from an instant on.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Input {
     /// The keys that are held down from then on.
     pub held: HeldKeys,
-    /// How the body holds itself from then on; who sits or lies does not walk.
+    /// The posture from then on. A body that sits or lies does not walk.
     pub posture: Posture,
-    /// What is used at that instant.
+    /// The things that are used at that instant.
     pub uses: Vec<ThingUse>,
 }
 
@@ -46,13 +46,13 @@ impl HeldKeys {
         self.0 & 1 << key as u8 != 0
     }
 
-    /// Where the keys point, of length 1; opposite keys cancel out.
+    /// The direction of the keys, of length 1; opposite keys cancel out.
     pub fn direction(self) -> Point {
         let axis = |towards, away| f64::from(self.has(towards)) - f64::from(self.has(away));
         Point::new(axis(DriveKey::Right, DriveKey::Left), axis(DriveKey::Up, DriveKey::Down)).normalize_or_zero()
     }
 
-    /// What the pace is multiplied by.
+    /// The factor on the pace.
     pub fn haste(self) -> f64 {
         (if self.has(DriveKey::Fast) { 2.0 } else { 1.0 }) * (if self.has(DriveKey::Slow) { 0.5 } else { 1.0 })
     }

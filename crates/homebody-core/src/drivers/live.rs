@@ -1,19 +1,19 @@
 //! Moves a body by held keys through the physics.
 //!
-//! What it does: sixty times a second the body tries to move the way the keys point, runs into
-//! walls, furniture, closed doors and other people, and slides along them.
+//! Sixty times a second the body tries to move the way the keys point, runs into walls, furniture, closed doors and
+//! other people, and slides along them.
 //!
-//! What we assume: a body is a ball seen from above, and nothing it runs into gives way. Who sits or lies does not walk,
-//! and things are used from wherever the body is.
+//! We assume that a body is a ball seen from above, and that its obstacles do not give way. A body that sits or lies
+//! does not walk, and things are used from any place.
 //!
-//! How: see `obstacles` for how far a body gets in a step. A step ends at a whole microsecond
-//! counted from the scenario's start, so steps never drift. A door within the home lets the body through while it is open,
-//! and is not shut on who stands in it.
+//! `obstacles` computes the way of a body in a step. A step ends at a whole microsecond counted from the scenario's
+//! start, so steps never drift. A door within the home lets the body through while it is open, and does not shut on a
+//! body in it.
 //!
 //! A door that leads out lets the body out while it is open: pushed through it the body is away, until the keys point back in and the
 //! door is open.
 //!
-//! What is left out: turning and getting up to speed. Beams, and those who are not moved by keys, find doors as the plan has them.
+//! Left out: turning and getting up to speed. Beams, and residents without keys, find doors in the state of the plan.
 
 mod obstacles;
 
@@ -44,7 +44,6 @@ pub struct LiveDriver {
     at: Point,
     obstacles: Obstacles,
     exits: Vec<Exit>,
-    /// The door by which the body has left.
     out: Option<Exit>,
 }
 
@@ -109,7 +108,7 @@ impl Driver for LiveDriver {
         true
     }
 
-    /// Whatever else was to come is forgotten. Who rests until the next line of a file is not asked before.
+    /// All later input is forgotten. A body that rests until the next line of a file is not asked before.
     fn input(&mut self, at: RunTime, input: Input) {
         self.keys.input(at, input);
     }
@@ -150,7 +149,7 @@ impl Exit {
         shut.chain(open).filter_map(exit).collect()
     }
 
-    /// Whether a body that pushes so is let out: mostly outward, and between the jambs.
+    /// Whether a body that pushes like this leaves: mostly outward, and between the jambs.
     fn takes(&self, at: Point, velocity: Point) -> bool {
         let along = self.to - self.from;
         let share = (at - self.from).dot(along) / along.length_squared();
@@ -167,14 +166,13 @@ fn step_from(at: RunTime) -> RunTime {
     (at - within).saturating_add(steps * SECOND / STEPS_PER_SECOND)
 }
 
-/// What somebody does at the keys, and when that changes.
+/// The input of a user at the keys, with the instants of its changes.
 #[derive(Clone, Debug)]
 pub struct KeyTrack {
     now: Input,
-    /// What has been used, but is not told yet.
     uses: VecDeque<ThingUse>,
     coming: VecDeque<(RunTime, Input)>,
-    /// Whether changes that are not known yet may come: then no rest is longer than a step.
+    /// Whether input may still come: then no rest is longer than a step.
     open: bool,
 }
 
@@ -187,7 +185,7 @@ impl KeyTrack {
         KeyTrack { coming: coming.into(), open: false, ..KeyTrack::live() }
     }
 
-    /// No input yet: it comes while the run goes on.
+    /// No input yet: it comes during the run.
     pub fn live() -> KeyTrack {
         KeyTrack { now: Input::default(), uses: VecDeque::new(), coming: VecDeque::new(), open: true }
     }
@@ -420,7 +418,7 @@ mod tests {
     }
 
     #[test]
-    fn whoever_pushes_against_a_wall_or_into_a_corner_rests() {
+    fn a_body_that_pushes_against_a_wall_or_into_a_corner_rests() {
         let corner = [DriveKey::Down, DriveKey::Left, DriveKey::Fast];
         for keys in [
             &[DriveKey::Down][..],
@@ -446,9 +444,8 @@ mod tests {
         assert!((at_open.at.y - 5.3).abs() < 0.01);
     }
 
-    /// Out by the open front door, and in again by the same; a door that is shut is no way in or out.
     #[test]
-    fn who_pushes_through_the_open_front_door_is_away_until_the_keys_point_back() {
+    fn a_body_that_leaves_by_the_front_door_is_away_until_the_keys_point_back() {
         let mut open = doors_as_planned();
         open[plan().thing("front door").unwrap()] = true;
         let hold = |driver: &mut LiveDriver, keys: &[DriveKey], from: RunTime, to: RunTime, on: &[bool]| {
@@ -469,7 +466,7 @@ mod tests {
         assert!(hold(&mut at_front, &[DriveKey::Left], second(0), second(5), &open).last().is_some_and(is_away));
         let out = hold(&mut at_front, &[], second(5), second(6), &open);
         assert!(out.iter().all(|span| is_away(span) && span.end - span.begin <= SECOND / 60 + Span::MICROSECOND));
-        // Somebody has shut it meanwhile.
+        // It was shut meanwhile.
         let mut copy = at_front.clone();
         assert!(hold(&mut copy, &[DriveKey::Right], second(6), second(7), &shut).iter().all(is_away));
         let back = hold(&mut at_front, &[DriveKey::Right], second(6), second(8), &open);
@@ -501,7 +498,7 @@ mod tests {
         assert!(opened.x > 6.0, "{opened}");
         let shut = end(standing_at(2.45, 3.5), DriveKey::Up, &set("living room door", false));
         assert!((shut.y - (3.95 - RADIUS_M)).abs() < 0.01, "{shut}");
-        // Who stands in it is let out.
+        // A body in the doorway is let out.
         let let_out = end(standing_at(2.45, 4.0), DriveKey::Up, &set("living room door", false));
         assert!(let_out.y > 5.0, "{let_out}");
         for open in [true, false] {
@@ -567,7 +564,7 @@ mod tests {
     }
 
     #[test]
-    fn who_sits_does_not_walk_and_uses_things() {
+    fn a_sitting_body_does_not_walk_and_uses_things() {
         let mut driver = standing_at(1.0, 1.0);
         let lamp = ThingUse { thing: ThingId::new(plan().thing("hall").unwrap()), on: true };
         driver.input(
@@ -584,7 +581,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_a_point_to_the_engine_stops_nobody() {
+    fn a_point_in_the_engine_stops_no_body() {
         let tiny = [point([1.0, 1.0]), point([1.0 + 1e-308, 1.0]), point([1.0, 1.0 + 1e-9])];
         assert_eq!(obstacles::corners(&tiny).len(), 1);
         let mut home = plan().clone();

@@ -1,16 +1,15 @@
 //! Acts out a path description.
 //!
-//! What it does: walks the straight legs, waits, stirs and stays away as the file says, step by step.
+//! A resident walks the straight legs of the file, waits, moves on the spot and stays away, step by step.
 //!
-//! What we assume: the file has passed its checks, and a day lasts 24 hours from the scenario's
-//! start, so that a time of day after a change to daylight saving time is an hour off.
+//! We assume that the file has passed its checks, and that a day lasts 24 hours from the scenario's start, so that a
+//! time of day after a change to daylight saving time is an hour off.
 //!
-//! How: the nested steps become one flat list in which the end of a repeat jumps back to its first
-//! step. The driver keeps its place in the list and one entry per open repeat, so an endless path
-//! needs no more memory than a short one. All times within a walk are counted from its beginning, so
-//! rounding to microseconds never adds up.
+//! The nested steps become one flat list in which the end of a repeat jumps back to its first step. The driver keeps
+//! its place in the list and one entry for each open repeat, so an endless path needs no more memory than a short one.
+//! All times within a walk are counted from its beginning, so rounding to microseconds never adds up.
 //!
-//! What is left out: walls and other people. A path goes where it says.
+//! Left out: walls and other people. A path leads where its file says.
 
 pub mod form;
 
@@ -37,7 +36,6 @@ pub struct PathDriver {
     start_of_day: Span,
     /// The step that is being done; past the end once all is done.
     step: usize,
-    /// How far that step has come; nothing before it begins.
     under_way: Option<UnderWay>,
     /// The repeats that are open, outermost first.
     passes: Vec<RepeatPass>,
@@ -88,7 +86,6 @@ enum Pastime {
     Away,
 }
 
-/// How far a step has come.
 #[derive(Clone, Copy, Debug)]
 enum UnderWay {
     Walk(LegWalk),
@@ -107,7 +104,7 @@ struct LegWalk {
 #[derive(Clone, Copy, Debug)]
 struct RepeatPass {
     began: RunTime,
-    /// Passes to do, this one included; nothing where they never end.
+    /// Passes to do, this one included; `None` without end.
     left: Option<u32>,
 }
 
@@ -121,8 +118,8 @@ pub struct ResolvedPath {
 }
 
 impl ResolvedPath {
-    /// Finds in a home what the file of somebody with this pace names; nothing if it names a place that the home does not
-    /// have, or a time of day that is none.
+    /// Resolves the names of a file of a resident with this pace in a home; `None` for an unknown place or an invalid
+    /// time of day.
     pub fn new(file: PathFile, plan: &Plan, pace_mps: f64) -> Option<ResolvedPath> {
         let mut steps = Vec::new();
         flatten(&file.steps, plan, pace_mps, &mut steps)?;
@@ -131,7 +128,6 @@ impl ResolvedPath {
     }
 }
 
-/// What its file says.
 impl Deref for ResolvedPath {
     type Target = PathFile;
 
@@ -154,7 +150,7 @@ impl PathDriver {
         }
     }
 
-    /// What the resident does from `now` on; once all is done, it rests for ever.
+    /// The movement from `now` on; at the end of the steps, a rest for ever.
     fn after(&mut self, now: RunTime) -> Next {
         let steps = Arc::clone(&self.steps);
         while let Some(step) = steps.get(self.step) {
@@ -207,7 +203,7 @@ impl PathDriver {
         }
         let end = match tempo {
             Tempo::Pace(mps) => later(now, length_m / mps),
-            // Whoever sets out at 07:30 to arrive at 07:30 means tomorrow.
+            // A walk from 07:30 that ends at 07:30 ends tomorrow.
             Tempo::Within(Lasts::Until(time)) => self.end_of(Lasts::Until(time), now.saturating_add(Span::MICROSECOND)),
             Tempo::Within(lasts) => self.end_of(lasts, now),
         };
@@ -246,7 +242,7 @@ impl PathDriver {
         Some(MotionSegment { begin: now, end, doing: MotionState::Stride { from, to }, posture: self.posture })
     }
 
-    /// The next span of staying, all of which lasts from `begin` to `end`; nothing once it is over.
+    /// The next span of a stay from `begin` to `end`; `None` at its end.
     fn stay(&mut self, begin: RunTime, end: RunTime, pastime: Pastime, now: RunTime) -> Option<MotionSegment> {
         if end <= now {
             return None;
@@ -269,11 +265,10 @@ impl PathDriver {
         Some(MotionSegment { begin: now, end: until.min(end), doing, posture })
     }
 
-    /// Counts a pass of the innermost repeat, and returns the step to go on with.
     fn after_pass(&mut self, first: usize, now: RunTime) -> usize {
         let beyond = self.step + 1;
         let Some(pass) = self.passes.last_mut() else { return beyond };
-        // A pass that took no time left everything as it was, so the ones to come would too.
+        // A pass that took no time changed nothing, and neither would the next ones.
         if pass.began == now && pass.left.is_none() {
             return self.steps.len();
         }
@@ -286,7 +281,7 @@ impl PathDriver {
         first
     }
 
-    /// When a span that begins now ends.
+    /// The end of a span that begins now.
     fn end_of(&self, lasts: Lasts, now: RunTime) -> RunTime {
         match lasts {
             Lasts::For(span) => now.saturating_add(span),
@@ -308,7 +303,7 @@ impl Driver for PathDriver {
     }
 }
 
-/// Appends the steps as a flat list, in which a repeat is bracketed by `Repeat` and `Again`.
+/// Appends the steps as a flat list, with each repeat between `Repeat` and `Again`.
 fn flatten(steps: &[PathStep], plan: &Plan, pace_mps: f64, flat: &mut Vec<FlatStep>) -> Option<()> {
     for step in steps {
         match step {
@@ -381,7 +376,7 @@ mod tests {
     }
 
     #[test]
-    fn what_the_home_does_not_have_is_no_path() {
+    fn rejects_paths_to_unknown_places() {
         let home = json!({ "name": "a room", "walls": [], "rooms": [{ "name": "room", "outline": [[0, 0], [9, 0], [9, 9]] }] });
         let plan = Plan::new(&serde_json::from_value(home).unwrap());
         let is_path = |start: Value, steps: Value| {
@@ -395,7 +390,7 @@ mod tests {
         assert!(!is_path(json!("room"), again(json!({ "away": { "until": "25:00" } }))));
     }
 
-    /// What the driver does up to the first span that ends at `until` or later, checked to have no gaps.
+    /// The movements up to the first span that ends at `until` or later, checked to have no gaps.
     fn spans(driver: &mut PathDriver, until: Span) -> Vec<MotionSegment> {
         let (mut now, mut at, mut spans) = (RunTime::START, driver.at, Vec::new());
         while now.since_zero() < until {

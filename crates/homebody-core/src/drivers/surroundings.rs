@@ -1,4 +1,4 @@
-//! What a driver sees when it is asked: handed over with each question, never fetched.
+//! The surroundings that a driver gets with each question.
 //!
 //! It is a view of the run at one instant. Nothing is computed before it is asked for, so a driver that does not look
 //! costs nothing.
@@ -21,7 +21,7 @@ pub struct Surroundings<'a> {
     on: &'a [bool],
 }
 
-/// Somebody as a run knows them: their build, and what their body is doing.
+/// A body in a run: its build and its movement.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Occupant {
     /// The build of their body.
@@ -33,21 +33,21 @@ pub struct Occupant {
 /// A body in the home at an instant.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PlacedBody {
-    /// Whose body it is.
+    /// The resident with this body.
     pub resident: ResidentId,
     /// Metres, in the plan's coordinates.
     pub at: Point,
-    /// Where its present movement leads; where it is, of who stays.
+    /// The end of its present movement; the position of a body that stays.
     pub to: Point,
-    /// How it holds itself.
+    /// The posture.
     pub posture: Posture,
     /// The build of the body.
     pub build: Build,
 }
 
 impl<'a> Surroundings<'a> {
-    /// What `resident` sees at `now`. `occupants` are all who have a body, by [`ResidentId`]; `on` says of each of the
-    /// plan's things, by [`ThingId`], whether it is on, or open. A run makes its own; this is for tests of drivers.
+    /// The view of `resident` at `now`. `occupants` are all bodies, by [`ResidentId`]; `on` holds the state of each of
+    /// the plan's things, by [`ThingId`]: on or open. A run makes its own; this is for tests of drivers.
     pub fn new(
         now: RunTime,
         resident: ResidentId,
@@ -63,7 +63,7 @@ impl<'a> Surroundings<'a> {
         self.now
     }
 
-    /// Who is asked.
+    /// The resident of this driver.
     pub fn resident(&self) -> ResidentId {
         self.resident
     }
@@ -104,7 +104,7 @@ impl<'a> Surroundings<'a> {
 }
 
 impl Occupant {
-    /// Somebody who has not been placed yet.
+    /// A body without a place so far.
     pub fn new(build: Build) -> Occupant {
         let segment = MotionSegment {
             begin: RunTime::START,

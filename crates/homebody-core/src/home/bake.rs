@@ -61,10 +61,10 @@ fn blades(motion: &Motion, plan: &Plan, body_m: f64) -> Vec<Beam> {
     beams
 }
 
-/// The physics engine reckons in single precision: it is less far off than this.
+/// Bound of the error of the physics engine, which computes in single precision.
 const ENGINE_TOLERANCE_M: f64 = 0.01;
 
-/// How far a ray of the physics engine gets from `from` before it meets a wall, at most `reach`.
+/// The length of a ray of the physics engine from `from` up to the first wall, at most `reach`.
 fn cast(walls: &[Segment], from: Point, direction: Point, reach: f64) -> f64 {
     let ray = Ray::new(vector(from), vector(direction));
     let hits = walls.iter().filter_map(|wall| wall.cast_local_ray(&ray, reach as f32, true));

@@ -11,20 +11,19 @@ use crate::ids::SensorId;
 use crate::plan::Plan;
 use crate::resident::BodySize;
 use crate::sensor_set::{BLOCK, Mask, SensorSet, bit, bits, blocks};
-use crate::sensors::{Sensor, SensorKind};
+use crate::sensors::Sensor;
 use crate::stride::{self, Beam, Stride};
 use crate::time::{RunTime, Span};
 
-/// What the sensors of a home see of bodies of one size.
+/// The view of a home's sensors on bodies of one size.
 #[derive(Clone, Debug)]
 pub struct Field {
     /// The bodies that it was baked for.
     pub size: BodySize,
-    /// What is left of the sensors' beams once walls, doors and furniture have cut them; sensor after sensor.
+    /// The sensors' beams, cut by walls, doors and furniture; sensor after sensor.
     pub beams: Vec<Beam>,
-    /// Where each sensor's beams begin in `beams`, and one more number for the end.
+    /// The index of each sensor's first beam in `beams`, and the number of all.
     first_beam: Vec<u32>,
-    /// The outlines of ceiling sensors, by sensor.
     areas: Vec<Option<Vec<Point>>>,
     corner: Point,
     columns: i32,
@@ -32,22 +31,21 @@ pub struct Field {
     /// Row by row from the south-west, one layer of `rows` rows after the other for each block of sensors.
     cells: Vec<FieldCell>,
     unsure: Vec<Beams>,
-    /// The cell of whoever is outside the grid: nobody sees them.
+    /// The cell of a body outside the grid, which no sensor sees.
     nowhere: FieldCell,
 }
 
-/// What is known of a cell and a block of sensors before any beam is looked at.
+/// The sensors of a block that see a body in a cell, as far as no beam is needed to know it.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct FieldCell {
     /// Sensors that may see a body here.
     pub may: Mask,
     /// Sensors that see a body wherever it is in here; a part of `may`.
     pub sure: Mask,
-    /// Where this cell's beams to test begin, one entry for each sensor of `may` that is not sure.
+    /// The index of the first beam to test, with one entry for each sensor of `may` that is not sure.
     unsure: u32,
 }
 
-/// The beams of one sensor that a body in a cell may touch.
 #[derive(Clone, Copy, Debug)]
 struct Beams {
     first: u32,
@@ -57,7 +55,7 @@ struct Beams {
 /// The side of a cell, in metres. Between 0.15 and 0.35 the speed is the same.
 const CELL_M: f64 = 0.25;
 
-/// How much larger than itself a cell is taken to be: more than a body moves in a microsecond.
+/// The margin around a cell: more than a body moves in a microsecond.
 const SLACK_M: f64 = 1e-4;
 
 impl Field {
@@ -69,13 +67,7 @@ impl Field {
             beams.extend(bake::beams(sensor, plan, size.top_m));
             first_beam.push(beams.len() as u32);
         }
-        let areas = sensors
-            .iter()
-            .map(|sensor| match &sensor.kind {
-                SensorKind::CeilingMotion(area) => Some(area.outline.clone()),
-                SensorKind::Motion(_) | SensorKind::Device(_) => None,
-            })
-            .collect();
+        let areas = sensors.iter().map(|sensor| sensor.kind.area_below().map(<[Point]>::to_vec)).collect();
         let (least, most) = plan.bounds();
         let corner = least - Point::splat(CELL_M);
         let cells = ((most - corner) / CELL_M).ceil() + Point::ONE;
@@ -103,12 +95,12 @@ impl Field {
         field
     }
 
-    /// How near the middle of a cell is to what touches a body in it.
+    /// The largest distance from the middle of a cell at which a beam touches a body in it.
     fn nearness(&self) -> f64 {
         self.size.radius_m + SLACK_M + (CELL_M / 2.0 + SLACK_M) * std::f64::consts::SQRT_2
     }
 
-    /// The least and the greatest point between which the middles of the cells lie in which a sensor may see.
+    /// The least and the greatest middle of the cells from which a sensor may see.
     fn reach(&self, sensor: usize) -> (Point, Point) {
         let beams = self.beams[self.range(sensor)].iter().flat_map(|beam| [beam.start, beam.end()]);
         let (least, most) = geometry::bounds(beams.chain(self.areas[sensor].iter().flatten().copied()));
@@ -160,14 +152,14 @@ impl Field {
         self.first_beam[sensor] as usize..self.first_beam[sensor + 1] as usize
     }
 
-    /// What a block's cell of a point knows.
+    /// The entry of a block for the cell of a point.
     pub(crate) fn cell(&self, block: usize, p: Point) -> &FieldCell {
         let at = (p - self.corner) / CELL_M;
         self.cell_at(self.layer(block), floor(at.x), floor(at.y))
     }
 
-    /// The first instant, not before `now`, at which a body on this stride comes to a cell where a
-    /// sensor of `want`, all of one block, may see it; `until` if there is none before.
+    /// The first instant, not before `now`, at which a body on this stride comes to a cell where a sensor of `want`,
+    /// all of one block, may see it; `until` if it comes to none before.
     pub(crate) fn unseen_until(
         &self,
         block: usize,
@@ -306,7 +298,7 @@ mod tests {
         Field::bake(&plan, &sensors, BodySize { radius_m: 0.2, top_m })
     }
 
-    /// Where the beam of the wall sensor is lit, as distances from its lens.
+    /// The lit parts of the wall sensor's beam, as distances from its lens.
     fn lit(field: &Field) -> Vec<(f64, f64)> {
         field.beams[field.range(0)].iter().map(|beam| (beam.start.x, beam.end().x)).collect()
     }
@@ -346,7 +338,7 @@ mod tests {
         // From 2.1 m over 0.75 m at 3 m it falls 0.45 m a metre: at 0.66 m after 3.2 m.
         let lying = field(piece(0.75, false), json!([]), LYING_M);
         assert!(close(&lit(&lying), &[(1.296582, 2.0), (3.2, 10.0)]), "{:?}", lit(&lying));
-        // On a bed as high one lies in view, and so would somebody beside it from 3.2 m on.
+        // On a bed of that height a body lies in view, and so does one next to it from 3.2 m on.
         let bed = field(piece(0.75, true), json!([]), LYING_M);
         assert!(close(&lit(&bed), &[(1.296582, 3.0), (3.2, 10.0)]), "{:?}", lit(&bed));
     }

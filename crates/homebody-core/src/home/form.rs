@@ -10,7 +10,7 @@ use serde::{Deserialize, Serialize};
 /// smallest flat in centimetres is larger.
 pub const GREATEST_SIZE_M: f64 = 100.0;
 
-/// How far furniture and areas may reach beyond the rooms: into the thickness of a wall.
+/// The largest reach of furniture and areas beyond the rooms: into the thickness of a wall.
 pub const REACH_OUT_M: f64 = 0.3;
 
 /// `home.json`: the building, its furniture and its sensors.
@@ -82,7 +82,7 @@ impl<'a> From<&'a HomeFile> for BuildingFiles<'a> {
     }
 }
 
-/// Where TigerPlace is.
+/// The latitude of TigerPlace.
 pub fn latitude() -> f64 {
     COLUMBIA_DEG
 }

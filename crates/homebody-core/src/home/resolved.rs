@@ -1,4 +1,4 @@
-//! A home in which every name leads to what it names: its plan and its sensors, made once from its file.
+//! A home with its names resolved: its plan and its sensors, made once from its file.
 
 use crate::home::form::HomeFile;
 use crate::numbers::Numbers;
@@ -46,9 +46,10 @@ impl ResolvedHome {
         home
     }
 
-    /// The same home without cameras, for whom lives alone count: pictures are most of what such a home costs.
+    /// The same home without cameras, for callers that need the behaviour only: pictures are most of the cost of such a
+    /// home.
     pub fn without_cameras(&self) -> ResolvedHome {
-        let sees = |sensor: &SensorFile| matches!(sensor, SensorFile::Camera(_));
+        let sees = |sensor: &SensorFile| sensor.camera().is_some();
         let mut home = self.clone();
         let mut files = self.file.sensors.iter();
         home.sensors.retain(|_| !files.next().is_some_and(sees));
@@ -72,7 +73,6 @@ impl ResolvedHome {
     }
 }
 
-/// What its file says.
 impl Deref for ResolvedHome {
     type Target = HomeFile;
 

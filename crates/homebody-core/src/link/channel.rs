@@ -2,9 +2,10 @@
 
 use super::clock::SensorClock;
 use super::message::{Draws, IDS, LinkChance};
-use crate::deed::SensorFailure;
+use crate::intervention::SensorFailure;
 use crate::event::{Loss, Value};
 use crate::ids::SensorId;
+use crate::intervention::Failure;
 use crate::link::form::{FaultFile, LinkFile};
 use crate::random::{SpanRange, Stream};
 use crate::time::{Interval, RunTime, Span};
@@ -21,10 +22,10 @@ pub struct Channel {
     pub clock: Option<SensorClock>,
     /// The id that its messages bear on the air.
     pub id: u32,
-    /// What its device said last; of sensors that look for movement, what they always say.
+    /// The last value of its device; for sensors that look for movement, their only value.
     pub said: Option<Value>,
     faults: Vec<(Interval<RunTime>, ChannelFault)>,
-    /// From when on it hangs elsewhere, as which of the home's sensors; in order.
+    /// The places that it moves to, in order, each as a sensor of the home, with the instant.
     moves: Vec<(RunTime, SensorId)>,
     stream: Stream,
 }
@@ -155,7 +156,7 @@ impl Channel {
     }
 }
 
-/// Which share of its messages a battery no longer sends, so long after it began to fade.
+/// The share of its messages that a battery does not send, some time after it began to fade.
 fn spent(since: Span, fades: Span) -> f64 {
     if since >= fades { 1.0 } else { since.ratio(fades) }
 }

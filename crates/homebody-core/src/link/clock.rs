@@ -1,8 +1,7 @@
 //! The clocks of sensors whose messages bear the time of their own clock.
 //!
-//! Firings are told in the order of the times that they bear. One from a clock that is behind bears a time that is past
-//! when it arrives; so where there is such a clock, all firings are kept back until none can come any more that belongs
-//! before them.
+//! Firings are reported in the order of their times. A firing from a clock that is behind has a past time when it
+//! arrives. With such a clock, all firings are held back until none can come that belongs before them.
 
 use crate::link::form::DriftFile;
 use crate::time::{RunTime, Span};
@@ -21,12 +20,12 @@ impl SensorClock {
         SensorClock { offset: Span::from_seconds(file.offset_s), gain: file.ppm * 1e-6 }
     }
 
-    /// What it shows at an instant; never less than before.
+    /// The time that it shows at an instant; never less than before.
     pub fn shows(&self, at: RunTime) -> RunTime {
         at + self.offset + at.since_zero().scaled(self.gain)
     }
 
-    /// The first instant at which it shows more than this.
+    /// The first instant at which it shows a later time.
     fn passes(&self, shown: RunTime) -> RunTime {
         // Rounding leaves this a few microseconds off at most.
         let since_start = (shown - self.offset).micros() as f64 / (1.0 + self.gain);
@@ -41,17 +40,17 @@ impl SensorClock {
     }
 }
 
-/// The clocks of a home's sensors, as far as they are not the logger's.
+/// The clocks of a home's sensors that differ from the logger's.
 #[derive(Clone, Debug)]
 pub struct SensorClocks {
     /// The clocks of the sensors that have one of their own, in no particular order.
     pub clocks: Vec<SensorClock>,
-    /// How long a message is under way at most.
+    /// The longest time that a message is under way.
     pub longest: Span,
 }
 
 impl SensorClocks {
-    /// The time up to which no firing can come any more, once the run has come to `now`.
+    /// The time before which no firing can come, once the run has come to `now`.
     pub fn settled(&self, now: RunTime) -> RunTime {
         self.clocks.iter().map(|clock| clock.shows(now - self.longest)).fold(now, RunTime::min)
     }
@@ -80,7 +79,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_settled_is_what_cannot_come_any_more() {
+    fn no_firing_comes_before_the_settled_time() {
         let clocks = SensorClocks {
             clocks: vec![clock(40.0, 1.0), clock(-1000.0, 0.5), clock(0.0, -3.0), clock(999.0, 86_400.0)],
             longest: Span::from_micros(777),

@@ -83,7 +83,7 @@ pub struct LinkRates {
     pub corruption: f64,
     /// Share of what it should say that the sensor does not notice, from 0 to 1.
     pub misses: f64,
-    /// How often the sensor fires for no reason, per hour.
+    /// The rate of false firings, per hour.
     pub false_fires_per_h: f64,
 }
 
@@ -363,7 +363,7 @@ pub struct OutageFile {
 }
 
 impl FaultFile {
-    /// Whose fault it is; an outage is the logger's.
+    /// The sensor with this fault; `None` for an outage of the logger.
     pub fn sensor(&self) -> Option<&str> {
         match self {
             FaultFile::Battery(BatteryFile { sensor, .. })

@@ -9,16 +9,16 @@ use crate::time::RunTime;
 #[derive(Clone, Copy, Debug)]
 pub struct MessageUnderWay {
     pub sent_at: RunTime,
-    /// Who sent it.
+    /// The sender.
     pub sensor: SensorId,
-    /// Whose id it bears.
+    /// The id in the message.
     pub id: SensorId,
     pub value: Value,
     pub provenance: Provenance,
     pub draws: Draws,
 }
 
-/// What chance has in store for a message: a number from 0 up to 1 for each of what may befall it.
+/// The random numbers of a message, from 0 up to 1, one for each possible fate.
 ///
 /// All of them are there for every message, whatever it meets, so that another loss or delay changes nothing else.
 #[derive(Clone, Copy, Debug)]
@@ -34,7 +34,7 @@ pub enum LinkChance {
     Damage,
     Delay,
     Duplicate,
-    /// How much later it comes the second time.
+    /// The delay of the second copy.
     Again,
 }
 
@@ -56,7 +56,7 @@ pub fn garbled_id(id: u32, damage: f64) -> u32 {
     (id + 1 + (damage * f64::from(IDS - 1)) as u32) % IDS
 }
 
-/// What a value becomes whose bits are damaged; nothing where it no longer says anything that the logger knows.
+/// The value with damaged bits; `None` if the logger cannot understand it.
 ///
 /// Of two values it becomes the other, of levels another one; of a reading, one of the lowest 16 bits is turned.
 pub fn garbled_value(value: Value, damage: f64) -> Option<Value> {

@@ -1,4 +1,4 @@
-//! One radio channel for all sensors, on which nobody listens before sending.
+//! One radio channel for all sensors, on which no sensor listens before sending.
 //!
 //! The device sends every message several times, copy after copy with a silence between, and nothing answers (X10: five
 //! copies of 68 ms with 40 ms between; dokumen.tips, X10 RF receiver; rtl_433, `x10_rf.c`).
@@ -30,7 +30,7 @@ pub struct Radio {
     on_air: Vec<Sending>,
 }
 
-/// A message on the air: whose, and since when.
+/// A message on the air: sender and start.
 #[derive(Clone, Copy, Debug)]
 struct Sending {
     sensor: SensorId,
@@ -50,7 +50,8 @@ impl Radio {
         Radio { copies: file.copies, frame, period: frame + gap, longest_wait, on_air: Vec::new() }
     }
 
-    /// A sensor has something to say: when it begins to send it, if ever. What came before has been told before.
+    /// The instant at which a sensor begins to send a new message, if ever. All earlier messages have been given
+    /// before.
     pub fn begin(&mut self, sensor: SensorId, at: RunTime) -> Option<RunTime> {
         let (whole, frame) = (self.period * i64::from(self.copies), self.frame);
         self.on_air.retain(|sending| sending.begin + whole > at - frame);
@@ -63,7 +64,7 @@ impl Radio {
         Some(begin)
     }
 
-    /// When a copy of a message that began at `begin` ends; nothing where there is no such copy.
+    /// The end of a copy of a message that began at `begin`; `None` without such a copy.
     pub fn end(&self, begin: RunTime, copy: u32) -> Option<RunTime> {
         (copy < self.copies).then(|| begin + i64::from(copy) * self.period + self.frame)
     }
@@ -97,7 +98,7 @@ mod tests {
         RunTime::START + Span::from_millis(ms)
     }
 
-    /// Which copies of two messages are clean, the first of which begins at once and the second so many milliseconds later.
+    /// The clean copies of two messages, of which the second begins a number of milliseconds later.
     fn clean(later: i64) -> [Vec<bool>; 2] {
         let mut radio = Radio::new(&RadioFile::default(), &Numbers::default());
         let begins = [(0, 0), (1, later)].map(|(sensor, at)| radio.begin(SensorId(sensor), ms(at)).unwrap());

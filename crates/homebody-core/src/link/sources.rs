@@ -1,4 +1,4 @@
-//! What sensors say for no reason: false firings by chance, and what a stuck one repeats.
+//! Messages of sensors without a cause: false firings by chance, and the repetitions of a stuck sensor.
 
 use super::message::Draws;
 use crate::calendar::time_of_day;
@@ -11,7 +11,7 @@ use crate::time::{DAY, Interval, RunTime, Span};
 #[derive(Clone, Debug)]
 pub struct UtteranceSources {
     sources: Vec<UtteranceSource>,
-    /// Which is next, and when.
+    /// The next instant, and its source.
     next: (RunTime, usize),
 }
 
@@ -55,7 +55,7 @@ pub struct Utterance {
 }
 
 impl UtteranceSources {
-    /// What the file says of sensors of these names, with how often each fires for no reason in any case.
+    /// The sources of the file for sensors with these names, with the rate of false firings of each from other causes.
     pub fn new(file: &LinkFile, sensors: &[(&str, f64)], start_of_day: Span, seed: u64) -> UtteranceSources {
         let mut sources = Vec::new();
         for (sensor, &(name, per_h)) in sensors.iter().enumerate() {
@@ -104,13 +104,13 @@ impl UtteranceSources {
         self.next.0
     }
 
-    /// What the next of them says.
+    /// The next message.
     pub fn speak(&mut self) -> Option<Utterance> {
         let source = self.sources.get_mut(self.next.1)?;
         let repeats = matches!(source.kind, SourceKind::Repeat { .. });
         let told =
             Utterance { at: source.next, sensor: source.sensor, repeats, draws: Draws::draw(&mut source.stream) };
-        source.go_on();
+        source.draw_next();
         self.find_next();
         Some(told)
     }
@@ -126,16 +126,16 @@ impl UtteranceSource {
     fn begin(&mut self) {
         match self.kind {
             SourceKind::Chance { per_h, .. } if per_h <= 0.0 => self.next = RunTime::NEVER,
-            SourceKind::Chance { .. } => self.go_on(),
+            SourceKind::Chance { .. } => self.draw_next(),
             SourceKind::Repeat { .. } => {}
         }
     }
 
-    fn go_on(&mut self) {
+    fn draw_next(&mut self) {
         self.next = match self.kind {
             SourceKind::Repeat { every } => self.next.saturating_add(every),
             SourceKind::Chance { per_h, hours } => loop {
-                // Poisson: waits are exponential. What falls out of the hours is passed over.
+                // Poisson: waits are exponential. Times outside the hours are skipped.
                 let wait = -libm::log(1.0 - self.stream.unit()) * 3600.0 / per_h;
                 self.next = self.next.saturating_add(Span::from_seconds(wait).max(Span::MICROSECOND));
                 if self.next >= self.until || hours.contain(self.next) {
@@ -161,7 +161,7 @@ mod tests {
     use crate::time::{HOUR, SECOND};
     use serde_json::json;
 
-    /// What one sensor says for no reason within some days of a run that began at 22:00.
+    /// The messages of one sensor without a cause within some days of a run that began at 22:00.
     fn said(per_h: f64, faults: serde_json::Value, days: i64) -> Vec<Utterance> {
         let file: LinkFile = serde_json::from_value(json!({ "faults": faults })).unwrap();
         let mut sources = UtteranceSources::new(&file, &[("other", 0.0), ("hall", per_h)], 22 * HOUR, 3);
@@ -204,7 +204,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_stuck_repeats_itself() {
+    fn a_stuck_sensor_repeats_itself() {
         let fault = json!([{ "kind": "stuck", "sensor": "hall", "from_day": 1, "days": 0.001, "every_s": 7 }]);
         let times: Vec<i64> = said(0.0, fault, 2).iter().map(|told| (told.at.since_zero() - DAY) / SECOND).collect();
         assert_eq!(times, (0..13).map(|index| index * 7).collect::<Vec<_>>());

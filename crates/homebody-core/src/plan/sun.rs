@@ -1,9 +1,9 @@
-//! Where the sun stands over the home.
+//! The sun over the home.
 
 use crate::calendar::Calendar;
 use crate::time::{DAY, HOUR, RunTime, Span};
 
-/// How far north Columbia is, the town of TigerPlace in Missouri, in degrees.
+/// Latitude of Columbia, the town of TigerPlace in Missouri, in degrees.
 pub const COLUMBIA_DEG: f64 = 38.95;
 
 crate::numbers! {
@@ -11,14 +11,14 @@ crate::numbers! {
     pub(crate) static DARK = "driver.dark": 0.08, "1", [-1.0, 1.0];
 }
 
-/// What there is to know of the sun at the home: where it stands as a run begins. Daylight saving does not move it.
+/// The sun at the home from the start of a run. Daylight saving does not move it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Sun {
     /// Days since the beginning of the year.
     pub day_of_year: f64,
     /// Since midnight by the clock of the home's zone in winter, which is taken for the sun's.
     pub time_of_day: Span,
-    /// How far north the home is, in degrees; below 0 in the south.
+    /// The latitude in degrees; below 0 in the south.
     pub latitude_deg: f64,
 }
 
@@ -46,7 +46,7 @@ impl Sun {
             + libm::cos(latitude) * libm::cos(declination) * self.hour_angle_cosine(at)
     }
 
-    /// How near it is to noon: 1 at noon, -1 at midnight, in between the cosine of the sun's hour angle.
+    /// The cosine of the sun's hour angle: 1 at noon, -1 at midnight.
     pub fn hour_angle_cosine(&self, at: RunTime) -> f64 {
         let days = (at.since_zero() + self.time_of_day).ratio(DAY);
         libm::cos((days - 0.5) * core::f64::consts::TAU)

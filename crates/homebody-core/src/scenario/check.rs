@@ -1,4 +1,4 @@
-//! What a scenario's files must not say although their shape is right, one file here for each of theirs.
+//! Faults in the meaning of a scenario's files: one file here for each of theirs.
 
 pub mod home;
 pub mod input;
@@ -17,7 +17,7 @@ use crate::problem::{Diagnostic, MOST_PER_FILE, Problem};
 use crate::scenario::source::JsonSource;
 use messages::{NameMessage, RangeMessage};
 
-/// What the checks of other files know of the home.
+/// The home, for the checks of other files.
 pub struct HomeInCheck<'a> {
     /// Nothing if its shape is wrong.
     pub home: Option<&'a HomeFile>,
@@ -28,7 +28,6 @@ pub struct HomeInCheck<'a> {
 /// Nearer than this counts as touching.
 const TOLERANCE_M: f64 = 1e-6;
 
-/// Collects the problems of one file.
 struct ProblemReport<'a> {
     source: &'a JsonSource,
     problems: &'a mut Vec<Problem>,
@@ -85,7 +84,6 @@ fn at(p: Point) -> String {
     format!("({}, {})", short(p.x), short(p.y))
 }
 
-/// What a solid is, in the words of the home's file.
 fn solid_name(home: &HomeFile, solid: &Solid) -> String {
     match solid.origin {
         Origin::Wall(index) => {
@@ -98,7 +96,7 @@ fn solid_name(home: &HomeFile, solid: &Solid) -> String {
     }
 }
 
-/// A piece of a wall by the rooms on its sides; nothing where they are several on both.
+/// A piece of a wall by the rooms on its sides; `None` if there are several on both.
 fn wall_name(home: &HomeFile, piece: &[Point]) -> Option<String> {
     /// Distance from a wall to the room that it bounds, in metres (our choice).
     const BESIDE_M: f64 = 0.15;

@@ -1,6 +1,6 @@
 //! Scenarios made and changed by code: as data, with the texts that follow from it.
 //!
-//! What is changed is checked as what people write is: by loading it. A file that was there keeps what is not changed in it.
+//! The result is checked by loading it, as a file of a user. An existing file keeps its other parts.
 
 use super::ScenarioFile;
 use super::load::{Files, Overlay, Scenario};
@@ -22,20 +22,19 @@ pub struct ScenarioEdit {
     entry: String,
     file: ScenarioFile,
     home: HomeFile,
-    /// In the order in which the scenario links them.
     residents: Vec<ResidentFile>,
     texts: BTreeMap<String, String>,
 }
 
 impl Scenario {
-    /// The scenario as it is, to be changed.
+    /// An editor of this scenario.
     pub fn edit(&self) -> ScenarioEdit {
         ScenarioEdit::from_scenario(self)
     }
 }
 
 impl ScenarioEdit {
-    /// A scenario of this home in which nobody lives yet. Its own file is `scenario.json`; the home gets the file that
+    /// A scenario of this home without residents. Its own file is `scenario.json`; the home gets the file that
     /// `file.home` names.
     pub fn new(file: ScenarioFile, home: HomeFile) -> ScenarioEdit {
         let entry = "scenario.json".to_owned();
@@ -82,7 +81,7 @@ impl ScenarioEdit {
         self.text(&name, text_of(link)).file(|file| file.link = Some(name))
     }
 
-    /// Somebody else lives there, whose file has this name. What their driver links is added by [`ScenarioEdit::text`], or
+    /// Adds a resident, in a file of this name. The text that the driver links is added by [`ScenarioEdit::text`], or
     /// by naming a driver anew.
     pub fn add_resident(mut self, name: &str, resident: ResidentFile) -> ScenarioEdit {
         self.texts.insert(name.into(), text_of(&resident));
@@ -90,7 +89,7 @@ impl ScenarioEdit {
         self.file(|file| file.residents.push(name.into()))
     }
 
-    /// Changes a resident, of whom there must be so many.
+    /// Changes a resident, whose index must be in range.
     ///
     /// # Panics
     ///
@@ -108,7 +107,7 @@ impl ScenarioEdit {
             .resident(resident, |resident| resident.driver = DriverFile::Path(name.into()))
     }
 
-    /// A resident lives by this routine, in a file of this name.
+    /// Gives a resident this routine, in a file of this name.
     pub fn routine(self, resident: usize, name: &str, routine: impl Into<String>) -> ScenarioEdit {
         self.text(name, routine).resident(resident, |resident| resident.driver = DriverFile::Routine(name.into()))
     }
@@ -211,7 +210,7 @@ mod tests {
     use crate::sensors::motion::MotionFile;
 
     #[test]
-    fn a_path_is_one_step_a_line_and_reads_as_it_was() {
+    fn a_path_is_one_step_a_line_and_reads_the_same() {
         let text = r#"{"start": [1, 2], "posture": "lying", "steps": [
             {"wait": {"for_s": 1.5, "stir": {"every_s": 2, "for_s": 1}}}, {"activity": "cooking"},
             {"repeat": {"times": 2, "steps": [{"go": {"to": [[1, 2], "bed"]}}, {"repeat": {"steps": [{"away": {"until": "07:30"}}]}}]}}]}"#;
@@ -233,7 +232,7 @@ mod tests {
         let path =
             PathFile { schema: None, start: Spot::At([2.0, 1.0]), posture: Posture::Standing, steps: Vec::new() };
         ScenarioEdit::new(ScenarioFile::new("made", "2009-03-02T00:00:00", 1.0), home)
-            .add_resident("ann.json", ResidentFile::somebody(DriverFile::Path(String::new())))
+            .add_resident("ann.json", ResidentFile::with_driver(DriverFile::Path(String::new())))
             .path(0, "ann.path.json", &path)
     }
 
@@ -246,7 +245,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_made_wrongly_comes_all_at_once() {
+    fn all_mistakes_of_an_edit_come_at_once() {
         let wrong = one_room()
             .home(|home| home.walls[0].thickness_m = -1.0)
             .resident(0, |resident| resident.pace_mps = 99.0)
@@ -257,7 +256,7 @@ mod tests {
     }
 
     #[test]
-    fn a_change_leaves_the_rest_of_a_file_as_it_was_written() {
+    fn a_change_leaves_the_rest_of_a_file() {
         let mut texts = one_room().into_texts();
         let written = "{\"driver\": {\"path\": \"ann.path.json\"}, \"name\": \"Ann\"}";
         texts.insert("ann.json".into(), written.into());

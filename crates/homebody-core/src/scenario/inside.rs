@@ -1,4 +1,4 @@
-//! Places stay inside: what a file names is read and written below one folder, whoever wrote the file.
+//! Confines files to a folder: the names in a file are read and written below one folder, whatever its author wrote.
 
 use crate::problem::Advice;
 
@@ -86,13 +86,13 @@ pub fn outside_folder(name: &str, folder: &str) -> Option<FileMessage> {
     (leaves || is_absolute || is_odd).then(outside)
 }
 
-/// What a run's folder calls its recording.
+/// The name of the recording in a run's folder.
 pub const RECORDING: &str = "recording.json";
-/// What a run's folder calls the database of its truth.
+/// The name of the database of the truth in a run's folder.
 pub const TRUTH: &str = "truth.db";
-/// What a run's folder calls the table of its sensors: id in the log, name in the home, kind, room and place.
+/// The name of the table of sensors in a run's folder: id in the log, name in the home, kind, room and place.
 pub const SENSORS: &str = "sensors.csv";
-/// What a run's folder calls the database of its cameras' silhouettes, where its home has cameras.
+/// The name of the database of the cameras' silhouettes in a run's folder, if its home has cameras.
 pub const SILHOUETTES: &str = "silhouettes.db";
 
 /// The list of members in a cohort's folder.
@@ -107,16 +107,16 @@ pub const CONFIRMED: &str = ".confirmed.json";
 /// The files of a run's folder besides its logs.
 const OF_RUN: [&str; 8] = [RECORDING, TRUTH, SENSORS, SILHOUETTES, LIST, ABOUT, NOTES, ANEW];
 
-/// The truth of a run that was stopped, while it is written anew.
+/// The truth of a stopped run, while it is written again.
 const ANEW: &str = "anew.truth.db";
 
 /// Endings of files that the program makes and removes by itself.
 const OF_PROGRAM: [&str; 5] = [CONFIRMED, ".lock", ".part", ".spool", ".old"];
 
-/// What comes behind the name of a file in the names of those that are beside it while it is written.
+/// Endings after the name of a file in the names of companion files during writing.
 const BESIDE: [&str; 6] = ["-wal", "-shm", "-journal", ".lock", ".anew", ".anew.lock"];
 
-/// How those end that have a number between.
+/// Beginnings of endings with a number.
 const NUMBERED: [&str; 2] = [".part", ".old"];
 
 /// Longest name of a file in a run's folder (our choice): file systems take 255 bytes, and companion files have longer
@@ -157,7 +157,7 @@ fn plainly(path: &str) -> String {
     parts.join("/").to_lowercase()
 }
 
-/// Whether one of two files is in the place of the other, of its folder, or of what is beside it.
+/// Whether one of two files is in the place of the other, of its folder, or of a companion file.
 fn collide(one: &str, other: &str) -> bool {
     let takes = |one: &str, other: &str| {
         let Some(rest) = one.strip_prefix(other) else { return false };

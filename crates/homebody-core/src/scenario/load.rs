@@ -24,7 +24,7 @@ use serde::de::DeserializeOwned;
 use std::collections::BTreeMap;
 use std::fmt;
 
-/// Where the text of a scenario's files comes from: a folder, a recording, a test.
+/// A source of the texts of a scenario's files: a folder, a recording, a test.
 pub trait Files {
     /// The text of a file, by its name relative to the scenario's folder, with `/` between folders.
     ///
@@ -36,7 +36,7 @@ pub trait Files {
         Vec::new()
     }
 
-    /// How many bytes the files that a scenario names may have together: a file counts as often as it is named.
+    /// The largest size of the files of a scenario together, in bytes: a file counts as often as it is named.
     fn most_bytes(&self) -> usize {
         MOST_BYTES
     }
@@ -74,13 +74,13 @@ pub enum NoText {
     Unreadable {
         /// Why, as a sentence for people.
         why: String,
-        /// What they can do about it, where that is known.
+        /// The advice, if known.
         hint: Option<String>,
     },
 }
 
 impl NoText {
-    /// What cannot be read, where nothing is known that helps.
+    /// A text that cannot be read, without advice.
     pub fn unreadable(why: impl Into<String>) -> NoText {
         NoText::Unreadable { why: why.into(), hint: None }
     }
@@ -114,7 +114,7 @@ impl Files for BTreeMap<String, String> {
 pub struct Overlay<'a> {
     /// The texts, by file name.
     pub texts: BTreeMap<String, String>,
-    /// Where the text of all other files comes from.
+    /// The source of the texts of all other files.
     pub others: &'a dyn Files,
 }
 
@@ -139,13 +139,13 @@ pub struct Scenario {
     pub entry: String,
     /// The scenario's own file.
     pub file: ScenarioFile,
-    /// The home, in which every name leads to something.
+    /// The home, with all names resolved.
     pub home: ResolvedHome,
     /// Nothing where all that sensors say reaches the logger at once.
     pub link: Option<LinkFile>,
     /// The defaults where the scenario links none.
     pub logger: LoggerFile,
-    /// In the order in which the scenario links them.
+    /// In the order of the scenario.
     pub residents: Vec<Resident>,
     /// Which date and time an instant of the run is, in the home's time zone.
     pub calendar: Calendar,
@@ -153,72 +153,72 @@ pub struct Scenario {
     pub sources: BTreeMap<String, String>,
 }
 
-/// Who lives there.
+/// A resident.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Resident {
     /// The resident's own file.
     pub file: ResidentFile,
-    /// What decides where the resident goes and what they do.
+    /// The driver.
     pub driver: ResidentDriver,
 }
 
-/// What decides for a resident, read from the file that the resident links.
+/// A resident's driver, read from the linked file.
 #[derive(Clone, Debug, PartialEq)]
 pub enum ResidentDriver {
     /// A path that is acted out.
     Path(ResolvedPath),
     /// Held keys that drive the body through the physics.
     Live {
-        /// What is held and used, and when.
+        /// The held keys and the used things, with their times.
         input: InputFile,
-        /// Where the body is at the start, in metres.
+        /// The position of the body at the start, in metres.
         start: Point,
     },
-    /// The text as it is: what it says is for those who know the language.
+    /// The text. Only its language knows the meaning.
     Routine {
         /// The name of the routine's file.
         file: String,
-        /// What the file says.
+        /// The text of the file.
         text: String,
     },
-    /// The text as it is, as of a routine.
+    /// The text, as of a routine.
     Script {
         /// The name of the script's file.
         file: String,
-        /// What the file says.
+        /// The text of the file.
         text: String,
     },
 }
 
-/// Who knows the languages of routines and of scripts: this crate reads them as text.
+/// The languages of routines and of scripts, which this crate reads as plain text.
 pub trait DriverLanguages {
-    /// Reads a resident's routine in a home that is sound, and says what is wrong with it. What is understood, the reader
-    /// keeps: a text is read once. A resident with a routine is not asked about where the home is not sound.
+    /// Reads a resident's routine in a valid home, and returns its problems. The reader keeps the result, so a text is
+    /// read once. It is not asked about a resident of an invalid home.
     fn read(&mut self, said: &DriverText, home: &HomeFile, plan: &Plan, files: &dyn Files) -> Vec<Problem>;
 
     /// The same for a resident's script.
     fn read_script(&mut self, said: &DriverText, home: &HomeFile, plan: &Plan) -> Vec<Problem>;
 
-    /// The numbers that a scenario may set, those of this crate among them. `None`: not known, so that what a scenario sets
-    /// is taken as it is.
+    /// The numbers that a scenario may set, those of this crate among them. `None` if not known: all settings are then
+    /// accepted.
     fn numbers(&self) -> Option<Vec<Number>>;
 }
 
 /// A routine or a script as it stands in its file.
 pub struct DriverText<'a> {
-    /// Index of the resident who lives by it.
+    /// Index of the resident.
     pub of: usize,
     /// The name of its file, for problems.
     pub file: &'a str,
-    /// What the file says.
+    /// The text of the file.
     pub text: &'a str,
     /// The resident's name, where their own file can be understood.
     pub resident: Option<&'a str>,
-    /// Where the scenario's own file can be understood.
+    /// The calendar, if the scenario's own file is valid.
     pub calendar: Option<&'a Calendar>,
 }
 
-/// Nobody who knows it.
+/// Accepts every routine and script unread.
 impl DriverLanguages for () {
     fn read(&mut self, _said: &DriverText, _home: &HomeFile, _plan: &Plan, _files: &dyn Files) -> Vec<Problem> {
         Vec::new()
@@ -241,8 +241,8 @@ impl Scenario {
 
     /// Reads the entry file and whatever it links, and checks all of it.
     ///
-    /// All problems of all files come at once, in the order in which the files are linked. The
-    /// meaning of one file is checked even where the shape of another is wrong, also of the one that links it.
+    /// All problems of all files come at once, in the order of the links. The meaning of a file is checked even if the
+    /// shape of another is wrong, also of the one that links it.
     pub fn load_in(language: &mut dyn DriverLanguages, files: &dyn Files, entry: &str) -> Result<Scenario, Problems> {
         let (problems, sources, order) = (Vec::new(), BTreeMap::new(), Vec::new());
         let mut loader = Loader { files, language, problems, sources, order, named_bytes: 0 };
@@ -260,21 +260,19 @@ struct Loader<'a> {
     language: &'a mut dyn DriverLanguages,
     problems: Vec<Problem>,
     sources: BTreeMap<String, String>,
-    /// The files in the order in which they are linked, with what each of them is.
     order: Vec<(String, FileKind)>,
-    /// How many bytes the files have that were named until now, each counted as often as it is named.
+    /// The size of the files named so far in bytes, each counted as often as it is named.
     named_bytes: usize,
 }
 
-/// A file as it is meant, and its text for the places of problems with its meaning.
+/// A file as data, and its text for the places of problems.
 struct Read<T> {
     source: JsonSource,
-    /// Nothing where its shape is wrong; what it links is looked at all the same.
+    /// `None` for an invalid shape; linked files are read all the same.
     data: Option<T>,
 }
 
 impl Loader<'_> {
-    /// The text of a file, which is read once, whoever names it.
     fn read(&mut self, name: &str) -> Result<String, NoText> {
         let most = self.files.most_bytes();
         let too_many = || {
@@ -289,7 +287,6 @@ impl Loader<'_> {
         if self.named_bytes > most { Err(too_many()) } else { Ok(text) }
     }
 
-    /// The message for a file that has no text.
     fn unread(&self, name: &str, why: NoText) -> FileMessage {
         let name = name.to_owned();
         match why {
@@ -387,9 +384,9 @@ impl Loader<'_> {
         let driver = if root.pointer("/driver/path").is_some() {
             let path: Read<PathFile> = self.link(&source, &root, "/driver/path", FileKind::Path)?;
             let data = path.data?;
-            // A file that cannot be understood does not say who walks: somebody.
-            let somebody = || ResidentFile::somebody(DriverFile::Path(path.source.file.clone()));
-            let walker = file.clone().unwrap_or_else(somebody);
+            // An invalid file does not name the resident of a path: any resident.
+            let unknown = || ResidentFile::with_driver(DriverFile::Path(path.source.file.clone()));
+            let walker = file.clone().unwrap_or_else(unknown);
             check::path::check(&path.source, &data, &walker, surroundings, &mut self.problems);
             ResidentDriver::Path(ResolvedPath::new(data, surroundings.plan?, walker.pace_mps)?)
         } else if let Some(name) = root.pointer("/driver/routine").and_then(serde_json::Value::as_str) {
@@ -424,7 +421,6 @@ impl Loader<'_> {
         Some(Resident { file: file?, driver })
     }
 
-    /// Reads the file that a link names, if it names one.
     fn link<T: DeserializeOwned>(
         &mut self,
         from: &JsonSource,
@@ -436,7 +432,7 @@ impl Loader<'_> {
         self.linked(from, link, name, kind)
     }
 
-    /// Reads a linked file that is no JSON: a routine or a script, as `noun` says.
+    /// Reads a linked file that is not JSON: a routine or a script, as `noun` says.
     fn text(&mut self, from: &JsonSource, link: &str, name: &str, noun: &str) -> Option<String> {
         let used = || self.order.iter().find(|(known, _)| known == name).map(|(_, used)| used.noun().to_owned());
         let two_uses = |used| FileMessage::TwoUses { name: name.to_owned(), used, wanted: format!("a {noun}") };
@@ -537,7 +533,7 @@ impl Loader<'_> {
                     None
                 }
                 None => {
-                    // What it links is linked by misspelt keys too; if only keys are wrong, what it means can be said already.
+                    // Misspelt keys link files, too. If only keys are wrong, the meaning can be checked already.
                     source.root.take_as_meant(&keys);
                     let is_clear = keys.len() == problems.len();
                     let data = is_clear.then(|| serde_json::from_value(source.root.to_json()).ok()).flatten();
@@ -561,7 +557,7 @@ impl Loader<'_> {
         // Routines come last: they are read when the home is known.
         let rank = |file: &str| self.order.iter().position(|(known, _)| known == file).unwrap_or(usize::MAX);
         problems.sort_by_cached_key(|problem| (rank(&problem.file), problem.line, problem.column));
-        // What two link is looked at twice.
+        // A file with two links is checked twice.
         let mut seen: Vec<Problem> = Vec::new();
         for problem in problems {
             let same_place = |other: &&Problem| {
@@ -575,7 +571,7 @@ impl Loader<'_> {
     }
 }
 
-/// The other kind of file that this one is a faultless example of.
+/// The other kind of file of which this one is a valid example.
 fn mistaken_for(source: &JsonSource, kind: FileKind) -> Option<FileKind> {
     // A file that says nothing would be a faultless logger.
     let NodeValue::Object(entries) = &source.root.value else { return None };

@@ -1,4 +1,4 @@
-//! What is not wrong with a scenario, but hardly meant: faults that come when the run is over, sensors that always speak at
+//! Remarks on valid scenarios with an unlikely meaning: faults after the end of the run, sensors that always send at
 //! once on one channel.
 
 use super::check::link::LinkMessage;
@@ -11,7 +11,7 @@ use crate::sensors::kinds::SensorFile;
 use crate::time::{RunTime, Span};
 use std::collections::BTreeMap;
 
-/// What is to be said of a scenario whose run is so long. Nothing of it keeps anybody from running it.
+/// The remarks on a scenario with a run of this length. They do not prevent the run.
 pub fn scenario_remarks(scenario: &Scenario, length: Span) -> Vec<Problem> {
     let Some((name, link)) = scenario.file.link.as_ref().zip(scenario.link.as_ref()) else { return Vec::new() };
     let text = scenario.sources.get(name).map(String::as_str).unwrap_or_default();
@@ -37,7 +37,7 @@ fn too_late(source: &JsonSource, link: &LinkFile, scenario: &Scenario, length: S
     faults.map(remark).collect()
 }
 
-/// Sensors of one thing that always have something to say at the same instant, on a channel on which nobody waits.
+/// Sensors of one thing that always send at the same instant, on a channel without waiting.
 fn at_once(source: &JsonSource, link: &LinkFile, sensors: &[SensorFile]) -> Vec<Problem> {
     if link.channel().is_none() {
         return Vec::new();

@@ -13,7 +13,7 @@ use schemars::JsonSchema;
 use schemars::generate::SchemaSettings;
 use serde_json::Value;
 
-/// What a file of a scenario is.
+/// A kind of file of a scenario.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum FileKind {
     /// `scenario.json`, which links the others.
@@ -57,7 +57,7 @@ impl FileKind {
         }
     }
 
-    /// What messages call such a file.
+    /// The name of such a file in messages.
     pub fn noun(self) -> &'static str {
         match self {
             FileKind::Scenario => "a scenario",

@@ -19,12 +19,11 @@ const DECIMAL_POINT: &str = "write a number with a point: 0.5, not 0,5";
 /// Largest number of problems searched for in a file (our choice).
 const MOST_FOUND: usize = 1_000;
 
-/// What is wrong with a source's shape.
+/// The faults of a source's shape.
 #[derive(Debug, Default)]
 pub struct Misshape {
     pub problems: Vec<Problem>,
-    /// The keys that are none, by where they start, and which were meant; if there are as many as problems, the rest can be
-    /// read.
+    /// The unknown keys, by position, with the intended ones. If there are as many as problems, the rest can be read.
     pub keys: Misspelt,
 }
 
@@ -282,7 +281,6 @@ impl<'a> ShapeCheck<'a> {
         self.report(node.start, SchemaMessage::WrongType { subject, wanted, found, help });
     }
 
-    /// What the schema takes, in words.
     fn describe(&self, schema: &'a Schema, words: &mut Vec<String>) {
         let schema = self.resolve(schema);
         for branch in branches(schema, "anyOf").or(branches(schema, "oneOf")).into_iter().flatten() {
@@ -346,7 +344,7 @@ impl<'a> ShapeCheck<'a> {
         }
     }
 
-    /// A reference has the words of the key that refers; they say more than those of the type.
+    /// A reference has the words of the key with it, which say more than those of the type.
     fn resolve_keeping_hint(&self, schema: &'a Schema) -> &'a Schema {
         if schema.get("description").is_some() { schema } else { self.resolve(schema) }
     }
@@ -376,12 +374,12 @@ fn types(schema: &Schema) -> impl Iterator<Item = &str> {
     one.into_iter().chain(many.iter().filter_map(Schema::as_str))
 }
 
-/// The texts that a schema takes, where it takes only certain ones.
+/// The texts that a schema accepts, if it accepts certain ones only.
 fn names_of(schema: &Schema) -> impl Iterator<Item = &str> {
     schema.get("const").into_iter().chain(branches(schema, "enum").into_iter().flatten()).filter_map(Schema::as_str)
 }
 
-/// The key whose constant tells the branch from its siblings, where it is not the only key.
+/// The key whose constant distinguishes the branch, if it is not the only key.
 fn tag_of(branch: &Schema) -> Option<&str> {
     let properties = branch.get("properties")?.as_object()?;
     properties.iter().find(|(_, schema)| schema.get("const").is_some()).map(|(key, _)| key.as_str())

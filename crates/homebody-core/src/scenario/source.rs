@@ -18,7 +18,7 @@ pub const MOST_VALUES: usize = 1_000_000;
 /// Largest length of a text in a file, in bytes (our choice): names, descriptions, times.
 pub const LONGEST_TEXT_BYTES: usize = 10_000;
 
-/// Columns are counted from the nearest place before, of which there is one each so many bytes.
+/// Distance of the places from which columns are counted, in bytes.
 const STRIDE_BYTES: usize = 4096;
 
 /// A JSON file: its text and what the text says, with the place of everything.
@@ -28,17 +28,17 @@ pub struct JsonSource {
     pub file: String,
     /// The text without a byte order mark, so that offsets count from what a person sees first.
     pub text: String,
-    /// What the text says.
+    /// The value of the text.
     pub root: JsonNode,
     places: TextPositions,
 }
 
-/// Where the lines and the characters of a text are, so that a place is found without reading all of the text again.
+/// The lines and characters of a text, so that a place is found without reading all of the text again.
 #[derive(Debug)]
 struct TextPositions {
     /// Byte offset at which each line starts.
     lines: Vec<usize>,
-    /// How many characters begin before each multiple of [`STRIDE_BYTES`].
+    /// The number of characters before each multiple of [`STRIDE_BYTES`].
     chars: Vec<usize>,
 }
 
@@ -49,11 +49,11 @@ pub struct JsonNode {
     pub start: usize,
     /// Byte offset behind its last character.
     pub end: usize,
-    /// What it says.
+    /// The value.
     pub value: NodeValue,
 }
 
-/// What a JSON value is. Objects keep every key as written, doubles included.
+/// A JSON value. Objects keep every key as written, doubles included.
 #[derive(Debug)]
 pub enum NodeValue {
     /// `null`.
@@ -70,7 +70,7 @@ pub enum NodeValue {
     Object(Vec<(NodeKey, JsonNode)>),
 }
 
-/// Keys that are none, by where they start, and which were meant, if that is known.
+/// Unknown keys, by position, with the intended ones if known.
 pub type Misspelt = BTreeMap<usize, Option<String>>;
 
 /// A key of an object and where it stands in the text.
@@ -134,7 +134,6 @@ impl JsonSource {
         self.places.line(at)
     }
 
-    /// Where the key and the value at a JSON pointer start.
     fn find(&self, pointer: &str) -> (usize, usize) {
         let (mut key_start, mut node) = (self.root.start, &self.root);
         for part in pointer.split('/').skip(1) {
@@ -156,7 +155,7 @@ impl JsonSource {
 }
 
 impl JsonNode {
-    /// Gives misspelt keys the names that were meant, and takes away those of which nothing is known.
+    /// Gives misspelt keys the intended names, and removes the other unknown keys.
     pub fn take_as_meant(&mut self, keys: &Misspelt) {
         match &mut self.value {
             NodeValue::List(items) => items.iter_mut().for_each(|item| item.take_as_meant(keys)),
@@ -208,7 +207,7 @@ impl TextPositions {
         TextPositions { chars: chars.collect(), lines: std::iter::once(0).chain(ends).collect() }
     }
 
-    /// Byte offset at which a line starts that is counted from 1, or the nearest that there is.
+    /// Byte offset of the start of a line counted from 1, or the nearest one.
     fn start(&self, line: usize) -> usize {
         self.lines[line.clamp(1, self.lines.len()) - 1]
     }
@@ -217,7 +216,6 @@ impl TextPositions {
         self.lines.partition_point(|&start| start <= at)
     }
 
-    /// How many characters begin before a byte offset.
     fn chars_before(&self, text: &str, at: usize) -> usize {
         let chunk = (at / STRIDE_BYTES).min(self.chars.len().saturating_sub(1));
         self.chars.get(chunk).map_or(0, |before| before + begun(&text.as_bytes()[chunk * STRIDE_BYTES..at]))
@@ -234,7 +232,6 @@ impl TextPositions {
     }
 }
 
-/// How many characters begin in a part of a text.
 fn begun(bytes: &[u8]) -> usize {
     bytes.iter().filter(|&&byte| byte & 0xc0 != 0x80).count()
 }

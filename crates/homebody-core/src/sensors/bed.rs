@@ -1,23 +1,23 @@
 //! A pneumatic strip in a bed.
 //!
-//! The device is a tube of air across the bed under the trunk. Its pressure shows whether somebody is in the bed, how long
-//! each movement lasts, and whether pulse and respiration of somebody who lies still are low, normal or high (Godsey &
+//! The device is a tube of air across the bed under the trunk. Its pressure shows the presence of a person in the bed,
+//! the length of each movement, and a low, normal or high pulse and respiration of a person who lies still (Godsey &
 //! Skubic 2009, section III.D; the University of Virginia's page on ALARM-NET).
 //!
 //! We assume that a body is in the bed if it sits or lies with its middle within the bed's outline; a body that stands or
 //! walks there is not. Every movement of a body that lies is felt. Of two people, the strip measures the one who came first.
-//! Somebody whose vitals the truth does not know has a pulse of 62 and 15 breaths a minute. The error of a reading is normal,
+//! A person without vitals in the truth has a pulse of 62 and 15 breaths a minute. The error of a reading is normal,
 //! with a standard deviation of 2 beats and 1 breath a minute (all ours).
 //!
-//! A movement begins when somebody who lies there begins to move, and ends when all lie still. Movements without a pause
-//! between them are one. The sensor says `RESTLESS_1` to `RESTLESS_4` when a movement reaches the length of each level. Pulse
-//! and respiration are read first when the person measured has lain there for `still_s` without any movement in the bed, and
-//! then every `vitals_every_s`. A reading that is due during a movement waits until all have lain still for `still_s` again. A
-//! change of the true vitals into another class brings the next reading forward. What happens at one instant is taken in
-//! completely before the sensor decides what to say.
+//! A movement begins when a person in the bed begins to move, and ends when all lie still. Movements without a pause
+//! between them are one. The sensor sends `RESTLESS_1` to `RESTLESS_4` when a movement reaches the length of each
+//! level. Pulse and respiration are read first when the person measured has lain there for `still_s` without any
+//! movement in the bed, and then every `vitals_every_s`. A reading that is due during a movement waits until all have
+//! lain still for `still_s` again. A change of the true vitals into another class brings the next reading forward. All
+//! changes of one instant are known before the sensor decides on a message.
 //!
-//! Left out: people who lie beside the strip, pets, how strong a movement is, the effect of breathing on the pulse's signal,
-//! drift of the pressure.
+//! Left out: people who lie next to the strip, pets, the strength of a movement, the effect of breathing on the pulse's
+//! signal, drift of the pressure.
 
 use super::messages::SensorMessage;
 use super::outbox::{Change, DeviceModel, Outbox};
@@ -29,12 +29,12 @@ use crate::numbers::Numbers;
 use crate::plan::sun::Sun;
 use crate::posture::Posture;
 use crate::random::{Stream, no_stream};
-use crate::sensors::form::{Bearer, Colour, DeviceForm, FormProblem, KindRow, Mount, ReportedInstant, Shape, Site};
+use crate::sensors::form::{Bearer, Colour, FormProblem, KindRow, Mount, ReportedInstant, SensorForm, Shape, Site};
 use crate::time::{RunTime, Span};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-/// What there is to know of the kind.
+/// The row of the kind.
 pub static ROW: KindRow = KindRow {
     key: "bed",
     label: "bed",
@@ -92,11 +92,7 @@ pub struct BedFile {
     pub still_s: f64,
 }
 
-impl DeviceForm for BedFile {
-    fn row(&self) -> &'static KindRow {
-        &ROW
-    }
-
+impl SensorForm for BedFile {
     fn on(&self) -> Option<&str> {
         Some(&self.on)
     }
@@ -140,17 +136,16 @@ pub struct Bed {
     every: Span,
     still: Span,
     limits: Limits,
-    /// The vitals of somebody whose vitals the truth does not know, and the standard deviations of readings.
+    /// The vitals of a person without vitals in the truth, and the standard deviations of readings.
     ordinary: Vitals,
     noise: Vitals,
     stream: Stream,
     timer: RunTime,
-    /// What it knows of each resident.
     sleepers: Vec<Sleeper>,
-    /// The one in the bed who came first.
+    /// The first of the people in the bed.
     first: Option<usize>,
     movement: Option<BedMovement>,
-    /// Since when somebody lies there and nobody moves.
+    /// Start of the time in which a person lies there without any movement.
     still_since: Option<RunTime>,
     read_at: Option<RunTime>,
 }
@@ -163,19 +158,18 @@ struct Limits {
 
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Sleeper {
-    /// Since when they are in the bed.
+    /// The start of their time in the bed.
     since: Option<RunTime>,
     lies: bool,
     stirs: bool,
     vitals: Vitals,
-    /// When the true vitals changed into another class, if no reading has come since.
+    /// The last change of the true vitals into another class without a reading since.
     news: Option<RunTime>,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct BedMovement {
     onset: RunTime,
-    /// How many levels of restlessness were said.
     said: usize,
 }
 
@@ -264,8 +258,8 @@ impl Bed {
         let inside = self.sleepers.iter().enumerate().filter_map(|(who, sleeper)| Some((sleeper.since?, who)));
         let first = inside.min().map(|(_, who)| who);
         match (self.first, first) {
-            (None, Some(who)) => outbox.say(Value::In, Some(ResidentId::new(who)), at, Trigger::Movement),
-            (Some(who), None) => outbox.say(Value::Out, Some(ResidentId::new(who)), at, Trigger::Movement),
+            (None, Some(who)) => outbox.send(Value::In, Some(ResidentId::new(who)), at, Trigger::Movement),
+            (Some(who), None) => outbox.send(Value::Out, Some(ResidentId::new(who)), at, Trigger::Movement),
             _ => {}
         }
         if self.first != first {
@@ -273,7 +267,7 @@ impl Bed {
         }
     }
 
-    /// Says how long the movement has lasted; returns when it reaches its next level.
+    /// Sends the level of the present movement; returns the instant of the next level.
     fn settle_movement(&mut self, at: RunTime, outbox: &mut Outbox) -> RunTime {
         let moves = |sleeper: &Sleeper| sleeper.since.is_some() && sleeper.lies && sleeper.stirs;
         let Some(who) = self.sleepers.iter().position(moves) else {
@@ -285,7 +279,7 @@ impl Bed {
         let mut next = levels.next();
         while next.is_some_and(|next| next <= at) {
             movement.said += 1;
-            outbox.say(
+            outbox.send(
                 Value::Restless(movement.said as u8),
                 Some(ResidentId::new(who)),
                 movement.onset,
@@ -296,7 +290,7 @@ impl Bed {
         next.unwrap_or(RunTime::NEVER)
     }
 
-    /// Reads pulse and respiration if it is time to; returns when it will be.
+    /// Reads pulse and respiration if due; returns the instant of the next reading.
     fn settle_vitals(&mut self, at: RunTime, outbox: &mut Outbox) -> RunTime {
         let measured = self.first.filter(|&who| self.sleepers[who].lies && self.movement.is_none());
         let Some(who) = measured else {
@@ -318,8 +312,8 @@ impl Bed {
             respiration: self.stream.normal(respiration, self.noise.respiration),
         };
         let (pulse, respiration) = self.limits.bands(felt);
-        outbox.say(Value::Pulse(pulse), Some(ResidentId::new(who)), at, Trigger::Reading);
-        outbox.say(Value::Respiration(respiration), Some(ResidentId::new(who)), at, Trigger::Reading);
+        outbox.send(Value::Pulse(pulse), Some(ResidentId::new(who)), at, Trigger::Reading);
+        outbox.send(Value::Respiration(respiration), Some(ResidentId::new(who)), at, Trigger::Reading);
         (self.read_at, self.sleepers[who].news) = (Some(at), None);
         at + self.every
     }
@@ -336,8 +330,8 @@ impl Limits {
     }
 }
 
-/// Ours. That the bed sensors at TigerPlace report restlessness by the persistence of movement is said in the patent of
-/// Skubic et al., paragraphs 137 to 142; that it has four levels, on the page of the University of Virginia on ALARM-NET.
+/// Our choice. The patent of Skubic et al., paragraphs 137 to 142, states that the bed sensors at TigerPlace report
+/// restlessness by the persistence of movement; the page of the University of Virginia on ALARM-NET has four levels.
 fn levels() -> Vec<f64> {
     vec![0.0, 3.0, 6.0, 9.0]
 }

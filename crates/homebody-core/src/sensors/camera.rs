@@ -1,14 +1,15 @@
 //! A camera that keeps silhouettes and nothing else.
 //!
-//! The device takes a picture now and then, subtracts what was there before, and keeps which pixels are somebody. It sleeps until
-//! one of the sensors that it is tied to speaks, and sleeps again once they have all been quiet for a while.
+//! The device takes a picture now and then, subtracts the background, and keeps the pixels of people. It sleeps until
+//! one of the sensors that it is tied to sends a message, and sleeps again once they have all been quiet for a while.
 //!
-//! We assume that it has learned its background while nobody was there, that it takes its pictures at whole multiples of their
-//! period since the run's start, so that several cameras take theirs together, and that it is up at the next of them.
+//! We assume that it has learned its background in an empty home, that it takes its pictures at whole multiples of
+//! their period since the run's start, so that several cameras take theirs together, and that it is awake at the next
+//! of them.
 //!
-//! It is told what bodies do, and follows each in three dimensions ([`BodyTrack`]); a frame paints those that are in view and
-//! disturbs the picture as a real background subtraction would. What it says by the way of all sensors is that it woke, that it
-//! sees somebody, and that it sleeps. Pictures in which it sees somebody are kept apart from the log.
+//! It gets the movements of bodies, and follows each in three dimensions ([`BodyTrack`]); a frame paints those that are
+//! in view and disturbs the picture as a real background subtraction would. Its messages are that it woke, that it sees
+//! a person, and that it sleeps. Pictures with a person are kept separately from the log.
 //!
 //! Left out: lenses that distort, darkness, moving the camera, what becomes of pictures on their way.
 
@@ -28,7 +29,7 @@ use crate::ids::{ResidentId, ThingId};
 use crate::numbers::Numbers;
 use crate::plan::sun::Sun;
 use crate::random::{Marks, Stream};
-use crate::sensors::form::{Colour, DeviceForm, FormProblem, KindRow, Mount, ReportedInstant, Shape, Site};
+use crate::sensors::form::{Colour, FormProblem, KindRow, Mount, Orientation, SensorForm, Shape, Site};
 use crate::time::{RunTime, Span};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -39,7 +40,7 @@ crate::numbers! {
     static LEAST_SHARE = "camera.least_share": 0.002, "1", [0.0, 0.5];
 }
 
-/// What there is to know of the kind.
+/// The row of the kind.
 pub static ROW: KindRow = KindRow {
     key: "camera",
     label: "camera, silhouettes only",
@@ -136,13 +137,18 @@ impl CameraFile {
     }
 }
 
-impl DeviceForm for CameraFile {
-    fn row(&self) -> &'static KindRow {
-        &ROW
-    }
-
+impl SensorForm for CameraFile {
     fn spot(&self) -> Option<At> {
         Some(self.at)
+    }
+
+    fn orientation(&self) -> Option<Orientation> {
+        let [columns, rows] = self.pixels.map(f64::from);
+        let half_across = (self.field_deg / 2.0).to_radians();
+        let down_deg = 2.0 * libm::atan(libm::tan(half_across) * rows / columns).to_degrees();
+        let CameraFile { at, height_m, facing_deg, tilt_deg, .. } = *self;
+        let field_deg = [self.field_deg, libm::round(down_deg * 100.0) / 100.0];
+        Some(Orientation { at, height_m, facing_deg, tilt_deg, field_deg, reach_m: None })
     }
 
     fn woken_by(&self) -> &[String] {
@@ -158,10 +164,6 @@ impl DeviceForm for CameraFile {
             wrong.push(FormProblem::new("/woken_by", SensorMessage::NeverSleeps { camera: self.name.clone() }));
         }
         wrong
-    }
-
-    fn moment(&self) -> Option<ReportedInstant<'_>> {
-        None
     }
 }
 
@@ -183,7 +185,7 @@ pub struct Camera {
     light_lasts: Span,
     least_px: u32,
     bodies: Vec<BodyTrack>,
-    /// The figures in its last picture, and that picture before the noise: who keeps still is painted once.
+    /// The figures in its last picture, and that picture before the noise: a still body is painted once.
     painted: Option<(Vec<Figure>, Silhouette)>,
     /// Its next picture; `NEVER` while it sleeps.
     next: RunTime,
@@ -219,20 +221,18 @@ impl Camera {
         }
     }
 
-    /// The first picture not before an instant.
     fn picture_from(&self, at: RunTime) -> RunTime {
         RunTime::START + (at + self.period - Span::MICROSECOND).since_zero() / self.period * self.period
     }
 
     fn wake(&mut self, at: RunTime, outbox: &mut Outbox) {
         if self.next == RunTime::NEVER {
-            outbox.say(Value::Woke, None, at, Trigger::Reading);
+            outbox.send(Value::Woke, None, at, Trigger::Reading);
             self.next = self.picture_from(at);
         }
         self.awake_until = self.awake_until.max(at.saturating_add(self.stays_awake));
     }
 
-    /// The bodies that may be in its picture, with whose they are.
     fn in_view(&self, at: RunTime) -> (Vec<ResidentId>, Vec<Figure>) {
         let near =
             |track: &&BodyTrack| track.place_at(at).is_some_and(|place| self.lens.may_see(place, track.reach_m()));
@@ -240,7 +240,7 @@ impl Camera {
         seen.filter_map(|track| Some((track.resident(), track.figure_at(at)?))).unzip()
     }
 
-    /// What it sees of these figures, before the noise.
+    /// The picture of these figures, before the noise.
     fn painted(&mut self, figures: &[Figure], scenery: &Scenery) -> Silhouette {
         if let Some((_, picture)) = self.painted.as_ref().filter(|(last, _)| last == figures) {
             return picture.clone();
@@ -251,7 +251,7 @@ impl Camera {
         picture
     }
 
-    /// Takes a picture; whether somebody is seen in it is a message where it was not so before.
+    /// Takes a picture. The first one with a person, or without, is a message.
     fn take(&mut self, at: RunTime, outbox: &mut Outbox) {
         let Some(scenery) = self.scenery.clone() else { return };
         let (residents, figures) = self.in_view(at);
@@ -273,7 +273,7 @@ impl Camera {
         };
         let whose = residents.first().copied();
         if self.sees.is_none() {
-            outbox.say(Value::Seen, whose, at, Trigger::Movement);
+            outbox.send(Value::Seen, whose, at, Trigger::Movement);
         }
         self.sees = whose;
         outbox.pictures.push(Picture { packed: picture.packed(), features });
@@ -331,11 +331,11 @@ impl DeviceModel for Camera {
 
     fn on_timer(&mut self, at: RunTime, outbox: &mut Outbox) {
         if self.always && at == RunTime::START {
-            outbox.say(Value::Woke, None, at, Trigger::Reading);
+            outbox.send(Value::Woke, None, at, Trigger::Reading);
         }
         if at >= self.awake_until {
             (self.next, self.sees) = (RunTime::NEVER, None);
-            outbox.say(Value::Slept, None, at, Trigger::Reading);
+            outbox.send(Value::Slept, None, at, Trigger::Reading);
             return;
         }
         self.take(at, outbox);
@@ -388,7 +388,7 @@ mod tests {
         while camera.timer() < until {
             let (at, mut outbox) = (camera.timer(), Outbox::default());
             camera.on_timer(at, &mut outbox);
-            said.extend(outbox.said.iter().map(|(value, _)| (at, *value)));
+            said.extend(outbox.messages.iter().map(|(value, _)| (at, *value)));
             pictures += outbox.pictures.len();
         }
         (said, pictures)
@@ -402,7 +402,7 @@ mod tests {
         let mut outbox = Outbox::default();
         camera.on_event(at(100) + Span::MICROSECOND, &Change::Fired, &mut outbox);
         camera.on_event(at(101), &Change::Fired, &mut outbox);
-        assert_eq!(outbox.said.iter().map(|(value, _)| *value).collect::<Vec<_>>(), [Value::Woke]);
+        assert_eq!(outbox.messages.iter().map(|(value, _)| *value).collect::<Vec<_>>(), [Value::Woke]);
         let (said, pictures) = live(&mut camera, at(200));
         // From 100.2 s to 102.8 s, five a second.
         assert_eq!(said, [(at(100) + SECOND / 5, Value::Seen), (at(103), Value::Slept)]);
@@ -410,12 +410,12 @@ mod tests {
     }
 
     #[test]
-    fn one_that_never_sleeps_sees_whoever_comes_and_keeps_no_picture_of_an_empty_room() {
+    fn a_camera_that_never_sleeps_sees_each_arrival_and_keeps_no_picture_of_an_empty_room() {
         let mut camera = camera(json!({ "always": true, "frames_per_s": 2 }));
         assert_eq!(live(&mut camera, at(10)), (vec![(at(0), Value::Woke)], 0));
         camera.on_event(at(10), &stands(Point::new(2.0, 2.0)), &mut Outbox::default());
         assert_eq!(live(&mut camera, at(15)), (vec![(at(10), Value::Seen)], 10));
-        // Behind it is nobody that it sees.
+        // A person behind it is not seen.
         camera.on_event(at(15), &stands(Point::new(-2.0, -2.0)), &mut Outbox::default());
         assert_eq!(live(&mut camera, at(20)).1, 0);
     }

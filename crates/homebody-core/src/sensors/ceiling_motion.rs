@@ -2,9 +2,9 @@
 //!
 //! The device looks straight down through a narrow lens on one spot: a shower, a drawer, a closet.
 //!
-//! We assume that it sees every movement of a body any part of which is over the area, and nothing
-//! else (Godsey & Skubic 2009, section III.D: a rectangular area that, when intersected, makes the
-//! sensor active). A body that keeps still is not seen.
+//! We assume that it sees every movement of a body over the area, even in part, and no other (Godsey & Skubic 2009,
+//! section III.D: a rectangular area that, when intersected, makes the sensor active). A body that keeps still is not
+//! seen.
 //!
 //! The area is a convex outline. A body of radius r touches it while its centre is within r of the
 //! area, which begins, from outside, at one of the outline's sides: each side is a beam.
@@ -12,12 +12,26 @@
 //! Left out: the height of the body (the beam widens downward), furniture above the area, and walls: the checks refuse
 //! an area that reaches through one.
 
+use super::form::{Colour, KindRow, Mount, SensorForm, Shape};
 use super::notice::{Notice, View};
+use crate::event::Value;
 use crate::geometry::{self, At, Point, point};
 use crate::sensors::preset::Preset;
 use crate::stride::Beam;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
+
+/// The row of the kind.
+pub static ROW: KindRow = KindRow {
+    key: "ceiling_motion",
+    label: "motion, from the ceiling",
+    mount: Mount::Ceiling,
+    unit: None,
+    values: &[Value::Fire],
+    shape: Shape::Ring,
+    colour: Colour::Sky,
+    casas: "M",
+};
 
 /// A passive infrared sensor on the ceiling that looks straight down on an area.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -50,6 +64,24 @@ pub struct CeilingMotionFile {
     pub persist_s: Option<f64>,
 }
 
+impl SensorForm for CeilingMotionFile {
+    fn area_below(&self) -> Option<&[At]> {
+        Some(&self.area)
+    }
+
+    fn beam_count(&self) -> u32 {
+        self.area.len() as u32
+    }
+
+    fn scale_reach(&mut self, factor: f64) -> bool {
+        let corners: Vec<Point> = self.area.iter().map(|&at| point(at)).collect();
+        let middle = geometry::inner_point(&corners);
+        let away = |at: f64, from: f64| geometry::whole_millimetres(from + (at - from) * factor);
+        self.area = corners.iter().map(|at| [away(at.x, middle.x), away(at.y, middle.y)]).collect();
+        true
+    }
+}
+
 /// Height of a lens at 2.4 m above the middle of a person who stands or sits (our choice).
 const LENS_ABOVE_M: f64 = 1.5;
 
@@ -72,7 +104,7 @@ impl CeilingMotion {
         CeilingMotion { middle: geometry::inner_point(&outline), outline }
     }
 
-    /// Where a body is as the lens above the middle of the area has it.
+    /// A body as the lens above the middle of the area sees it.
     pub fn view(&self, at: Point) -> View {
         let distance_m = libm::hypot(at.distance(self.middle), LENS_ABOVE_M);
         View { distance_m, depth_m: geometry::depth_in_area(&self.outline, at) }
@@ -97,7 +129,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_body_is_as_deep_in_the_area_as_it_is_from_its_border() {
+    fn depth_in_the_area_is_the_distance_from_its_border() {
         let file = serde_json::json!({ "name": "m", "area": [[0, 0], [0, 2], [2, 2], [2, 0]] });
         let area = CeilingMotion::new(&serde_json::from_value(file).expect("a ceiling sensor"));
         assert_eq!(area.view(Point::ONE), View { distance_m: 1.5, depth_m: 1.0 });

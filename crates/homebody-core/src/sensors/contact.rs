@@ -4,19 +4,19 @@
 //!
 //! We assume that it says so at once, and that what it hangs on is closed as a run begins, unless the home has it open.
 //!
-//! An act on its thing that changes how the thing is, is a message; one that changes nothing is none.
+//! An act that changes the state of its thing is a message. Other acts are not.
 //!
 //! Left out: bouncing, doors that stand ajar, magnets out of line.
 
 use super::outbox::{Change, DeviceModel, Outbox};
 use crate::event::{Trigger, Value};
 use crate::ids::ThingId;
-use crate::sensors::form::{Bearer, Colour, DeviceForm, KindRow, Mount, ReportedInstant, Shape, Site};
+use crate::sensors::form::{Bearer, Colour, KindRow, Mount, ReportedInstant, SensorForm, Shape, Site};
 use crate::time::RunTime;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-/// What there is to know of the kind.
+/// The row of the kind.
 pub static ROW: KindRow = KindRow {
     key: "contact",
     label: "contact",
@@ -40,11 +40,7 @@ pub struct ContactFile {
     pub on: String,
 }
 
-impl DeviceForm for ContactFile {
-    fn row(&self) -> &'static KindRow {
-        &ROW
-    }
-
+impl SensorForm for ContactFile {
     fn on(&self) -> Option<&str> {
         Some(&self.on)
     }
@@ -57,7 +53,6 @@ impl DeviceForm for ContactFile {
 /// A contact sensor.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Contact {
-    /// Index into the home's things.
     thing: ThingId,
     open: bool,
 }
@@ -76,7 +71,7 @@ impl DeviceModel for Contact {
             && on != self.open
         {
             self.open = on;
-            outbox.say(if on { Value::Open } else { Value::Close }, resident, at, Trigger::Use(thing));
+            outbox.send(if on { Value::Open } else { Value::Close }, resident, at, Trigger::Use(thing));
         }
     }
 }
@@ -97,7 +92,7 @@ mod tests {
                 &mut outbox,
             );
         }
-        let values: Vec<Value> = outbox.said.iter().map(|(value, _)| *value).collect();
+        let values: Vec<Value> = outbox.messages.iter().map(|(value, _)| *value).collect();
         assert_eq!(values, [Value::Open, Value::Close]);
     }
 }

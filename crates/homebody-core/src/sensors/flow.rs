@@ -5,20 +5,20 @@
 //! We assume that it says so at once, and that water flows while a tap is open. Into a cistern it flows for a time by itself
 //! after each flush, about a minute.
 //!
-//! An act on its thing that changes how the thing is, is a message. Where water runs by itself, each act that turns it on is a
-//! flush, from which on it flows for its time, and acts that turn it off say nothing.
+//! An act that changes the state of its thing is a message. If water runs by itself, each act that turns it on is a
+//! flush, after which it flows for its time, and acts that turn it off send no message.
 //!
 //! Left out: how much flows, whether it is warm, other taps on the same pipe.
 
 use super::outbox::{Change, DeviceModel, Outbox};
 use crate::event::{Trigger, Value};
 use crate::ids::{ResidentId, ThingId};
-use crate::sensors::form::{Bearer, Colour, DeviceForm, KindRow, Mount, ReportedInstant, Shape, Site};
+use crate::sensors::form::{Bearer, Colour, KindRow, Mount, ReportedInstant, SensorForm, Shape, Site};
 use crate::time::{RunTime, Span};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-/// What there is to know of the kind.
+/// The row of the kind.
 pub static ROW: KindRow = KindRow {
     key: "flow",
     label: "flow",
@@ -47,11 +47,7 @@ pub struct FlowFile {
     pub runs_s: Option<f64>,
 }
 
-impl DeviceForm for FlowFile {
-    fn row(&self) -> &'static KindRow {
-        &ROW
-    }
-
+impl SensorForm for FlowFile {
     fn on(&self) -> Option<&str> {
         Some(&self.on)
     }
@@ -64,13 +60,10 @@ impl DeviceForm for FlowFile {
 /// A flow sensor.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Flow {
-    /// Index into the home's things.
     thing: ThingId,
     runs: Option<Span>,
     flows: bool,
-    /// When it ceases by itself.
     ceases: RunTime,
-    /// Who flushed last, and when.
     by: Option<ResidentId>,
     since: RunTime,
 }
@@ -99,7 +92,7 @@ impl DeviceModel for Flow {
         self.on_timer(at, outbox);
         if on != self.flows {
             self.flows = on;
-            outbox.say(if on { Value::On } else { Value::Off }, resident, at, Trigger::Use(thing));
+            outbox.send(if on { Value::On } else { Value::Off }, resident, at, Trigger::Use(thing));
         }
         if let Some(runs) = self.runs {
             (self.ceases, self.by, self.since) = (at + runs, resident, at);
@@ -113,7 +106,7 @@ impl DeviceModel for Flow {
     fn on_timer(&mut self, at: RunTime, outbox: &mut Outbox) {
         if self.ceases <= at {
             (self.flows, self.ceases) = (false, RunTime::NEVER);
-            outbox.say(Value::Off, self.by, self.since, Trigger::Use(self.thing));
+            outbox.send(Value::Off, self.by, self.since, Trigger::Use(self.thing));
         }
     }
 }
@@ -135,10 +128,10 @@ mod tests {
             if flow.timer() < at {
                 let due = flow.timer();
                 flow.on_timer(due, &mut outbox);
-                messages.extend(outbox.said.drain(..).map(|(value, _)| (due, value)));
+                messages.extend(outbox.messages.drain(..).map(|(value, _)| (due, value)));
             }
             flow.on_event(at, &Change::Use { resident: Some(ResidentId(0)), thing: ThingId(7), on }, &mut outbox);
-            messages.extend(outbox.said.drain(..).map(|(value, _)| (at, value)));
+            messages.extend(outbox.messages.drain(..).map(|(value, _)| (at, value)));
         }
         messages
     }

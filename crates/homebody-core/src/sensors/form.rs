@@ -1,4 +1,4 @@
-//! What the file form of a device says of it: its kind, what it hangs on, what is wrong with it.
+//! The form of a sensor in its file: its kind, its place, its problems.
 //!
 //! Each device has a file of its own, with its row in the list of kinds, its form in `home.json` and its model.
 //!
@@ -20,21 +20,21 @@ use std::sync::Arc;
 /// [`KINDS`](super::kinds::KINDS).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct KindRow {
-    /// What `home.json` calls it, such as `stove_temperature`.
+    /// The key in `home.json`, such as `stove_temperature`.
     pub key: &'static str,
-    /// What people call it, such as `motion, on a wall`.
+    /// The name for people, such as `motion, on a wall`.
     pub label: &'static str,
-    /// Where it hangs or lies.
+    /// The mounting.
     pub mount: Mount,
     /// Of its readings; nothing for a kind that never says a number.
     pub unit: Option<Unit>,
-    /// What it can say besides readings.
+    /// The values other than readings.
     pub values: &'static [Value],
-    /// What it is drawn as, so that neither shape nor colour stands alone.
+    /// The shape on plans, so that neither shape nor colour stands alone.
     pub shape: Shape,
     /// Its colour on plans and in legends; several kinds share one.
     pub colour: Colour,
-    /// What its ids begin with in the homes of CASAS: `M` for motion, `D` for doors, `I` for items.
+    /// The beginning of its ids in the homes of CASAS: `M` for motion, `D` for doors, `I` for items.
     pub casas: &'static str,
 }
 
@@ -45,7 +45,7 @@ impl KindRow {
     }
 }
 
-/// Where a kind of sensor hangs or lies.
+/// A mounting.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Mount {
     /// On a wall, looking into the room.
@@ -60,14 +60,14 @@ pub enum Mount {
     Free,
 }
 
-/// What a sensor can hang on or lie in.
+/// A bearer of a sensor.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Bearer {
     /// A door, or an open passage.
     Door,
     /// Any piece of furniture.
     Furniture,
-    /// A piece of furniture in which people can be.
+    /// An enterable piece of furniture.
     Enterable,
     /// A room's lamp, by the name of the room.
     Lamp,
@@ -137,54 +137,103 @@ pub enum Colour {
     Purple,
 }
 
-/// The form of a device in `home.json`.
-pub trait DeviceForm {
-    /// Its kind.
-    fn row(&self) -> &'static KindRow;
+/// The position and direction of a lens, and its field of view.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Orientation {
+    /// Seen from above.
+    pub at: At,
+    /// Height above the floor.
+    pub height_m: f64,
+    /// 0 is east, 90 is north.
+    pub facing_deg: f64,
+    /// Downward.
+    pub tilt_deg: f64,
+    /// Horizontal and vertical angle of view.
+    pub field_deg: [f64; 2],
+    /// Largest distance along the floor, if limited.
+    pub reach_m: Option<f64>,
+}
 
-    /// The name of the thing that it hangs on or lies in, where it does.
+/// The form of a sensor in `home.json`. Most kinds need few of these methods.
+pub trait SensorForm {
+    /// The thing that it hangs on or lies in.
     fn on(&self) -> Option<&str> {
         None
     }
 
-    /// The name of the room that it measures, where it does.
+    /// The room that it measures.
     fn room(&self) -> Option<&str> {
         None
     }
 
-    /// The corners of the floor that it covers, where it lies on the floor.
+    /// The corners of the floor that it covers, if it lies on the floor.
     fn area(&self) -> Option<&[At]> {
         None
     }
 
-    /// Where it hangs, where the file says the point.
+    /// The corners of the floor that it looks down on.
+    fn area_below(&self) -> Option<&[At]> {
+        None
+    }
+
+    /// The position of a device, if the file states it.
     fn spot(&self) -> Option<At> {
         None
     }
 
-    /// The names of the sensors whose words wake it, where it sleeps.
+    /// The direction in which it looks, if it looks into a room.
+    fn orientation(&self) -> Option<Orientation> {
+        None
+    }
+
+    /// The number of lines that it sees along.
+    fn beam_count(&self) -> u32 {
+        0
+    }
+
+    /// Whether it counts pulses before it detects a movement.
+    fn counts_pulses(&self) -> bool {
+        false
+    }
+
+    /// The names of the sensors that wake it.
     fn woken_by(&self) -> &[String] {
         &[]
     }
 
-    /// What is wrong with it whatever the home is like.
+    /// The problems of the form in any home.
     fn wrong(&self) -> Vec<FormProblem> {
         Vec::new()
     }
 
-    /// What it tells the very instant of; two sensors that do so of the same always speak at once.
-    fn moment(&self) -> Option<ReportedInstant<'_>>;
+    /// The event that it reports at once. Two sensors that report the same one always send at the same instant.
+    fn moment(&self) -> Option<ReportedInstant<'_>> {
+        None
+    }
 
-    /// Whether this one says readings, where its kind has a unit.
+    /// Whether it sends readings, if its kind has a unit.
     fn gives_readings(&self) -> bool {
         true
+    }
+
+    /// Hangs it elsewhere. False for a sensor that no fault of the link can move.
+    fn relocate(&mut self, _at: At, _facing_deg: f64) -> bool {
+        false
+    }
+
+    /// Sets height, angles of view and reach, if the form has them.
+    fn set_field(&mut self, _height_m: f64, _field_deg: [f64; 2], _reach_m: f64) {}
+
+    /// Multiplies the distance at which it looks for movement. False for a device.
+    fn scale_reach(&mut self, _factor: f64) -> bool {
+        false
     }
 }
 
 /// Something wrong with a form.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct FormProblem {
-    /// Where in the form, as the rest of a JSON pointer, such as `/levels_s/1`; empty for the whole of it.
+    /// The place in the form, as the rest of a JSON pointer, such as `/levels_s/1`; empty for the whole form.
     pub at: String,
     /// The message, such as a [`SensorMessage`](super::messages::SensorMessage).
     pub message: Diagnostic,
@@ -197,16 +246,16 @@ impl FormProblem {
     }
 }
 
-/// What sensors tell the instant of, if they tell it as it happens.
+/// An event whose instant a sensor reports at once.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum ReportedInstant<'a> {
-    /// Somebody has come into a piece of furniture, or left it, so long ago.
+    /// A person has come into a piece of furniture, or left it; reported after this time.
     Pressed(&'a str, Span),
     /// A thing is used.
     Used(&'a str),
 }
 
-/// Where a device is in the home: on a thing, in a room with its lamp, or on the floor.
+/// The place of a device in the home: on a thing, in a room with its lamp, or on the floor.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Site {
     /// The thing, or the lamp of the room.
@@ -217,7 +266,7 @@ pub struct Site {
     pub at: Point,
     /// Of the piece of furniture, or of the area on the floor: convex.
     pub outline: Vec<Point>,
-    /// How high the piece of furniture is; 0 for the floor.
+    /// The height of the piece of furniture; 0 for the floor.
     pub height_m: f64,
     /// Of what looks around: what there is to see.
     pub outlook: Arc<Outlook>,

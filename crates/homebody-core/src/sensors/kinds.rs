@@ -1,230 +1,213 @@
-//! The kinds of sensors: the one list of them.
+//! The list of all kinds of sensors.
 //!
-//! It says of each kind what check, page and the destinations of logs have to know.
+//! Check, page and the destinations of logs read it.
 //!
-//! We assume that all sensors of a kind say the same things, but for readings that a sensor's form turns off.
+//! We assume that all sensors of a kind send the same values, except for readings that a sensor's form turns off.
 //!
-//! A device is one line of `devices!`: the variant that it is of [`SensorFile`] and of
-//! [`SensorDevice`], and its module, which has its row, its form and its model.
+//! A kind is one line of `sensors!`: its variant of [`SensorFile`], and its module with its row, its form and its model. Kinds that
+//! look for movement come first; devices, which react to use, weight or state, follow.
 //!
-//! Left out: how a sensor works, which its module says.
+//! Left out: the models, which are in the modules of the kinds.
 
-use super::ceiling_motion::CeilingMotionFile;
-use super::form::{Colour, DeviceForm, FormProblem, KindRow, Mount, ReportedInstant, Shape, Site};
-use super::motion::{LevelFile, MotionFile};
+use super::form::{KindRow, Mount, SensorForm, Site};
 use super::notice::{Notice, NoticeChance};
 use super::outbox::{Change, DeviceModel, Outbox};
 use super::preset::{Preset, TimingSeconds};
-use crate::event::Value;
-use crate::geometry::At;
+use super::{camera::CameraFile, ceiling_motion::CeilingMotionFile, motion::MotionFile};
 use crate::numbers::Numbers;
 use crate::plan::sun::Sun;
 use crate::random::Stream;
 use crate::time::RunTime;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
+use std::ops::{Deref, DerefMut};
 
-/// Hands the devices to a macro, in the order in which documents list them.
-macro_rules! devices {
+/// Passes the kinds to a macro, in the order of documents.
+macro_rules! sensors {
     ($to:ident) => {
         $to! {
-            Contact(contact, ContactFile)
-            Bed(bed, BedFile)
-            StoveTemperature(stove_temperature, StoveTemperatureFile)
-            Pressure(pressure, PressureFile)
-            Power(power, PowerFile)
-            Flow(flow, FlowFile)
-            Light(light, LightFile)
-            Temperature(temperature, TemperatureFile)
-            Camera(camera, CameraFile)
+            looking {
+                Motion(motion, MotionFile)
+                CeilingMotion(ceiling_motion, CeilingMotionFile)
+            }
+            devices {
+                Contact(contact, ContactFile)
+                Bed(bed, BedFile)
+                StoveTemperature(stove_temperature, StoveTemperatureFile)
+                Pressure(pressure, PressureFile)
+                Power(power, PowerFile)
+                Flow(flow, FlowFile)
+                Light(light, LightFile)
+                Temperature(temperature, TemperatureFile)
+                Camera(camera, CameraFile)
+            }
         }
     };
 }
 
-macro_rules! rows {
-    ($($kind:ident($module:ident, $form:ident))*) => {
-        /// All kinds of sensors: those that look for movement, then those that are told what happens.
-        pub static KINDS: &[&KindRow] = &[&MOTION, &CEILING_MOTION, $(&super::$module::ROW),*];
-    };
+/// The settings that all sensors that look for movement share.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct MotionSettings {
+    /// The device model.
+    pub preset: Preset,
+    /// Which movements the sensor notices, unless as the preset has it.
+    pub notice: Option<Notice>,
+    /// Shortest and longest delay of the first firing, in seconds, unless as the preset has it.
+    pub first_fire_s: Option<[f64; 2]>,
+    /// Shortest and longest wait between firings, in seconds, unless as the preset has it.
+    pub refire_s: Option<[f64; 2]>,
+    /// Time before the end of a wait in which a movement still counts, in seconds, unless as the preset has it.
+    pub persist_s: Option<f64>,
 }
-devices!(rows);
-
-/// A sensor on a wall.
-pub static MOTION: KindRow = KindRow {
-    key: "motion",
-    label: "motion, on a wall",
-    mount: Mount::Wall,
-    unit: None,
-    values: &[Value::Fire],
-    shape: Shape::Arrow,
-    colour: Colour::Blue,
-    casas: "M",
-};
-
-/// A sensor on the ceiling.
-pub static CEILING_MOTION: KindRow = KindRow {
-    key: "ceiling_motion",
-    label: "motion, from the ceiling",
-    mount: Mount::Ceiling,
-    unit: None,
-    values: &[Value::Fire],
-    shape: Shape::Ring,
-    colour: Colour::Sky,
-    casas: "M",
-};
 
 macro_rules! sensor_file {
-    ($($kind:ident($module:ident, $form:ident))*) => {
+    (
+        looking { $($look:ident($look_module:ident, $look_form:ident))* }
+        devices { $($kind:ident($module:ident, $form:ident))* }
+    ) => {
+        /// The rows of all kinds of sensors.
+        pub static KINDS: &[&KindRow] = &[$(&super::$look_module::ROW,)* $(&super::$module::ROW),*];
+
         /// A sensor, by kind.
         #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
         #[serde(tag = "kind", rename_all = "snake_case")]
         #[schemars(title = "sensor")]
         #[allow(missing_docs, reason = "each kind's form says what it is, and the schema takes it from there")]
         pub enum SensorFile {
-            Motion(MotionFile),
-            CeilingMotion(CeilingMotionFile),
+            $($look($look_form),)*
             $($kind(crate::sensors::$module::$form)),*
         }
 
         impl SensorFile {
-            /// Its name, which no other sensor of the home has.
+            /// The row of its kind.
+            pub fn row(&self) -> &'static KindRow {
+                match self {
+                    $(SensorFile::$look(_) => &super::$look_module::ROW,)*
+                    $(SensorFile::$kind(_) => &super::$module::ROW),*
+                }
+            }
+
+            /// The name, unique in the home.
             pub fn name(&self) -> &str {
                 match self {
-                    SensorFile::Motion(sensor) => &sensor.name,
-                    SensorFile::CeilingMotion(sensor) => &sensor.name,
+                    $(SensorFile::$look(sensor) => &sensor.name,)*
                     $(SensorFile::$kind(sensor) => &sensor.name),*
                 }
             }
 
-            /// Its name, to be changed.
+            /// The name, to be changed.
             pub fn name_mut(&mut self) -> &mut String {
                 match self {
-                    SensorFile::Motion(sensor) => &mut sensor.name,
-                    SensorFile::CeilingMotion(sensor) => &mut sensor.name,
+                    $(SensorFile::$look(sensor) => &mut sensor.name,)*
                     $(SensorFile::$kind(sensor) => &mut sensor.name),*
                 }
             }
 
-            /// The form of a sensor that is told what happens.
-            fn device(&self) -> Option<&dyn DeviceForm> {
+            /// The settings of a sensor that looks for movement.
+            pub fn settings(&self) -> Option<MotionSettings> {
                 match self {
-                    SensorFile::Motion(_) | SensorFile::CeilingMotion(_) => None,
-                    $(SensorFile::$kind(sensor) => Some(sensor)),*
+                    $(SensorFile::$look(sensor) => {
+                        let $look_form { preset, notice, first_fire_s, refire_s, persist_s, .. } = *sensor;
+                        Some(MotionSettings { preset, notice, first_fire_s, refire_s, persist_s })
+                    })*
+                    $(SensorFile::$kind(_) => None),*
+                }
+            }
+
+            /// Changes the settings of a sensor that looks for movement. Devices stay the same.
+            pub fn change_settings(&mut self, change: impl FnOnce(&mut MotionSettings)) {
+                let Some(mut settings) = self.settings() else { return };
+                change(&mut settings);
+                let MotionSettings { preset, notice, first_fire_s, refire_s, persist_s } = settings;
+                match self {
+                    $(SensorFile::$look(sensor) => {
+                        *sensor = $look_form { preset, notice, first_fire_s, refire_s, persist_s, ..sensor.clone() };
+                    })*
+                    $(SensorFile::$kind(_) => {})*
+                }
+            }
+        }
+
+        impl Deref for SensorFile {
+            type Target = dyn SensorForm;
+
+            fn deref(&self) -> &Self::Target {
+                match self {
+                    $(SensorFile::$look(sensor) => sensor,)*
+                    $(SensorFile::$kind(sensor) => sensor),*
+                }
+            }
+        }
+
+        impl DerefMut for SensorFile {
+            fn deref_mut(&mut self) -> &mut Self::Target {
+                match self {
+                    $(SensorFile::$look(sensor) => sensor,)*
+                    $(SensorFile::$kind(sensor) => sensor),*
                 }
             }
         }
     };
 }
-
-devices!(sensor_file);
+sensors!(sensor_file);
 
 impl SensorFile {
-    /// What there is to know of its kind.
-    pub fn row(&self) -> &'static KindRow {
+    /// The form of a camera.
+    pub fn camera(&self) -> Option<&CameraFile> {
         match self {
-            SensorFile::Motion(_) => &MOTION,
-            SensorFile::CeilingMotion(_) => &CEILING_MOTION,
-            _ => self.device().expect("all others are told what happens").row(),
-        }
-    }
-
-    /// The thing that it hangs on, where it hangs on one.
-    pub fn on(&self) -> Option<&str> {
-        self.device().and_then(DeviceForm::on)
-    }
-
-    /// The room whose light or warmth it measures, where it measures either.
-    pub fn room(&self) -> Option<&str> {
-        self.device().and_then(DeviceForm::room)
-    }
-
-    /// The corners of the floor that it covers, where it lies on the floor.
-    pub fn area(&self) -> Option<&[At]> {
-        self.device().and_then(DeviceForm::area)
-    }
-
-    /// Where it hangs, where its form says the point and it does not look for movement.
-    pub fn spot(&self) -> Option<At> {
-        self.device().and_then(DeviceForm::spot)
-    }
-
-    /// The names of the sensors whose words wake it, where it sleeps.
-    pub fn woken_by(&self) -> &[String] {
-        self.device().map(DeviceForm::woken_by).unwrap_or_default()
-    }
-
-    /// What is wrong with it whatever the home is like, as far as its kind alone knows.
-    pub fn wrong(&self) -> Vec<FormProblem> {
-        self.device().map(DeviceForm::wrong).unwrap_or_default()
-    }
-
-    /// What it tells the very instant of.
-    pub fn moment(&self) -> Option<ReportedInstant<'_>> {
-        self.device().and_then(DeviceForm::moment)
-    }
-
-    /// Whether it says readings, where its kind has a unit.
-    pub fn gives_readings(&self) -> bool {
-        self.device().is_some_and(DeviceForm::gives_readings)
-    }
-
-    /// Whether it looks for movement, rather than being told what happens.
-    pub fn senses_motion(&self) -> bool {
-        matches!(self, SensorFile::Motion(_) | SensorFile::CeilingMotion(_))
-    }
-
-    /// What it notices of the movements in its field, where it looks for any: the preset's, unless the file says otherwise.
-    pub fn notice(&self) -> Option<Notice> {
-        match self {
-            SensorFile::Motion(MotionFile { level: LevelFile::Zones(_), .. }) => Some(Notice::All),
-            SensorFile::Motion(s) => Some(s.notice.unwrap_or(s.preset.notice())),
-            SensorFile::CeilingMotion(s) => Some(s.notice.unwrap_or(s.preset.notice())),
+            SensorFile::Camera(camera) => Some(camera),
             _ => None,
         }
+    }
+
+    /// Whether it looks for movement, unlike a device.
+    pub fn senses_motion(&self) -> bool {
+        self.row().senses_motion()
+    }
+
+    /// The movements in its field that it notices, if it looks for movement.
+    pub fn notice(&self) -> Option<Notice> {
+        let MotionSettings { notice, preset, .. } = self.settings()?;
+        Some(if self.counts_pulses() { Notice::All } else { notice.unwrap_or(preset.notice()) })
     }
 
     /// The chance by which it notices movements; `None` for a sensor that notices all, or does not look for movement.
     pub fn notice_chance(&self) -> Option<NoticeChance> {
-        let is_wide = matches!(self, SensorFile::Motion(wall) if wall.preset.is_casas());
+        let is_wide = self.row().mount == Mount::Wall && self.preset()?.is_casas();
         NoticeChance::new(self.notice()?, is_wide)
     }
 
-    /// The device that it is, where it looks for movement.
+    /// The device model of a sensor that looks for movement.
     pub fn preset(&self) -> Option<Preset> {
-        match self {
-            SensorFile::Motion(sensor) => Some(sensor.preset),
-            SensorFile::CeilingMotion(sensor) => Some(sensor.preset),
-            _ => None,
-        }
+        Some(self.settings()?.preset)
     }
 
-    /// The numbers of the timing state machine: the preset's, with whatever the file overrides.
+    /// The numbers of the timing state machine: the preset's, unless the file overrides them.
     ///
     /// A device's first delay holds the time of the pulses that it counts. A sensor at level `zones` has counted them
     /// when it sees, so that only its electronics are left.
     pub fn timing(&self) -> TimingSeconds {
         /// Shortest and longest delay of a sensor's electronics after it has counted its pulses (our choice).
         const COUNTED_S: [f64; 2] = [0.3, 0.8];
-        let has_counted = matches!(self, SensorFile::Motion(MotionFile { level: LevelFile::Zones(_), .. }));
-        let (preset, first, refire, persist) = match self {
-            SensorFile::Motion(s) => (s.preset, s.first_fire_s, s.refire_s, s.persist_s),
-            SensorFile::CeilingMotion(s) => (s.preset, s.first_fire_s, s.refire_s, s.persist_s),
-            _ => (Preset::default(), None, None, None),
-        };
-        let timing = preset.timing();
+        let settings = self.settings();
+        let timing = settings.map_or(Preset::default(), |settings| settings.preset).timing();
         let [least, most] = timing.first_fire_s;
-        let delay = if has_counted { [least.min(COUNTED_S[0]), most.min(COUNTED_S[1])] } else { [least, most] };
+        let delay =
+            if self.counts_pulses() { [least.min(COUNTED_S[0]), most.min(COUNTED_S[1])] } else { [least, most] };
         TimingSeconds {
-            first_fire_s: first.unwrap_or(delay),
-            refire_s: refire.unwrap_or(timing.refire_s),
-            persist_s: persist.unwrap_or(timing.persist_s),
+            first_fire_s: settings.and_then(|settings| settings.first_fire_s).unwrap_or(delay),
+            refire_s: settings.and_then(|settings| settings.refire_s).unwrap_or(timing.refire_s),
+            persist_s: settings.and_then(|settings| settings.persist_s).unwrap_or(timing.persist_s),
         }
     }
 }
 
 macro_rules! device {
-    ($($kind:ident($module:ident, $form:ident))*) => {
-        /// A sensor that is told, one kind each.
+    (
+        looking { $($look:ident($look_module:ident, $look_form:ident))* }
+        devices { $($kind:ident($module:ident, $form:ident))* }
+    ) => {
+        /// A sensor that reacts to use, weight or state, by kind.
         #[derive(Clone, Debug, PartialEq)]
         #[allow(missing_docs, reason = "each kind's model says what it is, in a file of its own")]
         pub enum SensorDevice {
@@ -232,11 +215,10 @@ macro_rules! device {
         }
 
         impl SensorDevice {
-            /// The device that a file that has passed its checks describes, at its site; nothing for sensors that look for
-            /// movement.
+            /// The device of a checked file, at its site; `None` for sensors that look for movement.
             pub fn new(file: &SensorFile, site: &Site) -> Option<SensorDevice> {
                 match file {
-                    SensorFile::Motion(_) | SensorFile::CeilingMotion(_) => None,
+                    $(SensorFile::$look(_) => None,)*
                     $(SensorFile::$kind(file) => Some(SensorDevice::$kind(super::$module::$kind::new(file, site)))),*
                 }
             }
@@ -277,4 +259,4 @@ macro_rules! device {
         }
     };
 }
-devices!(device);
+sensors!(device);

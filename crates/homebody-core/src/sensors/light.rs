@@ -3,8 +3,9 @@
 //! The device measures illuminance every so often, as those of the CASAS homes do, and says it, in whole lux, when it has
 //! changed by enough.
 //!
-//! We assume that daylight in the room goes with the sine of the sun's height to the power of 1.2, the air between taking more
-//! of a low sun (ours), and that the room's lamp adds always the same. A lamp that is turned on or off is noticed at once.
+//! We assume that daylight in the room follows the sine of the sun's height to the power of 1.2, because the air
+//! absorbs more of a low sun (our choice), and that the room's lamp always adds the same. The sensor notices at once
+//! that a lamp is turned on or off.
 //!
 //! It speaks up when what it measures differs from what it last said by more than the given share of that, and by a lux at
 //! least, which is the step of CASAS' own. Its first measurement is always said.
@@ -18,12 +19,12 @@ use crate::ids::{ResidentId, ThingId};
 use crate::numbers::Numbers;
 use crate::plan::sun::Sun;
 use crate::random::Stream;
-use crate::sensors::form::{Colour, DeviceForm, KindRow, Mount, ReportedInstant, Shape, Site, Unit};
+use crate::sensors::form::{Colour, KindRow, Mount, SensorForm, Shape, Site, Unit};
 use crate::time::{RunTime, Span};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-/// What there is to know of the kind.
+/// The row of the kind.
 pub static ROW: KindRow = KindRow {
     key: "light",
     label: "light",
@@ -63,18 +64,9 @@ pub struct LightFile {
     pub every_s: f64,
 }
 
-impl DeviceForm for LightFile {
-    fn row(&self) -> &'static KindRow {
-        &ROW
-    }
-
+impl SensorForm for LightFile {
     fn room(&self) -> Option<&str> {
         Some(&self.room)
-    }
-
-    /// It waits for its next measurement.
-    fn moment(&self) -> Option<ReportedInstant<'_>> {
-        None
     }
 }
 
@@ -83,7 +75,7 @@ crate::numbers! {
     static POWER = "light.power": 1.2, "1", [0.5, 3.0];
 }
 
-/// What it tells apart at least, in lux.
+/// Resolution, in lux.
 const STEP_LUX: f64 = 1.0;
 
 /// A light sensor.
@@ -92,7 +84,7 @@ pub struct Light {
     /// The room's lamp: index into the home's things.
     lamp: ThingId,
     lamp_on: bool,
-    /// Whether the lamp was turned since it last measured, and by whom: by nobody who is there where it was from outside.
+    /// The last use of the lamp since the last measurement, with the user; `Some(None)` from outside.
     by: Option<Option<ResidentId>>,
     daylight_lux: f64,
     lamp_lux: f64,
@@ -148,7 +140,7 @@ impl DeviceModel for Light {
         if self.said_lux.is_none_or(|before| (now - before).abs() > (self.change * before).max(STEP_LUX)) {
             self.said_lux = Some(libm::round(now));
             let why = if by.is_some() { Trigger::Use(self.lamp) } else { Trigger::Reading };
-            outbox.say(reading(libm::round(now)), by.flatten(), at, why);
+            outbox.send(reading(libm::round(now)), by.flatten(), at, why);
         }
         self.measures = self.rounds.after(at);
     }
@@ -216,7 +208,7 @@ mod tests {
                 assert!(light.timer() > due);
                 messages.extend(
                     outbox
-                        .said
+                        .messages
                         .drain(..)
                         .map(|(value, provenance)| (due, value, provenance.resident.map(|resident| resident.0))),
                 );

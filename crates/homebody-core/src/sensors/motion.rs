@@ -18,35 +18,50 @@
 //! Left out: temperature and its contrast, the lens' gain by angle, mirrors and glass; a blade's
 //! steep lower limit behind low furniture.
 
+use super::form::{Colour, FormProblem, KindRow, Mount, Orientation, SensorForm, Shape};
+use super::messages::SensorMessage;
 use super::notice::{Notice, View};
+use crate::event::Value;
 use crate::geometry::{self, At, Point, point};
 use crate::sensors::preset::Preset;
 use crate::time::Span;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-/// How far the lens stands off the wall, in metres.
+/// The row of the kind.
+pub static ROW: KindRow = KindRow {
+    key: "motion",
+    label: "motion, on a wall",
+    mount: Mount::Wall,
+    unit: None,
+    values: &[Value::Fire],
+    shape: Shape::Arrow,
+    colour: Colour::Blue,
+    casas: "M",
+};
+
+/// Distance of the lens from the wall.
 pub const LENS_OFF_WALL_M: f64 = 0.02;
 
 /// A wall sensor.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Motion {
-    /// Where the lens is on the plan, in metres: [`LENS_OFF_WALL_M`] in front of the wall.
+    /// The position of the lens on the plan, in metres: [`LENS_OFF_WALL_M`] in front of the wall.
     pub lens: Point,
     /// The height of the lens above the floor, in metres.
     pub height_m: f64,
-    /// How far along the floor it sees, in metres.
+    /// The range along the floor, in metres.
     pub reach_m: f64,
     /// The fan from right to left; at the level `zones`, row after row from the top.
     pub blades: Vec<Blade>,
-    /// What it takes for movement.
+    /// The changes that count as movement.
     pub level: DetectionLevel,
 }
 
 /// One bearing of the fan, before anything in the home limits it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Blade {
-    /// Where it looks on the plan, of length one.
+    /// The direction on the plan, of length one.
     pub direction: Point,
     /// Tangents of the least and the greatest depression, positive below the horizon.
     pub least_depression: f64,
@@ -56,21 +71,21 @@ pub struct Blade {
     pub positive: bool,
 }
 
-/// What the sensor takes for movement.
+/// The changes that count as movement.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum DetectionLevel {
     /// Any change in a beam is a movement.
     Paper,
     /// A movement is seen up to `reach_per_m` metres away for each metre that it spans in a second.
     Sensitivity {
-        /// How many metres away a movement of a metre in a second is still seen.
+        /// The greatest distance, in metres, of a visible movement of a metre in a second.
         reach_per_m: f64,
     },
     /// `pulses` of alternating sign within `window` make a detection.
     Zones {
-        /// How many pulses make a detection.
+        /// The number of pulses of a detection.
         pulses: u32,
-        /// The span in which they have to come.
+        /// The longest time that they take.
         window: Span,
         /// The angle between two neighbouring zones of the uppermost row, in radians: movement on the spot is seen if
         /// it spans as much.
@@ -141,7 +156,8 @@ impl Motion {
         (near < far).then_some((near, far))
     }
 
-    /// Where a body is as the lens has it: its depth is how far it is from where the fan ends, at its reach and at its two sides.
+    /// A body as the lens sees it: its depth is its distance from the end of the fan, at its reach and at its two
+    /// sides.
     pub fn view(&self, at: Point) -> View {
         let from_lens = at - self.lens;
         let distance_m = from_lens.length();
@@ -268,6 +284,50 @@ impl MotionFile {
             refire_s: None,
             persist_s: None,
         }
+    }
+}
+
+impl SensorForm for MotionFile {
+    fn orientation(&self) -> Option<Orientation> {
+        let MotionFile { at, height_m, facing_deg, tilt_deg, field_deg, reach_m, .. } = *self;
+        Some(Orientation { at, height_m, facing_deg, tilt_deg, field_deg, reach_m: Some(reach_m) })
+    }
+
+    fn beam_count(&self) -> u32 {
+        match &self.level {
+            LevelFile::Zones(zones) => zones.rows.iter().sum(),
+            _ => self.beams,
+        }
+    }
+
+    fn counts_pulses(&self) -> bool {
+        matches!(self.level, LevelFile::Zones(_))
+    }
+
+    fn wrong(&self) -> Vec<FormProblem> {
+        let mut wrong = Vec::new();
+        let field_deg = self.field_deg[1];
+        if field_deg > 180.0 {
+            wrong.push(FormProblem::new("/field_deg/1", SensorMessage::VerticalField { field_deg }));
+        }
+        if matches!(&self.level, LevelFile::Zones(zones) if zones.rows == [0; 3]) {
+            wrong.push(FormProblem::new("/level/zones/rows", SensorMessage::NoZones));
+        }
+        wrong
+    }
+
+    fn relocate(&mut self, at: At, facing_deg: f64) -> bool {
+        (self.at, self.facing_deg) = (at, facing_deg);
+        true
+    }
+
+    fn set_field(&mut self, height_m: f64, field_deg: [f64; 2], reach_m: f64) {
+        (self.height_m, self.field_deg, self.reach_m) = (height_m, field_deg, reach_m);
+    }
+
+    fn scale_reach(&mut self, factor: f64) -> bool {
+        self.reach_m = geometry::whole_millimetres(self.reach_m * factor);
+        true
     }
 }
 
@@ -424,12 +484,12 @@ mod tests {
         // From 2.4 m over an edge 0.8 m high 2 m away it falls 0.8 m a metre: it is at 0.4 m after 2.5 m.
         let motion = sensor(2.4, (-90.0, 90.0));
         assert!(close(motion.shadow(0.8, false, (1.0, 2.0), 0.4), (1.0, 2.5)));
-        // Who lies on it is seen.
+        // A body on it is seen.
         assert!(close(motion.shadow(0.8, true, (1.0, 2.0), 0.4), (2.0, 2.5)));
     }
 
     #[test]
-    fn furniture_hides_nobody_as_high_as_itself() {
+    fn furniture_hides_no_body_of_its_own_height() {
         let motion = sensor(2.1, (-90.0, 90.0));
         assert_eq!(motion.shadow(0.75, false, (2.0, 3.0), 0.75), None);
         assert_eq!(motion.shadow(0.75, false, (2.0, 3.0), 1.32), None);

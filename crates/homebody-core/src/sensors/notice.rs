@@ -1,16 +1,16 @@
-//! What a motion sensor notices: the chance that a movement in its field is seen.
+//! The movements that a motion sensor notices: the chance that a movement in its field is seen.
 //!
-//! A passive infrared sensor answers to changes of heat on its element. What moves little, far away, or at the edge of what
-//! the lens gathers changes little; a step sideways may fall between two facets. So real sensors miss some movements, notice
-//! others late, and neighbours disagree where their fields meet.
+//! A passive infrared sensor answers to changes of heat on its element. A small movement, a distant one, or one at the
+//! edge of the lens's view changes little; a step sideways may fall between two facets. So real sensors miss some
+//! movements, notice others late, and neighbours disagree in the overlap of their fields.
 //!
-//! We assume that a sensor looks now and then, once in each slot of `1 / looks_per_s` at an instant that is evenly spread in
-//! it, and that a look notices a body that moves in the field with the chance `size * edge`, each look by itself. With the
-//! angle `a` by which the body moves in a second as seen from the lens, `size = min(1, (a / sure)^2)`: heat on an element
-//! falls with the square of distance. With the depth `d` of the body's middle inside the field, below 0 outside, and its radius `r`,
-//! `edge = min(1, (d + r) / edge_m)`: 0 where the body only just touches the field. Of both kinds of
-//! sensor its own file says from where it looks.
-//! Besides, of spans of 4 s a share `missed` is lost: whoever passes then, along a facet or between two, is not seen at all.
+//! We assume that a sensor looks now and then, once in each slot of `1 / looks_per_s` at an instant that is evenly
+//! spread in it, and that a look notices a body that moves in the field with the chance `size * edge`, each look by
+//! itself. With the angle `a` by which the body moves in a second as seen from the lens, `size = min(1, (a / sure)^2)`:
+//! heat on an element falls with the square of distance. With the depth `d` of the body's middle inside the field,
+//! below 0 outside, and its radius `r`, `edge = min(1, (d + r) / edge_m)`: 0 if the body only just touches the field.
+//! The file of each kind of sensor gives the position of its lens. In addition, of spans of 4 s a share `missed` is
+//! lost: a body that passes then, along a facet or between two, is not seen at all.
 //!
 //! Looks and their marks are not drawn one after the other but belong to the number of their slot, so that it does not matter
 //! when and how often the world asks: time may be cut anywhere. Each body has marks of its own.
@@ -36,25 +36,25 @@ const MISSED_FOR: Span = SECOND.times(4);
 /// Distance below which a movement looks no larger (our choice).
 const NEAREST_M: f64 = 0.5;
 
-/// How likely a sensor notices what moves.
+/// The chance that a sensor notices a movement.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct NoticeChance {
-    /// How long a slot is, in each of which it looks once.
+    /// The length of a slot, with one look in each.
     pub slot: Span,
-    /// What moves by this angle in a second is surely noticed, in radians.
+    /// Smallest angle per second of a movement that is surely noticed, in radians.
     pub sure_rad: f64,
     /// The width of the soft edge, in metres.
     pub edge_m: f64,
-    /// The share of spans of 4 s in which nothing is noticed.
+    /// The share of spans of 4 s in which no movement is noticed.
     pub missed: f64,
 }
 
-/// Where a body is as a sensor has it.
+/// A body as seen from a sensor.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct View {
     /// From the lens to the middle of the body, in metres.
     pub distance_m: f64,
-    /// How deep in the field the middle of the body is, in metres; below 0 outside.
+    /// The depth of the middle of the body in the field, in metres; below 0 outside.
     pub depth_m: f64,
 }
 

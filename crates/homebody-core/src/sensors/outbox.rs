@@ -1,8 +1,8 @@
-//! What devices are told, and what they say.
+//! Input and output of devices.
 //!
 //! A device hears what happens to things and bodies, and hands its messages to the world.
 //!
-//! We assume that it is told of things as they happen, and of what began earlier in the same words as at first.
+//! We assume that it hears of things as they happen, and of earlier movements in the same words as at first.
 //!
 //! A message says whose doing it was, when that was seen, and whether something happened or a timer ran out.
 //!
@@ -19,64 +19,64 @@ use crate::posture::Posture;
 use crate::random::{DrawnValue, Stream};
 use crate::time::RunTime;
 
-/// What a device is told.
+/// A change that a device hears of.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Change {
     /// A thing was used: index into the home's things.
     Use {
-        /// Who used it; `None` from outside.
+        /// The user; `None` from outside.
         resident: Option<ResidentId>,
-        /// What was used.
+        /// The thing.
         thing: ThingId,
-        /// How it is afterwards: on or open, or off or closed.
+        /// The state afterwards: on or open, or off or closed.
         on: bool,
     },
-    /// From now until `end` a resident's body does this. What began earlier may be told again, with its own `begin`.
+    /// A resident's movement from now until `end`. An earlier movement may come again, with its own `begin`.
     Body {
-        /// Whose body it is.
+        /// The resident.
         resident: ResidentId,
-        /// How large it is.
+        /// The size of the body.
         stature: Stature,
         /// When it began to do this; may be past.
         begin: RunTime,
-        /// Until when it does this, unless something else is told before.
+        /// The end, unless another movement comes before.
         end: RunTime,
-        /// What it does.
+        /// The movement.
         doing: MotionState,
-        /// How it holds itself meanwhile.
+        /// The posture.
         posture: Posture,
-        /// What chance says of it, the same to all that are told: which way somebody falls.
+        /// A random number of the movement, the same for all devices: the direction of a fall.
         chance: DrawnValue,
     },
     /// A sensor that it is tied to has spoken.
     Fired,
     /// From now on a resident's heart and lungs are like this.
     Vitals {
-        /// Whose they are.
+        /// The resident.
         resident: ResidentId,
         /// Pulse and respiration.
         vitals: Vitals,
     },
 }
 
-/// How a device behaves. What does nothing by default, many do not need.
+/// The behaviour of a device. Many devices need few of these methods.
 pub trait DeviceModel: Clone {
     /// The device at the beginning of a run, with random numbers of its own, under this sun, its model made by these numbers.
     fn begin(&self, _stream: Stream, _sun: Sun, _numbers: &Numbers) -> Self {
         self.clone()
     }
 
-    /// Whether it wants to be told what bodies do, which they say far more often than what they use.
+    /// Whether it reacts to movements of bodies, which are far more frequent than uses of things.
     fn feels_bodies(&self) -> bool {
         false
     }
 
-    /// Whether it wants to be told what all bodies do, those of cats, too, as it looks at them.
+    /// Whether it reacts to movements of all bodies, those of cats, too, because it looks at them.
     fn sees_bodies(&self) -> bool {
         false
     }
 
-    /// The names of the sensors whose words it wants to be told of.
+    /// The names of the sensors that wake it.
     fn woken_by(&self) -> &[String] {
         &[]
     }
@@ -86,11 +86,11 @@ pub trait DeviceModel: Clone {
         false
     }
 
-    /// Something happens at `at`; timers that are due earlier have run out before, those that are due then have not. What
-    /// depends on all that happens at this instant waits for a timer that is due now.
+    /// A change at `at`. Earlier timers have run out, those of this instant have not. A decision that depends on all
+    /// changes of this instant waits for a timer that is due now.
     fn on_event(&mut self, _at: RunTime, _change: &Change, _outbox: &mut Outbox) {}
 
-    /// When its timer is due next: after it was told something, now at the earliest; after its timer ran out, later.
+    /// The next instant of its timer: after a change, now at the earliest; after its timer ran out, later.
     fn timer(&self) -> RunTime {
         RunTime::NEVER
     }
@@ -99,24 +99,23 @@ pub trait DeviceModel: Clone {
     fn on_timer(&mut self, _at: RunTime, _outbox: &mut Outbox) {}
 }
 
-/// What devices say, for the world to send.
+/// The output of devices, for the world to send.
 #[derive(Clone, Debug, Default)]
 pub struct Outbox {
     /// Messages.
-    pub said: Vec<(Value, Provenance)>,
+    pub messages: Vec<(Value, Provenance)>,
     /// Pictures that are kept apart from the messages.
     pub pictures: Vec<Picture>,
 }
 
 impl Outbox {
-    /// Says something now: whose doing it was, if anybody's, when that began to be noticed, and what kind of cause it
-    /// was.
-    pub fn say(&mut self, value: Value, resident: Option<ResidentId>, seen_at: RunTime, trigger: Trigger) {
-        self.said.push((value, Provenance { resident, seen_at, trigger }));
+    /// Adds a message of this instant: its resident, if any, the first instant of the cause, and the kind of the cause.
+    pub fn send(&mut self, value: Value, resident: Option<ResidentId>, seen_at: RunTime, trigger: Trigger) {
+        self.messages.push((value, Provenance { resident, seen_at, trigger }));
     }
 }
 
-/// A number as a reading: in thousandths, of which there are no more than a reading holds.
+/// A number as a reading: in thousandths, within the range of a reading.
 pub fn reading(number: f64) -> Value {
     Value::Reading(libm::round(number * 1000.0) as i32)
 }

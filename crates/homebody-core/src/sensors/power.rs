@@ -1,12 +1,12 @@
 //! A power meter on what draws electricity.
 //!
-//! The device sits between plug and socket: it says whether current flows, and how many watts if it was told what they are.
+//! The device sits between plug and socket: it reports whether current flows, and the power, if the form states it.
 //!
-//! We assume that a thing draws always the same while it is on, and always the same while it is off. Each reading while it is on
-//! is off by a normal deviation of 2 per cent (ours).
+//! We assume that a thing always draws the same while it is on, and always the same while it is off. Each reading while
+//! it is on has a normal error of 2 per cent (our choice).
 //!
-//! An act on its thing that changes how the thing is, is a message, and a reading beside it. While the thing is on, a reading
-//! follows every so often, counted from when it was turned on.
+//! An act that changes the state of its thing is a message, with a reading. While the thing is on, a reading follows at
+//! each interval, counted from the act that turned it on.
 //!
 //! Left out: the rush of current at first, things that draw more and less by themselves, such as refrigerators.
 
@@ -18,13 +18,13 @@ use crate::numbers::Numbers;
 use crate::plan::sun::Sun;
 use crate::random::{Stream, no_stream};
 use crate::sensors::form::{
-    Bearer, Colour, DeviceForm, FormProblem, KindRow, Mount, ReportedInstant, Shape, Site, Unit, is_zero,
+    Bearer, Colour, FormProblem, KindRow, Mount, ReportedInstant, SensorForm, Shape, Site, Unit, is_zero,
 };
 use crate::time::{RunTime, Span};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-/// What there is to know of the kind.
+/// The row of the kind.
 pub static ROW: KindRow = KindRow {
     key: "power",
     label: "power",
@@ -61,11 +61,7 @@ pub struct PowerFile {
     pub readings_every_s: Option<f64>,
 }
 
-impl DeviceForm for PowerFile {
-    fn row(&self) -> &'static KindRow {
-        &ROW
-    }
-
+impl SensorForm for PowerFile {
     fn on(&self) -> Option<&str> {
         Some(&self.on)
     }
@@ -101,7 +97,6 @@ crate::numbers! {
 /// A power sensor.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Power {
-    /// Index into the home's things.
     thing: ThingId,
     on: bool,
     by: Option<ResidentId>,
@@ -140,10 +135,10 @@ impl DeviceModel for Power {
         if thing != self.thing || on == self.on {
             return;
         }
-        // A reading that is due as it is turned off was still one of it on.
+        // A reading that is due at this instant still counts as on.
         self.on_timer(at, outbox);
         (self.on, self.by) = (on, resident);
-        outbox.say(if on { Value::On } else { Value::Off }, self.by, at, Trigger::Use(thing));
+        outbox.send(if on { Value::On } else { Value::Off }, self.by, at, Trigger::Use(thing));
         self.measure(at, outbox);
     }
 
@@ -162,7 +157,7 @@ impl Power {
     fn measure(&mut self, at: RunTime, outbox: &mut Outbox) {
         let Some(watts) = self.watts else { return };
         let drawn = if self.on { self.stream.normal(watts, self.noise * watts) } else { self.standby_watts };
-        outbox.say(reading(drawn), self.by, at, Trigger::Reading);
+        outbox.send(reading(drawn), self.by, at, Trigger::Reading);
         self.measures = self.every.filter(|_| self.on).map_or(RunTime::NEVER, |every| at + every);
     }
 }
@@ -192,7 +187,7 @@ mod tests {
             power.on_event(RunTime::from_micros(at), &act(on), &mut outbox);
             assert_eq!(power.timer(), RunTime::NEVER);
         }
-        assert_eq!(outbox.said.iter().map(|(value, _)| *value).collect::<Vec<_>>(), [Value::On, Value::Off]);
+        assert_eq!(outbox.messages.iter().map(|(value, _)| *value).collect::<Vec<_>>(), [Value::On, Value::Off]);
     }
 
     #[test]
@@ -208,13 +203,13 @@ mod tests {
         }
         power.on_event(power.timer(), &act(false), &mut outbox);
         assert_eq!(power.timer(), RunTime::NEVER);
-        let (last, all) = outbox.said.split_last().unwrap();
+        let (last, all) = outbox.messages.split_last().unwrap();
         assert_eq!((all[0].0, all[all.len() - 1].0, last.0), (Value::On, Value::Off, Value::Reading(500)));
         let watts: Vec<f64> = all
             .iter()
             .filter_map(|(value, _)| if let Value::Reading(mw) = value { Some(f64::from(*mw) / 1000.0) } else { None })
             .collect();
-        // At once, a thousand times, and as it is turned off.
+        // At once, a thousand times, and when it is turned off.
         assert_eq!(watts.len(), 1002);
         let mean = watts.iter().sum::<f64>() / 1002.0;
         let sd = (watts.iter().map(|watt| (watt - mean) * (watt - mean)).sum::<f64>() / 1002.0).sqrt();

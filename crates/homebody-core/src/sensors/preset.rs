@@ -39,12 +39,12 @@ pub enum Preset {
 }
 
 impl Preset {
-    /// Whether it is a unit of the CASAS homes, which have wide sensors on walls beside narrow ones on ceilings.
+    /// Whether it is a unit of the CASAS homes, which have wide sensors on walls as well as narrow ones on ceilings.
     pub fn is_casas(self) -> bool {
         matches!(self, Preset::CasasPulse | Preset::CasasFollow)
     }
 
-    /// What the device notices. The paper's notices all: its rays are cast at whatever moves.
+    /// The movements that the device notices. The paper's notices all: its rays are cast at all moving bodies.
     pub fn notice(self) -> Notice {
         match self {
             Preset::Paper => Notice::All,
@@ -60,12 +60,12 @@ pub struct TimingSeconds {
     pub first_fire_s: [f64; 2],
     /// From a firing to the decision about the next, least and most.
     pub refire_s: [f64; 2],
-    /// How long before that decision a movement still counts.
+    /// The time before that decision in which a movement still counts.
     pub persist_s: f64,
 }
 
 impl Preset {
-    /// Every preset, in the order in which documents list them.
+    /// Every preset, in the order of documents.
     pub const ALL: [Preset; 9] = [
         Preset::Paper,
         Preset::X10Ms16a,
@@ -78,7 +78,7 @@ impl Preset {
         Preset::Aeotec,
     ];
 
-    /// The timing of the device. Where a maker states one number, the range collapses to it.
+    /// The timing of the device. If a maker states one number, the range collapses to it.
     ///
     /// No source gives `persist_s`: 1 s is ours. Of first delays only the paper's are measured: 0.1 to 0.5 s is ours.
     pub fn timing(self) -> TimingSeconds {

@@ -2,14 +2,14 @@
 //!
 //! The device is a pair of foils that a weight presses together: it says `ON` and `OFF`.
 //!
-//! We assume that a pad in a piece of furniture feels who sits or lies with their middle within its outline, and nobody who
-//! walks or stands there; and that a mat, which is an area of the floor or furniture at most 5 cm high (our choice), feels every body
-//! whose middle is over it, whatever it does.
+//! We assume that a pad in a piece of furniture feels people who sit or lie with their middle within its outline, and
+//! not those who walk or stand there; and that a mat, which is an area of the floor or furniture at most 5 cm high (our
+//! choice), feels every body with its middle over it.
 //!
-//! While nobody moves, nothing changes. A stride crosses a convex outline once: the fractions of it at which it enters and
-//! leaves, to the nearest microsecond, are when it presses and releases a mat. What is pressed, or free, for the delay is said.
-//! What is so at one instant is settled after all that happens then was told, so that who comes as another leaves changes
-//! nothing.
+//! Without movement, it does not change. A stride crosses a convex outline once: the fractions of it at which it enters
+//! and leaves, to the nearest microsecond, are the instants at which it presses and releases a mat. A state that lasts
+//! for the delay is a message. All changes of one instant are known before the state is decided, so that an arrival at
+//! the instant of a departure changes nothing.
 //!
 //! Left out: weight, feet and their pace, pets, things that are put down.
 
@@ -21,13 +21,13 @@ use crate::ids::ResidentId;
 use crate::motion::MotionState;
 use crate::posture::Posture;
 use crate::sensors::form::{
-    Bearer, Colour, DeviceForm, FormProblem, KindRow, Mount, ReportedInstant, Shape, Site, is_zero,
+    Bearer, Colour, FormProblem, KindRow, Mount, ReportedInstant, SensorForm, Shape, Site, is_zero,
 };
 use crate::time::{Interval, RunTime, Span};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-/// What there is to know of the kind.
+/// The row of the kind.
 pub static ROW: KindRow = KindRow {
     key: "pressure",
     label: "pressure",
@@ -60,11 +60,7 @@ pub struct PressureFile {
     pub delay_s: f64,
 }
 
-impl DeviceForm for PressureFile {
-    fn row(&self) -> &'static KindRow {
-        &ROW
-    }
-
+impl SensorForm for PressureFile {
     fn on(&self) -> Option<&str> {
         self.on.as_deref()
     }
@@ -99,9 +95,9 @@ pub struct Pressure {
     is_mat: bool,
     delay: Span,
     timer: RunTime,
-    /// From when until when each resident presses it, as far as it was told.
+    /// The interval in which each resident presses it, as far as known.
     spans: Vec<Interval<RunTime>>,
-    /// Whether it is pressed, since when it is so, and by whom it was last.
+    /// The state, its start, and the last resident who pressed it.
     pressed: bool,
     since: RunTime,
     by: ResidentId,
@@ -167,7 +163,12 @@ impl DeviceModel for Pressure {
         let says_at = if self.pressed == self.says_on { RunTime::NEVER } else { self.since.saturating_add(self.delay) };
         if says_at <= at {
             self.says_on = self.pressed;
-            outbox.say(if self.pressed { Value::On } else { Value::Off }, Some(self.by), self.since, Trigger::Movement);
+            outbox.send(
+                if self.pressed { Value::On } else { Value::Off },
+                Some(self.by),
+                self.since,
+                Trigger::Movement,
+            );
         }
         let changes = self.spans.iter().flat_map(|span| [span.begin, span.end]).filter(|&change| change > at);
         let says_at = if says_at > at { says_at } else { RunTime::NEVER };
@@ -176,7 +177,7 @@ impl DeviceModel for Pressure {
 }
 
 impl Pressure {
-    /// From when until when a stride presses a mat: until it is told what follows, if it ends there.
+    /// The interval in which a stride presses a mat: without end, until the next movement, if it ends there.
     fn crossing(&self, from: Point, to: Point, begin: RunTime, end: RunTime) -> Interval<RunTime> {
         let Some((enter, leave)) = geometry::segment_inside_convex(&self.outline, from, to) else { return NOT };
         let instant = |share: f64| begin + (end - begin).scaled(share);
@@ -188,5 +189,5 @@ impl Pressure {
     }
 }
 
-/// The span of somebody who does not press it.
+/// The interval of a resident who does not press it.
 const NOT: Interval<RunTime> = Interval::instant(RunTime::NEVER);

@@ -10,7 +10,7 @@
 //! Left out: prices, and devices that react to use, weight or state, whose makes do not differ in `home.json`.
 
 use crate::sensors::kinds::SensorFile;
-use crate::sensors::motion::{MotionFile, field, mounting_height, reach};
+use crate::sensors::motion::{field, mounting_height, reach};
 use crate::sensors::preset::Preset;
 use serde::Serialize;
 
@@ -19,7 +19,7 @@ use serde::Serialize;
 pub struct ProductFact<T> {
     /// In metres or degrees, as the field of the device says.
     pub value: T,
-    /// Where it is from.
+    /// The source.
     pub source: &'static str,
 }
 
@@ -28,19 +28,19 @@ pub struct ProductFact<T> {
 pub struct Product {
     /// The preset with its timing, which `home.json` names it by.
     pub preset: Preset,
-    /// Who makes it.
+    /// The maker.
     pub make: &'static str,
-    /// What the maker calls it.
+    /// The maker's name of the model.
     pub model: &'static str,
-    /// How its messages travel; empty where nobody says.
+    /// The network of its messages; empty if unknown.
     pub network: &'static str,
     /// Height of the lens above the floor, in metres.
     pub height_m: ProductFact<f64>,
     /// Horizontal and vertical angle of view, in degrees.
     pub field_deg: ProductFact<[f64; 2]>,
-    /// How far away it sees somebody who walks, in metres.
+    /// The greatest distance of a walking person that it sees, in metres.
     pub reach_m: ProductFact<f64>,
-    /// Where its timing is from, which the preset has.
+    /// The source of its timing, which the preset has.
     pub timing: &'static str,
 }
 
@@ -51,7 +51,7 @@ const OURS: &str = "not stated; our choice";
 impl Product {
     /// The device of a preset.
     pub fn new(preset: Preset) -> Product {
-        // What is known of none but by measurement or by choice.
+        // Values that only measurement or choice can give.
         let device = Product {
             preset,
             make: "",
@@ -124,7 +124,7 @@ impl Product {
         Preset::ALL.into_iter().map(Product::new)
     }
 
-    /// What people call it.
+    /// The name for people.
     pub fn name(&self) -> String {
         match self.make {
             "any" => format!("motion sensor, {}", self.model),
@@ -132,31 +132,20 @@ impl Product {
         }
     }
 
-    /// What `home.json` calls it.
+    /// The key in `home.json`.
     pub fn key(&self) -> String {
         let key = serde_json::to_value(self.preset).ok();
         key.as_ref().and_then(serde_json::Value::as_str).unwrap_or_default().to_owned()
     }
 
-    /// A sensor that looks for movement becomes this device: one on a wall with its field, reach and height. Others stay as they are.
+    /// Turns a sensor that looks for movement into this device: one on a wall with its field, reach and height.
     pub fn put_into(&self, sensor: &mut SensorFile) {
-        match sensor {
-            SensorFile::Motion(motion) => {
-                *motion = MotionFile {
-                    height_m: self.height_m.value,
-                    field_deg: self.field_deg.value,
-                    reach_m: self.reach_m.value,
-                    preset: self.preset,
-                    ..motion.clone()
-                };
-            }
-            SensorFile::CeilingMotion(ceiling) => ceiling.preset = self.preset,
-            _ => {}
-        }
+        sensor.set_field(self.height_m.value, self.field_deg.value, self.reach_m.value);
+        sensor.change_settings(|settings| settings.preset = self.preset);
     }
 }
 
-/// What the sensors of Aqara share.
+/// The values that the sensors of Aqara share.
 fn aqara(device: Product) -> Product {
     const SISTER: &str = "a review of the related T1 RTCGQ12LM (privatehomelab.com)";
     Product {
@@ -192,8 +181,8 @@ mod tests {
         let file = json!({ "kind": "motion", "name": "hall", "at": [1.0, 2.0], "facing_deg": 90 });
         let mut sensor: SensorFile = serde_json::from_value(file).unwrap();
         Product::new(Preset::Fibaro).put_into(&mut sensor);
-        let SensorFile::Motion(motion) = &sensor else { unreachable!("it was one on a wall") };
-        assert_eq!((motion.preset, motion.height_m, motion.at), (Preset::Fibaro, 2.4, [1.0, 2.0]));
+        let lens = sensor.orientation().unwrap();
+        assert_eq!((sensor.preset(), lens.height_m, lens.at), (Some(Preset::Fibaro), 2.4, [1.0, 2.0]));
         assert_eq!(sensor.timing().refire_s, [8.0, 8.0]);
         assert_eq!(Product::new(Preset::AqaraP1).key(), "aqara_p1");
     }

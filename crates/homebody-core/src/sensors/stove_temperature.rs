@@ -1,7 +1,7 @@
 //! A temperature sensor on a stove.
 //!
-//! The device is a thermometer beside the burners that says when the stove is hot and when it has cooled down (Godsey & Skubic
-//! 2009, section III.D, name it and no more).
+//! The device is a thermometer next to the burners that reports a hot stove and a cooled one (Godsey & Skubic 2009,
+//! section III.D, name it without details).
 //!
 //! We assume that its place warms and cools as one body does by Newton's law: towards 180 degrees Celsius with a time constant of
 //! 240 s while the stove is on, and towards a room of 22 with one of 1,200 s while it is off (all ours). Between two limits it
@@ -22,14 +22,12 @@ use crate::ids::{ResidentId, ThingId};
 use crate::numbers::Numbers;
 use crate::plan::sun::Sun;
 use crate::random::Stream;
-use crate::sensors::form::{
-    Bearer, Colour, DeviceForm, FormProblem, KindRow, Mount, ReportedInstant, Shape, Site, Unit,
-};
+use crate::sensors::form::{Bearer, Colour, FormProblem, KindRow, Mount, SensorForm, Shape, Site, Unit};
 use crate::time::{RunTime, Span};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-/// What there is to know of the kind.
+/// The row of the kind.
 pub static ROW: KindRow = KindRow {
     key: "stove_temperature",
     label: "stove temperature",
@@ -71,11 +69,7 @@ pub struct StoveTemperatureFile {
     pub readings_every_s: Option<f64>,
 }
 
-impl DeviceForm for StoveTemperatureFile {
-    fn row(&self) -> &'static KindRow {
-        &ROW
-    }
-
+impl SensorForm for StoveTemperatureFile {
     fn on(&self) -> Option<&str> {
         Some(&self.on)
     }
@@ -99,11 +93,6 @@ impl DeviceForm for StoveTemperatureFile {
             }
         }
         wrong
-    }
-
-    /// Heat takes its time.
-    fn moment(&self) -> Option<ReportedInstant<'_>> {
-        None
     }
 }
 
@@ -131,7 +120,7 @@ pub struct StoveTemperature {
     heating_s: f64,
     cooling_s: f64,
     change_c: f64,
-    /// How the stove is, since when, by whose doing, and how warm it was then.
+    /// The state of the stove, its start, the resident who caused it, and the temperature at that time.
     on: bool,
     since: RunTime,
     by: Option<ResidentId>,
@@ -193,13 +182,13 @@ impl DeviceModel for StoveTemperature {
         if self.crossing <= at {
             self.says_on = self.on;
             self.crossing = RunTime::NEVER;
-            outbox.say(if self.on { Value::On } else { Value::Off }, self.by, self.since, Trigger::Use(self.thing));
+            outbox.send(if self.on { Value::On } else { Value::Off }, self.by, self.since, Trigger::Use(self.thing));
         }
         if self.measures <= at {
             let now_c = self.temperature_c(at);
             if (now_c - self.told_c).abs() >= self.change_c {
                 self.told_c = now_c;
-                outbox.say(reading(now_c), self.by, at, Trigger::Reading);
+                outbox.send(reading(now_c), self.by, at, Trigger::Reading);
             }
             self.measures = self.next_measurement(at);
         }
@@ -229,7 +218,7 @@ impl StoveTemperature {
         self.since + Span::from_seconds(-tau_s * libm::log(share))
     }
 
-    /// When to measure next: in no round if the temperature stays as near to what was told as it is.
+    /// The next measurement; none if the temperature stays as near to the last report.
     fn next_measurement(&self, at: RunTime) -> RunTime {
         let (target_c, _) = self.target();
         let far = |c: f64| (c - self.told_c).abs() >= self.change_c;
@@ -240,7 +229,7 @@ impl StoveTemperature {
     }
 }
 
-/// Ours: of a sensor beside the burners.
+/// Our choice, for a sensor next to the burners.
 fn hot() -> f64 {
     180.0
 }
@@ -268,7 +257,7 @@ mod tests {
         RunTime::START + seconds * SECOND
     }
 
-    /// What it says, and when, if the stove is turned on and off at these instants.
+    /// The messages and their times if the stove is turned on and off at these instants.
     fn outbox(mut stove: StoveTemperature, acts: &[(RunTime, bool)], until: RunTime) -> Vec<(RunTime, Value)> {
         let mut messages = Vec::new();
         let mut outbox = Outbox::default();
@@ -277,10 +266,10 @@ mod tests {
                 let due = stove.timer();
                 stove.on_timer(due, &mut outbox);
                 assert!(stove.timer() > due);
-                messages.extend(outbox.said.drain(..).map(|(value, _)| (due, value)));
+                messages.extend(outbox.messages.drain(..).map(|(value, _)| (due, value)));
             }
             stove.on_event(at, &Change::Use { resident: Some(ResidentId(0)), thing: ThingId(2), on }, &mut outbox);
-            messages.extend(outbox.said.drain(..).map(|(value, _)| (at, value)));
+            messages.extend(outbox.messages.drain(..).map(|(value, _)| (at, value)));
         }
         messages
     }
@@ -315,8 +304,8 @@ mod tests {
         told_first.on_event(crossing, &act(false), &mut a);
         due_first.on_event(crossing, &act(false), &mut b);
         told_first.on_timer(crossing, &mut a);
-        assert_eq!((a.said.clone(), told_first), (b.said, due_first));
-        assert_eq!(a.said.len(), 1);
+        assert_eq!((a.messages.clone(), told_first), (b.messages, due_first));
+        assert_eq!(a.messages.len(), 1);
     }
 
     #[test]

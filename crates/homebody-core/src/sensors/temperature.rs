@@ -17,12 +17,12 @@ use crate::event::Trigger;
 use crate::numbers::Numbers;
 use crate::plan::sun::Sun;
 use crate::random::{Stream, no_stream};
-use crate::sensors::form::{Colour, DeviceForm, KindRow, Mount, ReportedInstant, Shape, Site, Unit};
+use crate::sensors::form::{Colour, KindRow, Mount, SensorForm, Shape, Site, Unit};
 use crate::time::{RunTime, Span};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-/// What there is to know of the kind.
+/// The row of the kind.
 pub static ROW: KindRow = KindRow {
     key: "temperature",
     label: "temperature",
@@ -62,17 +62,9 @@ pub struct TemperatureFile {
     pub every_s: f64,
 }
 
-impl DeviceForm for TemperatureFile {
-    fn row(&self) -> &'static KindRow {
-        &ROW
-    }
-
+impl SensorForm for TemperatureFile {
     fn room(&self) -> Option<&str> {
         Some(&self.room)
-    }
-
-    fn moment(&self) -> Option<ReportedInstant<'_>> {
-        None
     }
 }
 
@@ -140,7 +132,7 @@ impl DeviceModel for Temperature {
         if self.said_c.is_none_or(|before| (now - before).abs() >= self.step_c) {
             let told = libm::round(now / self.step_c) * self.step_c;
             self.said_c = Some(told);
-            outbox.say(reading(told), None, at, Trigger::Reading);
+            outbox.send(reading(told), None, at, Trigger::Reading);
         }
         let left = libm::exp(-self.rounds.every().seconds() / self.memory_s);
         self.wander_c = left * self.wander_c + self.stream.normal(0.0, self.spread_c * libm::sqrt(1.0 - left * left));
@@ -188,7 +180,7 @@ mod tests {
             let due = device.timer();
             device.on_timer(due, &mut outbox);
             assert!(device.timer() > due);
-            readings.extend(outbox.said.drain(..).filter_map(|(value, _)| match value {
+            readings.extend(outbox.messages.drain(..).filter_map(|(value, _)| match value {
                 Value::Reading(thousandths) => Some((due, f64::from(thousandths) / 1000.0)),
                 _ => None,
             }));

@@ -1,15 +1,14 @@
 //! When a motion sensor fires: the timing state machine that all motion sensors share.
 //!
-//! The device sends a first message soon after it notices movement, and then one every few seconds for as long
-//! as movement goes on (Godsey & Skubic 2009, section III.D: first after 1-2 s, then every 6-8 s where motion is
-//! still detected).
+//! The device sends a first message soon after it notices movement, and then one every few seconds until the movement
+//! ends (Godsey & Skubic 2009, section III.D: first after 1-2 s, then every 6-8 s where motion is still detected).
 //!
 //! We assume that waits are drawn evenly from their range. Idle, the machine waits for a first detection at t and
 //! fires at t + U(first_fire). Then it waits U(refire); at the end of the wait it fires again if movement
 //! was seen within the last `persist`, both ends of that span included, else it is idle.
 //!
-//! The machine only ever runs forward: it says whether it *wants* to be told of movement, and when
-//! its next *timer* is due. In between it costs nothing.
+//! The machine only ever runs forward: it reports whether it *wants* to hear of movement, and the instant of its next
+//! *timer*. In between it costs nothing.
 //!
 //! Left out: warming up after power is switched on, waits that depend on temperature or battery, and what
 //! becomes of a message on its way to the logger.
@@ -26,7 +25,7 @@ pub struct FiringTiming {
     pub first_fire: SpanRange,
     /// From a firing to the decision about the next.
     pub refire: SpanRange,
-    /// How long before the decision a movement still counts.
+    /// The time before the decision in which a movement still counts.
     pub persist: Span,
 }
 
@@ -50,10 +49,10 @@ pub struct Machine {
     seen: Sighting,
 }
 
-/// Whose movement a sensor saw, and when.
+/// A resident whose movement a sensor saw, and the instant.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Sighting {
-    /// Whose movement it was.
+    /// The resident.
     pub resident: ResidentId,
     /// When it began to be seen.
     pub at: RunTime,
@@ -79,12 +78,12 @@ enum MachineState {
     },
 }
 
-/// What the timer did.
+/// The outcome of the timer.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum TimerOutcome {
     /// The sensor fired, for this reason.
     Fired(Sighting),
-    /// It did not fire, and now wants to be told of movement.
+    /// It did not fire, and now wants to hear of movement.
     Wakes,
 }
 

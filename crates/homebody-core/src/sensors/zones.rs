@@ -20,7 +20,7 @@ use crate::sensors::motion::{DetectionLevel, Motion};
 use crate::stride::{self, Beam, Stride};
 use crate::time::RunTime;
 
-/// What one sensor has counted.
+/// The pulses that one sensor has counted.
 #[derive(Clone, Debug)]
 pub struct Pulses {
     /// The sensor that counts, by its index in the home.
@@ -45,7 +45,7 @@ struct Pulse {
 }
 
 impl Pulses {
-    /// A sensor that has counted nothing yet, in a home where so many bodies live.
+    /// A sensor without pulses so far, in a home with a number of bodies.
     pub fn new(sensor: usize, bodies: usize) -> Pulses {
         Pulses {
             sensor,

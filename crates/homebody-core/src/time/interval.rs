@@ -35,7 +35,7 @@ impl<T: TimePoint> Interval<T> {
         Interval { begin: at, end: at }
     }
 
-    /// How long it lasts.
+    /// The length.
     pub fn length(self) -> Span {
         self.end - self.begin
     }
@@ -55,12 +55,12 @@ impl<T: TimePoint> Interval<T> {
         self.begin < other.end && other.begin < self.end
     }
 
-    /// The part that belongs to both; empty, and perhaps with its end before its begin, where there is none.
+    /// The part that belongs to both; empty, and perhaps with its end before its begin, if they do not overlap.
     pub fn intersection(self, other: Interval<T>) -> Interval<T> {
         Interval { begin: self.begin.max(other.begin), end: self.end.min(other.end) }
     }
 
-    /// How long the two overlap.
+    /// The length of the overlap.
     pub fn overlap(self, other: Interval<T>) -> Span {
         let both = self.intersection(other);
         if both.is_empty() { Span::ZERO } else { both.length() }
@@ -77,7 +77,7 @@ impl<T: TimePoint> Interval<T> {
     }
 }
 
-/// Intervals, of which those that are no farther apart than `apart` become one.
+/// Intervals, with those that are no farther apart than `apart` joined.
 pub fn joined<T: TimePoint>(intervals: impl IntoIterator<Item = Interval<T>>, apart: Span) -> Vec<Interval<T>> {
     let mut joined: Vec<Interval<T>> = Vec::new();
     for interval in intervals {

@@ -20,12 +20,12 @@ pub struct TimeScale {
 pub struct ClockChange<T> {
     /// When it is set.
     pub at: T,
-    /// How far it is set forward; below zero where it is set back.
+    /// The length of the change; below zero if clocks are set back.
     pub by: Span,
 }
 
 impl TimeScale {
-    /// Of a run that began at `start`, with the wall of a zone as it is over a range of instants.
+    /// The scale of a run that began at `start`, with the wall clock of a zone over a range of instants.
     pub fn new(start: UtcTime, zone: &TimeZone, range: Interval<UtcTime>) -> TimeScale {
         let first = range.begin.timestamp();
         let ahead = |seconds: i32| i64::from(seconds) * SECOND;
@@ -41,7 +41,7 @@ impl TimeScale {
 
     /// The same, and the run begins in 1970: its wall is that of UTC, so all three scales are one.
     ///
-    /// It is that of files of which nobody knows the run. An hour that a clock on the wall shows twice stays one.
+    /// The scale of files of an unknown run. An hour that a clock on the wall shows twice stays one.
     pub fn one() -> TimeScale {
         TimeScale { start: UtcTime::EPOCH, offsets: vec![(UtcTime::MIN, Span::ZERO)] }
     }
@@ -71,7 +71,7 @@ impl TimeScale {
         self.to_wall(self.to_utc(at))
     }
 
-    /// How far the wall is ahead of UTC.
+    /// The offset of the wall clock from UTC.
     pub fn ahead(&self, at: UtcTime) -> Span {
         let next = self.offsets.partition_point(|&(from, _)| from <= at);
         self.offsets[next.max(1) - 1].1
@@ -122,7 +122,7 @@ impl TimeScale {
         self.changes().map(|change| ClockChange { at: self.from_utc(change.at), by: change.by })
     }
 
-    /// For each time that the wall is set back, the interval of the run in which it shows every time twice.
+    /// For each time that clocks are set back, the interval of the run in which they show every time twice.
     pub fn shown_twice(&self) -> impl Iterator<Item = Interval<RunTime>> {
         let back = self.run_changes().filter(|change| change.by < Span::ZERO);
         back.map(|change| Interval::new(change.at + change.by, change.at - change.by))

@@ -120,7 +120,7 @@ fn shows_the_first_problems_of_each_file() {
     assert!(reported.contains("ann.path.json: problems::more\nbob.keys.json:4:15: input::backward-time"));
 }
 
-/// A key that is none hides nothing: the rest is understood as it was meant.
+/// A misspelt key hides nothing: the rest is read with the intended key.
 #[test]
 #[rustfmt::skip] // A problem a line.
 fn checks_the_meaning_of_files_with_misspelt_keys() {

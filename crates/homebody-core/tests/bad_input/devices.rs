@@ -2,7 +2,7 @@
 
 use super::*;
 
-/// What is said of the good home with its first sensor replaced by this one, from its line on.
+/// The messages about the good home with its first sensor replaced by this one, from its line on.
 fn of(sensor: &str) -> String {
     const FIRST: &str = r#"{ "name": "kitchen motion", "kind": "motion", "at": [0.05, 1.5], "facing_deg": 0 }"#;
     let sensor = format!(r#"{{ "name": "kitchen motion", {sensor} }}"#);

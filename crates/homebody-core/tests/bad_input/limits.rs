@@ -11,7 +11,7 @@ use std::fmt::Write;
 use std::hint::black_box;
 use std::time::{Duration, Instant};
 
-/// Something of the good scenario made as large as it is asked to be.
+/// A part of the good scenario, enlarged to a size.
 type Grown = (&'static str, fn(usize) -> BTreeMap<String, String>);
 
 fn with(file: &str, text: String) -> BTreeMap<String, String> {

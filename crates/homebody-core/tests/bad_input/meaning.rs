@@ -397,7 +397,7 @@ fn rejects_an_area_that_reaches_through_a_wall() {
         over(r#""area": [[3.5, 0.2], [4.5, 0.2], [4.5, 0.8], [3.5, 0.8]]"#),
         "home.json:30:56: sensor::reaches-through"
     );
-    // Into the wall and up to its middle is no harm; nor is through a door that stands open.
+    // An area may reach into the wall up to its middle, and through an open door.
     assert_eq!(over(r#""area": [[4, 0], [5, 0], [5, 0.8], [4, 0.8]]"#), "");
     assert_eq!(over(r#""area": [[3.5, 1.0], [4.5, 1.0], [4.5, 2.0], [3.5, 2.0]]"#), "");
 }

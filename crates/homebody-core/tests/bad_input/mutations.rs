@@ -40,7 +40,7 @@ fn no_mutation_of_a_scenario_makes_the_loader_or_a_run_panic() {
     assert!(refused > 1000 && accepted > 100, "{refused} refused, {accepted} accepted");
 }
 
-/// What JSON's grammar hangs on.
+/// The characters that matter in JSON's grammar.
 const MARKS: &[u8] = b"{}[],:\"-.0123456789e\\\n\r\t tfn";
 
 fn mutated(random: &mut ChaCha8Rng) -> BTreeMap<String, String> {

@@ -4,7 +4,7 @@ use super::*;
 use homebody_core::ids::SensorId;
 use homebody_core::random::{SpanRange, Stream};
 
-/// Sensors that all see somebody who goes on moving: each fires every 6 to 8 s, as at TigerPlace.
+/// Sensors that all see a constant movement: each fires every 6 to 8 s, as at TigerPlace.
 fn busy(sensors: u32, days: i64) -> Vec<(RunTime, u32, Value)> {
     let mut messages = Vec::new();
     for sensor in 0..sensors {
@@ -127,7 +127,7 @@ fn a_greater_loss_loses_the_same_and_more() {
 }
 
 #[test]
-fn a_damaged_id_is_rarely_somebody_elses() {
+fn a_damaged_id_is_rarely_the_id_of_another_sensor() {
     let names: Vec<String> = (0..64).map(|index| format!("sensor {index}")).collect();
     let sensors = motion_sensors(&names.iter().map(String::as_str).collect::<Vec<_>>());
     let messages = regular(5, 10 * SECOND, 50_000);

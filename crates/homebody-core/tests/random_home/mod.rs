@@ -40,11 +40,11 @@ impl Dice {
     }
 }
 
-/// How much of the model a random home uses.
+/// The part of the model that a random home uses.
 #[allow(dead_code, reason = "each test that shares this file uses a part of it")]
 #[derive(Clone, Copy, PartialEq)]
 pub enum Model {
-    /// What the paper's own loop knows: `paper` sensors, furniture that is as high as they hang.
+    /// The part of the paper's own loop: `paper` sensors, furniture that is as high as they hang.
     Paper,
     /// Everything.
     Whole,
@@ -140,7 +140,7 @@ fn sensor(dice: &mut Dice, index: i64, width: f64, depth: f64, model: Model) -> 
     sensor
 }
 
-/// A sensor that is told, on any of the things that every home has, its times such that they tie with those of lives.
+/// A device on any of the things that every home has. Its times tie with those of movements.
 pub fn device(dice: &mut Dice, index: i64, width: f64, depth: f64) -> Value {
     let thing = ["door", "bed", "rug", "west"][dice.below(4) as usize];
     let often = [1.0, 2.5, 7.3][dice.below(3) as usize];
@@ -174,7 +174,7 @@ fn camera(dice: &mut Dice) -> Value {
         "woken_by": ["sensor 0"], "sleeps_after_s": dice.between(1.0, 8.0) })
 }
 
-/// What one resident uses, and how their heart and lungs change; much of it on round times.
+/// The uses and vitals of one resident, many at round times.
 #[allow(dead_code, reason = "each test that shares this file uses a part of it")]
 pub fn doings(case: u64, resident: usize, home: &Home, length: Span) -> Vec<(RunTime, Done)> {
     let dice = &mut Dice::new(case, &format!("doings of {resident}"));
@@ -195,7 +195,7 @@ pub fn doings(case: u64, resident: usize, home: &Home, length: Span) -> Vec<(Run
     doings
 }
 
-/// What takes no time.
+/// An act without duration.
 #[allow(dead_code, reason = "each test that shares this file uses a part of it")]
 #[derive(Clone, Copy)]
 pub enum Done {
@@ -210,7 +210,8 @@ pub fn builds(case: u64, most: i64) -> Vec<Build> {
     (0..1 + dice.below(most)).map(|_| build(dice)).collect()
 }
 
-/// What one resident does for about `length`: walks, stirs, rests, absences; many on round times.
+/// The movements of one resident for about `length`: walks, movements on the spot, rests, absences; many at round
+/// times.
 pub fn life(case: u64, resident: usize, home: &Home, length: Span, slowest_mps: f64) -> Vec<MotionSegment> {
     let dice = &mut Dice::new(case, &format!("life of {resident}"));
     let (least, most) = home.plan.bounds();

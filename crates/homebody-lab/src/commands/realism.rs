@@ -81,11 +81,7 @@ impl RealismLabArguments {
 /// The log of the template, with Control4 units as sensors.
 fn simulated_log(seed: u64, days: u32) -> Result<Log, Failure> {
     let opened = homebody_simulation::template(SCENARIO)?;
-    let follow = |sensor: &mut SensorFile| match sensor {
-        SensorFile::Motion(motion) => motion.preset = Preset::CasasFollow,
-        SensorFile::CeilingMotion(motion) => motion.preset = Preset::CasasFollow,
-        _ => {}
-    };
+    let follow = |sensor: &mut SensorFile| sensor.change_settings(|settings| settings.preset = Preset::CasasFollow);
     // Read off both logs: the shortest ONs, a third of all, last 1.06 to 1.14 s.
     let lumps = vec![LumpFile { share: 1.0, parts: [0.96, 1.04] }];
     let messages = MessagesFile::OnOff(OnOffFile { hold_s: 1.1, lumps });

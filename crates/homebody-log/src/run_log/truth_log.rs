@@ -17,10 +17,10 @@ use crate::table::truth::{Truth, TruthKept, tables};
 use crate::table::{Batch, Cell, ShownTexts, TextId, TextPool};
 use crate::url::Url;
 use homebody_core::calendar::Calendar;
-use homebody_core::deed::Deed;
 use homebody_core::event::{BodilyNeed, Events, Fact, Loss, Provenance, Trigger};
 use homebody_core::geometry::Point;
 use homebody_core::ids::{ResidentId, RoomId, SensorId, ThingId};
+use homebody_core::intervention::Intervention;
 use homebody_core::motion::{MotionSegment, MotionState};
 use homebody_core::scenario::logger::{LoggerFile, TimeFormat};
 use homebody_core::time::{DAY, Interval, RunTime, Span};
@@ -296,23 +296,23 @@ impl TruthLog {
                 let cells = [self.who(resident), Cell::Instant(at), name, Cell::Real(severity)];
                 self.push(Truth::Condition, cells);
             }
-            Fact::Outside { at, ref deed } => self.take_deed(at, deed),
+            Fact::Outside { at, ref intervention } => self.take_intervention(at, intervention),
         }
     }
 
     /// Takes an intervention. A person who falls passes through none of the rooms that were still ahead.
-    fn take_deed(&mut self, at: RunTime, deed: &Deed) {
-        let (of, until) = match deed {
-            Deed::Use { thing, .. } => (thing, None),
-            Deed::Fail { sensor, until_us, .. } => (sensor, *until_us),
-            Deed::Fall { resident, lies_us } => {
+    fn take_intervention(&mut self, at: RunTime, intervention: &Intervention) {
+        let (of, until) = match intervention {
+            Intervention::Use { thing, .. } => (thing, None),
+            Intervention::Fail { sensor, until_us, .. } => (sensor, *until_us),
+            Intervention::Fall { resident, lies_us } => {
                 let fallen = self.texts.id(resident);
                 self.coming.retain(|&(who, when, _)| when < at || self.residents[who.index()] != fallen);
                 (resident, Some(at + *lies_us))
             }
         };
         let of = Cell::Text(self.texts.id(of));
-        let word = Cell::Text(self.texts.id(deed.word()));
+        let word = Cell::Text(self.texts.id(intervention.word()));
         let until = until.map_or(Cell::Null, Cell::Instant);
         self.push(Truth::Outside, [Cell::Instant(at), until, word, of]);
     }

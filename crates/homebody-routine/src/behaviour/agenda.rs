@@ -154,12 +154,10 @@ struct Planner<'a> {
     bathroom: Option<u32>,
 }
 
-/// One of several repetitions on a day.
 #[derive(Clone, Copy)]
 struct Repetition {
     number: u32,
     of: u32,
-    /// Day of the calendar.
     day: i32,
 }
 

@@ -32,7 +32,7 @@ pub enum Errand {
     Any,
 }
 
-/// The hour from which the mail is fetched.
+/// The hour after which the mail is fetched.
 pub fn mail_hour(stream: &mut Stream, numbers: &Numbers) -> f64 {
     let [from, until] = [&MAIL_FROM_H, &MAIL_UNTIL_H].map(|number| numbers.of(number));
     from + stream.unit() * (until - from).max(0.0)

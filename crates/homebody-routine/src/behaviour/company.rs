@@ -36,7 +36,6 @@ pub struct HouseholdMembers {
     pub residents: usize,
 }
 
-/// The others now.
 #[derive(Clone, Debug)]
 pub struct Company {
     people: Arc<HouseholdMembers>,
@@ -92,7 +91,7 @@ impl Company {
     }
 
     /// In a room, or on the way into it.
-    pub fn is_anybody_in(&self, room: usize, plan: &Plan) -> bool {
+    pub fn is_room_occupied(&self, room: usize, plan: &Plan) -> bool {
         self.others.iter().any(|other| plan.room_at(other.to) == Some(room))
     }
 

@@ -227,7 +227,7 @@ impl RoutineDriver {
             return true;
         }
         let room = spot.room.filter(|&room| self.places.is_bathroom(room) && self.body.room() != Some(room));
-        if self.company.is_taken(at) || room.is_some_and(|room| self.company.is_anybody_in(room, &self.home.plan)) {
+        if self.company.is_taken(at) || room.is_some_and(|room| self.company.is_room_occupied(room, &self.home.plan)) {
             return false;
         }
         let is_seat = spot.posture != Posture::Standing && !spot.sides.is_empty();
@@ -339,7 +339,7 @@ impl RoutineDriver {
     }
 
     /// Whether the host of a visitor is away.
-    pub(super) fn visits_nobody(&self) -> bool {
+    pub(super) fn is_host_away(&self) -> bool {
         self.visitor.is_some() && !self.stays_over && !self.company.is_here(self.host)
     }
 

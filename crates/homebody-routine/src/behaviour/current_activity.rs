@@ -8,7 +8,6 @@ use homebody_core::random::Stream;
 use homebody_core::time::RunTime;
 use std::collections::VecDeque;
 
-/// An activity in progress.
 #[derive(Clone, Debug)]
 pub(super) struct Playing {
     pub(super) steps: VecDeque<ActivityStep>,

@@ -1,6 +1,6 @@
 //! Usual lengths and times of activities: those of the table of activities, unless the scenario sets them.
 
-use crate::routine::{Activity, Meal};
+use crate::routine::Activity;
 use homebody_core::activity::UsualLength;
 use homebody_core::fuzzy::Fuzzy;
 use homebody_core::numbers::{Number, Numbers};
@@ -12,7 +12,7 @@ const HOUR: f64 = 3600.0;
 
 /// All user activities share the row of `Other`.
 fn all() -> impl Iterator<Item = Activity> {
-    Activity::OWN_WAYS.into_iter().chain(Activity::everyday()).chain([Activity::Other(String::new())])
+    Activity::all_of_table().chain([Activity::Other(String::new())])
 }
 
 fn row(activity: &Activity) -> &str {
@@ -42,25 +42,6 @@ pub(super) fn clock(activity: &Activity, numbers: &Numbers) -> Option<Fuzzy> {
     let around_h = numbers.of_table([TABLE, row, "clock"], around_h);
     let spread_min = numbers.of_table([TABLE, row, "clock_spread"], spread_min);
     Some(Fuzzy::around(around_h * HOUR, spread_min * MINUTE))
-}
-
-impl Activity {
-    /// Usual times of meals are our choice, because no norms were found.
-    pub(crate) fn usual_clock(&self) -> Option<Fuzzy> {
-        let around = |hours: f64, minutes: f64| Some(Fuzzy::around(hours * HOUR, minutes * MINUTE));
-        match self {
-            Activity::Prepare(Meal::Breakfast) | Activity::TakeMedicine => around(7.75, 30.0),
-            Activity::Eat(Meal::Breakfast) => around(8.0, 30.0),
-            Activity::Prepare(Meal::Lunch) => around(11.8, 30.0),
-            Activity::Eat(Meal::Lunch) => around(12.25, 30.0),
-            Activity::Prepare(Meal::Dinner) => around(17.25, 40.0),
-            Activity::Eat(Meal::Dinner) => around(17.75, 40.0),
-            Activity::Shower | Activity::Wash | Activity::Dress => around(7.25, 40.0),
-            Activity::Nap => around(14.75, 45.0),
-            Activity::Visit => around(15.0, 90.0),
-            _ => None,
-        }
-    }
 }
 
 /// In hours, and the largest deviation in minutes.

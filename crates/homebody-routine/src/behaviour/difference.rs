@@ -7,17 +7,14 @@ use crate::routine::{Effect, HabitTime, Phase};
 use homebody_core::time::MINUTE;
 use serde::Serialize;
 
-/// A sentence that a run does not follow.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Difference {
-    /// The resident's name.
     pub resident: String,
     /// The routine or the condition.
     pub file: String,
     /// Counted from 1.
     pub line: u32,
     pub text: String,
-    /// In words.
     pub expected: String,
     pub lived: String,
     /// Whether it is certain before the run.

@@ -52,7 +52,6 @@ pub const SOON_DONE: Span = MINUTE.times(3);
 const WELCOMED: Span = MINUTE.times(3);
 
 impl Drafts<'_> {
-    /// Settles all starts.
     pub fn resolve(mut self) -> Resolved {
         self.tie();
         self.resolve_starts(&|_| false);

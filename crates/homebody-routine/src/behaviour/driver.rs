@@ -32,7 +32,6 @@ use std::any::Any;
 use std::collections::{BTreeMap, VecDeque};
 use std::sync::Arc;
 
-/// A resident with a routine.
 #[derive(Clone, Debug)]
 pub struct RoutineDriver {
     pub(super) life: Arc<ResidentRoutine>,
@@ -63,7 +62,7 @@ pub struct RoutineDriver {
     pub(super) tally: SentenceTally,
     /// Whether an errand filled the last spare time.
     pub(super) was_errand: bool,
-    /// The hour from which the mail is fetched, until it is.
+    /// The hour after which the mail is fetched, until it is.
     pub(super) mail_hour: Option<f64>,
     /// Hour of the day at the start of the last activity.
     pub(super) hour_now: f64,
@@ -181,7 +180,6 @@ impl RoutineDriver {
         driver
     }
 
-    /// The outcome of each sentence so far.
     pub fn tally(&self) -> &SentenceTally {
         &self.tally
     }
@@ -286,7 +284,7 @@ impl RoutineDriver {
         }
     }
 
-    /// Takes a step that is no stay.
+    /// Takes a step other than a stay.
     fn take(&mut self, step: ActivityStep, now: RunTime) {
         match step {
             ActivityStep::Name(name) => {
@@ -328,7 +326,7 @@ impl RoutineDriver {
         let next_start =
             self.agenda.items.get(self.next_item).map_or(self.agenda.bed, |item| item.start.min(self.agenda.bed));
         let active = self.activity(now);
-        let is_left_alone = self.visits_nobody();
+        let is_left_alone = self.is_host_away();
         let Some(playing) = self.scripts.last_mut() else { return };
         if is_left_alone {
             // Only the way out remains.
@@ -518,7 +516,7 @@ impl RoutineDriver {
         while self.agenda.items.get(self.next_item).is_some_and(is_past) {
             self.next_item += 1;
         }
-        self.let_the_said_go_first(now);
+        self.prefer_stated(now);
         let next = self.agenda.items.get(self.next_item).cloned();
         if now >= self.agenda.bed && next.as_ref().is_none_or(|item| !item.can_wait_for_bed(self.agenda.bed)) {
             return self.go_to_bed(now);

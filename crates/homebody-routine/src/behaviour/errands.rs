@@ -41,12 +41,10 @@ impl Errands {
         self.chances.iter_mut().for_each(fade);
     }
 
-    /// Adds a necessary walk.
     pub fn need(&mut self, hour: f64, metres: f64) {
         self.need_m[hour as usize % 24] += metres;
     }
 
-    /// Adds a possible errand, with its probability.
     pub fn chance(&mut self, hour: f64, runs: f64) {
         self.chances[hour as usize % 24] += idle(runs);
     }
@@ -90,7 +88,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn errands_and_needs_together_come_to_what_is_said() {
+    fn errands_and_needs_together_add_up_to_the_routine() {
         let mut errands = Errands::new();
         for day in 0..30 {
             errands.wake();

@@ -1,11 +1,11 @@
 //! Falls: those of the routine, and those caused from outside.
 //!
-//! As stated, a fall follows walking, rising, sitting or lying, and ends there or beside the seat or bed; one who sinks
-//! down goes through the knees. Then the resident lies for a while, until found, or until they have crawled to the
-//! telephone.
+//! A stated fall follows walking, rising, sitting or lying, and ends there or next to the seat or bed; a person who
+//! sinks down goes through the knees. Then the resident lies for a while, until found, or until they have crawled to
+//! the telephone.
 //!
-//! An unplanned fall interrupts like a need. A walking or standing resident falls on the spot; a sitting or lying one gets
-//! up first, and falls beside the chair or bed. Afterwards the activity continues.
+//! An unplanned fall interrupts like a need. A walking or standing resident falls on the spot; a sitting or lying one
+//! gets up first, and falls next to the chair or bed. Afterwards the activity continues.
 //!
 //! We assume that a visitor who comes while the host lies on the floor has a key, and that a found resident is helped up.
 //!
@@ -130,7 +130,7 @@ impl RoutineDriver {
         stations.get((setting.stream.unit() * stations.len() as f64) as usize).map(|one| one.spot.clone())
     }
 
-    /// A point to stand beside a seat or a bed.
+    /// A point to stand next to a seat or a bed.
     fn beside(&self, spot: &HomePlace) -> Option<HomePlace> {
         let at = self.body.mesh().approach(spot.at)?;
         Some(HomePlace::to_stand(at, self.home.plan.room_at(at)?))
@@ -199,7 +199,6 @@ impl RoutineDriver {
         self.ready.extend(low.map(Next::Segment));
     }
 
-    /// Lies until another person comes.
     pub(super) fn lie_until_found(&mut self, left: Span) {
         let room = self.body.room();
         if left <= Span::ZERO || self.company.finds(room, &self.home.plan) {

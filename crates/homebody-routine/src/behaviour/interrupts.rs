@@ -77,7 +77,6 @@ impl RoutineDriver {
         Some((index, item.start + if is_next { Span::ZERO } else { GRACE }))
     }
 
-    /// Starts the most urgent interruption.
     pub(super) fn interrupt(&mut self, now: RunTime) {
         if self.rules_at() <= now && self.answer_rule(now) {
             return;
@@ -186,17 +185,12 @@ impl RoutineDriver {
 impl Activity {
     /// Leisure, company and housework yield to due meals.
     pub(super) fn gives_way_to_meals(&self) -> bool {
-        use Activity::{Exercise, Housework, Laundry, Other, Phone, Read, Relax, UseComputer, Visit, WatchTelevision};
+        use ActivityKind::{Food, Housework, Leisure};
+        let is_of = |kinds: &[ActivityKind]| self.row().is_some_and(|row| kinds.contains(&row.kind));
         match self {
-            Exercise | Housework | Laundry | Other(_) | Phone | Read | Relax | UseComputer | Visit
-            | WatchTelevision => true,
-            Activity::Everyday(label) => {
-                matches!(
-                    ActivityKind::from_name(label),
-                    ActivityKind::Leisure | ActivityKind::Food | ActivityKind::Housework
-                )
-            }
-            _ => false,
+            Activity::Exercise | Activity::Visit | Activity::Other(_) => true,
+            Activity::Everyday(_) => is_of(&[Leisure, Food, Housework]),
+            _ => is_of(&[Leisure, Housework]),
         }
     }
 }

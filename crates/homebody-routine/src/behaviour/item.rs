@@ -33,7 +33,6 @@ pub struct Item {
 }
 
 impl Item {
-    /// An unplanned activity.
     pub fn now(key: String, activity: Activity, lasts: Span) -> Item {
         Item {
             key,

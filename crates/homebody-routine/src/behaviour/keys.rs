@@ -28,16 +28,16 @@ impl Keys {
         let habits = routine.habits.iter().map(|habit| {
             let said = match habit.when {
                 // A habit with "then" includes the habit before it.
-                HabitTime::Then => format!("{} of {before:016x}", of_habit(habit)),
-                _ => of_habit(habit),
+                HabitTime::Then => format!("{} of {before:016x}", habit_key(habit)),
+                _ => habit_key(habit),
             };
             before = hash(&said);
             said
         });
         Keys {
             habits: among_like("habit", source, habits),
-            rules: among_like("rule", source, routine.rules.iter().map(of_rule)),
-            changes: among_like("change", source, routine.changes.iter().map(of_change)),
+            rules: among_like("rule", source, routine.rules.iter().map(rule_key)),
+            changes: among_like("change", source, routine.changes.iter().map(change_key)),
         }
     }
 }
@@ -59,7 +59,7 @@ fn hash(text: &str) -> u64 {
     text.bytes().fold(0xcbf2_9ce4_8422_2325, |hash, byte| (hash ^ u64::from(byte)).wrapping_mul(0x0000_0100_0000_01b3))
 }
 
-fn of_habit(habit: &Habit) -> String {
+fn habit_key(habit: &Habit) -> String {
     let mut text = String::new();
     if let Some(visitor) = &habit.visitor {
         text += &format!("{}: ", visitor.to_lowercase());
@@ -74,7 +74,7 @@ fn of_habit(habit: &Habit) -> String {
     }
     text += &format!(" p {}", habit.chance.probability);
     if let Some((probability, by)) = habit.chance.becomes {
-        text += &format!(" to {probability} by {}", of_moment(by));
+        text += &format!(" to {probability} by {}", moment_key(by));
     }
     if let Some(days) = habit.chance.days_a_week {
         text += &format!(" on {days} a week");
@@ -91,39 +91,39 @@ fn of_habit(habit: &Habit) -> String {
     }
     text += &match &habit.when {
         HabitTime::AnyTime => String::new(),
-        HabitTime::At(time) => format!(" from {}", of_fuzzy(time)),
+        HabitTime::At(time) => format!(" from {}", fuzzy_key(time)),
         HabitTime::Within(part) => format!(" in {}", part.word()),
-        HabitTime::After(activity, gap) => format!(" after {}{}", activity.label(), of_gap(gap)),
-        HabitTime::Before(activity, gap) => format!(" before {}{}", activity.label(), of_gap(gap)),
+        HabitTime::After(activity, gap) => format!(" after {}{}", activity.label(), gap_key(gap)),
+        HabitTime::Before(activity, gap) => format!(" before {}{}", activity.label(), gap_key(gap)),
         HabitTime::With(activity) => format!(" with {}", activity.label()),
         HabitTime::Then => " then".to_owned(),
     };
     for (what, amount) in [(" for ", &habit.lasts), (" until ", &habit.until)] {
-        text += &amount.as_ref().map(|amount| format!("{what}{}", of_fuzzy(amount))).unwrap_or_default();
+        text += &amount.as_ref().map(|amount| format!("{what}{}", fuzzy_key(amount))).unwrap_or_default();
     }
     if habit.times != (1, 1) {
         text += &format!(" times {} {}", habit.times.0, habit.times.1);
     }
-    text + of_phase(&habit.phase).as_str()
+    text + phase_key(&habit.phase).as_str()
 }
 
-fn of_rule(rule: &RoutineRule) -> String {
-    let trigger = of_trigger(&rule.whenever);
+fn rule_key(rule: &RoutineRule) -> String {
+    let trigger = trigger_key(&rule.whenever);
     let only_if =
-        |one: &Circumstance| format!(" {} {}", if one.holds { "if" } else { "unless" }, of_trigger(&one.state));
+        |one: &Circumstance| format!(" {} {}", if one.holds { "if" } else { "unless" }, trigger_key(&one.state));
     let only_if: String = rule.only_if.iter().map(only_if).collect();
-    let response = of_response(&rule.response);
-    let then: String = rule.then.iter().map(|then| format!(" then {}", of_response(then))).collect();
+    let response = response_key(&rule.response);
+    let then: String = rule.then.iter().map(|then| format!(" then {}", response_key(then))).collect();
     let lapse = rule.lapse.map(|lapse| {
-        let later = lapse.later.map(|later| format!(" later {}", of_fuzzy(&later))).unwrap_or_default();
+        let later = lapse.later.map(|later| format!(" later {}", fuzzy_key(&later))).unwrap_or_default();
         format!(" forgets {}{later}", lapse.probability)
     });
     let lapse = lapse.unwrap_or_default();
-    let (after, phase) = (of_fuzzy(&rule.lasts), of_phase(&rule.phase));
+    let (after, phase) = (fuzzy_key(&rule.lasts), phase_key(&rule.phase));
     format!("{trigger} after {after}{only_if} p {} {response}{then}{lapse}{phase}", rule.probability)
 }
 
-fn of_trigger(trigger: &RuleTrigger) -> String {
+fn trigger_key(trigger: &RuleTrigger) -> String {
     match trigger {
         RuleTrigger::On(thing) => format!("on {}", thing.to_lowercase()),
         RuleTrigger::At(place) => format!("at {}", place.to_lowercase()),
@@ -141,49 +141,49 @@ fn of_trigger(trigger: &RuleTrigger) -> String {
     }
 }
 
-fn of_response(response: &Response) -> String {
+fn response_key(response: &Response) -> String {
     match response {
         Response::Turn { thing, on } => format!("turn {} {}", thing.to_lowercase(), if *on { "on" } else { "off" }),
         Response::Do { activity, place, lasts } => {
             let place = place.as_ref().map(|place| format!(" at {}", place.to_lowercase())).unwrap_or_default();
-            let lasts = lasts.as_ref().map(|lasts| format!(" for {}", of_fuzzy(lasts))).unwrap_or_default();
+            let lasts = lasts.as_ref().map(|lasts| format!(" for {}", fuzzy_key(lasts))).unwrap_or_default();
             format!("{}{place}{lasts}", activity.label())
         }
     }
 }
 
-fn of_change(change: &RoutineChange) -> String {
+fn change_key(change: &RoutineChange) -> String {
     let part = |part: &Option<PartOfDay>| part.map(|part| format!(" in {}", part.word())).unwrap_or_default();
     let effect = match &change.effect {
         Effect::Shows { condition, severity } => format!("shows {condition} {severity}"),
-        Effect::Pace(by) => format!("pace {}", of_fuzzy(by)),
-        Effect::PaceEachWeek(by) => format!("pace each week {}", of_fuzzy(by)),
-        Effect::Later { activity, by } => format!("later {} {}", activity.label(), of_fuzzy(by)),
-        Effect::Longer { activity, factor } => format!("longer {} {}", activity.label(), of_fuzzy(factor)),
-        Effect::LongerBy { activity, by } => format!("longer by {} {}", activity.label(), of_fuzzy(by)),
+        Effect::Pace(by) => format!("pace {}", fuzzy_key(by)),
+        Effect::PaceEachWeek(by) => format!("pace each week {}", fuzzy_key(by)),
+        Effect::Later { activity, by } => format!("later {} {}", activity.label(), fuzzy_key(by)),
+        Effect::Longer { activity, factor } => format!("longer {} {}", activity.label(), fuzzy_key(factor)),
+        Effect::LongerBy { activity, by } => format!("longer by {} {}", activity.label(), fuzzy_key(by)),
         Effect::Oftener { activity, part: of, factor } => {
-            format!("oftener {}{} {}", activity.label(), part(of), of_fuzzy(factor))
+            format!("oftener {}{} {}", activity.label(), part(of), fuzzy_key(factor))
         }
         Effect::Skips { activity, chance } => format!("skips {} {chance}", activity.label()),
-        Effect::Irregular(by) => format!("irregular {}", of_fuzzy(by)),
-        Effect::Active { part: of, factor } => format!("active{} {}", part(of), of_fuzzy(factor)),
-        Effect::DaysDiffer(by) => format!("days differ {}", of_fuzzy(by)),
+        Effect::Irregular(by) => format!("irregular {}", fuzzy_key(by)),
+        Effect::Active { part: of, factor } => format!("active{} {}", part(of), fuzzy_key(factor)),
+        Effect::DaysDiffer(by) => format!("days differ {}", fuzzy_key(by)),
         Effect::DaysAre { kind, very, .. } => format!("{} days {very}", kind.word()),
         Effect::SleepsIn => "sleeps in".to_owned(),
-        Effect::Restless(by) => format!("restless {}", of_fuzzy(by)),
+        Effect::Restless(by) => format!("restless {}", fuzzy_key(by)),
         Effect::Forgets { thing, chance } => format!("forgets {} {chance}", thing.to_lowercase()),
         Effect::Shy { of, gain } => format!("shy {of:?} {gain}").to_lowercase(),
-        Effect::Pulse(by) => format!("pulse {}", of_fuzzy(by)),
-        Effect::Respiration(by) => format!("respiration {}", of_fuzzy(by)),
+        Effect::Pulse(by) => format!("pulse {}", fuzzy_key(by)),
+        Effect::Respiration(by) => format!("respiration {}", fuzzy_key(by)),
     };
-    effect + of_phase(&change.phase).as_str()
+    effect + phase_key(&change.phase).as_str()
 }
 
-fn of_phase(phase: &Phase) -> String {
+fn phase_key(phase: &Phase) -> String {
     let mut text = String::new();
     for (what, moment) in [("from", phase.from), ("until", phase.until)] {
         if let Some(moment) = moment {
-            text += &format!(" {what} {}", of_moment(moment));
+            text += &format!(" {what} {}", moment_key(moment));
         }
     }
     for (what, days) in [("over", phase.over_days), ("fading", phase.fading_days)] {
@@ -194,17 +194,17 @@ fn of_phase(phase: &Phase) -> String {
     text
 }
 
-fn of_moment(moment: PhaseDay) -> String {
+fn moment_key(moment: PhaseDay) -> String {
     match moment {
         PhaseDay::Day(day) => format!("day {day}"),
         PhaseDay::Date(year, month, day) => format!("{year}-{month}-{day}"),
     }
 }
 
-fn of_gap(gap: &Option<Fuzzy>) -> String {
-    gap.as_ref().map(|gap| format!(" by {}", of_fuzzy(gap))).unwrap_or_default()
+fn gap_key(gap: &Option<Fuzzy>) -> String {
+    gap.as_ref().map(|gap| format!(" by {}", fuzzy_key(gap))).unwrap_or_default()
 }
 
-fn of_fuzzy(fuzzy: &Fuzzy) -> String {
+fn fuzzy_key(fuzzy: &Fuzzy) -> String {
     format!("{}|{}|{}|{}", fuzzy.low, fuzzy.from, fuzzy.to, fuzzy.high)
 }

@@ -33,7 +33,6 @@ impl NeedLevel {
         (self.since, self.rate) = (now, rate);
     }
 
-    /// If nothing changes.
     pub fn presses_at(&self) -> RunTime {
         let missing = self.threshold - self.level;
         if missing <= 0.0 {
@@ -81,7 +80,7 @@ mod tests {
     }
 
     #[test]
-    fn what_presses_already_presses_now() {
+    fn a_need_that_presses_already_presses_now() {
         let mut need = NeedLevel::new(RunTime::START, 0.1);
         need.rise(RunTime::START, 1.0);
         need.rise(RunTime::START + DAY, 0.0);

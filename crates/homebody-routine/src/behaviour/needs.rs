@@ -144,7 +144,6 @@ impl BodilyNeeds {
         self.tiredness.rise(now, self.rates.tiredness);
     }
 
-    /// Sets the rates at night.
     pub fn sleeping(&mut self, now: RunTime, life: &ResidentRoutine, day: i32, parameters: &DayParameters) {
         self.asleep = true;
         let is_planned = life.says_how_often(&Activity::UseBathroom, day, true);

@@ -129,7 +129,6 @@ impl RoutineDriver {
         }));
     }
 
-    /// Begins the next day.
     pub(super) fn wake(&mut self, now: RunTime) {
         self.begin_day(now);
         let day = self.agenda.day;

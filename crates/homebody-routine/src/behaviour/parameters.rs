@@ -26,11 +26,9 @@ homebody_core::numbers! {
 
 #[derive(Clone, Debug)]
 pub struct DayParameters {
-    /// Factor on the walking speed.
     pub pace: f64,
     pub irregular: f64,
     pub restless: f64,
-    /// Largest factor on movement.
     pub(super) most_movement: f64,
     pub pulse: f64,
     pub respiration: f64,
@@ -40,7 +38,6 @@ pub struct DayParameters {
     pub(super) differ: f64,
     /// Share of a late bedtime by which rising is later.
     pub(super) sleeps_in: f64,
-    /// Delay of today's rising.
     pub(super) slept_in: Span,
     pub(super) active: Vec<(Option<PartOfDay>, f64)>,
     pub(super) later_s: BTreeMap<Activity, f64>,
@@ -140,7 +137,6 @@ impl DayParameters {
         gains
     }
 
-    /// Factor on movement at an hour.
     pub fn activity(&self, hour: f64) -> f64 {
         (self.level * self.changed_activity(hour)).min(self.most_movement)
     }
@@ -185,7 +181,6 @@ impl DayParameters {
         self.oftener.iter().filter(|(of, part, _)| of == activity && holds(part)).map(|(_, _, factor)| factor).product()
     }
 
-    /// Probability of skipping.
     pub fn skips(&self, activity: &Activity) -> f64 {
         self.skips.get(activity).copied().unwrap_or(0.0)
     }

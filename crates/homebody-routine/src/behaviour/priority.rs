@@ -9,7 +9,7 @@ use homebody_core::time::{MINUTE, RunTime, Span};
 impl RoutineDriver {
     /// Unstated activities wait if they would delay stated ones, and flexible ones if they would delay those with a time.
     /// No one goes out just before a meal.
-    pub(super) fn let_the_said_go_first(&mut self, now: RunTime) {
+    pub(super) fn prefer_stated(&mut self, now: RunTime) {
         let bed = self.agenda.bed;
         let (breaks, rest) = (&self.agenda.breaks[self.next_break..], &mut self.agenda.items[self.next_item..]);
         let Some(next) = rest.first().filter(|next| next.start <= now + MINUTE) else { return };

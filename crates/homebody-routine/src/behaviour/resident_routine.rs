@@ -23,7 +23,6 @@ use homebody_walk::Gains;
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
-/// A resident's routine with the conditions that it shows.
 #[derive(Clone, Debug)]
 pub struct ResidentRoutine {
     pub name: String,
@@ -143,7 +142,7 @@ impl ResidentRoutine {
     }
 
     /// The same texts with another seed.
-    pub fn of_seed(&self, seed: u64) -> ResidentRoutine {
+    pub fn with_seed(&self, seed: u64) -> ResidentRoutine {
         let mut life = ResidentRoutine { seed, ..self.clone() };
         life.draw();
         life
@@ -288,7 +287,6 @@ impl ResidentRoutine {
         own.iter().any(|habit| habit.is_how_often(activity, at_night) && self.is_meant(habit, day))
     }
 
-    /// Names of all possible visitors.
     pub fn visitors(&self) -> Vec<String> {
         let habits = self.sources.iter().flat_map(|source| &source.routine.habits);
         let mut visitors: Vec<String> = habits.filter_map(|habit| habit.visitor.clone()).collect();

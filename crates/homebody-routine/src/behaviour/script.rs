@@ -63,7 +63,6 @@ pub enum ActivityStep {
     AwaitMeal {
         left: Span,
     },
-    /// Crawls to a point.
     AlongFloor {
         to: Point,
         mps: f64,
@@ -72,7 +71,6 @@ pub enum ActivityStep {
     LieUntilFound {
         left: Span,
     },
-    /// Plans the next day.
     Wake,
 }
 
@@ -128,7 +126,6 @@ pub struct ActivitySetting<'a> {
     pub stream: &'a mut Stream,
     /// Things that stay on this time, such as a forgotten stove.
     pub forgotten: Vec<u32>,
-    /// Factor on movement.
     pub movement: f64,
 }
 

@@ -9,19 +9,16 @@ use std::collections::BTreeMap;
 /// Delay within which an activity is in time (our choice): the previous one is finished first, and a walk follows.
 pub const LATE: Span = MINUTE.times(15);
 
-/// Outcomes by sentence.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct SentenceTally {
     sentences: BTreeMap<SentenceId, SentenceOutcome>,
 }
 
-/// The outcome of a sentence.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct SentenceOutcome {
     /// Planned times on past days; for a rule, how often its trigger lasted long enough; for a change, the days with it.
     pub planned: u32,
     pub begun: u32,
-    /// Completed.
     pub done: u32,
     /// Dropped without a route to the place.
     pub no_way: u32,

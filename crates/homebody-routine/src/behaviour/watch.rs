@@ -39,7 +39,7 @@ struct RuleWatch {
     is_seen: bool,
 }
 
-/// Things that are on, whoever uses them, and the rest of the current segment.
+/// Things that are on, regardless of the user, and the rest of the current segment.
 #[derive(Clone, Debug, Default)]
 pub struct WatchInput {
     pub(super) on: Vec<bool>,
@@ -77,7 +77,7 @@ impl Watches {
             }
         }
         self.end(&|trigger| *trigger == RuleTrigger::InBed);
-        self.looks = self.rules.iter().any(|watch| watch.rule.whenever.is_looked_for());
+        self.looks = self.rules.iter().any(|watch| watch.rule.whenever.is_polled());
     }
 
     pub fn looks(&self) -> bool {
@@ -92,7 +92,7 @@ impl Watches {
     pub fn look(&mut self, is_so: impl Fn(&RuleTrigger) -> bool, now: RunTime, life: &ResidentRoutine) {
         for index in 0..self.rules.len() {
             let watch = &self.rules[index];
-            if !watch.rule.whenever.is_looked_for() {
+            if !watch.rule.whenever.is_polled() {
                 continue;
             }
             // A state at the first poll is not a change.

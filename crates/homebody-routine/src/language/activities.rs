@@ -239,7 +239,7 @@ mod tests {
             ACTIVITIES, AIRING, FETCHING_MAIL, FRESHENING_UP, LEAVING_HOME, PUTTING_CLOTHES_AWAY, RESTING, ROAMING,
             SEEING_TO_KITCHEN, SLEEPING, TIDYING, VISITING,
         };
-        let said: Vec<Activity> = Activity::OWN_WAYS.into_iter().chain(Activity::everyday()).collect();
+        let said: Vec<Activity> = Activity::all_of_table().collect();
         let mut labels: Vec<&str> = said.iter().map(Activity::label).collect();
         // The night, parts of outings and visits, and pets.
         labels.extend([SLEEPING, LEAVING_HOME, VISITING, RESTING, ROAMING]);

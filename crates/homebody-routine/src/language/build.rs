@@ -9,7 +9,7 @@ use super::falling::time_of_fall;
 use super::meaning::AdverbKind;
 use super::measures::{self, AmountPhrase, FASTEST_MPS, Of};
 use super::messages::{SentenceMessage, TimeSentenceMessage, WordMessage};
-use super::predicate::{Help, Predicate};
+use super::predicate::Predicate;
 use super::predicates::IS;
 use super::reader::{SentenceReader, Sort};
 use super::subjects::SentenceSubject;
@@ -20,7 +20,7 @@ use crate::routine::{
     Activity, DayKind, Effect, Habit, HabitChance, HabitTime, PartOfDay, ResidentKind, RoutineChange, RoutinePerson,
     Shy,
 };
-use homebody_core::activity::TimeUse;
+use homebody_core::activity::{Help, TimeUse};
 use homebody_core::fuzzy::{Fuzzy, Quantifier};
 
 pub fn build(reader: &mut SentenceReader, draft: &mut RoutineDraft, mut clause: Clause) {

@@ -3,12 +3,12 @@
 use super::activities::{self, activity, event};
 use super::adverbs::Adverbs;
 use super::person_word::person_called;
-use super::predicate::{Help, Predicate};
+use super::predicate::Predicate;
 use super::reader::SentenceReader;
 use super::visits::visits;
 use super::words::Token;
 use crate::routine::{Activity, Meal};
-use homebody_core::activity::{ActivityKind, TimeUse};
+use homebody_core::activity::Help;
 
 pub fn visiting(reader: &mut SentenceReader) -> Option<Predicate> {
     let from = reader.at;
@@ -210,7 +210,6 @@ fn other(reader: &mut SentenceReader) -> Option<Predicate> {
         reader.attempt(|reader| (reader.eat(preposition) && person(reader)).then_some(())).is_some()
     };
     let (for_person, with_person) = (at_person("for"), at_person("with|to") || with_whom);
-    let label = found.label();
     let buys = |said: String| {
         ["shop", "errand", "grocer", "prescription", "pension", "food", "bread", "post", "mail"]
             .iter()
@@ -221,20 +220,10 @@ fn other(reader: &mut SentenceReader) -> Option<Predicate> {
         Activity::Leave if with_person => Some(Predicate::Does(Activity::Leave)),
         Activity::Leave if for_person || buys(reader.passed(from)) => Some(Predicate::Visits),
         Activity::Leave | Activity::ComeHome | Activity::GetUp | Activity::GoToBed => None,
-        _ if TimeUse::from_label(label) == TimeUse::Household => Some(Predicate::Helps(found, Help::Instead)),
-        _ if is_chore(label) => Some(Predicate::Helps(found, Help::Instead)),
-        _ if with_person || for_person || is_given(label) => Some(Predicate::Helps(found, Help::Together)),
-        _ => None,
+        _ => {
+            let is_shared = (with_person || for_person).then_some(Help::Together);
+            let help = found.row().and_then(|row| row.help).or(is_shared)?;
+            Some(Predicate::Helps(found, help))
+        }
     }
-}
-
-fn is_chore(label: &str) -> bool {
-    use homebody_core::activity::{CARING_FOR_PET, CARING_FOR_PLANTS, GARDENING};
-    [CARING_FOR_PET, CARING_FOR_PLANTS, GARDENING].contains(&label)
-}
-
-fn is_given(label: &str) -> bool {
-    use homebody_core::activity::{BEING_CARED_FOR, CHECKING_HEALTH, GROOMING};
-    [BEING_CARED_FOR, CHECKING_HEALTH, GROOMING].contains(&label)
-        && ActivityKind::from_name(label) != ActivityKind::Other
 }

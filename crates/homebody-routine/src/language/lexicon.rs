@@ -263,9 +263,9 @@ impl LexiconWords {
         }
         let mut parts = said.split(';').map(str::trim);
         let told = parts.next().unwrap_or_default();
-        let known = Activity::of_label(name);
+        let known = Activity::from_label(name);
         if known.is_none() && !self.own.contains_key(name) && told.is_empty() {
-            let labels: Vec<Activity> = Activity::OWN_WAYS.into_iter().chain(Activity::everyday()).collect();
+            let labels: Vec<Activity> = Activity::all_of_table().collect();
             let near = nearest(name, labels.iter().map(Activity::label)).map(str::to_owned);
             return Err(LexiconMessage::UnknownActivity { label: name.to_owned(), near });
         }

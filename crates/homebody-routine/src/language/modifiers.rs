@@ -103,7 +103,11 @@ fn taken(names: &HomeNames, draft: &RoutineDraft, words: &[SentenceWord]) -> Opt
         let is_named = is_determiner(word) || BEGINNING.contains(word) || word.ends_with('s');
         let is_bare = reader.token(0) == Some(Token::Word) && !is_named;
         let is_unknown = is_object && reader.at == object && is_bare && doing != Activity::Leave;
-        if is_object && !leaves_it_the_same(&doing) || is_unknown || is_wrong_place || !may_be_passed(&mut reader) {
+        if is_object && !doing.row().is_some_and(|row| row.takes_object)
+            || is_unknown
+            || is_wrong_place
+            || !may_be_passed(&mut reader)
+        {
             return None;
         }
         reader.at += 1;
@@ -118,30 +122,6 @@ fn is_deed(reader: &mut SentenceReader, is_visitor: bool) -> bool {
 fn is_manner(word: &str) -> bool {
     const HOW: &str = "still also just even now usually generally happily then sometimes herself himself";
     word.len() > 4 && word.ends_with("ly") && !TELLING.contains(word) || is_one_of(HOW, word) && !TELLING.contains(word)
-}
-
-fn leaves_it_the_same(doing: &Activity) -> bool {
-    use homebody_core::activity::{
-        BAKING, CARING_FOR_PLANTS, DOING_PUZZLES, GARDENING, HANDICRAFT, LISTENING, MAKING_MUSIC, WRITING,
-    };
-    const EVERYDAY: [&str; 8] =
-        [BAKING, CARING_FOR_PLANTS, DOING_PUZZLES, GARDENING, HANDICRAFT, LISTENING, MAKING_MUSIC, WRITING];
-    match doing {
-        Activity::Everyday(label) => EVERYDAY.contains(label),
-        Activity::Prepare(_)
-        | Activity::Eat(_)
-        | Activity::TakeMedicine
-        | Activity::Leave
-        | Activity::Read
-        | Activity::Housework
-        | Activity::WatchTelevision
-        | Activity::Phone
-        | Activity::Laundry
-        | Activity::Drink
-        | Activity::Snack
-        | Activity::Visit => true,
-        _ => false,
-    }
 }
 
 fn may_be_passed(reader: &mut SentenceReader) -> bool {

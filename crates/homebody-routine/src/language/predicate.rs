@@ -7,6 +7,7 @@ use super::measures::AmountPhrase;
 use super::reader::{SentenceReader, Sort, begins_adverb, is_determiner};
 use super::words::{TextSpan, Token};
 use crate::routine::{Activity, DayKind, Falling, ResidentKind, Shy};
+use homebody_core::activity::Help;
 
 #[derive(Clone, Debug, PartialEq)]
 pub enum Predicate {
@@ -44,12 +45,6 @@ pub enum Predicate {
     VisitedBy(String),
     Unfinished(Activity),
     Remark,
-}
-
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Help {
-    Together,
-    Instead,
 }
 
 /// Passes over who is named, "district nurse", "Meals on Wheels", up to where or when something is.

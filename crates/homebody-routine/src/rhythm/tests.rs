@@ -70,7 +70,7 @@ fn the_sentences_are_understood() {
 }
 
 #[test]
-fn visits_to_the_toilet_are_told_of_nights_too() {
+fn visits_to_the_toilet_at_night_get_a_sentence() {
     let mut diary = diary();
     let night = diary.iter().filter(|one| one.what == Activity::GoToBed).nth(3).unwrap().begin;
     diary.extend([2, 5].map(|hour| noted(Activity::UseBathroom, night + hour * HOUR, MINUTE)));
@@ -98,7 +98,7 @@ fn a_meal_that_is_noted_twice_a_day_has_one_time() {
 }
 
 #[test]
-fn who_is_up_at_night_goes_on_with_the_night() {
+fn getting_up_at_night_does_not_end_the_night() {
     let whole = sentences(&diary(), &known());
     let mut diary = diary();
     let halves = diary.iter().filter(|one| one.what == Activity::GoToBed).flat_map(|night| {
@@ -114,7 +114,7 @@ fn who_is_up_at_night_goes_on_with_the_night() {
 }
 
 #[test]
-fn what_lasts_much_longer_than_most_is_said_apart() {
+fn long_activities_get_their_own_sentence() {
     let mut diary = diary();
     for one in diary.iter_mut().filter(|one| one.what == Activity::UseBathroom && one.begin.time_of_day() == 19 * HOUR)
     {

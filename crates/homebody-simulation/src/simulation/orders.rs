@@ -3,8 +3,8 @@
 use super::Simulation;
 use super::output::RunOutput;
 use crate::error::SimulationError;
-use crate::interventions::{FromOutside, Intervention, InterventionRequest, Refusal};
-use homebody_core::outside::MOST_DEEDS;
+use crate::interventions::{InterventionRequest, OrderedIntervention, Refusal, TimedIntervention};
+use homebody_core::outside::MOST_INTERVENTIONS;
 use homebody_core::problem::Diagnostic;
 use homebody_core::time::RunTime;
 
@@ -21,7 +21,7 @@ homebody_core::messages! {
         CatchesUp error "catches-up" ("the run is still repeating its stored part")
             hint ("send the order again when the run has caught up");
         /// A recording contains every order. The limit is our choice.
-        TooMany error "too-many" ("this run already has {MOST_DEEDS} orders")
+        TooMany error "too-many" ("this run already has {MOST_INTERVENTIONS} orders")
             hint ("write frequent events into routines and the link file");
         /// A run takes one order after the other, and a limited number of them wait.
         Busy error "busy" ("too many commands are waiting for this run")
@@ -67,16 +67,16 @@ impl Simulation {
         Ok(())
     }
 
-    fn apply(&mut self, intervention: Intervention, output: &mut RunOutput) -> Result<RunTime, Refusal> {
+    fn apply(&mut self, intervention: OrderedIntervention, output: &mut RunOutput) -> Result<RunTime, Refusal> {
         let at_us = self.run.now();
-        let deed = intervention.at(at_us, self.scenario.home.numbers());
-        self.run.can_be_done(&deed)?;
-        let done = FromOutside { at_us, deed };
+        let intervention = intervention.at(at_us, self.scenario.home.numbers());
+        self.run.check_intervention(&intervention)?;
+        let done = TimedIntervention { at_us, intervention };
         // A resumed run may have later orders that are not repeated yet.
         let orders = &mut output.recording.outside;
         let place = orders.partition_point(|other| other.at_us <= at_us);
         orders.insert(place, done.clone());
-        self.run.from_outside([done]);
+        self.run.intervene([done]);
         Ok(at_us)
     }
 
@@ -92,7 +92,7 @@ impl Simulation {
         if !is_new || self.paced.is_behind(self.run.now()) {
             return Err(OrderMessage::CatchesUp.into());
         }
-        if output.recording.outside.len() >= MOST_DEEDS {
+        if output.recording.outside.len() >= MOST_INTERVENTIONS {
             return Err(OrderMessage::TooMany.into());
         }
         Ok(())

@@ -133,7 +133,7 @@ impl Simulation {
 
     /// The folder in which the run can be resumed, where there is one.
     pub(crate) fn folder_in(&self, places: &RunPlaces) -> Option<PathBuf> {
-        folder_of_all(places).filter(|_| self.recording.lives_again())
+        folder_of_all(places).filter(|_| self.recording.can_replay())
     }
 
     /// Simulates the run to its end, or until it is cancelled, into these places and the caller's own destinations.

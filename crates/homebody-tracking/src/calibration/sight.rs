@@ -23,7 +23,6 @@ use crate::error::TrackingError;
 use crate::located_folder::beginning;
 use crate::translation::locate;
 use homebody_analysis::explanation::{ExplainedCounts, explained};
-use homebody_core::geometry::{inner_point, point};
 use homebody_core::scenario::edit::ScenarioEdit;
 use homebody_core::scenario::load::Scenario;
 use homebody_core::sensors::kinds::SensorFile;
@@ -203,29 +202,14 @@ fn seeing_as_far(scenario: &Scenario, times: f64) -> Vec<SensorFile> {
 /// A sensor with another reach.
 fn scaled(sensor: &SensorFile, times: f64) -> Option<SensorFile> {
     let mut sensor = sensor.clone();
-    match &mut sensor {
-        SensorFile::Motion(wall) => wall.reach_m = rounded(wall.reach_m * times),
-        SensorFile::CeilingMotion(ceiling) => {
-            let corners: Vec<_> = ceiling.area.iter().map(|&at| point(at)).collect();
-            let middle = inner_point(&corners);
-            let away = |at: f64, from: f64| rounded(from + (at - from) * times);
-            ceiling.area = corners.iter().map(|at| [away(at.x, middle.x), away(at.y, middle.y)]).collect();
-        }
-        _ => return None,
-    }
-    Some(sensor)
+    sensor.scale_reach(times).then_some(sensor)
 }
 
 /// A sensor that misses such a share of passings; `None` for one that notices every movement.
 fn missing(sensor: &SensorFile, share: f64) -> Option<SensorFile> {
     let Some(Notice::Chance(chance)) = sensor.notice() else { return None };
     let mut sensor = sensor.clone();
-    let notice = match &mut sensor {
-        SensorFile::Motion(wall) => &mut wall.notice,
-        SensorFile::CeilingMotion(ceiling) => &mut ceiling.notice,
-        _ => return None,
-    };
-    *notice = Some(Notice::Chance(ChanceFile { missed: share, ..chance }));
+    sensor.change_settings(|settings| settings.notice = Some(Notice::Chance(ChanceFile { missed: share, ..chance })));
     Some(sensor)
 }
 
@@ -234,9 +218,4 @@ fn missed(sensor: &SensorFile) -> Option<f64> {
         Some(Notice::Chance(chance)) => Some(chance.missed),
         _ => None,
     }
-}
-
-/// In metres, to the millimetre.
-fn rounded(value: f64) -> f64 {
-    (value * 1000.0).round() / 1000.0
 }

@@ -4,7 +4,7 @@ use homebody_analysis::timing::{HoldStyle, MotionTiming, SensorTiming};
 use homebody_core::link::form::LinkFile;
 use homebody_core::scenario::edit::ScenarioEdit;
 use homebody_core::scenario::logger::{LoggerFile, LumpFile, MessagesFile, OnOffFile};
-use homebody_core::sensors::kinds::SensorFile;
+use homebody_core::sensors::kinds::{MotionSettings, SensorFile};
 use homebody_core::sensors::preset::Preset;
 
 /// Share of messages that arrive twice or not at all below which it is chance (our choice).
@@ -40,22 +40,19 @@ pub fn fitted(edit: ScenarioEdit, timing: &MotionTiming, logger: &LoggerFile, li
 
 /// Fits the device that holds its ONs so, and the time after which it fires again.
 fn fit(sensor: &mut SensorFile, hold: HoldStyle, told: Option<&SensorTiming>) {
-    let (preset, refire_s) = match sensor {
-        SensorFile::Motion(motion) => (&mut motion.preset, &mut motion.refire_s),
-        SensorFile::CeilingMotion(motion) => (&mut motion.preset, &mut motion.refire_s),
-        _ => return,
-    };
-    match hold {
-        HoldStyle::Follow(_) => *preset = Preset::CasasFollow,
-        HoldStyle::Pulse(_) if *preset == Preset::CasasFollow => *preset = Preset::CasasPulse,
-        _ => {}
-    }
     // While an ON is prolonged no row says when a unit that follows fires.
     let shortest = told.and_then(|told| told.refire_s).map(|[shortest, ..]| rounded(shortest));
-    if let Some(shortest) = shortest.filter(|_| !matches!(hold, HoldStyle::Follow(_))) {
-        let [least, most] = refire_s.unwrap_or(preset.timing().refire_s);
-        *refire_s = Some([shortest, rounded(shortest + most - least)]);
-    }
+    sensor.change_settings(|MotionSettings { preset, refire_s, .. }| {
+        match hold {
+            HoldStyle::Follow(_) => *preset = Preset::CasasFollow,
+            HoldStyle::Pulse(_) if *preset == Preset::CasasFollow => *preset = Preset::CasasPulse,
+            _ => {}
+        }
+        if let Some(shortest) = shortest.filter(|_| !matches!(hold, HoldStyle::Follow(_))) {
+            let [least, most] = refire_s.unwrap_or(preset.timing().refire_s);
+            *refire_s = Some([shortest, rounded(shortest + most - least)]);
+        }
+    });
 }
 
 /// The messages of a log with such ONs; `None` without OFFs.
@@ -121,7 +118,7 @@ mod tests {
     #[test]
     fn pulses_are_held_as_they_were_and_fire_again_as_soon() {
         let (sensor, logger, link) = after(&timing(Some(ON), 0.02, 0.01));
-        let SensorFile::CeilingMotion(sensor) = sensor else { panic!("a ceiling sensor") };
+        let sensor = sensor.settings().expect("a sensor that looks for movement");
         assert_eq!(sensor.preset, Preset::CasasPulse);
         // As wide as the preset's 5.4 to 5.6 s.
         assert_eq!(sensor.refire_s, Some([5.0, 5.2]));
@@ -134,7 +131,7 @@ mod tests {
     #[test]
     fn a_log_without_offs_tells_of_repeated_messages_alone() {
         let (sensor, logger, link) = after(&timing(None, 0.02, 0.0));
-        let SensorFile::CeilingMotion(sensor) = sensor else { panic!("a ceiling sensor") };
+        let sensor = sensor.settings().expect("a sensor that looks for movement");
         assert_eq!((sensor.preset, sensor.refire_s), (Preset::CasasFollow, Some([5.0, 5.1])));
         assert_eq!(logger, LoggerFile::default());
         assert_eq!(link.unwrap().duplicates, Some(0.02));

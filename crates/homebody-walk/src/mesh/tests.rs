@@ -15,7 +15,7 @@ fn clearance(mesh: &Mesh, from: Point, path: &[Point]) -> (f64, bool) {
     let count = legs.len().saturating_sub(first + usize::from(!is_open(stops.last())));
     let inner = legs.iter().skip(first).take(count);
     let outlines = || mesh.obstacles.iter().map(|obstacle| &obstacle.outline);
-    let distances = inner.flat_map(|&(a, b)| outlines().map(move |outline| distance_of_segment(outline, a, b)));
+    let distances = inner.flat_map(|&(a, b)| outlines().map(move |outline| distance_in_segment(outline, a, b)));
     let steps =
         |(a, b): &(Point, Point)| (0..=20).map(|step| *a + (*b - *a) * (f64::from(step) / 20.0)).collect::<Vec<_>>();
     let is_inside = legs.iter().flat_map(steps).all(|p| mesh.plan.is_inside(p));

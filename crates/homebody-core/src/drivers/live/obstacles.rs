@@ -1,4 +1,4 @@
-//! What stands in a body's way, and how far the body gets.
+//! The obstacles of a body, and its way among them.
 //!
 //! Nothing moves by forces here, so casting the body's shape along its way is the whole of the
 //! physics, and no physics world is stepped. The engine's own character controller is for floors
@@ -19,8 +19,8 @@ use parry2d::query::details::NormalConstraints;
 use parry2d::query::{DefaultQueryDispatcher, ShapeCastOptions};
 use parry2d::shape::{Ball, CompositeShape, CompositeShapeRef, Shape, SharedShape};
 
-/// The gap that casts keep between the body and what stands around it. Where it starts out touching
-/// something, a cast is at its weakest.
+/// The gap that casts keep between the body and its obstacles. A cast is at its weakest if it begins in touch with an
+/// obstacle.
 const CLEARANCE_M: f32 = 0.005;
 
 /// Distance below which corners are one (our choice): a tenth of a millimetre does not affect a body.
@@ -29,15 +29,15 @@ const SAME_CORNER_M: f32 = 1e-4;
 /// Largest number of turns around obstacles: enough to bend round two things, or to be pushed out of both.
 const MOST_TURNS: usize = 4;
 
-/// What a slide leads away from the wall, as a part of its length, so that the next cast along the
-/// wall does not find the same wall again.
+/// The share of a slide's length by which it leads away from the wall, so that the next cast along the wall does not
+/// meet the same wall again.
 const NUDGE: f32 = 1e-3;
 
-/// A slide slower than this part of the wanted speed does not happen: whoever pushes against a wall
-/// stands, and does not creep along it.
+/// A slide slower than this share of the wanted speed does not happen: a body that pushes against a wall stands, and
+/// does not creep along it.
 const GRIP: f32 = 1e-2;
 
-/// What a way may lead back into the last thing touched, as a part of its length, and still be free.
+/// The share of a way's length by which it may lead back into the last obstacle and still be free.
 const PINNED: f32 = 1e-2;
 
 /// Everything a body of one radius runs into.
@@ -48,12 +48,13 @@ pub struct Obstacles {
     fixed: Vec<Vec<Point>>,
     doors: Vec<InnerDoor>,
     parts: ObstacleShapes,
-    /// A ball for each other who has ever been near, by its number; the first `near_count` of them take part.
+    /// A ball for each other body that has ever been near, by its number; the first `near_count` of them take part.
     others: Vec<u32>,
     near_count: usize,
 }
 
-/// The shapes of all obstacles, of which those in the tree take part: everything fixed but open doors, and the others who are near.
+/// The shapes of all obstacles. Those in the tree take part: all fixed ones except open doors, and the other bodies
+/// that are near.
 #[derive(Clone, Debug, Default)]
 struct ObstacleShapes {
     tree: Bvh,
@@ -84,7 +85,7 @@ impl CompositeShape for ObstacleShapes {
     }
 }
 
-/// A door within the home, where it is in a wall.
+/// A door within the home, in a wall.
 #[derive(Clone, Copy, Debug)]
 struct InnerDoor {
     thing: ThingId,
@@ -126,14 +127,14 @@ impl Obstacles {
         };
         for (outline, door) in solids.chain(openings) {
             let corners = corners(outline);
-            // What has no area stops nobody.
+            // An outline without area stops no body.
             if corners.len() < 3 {
                 continue;
             }
             let Some(hull) = SharedShape::convex_hull(&corners) else { continue };
             let number = all.parts.add(hull);
             all.fixed.push(outline.clone());
-            // Nobody leaves the home, be its door open or not.
+            // No body leaves the home, even through an open door.
             let within = door.filter(|_| !leads_out(outline));
             if within.is_none_or(|(_, is_shut)| is_shut) {
                 all.parts.take_part(number);
@@ -163,8 +164,8 @@ impl Obstacles {
         }
     }
 
-    /// Where a body at `from` gets that wants to move by `way`: it goes until it touches something,
-    /// and then along that; where two things leave no way, it stops.
+    /// The end of the movement of a body at `from` by `way`: up to the first obstacle, and then along it. Between two
+    /// obstacles that leave no way, it stops.
     pub fn slide(&mut self, from: Point, way: Point, others: impl Iterator<Item = PlacedBody>) -> Point {
         self.place_others(from, way.length(), others);
         let parts = CompositeShapeRef(&self.parts as &dyn CompositeShape);
@@ -198,7 +199,7 @@ impl Obstacles {
         self.out_of_walls(from, from + moved.as_dvec2())
     }
 
-    /// Puts balls where the others are whom the body could touch within `reach_m`.
+    /// Puts balls at the other bodies that could be touched within `reach_m`.
     fn place_others(&mut self, from: Point, reach_m: f64, others: impl Iterator<Item = PlacedBody>) {
         for &ball in &self.others[..self.near_count] {
             self.parts.tree.remove(ball);
@@ -220,8 +221,8 @@ impl Obstacles {
         }
     }
 
-    /// The end of a step, moved out of what is fixed where a cast has missed it; where there is no
-    /// getting out, the step is not taken.
+    /// The end of a step, moved out of fixed obstacles that a cast has missed; without a way out, the step does not
+    /// happen.
     fn out_of_walls(&self, from: Point, to: Point) -> Point {
         if self.near(from, to).any(|outline| geometry::segment_inside_convex(outline, from, to).is_some()) {
             return from;
@@ -236,7 +237,7 @@ impl Obstacles {
         from
     }
 
-    /// What is fixed and may touch a body on the way between two points.
+    /// The fixed obstacles that may touch a body on the way between two points.
     fn near(&self, from: Point, to: Point) -> impl Iterator<Item = &[Point]> {
         let reach = Vector::splat(self.radius_m as f32 + CLEARANCE_M);
         let around = Aabb::new(from.min(to).as_vec2() - reach, from.max(to).as_vec2() + reach);

@@ -130,13 +130,13 @@ pub struct Repeat {
 pub const MOST_STEPS: usize = 120_000;
 
 impl PathFile {
-    /// How many steps there are, the repeated ones once, and waypoints with them: no more than [`MOST_STEPS`].
+    /// The number of steps, the repeated ones once, and of waypoints with them: no more than [`MOST_STEPS`].
     pub fn steps_and_waypoints(&self) -> usize {
         count(&self.steps)
     }
 }
 
-/// How many steps there are, the repeated ones once, and waypoints with them.
+/// The number of steps, the repeated ones once, and of waypoints with them.
 pub fn count(steps: &[PathStep]) -> usize {
     let of = |step: &PathStep| match step {
         PathStep::Go(go) => go.to.len(),

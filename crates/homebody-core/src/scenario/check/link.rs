@@ -9,7 +9,6 @@ use crate::link::moved_sensor;
 use crate::problem::Problem;
 use crate::scenario::source::{JsonSource, pointer_part};
 use crate::sensor_set::MAX_SENSORS;
-use crate::sensors::kinds::SensorFile;
 use crate::sensors::messages::SensorMessage;
 use crate::time::{DAY, RunTime};
 
@@ -109,7 +108,7 @@ fn check_delay(report: &mut ProblemReport, pointer: &str, delay: Option<[f64; 2]
     }
 }
 
-/// Times of day that there are.
+/// Checks that times of day exist.
 fn check_times(report: &mut ProblemReport, index: usize, fault: &FaultFile) {
     let mut wrong = |pointer: &str, text: &str| {
         let is_wrong = time_of_day(text).is_none();
@@ -136,7 +135,6 @@ fn check_times(report: &mut ProblemReport, index: usize, fault: &FaultFile) {
     }
 }
 
-/// Whether one sensor cannot have both faults.
 fn contradict(one: &FaultFile, other: &FaultFile) -> bool {
     use FaultFile::{BadLink, Battery, Drift, FallsOff, Moved, Stuck};
     let overlap = one.span().overlaps(other.span());
@@ -168,7 +166,6 @@ fn report_contradiction(report: &mut ProblemReport, index: usize, one: &FaultFil
     report.add(&format!("/faults/{index}"), message);
 }
 
-/// When a fault is, in words.
 fn days(fault: &FaultFile) -> String {
     let span = fault.span();
     let day = |at: RunTime| (at.since_zero().ratio(DAY) * 1000.0).round() / 1000.0;
@@ -211,7 +208,7 @@ fn check_sensors(report: &mut ProblemReport, file: &LinkFile, home: &HomeFile) {
             (Some(sensor), FaultFile::FalseFires(_)) if !sensor.senses_motion() => {
                 report.add(&pointer, LinkMessage::NotMotion { sensor: name.to_owned() });
             }
-            (Some(sensor), FaultFile::Moved(_)) if !matches!(sensor, SensorFile::Motion(_)) => {
+            (Some(_), FaultFile::Moved(moved)) if moved_sensor(moved, &home.sensors).is_none() => {
                 report.add(&pointer, LinkMessage::CannotMove { sensor: name.to_owned() });
             }
             _ => {}
@@ -219,7 +216,7 @@ fn check_sensors(report: &mut ProblemReport, file: &LinkFile, home: &HomeFile) {
     }
 }
 
-/// Places that sensors are moved to; each place counts as one more sensor for the computation of views.
+/// Checks places that sensors are moved to; each counts as one more sensor for the computation of views.
 fn check_places(report: &mut ProblemReport, file: &LinkFile, home: &HomeFile, surroundings: &HomeInCheck) {
     let moved = file.faults.iter().enumerate().filter_map(|(index, fault)| match fault {
         FaultFile::Moved(moved) => Some((index, moved)),
@@ -243,7 +240,7 @@ fn check_place(
     surroundings: &HomeInCheck,
 ) {
     let Some(plan) = surroundings.plan else { return };
-    if let Some(SensorFile::Motion(motion)) = moved_sensor(moved, &home.sensors) {
-        check_mounting(report, &format!("/faults/{index}"), &motion, home, plan);
+    if let Some(sensor) = moved_sensor(moved, &home.sensors) {
+        check_mounting(report, &format!("/faults/{index}"), &sensor, home, plan);
     }
 }

@@ -129,18 +129,16 @@ struct PathCheck<'a> {
     resident: &'a ResidentFile,
 }
 
-/// What a list of steps comes to.
 struct StepsOutcome {
-    /// Where it ends; nothing where that is not known.
     end: Option<Point>,
     /// Whether it comes to an end at all.
     ends: bool,
-    /// Whether it surely takes time, apart from the way to its first spot.
+    /// Whether it surely takes time, without the way to its first spot.
     takes_time: bool,
-    /// How many moves it has, and how many seconds they last; infinite where that is not known, or until a time of day.
+    /// The number of moves, and their length in seconds; infinite if unknown, or until a time of day.
     moves: f64,
     lasts_s: f64,
-    /// The time of day at its end; nothing where that is not known.
+    /// The time of day at its end, if known.
     clock: Option<Span>,
 }
 
@@ -232,7 +230,7 @@ impl PathCheck<'_> {
         outcome
     }
 
-    /// Walks on from where the steps before end; gives the length of the way that every repetition walks, if it is known.
+    /// Walks on from the end of the steps before; returns the length of the way in each repetition, if known.
     fn go(&mut self, pointer: &str, go: &Go, outcome: &mut StepsOutcome, count_first: bool) -> Option<f64> {
         let (mut whole, mut repeated) = (Some(0.0), Some(0.0));
         for (index, spot) in go.to.iter().enumerate() {
@@ -252,7 +250,7 @@ impl PathCheck<'_> {
         repeated
     }
 
-    /// Whether a walk of this length, begun at this time of day, can be kept; gives the time of day at its end.
+    /// Whether a walk of this length, begun at this time of day, is possible; returns the time of day at its end.
     fn tempo(&mut self, pointer: &str, go: &Go, length: Option<f64>, clock: Option<Span>) -> Option<Span> {
         let given =
             [("pace_mps", go.pace_mps.is_some()), ("in_s", go.in_s.is_some()), ("arrive_at", go.arrive_at.is_some())];
@@ -280,7 +278,7 @@ impl PathCheck<'_> {
         arrival.or_else(|| Some((clock? + Span::from_seconds(lasts?)).rem_euclid(DAY)))
     }
 
-    /// Whether it says how long; gives the time of day at the end of a span that begins at this one.
+    /// Whether it has a duration; returns the time of day at the end of a span that begins at this one.
     fn span(&mut self, pointer: &str, for_s: Option<f64>, until: Option<&str>, clock: Option<Span>) -> Option<Span> {
         match (for_s, until) {
             (None, None) => self.report.add(pointer, PathMessage::NoSpan),
@@ -308,7 +306,7 @@ impl PathCheck<'_> {
         time
     }
 
-    /// Where a spot is; nothing if it is unknown, or nowhere a person can be.
+    /// The position of a spot; `None` if it is unknown, or not a place for a person.
     fn spot(&mut self, pointer: &str, spot: &Spot, subject: &str) -> Option<Point> {
         let home = self.surroundings.home?;
         if let Spot::Place(name) = spot {

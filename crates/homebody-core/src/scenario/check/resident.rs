@@ -1,4 +1,4 @@
-//! A resident's file: a name of their own, and a place to stand for a body that is driven live.
+//! A resident's file: a unique name, and a free place to stand for a body under held keys.
 
 use super::{HomeInCheck, ProblemReport, at as written, blocking, folded, solid_name};
 use crate::geometry::{self, Point, point};
@@ -71,7 +71,7 @@ pub fn check_height(source: &JsonSource, file: &ResidentFile, home: &HomeFile, p
     }
 }
 
-/// Whether the body has room to stand where live input starts.
+/// Whether the body has room at the start of live input.
 pub fn check_start(
     source: &JsonSource,
     live: &LiveFile,

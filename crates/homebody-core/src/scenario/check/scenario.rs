@@ -8,7 +8,7 @@ use crate::scenario::ScenarioFile;
 use crate::scenario::source::{JsonSource, pointer_part};
 use jiff::civil::DateTime;
 
-/// Years for which the rules of time zones mean something.
+/// Years with known rules of time zones.
 const YEARS: std::ops::RangeInclusive<i16> = 1900..=2199;
 
 /// Checks the file; gives the calendar if there can be one.

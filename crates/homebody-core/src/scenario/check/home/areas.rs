@@ -6,7 +6,7 @@ use crate::geometry::{self, Point};
 use crate::home::form::REACH_OUT_M;
 use crate::plan::Plan;
 
-/// Smaller areas are none.
+/// Largest size of an area that counts as empty.
 const LEAST_AREA_M2: f64 = 1e-6;
 
 /// Whether the outline is a convex area; says what is wrong with it if not.

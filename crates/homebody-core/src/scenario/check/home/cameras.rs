@@ -18,10 +18,7 @@ const FAR_M: f32 = 12.0;
 
 /// Checks what does not depend on the building.
 pub fn check_alone(report: &mut ProblemReport, place: &str, sensor: &SensorFile, home: &HomeFile) {
-    let others = || {
-        let others = home.sensors.iter().filter(|other| !matches!(other, SensorFile::Camera(_)));
-        others.map(SensorFile::name)
-    };
+    let others = || home.sensors.iter().filter(|other| other.camera().is_none()).map(SensorFile::name);
     for (index, name) in sensor.woken_by().iter().enumerate() {
         known(report, place, &format!("woken_by/{index}"), "sensor that can wake a camera, named", name, others());
     }

@@ -53,7 +53,7 @@ pub fn check_within(report: &mut ProblemReport, place: &str, sensor: &SensorFile
     }
 }
 
-/// What a sensor is on or in must be there.
+/// Checks that the thing or room of a sensor exists.
 pub fn known<'a>(
     report: &mut ProblemReport,
     place: &str,
@@ -76,6 +76,6 @@ fn enterable(report: &mut ProblemReport, place: &str, piece: Option<&FurnitureFi
     }
 }
 
-fn corners(area: &[At]) -> Vec<Point> {
+pub(super) fn corners(area: &[At]) -> Vec<Point> {
     area.iter().map(|&at| point(at)).collect()
 }

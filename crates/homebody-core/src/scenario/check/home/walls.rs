@@ -73,7 +73,8 @@ fn check_doors_in_walls(report: &mut ProblemReport, home: &HomeFile) {
     }
 }
 
-/// Where on a wall a door lies: the wall's index, and how far from its start the door begins and ends.
+/// The position of a door on a wall: the wall's index, and the distances of the door's begin and end from the wall's
+/// start.
 type SpanOnWall = (usize, (f64, f64));
 
 /// A door may be on several walls, where they meet.

@@ -1,86 +1,87 @@
-//! What may be done to a home from outside, and when: plain data, in the words of a recording.
+//! Interventions in a home from outside, and their times, as plain data in the form of a recording.
 
 use crate::time::{RunTime, Span};
 use serde::{Deserialize, Serialize};
 
-/// Something that is done from outside, and when.
+/// An intervention and its instant.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub struct FromOutside {
-    /// When.
+pub struct TimedIntervention {
+    /// The instant.
     pub at_us: RunTime,
-    /// What is done.
-    pub deed: Deed,
+    /// The intervention.
+    #[serde(rename = "deed")]
+    pub intervention: Intervention,
 }
 
-/// What is done from outside.
+/// An intervention from outside.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(tag = "do", rename_all = "snake_case", deny_unknown_fields)]
-pub enum Deed {
+pub enum Intervention {
     /// A thing is opened, closed, turned on or off.
     Use {
         /// Its name.
         thing: String,
-        /// How it is afterwards: open or on, or closed or off.
+        /// The state afterwards: open or on, or closed or off.
         on: bool,
     },
     /// A sensor fails.
     Fail {
         /// Its name in the home.
         sensor: String,
-        /// How.
+        /// The kind of failure.
         failure: SensorFailure,
-        /// Until when; None for the rest of the run.
+        /// The end; `None` for the rest of the run.
         #[serde(default, skip_serializing_if = "Option::is_none")]
         until_us: Option<RunTime>,
     },
-    /// Somebody falls where they are.
+    /// A resident falls on the spot.
     Fall {
         /// Their name.
         resident: String,
-        /// How long they lie before they get up.
+        /// The time on the floor before they get up.
         lies_us: Span,
     },
 }
 
-/// How a sensor fails, as the faults of a link file have it.
+/// A failure of a sensor. The faults of a link file have the same names.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(tag = "kind", rename_all = "snake_case", deny_unknown_fields)]
 pub enum SensorFailure {
-    /// Its battery fades for so long, and is empty then.
+    /// Its battery fades, and is empty then.
     Battery {
-        /// How long; 0 where it is empty at once.
+        /// The duration of the fading; 0 if it is empty at once.
         fades_us: Span,
     },
-    /// It hears nothing, and repeats itself or is silent.
+    /// It detects nothing, and repeats itself or is silent.
     Stuck {
-        /// How often it says again what it said last; None where it is silent.
+        /// The interval at which it repeats its last message; `None` if it is silent.
         #[serde(default, skip_serializing_if = "Option::is_none")]
         every_us: Option<Span>,
     },
     /// It comes off its place, and sees nothing real.
     FallsOff,
-    /// So many of a million of its messages are lost on the way.
+    /// A share of its messages is lost on the way.
     BadLink {
-        /// How many.
+        /// The number of lost messages in a million.
         lost_ppm: u32,
     },
 }
 
-impl Deed {
-    /// What it is, in a word.
+impl Intervention {
+    /// The name in the truth.
     pub fn word(&self) -> &'static str {
         match self {
-            Deed::Use { on: true, .. } => "on",
-            Deed::Use { on: false, .. } => "off",
-            Deed::Fail { failure, .. } => failure.word(),
-            Deed::Fall { .. } => "fall",
+            Intervention::Use { on: true, .. } => "on",
+            Intervention::Use { on: false, .. } => "off",
+            Intervention::Fail { failure, .. } => failure.word(),
+            Intervention::Fall { .. } => "fall",
         }
     }
 }
 
 impl SensorFailure {
-    /// What it is, in a word, as link files have it.
+    /// The name in link files.
     pub fn word(self) -> &'static str {
         match self {
             SensorFailure::Battery { .. } => "battery",
