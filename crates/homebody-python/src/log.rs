@@ -1,4 +1,4 @@
-//! Logs, and what the truth beside them tells: read, cut into windows, labelled, drawn, compared.
+//! Logs with their ground truth: read, cut into windows, label, draw and compare them.
 
 use crate::fault::{json, named, raised};
 use crate::scenario::Scenario;
@@ -26,10 +26,10 @@ use std::ops::Range;
 use std::path::{Path, PathBuf};
 use std::sync::OnceLock;
 
-/// What a join adds to rows of a log.
+/// The columns that labels add to a log.
 const LABELS: [&str; 5] = ["resident", "room", "activity", "cause", "thing"];
 
-/// A log that somebody has named.
+/// A log by its name.
 #[pyclass(frozen, module = "homebody._homebody")]
 pub struct Log {
     text: String,
@@ -74,7 +74,7 @@ impl Log {
         Ok(frame.and_then(Frame::batch))
     }
 
-    /// The same as columns with their names.
+    /// Some of its rows, as columns with their names.
     fn event_columns(&self, rows: Range<usize>) -> PyResult<Vec<(String, ArrayRef, bool)>> {
         let batch = self.event_batch(rows)?.map_err(|error| named("HomebodyError", error))?;
         let names = batch.schema_ref().fields().iter().map(|field| field.name().clone());
@@ -109,7 +109,7 @@ impl Log {
         Ok(log)
     }
 
-    /// The zone of its home, if that is known.
+    /// The time zone of its home, if known.
     #[getter]
     fn time_zone(&self, py: Python<'_>) -> PyResult<Option<String>> {
         py.detach(|| Ok(self.instants()?.zone.clone()))
@@ -120,13 +120,13 @@ impl Log {
         py.detach(|| Ok(self.instants()?.log.sensors.clone()))
     }
 
-    /// Whom the truth tells of.
+    /// The residents of the ground truth.
     #[getter]
     fn residents(&self, py: Python<'_>) -> PyResult<Vec<String>> {
         py.detach(|| Ok(self.instants()?.lives.iter().map(|life| life.resident.clone()).collect()))
     }
 
-    /// What was left out of it, in sentences.
+    /// Sentences about skipped lines.
     #[getter]
     fn remarks(&self, py: Python<'_>) -> PyResult<Vec<String>> {
         py.detach(|| {
@@ -148,7 +148,7 @@ impl Log {
         })
     }
 
-    /// What residents did: start_time, end_time, activity, resident; or where they were, with `room` for the activity.
+    /// The activities of residents: start_time, end_time, activity, resident; or their rooms, with `room` for the activity.
     fn spans(&self, py: Python<'_>, are_rooms: bool) -> PyResult<Stream> {
         py.detach(|| {
             let UtcLog { lives, zone, .. } = self.instants()?;
@@ -277,7 +277,7 @@ impl Log {
         })
     }
 
-    /// How much somebody moved in each hour of each day: figures and a map.
+    /// The density of each hour of each day: figures and a map.
     fn density(&self, py: Python<'_>) -> PyResult<(String, String)> {
         py.detach(|| {
             let read = self.on_the_wall()?;
@@ -287,7 +287,7 @@ impl Log {
         })
     }
 
-    /// What somebody has been doing day by day: figures and a picture.
+    /// The measures of each day: figures and a picture.
     fn measures(&self, py: Python<'_>) -> PyResult<(String, String)> {
         py.detach(|| {
             let measures = self.on_the_wall()?.measures().map_err(|why| named("LogError", why))?;
@@ -296,7 +296,7 @@ impl Log {
     }
 }
 
-/// The cells of a column of the truth on their way.
+/// The cells of a column of the truth.
 enum Cells {
     Instants(Vec<Option<i64>>),
     Integers(Vec<Option<i64>>),
@@ -337,15 +337,13 @@ impl Cells {
     }
 }
 
-/// How alike two logs are, as JSON and in words.
-///
-/// Each is named with the zone that was asked for as it was read.
+/// The comparison of two logs, as JSON and in words. Each log comes with its time zone.
 #[pyfunction]
 pub fn compare(py: Python<'_>, a: (String, Option<String>), b: (String, Option<String>)) -> PyResult<(String, String)> {
     py.detach(|| {
         let find = |text: &str| LogRef::find(text).map_err(raised);
         let found = [find(&a.0)?, find(&b.0)?];
-        // A run knows what its own log's ids mean, and those of a copy of it.
+        // A run knows the sensors of the ids in its log, also in a copy of the log.
         let name = |id: &str| found.iter().find_map(|named| named.name_of(id)).unwrap_or(id).to_owned();
         let read = |named: &LogRef, zone: &Option<String>| {
             let mut log = named.with_activities(zone.as_deref()).map_err(raised)?;
@@ -357,18 +355,18 @@ pub fn compare(py: Python<'_>, a: (String, Option<String>), b: (String, Option<S
     })
 }
 
-/// Walks a log back through a home into a new folder; the report as JSON.
+/// Locates the residents from a log in a home, into a new folder. Returns the report as JSON.
 #[pyfunction]
-#[pyo3(signature = (text, zone, home, to, told))]
+#[pyo3(signature = (text, zone, home, to, progress))]
 pub fn translate(
     py: Python<'_>,
     text: &str,
     zone: Option<&str>,
     home: &Scenario,
     to: PathBuf,
-    told: Option<Py<PyAny>>,
+    progress: Option<Py<PyAny>>,
 ) -> PyResult<String> {
-    let watched = Watched::new(told);
+    let watched = Watched::new(progress);
     let result = py.detach(|| {
         let scenario = home.opened.scenario();
         let zone = zone.unwrap_or(&scenario.file.time_zone);
@@ -376,5 +374,5 @@ pub fn translate(
         let progress = |share: f64| watched.tell(share, 1.0);
         json(&locate_into(&to, (text, &read), scenario, &watched.cancel, progress).map_err(raised)?)
     });
-    watched.over(result)
+    watched.finish(result)
 }

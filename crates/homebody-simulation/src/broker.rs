@@ -40,13 +40,13 @@ mod built {
         let address = Address::of(url)?;
         let is_live = !address.allow_fast;
         if is_live {
-            if !paced.is_no_faster_than_life() {
+            if !paced.is_at_most_real_time() {
                 address.may_go_fast()?;
             }
-            paced.keep_to_life();
+            paced.limit_to_real_time();
         }
         let (takes, commands, asked) = orders(is_live);
-        paced.hear(commands);
+        paced.add_commands(commands);
         paced.interventions.push(asked);
         let sink = if is_live { MqttSink::live(url) } else { MqttSink::new(url) };
         Ok(Some(Destination::own(url.to_string(), sink.with_orders(takes), policy())))

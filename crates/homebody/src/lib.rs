@@ -4,13 +4,11 @@
 mod commands;
 mod failure;
 mod installation;
-mod length;
 mod old_names;
 mod pace;
 mod print;
 mod progress;
 mod signals;
-mod start;
 mod suggestions;
 mod prometheus;
 mod watched;

@@ -1,4 +1,4 @@
-//! What a profile says, written into a routine: the sentences that say otherwise go, its own come instead.
+//! Writes the sentences of a profile into a routine, and removes the sentences that contradict them.
 
 use homebody_routine::language;
 use homebody_routine::routine::{Effect, Routine};
@@ -17,8 +17,8 @@ pub(crate) struct OwnSentences {
 }
 
 impl OwnSentences {
-    /// The text of a routine, with this in it. What stays keeps its line and, where nothing longer or shorter comes before
-    /// it, its column.
+    /// The text of a routine with these sentences. Other sentences keep their lines, and their columns unless the length of an earlier
+    /// sentence on the line changes.
     pub fn within(&self, text: &str, routine: &Routine) -> String {
         let person = routine.person.as_ref();
         let facts = [
@@ -35,7 +35,7 @@ impl OwnSentences {
         }
         if let Some(conditions) = &self.conditions {
             for change in routine.changes.iter().filter(|change| matches!(change.effect, Effect::Shows { .. })) {
-                // As many sentences that say nothing: a blank would indent what comes after it, and a heading stays above.
+                // Empty sentences: a blank would indent the next one, and a heading stays above.
                 let nothing = ".".repeat(change.said.text.chars().count());
                 instead.push((language::place(&change.said, text), nothing));
             }
@@ -79,7 +79,7 @@ mod tests {
     }
 
     #[test]
-    fn what_says_otherwise_goes_where_it_stands() {
+    fn removes_contradicting_sentences() {
         let said = OwnSentences {
             age: Some("The person is 75".into()),
             pace: Some("The person walks at 0.5 m/s".into()),
@@ -111,7 +111,7 @@ mod tests {
     }
 
     #[test]
-    fn what_stood_below_a_heading_stays_there_and_nothing_else_comes_to_it() {
+    fn keeps_the_sentences_below_a_heading() {
         let none = OwnSentences { conditions: Some(Vec::new()), ..OwnSentences::default() };
         let days = |text: &str| -> Vec<u8> { read(text).habits.iter().map(|habit| habit.days.weekdays).collect() };
         for text in [

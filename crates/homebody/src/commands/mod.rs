@@ -27,7 +27,6 @@ mod inspect;
 mod install_sheet;
 mod label;
 mod live;
-mod lived;
 mod locate;
 pub mod measures;
 pub mod messages;
@@ -42,6 +41,7 @@ mod replay;
 mod routine;
 mod run;
 mod run_messages;
+mod run_output;
 pub mod scenario;
 mod schema;
 mod sensor_faults;
@@ -57,10 +57,10 @@ use clap::Subcommand;
 /// Each variant's summary is the first line of its arguments' documentation; [`groups`] orders them.
 #[derive(Subcommand)]
 pub enum Command {
-    Run(run::Arguments),
-    Live(live::Arguments),
-    Fleet(fleet::Arguments),
-    Replay(replay::Arguments),
+    Run(run::RunArguments),
+    Live(live::LiveArguments),
+    Fleet(fleet::FleetArguments),
+    Replay(replay::ReplayArguments),
     Check(check::Arguments),
     Routine(routine::Arguments),
     Serve(serve::Arguments),

@@ -1,6 +1,6 @@
 //! `homebody replay`: repeat a recorded run.
 
-use super::lived::{Output, live};
+use super::run_output::{Output, store};
 use crate::failure::Failure;
 use crate::pace::Asked;
 use crate::signals::Signals;
@@ -12,7 +12,7 @@ use std::path::PathBuf;
 #[command(after_long_help = "Examples:
   homebody replay runs/tigerplace-1/recording.json
   homebody replay recording.json --speed 10 --out csv:again.csv")]
-pub struct Arguments {
+pub struct ReplayArguments {
     /// Recording of a run (recording.json)
     recording: PathBuf,
     #[command(flatten)]
@@ -21,11 +21,11 @@ pub struct Arguments {
     pace: Asked,
 }
 
-impl Arguments {
+impl ReplayArguments {
     pub fn run(self) -> Result<(), Failure> {
         let signals = Signals::listen()?;
         let recorded = RecordedRun::open(&self.recording)?;
         let recorded = recorded.paced(self.pace.pace(), self.pace.commands()?, signals.cancel());
-        live(recorded.start(), None, &self.output, &signals)
+        store(recorded.start(), None, &self.output, &signals)
     }
 }

@@ -25,7 +25,7 @@ pub struct Arguments {
 enum Question {
     Check(check::Arguments),
     Explain(explain::Arguments),
-    Day(day::Arguments),
+    Day(day::RoutineDayArguments),
 }
 
 impl Arguments {
