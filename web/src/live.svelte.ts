@@ -1,4 +1,4 @@
-// The run that is being lived, as this page knows it. All views share it, and it goes on while another view is looked at.
+// The run on the server, as this page knows it. All views share it, and it continues in the background of another view.
 
 import { Announcer } from './announce';
 import { date, time } from './clock';
@@ -13,7 +13,7 @@ import type { FiringView, Frame, ProblemView, RunView, Say, Tell } from './wire'
 
 type Note = { id: number; text: string; bad: boolean };
 
-/** What is read as text need not change more often than one can read. */
+/** Interval between changes of texts, so that they are readable. */
 const TEXT_MS = 120;
 const NOTES = 4;
 const NOTE_MS = 9000;
@@ -24,11 +24,11 @@ export class Live {
   /** The frame as text shows it; drawings have every one. */
   frame = $state.raw<Frame | null>(null);
   notes = $state.raw<Note[]>([]);
-  /** For a screen reader: which sensors fired of late. */
+  /** For a screen reader: the sensors that fired recently. */
   spoken = $state('');
   /** Grows when `firings` has changed. */
   heard = $state(0);
-  /** Why no run could be begun, and what is wrong with the scenario; until one is begun or that is read. */
+  /** The reason why no run could start, with the problems of the scenario; until a run starts or the user dismisses it. */
   unbegun = $state.raw<{ why: string; problems: ProblemView[] } | null>(null);
   /** The last run that was stored in a folder and has ended. */
   stored = $state<string | null>(null);
@@ -36,7 +36,7 @@ export class Live {
   readonly firings = new Firings();
   readonly lived = new Lived();
   readonly server: Server;
-  /** The scenario's files, as this page writes them. */
+  /** The drafts of the scenario's files. */
   readonly drafts: Drafts;
   latest: Frame | null = null;
   private readonly socket: Socket;
@@ -45,13 +45,13 @@ export class Live {
   private readonly texts = new Throttle(TEXT_MS);
   private readonly announcer = new Announcer();
   private noted = 0;
-  /** Whether the connection was gone since the run was told of. */
+  /** True after a lost connection, until the server sends a run. */
   private wasCut = false;
-  /** Is told whether the run that was asked for has begun. */
+  /** Gets true when the requested run starts, and false when it cannot. */
   private begun: ((has: boolean) => void) | null = null;
   private timer: ReturnType<typeof setInterval> | undefined;
 
-  /** @param api below which path the server answers for the home. */
+  /** @param api the path of the home on the server. */
   constructor(token: string, onWrongToken: () => void, make?: () => Wire, drafts?: Drafts, api = '/api') {
     this.server = new Server(token, onWrongToken, undefined, api);
     const note = (text: string, bad: boolean) => this.note(text, bad);
@@ -76,14 +76,14 @@ export class Live {
     );
   }
 
-  /** The folder of the run that is being lived: what is stored of it is not whole yet. */
+  /** The folder of a run in progress, whose files are incomplete. */
   get goesOn(): string | null {
     return this.run === null || this.run.replay || this.frame?.state === 'over' ? null : this.run.id;
   }
 
   open(): void {
     this.socket.open();
-    // The last frames and firings before a pause are shown, too, though no other comes after them.
+    // The last frames and firings before a pause have no successor, so a timer shows them.
     this.timer = setInterval(() => this.catchUp(performance.now()), TEXT_MS);
   }
 
@@ -96,14 +96,14 @@ export class Live {
     this.socket.hurry();
   }
 
-  /** What cannot be sent is said so: a click that does nothing would be worse. */
+  /** Sends a request. A failure gives a note, as a click without effect would be worse. */
   say(say: Say): boolean {
     const sent = this.socket.say(say);
     if (!sent && say.say !== 'hold') this.note('Not connected to the server. Nothing was changed.', true);
     return sent;
   }
 
-  /** Begins a run in which everybody lives as the scenario says. @returns whether there is one. */
+  /** Starts a run without keyboard control. @returns true if it starts. */
   begin(without: string[]): Promise<boolean> {
     if (!this.say({ say: 'start', driven: null, without, seed: null })) return Promise.resolve(false);
     this.begun?.(false);
@@ -116,24 +116,24 @@ export class Live {
     if (state !== 'over') this.say({ say: state === 'playing' ? 'pause' : 'play' });
   }
 
-  /** @returns how to stop being told. */
+  /** @returns a function that removes the watcher. */
   watch(watcher: (frame: Frame, fresh: FiringView[]) => void): () => void {
     this.watchers.add(watcher);
     return () => this.watchers.delete(watcher);
   }
 
-  /** @returns how to stop being told when the line is cut. */
+  /** @returns a function that removes the callback. */
   whenCut(cut: () => void): () => void {
     this.cuts.add(cut);
     return () => this.cuts.delete(cut);
   }
 
   note(text: string, bad: boolean): void {
-    // Said again while it is still there to be read, it would only be read out again.
+    // A screen reader would read the same note twice.
     if (this.notes.some((old) => old.text === text && old.bad === bad)) return;
     const note = { id: ++this.noted, text, bad };
     this.notes = [...this.notes, note].slice(-NOTES);
-    // What went wrong stays until somebody has read it.
+    // An error stays until the user dismisses it.
     if (!bad) setTimeout(() => this.dismiss(note.id), NOTE_MS);
   }
 
@@ -167,7 +167,7 @@ export class Live {
     this.heard += 1;
   }
 
-  /** Another run after a cut: the server was ended, and the run with it. */
+  /** Another run after a lost connection: the server was restarted, which ended the run before. */
   private tellOfEnd(next: RunView): void {
     const { run, latest, wasCut } = this;
     this.wasCut = false;
@@ -178,7 +178,7 @@ export class Live {
   }
 
   private take(frame: Frame): void {
-    // Before a run is told of there is no home in which a frame could be shown.
+    // A frame before the first run has no home.
     if (this.run === null) return;
     const turns = this.latest?.state !== frame.state;
     this.latest = frame;
