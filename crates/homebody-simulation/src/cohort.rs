@@ -211,7 +211,7 @@ impl Cohort {
         Cohort { scenario, household, members, recording, layout: self.layout, kept: self.kept, cancel }
     }
 
-    /// How much of each ground truth is kept.
+    /// The kept part of each ground truth.
     pub fn kept(&self) -> TruthKept {
         self.kept
     }

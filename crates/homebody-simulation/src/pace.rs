@@ -405,10 +405,10 @@ mod tests {
         assert!(paced.is_at_most_real_time());
         paced.add_commands(afar);
         paced.limit_to_real_time();
-        for (said, speed) in [("speed max", 1.0), ("speed 0.5", 0.5), ("speed 2", 1.0)] {
-            say.send(said.parse().unwrap()).unwrap();
+        for (command, speed) in [("speed max", 1.0), ("speed 0.5", 0.5), ("speed 2", 1.0)] {
+            say.send(command.parse().unwrap()).unwrap();
             assert!(paced.next(RunTime::START).unwrap() < RunTime::START + SECOND);
-            assert_eq!(paced.pace.speed(), Speed::Times(speed), "{said}");
+            assert_eq!(paced.pace.speed(), Speed::Times(speed), "{command}");
         }
         say.send(RunCommand::Pause).unwrap();
         assert_eq!(paced.next(RunTime::START), Some(RunTime::START));

@@ -23,17 +23,17 @@ impl Cohort {
         let member = self.members.member(self.recording.seed, index);
         let here = place.here()?;
         place.bring(&here, &[self.layout.recording(here.path(), &member.name)])?;
-        let left = self.left_of(place, here.path(), &member, index)?;
-        let Some(left) = left.filter(Recording::is_whole) else { return Ok(None) };
+        let found = self.found_recording(place, here.path(), &member, index)?;
+        let Some(recording) = found.filter(Recording::is_whole) else { return Ok(None) };
         place.bring(&here, &self.layout.files(here.path(), &member.name, self.kept))?;
         match self.layout.is_all_there(here.path(), &member.name, self.scenario.scenario(), self.kept) {
-            true => self.ended(here.path(), &member, &left).map(Some),
+            true => self.ended(here.path(), &member, &recording).map(Some),
             false => Ok(None),
         }
     }
 
     /// The recording of a member, complete or not; [`SimulationError::Member`] if the folder has something else.
-    fn left_of(
+    fn found_recording(
         &self,
         place: &CohortPlace,
         here: &Path,
@@ -55,13 +55,13 @@ impl Cohort {
                 let [local, known] = [here, place.path()].map(|path| path.display().to_string());
                 Err(wrong(error.diagnostic().what.replace(&local, &known)))
             }
-            Ok(left) if self.is_of(&left, member, index) => Ok(Some(left)),
+            Ok(found) if self.is_of(&found, member, index) => Ok(Some(found)),
             Ok(_) => Err(wrong(format!("{}: it is of another cohort", there(&path).display()))),
         }
     }
 
     /// Whether a recording is one of this member, by its texts alone.
-    fn is_of(&self, left: &Recording, member: &Member, index: usize) -> bool {
+    fn is_of(&self, found: &Recording, member: &Member, index: usize) -> bool {
         let mut expected = self.recording_of(member);
         if let Members::Listed(profiles) = &self.members {
             let profile = &profiles[index];
@@ -70,16 +70,16 @@ impl Cohort {
             let is_same = |(name, text): (&String, &String)| {
                 own.get(name).or(expected.files.get(name)).is_none_or(|expected| expected == text)
             };
-            if !own.keys().all(|name| left.files.contains_key(name)) || !left.files.iter().all(is_same) {
+            if !own.keys().all(|name| found.files.contains_key(name)) || !found.files.iter().all(is_same) {
                 return false;
             }
             expected.without.clone_from(&profile.without);
             if !own.is_empty() {
-                expected.files = left.files.clone();
+                expected.files = found.files.clone();
             }
         }
-        let length = left.stopped_of_us.unwrap_or(left.length_us);
-        left.run_id() == expected.run_id() && length == expected.length_us
+        let length = found.stopped_of_us.unwrap_or(found.length_us);
+        found.run_id() == expected.run_id() && length == expected.length_us
     }
 
     /// The recording of a member, with the scenario's own texts.

@@ -25,7 +25,7 @@ pub struct Profile {
     pub(super) routine: Option<Arc<OtherRoutine>>,
     /// The home instead of the scenario's.
     pub(super) home: Option<Arc<OtherHome>>,
-    pub(super) said: OwnSentences,
+    pub(super) sentences: OwnSentences,
     /// The conditions of this member that are left out.
     pub without: Vec<String>,
     /// The texts that this member needs, by name: those of the scenario and of the row.
@@ -123,10 +123,10 @@ impl Base<'_> {
         let other = profile.routine.as_deref();
         let routine = other.map(|other| &other.routine).or(self.household.routine(resident));
         let (file, text) = other.map_or((file, text), |other| (&other.routine.file, &other.text));
-        match routine.filter(|_| profile.said != OwnSentences::default()) {
+        match routine.filter(|_| profile.sentences != OwnSentences::default()) {
             Some(routine) => {
                 let own = file_of_own(self.scenario, resident, file);
-                Some(OwnRoutine { resident, file: own, text: profile.said.within(text, routine) })
+                Some(OwnRoutine { resident, file: own, text: profile.sentences.within(text, routine) })
             }
             None => other.map(|_| OwnRoutine { resident, file: file.clone(), text: text.clone() }),
         }

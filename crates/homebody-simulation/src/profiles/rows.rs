@@ -112,7 +112,7 @@ impl<'a> RowReader<'a> {
             // Rows with the same overrides are checked once.
             let routine = profile.routine.as_ref().map(|other| other.routine.file.clone());
             let home = profile.home.as_ref().map(|other| other.file.clone());
-            let key = (home, profile.resident, routine, profile.said.clone());
+            let key = (home, profile.resident, routine, profile.sentences.clone());
             let CheckedDifference { conditions, texts } = match seen.entry(key).or_insert_with(|| self.check(&profile))
             {
                 Ok(seen) => seen,
@@ -234,14 +234,14 @@ impl<'a> RowReader<'a> {
             resident: None,
             routine: None,
             home: row.get("home").and_then(|cell| self.home(cell)),
-            said: OwnSentences::default(),
+            sentences: OwnSentences::default(),
             without: Vec::new(),
             texts: Arc::default(),
         };
         if row.keys().any(|column| !OTHER_COLUMNS.contains(column)) {
             profile.resident = self.resident(row);
             profile.routine = row.get("routine").and_then(|cell| self.routine(profile.resident, cell));
-            profile.said = self.sentences(row);
+            profile.sentences = self.sentences(row);
         }
         profile
     }
