@@ -49,12 +49,13 @@ for index in range(first, members, step):
 """
 
 BEGIN = """
+import json
 import sys
 import homebody as hb
 from homebody import _homebody
 scenario, members, days, folder = sys.argv[1:]
-wanted = {"residents": int(members), "profiles": None, "days": float(days), "seed": 7, "without": [], "form": "parquet", "truth": "brief"}
-_homebody.Cohort(hb.scenario(scenario)._scenario, wanted).begin(folder)
+request = {"residents": int(members), "profiles": None, "form": "parquet", "truth": "brief"}
+_homebody.Cohort(hb.scenario(scenario)._scenario, json.dumps({"days": float(days), "seed": 7}), request).create(folder)
 """
 
 

@@ -1,10 +1,10 @@
-//! Tells builds apart whose models may live a run otherwise: the version and a digest of the sources that decide about lives.
+//! The version of a build, with a digest of the sources of its models: builds with other models may simulate a run differently.
 
 use std::hash::{DefaultHasher, Hasher};
 use std::path::Path;
 use std::{env, fs, io};
 
-/// What decides about lives, from the crate's folder.
+/// The sources of the models, from the crate's folder.
 const MODELS: [&str; 4] =
     ["../homebody-core/src", "../homebody-walk/src", "../homebody-routine/src", "../../conditions"];
 
@@ -12,7 +12,7 @@ fn main() -> io::Result<()> {
     let mut digest = DefaultHasher::new();
     for folder in MODELS {
         println!("cargo::rerun-if-changed={folder}");
-        // What is built from a registry has its crates elsewhere, and its version says enough.
+        // A build from a registry has these crates elsewhere, and its version identifies the models.
         if Path::new(folder).is_dir() {
             add(Path::new(folder), &mut digest)?;
         }

@@ -14,7 +14,7 @@ from homebody.errors import LogError
 from homebody.log import Log
 from homebody.profiles import MOST, table
 from homebody.progress import Progress
-from homebody.scenario import Scenario, opened, temporary_folder, wanted_life
+from homebody.scenario import Scenario, opened, temporary_folder
 
 #: The manifest of a cohort, with its members.
 LIST = "cohort.json"
@@ -32,10 +32,10 @@ class Cohort:
     def __init__(self, folder: str | PathLike[str]) -> None:
         #: Its location: a path, or a URL such as ``s3://bucket/cohort``.
         self.folder = place(arguments.path("folder", folder, "the folder of a cohort"))
-        told = _homebody.list_of_cohort(self.folder)
+        text = _homebody.list_of_cohort(self.folder)
         try:
             #: The manifest.
-            self.manifest: dict[str, Any] = json.loads(told)
+            self.manifest: dict[str, Any] = json.loads(text)
         except ValueError as error:
             raise LogError(f"{self.folder}/{LIST} is not valid JSON: {error}") from None
 
@@ -96,7 +96,9 @@ def cohort(
     *,
     days: float | None = None,
     seed: int | None = None,
+    # The options of a run, made from RunOptions in crates/homebody-simulation/src/run_options.rs.
     without: Sequence[str] = (),
+    # The end of the options.
     form: str = "parquet",
     truth: str | None = None,
     cluster: str | None = None,
@@ -123,8 +125,8 @@ def cohort(
     >>> cohort.members, len(cohort.logs())
     (['0001', '0002'], 2)
     """
-    wanted: dict[str, Any] = {
-        **wanted_life(days, seed, without),
+    options = arguments.run_options(locals())
+    request: dict[str, Any] = {
         "residents": None,
         "profiles": None,
         "form": arguments.text("form", form, "parquet, csv, jsonl, sqlite or arrow"),
@@ -132,14 +134,14 @@ def cohort(
     }
     folder = place(arguments.path("folder", folder))
     if hasattr(profiles, "__index__"):
-        wanted["residents"] = arguments.whole("profiles", profiles, 1, MOST, "a number of people, a file, or rows")
+        request["residents"] = arguments.whole("profiles", profiles, 1, MOST, "a number of people, a file, or rows")
     elif isinstance(profiles, (str, PathLike)):
         try:
-            wanted["profiles"] = (fspath(profiles), Path(profiles).read_text(encoding="utf-8"))
+            request["profiles"] = (fspath(profiles), Path(profiles).read_text(encoding="utf-8"))
         except OSError as error:
             raise LogError(f"{fspath(profiles)}: {error.strerror}\n  hint: name a CSV file with a row for each member") from None
     elif isinstance(profiles, Iterable) and not isinstance(profiles, Mapping):
-        wanted["profiles"] = ("profiles", table(profiles))
+        request["profiles"] = ("profiles", table(profiles))
     else:
         raise arguments.wrong("profiles", profiles, "a number of people, a file, or rows")
     if cluster is not None:
@@ -150,13 +152,13 @@ def cohort(
             raise ValueError(f"workers is {workers}: only a local cluster takes a number of workers\n  hint: cluster=\"local\"")
     if progress is not None:
         arguments.flag("progress", progress)
-    inner = _homebody.Cohort(opened("home", home)._scenario, wanted)
-    inner.begin(folder)
+    inner = _homebody.Cohort(opened("home", home)._scenario, options, request)
+    inner.create(folder)
     for remark in inner.remarks:
         warnings.warn(remark, stacklevel=2)
     if cluster is None:
-        with Progress(f"simulating {inner.count} members", progress) as told:
-            inner.go_on(folder, told)
+        with Progress(f"simulating {inner.count} members", progress) as tell:
+            inner.resume(folder, tell)
     else:
         from homebody.cluster import live
 

@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
+import json
 from collections.abc import Iterable, Mapping, Sequence
+from math import isfinite
 from os import PathLike, fspath
 from typing import Any
 
+from homebody import _homebody
 
-#: The longest run, and the longest cohort.
-MOST_DAYS = 36_525
+#: The options of a run, by name: type, range and expected values. The struct ``RunOptions`` in Rust declares them.
+RUN_OPTIONS: dict[str, dict[str, Any]] = json.loads(_homebody.RUN_OPTIONS)
 
 
 def wrong(name: str, value: object, wanted: str) -> TypeError:
@@ -41,17 +44,41 @@ def whole(name: str, value: object, least: int, most: int, what: str = "a whole 
     return count
 
 
-def length_days(name: str, value: object) -> float:
-    """The length of a run, in days.
+def option(name: str, value: object) -> Any:
+    """The value of an option of a run.
 
-    >>> length_days("days", -1)
+    >>> option("days", -1)
     Traceback (most recent call last):
     ValueError: days is -1.0; expected more than 0 and at most 36,525 (a hundred years)
     """
-    days = number(name, value)
-    if not 0 < days <= MOST_DAYS:
-        raise ValueError(f"{name} is {days}; expected more than 0 and at most {MOST_DAYS:,} (a hundred years)")
-    return days
+    schema = RUN_OPTIONS[name]
+    kind = schema["type"][0] if isinstance(schema["type"], list) else schema["type"]
+    if kind == "integer":
+        return whole(name, value, schema["minimum"], schema["maximum"])
+    if kind == "number":
+        real = number(name, value)
+        if not schema["exclusiveMinimum"] < real <= schema["maximum"]:
+            raise ValueError(f"{name} is {real}; expected {schema['expected']}")
+        return real
+    if kind == "boolean":
+        return flag(name, value)
+    if kind == "array":
+        return texts(name, value, schema["expected"])
+    if kind == "object":
+        return {key: _finite(f"{name}[{key!r}]", one) for key, one in mapping(name, value, schema["expected"]).items()}
+    return text(name, value, schema["expected"])
+
+
+def run_options(given: Mapping[str, object]) -> str:
+    """The options of a run among these arguments, as JSON. ``None`` is the value of the scenario."""
+    return json.dumps({name: option(name, given[name]) for name in RUN_OPTIONS if given.get(name) is not None})
+
+
+def _finite(name: str, value: object) -> float:
+    real = number(name, value)
+    if not isfinite(real):
+        raise ValueError(f"{name} is {real}; expected a finite number")
+    return real
 
 
 def flag(name: str, value: object) -> bool:

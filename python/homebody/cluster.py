@@ -48,7 +48,7 @@ LOOKS_S = 5
 def _begun(folder: str, call: str) -> _homebody.Cohort:
     """The cohort in a folder. Each process of a worker opens it once for each call of :func:`live`."""
     try:
-        return _homebody.Cohort.left_in(folder)
+        return _homebody.Cohort.open(folder)
     except LogError as error:
         raise ClusterError(
             f"a worker does not see the cohort in {folder}: {error}\n"
@@ -58,7 +58,7 @@ def _begun(folder: str, call: str) -> _homebody.Cohort:
 
 def live_member(folder: str, index: int, call: str = "") -> str:
     """Simulates one member and returns its result as JSON. Each task calls this."""
-    return _begun(folder, call).live_one(folder, index)
+    return _begun(folder, call).run_member(folder, index)
 
 
 @contextmanager
@@ -211,4 +211,4 @@ def live(
             following = next(waiting, None)
             if following is not None:
                 tasks.submit(following)
-    cohort.end(folder, [answer for answer in lived if answer is not None])
+    cohort.finish(folder, [answer for answer in lived if answer is not None])

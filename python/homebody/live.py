@@ -33,7 +33,7 @@ class Scene:
 class Live:
     """A run in progress. The length of the steps does not change it."""
 
-    def __init__(self, run: _homebody.LiveRun) -> None:
+    def __init__(self, run: _homebody.SteppedRun) -> None:
         self._run = run
 
     def step(self, span: str | float = "1h") -> Table:
@@ -48,8 +48,8 @@ class Live:
     @property
     def done(self) -> bool:
         """Whether the run has ended."""
-        lived, length, _ = self._run.progress
-        return lived >= length
+        simulated, length, _ = self._run.progress
+        return simulated >= length
 
     @property
     def lived_s(self) -> float:
@@ -58,6 +58,6 @@ class Live:
 
     def scene(self) -> Scene:
         """The positions of people, and the things that are on. Reading it does not change the run."""
-        told = json.loads(self._run.scene())
-        bodies = {name: body and Body(**body) for name, body in told["bodies"].items()}
-        return Scene(bodies, told["on"])
+        scene = json.loads(self._run.scene())
+        bodies = {name: body and Body(**body) for name, body in scene["bodies"].items()}
+        return Scene(bodies, scene["on"])

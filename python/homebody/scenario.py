@@ -42,20 +42,20 @@ class Run(Log):
     (7, False)
     """
 
-    def __init__(self, scenario: Scenario, told: dict[str, Any], hardly_meant: Sequence[str] = ()) -> None:
+    def __init__(self, scenario: Scenario, summary: dict[str, Any], remarks: Sequence[str] = ()) -> None:
         #: Its folder, which the program deletes when it ends, unless the caller chose the folder.
-        self.folder = Path(told["folder"])
+        self.folder = Path(summary["folder"])
         super().__init__(self.folder)
         self.scenario = scenario
         #: The summary: rows by sensor, sentences of routines whose simulation differs, a digest of the firings.
-        self.summary = told
-        self._hardly_meant = list(hardly_meant)
+        self.summary = summary
+        self._remarks_of_run = list(remarks)
 
     @property
     def remarks(self) -> list[str]:
         """The warnings of this run about settings that are probably not intended, and sentences about lines of the log that were left
         out."""
-        return self._hardly_meant + super().remarks
+        return self._remarks_of_run + super().remarks
 
     @property
     def seed(self) -> int:
@@ -158,11 +158,11 @@ class Scenario:
 
     def remarks(self, days: float | None = None) -> list[Problem]:
         """Settings that are valid but probably not intended."""
-        return self._remarks(None if days is None else arguments.length_days("days", days), None, {})
+        return self._remarks(arguments.run_options({"days": days}))
 
-    def _remarks(self, days: float | None, start: str | None, numbers: Mapping[str, float]) -> list[Problem]:
-        told = json.loads(self._scenario.remarks(self._scenario.days if days is None else days, start, numbers))
-        return [Problem(t["file"], t["line"], t["column"], t["what"], t.get("hint"), fix=t.get("fix")) for t in told]
+    def _remarks(self, options: str) -> list[Problem]:
+        remarks = json.loads(self._scenario.remarks(options))
+        return [Problem(r["file"], r["line"], r["column"], r["what"], r.get("hint"), fix=r.get("fix")) for r in remarks]
 
     def data(self, name: str = "home.json") -> Any:
         """A JSON file as Python data, to change and pass to :meth:`change`.
@@ -190,7 +190,7 @@ class Scenario:
         """
         changed = arguments.mapping("files", files, "a mapping of file names to files")
         texts = self.texts | {name: _text(name, file) for name, file in changed.items()}
-        return Scenario(_homebody.Scenario.of_texts(texts, self._scenario.entry))
+        return Scenario(_homebody.Scenario.from_texts(texts, self._scenario.entry))
 
     def add_sensor(self, **sensor: object) -> Scenario:
         """A copy of the scenario with one more sensor, with the keys of ``home.json``.
@@ -269,10 +269,12 @@ class Scenario:
         seed: int | None = None,
         *,
         into: str | PathLike[str] | None = None,
+        # The options of a run, made from RunOptions in crates/homebody-simulation/src/run_options.rs.
         start: str | None = None,
         without: Sequence[str] = (),
         numbers: Mapping[str, float] | None = None,
         one_of_many: bool = False,
+        # The end of the options.
         drivers: Mapping[str, MakeDriver] | None = None,
         progress: bool | None = None,
     ) -> Run:
@@ -287,24 +289,26 @@ class Scenario:
         >>> hb.scenario("tigerplace").run(days=0.5, seed=7).events
         <homebody.Table: ... rows of time, device, value>
         """
-        wanted = wanted_run(days, seed, start, without, numbers, one_of_many, drivers, self)
+        options, own = arguments.run_options(locals()), self._drivers(drivers)
         runs = temporary_folder() if into is None else Path(arguments.path("into", into))
         shown = Progress(f"simulating {self.name}", progress)
-        hardly_meant = [str(remark) for remark in self._remarks(wanted["days"], wanted["start"], wanted["numbers"])]
-        for remark in hardly_meant:
+        remarks = [str(remark) for remark in self._remarks(options)]
+        for remark in remarks:
             warnings.warn(remark, stacklevel=2)
-        with shown as told:
-            lived = self._scenario.run(runs, wanted, told)
-        return Run(self, json.loads(lived), hardly_meant)
+        with shown as tell:
+            summary = self._scenario.run(runs, options, own, tell)
+        return Run(self, json.loads(summary), remarks)
 
     def live(
         self,
         days: float | None = None,
         seed: int | None = None,
         *,
+        # The options of a run, made from RunOptions in crates/homebody-simulation/src/run_options.rs.
         start: str | None = None,
         without: Sequence[str] = (),
         numbers: Mapping[str, float] | None = None,
+        # The end of the options.
         drivers: Mapping[str, MakeDriver] | None = None,
     ) -> Live:
         """Begins a run that you step through.
@@ -315,47 +319,20 @@ class Scenario:
         >>> live.now[-8:]
         '08:00:00'
         """
-        return Live(self._scenario.live(wanted_run(days, seed, start, without, numbers, False, drivers, self)))
+        return Live(self._scenario.live(arguments.run_options(locals()), self._drivers(drivers)))
+
+    def _drivers(self, drivers: Mapping[str, MakeDriver] | None) -> dict[str, Any]:
+        moved = arguments.mapping("drivers", drivers or {}, "a mapping of residents, such as {'margaret': Pacing}")
+        return {name: wrapped(make, self.residents) for name, make in moved.items()}
 
     def __repr__(self) -> str:
         return f"<homebody.Scenario {self.name}: {', '.join(self.residents)}; {len(self.sensors)} sensors>"
 
 
-def wanted_run(
-    days: float | None,
-    seed: int | None,
-    start: str | None,
-    without: Sequence[str],
-    numbers: Mapping[str, float] | None,
-    one_of_many: bool,
-    drivers: Mapping[str, MakeDriver] | None,
-    scenario: Scenario,
-) -> dict[str, Any]:
-    """The settings of a run, with checked types."""
-    set_to = arguments.mapping("numbers", numbers or {}, "a mapping of parameters of the models, such as {'life.day_spread': 0.3}")
-    moved = arguments.mapping("drivers", drivers or {}, "a mapping of residents, such as {'margaret': Pacing}")
-    return {
-        **wanted_life(days, seed, without),
-        "start": None if start is None else arguments.text("start", start, "a date, or a date and time, such as '2009-03-02T00:00:00'"),
-        "numbers": {name: arguments.number(f"numbers[{name!r}]", value) for name, value in set_to.items()},
-        "one_of_many": arguments.flag("one_of_many", one_of_many),
-        "drivers": {name: wrapped(make, scenario.residents) for name, make in moved.items()},
-    }
-
-
-def wanted_life(days: float | None, seed: int | None, without: Sequence[str]) -> dict[str, Any]:
-    """The settings that runs and cohorts share."""
-    return {
-        "days": None if days is None else arguments.length_days("days", days),
-        "seed": None if seed is None else arguments.whole("seed", seed, 0, 2**64 - 1),
-        "without": arguments.texts("without", without, "a list of conditions"),
-    }
-
-
 def of_files(files: Mapping[str, object], entry: str = ENTRY) -> Scenario:
     """A scenario from files in memory, by their names. A file is a text, or data for JSON."""
     known = arguments.mapping("files", files, "a mapping of file names to files")
-    return Scenario(_homebody.Scenario.of_texts({name: _text(name, file) for name, file in known.items()}, entry))
+    return Scenario(_homebody.Scenario.from_texts({name: _text(name, file) for name, file in known.items()}, entry))
 
 
 def _inside(name: str) -> str:

@@ -105,6 +105,7 @@ def test_a_wrong_answer_of_a_driver_says_what_of_it(home: hb.Scenario, answer: o
         ("home.run(days=-1)", "days is -1.0; expected more than 0"),
         ("home.run(days=0)", "days is 0.0; expected more than 0"),
         ("home.run(days=float('nan'))", "days is nan; expected more than 0"),
+        ("home.run(numbers={'life.day_spread': float('nan')})", r"numbers\['life.day_spread'\] is nan; expected a finite number"),
         ("home.run(days=1e9)", "days is 1000000000.0; .* at most 36,525"),
         ("home.remarks(float('inf'))", "days is inf"),
         ("home.run(days=1, start='yesterday')", 'start is "yesterday": '),

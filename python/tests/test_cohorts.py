@@ -96,9 +96,9 @@ hb.cohort("tigerplace", {str(profiles)!r}, {str(folder)!r}, days={DAYS}, seed=9,
 def test_a_cohort_that_was_stopped_goes_on(profiles: Path, by_threads: Path, tmp_path: Path) -> None:
     folder = tmp_path / "cohort"
     opened = hb.scenario("tigerplace")
-    wanted = {"residents": None, "profiles": ("people", profiles.read_text()), "days": float(DAYS), "seed": 9}
-    inner = _homebody.Cohort(opened._scenario, {**wanted, "without": [], "form": "parquet", "truth": None})
-    inner.begin(folder)
+    request = {"residents": None, "profiles": ("people", profiles.read_text()), "form": "parquet", "truth": None}
+    inner = _homebody.Cohort(opened._scenario, json.dumps({"days": DAYS, "seed": 9}), request)
+    inner.create(folder)
     first = live_member(str(folder), 2)
     whole = (folder / "members" / inner.name_of(2) / "recording.json").stat().st_mtime_ns
     hb.cohort("tigerplace", profiles, folder, days=DAYS, seed=9)
@@ -306,22 +306,22 @@ def test_of_a_brief_truth_what_has_few_rows_is_kept(tmp_path: Path) -> None:
         with pytest.raises(hb.LogError, match="has no table .*\n  hint: replay the recording"):
             read()
     # A cohort of very many days keeps what is brief, unless all is asked for.
-    wanted = {"residents": 40, "profiles": None, "days": 365.0, "seed": 1, "without": [], "form": "parquet", "truth": None}
+    request = {"residents": 40, "profiles": None, "form": "parquet", "truth": None}
     for truth, kept in ((None, "brief"), ("all", None)):
         folder = tmp_path / f"large-{truth}"
-        _homebody.Cohort(hb.scenario("studio")._scenario, {**wanted, "truth": truth}).begin(folder)
+        _homebody.Cohort(hb.scenario("studio")._scenario, '{"days": 365, "seed": 1}', {**request, "truth": truth}).create(folder)
         assert json.loads((folder / "cohort.json").read_text()).get("truth") == kept
 
 
 def test_more_members_than_there_may_be_are_refused_on_both_sides() -> None:
     from homebody.profiles import MOST
 
-    wanted = {"profiles": None, "days": 1.0, "seed": 1, "without": [], "form": "parquet", "truth": None}
+    request = {"profiles": None, "form": "parquet", "truth": None}
     for count in (0, MOST + 1):
         with pytest.raises(ValueError, match=f"profiles is {count}"):
             hb.cohort("studio", count, "never")
         with pytest.raises(hb.ScenarioError, match=f"a cohort cannot have {count} members"):
-            _homebody.Cohort(hb.scenario("studio")._scenario, {**wanted, "residents": count})
+            _homebody.Cohort(hb.scenario("studio")._scenario, '{"days": 1}', {**request, "residents": count})
 
 
 #: What a worker's files may be at most, in bytes: less than a log has.
@@ -374,8 +374,8 @@ def resident_kb():
     return int(re.search(r"VmRSS:\\s+(\\d+)", Path("/proc/self/status").read_text())[1])
 
 folder = {str(tmp_path / "cohort")!r}
-wanted = {{"residents": {MANY}, "profiles": None, "days": 0.5, "seed": 1, "without": [], "form": "parquet", "truth": None}}
-_homebody.Cohort(hb.scenario("studio")._scenario, wanted).begin(folder)
+request = {{"residents": {MANY}, "profiles": None, "form": "parquet", "truth": None}}
+_homebody.Cohort(hb.scenario("studio")._scenario, '{{"days": 0.5, "seed": 1}}', request).create(folder)
 for index in range({MANY}):
     if index == {WARM}:
         warm = resident_kb()

@@ -733,11 +733,17 @@ export type WalkState = "coming" | "walking" | "done" | "failed" | "stopped";
 
 export type MotionState = "stride" | "in_place" | "rest" | "away";
 
-export type Say = { "say": "hello", token: string, } | { "say": "play" } | { "say": "pause" } | { "say": "step", seconds: number, } | { "say": "speed", times: number | null, } | { "say": "jump", to_us: number, } | { "say": "hold", keys: Array<Key>, } | { "say": "be", posture: Posture, } | { "say": "use", thing: number, on: boolean, } | { "say": "start", driven: number | null, without: Array<string>, 
+export type Say = { "say": "hello", token: string, } | { "say": "play" } | { "say": "pause" } | { "say": "step", seconds: number, } | { "say": "speed", times: number | null, } | { "say": "jump", to_us: number, } | { "say": "hold", keys: Array<Key>, } | { "say": "be", posture: Posture, } | { "say": "use", thing: number, on: boolean, } | { "say": "start", driven: number | null, 
 /**
- * Below 2^53.
+ * Seed of all random numbers (default: that of the scenario)
  */
-seed: number | null, } | { "say": "stop" } | { "say": "replay", run: string, };
+seed: number | null, 
+/**
+ * Leave out a condition of the routine; repeatable
+ *
+ * Homebody uses the same random numbers with and without the condition, except where the condition has an effect.
+ */
+without: Array<string>, } | { "say": "stop" } | { "say": "replay", run: string, };
 
 export type Key = "up" | "down" | "left" | "right" | "fast" | "slow";
 

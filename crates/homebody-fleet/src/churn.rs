@@ -1,9 +1,9 @@
-//! Homes that come and go: each is there for a while and then away for a while, by a stream of its own.
+//! Homes that connect and disconnect: each is online for a while and then offline for a while, by a stream of its own.
 
 use homebody_core::random::Stream;
 use homebody_core::time::{RunTime, SECOND, Span};
 
-/// For how long homes are there and away, on average.
+/// The average times of homes online and offline.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Churn {
     /// Mean time online, in the time of the home; at least one second.
@@ -15,18 +15,18 @@ pub struct Churn {
 /// Shortest period online or offline of a home (our choice).
 const SHORTEST: Span = SECOND;
 
-/// When one home is there.
+/// The presence of one home.
 #[derive(Clone, Debug)]
 pub(super) struct HomePresence {
     churn: Churn,
     stream: Stream,
     is_there: bool,
-    /// Until when that is so.
+    /// The next change.
     until: RunTime,
 }
 
 impl HomePresence {
-    /// Of the home of a seed, from the beginning of its run on: as many are there as at any other time.
+    /// The presence of the home with this seed from the start of its run on. The share of homes online is the same at the start as later.
     pub fn new(churn: Churn, seed: u64) -> HomePresence {
         let mut stream = Stream::named(seed, "fleet/presence");
         let [stays, away] = [churn.stays, churn.away].map(|span| span.micros() as f64);
@@ -42,12 +42,11 @@ impl HomePresence {
         mean.share(-libm::log(1.0 - self.stream.unit())).max(SHORTEST)
     }
 
-    /// Whether the home is there now.
     pub fn is_there(&self) -> bool {
         self.is_there
     }
 
-    /// The next change up to an instant: when, and whether the home is there from then on.
+    /// The next change up to an instant, and the presence from then on.
     pub fn change(&mut self, until: RunTime) -> Option<(RunTime, bool)> {
         if self.until > until {
             return None;
@@ -65,9 +64,9 @@ mod tests {
     use homebody_core::time::DAY;
 
     #[test]
-    fn homes_are_there_for_their_share_of_the_time_and_each_by_its_own_stream() {
+    fn homes_are_online_for_their_share_of_the_time() {
         let churn = Churn { stays: 300 * SECOND, away: 100 * SECOND };
-        let there = |seed: u64| {
+        let presence_of = |seed: u64| {
             let mut presence = HomePresence::new(churn, seed);
             let (mut since, mut sum, mut changes) = (RunTime::START, Span::ZERO, Vec::new());
             let mut was_there = presence.is_there();
@@ -79,12 +78,12 @@ mod tests {
             }
             (sum.ratio(since.since_zero()), changes)
         };
-        let shares: Vec<f64> = (0..50).map(|seed| there(seed).0).collect();
+        let shares: Vec<f64> = (0..50).map(|seed| presence_of(seed).0).collect();
         let mean = shares.iter().sum::<f64>() / 50.0;
         assert!((mean - 0.75).abs() < 0.02, "{mean}");
-        assert_eq!(there(7), there(7));
-        assert_ne!(there(7).1, there(8).1);
-        let begun = (0..1000).filter(|&seed| HomePresence::new(churn, seed).is_there()).count();
-        assert!((700..800).contains(&begun), "{begun}");
+        assert_eq!(presence_of(7), presence_of(7));
+        assert_ne!(presence_of(7).1, presence_of(8).1);
+        let online = (0..1000).filter(|&seed| HomePresence::new(churn, seed).is_there()).count();
+        assert!((700..800).contains(&online), "{online}");
     }
 }

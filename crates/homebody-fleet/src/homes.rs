@@ -1,4 +1,8 @@
-//! Simulates all homes, each a little ahead of the clock, and returns the messages that are due. It has no clock: it gets the time.
+//! Simulates all homes, each a little ahead of the clock, and returns the messages that are due. It has no clock: its caller passes the
+//! time.
+//!
+//! A home is a run of the core, without a [`Simulation`](homebody_simulation::Simulation): that has a recording with all texts of its
+//! scenario and buffers of its own, which the homes of a fleet share.
 
 use crate::churn::HomePresence;
 use crate::outages::Outages;
@@ -11,11 +15,11 @@ use homebody_log::fleet::{FleetEvent, FleetRow, HomeRows};
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 
-/// Time ahead of the world's clock below which a home is simulated further (our choice): ten thousand people who plan
+/// Time ahead of real time below which a home is simulated further (our choice): ten thousand people who plan
 /// their day at midnight take some seconds.
 const AHEAD: Span = SECOND.times(30);
 
-/// Part of a run that is simulated at once, by the world's clock (our choice): its events wait in memory.
+/// Real time of a run that is simulated at once (our choice): its events wait in memory.
 const STEP: Span = MINUTE;
 
 /// Divisor of the lag that gives the step of a home far behind, and longest step (our choice).
@@ -28,18 +32,18 @@ const MOST_EVENTS: usize = 100_000;
 /// All homes.
 pub(super) struct FleetSimulation {
     homes: Vec<FleetMember>,
-    /// The homes by the instant that they have come to.
+    /// The homes by the end of their simulated part.
     by_time: BinaryHeap<Reverse<(UtcTime, u32)>>,
-    held: BinaryHeap<Reverse<PendingMessage>>,
+    pending: BinaryHeap<Reverse<PendingMessage>>,
     clocks: FleetClock,
-    storms: Option<Outages>,
+    outages: Option<Outages>,
     events: Events,
-    /// Homes that are there, by what was told of them.
+    /// The number of homes whose latest delivered message says that they are online.
     pub there: usize,
     /// The number of connections and disconnections since the start.
     pub came: u64,
     pub went: u64,
-    /// The homes whose driver failed: they are simulated no further.
+    /// The homes whose driver failed: their simulation ended.
     pub failed: Vec<(u32, DriverError)>,
 }
 
@@ -49,7 +53,7 @@ struct FleetMember {
     rows: HomeRows,
     presence: Option<HomePresence>,
     skew: Span,
-    /// When its runs start.
+    /// The start of its run.
     start: UtcTime,
     is_there: bool,
     /// The latest due time of its messages: no later message is due earlier.
@@ -65,16 +69,16 @@ struct FleetClock {
     begin: UtcTime,
 }
 
-/// A message that waits until it is due; those of one home stay in their order.
+/// A message that waits until it is due. Messages of one home stay in order.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 struct PendingMessage {
     due: UtcTime,
     home: u32,
     order: u64,
-    told: Unordered,
+    event: Unordered,
 }
 
-/// The same, without order of its own.
+/// An event that plays no part in the order of messages.
 #[derive(Clone, Copy, Debug)]
 struct Unordered(FleetEvent);
 
@@ -99,8 +103,8 @@ impl Ord for Unordered {
 }
 
 impl FleetClock {
-    /// When something of a run that starts at `start` happens, by the world's clock, for a home whose clock is ahead by `skew`.
-    fn world_time(&self, start: UtcTime, at: RunTime, skew: Span) -> UtcTime {
+    /// The real time of an instant of a run that starts at `start`, for a home with a clock that is ahead by `skew`.
+    fn real_time(&self, start: UtcTime, at: RunTime, skew: Span) -> UtcTime {
         match self.speed {
             None => start + at.since_zero() - skew,
             Some(speed) => self.begin + Span::from_micros(((at - skew).micros() as f64 / speed) as i64),
@@ -114,28 +118,28 @@ impl FleetClock {
 }
 
 impl FleetSimulation {
-    /// All homes of a fleet that begins to tell at this instant.
+    /// All homes of a fleet whose delivery starts at this instant.
     pub fn new(fleet: FleetHomes, begin: UtcTime) -> FleetSimulation {
-        let FleetHomes { fleet: of, homes, speed, storms, starts } = fleet;
+        let FleetHomes { fleet, homes, speed, outages, starts } = fleet;
         let clocks = FleetClock { speed, begin };
         let home = |(index, home): (usize, UnstartedHome)| {
             let UnstartedHome { run, rows, presence, skew } = home;
             let is_there = presence.as_ref().is_none_or(HomePresence::is_there);
-            let start = starts[of.homes[index].layout];
+            let start = starts[fleet.homes[index].layout];
             FleetMember { run, rows, presence, skew, start, is_there, last_due: UtcTime::MIN, order: 0 }
         };
         let homes: Vec<FleetMember> = homes.into_iter().enumerate().map(home).collect();
         let done = homes
             .iter()
             .zip(0..)
-            .map(|(home, index)| Reverse((clocks.world_time(home.start, RunTime::START, home.skew), index)));
+            .map(|(home, index)| Reverse((clocks.real_time(home.start, RunTime::START, home.skew), index)));
         FleetSimulation {
             by_time: done.collect(),
-            held: BinaryHeap::new(),
+            pending: BinaryHeap::new(),
             there: homes.iter().filter(|home| home.is_there).count(),
             homes,
             clocks,
-            storms,
+            outages,
             events: Events::default(),
             came: 0,
             went: 0,
@@ -144,44 +148,43 @@ impl FleetSimulation {
     }
 
     /// The first messages: the connections of the homes that are online at the start.
-    pub fn first(&self) -> Vec<FleetEvent> {
+    pub fn first_messages(&self) -> Vec<FleetEvent> {
         let there = self.homes.iter().zip(0..).filter(|(home, _)| home.is_there);
         there.map(|(_, index)| FleetEvent::Comes(index)).collect()
     }
 
-    /// The instant that all homes have come to.
+    /// The end of the part that all homes have simulated.
     pub fn simulated_to(&self) -> UtcTime {
         self.by_time.peek().map_or(UtcTime::MAX, |Reverse((done, _))| *done)
     }
 
     /// The next instant with a due message.
     pub fn next_due(&self) -> Option<UtcTime> {
-        self.held.peek().map(|Reverse(held)| self.told_at(held.due))
+        self.pending.peek().map(|Reverse(pending)| self.delivery(pending.due))
     }
 
-    /// When that is told which is due at an instant: what was due before an outage is told in it, if nobody has come to that before.
-    fn told_at(&self, due: UtcTime) -> UtcTime {
+    /// The delivery of a message that is due at an instant: at once, or at the end of an outage.
+    fn delivery(&self, due: UtcTime) -> UtcTime {
         let begin = self.clocks.begin;
-        self.storms.map_or(due, |storms| begin + storms.told_at(due - begin))
+        self.outages.map_or(due, |outages| begin + outages.delivery(due - begin))
     }
 
-    /// The fleet begins to tell at this instant: from it outages count, and in runs that go at a speed of their own all that was to
-    /// be told from the beginning on is told from then on.
-    pub fn begin(&mut self, now: UtcTime) {
+    /// Starts delivery at this instant. Outages count from it, and with a speed of its own the whole fleet starts at it.
+    pub fn start_delivery(&mut self, now: UtcTime) {
         let later = now - std::mem::replace(&mut self.clocks.begin, now);
         if self.clocks.speed.is_none() {
             return;
         }
         let moved = |Reverse((done, home))| Reverse((done + later, home));
         self.by_time = std::mem::take(&mut self.by_time).into_iter().map(moved).collect();
-        let moved = |Reverse(held): Reverse<PendingMessage>| {
-            let told = match held.told.0 {
+        let moved = |Reverse(pending): Reverse<PendingMessage>| {
+            let event = match pending.event.0 {
                 FleetEvent::Row(row) => FleetEvent::Row(FleetRow { due: row.due + later, ..row }),
-                told => told,
+                event => event,
             };
-            Reverse(PendingMessage { due: held.due + later, told: Unordered(told), ..held })
+            Reverse(PendingMessage { due: pending.due + later, event: Unordered(event), ..pending })
         };
-        self.held = std::mem::take(&mut self.held).into_iter().map(moved).collect();
+        self.pending = std::mem::take(&mut self.pending).into_iter().map(moved).collect();
         for home in &mut self.homes {
             home.last_due = home.last_due.saturating_add(later);
         }
@@ -192,10 +195,10 @@ impl FleetSimulation {
         self.simulated_to() >= now + AHEAD / 2
     }
 
-    /// The number of outages that have ended by then, and whether one is going on.
-    pub fn storms(&self, now: UtcTime) -> (u64, bool) {
+    /// The number of outages that have ended by an instant, and true during an outage.
+    pub fn outages(&self, now: UtcTime) -> (u64, bool) {
         let after = now - self.clocks.begin;
-        self.storms.map_or((0, false), |storms| (storms.ended(after), storms.is_away(after)))
+        self.outages.map_or((0, false), |outages| (outages.ended(after), outages.is_away(after)))
     }
 
     /// The instant at which a home must be advanced.
@@ -203,20 +206,20 @@ impl FleetSimulation {
         self.simulated_to().saturating_sub(AHEAD)
     }
 
-    /// The messages that are due by now, at most so many.
+    /// Takes the messages that are due by now, at most so many.
     pub fn due(&mut self, now: UtcTime, most: usize, into: &mut Vec<FleetEvent>) {
         while into.len() < most
-            && let Some(Reverse(held)) = self.held.peek()
-            && self.told_at(held.due) <= now
+            && let Some(Reverse(pending)) = self.pending.peek()
+            && self.delivery(pending.due) <= now
         {
-            let Unordered(mut told) = held.told;
-            match &mut told {
-                FleetEvent::Row(row) => row.due = self.told_at(row.due),
+            let Unordered(mut event) = pending.event;
+            match &mut event {
+                FleetEvent::Row(row) => row.due = self.delivery(row.due),
                 FleetEvent::Comes(_) => (self.there, self.came) = (self.there + 1, self.came + 1),
                 FleetEvent::Goes(_) => (self.there, self.went) = (self.there - 1, self.went + 1),
             }
-            into.push(told);
-            self.held.pop();
+            into.push(event);
+            self.pending.pop();
         }
     }
 
@@ -231,7 +234,7 @@ impl FleetSimulation {
         let home = &mut self.homes[index as usize];
         let step = self.clocks.span(STEP);
         let step = match home.run.now() {
-            // Not all of them at once from then on.
+            // Different first steps spread the later steps of the homes over time.
             RunTime::START => step.share(share) + Span::MICROSECOND,
             _ => self.clocks.span(STEP.max((now - done) / PART_OF_BEHIND)).min(LONGEST_STEP.max(step)),
         };
@@ -239,9 +242,9 @@ impl FleetSimulation {
         let until = home.run.now().saturating_add(step);
         let ended = home.run.advance_within(until, MOST_EVENTS, &mut self.events).err();
         let clocks = self.clocks;
-        home.say(index, &self.events, clocks, &mut self.held);
+        home.queue(index, &self.events, clocks, &mut self.pending);
         match ended {
-            None => self.by_time.push(Reverse((clocks.world_time(home.start, home.run.now(), home.skew), index))),
+            None => self.by_time.push(Reverse((clocks.real_time(home.start, home.run.now(), home.skew), index))),
             Some(error) => self.failed.push((index, error)),
         }
         true
@@ -249,49 +252,55 @@ impl FleetSimulation {
 }
 
 impl FleetMember {
-    /// Takes in what has happened, to be told when its time has come.
-    fn say(&mut self, index: u32, events: &Events, clocks: FleetClock, held: &mut BinaryHeap<Reverse<PendingMessage>>) {
+    /// Queues the messages of the last step until they are due.
+    fn queue(
+        &mut self,
+        index: u32,
+        events: &Events,
+        clocks: FleetClock,
+        pending: &mut BinaryHeap<Reverse<PendingMessage>>,
+    ) {
         let now = self.run.now();
-        let mut said = Vec::new();
+        let mut rows = Vec::new();
         self.rows.of(&events.firings, now, |seq, at, sensor, value| {
-            said.push(FleetRow { seq, at, due: UtcTime::EPOCH, home: index, sensor, value });
+            rows.push(FleetRow { seq, at, due: UtcTime::EPOCH, home: index, sensor, value });
         });
-        for row in said {
-            self.come_and_go(row.at, index, clocks, held);
+        for row in rows {
+            self.change_presence(row.at, index, clocks, pending);
             if self.is_there {
-                self.hold(row.at, FleetEvent::Row(row), (index, clocks), held);
+                self.push(row.at, FleetEvent::Row(row), (index, clocks), pending);
             }
         }
-        self.come_and_go(now - Span::MICROSECOND, index, clocks, held);
+        self.change_presence(now - Span::MICROSECOND, index, clocks, pending);
     }
 
-    /// Comes and goes up to an instant.
-    fn come_and_go(
+    /// Connects and disconnects up to an instant.
+    fn change_presence(
         &mut self,
         until: RunTime,
         index: u32,
         clocks: FleetClock,
-        held: &mut BinaryHeap<Reverse<PendingMessage>>,
+        pending: &mut BinaryHeap<Reverse<PendingMessage>>,
     ) {
         while let Some((at, comes)) = self.presence.as_mut().and_then(|presence| presence.change(until)) {
             self.is_there = comes;
-            let told = if comes { FleetEvent::Comes(index) } else { FleetEvent::Goes(index) };
-            self.hold(at, told, (index, clocks), held);
+            let event = if comes { FleetEvent::Comes(index) } else { FleetEvent::Goes(index) };
+            self.push(at, event, (index, clocks), pending);
         }
     }
 
-    fn hold(
+    fn push(
         &mut self,
         at: RunTime,
-        mut told: FleetEvent,
+        mut event: FleetEvent,
         (home, clocks): (u32, FleetClock),
-        held: &mut BinaryHeap<Reverse<PendingMessage>>,
+        pending: &mut BinaryHeap<Reverse<PendingMessage>>,
     ) {
-        let due = clocks.world_time(self.start, at, self.skew).max(self.last_due);
-        if let FleetEvent::Row(row) = &mut told {
+        let due = clocks.real_time(self.start, at, self.skew).max(self.last_due);
+        if let FleetEvent::Row(row) = &mut event {
             row.due = due;
         }
-        held.push(Reverse(PendingMessage { due, home, order: self.order, told: Unordered(told) }));
+        pending.push(Reverse(PendingMessage { due, home, order: self.order, event: Unordered(event) }));
         (self.last_due, self.order) = (due, self.order + 1);
     }
 }

@@ -1,8 +1,8 @@
 //! Fleets: thousands of homes that one thread simulates in real time, to load-test a back end.
 //!
-//! The homes of a scenario share all that does not depend on the seed. Each is simulated in small parts some tens of seconds ahead of
-//! the clock, so that slow parts, such as the plan of a day, delay no message. Its messages wait until they are due. The delivery of
-//! its rows does not change them: they are those of the same home alone.
+//! The homes of a scenario share all data that do not depend on the seed. Each home is simulated in small steps, some tens of seconds ahead
+//! of the clock, so that slow steps, such as the plan of a day, delay no message. The messages wait until they are due. The delivery of a
+//! row does not change it: the rows of a home are the same in any fleet.
 
 #![warn(missing_docs)]
 

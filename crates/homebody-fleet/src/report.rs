@@ -7,49 +7,49 @@ use std::fs;
 /// A report on a fleet since the last report; the last one is on the whole time.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct FleetReport {
-    /// By the world's clock, in UTC.
+    /// The real time, in UTC.
     pub time: String,
     /// The time since the start of delivery, in seconds.
     pub running_s: f64,
     /// The time that the report covers, in seconds.
     pub span_s: f64,
-    /// Whether it is about the whole time, and the last.
+    /// True of the last report, which covers the whole time.
     pub is_last: bool,
-    /// Homes that are there now.
+    /// Homes that are online.
     pub homes: usize,
-    /// Homes that the fleet has.
+    /// All homes of the fleet.
     pub homes_in_all: usize,
-    /// Homes that have come and gone since the fleet began.
+    /// The number of connections of homes since the start.
     pub came: u64,
-    /// The same.
+    /// The number of disconnections of homes since the start.
     pub went: u64,
     /// Homes whose simulation ended, because a driver failed.
     pub failed: usize,
-    /// Messages that all destinations have taken, each counted at each.
+    /// Messages that the destinations have accepted, summed over destinations.
     pub messages: u64,
-    /// The same by second.
+    /// Messages for each second.
     pub messages_per_s: f64,
-    /// Messages of these that were to be told at this time and not before it: those of which lateness is counted.
+    /// The messages among them that were due in this time: their lateness is measured.
     pub timed: u64,
-    /// Half of them were no later than this, in milliseconds, from when a message was due to when the destination had it.
+    /// The median lateness in milliseconds: the time from when a message was due until its destination had it.
     pub late_median_ms: f64,
-    /// 99 % of them were no later.
+    /// The 99 % quantile of the lateness.
     pub late_99_ms: f64,
-    /// The latest.
+    /// The largest lateness.
     pub late_most_ms: f64,
     /// The age of the oldest message that is overdue, in seconds.
     pub behind_s: f64,
-    /// Messages that are due and not told yet.
+    /// Messages that are due and not delivered yet.
     pub waiting: usize,
     /// The lead of the simulation of all homes, in seconds: below 0, messages are late because of it.
     pub ahead_s: f64,
-    /// Outages that have ended since the fleet began.
+    /// The number of outages since the start.
     pub storms: u64,
-    /// Whether the network of all homes is away.
+    /// True during an outage of all homes.
     pub is_away: bool,
     /// The number of retried calls to destinations since the start.
     pub retries: u64,
-    /// The memory of this program, in megabytes; None where the system does not say.
+    /// The memory of this program, in megabytes; `None` on systems without this figure.
     pub memory_mb: Option<f64>,
     /// The processor time of this program; 1 is one whole processor.
     pub processors: Option<f64>,
@@ -62,19 +62,19 @@ pub struct FleetReport {
 pub struct DestinationReport {
     /// The place.
     pub place: String,
-    /// Messages that it has taken.
+    /// Messages that it has accepted.
     pub messages: u64,
-    /// As for the whole.
+    /// As in the whole report.
     pub late_median_ms: f64,
-    /// As for the whole.
+    /// As in the whole report.
     pub late_99_ms: f64,
-    /// As for the whole.
+    /// As in the whole report.
     pub late_most_ms: f64,
-    /// Messages that are due and not told yet.
+    /// Messages that are due and not delivered yet.
     pub waiting: usize,
     /// The number of retried calls since the start.
     pub retries: u64,
-    /// Whether it is away.
+    /// True of an unavailable destination.
     pub is_away: bool,
 }
 
@@ -92,7 +92,7 @@ pub(super) fn memory_mb() -> Option<f64> {
 
 /// The processor time of this program so far, in seconds.
 pub(super) fn processor_s() -> Option<f64> {
-    /// Of such the system counts a hundred a second, on every machine that has this file.
+    /// Units of processor time, the same on every system with this file.
     const TICKS_PER_S: f64 = 100.0;
     let stat = fs::read_to_string("/proc/self/stat").ok()?;
     // The name of the program, in parentheses, may have spaces in it.
@@ -107,7 +107,7 @@ mod tests {
 
     #[test]
     #[cfg(target_os = "linux")]
-    fn the_system_says_what_the_program_takes() {
+    fn reads_memory_and_processor_time() {
         let memory = memory_mb().unwrap();
         // Other tests of this program take and give back some memory meanwhile.
         let more: Vec<u8> = vec![1; 500_000_000];
@@ -115,7 +115,7 @@ mod tests {
         assert!(more[499_999_999] == 1 && after - memory > 250.0, "{memory} and then {after}");
         let (before, begun) = (processor_s().unwrap(), std::time::Instant::now());
         while processor_s().unwrap() < before + 0.05 {
-            assert!(begun.elapsed().as_secs() < 30, "what works takes time");
+            assert!(begun.elapsed().as_secs() < 30, "the processor time does not grow");
         }
     }
 }

@@ -32,9 +32,9 @@ const LOOK: Span = Span::from_millis(2);
 
 /// The destinations of a fleet, and its duration.
 pub struct FleetRun {
-    /// Each place with what becomes of what is there already.
+    /// Each destination with the treatment of its present rows.
     sinks: Vec<(String, Box<dyn FleetSink>, WriteMode)>,
-    /// The patience with a destination that is away. Its handle ends the fleet.
+    /// The patience with an unavailable destination. Its handle ends the fleet.
     pub patience: Patience,
     /// The duration; `None` until it is cancelled.
     pub lasts: Option<Duration>,
@@ -59,12 +59,12 @@ pub enum FleetStatus<'r> {
 }
 
 impl FleetRun {
-    /// A fleet that tells these places; `is_fast` where it goes faster than life, and `how` says what becomes of what is at a place
-    /// already. Nothing is touched yet.
+    /// A fleet with these destinations. `is_fast` is true of a fleet that is faster than real time, and `how` decides the treatment of
+    /// rows that a destination already has. It writes nothing yet.
     ///
     /// # Errors
     ///
-    /// [`FleetError::Setup`] with all places that a fleet cannot tell, and why; [`FleetError::Simulation`] if a file cannot be written.
+    /// [`FleetError::Setup`] with all destinations that a fleet cannot use; [`FleetError::Simulation`] if a file cannot be written.
     pub fn new(out: &[Url], is_fast: bool, how: impl Fn(&Url) -> WriteMode) -> Result<FleetRun, FleetError> {
         let (mut sinks, mut wrong) = (Vec::new(), Vec::new());
         for url in out {
@@ -85,32 +85,32 @@ impl FleetRun {
 }
 
 impl FleetHomes {
-    /// Simulates all homes until the time is over or it is cancelled; `say` gets the status. Returns the report on the whole time.
+    /// Simulates all homes until the time is over or it is cancelled; `status` gets the status. Returns the report on the whole time.
     ///
     /// # Errors
     ///
-    /// [`FleetError::Simulation`] if a place cannot be begun, or fails and is not back in time.
-    pub fn run(self, run: FleetRun, say: impl FnMut(FleetStatus)) -> Result<FleetReport, FleetError> {
-        self.simulated(run, say).map_err(|error| match error {
+    /// [`FleetError::Simulation`] if a destination cannot be opened, or fails for too long.
+    pub fn run(self, run: FleetRun, status: impl FnMut(FleetStatus)) -> Result<FleetReport, FleetError> {
+        self.simulate(run, status).map_err(|error| match error {
             FleetError::Simulation(error) => FleetError::Simulation(error.resumable_in(None)),
             error => error,
         })
     }
 
-    fn simulated(self, run: FleetRun, mut say: impl FnMut(FleetStatus)) -> Result<FleetReport, FleetError> {
+    fn simulate(self, run: FleetRun, mut status: impl FnMut(FleetStatus)) -> Result<FleetReport, FleetError> {
         let now: Now = Arc::new(|| Timestamp::now().into());
         let FleetRun { sinks, patience, lasts, every } = run;
         let cancel = patience.cancel.clone();
         let fleet = self.fleet.clone();
-        let begin_one = |(place, sink, how)| Teller::begin(place, sink, (&fleet, how), &patience, &now);
-        let tellers = sinks.into_iter().map(begin_one).collect::<Result<Vec<Teller>, _>>()?;
+        let open = |(place, sink, how)| Teller::begin(place, sink, (&fleet, how), &patience, &now);
+        let tellers = sinks.into_iter().map(open).collect::<Result<Vec<Teller>, _>>()?;
         let is_on_wall = self.speed.is_none();
         let created = now();
         let mut running =
-            RunningFleet { homes: FleetSimulation::new(self, created), tellers, told: Vec::new(), now, fleet };
-        let first = running.homes.first();
+            RunningFleet { homes: FleetSimulation::new(self, created), tellers, due: Vec::new(), now, fleet };
+        let first = running.homes.first_messages();
         running.tellers.iter().for_each(|teller| teller.tell(&first));
-        // A fleet that goes at a speed of its own waits at its beginning until all is ready.
+        // A fleet with a speed of its own waits at its start until all homes are ready.
         let clock = |running: &RunningFleet| if is_on_wall { (running.now)() } else { created };
         while !cancel.is_cancelled() && (!running.homes.is_ready(clock(&running)) || running.waiting() > 0) {
             let now = clock(&running);
@@ -119,36 +119,36 @@ impl FleetHomes {
                 thread::sleep(SHORTEST_SLEEP.to_duration());
             }
             let behind = (now - running.homes.simulated_to()).max(Span::ZERO);
-            say(FleetStatus::CatchesUp { behind_s: behind.seconds(), waiting: running.waiting() });
+            status(FleetStatus::CatchesUp { behind_s: behind.seconds(), waiting: running.waiting() });
         }
-        let begun = (running.now)();
-        running.homes.begin(begun);
-        running.tellers.iter().for_each(|teller| teller.count_from(begun));
-        say(FleetStatus::Begun);
-        let mut books = ReportBooks::new(&running, begun);
-        let end = lasts.map_or(UtcTime::MAX, |lasts| begun.saturating_add(lasts.into()));
+        let started = (running.now)();
+        running.homes.start_delivery(started);
+        running.tellers.iter().for_each(|teller| teller.count_from(started));
+        status(FleetStatus::Begun);
+        let mut counts = ReportCounts::new(&running, started);
+        let end = lasts.map_or(UtcTime::MAX, |lasts| started.saturating_add(lasts.into()));
         let every = Span::from(every);
-        let mut next_report = begun + every;
+        let mut next_report = started + every;
         while !cancel.is_cancelled() && (running.now)() < end {
             running.turn((running.now)(), &cancel, true)?;
             if (running.now)() >= next_report {
                 next_report += every;
-                say(FleetStatus::Report(&books.report(&mut running)));
+                status(FleetStatus::Report(&counts.report(&mut running)));
             }
             running.rest(next_report.min(end));
         }
         let end = (running.now)();
-        // One that is away keeps no other from being completed.
+        // An unavailable destination does not keep others from completion.
         let ended: Vec<_> = running.tellers.iter_mut().map(|teller| teller.finish(end)).collect();
         ended.into_iter().collect::<Result<(), _>>()?;
-        Ok(books.last(&mut running))
+        Ok(counts.last(&mut running))
     }
 }
 
 struct RunningFleet {
     homes: FleetSimulation,
     tellers: Vec<Teller>,
-    told: Vec<FleetEvent>,
+    due: Vec<FleetEvent>,
     now: Now,
     fleet: Arc<Fleet>,
 }
@@ -160,19 +160,19 @@ impl RunningFleet {
     }
 
     /// Delivers the messages that are due, if delivery has started, and advances homes for a moment.
-    fn turn(&mut self, now: UtcTime, cancel: &Cancel, tells: bool) -> Result<(), FleetError> {
+    fn turn(&mut self, now: UtcTime, cancel: &Cancel, delivers: bool) -> Result<(), FleetError> {
         self.tellers.iter_mut().try_for_each(Teller::check)?;
         if self.waiting() > MOST_WAITING {
             thread::sleep(Duration::from_millis(1));
             return Ok(());
         }
-        self.told.clear();
-        if tells {
-            self.homes.due(now, HANDFUL, &mut self.told);
-            self.tellers.iter().filter(|_| !self.told.is_empty()).for_each(|teller| teller.tell(&self.told));
+        self.due.clear();
+        if delivers {
+            self.homes.due(now, HANDFUL, &mut self.due);
+            self.tellers.iter().filter(|_| !self.due.is_empty()).for_each(|teller| teller.tell(&self.due));
         }
-        let begun = (self.now)();
-        let until = self.homes.next_due().map_or(begun + LOOK, |due| due.clamp(begun, begun + LOOK));
+        let began = (self.now)();
+        let until = self.homes.next_due().map_or(began + LOOK, |due| due.clamp(began, began + LOOK));
         let mut advances = true;
         while advances && !cancel.is_cancelled() {
             advances = self.homes.advance_one(now) && (self.now)() < until;
@@ -180,7 +180,7 @@ impl RunningFleet {
         Ok(())
     }
 
-    /// Sleeps until there is something to do, or until then.
+    /// Sleeps until the next message or step, or until an instant.
     fn rest(&self, until: UtcTime) {
         let next = self.homes.next_due().unwrap_or(UtcTime::MAX).min(self.homes.next_step()).min(until);
         let now = (self.now)();
@@ -191,28 +191,28 @@ impl RunningFleet {
 }
 
 /// The counts for reports.
-struct ReportBooks {
-    begun: UtcTime,
+struct ReportCounts {
+    started: UtcTime,
     reported: UtcTime,
-    /// At the beginning, and at the last report.
+    /// At the start, and at the last report.
     processor_s: [Option<f64>; 2],
-    /// By destination, since the beginning.
-    of_all: Vec<(u64, Lateness)>,
+    /// By destination, since the start.
+    totals: Vec<(u64, Lateness)>,
 }
 
-impl ReportBooks {
-    fn new(running: &RunningFleet, begun: UtcTime) -> ReportBooks {
-        // What it has caught up with is no part of a report.
+impl ReportCounts {
+    fn new(running: &RunningFleet, started: UtcTime) -> ReportCounts {
+        // Messages of the time before delivery are not part of a report.
         running.tellers.iter().for_each(|teller| drop(teller.since()));
-        let of_all = vec![Default::default(); running.tellers.len()];
-        ReportBooks { begun, reported: begun, processor_s: [processor_s(); 2], of_all }
+        let totals = vec![Default::default(); running.tellers.len()];
+        ReportCounts { started, reported: started, processor_s: [processor_s(); 2], totals }
     }
 
     /// The report since the last one.
     fn report(&mut self, running: &mut RunningFleet) -> FleetReport {
-        let of_now = self.take(running);
+        let counts = self.take(running);
         let (now, processor_s) = ((running.now)(), processor_s());
-        let report = self.told(running, (self.reported, now), &of_now, (self.processor_s[1], processor_s));
+        let report = self.make(running, (self.reported, now), &counts, (self.processor_s[1], processor_s));
         (self.reported, self.processor_s[1]) = (now, processor_s);
         report
     }
@@ -221,29 +221,29 @@ impl ReportBooks {
     fn last(&mut self, running: &mut RunningFleet) -> FleetReport {
         self.take(running);
         let now = (running.now)();
-        let report = self.told(running, (self.begun, now), &self.of_all, (self.processor_s[0], processor_s()));
+        let report = self.make(running, (self.started, now), &self.totals, (self.processor_s[0], processor_s()));
         FleetReport { is_last: true, ..report }
     }
 
     fn take(&mut self, running: &mut RunningFleet) -> Vec<(u64, Lateness)> {
         let since: Vec<_> = running.tellers.iter().map(Teller::since).collect();
-        for ((rows, lateness), since) in self.of_all.iter_mut().zip(&since) {
+        for ((rows, lateness), since) in self.totals.iter_mut().zip(&since) {
             *rows += since.rows;
             lateness.join(&since.lateness);
         }
         since.into_iter().map(|since| (since.rows, since.lateness)).collect()
     }
 
-    fn told(
+    fn make(
         &self,
         running: &RunningFleet,
         (from, now): (UtcTime, UtcTime),
-        of: &[(u64, Lateness)],
+        counts: &[(u64, Lateness)],
         processor_s: (Option<f64>, Option<f64>),
     ) -> FleetReport {
         let RunningFleet { homes, tellers, fleet, .. } = running;
         let (mut all, span_s) = (Lateness::default(), (now - from).seconds().max(1e-6));
-        of.iter().for_each(|(_, lateness)| all.join(lateness));
+        counts.iter().for_each(|(_, lateness)| all.join(lateness));
         let destination = |(teller, (messages, lateness)): (&Teller, &(u64, Lateness))| {
             let [late_median_ms, late_99_ms, late_most_ms] = late_ms(lateness);
             let meter = teller.meter().read();
@@ -258,14 +258,14 @@ impl ReportBooks {
                 is_away: meter.is_away,
             }
         };
-        let destinations: Vec<DestinationReport> = tellers.iter().zip(of).map(destination).collect();
-        let messages: u64 = of.iter().map(|(messages, _)| messages).sum();
+        let destinations: Vec<DestinationReport> = tellers.iter().zip(counts).map(destination).collect();
+        let messages: u64 = counts.iter().map(|(messages, _)| messages).sum();
         let [late_median_ms, late_99_ms, late_most_ms] = late_ms(&all);
         let oldest = tellers.iter().filter_map(Teller::oldest_due).chain(homes.next_due()).min();
-        let (storms, is_away) = homes.storms(now);
+        let (storms, is_away) = homes.outages(now);
         FleetReport {
             time: format!("{:.3}", now.timestamp()),
-            running_s: (now - self.begun).seconds(),
+            running_s: (now - self.started).seconds(),
             span_s,
             is_last: false,
             homes: homes.there,

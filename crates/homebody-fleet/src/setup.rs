@@ -1,4 +1,4 @@
-//! Which homes a fleet has, and making them.
+//! The setup of a fleet: it makes all homes.
 
 use crate::churn::{Churn, HomePresence};
 use crate::error::FleetError;
@@ -12,7 +12,7 @@ use homebody_log::RunInfo;
 use homebody_log::fleet::{Fleet, FleetHome, FleetLayout, HomeRows};
 use homebody_routine::household::ManyRuns;
 use homebody_simulation::pace::Speed;
-use homebody_simulation::{OpenScenario, VERSION, seed_of_member};
+use homebody_simulation::{OpenScenario, PlannedRun, RunLength, RunOptions, VariantOptions, seed_of_member};
 use rayon::prelude::*;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -49,38 +49,36 @@ pub const MOST_HOMES: u32 = 99_999;
 
 /// The options of a fleet. The run of a home depends on its number, the seed and the scenarios, and on no other option.
 pub struct FleetSetup {
-    /// The scenarios, in turn: home 1 has the first. All begin when the fleet does.
+    /// The scenarios, which the homes use in rotation: home 1 has the first. All have the start of the fleet.
     pub scenarios: Vec<OpenScenario>,
     /// The number of homes.
     pub homes: u32,
-    /// The number of the first of them: 1, unless other programs simulate those before.
+    /// The number of the first home: 1, unless other programs simulate earlier ones.
     pub first: u32,
-    /// The number that all randomness comes from; None for that of the first scenario.
-    pub seed: Option<u64>,
-    /// Conditions of the routines that are left out.
-    pub without: Vec<String>,
+    /// The options of each home. The default seed is that of the first scenario.
+    pub variant: VariantOptions,
     /// The speed from the start of the scenarios on; `None` for real time.
     pub speed: Option<f64>,
-    /// The clock of no home is further off.
+    /// The largest error of the clock of a home.
     pub skew: Span,
-    /// Homes that come and go.
+    /// The times of homes online and offline; `None` for homes that stay online.
     pub churn: Option<Churn>,
-    /// When the network of all homes is away.
-    pub storms: Option<Outages>,
+    /// The outages of the network of all homes.
+    pub outages: Option<Outages>,
 }
 
-/// The homes of a fleet, all of them made.
+/// The homes of a fleet at their start.
 pub struct FleetHomes {
-    /// Which they are.
+    /// The names, seeds and layouts of the homes.
     pub fleet: Arc<Fleet>,
     pub(super) homes: Vec<UnstartedHome>,
     pub(super) speed: Option<f64>,
-    pub(super) storms: Option<Outages>,
-    /// When each layout's runs start.
+    pub(super) outages: Option<Outages>,
+    /// The start of the runs of each layout.
     pub(super) starts: Vec<UtcTime>,
 }
 
-/// One home at its beginning.
+/// One home at its start.
 pub(super) struct UnstartedHome {
     pub run: Run,
     pub rows: HomeRows,
@@ -96,18 +94,19 @@ struct HomeKind {
 }
 
 impl FleetSetup {
-    /// Makes all homes, on all processors; `made` gets the number of them by now.
+    /// Makes all homes, on all processors; `made` gets the number of homes so far.
     ///
     /// # Errors
     ///
     /// [`FleetError::Setup`] if the number of homes, the speed or the skew is out of range; [`FleetError::Simulation`] if no routine shows a condition
     /// that is to be left out; [`FleetError::Simulation`] if a logger's names cannot be used.
     pub fn make(self, made: impl Fn(usize) + Sync) -> Result<FleetHomes, FleetError> {
-        self.is_possible()?;
-        let seed = self.seed.unwrap_or(self.scenarios[0].scenario().file.seed);
+        self.check()?;
+        let seed = self.variant.seed.unwrap_or(self.scenarios[0].scenario().file.seed);
+        let variant = VariantOptions { seed: Some(seed), ..self.variant };
         let (mut kinds, mut layouts) = (Vec::new(), Vec::new());
         for opened in &self.scenarios {
-            let (kind, layout) = kind_of(opened, &self.without, seed)?;
+            let (kind, layout) = home_kind(opened, &variant)?;
             kinds.push(kind);
             layouts.push(layout);
         }
@@ -123,21 +122,21 @@ impl FleetSetup {
         let homes: Vec<FleetHome> = (0..self.homes).into_par_iter().map(home).collect();
         let so_far = AtomicUsize::new(0);
         let make = |home: &FleetHome| {
-            let of = UnstartedHome {
+            let unstarted = UnstartedHome {
                 run: kinds[home.layout].many.run(home.seed, LONGEST),
                 rows: layouts[home.layout].rows(home.seed),
                 presence: self.churn.map(|churn| HomePresence::new(churn, home.seed)),
                 skew: skew_of(home.seed, self.skew),
             };
             made(so_far.fetch_add(1, Ordering::Relaxed) + 1);
-            of
+            unstarted
         };
         let made = homes.par_iter().map(make).collect();
         let fleet = Arc::new(Fleet { first: self.first, layouts, homes });
-        Ok(FleetHomes { fleet, homes: made, speed: self.speed, storms: self.storms, starts })
+        Ok(FleetHomes { fleet, homes: made, speed: self.speed, outages: self.outages, starts })
     }
 
-    fn is_possible(&self) -> Result<(), FleetError> {
+    fn check(&self) -> Result<(), FleetError> {
         let mut wrong = Vec::new();
         let last = u64::from(self.first) + u64::from(self.homes) - 1;
         if self.scenarios.is_empty() || self.homes == 0 || self.first == 0 || last > u64::from(MOST_HOMES) {
@@ -159,25 +158,24 @@ impl FleetHomes {
         self.homes[home as usize].skew
     }
 
-    /// Whether a home is there as the fleet begins.
+    /// Whether a home is online at the start of the fleet.
     pub fn is_there(&self, home: u32) -> bool {
         self.homes[home as usize].presence.as_ref().is_none_or(HomePresence::is_there)
     }
 }
 
-/// The lead of the clock of a home, by its seed: any value from `-most` to `most` is as likely.
+/// The lead of the clock of a home, by its seed: uniform from `-most` to `most`.
 fn skew_of(seed: u64, most: Span) -> Span {
     let most = most.micros() as f64;
     Span::from_micros(Stream::named(seed, "fleet/clock").between(-most, most).round() as i64)
 }
 
-fn kind_of(opened: &OpenScenario, without: &[String], seed: u64) -> Result<(HomeKind, FleetLayout), FleetError> {
-    let (scenario, source) = (opened.scenario(), opened.source());
-    let household = Arc::new(opened.household_without(without)?.one_of_many());
-    let recording = Recording::new(scenario, VERSION, source.entry(), seed, LONGEST);
-    let recording = Recording { without: without.to_vec(), one_of_many: true, ..recording };
-    let many = ManyRuns::new(household);
-    let info = RunInfo::of(scenario, &many.run(seed, LONGEST), &recording);
+fn home_kind(opened: &OpenScenario, variant: &VariantOptions) -> Result<(HomeKind, FleetLayout), FleetError> {
+    let (length, variant) = (Some(RunLength::Span(LONGEST)), variant.clone());
+    let options = RunOptions { length, variant, one_of_many: true, ..RunOptions::default() };
+    let PlannedRun { scenario, household, recording } = options.setup(opened)?.plan()?;
+    let (scenario, many) = (scenario.scenario(), ManyRuns::new(household));
+    let info = RunInfo::of(scenario, &many.run(recording.seed, LONGEST), &recording);
     let layout = FleetLayout::new(info, &scenario.logger)?;
     Ok((HomeKind { many, recording }, layout))
 }

@@ -1,35 +1,29 @@
-//! Cohorts: on this machine by threads, or member by member, wherever somebody has them lived.
+//! Cohorts: simulated by threads on this machine, or member by member on other machines.
 
 use crate::fault::{json, named, raised};
-use crate::scenario::PythonScenario;
+use crate::scenario::{PythonScenario, run_setup};
 use crate::work::PythonProgress;
 use homebody_core::problem::Problem;
-use homebody_simulation::{CohortLayout, CohortSummary, MemberSummary, RunProgress, SimulationError, TruthKept, Url};
+use homebody_simulation::{CohortLayout, MemberSummary, RunProgress, SimulationError, TruthKept, Url};
 use pyo3::prelude::*;
 use std::path::PathBuf;
 
-/// Many lives of one scenario, that are to be lived into one folder.
+/// Many runs of one scenario, stored in one folder.
 #[pyclass(frozen, name = "Cohort", module = "homebody._homebody")]
 pub struct PythonCohort {
     cohort: homebody_simulation::Cohort,
-    /// What is right in what was asked, and hardly meant.
+    /// The warnings.
     remarks: Vec<Problem>,
 }
 
-/// What a cohort is to be, as `homebody._cohort` passes it.
+/// The members and the storage of a cohort, as `homebody._cohort` requests them.
 #[derive(FromPyObject)]
-pub struct CohortOptions {
+pub struct CohortRequest {
     #[pyo3(item)]
     residents: Option<u32>,
     /// The name of a list of profiles, and its text.
     #[pyo3(item)]
     profiles: Option<(String, String)>,
-    #[pyo3(item)]
-    days: Option<f64>,
-    #[pyo3(item)]
-    seed: Option<u64>,
-    #[pyo3(item)]
-    without: Vec<String>,
     /// Such as `parquet`.
     #[pyo3(item)]
     form: String,
@@ -40,32 +34,25 @@ pub struct CohortOptions {
 
 #[pymethods]
 impl PythonCohort {
-    /// As it is wanted, of a scenario.
+    /// A cohort of a scenario; `options` is JSON.
     #[new]
-    fn new(py: Python<'_>, scenario: &PythonScenario, wanted: CohortOptions) -> PyResult<PythonCohort> {
-        let place: Url = format!("{}:cohort", wanted.form).parse().map_err(|why| named("ScenarioError", why))?;
+    fn new(py: Python<'_>, scenario: &PythonScenario, options: &str, request: CohortRequest) -> PyResult<PythonCohort> {
+        let place: Url = format!("{}:cohort", request.form).parse().map_err(|why| named("ScenarioError", why))?;
         let layout = CohortLayout::at(&place).map_err(|why| named("ScenarioError", why))?;
-        let opened = &scenario.opened;
+        let run = run_setup(&scenario.opened, options)?;
         let made = py.detach(|| -> Result<_, SimulationError> {
-            let file = &opened.scenario().file;
-            let length = opened.scenario().calendar.span_of_days(wanted.days.unwrap_or(file.days));
+            let (opened, length) = (run.scenario().clone(), run.span()?);
             let mut remarks = opened.remarks(length);
-            let setup = match (&wanted.profiles, wanted.residents) {
+            let setup = match (&request.profiles, request.residents) {
                 (Some((name, text)), _) => {
-                    let profiles = opened.profiles_from_table(name, text, &wanted.without)?;
+                    let profiles = opened.profiles_from_table(name, text, run.without_conditions())?;
                     remarks.extend(opened.remarks_on(name, &profiles, length)?);
-                    opened.cohort_of(profiles)
+                    run.cohort_of(profiles)
                 }
-                (None, count) => opened.cohort(count.unwrap_or(1)),
+                (None, count) => run.cohort(count.unwrap_or(1)),
             };
-            let mut setup = setup.without(&wanted.without).layout(layout);
-            if let Some(days) = wanted.days {
-                setup = setup.days(days);
-            }
-            if let Some(seed) = wanted.seed {
-                setup = setup.seed(seed);
-            }
-            if let Some(kept) = &wanted.truth {
+            let mut setup = setup.layout(layout);
+            if let Some(kept) = &request.truth {
                 setup = setup.truth(if kept == "brief" { TruthKept::Brief } else { TruthKept::All });
             }
             Ok(PythonCohort { cohort: setup.start()?, remarks })
@@ -73,15 +60,15 @@ impl PythonCohort {
         made.map_err(raised)
     }
 
-    /// The one that was begun in a folder.
+    /// The cohort of a folder.
     #[staticmethod]
-    fn left_in(py: Python<'_>, folder: PathBuf) -> PyResult<PythonCohort> {
-        py.detach(|| homebody_simulation::Cohort::left_in(&folder))
+    fn open(py: Python<'_>, folder: PathBuf) -> PyResult<PythonCohort> {
+        py.detach(|| homebody_simulation::Cohort::in_folder(&folder))
             .map(|(cohort, _)| PythonCohort { cohort, remarks: Vec::new() })
             .map_err(raised)
     }
 
-    /// What is right in what was asked, and hardly meant: in words, of one that was not begun before.
+    /// The warnings as texts; none of a cohort that existed before.
     #[getter]
     fn remarks(&self) -> Vec<String> {
         self.remarks.iter().map(Problem::to_string).collect()
@@ -92,7 +79,6 @@ impl PythonCohort {
         self.cohort.count()
     }
 
-    /// The name of a member.
     fn name_of(&self, index: usize) -> PyResult<String> {
         match index < self.cohort.count() {
             true => Ok(self.cohort.name_of(index)),
@@ -100,39 +86,40 @@ impl PythonCohort {
         }
     }
 
-    /// Writes down in a folder what it is to be.
-    fn begin(&self, py: Python<'_>, folder: PathBuf) -> PyResult<()> {
+    /// Writes its options into a folder.
+    fn create(&self, py: Python<'_>, folder: PathBuf) -> PyResult<()> {
         py.detach(|| self.cohort.create(&folder)).map_err(raised)
     }
 
-    /// Lives one member into the folder; what became of them, as JSON.
-    fn live_one(&self, py: Python<'_>, folder: PathBuf, index: usize) -> PyResult<String> {
+    /// Simulates one member into the folder. Returns the summary as JSON.
+    fn run_member(&self, py: Python<'_>, folder: PathBuf, index: usize) -> PyResult<String> {
         self.name_of(index)?;
         py.detach(|| json(&self.cohort.run_member(&folder, index, |_| ()).map_err(raised)?))
     }
 
-    /// Completes the list by what became of all members, in their order.
-    fn end(&self, py: Python<'_>, folder: PathBuf, lived: Vec<String>) -> PyResult<()> {
+    /// Completes the list with the summaries of all members, in their order.
+    fn finish(&self, py: Python<'_>, folder: PathBuf, members: Vec<String>) -> PyResult<()> {
         py.detach(|| {
-            let lived: Result<Vec<MemberSummary>, _> = lived.iter().map(|lived| serde_json::from_str(lived)).collect();
-            let lived = lived.map_err(|error| named("HomebodyError", error))?;
-            self.cohort.finish(&folder, lived).map(|_| ()).map_err(raised)
+            let members: Result<Vec<MemberSummary>, _> =
+                members.iter().map(|text| serde_json::from_str(text)).collect();
+            let members = members.map_err(|error| named("HomebodyError", error))?;
+            self.cohort.finish(&folder, members).map(|_| ()).map_err(raised)
         })
     }
 
-    /// Lives all who are missing in a folder in which it was begun, on all processors; whether it was ended early.
-    fn go_on(&self, py: Python<'_>, folder: PathBuf, told: Option<Py<PyAny>>) -> PyResult<bool> {
-        let watched = PythonProgress::new(told);
+    /// Simulates the missing members of a folder, on all processors. Returns true if it was stopped.
+    fn resume(&self, py: Python<'_>, folder: PathBuf, progress: Option<Py<PyAny>>) -> PyResult<bool> {
+        let watched = PythonProgress::new(progress);
         let result = py.detach(|| {
-            let unfinished = match homebody_simulation::IncompleteCohort::open(&folder) {
+            let incomplete = match homebody_simulation::IncompleteCohort::open(&folder) {
                 Err(SimulationError::Complete { .. }) => return Ok(false),
                 opened => opened.map_err(raised)?,
             };
             let progress = |now: RunProgress| watched.tell(now.done.micros() as f64, now.length.micros() as f64);
-            let lived = watched.beside(|| unfinished.cancel(&watched.cancel).resume(progress)).map_err(raised)?;
-            Ok(CohortSummary::is_stopped(&lived))
+            let summary = watched.interruptible(|| incomplete.cancel(&watched.cancel).resume(progress));
+            Ok(summary.map_err(raised)?.is_stopped())
         });
-        watched.over(result)
+        watched.finish(result)
     }
 }
 

@@ -1,12 +1,11 @@
-//! Drivers that are written in Python: objects whose `next` is asked what somebody does next, with their surroundings.
+//! Drivers in Python: objects whose `next` returns the next step of a resident from the surroundings.
 //!
-//! `homebody.driver` turns what Python answers into the plain tuples that are read here, and the surroundings into a view of its own.
+//! `homebody.driver` turns the answers into plain tuples for this module, and the surroundings into objects of Python.
 
 use crate::fault::raised;
 use homebody_core::drivers::{Driver, Next, PlacedBody, Surroundings};
 use homebody_core::event::ThingUse;
 use homebody_core::geometry::{Point, point};
-use homebody_core::home::Home;
 use homebody_core::ids::ThingId;
 use homebody_core::motion::{MotionSegment, MotionState};
 use homebody_core::posture::Posture;
@@ -17,19 +16,18 @@ use pyo3::prelude::*;
 use std::fmt;
 use std::sync::{Arc, Mutex, PoisonError};
 
-/// What Python has raised in a driver, for whoever lived the run.
+/// An exception of a driver, for the caller of the run.
 pub type Raised = Arc<Mutex<Option<PyErr>>>;
 
-/// What a driver has raised, else the error that came of it.
+/// The exception of a driver, or else the error.
 pub fn or_raised(error: SimulationError, by_driver: &Raised) -> PyErr {
     by_driver.lock().unwrap_or_else(PoisonError::into_inner).take().unwrap_or_else(|| raised(error))
 }
 
 /// A driver in Python.
 pub struct PythonDriver {
-    /// What `homebody.driver` has wrapped it in; nothing where it could not be made.
-    asked: Option<Py<PyAny>>,
-    home: Arc<Home>,
+    /// The wrapper of `homebody.driver`; `None` if the driver could not be made.
+    wrapped: Option<Py<PyAny>>,
     raised: Raised,
 }
 
@@ -41,11 +39,11 @@ impl fmt::Debug for PythonDriver {
 
 impl PythonDriver {
     /// `make` is called with the seed.
-    pub fn make(make: &Py<PyAny>, home: &Arc<Home>, seed: u64, raised: &Raised) -> PythonDriver {
-        let asked = Python::attach(|py| make.call1(py, (seed,)));
-        let mut driver = PythonDriver { asked: None, home: home.clone(), raised: raised.clone() };
-        match asked {
-            Ok(asked) => driver.asked = Some(asked),
+    pub fn make(make: &Py<PyAny>, seed: u64, raised: &Raised) -> PythonDriver {
+        let made = Python::attach(|py| make.call1(py, (seed,)));
+        let mut driver = PythonDriver { wrapped: None, raised: raised.clone() };
+        match made {
+            Ok(wrapped) => driver.wrapped = Some(wrapped),
             Err(error) => driver.failed(error),
         }
         driver
@@ -58,7 +56,7 @@ impl PythonDriver {
 
 impl Driver for PythonDriver {
     fn next(&mut self, around: &Surroundings) -> Next {
-        let Some(asked) = &self.asked else { return Next::Failed("it could not be made".into()) };
+        let Some(wrapped) = &self.wrapped else { return Next::Failed("it could not be made".into()) };
         let answer = Python::attach(|py| {
             let plan = around.plan();
             let body = |body: PlacedBody| (body.resident.index(), xy(body.at), xy(body.to), body.posture.name());
@@ -67,8 +65,8 @@ impl Driver for PythonDriver {
             let others: Vec<_> = around.others().map(body).collect();
             let on = (0..plan.things.len()).filter(|&thing| around.is_on(ThingId::new(thing)));
             let on: Vec<&str> = on.map(|thing| plan.things[thing].name.as_str()).collect();
-            let answer = asked.call1(py, (around.now().micros(), own.map(body), room, others, on))?;
-            next(answer.bind(py), around, &self.home)
+            let answer = wrapped.call1(py, (around.now().micros(), own.map(body), room, others, on))?;
+            next(answer.bind(py), around)
         });
         answer.unwrap_or_else(|error| {
             let why = error.to_string();
@@ -79,14 +77,14 @@ impl Driver for PythonDriver {
 
     fn copy(&self) -> Box<dyn Driver> {
         let copied = Python::attach(|py| {
-            let asked = self.asked.as_ref().map(|asked| py.import("copy")?.call_method1("deepcopy", (asked,)));
-            asked.transpose().map(|asked| asked.map(Bound::unbind))
+            let copy = self.wrapped.as_ref().map(|wrapped| py.import("copy")?.call_method1("deepcopy", (wrapped,)));
+            copy.transpose().map(|copy| copy.map(Bound::unbind))
         });
-        let asked = copied.unwrap_or_else(|error| {
+        let wrapped = copied.unwrap_or_else(|error| {
             self.failed(error);
             None
         });
-        Box::new(PythonDriver { asked, home: self.home.clone(), raised: self.raised.clone() })
+        Box::new(PythonDriver { wrapped, raised: self.raised.clone() })
     }
 }
 
@@ -94,8 +92,8 @@ fn xy(at: Point) -> (f64, f64) {
     (at.x, at.y)
 }
 
-/// An answer: what it is, then what belongs to it.
-fn next(answer: &Bound<'_, PyAny>, around: &Surroundings, home: &Home) -> PyResult<Next> {
+/// An answer: its kind, then its values.
+fn next(answer: &Bound<'_, PyAny>, around: &Surroundings) -> PyResult<Next> {
     let wrong = |what: String| PyValueError::new_err(what);
     let (kind, of): (String, Bound<'_, PyAny>) = answer
         .extract()
@@ -114,15 +112,15 @@ fn next(answer: &Bound<'_, PyAny>, around: &Surroundings, home: &Home) -> PyResu
         "stride" => {
             let (to, lasts_s, posture): ((f64, f64), f64, String) = of.extract()?;
             let doing = MotionState::Stride { from: here(None)?, to: point([to.0, to.1]) };
-            segment(end(lasts_s), doing, posture_of(&posture)?)
+            segment(end(lasts_s), doing, posture_named(&posture)?)
         }
         "rest" => {
             let (at, lasts_s, posture): (Option<(f64, f64)>, f64, String) = of.extract()?;
-            segment(end(lasts_s), MotionState::Rest { at: here(at)? }, posture_of(&posture)?)
+            segment(end(lasts_s), MotionState::Rest { at: here(at)? }, posture_named(&posture)?)
         }
         "stir" => {
             let (at, lasts_s, posture, amplitude_m): (Option<(f64, f64)>, f64, String, f64) = of.extract()?;
-            segment(end(lasts_s), MotionState::InPlace { at: here(at)?, amplitude_m }, posture_of(&posture)?)
+            segment(end(lasts_s), MotionState::InPlace { at: here(at)?, amplitude_m }, posture_named(&posture)?)
         }
         "out" => segment(end(of.extract()?), MotionState::Away, Posture::Standing),
         "use" => {
@@ -132,7 +130,6 @@ fn next(answer: &Bound<'_, PyAny>, around: &Surroundings, home: &Home) -> PyResu
                 let names: Vec<&str> = known.iter().map(|thing| thing.name.as_str()).collect();
                 wrong(format!("there is no thing {thing:?}; there are {}", names.join(", ")))
             })?;
-            let _ = home;
             Next::Use(ThingUse { thing: ThingId::new(index), on })
         }
         "doing" => Next::Activity(of.extract()?),
@@ -140,7 +137,7 @@ fn next(answer: &Bound<'_, PyAny>, around: &Surroundings, home: &Home) -> PyResu
     })
 }
 
-fn posture_of(name: &str) -> PyResult<Posture> {
+fn posture_named(name: &str) -> PyResult<Posture> {
     Posture::named(name).ok_or_else(|| {
         let known = Posture::ALL.map(Posture::name).join(", ");
         PyValueError::new_err(format!("posture {name:?}: it is one of {known}"))

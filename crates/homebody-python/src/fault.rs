@@ -1,4 +1,4 @@
-//! What goes wrong, as Python's exceptions: `homebody.errors` has their classes.
+//! Errors as exceptions of Python, whose classes are in `homebody.errors`.
 
 use homebody_core::messages::Diagnose;
 use homebody_core::problem::{Diagnostic, Problems};
@@ -19,7 +19,7 @@ pub trait LibraryError: Diagnose {
     fn exception(self) -> PyErr;
 }
 
-/// An error of the library, as Python raises it.
+/// An error of the library as an exception.
 pub fn raised(error: impl LibraryError) -> PyErr {
     let message = error.diagnostic();
     let raised = error.exception();
@@ -90,7 +90,7 @@ impl LibraryError for TrackingError {
     }
 }
 
-/// An exception by the name of its class, with what is wrong as its text.
+/// An exception by the name of its class, with its text.
 pub fn named(class: &str, what: impl Display) -> PyErr {
     let what = what.to_string();
     Python::attach(|py| match py.import(ERRORS).and_then(|errors| errors.getattr(class)?.call1((what,))) {
@@ -99,7 +99,7 @@ pub fn named(class: &str, what: impl Display) -> PyErr {
     })
 }
 
-/// One exception with all problems: each with its place, its words, its code, its fix and its data.
+/// One exception with all problems: each with place, text, code, fix and data.
 fn with_problems(problems: &Problems) -> PyErr {
     let raise = |py: Python<'_>| -> PyResult<PyErr> {
         let list = PyList::empty(py);

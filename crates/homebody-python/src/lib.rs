@@ -1,9 +1,8 @@
-//! Homebody for Python: a thin layer over `homebody-kit`. What is here opens, lives and reads; what is pythonic about it is written in
-//! Python, in `python/homebody/`.
+//! Homebody for Python: a thin layer over `homebody-simulation` and other crates. The classes that users see are written in Python, in
+//! `python/homebody/`.
 //!
-//! Whatever takes long lets other threads of Python go on, tells how far it is, and ends when Python is interrupted (`work.rs`). Answers
-//! are JSON, tables go out as Arrow's streams (`table.rs`), pictures as SVG. Reading order: `fault.rs`, `work.rs`, then one file for each
-//! class.
+//! Other threads of Python run during long work, which reports its progress and ends when Python is interrupted (`work.rs`). Answers are
+//! JSON, tables are Arrow streams (`table.rs`), pictures are SVG. Reading order: `fault.rs`, `work.rs`, then one file for each class.
 
 mod fault;
 mod work;
@@ -11,16 +10,16 @@ mod table;
 mod pictures;
 mod driver;
 mod scenario;
-mod lived;
 mod log;
 mod stepped;
+mod summary;
 mod cohort;
 
 use homebody_analysis::measures::MEASURES;
 use pyo3::prelude::*;
 use std::ffi::OsString;
 
-/// Does what the words of a command line ask for, and ends the program. Nobody else is at work in it: it is the command `homebody`.
+/// Runs a command line, and ends the program, which is the command `homebody`.
 #[pyfunction]
 fn command(words: Vec<OsString>) {
     std::process::exit(homebody::run(words).into());
@@ -33,10 +32,11 @@ fn _homebody(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add("MOST_MEMBERS", homebody_simulation::MOST_MEMBERS)?;
     let observed = MEASURES.iter().filter(|measure| measure.is_observed).map(|measure| measure.name);
     module.add("OBSERVED_MEASURES", observed.collect::<Vec<_>>())?;
+    module.add("RUN_OPTIONS", homebody_simulation::RunOptions::schema().to_value()["properties"].to_string())?;
     module.add_class::<table::TableStream>()?;
     module.add_class::<scenario::PythonScenario>()?;
     module.add_class::<log::PythonLog>()?;
-    module.add_class::<stepped::LiveRun>()?;
+    module.add_class::<stepped::SteppedRun>()?;
     module.add_class::<cohort::PythonCohort>()?;
     for function in [
         wrap_pyfunction!(command, module)?,

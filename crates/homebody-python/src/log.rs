@@ -1,4 +1,4 @@
-//! Logs, and what the truth beside them tells: read, cut into windows, labelled, drawn, compared.
+//! Logs with their ground truth: read, cut into windows, label, draw and compare them.
 
 use crate::fault::{json, named, raised};
 use crate::scenario::PythonScenario;
@@ -26,11 +26,11 @@ use std::ops::Range;
 use std::path::{Path, PathBuf};
 use std::sync::OnceLock;
 
-/// What a join adds to rows of a log.
+/// The columns that labels add to a log.
 const LABELS: [&str; 5] = ["resident", "room", "activity", "cause", "thing"];
 
-/// A log that somebody has named.
-#[pyclass(frozen, name = "Log", module = "homebody._homebody")]
+/// A log by its name.
+#[pyclass(frozen, module = "homebody._homebody")]
 pub struct PythonLog {
     text: String,
     zone: Option<String>,
@@ -75,7 +75,7 @@ impl PythonLog {
         Ok(frame.and_then(ColumnTable::batch))
     }
 
-    /// The same as columns with their names.
+    /// Some of its rows, as columns with their names.
     fn event_columns(&self, rows: Range<usize>) -> PyResult<Vec<(String, ArrayRef, bool)>> {
         let batch = self.event_batch(rows)?.map_err(|error| named("HomebodyError", error))?;
         let names = batch.schema_ref().fields().iter().map(|field| field.name().clone());
@@ -110,7 +110,7 @@ impl PythonLog {
         Ok(log)
     }
 
-    /// The zone of its home, if that is known.
+    /// The time zone of its home, if known.
     #[getter]
     fn time_zone(&self, py: Python<'_>) -> PyResult<Option<String>> {
         py.detach(|| Ok(self.instants()?.zone.clone()))
@@ -121,13 +121,13 @@ impl PythonLog {
         py.detach(|| Ok(self.instants()?.log.sensors.clone()))
     }
 
-    /// Whom the truth tells of.
+    /// The residents of the ground truth.
     #[getter]
     fn residents(&self, py: Python<'_>) -> PyResult<Vec<String>> {
         py.detach(|| Ok(self.instants()?.timeline.people.iter().map(|person| person.name.clone()).collect()))
     }
 
-    /// What was left out of it, in sentences.
+    /// Sentences about skipped lines.
     #[getter]
     fn remarks(&self, py: Python<'_>) -> PyResult<Vec<String>> {
         py.detach(|| {
@@ -149,7 +149,7 @@ impl PythonLog {
         })
     }
 
-    /// What residents did: start_time, end_time, activity, resident; or where they were, with `room` for the activity.
+    /// The activities of residents: start_time, end_time, activity, resident; or their rooms, with `room` for the activity.
     fn spans(&self, py: Python<'_>, are_rooms: bool) -> PyResult<TableStream> {
         py.detach(|| {
             let UtcLog { timeline, zone, .. } = self.instants()?;
@@ -284,7 +284,7 @@ impl PythonLog {
         })
     }
 
-    /// How much somebody moved in each hour of each day: figures and a map.
+    /// The density of each hour of each day: figures and a map.
     fn density(&self, py: Python<'_>) -> PyResult<(String, String)> {
         py.detach(|| {
             let read = self.on_the_wall()?;
@@ -294,7 +294,7 @@ impl PythonLog {
         })
     }
 
-    /// What somebody has been doing day by day: figures and a picture.
+    /// The measures of each day: figures and a picture.
     fn measures(&self, py: Python<'_>) -> PyResult<(String, String)> {
         py.detach(|| {
             let measures = self.on_the_wall()?.measures().map_err(|why| named("LogError", why))?;
@@ -303,7 +303,7 @@ impl PythonLog {
     }
 }
 
-/// The cells of a column of the truth on their way.
+/// The cells of a column of the truth.
 enum TruthColumn {
     Instants(Vec<Option<i64>>),
     Integers(Vec<Option<i64>>),
@@ -344,15 +344,13 @@ impl TruthColumn {
     }
 }
 
-/// How alike two logs are, as JSON and in words.
-///
-/// Each is named with the zone that was asked for as it was read.
+/// The comparison of two logs, as JSON and in words. Each log comes with its time zone.
 #[pyfunction]
 pub fn compare(py: Python<'_>, a: (String, Option<String>), b: (String, Option<String>)) -> PyResult<(String, String)> {
     py.detach(|| {
         let find = |text: &str| LogRef::find(text).map_err(raised);
         let found = [find(&a.0)?, find(&b.0)?];
-        // A run knows what its own log's ids mean, and those of a copy of it.
+        // A run knows the sensors of the ids in its log, also in a copy of the log.
         let name = |id: &str| found.iter().find_map(|named| named.name_of(id)).unwrap_or(id).to_owned();
         let read = |named: &LogRef, zone: &Option<String>| {
             let mut log = named.with_activities(zone.as_deref()).map_err(raised)?;
@@ -364,18 +362,18 @@ pub fn compare(py: Python<'_>, a: (String, Option<String>), b: (String, Option<S
     })
 }
 
-/// Walks a log back through a home into a new folder; the report as JSON.
+/// Locates the residents from a log in a home, into a new folder. Returns the report as JSON.
 #[pyfunction]
-#[pyo3(signature = (text, zone, home, to, told))]
+#[pyo3(signature = (text, zone, home, to, progress))]
 pub fn translate(
     py: Python<'_>,
     text: &str,
     zone: Option<&str>,
     home: &PythonScenario,
     to: PathBuf,
-    told: Option<Py<PyAny>>,
+    progress: Option<Py<PyAny>>,
 ) -> PyResult<String> {
-    let watched = PythonProgress::new(told);
+    let watched = PythonProgress::new(progress);
     let result = py.detach(|| {
         let scenario = home.opened.scenario();
         let zone = zone.unwrap_or(&scenario.file.time_zone);
@@ -383,5 +381,5 @@ pub fn translate(
         let progress = |share: f64| watched.tell(share, 1.0);
         json(&locate_into(&to, (text, &read), scenario, &watched.cancel, progress).map_err(raised)?)
     });
-    watched.over(result)
+    watched.finish(result)
 }

@@ -1,22 +1,24 @@
-//! Scenarios: opened, made of texts, looked at, and lived.
+//! Scenarios: open, create, inspect and run them.
 
 use crate::driver::{PythonDriver, Raised, or_raised};
 use crate::fault::{json, named, raised};
-use crate::lived::lived;
-use crate::stepped::LiveRun;
+use crate::stepped::SteppedRun;
+use crate::summary::summary;
 use crate::work::PythonProgress;
 use homebody_analysis::coverage::{self, STEP_M};
 use homebody_core::problem::{Problem, Problems};
 use homebody_core::resident::Build;
 use homebody_core::scenario::load::NoText;
 use homebody_picture::{coverage_map, floor_plan};
-use homebody_simulation::{Destinations, OpenScenario, RunSetup, ScenarioSource, SimulationError, Template};
+use homebody_simulation::{
+    Destinations, OpenScenario, RunOptions, RunSetup, ScenarioSource, SimulationError, Template,
+};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use std::collections::BTreeMap;
 use std::path::PathBuf;
 
-/// The names of the scenarios that came with the program.
+/// The names of the scenarios that come with the program.
 #[pyfunction]
 pub fn templates() -> Vec<String> {
     Template::all().map(Template::name).collect()
@@ -28,63 +30,34 @@ pub struct PythonScenario {
     pub opened: OpenScenario,
 }
 
-/// What a run is to be, as `homebody.scenario` says it.
-#[derive(FromPyObject)]
-pub struct RunOptions {
-    #[pyo3(item)]
-    days: Option<f64>,
-    #[pyo3(item)]
-    seed: Option<u64>,
-    #[pyo3(item)]
-    start: Option<String>,
-    #[pyo3(item)]
-    without: Vec<String>,
-    #[pyo3(item)]
-    numbers: BTreeMap<String, f64>,
-    #[pyo3(item)]
-    one_of_many: bool,
-    /// By resident, what makes their driver of a seed.
-    #[pyo3(item)]
-    drivers: BTreeMap<String, Py<PyAny>>,
+/// The setup of a run with these options, which are JSON.
+pub fn run_setup(scenario: &OpenScenario, options: &str) -> PyResult<RunSetup> {
+    let mut options: RunOptions = serde_json::from_str(options).map_err(|error| named("ScenarioError", error))?;
+    let scenario = match options.start.take() {
+        Some(start) => start.in_scenario(scenario).map_err(|error| match error {
+            // The scenario is valid, so its problems are those of the start.
+            SimulationError::Problems(Problems(problems)) => {
+                let texts = problems.iter().map(|Problem { what, hint, .. }| {
+                    hint.as_ref().map_or_else(|| what.clone(), |hint| format!("{what}\n  hint: {hint}"))
+                });
+                let texts = texts.collect::<Vec<_>>().join("\n");
+                PyValueError::new_err(format!("start is {:?}: {texts}", start.to_string()))
+            }
+            error => raised(error),
+        })?,
+        None => scenario.clone(),
+    };
+    options.setup(&scenario).map_err(raised)
 }
 
 impl PythonScenario {
-    /// As it is, or with a run that begins when that is said.
-    fn starting(&self, start: Option<&str>) -> PyResult<OpenScenario> {
-        let Some(start) = start else { return Ok(self.opened.clone()) };
-        self.opened.starting(start).map_err(|error| match error {
-            // Of a scenario that is right, it is the start that is not.
-            SimulationError::Problems(Problems(problems)) => {
-                let told = problems.iter().map(|Problem { what, hint, .. }| {
-                    hint.as_ref().map_or_else(|| what.clone(), |hint| format!("{what}\n  hint: {hint}"))
-                });
-                PyValueError::new_err(format!("start is {start:?}: {}", told.collect::<Vec<_>>().join("\n")))
-            }
-            error => raised(error),
-        })
-    }
-
-    /// A run as it is wanted, and where exceptions of its drivers are left.
-    fn setup(&self, wanted: RunOptions) -> PyResult<(RunSetup, Raised)> {
-        let RunOptions { days, seed, start, without, numbers, one_of_many, drivers } = wanted;
-        let opened = self.starting(start.as_deref())?;
-        let mut setup = opened.run().without(without);
-        if let Some(days) = days {
-            setup = setup.days(days);
-        }
-        if let Some(seed) = seed {
-            setup = setup.seed(seed);
-        }
-        if one_of_many {
-            setup = setup.one_of_many();
-        }
-        for (name, value) in numbers {
-            setup = setup.number(name, value);
-        }
+    /// The setup of a run, and the place for exceptions of its drivers, which are functions by resident that make a driver from a seed.
+    fn setup(&self, options: &str, drivers: BTreeMap<String, Py<PyAny>>) -> PyResult<(RunSetup, Raised)> {
+        let mut setup = run_setup(&self.opened, options)?;
         let raised = Raised::default();
         for (resident, make) in drivers {
             let raised = raised.clone();
-            setup = setup.driver(resident, move |home, seed| PythonDriver::make(&make, home, seed, &raised));
+            setup = setup.driver(resident, move |_, seed| PythonDriver::make(&make, seed, &raised));
         }
         Ok((setup, raised))
     }
@@ -92,7 +65,7 @@ impl PythonScenario {
 
 #[pymethods]
 impl PythonScenario {
-    /// By a folder or its `scenario.json`.
+    /// Opens a folder or its `scenario.json`.
     #[staticmethod]
     fn at(py: Python<'_>, path: PathBuf, trusted: bool) -> PyResult<PythonScenario> {
         py.detach(|| {
@@ -103,18 +76,16 @@ impl PythonScenario {
         .map_err(raised)
     }
 
-    /// One that came with the program.
+    /// Opens a scenario that comes with the program.
     #[staticmethod]
     fn template(py: Python<'_>, name: &str) -> PyResult<PythonScenario> {
         py.detach(|| homebody_simulation::template(name)).map(|opened| PythonScenario { opened }).map_err(raised)
     }
 
-    /// Of texts by the names of their files.
+    /// Opens texts by the names of their files.
     #[staticmethod]
-    fn of_texts(py: Python<'_>, texts: BTreeMap<String, String>, entry: String) -> PyResult<PythonScenario> {
-        py.detach(|| ScenarioSource::from_texts(texts, entry).open())
-            .map(|opened| PythonScenario { opened })
-            .map_err(raised)
+    fn from_texts(py: Python<'_>, texts: BTreeMap<String, String>, entry: String) -> PyResult<PythonScenario> {
+        py.detach(|| ScenarioSource::from_texts(texts, entry).open()).map(|opened| PythonScenario { opened }).map_err(raised)
     }
 
     #[getter]
@@ -128,13 +99,13 @@ impl PythonScenario {
         self.opened.source().entry()
     }
 
-    /// Its files: those that were read, by name, and their texts.
+    /// The texts of its files, by name.
     #[getter]
     fn texts(&self) -> BTreeMap<String, String> {
         self.opened.scenario().sources.clone()
     }
 
-    /// A text of its folder, whether the scenario links it or not.
+    /// The text of a file in its folder, also of one that the scenario does not link.
     fn text(&self, name: &str) -> PyResult<String> {
         self.opened.source().files().read(name).map_err(|why| {
             let why = match why {
@@ -180,7 +151,7 @@ impl PythonScenario {
         self.opened.scenario().home.placed_sensors().iter().map(|sensor| sensor.name.clone()).collect()
     }
 
-    /// By room, something near its middle: where one may stand.
+    /// Named points where a body can stand.
     #[getter]
     fn places(&self) -> BTreeMap<String, (f64, f64)> {
         let places = &self.opened.scenario().home.plan().places;
@@ -194,22 +165,16 @@ impl PythonScenario {
         (low.x, low.y, high.x, high.y)
     }
 
-    /// The room that a point is in.
+    /// The room of a point.
     fn room_at(&self, x: f64, y: f64) -> Option<String> {
         let plan = self.opened.scenario().home.plan();
         plan.room_at(homebody_core::geometry::point([x, y])).map(|room| plan.rooms[room].name.clone())
     }
 
-    /// What is right in it and hardly meant, in a run of so many days, that begins then, with numbers of the models set.
-    fn remarks(
-        &self,
-        py: Python<'_>,
-        days: f64,
-        start: Option<&str>,
-        numbers: BTreeMap<String, f64>,
-    ) -> PyResult<String> {
-        let opened = self.starting(start)?.with_numbers(numbers).map_err(raised)?;
-        let length = opened.scenario().calendar.span_of_days(days);
+    /// The warnings about a run with these options.
+    fn remarks(&self, py: Python<'_>, options: &str) -> PyResult<String> {
+        let setup = run_setup(&self.opened, options)?;
+        let (opened, length) = (setup.scenario().clone(), setup.span().map_err(raised)?);
         json(&py.detach(|| opened.remarks(length)))
     }
 
@@ -217,7 +182,7 @@ impl PythonScenario {
         py.detach(|| floor_plan(&self.opened.scenario().home))
     }
 
-    /// Its figures and its map.
+    /// The figures and the map of its coverage.
     fn coverage(&self, py: Python<'_>) -> PyResult<(String, String)> {
         let scenario = self.opened.scenario();
         py.detach(|| {
@@ -227,24 +192,31 @@ impl PythonScenario {
         })
     }
 
-    /// Lives a run into a new folder in `runs`; returns what became of it as JSON.
-    fn run(&self, py: Python<'_>, runs: PathBuf, wanted: RunOptions, told: Option<Py<PyAny>>) -> PyResult<String> {
-        let (setup, by_driver) = self.setup(wanted)?;
-        let watched = PythonProgress::new(told);
+    /// Simulates a run into a new folder in `runs`. Returns its summary as JSON.
+    fn run(
+        &self,
+        py: Python<'_>,
+        runs: PathBuf,
+        options: &str,
+        drivers: BTreeMap<String, Py<PyAny>>,
+        progress: Option<Py<PyAny>>,
+    ) -> PyResult<String> {
+        let (setup, by_driver) = self.setup(options, drivers)?;
+        let watched = PythonProgress::new(progress);
         let result = py.detach(|| {
             let run = setup.cancel(&watched.cancel).start().map_err(|error| or_raised(error, &by_driver))?;
             let stored = run.store(&Destinations::new_folder_in(runs), |progress| {
                 watched.tell(progress.done.micros() as f64, progress.length.micros() as f64);
             });
-            lived(&stored.map_err(|error| or_raised(error, &by_driver))?)
+            summary(&stored.map_err(|error| or_raised(error, &by_driver))?)
         });
-        watched.over(result)
+        watched.finish(result)
     }
 
-    /// A run at its beginning, to be stepped.
-    fn live(&self, py: Python<'_>, wanted: RunOptions) -> PyResult<LiveRun> {
-        let (setup, by_driver) = self.setup(wanted)?;
+    /// A run at its start, to advance step by step.
+    fn live(&self, py: Python<'_>, options: &str, drivers: BTreeMap<String, Py<PyAny>>) -> PyResult<SteppedRun> {
+        let (setup, by_driver) = self.setup(options, drivers)?;
         let run = py.detach(|| setup.start()).map_err(|error| or_raised(error, &by_driver))?;
-        Ok(LiveRun::new(run, by_driver))
+        Ok(SteppedRun::new(run, by_driver))
     }
 }

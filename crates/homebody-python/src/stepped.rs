@@ -1,35 +1,36 @@
-//! A run that is lived step by step, by whoever asks for the next one.
+//! A run that its caller advances step by step.
 
 use crate::driver::{Raised, or_raised};
 use crate::fault::{json, named};
 use crate::table::TableStream;
 use homebody_arrow::{ColumnTable, TextColumn};
 use homebody_core::time::{RunTime, SECOND};
+use homebody_simulation::Simulation;
 use pyo3::prelude::*;
 use serde_json::json;
 use std::sync::{Mutex, MutexGuard};
 
-/// A run under way.
+/// A run in progress.
 #[pyclass(frozen, module = "homebody._homebody")]
-pub struct LiveRun {
-    run: Mutex<homebody_simulation::Simulation>,
+pub struct SteppedRun {
+    run: Mutex<Simulation>,
     by_driver: Raised,
 }
 
-impl LiveRun {
-    pub fn new(run: homebody_simulation::Simulation, by_driver: Raised) -> LiveRun {
-        LiveRun { run: Mutex::new(run), by_driver }
+impl SteppedRun {
+    pub fn new(run: Simulation, by_driver: Raised) -> SteppedRun {
+        SteppedRun { run: Mutex::new(run), by_driver }
     }
 
-    fn lock(&self) -> PyResult<MutexGuard<'_, homebody_simulation::Simulation>> {
-        // A panic in a step has left nothing to go on with.
+    fn lock(&self) -> PyResult<MutexGuard<'_, Simulation>> {
+        // After a panic in a step, the run is not usable.
         self.run.lock().map_err(|_| named("HomebodyError", "an earlier step of this run has failed"))
     }
 }
 
 #[pymethods]
-impl LiveRun {
-    /// Lives on for so many seconds, and returns what the sensors said.
+impl SteppedRun {
+    /// Simulates so many seconds, and returns the events.
     fn step(&self, py: Python<'_>, lasts_s: f64) -> PyResult<TableStream> {
         if lasts_s.is_nan() || lasts_s <= 0.0 {
             return Err(named("HomebodyError", "a step is longer than nothing"));
@@ -54,7 +55,7 @@ impl LiveRun {
         })
     }
 
-    /// How far it has come and of how much, in seconds, and what the clock on the wall says.
+    /// The simulated time and the length, in seconds, and the wall-clock time.
     #[getter]
     fn progress(&self) -> PyResult<(f64, f64, String)> {
         let run = self.lock()?;
@@ -63,7 +64,7 @@ impl LiveRun {
         Ok((progress.done.seconds(), progress.length.seconds(), now))
     }
 
-    /// What it looks like now, as JSON.
+    /// The present scene, as JSON.
     fn scene(&self) -> PyResult<String> {
         let run = self.lock()?;
         let scene = run.scene();

@@ -1,4 +1,4 @@
-//! Tables on their way to Python: a stream of Arrow's, which pandas, polars, pyarrow and others take without a copy.
+//! Tables for Python: Arrow streams, which pandas, polars, pyarrow and others read without a copy.
 
 use crate::fault::named;
 use arrow_array::ffi_stream::FFI_ArrowArrayStream;
@@ -7,11 +7,11 @@ use homebody_arrow::SchemaRef;
 use pyo3::prelude::*;
 use pyo3::types::PyCapsule;
 
-/// What the capsule of a stream is called.
+/// The name of the capsule of a stream.
 const NAME: &std::ffi::CStr = c"arrow_array_stream";
 
-/// A table in memory. Each stream of it is over the same memory.
-#[pyclass(frozen, name = "Stream", module = "homebody._homebody")]
+/// A table in memory. All its streams share the memory.
+#[pyclass(frozen, module = "homebody._homebody")]
 pub struct TableStream {
     schema: SchemaRef,
     batches: Vec<RecordBatch>,
@@ -23,7 +23,7 @@ impl TableStream {
         Ok(TableStream { schema: batch.schema(), batches: vec![batch] })
     }
 
-    /// Of parts with the same columns, one after the other.
+    /// A table of parts with the same columns.
     pub fn of_parts(batches: Vec<RecordBatch>) -> PyResult<TableStream> {
         let schema = batches.first().ok_or_else(|| named("LogError", "it has no rows"))?.schema();
         Ok(TableStream { schema, batches })
@@ -47,7 +47,7 @@ impl TableStream {
         self.batches.iter().map(RecordBatch::get_array_memory_size).sum()
     }
 
-    /// Of all columns, by Arrow's names.
+    /// The types of the columns, by Arrow's names.
     #[getter]
     fn types(&self) -> Vec<String> {
         self.schema.fields().iter().map(|field| field.data_type().to_string()).collect()
@@ -59,7 +59,7 @@ impl TableStream {
         py: Python<'py>,
         requested_schema: Option<Py<PyAny>>,
     ) -> PyResult<Bound<'py, PyCapsule>> {
-        // Whoever takes it casts it, as the interface allows.
+        // The consumer casts the columns, as the interface allows.
         let _ = requested_schema;
         let batches = self.batches.clone().into_iter().map(Ok);
         let batches = RecordBatchIterator::new(batches, self.schema.clone());

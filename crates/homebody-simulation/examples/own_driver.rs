@@ -1,4 +1,4 @@
-//! Moves a resident by a driver of one's own: she paces up and down the living room all day, and rests in between.
+//! Moves a resident with a custom driver: she paces up and down the living room all day, and rests in between.
 
 use homebody_core::drivers::{Driver, Next, Surroundings};
 use homebody_core::geometry::{Point, point};
@@ -33,7 +33,7 @@ impl Driver for Pacing {
     }
 }
 
-/// How often each sensor fires in a day of that, by name.
+/// The number of firings of each sensor in such a day, by name.
 pub fn firings() -> Result<Vec<(String, usize)>, SimulationError> {
     let scenario = homebody_simulation::template("tigerplace")?;
     let ends = [point([5.0, 3.6]), point([8.4, 3.6])];

@@ -1,4 +1,4 @@
-//! Gives a run to a sink of one's own: how much each sensor said in each hour of the day, by the clock of the home.
+//! Passes a run to a custom sink, which counts the firings of each sensor in each hour of the day, by the clock of the home.
 
 use homebody_simulation::{BatchSink, BoxError, EventBatch, Simulation, SimulationError};
 use std::collections::BTreeMap;
@@ -19,7 +19,7 @@ impl BatchSink for ByHour {
 
     fn finish(&mut self, run: &Simulation) -> Result<(), BoxError> {
         for name in run.sensors() {
-            // Those that said nothing said it in every hour.
+            // A sensor without firings has 24 zeros.
             self.0.entry(name.to_owned()).or_default();
         }
         Ok(())

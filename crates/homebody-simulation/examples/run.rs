@@ -1,4 +1,4 @@
-//! Lives a week without the depression that somebody would else show, and counts what the sensors said.
+//! Simulates a week without the depression of the routine, and counts the firings.
 
 use homebody_simulation::SimulationError;
 

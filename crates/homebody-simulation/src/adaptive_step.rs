@@ -79,9 +79,9 @@ mod tests {
         assert_eq!(after(1, 100, 10 * SOON), HOUR);
         assert_eq!(after(1, MANY_EVENTS, SOON), HOUR / 2);
         assert_eq!(after(1, 100, 40 * SOON), 10 * MINUTE);
-        assert_eq!(after(60, 2 * MANY_EVENTS, SOON), Span::MICROSECOND, "a run always goes on");
+        assert_eq!(after(60, 2 * MANY_EVENTS, SOON), Span::MICROSECOND, "a run always advances");
         let mut patient = AdaptiveStep::new(HOUR);
         (0..30).for_each(|_| patient.adapt(100, 1000 * SOON));
-        assert_eq!(patient.span, HOUR, "who has nothing else to do has time");
+        assert_eq!(patient.span, HOUR, "a step without a limit of time ignores its duration");
     }
 }

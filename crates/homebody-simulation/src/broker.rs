@@ -40,14 +40,14 @@ mod built {
         let address = BrokerAddress::from_url(url)?;
         let is_live = !address.allow_fast;
         if is_live {
-            if !paced.is_no_faster_than_life() {
+            if !paced.is_at_most_real_time() {
                 address.may_go_fast()?;
             }
-            paced.keep_to_life();
+            paced.limit_to_real_time();
         }
-        let (takes, commands, asked) = orders(is_live);
-        paced.hear(commands);
-        paced.interventions.push(asked);
+        let (takes, commands, requests) = orders(is_live);
+        paced.add_commands(commands);
+        paced.interventions.push(requests);
         let sink = if is_live { MqttSink::in_real_time(url) } else { MqttSink::new(url) };
         Ok(Some(Destination::own(url.to_string(), sink.with_orders(takes), policy())))
     }
@@ -55,7 +55,7 @@ mod built {
     /// Takes orders for a run, and passes them on as commands and as interventions.
     fn orders(is_live: bool) -> (TakesOrders, Receiver<RunCommand>, Receiver<InterventionRequest>) {
         let (say, commands) = sync_channel(MOST_WAITING);
-        let (ask, asked) = sync_channel(MOST_WAITING);
+        let (request, requests) = sync_channel(MOST_WAITING);
         let takes = move |order: Order, reply: Reply| match meant(order, is_live) {
             Err(message) => refuse(reply, message),
             Ok(OrderMeaning::Pace(command)) => match say.try_send(command) {
@@ -69,13 +69,13 @@ mod built {
                     Err(refusal) => reply.refused(refusal.why, refusal.hint),
                 });
                 if let Err(std::sync::mpsc::TrySendError::Full(InterventionRequest { answer, .. })) =
-                    ask.try_send(InterventionRequest { intervention, answer })
+                    request.try_send(InterventionRequest { intervention, answer })
                 {
                     answer(Err(OrderMessage::Busy.into()));
                 }
             }
         };
-        (Box::new(takes), commands, asked)
+        (Box::new(takes), commands, requests)
     }
 
     fn refuse(reply: Reply, message: OrderMessage) {

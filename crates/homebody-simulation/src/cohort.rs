@@ -6,7 +6,6 @@ pub(crate) mod members;
 pub(crate) mod place;
 mod remains;
 
-use crate::VERSION;
 use crate::cohort::list::{AskedMembers, CohortFile, CohortList, ListedMember};
 use crate::cohort::members::{CohortLayout, Member, MemberSummary, Members};
 use crate::cohort::place::CohortPlace;
@@ -18,7 +17,7 @@ use crate::profiles::Profile;
 use crate::progress::RunProgress;
 use crate::recording_file::{has_its_scenario, must_be_of_this_version};
 use crate::scenario_source::ScenarioSource;
-use crate::setup::RunLength;
+use crate::setup::{PlannedRun, RunSetup};
 use crate::simulation::Simulation;
 use homebody_core::problem::readable;
 use homebody_core::recording::Recording;
@@ -33,7 +32,7 @@ use homebody_log::table::truth::TruthKept;
 use homebody_log::{Cancel, RunPlaces, WriteMode};
 use homebody_routine::household::Household;
 use rayon::prelude::*;
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicI64, Ordering};
@@ -61,15 +60,10 @@ const THREADS_EACH: usize = 4;
 /// # Ok::<(), homebody_simulation::SimulationError>(())
 /// ```
 pub struct CohortSetup {
-    scenario: OpenScenario,
+    run: RunSetup,
     members: Members,
-    seed: Option<u64>,
-    length: RunLength,
-    without: Vec<String>,
-    numbers: BTreeMap<String, f64>,
     layout: CohortLayout,
     kept: Option<TruthKept>,
-    cancel: Cancel,
 }
 
 /// The result of a cohort that was stored.
@@ -92,7 +86,7 @@ pub struct CohortSummary {
 }
 
 impl CohortSummary {
-    /// Whether it ended early: a member was not started, or not simulated to the end.
+    /// True of a cohort with a member that was not started, or not simulated to its end.
     pub fn is_stopped(&self) -> bool {
         self.list.members.len() < self.asked || self.ended_early > 0
     }
@@ -104,53 +98,48 @@ pub(crate) fn done_before(found: &[Option<MemberSummary>]) -> Span {
 }
 
 impl OpenScenario {
-    /// A cohort of so many members, each of which differs from the routines as people differ.
+    /// A cohort with this number of members, who differ from the routines as people differ.
     pub fn cohort(&self, members: u32) -> CohortSetup {
-        CohortSetup::new(self.clone(), Members::Many(members))
+        self.run().cohort(members)
     }
 
     /// A cohort of the members of a list.
     pub fn cohort_of(&self, profiles: Vec<Profile>) -> CohortSetup {
-        CohortSetup::new(self.clone(), Members::Listed(profiles))
+        self.run().cohort_of(profiles)
+    }
+}
+
+impl RunSetup {
+    /// A cohort with this number of members, who differ from the routines as people differ.
+    pub fn cohort(self, members: u32) -> CohortSetup {
+        CohortSetup::new(self, Members::Many(members))
+    }
+
+    /// A cohort of the members of a list, whose profiles already leave out their conditions.
+    pub fn cohort_of(self, profiles: Vec<Profile>) -> CohortSetup {
+        CohortSetup::new(self, Members::Listed(profiles))
     }
 }
 
 impl CohortSetup {
-    fn new(scenario: OpenScenario, members: Members) -> CohortSetup {
-        let (seed, length, without, numbers) = (None, RunLength::Own, Vec::new(), BTreeMap::new());
-        let (layout, kept, cancel) = (CohortLayout::default(), None, Cancel::new());
-        CohortSetup { scenario, members, seed, length, without, numbers, layout, kept, cancel }
+    fn new(run: RunSetup, members: Members) -> CohortSetup {
+        CohortSetup { run: run.one_of_many(), members, layout: CohortLayout::default(), kept: None }
     }
 
     /// Sets the seed of all randomness.
-    pub fn seed(mut self, seed: u64) -> CohortSetup {
-        self.seed = Some(seed);
-        self
+    pub fn seed(self, seed: u64) -> CohortSetup {
+        CohortSetup { run: self.run.seed(seed), ..self }
     }
 
     /// Sets the length of each run in days of the home's time zone.
-    pub fn days(mut self, days: impl Into<f64>) -> CohortSetup {
-        self.length = RunLength::Days(days.into());
-        self
-    }
-
-    /// Sets the length of each run.
-    pub fn length(mut self, length: Span) -> CohortSetup {
-        self.length = RunLength::Span(length);
-        self
-    }
-
-    /// Leaves out conditions of the routines. The profiles of a list already leave out theirs.
-    pub fn without(mut self, conditions: impl IntoIterator<Item = impl Into<String>>) -> CohortSetup {
-        self.without.extend(conditions.into_iter().map(Into::into));
-        self
+    pub fn days(self, days: impl Into<f64>) -> CohortSetup {
+        CohortSetup { run: self.run.days(days), ..self }
     }
 
     /// Sets a parameter of the models for all members; [`numbers`](crate::numbers) lists all. Each recording has it in the
     /// scenario's own file.
-    pub fn number(mut self, name: impl Into<String>, value: f64) -> CohortSetup {
-        self.numbers.insert(name.into(), value);
-        self
+    pub fn number(self, name: impl Into<String>, value: f64) -> CohortSetup {
+        CohortSetup { run: self.run.number(name, value), ..self }
     }
 
     /// Sets the layout of the folder.
@@ -166,9 +155,8 @@ impl CohortSetup {
     }
 
     /// Ends the cohort early when this handle is cancelled.
-    pub fn cancel(mut self, cancel: &Cancel) -> CohortSetup {
-        self.cancel = cancel.clone();
-        self
+    pub fn cancel(self, cancel: &Cancel) -> CohortSetup {
+        CohortSetup { run: self.run.cancel(cancel), ..self }
     }
 
     /// The cohort at its start.
@@ -183,20 +171,16 @@ impl CohortSetup {
         {
             return Err(SimulationError::Members { count });
         }
-        let opened = self.scenario.with_numbers(std::mem::take(&mut self.numbers))?;
-        let OpenScenario { scenario, source, .. } = &opened;
-        let household = match self.members {
-            Members::Many(_) => opened.household_without(&self.without)?,
-            Members::Listed(_) => opened.household.clone(),
+        let without = match self.members {
+            Members::Many(_) => Vec::new(),
+            Members::Listed(_) => std::mem::take(&mut self.run.options.variant.without),
         };
-        let (seed, length) = (self.seed.unwrap_or(scenario.file.seed), self.length.span(scenario)?);
-        let recording = Recording::new(scenario, VERSION, source.entry(), seed, length);
-        let recording = Recording { without: std::mem::take(&mut self.without), one_of_many: true, ..recording };
-        let household = household.one_of_many();
-        let CohortSetup { members, layout, kept, cancel, .. } = self;
-        let is_large = length.saturating_mul(members.count() as i64) > LARGE_DAYS * DAY;
+        let PlannedRun { scenario, household, mut recording } = self.run.plan()?;
+        recording.without.extend(without);
+        let CohortSetup { run: RunSetup { cancel, .. }, members, layout, kept } = self;
+        let is_large = recording.length_us.saturating_mul(members.count() as i64) > LARGE_DAYS * DAY;
         let kept = kept.unwrap_or(if is_large { TruthKept::Brief } else { TruthKept::All });
-        Ok(Cohort { scenario: opened, household, members, recording, layout, kept, cancel })
+        Ok(Cohort { scenario, household, members, recording, layout, kept, cancel })
     }
 }
 
@@ -204,7 +188,7 @@ impl CohortSetup {
 /// other members.
 pub struct Cohort {
     pub(crate) scenario: OpenScenario,
-    household: Household,
+    household: Arc<Household>,
     pub(crate) members: Members,
     /// The shared part of the members' recordings.
     pub(crate) recording: Recording,
@@ -227,7 +211,7 @@ impl Cohort {
         Cohort { scenario, household, members, recording, layout: self.layout, kept: self.kept, cancel }
     }
 
-    /// How much of each ground truth is kept.
+    /// The kept part of each ground truth.
     pub fn kept(&self) -> TruthKept {
         self.kept
     }
@@ -242,7 +226,7 @@ impl Cohort {
     /// # Errors
     ///
     /// As [`crate::IncompleteCohort::open`], but for [`SimulationError::Complete`] and [`SimulationError::Member`].
-    pub fn left_in(folder: &Path) -> Result<(Cohort, usize), SimulationError> {
+    pub fn in_folder(folder: &Path) -> Result<(Cohort, usize), SimulationError> {
         let (text, path) = (CohortPlace::from_path(folder)?.list()?, folder.join(LIST));
         let wrong = |error: serde_json::Error| SimulationError::Recording {
             path: path.clone(),
@@ -266,8 +250,8 @@ impl Cohort {
                 Members::Listed(scenario.profiles_from_table(LIST, &table, &recording.without)?)
             }
         };
-        let setup = CohortSetup::new(scenario, members).seed(recording.seed).length(recording.length_us);
-        let setup = setup.layout(layout).truth(truth.into()).without(recording.without);
+        let run = scenario.run().seed(recording.seed).length(recording.length_us).without(recording.without);
+        let setup = CohortSetup::new(run, members).layout(layout).truth(truth.into());
         Ok((setup.start()?, list.members.len()))
     }
 
@@ -281,16 +265,16 @@ impl Cohort {
     /// [`SimulationError::Log`] if nothing can be written there.
     pub fn create(&self, folder: &Path) -> Result<(), SimulationError> {
         let place = CohortPlace::from_path(folder)?;
-        place.make()?;
+        place.create()?;
         if !place.has_list()? {
             place.must_be_empty()?;
             return self.write(&place, Vec::new(), WriteMode::Create).map(|_| ());
         }
-        let (there, _) = Cohort::left_in(folder)?;
+        let (there, _) = Cohort::in_folder(folder)?;
         let asked = |cohort: &Cohort| serde_json::to_string(&cohort.members.asked()).unwrap_or_default();
-        let lies_as = |cohort: &Cohort| (cohort.layout, cohort.kept);
+        let storage = |cohort: &Cohort| (cohort.layout, cohort.kept);
         let is_same =
-            there.recording == self.recording && lies_as(&there) == lies_as(self) && asked(&there) == asked(self);
+            there.recording == self.recording && storage(&there) == storage(self) && asked(&there) == asked(self);
         match is_same {
             true => Ok(()),
             false => {
@@ -316,14 +300,14 @@ impl Cohort {
         if let Some(found) = self.found(&place, index)? {
             return Ok(found);
         }
-        let member = self.members.who(self.recording.seed, index);
+        let member = self.members.member(self.recording.seed, index);
         let run = self.run(&member, index)?;
         self.member_into(&place, &member, run, progress)
     }
 
     /// The name of a member, by index.
     pub fn name_of(&self, index: usize) -> String {
-        self.members.who(self.recording.seed, index).name
+        self.members.member(self.recording.seed, index).name
     }
 
     /// Completes the list of a cohort whose members were simulated one by one.
@@ -352,7 +336,7 @@ impl Cohort {
         self.run_missing(|_| None, run)
     }
 
-    /// As [`Cohort::run_each`], without the members of which `found` has the result, by index.
+    /// As [`Cohort::run_each`], except for members whose results `found` has, by index.
     fn run_missing<T: Send, E: From<SimulationError> + Send>(
         &self,
         found: impl Fn(usize) -> Option<T> + Sync,
@@ -369,7 +353,7 @@ impl Cohort {
             if self.cancel.is_cancelled() {
                 return Ok(None);
             }
-            let member = self.members.who(self.recording.seed, index);
+            let member = self.members.member(self.recording.seed, index);
             let simulation = self.run(&member, index)?;
             run(&member, simulation).map(Some)
         };
@@ -399,7 +383,7 @@ impl Cohort {
         progress: impl Fn(RunProgress) + Sync,
     ) -> Result<CohortSummary, SimulationError> {
         let place = CohortPlace::from_path(&folder.into())?;
-        place.make()?;
+        place.create()?;
         place.must_be_empty()?;
         self.write(&place, Vec::new(), WriteMode::Create)?;
         self.run_into(&place, vec![None; self.count()], progress)
@@ -500,17 +484,17 @@ impl Cohort {
     fn run(&self, member: &Member, index: usize) -> Result<Simulation, SimulationError> {
         let recording = self.recording_of(member);
         match &self.members {
-            Members::Many(_) => Ok(self.live_run(self.scenario.scenario.clone(), &self.household, recording)),
+            Members::Many(_) => Ok(self.simulation(self.scenario.scenario.clone(), &self.household, recording)),
             Members::Listed(profiles) => {
                 let (scenario, household) = self.scenario.base().of_member(&profiles[index])?;
                 let (files, without) = (scenario.sources.clone(), profiles[index].without.clone());
                 let recording = Recording { files, without, ..recording };
-                Ok(self.live_run(Arc::new(scenario), &household, recording))
+                Ok(self.simulation(Arc::new(scenario), &household, recording))
             }
         }
     }
 
-    fn live_run(&self, scenario: Arc<Scenario>, household: &Household, recording: Recording) -> Simulation {
+    fn simulation(&self, scenario: Arc<Scenario>, household: &Household, recording: Recording) -> Simulation {
         let run = Run::new(&scenario, household, recording.seed, recording.length_us);
         let paced = PaceKeeper::new(Pace::default(), self.cancel.clone(), None);
         Simulation::from_parts(scenario, run, recording, self.scenario.paths()).paced(paced)

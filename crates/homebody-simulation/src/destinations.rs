@@ -15,7 +15,7 @@ use std::path::{Path, PathBuf};
 /// The destinations of a run. Without a named log, all of it goes into a new folder.
 #[derive(Clone, Debug)]
 pub struct Destinations {
-    /// The places of its log. Where all of them are servers, it goes into a new folder as well.
+    /// The places of its log. If all are servers, a new folder gets the log, too.
     pub log: Vec<Url>,
     /// The place of its ground truth; none if only a log is named.
     pub truth: Option<Url>,
@@ -25,11 +25,11 @@ pub struct Destinations {
     /// The folder for the new folder of a run without a named log. `None` for no folder: then all goes to the caller's own
     /// destinations.
     pub runs: Option<PathBuf>,
-    /// Whether files that exist are replaced.
+    /// Replaces existing files.
     pub replace: bool,
-    /// Whether a server's database replaces the rows that it has of this run.
+    /// Replaces the rows of this run in databases of servers.
     pub replace_rows: bool,
-    /// The treatment of servers and standard output while they are away or do not answer.
+    /// The treatment of servers and standard output while they are unavailable.
     pub servers: Treatment,
 }
 
@@ -162,10 +162,10 @@ impl Simulation {
         stored
     }
 
-    /// Whether a file is the incomplete recording of this very run: then the same command resumes it.
+    /// True of the file of the incomplete recording of this run, which the same command resumes.
     fn was_started_in(&self, path: &Path) -> bool {
         let own = Recording { version: VERSION.into(), ..self.recording.clone() };
-        let is_it = |left: &Recording| !left.is_whole() && left.restarted() == own && own.can_replay();
-        recording(path).is_ok_and(|left| is_it(&left))
+        let is_same = |left: &Recording| !left.is_whole() && left.restarted() == own && own.can_replay();
+        recording(path).is_ok_and(|left| is_same(&left))
     }
 }

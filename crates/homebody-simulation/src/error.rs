@@ -275,7 +275,7 @@ mod tests {
     use std::error::Error as _;
 
     #[test]
-    fn an_error_of_a_file_leads_to_that_of_the_system() {
+    fn an_error_of_a_file_has_the_error_of_the_system_as_its_source() {
         assert!(SimulationError::io(Path::new("a"), io::ErrorKind::NotFound.into()).source().is_some());
         assert!(SimulationError::file(Path::new("a"), "it is empty").source().is_none());
         let error = LogError::destination("mine", "it failed").caused_by("the third is too many");

@@ -22,7 +22,7 @@ use std::path::Path;
 use std::sync::Arc;
 use std::sync::mpsc::Receiver;
 
-/// A run that was killed or stopped, or of which a file is missing, to resume in its folder.
+/// A run that was killed or stopped, or lacks a file, to resume in its folder.
 ///
 /// It is simulated again from its start: the rows in the folder are compared with it, and the missing ones are written. At the end the
 /// log and the ground truth have the bytes of an undisturbed run.
@@ -40,7 +40,7 @@ pub struct IncompleteRun {
 /// The word for a run in errors.
 const RUN: &str = "run";
 
-/// Whether a run has no end of its own, as a home in real time.
+/// True of a run without an end, as a home in real time.
 pub fn has_no_end(recording: &Recording) -> bool {
     recording.stopped_of_us.unwrap_or(recording.length_us) == LONGEST
 }
@@ -114,7 +114,7 @@ impl IncompleteRun {
         self.run.progress()
     }
 
-    /// Whether it is a home in real time, which has no end: see [`LiveHome`](crate::LiveHome).
+    /// True of a home in real time, which has no end: see [`LiveHome`](crate::LiveHome).
     pub fn has_no_end(&self) -> bool {
         has_no_end(&self.run.recording)
     }
@@ -133,7 +133,7 @@ impl IncompleteRun {
     /// # Errors
     ///
     /// As [`IncompleteRun::resume_with`].
-    pub fn resume_beside(
+    pub fn resume_into(
         mut self,
         servers: &[Url],
         treatment: &Treatment,

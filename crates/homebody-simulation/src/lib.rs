@@ -17,8 +17,8 @@
 //! resident ([`RunSetup::driver`]), and the caller's own sink can take the events ([`Simulation::run_into`]) or the rows of the log
 //! ([`destination`]). Instants and spans are whole microseconds since the run's start, lengths are metres.
 //!
-//! This crate does not know the command line, nor who watches a run: progress is a callback, a [`Cancel`] ends runs, and a
-//! [`Pace`](pace::Pace) sets their speed. Reading order:
+//! This crate does not know the command line, the page or Python: [`RunOptions`] are data for all three. Progress is a callback, a
+//! [`Cancel`] ends runs, and a [`Pace`](pace::Pace) sets their speed. Reading order:
 
 #![warn(missing_docs)]
 
@@ -45,6 +45,9 @@ mod progress;
 mod run_metrics;
 mod run_summary;
 mod simulation;
+pub mod run_length;
+mod run_start;
+mod run_options;
 mod setup;
 
 pub mod destination;
@@ -86,10 +89,13 @@ pub use profiles::Profile;
 pub use progress::RunProgress;
 pub use recorded_run::RecordedRun;
 pub use recording_file::recording;
+pub use run_length::RunLength;
 pub use run_metrics::{RunMetrics, RunReading};
+pub use run_options::{RunOptions, VariantOptions};
+pub use run_start::RunStart;
 pub use run_summary::RunSummary;
 pub use scenario_source::{ScenarioFolder, ScenarioSource, TRUST, Template};
-pub use setup::RunSetup;
+pub use setup::{PlannedRun, RunSetup};
 pub use simulation::orders::OrderMessage;
 pub use simulation::{BatchSink, EventBatch, Simulation};
 pub use sinks::install_sinks;

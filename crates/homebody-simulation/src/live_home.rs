@@ -1,4 +1,4 @@
-//! A home that is simulated in real time until it is stopped, in a folder in which it can be resumed.
+//! A home that is simulated in real time until it is stopped. Its folder resumes it.
 
 use crate::error::SimulationError;
 use crate::incomplete_run::IncompleteRun;
@@ -30,7 +30,7 @@ pub struct LiveHome {
 }
 
 impl LiveHome {
-    /// Whether the folder has a home to resume.
+    /// True of a folder with a home to resume.
     pub fn is_there(folder: &Path) -> bool {
         folder.join(RECORDING).is_file()
     }
@@ -63,8 +63,7 @@ impl LiveHome {
         self.run.seed()
     }
 
-    /// The start of the run.
-    pub fn begins(&self) -> Timestamp {
+    fn start(&self) -> Timestamp {
         self.scenario().calendar.timestamp(RunTime::START)
     }
 
@@ -92,7 +91,7 @@ impl LiveHome {
         cancel: &Cancel,
         progress: impl FnMut(RunProgress),
     ) -> Result<RunSummary, SimulationError> {
-        self.run.paced = PaceKeeper::new(Pace::on_wall(self.begins()), cancel.clone(), None);
+        self.run.paced = PaceKeeper::new(Pace::on_wall(self.start()), cancel.clone(), None);
         self.places.is_followed = true;
         let own = servers::destinations(out, servers, Some(&self.folder), &mut self.run.paced)?;
         self.run.metered(metrics).store_into(self.places, own, servers, self.how, progress)

@@ -87,7 +87,7 @@ fn does_something(step: &PathStep) -> bool {
     }
 }
 
-/// Says that a resident waits for ever, how to give them a routine, and what the home lacks for it.
+/// The warnings about a resident who waits for ever: how to add a routine, and the parts that the home lacks for it.
 fn waiting(scenario: &Scenario, resident: usize) -> Vec<Problem> {
     let (Some(own), Some(file)) = (scenario.residents.get(resident), scenario.file.residents.get(resident)) else {
         return Vec::new();

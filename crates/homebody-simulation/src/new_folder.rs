@@ -1,4 +1,4 @@
-//! Folders that have their names only once they are whole.
+//! Folders that get their names when they are complete.
 
 use crate::error::SimulationError;
 use homebody_log::files::lock::FolderLock;
@@ -12,8 +12,8 @@ use std::path::Path;
 ///
 /// # Errors
 ///
-/// [`SimulationError::Exists`] where something has its name, [`SimulationError::File`] where the system refuses, [`SimulationError::Log`] where another program
-/// writes it, and what the function says; then nothing is left behind.
+/// [`SimulationError::Exists`] if the name is taken, [`SimulationError::File`] after an error of the system, [`SimulationError::Log`] if another
+/// program writes it, and the errors of the function. Nothing is left behind after an error.
 pub fn new_folder<T, E: From<SimulationError>>(
     folder: &Path,
     write: impl FnOnce(&Path, &str) -> Result<T, E>,
@@ -36,19 +36,19 @@ pub fn new_folder<T, E: From<SimulationError>>(
         Ok(made)
     });
     if made.is_err() {
-        // It is ours: nothing is left half made.
+        // Removes the incomplete folder.
         let _ = fs::remove_dir_all(&part);
     }
     made
 }
 
-/// Makes the folder anew that becomes `folder`, and keeps others from it.
+/// Creates the temporary folder for `folder` again, and locks it.
 fn take(part: &Path, folder: &Path) -> Result<FolderLock, SimulationError> {
     loop {
         match fs::create_dir(part) {
             Ok(()) => {
                 let lock = FolderLock::take(part)?;
-                // Another program may have taken it for one that is left, before it was locked.
+                // Another program may have deleted it as a leftover before it was locked.
                 if part.is_dir() {
                     return Ok(lock);
                 }
@@ -77,7 +77,7 @@ mod tests {
     }
 
     #[test]
-    fn replaces_what_a_killed_program_has_left() {
+    fn replaces_the_folder_of_a_killed_program() {
         let within = tempfile::tempdir().unwrap();
         let (folder, part) = (within.path().join("home"), within.path().join(".home.part"));
         fs::create_dir_all(part.join("schemas")).unwrap();
@@ -86,7 +86,7 @@ mod tests {
         assert_eq!(fs::read_to_string(folder.join("file")).unwrap(), "new");
         let names: Vec<_> = fs::read_dir(within.path()).unwrap().map(|entry| entry.unwrap().file_name()).collect();
         assert_eq!(names, ["home"]);
-        // A whole folder is not replaced.
+        // A complete folder stays.
         assert!(matches!(with_file(&folder), Err(SimulationError::Exists { .. })));
         assert!(!part.exists());
     }

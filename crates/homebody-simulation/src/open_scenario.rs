@@ -8,7 +8,7 @@ use crate::{idle_sensors, missing_parts};
 use homebody_core::numbers::{self, Number};
 use homebody_core::problem::{Problem, Problems};
 use homebody_core::scenario::ScenarioFile;
-use homebody_core::scenario::load::Scenario;
+use homebody_core::scenario::load::{Files, Scenario};
 use homebody_core::scenario::remarks::scenario_remarks;
 use homebody_core::time::{DAY, Span};
 use homebody_routine::behaviour::difference::Difference;
@@ -75,6 +75,17 @@ impl ScenarioSource {
 }
 
 impl OpenScenario {
+    /// Opens the scenario of files in memory; `entry` is the name of the scenario's own file among them.
+    ///
+    /// # Errors
+    ///
+    /// All problems of the files.
+    pub fn from_files(files: &dyn Files, entry: &str) -> Result<OpenScenario, Problems> {
+        let (scenario, household) = Household::load(files, entry, &[])?;
+        let source = ScenarioSource::from_texts(scenario.sources.clone(), entry);
+        Ok(OpenScenario { scenario: Arc::new(scenario), household: Arc::new(household), source })
+    }
+
     /// The name of the scenario.
     pub fn name(&self) -> &str {
         &self.scenario.file.name
@@ -105,9 +116,9 @@ impl OpenScenario {
         let mut all = scenario_remarks(&self.scenario, length);
         all.extend(idle_sensors::remarks(&self.scenario, &self.household));
         all.extend(self.missing_parts());
-        all.extend(self.household.predicted_differences(days(length)).iter().map(foretold));
+        all.extend(self.household.predicted_differences(days(length)).iter().map(without_effect));
         let routines = (0..self.scenario.residents.len()).filter_map(|resident| self.household.routine(resident));
-        all.extend(routines.filter_map(not_simulated));
+        all.extend(routines.filter_map(unsimulated));
         all
     }
 
@@ -124,11 +135,11 @@ impl OpenScenario {
     /// [`SimulationError::Problems`] if a profile is not one of this scenario.
     pub fn remarks_on(&self, list: &str, profiles: &[Profile], length: Span) -> Result<Vec<Problem>, SimulationError> {
         let known = self.household.predicted_differences(days(length));
-        let (mut told, mut all) = (BTreeSet::new(), Vec::new());
+        let (mut seen, mut all) = (BTreeSet::new(), Vec::new());
         for profile in profiles {
-            let says = ["conditions", "severity", "onset", "over", "until", "routine", "home"]
+            let cells = ["conditions", "severity", "onset", "over", "until", "routine", "home"]
                 .map(|column| profile.row.get(column));
-            if !told.insert(says) {
+            if !seen.insert(cells) {
                 continue;
             }
             let (_, household) = self.base().of_member(profile)?;
@@ -185,7 +196,7 @@ impl OpenScenario {
     /// # Errors
     ///
     /// [`SimulationError::Problems`] with every unknown parameter and every value out of range, or if the residents cannot live
-    /// there with them.
+    /// in the home with them.
     pub fn with_numbers(
         &self,
         set: impl IntoIterator<Item = (impl Into<String>, f64)>,
@@ -249,8 +260,8 @@ fn days(length: Span) -> i32 {
     i32::try_from((length + DAY - Span::MICROSECOND).div_euclid(DAY)).unwrap_or(i32::MAX)
 }
 
-/// The sentences of a routine that are not simulated, in one warning.
-fn not_simulated(routine: &Routine) -> Option<Problem> {
+/// A warning of the sentences of a routine that are not simulated.
+fn unsimulated(routine: &Routine) -> Option<Problem> {
     /// Largest number of names that are quoted (our choice).
     const QUOTED: usize = 3;
     let first = routine.remarks.first()?;
@@ -261,9 +272,9 @@ fn not_simulated(routine: &Routine) -> Option<Problem> {
     Some(Problem { line, column, ..Problem::of_file(&routine.file, message, None) })
 }
 
-/// The effect of a sentence that is known before the run.
-fn foretold(told: &Difference) -> Problem {
-    let Difference { file, line, text, lived, .. } = told;
+/// The warning of a sentence without effect.
+fn without_effect(difference: &Difference) -> Problem {
+    let Difference { file, line, text, lived, .. } = difference;
     let message = ScenarioWarning::WithoutEffect { sentence: one_line(text), effect: lived.to_string() };
     Problem { line: *line, ..Problem::of_file(file, message, None) }
 }

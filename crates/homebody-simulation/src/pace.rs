@@ -105,11 +105,11 @@ pub struct Pace {
     speed: Speed,
     /// The instant of the run and of the clock at the last change of pace.
     from: (RunTime, Instant),
-    /// It goes no further than this.
-    holds_at: Option<RunTime>,
-    /// Up to here it goes as fast as it can, whatever its speed.
-    hurries_to: Option<RunTime>,
-    /// The instant of the world at which the run starts: it is where the world's clock is.
+    /// The instant of the next pause.
+    pauses_at: Option<RunTime>,
+    /// The end of a jump: the run is as fast as possible before it.
+    jumps_to: Option<RunTime>,
+    /// The real time of the start of a run in real time.
     on_wall: Option<UtcTime>,
 }
 
@@ -123,29 +123,28 @@ impl Default for Pace {
 impl Pace {
     /// From the run's start at this speed.
     pub fn new(speed: Speed) -> Pace {
-        Pace { speed, from: (RunTime::START, Instant::now()), holds_at: None, hurries_to: None, on_wall: None }
+        Pace { speed, from: (RunTime::START, Instant::now()), pauses_at: None, jumps_to: None, on_wall: None }
     }
 
-    /// The run is where the world's clock is, whose instant `start` is the run's start. What is behind, it catches up with as
-    /// fast as it can.
+    /// Real time, with the start of the run at `start`. A run that is behind catches up as fast as possible.
     pub fn on_wall(start: Timestamp) -> Pace {
         Pace { on_wall: Some(start.into()), ..Pace::new(Speed::Times(1.0)) }
     }
 
     /// Paused, and then at this speed.
     pub fn paused(speed: Speed) -> Pace {
-        Pace { holds_at: Some(RunTime::START), ..Pace::new(speed) }
+        Pace { pauses_at: Some(RunTime::START), ..Pace::new(speed) }
     }
 
-    /// The speed at which the run goes while it is not paused.
+    /// The speed between pauses.
     pub fn speed(&self) -> Speed {
         self.speed
     }
 
-    /// The instant to which the run may go by now: [`RunTime::MAX`] without a limit.
+    /// The latest instant that the run may reach by now: [`RunTime::MAX`] without a limit.
     pub fn due(&self) -> RunTime {
         let (begin, since) = self.from;
-        let due = match (self.hurries_to, self.on_wall, self.speed) {
+        let due = match (self.jumps_to, self.on_wall, self.speed) {
             (Some(to), ..) => to,
             (None, Some(start), _) => RunTime::START + (UtcTime::from(Timestamp::now()) - start),
             (None, None, Speed::Max) => RunTime::MAX,
@@ -154,27 +153,27 @@ impl Pace {
                 begin.saturating_add(Span::from_micros(micros as i64))
             }
         };
-        due.min(self.holds_at.unwrap_or(RunTime::MAX))
+        due.min(self.pauses_at.unwrap_or(RunTime::MAX))
     }
 
-    /// Whether a run that has come to `now` is paused.
+    /// Whether a run at `now` is paused.
     pub fn is_paused(&self, now: RunTime) -> bool {
-        self.holds_at.is_some_and(|at| now >= at)
+        self.pauses_at.is_some_and(|at| now >= at)
     }
 
-    /// Whether a run that has come to `now` goes as fast as it can.
+    /// Whether a run at `now` is as fast as possible.
     pub fn hurries(&self, now: RunTime) -> bool {
         self.speed == Speed::Max || self.is_jumping(now)
     }
 
-    /// Whether a run that has come to `now` is on its way to where a jump ends.
+    /// Whether a run at `now` is in a jump.
     pub fn is_jumping(&self, now: RunTime) -> bool {
-        self.hurries_to.is_some_and(|to| now < to)
+        self.jumps_to.is_some_and(|to| now < to)
     }
 
-    /// Whether a run that has come to `now` is on its way to where it is going to pause.
+    /// Whether a run at `now` has a pause ahead.
     fn is_stepping(&self, now: RunTime) -> bool {
-        self.holds_at.is_some_and(|at| now < at)
+        self.pauses_at.is_some_and(|at| now < at)
     }
 
     /// The clock counts from here, where the run is `now`.
@@ -185,31 +184,31 @@ impl Pace {
     /// The run, which is at `now`, goes no further.
     pub fn pause(&mut self, now: RunTime) {
         self.count_from(now);
-        (self.holds_at, self.hurries_to) = (Some(now), None);
+        (self.pauses_at, self.jumps_to) = (Some(now), None);
     }
 
     /// Resumes the run, which is at `now`.
     pub fn resume(&mut self, now: RunTime) {
         self.count_from(now);
-        self.holds_at = None;
+        self.pauses_at = None;
     }
 
     /// Continues the run, which is at `now`, by `span` at its speed, and then pauses it.
     pub fn step(&mut self, now: RunTime, span: Span) {
         self.count_from(now);
-        self.holds_at = Some(now.saturating_add(span));
+        self.pauses_at = Some(now.saturating_add(span));
     }
 
     /// Moves the run, which is at `now`, to an instant as fast as possible; there it pauses, or continues at its speed.
     pub fn jump(&mut self, now: RunTime, to: RunTime, pauses_there: bool) {
-        self.hurries_to = (to > now).then_some(to);
-        self.holds_at = pauses_there.then_some(to);
+        self.jumps_to = (to > now).then_some(to);
+        self.pauses_at = pauses_there.then_some(to);
     }
 
     /// The run has come to `now`: where a jump ends, the clock begins to count again.
     pub fn arrive(&mut self, now: RunTime) {
-        if self.hurries_to.is_some_and(|to| now >= to) {
-            self.hurries_to = None;
+        if self.jumps_to.is_some_and(|to| now >= to) {
+            self.jumps_to = None;
             self.count_from(now);
         }
     }
@@ -224,34 +223,34 @@ impl Pace {
 /// The interval between the steps of a paced run.
 const FRAME: Duration = Duration::from_millis(16);
 
-/// Lag behind the world's clock at which a run hurries (our choice).
+/// Lag behind real time at which a run is as fast as possible (our choice).
 const BEHIND: Span = SECOND;
 
 /// Number of commands to a run between two checks of the clock (our choice). The others wait.
 const AT_ONCE: usize = 100;
 
-/// Keeps a run at its pace: waits, and does what is said meanwhile.
+/// Keeps a run at its pace: waits, and obeys commands meanwhile.
 pub(crate) struct PaceKeeper {
     pace: Pace,
     cancel: Cancel,
     commands: Option<Receiver<RunCommand>>,
     /// The commands of brokers. When such a channel is closed, the pace stays.
-    from_afar: Vec<Receiver<RunCommand>>,
-    /// Whether it stays at or below real time, whatever the commands.
-    keeps_to_life: bool,
+    remote_commands: Vec<Receiver<RunCommand>>,
+    /// Limits the speed to real time, whatever the commands.
+    is_limited: bool,
     /// The requested interventions.
     pub(crate) interventions: Vec<Receiver<InterventionRequest>>,
 }
 
 impl PaceKeeper {
     pub fn new(pace: Pace, cancel: Cancel, commands: Option<Receiver<RunCommand>>) -> PaceKeeper {
-        PaceKeeper { pace, cancel, commands, from_afar: Vec::new(), keeps_to_life: false, interventions: Vec::new() }
+        PaceKeeper { pace, cancel, commands, remote_commands: Vec::new(), is_limited: false, interventions: Vec::new() }
     }
 
-    /// Does what is said there, too.
-    #[cfg_attr(not(feature = "mqtt"), allow(dead_code, reason = "brokers say it"))]
-    pub fn hear(&mut self, commands: Receiver<RunCommand>) {
-        self.from_afar.push(commands);
+    /// Obeys the commands of a broker, too.
+    #[cfg_attr(not(feature = "mqtt"), allow(dead_code, reason = "for brokers"))]
+    pub fn add_commands(&mut self, commands: Receiver<RunCommand>) {
+        self.remote_commands.push(commands);
     }
 
     /// The handle that ends the run.
@@ -259,7 +258,6 @@ impl PaceKeeper {
         &self.cancel
     }
 
-    /// Whether the run shall stop.
     pub fn is_cancelled(&self) -> bool {
         self.cancel.is_cancelled()
     }
@@ -269,21 +267,21 @@ impl PaceKeeper {
         self.interventions.iter().flat_map(|requests| requests.try_iter()).take(AT_ONCE).collect()
     }
 
-    /// Whether it has to catch up with the world's clock.
+    /// Whether a run at `now` is behind real time.
     pub fn is_behind(&self, now: RunTime) -> bool {
         self.pace.on_wall.is_some() && self.pace.due().saturating_since(now) > BEHIND
     }
 
-    /// Whether it goes no faster than life by now.
-    #[cfg_attr(not(feature = "mqtt"), allow(dead_code, reason = "brokers ask"))]
-    pub fn is_no_faster_than_life(&self) -> bool {
+    /// Whether the speed is at most real time.
+    #[cfg_attr(not(feature = "mqtt"), allow(dead_code, reason = "for brokers"))]
+    pub fn is_at_most_real_time(&self) -> bool {
         matches!(self.pace.speed, Speed::Times(times) if times <= 1.0)
     }
 
-    /// From now on no command makes it faster than life: that it goes at the pace of life is what comes of a higher speed.
-    #[cfg_attr(not(feature = "mqtt"), allow(dead_code, reason = "brokers want it"))]
-    pub fn keep_to_life(&mut self) {
-        self.keeps_to_life = true;
+    /// Limits the speed to real time from now on: a higher speed becomes real time.
+    #[cfg_attr(not(feature = "mqtt"), allow(dead_code, reason = "for brokers"))]
+    pub fn limit_to_real_time(&mut self) {
+        self.is_limited = true;
     }
 
     /// Waits a moment, and returns the instant to which the run may continue: `now` if it is paused. `None` if it must stop.
@@ -292,7 +290,7 @@ impl PaceKeeper {
             let until = self.pace.due();
             let hurries = self.pace.speed == Speed::Max || self.is_behind(now);
             let wait = if until > now && hurries { Duration::ZERO } else { FRAME };
-            match self.heard(wait, now) {
+            match self.next_command(wait, now) {
                 Some(RunCommand::Stop) => break,
                 Some(command) => self.obey(command, now),
                 None => return Some(until.max(now)),
@@ -301,9 +299,9 @@ impl PaceKeeper {
         None
     }
 
-    fn heard(&mut self, wait: Duration, now: RunTime) -> Option<RunCommand> {
+    fn next_command(&mut self, wait: Duration, now: RunTime) -> Option<RunCommand> {
         if !self.pace.is_stepping(now)
-            && let Some(command) = self.from_afar.iter().find_map(|commands| commands.try_recv().ok())
+            && let Some(command) = self.remote_commands.iter().find_map(|commands| commands.try_recv().ok())
         {
             return Some(command);
         }
@@ -315,7 +313,7 @@ impl PaceKeeper {
             Ok(command) => Some(command),
             Err(RecvTimeoutError::Timeout) => None,
             Err(RecvTimeoutError::Disconnected) => {
-                // Nobody is left to say resume.
+                // No sender is left for a resume.
                 self.commands = None;
                 Some(RunCommand::Resume)
             }
@@ -328,7 +326,7 @@ impl PaceKeeper {
             RunCommand::Resume => self.pace.resume(now),
             RunCommand::Step(span) => self.pace.step(now, span),
             RunCommand::Speed(speed) => {
-                let is_too_fast = self.keeps_to_life && !matches!(speed, Speed::Times(times) if times <= 1.0);
+                let is_too_fast = self.is_limited && !matches!(speed, Speed::Times(times) if times <= 1.0);
                 self.pace.set_speed(now, if is_too_fast { Speed::Times(1.0) } else { speed });
             }
             RunCommand::Stop => {}
@@ -343,7 +341,7 @@ mod tests {
     use std::sync::mpsc::channel;
 
     #[test]
-    fn a_step_ends_where_it_was_asked_to_and_a_jump_hurries_there() {
+    fn a_step_and_a_jump_end_at_their_instants() {
         let (start, there) = (RunTime::START, RunTime::START + 90 * SECOND);
         let mut pace = Pace::paused(Speed::Times(0.1));
         assert_eq!((pace.due(), pace.is_paused(start)), (start, true));
@@ -352,17 +350,17 @@ mod tests {
         pace.arrive(there);
         assert!(pace.is_paused(there) && !pace.hurries(there));
         pace.step(there, SECOND);
-        assert!(!pace.is_paused(there) && pace.due() < there + SECOND, "a step goes at its speed");
+        assert!(!pace.is_paused(there) && pace.due() < there + SECOND, "a step keeps the speed");
         pace.set_speed(there, Speed::Max);
         assert_eq!(pace.due(), there + SECOND);
         pace.jump(there + SECOND, there + SECOND, true);
-        assert!(pace.is_paused(there + SECOND), "a jump to where it is takes no time");
+        assert!(pace.is_paused(there + SECOND), "a jump to the present takes no time");
         pace.resume(there + SECOND);
         assert_eq!(pace.due(), RunTime::MAX);
     }
 
     #[test]
-    fn a_run_on_the_worlds_clock_is_where_that_is() {
+    fn a_run_in_real_time_follows_the_clock() {
         let hours = |hours| jiff::SignedDuration::from_hours(hours);
         let behind = Pace::on_wall(Timestamp::now() - hours(3));
         let due = RunTime::START + 3 * HOUR;
@@ -370,11 +368,11 @@ mod tests {
         let mut paced = PaceKeeper::new(behind, Cancel::new(), None);
         let begun = Instant::now();
         assert!((0..1000).all(|_| paced.next(RunTime::START).is_some_and(|until| until >= due)));
-        assert!(begun.elapsed() < 1000 * FRAME / 2, "it hurries while it is behind");
+        assert!(begun.elapsed() < 1000 * FRAME / 2, "it does not wait while it is behind");
         let early = Pace::on_wall(Timestamp::now() + hours(1));
         assert!(early.due() < RunTime::START);
         let mut waits = PaceKeeper::new(early, Cancel::new(), None);
-        assert_eq!(waits.next(RunTime::START), Some(RunTime::START), "one that starts later waits");
+        assert_eq!(waits.next(RunTime::START), Some(RunTime::START), "a home with a later start waits");
     }
 
     #[test]
@@ -387,7 +385,7 @@ mod tests {
     }
 
     #[test]
-    fn commands_are_done_in_order_and_a_run_goes_on_when_nobody_is_left_to_say_so() {
+    fn obeys_commands_in_order_and_resumes_without_a_sender() {
         let (say, commands) = channel();
         let mut paced = PaceKeeper::new(Pace::paused(Speed::Max), Cancel::new(), Some(commands));
         let start = RunTime::START;
@@ -401,30 +399,26 @@ mod tests {
     }
 
     #[test]
-    fn a_run_that_keeps_to_life_is_made_no_faster_and_hears_from_afar() {
+    fn a_limited_run_gets_no_faster_and_obeys_remote_commands() {
         let (say, afar) = channel();
         let mut paced = PaceKeeper::new(Pace::new(Speed::Times(1.0)), Cancel::new(), None);
-        assert!(paced.is_no_faster_than_life());
-        paced.hear(afar);
-        paced.keep_to_life();
-        for (said, speed) in [("speed max", 1.0), ("speed 0.5", 0.5), ("speed 2", 1.0)] {
-            say.send(said.parse().unwrap()).unwrap();
+        assert!(paced.is_at_most_real_time());
+        paced.add_commands(afar);
+        paced.limit_to_real_time();
+        for (command, speed) in [("speed max", 1.0), ("speed 0.5", 0.5), ("speed 2", 1.0)] {
+            say.send(command.parse().unwrap()).unwrap();
             assert!(paced.next(RunTime::START).unwrap() < RunTime::START + SECOND);
-            assert_eq!(paced.pace.speed(), Speed::Times(speed), "{said}");
+            assert_eq!(paced.pace.speed(), Speed::Times(speed), "{command}");
         }
         say.send(RunCommand::Pause).unwrap();
         assert_eq!(paced.next(RunTime::START), Some(RunTime::START));
         drop(say);
-        assert_eq!(
-            paced.next(RunTime::START),
-            Some(RunTime::START),
-            "whoever is afar and falls silent has not said to go on"
-        );
-        assert!(!PaceKeeper::new(Pace::default(), Cancel::new(), None).is_no_faster_than_life());
+        assert_eq!(paced.next(RunTime::START), Some(RunTime::START), "a closed remote channel does not resume the run");
+        assert!(!PaceKeeper::new(Pace::default(), Cancel::new(), None).is_at_most_real_time());
     }
 
     #[test]
-    fn a_command_is_understood_as_it_is_written() {
+    fn reads_commands() {
         assert_eq!("step".parse(), Ok(RunCommand::Step(SECOND)));
         assert_eq!("step 1.5".parse(), Ok(RunCommand::Step(Span::from_millis(1500))));
         assert_eq!("speed max".parse(), Ok(RunCommand::Speed(Speed::Max)));

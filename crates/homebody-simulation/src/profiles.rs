@@ -46,7 +46,7 @@ pub(crate) fn from_table(
     if problems.is_empty() { Ok(profiles) } else { Err(SimulationError::Problems(in_order(problems, file))) }
 }
 
-/// Profiles as a table of which [`from_table`] makes the same ones again.
+/// Profiles as a table for [`from_table`].
 pub(crate) fn table(profiles: &[Profile]) -> String {
     let columns: BTreeSet<&str> = profiles.iter().flat_map(|profile| profile.row.keys().map(String::as_str)).collect();
     let mut table = csv_line(["name", "seed"].into_iter().chain(columns.iter().copied())) + "\n";
@@ -61,7 +61,7 @@ pub(crate) fn table(profiles: &[Profile]) -> String {
 /// Problems in the order of their places, those of other files than the list last.
 fn in_order(mut problems: Vec<Problem>, file: &str) -> Problems {
     problems.sort_by_key(|problem| (problem.file != file, problem.file.clone(), problem.line, problem.column));
-    // Of several conditions that begin at once, each has the same to say.
+    // Several conditions with one start have the same problem.
     problems.dedup();
     Problems::truncated(&problems)
 }

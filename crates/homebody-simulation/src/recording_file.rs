@@ -1,4 +1,4 @@
-//! Recordings and the lists of cohorts as files, and the folders that they are in.
+//! Files of recordings and of the lists of cohorts, and their folders.
 
 use crate::VERSION;
 use crate::error::SimulationError;
@@ -12,7 +12,7 @@ use homebody_log::run::places::{LIST, RECORDING, SENSORS};
 use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
 
-/// Reads a recording, of a complete run or an unfinished one. The scenario in it is checked later, when it is loaded.
+/// Reads a recording of a complete or incomplete run. Loading checks its scenario later.
 ///
 /// # Errors
 ///
@@ -82,7 +82,7 @@ pub(crate) fn run_folder_of(path: &Path) -> Option<PathBuf> {
     };
     let folder = above(path);
     let cohort = if folder.file_name().is_some() { above(&folder) } else { folder.join("..") };
-    // A run that was killed at its very beginning has only its recording.
+    // A run that was killed in its first moment has only its recording.
     let is_recording = path.file_name().is_some_and(|name| name == RECORDING);
     let left = [(cohort, LIST), (folder.clone(), LIST), (folder.clone(), SENSORS)];
     let left = left.into_iter().find(|(folder, file)| folder.join(file).is_file()).map(|(folder, _)| folder);
@@ -105,12 +105,12 @@ pub(crate) fn must_be_of_this_version(
     }
 }
 
-/// Whether a file is the part of a recording or of a cohort's list that was being written.
+/// True of the name of an incomplete file of a recording or of a cohort's list.
 pub(crate) fn is_part(name: &str) -> bool {
-    [RECORDING, LIST].iter().any(|of| name.starts_with(of)) && name.ends_with(".part")
+    [RECORDING, LIST].iter().any(|known| name.starts_with(known)) && name.ends_with(".part")
 }
 
-/// Whether a folder is empty or has only such a part.
+/// True of a folder that is empty or has only such a file.
 pub(crate) fn was_not_started(folder: &Path) -> bool {
     let Ok(mut entries) = std::fs::read_dir(folder) else { return false };
     entries.all(|entry| entry.is_ok_and(|entry| is_part(&entry.file_name().to_string_lossy())))

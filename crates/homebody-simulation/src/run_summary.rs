@@ -22,8 +22,7 @@ pub struct RunSummary {
     pub truth: Option<Url>,
     /// The file of the recording, if there is one.
     pub recorded: Option<PathBuf>,
-    /// The folder in which a run that was stopped can be resumed ([`IncompleteRun`](crate::IncompleteRun)); `None` if not all of it
-    /// is in one.
+    /// The folder that resumes a stopped run ([`IncompleteRun`](crate::IncompleteRun)); `None` if its files are not in one folder.
     pub folder: Option<PathBuf>,
     /// The simulated part: less than the length if the run was cancelled.
     pub progress: RunProgress,

@@ -1,4 +1,4 @@
-//! The options of a run: its seed, its length, its drivers and its pace.
+//! The setup of a run: its scenario and options, its drivers and its pace.
 
 use crate::VERSION;
 use crate::custom_drivers::{CustomDrivers, MakeDriver};
@@ -6,19 +6,22 @@ use crate::error::SimulationError;
 use crate::interventions::InterventionRequest;
 use crate::open_scenario::OpenScenario;
 use crate::pace::{Pace, PaceKeeper, RunCommand};
+use crate::run_length::RunLength;
+use crate::run_options::RunOptions;
 use crate::simulation::Simulation;
 use homebody_core::drivers::Driver;
 use homebody_core::home::Home;
 use homebody_core::recording::Recording;
-use homebody_core::run::Run;
+use homebody_core::run::{DriverProvider, Run};
 use homebody_core::scenario::load::Scenario;
-use homebody_core::time::{DAY, LONGEST, RunTime, Span};
+use homebody_core::time::{RunTime, Span};
 use homebody_log::Cancel;
+use homebody_routine::household::Household;
 use std::collections::BTreeMap;
 use std::sync::Arc;
 use std::sync::mpsc::Receiver;
 
-/// The options of a run, made by [`OpenScenario::run`]. An option that is not set is as the scenario says.
+/// The setup of a run, made by [`OpenScenario::run`] or [`RunOptions::setup`]. An option that is not set is as the scenario says.
 ///
 /// ```
 /// let scenario = homebody_simulation::template("tigerplace-depression")?;
@@ -31,65 +34,77 @@ use std::sync::mpsc::Receiver;
 /// # Ok::<(), homebody_simulation::SimulationError>(())
 /// ```
 pub struct RunSetup {
-    scenario: OpenScenario,
-    seed: Option<u64>,
-    length: RunLength,
-    without: Vec<String>,
-    numbers: BTreeMap<String, f64>,
-    one_of_many: bool,
+    pub(crate) scenario: OpenScenario,
+    pub(crate) options: RunOptions,
     drivers: BTreeMap<String, MakeDriver>,
     pace: Pace,
     commands: Option<Receiver<RunCommand>>,
     interventions: Option<Receiver<InterventionRequest>>,
-    cancel: Cancel,
+    pub(crate) cancel: Cancel,
 }
 
-/// The length of a run.
-#[derive(Clone, Copy, Debug)]
-pub(crate) enum RunLength {
-    /// That of the scenario.
-    Own,
-    /// Days of the home's time zone: one on which clocks change has 23 or 25 hours.
-    Days(f64),
-    Span(Span),
+/// A scenario with the options of a run applied to it.
+pub struct PlannedRun {
+    /// The scenario, with the start and the parameters of the run.
+    pub scenario: OpenScenario,
+    /// The routines, without the conditions that are left out.
+    pub household: Arc<Household>,
+    /// The recording before the run begins: it has the seed and the length.
+    pub recording: Recording,
 }
 
-impl RunLength {
-    /// The length of a run of this scenario.
-    pub fn span(self, scenario: &Scenario) -> Result<Span, SimulationError> {
-        let days = match self {
-            RunLength::Own => scenario.file.days,
-            RunLength::Days(days) => days,
-            RunLength::Span(span) => span.ratio(DAY),
-        };
-        let wrong = SimulationError::Length { days };
-        if !(days > 0.0 && days <= (LONGEST / DAY) as f64) {
-            return Err(wrong);
-        }
-        let span = match self {
-            RunLength::Span(span) => span,
-            _ => scenario.calendar.span_of_days(days),
-        };
-        if span > Span::ZERO { Ok(span) } else { Err(wrong) }
+impl PlannedRun {
+    /// The simulation at its start.
+    pub fn simulation(self) -> Simulation {
+        let household = self.household.clone();
+        self.driven_by(&*household)
+    }
+
+    fn driven_by(self, drivers: &dyn DriverProvider) -> Simulation {
+        let PlannedRun { scenario, recording, .. } = self;
+        let run = Run::new(&scenario.scenario, drivers, recording.seed, recording.length_us);
+        let sources = scenario.paths();
+        Simulation::from_parts(scenario.scenario, run, recording, sources)
     }
 }
 
 impl OpenScenario {
-    /// The options of a run of this scenario.
+    /// The setup of a run of this scenario.
     pub fn run(&self) -> RunSetup {
-        RunSetup::new(self.clone())
+        RunSetup::new(self.clone(), RunOptions::default())
+    }
+}
+
+impl RunOptions {
+    /// A run of a scenario with these options.
+    ///
+    /// ```
+    /// use homebody_simulation::{RunOptions, VariantOptions};
+    ///
+    /// let scenario = homebody_simulation::template("tigerplace-depression")?;
+    /// let variant = VariantOptions { seed: Some(7), without: vec!["depression".into()] };
+    /// let run = RunOptions { variant, ..RunOptions::default() }.setup(&scenario)?.start()?;
+    /// assert_eq!(run.recording().without, ["depression"]);
+    /// # Ok::<(), homebody_simulation::SimulationError>(())
+    /// ```
+    ///
+    /// # Errors
+    ///
+    /// [`SimulationError::Problems`] if a parameter is unknown or out of range, or the start is not a date and time.
+    pub fn setup(mut self, scenario: &OpenScenario) -> Result<RunSetup, SimulationError> {
+        let mut scenario = scenario.with_numbers(std::mem::take(&mut self.numbers))?;
+        if let Some(start) = self.start.take() {
+            scenario = start.in_scenario(&scenario)?;
+        }
+        Ok(RunSetup::new(scenario, self))
     }
 }
 
 impl RunSetup {
-    pub(crate) fn new(scenario: OpenScenario) -> RunSetup {
+    pub(crate) fn new(scenario: OpenScenario, options: RunOptions) -> RunSetup {
         RunSetup {
             scenario,
-            seed: None,
-            length: RunLength::Own,
-            without: Vec::new(),
-            numbers: BTreeMap::new(),
-            one_of_many: false,
+            options,
             drivers: BTreeMap::new(),
             pace: Pace::default(),
             commands: None,
@@ -100,39 +115,79 @@ impl RunSetup {
 
     /// Sets the seed of all randomness.
     pub fn seed(mut self, seed: u64) -> RunSetup {
-        self.seed = Some(seed);
+        self.options.variant.seed = Some(seed);
         self
     }
 
     /// Sets the length in days of the home's time zone: one on which clocks change has 23 or 25 hours.
     pub fn days(mut self, days: impl Into<f64>) -> RunSetup {
-        self.length = RunLength::Days(days.into());
+        self.options.length = Some(RunLength::Days(days.into()));
         self
     }
 
     /// Sets the length.
     pub fn length(mut self, length: Span) -> RunSetup {
-        self.length = RunLength::Span(length);
+        self.options.length = Some(RunLength::Span(length));
         self
     }
 
     /// Leaves out conditions of the routines. All that a condition does not affect draws the same random numbers with it and
     /// without it.
     pub fn without(mut self, conditions: impl IntoIterator<Item = impl Into<String>>) -> RunSetup {
-        self.without.extend(conditions.into_iter().map(Into::into));
+        self.options.variant.without.extend(conditions.into_iter().map(Into::into));
         self
     }
 
     /// Sets a parameter of the models; [`numbers`](crate::numbers) lists all. The recording has it in the scenario's own file.
     pub fn number(mut self, name: impl Into<String>, value: f64) -> RunSetup {
-        self.numbers.insert(name.into(), value);
+        self.options.numbers.push((name.into(), value));
         self
     }
 
     /// Lets the residents differ from their routines as people differ, each seed in its own way.
     pub fn one_of_many(mut self) -> RunSetup {
-        self.one_of_many = true;
+        self.options.one_of_many = true;
         self
+    }
+
+    /// The scenario, with the start and the parameters of the [`RunOptions`] that the setup was made from.
+    pub fn scenario(&self) -> &OpenScenario {
+        &self.scenario
+    }
+
+    /// The conditions that are left out.
+    pub fn without_conditions(&self) -> &[String] {
+        &self.options.variant.without
+    }
+
+    /// The length of the run.
+    ///
+    /// # Errors
+    ///
+    /// [`SimulationError::Length`] if it is out of range.
+    pub fn span(&self) -> Result<Span, SimulationError> {
+        let Scenario { file, calendar, .. } = &*self.scenario.scenario;
+        self.options.length.unwrap_or(RunLength::Days(file.days)).span(calendar)
+    }
+
+    /// Applies the options to the scenario. All runs get their seed, length, start, conditions and parameters here.
+    ///
+    /// # Errors
+    ///
+    /// [`SimulationError::Problems`] if no routine shows a condition that is to be left out, or a parameter is out of range;
+    /// [`SimulationError::Length`] if the length is out of range.
+    pub fn plan(&self) -> Result<PlannedRun, SimulationError> {
+        let setup = self.options.clone().setup(&self.scenario)?;
+        let length = setup.span()?;
+        let RunSetup { scenario, options: RunOptions { variant, one_of_many, .. }, .. } = setup;
+        let mut household = scenario.household_without(&variant.without)?;
+        if one_of_many {
+            household = Arc::new(household.one_of_many());
+        }
+        let seed = variant.seed.unwrap_or(scenario.scenario.file.seed);
+        let recording = Recording::new(&scenario.scenario, VERSION, scenario.source.entry(), seed, length);
+        let recording = Recording { without: variant.without, one_of_many, ..recording };
+        Ok(PlannedRun { scenario, household, recording })
     }
 
     /// Moves a resident, by name, with the caller's own driver. It is made when the run begins, from the home and the seed; it
@@ -181,39 +236,20 @@ impl RunSetup {
     /// [`SimulationError::Length`] if the length is out of range; [`SimulationError::Resident`] if a driver is set for an unknown
     /// resident.
     pub fn start(self) -> Result<Simulation, SimulationError> {
-        Simulation::new(self)
-    }
-}
-
-impl Simulation {
-    /// The simulation of a run with these options, at its start.
-    ///
-    /// # Errors
-    ///
-    /// Those of [`RunSetup::start`].
-    pub fn new(setup: RunSetup) -> Result<Simulation, SimulationError> {
-        let opened = setup.scenario.with_numbers(setup.numbers)?;
-        let OpenScenario { scenario, source, .. } = &opened;
-        let length = setup.length.span(scenario)?;
-        let household = opened.household_without(&setup.without)?;
-        let household = if setup.one_of_many { Arc::new(household.one_of_many()) } else { household };
-        let own_drivers = setup.drivers.keys().cloned().collect();
+        let mut plan = self.plan()?;
+        plan.recording.own_drivers = self.drivers.keys().cloned().collect();
+        let residents = &plan.scenario.scenario.residents;
         let mut own = BTreeMap::new();
-        for (name, make) in setup.drivers {
-            let index = scenario.residents.iter().position(|resident| resident.file.name == name);
-            let known = || scenario.residents.iter().map(|resident| resident.file.name.clone()).collect();
+        for (name, make) in self.drivers {
+            let index = residents.iter().position(|resident| resident.file.name == name);
+            let known = || residents.iter().map(|resident| resident.file.name.clone()).collect();
             own.insert(index.ok_or_else(|| SimulationError::Resident { name, known: known() })?, make);
         }
-        let seed = setup.seed.unwrap_or(scenario.file.seed);
-        let recording = Recording::new(scenario, VERSION, source.entry(), seed, length);
-        let (without, one_of_many) = (setup.without, setup.one_of_many);
-        let recording = Recording { without, one_of_many, own_drivers, ..recording };
-        let provider = CustomDrivers { household: &household, own: &own };
-        let run = Run::new(scenario, &provider, seed, length);
-        let mut pace = setup.pace;
+        let household = plan.household.clone();
+        let mut pace = self.pace;
         pace.count_from(RunTime::START);
-        let mut paced = PaceKeeper::new(pace, setup.cancel, setup.commands);
-        paced.interventions.extend(setup.interventions);
-        Ok(Simulation::from_parts(scenario.clone(), run, recording, opened.paths()).paced(paced))
+        let mut paced = PaceKeeper::new(pace, self.cancel, self.commands);
+        paced.interventions.extend(self.interventions);
+        Ok(plan.driven_by(&CustomDrivers { household: &household, own: &own }).paced(paced))
     }
 }

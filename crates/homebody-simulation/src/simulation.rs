@@ -20,7 +20,7 @@ use homebody_core::scene::Scene;
 use homebody_core::sensors::Sensor;
 use homebody_core::snapshots::Snapshots;
 use homebody_core::time::{HOUR, RunTime, Span};
-use homebody_log::Cancel;
+use homebody_log::{Cancel, RunInfo};
 use homebody_routine::behaviour::difference::Difference;
 use homebody_routine::household::Household;
 use input::KeyInput;
@@ -98,7 +98,12 @@ impl<F: FnMut(&Simulation, EventBatch) -> Result<(), BoxError>> BatchSink for F 
 
 impl Simulation {
     /// A run at its start, without pace and without output. No output replaces the files in `sources`.
-    pub fn from_parts(scenario: Arc<Scenario>, run: Run, recording: Recording, sources: Vec<PathBuf>) -> Simulation {
+    pub(crate) fn from_parts(
+        scenario: Arc<Scenario>,
+        run: Run,
+        recording: Recording,
+        sources: Vec<PathBuf>,
+    ) -> Simulation {
         Simulation {
             scenario,
             run,
@@ -246,13 +251,13 @@ impl Simulation {
     /// Returns the instant of the snapshot. `None` without one, and if the run was stopped: its output cannot grow any more.
     pub fn rewind(&mut self, to: RunTime) -> Option<RunTime> {
         let came_to = self.furthest.as_ref().unwrap_or(&self.run).now();
-        let is_replay = self.is_replay();
-        if !(is_replay || self.is_recording() || came_to == self.end()) {
+        let is_stored = self.output.is_some() && !self.is_replay();
+        if is_stored && !self.is_recording() && came_to < self.end() {
             return None;
         }
         let (run, replayed) = self.snapshots.as_ref()?.nearest_before(to)?.clone();
         let before = std::mem::replace(&mut self.run, run);
-        if !is_replay {
+        if is_stored {
             self.furthest.get_or_insert(before);
         }
         self.replayed = replayed;
@@ -260,12 +265,12 @@ impl Simulation {
         Some(self.run.now())
     }
 
-    /// Whether it replays a recording.
+    /// True of a replay.
     pub fn is_replay(&self) -> bool {
         self.replayed.is_some()
     }
 
-    /// Whether a replay that has come to its end has the same firings as its recording.
+    /// Whether a finished replay has the same firings as its recording; `None` for any other run.
     pub fn matches_recording(&self) -> Option<bool> {
         let digest = self.replayed.as_ref().filter(|_| self.is_over())?;
         Some(digest.firings() == self.recording.firings && digest.hex() == self.recording.sha256)
@@ -281,7 +286,7 @@ impl Simulation {
         EventBatch { firings, facts, begin: self.begin, end: self.run.now(), settled: self.run.settled() }
     }
 
-    /// The instant that it has come to.
+    /// The end of the simulated part.
     pub fn now(&self) -> RunTime {
         self.run.now()
     }
@@ -296,7 +301,7 @@ impl Simulation {
         RunTime::START + self.run.length()
     }
 
-    /// Whether it has come to the end of the run.
+    /// True at the end of the run.
     pub fn is_over(&self) -> bool {
         self.run.now().since_zero() >= self.run.length()
     }
@@ -335,6 +340,11 @@ impl Simulation {
     /// The recording of the run, complete once its files are.
     pub fn recording(&self) -> &Recording {
         &self.recording
+    }
+
+    /// The description of the run that its log has.
+    pub fn info(&self) -> RunInfo {
+        RunInfo::of(&self.scenario, &self.run, &self.recording)
     }
 
     /// The calendar of the home, which dates its instants.

@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-/// All files below a folder, with what they hold.
+/// All files below a folder, with their contents.
 fn held(folder: &Path, whole: &Path, files: &mut BTreeMap<PathBuf, Vec<u8>>) {
     for entry in fs::read_dir(folder).unwrap().flatten() {
         match entry.path() {
@@ -22,7 +22,7 @@ fn all_in(folder: &Path) -> BTreeMap<PathBuf, Vec<u8>> {
 }
 
 #[test]
-fn in_a_store_a_cohort_has_the_bytes_of_one_in_a_folder_and_goes_on() {
+fn a_cohort_in_a_store_has_the_bytes_of_one_in_a_folder_and_resumes() {
     let scratch = tempfile::tempdir().unwrap();
     let [here, there] = ["here", "there"].map(|name| scratch.path().join(name));
     fs::create_dir(&there).unwrap();
@@ -37,7 +37,7 @@ fn in_a_store_a_cohort_has_the_bytes_of_one_in_a_folder_and_goes_on() {
     let again = cohort.store_in(&url, |_| ());
     assert!(matches!(again, Err(SimulationError::NotEmpty { is_cohort: true, .. })));
     assert!(matches!(IncompleteCohort::open(&url), Err(SimulationError::Complete { .. })));
-    // Who lacks the recording, or another file, is lived anew; others stay.
+    // Members without a recording or another file are simulated again; others stay.
     fs::remove_file(there.join("members/0002/recording.json")).unwrap();
     fs::remove_file(there.join("log/member=0003/log.csv")).unwrap();
     let gone_on = IncompleteCohort::open(&url).unwrap().resume(|_| ()).unwrap();
@@ -48,7 +48,7 @@ fn in_a_store_a_cohort_has_the_bytes_of_one_in_a_folder_and_goes_on() {
     bring_member(&url, "csv", "0001", &copy).unwrap();
     let copied = all_in(&copy);
     assert!(copied.len() > 10 && copied.iter().all(|(name, bytes)| whole.get(name) == Some(bytes)));
-    // Of another cohort, what is there is refused.
+    // The control: another cohort is refused.
     fs::copy(there.join("members/0001/recording.json"), there.join("members/0002/recording.json")).unwrap();
     let why = IncompleteCohort::open(&url).err().unwrap().to_string();
     assert!(why.contains("there/members/0002/recording.json: it is of another cohort"), "{why}");

@@ -1,4 +1,4 @@
-//! Interventions from outside take effect, are in the ground truth, and replay.
+//! Interventions from outside: they happen, the ground truth has them, and a replay repeats them.
 
 use homebody_core::time::{HOUR, MINUTE, RunTime, Span};
 use homebody_simulation::interventions::{InterventionRequest, OrderedIntervention, Refusal, SensorFailure};
@@ -23,11 +23,11 @@ fn fails(sensor: &str, failure: SensorFailure, lasts: Option<Span>) -> OrderedIn
     OrderedIntervention::Fail { sensor: sensor.into(), failure, lasts }
 }
 
-/// Lives the days into a folder, and asks for each wish once the run has come to its hour. The run is cancelled at an hour, if any.
-fn live(
+/// Simulates days into a folder, and requests each intervention at its hour. The run is cancelled at an hour, if there is one.
+fn simulate(
     runs: &Path,
     days: f64,
-    wishes: &[(i64, OrderedIntervention)],
+    requests: &[(i64, OrderedIntervention)],
     stops_at: Option<i64>,
 ) -> (RunSummary, Vec<Outcome>) {
     let (ask, asked) = channel();
@@ -35,7 +35,7 @@ fn live(
     let cancel = Cancel::new();
     let scenario = homebody_simulation::template("tigerplace").unwrap();
     let run = scenario.run().seed(5).days(days).interventions(asked).cancel(&cancel).start().unwrap();
-    let mut left = wishes.to_vec();
+    let mut left = requests.to_vec();
     let says = |RunProgress { done, .. }: RunProgress| {
         for (_, wish) in left.extract_if(.., |(hour, _)| *hour * HOUR <= done) {
             let tell = tell.clone();
@@ -62,8 +62,8 @@ fn bytes(folder: &Path) -> [Vec<u8>; 2] {
     ["log.db", "truth.db"].map(|file| fs::read(folder.join(file)).unwrap())
 }
 
-/// Lives a recording again, into files beside those of its folder.
-fn again(recording: &Path, into: &Path) -> RunSummary {
+/// Replays a recording into other files in its folder.
+fn replay(recording: &Path, into: &Path) -> RunSummary {
     fs::create_dir_all(into).unwrap();
     let to = Destinations {
         log: vec![format!("sqlite:{}", into.join("log.db").display()).parse().unwrap()],
@@ -73,7 +73,7 @@ fn again(recording: &Path, into: &Path) -> RunSummary {
     RecordedRun::open(recording).unwrap().start().store(&to, |_| ()).unwrap()
 }
 
-fn without_what_was_done(recording: &Path) -> String {
+fn without_interventions(recording: &Path) -> String {
     let mut read: serde_json::Value = serde_json::from_str(&fs::read_to_string(recording).unwrap()).unwrap();
     assert!(read.as_object_mut().unwrap().remove("outside").is_some(), "nothing was noted");
     read.to_string()
@@ -91,7 +91,7 @@ fn count(database: &Path, query: &str) -> i64 {
 }
 
 /// All kinds at once, over a day and a half.
-fn a_few_wishes() -> Vec<(i64, OrderedIntervention)> {
+fn all_interventions() -> Vec<(i64, OrderedIntervention)> {
     vec![
         (2, on("front door", true)),
         (3, on("front door", false)),
@@ -107,7 +107,7 @@ fn a_few_wishes() -> Vec<(i64, OrderedIntervention)> {
 #[test]
 fn what_is_done_from_outside_happens_and_replays_to_the_same_bytes() {
     let temporary = TempDir::new().unwrap();
-    let (lived, told) = live(temporary.path(), 1.5, &a_few_wishes(), None);
+    let (lived, told) = simulate(temporary.path(), 1.5, &all_interventions(), None);
     assert!(told.iter().all(Result::is_ok) && told.len() == 8, "{told:?}");
     let folder = folder(&lived);
     let (log, truth) = (folder.join("log.db"), folder.join("truth.db"));
@@ -115,53 +115,53 @@ fn what_is_done_from_outside_happens_and_replays_to_the_same_bytes() {
         texts(&truth, "SELECT what FROM outside ORDER BY at"),
         ["on", "off", "fall", "stuck", "battery", "fall", "bad_link", "on"]
     );
-    // The door and the stove were used by nobody who lives there.
+    // No resident used the door and the stove.
     let nobodys = "SELECT thing FROM act WHERE resident IS NULL ORDER BY at";
     assert_eq!(texts(&truth, nobodys), ["front door", "front door", "stove"]);
     let caused = "SELECT count(*) FROM cause WHERE why = 'act' AND resident IS NULL AND thing = 'stove'";
     assert!(count(&truth, caused) > 0, "its sensor says so, and that it was nobody's doing");
     assert!(count(&log, "SELECT count(*) FROM event") > 100);
-    // They fell, and lay there for so long.
+    // They fell, and stayed on the floor for the requested time.
     let fallen = "SELECT count(*) FROM activity WHERE name = 'fallen'";
     assert_eq!(count(&truth, fallen), 2);
     let lost = |loss: &str| count(&truth, &format!("SELECT count(*) FROM lost WHERE loss = '{loss}'"));
     assert!(lost("battery") > 0 && lost("stuck") > 0, "{} {}", lost("battery"), lost("stuck"));
 
-    let lived_again = again(&folder.join("recording.json"), &temporary.path().join("again"));
+    let lived_again = replay(&folder.join("recording.json"), &temporary.path().join("again"));
     assert_eq!(lived_again.agrees, Some(true));
     assert!(bytes(&folder) == bytes(&temporary.path().join("again")), "another log, or another truth");
 
-    // The control: without the note of what was done, the life is another.
+    // The control: without the interventions in its recording, the run differs.
     let forgotten = temporary.path().join("forgotten.json");
-    fs::write(&forgotten, without_what_was_done(&folder.join("recording.json"))).unwrap();
-    assert_eq!(again(&forgotten, &temporary.path().join("forgotten")).agrees, Some(false));
+    fs::write(&forgotten, without_interventions(&folder.join("recording.json"))).unwrap();
+    assert_eq!(replay(&forgotten, &temporary.path().join("forgotten")).agrees, Some(false));
 }
 
 #[test]
-fn a_run_that_was_stopped_is_gone_on_with_to_the_same_bytes() {
+fn a_stopped_run_with_interventions_resumes_to_the_same_bytes() {
     let temporary = TempDir::new().unwrap();
-    let (stopped, told) = live(&temporary.path().join("runs"), 1.5, &a_few_wishes(), Some(22));
+    let (stopped, told) = simulate(&temporary.path().join("runs"), 1.5, &all_interventions(), Some(22));
     assert!(stopped.is_stopped() && told.len() == 7, "{told:?}");
     let folder = folder(&stopped);
-    // The control: what is there is not the beginning of a life to which nothing was done.
+    // The control: the stored rows are not the beginning of a run without interventions.
     let recording = folder.join("recording.json");
     let noted = fs::read_to_string(&recording).unwrap();
-    fs::write(&recording, without_what_was_done(&recording)).unwrap();
+    fs::write(&recording, without_interventions(&recording)).unwrap();
     let refused = IncompleteRun::open(&folder).unwrap().resume(|_| ());
     assert!(matches!(refused, Err(SimulationError::Log(_))), "{:?}", refused.map(|_| ()));
     fs::write(&recording, noted).unwrap();
     let whole = IncompleteRun::open(&folder).unwrap().resume(|_| ()).unwrap();
     assert!(!whole.is_stopped());
-    let lived_again = again(&recording, &temporary.path().join("again"));
+    let lived_again = replay(&recording, &temporary.path().join("again"));
     assert_eq!(lived_again.agrees, Some(true));
     assert!(bytes(&folder) == bytes(&temporary.path().join("again")), "another log, or another truth");
 }
 
-/// A run that was stopped is gone on with, touched, and dies: what was noted is done again, and the stop before is known still.
+/// A stopped run is resumed, gets an intervention and is killed. Resuming it repeats the interventions.
 #[test]
-fn a_run_that_was_stopped_and_touched_and_died_is_gone_on_with() {
+fn a_run_that_was_stopped_changed_and_killed_resumes() {
     let temporary = TempDir::new().unwrap();
-    let (stopped, _) = live(&temporary.path().join("runs"), 1.5, &a_few_wishes(), Some(22));
+    let (stopped, _) = simulate(&temporary.path().join("runs"), 1.5, &all_interventions(), Some(22));
     let folder = folder(&stopped);
     let (ask, asked) = channel();
     let (tell, told) = channel();
@@ -184,32 +184,31 @@ fn a_run_that_was_stopped_and_touched_and_died_is_gone_on_with() {
     assert!(died.is_err() && all(&told).iter().all(Result::is_ok), "it has done it, and died");
     let whole = IncompleteRun::open(&folder).unwrap().resume(|_| ()).unwrap();
     assert!(!whole.is_stopped() && whole.recording.outside.len() == 8, "{:?}", whole.recording.outside);
-    let lived_again = again(&folder.join("recording.json"), &temporary.path().join("again"));
+    let lived_again = replay(&folder.join("recording.json"), &temporary.path().join("again"));
     assert_eq!(lived_again.agrees, Some(true));
     assert!(bytes(&folder) == bytes(&temporary.path().join("again")), "another log, or another truth");
 }
 
 #[test]
-fn a_fall_from_outside_happens_on_the_spot_and_ends() {
+fn a_fallen_resident_stays_on_the_floor_and_gets_up() {
     let temporary = TempDir::new().unwrap();
-    let wishes: Vec<(i64, OrderedIntervention)> =
-        (1..14 * 24).step_by(5).map(|hour| (hour, fall(hour % 50 + 1))).collect();
-    let (lived, told) = live(temporary.path(), 15.0, &wishes, None);
-    assert_eq!(told.len(), wishes.len());
+    let requests: Vec<(i64, OrderedIntervention)> = (1..14 * 24).step_by(5).map(|hour| (hour, fall(hour % 50 + 1))).collect();
+    let (lived, told) = simulate(temporary.path(), 15.0, &requests, None);
+    assert_eq!(told.len(), requests.len());
     let out = told.iter().filter(|told| told.is_err()).count();
     assert!(out < told.len() / 2, "{told:?}");
     assert!(told.iter().flat_map(|told| told.as_ref().err()).all(|refusal| refusal.code == "outside::not-at-home"));
     let truth = folder(&lived).join("truth.db");
     let fallen = count(&truth, "SELECT count(*) FROM activity WHERE name = 'fallen'");
     assert_eq!(fallen as usize, told.len() - out, "each fall is told");
-    // Each lies until the time is over: they are down on the floor.
+    // Each stays on the floor until the time is over.
     let lying = "SELECT count(*) FROM outside o WHERE what = 'fall' AND NOT EXISTS (SELECT 1 FROM movement m
         WHERE m.posture = 'down' AND m.end_at > o.at AND m.begin_at <= o.until_at)";
     assert_eq!(count(&truth, lying), 0);
     let walks_on =
         "SELECT count(*) FROM movement WHERE kind = 'stride' AND begin_at > (SELECT max(until_at) FROM outside)";
     assert!(count(&truth, walks_on) > 100, "life goes on");
-    // A body is in the room that the truth says: no stride begins elsewhere than the one before ended.
+    // The truth has the room of the body: each stride begins at the end of the one before.
     let jumps = "SELECT count(*) FROM (SELECT from_x, from_y, lag(to_x) OVER w AS x, lag(to_y) OVER w AS y FROM movement
         WINDOW w AS (PARTITION BY resident ORDER BY begin_at)) WHERE abs(from_x - x) > 0.011 OR abs(from_y - y) > 0.011";
     assert_eq!(count(&truth, jumps), 0);
@@ -235,21 +234,21 @@ fn refuses_impossible_actions_and_changes_nothing() {
             "",
         ),
     ];
-    let wishes: Vec<(i64, OrderedIntervention)> = wrong.iter().map(|(wish, ..)| (2, wish.clone())).collect();
-    let (lived, told) = live(&temporary.path().join("a"), 0.5, &wishes, None);
+    let requests: Vec<(i64, OrderedIntervention)> = wrong.iter().map(|(wish, ..)| (2, wish.clone())).collect();
+    let (lived, told) = simulate(&temporary.path().join("a"), 0.5, &requests, None);
     for ((wish, code, hint), told) in wrong.iter().zip(&told) {
         let refusal = told.as_ref().expect_err("refused");
         assert_eq!(refusal.code, *code, "{wish:?}");
         assert!(refusal.hint.contains(hint), "{wish:?}: {refusal:?}");
     }
-    let (plain, _) = live(&temporary.path().join("b"), 0.5, &[], None);
+    let (plain, _) = simulate(&temporary.path().join("b"), 0.5, &[], None);
     assert_eq!(bytes(&folder(&lived)), bytes(&folder(&plain)));
 }
 
 #[test]
 fn refuses_a_recording_with_impossible_actions() {
     let temporary = TempDir::new().unwrap();
-    let (lived, _) = live(temporary.path(), 0.5, &[(2, on("front door", true))], None);
+    let (lived, _) = simulate(temporary.path(), 0.5, &[(2, on("front door", true))], None);
     let recording = folder(&lived).join("recording.json");
     let text = fs::read_to_string(&recording).unwrap();
     for (from, to, code) in [

@@ -9,11 +9,11 @@ use homebody_simulation::{
 };
 use std::fs;
 
-/// Between them they have a person of their own and several, guests, a cat, wandering, all kinds of sensors and links.
+/// Together they have homes of one person and of several, guests, a cat, wandering, all kinds of sensors and links.
 const TEMPLATES: [&str; 3] = ["couple-with-cat", "tigerplace-decline", "tigerplace-depression"];
 
-/// By people who differ from their routines as people do.
-fn lived(scenario: &OpenScenario, days: i64) -> Vec<Firing> {
+/// The firings of residents who differ from their routines as people do.
+fn varied_firings(scenario: &OpenScenario, days: i64) -> Vec<Firing> {
     firings(scenario.run().length(days * DAY).one_of_many())
 }
 
@@ -35,16 +35,16 @@ fn every_number_set_to_what_it_is_changes_nothing() {
     let all = || numbers().into_iter().map(|number| (number.name.into_owned(), number.value));
     for name in TEMPLATES {
         let scenario = template(name).unwrap();
-        let usual = lived(&scenario, 4);
+        let usual = varied_firings(&scenario, 4);
         assert!(usual.len() > 1_000, "{name}: {}", usual.len());
-        assert!(lived(&scenario.with_numbers(all()).unwrap(), 4) == usual, "{name}");
-        // The control: one of them is a little more.
+        assert!(varied_firings(&scenario.with_numbers(all()).unwrap(), 4) == usual, "{name}");
+        // The control: one of them is a little higher.
         let more = all().map(|(name, value)| if name == "gait.spread" { (name, value * 1.01) } else { (name, value) });
-        assert!(lived(&scenario.with_numbers(more).unwrap(), 4) != usual, "{name}");
+        assert!(varied_firings(&scenario.with_numbers(more).unwrap(), 4) != usual, "{name}");
     }
 }
 
-/// An apartment whose routine leaves nearly all unsaid.
+/// An apartment with a routine that mentions few habits.
 fn unsaid() -> OpenScenario {
     let scenario = template("tigerplace").unwrap();
     let routine = "Margaret is 82.\nSometimes she gets up at 8:00.\nSometimes she goes to bed at 22:00.\n\
@@ -54,7 +54,7 @@ fn unsaid() -> OpenScenario {
 }
 
 #[test]
-fn a_number_changes_what_is_made_by_it() {
+fn a_parameter_changes_its_own_model() {
     let (unsaid, couple) = (unsaid(), template("couple-with-cat").unwrap());
     let of_couple = [
         ("gait.half_turn", 4.0),
@@ -76,9 +76,9 @@ fn a_number_changes_what_is_made_by_it() {
         ("day.up", 9.0),
         ("constitution.toilet_by_day", 8.0),
     ];
-    let usual = lived(&couple, 3);
+    let usual = varied_firings(&couple, 3);
     for (name, value) in of_couple {
-        assert!(lived(&set(&couple, name, value), 3) != usual, "{name}");
+        assert!(varied_firings(&set(&couple, name, value), 3) != usual, "{name}");
     }
     let usual = firings(unsaid.run().days(3));
     for (name, value) in of_unsaid {
@@ -87,15 +87,15 @@ fn a_number_changes_what_is_made_by_it() {
 }
 
 #[test]
-fn no_value_in_its_range_stops_a_life() {
+fn no_value_in_range_stops_a_run() {
     let scenarios = TEMPLATES.map(|name| template(name).unwrap());
     let all: Vec<Number> = numbers();
-    // Some at a time, neighbours apart, so that they are lived in little time.
+    // Several at once, each apart from its neighbours, to save time.
     for (first, scenario) in (0..27).flat_map(|first| scenarios.iter().map(move |scenario| (first, scenario))) {
         for end in [|number: &Number| number.least, |number: &Number| number.most] {
             let some = all.iter().skip(first).step_by(27).map(|number| (number.name.to_string(), end(number)));
             let some: Vec<(String, f64)> = some.collect();
-            // In some homes nobody gets anywhere so, which is told before anybody lives there.
+            // In some homes no path is left, which loading reports.
             let Ok(scenario) = scenario.with_numbers(some.clone()) else {
                 assert!(some.iter().any(|(name, _)| name.starts_with("mesh.")), "{some:?}");
                 continue;
@@ -123,7 +123,7 @@ fn refuses_all_wrong_parameters_at_once() {
 }
 
 #[test]
-fn a_recording_holds_what_was_set_and_replays_to_the_same_bytes() {
+fn a_recording_has_its_parameters_and_replays_to_the_same_bytes() {
     let folder = tempfile::tempdir().unwrap();
     let into = |name: &str| Destinations::new_folder_in(folder.path().join(name));
     let lived = template("tigerplace").unwrap().run().days(2).number("gait.half_turn", 5.0).start().unwrap();
@@ -133,7 +133,7 @@ fn a_recording_holds_what_was_set_and_replays_to_the_same_bytes() {
     fs::write(&path, serde_json::to_string(&lived.recording).unwrap()).unwrap();
     let again = RecordedRun::open(&path).unwrap().start().store(&into("again"), |_| ()).unwrap();
     assert_eq!(again.agrees, Some(true));
-    // The control: without it, another life comes out.
+    // The control: without it, the run differs.
     let text = fs::read_to_string(&path).unwrap();
     let other = text.replace("\\\"gait.half_turn\\\": 5", "\\\"gait.half_turn\\\": 2");
     assert_ne!(other, text);
@@ -143,7 +143,7 @@ fn a_recording_holds_what_was_set_and_replays_to_the_same_bytes() {
 }
 
 #[test]
-fn a_stopped_run_with_a_set_number_is_gone_on_with() {
+fn a_stopped_run_with_a_parameter_resumes() {
     let folder = tempfile::tempdir().unwrap();
     let scenario = template("tigerplace").unwrap();
     let begun = |cancel: &Cancel| scenario.run().days(3).number("gait.half_turn", 5.0).cancel(cancel).start().unwrap();
@@ -161,7 +161,7 @@ fn a_stopped_run_with_a_set_number_is_gone_on_with() {
 }
 
 #[test]
-fn a_cohort_takes_numbers_too() {
+fn a_cohort_has_parameters_too() {
     let scenario = template("tigerplace").unwrap();
     let firings = |cohort: homebody_simulation::CohortSetup| {
         let lived = cohort.days(1).start().unwrap().run_each(|_, mut run| {

@@ -75,7 +75,7 @@ fn refuses_nonsense_before_the_run() {
 }
 
 #[test]
-fn a_stored_run_is_lived_again_and_a_changed_recording_is_found() {
+fn a_stored_run_replays_and_a_changed_recording_is_found() {
     let folder = tempfile::tempdir().unwrap();
     let to = Destinations::new_folder_in(folder.path().join("runs"));
     let mut progress = Vec::new();
@@ -108,7 +108,7 @@ fn a_stored_run_is_lived_again_and_a_changed_recording_is_found() {
 }
 
 #[test]
-fn a_run_stops_between_batches_and_what_it_stored_is_whole() {
+fn a_cancelled_run_stops_between_batches_with_complete_files() {
     let folder = tempfile::tempdir().unwrap();
     let cancel = Cancel::new();
     let run = tigerplace().run().days(30).cancel(&cancel).start().unwrap();
@@ -152,7 +152,7 @@ impl Sink for Kept {
 }
 
 #[test]
-fn a_destination_of_ones_own_is_gone_on_with() {
+fn a_custom_destination_resumes() {
     let folder = tempfile::tempdir().unwrap();
     let rows: Arc<Mutex<Vec<i64>>> = Arc::default();
     let how: Arc<Mutex<Option<WriteMode>>> = Arc::default();
@@ -176,7 +176,7 @@ fn a_destination_of_ones_own_is_gone_on_with() {
 }
 
 #[test]
-fn a_cohort_that_is_gone_on_with_counts_what_is_lived_now() {
+fn a_resumed_cohort_counts_only_the_new_part() {
     let folder = tempfile::tempdir().unwrap();
     let place = folder.path().join("cohort");
     let lived = tigerplace().cohort(3).days(1).start().unwrap().store_in(&place, |_| ()).unwrap();
@@ -188,7 +188,7 @@ fn a_cohort_that_is_gone_on_with_counts_what_is_lived_now() {
     let again = unfinished.resume(|now| assert!(now.done > 2 * DAY && now.done <= 3 * DAY)).unwrap();
     assert_eq!((again.done, again.found, again.list), (DAY, 2, lived.list));
 
-    // Of those who end early, too, it is said.
+    // The list names members that ended early, too.
     let cancel = Cancel::new();
     let stop = |now: homebody_simulation::RunProgress| {
         if now.done > Span::ZERO {
@@ -228,7 +228,7 @@ fn a_sink_that_fails_ends_the_run() {
     assert_eq!((taken, error.diagnostic().code), (3, "kit::sink"));
 }
 
-/// A driver that answers as it is told.
+/// A driver with a function for its answers.
 #[derive(Clone, Debug)]
 struct Odd(fn(RunTime) -> Next);
 
@@ -247,9 +247,9 @@ fn segment(begin: RunTime, end: RunTime, doing: MotionState) -> Next {
 }
 
 #[test]
-fn a_driver_that_decides_what_nobody_can_do_is_named() {
+fn names_a_driver_with_an_impossible_step() {
     assert!(
-        lived_by(move |_: &Home| Odd(|now| segment(now, now + SECOND, MotionState::Rest { at: Point::new(6.0, 4.0) })))
+        run_with(move |_: &Home| Odd(|now| segment(now, now + SECOND, MotionState::Rest { at: Point::new(6.0, 4.0) })))
             .is_ok()
     );
     type Answer = fn(RunTime) -> Next;
@@ -270,12 +270,12 @@ fn a_driver_that_decides_what_nobody_can_do_is_named() {
         (|_| Next::Activity(None), "answers in a row that take no time"),
     ];
     for (answer, told) in odd {
-        let error = lived_by(move |_: &Home| Odd(answer)).unwrap_err().to_string();
+        let error = run_with(move |_: &Home| Odd(answer)).unwrap_err().to_string();
         assert!(error.starts_with("the driver of \"margaret\"") && error.contains(told), "{error}");
     }
 }
 
-fn lived_by(driver: impl Fn(&Home) -> Odd + Send + Sync + 'static) -> Result<Span, SimulationError> {
+fn run_with(driver: impl Fn(&Home) -> Odd + Send + Sync + 'static) -> Result<Span, SimulationError> {
     let run = tigerplace().run().length(DAY / 4).driver("margaret", move |home, _| driver(home)).start()?;
     let sink = &mut |_: &Simulation, _: homebody_simulation::EventBatch| Ok::<(), BoxError>(());
     Ok(run.run_into(sink, |_| ())?.done)
@@ -309,7 +309,7 @@ fn events_before_the_error_of_a_driver_are_kept() {
 }
 
 #[test]
-fn the_recording_of_a_run_with_a_driver_of_ones_own_tells_its_place_and_lives_nothing_again() {
+fn a_recording_with_a_custom_driver_names_the_resident_and_does_not_replay() {
     let folder = tempfile::tempdir().unwrap();
     let still = |_: &_, _| Odd(|now| segment(now, RunTime::NEVER, MotionState::Rest { at: Point::new(6.0, 4.0) }));
     let run = tigerplace().run().days(0.25).driver("margaret", still).start().unwrap();
@@ -322,7 +322,7 @@ fn the_recording_of_a_run_with_a_driver_of_ones_own_tells_its_place_and_lives_no
 }
 
 #[test]
-fn members_in_memory_are_those_that_are_stored() {
+fn members_in_memory_equal_stored_ones() {
     let folder = tempfile::tempdir().unwrap();
     let cohort = tigerplace().cohort(5).seed(11).days(1).start().unwrap();
     let stored = cohort.store_in(folder.path().join("cohort"), |_| ()).unwrap();
@@ -342,7 +342,7 @@ fn members_in_memory_are_those_that_are_stored() {
 }
 
 #[test]
-fn members_of_a_list_live_as_it_says() {
+fn members_of_a_list_have_its_conditions() {
     let opened = template("tigerplace-depression").unwrap();
     let table = "name,seed,pace_mps,conditions\nslow,1,0.4,none\nas she is,1,,\n";
     let profiles = opened.profiles_from_table("people.csv", table, &[]).unwrap();
@@ -358,7 +358,7 @@ fn members_of_a_list_live_as_it_says() {
 }
 
 #[test]
-fn a_cohort_that_is_cancelled_lists_whom_it_lived() {
+fn a_cancelled_cohort_lists_its_simulated_members() {
     let folder = tempfile::tempdir().unwrap();
     let cancel = Cancel::new();
     let cohort = tigerplace().cohort(40).days(1).cancel(&cancel).start().unwrap();
@@ -368,7 +368,7 @@ fn a_cohort_that_is_cancelled_lists_whom_it_lived() {
 }
 
 #[test]
-fn a_resident_who_does_a_million_things_a_second_needs_time_and_not_memory() {
+fn a_million_acts_a_second_need_time_and_no_memory() {
     const QUIET: RunTime = RunTime::START.saturating_add(HOUR.times(6));
     let restless = |now: RunTime| match now < QUIET {
         true => segment(now, QUIET, MotionState::Rest { at: Point::new(6.0, 4.0) }),
@@ -390,12 +390,12 @@ fn a_resident_who_does_a_million_things_a_second_needs_time_and_not_memory() {
         largest = largest.max(size);
         hasty += usize::from(batch.begin >= QUIET);
     }
-    // The control: after a quiet night an hour is lived at once, and only the limit ends it.
+    // The control: after a quiet night, a step takes an hour, and only the limit ends it.
     assert!(largest >= 200_000, "{largest}");
 }
 
 #[test]
-fn nothing_is_touched_where_another_program_writes_one_table_of_the_truth() {
+fn changes_nothing_while_another_program_writes_a_table_of_the_truth() {
     let folder = tempfile::tempdir().unwrap();
     let at = |name: &str| folder.path().join(name);
     let to = Destinations {

@@ -18,7 +18,7 @@ struct Truth {
     things: Vec<String>,
 }
 
-fn lived(name: &str) -> Truth {
+fn truth_of(name: &str) -> Truth {
     let mut run = template(name).unwrap().run().start().unwrap();
     let plan = run.home().plan.clone();
     let mut facts = Vec::new();
@@ -30,7 +30,7 @@ fn lived(name: &str) -> Truth {
 }
 
 impl Truth {
-    /// When somebody is in a room, from and to.
+    /// The stays of a resident in a room.
     fn stays(&self, who: u32, room: &str) -> Vec<(RunTime, RunTime)> {
         let rooms: Vec<(RunTime, Option<&str>)> = self
             .facts
@@ -46,7 +46,7 @@ impl Truth {
         stays.map(|pair| (pair[0].0, pair[1].0)).collect()
     }
 
-    /// When somebody turned a thing on or off.
+    /// The times at which a resident turned a thing on or off.
     fn uses(&self, who: u32, thing: &str, on: bool) -> Vec<RunTime> {
         let uses = self.facts.iter().filter_map(|fact| match fact {
             Fact::Use { resident: Some(ResidentId(id)), at, act }
@@ -59,7 +59,7 @@ impl Truth {
         uses.collect()
     }
 
-    /// What somebody did, from when on.
+    /// The activities of a resident, with their starts.
     fn activities(&self, who: u32) -> Vec<(RunTime, &str)> {
         let named = self.facts.iter().filter_map(|fact| match fact {
             Fact::Activity { resident: ResidentId(id), at, name: Some(name) } if *id == who => {
@@ -81,8 +81,8 @@ impl Truth {
 }
 
 #[test]
-fn the_lamp_burns_while_she_is_in_the_dark_hall_and_only_then() {
-    let truth = lived("dark-hall");
+fn the_lamp_is_on_exactly_while_she_is_in_the_dark_hall() {
+    let truth = truth_of("dark-hall");
     let (on, off) = (truth.uses(0, "hall", true), truth.uses(0, "hall", false));
     let stays = truth.stays(0, "hall");
     assert!(stays.len() >= 4, "{} ways through the hall", stays.len());
@@ -97,7 +97,7 @@ fn the_lamp_burns_while_she_is_in_the_dark_hall_and_only_then() {
 
 #[test]
 fn the_door_is_answered_and_the_book_read_on() {
-    let truth = lived("door-bell");
+    let truth = truth_of("door-bell");
     let rings = truth.uses(1, "door bell", true);
     let opened = truth.uses(0, "front door", true);
     assert_eq!((rings.len(), opened.len()), (2, 2));
@@ -122,7 +122,7 @@ fn the_door_is_answered_and_the_book_read_on() {
 
 #[test]
 fn a_higher_layer_suppresses_the_lower_ones_and_releases_them() {
-    let truth = lived("robot");
+    let truth = truth_of("robot");
     let activities = truth.activities(0);
     let charged: Vec<RunTime> =
         activities.iter().filter(|(_, label)| *label == "charging").map(|(at, _)| *at).collect();
@@ -130,7 +130,7 @@ fn a_higher_layer_suppresses_the_lower_ones_and_releases_them() {
     // It begins at its dock.
     let mut full = RunTime::START + 5 * MINUTE;
     for &charging in &charged[1..] {
-        // Until the battery is low the lower layers move it; from then on none of what they want is done.
+        // The lower layers move it until the battery is low, and not afterwards.
         let low = full + 20 * MINUTE;
         let between = |from: RunTime, to: RunTime| -> Vec<&str> {
             activities.iter().filter(|(at, _)| (from..to).contains(at)).map(|(_, label)| *label).collect()
@@ -143,7 +143,7 @@ fn a_higher_layer_suppresses_the_lower_ones_and_releases_them() {
     }
     let last = activities.last().unwrap();
     assert!(last.0 > charged[0] && activities.iter().any(|(at, label)| *at > charged[0] && *label == "wandering"));
-    // Avoiding is never suppressed: whatever moves it, it runs into nothing.
+    // Avoiding is never suppressed, so it hits nothing.
     let home = template("robot").unwrap();
     let plan = home.scenario().home.plan().clone();
     for (_, _, doing, _) in truth.movements(0) {
@@ -171,7 +171,7 @@ fn problems(script: &str) -> String {
     }
 }
 
-/// Why a run of a script ends.
+/// The error that ends a run of a script.
 fn end(script: &str) -> String {
     let mut run = with(script).open().unwrap().run().start().unwrap();
     loop {
@@ -278,11 +278,11 @@ fn stops_a_script_that_runs_away_with_its_line() {
         let said = end(script);
         assert!(said.contains(what) && said.contains("the driver of \"clara\""), "{script}\n{said}");
     }
-    // The control: with an end, it is no runaway.
+    // The control: a loop with an end is allowed.
     assert_eq!(end("fn next(around) { let n = 0; while n < 5000 { n += 1; } rest(600) }"), "");
 }
 
-/// All that a run says, from here to its end.
+/// All events of a run from now to its end.
 fn rest(mut run: Run) -> Events {
     let mut events = Events::default();
     run.advance(RunTime::MAX, &mut events).unwrap();
@@ -290,7 +290,7 @@ fn rest(mut run: Run) -> Events {
 }
 
 #[test]
-fn the_same_seed_lives_the_same_and_a_copy_goes_on_as_the_original() {
+fn a_seed_decides_the_run_and_a_copy_continues_as_the_original() {
     for name in ["dark-hall", "door-bell", "robot"] {
         let open = template(name).unwrap();
         let run = |seed| Run::new(open.scenario(), open.household(), seed, 2 * HOUR);
@@ -308,7 +308,7 @@ fn the_same_seed_lives_the_same_and_a_copy_goes_on_as_the_original() {
 }
 
 #[test]
-fn a_run_with_a_script_is_recorded_replayed_and_gone_on_with() {
+fn a_run_with_a_script_is_recorded_replayed_and_resumed() {
     let folder = tempfile::tempdir().unwrap();
     let open = template("robot").unwrap();
     let path = folder.path().join("recording.json");

@@ -1,5 +1,4 @@
-//! Resuming a stopped run writes its ground truth again, because it had ended intervals at the stop: each file of text tables, compressed
-//! or not.
+//! The truth of a stopped run has spans that end at the stop. Resuming the run writes each file of its tables again, compressed or not.
 
 use homebody_core::event::Events;
 use homebody_core::recording::Recording;
@@ -20,8 +19,8 @@ fn places(folder: &Path, truth: &str) -> RunPlaces {
     RunPlaces::new(vec![url("csv", "log.csv")], Some(url("csv", truth)), recording, &[], false).unwrap()
 }
 
-/// Lives the run to a day, and completes its files.
-fn live(places: &RunPlaces, recording: &Recording, how: WriteMode, days: i64) -> Recording {
+/// Simulates the run to a day, and completes its files.
+fn simulate(places: &RunPlaces, recording: &Recording, how: WriteMode, days: i64) -> Recording {
     let (scenario, household) = Household::recorded(recording).unwrap();
     let mut run = recording.run(&scenario, &household);
     let mut log = RunLog::open(places, &scenario, &run, recording, how).unwrap();
@@ -38,18 +37,18 @@ fn files(folder: &Path) -> BTreeMap<String, Vec<u8>> {
 }
 
 #[test]
-fn the_texts_of_a_stopped_truth_are_written_anew() {
+fn resuming_writes_the_texts_of_a_stopped_truth_again() {
     let tigerplace = template("tigerplace").unwrap();
     for truth in ["truth.csv", "truth.csv.gz"] {
         let recording =
             Recording::new(tigerplace.scenario(), homebody_simulation::VERSION, "scenario.json", 3, 2 * DAY);
         let (stopped, whole) = (TempDir::new().unwrap(), TempDir::new().unwrap());
-        live(&places(whole.path(), truth), &recording, WriteMode::Create, 2);
+        simulate(&places(whole.path(), truth), &recording, WriteMode::Create, 2);
         let places = places(stopped.path(), truth);
-        let first = live(&places, &recording, WriteMode::Create, 1);
+        let first = simulate(&places, &recording, WriteMode::Create, 1);
         assert!(first.stopped_of_us.is_some());
         assert_ne!(files(stopped.path()), files(whole.path()));
-        live(&places, &first.restarted(), WriteMode::Resume, 2);
+        simulate(&places, &first.restarted(), WriteMode::Resume, 2);
         let (found, wanted) = (files(stopped.path()), files(whole.path()));
         assert_eq!(found.keys().collect::<Vec<_>>(), wanted.keys().collect::<Vec<_>>(), "{truth}");
         assert!(found == wanted, "{truth}: another truth");

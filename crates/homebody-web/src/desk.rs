@@ -1,10 +1,10 @@
 //! The desk: where the scenario's files are written in the page. What is asked about a draft never touches the disk; saving
 //! replaces only what the page has seen.
 
+mod draft_run;
 pub(crate) mod entries;
 mod installing;
 mod life;
-mod lived_draft;
 mod log;
 mod naming;
 mod plan;
@@ -17,10 +17,10 @@ use crate::wire::{
     CheckView, Draft, FileView, FilesView, FixView, LivesView, ProblemView, Save, SaveFile, SavedView, UnderlayView,
 };
 use homebody_core::problem::{Diagnose, Diagnostic, Fix, Problem, readable};
-use homebody_core::scenario::load::{Files, Overlay, Scenario};
+use homebody_core::scenario::load::{Files, Overlay};
 use homebody_core::scenario::remarks;
 use homebody_log::files::fresh::FreshFile;
-use homebody_routine::household::Household;
+use homebody_simulation::OpenScenario;
 use serde_json::Value;
 use sha2::{Digest, Sha256};
 use std::collections::{BTreeMap, BTreeSet};
@@ -38,14 +38,14 @@ pub struct Desk {
     pub shelf: Shelf,
     /// Held while files are compared and replaced, so that no two pages do so at once.
     writing: Turns,
-    /// Held while a draft is lived: one after the other, so that the run on the stage has a core. What is kept of the last.
-    living: Arc<Mutex<Option<lived_draft::LivedDraft>>>,
+    /// The run of the latest draft. Its lock lets one draft run at a time, so that the run on the stage has a core.
+    draft_run: Arc<Mutex<Option<draft_run::DraftRun>>>,
     suggesting: Arc<suggesting::Suggesting>,
 }
 
 impl Desk {
     pub fn new(shelf: Shelf) -> Desk {
-        Desk { shelf, writing: Turns::default(), living: Arc::default(), suggesting: Arc::default() }
+        Desk { shelf, writing: Turns::default(), draft_run: Arc::default(), suggesting: Arc::default() }
     }
 
     /// All files that can be written, and what the scenario takes them for.
@@ -136,17 +136,18 @@ impl Desk {
         Overlay { texts: draft.texts, others: &self.shelf }
     }
 
-    /// The scenario of a draft and who lives there, or all that is wrong with it.
-    pub fn lives(&self, files: &Overlay, without: &[String]) -> Result<(Scenario, Household), Vec<Problem>> {
-        Household::load(files, &self.shelf.entry, without).map_err(|problems| problems.0)
+    /// The scenario of a draft, or all its problems.
+    pub fn open(&self, files: &Overlay) -> Result<OpenScenario, Vec<Problem>> {
+        OpenScenario::from_files(files, &self.shelf.entry).map_err(|problems| problems.0)
     }
 
-    /// What is wrong with a draft, and what is hardly meant in it: as `homebody check` says it.
+    /// The problems and warnings of a draft, as `homebody check` reports them.
     pub fn check(&self, draft: Draft) -> CheckView {
-        match self.lives(&self.with(draft), &[]) {
-            Ok((scenario, _)) => {
+        match self.open(&self.with(draft)) {
+            Ok(opened) => {
+                let scenario = opened.scenario();
                 let length = scenario.calendar.span_of_days(scenario.file.days);
-                CheckView { problems: Vec::new(), warnings: problems(&remarks::scenario_remarks(&scenario, length)) }
+                CheckView { problems: Vec::new(), warnings: problems(&remarks::scenario_remarks(scenario, length)) }
             }
             Err(wrong) => CheckView { problems: problems(&wrong), warnings: Vec::new() },
         }

@@ -1,4 +1,4 @@
-//! A scenario in which somebody is moved by keys.
+//! A scenario with a resident who is moved by keys.
 
 use crate::messages::StageMessage;
 use homebody_core::drivers::input::{InputFile, KeysFile};
@@ -7,7 +7,7 @@ use homebody_core::plan::Plan;
 use homebody_core::scenario::edit::ScenarioEdit;
 use homebody_core::scenario::load::Scenario;
 
-/// Makes a resident one who is moved by keys; returns also the name of the file that holds them.
+/// Lets keys move a resident. Returns the name of the file of keys, too.
 pub fn drive(scenario: &Scenario, driven: usize, input: &[KeysFile]) -> Result<(ScenarioEdit, String), StageMessage> {
     let resident = scenario.residents.get(driven).ok_or(StageMessage::NoResident { number: driven })?;
     let name = format!("{}.keys.json", scenario.file.residents[driven].trim_end_matches(".json"));
@@ -16,7 +16,7 @@ pub fn drive(scenario: &Scenario, driven: usize, input: &[KeysFile]) -> Result<(
     Ok((scenario.edit().keys(driven, &name, &keys, [at.x, at.y]), name))
 }
 
-/// Where somebody stands who is about to be driven: a place with a name and room around it, else any free place.
+/// The first place of the resident: a named place with free floor around it, or else any free place.
 fn standing_place(plan: &Plan, radius_m: f64) -> Point {
     /// Room next to the body, so that it can leave the place (our choice).
     const ROOM_M: f64 = 0.1;

@@ -1,10 +1,7 @@
-//! How much of a life is lived for one answer, while somebody waits for it.
+//! The limits of a simulation for one answer.
 
-use homebody_core::drivers::error::DriverError;
-use homebody_core::event::Events;
-use homebody_core::run::Run;
 use homebody_core::time::{DAY, RunTime, Span};
-use homebody_simulation::{AdaptiveStep, Cancel};
+use homebody_simulation::{AdaptiveStep, Cancel, Simulation, StepError};
 use std::time::{Duration, Instant};
 
 /// Time of simulation without a check for other work (our choice).
@@ -16,44 +13,46 @@ const LONGEST_ANSWER: Duration = Duration::from_secs(5);
 const LONGEST_ANSWER_A_DAY: Duration = Duration::from_millis(100);
 
 /// Largest number of items in an answer (our choice).
-const MOST_TOLD: usize = 200_000;
+const MOST_ENTRIES: usize = 200_000;
 
-/// How much is lived for one answer.
+/// The effort for one answer.
 pub struct Effort<'c> {
-    step: AdaptiveStep,
     cancel: &'c Cancel,
-    begun: Instant,
-    /// How much has been lived.
-    lived: Span,
+    started: Instant,
+    simulated: Span,
+}
+
+/// Steps of at most this length, after which an answer is checked for its limits.
+pub fn draft_steps(longest: Span) -> AdaptiveStep {
+    AdaptiveStep::new(longest).within(AT_ONCE)
 }
 
 impl Effort<'_> {
-    /// No longer than somebody waits for it, and at most `longest` at once.
-    pub fn new(cancel: &Cancel, longest: Span) -> Effort<'_> {
-        let step = AdaptiveStep::new(longest).within(AT_ONCE);
-        Effort { step, cancel, begun: Instant::now(), lived: Span::ZERO }
+    /// The effort for a request, until it is cancelled.
+    pub fn new(cancel: &Cancel) -> Effort<'_> {
+        Effort { cancel, started: Instant::now(), simulated: Span::ZERO }
     }
 
-    /// Whether more is lived; or why not, in a sentence. `told` is how much the answer tells already.
-    pub fn goes_on(&self, told: usize) -> Result<(), String> {
-        let days = u32::try_from(self.lived / DAY).unwrap_or(u32::MAX);
+    /// The reason to simulate no further, as a sentence; `entries` is the size of the answer so far.
+    pub fn check(&self, entries: usize) -> Result<(), String> {
+        let days = u32::try_from(self.simulated / DAY).unwrap_or(u32::MAX);
         let longest = LONGEST_ANSWER + LONGEST_ANSWER_A_DAY.saturating_mul(days);
         if self.cancel.is_cancelled() {
             Err("The request was cancelled.".into())
-        } else if told > MOST_TOLD {
-            Err(format!("The answer is limited to {MOST_TOLD} entries."))
-        } else if self.begun.elapsed() > longest {
+        } else if entries > MOST_ENTRIES {
+            Err(format!("The answer is limited to {MOST_ENTRIES} entries."))
+        } else if self.started.elapsed() > longest {
             Err(format!("The simulation stopped here after {} seconds, because too much happens.", longest.as_secs()))
         } else {
             Ok(())
         }
     }
 
-    /// Lives a step, at most until `until`, and adds to `events` what happens in it.
-    pub fn live(&mut self, run: &mut Run, until: RunTime, events: &mut Events) -> Result<(), DriverError> {
+    /// Simulates a step, at most until an instant.
+    pub fn step(&mut self, run: &mut Simulation, until: RunTime) -> Result<(), StepError> {
         let begin = run.now();
-        let lived = self.step.advance(run, until, events);
-        self.lived += run.now() - begin;
-        lived
+        let stepped = run.step(until);
+        self.simulated += run.now() - begin;
+        stepped
     }
 }

@@ -1,16 +1,14 @@
-//! The thread on which the run is lived, at its pace, with everybody's wishes heard in between.
+//! The thread that simulates the run at its pace, and takes the requests of all pages in between.
 //!
-//! It never waits for a page. What pages look at is put on a board; a page that is slow finds the next picture there when it
-//! comes for it.
+//! It never waits for a page. The present state is on a board, and a slow page finds the latest state there.
 //!
-//! The thread outlives its runs: one that fails, or breaks in the middle, is told about, its files are completed as far as it
-//! came, and another can be begun.
+//! The thread outlives its runs. After an error or a panic it reports the failure and completes the files; another run can start.
 
 use crate::growth::Growth;
 use crate::messages::StageMessage;
 use crate::refusal::{note, sentence};
 use crate::shelf::Shelf;
-use crate::staged_run::{StagedRun, Start, Unbegun};
+use crate::staged_run::{StagedRun, StartError, StartRequest};
 use crate::wire::{FiringView, Frame, GrowthView, RunView, Say, State, Tell};
 use homebody_core::problem::{Diagnose, Diagnostic};
 use homebody_core::time::{RunTime, Span};
@@ -27,13 +25,13 @@ use tokio::sync::watch;
 pub use wishes::Voice;
 use wishes::{Heard, Next, Speakers, Wish, wishes};
 
-/// How often the run is advanced, and looked at.
+/// Interval between steps of the run, and between pictures.
 const FRAME: Duration = Duration::from_micros(16_667);
 
 /// Time for commands before the next picture.
 const LONGEST_TURN: Duration = Duration::from_millis(100);
 
-/// How often a paused run looks after its log.
+/// Interval between checks of the log of a paused run.
 const IDLE: Duration = Duration::from_millis(250);
 
 /// Number of the latest rows that a page may request (our choice).
@@ -42,7 +40,7 @@ const MOST_ROWS: usize = 2000;
 /// Number of the latest notes (our choice).
 const MOST_NOTES: usize = 20;
 
-/// The run that everybody looks at. A clone is another view of the same.
+/// The run that all pages show. A clone is another handle to it.
 #[derive(Clone)]
 pub struct Stage {
     speakers: Speakers,
@@ -50,39 +48,39 @@ pub struct Stage {
     changed: watch::Receiver<u64>,
 }
 
-/// What there is to be seen.
+/// The state that pages read.
 struct Board {
-    /// Which run it is, of all that there were.
+    /// The number of the run since the program started.
     run: u64,
-    /// Grows with each run and each change of what is told of it.
+    /// Grows with each run and each change of its view.
     number: u64,
-    /// Nothing as long as no run could be begun.
-    lived: Option<Lived>,
+    /// `None` until a run has started.
+    shown: Option<ShownRun>,
     rows: VecDeque<FiringView>,
-    /// What was told, numbered from 0.
+    /// The notes, numbered from 0.
     notes: VecDeque<(u64, Tell)>,
     next_note: u64,
-    /// Why the run has ended, if it failed: a page that comes later is told, too.
+    /// The failure of the run: pages that open later get it, too.
     failure: Option<Tell>,
-    /// Why no run could be begun when that was last tried, and how often none could.
+    /// The error of the last failed start, and the number of failed starts.
     unbegun: Option<Tell>,
     unbegun_count: u64,
 }
 
-/// What there is to be seen of a run.
-struct Lived {
+/// The state of a run that pages read.
+struct ShownRun {
     view: Arc<RunView>,
     growth: Arc<Mutex<Growth>>,
     frame: Frame,
 }
 
-impl Lived {
-    fn of(act: &mut StagedRun, state: State, speed: Speed) -> Lived {
-        Lived { view: Arc::new(act.view()), growth: act.growth(), frame: act.frame(state, times(speed)) }
+impl ShownRun {
+    fn new(run: &mut StagedRun, state: State, speed: Speed) -> ShownRun {
+        ShownRun { view: Arc::new(run.view()), growth: run.growth(), frame: run.frame(state, times(speed)) }
     }
 }
 
-/// What a page has seen already.
+/// The part that a page has already.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Seen {
     run: u64,
@@ -92,31 +90,31 @@ pub struct Seen {
     note: Option<u64>,
 }
 
-/// What a page has not seen yet.
+/// The part that a page does not have yet.
 pub struct News {
     pub tells: Vec<Tell>,
-    /// Nothing as long as there is no run.
+    /// `None` without a run.
     pub frame: Option<Frame>,
 }
 
 impl Stage {
-    /// Opens the scenario on the shelf, and keeps its run at its start until somebody says so. Of a scenario with problems there is
-    /// no run until they are mended and one is begun.
+    /// Opens the scenario on the shelf, with its run paused at its start. A scenario with problems has no run until a page starts one
+    /// without them.
     pub fn open(shelf: Shelf) -> Result<Stage, Diagnostic> {
-        let act = caught(|| StagedRun::new(&shelf, &shelf.entry, Start::default()));
-        Stage::of(shelf, act)
+        let run = without_panic(|| StagedRun::new(&shelf, &shelf.entry, StartRequest::default()));
+        Stage::with_run(shelf, run)
     }
 
     /// Keeps this run at its start.
-    fn of(shelf: Shelf, act: Result<StagedRun, Unbegun>) -> Result<Stage, Diagnostic> {
-        let (mut act, unbegun) = match act {
-            Ok(act) => (Some(act), None),
+    fn with_run(shelf: Shelf, run: Result<StagedRun, StartError>) -> Result<Stage, Diagnostic> {
+        let (mut run, unbegun) = match run {
+            Ok(run) => (Some(run), None),
             Err(why) => (None, Some(why.tell())),
         };
         let board = Board {
             run: 0,
             number: 0,
-            lived: act.as_mut().map(|act| Lived::of(act, State::Paused, Speed::Times(1.0))),
+            shown: run.as_mut().map(|run| ShownRun::new(run, State::Paused, Speed::Times(1.0))),
             rows: VecDeque::new(),
             notes: VecDeque::new(),
             next_note: 0,
@@ -128,18 +126,18 @@ impl Stage {
         let (speakers, heard) = wishes();
         let (change, changed) = watch::channel(0);
         let pace = Pace::paused(Speed::Times(1.0));
-        let director = Director { shelf, act, is_broken: false, pace, heard, board: board.clone(), change };
-        let thread = thread::Builder::new().name("stage".into()).spawn(move || director.direct());
+        let stage_thread = StageThread { shelf, run, is_broken: false, pace, heard, board: board.clone(), change };
+        let thread = thread::Builder::new().name("stage".into()).spawn(move || stage_thread.run());
         thread.map_err(|error| no_thread("to simulate a run", error).diagnostic())?;
         Ok(Stage { speakers, board, changed })
     }
 
-    /// A voice for one more page. The board shows the answer.
+    /// A voice for one more page. The answers are on the board.
     pub fn voice(&self) -> Voice {
         self.speakers.voice()
     }
 
-    /// Ends the run, and comes back when its files are complete.
+    /// Ends the run, and returns when its files are complete.
     pub fn close(&self) {
         let (done, is_done) = channel();
         self.speakers.close(done);
@@ -147,11 +145,11 @@ impl Stage {
         let _ = is_done.recv();
     }
 
-    /// What the log of the run has got so far.
+    /// The counts of the rows of the run so far.
     pub fn growth(&self) -> GrowthView {
-        let growth = locked(&self.board).lived.as_ref().map(|lived| lived.growth.clone());
+        let growth = locked(&self.board).shown.as_ref().map(|shown| shown.growth.clone());
         let Some(growth) = growth else { return GrowthView::default() };
-        // The run is not kept waiting while this is put into words.
+        // The run continues meanwhile.
         let growth = locked(&growth).clone();
         growth.view()
     }
@@ -159,27 +157,26 @@ impl Stage {
     /// The run that is being recorded now.
     pub fn recorded(&self) -> Option<String> {
         let board = locked(&self.board);
-        let lived = board.lived.as_ref().filter(|lived| lived.frame.state != State::Over && !lived.view.replay);
-        lived.and_then(|lived| lived.view.id.clone())
+        let shown = board.shown.as_ref().filter(|shown| shown.frame.state != State::Over && !shown.view.replay);
+        shown.and_then(|shown| shown.view.id.clone())
     }
 
-    /// Whether a run is going on now.
     pub fn is_playing(&self) -> bool {
-        locked(&self.board).lived.as_ref().is_some_and(|lived| lived.frame.state == State::Playing)
+        locked(&self.board).shown.as_ref().is_some_and(|shown| shown.frame.state == State::Playing)
     }
 
-    /// Changes whenever there is something new to be seen.
+    /// Changes with each change of the board.
     pub fn changed(&self) -> watch::Receiver<u64> {
         self.changed.clone()
     }
 
-    /// What is new since a page has looked last.
+    /// The changes since the last call for a page.
     pub fn news(&self, seen: &mut Seen, most_rows: usize) -> News {
         let board = locked(&self.board);
         let mut tells = Vec::new();
         if seen.number != Some(board.number) {
             seen.number = Some(board.number);
-            tells.extend(board.lived.as_ref().map(|lived| Tell::Run { run: Box::new((*lived.view).clone()) }));
+            tells.extend(board.shown.as_ref().map(|shown| Tell::Run { run: Box::new((*shown.view).clone()) }));
         }
         if seen.unbegun != board.unbegun_count {
             seen.unbegun = board.unbegun_count;
@@ -191,7 +188,7 @@ impl Stage {
         let first = seen.note.unwrap_or(board.next_note);
         tells.extend(board.notes.iter().filter(|(number, _)| *number >= first).map(|(_, tell)| tell.clone()));
         seen.note = Some(board.next_note);
-        let Some(mut frame) = board.lived.as_ref().map(|lived| lived.frame.clone()) else {
+        let Some(mut frame) = board.shown.as_ref().map(|shown| shown.frame.clone()) else {
             return News { tells, frame: None };
         };
         // Each run counts its rows from 0.
@@ -206,7 +203,7 @@ impl Stage {
     }
 }
 
-/// A speed as the page is told it: nothing where it is as fast as it goes.
+/// A speed as pages have it: `None` is as fast as possible.
 fn times(speed: Speed) -> Option<f64> {
     match speed {
         Speed::Times(times) => Some(times),
@@ -214,29 +211,30 @@ fn times(speed: Speed) -> Option<f64> {
     }
 }
 
-/// Nobody panics while it is held; if somebody did, what is there is whole all the same.
+/// A panic of a holder leaves a complete value.
 fn locked<T>(held: &Mutex<T>) -> MutexGuard<'_, T> {
     held.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
-/// What is made, or why not in words, also where making it panics.
-fn caught<T>(make: impl FnOnce() -> Result<T, Unbegun>) -> Result<T, Unbegun> {
-    let broken =
-        |broken: Box<dyn Any + Send>| Unbegun::Why(StageMessage::NotStarted { why: said(&*broken) }.diagnostic());
+/// The result, with a panic as an error.
+fn without_panic<T>(make: impl FnOnce() -> Result<T, StartError>) -> Result<T, StartError> {
+    let broken = |broken: Box<dyn Any + Send>| {
+        StartError::Other(StageMessage::NotStarted { why: panic_message(&*broken) }.diagnostic())
+    };
     catch_unwind(AssertUnwindSafe(make)).unwrap_or_else(|why| Err(broken(why)))
 }
 
 /// The message of a panic.
-fn said(broken: &(dyn Any + Send)) -> String {
+fn panic_message(broken: &(dyn Any + Send)) -> String {
     let text = broken.downcast_ref::<&str>().copied().or_else(|| broken.downcast_ref::<String>().map(String::as_str));
     text.unwrap_or("no details").trim_end_matches('.').to_owned()
 }
 
-/// Who decides when the run is advanced, and how far.
-struct Director {
+/// The state of the thread.
+struct StageThread {
     shelf: Shelf,
-    /// Nothing where the scenario had problems when the program began.
-    act: Option<StagedRun>,
+    /// `None` for a scenario with problems at the start of the program.
+    run: Option<StagedRun>,
     /// The run panicked: it is neither advanced nor looked at any more.
     is_broken: bool,
     pace: Pace,
@@ -245,8 +243,8 @@ struct Director {
     change: watch::Sender<u64>,
 }
 
-impl Director {
-    fn direct(mut self) {
+impl StageThread {
+    fn run(mut self) {
         loop {
             let wish = match self.heard.next(self.wait()) {
                 Next::Wish(wish) => Some(wish),
@@ -254,13 +252,13 @@ impl Director {
                 Next::Over => return,
             };
             if let Err(broken) = catch_unwind(AssertUnwindSafe(|| self.take_turn(wish))) {
-                self.give_up(&said(&*broken));
+                self.give_up(&panic_message(&*broken));
             }
         }
     }
 
     fn take_turn(&mut self, mut wish: Option<Wish>) {
-        // All other wishes are done before the next picture, unless that takes long.
+        // All waiting requests come before the next picture, unless they take long.
         let begun = Instant::now();
         while let Some(next) = wish.take() {
             self.fulfil(next);
@@ -270,20 +268,20 @@ impl Director {
                 wish = Some(next);
             }
         }
-        self.go_on();
-        if let Some(Err(why)) = self.act.as_mut().map(StagedRun::keep_input) {
+        self.advance();
+        if let Some(Err(why)) = self.run.as_mut().map(StagedRun::keep_input) {
             self.fail(&why);
         }
         self.show();
     }
 
     fn now(&self) -> RunTime {
-        self.act.as_ref().map_or(RunTime::START, StagedRun::now)
+        self.run.as_ref().map_or(RunTime::START, StagedRun::now)
     }
 
     /// Whether there is a run that has not come to its end.
     fn is_under_way(&self) -> bool {
-        self.act.as_ref().is_some_and(|act| !act.is_over())
+        self.run.as_ref().is_some_and(|run| !run.is_over())
     }
 
     fn wait(&self) -> Duration {
@@ -308,7 +306,7 @@ impl Director {
             Wish::Say(say) => self.obey(say),
             Wish::Close(done) => {
                 self.finish();
-                // Whoever asked may be gone.
+                // The sender may be gone.
                 let _ = done.send(());
             }
         }
@@ -316,36 +314,36 @@ impl Director {
 
     fn obey(&mut self, say: Say) {
         match say {
-            Say::Start { seed: Some(seed), .. } if seed >= 1 << 53 => {
+            Say::Start { variant, .. } if variant.seed.is_some_and(|seed| seed >= 1 << 53) => {
                 self.warn(&StageMessage::Seed.diagnostic());
             }
-            Say::Start { driven, without, seed } => {
+            Say::Start { driven, variant } => {
                 let is_driven = driven.is_some();
-                let start = Start { driven, without, seed, input: Vec::new() };
-                let act = caught(|| StagedRun::new(&self.shelf, &self.shelf.entry, start));
-                if self.change_act(act) && is_driven {
+                let request = StartRequest { driven, variant, input: Vec::new() };
+                let run = without_panic(|| StagedRun::new(&self.shelf, &self.shelf.entry, request));
+                if self.change_run(run) && is_driven {
                     // At any other speed a key that is held for a moment is a walk through the home.
                     self.pace.set_speed(RunTime::START, Speed::Times(1.0));
                 }
             }
             Say::Replay { run } => {
                 let recording = self.shelf.recording(&run);
-                let act = caught(|| StagedRun::again(recording?));
-                if self.change_act(act) {
+                let run = without_panic(|| StagedRun::replay(recording?));
+                if self.change_run(run) {
                     self.pace.resume(RunTime::START);
                 }
             }
-            say => self.obey_in_run(say),
+            say => self.control(say),
         }
     }
 
-    /// What is said to the run that there is.
-    fn obey_in_run(&mut self, say: Say) {
+    /// Applies a request to the present run.
+    fn control(&mut self, say: Say) {
         let now = self.now();
         self.pace.count_from(now);
-        let Some(act) = &mut self.act else { return };
+        let Some(run) = &mut self.run else { return };
         match say {
-            // Where a jump pauses, it does so all the same.
+            // A jump that pauses at its end still pauses.
             Say::Play if self.pace.is_jumping(now) => {}
             Say::Play => self.pace.resume(now),
             Say::Pause => self.pace.pause(now),
@@ -359,29 +357,29 @@ impl Director {
                 None => self.warn(&StageMessage::Speed.diagnostic()),
             },
             Say::Jump { to_us } => {
-                let to = RunTime::from_micros(to_us).clamp(RunTime::START, act.end());
+                let to = RunTime::from_micros(to_us).clamp(RunTime::START, run.end());
                 self.jump(to);
             }
-            Say::Hold { keys } => act.hold(&keys),
-            Say::Be { posture } => act.be(posture),
-            Say::Use { thing, on } => act.use_thing(thing, on),
+            Say::Hold { keys } => run.hold(&keys),
+            Say::Be { posture } => run.set_posture(posture),
+            Say::Use { thing, on } => run.use_thing(thing, on),
             Say::Stop => self.finish(),
             Say::Hello { .. } | Say::Start { .. } | Say::Replay { .. } => {}
         }
     }
 
-    /// Forward as fast as it goes; back by living it again from a moment that was kept, or from the start with the same input.
+    /// Jumps forward as fast as possible, and back to a snapshot or to the start, from where it simulates again with the same input.
     fn jump(&mut self, to: RunTime) {
         let was_paused = self.is_paused();
-        let Some(act) = &mut self.act else { return };
-        if to < act.now() {
-            if act.go_back(to) {
+        let Some(run) = &mut self.run else { return };
+        if to < run.now() {
+            if run.rewind(to) {
                 self.pace = Pace::paused(self.pace.speed());
-                self.begin_anew();
+                self.show_from_start();
             } else {
-                let ends = act.goes_on_in();
-                let act = caught(|| act.anew(to));
-                if !self.change_act(act) {
+                let ends = run.recording_folder();
+                let run = without_panic(|| run.restarted(to));
+                if !self.change_run(run) {
                     return;
                 }
                 if let Some(name) = ends {
@@ -395,28 +393,28 @@ impl Director {
         self.pace.jump(self.now(), to, was_paused);
     }
 
-    /// Another run takes the stage, if there is one; the files of this one are completed before.
-    fn change_act(&mut self, act: Result<StagedRun, Unbegun>) -> bool {
-        match act {
-            Ok(act) => {
+    /// Replaces the run, unless the new one has an error. The files of the present run are completed before.
+    fn change_run(&mut self, run: Result<StagedRun, StartError>) -> bool {
+        match run {
+            Ok(run) => {
                 self.finish();
-                self.act = Some(act);
+                self.run = Some(run);
                 self.pace = Pace::paused(self.pace.speed());
-                self.begin_anew();
+                self.show_from_start();
                 true
             }
             Err(why) => {
-                self.unbegun(why);
+                self.refuse(why);
                 false
             }
         }
     }
 
-    /// No run is begun; what there was goes on.
-    fn unbegun(&mut self, why: Unbegun) {
+    /// Reports an error of a new run; the present run continues.
+    fn refuse(&mut self, why: StartError) {
         match why {
-            Unbegun::Why(why) => self.warn(&why),
-            Unbegun::Problems(_) => {
+            StartError::Other(why) => self.warn(&why),
+            StartError::Problems(_) => {
                 let mut board = locked(&self.board);
                 board.unbegun = Some(why.tell());
                 board.unbegun_count += 1;
@@ -427,7 +425,7 @@ impl Director {
     }
 
     fn finish(&mut self) {
-        match self.act.as_mut().map(StagedRun::finish) {
+        match self.run.as_mut().map(StagedRun::finish) {
             Some(Ok(Some(text))) => self.note(text),
             Some(Ok(None)) | None => {}
             Some(Err(why)) => self.warn(&why),
@@ -435,18 +433,18 @@ impl Director {
         self.pace.pause(self.now());
     }
 
-    /// The run cannot go on; what it has stored is completed.
+    /// Ends a run that failed, and completes its files.
     fn fail(&mut self, why: &Diagnostic) {
         locked(&self.board).failure = Some(note(why));
         self.warn(why);
         self.finish();
     }
 
-    /// The run broke in the middle. What it has stored is completed, and everybody is told.
+    /// Ends a run that panicked: completes its files and tells all pages.
     fn give_up(&mut self, why: &str) {
-        // What is asked of it now may break as well.
-        let kept = catch_unwind(AssertUnwindSafe(|| self.act.as_mut().map_or(Ok(None), StagedRun::give_up)));
-        let files = match kept.map_err(|broken| said(&*broken)) {
+        // Completing its files may panic, too.
+        let kept = catch_unwind(AssertUnwindSafe(|| self.run.as_mut().map_or(Ok(None), StagedRun::give_up)));
+        let files = match kept.map_err(|broken| panic_message(&*broken)) {
             Ok(Ok(Some(stored))) => format!("Its data up to here is saved: {stored}"),
             Ok(Ok(None)) => String::from("It had no files to complete."),
             Ok(Err(why)) => format!("Its stored data is kept, but incomplete: {}", sentence(&why)),
@@ -457,24 +455,24 @@ impl Director {
         self.pace.pause(self.now());
         let mut board = locked(&self.board);
         board.failure = Some(note(&message));
-        if let Some(lived) = &mut board.lived {
-            lived.frame.state = State::Over;
+        if let Some(shown) = &mut board.shown {
+            shown.frame.state = State::Over;
         }
         drop(board);
         self.warn(&message);
         self.change.send_modify(|change| *change += 1);
     }
 
-    /// Lives what is due by now.
-    fn go_on(&mut self) {
+    /// Simulates the part that is due by now.
+    fn advance(&mut self) {
         if self.is_paused() || !self.is_under_way() {
             return;
         }
-        let Some(end) = self.act.as_ref().map(StagedRun::end) else { return };
+        let Some(end) = self.run.as_ref().map(StagedRun::end) else { return };
         let begun = Instant::now();
         let due = self.pace.due().min(end);
         while self.now() < due && !self.is_paused() {
-            match self.act.as_mut().map(|act| act.advance(due, &self.shelf)) {
+            match self.run.as_mut().map(|run| run.advance(due, &self.shelf)) {
                 Some(Ok(true)) => self.tell_run_again(),
                 Some(Ok(false)) | None => {}
                 Some(Err(why)) => self.fail(&why),
@@ -489,52 +487,52 @@ impl Director {
         }
     }
 
-    /// Puts on the board what there is to be seen.
+    /// Puts the present state on the board.
     fn show(&mut self) {
         let (state, speed) = (self.state(), times(self.pace.speed()));
-        let Some(act) = self.act.as_mut().filter(|_| !self.is_broken) else { return };
-        let frame = act.frame(state, speed);
+        let Some(run) = self.run.as_mut().filter(|_| !self.is_broken) else { return };
+        let frame = run.frame(state, speed);
         let mut board = locked(&self.board);
-        if let Some(lived) = &mut board.lived {
-            lived.frame = frame;
+        if let Some(shown) = &mut board.shown {
+            shown.frame = frame;
         }
-        board.rows.extend(act.take_rows());
+        board.rows.extend(run.take_rows());
         let superfluous = board.rows.len().saturating_sub(MOST_ROWS);
         board.rows.drain(..superfluous);
         drop(board);
         self.change.send_modify(|change| *change += 1);
     }
 
-    /// Nobody sees a frame of the run before under the name of this one.
-    fn begin_anew(&mut self) {
+    /// Puts a new run on the board, without a frame of the run before.
+    fn show_from_start(&mut self) {
         self.is_broken = false;
         let (state, speed) = (self.state(), self.pace.speed());
-        let lived = self.act.as_mut().map(|act| Lived::of(act, state, speed));
+        let shown = self.run.as_mut().map(|run| ShownRun::new(run, state, speed));
         let mut board = locked(&self.board);
         board.run += 1;
         board.number += 1;
         board.rows.clear();
         (board.failure, board.unbegun) = (None, None);
-        board.lived = lived;
+        board.shown = shown;
         drop(board);
         self.change.send_modify(|change| *change += 1);
     }
 
     fn tell_run_again(&mut self) {
-        let told = self.act.as_ref().map(|act| (Arc::new(act.view()), act.growth()));
+        let told = self.run.as_ref().map(|run| (Arc::new(run.view()), run.growth()));
         let mut board = locked(&self.board);
-        if let (Some(lived), Some((view, growth))) = (&mut board.lived, told) {
-            (lived.view, lived.growth) = (view, growth);
+        if let (Some(shown), Some((view, growth))) = (&mut board.shown, told) {
+            (shown.view, shown.growth) = (view, growth);
             board.number += 1;
         }
     }
 
-    /// Tells all pages what was done.
+    /// Sends a note to all pages.
     fn note(&mut self, text: String) {
         self.tell(Tell::Note { text, bad: false, code: None });
     }
 
-    /// Tells all pages what could not be done.
+    /// Sends an error to all pages.
     fn warn(&mut self, message: &Diagnostic) {
         self.tell(note(message));
     }

@@ -1,4 +1,4 @@
-//! One run on the stage: the scenario that it is of, who is driven in it, and the files that it leaves.
+//! The run on the stage: its scenario, the resident who is moved by keys, and its files.
 
 use crate::driven::drive;
 use crate::effort::AT_ONCE;
@@ -15,70 +15,80 @@ use homebody_core::ids::ResidentId;
 use homebody_core::posture;
 use homebody_core::problem::{Diagnose, Diagnostic, Problem, Problems};
 use homebody_core::recording::Recording;
-use homebody_core::run::Run;
 use homebody_core::scenario::load::{Files, Scenario};
 use homebody_core::sensors::Sensor;
 use homebody_core::snapshots::Snapshots;
 use homebody_core::time::{DAY, HOUR, MINUTE, RunTime, Span};
 use homebody_log::{LogError, LogRows, RowText, RunPlaces, Stored, WriteMode};
 use homebody_routine::household::Household;
-use homebody_simulation::{AdaptiveStep, Simulation, StepError, VERSION};
+use homebody_simulation::{
+    AdaptiveStep, OpenScenario, PlannedRun, RunOptions, Simulation, SimulationError, StepError, VariantOptions,
+};
 use std::collections::BTreeMap;
 use std::path::Path;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
-/// What a run is begun with.
+/// The request for a run.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct Start {
+pub struct StartRequest {
     /// The resident who is moved by keys.
     pub driven: Option<u32>,
-    pub without: Vec<String>,
-    pub seed: Option<u64>,
-    /// What was done at the keys already, to be done again.
+    pub variant: VariantOptions,
+    /// The input of the keys so far, which is repeated.
     pub input: Vec<KeysFile>,
 }
 
-/// Why a run cannot be begun.
+/// The reason why a run cannot start.
 #[derive(Clone, Debug)]
-pub enum Unbegun {
-    /// What is wrong with the scenario.
+pub enum StartError {
+    /// The problems of the scenario.
     Problems(Vec<Problem>),
     /// Another reason.
-    Why(Diagnostic),
+    Other(Diagnostic),
 }
 
-impl From<Problems> for Unbegun {
-    fn from(problems: Problems) -> Unbegun {
-        Unbegun::Problems(problems.0)
+impl From<Problems> for StartError {
+    fn from(problems: Problems) -> StartError {
+        StartError::Problems(problems.0)
     }
 }
 
-impl From<Diagnostic> for Unbegun {
-    fn from(why: Diagnostic) -> Unbegun {
-        Unbegun::Why(why)
+impl From<Diagnostic> for StartError {
+    fn from(why: Diagnostic) -> StartError {
+        StartError::Other(why)
     }
 }
 
-impl From<StageMessage> for Unbegun {
-    fn from(why: StageMessage) -> Unbegun {
-        Unbegun::Why(why.diagnostic())
+impl From<StageMessage> for StartError {
+    fn from(why: StageMessage) -> StartError {
+        StartError::Other(why.diagnostic())
     }
 }
 
-impl From<LogError> for Unbegun {
-    fn from(why: LogError) -> Unbegun {
-        Unbegun::Why(why.diagnostic())
+impl From<SimulationError> for StartError {
+    fn from(error: SimulationError) -> StartError {
+        match error {
+            SimulationError::Problems(problems) => problems.into(),
+            error => StartError::Other(error.diagnostic()),
+        }
     }
 }
 
-impl Unbegun {
+impl From<LogError> for StartError {
+    fn from(why: LogError) -> StartError {
+        StartError::Other(why.diagnostic())
+    }
+}
+
+impl StartError {
+    /// The message to the pages.
     pub fn tell(&self) -> Tell {
         match self {
-            Unbegun::Why(why) => {
+            StartError::Other(why) => {
                 let code = (!why.code.is_empty()).then(|| why.code.to_owned());
                 Tell::Unbegun { why: sentence(why), problems: Vec::new(), code }
             }
-            Unbegun::Problems(problems) => {
+            StartError::Problems(problems) => {
                 let why = match problems.len() {
                     1 => "Cannot start a run: the scenario has a problem.".to_owned(),
                     count => format!("Cannot start a run: the scenario has {count} problems."),
@@ -91,7 +101,7 @@ impl Unbegun {
 
 /// The run on the stage, with the state that pages see of it.
 pub struct StagedRun {
-    start: Start,
+    request: StartRequest,
     /// The conditions of its residents.
     conditions: Vec<String>,
     simulation: Simulation,
@@ -100,14 +110,14 @@ pub struct StagedRun {
     /// The keys that are held.
     held: KeysFile,
     growth: Arc<Mutex<Growth>>,
-    /// The rows of the log that no page has got yet.
+    /// The rows that no page has yet.
     fresh: Vec<FiringView>,
     looks: Looks,
     shown: Shown,
     /// Its files are complete.
     is_over: bool,
     /// The state at the snapshots of the simulation.
-    moments: Snapshots<(Shown, Growth)>,
+    snapshots: Snapshots<(Shown, Growth)>,
 }
 
 /// The state that pages see besides the simulation.
@@ -120,7 +130,7 @@ struct Shown {
 }
 
 /// Initial distance between snapshots (our choice): a simulation between them takes some milliseconds.
-const MOMENTS: Span = DAY.times(4);
+const SNAPSHOTS: Span = DAY.times(4);
 
 /// Longest step (our choice).
 const LONGEST_STEP: Span = MINUTE;
@@ -130,50 +140,47 @@ const SHOWN_BEFORE: Span = HOUR.times(6);
 
 impl StagedRun {
     /// A run of the scenario of these files, from its start. It writes files from the first step on.
-    pub fn new(files: &dyn Files, entry: &str, start: Start) -> Result<StagedRun, Unbegun> {
-        let load = |files: &dyn Files| Household::load(files, entry, &start.without);
+    pub fn new(files: &dyn Files, entry: &str, request: StartRequest) -> Result<StagedRun, StartError> {
         let mut keys = None;
-        let (scenario, household) = match start.driven {
-            None => load(files)?,
+        let opened = match request.driven {
+            None => OpenScenario::from_files(files, entry)?,
             Some(driven) => {
                 // A resident who is moved by keys has no routine, so it need not be valid.
                 let first = Scenario::load(files, entry)?;
-                let (edit, name) = drive(&first, driven as usize, &start.input)?;
+                let (edit, name) = drive(&first, driven as usize, &request.input)?;
                 keys = Some(name);
-                load(&edit.over(files))?
+                OpenScenario::from_files(&edit.over(files), entry)?
             }
         };
-        let seed = start.seed.unwrap_or(scenario.file.seed);
-        let length = scenario.calendar.span_of_days(scenario.file.days);
-        let recording = Recording::new(&scenario, VERSION, entry, seed, length);
-        let recording = Recording { without: start.without.clone(), ..recording }.begun();
-        let run = Run::new(&scenario, &household, seed, recording.length_us);
-        let simulation = Simulation::from_parts(Arc::new(scenario), run, recording, Vec::new());
-        let simulation = match (start.driven, &keys) {
+        let plan = RunOptions::from(request.variant.clone()).setup(&opened)?.plan()?;
+        let household = plan.household.clone();
+        let simulation = PlannedRun { recording: plan.recording.begun(), ..plan }.simulation();
+        let simulation = match (request.driven, &keys) {
             (Some(driven), Some(keys)) => {
-                simulation.moved_by_keys(ResidentId(driven), keys.clone(), start.input.clone())
+                simulation.moved_by_keys(ResidentId(driven), keys.clone(), request.input.clone())
             }
-            _ => simulation.with_snapshots(MOMENTS),
+            _ => simulation.with_snapshots(SNAPSHOTS),
         };
-        Ok(StagedRun::stage(simulation, &household, keys, start)?)
+        Ok(StagedRun::from_simulation(simulation, &household, keys, request)?)
     }
 
-    /// A recording, to replay.
-    pub fn again(recording: Recording) -> Result<StagedRun, Unbegun> {
+    /// The replay of a recording.
+    pub fn replay(recording: Recording) -> Result<StagedRun, StartError> {
         if !recording.can_replay() {
             return Err(StageMessage::OwnDrivers { residents: recording.own_drivers }.into());
         }
         let (scenario, household) = Household::recorded(&recording)?;
-        let start = Start { without: recording.without.clone(), ..Start::default() };
+        let variant = VariantOptions { without: recording.without.clone(), ..VariantOptions::default() };
+        let request = StartRequest { variant, ..StartRequest::default() };
         let simulation = Simulation::replay(recording, Arc::new(scenario), &household, Vec::new());
-        Ok(StagedRun::stage(simulation.with_snapshots(MOMENTS), &household, None, start)?)
+        Ok(StagedRun::from_simulation(simulation.with_snapshots(SNAPSHOTS), &household, None, request)?)
     }
 
-    fn stage(
+    fn from_simulation(
         simulation: Simulation,
         household: &Household,
         keys: Option<String>,
-        start: Start,
+        request: StartRequest,
     ) -> Result<StagedRun, LogError> {
         let scenario = simulation.scenario();
         let sensors: Vec<String> = simulation.sensors().map(str::to_owned).collect();
@@ -184,15 +191,15 @@ impl StagedRun {
         Ok(StagedRun {
             growth: Arc::new(Mutex::new(growth)),
             looks: Looks::of(&scenario.home),
-            held: start.input.last().cloned().unwrap_or_else(nothing_held),
-            conditions: household.conditions().keys().chain(&start.without).cloned().collect(),
-            start,
+            held: request.input.last().cloned().unwrap_or_else(nothing_held),
+            conditions: household.conditions().keys().chain(&request.variant.without).cloned().collect(),
+            request,
             simulation: simulation.stepping(AdaptiveStep::new(LONGEST_STEP).within(AT_ONCE)),
             keys,
             fresh: Vec::new(),
             shown: Shown { rows, counts, activities },
             is_over: false,
-            moments: Snapshots::new(MOMENTS),
+            snapshots: Snapshots::new(SNAPSHOTS),
         })
     }
 
@@ -208,12 +215,12 @@ impl StagedRun {
         self.is_over
     }
 
-    /// Where its files go, once it has some.
+    /// The folder of its files, once it has some.
     fn folder(&self) -> Option<&Path> {
         self.simulation.places()?.recording.as_ref()?.parent()
     }
 
-    /// The run as it is told to the pages.
+    /// The run as pages show it.
     pub fn view(&self) -> RunView {
         let (simulation, scenario) = (&self.simulation, self.simulation.scenario());
         let (home, length) = (simulation.home(), simulation.progress().length);
@@ -224,9 +231,9 @@ impl StagedRun {
             scenario: scenario.file.name.clone(),
             home: draw::home(&scenario.home, &home.plan, simulation.placed_sensors()),
             residents: names.enumerate().map(|(index, name)| ResidentView { name, radius_m: radius(index) }).collect(),
-            driven: self.start.driven,
+            driven: self.request.driven,
             conditions: self.conditions.clone(),
-            without: self.start.without.clone(),
+            without: self.request.variant.without.clone(),
             days: dates::all(&scenario.calendar, length),
             nights: dates::nights(|at| home.sun.elevation_sine(at), length),
             length_us: length.micros(),
@@ -237,19 +244,19 @@ impl StagedRun {
         }
     }
 
-    /// The versions of the files that it goes by, as the desk has them.
+    /// The versions of its files, as the desk has them.
     fn versions(&self) -> BTreeMap<String, String> {
-        let made = |name: &String| Some(name) == self.keys.as_ref();
+        let is_keys = |name: &String| Some(name) == self.keys.as_ref();
         let (is_replay, residents) = (self.simulation.is_replay(), &self.simulation.scenario().file.residents);
-        let files = self.simulation.recording().files.iter().filter(|(name, _)| !is_replay && !made(name));
+        let files = self.simulation.recording().files.iter().filter(|(name, _)| !is_replay && !is_keys(name));
         // The file of a resident who is moved by hand is not in use, so its version does not count.
         let files =
-            files.filter(|(name, _)| self.start.driven.is_none_or(|who| residents.get(who as usize) != Some(name)));
+            files.filter(|(name, _)| self.request.driven.is_none_or(|who| residents.get(who as usize) != Some(name)));
         files.map(|(name, text)| (name.clone(), desk::version(text))).collect()
     }
 
     /// The name of the folder into which it is recorded, until its files are complete.
-    pub fn goes_on_in(&self) -> Option<String> {
+    pub fn recording_folder(&self) -> Option<String> {
         let folder = self.folder().filter(|_| self.simulation.is_recording())?;
         Some(folder.file_name()?.to_string_lossy().into_owned())
     }
@@ -265,8 +272,8 @@ impl StagedRun {
             let places = RunPlaces::run(&shelf.runs, self.simulation.scenario())?;
             self.simulation.open_output(places, WriteMode::Create)?;
         }
-        if self.start.driven.is_none() {
-            self.moments.keep(self.simulation.now(), || (self.shown.clone(), locked(&self.growth).clone()));
+        if self.request.driven.is_none() {
+            self.snapshots.keep(self.simulation.now(), || (self.shown.clone(), locked(&self.growth).clone()));
         }
         let step = self.simulation.step(until);
         if let Err(StepError::Log(error)) = step {
@@ -294,9 +301,9 @@ impl StagedRun {
 
     /// Goes back to a snapshot before an instant, from where it continues as before. False if a new run is needed: with a resident who is
     /// moved by hand everything may change from there on, and a stopped run has no open files.
-    pub fn go_back(&mut self, to: RunTime) -> bool {
+    pub fn rewind(&mut self, to: RunTime) -> bool {
         let Some(now) = self.simulation.rewind((to - SHOWN_BEFORE).max(RunTime::START)) else { return false };
-        let Some((shown, growth)) = self.moments.nearest_before(now).cloned() else { return false };
+        let Some((shown, growth)) = self.snapshots.nearest_before(now).cloned() else { return false };
         (self.shown, self.growth) = (shown, Arc::new(Mutex::new(growth)));
         self.fresh.clear();
         self.is_over = false;
@@ -308,14 +315,14 @@ impl StagedRun {
         Ok(self.simulation.keep_input()?)
     }
 
-    /// From now on these keys are held.
+    /// Holds these keys from now on.
     pub fn hold(&mut self, keys: &[Key]) {
         self.held.held = keys.iter().map(|&key| key_of(key)).collect();
         self.input(Vec::new());
     }
 
-    /// Who is driven is so from now on.
-    pub fn be(&mut self, posture: Posture) {
+    /// Sets the posture of the resident who is moved by keys.
+    pub fn set_posture(&mut self, posture: Posture) {
         self.held.posture = match posture {
             Posture::Standing => posture::Posture::Standing,
             Posture::Sitting => posture::Posture::Sitting,
@@ -324,7 +331,7 @@ impl StagedRun {
         self.input(Vec::new());
     }
 
-    /// Who is driven uses a thing.
+    /// Lets the resident who is moved by keys use a thing.
     pub fn use_thing(&mut self, thing: u32, on: bool) {
         if let Some(known) = self.simulation.home().plan.things.get(thing as usize) {
             let thing = known.name.clone();
@@ -340,19 +347,19 @@ impl StagedRun {
         }
     }
 
-    /// The same run from its start, whatever its files have become since, with what was done at the keys before an instant;
-    /// from then on no key is held.
-    pub fn anew(&self, until: RunTime) -> Result<StagedRun, Unbegun> {
+    /// The same run from its start, with the files that it started with and the input of the keys before an instant. No key is held from
+    /// then on.
+    pub fn restarted(&self, until: RunTime) -> Result<StagedRun, StartError> {
         let recording = self.simulation.recording();
         if self.simulation.is_replay() {
-            return StagedRun::again(recording.clone());
+            return StagedRun::replay(recording.clone());
         }
         let is_before = |line: &&KeysFile| RunTime::START + Span::from_seconds(line.at_s) < until;
         let mut input: Vec<KeysFile> = self.simulation.input_lines().iter().filter(is_before).cloned().collect();
         if let Some(last) = input.last().filter(|line| !line.held.is_empty()) {
             input.push(KeysFile { at_s: until.seconds(), held: Vec::new(), uses: Vec::new(), ..last.clone() });
         }
-        StagedRun::new(&recording.files, &recording.entry, Start { input, ..self.start.clone() })
+        StagedRun::new(&recording.files, &recording.entry, StartRequest { input, ..self.request.clone() })
     }
 
     /// Completes all files. Returns the note about it.
@@ -383,7 +390,7 @@ impl StagedRun {
         stored.map(|stored| format!("Stored {} rows in {folder}.", stored.rows))
     }
 
-    /// What the run looks like now; rows are apart.
+    /// The present state, without rows.
     pub fn frame(&mut self, state: State, speed: Option<f64>) -> Frame {
         let scene = self.simulation.opening_scene();
         let body = |(index, seen): (usize, &Option<_>)| {
@@ -406,12 +413,12 @@ impl StagedRun {
         }
     }
 
-    /// What the log has got so far, counted; it goes on growing.
+    /// The counts of the rows so far; they grow with the run.
     pub fn growth(&self) -> Arc<Mutex<Growth>> {
         self.growth.clone()
     }
 
-    /// The rows that the log has got since they were taken last.
+    /// The rows since the last call.
     pub fn take_rows(&mut self) -> std::vec::Drain<'_, FiringView> {
         self.fresh.drain(..)
     }
@@ -426,7 +433,7 @@ impl StagedRun {
     }
 }
 
-/// What a panic leaves in it is whole.
+/// A panic leaves a complete value.
 fn locked<T>(held: &Mutex<T>) -> MutexGuard<'_, T> {
     held.lock().unwrap_or_else(PoisonError::into_inner)
 }

@@ -21,6 +21,7 @@ pub use installing::*;
 pub use library::*;
 pub use silhouettes::*;
 
+use homebody_simulation::VariantOptions;
 use serde::{Deserialize, Serialize};
 use serde_json::{Map, Value};
 use std::collections::BTreeMap;
@@ -448,49 +449,47 @@ pub enum MotionState {
 #[derive(Clone, Debug, PartialEq, Deserialize, TS)]
 #[serde(tag = "say", rename_all = "snake_case", deny_unknown_fields)]
 pub enum Say {
-    /// The first thing that a page says: nothing else is heard before.
+    /// The first message of a page, without which it gets no answer to others.
     Hello {
         token: String,
     },
     Play,
     Pause,
-    /// Go on by so many seconds, then pause.
+    /// Continue for so many seconds, then pause.
     Step {
         seconds: f64,
     },
-    /// From 0.1 to 1000; nothing for as fast as it goes.
+    /// From 0.1 to 1000; null for as fast as possible.
     Speed {
         times: Option<f64>,
     },
-    /// Go to an instant; back means to live it again from the start, with the same input.
+    /// Go to an instant; back means to simulate again from the start, with the same input.
     Jump {
         #[ts(type = "number")]
         to_us: i64,
     },
-    /// From now on exactly these keys are held.
+    /// Hold exactly these keys from now on.
     Hold {
         keys: Vec<Key>,
     },
-    /// Who is driven sits, lies or stands from now on.
+    /// Let the resident who is moved by keys sit, lie or stand from now on.
     Be {
         posture: Posture,
     },
-    /// Who is driven turns on or opens a thing, or turns it off or closes it.
+    /// Let the resident who is moved by keys turn a thing on or off, or open or close it.
     Use {
         thing: u32,
         on: bool,
     },
-    /// Begin a run anew: with somebody moved by keys, or everybody as the scenario says; conditions left out by name.
+    /// Start a new run, in which keys move a resident, or all residents follow the scenario.
     Start {
         driven: Option<u32>,
-        without: Vec<String>,
-        /// Below 2^53.
-        #[ts(type = "number | null")]
-        seed: Option<u64>,
+        #[serde(flatten)]
+        variant: VariantOptions,
     },
     /// End the run, so that its files are complete.
     Stop,
-    /// Live the recording of a stored run again.
+    /// Replay the recording of a stored run.
     Replay {
         run: String,
     },

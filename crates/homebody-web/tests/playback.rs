@@ -4,7 +4,7 @@ use homebody_core::time::{DAY, HOUR, Interval, RunTime, SECOND, Span};
 use homebody_simulation::Cancel;
 use homebody_web::playback::{Playback, Refusal};
 use homebody_web::shelf::Shelf;
-use homebody_web::staged_run::{StagedRun, Start};
+use homebody_web::staged_run::{StagedRun, StartRequest};
 use homebody_web::wire::{DayView, FilmView, Find, FindWhat, FoundView, MotionState, PlaybackView, State};
 use rusqlite::Connection;
 use std::fs;
@@ -35,7 +35,7 @@ impl Stored {
         copy(&scenarios().join("../conditions"), &folder.path().join("conditions"), &change);
         let shelf =
             Shelf { scenario: own, entry: "scenario.json".into(), is_trusted: false, runs: folder.path().join("runs") };
-        let act = StagedRun::new(&shelf, &shelf.entry, Start::default()).unwrap();
+        let act = StagedRun::new(&shelf, &shelf.entry, StartRequest::default()).unwrap();
         (Stored { folder, playback: Playback::new(shelf.clone()) }, act, shelf)
     }
 
@@ -305,10 +305,10 @@ fn going_back_is_going_on_from_there_as_it_was() {
         copy(&scenarios().join("tigerplace"), &own, &as_it_is);
         let shelf =
             Shelf { scenario: own, entry: "scenario.json".into(), is_trusted: false, runs: folder.path().join("runs") };
-        let mut act = StagedRun::new(&shelf, &shelf.entry, Start::default()).unwrap();
+        let mut act = StagedRun::new(&shelf, &shelf.entry, StartRequest::default()).unwrap();
         live(&mut act, at(12 * DAY + 5 * HOUR), &shelf);
         for to in back.iter().map(|&to| at(to)) {
-            assert!(act.go_back(to));
+            assert!(act.rewind(to));
             assert!(act.now() <= to && act.now() >= to - 5 * DAY, "{} is far from {to}", act.now());
             live(&mut act, to, &shelf);
         }
@@ -359,12 +359,12 @@ fn a_controlled_run_goes_back_only_to_its_start() {
     copy(&scenarios().join("by-hand"), &own, &as_it_is);
     let shelf =
         Shelf { scenario: own, entry: "scenario.json".into(), is_trusted: false, runs: folder.path().join("runs") };
-    let start = Start { driven: Some(0), ..Start::default() };
+    let start = StartRequest { driven: Some(0), ..StartRequest::default() };
     let mut act = StagedRun::new(&shelf, &shelf.entry, start).unwrap();
     let at = |since: Span| RunTime::START + since;
     live(&mut act, at(10 * SECOND), &shelf);
-    assert!(!act.go_back(at(SECOND)));
-    assert_eq!((act.now(), act.anew(at(SECOND)).unwrap().now()), (at(10 * SECOND), RunTime::START));
+    assert!(!act.rewind(at(SECOND)));
+    assert_eq!((act.now(), act.restarted(at(SECOND)).unwrap().now()), (at(10 * SECOND), RunTime::START));
 }
 
 /// What is asked of a run, and what is found.

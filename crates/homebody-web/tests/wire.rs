@@ -6,6 +6,7 @@ use homebody_core::activity::{ACTIVITIES, AWAY, ActivityKind, KIND_WORDS};
 use homebody_core::sensors::form::{Colour, KindRow, Mount};
 use homebody_core::sensors::kinds::KINDS;
 use homebody_core::sensors::products::Product;
+use homebody_simulation::RunOptions;
 use homebody_web::wire;
 use serde_json::json;
 use ts_rs::{Config, TS};
@@ -246,4 +247,24 @@ fn the_page_has_the_rows_of_measures() {
         text += &format!("  {{ id: '{name}', title: '{goal}' }},\n");
     }
     is_generated("web/src/measures.ts", &(text + "];\n"));
+}
+
+#[test]
+fn the_page_has_the_options_of_a_run() {
+    /// The largest whole number that is exact in the page.
+    const MOST_EXACT: f64 = 9_007_199_254_740_991.0;
+    let schema = RunOptions::schema().to_value();
+    let mut text = "// Made from RunOptions in crates/homebody-simulation/src/run_options.rs.\n\n\
+         /** The options of a run: the explanation, and the range of a number. */\nexport const RUN_OPTIONS = {\n"
+        .to_owned();
+    for (name, option) in schema["properties"].as_object().unwrap() {
+        let help = option["description"].as_str().unwrap().lines().next().unwrap().replace('\'', "\\'");
+        text += &format!("  {name}: {{ help: '{help}'");
+        let least = option["minimum"].as_f64().or(option["exclusiveMinimum"].as_f64());
+        if let (Some(least), Some(most)) = (least, option["maximum"].as_f64()) {
+            text += &format!(", least: {least}, most: {}", most.min(MOST_EXACT));
+        }
+        text += " },\n";
+    }
+    is_generated("web/src/run-options.ts", &(text + "} as const;\n"));
 }

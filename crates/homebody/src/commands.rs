@@ -25,7 +25,6 @@ mod inspect;
 mod install_sheet;
 mod label;
 mod live;
-mod lived;
 mod locate;
 pub mod log_input;
 pub mod measures;
@@ -42,6 +41,7 @@ mod routine;
 mod row_destinations;
 mod run;
 mod run_messages;
+mod run_output;
 pub mod scenario;
 mod schema;
 mod sensor_faults;
@@ -76,9 +76,9 @@ macro_rules! commands {
 }
 
 commands! {
-    Run(run::Arguments),
-    Live(live::Arguments),
-    Fleet(fleet::Arguments),
+    Run(run::RunArguments),
+    Live(live::LiveArguments),
+    Fleet(fleet::FleetArguments),
     Replay(replay::ReplayArguments),
     Check(check::CheckArguments),
     Routine(routine::RoutineArguments),

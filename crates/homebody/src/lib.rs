@@ -4,7 +4,6 @@
 mod commands;
 mod failure;
 mod installation;
-mod length;
 mod metrics;
 mod old_names;
 mod pace;
@@ -12,7 +11,6 @@ mod print;
 mod progress;
 mod prometheus;
 mod signals;
-mod start;
 mod suggestions;
 mod text_table;
 

@@ -21,7 +21,7 @@ fn seeds() -> Vec<CaseFiles> {
 /// The list of a cohort with members who are simulated for some seconds.
 fn made(members: u32) -> Option<CaseFiles> {
     let folder = tempfile::tempdir().ok()?;
-    let cohort = template("studio").ok()?.cohort(members).length(10 * SECOND).start().ok()?;
+    let cohort = template("studio").ok()?.run().length(10 * SECOND).cohort(members).start().ok()?;
     let stored = cohort.store_in(folder.path(), |_| ()).ok()?;
     let text = fs::read(stored.folder.join(LIST)).ok()?;
     Some(CaseFiles::from([(LIST.to_owned(), text)]))

@@ -34,7 +34,7 @@ impl IncompleteCohort {
     /// place of a member belongs to another run.
     pub fn open(folder: impl AsRef<Path>) -> Result<IncompleteCohort, SimulationError> {
         let folder = folder.as_ref();
-        let (cohort, listed) = Cohort::left_in(folder)?;
+        let (cohort, listed) = Cohort::in_folder(folder)?;
         let place = CohortPlace::from_path(folder)?;
         let found = cohort.found_in(&place)?;
         // A cohort that was killed while it wrote the list has all members.

@@ -1,4 +1,4 @@
-//! The list of a cohort's members, and the file that it stands in.
+//! The list of a cohort's members, and its file.
 
 use homebody_core::recording::Recording;
 use homebody_log::table::truth::TruthKept;
@@ -23,7 +23,7 @@ pub struct CohortList {
 pub struct ListedMember {
     /// The name of the member's folder.
     pub name: String,
-    /// The number all randomness of this life comes from.
+    /// The seed of its run.
     pub seed: u64,
     /// The number of firings.
     pub firings: u64,
@@ -34,20 +34,20 @@ pub struct ListedMember {
     /// The cells of the member in the list, by column.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub profile: Option<BTreeMap<String, String>>,
-    /// A digest of the member's files and their names, where the cohort is a set that is parted by member.
+    /// A digest of the member's files and their names, if the cohort is a data set.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub sha256: Option<String>,
 }
 
-/// The file [`LIST`](crate::LIST): the list, and all that the cohort is gone on with by, which stands from the first instant on.
+/// The file [`LIST`](crate::LIST): the list, and all that resuming the cohort needs, from its first moment on.
 #[derive(Serialize, Deserialize)]
 pub(crate) struct CohortFile {
     #[serde(flatten)]
     pub list: CohortList,
-    /// The form of the members' files, where they are a set; none where each has a folder of its own.
+    /// The form of a data set; `None` for a folder for each member.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub form: Option<String>,
-    /// How much of each ground truth is kept, if not all.
+    /// The kept part of each ground truth.
     #[serde(default, skip_serializing_if = "KeptTruth::is_all")]
     pub truth: KeptTruth,
     /// The members asked for.
@@ -93,8 +93,8 @@ impl From<KeptTruth> for TruthKept {
 #[derive(Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub(crate) enum AskedMembers {
-    /// So many.
+    /// A number of members.
     Residents(u32),
-    /// Those of this table of profiles.
+    /// The members of a table of profiles.
     Profiles(String),
 }

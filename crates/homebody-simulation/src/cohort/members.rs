@@ -1,4 +1,4 @@
-//! Who the members of a cohort are: their names and seeds, and how they lie in its folder.
+//! The members of a cohort: their names and seeds, and the layout of their files.
 
 use crate::cohort::list::{AskedMembers, ListedMember};
 use crate::error::SimulationError;
@@ -29,9 +29,9 @@ pub(crate) enum Members {
 /// A member of a cohort.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Member {
-    /// Of one who is listed, the name in the list; else a number from 1 on, such as `0001`.
+    /// The name in the list, or a number from 1 on, such as `0001`.
     pub name: String,
-    /// The number all randomness of this life comes from.
+    /// The seed of its run.
     pub seed: u64,
     /// The cells of the member in the list, by column.
     pub row: Option<BTreeMap<String, String>>,
@@ -44,7 +44,7 @@ pub struct MemberSummary {
     pub listed: ListedMember,
     /// The simulated time.
     pub length: Span,
-    /// Whether it ended before its end, as the cohort was cancelled.
+    /// True of a member that ended early, as the cohort was cancelled.
     pub is_early: bool,
 }
 
@@ -76,10 +76,10 @@ homebody_core::messages! {
 /// The layout of the members in the folder of a cohort.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum CohortLayout {
-    /// Each in a folder of its own, as a run is.
+    /// A folder for each member, as for a run.
     #[default]
     Folders,
-    /// All logs in one set that is parted by member, `log/member=0001/log.parquet`, and all truths in another beside it, in this form.
+    /// A data set of all logs that is partitioned by member, `log/member=0001/log.parquet`, and another of all truths, in this form.
     Set(Scheme),
 }
 
@@ -122,7 +122,7 @@ impl CohortLayout {
         }
     }
 
-    /// Whether all files of a complete member are there.
+    /// Whether a complete member has all its files.
     pub(crate) fn is_all_there(self, cohort: &Path, member: &str, scenario: &Scenario, kept: TruthKept) -> bool {
         match self {
             CohortLayout::Folders => is_all_there(&cohort.join(member), &scenario.logger),
@@ -130,7 +130,7 @@ impl CohortLayout {
         }
     }
 
-    /// The files of a member of a set, be they there or not.
+    /// The files of a member of a set, existing or not.
     pub(crate) fn files(self, cohort: &Path, member: &str, kept: TruthKept) -> Vec<PathBuf> {
         match self {
             CohortLayout::Folders => Vec::new(),
@@ -206,8 +206,8 @@ impl Members {
         }
     }
 
-    /// The name and the seed of a member, and what is said of them in the list. Neither depends on who else is one.
-    pub fn who(&self, seed: u64, index: usize) -> Member {
+    /// The name, the seed and the row of a member. They do not depend on the other members.
+    pub fn member(&self, seed: u64, index: usize) -> Member {
         match self {
             Members::Many(count) => {
                 let (number, width) = (index as u32 + 1, count.to_string().len().max(4));
@@ -223,12 +223,12 @@ impl Members {
     }
 }
 
-/// The seed of a member of whom nothing but their number is known, from 1 on.
+/// The seed of a member without a profile, by number from 1 on.
 pub fn seed_of_member(seed: u64, number: u32) -> u64 {
     seed_of(seed, "member/", &number.to_le_bytes())
 }
 
-/// A seed for each member; at most what every JSON reader keeps exactly.
+/// A seed for each member, which every JSON reader keeps exactly.
 fn seed_of(seed: u64, kind: &str, member: &[u8]) -> u64 {
     let hash = Sha256::new().chain_update(seed.to_le_bytes()).chain_update(kind).chain_update(member).finalize();
     let bytes: [u8; 8] = std::array::from_fn(|index| hash[index]);

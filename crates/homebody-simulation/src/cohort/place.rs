@@ -1,5 +1,5 @@
-//! Where a cohort lies: in a folder, or below a prefix of an object store. Of a store, a member is lived in a folder of ours first, and what
-//! is there is brought here to be looked at; its recording goes last, so that a member who has one is there as a whole.
+//! The place of a cohort: a folder, or a prefix of an object store. A member of a cohort in a store is simulated in a temporary folder, and
+//! its recording is sent last, so that a member with a recording is complete.
 
 use crate::cohort::members::CohortLayout;
 use crate::error::SimulationError;
@@ -38,7 +38,7 @@ impl LocalFolder {
     }
 }
 
-/// Whether a path is the URL of an object store.
+/// True of the URL of an object store.
 pub(crate) fn is_in_store(path: &Path) -> bool {
     path.to_string_lossy().contains("://")
 }
@@ -72,8 +72,8 @@ impl CohortPlace {
         }
     }
 
-    /// Makes the folder; a store has none.
-    pub fn make(&self) -> Result<(), SimulationError> {
+    /// Creates the folder; a store needs none.
+    pub fn create(&self) -> Result<(), SimulationError> {
         match self {
             CohortPlace::Folder(folder) => {
                 fs::create_dir_all(folder).map_err(|error| SimulationError::io(folder, error))
@@ -89,7 +89,7 @@ impl CohortPlace {
             CohortPlace::Folder(folder) => {
                 let entries = fs::read_dir(folder).map_err(|error| SimulationError::io(folder, error))?;
                 let names = entries.flatten().map(|entry| entry.file_name().to_string_lossy().into_owned());
-                // What is hidden is not a user's, and a cohort that was killed at once has left a part of its list.
+                // Hidden files do not count, and a cohort that was killed at once has left a part of its list.
                 let mut others: Vec<String> =
                     names.filter(|name| !name.starts_with('.') && !recording_file::is_part(name)).collect();
                 others.sort();
@@ -102,7 +102,7 @@ impl CohortPlace {
         Err(SimulationError::NotEmpty { folder: self.path().into(), is_cohort: self.has_list()?, file })
     }
 
-    /// Whether a cohort was begun there.
+    /// Whether the place has the list of a cohort.
     pub fn has_list(&self) -> Result<bool, SimulationError> {
         match self {
             CohortPlace::Folder(folder) => Ok(folder.join(LIST).exists()),
@@ -163,7 +163,7 @@ impl CohortPlace {
         }
     }
 
-    /// Brings files here, as far as they are there. What lies in a folder is here already.
+    /// Copies existing files from a store; files in a folder need no copy.
     #[cfg_attr(not(feature = "cloud"), allow(unused_variables, reason = "only stores are elsewhere"))]
     pub fn bring(&self, here: &LocalFolder, files: &[PathBuf]) -> Result<(), SimulationError> {
         #[cfg(feature = "cloud")]
@@ -177,7 +177,7 @@ impl CohortPlace {
         Ok(())
     }
 
-    /// Sends a member's files from here to where the cohort lies, the recording last.
+    /// Copies the files of a member to a store, the recording last.
     #[cfg_attr(not(feature = "cloud"), allow(unused_variables, reason = "only stores are elsewhere"))]
     pub fn send(&self, here: &LocalFolder, files: Vec<PathBuf>) -> Result<(), SimulationError> {
         #[cfg(feature = "cloud")]
@@ -208,8 +208,8 @@ pub fn list_of_cohort(place: &Path) -> Result<String, SimulationError> {
     CohortPlace::from_path(place)?.list()
 }
 
-/// Copies the files of one member of a cohort's set into another folder, in which they lie as in the cohort's. Who reads a member in an
-/// object store reads it there.
+/// Copies the files of one member of a cohort's set into another folder, with the layout of the cohort's. It makes a member of an object
+/// store readable.
 ///
 /// # Errors
 ///
@@ -220,7 +220,7 @@ pub fn bring_member(place: &Path, form: &str, member: &str, to: &Path) -> Result
     let layout = CohortLayout::named(Some(form)).ok_or_else(not_set)?;
     let from = CohortPlace::from_path(place)?;
     let here = from.here()?;
-    // Of a brief truth, some are not there.
+    // A brief truth lacks some of them.
     let files = layout.files(here.path(), member, TruthKept::All);
     from.bring(&here, &files)?;
     for file in files.into_iter().filter(|file| file.is_file()) {

@@ -1,4 +1,4 @@
-//! The files of a cohort at its place: which members are complete there, and whether the files are theirs.
+//! The present files of a cohort: the complete members, and checks that the files are theirs.
 
 use crate::cohort::Cohort;
 use crate::cohort::list::ListedMember;
@@ -13,27 +13,27 @@ use rayon::prelude::*;
 use std::path::Path;
 
 impl Cohort {
-    /// By member: the results of those that are complete there. No home is made for it.
+    /// The results of the complete members, by member.
     pub(crate) fn found_in(&self, place: &CohortPlace) -> Result<Vec<Option<MemberSummary>>, SimulationError> {
         (0..self.count()).into_par_iter().map(|index| self.found(place, index)).collect()
     }
 
-    /// The result of a member that is complete there.
+    /// The result of a member, if it is complete.
     pub(crate) fn found(&self, place: &CohortPlace, index: usize) -> Result<Option<MemberSummary>, SimulationError> {
-        let member = self.members.who(self.recording.seed, index);
+        let member = self.members.member(self.recording.seed, index);
         let here = place.here()?;
         place.bring(&here, &[self.layout.recording(here.path(), &member.name)])?;
-        let left = self.left_of(place, here.path(), &member, index)?;
-        let Some(left) = left.filter(Recording::is_whole) else { return Ok(None) };
+        let found = self.found_recording(place, here.path(), &member, index)?;
+        let Some(recording) = found.filter(Recording::is_whole) else { return Ok(None) };
         place.bring(&here, &self.layout.files(here.path(), &member.name, self.kept))?;
         match self.layout.is_all_there(here.path(), &member.name, self.scenario.scenario(), self.kept) {
-            true => self.ended(here.path(), &member, &left).map(Some),
+            true => self.ended(here.path(), &member, &recording).map(Some),
             false => Ok(None),
         }
     }
 
-    /// The recording that a member has left here, complete or not; [`SimulationError::Member`] if the folder has something else.
-    fn left_of(
+    /// The recording of a member, complete or not; [`SimulationError::Member`] if the folder has something else.
+    fn found_recording(
         &self,
         place: &CohortPlace,
         here: &Path,
@@ -42,7 +42,7 @@ impl Cohort {
     ) -> Result<Option<Recording>, SimulationError> {
         let path = self.layout.recording(here, &member.name);
         let folder = path.parent().unwrap_or(here);
-        // People know it by where the cohort lies.
+        // Users know the files by the place of the cohort.
         let there = |path: &Path| place.path().join(path.strip_prefix(here).unwrap_or(path));
         let wrong = |why: String| SimulationError::Member { folder: there(folder), why };
         if folder.is_file() {
@@ -52,34 +52,34 @@ impl Cohort {
         match recording_file::recording(&path) {
             Err(SimulationError::NoRecording { .. }) => Ok(None),
             Err(error) => {
-                let [told, known] = [here, place.path()].map(|path| path.display().to_string());
-                Err(wrong(error.diagnostic().what.replace(&told, &known)))
+                let [local, known] = [here, place.path()].map(|path| path.display().to_string());
+                Err(wrong(error.diagnostic().what.replace(&local, &known)))
             }
-            Ok(left) if self.is_of(&left, member, index) => Ok(Some(left)),
+            Ok(found) if self.is_of(&found, member, index) => Ok(Some(found)),
             Ok(_) => Err(wrong(format!("{}: it is of another cohort", there(&path).display()))),
         }
     }
 
-    /// Whether a recording is of this member's life, by its texts alone.
-    fn is_of(&self, left: &Recording, member: &Member, index: usize) -> bool {
+    /// Whether a recording is one of this member, by its texts alone.
+    fn is_of(&self, found: &Recording, member: &Member, index: usize) -> bool {
         let mut expected = self.recording_of(member);
         if let Members::Listed(profiles) = &self.members {
             let profile = &profiles[index];
             let own = self.scenario.base().own_texts(profile);
-            // Which of the scenario's texts are left over where something else is in their place only loading tells.
+            // Only loading shows which texts of the scenario a member does not use.
             let is_same = |(name, text): (&String, &String)| {
                 own.get(name).or(expected.files.get(name)).is_none_or(|expected| expected == text)
             };
-            if !own.keys().all(|name| left.files.contains_key(name)) || !left.files.iter().all(is_same) {
+            if !own.keys().all(|name| found.files.contains_key(name)) || !found.files.iter().all(is_same) {
                 return false;
             }
             expected.without.clone_from(&profile.without);
             if !own.is_empty() {
-                expected.files = left.files.clone();
+                expected.files = found.files.clone();
             }
         }
-        let length = left.stopped_of_us.unwrap_or(left.length_us);
-        left.run_id() == expected.run_id() && length == expected.length_us
+        let length = found.stopped_of_us.unwrap_or(found.length_us);
+        found.run_id() == expected.run_id() && length == expected.length_us
     }
 
     /// The recording of a member, with the scenario's own texts.

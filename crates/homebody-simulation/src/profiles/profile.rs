@@ -15,9 +15,9 @@ use std::sync::Arc;
 pub struct Profile {
     /// The name of the member and of the member's folder.
     pub name: String,
-    /// A number of their own that all their randomness comes from.
+    /// The seed of the member.
     pub seed: Option<u64>,
-    /// The other cells of the row, by column, as they are written.
+    /// The texts of the other cells, by column.
     pub row: BTreeMap<String, String>,
     /// Index of the resident that it is about; `None` without overrides.
     pub(super) resident: Option<usize>,
@@ -25,21 +25,21 @@ pub struct Profile {
     pub(super) routine: Option<Arc<OtherRoutine>>,
     /// The home instead of the scenario's.
     pub(super) home: Option<Arc<OtherHome>>,
-    pub(super) said: OwnSentences,
-    /// Of the conditions that are asked to be left out, those that this member would show.
+    pub(super) sentences: OwnSentences,
+    /// The conditions of this member that are left out.
     pub without: Vec<String>,
-    /// The texts that this member needs, by name: the scenario's, and those that only the row names.
+    /// The texts that this member needs, by name: those of the scenario and of the row.
     pub(super) texts: Arc<BTreeMap<String, String>>,
 }
 
-/// A routine beside the scenario's, with its text.
+/// Another routine than the scenario's, with its text.
 #[derive(Debug, PartialEq)]
 pub(super) struct OtherRoutine {
     pub routine: Routine,
     pub text: String,
 }
 
-/// A home beside the scenario's, with its text.
+/// Another home than the scenario's, with its text.
 #[derive(Debug, PartialEq)]
 pub(super) struct OtherHome {
     pub file: String,
@@ -62,7 +62,6 @@ pub(crate) struct Base<'a> {
 }
 
 impl Profile {
-    /// The texts that this member needs, by name, as they were read.
     pub(crate) fn texts(&self) -> &BTreeMap<String, String> {
         &self.texts
     }
@@ -75,7 +74,7 @@ impl Base<'_> {
         Ok((scenario, household.one_of_many()))
     }
 
-    /// The scenario with what a profile says in it, and without these conditions.
+    /// The scenario with the overrides of a profile, and without these conditions.
     pub(super) fn with(&self, profile: &Profile, without: &[String]) -> Result<(Scenario, Household), Problems> {
         match self.edited(profile) {
             None => Ok((self.scenario.clone(), self.household.without(without)?)),
@@ -83,15 +82,14 @@ impl Base<'_> {
         }
     }
 
-    /// The texts by which a member's life differs from the scenario, by name; none where it is as the scenario says. Nothing is
-    /// loaded for it.
+    /// The texts of a member that differ from the scenario, by name. It loads nothing.
     pub fn own_texts(&self, profile: &Profile) -> BTreeMap<String, String> {
         let texts = self.edited(profile).map(ScenarioEdit::into_texts).unwrap_or_default();
         let is_own = |(name, text): &(String, String)| self.scenario.sources.get(name) != Some(text);
         texts.into_iter().filter(is_own).collect()
     }
 
-    /// The scenario with what a profile says in it, unchecked; `None` where it is as it was.
+    /// The unchecked scenario with the overrides of a profile; `None` without overrides.
     fn edited(&self, profile: &Profile) -> Option<ScenarioEdit> {
         let (home, routine) = (profile.home.as_deref(), self.own_routine(profile));
         if home.is_none() && routine.is_none() {
@@ -108,9 +106,9 @@ impl Base<'_> {
         Some(edit)
     }
 
-    /// In another home, the logger knows the ids of the sensors that it has: others keep their name.
+    /// Another home needs only the ids of its own sensors in the logger.
     fn with_its_ids(&self, edit: ScenarioEdit, home: &str) -> ScenarioEdit {
-        // What is wrong with a home is said when it is loaded.
+        // Loading reports the problems of the home.
         let Ok(home) = serde_json::from_str::<HomeFile>(home) else { return edit };
         let mut logger = self.scenario.logger.clone();
         let known: BTreeSet<&str> = home.sensors.iter().map(|sensor| sensor.name()).collect();
@@ -125,10 +123,10 @@ impl Base<'_> {
         let other = profile.routine.as_deref();
         let routine = other.map(|other| &other.routine).or(self.household.routine(resident));
         let (file, text) = other.map_or((file, text), |other| (&other.routine.file, &other.text));
-        match routine.filter(|_| profile.said != OwnSentences::default()) {
+        match routine.filter(|_| profile.sentences != OwnSentences::default()) {
             Some(routine) => {
                 let own = file_of_own(self.scenario, resident, file);
-                Some(OwnRoutine { resident, file: own, text: profile.said.within(text, routine) })
+                Some(OwnRoutine { resident, file: own, text: profile.sentences.within(text, routine) })
             }
             None => other.map(|_| OwnRoutine { resident, file: file.clone(), text: text.clone() }),
         }
@@ -151,8 +149,8 @@ impl Base<'_> {
     }
 }
 
-/// A file for the routine of this resident alone, since others may live by the one that it is made from: of the same name, so
-/// that their life is the same but for what is changed, in a folder of their own.
+/// A file for the routine of this resident alone, as other residents may share the original. It has the same name in another folder: the
+/// unchanged sentences then draw the same random numbers.
 fn file_of_own(scenario: &Scenario, resident: usize, file: &str) -> String {
     let folder = scenario.file.residents[resident].trim_end_matches(".json");
     let mut own = format!("{folder}/{}", file.rsplit('/').next().unwrap_or(file));

@@ -1,4 +1,4 @@
-//! The rows of a table as profiles: each cell with what may stand there.
+//! Reads the rows of a table as profiles, and checks each cell.
 
 use super::messages::{ProfileMessage, among};
 use super::profile::{Base, OtherHome, OtherRoutine, Profile};
@@ -33,13 +33,13 @@ const COLUMNS: [&str; 12] = [
     "home",
 ];
 
-/// The columns that are not about a resident.
-const OF_NOBODY: [&str; 3] = ["name", "seed", "home"];
+/// The columns that do not describe a resident.
+const OTHER_COLUMNS: [&str; 3] = ["name", "seed", "home"];
 
 /// The words before the name of a condition.
 const SHOWS: &str = "the person shows ";
 
-/// The profiles of all rows, and all that is wrong with them.
+/// The profiles of all rows, and all problems.
 pub(crate) fn read(table: &ProfileTable, base: &Base, without: &[String]) -> (Vec<Profile>, Vec<Problem>) {
     let mut reader = RowReader {
         table,
@@ -47,7 +47,7 @@ pub(crate) fn read(table: &ProfileTable, base: &Base, without: &[String]) -> (Ve
         problems: Vec::new(),
         routines: BTreeMap::new(),
         homes: BTreeMap::new(),
-        understood: BTreeMap::new(),
+        routines_of_sentences: BTreeMap::new(),
     };
     let profiles = reader.profiles(without);
     (profiles, reader.problems)
@@ -58,15 +58,15 @@ struct RowReader<'a> {
     table: &'a ProfileTable<'a>,
     base: &'a Base<'a>,
     problems: Vec<Problem>,
-    /// The other routines of residents; nothing for those that are not sound.
+    /// The other routines of residents; `None` for those with problems.
     routines: BTreeMap<(Option<usize>, String), Option<Arc<OtherRoutine>>>,
-    /// The other homes; nothing for those that cannot be read.
+    /// The other homes; `None` for unreadable ones.
     homes: BTreeMap<String, Option<Arc<OtherHome>>>,
-    /// What is understood of sentences, with the condition of the scenario's own: many rows say the same.
-    understood: BTreeMap<(String, Option<String>), Routine>,
+    /// The routines of sentences, each with a condition of the scenario's own: many rows share a sentence.
+    routines_of_sentences: BTreeMap<(String, Option<String>), Routine>,
 }
 
-/// In what a member differs from the scenario: the home, whom it is about, the routine, and what is said in it.
+/// The overrides of a row: home, resident, routine and sentences.
 type RowDifference = (Option<String>, Option<usize>, Option<String>, OwnSentences);
 
 /// The result of the check of rows with the same overrides.
@@ -109,11 +109,12 @@ impl<'a> RowReader<'a> {
             if self.problems.len() > before {
                 continue;
             }
-            // Who differs in the same way from the scenario is sound in the same way.
+            // Rows with the same overrides are checked once.
             let routine = profile.routine.as_ref().map(|other| other.routine.file.clone());
             let home = profile.home.as_ref().map(|other| other.file.clone());
-            let key = (home, profile.resident, routine, profile.said.clone());
-            let CheckedDifference { conditions, texts } = match seen.entry(key).or_insert_with(|| self.look(&profile)) {
+            let key = (home, profile.resident, routine, profile.sentences.clone());
+            let CheckedDifference { conditions, texts } = match seen.entry(key).or_insert_with(|| self.check(&profile))
+            {
                 Ok(seen) => seen,
                 Err(problems) => {
                     for problem in problems {
@@ -148,7 +149,7 @@ impl<'a> RowReader<'a> {
     }
 
     /// Checks the members who differ like this from the scenario: their conditions and texts, or all problems.
-    fn look(&self, profile: &Profile) -> Result<CheckedDifference, Vec<Problem>> {
+    fn check(&self, profile: &Profile) -> Result<CheckedDifference, Vec<Problem>> {
         let (scenario, household) = self.base.with(profile, &[]).map_err(|problems| problems.0)?;
         let conditions = household.conditions().keys().cloned().collect();
         let read = |name: &str, text: &str| self.base.files.read(name).is_ok_and(|read| read == text);
@@ -219,33 +220,33 @@ impl<'a> RowReader<'a> {
             }
             seed
         });
-        let told = row.iter().filter(|(column, _)| !["name", "seed"].contains(column));
-        let mut told: BTreeMap<String, String> =
-            told.map(|(column, cell)| ((*column).to_owned(), cell.text.clone())).collect();
+        let cells = row.iter().filter(|(column, _)| !["name", "seed"].contains(column));
+        let mut cells: BTreeMap<String, String> =
+            cells.map(|(column, cell)| ((*column).to_owned(), cell.text.clone())).collect();
         if columns.contains(&Some("home")) {
-            // Where homes are mixed, each member's is told.
-            told.entry("home".into()).or_insert_with(|| self.base.scenario.file.home.clone());
+            // A list with several homes names the home of each member.
+            cells.entry("home".into()).or_insert_with(|| self.base.scenario.file.home.clone());
         }
         let mut profile = Profile {
             name,
             seed,
-            row: told,
+            row: cells,
             resident: None,
             routine: None,
             home: row.get("home").and_then(|cell| self.home(cell)),
-            said: OwnSentences::default(),
+            sentences: OwnSentences::default(),
             without: Vec::new(),
             texts: Arc::default(),
         };
-        if row.keys().any(|column| !OF_NOBODY.contains(column)) {
+        if row.keys().any(|column| !OTHER_COLUMNS.contains(column)) {
             profile.resident = self.resident(row);
             profile.routine = row.get("routine").and_then(|cell| self.routine(profile.resident, cell));
-            profile.said = self.said(row);
+            profile.sentences = self.sentences(row);
         }
         profile
     }
 
-    /// Whom a row is about.
+    /// The resident of a row.
     fn resident(&mut self, row: &ProfileRow) -> Option<usize> {
         let residents = &self.base.scenario.residents;
         let people = self.base.people();
@@ -258,7 +259,7 @@ impl<'a> RowReader<'a> {
                         ProfileMessage::WhichResident { residents: names.iter().map(|&name| name.to_owned()).collect() }
                     }
                 };
-                if let Some((_, cell)) = row.iter().find(|(column, _)| !OF_NOBODY.contains(column)) {
+                if let Some((_, cell)) = row.iter().find(|(column, _)| !OTHER_COLUMNS.contains(column)) {
                     self.fault(cell, message);
                 }
             }
@@ -273,7 +274,7 @@ impl<'a> RowReader<'a> {
         found.copied()
     }
 
-    /// Another routine, if there is such a one and it is sound; each is looked at once.
+    /// Another routine, if it exists and has no problems; each is read once.
     fn routine(&mut self, resident: Option<usize>, cell: &TableCell) -> Option<Arc<OtherRoutine>> {
         let key = (resident, cell.text.clone());
         if !self.routines.contains_key(&key) {
@@ -289,7 +290,7 @@ impl<'a> RowReader<'a> {
         other.map_err(|wrong| self.problems.extend(wrong.0)).ok()
     }
 
-    /// Another home, if it can be read; whether it is sound is seen with all that the row says. Each is read once.
+    /// Another home, if it is readable; the check of the whole row finds its problems. Each is read once.
     fn home(&mut self, cell: &TableCell) -> Option<Arc<OtherHome>> {
         if cell.text == self.base.scenario.file.home {
             return None;
@@ -317,7 +318,7 @@ impl<'a> RowReader<'a> {
     }
 
     /// The sentences for the routine.
-    fn said(&mut self, row: &ProfileRow) -> OwnSentences {
+    fn sentences(&mut self, row: &ProfileRow) -> OwnSentences {
         let fact = |reader: &mut RowReader, column: &str, words: [&str; 2], what: &'static str| {
             let cell = row.get(column)?;
             if !cell.text.parse::<f64>().is_ok_and(|number| number.is_finite() && number > 0.0) {
@@ -353,7 +354,7 @@ impl<'a> RowReader<'a> {
             }
             of_each.insert(column, parts);
         }
-        let (mut said, mut shown) = (Vec::new(), BTreeSet::new());
+        let (mut sentences, mut shown) = (Vec::new(), BTreeSet::new());
         for (index, condition) in conditions.iter().enumerate() {
             let of = |column| of_each.get(column).map(|parts: &Vec<TableCell>| parts.get(index).unwrap_or(&parts[0]));
             let own = condition.text.to_lowercase().split_whitespace().collect::<Vec<_>>().join("-");
@@ -367,12 +368,12 @@ impl<'a> RowReader<'a> {
                 self.fault(condition, ProfileMessage::SameCondition { condition: condition.text.clone() });
             }
             let together = self.condition(condition, own, alone.is_some(), of);
-            said.extend(together.map(|(text, _)| text));
+            sentences.extend(together.map(|(text, _)| text));
         }
-        Some(said)
+        Some(sentences)
     }
 
-    /// What is said of one condition. Each cell is looked at by itself before all of them are together.
+    /// The sentence of a condition. Each cell is checked alone before the whole sentence.
     fn condition<'c>(
         &mut self,
         condition: &'c TableCell,
@@ -417,8 +418,8 @@ impl<'a> RowReader<'a> {
         self.sentence(&pieces, condition, own)
     }
 
-    /// A sentence of pieces with what is understood of it, if it says one thing; a problem with it is one with the cell at
-    /// its place. `own` is a condition of the scenario's own.
+    /// A sentence of pieces with its routine, if it has one meaning. A problem belongs to the cell at its place. `own` is a condition of
+    /// the scenario's own.
     fn sentence(&mut self, pieces: &[SentencePart], main: &TableCell, own: Option<&str>) -> Option<(String, Routine)> {
         let before = self.problems.len();
         for cell in pieces.iter().filter_map(|(_, cell)| *cell) {
@@ -433,7 +434,7 @@ impl<'a> RowReader<'a> {
         let text: String = pieces.iter().map(|(text, _)| *text).collect();
         let text = text[..1].to_uppercase() + &text[1..];
         let key = (text, own.map(str::to_owned));
-        if let Some(routine) = self.understood.get(&key) {
+        if let Some(routine) = self.routines_of_sentences.get(&key) {
             return Some((key.0, routine.clone()));
         }
         let text = key.0.clone();
@@ -459,13 +460,13 @@ impl<'a> RowReader<'a> {
             self.fault(main, ProfileMessage::OtherMeaning { sentence: text.trim().to_owned() });
         }
         (self.problems.len() == before).then(|| {
-            self.understood.insert(key, routine.clone());
+            self.routines_of_sentences.insert(key, routine.clone());
             (text, routine)
         })
     }
 }
 
-/// The condition that a sentence is about.
+/// The condition of a sentence.
 fn shown_by(sentence: &Routine) -> Option<&str> {
     sentence.changes.iter().find_map(|change| match &change.effect {
         Effect::Shows { condition, .. } => Some(condition.as_str()),

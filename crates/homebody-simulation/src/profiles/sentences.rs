@@ -1,4 +1,4 @@
-//! What a profile says, written into a routine: the sentences that say otherwise go, its own come instead.
+//! Writes the sentences of a profile into a routine, and removes the sentences that contradict them.
 
 use homebody_routine::language;
 use homebody_routine::routine::{Effect, Routine};
@@ -17,8 +17,8 @@ pub(crate) struct OwnSentences {
 }
 
 impl OwnSentences {
-    /// The text of a routine, with this in it. What stays keeps its line and, where nothing longer or shorter comes before
-    /// it, its column.
+    /// The text of a routine with these sentences. Other sentences keep their lines, and their columns unless the length of an earlier
+    /// sentence on the line changes.
     pub fn within(&self, text: &str, routine: &Routine) -> String {
         let person = routine.person.as_ref();
         let facts = [
@@ -26,16 +26,16 @@ impl OwnSentences {
             (&self.age, person.and_then(|person| person.age_said.as_ref())),
         ];
         let (mut instead, mut added): (Vec<(Range<usize>, String)>, Vec<&String>) = (Vec::new(), Vec::new());
-        for (said, place) in facts {
-            match (said, place) {
-                (Some(said), Some(place)) => instead.push((language::place(place, text), said.clone())),
-                (Some(said), None) => added.push(said),
+        for (sentence, place) in facts {
+            match (sentence, place) {
+                (Some(sentence), Some(place)) => instead.push((language::place(place, text), sentence.clone())),
+                (Some(sentence), None) => added.push(sentence),
                 (None, _) => {}
             }
         }
         if let Some(conditions) = &self.conditions {
             for change in routine.changes.iter().filter(|change| matches!(change.effect, Effect::Shows { .. })) {
-                // As many sentences that say nothing: a blank would indent what comes after it, and a heading stays above.
+                // Empty sentences: a blank would indent the next one, and a heading stays above.
                 let nothing = ".".repeat(change.said.text.chars().count());
                 instead.push((language::place(&change.said, text), nothing));
             }
@@ -43,11 +43,11 @@ impl OwnSentences {
         }
         instead.sort_by_key(|(place, _)| Reverse(place.start));
         let mut text = text.to_owned();
-        for (place, said) in instead {
-            text.replace_range(place, &said);
+        for (place, sentence) in instead {
+            text.replace_range(place, &sentence);
         }
-        for said in added {
-            text += &format!("\n{said}.");
+        for sentence in added {
+            text += &format!("\n{sentence}.");
         }
         text + "\n"
     }
@@ -72,31 +72,31 @@ mod tests {
         routine
     }
 
-    fn within(said: &OwnSentences, text: &str) -> String {
-        let new = said.within(text, &read(text));
+    fn within(own: &OwnSentences, text: &str) -> String {
+        let new = own.within(text, &read(text));
         read(&new);
         new
     }
 
     #[test]
-    fn what_says_otherwise_goes_where_it_stands() {
-        let said = OwnSentences {
+    fn removes_contradicting_sentences() {
+        let own = OwnSentences {
             age: Some("The person is 75".into()),
             pace: Some("The person walks at 0.5 m/s".into()),
             ..OwnSentences::default()
         };
         let text = "# She is 82.\nShe is 82. She walks at about 0.65 m/s. # slow\nShe naps.\n";
         let new = "# She is 82.\nThe person is 75. The person walks at 0.5 m/s. # slow\nShe naps.\n\n";
-        assert_eq!(within(&said, text), new);
-        assert_eq!(within(&said, "She naps."), "She naps.\nThe person walks at 0.5 m/s.\nThe person is 75.\n");
+        assert_eq!(within(&own, text), new);
+        assert_eq!(within(&own, "She naps."), "She naps.\nThe person walks at 0.5 m/s.\nThe person is 75.\n");
     }
 
     #[test]
     fn a_sentence_ends_where_the_language_ends_it() {
-        let said = OwnSentences { age: Some("The person is 75".into()), ..OwnSentences::default() };
-        assert_eq!(within(&said, "She is 82! She naps."), "The person is 75! She naps.\n");
-        assert_eq!(within(&said, "Mrs. Miller is 82. She naps."), "The person is 75. She naps.\n");
-        assert_eq!(within(&said, "She reads.\rMrs. Miller is 82.\r"), "She reads.\rThe person is 75.\r\n");
+        let own = OwnSentences { age: Some("The person is 75".into()), ..OwnSentences::default() };
+        assert_eq!(within(&own, "She is 82! She naps."), "The person is 75! She naps.\n");
+        assert_eq!(within(&own, "Mrs. Miller is 82. She naps."), "The person is 75. She naps.\n");
+        assert_eq!(within(&own, "She reads.\rMrs. Miller is 82.\r"), "She reads.\rThe person is 75.\r\n");
     }
 
     #[test]
@@ -111,7 +111,7 @@ mod tests {
     }
 
     #[test]
-    fn what_stood_below_a_heading_stays_there_and_nothing_else_comes_to_it() {
+    fn keeps_the_sentences_below_a_heading() {
         let none = OwnSentences { conditions: Some(Vec::new()), ..OwnSentences::default() };
         let days = |text: &str| -> Vec<u8> { read(text).habits.iter().map(|habit| habit.days.weekdays).collect() };
         for text in [

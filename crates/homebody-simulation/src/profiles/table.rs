@@ -1,4 +1,4 @@
-//! A table as spreadsheets save it: values parted by commas, semicolons or tabs, each with its place in the text.
+//! A table as spreadsheets save it: values separated by commas, semicolons or tabs, each with its place in the text.
 
 use super::messages::ProfileMessage;
 use csv_core::{ReadFieldResult, ReaderBuilder, Terminator};
@@ -9,7 +9,7 @@ pub(crate) struct ProfileTable<'t> {
     file: &'t str,
     lines: Vec<&'t str>,
     pub header: Vec<TableCell>,
-    /// Those in which anything stands.
+    /// The rows that are not empty.
     pub rows: Vec<Vec<TableCell>>,
 }
 
@@ -28,7 +28,7 @@ impl<'t> ProfileTable<'t> {
         let text = text.strip_prefix('\u{feff}').unwrap_or(text);
         let mut table = ProfileTable { file, lines: text.lines().collect(), header: Vec::new(), rows: Vec::new() };
         let first = table.lines.iter().find(|line| !line.trim().is_empty()).copied().unwrap_or_default();
-        // Where a comma parts euros from cents, spreadsheets part cells by semicolons.
+        // Spreadsheets with decimal commas separate cells by semicolons.
         let count = |mark: char| first.matches(mark).count();
         let mark = [',', ';', '\t'].into_iter().rev().max_by_key(|&mark| count(mark)).unwrap_or(',');
         let mut rows = match cells(text, mark) {
@@ -69,9 +69,9 @@ impl TableCell {
     }
 }
 
-/// The cells of all lines; the one that is never closed, if one is.
+/// The cells of all lines, and the cell without a closing quote, if there is one.
 fn cells(text: &str, mark: char) -> Result<Vec<Vec<TableCell>>, TableCell> {
-    // Of "\r\n" the first is a blank at the end of a cell.
+    // The first character of "\r\n" is a blank at the end of a cell.
     let mut reader = ReaderBuilder::new().delimiter(mark as u8).terminator(Terminator::Any(b'\n')).build();
     // No cell is longer than the text.
     let mut unquoted = vec![0; text.len()];
@@ -101,7 +101,7 @@ fn cells(text: &str, mark: char) -> Result<Vec<Vec<TableCell>>, TableCell> {
             at = first;
             at.pass(1);
         }
-        // What is written twice stands within; the first that is not closes the cell.
+        // A doubled quote is part of the cell; a single one closes it.
         if quoted.is_some_and(|quoted| !quoted.replace("\"\"", "").contains('"')) {
             return Err(TableCell { text: text.into(), line: at.line, column: at.column });
         }
@@ -124,7 +124,7 @@ struct TextPlace<'t> {
 }
 
 impl TextPlace<'_> {
-    /// Goes on by so many bytes.
+    /// Moves by so many bytes.
     fn pass(&mut self, bytes: usize) {
         let (passed, rest) = self.rest.split_at(bytes);
         match passed.rsplit_once('\n') {
@@ -147,7 +147,7 @@ mod tests {
     }
 
     #[test]
-    fn spreadsheets_part_cells_in_several_ways() {
+    fn reads_each_separator_of_spreadsheets() {
         for mark in [",", ";", "\t"] {
             let text = "\u{feff}\r\nname,age\r\nanna , \"8\"\"2\"\r\n,\r\n\nbea,\n".replace(',', mark);
             let table = ProfileTable::read("a.csv", &text).unwrap();
@@ -173,7 +173,7 @@ mod tests {
     }
 
     #[test]
-    fn a_cell_that_is_never_closed_is_found_where_it_begins() {
+    fn finds_the_start_of_an_unclosed_cell() {
         let problem = ProfileTable::read("a.csv", "name,age\nanna,\"82\nbea,80\n").err().unwrap();
         assert_eq!((problem.line, problem.column), (2, 7));
     }

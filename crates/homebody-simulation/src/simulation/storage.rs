@@ -89,7 +89,7 @@ impl Simulation {
         self.output.as_ref().map(|output| &output.places)
     }
 
-    /// Whether it is being recorded: its files are open and not complete.
+    /// True while its files are open and not complete.
     pub fn is_recording(&self) -> bool {
         self.output.as_ref().is_some_and(|output| output.log.is_some())
     }

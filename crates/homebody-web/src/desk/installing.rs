@@ -20,6 +20,7 @@ use homebody_picture::{installing, pdf};
 use homebody_placement::people::{LoadedScenario, PeopleError};
 use homebody_placement::proposal::{Proposal, Request, Step, goals, propose};
 use homebody_placement::search;
+use homebody_routine::household::Household;
 use homebody_simulation::Cancel;
 use std::sync::PoisonError;
 use std::sync::atomic::{AtomicU32, Ordering};
@@ -122,7 +123,7 @@ impl Desk {
         let (build, step_m) = (build(&files, &self.shelf.entry), step_m(home.plan()));
         let request = Request { goals: &goals, sensors, people, seed: SEED, rules: &rules, device, build, step_m };
         let load = || {
-            let (scenario, household) = self.lives(&files, &[]).map_err(homebody_core::problem::Problems)?;
+            let (scenario, household) = Household::load(&files, &self.shelf.entry, &[])?;
             Ok(LoadedScenario { scenario, household })
         };
         let lives = if request.needs_people() { SHARE_OF_LIVES } else { 0.0 };

@@ -1,26 +1,27 @@
-//! Routines that are being written: how they are understood, and some days of the life that they come to.
+//! Routines of drafts: their interpretation, and some simulated days.
 
-use super::lived_draft::LivedDraft;
+use super::draft_run::DraftRun;
 use super::{Desk, problems};
 use crate::dates;
+use crate::effort::Effort;
 use crate::messages::DeskMessage;
 use crate::wire::{
     ConditionView, Explain, ExplainView, Month, MonthView, ProblemView, SentenceView, WordKind, WordView,
 };
-use homebody_core::problem::{Diagnose, Problem};
+use homebody_core::problem::{Diagnose, Diagnostic, Problem};
 use homebody_core::scenario::load::{ResidentDriver, Scenario};
 use homebody_routine::completion;
 use homebody_routine::explain::{self, ExplanationKind, Spread, explain};
 use homebody_routine::household::{Household, RoutineReading};
 use homebody_routine::routine::Routine;
-use homebody_simulation::Cancel;
+use homebody_simulation::{Cancel, SimulationError};
 use std::sync::PoisonError;
 
 /// Largest number of days of a month.
 const LONGEST: u32 = 31;
 
 impl Desk {
-    /// How a routine of a draft is understood.
+    /// The interpretation of a routine of a draft.
     pub fn explain(&self, Explain { draft, file: asked }: Explain) -> ExplainView {
         let files = self.with(draft);
         let scenario = match Scenario::load(&files, &self.shelf.entry) {
@@ -53,21 +54,24 @@ impl Desk {
         }
     }
 
-    /// Some days of a draft, lived without leaving a file, for as long as somebody waits for them.
+    /// Some days of a draft, simulated without files, unless the request is cancelled.
     pub fn month(&self, Month { draft, from, days, without }: Month, cancel: &Cancel) -> MonthView {
-        let (scenario, household) = match self.lives(&self.with(draft), &without) {
-            Ok(lives) => lives,
-            Err(wrong) => return MonthView { problems: problems(&wrong), ..MonthView::default() },
+        let with_problems = |wrong: &[Problem]| MonthView { problems: problems(wrong), ..MonthView::default() };
+        let opened = match self.open(&self.with(draft)) {
+            Ok(opened) => opened,
+            Err(wrong) => return with_problems(&wrong),
         };
-        let mut living = self.living.lock().unwrap_or_else(PoisonError::into_inner);
-        let same = living.take().filter(|last| last.is(&scenario, &without));
-        let mut draft = same.unwrap_or_else(|| LivedDraft::new(&scenario, without));
-        let month = draft.month(&scenario, &household, from, days.clamp(1, LONGEST), cancel);
-        *living = Some(draft);
-        month.unwrap_or_else(|error| {
-            let unlived = Problem::of_file(&self.shelf.entry, error.diagnostic(), None);
-            MonthView { problems: problems(&[unlived]), ..MonthView::default() }
-        })
+        let failed = |error: Diagnostic| with_problems(&[Problem::of_file(&self.shelf.entry, error, None)]);
+        let mut latest = self.draft_run.lock().unwrap_or_else(PoisonError::into_inner);
+        let same = latest.take().filter(|run| run.is_of(opened.scenario(), &without));
+        let mut run = match same.map_or_else(|| DraftRun::new(&opened, without), Ok) {
+            Ok(run) => run,
+            Err(SimulationError::Problems(wrong)) => return with_problems(&wrong.0),
+            Err(error) => return failed(error.diagnostic()),
+        };
+        let month = run.month(from, days.clamp(1, LONGEST), Effort::new(cancel));
+        *latest = Some(run);
+        month.unwrap_or_else(|error| failed(error.diagnostic()))
     }
 }
 

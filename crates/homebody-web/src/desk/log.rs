@@ -1,46 +1,41 @@
-//! A logger's file that is being written: its first rows, as they would be stored, and whether its places take a log.
+//! The logger of a draft: the first rows as they would be stored, and a test of the destinations.
 
 use super::{Desk, problems};
-use crate::effort::Effort;
+use crate::effort::{Effort, draft_steps};
 use crate::wire::{Connect, ConnectView, Draft, PlaceRowsView, RowsView};
-use homebody_core::event::Events;
 use homebody_core::problem::{Diagnose, Problem};
-use homebody_core::recording::Recording;
-use homebody_core::run::Run;
 use homebody_core::scenario::inside::outside_folder;
-use homebody_core::scenario::load::Scenario;
 use homebody_core::scenario::scheme::{self, NoPlace, Scheme};
 use homebody_core::time::{DAY, MINUTE, RunTime, Span};
 use homebody_log::preview::try_place;
 use homebody_log::registry;
 use homebody_log::run_log::destinations;
-use homebody_log::{LogError, Logger, RunInfo, Url, WriteMode};
-use homebody_routine::household::Household;
-use homebody_simulation::Cancel;
+use homebody_log::{LogError, Logger, Url, WriteMode};
+use homebody_simulation::{Cancel, OpenScenario, SimulationError};
 use std::path::Path;
 use std::sync::{Arc, PoisonError};
 
 /// Number of rows that are shown (our choice).
 const MOST_ROWS: usize = 40;
 
-/// Time of simulation after which a home without rows has none to show (our choice).
-const LONGEST_LIVED: Span = DAY.times(3);
+/// Longest simulation for the first rows (our choice).
+const LONGEST_RUN: Span = DAY.times(3);
 
-/// Longest stretch that is simulated at once (our choice).
-const LONGEST_STRETCH: Span = MINUTE.times(10);
+/// Longest step (our choice).
+const LONGEST_STEP: Span = MINUTE.times(10);
 
 impl Desk {
-    /// The first rows of a draft's log, written where nobody else looks and read back, for as long as somebody waits for them.
+    /// The first rows of a draft's log, written into a temporary folder and read back, unless the request is cancelled.
     pub fn rows(&self, draft: Draft, cancel: &Cancel) -> RowsView {
         let kinds = Scheme::of_scenarios().map(|row| (format!("{}:", row.name), row.what.to_owned())).collect();
-        let (problems, places, cut) = match self.lives(&self.with(draft), &[]) {
+        let (problems, places, cut) = match self.open(&self.with(draft)) {
             Err(wrong) => (problems(&wrong), Vec::new(), None),
-            Ok((scenario, household)) => {
-                let _living = self.living.lock().unwrap_or_else(PoisonError::into_inner);
-                match first_rows(&scenario, &household, cancel) {
+            Ok(opened) => {
+                let _one_at_a_time = self.draft_run.lock().unwrap_or_else(PoisonError::into_inner);
+                match first_rows(&opened, cancel) {
                     Ok((places, cut)) => (Vec::new(), places, cut),
                     Err(error) => {
-                        let file = scenario.file.logger.as_deref().unwrap_or(&self.shelf.entry);
+                        let file = opened.scenario().file.logger.as_deref().unwrap_or(&self.shelf.entry);
                         (problems(&[Problem::of_file(file, error, None)]), Vec::new(), None)
                     }
                 }
@@ -49,7 +44,7 @@ impl Desk {
         RowsView { problems, places, cut, kinds }
     }
 
-    /// Whether a log can be begun at a place.
+    /// Tries to open a destination.
     pub fn connect(&self, Connect { url }: Connect) -> ConnectView {
         let tried = url.parse().map_err(LogError::NoPlace).and_then(|url: Url| self.try_url(&url));
         match tried {
@@ -68,7 +63,7 @@ impl Desk {
             let what = outside.diagnostic().what;
             return Err(LogError::NoPlace(NoPlace { what, hint: "name a file in that folder".into() }));
         }
-        // Each run has a folder of its own; what matters is whether it can be made.
+        // Each run has a new folder, so the test is whether a folder can be created.
         let there = self.shelf.runs.ancestors().find(|folder| folder.is_dir() || folder.as_os_str().is_empty());
         let base = there.filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
         try_place(&url.at(base.join(format!(".homebody-{}", std::process::id()))))?;
@@ -80,43 +75,38 @@ impl Desk {
     }
 }
 
-/// The rows of each place, and why there may be more that are not looked for.
-fn first_rows(
-    scenario: &Scenario,
-    household: &Household,
-    cancel: &Cancel,
-) -> Result<(Vec<PlaceRowsView>, Option<String>), LogError> {
+/// The first rows of each destination, and the reason why later ones are missing.
+fn first_rows(opened: &OpenScenario, cancel: &Cancel) -> Result<(Vec<PlaceRowsView>, Option<String>), SimulationError> {
+    let scenario = opened.scenario();
     let unmade = |source| LogError::Unmade { place: std::env::temp_dir().display().to_string(), source };
     let folder = tempfile::tempdir().map_err(unmade)?;
     let usual = [String::from(scheme::USUAL)];
     let to = if scenario.logger.to.is_empty() { &usual[..] } else { &scenario.logger.to };
-    let urls: Vec<Url> = to.iter().map(|to| to.parse()).collect::<Result<_, NoPlace>>()?;
+    let urls: Vec<Url> = to.iter().map(|to| to.parse()).collect::<Result<_, NoPlace>>().map_err(LogError::NoPlace)?;
     let hidden = urls.iter().enumerate().map(|(number, url)| url.at(folder.path().join(number.to_string())));
     let hidden: Vec<Url> = hidden.collect();
 
-    let seed = scenario.file.seed;
-    let length = scenario.calendar.span_of_days(scenario.file.days).min(LONGEST_LIVED);
-    let mut run = Run::new(scenario, household, seed, length);
-    let recording = Recording::new(scenario, homebody_simulation::VERSION, "", seed, length);
-    let info = Arc::new(RunInfo::of(scenario, &run, &recording));
-    let mut logger =
-        Logger::open(destinations(&hidden, WriteMode::Create)?, &scenario.logger, &info, WriteMode::Create)?;
-    let (mut events, mut count, mut cut) = (Events::default(), 0, None);
-    let mut effort = Effort::new(cancel, LONGEST_STRETCH);
-    let end = RunTime::START + length;
-    // Of messages that a link delays, and of OFFs that are held, some rows come later than their firings.
-    while count < 2 * MOST_ROWS && run.now() < end {
-        if let Err(why) = effort.goes_on(0) {
+    let length = scenario.calendar.span_of_days(scenario.file.days).min(LONGEST_RUN);
+    let mut run = opened.run().length(length).plan()?.simulation().stepping(draft_steps(LONGEST_STEP));
+    let mut logger = Logger::open(
+        destinations(&hidden, WriteMode::Create)?,
+        &scenario.logger,
+        &Arc::new(run.info()),
+        WriteMode::Create,
+    )?;
+    let (mut effort, mut count, mut cut) = (Effort::new(cancel), 0, None);
+    // Some rows come later than their firings: a link delays messages, and sensors hold OFFs.
+    while count < 2 * MOST_ROWS && !run.is_over() {
+        if let Err(why) = effort.check(0) {
             let clock = scenario.calendar.wall_clock(run.now());
             cut = Some(format!("Rows up to {clock} are shown. {why}"));
             break;
         }
-        let lived = effort.live(&mut run, end, &mut events);
-        logger.store(&events.firings, run.settled())?;
-        count += events.firings.len();
-        events.clear();
-        // What came before it stopped is shown.
-        if lived.is_err() {
+        let stepped = effort.step(&mut run, RunTime::START + length);
+        logger.store(&run.events().firings, run.settled())?;
+        count += run.events().firings.len();
+        // The rows before an error of a driver are shown.
+        if stepped.is_err() {
             break;
         }
     }

@@ -9,13 +9,13 @@ use homebody_core::recording::{Recording, RunDigest};
 use homebody_core::run::{DriverProvider, Guest};
 use homebody_core::time::{HOUR, SECOND};
 use homebody_routine::household::Household;
-use homebody_simulation::Template;
+use homebody_simulation::{Template, VariantOptions};
 use tempfile::TempDir;
 
-/// How long everything goes well.
+/// The time before the failure.
 const WELL: Span = HOUR.times(9);
 
-/// Lives as the routine says, and then does what nobody can, or nothing that a program should.
+/// Follows the routine at first, and then takes an impossible step, or panics.
 #[derive(Clone, Debug)]
 struct Doomed {
     routine: Box<dyn Driver>,
@@ -94,10 +94,10 @@ fn a_run_that_dies_is_told_of_and_kept_and_another_begins() {
     for panics in [true, false] {
         let folder = tempfile::tempdir().unwrap();
         let shelf = shelf(&folder);
-        let act = StagedRun::new(&shelf, &shelf.entry, Start::default()).unwrap();
+        let run = StagedRun::new(&shelf, &shelf.entry, StartRequest::default()).unwrap();
         let household = Household::load(&shelf, &shelf.entry, &[]).unwrap().1;
-        let act = act.driven_by(&AllDoomed { household: &household, panics });
-        let stage = Stage::of(shelf.clone(), Ok(act)).unwrap();
+        let run = run.driven_by(&AllDoomed { household: &household, panics });
+        let stage = Stage::with_run(shelf.clone(), Ok(run)).unwrap();
         let mut seen = Seen::default();
         stage.voice().say(Say::Speed { times: None });
         stage.voice().say(Say::Play);
@@ -124,7 +124,7 @@ fn a_run_that_dies_is_told_of_and_kept_and_another_begins() {
         let rows: i64 = log.query_row("SELECT count(*) FROM event", [], |row| row.get(0)).unwrap();
         assert_eq!(rows as u64, recording.firings);
 
-        stage.voice().say(Say::Start { driven: None, without: Vec::new(), seed: None });
+        stage.voice().say(Say::Start { driven: None, variant: VariantOptions::default() });
         stage.voice().say(Say::Speed { times: None });
         stage.voice().say(Say::Play);
         look(&stage, &mut seen, |news| {
@@ -152,7 +152,7 @@ fn a_scenario_with_problems_has_no_run_until_they_are_mended() {
     let mut seen = Seen::default();
     let news = stage.news(&mut seen, 10);
     assert!(unbegun(&news) && news.frame.is_none());
-    let start = Say::Start { driven: None, without: Vec::new(), seed: None };
+    let start = Say::Start { driven: None, variant: VariantOptions::default() };
     for say in [Say::Play, Say::Jump { to_us: 5 }, Say::Stop, start.clone()] {
         stage.voice().say(say);
     }
@@ -176,7 +176,7 @@ fn taking_the_keys_sets_the_speed_to_once() {
     let stage = Stage::open(shelf(&folder)).unwrap();
     let mut seen = Seen::default();
     stage.voice().say(Say::Speed { times: None });
-    let start = |driven| Say::Start { driven, without: Vec::new(), seed: None };
+    let start = |driven| Say::Start { driven, variant: VariantOptions::default() };
     stage.voice().say(start(None));
     look(&stage, &mut seen, |news| frame(news).speed.is_none());
     stage.voice().say(start(Some(0)));
@@ -190,7 +190,7 @@ fn a_page_that_says_much_keeps_no_other_from_being_heard_nor_the_stage_from_its_
     let folder = tempfile::tempdir().unwrap();
     let stage = Stage::open(shelf(&folder)).unwrap();
     let loud = stage.voice();
-    let start = || Say::Start { driven: None, without: Vec::new(), seed: Some(1) };
+    let start = || Say::Start { driven: None, variant: VariantOptions { seed: Some(1), ..VariantOptions::default() } };
     let taken = (0..20_000).filter(|_| loud.say(start())).count();
     assert!(taken < 20_000, "it is refused");
     assert!(stage.voice().say(Say::Play));

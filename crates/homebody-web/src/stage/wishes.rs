@@ -1,4 +1,4 @@
-//! The wishes of pages, in their order. A page that says much is refused, so that no other page waits for it.
+//! The queue of requests of pages. A page with too many requests is refused, so that no other page waits for it.
 
 use crate::wire::Say;
 use std::collections::VecDeque;
@@ -13,24 +13,24 @@ pub(crate) const MOST_WAITING: usize = 32;
 /// A request to the stage.
 pub(super) enum Wish {
     Say(Say),
-    /// To complete all files, and then to say so.
+    /// Completes all files, and then answers.
     Close(Sender<()>),
 }
 
-/// The wishes that wait, as the stage hears them.
+/// The receiver of the queue.
 pub(super) struct Heard(Arc<Queue>);
 
-/// The speakers to a stage. A clone is one more; when the last is gone, the stage is over.
+/// The senders to a stage. Dropping the last clone ends the stage.
 #[derive(Clone)]
 pub(super) struct Speakers(Arc<Last>);
 
-/// The last speaker ends the stage.
+/// Ends the stage when it is dropped.
 struct Last(Arc<Queue>);
 
-/// One speaker to a stage, such as a page.
+/// One sender to a stage, such as a page.
 pub struct Voice {
     speakers: Speakers,
-    /// How many of its wishes wait.
+    /// The number of its waiting requests.
     waiting: Arc<AtomicUsize>,
 }
 
@@ -46,7 +46,7 @@ struct Waiting {
     is_over: bool,
 }
 
-/// One of the wishes of a voice that wait, for as long as it does.
+/// Counts a waiting request until it is dropped.
 struct Counted(Arc<AtomicUsize>);
 
 impl Drop for Counted {
@@ -64,7 +64,7 @@ impl Counted {
 
 impl Queue {
     fn lock(&self) -> MutexGuard<'_, Waiting> {
-        // No panic leaves it half changed.
+        // A panic of a holder leaves a complete value.
         self.waiting.lock().unwrap_or_else(PoisonError::into_inner)
     }
 }
@@ -83,12 +83,11 @@ pub(super) fn wishes() -> (Speakers, Heard) {
 }
 
 impl Speakers {
-    /// One more who says what is wanted.
     pub fn voice(&self) -> Voice {
         Voice { speakers: self.clone(), waiting: Arc::default() }
     }
 
-    /// Asks for the end, before all else: nothing that waits is done any more.
+    /// Requests the end of the stage, and drops all waiting requests.
     pub fn close(&self, done: Sender<()>) {
         let queue = &self.0.0;
         let mut waiting = queue.lock();
@@ -99,7 +98,7 @@ impl Speakers {
 }
 
 impl Voice {
-    /// Asks for something. False where so much of this voice waits already that it is not heard.
+    /// Sends a request. False if too many requests of this voice wait.
     pub fn say(&self, say: Say) -> bool {
         let queue = &self.speakers.0.0;
         let mut waiting = queue.lock();
@@ -113,7 +112,7 @@ impl Voice {
         true
     }
 
-    /// Lets go of all keys, for the last time: however much waits, no key stays held.
+    /// Releases all keys at the end of a page, however many requests wait.
     pub fn let_go(self) {
         let queue = &self.speakers.0.0;
         let wish = Wish::Say(Say::Hold { keys: Vec::new() });
@@ -122,21 +121,21 @@ impl Voice {
     }
 }
 
-/// A stop comes before these: each of them may take long.
+/// Requests that may take long, which a stop drops.
 fn is_ended_by_stop(say: &Say) -> bool {
     matches!(say, Say::Start { .. } | Say::Replay { .. } | Say::Jump { .. } | Say::Stop)
 }
 
-/// The end of waiting for a wish.
+/// The result of waiting for a request.
 pub(super) enum Next {
     Wish(Wish),
     Nothing,
-    /// Nobody is left who could wish for anything.
+    /// The last sender is gone.
     Over,
 }
 
 impl Heard {
-    /// The next wish, which is waited for so long.
+    /// Waits this long for the next request.
     pub fn next(&self, wait: Duration) -> Next {
         let until = Instant::now() + wait;
         let mut waiting = self.0.lock();
@@ -159,10 +158,11 @@ impl Heard {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use homebody_simulation::VariantOptions;
     use std::sync::mpsc::channel;
 
     fn start() -> Say {
-        Say::Start { driven: None, without: Vec::new(), seed: Some(1) }
+        Say::Start { driven: None, variant: VariantOptions { seed: Some(1), ..VariantOptions::default() } }
     }
 
     fn all(heard: &Heard) -> Vec<Wish> {
@@ -174,19 +174,19 @@ mod tests {
     }
 
     #[test]
-    fn a_page_that_says_much_is_refused_and_no_other_is() {
+    fn refuses_only_the_page_with_too_many_requests() {
         let (speakers, heard) = wishes();
         let (loud, quiet) = (speakers.voice(), speakers.voice());
         let taken = (0..20_000).filter(|_| loud.say(start())).count();
         assert_eq!((taken, quiet.say(Say::Play)), (MOST_WAITING, true));
         assert_eq!(all(&heard).len(), MOST_WAITING + 1);
-        assert!(loud.say(Say::Play), "what was done makes room");
+        assert!(loud.say(Say::Play), "a finished request makes room");
         loud.let_go();
         assert!(matches!(all(&heard)[..], [Wish::Say(Say::Play), Wish::Say(Say::Hold { .. })]));
     }
 
     #[test]
-    fn a_stop_is_heard_before_what_takes_long_and_an_end_before_all() {
+    fn a_stop_comes_before_long_requests_and_an_end_before_all() {
         let (speakers, heard) = wishes();
         let loud = speakers.voice();
         while loud.say(start()) {}
@@ -198,7 +198,7 @@ mod tests {
     }
 
     #[test]
-    fn a_stage_is_over_when_nobody_is_left_to_speak() {
+    fn a_stage_ends_with_its_last_sender() {
         let (speakers, heard) = wishes();
         let voice = speakers.voice();
         drop(speakers);

@@ -5,7 +5,7 @@ use super::density::DensityMessage;
 use super::devices::DeviceMessage;
 use super::doctor::DoctorMessage;
 use super::fit::TrainingMessage;
-use super::fleet::told::FleetEndMessage;
+use super::fleet::fleet_progress::FleetEndMessage;
 use super::follow::FollowMessage;
 use super::live::LiveMessage;
 use super::measures::MeasuresMessage;

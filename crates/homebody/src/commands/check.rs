@@ -2,7 +2,6 @@
 
 use super::scenario::ScenarioArguments;
 use crate::failure::Failure;
-use crate::length::Length;
 use crate::print::{print_json, tell, tell_message};
 use homebody_core::problem::{Problem, Problems, Severity, counted};
 use homebody_simulation::{OpenScenario, ScenarioSource, SimulationError};
@@ -29,7 +28,7 @@ impl CheckArguments {
     pub fn run(self) -> Result<(), Failure> {
         let remarks = |opened: &OpenScenario| {
             let scenario = opened.scenario();
-            opened.remarks(Length::Days(scenario.file.days).by(&scenario.calendar))
+            opened.remarks(scenario.calendar.span_of_days(scenario.file.days))
         };
         let opened = load_with_warnings(self.scenario.source(), self.json, remarks)?;
         let scenario = opened.scenario();

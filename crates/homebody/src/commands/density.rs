@@ -4,7 +4,6 @@ use super::log_input::{LogArguments, read_any_length};
 use super::messages::{LogContentMessage, not_measurable};
 use super::result_output::ResultOutput;
 use crate::failure::Failure;
-use crate::length::span;
 use crate::print::tell;
 use homebody_analysis::dates;
 use homebody_analysis::density::{DensityOptions, EntranceSource, NoMap, TexturedMap, density_of};
@@ -14,6 +13,7 @@ use homebody_core::time::Span;
 use homebody_log::log::{ColumnRole, ColumnUse};
 use homebody_picture::density_map;
 use homebody_query::LoadedLog;
+use homebody_simulation::run_length::span;
 use std::collections::BTreeSet;
 use std::path::PathBuf;
 

@@ -3,12 +3,12 @@
 use super::log_input::LogArguments;
 use super::result_output::JsonOutput;
 use crate::failure::Failure;
-use crate::length::span;
 use clap::builder::PossibleValue;
 use homebody_analysis::dates::clock_s;
 use homebody_core::time::{SECOND, Span, WallTime};
 use homebody_query::find_in_log;
 use homebody_query::{search::DayHours, search::Query, search::SearchSubject};
+use homebody_simulation::run_length::span;
 use serde::Serialize;
 use std::fmt;
 

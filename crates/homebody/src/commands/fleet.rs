@@ -1,16 +1,15 @@
 //! `homebody fleet`: thousands of homes in real time, to load a back end.
 
-pub mod told;
+pub mod fleet_progress;
 
-use super::lived::{DestinationTimeout, failure, go_on_by, how_far_ahead};
 use super::replacing::Replacing;
+use super::run_output::{DestinationTimeout, failure, future_start, resume_command};
 use super::scenario::Trust;
 use crate::failure::{EXIT_CODES, Failure};
-use crate::length::span;
-use crate::metrics::MetricsArguments;
 use crate::print::{ResultMessage, counted, tell, write_file};
 use crate::signals::Signals;
-use crate::start::StartTime;
+use crate::metrics::MetricsArguments;
+use fleet_progress::{FleetProgress, bar, homes_table};
 use homebody_core::problem::Problems;
 use homebody_core::time::{MINUTE, RunTime, SECOND, Span, UtcTime};
 use homebody_fleet::{Churn, FleetError, FleetHomes, FleetRun, FleetSetup, MOST_HOMES, Outages, Patience};
@@ -18,18 +17,18 @@ use homebody_log::files::fresh::FreshFile;
 use homebody_log::files::plain;
 use homebody_log::fleet::has_rows_of_fleet;
 use homebody_log::run::places::can_be_written;
-use homebody_simulation::{OpenScenario, SimulationError, SinkNews, Url};
+use homebody_simulation::run_length::span;
+use homebody_simulation::{OpenScenario, RunStart, SimulationError, SinkNews, Url, VariantOptions};
 use jiff::Timestamp;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::time::{Duration, Instant};
-use told::{Telling, bar};
 
 /// Load-test a back end with thousands of homes in real time
 ///
 /// One process simulates all homes. The events of a home depend on its scenario, the start, the seed and its own number in the fleet.
-/// They do not depend on the size of the fleet or the speed. With several scenarios, the homes use them in rotation. Homebody reports
-/// the message rate and the delays every few seconds, and the totals at the end.
+/// They do not depend on the size of the fleet or the speed. With several scenarios, the homes use them in rotation, and the seed of the
+/// first is the default. Homebody reports the message rate and the delays every few seconds, and the totals at the end.
 #[derive(clap::Args)]
 #[command(after_long_help = format!("Examples:
   homebody fleet scenarios/tigerplace --homes 1000 --out 'mqtt://localhost/load?discovery=off' --for 10min
@@ -39,7 +38,7 @@ use told::{Telling, bar};
 
 {EXIT_CODES},
 129, 130 or 143 SIGHUP, SIGINT or SIGTERM ended it."))]
-pub struct Arguments {
+pub struct FleetArguments {
     /// Scenario folders, or their scenario.json files; the homes use them in rotation
     #[arg(required = true, value_name = "SCENARIO")]
     scenarios: Vec<PathBuf>,
@@ -58,21 +57,17 @@ pub struct Arguments {
     ///
     /// Homebody simulates the time before now as fast as possible.
     #[arg(long, value_name = "TIME", default_value = "now")]
-    start: StartTime,
+    start: RunStart,
     /// Simulated seconds per real second, from the start on: 0.1 to 1000 (default: real time)
     #[arg(long, value_name = "FACTOR", value_parser = speed)]
     speed: Option<f64>,
     /// Duration in real time, such as 10min (default: the fleet runs until you stop it)
     #[arg(long = "for", value_name = "DURATION", value_parser = span)]
     lasts: Option<Span>,
-    /// Seed of all random numbers (default: that of the first scenario)
-    #[arg(long)]
-    seed: Option<u64>,
-    /// Leave out a condition of the routines; repeatable
-    #[arg(long, value_name = "CONDITION")]
-    without: Vec<String>,
+    #[command(flatten)]
+    variant: VariantOptions,
     /// Network outages of all homes, such as 'every 5min for 30s'; after each outage, all homes send their messages at once
-    #[arg(long, value_name = "WHEN", value_parser = storms)]
+    #[arg(long, value_name = "WHEN", value_parser = outages)]
     outages: Option<Outages>,
     /// Largest error of a home's clock, such as 2s; a clock can be fast or slow
     #[arg(long, value_name = "DURATION", value_parser = span)]
@@ -127,13 +122,11 @@ fn speed(text: &str) -> Result<f64, String> {
     speed.ok_or_else(|| "write a number from 0.1 to 1000".into())
 }
 
-/// Outages as people write them.
-fn storms(text: &str) -> Result<Outages, String> {
+fn outages(text: &str) -> Result<Outages, String> {
     let [every, lasts] = two_spans(text, ["every", "for"]).ok_or("write 'every 5min for 30s'")?;
     Outages::new(every?, lasts?).ok_or_else(|| "an outage must be shorter than the time between two".into())
 }
 
-/// How homes come and go, as people write it.
 fn churn(text: &str) -> Result<Churn, String> {
     let [stays, away] = two_spans(text, ["stay", "gone"]).ok_or("write 'stay 30min gone 5min'")?;
     let (stays, away) = (stays?, away?);
@@ -143,16 +136,16 @@ fn churn(text: &str) -> Result<Churn, String> {
     }
 }
 
-/// Two spans of time, each behind its word.
+/// Two spans of time, each after its word.
 fn two_spans(text: &str, [first, second]: [&str; 2]) -> Option<[Result<Span, String>; 2]> {
     let words: Vec<&str> = text.split_whitespace().collect();
     match words[..] {
-        [one, a, other, b] if one == first && other == second => Some([span(a), span(b)]),
+        [word, a, other, b] if word == first && other == second => Some([span(a), span(b)]),
         _ => None,
     }
 }
 
-impl Arguments {
+impl FleetArguments {
     pub fn run(self) -> Result<(), Failure> {
         let signals = Signals::listen()?;
         if self.json && self.out.iter().any(Url::is_output) {
@@ -160,24 +153,24 @@ impl Arguments {
         }
         let scenarios = self.scenarios()?;
         self.files_can_be_written(&scenarios)?;
-        let started = |opened: &OpenScenario| UtcTime::from(opened.scenario().calendar.timestamp(RunTime::START));
-        let is_late = |opened| started(opened) < UtcTime::from(Timestamp::now()) - BEFORE_NOW;
+        let start = |opened: &OpenScenario| UtcTime::from(opened.scenario().calendar.timestamp(RunTime::START));
+        let is_late = |opened| start(opened) < UtcTime::from(Timestamp::now()) - BEFORE_NOW;
         let is_fast = self.speed.map_or_else(|| scenarios.iter().any(is_late), |speed| speed > 1.0);
         let mut run = FleetRun::new(&self.out, is_fast, |place| self.replacing.how(place))?;
         let names: Vec<String> = scenarios.iter().map(|opened| opened.name().to_owned()).collect();
         if !self.quiet && self.speed.is_none() {
-            let ahead = |opened: &OpenScenario| how_far_ahead(&opened.scenario().calendar);
+            let ahead = |opened: &OpenScenario| future_start(&opened.scenario().calendar);
             if let Some(ahead) = scenarios.iter().find_map(ahead) {
                 tell(format_args!("homes send nothing before {ahead}"));
             }
         }
-        let fleet = self.make(scenarios)?;
+        let fleet = self.homes(scenarios)?;
         if let Some(list) = &self.list {
-            write_list(list, &told::list(&fleet), self.replacing.force)?;
+            write_list(list, &homes_table(&fleet), self.replacing.force)?;
         }
         let report = self.report.as_ref().map(|path| reports(path, self.replacing.force)).transpose()?;
         let look = self.metrics.begin_fleet(&names.join(", "))?;
-        let mut telling = Telling::begin(self.quiet, self.json, report, look);
+        let mut progress = FleetProgress::new(self.quiet, self.json, report, look);
         run.patience = Patience {
             retry_for: if self.on_unavailable == WhenAway::Retry { RETRY_FOR } else { Duration::ZERO },
             answers_within: Some(self.deadline.within()),
@@ -187,28 +180,28 @@ impl Arguments {
         run.lasts = self.lasts.map(Span::to_duration);
         run.every = self.report_every.to_duration();
         let mut failed = None;
-        let last = fleet.run(run, |lived| {
-            if let Err(error) = telling.hear(lived) {
+        let last = fleet.run(run, |status| {
+            if let Err(error) = progress.show(status) {
                 failed.get_or_insert(error);
             }
         });
         let last = last.map_err(|error| match error {
-            FleetError::Simulation(error) => failure(error, go_on_by, &signals),
+            FleetError::Simulation(error) => failure(error, resume_command, &signals),
             error => error.into(),
         })?;
-        telling.end(&last)?;
+        progress.finish(&last)?;
         failed.map_or(Ok(()), Err)?;
         let is_over = self.lasts.is_some_and(|lasts| last.running_s * 1e6 >= lasts.micros() as f64);
         signals.ended(!is_over)
     }
 
-    /// The scenarios, each begun when the fleet is; all that is wrong with any of them.
+    /// The scenarios with the start of the fleet, or all their problems.
     fn scenarios(&self) -> Result<Vec<OpenScenario>, Failure> {
         let (mut all, mut problems) = (Vec::new(), Vec::new());
         for path in &self.scenarios {
             let opened = self.trust.source(path)?.open();
             match opened {
-                Ok(opened) => all.push(self.start.of(&opened)?),
+                Ok(opened) => all.push(self.start.in_scenario(&opened)?),
                 Err(SimulationError::Problems(Problems(found))) => problems.extend(found),
                 Err(error) => return Err(error.into()),
             }
@@ -226,36 +219,35 @@ impl Arguments {
         Ok(can_be_written(&files, &sources, self.replacing.force)?)
     }
 
-    /// Makes the homes, and shows how far that is.
-    fn make(&self, scenarios: Vec<OpenScenario>) -> Result<FleetHomes, Failure> {
-        let begun = Instant::now();
+    /// Creates the homes, with a progress bar.
+    fn homes(&self, scenarios: Vec<OpenScenario>) -> Result<FleetHomes, Failure> {
+        let began = Instant::now();
         let bar = bar(self.quiet, "homes made", Some(self.homes.into()));
         let setup = FleetSetup {
             scenarios,
             homes: self.homes,
             first: self.first_home,
-            seed: self.seed,
-            without: self.without.clone(),
+            variant: self.variant.clone(),
             speed: self.speed,
             skew: self.skew.unwrap_or(Span::ZERO),
             churn: self.churn,
-            storms: self.outages,
+            outages: self.outages,
         };
         let fleet = setup.make(|made| bar.set_position(made as u64));
         bar.finish_and_clear();
         let fleet = fleet?;
         if !self.quiet {
             let homes = counted(self.homes.into(), "home", "homes");
-            tell(format_args!("made {homes} in {:.1} s; press Ctrl-C to stop", begun.elapsed().as_secs_f64()));
+            tell(format_args!("made {homes} in {:.1} s; press Ctrl-C to stop", began.elapsed().as_secs_f64()));
         }
         Ok(fleet)
     }
 }
 
-/// The reports that a file holds already, whole lines alone; None where it is not there, or something else.
+/// The complete lines of a file of reports; `None` if the file is missing, or is not one of reports.
 fn reports_in(path: &Path) -> Option<Vec<u8>> {
     let mut text = plain::read(path, LARGEST_REPORTS_BYTES).ok()?;
-    // A program that was killed may have left a line half written.
+    // A killed program may have left an incomplete line.
     text.truncate(text.iter().rposition(|&byte| byte == b'\n').map_or(0, |end| end + 1));
     let is_report = |line: &[u8]| {
         let report: Option<serde_json::Value> = serde_json::from_slice(line).ok();
@@ -267,7 +259,7 @@ fn reports_in(path: &Path) -> Option<Vec<u8>> {
 /// Largest size of the file of reports that a fleet appends to. A report every five seconds fills half of it in a year.
 const LARGEST_REPORTS_BYTES: u64 = 8 << 30;
 
-/// Opens the file of reports: a new one, or the one that the same command left, to add to it.
+/// Opens the file of reports. A file of the same command stays, and new reports follow.
 fn reports(path: &Path, force: bool) -> Result<FreshFile, Failure> {
     let before = if force { None } else { reports_in(path) };
     let mut file = FreshFile::create(path, force || before.is_some())?;
@@ -275,10 +267,10 @@ fn reports(path: &Path, force: bool) -> Result<FreshFile, Failure> {
     Ok(file)
 }
 
-/// Writes the list of homes; the same list may be there already.
+/// Writes the list of homes, unless the file has the same list.
 fn write_list(path: &Path, list: &str, force: bool) -> Result<(), Failure> {
-    let is_there = plain::read(path, list.len() as u64).is_ok_and(|found| found == list.as_bytes());
-    if is_there { Ok(()) } else { write_file(path, list.as_bytes(), force) }
+    let is_same = plain::read(path, list.len() as u64).is_ok_and(|found| found == list.as_bytes());
+    if is_same { Ok(()) } else { write_file(path, list.as_bytes(), force) }
 }
 
 #[cfg(test)]
@@ -287,12 +279,12 @@ mod tests {
     use homebody_core::time::HOUR;
 
     #[test]
-    fn storms_and_churn_are_read_as_people_write_them() {
+    fn reads_outages_and_churn() {
         let five_minutes = 5 * MINUTE;
-        assert_eq!(storms("every 5min for 30s"), Ok(Outages::new(five_minutes, 30 * SECOND).unwrap()));
+        assert_eq!(outages("every 5min for 30s"), Ok(Outages::new(five_minutes, 30 * SECOND).unwrap()));
         assert_eq!(churn("stay 5m gone 1h"), Ok(Churn { stays: five_minutes, away: HOUR }));
         for wrong in ["", "5min", "every 5min", "every 30s for 5min", "for 30s every 5min", "every 5 min for 30 s"] {
-            assert!(storms(wrong).is_err(), "{wrong}");
+            assert!(outages(wrong).is_err(), "{wrong}");
         }
         for wrong in ["10%", "stay 5min", "stay 5min gone 0s", "stay 0.1s gone 5s"] {
             assert!(churn(wrong).is_err(), "{wrong}");

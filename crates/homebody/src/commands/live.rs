@@ -1,14 +1,14 @@
 //! `homebody live`: a home in real time.
 
-use super::lived::{Away, all_are_elsewhere, failure, how_far_ahead, is_not_yet, report_live};
+use super::run_output::{Away, check_destinations, failure, future_start, is_unchanged, report_live};
 use super::scenario::Trust;
 use crate::failure::{EXIT_CODES, Failure};
 use crate::metrics::MetricsArguments;
 use crate::print::tell;
 use crate::signals::Signals;
-use crate::start::StartTime;
+use crate::metrics::MetricsArguments;
 use homebody_core::time::{RunTime, UtcTime};
-use homebody_simulation::{LiveHome, RunMetrics, RunProgress, Url};
+use homebody_simulation::{LiveHome, RunMetrics, RunOptions, RunStart, Url, VariantOptions};
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use jiff::Timestamp;
 use std::path::{Path, PathBuf};
@@ -62,7 +62,7 @@ homebody_core::messages! {
 
 {EXIT_CODES},
 129, 130 or 143 SIGHUP, SIGINT or SIGTERM ended it; what was simulated is stored."))]
-pub struct Arguments {
+pub struct LiveArguments {
     /// Scenario folder, or its scenario.json
     scenario: PathBuf,
     #[command(flatten)]
@@ -71,16 +71,12 @@ pub struct Arguments {
     ///
     /// Homebody simulates the time before now as fast as possible.
     #[arg(long, value_name = "TIME", default_value = "now")]
-    start: StartTime,
+    start: RunStart,
     /// Folder for the files of the home (default: live/NAME, with the name in scenario.json)
     #[arg(long, value_name = "FOLDER")]
     folder: Option<PathBuf>,
-    /// Seed of all random numbers (default: that of the scenario)
-    #[arg(long)]
-    seed: Option<u64>,
-    /// Leave out a condition of the routine; repeatable
-    #[arg(long, value_name = "CONDITION")]
-    without: Vec<String>,
+    #[command(flatten)]
+    variant: VariantOptions,
     /// Also send the rows to this server, or to standard output as jsonl:-, csv:- or casas:-; repeatable
     #[arg(short, long, value_name = "DESTINATION")]
     out: Vec<Url>,
@@ -93,24 +89,23 @@ pub struct Arguments {
     quiet: bool,
 }
 
-/// The folder that homes live in where nobody says otherwise.
+/// The default folder of homes.
 const LIVE: &str = "live";
 
-impl Arguments {
+impl LiveArguments {
     pub fn run(self) -> Result<(), Failure> {
         let signals = Signals::listen()?;
         let opened = self.trust.source(&self.scenario)?.open()?;
         let folder = self.folder.clone().unwrap_or_else(|| Path::new(LIVE).join(opened.name()));
         let elsewhere: Vec<Url> = self.out.iter().filter(|url| !url.is_output()).cloned().collect();
-        all_are_elsewhere(&elsewhere)?;
+        check_destinations(&elsewhere)?;
         let servers = self.away.treatment()?;
         let home = match LiveHome::is_there(&folder) {
             true => LiveHome::resume(&folder)?,
             false => {
-                let opened = self.start.of(&opened)?;
-                let setup = opened.run().without(&self.without);
-                let setup = self.seed.into_iter().fold(setup, |setup, seed| setup.seed(seed));
-                LiveHome::create(setup, &folder)?
+                let (start, variant) = (Some(self.start.clone()), self.variant.clone());
+                let options = RunOptions { start, variant, ..RunOptions::default() };
+                LiveHome::create(options.setup(&opened)?, &folder)?
             }
         };
         if home.is_resumed() && home.scenario().file.name != opened.name() {
@@ -118,88 +113,85 @@ impl Arguments {
             return Err(Failure::asked(LiveMessage::Home { folder, holds, scenario }));
         }
         if home.is_resumed() {
-            self.is_what_was_asked_for(&home, &folder)?;
+            self.check_resumed_home(&home, &folder)?;
         }
         if !self.quiet {
-            tell(format_args!("{} {}; press Ctrl-C to stop", opened.name(), how_it_begins(&home, &folder)));
+            tell(format_args!("{} {}; press Ctrl-C to stop", opened.name(), start_message(&home, &folder)));
         }
         let (name, meters) = (opened.name().to_owned(), self.metrics.begin(opened.name(), self.quiet)?);
-        let mut watch = Watch::new(self.quiet, &meters);
-        let lived = home.run(&self.out, &servers, &meters, signals.cancel(), |progress| watch.look(progress));
-        watch.bar.finish_and_clear();
-        let lived = match lived {
-            Err(error) if is_not_yet(&error) => {
-                // It was still lived again up to where it was: that it is stopped there is no failure.
+        let mut shown = LiveProgress::new(self.quiet, &meters);
+        let summary = home.run(&self.out, &servers, &meters, signals.cancel(), |_| shown.update());
+        shown.bar.finish_and_clear();
+        let summary = match summary {
+            Err(error) if is_unchanged(&error) => {
+                // It had not yet caught up with its folder, so the stop is not a failure.
                 if !self.quiet {
                     tell(format_args!("{name}: stopped while it resumed; the folder is unchanged"));
                 }
                 return signals.ended(true).and(Err(error.into()));
             }
-            lived => lived.map_err(|error| failure(error, |_| "the same command".into(), &signals))?,
+            summary => summary.map_err(|error| failure(error, |_| "the same command".into(), &signals))?,
         };
         if !self.quiet {
-            report_live(&name, &folder, &lived);
+            report_live(&name, &folder, &summary);
         }
         signals.ended(true)
     }
-}
 
-impl Arguments {
     /// Refuses another start or another seed than those of the home in the folder. `now` and `today` fit any start.
-    fn is_what_was_asked_for(&self, home: &LiveHome, folder: &Path) -> Result<(), Failure> {
+    fn check_resumed_home(&self, home: &LiveHome, folder: &Path) -> Result<(), Failure> {
         let folder = folder.to_owned();
-        let begins =
-            home.begins().to_zoned(home.scenario().calendar.local(RunTime::START).time_zone().clone()).datetime();
-        if let StartTime::At(at) = self.start
-            && at != begins
+        let start = home.scenario().calendar.local(RunTime::START).datetime().to_string();
+        if let RunStart::At(at) = &self.start
+            && *at != start
         {
-            return Err(Failure::asked(LiveMessage::Start { folder, start: begins.to_string() }));
+            return Err(Failure::asked(LiveMessage::Start { folder, start }));
         }
-        match self.seed {
+        match self.variant.seed {
             Some(seed) if seed != home.seed() => Err(Failure::asked(LiveMessage::Seed { folder, seed: home.seed() })),
             _ => Ok(()),
         }
     }
 }
 
-/// Where and from when on it is lived. One that is to come says how long that takes, as its clock may be another than ours.
-fn how_it_begins(home: &LiveHome, folder: &Path) -> String {
-    let how = if home.is_resumed() { "resumes" } else { "starts" };
+/// The folder and the start of a home. A start in the future comes with the time until then, as clocks may differ.
+fn start_message(home: &LiveHome, folder: &Path) -> String {
+    let verb = if home.is_resumed() { "resumes" } else { "starts" };
     let calendar = &home.scenario().calendar;
-    match how_far_ahead(calendar) {
-        None => format!("{how} in {}; simulated from {}", folder.display(), calendar.wall_clock(RunTime::START)),
-        Some(ahead) => format!("{how} in {}; simulated from {ahead}", folder.display()),
+    match future_start(calendar) {
+        None => format!("{verb} in {}; simulated from {}", folder.display(), calendar.wall_clock(RunTime::START)),
+        Some(ahead) => format!("{verb} in {}; simulated from {ahead}", folder.display()),
     }
 }
 
-/// Shows how it goes, where somebody looks.
-struct Watch<'m> {
+/// The progress on a terminal.
+struct LiveProgress<'m> {
     bar: ProgressBar,
     meters: &'m RunMetrics,
-    shown: Instant,
+    updated: Instant,
 }
 
-/// How often it is shown anew.
+/// Interval between two updates of the progress.
 const LOOK: Duration = Duration::from_millis(500);
 
-impl<'m> Watch<'m> {
-    fn new(is_quiet: bool, meters: &'m RunMetrics) -> Watch<'m> {
+impl<'m> LiveProgress<'m> {
+    fn new(is_quiet: bool, meters: &'m RunMetrics) -> LiveProgress<'m> {
         let target = if is_quiet { ProgressDrawTarget::hidden() } else { ProgressDrawTarget::stderr() };
         let style =
             ProgressStyle::with_template("{spinner} {msg}").unwrap_or_else(|_| ProgressStyle::default_spinner());
         let bar = ProgressBar::with_draw_target(None, target).with_style(style);
-        Watch { bar, meters, shown: Instant::now() }
+        LiveProgress { bar, meters, updated: Instant::now() }
     }
 
-    fn look(&mut self, RunProgress { .. }: RunProgress) {
-        if self.bar.is_hidden() || self.shown.elapsed() < LOOK {
+    fn update(&mut self) {
+        if self.bar.is_hidden() || self.updated.elapsed() < LOOK {
             return;
         }
-        self.shown = Instant::now();
-        let seen = self.meters.read();
-        let Some(now) = seen.now else { return };
+        self.updated = Instant::now();
+        let reading = self.meters.read();
+        let Some(now) = reading.now else { return };
         let behind = (UtcTime::from(Timestamp::now()) - UtcTime::from(now)).seconds();
-        let places = seen.destinations.iter().map(|(place, meter)| {
+        let places = reading.destinations.iter().map(|(place, meter)| {
             let away = if meter.is_away {
                 format!(" (unavailable, {} kB spooled)", meter.spooled_bytes / 1000)
             } else {

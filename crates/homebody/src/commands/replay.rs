@@ -1,6 +1,6 @@
 //! `homebody replay`: repeat a recorded run.
 
-use super::lived::{Output, live};
+use super::run_output::{Output, store};
 use crate::failure::Failure;
 use crate::pace::PaceArguments;
 use crate::signals::Signals;
@@ -26,6 +26,6 @@ impl ReplayArguments {
         let signals = Signals::listen()?;
         let recorded = RecordedRun::open(&self.recording)?;
         let recorded = recorded.paced(self.pace.pace(), self.pace.commands()?, signals.cancel());
-        live(recorded.start(), None, &self.output, &signals)
+        store(recorded.start(), None, &self.output, &signals)
     }
 }

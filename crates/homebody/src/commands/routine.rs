@@ -25,7 +25,7 @@ pub struct RoutineArguments {
 enum Question {
     Check(check::RoutineCheckArguments),
     Explain(explain::RoutineExplainArguments),
-    Day(day::Arguments),
+    Day(day::RoutineDayArguments),
 }
 
 impl RoutineArguments {

@@ -2,22 +2,22 @@
 
 use super::check::tell_remark;
 use super::cohort;
-use super::lived::{Output, all_are_elsewhere, failure, go_on_by, go_on_in, is_not_yet, live, report, show};
 use super::run_messages::RunMessage;
+use super::run_output::{
+    Output, check_destinations, failure, is_unchanged, report, resume_command, resume_line, show, store,
+};
 use super::scenario::Trust;
 use crate::failure::Failure;
-use crate::length::{Length, length};
-use crate::metrics::MetricsArguments;
 use crate::pace::PaceArguments;
 use crate::print::print_text;
 use crate::signals::Signals;
-use crate::start::StartTime;
+use crate::metrics::MetricsArguments;
 use clap::builder::UnknownArgumentValueParser;
 use homebody_core::problem::Diagnostic;
 use homebody_core::time::Span;
 use homebody_simulation::{
     CohortLayout, CohortSetup, CohortSummary, IncompleteCohort, IncompleteRun, LIST, MOST_MEMBERS, OpenScenario,
-    SimulationError, TruthKept, Url,
+    RunOptions, SimulationError, TruthKept, Url,
 };
 use indicatif::ProgressBar;
 use std::path::{Path, PathBuf};
@@ -59,36 +59,17 @@ Columns of --profiles:
   routine     another routine file in the scenario's folder
   resident    the resident that the row is about, in homes with several routines
   home        another home file in the scenario's folder")]
-pub struct Arguments {
+pub struct RunArguments {
     /// Scenario folder, or its scenario.json
     #[arg(required_unless_present = "resume")]
     scenario: Option<PathBuf>,
     #[command(flatten)]
     trust: Trust,
-    /// Duration of the run: 90s, 15m, 2h, 7d or 52w (default: that of the scenario)
-    ///
-    /// Days and weeks follow the calendar: a run of 7d ends at the hour at which it started, even if clocks change in between.
-    #[arg(long = "for", value_name = "DURATION", value_parser = length)]
-    length: Option<Length>,
-    /// Other commands and Python have it; here it leads to `--for`, whose value has a unit.
+    #[command(flatten)]
+    options: RunOptions,
+    /// Other commands and Python have this option. Here its error names `--for`, whose value has a unit.
     #[arg(long = "days", hide = true, value_parser = UnknownArgumentValueParser::suggest("--for sets the duration, such as --for 7d"))]
     _days: Option<()>,
-    /// Start of the run in the home's local time: now, today, 2026-11-01 or 2026-11-01T08:00 (default: the start in the scenario)
-    #[arg(long, value_name = "TIME")]
-    start: Option<StartTime>,
-    /// Seed of all random numbers (default: that of the scenario)
-    #[arg(long, value_name = "N")]
-    seed: Option<u64>,
-    /// Leave out a condition of the routine; repeatable
-    ///
-    /// Homebody uses the same random numbers with and without the condition, except where the condition has an effect.
-    #[arg(long, value_name = "CONDITION")]
-    without: Vec<String>,
-    /// Set a parameter of the models; repeatable
-    ///
-    /// `homebody parameters` lists all parameters with units and ranges. The recording stores the values.
-    #[arg(long = "set", value_name = "NAME=VALUE", value_parser = number)]
-    numbers: Vec<(String, f64)>,
     /// Simulate a cohort of N members, on all processors
     ///
     /// Members vary around the routine as real people do, and each has its own folder.
@@ -133,18 +114,11 @@ enum TruthTables {
     Brief,
 }
 
-/// The name and the value of a parameter.
-fn number(text: &str) -> Result<(String, f64), String> {
-    let (name, value) = text.split_once('=').ok_or("write NAME=VALUE, such as gait.slowest=0.25")?;
-    let number: f64 = value.trim().parse().map_err(|_| format!("{value:?} is not a number"))?;
-    if number.is_finite() { Ok((name.trim().to_owned(), number)) } else { Err(format!("{value:?} is not a number")) }
-}
-
 /// The options of the speed of a run.
 const PACE_OPTIONS: &str = "--speed, --paused and --control";
 
 /// Refuses two values of one parameter.
-fn all_different(numbers: &[(String, f64)]) -> Result<(), Failure> {
+fn check_parameters_differ(numbers: &[(String, f64)]) -> Result<(), Failure> {
     let mut twice: Vec<Diagnostic> = Vec::new();
     for (index, (name, value)) in numbers.iter().enumerate() {
         if let Some((_, first)) = numbers[..index].iter().find(|(other, _)| other == name) {
@@ -166,56 +140,50 @@ fn not_resumed(error: SimulationError) -> Failure {
     }
 }
 
-impl Arguments {
+impl RunArguments {
     pub fn run(self) -> Result<(), Failure> {
         let signals = Signals::listen()?;
         if let Some(folder) = &self.resume {
-            return self.go_on(folder, &signals);
+            return self.resume(folder, &signals);
         }
-        all_different(&self.numbers)?;
+        check_parameters_differ(&self.options.numbers)?;
         let source = self.trust.source(self.scenario.as_deref().unwrap_or(Path::new("")))?;
-        let opened = source.open()?.with_numbers(self.numbers.clone())?;
-        let opened = self.start.as_ref().map_or(Ok(opened.clone()), |start| start.of(&opened))?;
-        let scenario = opened.scenario();
-        let seed = self.seed.unwrap_or(scenario.file.seed);
-        let length = self.length.unwrap_or(Length::Days(scenario.file.days)).by(&scenario.calendar);
+        let setup = self.options.clone().setup(&source.open()?)?.cancel(signals.cancel());
+        let (opened, length) = (setup.scenario().clone(), setup.span()?);
         let cohort = match (&self.profiles, self.members) {
             // Only the list knows who shows a condition that is left out.
             (Some(file), _) => {
-                let profiles = opened.profiles(file, &self.without)?;
+                let profiles = opened.profiles(file, setup.without_conditions())?;
                 if !self.output.quiet {
                     let remarks = opened.remarks_on(&file.display().to_string(), &profiles, length)?;
                     remarks.iter().for_each(tell_remark);
                 }
-                Some(opened.cohort_of(profiles))
+                setup.cohort_of(profiles)
             }
-            (None, members) => members.map(|count| opened.cohort(count)),
+            (None, Some(count)) => setup.cohort(count),
+            (None, None) => {
+                if self.truth_tables.is_some() {
+                    return Err(Failure::asked(RunMessage::TruthTables));
+                }
+                let run = setup.pace(self.pace.pace()).commands(self.pace.commands()?).start()?;
+                let run = run.metered(&self.watched.begin(opened.name(), self.output.quiet)?);
+                self.warn(&opened, length);
+                return store(run, self.recording, &self.output, &signals);
+            }
         };
-        let cancel = signals.cancel();
-        if let Some(cohort) = cohort {
-            self.suits_a_cohort()?;
-            let cohort = cohort.seed(seed).length(length).without(&self.without).cancel(cancel);
-            return self.live_cohort(&opened, cohort, length, &signals);
-        }
-        if self.truth_tables.is_some() {
-            return Err(Failure::asked(RunMessage::TruthTables));
-        }
-        let run = opened.run().seed(seed).length(length).without(&self.without);
-        let run = run.pace(self.pace.pace()).commands(self.pace.commands()?).cancel(cancel).start()?;
-        let run = run.metered(&self.metrics.begin(opened.name(), self.output.quiet)?);
-        self.remark(&opened, length);
-        live(run, self.recording, &self.output, &signals)
+        self.check_cohort_options()?;
+        self.run_cohort(&opened, cohort, length, &signals)
     }
 
     /// Simulates a cohort.
-    fn live_cohort(
+    fn run_cohort(
         &self,
         opened: &OpenScenario,
         setup: CohortSetup,
         length: Span,
         signals: &Signals,
     ) -> Result<(), Failure> {
-        let to = self.cohorts_place()?;
+        let to = self.cohort_place()?;
         let layout = to.map_or(Ok(CohortLayout::Folders), CohortLayout::at).map_err(Failure::asked)?;
         let setup = match self.truth_tables {
             Some(TruthTables::All) => setup.truth(TruthKept::All),
@@ -223,20 +191,20 @@ impl Arguments {
             None => setup,
         };
         let cohort = setup.layout(layout).start()?;
-        self.remark(opened, length);
+        self.warn(opened, length);
         if !self.output.quiet {
-            cohort::foretell(&cohort, self.truth_tables.is_some());
+            cohort::announce(&cohort, self.truth_tables.is_some());
         }
         let progress = self.output.progress(cohort.progress().length);
-        let lived = match to {
-            Some(place) => cohort.store_in(place.path(), |lived| show(&progress, Span::ZERO, lived)),
-            None => cohort.store(|lived| show(&progress, Span::ZERO, lived)),
+        let summary = match to {
+            Some(place) => cohort.store_in(place.path(), |done| show(&progress, Span::ZERO, done)),
+            None => cohort.store(|done| show(&progress, Span::ZERO, done)),
         };
-        self.tell_cohort(&progress, &lived?, signals)
+        self.report_cohort(&progress, &summary?, signals)
     }
 
     /// Refuses all options that a cohort does not have.
-    fn suits_a_cohort(&self) -> Result<(), Failure> {
+    fn check_cohort_options(&self) -> Result<(), Failure> {
         const NEW: &str = "a cohort replaces nothing; it needs a new folder";
         const TRUTH: &str =
             "the cohort's folder holds the ground truth of each member; --truth-tables selects its tables";
@@ -256,7 +224,7 @@ impl Arguments {
     }
 
     /// The destination of all members of a cohort; None for a folder each.
-    fn cohorts_place(&self) -> Result<Option<&Url>, Failure> {
+    fn cohort_place(&self) -> Result<Option<&Url>, Failure> {
         match &self.output.out[..] {
             [] => Ok(None),
             [place] => Ok(Some(place)),
@@ -265,8 +233,8 @@ impl Arguments {
     }
 
     /// Resumes an interrupted run or cohort.
-    fn go_on(&self, folder: &Path, signals: &Signals) -> Result<(), Failure> {
-        // Of a cohort in a store, both its URL and what --out was are understood.
+    fn resume(&self, folder: &Path, signals: &Signals) -> Result<(), Failure> {
+        // A cohort in a store has a URL; the value of its --out is accepted, too.
         let place = folder.to_str().and_then(|text| text.parse::<Url>().ok()).filter(Url::is_in_store);
         let folder = place.as_ref().map_or(folder, Url::path);
         if folder.to_string_lossy().contains("://") || folder.join(LIST).is_file() {
@@ -281,27 +249,27 @@ impl Arguments {
             let cohort = IncompleteCohort::open(folder).map_err(not_resumed)?.cancel(signals.cancel());
             let before = cohort.progress().done;
             let progress = self.output.progress(cohort.progress().length);
-            let lived = cohort.resume(|lived| show(&progress, before, lived));
-            let lived = lived.or_else(|error| self.not_yet(error, folder, &progress, signals))?;
-            return self.tell_cohort(&progress, &lived, signals);
+            let summary = cohort.resume(|done| show(&progress, before, done));
+            let summary = summary.or_else(|error| self.stopped_while_resuming(error, folder, &progress, signals))?;
+            return self.report_cohort(&progress, &summary, signals);
         }
         let run = IncompleteRun::open(folder).map_err(not_resumed)?;
         if run.has_no_end() && !self.pace.is_given() {
             return Err(Failure::asked(RunMessage::HomeInRealTime { folder: folder.to_owned() }));
         }
         let run = run.paced(self.pace.pace(), self.pace.commands()?, signals.cancel());
-        all_are_elsewhere(&self.output.out)?;
+        check_destinations(&self.output.out)?;
         let run = self.with_truth(run)?;
         let servers = self.output.away.treatment()?;
         let meters = self.metrics.begin(&run.scenario().file.name, self.output.quiet)?;
         let run = run.metered(&meters);
         let name = run.scenario().file.name.clone();
         let progress = self.output.progress(run.progress().length);
-        let lived = run.resume_beside(&self.output.out, &servers, |lived| show(&progress, Span::ZERO, lived));
-        let lived = lived.or_else(|error| self.not_yet(error, folder, &progress, signals))?;
+        let summary = run.resume_into(&self.output.out, &servers, |done| show(&progress, Span::ZERO, done));
+        let summary = summary.or_else(|error| self.stopped_while_resuming(error, folder, &progress, signals))?;
         progress.finish_and_clear();
-        report(&name, &lived, &self.output)?;
-        signals.ended(lived.is_stopped())
+        report(&name, &summary, &self.output)?;
+        signals.ended(summary.is_stopped())
     }
 
     /// A truth on a server continues there. A truth in the folder needs no option.
@@ -314,7 +282,7 @@ impl Arguments {
     }
 
     /// A signal before the run has caught up with its folder leaves the folder unchanged; the message names the command that resumes.
-    fn not_yet<T>(
+    fn stopped_while_resuming<T>(
         &self,
         error: SimulationError,
         folder: &Path,
@@ -322,21 +290,21 @@ impl Arguments {
         signals: &Signals,
     ) -> Result<T, Failure> {
         progress.finish_and_clear();
-        let ended = signals.ended(is_not_yet(&error));
+        let ended = signals.ended(is_unchanged(&error));
         if ended.is_err() && !self.output.quiet && !self.output.json {
-            print_text(&format!("stopped    while it resumed; the folder is unchanged\n{}", go_on_in(folder)))?;
+            print_text(&format!("stopped    while it resumed; the folder is unchanged\n{}", resume_line(folder)))?;
         }
-        ended.and(Err(failure(error, go_on_by, signals)))
+        ended.and(Err(failure(error, resume_command, signals)))
     }
 
-    fn tell_cohort(&self, progress: &ProgressBar, lived: &CohortSummary, signals: &Signals) -> Result<(), Failure> {
+    fn report_cohort(&self, progress: &ProgressBar, summary: &CohortSummary, signals: &Signals) -> Result<(), Failure> {
         progress.finish_and_clear();
-        cohort::report(&self.output, lived)?;
-        signals.ended(lived.is_stopped())
+        cohort::report(&self.output, summary)?;
+        signals.ended(summary.is_stopped())
     }
 
     /// Warns of likely mistakes.
-    fn remark(&self, opened: &OpenScenario, length: Span) {
+    fn warn(&self, opened: &OpenScenario, length: Span) {
         if !self.output.quiet {
             opened.remarks(length).iter().for_each(tell_remark);
         }

@@ -3,13 +3,13 @@
 use super::messages::MomentMessage;
 use super::result_output::ResultOutput;
 use crate::failure::Failure;
-use crate::length::span;
 use homebody_analysis::strip::{RunNames, StripRecorder};
 use homebody_core::calendar::Calendar;
 use homebody_core::time::{Interval, RunTime, Span};
 use homebody_log::run::places::RECORDING;
 use homebody_picture::film_strip;
 use homebody_simulation::RecordedRun;
+use homebody_simulation::run_length::span;
 use std::path::PathBuf;
 
 /// Draw moments of a run as a strip of pictures

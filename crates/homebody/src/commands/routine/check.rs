@@ -4,7 +4,6 @@ use super::messages::RoutinesMessage;
 use crate::commands::check::load_with_warnings;
 use crate::commands::scenario::ScenarioArguments;
 use crate::failure::Failure;
-use crate::length::Length;
 use crate::print::{json_text, print_json, print_text, tell, write_file};
 use homebody_core::problem::counted;
 use homebody_simulation::{Difference, OpenScenario, Simulation};
@@ -78,7 +77,7 @@ impl RoutineCheckArguments {
         let scenario = opened.scenario();
         let days = self.days.map_or(scenario.file.days, f64::from);
         let run = opened.run().seed(self.seed.unwrap_or(scenario.file.seed));
-        let mut run: Simulation = run.length(Length::Days(days).by(&scenario.calendar)).start()?;
+        let mut run: Simulation = run.days(days).start()?;
         while run.next_batch()?.is_some() {}
         let sentences = run.differences();
         match self.json.as_deref() {

@@ -8,7 +8,7 @@ use homebody_analysis::day::DayRecord;
 use homebody_core::time::{RunTime, Span, TimeScale, WallTime};
 use homebody_log::Log;
 use homebody_picture::{DayChart, day_chart};
-use homebody_simulation::Simulation;
+use homebody_simulation::{RunLength, RunOptions, Simulation, VariantOptions};
 use homebody_timeline::{PersonTimeline, TimelineBuilder};
 
 /// Simulate a day and show activities and rooms, with a chart
@@ -19,23 +19,19 @@ use homebody_timeline::{PersonTimeline, TimelineBuilder};
   homebody routine day scenarios/tigerplace
   homebody routine day scenarios/tigerplace-depression 2009-06-01 --svg day.svg
   homebody routine day scenarios/tigerplace-depression 2009-06-01 --without depression")]
-pub struct Arguments {
+pub struct RoutineDayArguments {
     #[command(flatten)]
     scenario: ScenarioArguments,
     /// Date, such as 2009-03-02 (default: the second day of the run, because the first begins at night)
     #[arg(value_name = "DATE")]
     date: Option<jiff::civil::Date>,
-    /// Seed of all random numbers (default: that of the scenario)
-    #[arg(long, value_name = "N")]
-    seed: Option<u64>,
-    /// Leave out a condition of the routine; repeatable
-    #[arg(long, value_name = "CONDITION")]
-    without: Vec<String>,
+    #[command(flatten)]
+    variant: VariantOptions,
     #[command(flatten)]
     answer: ResultOutput,
 }
 
-impl Arguments {
+impl RoutineDayArguments {
     pub fn run(self) -> Result<(), Failure> {
         let opened = self.scenario.source()?.open()?;
         let scenario = opened.scenario();
@@ -49,16 +45,15 @@ impl Arguments {
         }
         let [begin, end] = [day, day + 1].map(|day| scenario.calendar.instant(day, Span::ZERO));
         let length = end - RunTime::START;
-        let run = opened.run().seed(self.seed.unwrap_or(scenario.file.seed)).length(length).without(&self.without);
-        let run = run.start()?;
-        let people = simulate(run, begin, &scenario.calendar.scale(length))?;
+        let options = RunOptions { length: Some(RunLength::Span(length)), ..self.variant.into() };
+        let people = simulate(options.setup(&opened)?.start()?, begin, &scenario.calendar.scale(length))?;
         let name = format!("{}, simulated", scenario.file.name);
         let day = DayRecord::from_log(&name, &Log::default(), &people, None, date);
         answer.write(&day, [&|| day_chart(&DayChart::new(&day))])
     }
 }
 
-/// Simulates a run to its end. Returns the timelines of people from an instant on.
+/// Simulates a run to its end. Returns the activities and rooms of each person from an instant on.
 fn simulate(mut run: Simulation, from: RunTime, scale: &TimeScale) -> Result<Vec<PersonTimeline<WallTime>>, Failure> {
     let rooms = run.home().plan.rooms.iter().map(|room| room.name.clone()).collect();
     let mut timeline = TimelineBuilder::new(run.residents(), rooms);

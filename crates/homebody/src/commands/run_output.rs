@@ -46,7 +46,6 @@ pub struct Output {
 }
 
 impl Output {
-    /// The progress bar of a run.
     pub fn progress(&self, length: Span) -> ProgressBar {
         bar_unless(self.quiet || self.json, length.micros() as u64, "{bar:40} {percent:>3} %  {msg}  {eta} left")
     }
@@ -83,7 +82,6 @@ pub struct DestinationTimeout {
 }
 
 impl DestinationTimeout {
-    /// That time.
     pub fn within(&self) -> Duration {
         self.destination_timeout
     }
@@ -129,14 +127,14 @@ impl Away {
     }
 }
 
-/// A resumed run writes to its folder, servers and object stores: another file would lack its first rows.
-pub fn all_are_elsewhere(out: &[Url]) -> Result<(), Failure> {
+/// Refuses files: a resumed run continues its folder, servers and object stores, and another file would lack its first rows.
+pub fn check_destinations(out: &[Url]) -> Result<(), Failure> {
     let Some(file) = out.iter().find(|url| url.server().is_none() && !url.is_in_store()) else { return Ok(()) };
     Err(Failure::asked(RunMessage::MiddleOfRun { place: file.to_string(), is_truth: false }))
 }
 
 /// Simulates a run to its end or until it is stopped, and prints the result.
-pub fn live(run: Simulation, record: Option<PathBuf>, output: &Output, signals: &Signals) -> Result<(), Failure> {
+pub fn store(run: Simulation, record: Option<PathBuf>, output: &Output, signals: &Signals) -> Result<(), Failure> {
     let Output { out, truth, replacing, away, .. } = output;
     let to = Destinations {
         log: out.clone(),
@@ -152,11 +150,11 @@ pub fn live(run: Simulation, record: Option<PathBuf>, output: &Output, signals: 
     }
     let name = run.scenario().file.name.clone();
     let progress = output.progress(run.progress().length);
-    let lived = run.store(&to, |lived| show(&progress, Span::ZERO, lived));
+    let summary = run.store(&to, |done| show(&progress, Span::ZERO, done));
     progress.finish_and_clear();
-    let lived = lived.map_err(|error| failure(error, go_on_by, signals))?;
-    report(&name, &lived, output)?;
-    signals.ended(lived.is_stopped())
+    let summary = summary.map_err(|error| failure(error, resume_command, signals))?;
+    report(&name, &summary, output)?;
+    signals.ended(summary.is_stopped())
 }
 
 /// Updates a progress bar; `before` was simulated before this program began.
@@ -169,8 +167,8 @@ pub fn show(progress: &ProgressBar, before: Span, RunProgress { done, length }: 
 }
 
 /// Prints the result of a run.
-pub fn report(name: &str, lived: &RunSummary, output: &Output) -> Result<(), Failure> {
-    let RunSummary { recording, stored, truth, recorded, progress, agrees, before, took, .. } = lived;
+pub fn report(name: &str, summary: &RunSummary, output: &Output) -> Result<(), Failure> {
+    let RunSummary { recording, stored, truth, recorded, progress, agrees, before, took, .. } = summary;
     let Recording { firings, sha256, .. } = recording;
     let path = |path: &Option<PathBuf>| path.as_ref().map(|path| path.display().to_string());
     if output.json {
@@ -178,26 +176,26 @@ pub fn report(name: &str, lived: &RunSummary, output: &Output) -> Result<(), Fai
             "scenario": name,
             "seed": recording.seed,
             "simulated_s": progress.done.seconds(),
-            "stopped": lived.is_stopped(),
+            "stopped": summary.is_stopped(),
             "took_s": took.as_secs_f64(),
             "firings": firings,
             "sha256": sha256,
-            "sentences": lived.differences,
+            "sentences": summary.differences,
             "agrees_with_recording": agrees,
             "rows": stored.rows,
-            "rows_by_sensor": lived.rows_by_sensor().map(|(name, rows)| (name.into(), rows.into()))
+            "rows_by_sensor": summary.rows_by_sensor().map(|(name, rows)| (name.into(), rows.into()))
                 .collect::<serde_json::Map<String, serde_json::Value>>(),
             "log": stored.places,
-            "truth": truth.as_ref().map(told),
+            "truth": truth.as_ref().map(truth_text),
             "recording": path(recorded),
-            "folder": path(&lived.folder),
+            "folder": path(&summary.folder),
         }))?;
     } else if !output.quiet {
-        let summary = summary(name, lived);
+        let text = summary_text(name, summary);
         // Rows on standard output stay alone there.
         match output.out.iter().any(Url::is_output) {
-            true => tell(summary.trim_end()),
-            false => print_text(&summary)?,
+            true => tell(text.trim_end()),
+            false => print_text(&text)?,
         }
     }
     if !output.quiet {
@@ -206,7 +204,7 @@ pub fn report(name: &str, lived: &RunSummary, output: &Output) -> Result<(), Fai
             .iter()
             .filter_map(|place| place.parse().ok())
             .chain(truth.clone())
-            .for_each(|url| tell_reader(&url));
+            .for_each(|url| warn_of_reader(&url));
     }
     let Some(before) = before.as_ref().filter(|_| *agrees == Some(false)) else { return Ok(()) };
     let (events, recorded) = (*firings, before.firings);
@@ -217,7 +215,7 @@ pub fn report(name: &str, lived: &RunSummary, output: &Output) -> Result<(), Fai
 }
 
 /// Warns of a program that reads a complete database, which then has a part in a second file.
-fn tell_reader(place: &Url) {
+fn warn_of_reader(place: &Url) {
     if let (Scheme::Sqlite, Some(file)) = (place.scheme(), place.file())
         && let Some(beside) = log_beside(file)
     {
@@ -225,17 +223,17 @@ fn tell_reader(place: &Url) {
     }
 }
 
-fn summary(name: &str, lived: &RunSummary) -> String {
-    let RunSummary { recording, stored, truth, recorded, progress, agrees, took, .. } = lived;
-    let span = match lived.is_stopped() {
+fn summary_text(name: &str, summary: &RunSummary) -> String {
+    let RunSummary { recording, stored, truth, recorded, progress, agrees, took, .. } = summary;
+    let span = match summary.is_stopped() {
         true => format!("stopped after {} of {}", span_in_words(progress.done), span_in_words(progress.length)),
         false => format!("simulated {}", span_in_words(progress.done)),
     };
     let (took, seed) = (took.as_secs_f64(), recording.seed);
     let mut text = format!("{name}: {span} in {took:.2} s, seed {seed}\n\n");
     let most = stored.by_sensor.iter().copied().max().unwrap_or(0).max(1);
-    let width = lived.rows_by_sensor().map(|(name, _)| name.chars().count()).max().unwrap_or(0);
-    for (name, rows) in lived.rows_by_sensor() {
+    let width = summary.rows_by_sensor().map(|(name, _)| name.chars().count()).max().unwrap_or(0);
+    for (name, rows) in summary.rows_by_sensor() {
         let bar = "█".repeat((rows * 30).div_ceil(most) as usize);
         text += &format!("  {name:width$} {:>9}  {bar}\n", grouped(rows));
     }
@@ -244,7 +242,7 @@ fn summary(name: &str, lived: &RunSummary) -> String {
         text += &format!("log        {url}\n");
     }
     let recorded = recorded.as_ref().map(|path| path.display().to_string());
-    for (what, place) in [("truth", truth.as_ref().map(told)), ("recording", recorded)] {
+    for (what, place) in [("truth", truth.as_ref().map(truth_text)), ("recording", recorded)] {
         if let Some(place) = place {
             text += &format!("{what:10} {place}\n");
         }
@@ -256,26 +254,26 @@ fn summary(name: &str, lived: &RunSummary) -> String {
     if *agrees == Some(true) {
         text += "replay     identical to the recording, event by event\n";
     }
-    text += &not_as_said(&lived.differences);
-    match &lived.folder {
-        _ if !lived.is_stopped() => {}
-        Some(folder) => text += &go_on_in(folder),
+    text += &difference_warnings(&summary.differences);
+    match &summary.folder {
+        _ if !summary.is_stopped() => {}
+        Some(folder) => text += &resume_line(folder),
         None => text += "resume     not possible: only a run without --out has a folder to resume\n",
     }
     text
 }
 
 /// Most sentences that a result lists (our choice); `homebody routine check` can list all.
-const MOST_TOLD: usize = 5;
+const MOST_DIFFERENCES: usize = 5;
 
 /// A warning for each sentence that the run did not follow.
-fn not_as_said(differences: &[Difference]) -> String {
-    let line = |of: &Difference| {
-        let said = of.text.split_whitespace().collect::<Vec<_>>().join(" ");
-        format!("warning: {}:{}: \"{said}\": expected {}; simulated {}\n", of.file, of.line, of.expected, of.lived)
+fn difference_warnings(differences: &[Difference]) -> String {
+    let line = |Difference { file, line, text, expected, lived, .. }: &Difference| {
+        let sentence = text.split_whitespace().collect::<Vec<_>>().join(" ");
+        format!("warning: {file}:{line}: \"{sentence}\": expected {expected}; simulated {lived}\n")
     };
-    let mut text: String = differences.iter().take(MOST_TOLD).map(line).collect();
-    if let Some(more) = differences.len().checked_sub(MOST_TOLD).filter(|&more| more > 0) {
+    let mut text: String = differences.iter().take(MOST_DIFFERENCES).map(line).collect();
+    if let Some(more) = differences.len().checked_sub(MOST_DIFFERENCES).filter(|&more| more > 0) {
         text += &format!("warning: {more} more sentences differ; homebody routine check --lived lists all\n");
     }
     text
@@ -291,7 +289,7 @@ fn truth_place(text: &str) -> Result<Url, String> {
 }
 
 /// A ground truth as a user writes it: a database by its path alone.
-fn told(truth: &Url) -> String {
+fn truth_text(truth: &Url) -> String {
     match (truth.scheme(), truth.file()) {
         (Scheme::Sqlite, Some(file)) => file.display().to_string(),
         _ => truth.to_string(),
@@ -299,20 +297,21 @@ fn told(truth: &Url) -> String {
 }
 
 /// The last line of the result of a stopped run or cohort: the command that resumes it.
-pub fn go_on_in(folder: &Path) -> String {
-    format!("resume     {}\n", go_on_by(folder))
+pub fn resume_line(folder: &Path) -> String {
+    format!("resume     {}\n", resume_command(folder))
 }
 
 /// The command that resumes a run or a cohort.
-pub fn go_on_by(folder: &Path) -> String {
+pub fn resume_command(folder: &Path) -> String {
     format!("homebody run --resume {}", folder.display())
 }
 
 /// The failure of an error. If a signal stopped the run while a server was unavailable, it prints the error and returns the signal's failure.
-pub fn failure(error: SimulationError, go_on_by: impl Fn(&Path) -> String, signals: &Signals) -> Failure {
+/// `resume` makes the command that resumes the run.
+pub fn failure(error: SimulationError, resume: impl Fn(&Path) -> String, signals: &Signals) -> Failure {
     match (&error, signals.ended(true)) {
         (SimulationError::StoppedAway { folder, .. }, Err(signal)) => {
-            let hint = |folder: &Path| format!("{} resumes the run once the server answers", go_on_by(folder));
+            let hint = |folder: &Path| format!("{} resumes the run once the server answers", resume(folder));
             let message = error.diagnostic();
             let hint = folder.as_deref().map(hint).or_else(|| message.hint.clone());
             tell_message(&Diagnostic { hint, ..message });
@@ -323,29 +322,29 @@ pub fn failure(error: SimulationError, go_on_by: impl Fn(&Path) -> String, signa
 }
 
 /// The speed: a factor as `--speed` has it, or above those the simulated time per second.
-pub fn speed_in_words(lived: Span, took: Duration) -> String {
-    match lived.seconds() / took.as_secs_f64() {
+pub fn speed_in_words(simulated: Span, took: Duration) -> String {
+    match simulated.seconds() / took.as_secs_f64() {
         times if times < 1050.0 => format!("{times:.0} times real time"),
         times => format!("{} per second", span_in_words(SECOND.share(times))),
     }
 }
 
 pub fn span_in_words(span: Span) -> String {
-    let of = |unit: Span, name: &str| {
+    let count = |unit: Span, name: &str| {
         let rounded = format!("{:.1}", span.ratio(unit));
-        let count = rounded.trim_end_matches(".0");
-        format!("{count} {name}{}", if count == "1" { "" } else { "s" })
+        let number = rounded.trim_end_matches(".0");
+        format!("{number} {name}{}", if number == "1" { "" } else { "s" })
     };
     match span / SECOND {
-        0..120 => of(SECOND, "second"),
-        120..7200 => of(MINUTE, "minute"),
-        7200..172_800 => of(HOUR, "hour"),
-        _ => of(DAY, "day"),
+        0..120 => count(SECOND, "second"),
+        120..7200 => count(MINUTE, "minute"),
+        7200..172_800 => count(HOUR, "hour"),
+        _ => count(DAY, "day"),
     }
 }
 
 /// The start of a home that lies in the future, the time until then, and the home's clock; None if the home has started.
-pub fn how_far_ahead(calendar: &Calendar) -> Option<String> {
+pub fn future_start(calendar: &Calendar) -> Option<String> {
     let now = Timestamp::now();
     let ahead = UtcTime::from(calendar.timestamp(RunTime::START)) - UtcTime::from(now);
     let clock =
@@ -354,19 +353,19 @@ pub fn how_far_ahead(calendar: &Calendar) -> Option<String> {
     (ahead >= SECOND).then(|| format!("{since}, in {}; the home's clock shows {clock}", span_in_words(ahead)))
 }
 
-/// Whether a resumed run stopped before it had caught up, so that nothing changed.
-pub fn is_not_yet(error: &SimulationError) -> bool {
+/// True of a resumed run that stopped before it had caught up: its folder is unchanged.
+pub fn is_unchanged(error: &SimulationError) -> bool {
     matches!(error, SimulationError::Log(LogError::NotYet { .. }))
 }
 
 /// Prints the result of a home in real time.
-pub fn report_live(name: &str, folder: &Path, lived: &RunSummary) {
-    let rows = lived.stored.rows;
+pub fn report_live(name: &str, folder: &Path, summary: &RunSummary) {
+    let rows = summary.stored.rows;
     tell(format_args!(
         "{name}: simulated {}, {}, in {}",
-        span_in_words(lived.progress.done),
+        span_in_words(summary.progress.done),
         counted(rows, "row", "rows"),
         folder.display()
     ));
-    lived.stored.failed.iter().for_each(|(place, error)| tell(format_args!("failed     {place}: {error}")));
+    summary.stored.failed.iter().for_each(|(place, error)| tell(format_args!("failed     {place}: {error}")));
 }

@@ -1,6 +1,6 @@
-//! What people and programs are told of a fleet: a line every few seconds and a file of reports.
+//! The progress of a fleet: a line every few seconds and a file of reports.
 
-use crate::commands::lived::span_in_words;
+use crate::commands::run_output::span_in_words;
 use crate::failure::Failure;
 use crate::print::{counted, grouped, not_written, print_json, tell, tell_with, warn};
 use crate::prometheus::LastReport;
@@ -29,38 +29,37 @@ homebody_core::messages! {
     }
 }
 
-/// Who tells it.
-pub struct Telling {
+/// Shows the progress and keeps the reports.
+pub struct FleetProgress {
     is_quiet: bool,
     is_json: bool,
     bar: ProgressBar,
     file: Option<FreshFile>,
-    look: LastReport,
-    /// Of how long a time was behind at the beginning, in seconds.
+    last: LastReport,
+    /// The largest lag behind the clock at the start, in seconds.
     caught_up_s: f64,
-    told_at: Instant,
+    noted_at: Instant,
 }
 
 /// Time between two notes of a fleet that catches up (our choice).
-const BEHIND_TOLD: Duration = Duration::from_secs(10);
+const BETWEEN_NOTES: Duration = Duration::from_secs(10);
 
-impl Telling {
-    /// `file` is where reports are kept.
-    pub fn begin(is_quiet: bool, is_json: bool, file: Option<FreshFile>, look: LastReport) -> Telling {
+impl FleetProgress {
+    pub fn new(is_quiet: bool, is_json: bool, file: Option<FreshFile>, last: LastReport) -> FleetProgress {
         let bar = bar(is_quiet, "", None);
-        Telling { is_quiet, is_json, bar, file, look, caught_up_s: 0.0, told_at: Instant::now() }
+        FleetProgress { is_quiet, is_json, bar, file, last, caught_up_s: 0.0, noted_at: Instant::now() }
     }
 
-    pub fn hear(&mut self, lived: FleetStatus) -> Result<(), Failure> {
-        match lived {
+    pub fn show(&mut self, status: FleetStatus) -> Result<(), Failure> {
+        match status {
             FleetStatus::CatchesUp { behind_s, waiting } => {
                 self.caught_up_s = self.caught_up_s.max(behind_s);
-                if self.bar.is_hidden() && !self.is_quiet && self.told_at.elapsed() >= BEHIND_TOLD {
-                    self.told_at = Instant::now();
-                    tell(format_args!("starting: {}", on_the_way(behind_s, waiting)));
+                if self.bar.is_hidden() && !self.is_quiet && self.noted_at.elapsed() >= BETWEEN_NOTES {
+                    self.noted_at = Instant::now();
+                    tell(format_args!("starting: {}", lag(behind_s, waiting)));
                 }
                 if !self.bar.is_hidden() {
-                    self.bar.set_message(on_the_way(behind_s, waiting));
+                    self.bar.set_message(lag(behind_s, waiting));
                     self.bar.tick();
                 }
             }
@@ -80,8 +79,8 @@ impl Telling {
         Ok(())
     }
 
-    /// The last report.
-    pub fn end(mut self, report: &FleetReport) -> Result<(), Failure> {
+    /// Shows and keeps the last report.
+    pub fn finish(mut self, report: &FleetReport) -> Result<(), Failure> {
         self.bar.finish_and_clear();
         self.keep(report)?;
         if let Some(file) = self.file.take() {
@@ -94,18 +93,18 @@ impl Telling {
             return print_json(report);
         }
         if !self.is_quiet {
-            tell_with(format!("{}\n{}", whole(report), line(report)), "fleet", report);
+            tell_with(format!("{}\n{}", totals(report), line(report)), "fleet", report);
         }
         Ok(())
     }
 
     fn keep(&mut self, report: &FleetReport) -> Result<(), Failure> {
-        *self.look.lock().unwrap_or_else(PoisonError::into_inner) = report.clone();
+        *self.last.lock().unwrap_or_else(PoisonError::into_inner) = report.clone();
         if let Some(file) = &mut self.file {
             let text = serde_json::to_string(report).map_err(not_written)?;
             file.write(text.as_bytes())?;
             file.write(b"\n")?;
-            // From the first report on it can be followed.
+            // Other programs can follow the file from the first report on.
             match file.part().is_some() {
                 true => file.name_early()?,
                 false => file.flush()?,
@@ -115,18 +114,17 @@ impl Telling {
     }
 }
 
-/// What shows how far something is, where somebody looks.
-pub fn bar(is_quiet: bool, what: &str, length: Option<u64>) -> ProgressBar {
+pub fn bar(is_quiet: bool, items: &str, length: Option<u64>) -> ProgressBar {
     let target = if is_quiet { ProgressDrawTarget::hidden() } else { ProgressDrawTarget::stderr() };
     let template =
-        if length.is_some() { format!("{{bar:40}} {{pos}} of {{len}} {what}") } else { "{spinner} {msg}".into() };
+        if length.is_some() { format!("{{bar:40}} {{pos}} of {{len}} {items}") } else { "{spinner} {msg}".into() };
     let style = ProgressStyle::with_template(&template).unwrap_or_else(|_| ProgressStyle::default_bar());
     ProgressBar::with_draw_target(length, target).with_style(style)
 }
 
-/// What is still to be done before a fleet begins. Once it is no longer behind the clock, it waits for the places that it tells.
-fn on_the_way(behind_s: f64, waiting: usize) -> String {
-    let waiting = format!("{} in transit", messages_of(waiting as u64));
+/// The lag of a fleet before its delivery starts. A fleet without a lag waits for its destinations.
+fn lag(behind_s: f64, waiting: usize) -> String {
+    let waiting = format!("{} in transit", message_count(waiting as u64));
     if behind_s >= 1.0 { format!("{} behind the clock, {waiting}", span(behind_s)) } else { waiting }
 }
 
@@ -134,11 +132,11 @@ fn span(s: f64) -> String {
     span_in_words(SECOND.share(s))
 }
 
-/// What is said every few seconds.
+/// The line of a report.
 fn line(report: &FleetReport) -> String {
     let FleetReport { late_median_ms, late_99_ms, late_most_ms, behind_s, .. } = report;
     let mut line = format!("{} homes", grouped(report.homes as u64));
-    // A string takes whatever is written to it.
+    // Writing to a string never fails.
     let _ = write!(line, "  {:.0} messages/s", report.messages_per_s);
     let _ = write!(line, "  late {} median, {} 99 %, {} most", ms(*late_median_ms), ms(*late_99_ms), ms(*late_most_ms));
     if *behind_s >= 0.1 || report.waiting > 0 {
@@ -165,20 +163,20 @@ fn line(report: &FleetReport) -> String {
     line
 }
 
-/// What is said before the last of these lines.
-fn whole(report: &FleetReport) -> String {
-    let FleetReport { running_s, messages, homes_in_all, storms, .. } = report;
-    let storms = if *storms > 0 { format!(", {}", counted(*storms, "outage", "outages")) } else { String::new() };
+/// The totals, before the line of the last report.
+fn totals(report: &FleetReport) -> String {
+    let FleetReport { running_s, messages, homes_in_all, storms: outages, .. } = report;
+    let outages = if *outages > 0 { format!(", {}", counted(*outages, "outage", "outages")) } else { String::new() };
     let homes = grouped(*homes_in_all as u64);
     let mut text =
-        format!("total      {} from {homes} homes in {}{storms}", messages_of(*messages), seconds(*running_s));
+        format!("total      {} from {homes} homes in {}{outages}", message_count(*messages), seconds(*running_s));
     for destination in &report.destinations {
-        let _ = write!(text, "\nsent       {} {}", destination.place, messages_of(destination.messages));
+        let _ = write!(text, "\nsent       {} {}", destination.place, message_count(destination.messages));
     }
     text
 }
 
-fn messages_of(count: u64) -> String {
+fn message_count(count: u64) -> String {
     counted(count, "message", "messages")
 }
 
@@ -190,14 +188,15 @@ fn seconds(s: f64) -> String {
     if s.abs() < 10.0 { format!("{s:.1} s") } else { format!("{s:.0} s") }
 }
 
-/// The homes of a fleet as a table, with the truth about their clocks.
-pub fn list(of: &FleetHomes) -> String {
+/// The homes of a fleet as a table, with the errors of their clocks.
+pub fn homes_table(fleet: &FleetHomes) -> String {
     let mut text = String::from("home,scenario,seed,run,clock_ahead_s,there_at_begin\n");
-    for (home, index) in of.fleet.homes.iter().zip(0..) {
-        let scenario = of.fleet.layouts[home.layout].run.scenario.as_str();
-        let ahead_s = of.skew(index).seconds();
-        let told = [home.seed.to_string(), home.run.to_string(), ahead_s.to_string(), of.is_there(index).to_string()];
-        let line = csv_line([home.name.as_str(), scenario].into_iter().chain(told.iter().map(String::as_str)));
+    for (home, index) in fleet.fleet.homes.iter().zip(0..) {
+        let scenario = fleet.fleet.layouts[home.layout].run.scenario.as_str();
+        let ahead_s = fleet.skew(index).seconds();
+        let numbers =
+            [home.seed.to_string(), home.run.to_string(), ahead_s.to_string(), fleet.is_there(index).to_string()];
+        let line = csv_line([home.name.as_str(), scenario].into_iter().chain(numbers.iter().map(String::as_str)));
         text += &(line + "\n");
     }
     text
@@ -208,7 +207,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_report_is_a_line_for_people_and_numbers_for_programs() {
+    fn shows_a_report_as_a_line_and_as_metrics() {
         let report = FleetReport {
             homes: 12_345,
             messages_per_s: 612.4,
@@ -226,8 +225,8 @@ mod tests {
     }
 
     #[test]
-    fn who_is_not_behind_waits_for_places() {
-        assert_eq!(on_the_way(11_160.0, 1), "3.1 hours behind the clock, 1 message in transit");
-        assert_eq!(on_the_way(0.0, 1_200), "1,200 messages in transit");
+    fn a_fleet_without_a_lag_waits_for_destinations() {
+        assert_eq!(lag(11_160.0, 1), "3.1 hours behind the clock, 1 message in transit");
+        assert_eq!(lag(0.0, 1_200), "1,200 messages in transit");
     }
 }
