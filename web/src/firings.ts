@@ -1,7 +1,7 @@
 // The firings that have been heard of: the last few hundred for the table, the last ten minutes for the time line, and
 // how many there were of each sensor. What was told of but not shown is counted, never passed over.
 
-import type { FiringView, Frame } from './wire';
+import type { FiringView, RunFrame } from './wire';
 
 /** A firing; or how many there were of which no more is known. */
 type Row = { firing: FiringView } | { missing: number; until_us: number };
@@ -35,7 +35,7 @@ export class Firings {
   }
 
   /** Those of the frame that are new. */
-  take(frame: Frame): FiringView[] {
+  take(frame: RunFrame): FiringView[] {
     if (frame.now_us < this.now_us || (this.told !== null && frame.told < this.told)) this.goBack(frame);
     this.now_us = frame.now_us;
     const missing = frame.told - (this.told ?? 0) - frame.firings.length;
@@ -66,7 +66,7 @@ export class Firings {
   }
 
   /** The run was taken back: what has not happened yet is forgotten, and what is told again is not kept twice. */
-  private goBack(frame: Frame): void {
+  private goBack(frame: RunFrame): void {
     const again = frame.firings[0]?.seq ?? Infinity;
     const from_us = frame.firings[0]?.at_us ?? Infinity;
     this.rows = this.rows.filter((row) =>

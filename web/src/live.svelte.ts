@@ -9,7 +9,7 @@ import { clockOf } from './localtime';
 import { Throttle } from './plan/glow';
 import { Server } from './server';
 import { Socket, type Status, type Wire, dial } from './socket';
-import type { FiringView, Frame, ProblemView, RunView, Say, Tell } from './wire';
+import type { FiringView, PageCommand, ProblemView, RunFrame, RunNotice, RunView } from './wire';
 
 type Note = { id: number; text: string; bad: boolean };
 
@@ -22,7 +22,7 @@ export class Live {
   status = $state<Status>('closed');
   run = $state.raw<RunView | null>(null);
   /** The frame as text shows it; drawings have every one. */
-  frame = $state.raw<Frame | null>(null);
+  frame = $state.raw<RunFrame | null>(null);
   notes = $state.raw<Note[]>([]);
   /** For a screen reader: which sensors fired of late. */
   spoken = $state('');
@@ -38,9 +38,9 @@ export class Live {
   readonly server: Server;
   /** The scenario's files, as this page writes them. */
   readonly drafts: Drafts;
-  latest: Frame | null = null;
+  latest: RunFrame | null = null;
   private readonly socket: Socket;
-  private readonly watchers = new Set<(frame: Frame, fresh: FiringView[]) => void>();
+  private readonly watchers = new Set<(frame: RunFrame, fresh: FiringView[]) => void>();
   private readonly cuts = new Set<() => void>();
   private readonly texts = new Throttle(TEXT_MS);
   private readonly announcer = new Announcer();
@@ -97,7 +97,7 @@ export class Live {
   }
 
   /** What cannot be sent is said so: a click that does nothing would be worse. */
-  say(say: Say): boolean {
+  say(say: PageCommand): boolean {
     const sent = this.socket.say(say);
     if (!sent && say.say !== 'hold') this.note('Not connected to the server. Nothing was changed.', true);
     return sent;
@@ -117,7 +117,7 @@ export class Live {
   }
 
   /** @returns how to stop being told. */
-  watch(watcher: (frame: Frame, fresh: FiringView[]) => void): () => void {
+  watch(watcher: (frame: RunFrame, fresh: FiringView[]) => void): () => void {
     this.watchers.add(watcher);
     return () => this.watchers.delete(watcher);
   }
@@ -141,7 +141,7 @@ export class Live {
     this.notes = this.notes.filter((note) => note.id !== id);
   }
 
-  private hear(tell: Tell): void {
+  private hear(tell: RunNotice): void {
     if (tell.tell === 'run' || (tell.tell === 'note' && tell.bad)) {
       this.begun?.(tell.tell === 'run');
       this.begun = null;
@@ -177,7 +177,7 @@ export class Live {
     this.note(`The server stopped, and ${run.id} stopped with it${far}. That part is saved and listed in Playback. To resume it, use “homebody run --resume” with its folder. The run shown now is a new one.`, true);
   }
 
-  private take(frame: Frame): void {
+  private take(frame: RunFrame): void {
     // Before a run is told of there is no home in which a frame could be shown.
     if (this.run === null) return;
     const turns = this.latest?.state !== frame.state;

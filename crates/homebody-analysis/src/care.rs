@@ -7,6 +7,7 @@ use crate::alerts::{Alert, Rules, alerts, usual_before};
 use crate::measures::{DailyMeasure, DayMeasures, MEASURES, Measures, ValueForm};
 use crate::summaries::{SummarySentence, SummarySubject, summarise};
 use jiff::civil::Date;
+use serde::Serialize;
 
 /// How somebody is.
 #[derive(Clone, Debug)]
@@ -28,9 +29,12 @@ pub struct Care {
 }
 
 /// A day in words.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(feature = "wire", derive(ts_rs::TS))]
 pub struct CareDay {
     /// The day.
+    #[serde(rename = "day")]
+    #[cfg_attr(feature = "wire", ts(type = "string"))]
     pub date: Date,
     /// What is known of it.
     pub known: DayKnowledge,
@@ -39,18 +43,22 @@ pub struct CareDay {
 }
 
 /// What is known of a day.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "snake_case")]
+#[cfg_attr(feature = "wire", derive(ts_rs::TS))]
 pub enum DayKnowledge {
     /// All of it: it counts.
     Whole,
     /// Nobody was at home for most of it.
+    #[serde(rename = "nobody_home")]
     Away,
     /// More than an hour of it is unknown.
     Partly,
 }
 
 /// A measure of a day.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(feature = "wire", derive(ts_rs::TS))]
 pub struct MeasureWords {
     /// Its name.
     pub measure: &'static str,
@@ -61,7 +69,8 @@ pub struct MeasureWords {
 }
 
 /// A measure day by day.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(feature = "wire", derive(ts_rs::TS))]
 pub struct MeasureChart {
     /// Its name.
     pub measure: &'static str,
@@ -78,9 +87,12 @@ pub struct MeasureChart {
 }
 
 /// A day of a chart.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[cfg_attr(feature = "wire", derive(ts_rs::TS))]
 pub struct ChartPoint {
     /// The day.
+    #[serde(rename = "day")]
+    #[cfg_attr(feature = "wire", ts(type = "string"))]
     pub date: Date,
     /// The measure; `None` where it is not known, or the day does not count.
     pub value: Option<f64>,

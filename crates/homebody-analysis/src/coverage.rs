@@ -90,6 +90,7 @@ pub struct SeenBy {
 
 /// What one sensor sees of the walkable floor.
 #[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(feature = "wire", derive(ts_rs::TS))]
 pub struct SensorCoverage {
     /// The sensor's name in the home.
     pub name: String,

@@ -80,7 +80,8 @@ impl Goal {
 }
 
 /// The score of a goal.
-#[derive(Clone, Debug, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(feature = "wire", derive(ts_rs::TS))]
 pub struct Reached {
     /// The name of the goal.
     pub goal: &'static str,

@@ -13,6 +13,7 @@ pub use hours::{DayHours, HoursMessage, SearchDay};
 use homebody_analysis::signs::{Says, SensorCourse, says};
 use homebody_core::nearest::nearest;
 use homebody_core::time::{Interval, MINUTE, Span, TimePoint, intersection, joined, without};
+use serde::Deserialize;
 use std::borrow::Cow;
 
 /// Time within which the same event again belongs to one match (our choice).
@@ -25,7 +26,9 @@ const BOUT: Span = MINUTE.times(10);
 pub const BY_TRUTH: &str = "by the truth: ";
 
 /// The subject of a search.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
+#[serde(rename_all = "snake_case")]
+#[cfg_attr(feature = "wire", derive(ts_rs::TS))]
 pub enum SearchSubject {
     /// Somebody is in a room.
     Room,

@@ -1,4 +1,4 @@
-//! Days by the clock on the wall, as the page counts them, and the nights between them.
+//! Civil days of a run as the page counts them, and its nights.
 
 use crate::wire::{DateView, PlaybackView};
 use homebody_core::calendar::Calendar;
@@ -6,13 +6,11 @@ use homebody_core::time::{ClockChange, Interval, MINUTE, RunTime, Span};
 use homebody_query::search::SearchDay;
 use std::ops::Range;
 
-/// All days of a run of this length.
-pub fn all(calendar: &Calendar, length: Span) -> Vec<DateView> {
-    some(calendar, length, 0..last(calendar, length) + 1)
+pub fn all_days(calendar: &Calendar, length: Span) -> Vec<DateView> {
+    days(calendar, length, 0..last_day(calendar, length) + 1)
 }
 
-/// Some days of a run of this length, counted from 0.
-pub fn some(calendar: &Calendar, length: Span, days: Range<u32>) -> Vec<DateView> {
+pub fn days(calendar: &Calendar, length: Span, days: Range<u32>) -> Vec<DateView> {
     let turns: Vec<ClockChange<RunTime>> = calendar.scale(length).run_changes().collect();
     let day = |day: u32| {
         let number = day as i32;
@@ -30,19 +28,18 @@ pub fn some(calendar: &Calendar, length: Span, days: Range<u32>) -> Vec<DateView
     days.map(day).collect()
 }
 
-/// The date of a day, such as `2009-03-02`.
+/// Such as `2009-03-02`.
 pub fn date(calendar: &Calendar, day: u32) -> String {
     let (year, month, of_month) = calendar.date(day as i32);
     format!("{year:04}-{month:02}-{of_month:02}")
 }
 
 /// The number of a run's last day.
-pub fn last(calendar: &Calendar, length: Span) -> u32 {
+pub fn last_day(calendar: &Calendar, length: Span) -> u32 {
     let at = RunTime::START + (length - Span::MICROSECOND).max(Span::ZERO);
     u32::try_from(calendar.day(at)).unwrap_or(0)
 }
 
-/// The hour on the clock on the wall.
 pub fn hour(calendar: &Calendar, at: RunTime) -> usize {
     usize::try_from(calendar.local(at).hour()).unwrap_or(0)
 }
@@ -50,7 +47,7 @@ pub fn hour(calendar: &Calendar, at: RunTime) -> usize {
 /// Interval of the computed positions of the sun (our choice). Sunrise and sunset are interpolated between them.
 const STEP: Span = MINUTE.times(10);
 
-/// From when to when the sun is down, in order, over a run of this length, by the sine of its height.
+/// The intervals in which the sun is down, by the sine of its height.
 pub fn nights(height: impl Fn(RunTime) -> f64, length: Span) -> Vec<(i64, i64)> {
     let mut nights: Vec<Interval<RunTime>> = Vec::new();
     let last = RunTime::START + length;
@@ -75,18 +72,16 @@ pub fn nights(height: impl Fn(RunTime) -> f64, length: Span) -> Vec<(i64, i64)> 
     nights.into_iter().map(|night| (night.begin.micros(), night.end.micros())).collect()
 }
 
-/// An interval and what it is of, as the page is told them.
-pub fn told<T: Copy>(&(Interval { begin, end }, what): &(Interval<RunTime>, T)) -> (i64, i64, T) {
+/// An interval and its label, as the page gets them.
+pub fn in_micros<T: Copy>(&(Interval { begin, end }, what): &(Interval<RunTime>, T)) -> (i64, i64, T) {
     (begin.micros(), end.micros(), what)
 }
 
 impl DateView {
-    /// From when to when it is.
     pub fn interval(&self) -> Interval<RunTime> {
         Interval::new(RunTime::from_micros(self.begin_us), RunTime::from_micros(self.end_us))
     }
 
-    /// What the clock on the wall shows in it.
     pub fn clock(&self) -> SearchDay<RunTime> {
         let Interval { begin, end } = self.interval();
         let turn = self.turn.map(|(at, by)| ClockChange { at: RunTime::from_micros(at), by: Span::from_micros(by) });
@@ -95,12 +90,10 @@ impl DateView {
 }
 
 impl PlaybackView {
-    /// How long the run is.
     pub fn length(&self) -> Span {
         Span::from_micros(self.length_us)
     }
 
-    /// From when to when it is.
     pub fn interval(&self) -> Interval<RunTime> {
         Interval::starting(RunTime::START, self.length())
     }
@@ -112,8 +105,8 @@ mod tests {
     use homebody_core::time::{DAY, HOUR, SECOND};
 
     #[test]
-    fn nights_are_while_the_sun_is_down_and_end_with_the_run() {
-        // It rises at six and sets at eighteen.
+    fn nights_last_while_the_sun_is_down() {
+        // The sun rises at six and sets at eighteen.
         let height = |at: RunTime| -(at.since_zero().ratio(DAY) * std::f64::consts::TAU).cos();
         let is_near = |us: i64, to: Span| (Span::from_micros(us) - to).abs() < 5 * SECOND;
         let near = |(begin, end): (i64, i64), from: Span, to: Span| is_near(begin, from) && is_near(end, to);

@@ -6,12 +6,14 @@
 //! The thread outlives its runs: one that fails, or breaks in the middle, is told about, its files are completed as far as it
 //! came, and another can be begun.
 
-use crate::growth::Growth;
+use crate::folders::HomeFolders;
+use crate::live_counts::LiveCounts;
 use crate::messages::StageMessage;
-use crate::refusal::{note, sentence};
-use crate::shelf::Shelf;
+use crate::request_error::{note, sentence};
 use crate::staged_run::{StagedRun, Start, Unbegun};
-use crate::wire::{FiringView, Frame, GrowthView, RunView, Say, State, Tell};
+use crate::wire::{FiringView, LiveCountsView, PageCommand, RunFrame, RunNotice, RunState, RunView};
+pub use commands::PageCommands;
+use commands::{CommandQueue, CommandReceiver, NextCommand, StageCommand, command_queue};
 use homebody_core::problem::{Diagnose, Diagnostic};
 use homebody_core::time::{RunTime, Span};
 use homebody_log::error::no_thread;
@@ -24,8 +26,6 @@ use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::thread;
 use std::time::{Duration, Instant};
 use tokio::sync::watch;
-pub use wishes::Voice;
-use wishes::{Heard, Next, Speakers, Wish, wishes};
 
 /// How often the run is advanced, and looked at.
 const FRAME: Duration = Duration::from_micros(16_667);
@@ -45,7 +45,7 @@ const MOST_NOTES: usize = 20;
 /// The run that everybody looks at. A clone is another view of the same.
 #[derive(Clone)]
 pub struct Stage {
-    speakers: Speakers,
+    queue: CommandQueue,
     board: Arc<Mutex<Board>>,
     changed: watch::Receiver<u64>,
 }
@@ -57,28 +57,28 @@ struct Board {
     /// Grows with each run and each change of what is told of it.
     number: u64,
     /// Nothing as long as no run could be begun.
-    lived: Option<Lived>,
+    lived: Option<ShownRun>,
     rows: VecDeque<FiringView>,
     /// What was told, numbered from 0.
-    notes: VecDeque<(u64, Tell)>,
+    notes: VecDeque<(u64, RunNotice)>,
     next_note: u64,
     /// Why the run has ended, if it failed: a page that comes later is told, too.
-    failure: Option<Tell>,
+    failure: Option<RunNotice>,
     /// Why no run could be begun when that was last tried, and how often none could.
-    unbegun: Option<Tell>,
+    unbegun: Option<RunNotice>,
     unbegun_count: u64,
 }
 
 /// What there is to be seen of a run.
-struct Lived {
+struct ShownRun {
     view: Arc<RunView>,
-    growth: Arc<Mutex<Growth>>,
-    frame: Frame,
+    live_counts: Arc<Mutex<LiveCounts>>,
+    frame: RunFrame,
 }
 
-impl Lived {
-    fn of(act: &mut StagedRun, state: State, speed: Speed) -> Lived {
-        Lived { view: Arc::new(act.view()), growth: act.growth(), frame: act.frame(state, times(speed)) }
+impl ShownRun {
+    fn new(act: &mut StagedRun, state: RunState, speed: Speed) -> ShownRun {
+        ShownRun { view: Arc::new(act.view()), live_counts: act.live_counts(), frame: act.frame(state, times(speed)) }
     }
 }
 
@@ -94,21 +94,21 @@ pub struct Seen {
 
 /// What a page has not seen yet.
 pub struct News {
-    pub tells: Vec<Tell>,
+    pub tells: Vec<RunNotice>,
     /// Nothing as long as there is no run.
-    pub frame: Option<Frame>,
+    pub frame: Option<RunFrame>,
 }
 
 impl Stage {
     /// Opens the scenario on the shelf, and keeps its run at its start until somebody says so. Of a scenario with problems there is
     /// no run until they are mended and one is begun.
-    pub fn open(shelf: Shelf) -> Result<Stage, Diagnostic> {
-        let act = caught(|| StagedRun::new(&shelf, &shelf.entry, Start::default()));
-        Stage::of(shelf, act)
+    pub fn open(folders: HomeFolders) -> Result<Stage, Diagnostic> {
+        let act = caught(|| StagedRun::new(&folders, &folders.entry, Start::default()));
+        Stage::of(folders, act)
     }
 
     /// Keeps this run at its start.
-    fn of(shelf: Shelf, act: Result<StagedRun, Unbegun>) -> Result<Stage, Diagnostic> {
+    fn of(folders: HomeFolders, act: Result<StagedRun, Unbegun>) -> Result<Stage, Diagnostic> {
         let (mut act, unbegun) = match act {
             Ok(act) => (Some(act), None),
             Err(why) => (None, Some(why.tell())),
@@ -116,7 +116,7 @@ impl Stage {
         let board = Board {
             run: 0,
             number: 0,
-            lived: act.as_mut().map(|act| Lived::of(act, State::Paused, Speed::Times(1.0))),
+            lived: act.as_mut().map(|act| ShownRun::new(act, RunState::Paused, Speed::Times(1.0))),
             rows: VecDeque::new(),
             notes: VecDeque::new(),
             next_note: 0,
@@ -125,47 +125,47 @@ impl Stage {
             unbegun,
         };
         let board = Arc::new(Mutex::new(board));
-        let (speakers, heard) = wishes();
+        let (queue, receiver) = command_queue();
         let (change, changed) = watch::channel(0);
         let pace = Pace::paused(Speed::Times(1.0));
-        let director = Director { shelf, act, is_broken: false, pace, heard, board: board.clone(), change };
+        let director = Director { folders, act, is_broken: false, pace, receiver, board: board.clone(), change };
         let thread = thread::Builder::new().name("stage".into()).spawn(move || director.direct());
         thread.map_err(|error| no_thread("to simulate a run", error).diagnostic())?;
-        Ok(Stage { speakers, board, changed })
+        Ok(Stage { queue, board, changed })
     }
 
     /// A voice for one more page. The board shows the answer.
-    pub fn voice(&self) -> Voice {
-        self.speakers.voice()
+    pub fn page_commands(&self) -> PageCommands {
+        self.queue.page_commands()
     }
 
     /// Ends the run, and comes back when its files are complete.
     pub fn close(&self) {
         let (done, is_done) = channel();
-        self.speakers.close(done);
+        self.queue.close(done);
         // The thread only ends with the program.
         let _ = is_done.recv();
     }
 
     /// What the log of the run has got so far.
-    pub fn growth(&self) -> GrowthView {
-        let growth = locked(&self.board).lived.as_ref().map(|lived| lived.growth.clone());
-        let Some(growth) = growth else { return GrowthView::default() };
+    pub fn live_counts(&self) -> LiveCountsView {
+        let live_counts = locked(&self.board).lived.as_ref().map(|lived| lived.live_counts.clone());
+        let Some(live_counts) = live_counts else { return LiveCountsView::default() };
         // The run is not kept waiting while this is put into words.
-        let growth = locked(&growth).clone();
-        growth.view()
+        let live_counts = locked(&live_counts).clone();
+        live_counts.view()
     }
 
     /// The run that is being recorded now.
     pub fn recorded(&self) -> Option<String> {
         let board = locked(&self.board);
-        let lived = board.lived.as_ref().filter(|lived| lived.frame.state != State::Over && !lived.view.replay);
+        let lived = board.lived.as_ref().filter(|lived| lived.frame.state != RunState::Over && !lived.view.replay);
         lived.and_then(|lived| lived.view.id.clone())
     }
 
     /// Whether a run is going on now.
     pub fn is_playing(&self) -> bool {
-        locked(&self.board).lived.as_ref().is_some_and(|lived| lived.frame.state == State::Playing)
+        locked(&self.board).lived.as_ref().is_some_and(|lived| lived.frame.state == RunState::Playing)
     }
 
     /// Changes whenever there is something new to be seen.
@@ -179,7 +179,7 @@ impl Stage {
         let mut tells = Vec::new();
         if seen.number != Some(board.number) {
             seen.number = Some(board.number);
-            tells.extend(board.lived.as_ref().map(|lived| Tell::Run { run: Box::new((*lived.view).clone()) }));
+            tells.extend(board.lived.as_ref().map(|lived| RunNotice::Run { run: Box::new((*lived.view).clone()) }));
         }
         if seen.unbegun != board.unbegun_count {
             seen.unbegun = board.unbegun_count;
@@ -234,13 +234,13 @@ fn said(broken: &(dyn Any + Send)) -> String {
 
 /// Who decides when the run is advanced, and how far.
 struct Director {
-    shelf: Shelf,
+    folders: HomeFolders,
     /// Nothing where the scenario had problems when the program began.
     act: Option<StagedRun>,
     /// The run panicked: it is neither advanced nor looked at any more.
     is_broken: bool,
     pace: Pace,
-    heard: Heard,
+    receiver: CommandReceiver,
     board: Arc<Mutex<Board>>,
     change: watch::Sender<u64>,
 }
@@ -248,26 +248,26 @@ struct Director {
 impl Director {
     fn direct(mut self) {
         loop {
-            let wish = match self.heard.next(self.wait()) {
-                Next::Wish(wish) => Some(wish),
-                Next::Nothing => None,
-                Next::Over => return,
+            let command = match self.receiver.next(self.wait()) {
+                NextCommand::Command(command) => Some(command),
+                NextCommand::Nothing => None,
+                NextCommand::Over => return,
             };
-            if let Err(broken) = catch_unwind(AssertUnwindSafe(|| self.take_turn(wish))) {
+            if let Err(broken) = catch_unwind(AssertUnwindSafe(|| self.take_turn(command))) {
                 self.give_up(&said(&*broken));
             }
         }
     }
 
-    fn take_turn(&mut self, mut wish: Option<Wish>) {
+    fn take_turn(&mut self, mut command: Option<StageCommand>) {
         // All other wishes are done before the next picture, unless that takes long.
         let begun = Instant::now();
-        while let Some(next) = wish.take() {
+        while let Some(next) = command.take() {
             self.fulfil(next);
             if begun.elapsed() < LONGEST_TURN
-                && let Next::Wish(next) = self.heard.next(Duration::ZERO)
+                && let NextCommand::Command(next) = self.receiver.next(Duration::ZERO)
             {
-                wish = Some(next);
+                command = Some(next);
             }
         }
         self.go_on();
@@ -299,14 +299,14 @@ impl Director {
         self.pace.is_paused(self.now())
     }
 
-    fn state(&self) -> State {
-        if self.is_paused() { State::Paused } else { State::Playing }
+    fn state(&self) -> RunState {
+        if self.is_paused() { RunState::Paused } else { RunState::Playing }
     }
 
-    fn fulfil(&mut self, wish: Wish) {
-        match wish {
-            Wish::Say(say) => self.obey(say),
-            Wish::Close(done) => {
+    fn fulfil(&mut self, command: StageCommand) {
+        match command {
+            StageCommand::PageCommand(say) => self.obey(say),
+            StageCommand::Close(done) => {
                 self.finish();
                 // Whoever asked may be gone.
                 let _ = done.send(());
@@ -314,22 +314,22 @@ impl Director {
         }
     }
 
-    fn obey(&mut self, say: Say) {
+    fn obey(&mut self, say: PageCommand) {
         match say {
-            Say::Start { seed: Some(seed), .. } if seed >= 1 << 53 => {
+            PageCommand::Start { seed: Some(seed), .. } if seed >= 1 << 53 => {
                 self.warn(&StageMessage::Seed.diagnostic());
             }
-            Say::Start { driven, without, seed } => {
+            PageCommand::Start { driven, without, seed } => {
                 let is_driven = driven.is_some();
                 let start = Start { driven, without, seed, input: Vec::new() };
-                let act = caught(|| StagedRun::new(&self.shelf, &self.shelf.entry, start));
+                let act = caught(|| StagedRun::new(&self.folders, &self.folders.entry, start));
                 if self.change_act(act) && is_driven {
                     // At any other speed a key that is held for a moment is a walk through the home.
                     self.pace.set_speed(RunTime::START, Speed::Times(1.0));
                 }
             }
-            Say::Replay { run } => {
-                let recording = self.shelf.recording(&run);
+            PageCommand::Replay { run } => {
+                let recording = self.folders.recording(&run);
                 let act = caught(|| StagedRun::again(recording?));
                 if self.change_act(act) {
                     self.pace.resume(RunTime::START);
@@ -340,33 +340,33 @@ impl Director {
     }
 
     /// What is said to the run that there is.
-    fn obey_in_run(&mut self, say: Say) {
+    fn obey_in_run(&mut self, say: PageCommand) {
         let now = self.now();
         self.pace.count_from(now);
         let Some(act) = &mut self.act else { return };
         match say {
             // Where a jump pauses, it does so all the same.
-            Say::Play if self.pace.is_jumping(now) => {}
-            Say::Play => self.pace.resume(now),
-            Say::Pause => self.pace.pause(now),
-            Say::Step { seconds } if seconds.is_finite() && (0.0..=86_400.0).contains(&seconds) => {
+            PageCommand::Play if self.pace.is_jumping(now) => {}
+            PageCommand::Play => self.pace.resume(now),
+            PageCommand::Pause => self.pace.pause(now),
+            PageCommand::Step { seconds } if seconds.is_finite() && (0.0..=86_400.0).contains(&seconds) => {
                 self.pace.jump(now, now + Span::from_seconds(seconds), true);
             }
-            Say::Step { .. } => self.warn(&StageMessage::Step.diagnostic()),
-            Say::Speed { times: None } => self.pace.set_speed(now, Speed::Max),
-            Say::Speed { times: Some(times) } => match Speed::times(times) {
+            PageCommand::Step { .. } => self.warn(&StageMessage::Step.diagnostic()),
+            PageCommand::Speed { times: None } => self.pace.set_speed(now, Speed::Max),
+            PageCommand::Speed { times: Some(times) } => match Speed::times(times) {
                 Some(speed) => self.pace.set_speed(now, speed),
                 None => self.warn(&StageMessage::Speed.diagnostic()),
             },
-            Say::Jump { to_us } => {
+            PageCommand::Jump { to_us } => {
                 let to = RunTime::from_micros(to_us).clamp(RunTime::START, act.end());
                 self.jump(to);
             }
-            Say::Hold { keys } => act.hold(&keys),
-            Say::Be { posture } => act.be(posture),
-            Say::Use { thing, on } => act.use_thing(thing, on),
-            Say::Stop => self.finish(),
-            Say::Hello { .. } | Say::Start { .. } | Say::Replay { .. } => {}
+            PageCommand::Hold { keys } => act.hold(&keys),
+            PageCommand::Be { posture } => act.be(posture),
+            PageCommand::Use { thing, on } => act.use_thing(thing, on),
+            PageCommand::Stop => self.finish(),
+            PageCommand::Hello { .. } | PageCommand::Start { .. } | PageCommand::Replay { .. } => {}
         }
     }
 
@@ -458,7 +458,7 @@ impl Director {
         let mut board = locked(&self.board);
         board.failure = Some(note(&message));
         if let Some(lived) = &mut board.lived {
-            lived.frame.state = State::Over;
+            lived.frame.state = RunState::Over;
         }
         drop(board);
         self.warn(&message);
@@ -474,7 +474,7 @@ impl Director {
         let begun = Instant::now();
         let due = self.pace.due().min(end);
         while self.now() < due && !self.is_paused() {
-            match self.act.as_mut().map(|act| act.advance(due, &self.shelf)) {
+            match self.act.as_mut().map(|act| act.advance(due, &self.folders)) {
                 Some(Ok(true)) => self.tell_run_again(),
                 Some(Ok(false)) | None => {}
                 Some(Err(why)) => self.fail(&why),
@@ -509,7 +509,7 @@ impl Director {
     fn begin_anew(&mut self) {
         self.is_broken = false;
         let (state, speed) = (self.state(), self.pace.speed());
-        let lived = self.act.as_mut().map(|act| Lived::of(act, state, speed));
+        let lived = self.act.as_mut().map(|act| ShownRun::new(act, state, speed));
         let mut board = locked(&self.board);
         board.run += 1;
         board.number += 1;
@@ -521,17 +521,17 @@ impl Director {
     }
 
     fn tell_run_again(&mut self) {
-        let told = self.act.as_ref().map(|act| (Arc::new(act.view()), act.growth()));
+        let told = self.act.as_ref().map(|act| (Arc::new(act.view()), act.live_counts()));
         let mut board = locked(&self.board);
-        if let (Some(lived), Some((view, growth))) = (&mut board.lived, told) {
-            (lived.view, lived.growth) = (view, growth);
+        if let (Some(lived), Some((view, live_counts))) = (&mut board.lived, told) {
+            (lived.view, lived.live_counts) = (view, live_counts);
             board.number += 1;
         }
     }
 
     /// Tells all pages what was done.
     fn note(&mut self, text: String) {
-        self.tell(Tell::Note { text, bad: false, code: None });
+        self.tell(RunNotice::Note { text, bad: false, code: None });
     }
 
     /// Tells all pages what could not be done.
@@ -539,7 +539,7 @@ impl Director {
         self.tell(note(message));
     }
 
-    fn tell(&mut self, tell: Tell) {
+    fn tell(&mut self, tell: RunNotice) {
         let mut board = locked(&self.board);
         let number = board.next_note;
         board.notes.push_back((number, tell));
@@ -550,7 +550,7 @@ impl Director {
     }
 }
 
-mod wishes;
+mod commands;
 
 #[cfg(test)]
 mod tests;

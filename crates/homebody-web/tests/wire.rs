@@ -1,23 +1,30 @@
-//! The page's types are the server's, and its kinds of sensors and of activities are the core's.
+//! The types of the page equal those of the server, and its kinds of sensors and activities those of the core.
 
 #[path = "../../../tests/generated.rs"]
 mod generated;
 
 use generated::is_generated;
-use homebody_analysis::measures::MEASURES;
+use homebody_analysis::care::{CareDay, ChartPoint, DayKnowledge, MeasureChart, MeasureWords};
+use homebody_analysis::coverage::SensorCoverage;
+use homebody_analysis::measures::{MEASURES, ValueForm};
+use homebody_analysis::parts::SensorDifference;
 use homebody_core::activity::{ACTIVITIES, AWAY, ActivityKind, KIND_WORDS};
 use homebody_core::sensors::form::{Colour, KindRow, Mount};
 use homebody_core::sensors::kinds::KINDS;
 use homebody_core::sensors::products::Product;
-use homebody_web::wire;
+use homebody_log::MovementKind;
+use homebody_placement::search::Reached;
+use homebody_query::search::SearchSubject;
+use homebody_routine::completion::{Completion, CompletionKind};
+use homebody_web::wire::*;
 use serde_json::json;
 use ts_rs::{Config, TS};
 
-/// Every type that crosses the wire, in reading order.
+/// All types of the wire, in reading order.
 fn declarations() -> Vec<String> {
     macro_rules! declare {
         ($($name:ident),* $(,)?) => {
-            vec![$(format!("export {}", wire::$name::decl(&Config::default()))),*]
+            vec![$(format!("export {}", $name::decl(&Config::default()))),*]
         };
     }
     declare!(
@@ -32,18 +39,18 @@ fn declarations() -> Vec<String> {
         CameraView,
         RunView,
         ResidentView,
-        Frame,
-        State,
+        RunFrame,
+        RunState,
         BodyView,
-        Posture,
+        MapPosture,
         FiringView,
-        LookView,
+        CameraStateView,
         StoredView,
         RunAbout,
-        PutAside,
+        DeletedKey,
         LibraryView,
         HomeEntryView,
-        AsideView,
+        DeletedHome,
         TemplateView,
         CardView,
         NewHome,
@@ -52,37 +59,37 @@ fn declarations() -> Vec<String> {
         PlaybackView,
         LanesView,
         ReadingView,
-        FilmView,
+        SilhouettesView,
         MomentView,
         PictureView,
         PersonView,
         CareView,
-        WalksView,
-        CareDayView,
-        KnownView,
-        TodayView,
+        PlaybackContent,
+        CareDay,
+        DayKnowledge,
+        MeasureWords,
         CareSentenceView,
         AlertView,
-        ChartView,
-        CareUnit,
-        PointView,
+        MeasureChart,
+        ValueForm,
+        ChartPoint,
         NoteView,
-        NoteIt,
+        NoteChange,
         KeptLogView,
-        WalkView,
+        LocatedView,
         DateView,
         DayView,
         LifeView,
         Find,
-        FindWhat,
+        SearchSubject,
         FoundView,
         HitView,
-        WalkingView,
-        WalkState,
-        MotionState,
-        Say,
+        LocatingView,
+        LocatingState,
+        MovementKind,
+        PageCommand,
         Key,
-        Tell,
+        RunNotice,
         RefusedView,
         FilesView,
         UnderlayView,
@@ -104,38 +111,38 @@ fn declarations() -> Vec<String> {
         PlanView,
         CoverageView,
         FloorView,
-        SeenView,
+        SensorCoverage,
         DeadZoneView,
         ImportView,
         Explain,
         ExplainView,
         SentenceView,
         ConditionView,
-        WordView,
-        WordKind,
+        Completion,
+        CompletionKind,
         Month,
         MonthView,
         RowsView,
         PlaceRowsView,
         Connect,
         ConnectView,
-        GrowthView,
+        LiveCountsView,
         PartView,
         PartsView,
         Layouts,
         NamedLayout,
         LayoutsView,
         LayoutView,
-        DiffersView,
+        SensorDifference,
         Suggest,
         SuggestionView,
         StepView,
-        ReachedView,
+        Reached,
     )
 }
 
 #[test]
-fn the_page_knows_our_types() {
+fn the_page_has_all_types() {
     is_generated(
         "web/src/wire.ts",
         &format!(
@@ -146,7 +153,7 @@ fn the_page_knows_our_types() {
 }
 
 #[test]
-fn the_page_knows_our_sensors() {
+fn the_page_has_all_kinds_of_sensors() {
     let row = |kind: &&KindRow| {
         let word = |variant: &dyn std::fmt::Debug| format!("{variant:?}").to_lowercase();
         let list = |texts: Vec<String>| serde_json::to_string(&texts).unwrap().replace(',', ", ");
@@ -177,7 +184,7 @@ fn the_page_knows_our_sensors() {
 }
 
 #[test]
-fn the_page_knows_our_devices() {
+fn the_page_has_all_devices() {
     let row = |device: Product| {
         let [across, down] = device.field_deg.value;
         let timing = device.preset.timing();
@@ -209,7 +216,7 @@ fn the_page_knows_our_devices() {
 }
 
 #[test]
-fn the_page_knows_our_activities() {
+fn the_page_has_all_activities() {
     let key = |kind: ActivityKind| serde_json::to_value(kind).unwrap().as_str().unwrap().to_owned();
     let colour = |colour: Colour| format!("'{}'", format!("{colour:?}").to_lowercase());
     let mut text =
@@ -234,7 +241,7 @@ fn the_page_knows_our_activities() {
 }
 
 #[test]
-fn the_page_has_the_rows_of_measures() {
+fn the_page_has_all_measures() {
     let mut text = "// Made from the table in crates/homebody-analysis/src/measures/registry.rs, which has the definitions.\n\n\
          /** Measures of the night before the day, but for parts of the day. */\nexport const OF_NIGHT: ReadonlySet<string> = new Set(["
         .to_owned();

@@ -146,7 +146,9 @@ pub struct MeasureUnit {
 }
 
 /// The form of values in sentences.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "snake_case")]
+#[cfg_attr(feature = "wire", derive(ts_rs::TS))]
 pub enum ValueForm {
     /// Hours.
     Hours,
@@ -159,6 +161,8 @@ pub enum ValueForm {
     /// Metres a second.
     MetresASecond,
     /// Any other amount: sentences give the difference in per cent.
+    #[serde(rename = "times")]
+    #[cfg_attr(feature = "wire", ts(skip))]
     Amount,
 }
 

@@ -43,6 +43,7 @@ pub struct LayoutSummary {
 
 /// A sensor, and in what it differs.
 #[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(feature = "wire", derive(ts_rs::TS))]
 pub struct SensorDifference {
     /// The sensor's name.
     pub sensor: String,

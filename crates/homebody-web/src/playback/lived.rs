@@ -1,7 +1,7 @@
 //! What residents did and where they were, of a run whose truth is read while the run is open already, as its log is.
 
-use super::coming::{Coming, Grows, HowFar, read_in};
-use crate::refusal::{Refusal, damaged};
+use super::background_read::{BackgroundRead, PartlyRead, ReadProgress, read_in};
+use crate::request_error::{RequestError, unprocessable};
 use homebody_core::time::{DAY, Interval, RunTime, Span, TimeScale};
 use homebody_log::{LifeSpan, LogError, SpanKind, Url};
 use std::collections::HashMap;
@@ -31,27 +31,32 @@ pub(super) struct Lives {
 /// What is known of lives so far.
 pub(super) struct Known {
     lives: Arc<Lives>,
-    how_far: HowFar,
+    how_far: ReadProgress,
 }
 
-impl Grows for Known {
-    fn how_far(&self) -> &HowFar {
+impl PartlyRead for Known {
+    fn how_far(&self) -> &ReadProgress {
         &self.how_far
     }
 }
 
 /// Lives, as far as they have come.
 pub(super) struct Lived {
-    coming: Coming<Known>,
+    coming: BackgroundRead<Known>,
 }
 
 impl Lived {
     /// Begins to read the truth of a run with these residents and rooms in another thread.
-    pub fn begin(truth: Url, scale: TimeScale, residents: Vec<String>, rooms: &[String]) -> Result<Lived, Refusal> {
+    pub fn begin(
+        truth: Url,
+        scale: TimeScale,
+        residents: Vec<String>,
+        rooms: &[String],
+    ) -> Result<Lived, RequestError> {
         let rooms: HashMap<String, u32> = rooms.iter().cloned().zip(0..).collect();
         let none = || vec![Vec::new(); residents.len()];
         let lives = Arc::new(Lives { rooms: none(), activities: none(), names: Vec::new() });
-        let coming = Coming::new(Known { lives, how_far: HowFar::begun(LATE) });
+        let coming = BackgroundRead::new(Known { lives, how_far: ReadProgress::begun(LATE) });
         let lived = Lived { coming: coming.clone() };
         read_in("reads a truth", move || {
             let mut taken = Taken { residents, rooms, names: HashMap::new(), spans: Vec::new() };
@@ -60,18 +65,18 @@ impl Lived {
                 if taken.spans.len() >= MOST_AT_ONCE { coming.grow(|known| taken.hand_on(known)) } else { Ok(()) }
             });
             let read = read.and_then(|()| coming.grow(|known| taken.hand_on(known)));
-            coming.end(|known| known.how_far.ended = Some(read.map_err(damaged)));
+            coming.end(|known| known.how_far.ended = Some(read.map_err(unprocessable)));
         })?;
         Ok(lived)
     }
 
     /// What has come, to be waited for.
-    pub fn coming(&self) -> &Coming<Known> {
+    pub fn coming(&self) -> &BackgroundRead<Known> {
         &self.coming
     }
 
     /// All of it.
-    pub fn whole(&self) -> Result<Arc<Lives>, Refusal> {
+    pub fn whole(&self) -> Result<Arc<Lives>, RequestError> {
         Ok(self.coming.until(RunTime::MAX)?.lives.clone())
     }
 }
@@ -137,7 +142,7 @@ mod tests {
     #[test]
     fn what_is_done_is_known_once_nothing_more_of_its_time_comes() {
         let lives = Arc::new(Lives { rooms: vec![Vec::new()], activities: vec![Vec::new()], names: Vec::new() });
-        let coming = Coming::new(Known { lives, how_far: HowFar::begun(LATE) });
+        let coming = BackgroundRead::new(Known { lives, how_far: ReadProgress::begun(LATE) });
         let lived = Lived { coming: coming.clone() };
         let rooms = HashMap::from([("hall".to_owned(), 7)]);
         let mut taken = Taken { residents: vec!["ann".into()], rooms, names: HashMap::new(), spans: Vec::new() };

@@ -7,10 +7,10 @@ use crate::signals::{Signals, begin_other};
 use homebody_core::scenario::load::{Files, NoText};
 use homebody_log::run::places::RUNS;
 use homebody_simulation::SimulationError;
-use homebody_web::kept_address::Unkept;
+use homebody_web::address_file::AddressFileError;
+use homebody_web::folders::HomeFolders;
 use homebody_web::library::Library;
-use homebody_web::shelf::Shelf;
-use homebody_web::{Address, Offer, Options, ServeError};
+use homebody_web::{Offer, Options, PageAddress, ServeError};
 use serde_json::Value;
 use std::net::{IpAddr, Ipv4Addr};
 use std::path::{Path, PathBuf};
@@ -89,7 +89,7 @@ impl Arguments {
         }
         let browser = !self.no_open;
         let options = Options { ip, port: self.port, browser, kept: self.address_file, ..Options::new(offer) };
-        let ready = |address: Address| {
+        let ready = |address: PageAddress| {
             // Nobody is there to read it where standard output is closed.
             let _ = print_text(&format!("{}\n", address.url));
             if browser && !address.file.is_some_and(open) {
@@ -110,14 +110,15 @@ impl Arguments {
         }
         let source = self.trust.source(&self.scenario)?;
         let scenario = source.folder().unwrap_or(Path::new("")).to_owned();
-        let shelf = Shelf { scenario, entry: source.entry().to_owned(), is_trusted, runs: Path::new(RUNS).into() };
+        let folders =
+            HomeFolders { scenario, entry: source.entry().to_owned(), is_trusted, runs: Path::new(RUNS).into() };
         match source.open() {
-            Err(SimulationError::Problems(problems)) if can_be_mended(&shelf) => {
+            Err(SimulationError::Problems(problems)) if can_be_mended(&folders) => {
                 warn(ServeMessage::Problems { count: problems.0.len() });
             }
             opened => drop(opened?),
         }
-        Ok(shelf.into())
+        Ok(folders.into())
     }
 }
 
@@ -127,13 +128,13 @@ fn is_library(path: &Path) -> bool {
 }
 
 /// Whether what is wrong with a scenario is in files that the page can show: what cannot be read, or leads out of the folder, it cannot.
-fn can_be_mended(shelf: &Shelf) -> bool {
-    let Ok(text) = shelf.read(&shelf.entry) else { return false };
+fn can_be_mended(folders: &HomeFolders) -> bool {
+    let Ok(text) = folders.read(&folders.entry) else { return false };
     let Ok(root) = serde_json::from_str::<Value>(&text) else { return false };
     let residents = root["residents"].as_array().into_iter().flatten();
     let mut named =
         [&root["home"], &root["logger"], &root["link"]].into_iter().chain(residents).filter_map(Value::as_str);
-    !named.any(|name| matches!(shelf.read(name), Err(NoText::Unreadable { .. })))
+    !named.any(|name| matches!(folders.read(name), Err(NoText::Unreadable { .. })))
 }
 
 /// Opens the file that leads to the page in the browser that this machine has, if it has one: everybody may read what a
@@ -150,7 +151,9 @@ impl From<ServeError> for Failure {
         match error {
             ServeError::Scenario(_)
             | ServeError::Foreign(_)
-            | ServeError::Unkept(Unkept::Open(_) | Unkept::NoAddress(_)) => Failure::asked(error),
+            | ServeError::AddressFile(AddressFileError::Open(_) | AddressFileError::NoAddress(_)) => {
+                Failure::asked(error)
+            }
             ServeError::NoPort { .. } | ServeError::Port { .. } => {
                 Failure::file(error).advising("choose another port with --port")
             }

@@ -1,11 +1,11 @@
 // The calendar of a log: its months as grids of days, and what each day is marked by.
 
-import type { AlertView, CareView, KnownView, NoteView } from '../../wire';
+import type { AlertView, CareView, DayKnowledge, NoteView } from '../../wire';
 import { inFull, monthOf, monthsLater, shifted, weekday } from './dates';
 
 export interface Cell {
   day: string;
-  known: KnownView;
+  known: DayKnowledge;
   /** Alerts that nobody has seen to, and those that somebody has. */
   open: number;
   seen: number;

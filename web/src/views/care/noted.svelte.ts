@@ -1,7 +1,7 @@
 // What somebody has noted about alerts and days. It is kept beside the run, so that whoever opens it later sees it, too.
 
 import { Refused, type Server, notesPath, said } from '../../server';
-import type { AlertView, NoteIt, NoteView } from '../../wire';
+import type { AlertView, NoteChange, NoteView } from '../../wire';
 
 /** What is noted of: an alert, or with an empty rule a day. */
 export type Of = Pick<AlertView, 'day' | 'rule'>;
@@ -50,7 +50,7 @@ export class Noted {
   }
 
   private async send(run: string, note: NoteView): Promise<void> {
-    const it: NoteIt = { before: find(this.kept, note) ?? null, note };
+    const it: NoteChange = { before: find(this.kept, note) ?? null, note };
     try {
       const kept = await this.server.post<NoteView[]>(notesPath(run), it);
       if (run !== this.run) return;

@@ -1,7 +1,7 @@
 // A log that is opened here: it goes to the server, which walks it back through a home while everything else goes on.
 
 import { type Server, keepPath, said, walkPath } from '../../server';
-import type { WalkingView } from '../../wire';
+import type { LocatingView } from '../../wire';
 
 /** How often is asked how far it is. */
 const EVERY_MS = 300;
@@ -10,7 +10,7 @@ const EVERY_MS = 300;
 const LARGEST_BYTES = 64 << 20;
 
 export class Walking {
-  view = $state.raw<WalkingView | null>(null);
+  view = $state.raw<LocatingView | null>(null);
   problem = $state('');
   private asked = 0;
   /** Whether it has been seen on its way: else it was over before anybody looked. */
@@ -70,9 +70,9 @@ export class Walking {
   }
 
   private async look(asked: number): Promise<void> {
-    let view: WalkingView | null;
+    let view: LocatingView | null;
     try {
-      view = await this.server.json<WalkingView | null>('/api/walk');
+      view = await this.server.json<LocatingView | null>('/api/walk');
     } catch (error) {
       if (asked === this.asked) [this.view, this.goes, this.problem] = [null, false, said(error)];
       return;
