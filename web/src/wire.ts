@@ -593,13 +593,13 @@ rows: Array<[number, number, number]>,
 /**
  * By resident; empty without ground truth.
  */
-lives: Array<LifeView>, 
+lives: Array<PersonDay>, 
 /**
  * The end of the movements here; if it is before the end of the day, the page requests the rest.
  */
 until_us: number, };
 
-export type LifeView = { 
+export type PersonDay = { 
 /**
  * Begin, end, kind, posture, from, to.
  */
@@ -704,7 +704,7 @@ export type FilesView = {
 /**
  * The scenario's own file. It names the home, the logger and the routines below.
  */
-entry: string, home: string | null, logger: string | null, lives: Array<LivesView>, files: Array<FileView>, };
+entry: string, home: string | null, logger: string | null, lives: Array<ResidentRoutineView>, files: Array<FileView>, };
 
 export type UnderlayView = { 
 /**
@@ -720,7 +720,7 @@ at: [number, number], width_m: number,
  */
 turn_deg: number, };
 
-export type LivesView = { name: string, 
+export type ResidentRoutineView = { name: string, 
 /**
  * The name of its file.
  */

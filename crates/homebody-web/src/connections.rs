@@ -17,7 +17,7 @@ const LONGEST_HEAD: Duration = Duration::from_secs(10);
 /// Pause when the system has no more room for connections.
 const REST: Duration = Duration::from_millis(100);
 
-/// Serves connections as long as it is polled. Each request carries its [`ClientConnection`].
+/// Serves connections as long as it is polled. Each request carries its `ClientConnection`.
 pub async fn serve(listener: TcpListener, routes: Router) -> io::Error {
     let places = ConnectionPlaces::default();
     loop {

@@ -13,7 +13,8 @@ mod suggestion_progress;
 use crate::folders::HomeFolders;
 use crate::messages::DraftMessage;
 use crate::wire::{
-    CheckView, Draft, FileView, FilesView, FixView, LivesView, ProblemView, Save, SaveFile, SavedView, UnderlayView,
+    CheckView, Draft, FileView, FilesView, FixView, ProblemView, ResidentRoutineView, Save, SaveFile, SavedView,
+    UnderlayView,
 };
 use crate::write_locks::WriteLocks;
 use homebody_core::problem::{Diagnose, Diagnostic, Fix, Problem, readable};
@@ -39,13 +40,13 @@ pub struct DraftService {
     /// Held while files are compared and replaced, so that only one page does so.
     writing: WriteLocks,
     /// Held while a draft is simulated: one at a time, so that the run on the stage has a core. The last one stays.
-    living: Arc<Mutex<Option<lived_draft::LivedDraft>>>,
+    simulated: Arc<Mutex<Option<lived_draft::LivedDraft>>>,
     suggesting: Arc<suggestion_progress::SuggestionProgress>,
 }
 
 impl DraftService {
     pub fn new(folders: HomeFolders) -> DraftService {
-        DraftService { folders, writing: WriteLocks::default(), living: Arc::default(), suggesting: Arc::default() }
+        DraftService { folders, writing: WriteLocks::default(), simulated: Arc::default(), suggesting: Arc::default() }
     }
 
     /// All files that the page can edit, and their roles in the scenario.
@@ -56,7 +57,7 @@ impl DraftService {
         let lives = residents.filter_map(|file| {
             let resident = self.json(file);
             let routine = text(&resident["driver"]["routine"])?;
-            Some(LivesView { name: text(&resident["name"]).unwrap_or_else(|| file.to_owned()), routine })
+            Some(ResidentRoutineView { name: text(&resident["name"]).unwrap_or_else(|| file.to_owned()), routine })
         });
         FilesView {
             entry: self.folders.entry.clone(),
@@ -135,13 +136,13 @@ impl DraftService {
         Overlay { texts: draft.texts, others: &self.folders }
     }
 
-    pub fn lives(&self, files: &Overlay, without: &[String]) -> Result<(Scenario, Household), Vec<Problem>> {
+    pub fn load(&self, files: &Overlay, without: &[String]) -> Result<(Scenario, Household), Vec<Problem>> {
         Household::load(files, &self.folders.entry, without).map_err(|problems| problems.0)
     }
 
     /// The problems and remarks of `homebody check`.
     pub fn check(&self, draft: Draft) -> CheckView {
-        match self.lives(&self.with(draft), &[]) {
+        match self.load(&self.with(draft), &[]) {
             Ok((scenario, _)) => {
                 let length = scenario.calendar.span_of_days(scenario.file.days);
                 CheckView { problems: Vec::new(), warnings: problems(&remarks::scenario_remarks(&scenario, length)) }

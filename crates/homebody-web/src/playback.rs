@@ -20,7 +20,7 @@ use crate::request_error::{code_of, failed, no_run, not_found, sentence, unproce
 use crate::stored_log::StoredRows;
 use crate::stored_runs;
 use crate::stored_silhouettes::StoredSilhouettes;
-use crate::wire::{DateView, DayView, LifeView, MovementView, PlaybackView, ReadingView, ResidentView, StoredView};
+use crate::wire::{DateView, DayView, MovementView, PersonDay, PlaybackView, ReadingView, ResidentView, StoredView};
 use background_read::PartlyRead;
 use homebody_core::posture::Posture;
 use homebody_core::problem::{Diagnose, Diagnostic, readable};
@@ -417,13 +417,13 @@ impl OpenRun {
     }
 
     /// By resident; empty without ground truth.
-    fn empty_lives(&self) -> Vec<LifeView> {
+    fn empty_lives(&self) -> Vec<PersonDay> {
         let count = if self.truth.is_some() { self.view.residents.len() } else { 0 };
-        vec![LifeView::default(); count]
+        vec![PersonDay::default(); count]
     }
 
     /// Adds the movements of a span, hour by hour, as long as there is time. Returns the end of the added part.
-    fn add_movements(&self, span: Interval<RunTime>, lives: &mut [LifeView]) -> Result<RunTime, RequestError> {
+    fn add_movements(&self, span: Interval<RunTime>, lives: &mut [PersonDay]) -> Result<RunTime, RequestError> {
         let Some(movements) = &self.movements else { return Ok(span.end) };
         let mut movements = movements.lock().unwrap_or_else(PoisonError::into_inner);
         let begun = Instant::now();

@@ -363,7 +363,7 @@ pub struct DayView {
     #[ts(type = "Array<[number, number, number]>")]
     pub rows: Vec<(i64, u32, u32)>,
     /// By resident; empty without ground truth.
-    pub lives: Vec<LifeView>,
+    pub lives: Vec<PersonDay>,
     /// The end of the movements here; if it is before the end of the day, the page requests the rest.
     #[ts(type = "number")]
     pub until_us: i64,
@@ -374,7 +374,7 @@ pub type MovementView = (i64, i64, MovementKind, MapPosture, Option<At>, Option<
 
 /// The ground truth about a person, in the order of time.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, TS)]
-pub struct LifeView {
+pub struct PersonDay {
     /// Begin, end, kind, posture, from, to.
     #[ts(type = "Array<[number, number, MovementKind, MapPosture, [number, number] | null, [number, number] | null]>")]
     pub movements: Vec<MovementView>,

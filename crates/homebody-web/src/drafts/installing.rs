@@ -113,7 +113,7 @@ impl DraftService {
         let (build, step_m) = (build(&files, &self.folders.entry), step_m(home.plan()));
         let request = Request { goals: &goals, sensors, people, seed: SEED, rules: &rules, device, build, step_m };
         let load = || {
-            let (scenario, household) = self.lives(&files, &[]).map_err(homebody_core::problem::Problems)?;
+            let (scenario, household) = self.load(&files, &[]).map_err(homebody_core::problem::Problems)?;
             Ok(LoadedScenario { scenario, household })
         };
         let lives = if request.needs_people() { SHARE_OF_LIVES } else { 0.0 };

@@ -32,10 +32,10 @@ impl DraftService {
     /// The first rows of a draft's log, written where nobody else looks and read back, for as long as somebody waits for them.
     pub fn rows(&self, draft: Draft, cancel: &Cancel) -> RowsView {
         let kinds = Scheme::of_scenarios().map(|row| (format!("{}:", row.name), row.what.to_owned())).collect();
-        let (problems, places, cut) = match self.lives(&self.with(draft), &[]) {
+        let (problems, places, cut) = match self.load(&self.with(draft), &[]) {
             Err(wrong) => (problems(&wrong), Vec::new(), None),
             Ok((scenario, household)) => {
-                let _living = self.living.lock().unwrap_or_else(PoisonError::into_inner);
+                let _simulating = self.simulated.lock().unwrap_or_else(PoisonError::into_inner);
                 match first_rows(&scenario, &household, cancel) {
                     Ok((places, cut)) => (Vec::new(), places, cut),
                     Err(error) => {

@@ -51,15 +51,15 @@ impl DraftService {
 
     /// Simulates some days without leaving a file, until it is cancelled.
     pub fn month(&self, Month { draft, from, days, without }: Month, cancel: &Cancel) -> MonthView {
-        let (scenario, household) = match self.lives(&self.with(draft), &without) {
+        let (scenario, household) = match self.load(&self.with(draft), &without) {
             Ok(lives) => lives,
             Err(wrong) => return MonthView { problems: problems(&wrong), ..MonthView::default() },
         };
-        let mut living = self.living.lock().unwrap_or_else(PoisonError::into_inner);
-        let same = living.take().filter(|last| last.is(&scenario, &without));
+        let mut simulated = self.simulated.lock().unwrap_or_else(PoisonError::into_inner);
+        let same = simulated.take().filter(|last| last.is(&scenario, &without));
         let mut draft = same.unwrap_or_else(|| LivedDraft::new(&scenario, without));
         let month = draft.month(&scenario, &household, from, days.clamp(1, LONGEST), cancel);
-        *living = Some(draft);
+        *simulated = Some(draft);
         month.unwrap_or_else(|error| {
             let unlived = Problem::of_file(&self.folders.entry, error.diagnostic(), None);
             MonthView { problems: problems(&[unlived]), ..MonthView::default() }

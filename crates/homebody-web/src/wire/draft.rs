@@ -15,7 +15,7 @@ pub struct FilesView {
     pub entry: String,
     pub home: Option<String>,
     pub logger: Option<String>,
-    pub lives: Vec<LivesView>,
+    pub lives: Vec<ResidentRoutineView>,
     pub files: Vec<FileView>,
 }
 
@@ -34,7 +34,7 @@ pub struct UnderlayView {
 
 /// A resident with a routine.
 #[derive(Clone, Debug, PartialEq, Serialize, TS)]
-pub struct LivesView {
+pub struct ResidentRoutineView {
     pub name: String,
     /// The name of its file.
     pub routine: String,

@@ -1,6 +1,6 @@
 // Where people were, as the truth has it.
 
-import type { BodyView, LifeView, PlaybackView } from '../../wire';
+import type { BodyView, PersonDay, PlaybackView } from '../../wire';
 import { type Day, movementAt, spanAt } from './day';
 
 /** So far back is looked for the last stride, whose direction somebody keeps who stands or sits. */
@@ -14,7 +14,7 @@ export function bodiesAt(run: PlaybackView, day: Day, at_us: number): (BodyView 
   });
 }
 
-export function bodyAt(run: PlaybackView, life: LifeView, at_us: number): BodyView | null {
+export function bodyAt(run: PlaybackView, life: PersonDay, at_us: number): BodyView | null {
   const index = movementAt(life, at_us);
   const movement = life.movements[index];
   if (movement === undefined) return null;
@@ -32,7 +32,7 @@ export function bodyAt(run: PlaybackView, life: LifeView, at_us: number): BodyVi
 }
 
 /** Where somebody faces: along the stride, or along the last one. */
-function heading(life: LifeView, index: number): number {
+function heading(life: PersonDay, index: number): number {
   for (let back = index; back >= Math.max(index - BACK, 0); back--) {
     const [, , doing, , from, to] = life.movements[back]!;
     if (doing === 'stride' && from !== null && to !== null && (from[0] !== to[0] || from[1] !== to[1])) {

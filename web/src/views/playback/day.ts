@@ -1,6 +1,6 @@
 // A day of a stored run, made ready for drawing: its rows by sensor, and when nothing stirs.
 
-import type { DayView, LifeView, PlaybackView } from '../../wire';
+import type { DayView, PersonDay, PlaybackView } from '../../wire';
 import { above } from './above';
 import { type Doubt, doubtOf } from './doubt';
 
@@ -82,7 +82,7 @@ export function spanAt<T extends readonly [number, number, ...unknown[]]>(spans:
   return span !== undefined && at_us < span[1] ? span : null;
 }
 
-export function movementAt(life: LifeView, at_us: number): number {
+export function movementAt(life: PersonDay, at_us: number): number {
   const index = above(life.movements, at_us, ([begin]) => begin) - 1;
   const movement = life.movements[index];
   return movement !== undefined && at_us <= movement[1] ? index : -1;

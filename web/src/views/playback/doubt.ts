@@ -4,7 +4,7 @@ import type { Chance } from '../../charts/shades';
 import { type Pen, trace } from '../../plan/pen';
 import { colourOf } from '../../plan/moving';
 import type { View } from '../../plan/transform';
-import type { HomeView, LifeView, PlaybackView } from '../../wire';
+import type { HomeView, PersonDay, PlaybackView } from '../../wire';
 import { above } from './above';
 
 export const OUT = -1;
@@ -19,7 +19,7 @@ const STRONGEST = 0.45;
 /** At each instant from which something holds: by place, from -2 on, how likely it is. They come to 1. */
 export type Doubt = { at: Float64Array; chances: Float32Array[] };
 
-export function doubtOf(run: PlaybackView, life: LifeView): Doubt {
+export function doubtOf(run: PlaybackView, life: PersonDay): Doubt {
   const at: number[] = [];
   const chances: Float32Array[] = [];
   let now = new Float32Array(run.home.rooms.length + 2);
