@@ -1,5 +1,5 @@
-//! Builds the page in `web/` with npm, into the program. Where that cannot be done the program is built all the same, with a page
-//! that says so: the command line needs none.
+//! Builds the page in `web/` with npm, into the program. If that fails, the program is built with a page that gives the reason: the
+//! command line needs no page.
 
 use std::env;
 use std::fs;
@@ -28,7 +28,7 @@ fn build(web: &Path, page: &Path) -> Result<(), String> {
         return Err("its source is not here".into());
     }
     let lock = fs::read(web.join("package-lock.json")).map_err(|error| format!("web/package-lock.json: {error}"))?;
-    // What was installed for this very lock file is installed already.
+    // Skips the installation of an unchanged lock file.
     let stamp = web.join("node_modules/.homebody-lock");
     if fs::read(&stamp).ok().as_ref() != Some(&lock) {
         npm(web, &["ci", "--no-audit", "--no-fund"])?;
@@ -38,7 +38,7 @@ fn build(web: &Path, page: &Path) -> Result<(), String> {
     npm(web, &["run", "build", "--", "--outDir", &out, "--emptyOutDir"])
 }
 
-/// Runs npm with a Node.js that suffices, which is installed where the system's does not.
+/// Runs npm with a suitable Node.js, which is installed if the system's is too old.
 fn npm(web: &Path, words: &[&str]) -> Result<(), String> {
     let done = Command::new("sh").args(["with-node.sh", "npm"]).args(words).current_dir(web).output();
     let done = done.map_err(|error| format!("npm cannot be run ({error})"))?;
@@ -51,7 +51,7 @@ fn npm(web: &Path, words: &[&str]) -> Result<(), String> {
     Err(format!("npm {} has failed: {}", words.join(" "), last.join(" | ")))
 }
 
-/// A page that says why there is none.
+/// A page with the reason of the failure.
 fn say_why(page: &Path, why: &str) {
     let why = why.replace('&', "&amp;").replace('<', "&lt;");
     let text = format!(

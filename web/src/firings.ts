@@ -1,7 +1,7 @@
 // The firings that arrived: the last few hundred for the table, the last ten minutes for the time line, and the counts
 // of each sensor. Firings that are reported but not sent are counted, never ignored.
 
-import type { FiringView, Frame } from './wire';
+import type { FiringView, RunFrame } from './wire';
 
 /** A firing, or a number of firings without details. */
 type Row = { firing: FiringView } | { missing: number; until_us: number };
@@ -35,7 +35,7 @@ export class Firings {
   }
 
   /** Returns the new firings of the frame. */
-  take(frame: Frame): FiringView[] {
+  take(frame: RunFrame): FiringView[] {
     if (frame.now_us < this.now_us || (this.told !== null && frame.told < this.told)) this.goBack(frame);
     this.now_us = frame.now_us;
     const missing = frame.told - (this.told ?? 0) - frame.firings.length;
@@ -66,7 +66,7 @@ export class Firings {
   }
 
   /** The run went back: drops later firings, and does not keep repeated ones twice. */
-  private goBack(frame: Frame): void {
+  private goBack(frame: RunFrame): void {
     const again = frame.firings[0]?.seq ?? Infinity;
     const from_us = frame.firings[0]?.at_us ?? Infinity;
     this.rows = this.rows.filter((row) =>

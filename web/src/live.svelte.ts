@@ -9,7 +9,7 @@ import { clockOf } from './localtime';
 import { Throttle } from './plan/glow';
 import { Server } from './server';
 import { Socket, type Status, type Wire, dial } from './socket';
-import type { FiringView, Frame, ProblemView, RunView, Say, Tell } from './wire';
+import type { FiringView, PageCommand, ProblemView, RunFrame, RunNotice, RunView } from './wire';
 
 type Note = { id: number; text: string; bad: boolean };
 
@@ -22,7 +22,7 @@ export class Live {
   status = $state<Status>('closed');
   run = $state.raw<RunView | null>(null);
   /** The frame of texts; drawings use every frame. */
-  frame = $state.raw<Frame | null>(null);
+  frame = $state.raw<RunFrame | null>(null);
   notes = $state.raw<Note[]>([]);
   /** For screen readers: the sensors that fired recently. */
   spoken = $state('');
@@ -37,9 +37,9 @@ export class Live {
   readonly lived = new RunHistory();
   readonly server: Server;
   readonly drafts: Drafts;
-  latest: Frame | null = null;
+  latest: RunFrame | null = null;
   private readonly socket: Socket;
-  private readonly watchers = new Set<(frame: Frame, fresh: FiringView[]) => void>();
+  private readonly watchers = new Set<(frame: RunFrame, fresh: FiringView[]) => void>();
   private readonly cuts = new Set<() => void>();
   private readonly texts = new Throttle(TEXT_MS);
   private readonly announcer = new Announcer();
@@ -96,7 +96,7 @@ export class Live {
   }
 
   /** Reports commands that cannot be sent, so that no click is silently ignored. */
-  say(say: Say): boolean {
+  say(say: PageCommand): boolean {
     const sent = this.socket.say(say);
     if (!sent && say.say !== 'hold') this.note('Not connected to the server. Nothing was changed.', true);
     return sent;
@@ -115,7 +115,7 @@ export class Live {
   }
 
   /** @returns a function that ends the subscription. */
-  watch(watcher: (frame: Frame, fresh: FiringView[]) => void): () => void {
+  watch(watcher: (frame: RunFrame, fresh: FiringView[]) => void): () => void {
     this.watchers.add(watcher);
     return () => this.watchers.delete(watcher);
   }
@@ -139,7 +139,7 @@ export class Live {
     this.notes = this.notes.filter((note) => note.id !== id);
   }
 
-  private hear(tell: Tell): void {
+  private hear(tell: RunNotice): void {
     if (tell.tell === 'run' || (tell.tell === 'note' && tell.bad)) {
       this.begun?.(tell.tell === 'run');
       this.begun = null;
@@ -175,7 +175,7 @@ export class Live {
     this.note(`The server stopped, and ${run.id} stopped with it${far}. That part is saved and listed in Playback. To resume it, use “homebody run --resume” with its folder. The run shown now is a new one.`, true);
   }
 
-  private take(frame: Frame): void {
+  private take(frame: RunFrame): void {
     // No frame can be shown before the home of the run is known.
     if (this.run === null) return;
     const turns = this.latest?.state !== frame.state;

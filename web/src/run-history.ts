@@ -3,7 +3,7 @@
 
 import { AWAY } from './activities';
 import type { Unseen } from './charts/unseen';
-import type { BodyView, FiringView, Frame, RunView } from './wire';
+import type { BodyView, FiringView, RunFrame, RunView } from './wire';
 
 /** Length of the history. */
 export const KEPT_US = 36 * 3_600e6;
@@ -51,7 +51,7 @@ export class RunHistory {
     this.from_us = this.now_us = -1;
   }
 
-  take(frame: Frame): void {
+  take(frame: RunFrame): void {
     const { now_us, firings, counts } = frame;
     if (this.now_us < 0) this.from_us = Math.min(now_us, firings[0]?.at_us ?? now_us);
     else if (now_us < this.now_us || frame.told < this.told || (firings[0]?.seq ?? Infinity) < this.told) this.goBack(frame);
@@ -132,7 +132,7 @@ export class RunHistory {
   }
 
   /** The run went back: drops later firings, and does not keep repeated ones twice. */
-  private goBack({ now_us, firings }: Frame): void {
+  private goBack({ now_us, firings }: RunFrame): void {
     const again_us = firings[0]?.at_us ?? Infinity;
     this.fired.forEach((fired, sensor) => {
       fired.length = this.said[sensor]!.length = fired.filter((at) => at <= now_us && at < again_us).length;

@@ -2,7 +2,7 @@
 // all messages, including a report of those that it cannot read.
 
 import { decode } from '@msgpack/msgpack';
-import type { Frame, Say, Tell } from './wire';
+import type { PageCommand, RunFrame, RunNotice } from './wire';
 
 export type Status = 'connecting' | 'open' | 'lost' | 'refused' | 'gone' | 'closed';
 
@@ -25,8 +25,8 @@ export type Wire = {
 
 type Hears = {
   status(status: Status): void;
-  frame(frame: Frame): void;
-  tell(tell: Tell): void;
+  frame(frame: RunFrame): void;
+  tell(tell: RunNotice): void;
   /** A message could not be read. */
   trouble(text: string): void;
 };
@@ -59,7 +59,7 @@ export class Socket {
     wire.binaryType = 'arraybuffer';
     wire.onopen = () => {
       if (this.wire !== wire) return;
-      wire.send(JSON.stringify({ say: 'hello', token: this.token } satisfies Say));
+      wire.send(JSON.stringify({ say: 'hello', token: this.token } satisfies PageCommand));
       this.become('open');
     };
     wire.onmessage = ({ data }) => {
@@ -79,7 +79,7 @@ export class Socket {
   }
 
   /** @returns whether it could be sent. */
-  say(say: Say): boolean {
+  say(say: PageCommand): boolean {
     if (this.wire === null || this.now !== 'open') return false;
     this.wire.send(JSON.stringify(say));
     return true;
@@ -110,12 +110,12 @@ export class Socket {
   private hear(data: unknown): void {
     try {
       if (typeof data === 'string') {
-        const tell = JSON.parse(data) as Tell;
+        const tell = JSON.parse(data) as RunNotice;
         if (tell.tell !== 'run' && tell.tell !== 'note' && tell.tell !== 'unbegun') throw new Error('unknown');
         this.hears.tell(tell);
         return;
       }
-      const frame = decode(data as ArrayBuffer) as Frame;
+      const frame = decode(data as ArrayBuffer) as RunFrame;
       if (typeof frame?.now_us !== 'number' || !Array.isArray(frame.bodies)) throw new Error('not a frame');
       this.hears.frame(frame);
     } catch {

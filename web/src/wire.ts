@@ -2,57 +2,45 @@
 
 export type HomeView = { name: string, 
 /**
- * The lower left and the upper right corner of all there is.
+ * The lower left and the upper right corner of the plan.
  */
 bounds: [[number, number], [number, number]], rooms: Array<RoomView>, 
 /**
- * Walls, doors that are closed, and furniture: convex outlines.
+ * Walls, closed doors and furniture, as convex outlines.
  */
 solids: Array<SolidView>, doors: Array<DoorView>, 
 /**
- * What can be used, in the order of [`Frame::on`].
+ * In the order of [`RunFrame::on`].
  */
 things: Array<ThingView>, 
 /**
- * In the order in which firings count them.
+ * In the order of the numbers of sensors.
  */
 sensors: Array<SensorView>, };
 
 export type RoomView = { name: string, outline: Array<[number, number]>, 
 /**
- * Where its name goes.
+ * The place of its name.
  */
 middle: [number, number], 
 /**
- * The floor that it is on, in a home of several.
+ * In a home of several floors.
  */
 floor: string | null, };
 
-export type SolidView = { kind: SolidKind, 
-/**
- * Of furniture.
- */
-name: string | null, outline: Array<[number, number]>, 
-/**
- * Whether bodies can be in it: a bed, a chair, a rug.
- */
-enterable: boolean, };
+export type SolidView = { kind: SolidKind, name: string | null, outline: Array<[number, number]>, enterable: boolean, };
 
 export type SolidKind = "wall" | "door" | "furniture";
 
 export type DoorView = { name: string, 
 /**
- * Its jambs; a door that stands open is hinged at the first.
+ * The jambs; an open door is hinged at the first.
  */
-from: [number, number], to: [number, number], open: boolean, 
-/**
- * Whether it leads out of the home.
- */
-outside: boolean, };
+from: [number, number], to: [number, number], open: boolean, outside: boolean, };
 
 export type ThingView = { name: string, kind: ThingKind, at: [number, number], 
 /**
- * What is done to it, and what undoes that: `Turn on`, `Turn off`.
+ * The verbs that switch it on and off, such as `Turn on` and `Turn off`.
  */
 verbs: [string, string], };
 
@@ -60,55 +48,47 @@ export type ThingKind = "door" | "furniture" | "lamp";
 
 export type SensorView = { name: string, 
 /**
- * As its file says it: `motion`, `bed`, `contact`, ...
+ * The key of its kind, such as `motion`, `bed` or `contact`.
  */
-kind: string, 
+kind: string, room: string | null, at: [number, number], 
 /**
- * The room that it is in.
- */
-room: string | null, at: [number, number], 
-/**
- * Where it looks, counted from east against the clock; of sensors on walls.
+ * Counted from east against the clock; for sensors on walls.
  */
 facing_deg: number | null, 
 /**
- * The parts of its beams in which it sees a standing adult, from where to where; of sensors on walls.
+ * The parts of its beams that detect a standing adult; for sensors on walls.
  */
 beams: Array<[[number, number], [number, number]]>, 
 /**
- * What it sees from the ceiling, or the mat or bed that it feels.
+ * The area of a ceiling sensor, or the mat or bed.
  */
-area: Array<[number, number]> | null, 
-/**
- * Of cameras.
- */
-camera: CameraView | null, };
+area: Array<[number, number]> | null, camera: CameraView | null, };
 
 export type CameraView = { 
 /**
- * Columns and rows of its pictures.
+ * Columns and rows of a picture.
  */
 pixels: [number, number], 
 /**
- * From one picture to the next.
+ * The time between two pictures.
  */
 period_us: number, 
 /**
- * Whether it never sleeps.
+ * True for a camera that never sleeps.
  */
 always: boolean, 
 /**
- * The floor, beds and seats that it sees, as rectangles: left, lower, right and upper edge.
+ * The floor, beds and seats in its view, as rectangles: left, lower, right and upper edge.
  */
 seen: Array<[number, number, number, number]>, 
 /**
- * The same of what it would see if furniture did not hide it.
+ * The parts of its view that furniture hides, as rectangles.
  */
 hidden: Array<[number, number, number, number]>, };
 
 export type RunView = { 
 /**
- * The name of its folder, if it is stored in one: what playback knows it by.
+ * The name of its folder, once it has one.
  */
 id: string | null, scenario: string, home: HomeView, 
 /**
@@ -116,63 +96,51 @@ id: string | null, scenario: string, home: HomeView,
  */
 residents: Array<ResidentView>, 
 /**
- * Who is moved by keys.
+ * The resident that keys move.
  */
 driven: number | null, length_us: number, 
 /**
- * A number below 2^53.
+ * Below 2^53.
  */
 seed: number, 
 /**
- * Conditions that its residents show, or would if they were not left out.
+ * All conditions of its residents, with those that are left out.
  */
-conditions: Array<string>, 
+conditions: Array<string>, without: Array<string>, days: Array<DateView>, 
 /**
- * Those that are left out.
- */
-without: Array<string>, 
-/**
- * By the clock on the wall.
- */
-days: Array<DateView>, 
-/**
- * From when to when the sun is down.
+ * The intervals in which the sun is down.
  */
 nights: Array<[number, number]>, 
 /**
- * Where the log goes, as URLs.
+ * The destinations of the log, as URLs.
  */
-log: Array<string>, 
+log: Array<string>, replay: boolean, 
 /**
- * Whether a recording is being lived again.
- */
-replay: boolean, 
-/**
- * The versions of the scenario's files that it goes by: what has another one now was saved since. Of a replay there are none.
+ * The versions of the scenario's files at the start of the run; none for a replay.
  */
 files: { [key in string]: string }, };
 
 export type ResidentView = { name: string, radius_m: number, };
 
-export type Frame = { now_us: number, 
+export type RunFrame = { now_us: number, 
 /**
  * The time on the home's clock, as `2009-03-02 07:12:03`.
  */
-clock: string, state: State, 
+clock: string, state: RunState, 
 /**
- * How many seconds go by in a second; nothing where it goes as fast as it can.
+ * In simulated seconds a second; null for as fast as possible.
  */
 speed: number | null, 
 /**
- * By resident; nothing for those who are out.
+ * By resident; null for those who are out.
  */
 bodies: Array<BodyView | null>, 
 /**
- * The sensors that see somebody move.
+ * The sensors that detect movement.
  */
 seeing: Array<number>, 
 /**
- * The things that are on, or open.
+ * The things that are on or open.
  */
 on: Array<number>, 
 /**
@@ -180,7 +148,7 @@ on: Array<number>,
  */
 sun: number, 
 /**
- * How many firings there have been.
+ * The number of rows of the log so far.
  */
 told: number, 
 /**
@@ -188,41 +156,41 @@ told: number,
  */
 counts: Array<number>, 
 /**
- * The last of those since the frame before, in order.
+ * The latest rows since the frame before, in order.
  */
 firings: Array<FiringView>, 
 /**
- * The cameras, in the order of sensors.
+ * In the order of sensors.
  */
-looks: Array<LookView>, };
+looks: Array<CameraStateView>, };
 
-export type State = "paused" | "playing" | "over";
+export type RunState = "paused" | "playing" | "over";
 
 export type BodyView = { at: [number, number], 
 /**
- * Where it faces, counted from east against the clock.
+ * Counted from east against the clock.
  */
-heading_deg: number, posture: Posture, room: number | null, 
+heading_deg: number, posture: MapPosture, room: number | null, 
 /**
- * What the truth calls what it does.
+ * The label of the ground truth.
  */
 activity: string | null, };
 
-export type Posture = "standing" | "sitting" | "lying";
+export type MapPosture = "standing" | "sitting" | "lying";
 
 export type FiringView = { seq: number, at_us: number, sensor: number, value: string, 
 /**
- * Time, sensor and message as they are stored; nothing where no log is looked at.
+ * Time, sensor and message as they are stored; null without a log.
  */
 row: [string, string, string] | null, };
 
-export type LookView = { 
+export type CameraStateView = { 
 /**
  * Its number among the home's sensors.
  */
 sensor: number, awake: boolean, 
 /**
- * Its silhouette, packed: lengths of runs of pixels that are off and on in turns; empty where it sees nobody.
+ * Its packed silhouette: lengths of runs of pixels that are off and on in turns; empty without a body.
  */
 packed: Uint8Array, };
 
@@ -232,53 +200,37 @@ export type StoredView = {
  */
 name: string, scenario: string, 
 /**
- * The local date and time of its start.
+ * Local date and time.
  */
 start: string, days: number, has_truth: boolean, 
 /**
- * The name of the log that its path was made from by walking it back.
+ * The name of the log that was located for its path.
  */
 walked_back: string | null, 
 /**
- * Why it cannot be played back.
+ * The reason why playback is not possible.
  */
-problem: string | null, 
+problem: string | null, problem_code?: string, 
 /**
- * The stable code of the problem.
- */
-problem_code?: string, 
-/**
- * When its files were begun, in milliseconds since 1970, where that is known.
+ * The time when its files were created, in milliseconds since 1970.
  */
 made_ms: number | null, 
 /**
- * A number below 2^53.
+ * Below 2^53.
  */
-seed: number | null, 
-/**
- * Conditions that are left out of it.
- */
-without: Array<string>, 
-/**
- * What somebody has called it, and noted about it.
- */
-about: RunAbout, };
+seed: number | null, without: Array<string>, about: RunAbout, };
 
 export type RunAbout = { 
 /**
- * At most 100 letters; none where it is known by its folder alone.
+ * At most 100 characters; empty for a run without a title.
  */
 title: string, 
 /**
- * At most 2,000 letters.
+ * At most 2,000 characters.
  */
 note: string, };
 
-export type PutAside = { 
-/**
- * The name under which it is fetched back.
- */
-key: string, };
+export type DeletedKey = { key: string, };
 
 export type LibraryView = { 
 /**
@@ -286,23 +238,19 @@ export type LibraryView = {
  */
 folder: string, 
 /**
- * Why nothing can be changed in it, if that is so.
+ * The reason why homes cannot be changed.
  */
 trouble: string | null, 
 /**
- * Those that were changed last come first.
+ * The latest change first.
  */
 homes: Array<HomeEntryView>, 
 /**
- * How many more there are, which are not shown.
+ * The number of homes that are not listed.
  */
-more: number, 
+more: number, aside: Array<DeletedHome>, templates: Array<TemplateView>, 
 /**
- * What was deleted, and can be put back.
- */
-aside: Array<AsideView>, templates: Array<TemplateView>, 
-/**
- * How many runs lie beside the homes, and belong to none.
+ * The number of runs next to the homes, which belong to none.
  */
 runs_beside: number, };
 
@@ -312,45 +260,29 @@ export type HomeEntryView = {
  */
 name: string, 
 /**
- * What its scenario calls itself; empty where that cannot be read.
+ * The name in its scenario; empty if that cannot be read.
  */
 title: string, about: string, 
 /**
- * When one of its files was changed last, in milliseconds since 1970, where that is known.
+ * The last change of one of its files, in milliseconds since 1970.
  */
 changed_ms: number | null, };
 
-export type AsideView = { 
+export type DeletedHome = { 
 /**
- * The name under which it is put back.
+ * The key by which it is restored.
  */
-key: string, 
-/**
- * What it is called then.
- */
-name: string, };
+key: string, name: string, };
 
 export type TemplateView = { name: string, about: string, };
 
 export type CardView = { 
 /**
- * The text of its plan, right or wrong; nothing where it cannot be read.
+ * The text of its plan, valid or not.
  */
-home: string | null, residents: Array<string>, 
+home: string | null, residents: Array<string>, problems: number, runs: number, latest: Array<StoredView>, 
 /**
- * How much is wrong with it.
- */
-problems: number, 
-/**
- * How many runs it has.
- */
-runs: number, 
-/**
- * Those that were lived last.
- */
-latest: Array<StoredView>, 
-/**
- * The one that is being lived in the page.
+ * The run that is being recorded.
  */
 goes_on: string | null, };
 
@@ -358,7 +290,7 @@ export type NewHome = { "from": "empty" } | { "from": "template", name: string, 
 
 export type MadeView = { name: string, 
 /**
- * What was left out or guessed, and what is missing, in sentences.
+ * Omissions, guesses and missing parts, in sentences.
  */
 remarks: Array<string>, };
 
@@ -370,70 +302,61 @@ export type PlaybackView = { name: string, scenario: string, home: HomeView,
  */
 residents: Array<ResidentView>, 
 /**
- * The local date and time of its start.
+ * Local date and time.
  */
 start: string, zone: string, length_us: number, 
 /**
- * What the log calls its sensors: those of the home in the home's order, then those that stand nowhere in it.
+ * The sensors of the log: those of the home in its order, then those without a place in it.
  */
 sensors: Array<string>, 
 /**
- * What sensors say in the log.
+ * The messages of the sensors.
  */
 values: Array<string>, days: Array<DateView>, 
 /**
- * How many rows the log has in each hour of the clock, by day.
+ * The number of rows in each hour of the clock, by day.
  */
 hours: Array<Array<number>>, 
 /**
- * From when to when the sun is down.
+ * The intervals in which the sun is down.
  */
-nights: Array<[number, number]>, has_truth: boolean, 
+nights: Array<[number, number]>, has_truth: boolean, activities: Array<string>, 
 /**
- * The names of activities.
- */
-activities: Array<string>, 
-/**
- * What each resident did: begin, end and the activity's number. Of a long run the short ones are left out.
+ * For each resident begin, end and number of each activity. A long run has only the longest.
  */
 spans: Array<Array<[number, number, number]>>, 
 /**
- * Of a log that was walked back: then the rows are those of the log as it was given, and instead of the truth there is
- * what was made of them.
+ * For a located log: the rows are those of the original log, and the estimates replace the ground truth.
  */
-walk: WalkView | null, 
+walk: LocatedView | null, has_silhouettes: boolean, 
 /**
- * Whether its cameras have kept silhouettes.
- */
-has_silhouettes: boolean, 
-/**
- * What is missing or was skipped, in sentences.
+ * Missing or skipped data, in sentences.
  */
 remarks: Array<string>, 
 /**
- * Up to when the log is read by now; what else is told of it here, its sensors, values and hours, is as far. `None` once all is read.
+ * The end of the part that is read so far, with its sensors, values and hours; null once all is read.
  */
 read_us: number | null, };
 
 export type LanesView = { bucket_us: number, 
 /**
- * By sensor, from the run's start on.
+ * By sensor, from the start of the run.
  */
 counts: Array<Array<number>>, };
 
 export type ReadingView = { 
 /**
- * `None` once all of it is.
+ * Null once all is read.
  */
 read_us: number | null, };
 
-export type FilmView = { 
+export type SilhouettesView = { 
 /**
- * Up to here all is told; where that is not the end that was asked for, the rest is asked for next.
+ * The end of the silhouettes here; if it is before the requested end, the page requests the rest.
  */
 until_us: number, 
 /**
- * The corner from which the cubes of voxel persons are counted.
+ * The origin of the cubes.
  */
 corner: [number, number], 
 /**
@@ -447,7 +370,7 @@ moments: Array<MomentView>, };
 
 export type MomentView = { at_us: number, pictures: Array<PictureView>, 
 /**
- * Who is told by them, one in each room at most.
+ * One in each room at most.
  */
 persons: Array<PersonView>, };
 
@@ -457,122 +380,150 @@ export type PictureView = {
  */
 sensor: number, 
 /**
- * As of a camera in the run that is being lived.
+ * As in [`CameraStateView`].
  */
 packed: Uint8Array, };
 
 export type PersonView = { 
 /**
- * The cubes at the surface of what two cameras or more agree on: three numbers each, counted from the corner to the east, to the
- * north and up. None where one camera alone tells of somebody.
+ * The surface cubes of the body that two cameras or more agree on: three numbers each, from the corner to the east, to the north
+ * and up. Empty if only one camera sees the person.
  */
 cubes: Array<number>, 
 /**
- * How high the top is above the floor.
+ * Of the top above the floor.
  */
-height_m: number, 
-/**
- * How high the middle is.
- */
-centroid_up_m: number, 
+height_m: number, centroid_up_m: number, 
 /**
  * The angle of the longest extent to the vertical.
  */
 tilt_deg: number, 
 /**
- * Where, seen from above.
+ * Seen from above.
  */
 at: [number, number], 
 /**
- * How far somebody is on the feet, from 0 to 1.
+ * Membership from 0 to 1.
  */
 upright: number, in_between: number, on_the_ground: number, };
 
 export type CareView = { 
 /**
- * What the run is called.
+ * The name of the run.
  */
-name: string, 
+name: string, person: string, 
 /**
- * Whom it is about.
- */
-person: string, 
-/**
- * The day that is told of, as `2009-03-02`.
+ * The reported day, as `2009-03-02`.
  */
 day: string | null, 
 /**
- * Whether enough days lie before the last two weeks to say what has changed.
+ * True with enough days before the last two weeks for a comparison.
  */
-is_compared: boolean, 
+is_compared: boolean, remarks: Array<string>, 
 /**
- * What cannot be said.
+ * The content of its playback.
  */
-remarks: Array<string>, 
+walks: PlaybackContent, 
 /**
- * Who walks when it is played back.
+ * In order.
  */
-walks: WalksView, 
+days: Array<CareDay>, 
 /**
- * All days in order.
- */
-days: Array<CareDayView>, 
-/**
- * About the last two weeks, what has changed first.
+ * About the last two weeks, changes first.
  */
 sentences: Array<CareSentenceView>, 
 /**
  * The latest first.
  */
-alerts: Array<AlertView>, charts: Array<ChartView>, };
+alerts: Array<AlertView>, charts: Array<MeasureChart>, };
 
-export type WalksView = "lived" | "walked_back" | "sensors" | "no_home";
+export type PlaybackContent = "lived" | "walked_back" | "sensors" | "no_home";
 
-export type CareDayView = { day: string, known: KnownView, 
+export type CareDay = { 
 /**
- * Nothing of a day that is not whole.
+ * The day.
  */
-told: Array<TodayView>, };
-
-export type KnownView = "whole" | "nobody_home" | "partly";
-
-export type TodayView = { measure: string, words: string, 
+day: string, 
 /**
- * More than usual, or less; null as usual.
+ * What is known of it.
+ */
+known: DayKnowledge, 
+/**
+ * What carers ask about; nothing of a day that does not count, and of what is guessed.
+ */
+told: Array<MeasureWords>, };
+
+export type DayKnowledge = "whole" | "nobody_home" | "partly";
+
+export type MeasureWords = { 
+/**
+ * Its name.
+ */
+measure: string, 
+/**
+ * In words, such as `Slept for 7.2 hours, as usual`.
+ */
+words: string, 
+/**
+ * More than usual, or less; `None` as usual.
  */
 is_more: boolean | null, };
 
 export type CareSentenceView = { words: string, 
 /**
- * On how many days, and what it comes to.
+ * The number of days, and the result.
  */
 numbers: string, measure: string, is_change: boolean, days: Array<string>, };
 
 export type AlertView = { day: string, rule: string, words: string, 
 /**
- * What it came to, and what was usual.
+ * The value, and the usual value.
  */
-numbers: string, 
+numbers: string, measures: Array<string>, 
 /**
- * The measures that it is about.
- */
-measures: Array<string>, 
-/**
- * The days that show it.
+ * The days with the evidence.
  */
 days: Array<string>, };
 
-export type ChartView = { measure: string, title: string, unit: CareUnit, 
+export type MeasureChart = { 
+/**
+ * Its name.
+ */
+measure: string, 
+/**
+ * What it is called.
+ */
+title: string, 
+/**
+ * How its values are written.
+ */
+unit: ValueForm, 
 /**
  * What is less than this apart is the same.
  */
-little: number, is_guess: boolean, days: Array<PointView>, };
-
-export type CareUnit = "hours" | "clock" | "times" | "of_usual" | "metres_a_second";
-
-export type PointView = { day: string, value: number | null, 
+little: number, 
 /**
- * From where to where it was usual.
+ * Whether it is guessed.
+ */
+is_guess: boolean, 
+/**
+ * Its days, in order.
+ */
+days: Array<ChartPoint>, };
+
+export type ValueForm = "hours" | "clock" | "times" | "of_usual" | "metres_a_second";
+
+export type ChartPoint = { 
+/**
+ * The day.
+ */
+day: string, 
+/**
+ * The measure; `None` where it is not known, or the day does not count.
+ */
+value: number | null, 
+/**
+ * What was usual by then: from a standard deviation below the mean to one above.
  */
 usual: [number, number] | null, };
 
@@ -582,21 +533,21 @@ export type NoteView = {
  */
 day: string, 
 /**
- * The alert's rule; empty for the day itself.
+ * The rule of the alert; empty for a note about the day.
  */
 rule: string, 
 /**
- * Whether somebody has seen to it.
+ * True once a person has dealt with it.
  */
 seen: boolean, note: string, };
 
-export type NoteIt = { 
+export type NoteChange = { 
 /**
- * What the page has seen there before; null where nothing was noted.
+ * The note that the page has read; null if there was none.
  */
 before: NoteView | null, 
 /**
- * With no note, and seen to by nobody, nothing is kept of it.
+ * An empty note that is not marked as seen is removed.
  */
 note: NoteView, };
 
@@ -610,13 +561,13 @@ name: string,
  */
 log: string, };
 
-export type WalkView = { 
+export type LocatedView = { 
 /**
- * What the log was called.
+ * The name of the log.
  */
 log: string, 
 /**
- * Where each resident most likely was: begin, end and the place's number, as chances have it. Short stays are left out.
+ * The most likely place of each resident: begin, end and number as in chances, without short stays.
  */
 stays: Array<Array<[number, number, number]>>, };
 
@@ -626,114 +577,106 @@ export type DateView = {
  */
 date: string, begin_us: number, end_us: number, 
 /**
- * The time on the clock when the day begins in the run: its first one may begin at noon.
+ * The time on the clock at `begin_us`: the first day may begin at noon.
  */
 clock_us: number, 
 /**
- * When clocks are set in it, and by how much.
+ * The instant at which clocks are set, and by how much.
  */
 turn: [number, number] | null, };
 
 export type DayView = { 
 /**
- * The log's rows: instant, sensor and value.
+ * Instant, sensor and value of each row of the log.
  */
 rows: Array<[number, number, number]>, 
 /**
- * By resident; of none where there is no truth.
+ * By resident; empty without ground truth.
  */
-lives: Array<LifeView>, 
+lives: Array<PersonDay>, 
 /**
- * Up to here movements are told; where that is not the day's end, the rest is asked for next.
+ * The end of the movements here; if it is before the end of the day, the page requests the rest.
  */
 until_us: number, };
 
-export type LifeView = { 
+export type PersonDay = { 
 /**
- * Begin, end, what it was, in which posture, from where, to where.
+ * Begin, end, kind, posture, from, to.
  */
-movements: Array<[number, number, MotionState, Posture, [number, number] | null, [number, number] | null]>, 
+movements: Array<[number, number, MovementKind, MapPosture, [number, number] | null, [number, number] | null]>, 
 /**
- * Begin, end and the number of the home's room; between rooms there is none.
+ * Begin, end and number of the home's room; nothing between rooms.
  */
 rooms: Array<[number, number, number]>, 
 /**
- * Begin, end and the activity's number.
+ * Begin, end and number of the activity.
  */
 activities: Array<[number, number, number]>, 
 /**
- * Of a log that was walked back: an instant, a place, and how likely somebody is there from then on. The place is the
- * number of the home's room, -1 for out, -2 for between the rooms; those that are not told of have no chance.
+ * For a located log: instant, place and probability of a person there from then on. The place is the number of the home's room,
+ * -1 for out, -2 for between the rooms; places that are not listed have none.
  */
 chances: Array<[number, number, number]>, };
 
-export type Find = { what: FindWhat, 
+export type Find = { what: SearchSubject, 
 /**
- * Which room, sensor or activity; of lost messages a sensor, of alerts and falls that cameras see a rule, or null for all.
+ * The room, sensor or activity; for lost messages the sensor, for alerts and falls that cameras see the rule; null for all.
  */
 name: string | null, 
 /**
- * Between which minutes of the day, over midnight where the first is later; null at any time.
+ * Minutes of the day, over midnight if the first is later; null for any time.
  */
 between_min: [number, number] | null, 
 /**
- * For how many seconds at least.
+ * The shortest duration, in seconds.
  */
 least_s: number, };
 
-export type FindWhat = "room" | "on" | "still" | "doing" | "fall" | "seen_fall" | "lost" | "alert";
+export type SearchSubject = "room" | "on" | "still" | "doing" | "fall" | "seen_fall" | "lost" | "alert";
 
 export type FoundView = { 
 /**
- * In the order of time; of too many the first.
+ * The first in the order of time.
  */
 hits: Array<HitView>, 
 /**
- * How many there are.
+ * The total.
  */
 all: number, 
 /**
- * How it was looked for, where that is not what one would think.
+ * Unusual conditions of the search.
  */
 remarks: Array<string>, };
 
 export type HitView = { begin_us: number, end_us: number, 
 /**
- * Whether the truth tells of it as a fall.
+ * True for a fall of the ground truth.
  */
 is_fall: boolean, 
 /**
- * Whose it was, and what, as far as it is known.
+ * The person and the match, if known.
  */
 words: string, };
 
-export type WalkingView = { 
+export type LocatingView = { log: string, state: LocatingState, 
 /**
- * What it is called.
- */
-log: string, state: WalkState, 
-/**
- * How much of it is done, from 0 to 1.
+ * The completed share, from 0 to 1.
  */
 share: number, 
 /**
- * The run that came of it.
+ * The resulting run.
  */
 run: string | null, 
 /**
- * Why none came of it.
+ * The reason of a failure.
  */
-problem: string | null, 
-/**
- * The stable code of the problem.
- */
-problem_code?: string, };
+problem: string | null, problem_code?: string, };
 
-export type WalkState = "coming" | "walking" | "done" | "failed" | "stopped";
+export type LocatingState = "coming" | "walking" | "done" | "failed" | "stopped";
 
-export type MotionState = "stride" | "in_place" | "rest" | "away";
+export type MovementKind = "stride" | "in_place" | "rest" | "away";
 
-export type Say = { "say": "hello", token: string, } | { "say": "play" } | { "say": "pause" } | { "say": "step", seconds: number, } | { "say": "speed", times: number | null, } | { "say": "jump", to_us: number, } | { "say": "hold", keys: Array<Key>, } | { "say": "be", posture: Posture, } | { "say": "use", thing: number, on: boolean, } | { "say": "start", driven: number | null, 
+export type PageCommand = { "say": "hello", token: string, } | { "say": "play" } | { "say": "pause" } | { "say": "step", seconds: number, } | { "say": "speed", times: number | null, } | { "say": "jump", to_us: number, } | { "say": "hold", keys: Array<Key>, } | { "say": "be", posture: MapPosture, } | { "say": "use", thing: number, on: boolean, } | { "say": "start", driven: number | null, without: Array<string>, 
 /**
  * Seed of all random numbers (default: that of the scenario)
  */
@@ -747,7 +690,7 @@ without: Array<string>, } | { "say": "stop" } | { "say": "replay", run: string, 
 
 export type Key = "up" | "down" | "left" | "right" | "fast" | "slow";
 
-export type Tell = { "tell": "run", run: RunView, } | { "tell": "note", text: string, bad: boolean, code?: string, } | { "tell": "unbegun", why: string, problems: Array<ProblemView>, code?: string, };
+export type RunNotice = { "tell": "run", run: RunView, } | { "tell": "note", text: string, bad: boolean, code?: string, } | { "tell": "unbegun", why: string, problems: Array<ProblemView>, code?: string, };
 
 export type RefusedView = { 
 /**
@@ -755,27 +698,27 @@ export type RefusedView = {
  */
 code?: string, 
 /**
- * The message, as sentences.
+ * In sentences.
  */
 what: string, 
 /**
- * The values that the message quotes, by name.
+ * The values in the message, by name.
  */
 data: Record<string, unknown>, };
 
 export type FilesView = { 
 /**
- * The scenario's own file; those that follow are the ones that it links, as far as it can be read.
+ * The scenario's own file. It names the home, the logger and the routines below.
  */
-entry: string, home: string | null, logger: string | null, lives: Array<LivesView>, files: Array<FileView>, };
+entry: string, home: string | null, logger: string | null, lives: Array<ResidentRoutineView>, files: Array<FileView>, };
 
 export type UnderlayView = { 
 /**
- * The name of the picture's file beside it.
+ * The name of the image's file in the same folder.
  */
 picture: string, 
 /**
- * Where its middle is, in metres.
+ * Its middle, in metres.
  */
 at: [number, number], width_m: number, 
 /**
@@ -783,15 +726,15 @@ at: [number, number], width_m: number,
  */
 turn_deg: number, };
 
-export type LivesView = { name: string, 
+export type ResidentRoutineView = { name: string, 
 /**
- * The name of the routine's file.
+ * The name of its file.
  */
 routine: string, };
 
 export type FileView = { name: string, text: string, 
 /**
- * A sign of what is on disk: another text has another version.
+ * A digest of the text.
  */
 version: string, };
 
@@ -801,17 +744,17 @@ export type Save = { files: Array<SaveFile>, };
 
 export type SaveFile = { name: string, text: string, 
 /**
- * The version that the text was made from; nothing for a file that is not there yet.
+ * The version that the draft is based on; null for a new file.
  */
 version: string | null, };
 
 export type SavedView = { 
 /**
- * The new versions by name; empty where nothing was written.
+ * The new versions by name; empty if nothing was saved.
  */
 saved: { [key in string]: string }, 
 /**
- * What is on disk where it is not what the texts were made from.
+ * The files that other programs or pages have changed.
  */
 changed: Array<FileView>, };
 
@@ -825,11 +768,11 @@ export type Forget = { draft: Draft, kind: Named, names: Array<string>, };
 
 export type NamesView = { mentions: Array<MentionView>, 
 /**
- * The texts that change, as they are then.
+ * The changed texts.
  */
 texts: { [key in string]: string }, 
 /**
- * Whether another thing of its kind has one of both names: then nothing else is renamed.
+ * True if another thing of its kind has the old or the new name. Then nothing is renamed.
  */
 is_shared: boolean, };
 
@@ -839,21 +782,21 @@ export type MentionView = { file: string,
  */
 line: number, 
 /**
- * The line, cut where it is long.
+ * The line, shortened.
  */
 said: string, 
 /**
- * Whether it goes with the thing in `texts`; what does not is left to whoever writes the file.
+ * True if `texts` removes it; the author of the file removes the others.
  */
 goes: boolean, };
 
 export type MendView = { 
 /**
- * What is done, as a button says it.
+ * The label of the button.
  */
 what: string, 
 /**
- * The texts that change, as they are then.
+ * The changed texts.
  */
 texts: { [key in string]: string }, };
 
@@ -863,21 +806,17 @@ export type ProblemView = {
  */
 code?: string, file: string, 
 /**
- * From 1; 0 where the file as a whole is meant.
+ * From 1; 0 for the whole file.
  */
 line: number, 
 /**
- * In characters, from 1; 0 where the file as a whole is meant.
+ * In characters, from 1; 0 for the whole file.
  */
 column: number, 
 /**
- * How many characters are meant.
+ * In characters.
  */
-width: number, what: string, hint: string | null, 
-/**
- * The change that solves it, where there is one.
- */
-fix?: FixView, };
+width: number, what: string, hint: string | null, fix?: FixView, };
 
 export type FixView = { "kind": "replace", with: string, } | { "kind": "let_enter", furniture: string, } | { "kind": "add", piece: Record<string, unknown>, room: string | null, 
 /**
@@ -887,13 +826,9 @@ rest: string, };
 
 export type PlanView = { 
 /**
- * Of the home's file alone.
+ * Of the home's file only.
  */
-problems: Array<ProblemView>, 
-/**
- * Nothing where there are problems.
- */
-home: HomeView | null, coverage: CoverageView | null, };
+problems: Array<ProblemView>, home: HomeView | null, coverage: CoverageView | null, };
 
 export type CoverageView = { 
 /**
@@ -905,15 +840,15 @@ step_m: number,
  */
 corner: [number, number], columns: number, 
 /**
- * Row by row from the south-west, a byte each: 255 where no body can stand, else how many sensors see it.
+ * Row by row from the south-west, a byte each: 255 without room for a body, else the number of sensors.
  */
 cells: Uint8Array, whole: FloorView, rooms: Array<FloorView>, 
 /**
- * Of those that look; in the order of the home's file.
+ * The sensors with a field, in the order of the home's file.
  */
-sensors: Array<SeenView>, 
+sensors: Array<SensorCoverage>, 
 /**
- * Pairs of sensors and the floor that both see, the largest first.
+ * Pairs of sensors and their common floor, the largest first.
  */
 overlaps: Array<[string, string, number]>, 
 /**
@@ -923,13 +858,21 @@ dead_zones: Array<DeadZoneView>, };
 
 export type FloorView = { name: string, floor_m2: number, 
 /**
- * Shares that are seen by none, one, two, and three or more.
+ * The shares with no, one, two, and three or more sensors.
  */
 seen_by: [number, number, number, number], };
 
-export type SeenView = { name: string, seen_m2: number, 
+export type SensorCoverage = { 
 /**
- * The part of it that no other sensor sees.
+ * The sensor's name in the home.
+ */
+name: string, 
+/**
+ * How much of the floor it sees, in square metres.
+ */
+seen_m2: number, 
+/**
+ * The part of `seen_m2` that no other sensor sees: what would be lost without it.
  */
 alone_m2: number, };
 
@@ -941,11 +884,11 @@ number: number, room: string | null, area_m2: number, middle: [number, number], 
 
 export type ImportView = { 
 /**
- * The text of a home's file.
+ * As a home's file.
  */
 text: string, 
 /**
- * What was left out or guessed, in sentences.
+ * Omissions and guesses, in sentences.
  */
 remarks: Array<string>, };
 
@@ -953,21 +896,17 @@ export type Explain = { draft: Draft, file: string, };
 
 export type ExplainView = { 
 /**
- * Of the routine's file and the conditions it shows; empty does not mean that other files are right.
+ * Of the routine's file and its conditions only.
  */
 problems: Array<ProblemView>, 
 /**
- * The date of the scenario's first day, and how many days it has; none where it cannot be read.
+ * The date of the scenario's first day, and the number of its days; empty for an invalid scenario.
  */
 first: string, days: number, sentences: Array<SentenceView>, 
 /**
- * What is left unsaid and goes as it usually does.
+ * The defaults for what the routine does not say.
  */
-unsaid: Array<SentenceView>, conditions: Array<ConditionView>, 
-/**
- * What may be written, for completion.
- */
-words: Array<WordView>, };
+unsaid: Array<SentenceView>, conditions: Array<ConditionView>, words: Array<Completion>, };
 
 export type SentenceView = { 
 /**
@@ -975,7 +914,7 @@ export type SentenceView = {
  */
 line: number, 
 /**
- * The words it was understood from.
+ * The words of the routine.
  */
 said: string, 
 /**
@@ -983,35 +922,31 @@ said: string,
  */
 kind: string, what: string, days: string, when: string, 
 /**
- * When it begins, in seconds since midnight: one in twenty begins before the first, the mean, one in twenty after the last.
+ * The begin in seconds since midnight: the 5th percentile, the mean, the 95th percentile.
  */
 start_s: [number, number, number] | null, 
 /**
- * How long it lasts, in the same way.
+ * The duration in seconds: the same three.
  */
 lasts_s: [number, number, number] | null, in_words: string, };
 
 export type ConditionView = { name: string, 
 /**
- * How severe it is on each day of the scenario: 0 where it is not there, 1 at its moderate full strength.
+ * For each day of the scenario, from 0 without the condition to 1 at moderate strength.
  */
 severity: Array<number>, sentences: Array<SentenceView>, };
 
-export type WordView = { 
+export type Completion = { text: string, kind: CompletionKind, 
 /**
- * What is written.
- */
-text: string, kind: WordKind, 
-/**
- * What it says, in a few words.
+ * A short description.
  */
 about: string, };
 
-export type WordKind = "sentence" | "activity" | "time" | "place" | "condition";
+export type CompletionKind = "sentence" | "activity" | "time" | "place" | "condition";
 
 export type Month = { draft: Draft, 
 /**
- * The first day, counted from 0.
+ * The first day, from 0.
  */
 from: number, 
 /**
@@ -1019,61 +954,49 @@ from: number,
  */
 days: number, 
 /**
- * Conditions that are left out.
+ * Conditions to leave out.
  */
 without: Array<string>, };
 
-export type MonthView = { 
+export type MonthView = { problems: Array<ProblemView>, days: Array<DateView>, residents: Array<string>, activities: Array<string>, 
 /**
- * Why there is none.
+ * For each resident begin, end and number of each activity.
  */
-problems: Array<ProblemView>, days: Array<DateView>, residents: Array<string>, 
+spans: Array<Array<[number, number, number]>>, rooms: Array<string>, 
 /**
- * The names of activities.
- */
-activities: Array<string>, 
-/**
- * What each resident did: begin, end and the activity's number.
- */
-spans: Array<Array<[number, number, number]>>, 
-/**
- * The names of rooms.
- */
-rooms: Array<string>, 
-/**
- * Where each resident was: begin, end and the room's number; away or between rooms there is none.
+ * For each resident begin, end and number of each stay in a room.
  */
 stays: Array<Array<[number, number, number]>>, 
 /**
- * How often motion sensors fired in each hour of the clock, by day.
+ * The firings of motion sensors in each hour of the clock, by day.
  */
 hours: Array<Array<number>>, 
 /**
- * Where and why it ends before the last day, in sentences.
+ * The place and reason of an early end, in sentences.
  */
 cut: string | null, };
 
 export type RowsView = { problems: Array<ProblemView>, 
 /**
- * One for each place that the log goes to.
+ * By destination of the log.
  */
 places: Array<PlaceRowsView>, 
 /**
- * Until when rows were looked for and why no longer, in sentences.
+ * The end of the simulation and its reason, in sentences.
  */
 cut: string | null, 
 /**
- * How the URLs of places begin, and what each is.
+ * The schemes of URLs, with descriptions.
  */
 kinds: Array<[string, string]>, };
 
 export type PlaceRowsView = { 
 /**
- * The URL as the file has it.
+ * The URL of the file.
  */
 to: string, 
 /**
- * Of a database.
+ * For databases.
  */
 table: string | null, columns: Array<string>, rows: Array<Array<string>>, };
 
@@ -1081,31 +1004,31 @@ export type Connect = { url: string, };
 
 export type ConnectView = { works: boolean, 
 /**
- * What was found there, or why it does not work and what to do.
+ * The result, or the reason of a failure with a hint.
  */
 said: string, 
 /**
- * The stable code of the message, where it does not work.
+ * The stable code of a failure.
  */
 code?: string, };
 
-export type GrowthView = { 
+export type LiveCountsView = { 
 /**
- * How often motion sensors fired in each hour of the clock, by day.
+ * The firings of motion sensors in each hour of the clock, by day.
  */
 hours: Array<Array<number>>, 
 /**
- * The firings of the day that is being lived: instant and sensor.
+ * Instant and sensor of each firing of the last day.
  */
 today: Array<[number, number]>, 
 /**
- * How many firings of that day are not in `today`.
+ * The number of firings of that day that `today` leaves out.
  */
 left_out: number, };
 
 export type PartView = { number: number, name: string, kind: string, 
 /**
- * Make and model, or the kind where any will do.
+ * Make and model, or the kind if any model will do.
  */
 device: string, network: string, 
 /**
@@ -1113,17 +1036,17 @@ device: string, network: string,
  */
 place: string, 
 /**
- * Height, direction and field; null for what has no lens.
+ * Height, direction and field; null for a sensor without a lens.
  */
 aim: string | null, };
 
 export type PartsView = { 
 /**
- * Of the home; then there is nothing else.
+ * Of the home; then the rest is empty.
  */
 problems: Array<ProblemView>, 
 /**
- * How many of which device, the most first.
+ * The number of each device, the largest first.
  */
 devices: Array<[string, number]>, parts: Array<PartView>, 
 /**
@@ -1137,47 +1060,51 @@ export type NamedLayout = { name: string, draft: Draft, };
 
 export type LayoutsView = { 
 /**
- * Of either home; then there is nothing else.
+ * Of either home; then the rest is empty.
  */
-problems: Array<ProblemView>, layouts: Array<LayoutView>, differences: Array<DiffersView>, };
+problems: Array<ProblemView>, layouts: Array<LayoutView>, differences: Array<SensorDifference>, };
 
 export type LayoutView = { name: string, devices: Array<[string, number]>, home: HomeView, coverage: CoverageView, };
 
-export type DiffersView = { sensor: string, what: string, };
+export type SensorDifference = { 
+/**
+ * The sensor's name.
+ */
+sensor: string, 
+/**
+ * What is different in the second layout.
+ */
+what: string, };
 
 export type Suggest = { draft: Draft, 
 /**
- * How many there may be.
+ * The largest number.
  */
 sensors: number, 
 /**
- * What is to be seen, as `homebody suggest-sensors` has it.
+ * The goals, as in `homebody suggest-sensors`.
  */
 to_see: Array<string>, 
 /**
- * How many people live there, where that is asked for which somebody has to.
+ * The number of people to simulate, for goals that need them.
  */
 people: number, 
 /**
- * What motion sensors are to be; null as in Godsey & Skubic 2009.
+ * The motion sensor to use; null for that of Godsey & Skubic 2009.
  */
 device: string | null, };
 
 export type SuggestionView = { 
 /**
- * Of the home, or of the lives in it; then there is nothing else.
+ * Of the home or its routines; then the rest is empty.
  */
 problems: Array<ProblemView>, 
 /**
- * Why there is none, in a sentence.
+ * The reason of a refusal, in a sentence.
  */
-refused: string | null, 
+refused: string | null, code?: string, 
 /**
- * The stable code of that message.
- */
-code?: string, 
-/**
- * The sensors as `home.json` takes them: a list in JSON.
+ * The list of sensors for `home.json`.
  */
 sensors: string, 
 /**
@@ -1185,22 +1112,38 @@ sensors: string,
  */
 steps: Array<StepView>, 
 /**
- * All of them, where some went for others in the end.
+ * The final layout, if exchanges improved the last step.
  */
 whole: StepView | null, 
 /**
- * The sensors that the home has.
+ * The sensors of the home.
  */
 own: StepView | null, };
 
 export type StepView = { 
 /**
- * The name of the sensor that came last.
+ * The name of the last sensor.
  */
 sensor: string, 
 /**
- * The mean over all that is to be seen, from 0 to 1.
+ * The mean over the goals, from 0 to 1.
  */
-score: number, reached: Array<ReachedView>, };
+score: number, reached: Array<Reached>, };
 
-export type ReachedView = { goal: string, score: number, value: number, unit: string, };
+export type Reached = { 
+/**
+ * The name of the goal.
+ */
+goal: string, 
+/**
+ * From 0 to 1.
+ */
+score: number, 
+/**
+ * The same in its own unit: days until found, the mean error of a day, the share of the floor.
+ */
+value: number, 
+/**
+ * That unit.
+ */
+unit: string, };

@@ -7,6 +7,7 @@ use crate::alerts::{Alert, Rules, alerts, usual_before};
 use crate::measures::{DailyMeasure, DayMeasures, MEASURES, Measures, ValueForm};
 use crate::summaries::{SummarySentence, SummarySubject, summarise};
 use jiff::civil::Date;
+use serde::Serialize;
 
 /// The state of a resident, as a report for carers has it.
 #[derive(Clone, Debug)]
@@ -28,26 +29,33 @@ pub struct Care {
 }
 
 /// A day in words.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(feature = "wire", derive(ts_rs::TS))]
 pub struct CareDay {
+    #[serde(rename = "day")]
+    #[cfg_attr(feature = "wire", ts(type = "string"))]
     pub date: Date,
     pub known: DayKnowledge,
     /// The measures for carers; none on a day that does not count, and none that is a guess.
     pub told: Vec<MeasureWords>,
 }
 
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "snake_case")]
+#[cfg_attr(feature = "wire", derive(ts_rs::TS))]
 pub enum DayKnowledge {
     /// The whole day is known: it counts.
     Whole,
     /// The resident was out for most of the day.
+    #[serde(rename = "nobody_home")]
     Away,
     /// More than an hour of the day is unknown.
     Partly,
 }
 
 /// A measure of a day.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(feature = "wire", derive(ts_rs::TS))]
 pub struct MeasureWords {
     pub measure: &'static str,
     /// In words, such as `Slept for 7.2 hours, as usual`.
@@ -57,7 +65,8 @@ pub struct MeasureWords {
 }
 
 /// A measure day by day.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(feature = "wire", derive(ts_rs::TS))]
 pub struct MeasureChart {
     pub measure: &'static str,
     pub title: &'static str,
@@ -69,8 +78,11 @@ pub struct MeasureChart {
     pub days: Vec<ChartPoint>,
 }
 
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[cfg_attr(feature = "wire", derive(ts_rs::TS))]
 pub struct ChartPoint {
+    #[serde(rename = "day")]
+    #[cfg_attr(feature = "wire", ts(type = "string"))]
     pub date: Date,
     /// The measure; `None` where it is unknown, or the day does not count.
     pub value: Option<f64>,

@@ -85,6 +85,7 @@ pub struct SeenBy {
 }
 
 #[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(feature = "wire", derive(ts_rs::TS))]
 pub struct SensorCoverage {
     pub name: String,
     /// The floor that it sees, in square metres.

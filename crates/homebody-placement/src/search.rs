@@ -79,7 +79,8 @@ impl Goal {
     }
 }
 
-#[derive(Clone, Debug, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(feature = "wire", derive(ts_rs::TS))]
 pub struct Reached {
     pub goal: &'static str,
     /// From 0 to 1.

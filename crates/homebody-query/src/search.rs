@@ -13,6 +13,7 @@ pub use hours::{DayHours, HoursMessage, SearchDay};
 use homebody_analysis::signs::{Says, SensorCourse, says};
 use homebody_core::nearest::nearest;
 use homebody_core::time::{Interval, MINUTE, Span, TimePoint, intersection, joined, without};
+use serde::Deserialize;
 use std::borrow::Cow;
 
 /// Time within which the same event again belongs to one match (our choice).
@@ -24,7 +25,9 @@ const BOUT: Span = MINUTE.times(10);
 /// The first words about a fall of the ground truth, next to those that cameras see.
 pub const BY_TRUTH: &str = "by the truth: ";
 
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
+#[serde(rename_all = "snake_case")]
+#[cfg_attr(feature = "wire", derive(ts_rs::TS))]
 pub enum SearchSubject {
     /// A person is in a room.
     Room,

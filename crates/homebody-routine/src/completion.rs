@@ -2,15 +2,19 @@
 
 use crate::language::activities::usual_phrases;
 use crate::language::{KnownNames, severities};
+use serde::Serialize;
 
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+#[cfg_attr(feature = "wire", derive(ts_rs::TS))]
 pub struct Completion {
     pub text: String,
     pub kind: CompletionKind,
     pub about: String,
 }
 
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "snake_case")]
+#[cfg_attr(feature = "wire", derive(ts_rs::TS))]
 pub enum CompletionKind {
     /// With its full stop.
     Sentence,

@@ -15,11 +15,11 @@ use std::collections::BTreeMap;
 #[derive(Clone, Debug, Default, PartialEq, Deserialize, JsonSchema)]
 #[serde(default)]
 #[cfg_attr(feature = "clap", derive(clap::Args))]
-#[cfg_attr(feature = "ts", derive(ts_rs::TS))]
+#[cfg_attr(feature = "wire", derive(ts_rs::TS))]
 pub struct VariantOptions {
     /// Seed of all random numbers (default: that of the scenario)
     #[cfg_attr(feature = "clap", arg(long, value_name = "N"))]
-    #[cfg_attr(feature = "ts", ts(type = "number | null"))]
+    #[cfg_attr(feature = "wire", ts(type = "number | null"))]
     #[schemars(extend("maximum" = u64::MAX))]
     pub seed: Option<u64>,
     /// Leave out a condition of the routine; repeatable

@@ -1,4 +1,4 @@
-//! Days by the clock on the wall, as the page counts them, and the nights between them.
+//! Civil days of a run as the page counts them, and its nights.
 
 use crate::wire::{DateView, PlaybackView};
 use homebody_core::calendar::Calendar;
@@ -7,13 +7,11 @@ use homebody_query::search::SearchDay;
 use homebody_timeline::Episode;
 use std::ops::Range;
 
-/// All days of a run of this length.
-pub fn all(calendar: &Calendar, length: Span) -> Vec<DateView> {
-    some(calendar, length, 0..last(calendar, length) + 1)
+pub fn all_days(calendar: &Calendar, length: Span) -> Vec<DateView> {
+    days(calendar, length, 0..last_day(calendar, length) + 1)
 }
 
-/// Some days of a run of this length, counted from 0.
-pub fn some(calendar: &Calendar, length: Span, days: Range<u32>) -> Vec<DateView> {
+pub fn days(calendar: &Calendar, length: Span, days: Range<u32>) -> Vec<DateView> {
     let turns: Vec<ClockChange<RunTime>> = calendar.scale(length).run_changes().collect();
     let day = |day: u32| {
         let number = day as i32;
@@ -31,19 +29,18 @@ pub fn some(calendar: &Calendar, length: Span, days: Range<u32>) -> Vec<DateView
     days.map(day).collect()
 }
 
-/// The date of a day, such as `2009-03-02`.
+/// Such as `2009-03-02`.
 pub fn date(calendar: &Calendar, day: u32) -> String {
     let (year, month, of_month) = calendar.date(day as i32);
     format!("{year:04}-{month:02}-{of_month:02}")
 }
 
 /// The number of a run's last day.
-pub fn last(calendar: &Calendar, length: Span) -> u32 {
+pub fn last_day(calendar: &Calendar, length: Span) -> u32 {
     let at = RunTime::START + (length - Span::MICROSECOND).max(Span::ZERO);
     u32::try_from(calendar.day(at)).unwrap_or(0)
 }
 
-/// The hour on the clock on the wall.
 pub fn hour(calendar: &Calendar, at: RunTime) -> usize {
     usize::try_from(calendar.local(at).hour()).unwrap_or(0)
 }
@@ -51,7 +48,7 @@ pub fn hour(calendar: &Calendar, at: RunTime) -> usize {
 /// Interval of the computed positions of the sun (our choice). Sunrise and sunset are interpolated between them.
 const STEP: Span = MINUTE.times(10);
 
-/// From when to when the sun is down, in order, over a run of this length, by the sine of its height.
+/// The intervals in which the sun is down, by the sine of its height.
 pub fn nights(height: impl Fn(RunTime) -> f64, length: Span) -> Vec<(i64, i64)> {
     let mut nights: Vec<Interval<RunTime>> = Vec::new();
     let last = RunTime::START + length;
@@ -80,17 +77,15 @@ pub fn nights(height: impl Fn(RunTime) -> f64, length: Span) -> Vec<(i64, i64)> 
 pub type NumberedEpisode = Episode<RunTime, u32>;
 
 /// The form of an episode in messages: begin, end and label.
-pub fn told<L: Copy>(episode: &Episode<RunTime, L>) -> (i64, i64, L) {
+pub fn in_micros<L: Copy>(episode: &Episode<RunTime, L>) -> (i64, i64, L) {
     (episode.begin().micros(), episode.end().micros(), episode.label)
 }
 
 impl DateView {
-    /// From when to when it is.
     pub fn interval(&self) -> Interval<RunTime> {
         Interval::new(RunTime::from_micros(self.begin_us), RunTime::from_micros(self.end_us))
     }
 
-    /// What the clock on the wall shows in it.
     pub fn clock(&self) -> SearchDay<RunTime> {
         let Interval { begin, end } = self.interval();
         let turn = self.turn.map(|(at, by)| ClockChange { at: RunTime::from_micros(at), by: Span::from_micros(by) });
@@ -99,12 +94,10 @@ impl DateView {
 }
 
 impl PlaybackView {
-    /// How long the run is.
     pub fn length(&self) -> Span {
         Span::from_micros(self.length_us)
     }
 
-    /// From when to when it is.
     pub fn interval(&self) -> Interval<RunTime> {
         Interval::starting(RunTime::START, self.length())
     }
@@ -116,8 +109,8 @@ mod tests {
     use homebody_core::time::{DAY, HOUR, SECOND};
 
     #[test]
-    fn nights_are_while_the_sun_is_down_and_end_with_the_run() {
-        // It rises at six and sets at eighteen.
+    fn nights_last_while_the_sun_is_down() {
+        // The sun rises at six and sets at eighteen.
         let height = |at: RunTime| -(at.since_zero().ratio(DAY) * std::f64::consts::TAU).cos();
         let is_near = |us: i64, to: Span| (Span::from_micros(us) - to).abs() < 5 * SECOND;
         let near = |(begin, end): (i64, i64), from: Span, to: Span| is_near(begin, from) && is_near(end, to);

@@ -1,7 +1,7 @@
-//! A home and what is in it, in the words of the wire.
+//! Views of a home for the page.
 
 use crate::wire::{
-    At, BodyView, CameraView, DoorView, HomeView, Posture, RoomView, SensorView, SolidKind, SolidView, ThingKind,
+    At, BodyView, CameraView, DoorView, HomeView, MapPosture, RoomView, SensorView, SolidKind, SolidView, ThingKind,
     ThingView,
 };
 use homebody_analysis::coverage::cameras::CameraFloor;
@@ -17,10 +17,10 @@ use homebody_core::sensors::camera::CameraFile;
 use homebody_core::sensors::form::{Bearer, Mount};
 use homebody_core::sensors::kinds::SensorFile;
 
-/// How high the body reaches for which beams are drawn: an adult who stands.
+/// The height of the body for beams: a standing adult.
 const BODY_M: f64 = 1.65;
 
-/// The home as the page draws it. Of sensors that are moved in the course of a run, the first place.
+/// A sensor that is moved during a run has its first place.
 pub fn home(file: &HomeFile, plan: &Plan, sensors: &[Sensor]) -> HomeView {
     let (least, most) = plan.bounds();
     let doors = file.doors.len();
@@ -81,8 +81,7 @@ pub fn home(file: &HomeFile, plan: &Plan, sensors: &[Sensor]) -> HomeView {
     }
 }
 
-/// What is done to a thing, and what undoes that. A wardrobe is opened and a stove turned on; of what has no such role nobody has
-/// said which it is.
+/// The verbs for a thing and their opposites. A wardrobe is opened and a stove turned on; a thing without such a role is used.
 fn verbs(kind: ThingKind, piece: Option<&FurnitureFile>) -> [String; 2] {
     const IS_ON: [Role; 5] = [Role::Stove, Role::FoodWarmer, Role::Television, Role::WashingMachine, Role::Dryer];
     const OPENS: [Role; 4] = [Role::Fridge, Role::Wardrobe, Role::Drawers, Role::Medicine];
@@ -127,7 +126,6 @@ fn camera(file: &CameraFile, plan: &Plan) -> CameraView {
     CameraView { pixels: file.pixels, period_us: file.period().micros(), always: file.always, seen, hidden }
 }
 
-/// A body and its activity.
 pub fn body(seen: &homebody_core::scene::Presence, activity: Option<String>) -> BodyView {
     BodyView {
         at: at(seen.at),
@@ -138,11 +136,11 @@ pub fn body(seen: &homebody_core::scene::Presence, activity: Option<String>) -> 
     }
 }
 
-pub fn posture(posture: posture::Posture) -> Posture {
+pub fn posture(posture: posture::Posture) -> MapPosture {
     match posture {
-        posture::Posture::Standing | posture::Posture::Bending => Posture::Standing,
-        posture::Posture::Sitting | posture::Posture::Kneeling => Posture::Sitting,
-        posture::Posture::Lying | posture::Posture::Down => Posture::Lying,
+        posture::Posture::Standing | posture::Posture::Bending => MapPosture::Standing,
+        posture::Posture::Sitting | posture::Posture::Kneeling => MapPosture::Sitting,
+        posture::Posture::Lying | posture::Posture::Down => MapPosture::Lying,
     }
 }
 
@@ -159,7 +157,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn whosever_a_thing_is_it_is_opened_or_turned_on() {
+    fn verbs_follow_the_role() {
         let piece = |name: &str| {
             serde_json::from_value::<FurnitureFile>(serde_json::json!({
                 "name": name, "at": [1.0, 1.0], "size_m": [1.0, 1.0], "height_m": 1.0,

@@ -1,70 +1,65 @@
-//! The local web app: a server that lives runs, and the page that looks at them.
+//! The local web app: a server that simulates runs, and its page.
 //!
-//! The page draws and sends input; everything that counts happens here, on the same engine as every other run, into the same
-//! files. A run has one thread of its own, the stage. Pages come and go: what they miss are pictures, never firings.
+//! The page draws and sends input. The server computes everything, with the engine and the files of any other run. The run has a thread
+//! of its own, the stage. A page that is slow or closed misses frames, never rows.
 //!
 //! In reading order:
 
-/// What the page and the server say to each other.
 pub mod wire;
 
-/// The messages of the server.
 pub mod catalogue;
 pub mod messages;
-mod refusal;
+mod request_error;
 
-/// The folders that the page may see: the scenario, and the runs.
-pub mod shelf;
+pub mod folders;
 
-/// A run that is lived, paused, driven, lived again.
+/// The run that pages watch and control.
 pub mod staged_run;
 mod dates;
 mod draw;
-mod growth;
-mod driven;
-mod effort;
-mod looks;
+mod live_counts;
+mod manual_control;
+mod budget;
+mod live_cameras;
 
-/// Files that are written in the page.
-mod turns;
-pub mod desk;
+/// Files that a person edits in the page.
+mod write_locks;
+pub mod drafts;
 pub mod stage;
 
-/// Runs that are stored, day by day; logs that were walked back are played as runs.
-mod film;
+/// Stored runs, and located logs as runs.
+mod stored_silhouettes;
 mod stored_log;
-mod walked;
+mod located_log;
 pub mod playback;
 
-/// What stored runs are called, and what becomes of them.
-mod aside;
-mod keeping;
+mod trash;
+mod stored_runs;
 
-/// A folder of homes.
-mod copied;
+/// Folders of homes.
+mod folder_copy;
 pub mod library;
 
-/// Logs that are opened in the page, and what they hold.
-pub mod walks;
-mod told;
+/// Logs that a page opens or compares.
+pub mod locating;
+mod log_reports;
 
-/// Notes about alerts and days.
 mod notes;
 
-/// Who may ask what, and who answers.
-mod visit;
+/// Access, connections, and answers.
+mod client;
 pub mod guard;
 mod connections;
-mod doorway;
-pub mod kept_address;
+mod browser_file;
+pub mod address_file;
 mod page;
 mod answers;
-mod house;
-mod homes;
+mod open_home;
+mod open_homes;
 pub mod server;
 mod socket;
 mod metrics;
 
 pub use metrics::serve_metrics;
 pub use page::has_page;
-pub use server::{Address, Offer, Options, ServeError, serve};
+pub use server::{Offer, Options, PageAddress, ServeError, serve};

@@ -257,7 +257,7 @@ homebody_core::messages! {
 homebody_core::messages! {
     /// Problems with the files of a scenario that are written in the page.
     #[derive(Clone, PartialEq, Eq)]
-    pub enum DeskMessage in "desk" {
+    pub enum DraftMessage in "desk" {
         /// A request to save has each file once.
         SameFile error "same-file" ("the request names a file twice");
         /// The page writes the files of a scenario: those that end in .json or .routine, in its folder or in the folder of conditions.

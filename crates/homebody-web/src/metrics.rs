@@ -1,4 +1,4 @@
-//! Numbers of a run for who watches programs from outside: a text, asked for again and again, at an address of its own.
+//! Metrics of a run for monitoring programs, at an address of their own.
 
 use crate::connections;
 use crate::guard::{Guard, watch};
@@ -14,8 +14,8 @@ use std::thread;
 /// The text format of Prometheus, version 0.0.4.
 const TEXT: &str = "text/plain; version=0.0.4; charset=utf-8";
 
-/// Serves a text at `/metrics`, made anew for each who asks, until the program ends; returns where. It is answered under the
-/// address's own names alone, as the page is, and needs no token: it holds counts and nothing of anybody's life.
+/// Serves a text at `/metrics`, computed for each request, until the program ends. Returns its address. Requests need one of the
+/// address's own host names, as for the page, but no token: the text has counts and no personal data.
 ///
 /// # Errors
 ///

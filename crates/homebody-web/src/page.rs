@@ -1,31 +1,31 @@
-//! The page: files that were built into the program.
+//! The files of the page, which are built into the program.
 
 use axum::http::{StatusCode, Uri, header};
 use axum::response::{IntoResponse, Response};
 use include_dir::{Dir, include_dir};
 
-/// Where the first page of a library is.
+/// The first page of a library.
 pub const FIRST_PAGE: &str = "/library/";
 
 static PAGE: Dir = include_dir!("$HOMEBODY_PAGE");
 
-/// Whether the page was built into this program; without it there is a page that says why.
+/// Whether the page was built into this program; otherwise a substitute gives the reason.
 pub fn has_page() -> bool {
     PAGE.get_dir("assets").is_some()
 }
 
-/// Answers with a file of the page; `/` is its beginning. Names are looked up in a list, so no path leads elsewhere.
+/// A file of the page, looked up by name, so that no path leads elsewhere.
 pub async fn file(uri: Uri) -> Response {
     let name = match uri.path() {
         "/" => "index.html",
-        // The first page of a library, and those of its homes: which it is, the page knows from its address.
+        // The first page of a library and those of its homes differ by their address only.
         path if path == FIRST_PAGE || is_of_home(path) => "index.html",
         path => path.trim_start_matches('/'),
     };
     let Some(file) = PAGE.get_file(name) else {
         return (StatusCode::NOT_FOUND, "This page does not exist.").into_response();
     };
-    // The names of what is built say what is in it; the beginning says which of them there are.
+    // The names of built files contain a digest of their contents.
     let cache = if name.starts_with("assets/") { "public, max-age=31536000, immutable" } else { "no-cache" };
     let headers = [(header::CONTENT_TYPE, kind(name)), (header::CACHE_CONTROL, cache)];
     (headers, file.contents()).into_response()

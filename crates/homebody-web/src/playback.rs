@@ -1,29 +1,27 @@
-//! Runs that are stored, day by day: what the log says, and beside it, where there is one, what the truth knows.
+//! Stored runs, day by day: the log and, if the run has one, the ground truth.
 //!
-//! A run is opened once: its log is read into a file without a name, while the page shows what has come of it; its truth is asked day by
-//! day. The last few that were opened are kept, as long as their files stay as they are.
+//! A run is opened once. Its log is read into a temporary file while the page shows the part that is read; its ground truth is
+//! queried by day. The last few runs stay open while their files are unchanged.
 
-mod coming;
-mod filmed;
-mod finding;
+mod background_read;
+mod silhouettes;
+mod search;
 mod lanes;
 mod lived;
 mod reading;
 
 use crate::dates::{self, NumberedEpisode};
 use crate::draw;
-use crate::film::Film;
-use crate::keeping;
+use crate::folders::HomeFolders;
+use crate::located_log::{KnownChance, LocatedLog, chances_within, read_summary};
 use crate::messages::PageMessage;
-pub use crate::refusal::Refusal;
-use crate::refusal::{damaged, failed, sentence, unknown};
-use crate::shelf::Shelf;
+pub use crate::request_error::RequestError;
+use crate::request_error::{code_of, failed, no_run, not_found, sentence, unprocessable};
 use crate::stored_log::StoredRows;
-use crate::walked::{KnownChance, Walked, chances_of, reported};
-use crate::wire::{
-    DateView, DayView, LifeView, MotionState, MovementView, PlaybackView, ReadingView, ResidentView, StoredView,
-};
-use coming::Grows;
+use crate::stored_runs;
+use crate::stored_silhouettes::StoredSilhouettes;
+use crate::wire::{DateView, DayView, MovementView, PersonDay, PlaybackView, ReadingView, ResidentView, StoredView};
+use background_read::PartlyRead;
 use homebody_core::posture::Posture;
 use homebody_core::problem::{Diagnose, Diagnostic, readable};
 use homebody_core::run::Run;
@@ -66,135 +64,121 @@ const PIECE: Duration = Duration::from_millis(150);
 /// Largest number of movements in an answer, in addition to an hour's (our choice).
 const MOST_MOVEMENTS: usize = 20_000;
 
-/// What a run's truth is called in its folder.
+/// The name of a run's ground truth in its folder.
 const TRUTH: &str = "truth.db";
 
-/// The stored runs of a shelf.
 #[derive(Clone)]
 pub struct Playback {
-    shelf: Shelf,
-    /// The last one that was asked for comes last.
-    opened: Arc<Mutex<Vec<Arc<Opened>>>>,
-    /// What is listed of each, by name.
-    listed: Arc<Mutex<HashMap<String, Listed>>>,
+    folders: HomeFolders,
+    /// The latest request last.
+    opened: Arc<Mutex<Vec<Arc<OpenRun>>>>,
+    /// By name.
+    listed: Arc<Mutex<HashMap<String, ListedRun>>>,
 }
 
-/// What a recording says in a list of runs, or what is wrong with it.
-struct Listed {
-    state: State,
-    recorded: Result<Recorded, Diagnostic>,
+/// A recording as the list of runs shows it, or its problem.
+struct ListedRun {
+    state: FileStates,
+    recorded: Result<RecordingSummary, Diagnostic>,
 }
 
-#[derive(Clone)]
-struct Recorded {
+#[derive(Clone, Default)]
+struct RecordingSummary {
     scenario: String,
     start: String,
     days: u32,
-    seed: u64,
+    seed: Option<u64>,
     without: Vec<String>,
 }
 
-/// A run in memory.
-struct Opened {
+struct OpenRun {
     name: String,
-    /// What it was read from, and what that was like.
+    /// The files of the run, with their states before they were read.
     files: Vec<PathBuf>,
-    state: State,
-    /// What is known without the log.
+    state: FileStates,
+    /// Without the parts that come from the log.
     view: PlaybackView,
-    /// The log, if there is one.
     reading: Option<Reading>,
-    /// With all of the log.
+    /// With the whole log.
     whole: OnceLock<Arc<PlaybackView>>,
-    /// What its truth tells, if it has one.
+    /// The ground truth, if the run has one.
     lived: Option<Lived>,
-    /// All of that, once it was wanted.
+    /// The whole ground truth, once it was requested.
     lives: OnceLock<Arc<Lives>>,
     movements: Option<Mutex<Movements>>,
-    /// By resident; none but of a log that was walked back.
+    /// By resident; empty unless the log was located.
     chances: Vec<Vec<KnownChance>>,
     truth: Option<Url>,
     scale: TimeScale,
-    /// The messages that never reached the logger, once somebody has looked for them.
+    /// The messages that the link lost, once they were searched.
     lost: OnceLock<Vec<KnownStay<'static, RunTime>>>,
-    /// What its cameras have kept.
-    film: Option<Film>,
+    film: Option<StoredSilhouettes>,
 }
 
-/// When a run's files were written, and how long they are.
-pub type State = Vec<Option<(SystemTime, u64)>>;
+/// The time and the size of each file.
+pub type FileStates = Vec<Option<(SystemTime, u64)>>;
 
 impl Playback {
-    pub fn new(shelf: Shelf) -> Playback {
-        Playback { shelf, opened: Arc::default(), listed: Arc::default() }
+    pub fn new(folders: HomeFolders) -> Playback {
+        Playback { folders, opened: Arc::default(), listed: Arc::default() }
     }
 
-    /// All runs, the latest first.
+    /// The latest first.
     pub fn list(&self) -> Vec<StoredView> {
-        self.shelf.runs().into_iter().map(|name| self.stored(name)).collect()
+        self.folders.runs().into_iter().map(|name| self.stored(name)).collect()
     }
 
-    /// The latest runs.
     pub fn latest(&self, most: usize) -> Vec<StoredView> {
-        self.shelf.runs().into_iter().take(most).map(|name| self.stored(name)).collect()
+        self.folders.runs().into_iter().take(most).map(|name| self.stored(name)).collect()
     }
 
     fn stored(&self, name: String) -> StoredView {
-        let has_truth = self.shelf.file_of_run(&name, TRUTH).is_some();
-        let about = keeping::about(&self.shelf, &name);
-        let made_ms = self.shelf.run(&name).and_then(|folder| made_ms(&folder));
-        let walked_back = self.shelf.walked(&name).map(|folder| reported(&folder).log);
-        match self.recorded(&name) {
-            Ok(Recorded { scenario, start, days, seed, without }) => StoredView {
-                made_ms,
-                about,
-                seed: Some(seed),
-                without,
-                scenario,
-                start,
-                days,
-                walked_back,
-                name,
-                has_truth,
-                problem: None,
-                problem_code: None,
-            },
-            Err(why) => StoredView {
-                made_ms,
-                about,
-                seed: None,
-                without: Vec::new(),
-                name,
-                scenario: String::new(),
-                start: String::new(),
-                days: 0,
-                has_truth,
-                walked_back: None,
-                problem: Some(sentence(&why)),
-                problem_code: (!why.code.is_empty()).then(|| why.code.to_owned()),
-            },
+        let has_truth = self.folders.file_of_run(&name, TRUTH).is_some();
+        let about = stored_runs::about(&self.folders, &name);
+        let made_ms = self.folders.run(&name).and_then(|folder| made_ms(&folder));
+        let walked_back = self.folders.located_log(&name).map(|folder| read_summary(&folder).log);
+        let recorded = self.recorded(&name);
+        let walked_back = walked_back.filter(|_| recorded.is_ok());
+        let (problem, problem_code) = match &recorded {
+            Ok(_) => (None, None),
+            Err(why) => (Some(sentence(why)), code_of(why)),
+        };
+        let RecordingSummary { scenario, start, days, seed, without } = recorded.unwrap_or_default();
+        StoredView {
+            name,
+            scenario,
+            start,
+            days,
+            has_truth,
+            walked_back,
+            problem,
+            problem_code,
+            made_ms,
+            seed,
+            without,
+            about,
         }
     }
 
-    /// What a run's recording says, which is read once as long as it stays as it is: of a thousand runs each has a scenario.
-    fn recorded(&self, name: &str) -> Result<Recorded, Diagnostic> {
-        let path = self.shelf.file_of_run(name, RECORDING);
+    /// Reads a recording unless its state is unchanged: a list has a thousand runs, each with its scenario.
+    fn recorded(&self, name: &str) -> Result<RecordingSummary, Diagnostic> {
+        let path = self.folders.file_of_run(name, RECORDING);
         let files: Vec<PathBuf> = path.into_iter().collect();
-        let state = state(&files);
-        let known = |all: &HashMap<String, Listed>| {
+        let state = file_states(&files);
+        let known = |all: &HashMap<String, ListedRun>| {
             all.get(name).filter(|listed| listed.state == state).map(|listed| listed.recorded.clone())
         };
         let listed =
-            |listed: &Mutex<HashMap<String, Listed>>| known(&listed.lock().unwrap_or_else(PoisonError::into_inner));
+            |listed: &Mutex<HashMap<String, ListedRun>>| known(&listed.lock().unwrap_or_else(PoisonError::into_inner));
         if let Some(recorded) = listed(&self.listed) {
             return recorded;
         }
-        let recorded = self.shelf.recording(name).and_then(|recording| {
+        let recorded = self.folders.recording(name).and_then(|recording| {
             let scenario = recording.scenario().map_err(|problems| problems.diagnostic())?;
-            Ok(Recorded {
+            Ok(RecordingSummary {
                 start: scenario.calendar.wall_clock(RunTime::START),
-                days: dates::last(&scenario.calendar, recording.length_us) + 1,
-                seed: recording.seed,
+                days: dates::last_day(&scenario.calendar, recording.length_us) + 1,
+                seed: Some(recording.seed),
                 without: recording.without,
                 scenario: scenario.file.name,
             })
@@ -203,30 +187,29 @@ impl Playback {
         if all.len() >= MOST_LISTED {
             all.clear();
         }
-        all.insert(name.to_owned(), Listed { state, recorded: recorded.clone() });
+        all.insert(name.to_owned(), ListedRun { state, recorded: recorded.clone() });
         recorded
     }
 
-    /// A run as a whole, with what is known of its log by now.
-    pub fn run(&self, name: &str) -> Result<Arc<PlaybackView>, Refusal> {
-        self.open(name)?.known()
+    /// A run with the part of its log that is read.
+    pub fn run(&self, name: &str) -> Result<Arc<PlaybackView>, RequestError> {
+        self.open(name)?.current_view()
     }
 
-    /// How far the log of a run is read.
-    pub fn reading(&self, name: &str) -> Result<ReadingView, Refusal> {
+    pub fn reading(&self, name: &str) -> Result<ReadingView, RequestError> {
         Ok(ReadingView { read_us: self.open(name)?.read_us()?.map(RunTime::micros) })
     }
 
-    /// A day of a run, the first being 0.
-    pub fn day(&self, name: &str, day: usize) -> Result<DayView, Refusal> {
+    /// Day 0 is the first.
+    pub fn day(&self, name: &str, day: usize) -> Result<DayView, RequestError> {
         let run = self.open(name)?;
         let interval = run.view.days.get(day).map(DateView::interval).ok_or_else(|| run.no_day())?;
         let rows = match &run.reading {
             Some(reading) => reading.until(interval.end)?.of(day)?,
             None => Vec::new(),
         };
-        let mut lives = run.nobody_yet();
-        let until = run.moved(interval, &mut lives)?;
+        let mut lives = run.empty_lives();
+        let until = run.add_movements(interval, &mut lives)?;
         if let Some(lived) = &run.lived {
             let known = lived.coming().until(interval.end)?;
             for (index, life) in lives.iter_mut().enumerate() {
@@ -236,30 +219,29 @@ impl Playback {
             }
         }
         for (index, life) in lives.iter_mut().enumerate() {
-            life.chances = run.chances.get(index).map_or(Vec::new(), |all| chances_of(all, interval));
+            life.chances = run.chances.get(index).map_or(Vec::new(), |all| chances_within(all, interval));
         }
         let rows = rows.iter().map(|row| (row.at.micros(), row.sensor, row.value)).collect();
         Ok(DayView { rows, lives, until_us: until.micros() })
     }
 
-    /// Of a day whose movements are too many for one answer those from an instant on, again as many as there is time for.
-    pub fn rest_of_day(&self, name: &str, day: usize, from: RunTime) -> Result<DayView, Refusal> {
+    /// The movements of a day from an instant on, as many as there is time for.
+    pub fn rest_of_day(&self, name: &str, day: usize, from: RunTime) -> Result<DayView, RequestError> {
         let run = self.open(name)?;
         let Interval { begin, end } = run.view.days.get(day).map(DateView::interval).ok_or_else(|| run.no_day())?;
-        let mut lives = run.nobody_yet();
-        let until = run.moved(Interval::new(from.clamp(begin, end), end), &mut lives)?;
+        let mut lives = run.empty_lives();
+        let until = run.add_movements(Interval::new(from.clamp(begin, end), end), &mut lives)?;
         Ok(DayView { rows: Vec::new(), lives, until_us: until.micros() })
     }
 
-    /// The run in memory, read anew where its files have changed.
-    fn open(&self, name: &str) -> Result<Arc<Opened>, Refusal> {
-        let no_run = || unknown(PageMessage::NoRun { run: readable(name.to_owned()) });
-        let recording = self.shelf.file_of_run(name, RECORDING).ok_or_else(no_run)?;
-        // Whoever else wants a run waits until this one is open: it may be the same.
+    /// The open run, read again if its files have changed.
+    fn open(&self, name: &str) -> Result<Arc<OpenRun>, RequestError> {
+        let recording = self.folders.file_of_run(name, RECORDING).ok_or_else(|| no_run(name))?;
+        // Other requests wait: they may be for the same run.
         let mut opened = self.opened.lock().unwrap_or_else(PoisonError::into_inner);
         if let Some(at) = opened.iter().position(|run| run.name == name) {
             let run = opened.remove(at);
-            if run.read_us().is_ok() && run.state == state(&run.files) {
+            if run.read_us().is_ok() && run.state == file_states(&run.files) {
                 opened.push(run.clone());
                 return Ok(run);
             }
@@ -271,33 +253,33 @@ impl Playback {
         Ok(run)
     }
 
-    fn read(&self, name: &str, recording_path: PathBuf) -> Result<Opened, Refusal> {
-        let recording = self.shelf.recording(name).map_err(damaged)?;
+    fn read(&self, name: &str, recording_path: PathBuf) -> Result<OpenRun, RequestError> {
+        let recording = self.folders.recording(name).map_err(unprocessable)?;
         let length = recording.length_us;
         let recorded = Household::recorded(&recording);
-        let (scenario, household) = recorded.map_err(damaged)?;
-        let mut view = whole(name, &recording.run(&scenario, &household), &scenario);
-        view.days = dates::all(&scenario.calendar, length);
+        let (scenario, household) = recorded.map_err(unprocessable)?;
+        let mut view = initial_view(name, &recording.run(&scenario, &household), &scenario);
+        view.days = dates::all_days(&scenario.calendar, length);
 
-        let walked = self.shelf.walked(name).map(Walked::at).transpose()?;
+        let walked = self.folders.located_log(name).map(LocatedLog::open).transpose()?;
         let log = self.log(name, &scenario);
-        let truth = self.shelf.file_of_run(name, TRUTH);
-        let silhouettes = self.shelf.file_of_run(name, SILHOUETTES);
+        let truth = self.folders.file_of_run(name, TRUTH);
+        let silhouettes = self.folders.file_of_run(name, SILHOUETTES);
         let folder = recording_path.parent().unwrap_or(Path::new("")).to_owned();
         let mut files = vec![recording_path, folder.join(TRUTH), folder.join(SILHOUETTES)];
         files.extend(log.iter().filter_map(|log| log.file().map(Path::to_owned)));
-        files.extend(walked.iter().flat_map(Walked::files));
-        // Looked at before they are read: what changes meanwhile is read again.
-        let state = state(&files);
+        files.extend(walked.iter().flat_map(LocatedLog::files));
+        // States come before reading: a file that changes meanwhile is read again.
+        let state = file_states(&files);
 
         let begun = Instant::now();
         let reading = match (&walked, log) {
             (Some(walked), _) => {
-                let rows = walked.rows(&scenario, &mut view, &self.shelf.runs)?;
+                let rows = walked.rows(&scenario, &mut view, &self.folders.runs)?;
                 Some(Reading::whole(rows, &mut view))
             }
             (None, Some(url)) => {
-                let beside = &self.shelf.runs;
+                let beside = &self.folders.runs;
                 let rows = StoredRows::new(beside, &view, &scenario.calendar, RunTime::MAX).map_err(failed)?;
                 let reading = Reading::begin(url, &scenario, recording.is_complete(), &view, rows)?;
                 Some(reading)
@@ -308,7 +290,7 @@ impl Playback {
             }
         };
 
-        let mut run = Opened {
+        let mut run = OpenRun {
             name: name.into(),
             files,
             state,
@@ -325,14 +307,14 @@ impl Playback {
             film: None,
         };
         if let Some(path) = silhouettes.filter(|_| walked.is_none()) {
-            run.film = Some(Film::new(path, scenario.clone(), &view));
+            run.film = Some(StoredSilhouettes::new(path, scenario.clone(), &view));
             view.has_silhouettes = true;
         }
         if let Some(truth) = &truth {
-            match run.learn(truth) {
+            match run.open_truth(truth) {
                 Err(LogError::NoTruth { .. }) if !recording.is_complete() => {}
                 learnt => {
-                    run.lived = Some(learnt.map_err(damaged)??);
+                    run.lived = Some(learnt.map_err(unprocessable)??);
                     view.has_truth = true;
                 }
             }
@@ -351,45 +333,43 @@ impl Playback {
         Ok(run)
     }
 
-    /// The file of a run's log, if it is in the run's folder.
+    /// The file of a run's log in the run's folder.
     pub fn log_of(&self, name: &str) -> Option<PathBuf> {
-        let scenario = self.shelf.recording(name).ok()?.scenario().ok()?;
+        let scenario = self.folders.recording(name).ok()?.scenario().ok()?;
         self.log(name, &scenario)?.file().map(Path::to_owned)
     }
 
-    /// Where a run's log is, the first of them that is in its folder.
+    /// The first log in the run's folder.
     fn log(&self, name: &str, scenario: &Scenario) -> Option<Url> {
         let usual = scheme::USUAL.parse().ok();
         let named = scenario.logger.to.iter().filter_map(|url| url.parse().ok()).chain(usual);
         named.into_iter().find_map(|url: Url| {
-            let file = self.shelf.file_within_run(name, url.file()?)?;
+            let file = self.folders.file_within_run(name, url.file()?)?;
             Some(url.at(file))
         })
     }
 }
 
-impl Drop for Opened {
+impl Drop for OpenRun {
     fn drop(&mut self) {
         self.reading.iter().for_each(Reading::stop);
         self.lived.iter().for_each(|lived| lived.coming().stop());
     }
 }
 
-impl Opened {
-    /// The run does not have the day that was asked for.
-    fn no_day(&self) -> Refusal {
-        unknown(PageMessage::NoDay { run: readable(self.name.clone()), days: self.view.days.len() })
+impl OpenRun {
+    fn no_day(&self) -> RequestError {
+        not_found(PageMessage::NoDay { run: readable(self.name.clone()), days: self.view.days.len() })
     }
 
-    /// Up to when log and truth are read; `None` once all of both is. Or why they cannot be.
-    fn read_us(&self) -> Result<Option<RunTime>, Refusal> {
+    /// The instant up to which log and ground truth are read; `None` once both are complete.
+    fn read_us(&self) -> Result<Option<RunTime>, RequestError> {
         let log = self.reading.as_ref().map_or(Ok(None), |reading| reading.known().read_us())?;
         let truth = self.lived.as_ref().map_or(Ok(None), |lived| lived.coming().known().read_us())?;
         Ok(log.into_iter().chain(truth).min())
     }
 
-    /// What is known by now.
-    fn known(&self) -> Result<Arc<PlaybackView>, Refusal> {
+    fn current_view(&self) -> Result<Arc<PlaybackView>, RequestError> {
         if let Some(whole) = self.whole.get() {
             return Ok(whole.clone());
         }
@@ -409,7 +389,7 @@ impl Opened {
             let known = lived.coming().known();
             view.activities = known.lives().activities.clone();
             if view.read_us.is_none() {
-                view.spans = few(&known.lives().people);
+                view.spans = longest_spans(&known.lives().people);
             }
         }
         Ok(match view.read_us {
@@ -418,17 +398,17 @@ impl Opened {
         })
     }
 
-    /// What is known once all is read.
-    fn whole(&self) -> Result<Arc<PlaybackView>, Refusal> {
+    /// Waits for the whole log and ground truth.
+    fn complete_view(&self) -> Result<Arc<PlaybackView>, RequestError> {
         if let Some(reading) = &self.reading {
             drop(reading.until(RunTime::MAX)?);
         }
         self.lives()?;
-        self.known()
+        self.current_view()
     }
 
-    /// All that the truth tells of lives, if there is one.
-    fn lives(&self) -> Result<Option<&Lives>, Refusal> {
+    /// The whole ground truth, if there is one.
+    fn lives(&self) -> Result<Option<&Lives>, RequestError> {
         if self.lives.get().is_none()
             && let Some(lived) = &self.lived
         {
@@ -438,14 +418,14 @@ impl Opened {
         Ok(self.lives.get().map(|lives| &**lives))
     }
 
-    /// Lives of which nothing is told yet; none where there is no truth.
-    fn nobody_yet(&self) -> Vec<LifeView> {
+    /// By resident; empty without ground truth.
+    fn empty_lives(&self) -> Vec<PersonDay> {
         let count = if self.truth.is_some() { self.view.residents.len() } else { 0 };
-        vec![LifeView::default(); count]
+        vec![PersonDay::default(); count]
     }
 
-    /// Tells lives what bodies did in a span, hour by hour, as long as there is time for an answer. Returns up to when.
-    fn moved(&self, span: Interval<RunTime>, lives: &mut [LifeView]) -> Result<RunTime, Refusal> {
+    /// Adds the movements of a span, hour by hour, as long as there is time. Returns the end of the added part.
+    fn add_movements(&self, span: Interval<RunTime>, lives: &mut [PersonDay]) -> Result<RunTime, RequestError> {
         let Some(movements) = &self.movements else { return Ok(span.end) };
         let mut movements = movements.lock().unwrap_or_else(PoisonError::into_inner);
         let begun = Instant::now();
@@ -453,36 +433,36 @@ impl Opened {
         let mut last: Vec<Option<Movement>> = vec![None; lives.len()];
         loop {
             let next = (until - until.since_zero().rem_euclid(HOUR) + HOUR).min(span.end);
-            let of = movements.of(Interval::new(until, next)).map_err(damaged)?;
+            let of = movements.of(Interval::new(until, next)).map_err(unprocessable)?;
             for ((life, of), last) in lives.iter_mut().zip(of).zip(&mut last) {
                 for movement in of {
                     match last {
                         // One that goes on over the hour is found in both.
                         Some(before)
                             if before.time.begin >= movement.time.begin || before.time.end >= movement.time.end => {}
-                        Some(before) if goes_on(before, &movement) => {
+                        Some(before) if rests_on(before, &movement) => {
                             before.time.end = movement.time.end;
                             if let Some(told) = life.movements.last_mut() {
                                 told.1 = movement.time.end.micros();
                             }
                         }
                         _ => {
-                            life.movements.push(told(&movement));
+                            life.movements.push(movement_view(&movement));
                             *last = Some(movement);
                         }
                     }
                 }
             }
             until = next;
-            let told: usize = lives.iter().map(|life| life.movements.len()).sum();
-            if until >= span.end || begun.elapsed() >= PIECE || told > MOST_MOVEMENTS {
+            let count: usize = lives.iter().map(|life| life.movements.len()).sum();
+            if until >= span.end || begun.elapsed() >= PIECE || count > MOST_MOVEMENTS {
                 return Ok(until);
             }
         }
     }
 
-    /// Opens the truth, and begins to read what it tells of the whole run.
-    fn learn(&mut self, truth: &Path) -> Result<Result<Lived, Refusal>, LogError> {
+    /// Opens the ground truth and starts to read it in the background.
+    fn open_truth(&mut self, truth: &Path) -> Result<Result<Lived, RequestError>, LogError> {
         let names: Vec<String> = self.view.residents.iter().map(|resident| resident.name.clone()).collect();
         let rooms: Vec<String> = self.view.home.rooms.iter().map(|room| room.name.clone()).collect();
         let truth = Url::new(Scheme::Sqlite, truth);
@@ -491,28 +471,28 @@ impl Opened {
     }
 }
 
-/// When a run's folder was made, in milliseconds since 1970.
+/// The creation of a run's folder, in milliseconds since 1970.
 fn made_ms(folder: &Path) -> Option<i64> {
     let known = fs::metadata(folder).ok()?;
     let made = known.created().or_else(|_| known.modified()).ok()?;
     i64::try_from(made.duration_since(SystemTime::UNIX_EPOCH).ok()?.as_millis()).ok()
 }
 
-/// Whether a body keeps still where it has kept still: who is moved by keys is told of sixty times a second.
-fn goes_on(before: &Movement, next: &Movement) -> bool {
+/// Whether a body rests as before: manual control records sixty rests a second.
+fn rests_on(before: &Movement, next: &Movement) -> bool {
     let is_still = matches!(next.kind, MovementKind::Rest | MovementKind::Away);
     is_still
         && before.time.end == next.time.begin
         && (before.kind, before.to, before.posture) == (next.kind, next.to, next.posture)
 }
 
-pub fn state(files: &[PathBuf]) -> State {
+pub fn file_states(files: &[PathBuf]) -> FileStates {
     let look = |path: &PathBuf| fs::metadata(path).and_then(|meta| Ok((meta.modified()?, meta.len()))).ok();
     files.iter().map(look).collect()
 }
 
-/// What is known of a run before its log is read.
-fn whole(name: &str, run: &Run, scenario: &Scenario) -> PlaybackView {
+/// The parts of the view that need no log.
+fn initial_view(name: &str, run: &Run, scenario: &Scenario) -> PlaybackView {
     let radius = |index: usize| run.home().field(index, Posture::Standing).size.radius_m;
     let residents = run.names().into_iter().enumerate();
     PlaybackView {
@@ -523,23 +503,13 @@ fn whole(name: &str, run: &Run, scenario: &Scenario) -> PlaybackView {
         start: scenario.calendar.wall_clock(RunTime::START),
         zone: scenario.file.time_zone.clone(),
         length_us: run.length().micros(),
-        sensors: Vec::new(),
-        values: Vec::new(),
-        days: Vec::new(),
-        hours: Vec::new(),
         nights: dates::nights(|at| run.home().sun.elevation_sine(at), run.length()),
-        has_truth: false,
-        activities: Vec::new(),
-        spans: Vec::new(),
-        walk: None,
-        has_silhouettes: false,
-        remarks: Vec::new(),
-        read_us: None,
+        ..PlaybackView::default()
     }
 }
 
 /// The activities of each person, no more than [`MOST_SPANS`] in all: one that continues after a pause is one, and the shortest are left out.
-fn few(people: &[PersonTimeline<RunTime, u32>]) -> Vec<Vec<(i64, i64, u32)>> {
+fn longest_spans(people: &[PersonTimeline<RunTime, u32>]) -> Vec<Vec<(i64, i64, u32)>> {
     let mut few: Vec<Vec<NumberedEpisode>> = Vec::new();
     for person in people {
         let mut merged: Vec<NumberedEpisode> = Vec::new();
@@ -559,20 +529,14 @@ fn few(people: &[PersonTimeline<RunTime, u32>]) -> Vec<Vec<(i64, i64, u32)>> {
         let least = lengths[MOST_SPANS];
         few.iter_mut().for_each(|activities| activities.retain(|activity| activity.length() > least));
     }
-    few.iter().map(|activities| activities.iter().map(dates::told).collect()).collect()
+    few.iter().map(|activities| activities.iter().map(dates::in_micros).collect()).collect()
 }
 
 fn overlapping(episodes: &[NumberedEpisode], time: Interval<RunTime>) -> Vec<(i64, i64, u32)> {
-    episodes.iter().filter(|episode| episode.time.overlaps(time)).map(dates::told).collect()
+    episodes.iter().filter(|episode| episode.time.overlaps(time)).map(dates::in_micros).collect()
 }
 
-fn told(movement: &Movement) -> MovementView {
-    let doing = match movement.kind {
-        MovementKind::Stride => MotionState::Stride,
-        MovementKind::InPlace => MotionState::InPlace,
-        MovementKind::Rest => MotionState::Rest,
-        MovementKind::Away => MotionState::Away,
-    };
+fn movement_view(movement: &Movement) -> MovementView {
     let (from, to) = (movement.from.map(draw::at), movement.to.map(draw::at));
     (movement.time.begin.micros(), movement.time.end.micros(), doing, draw::posture(movement.posture), from, to)
 }

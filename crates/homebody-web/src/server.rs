@@ -1,15 +1,15 @@
-//! The server: its address, what it serves, its limits.
+//! The server: its address, its routes and its limits.
 
+use crate::address_file::{self, AddressFileError};
+use crate::browser_file::BrowserFile;
+use crate::client::LONGEST_UNTAKEN;
 use crate::connections;
-use crate::doorway::Doorway;
+use crate::folders::HomeFolders;
 use crate::guard::{self, Guard};
-use crate::homes::Homes;
-use crate::house::House;
-use crate::kept_address::{self, Unkept};
 use crate::library::Library;
+use crate::open_home::OpenHome;
+use crate::open_homes::OpenHomes;
 use crate::page::FIRST_PAGE;
-use crate::shelf::Shelf;
-use crate::visit::LONGEST_UNTAKEN;
 use axum::Router;
 use axum::http::{Extensions, HeaderMap, StatusCode, Version, header};
 use homebody_core::problem::Diagnostic;
@@ -30,18 +30,17 @@ pub use crate::guard::SOCKET;
 /// Largest number of connected pages (our choice).
 const MOST_PAGES: usize = 32;
 
-/// What pages are of.
 #[derive(Clone, Debug)]
 pub enum Offer {
-    /// One scenario, and its runs.
-    Scenario(Shelf),
-    /// A folder of homes, from whose first page each is opened.
+    /// One scenario and its runs.
+    Scenario(HomeFolders),
+    /// A folder of homes, with a first page that lists them.
     Library(Library),
 }
 
-impl From<Shelf> for Offer {
-    fn from(shelf: Shelf) -> Offer {
-        Offer::Scenario(shelf)
+impl From<HomeFolders> for Offer {
+    fn from(folders: HomeFolders) -> Offer {
+        Offer::Scenario(folders)
     }
 }
 
@@ -51,42 +50,41 @@ impl From<Library> for Offer {
     }
 }
 
-/// What to serve, and where.
 #[derive(Clone, Debug)]
 pub struct Options {
     pub offer: Offer,
-    /// Loopback, unless somebody wants others to come.
+    /// Loopback, unless other machines may connect.
     pub ip: IpAddr,
-    /// Nothing for the first one that is free, from [`FIRST_PORT`] on.
+    /// The first free port from [`FIRST_PORT`] on if `None`.
     pub port: Option<u16>,
-    /// Whether a browser is going to be opened: then there is a file for it.
+    /// Whether a browser will open the page: then there is a file for it.
     pub browser: bool,
-    /// A file that keeps port and token for the next server; it is made if it is not there.
+    /// A file that keeps port and token for the next server.
     pub kept: Option<PathBuf>,
 }
 
-/// Where the page is.
+/// The address of the page.
 #[derive(Clone, Copy, Debug)]
-pub struct Address<'a> {
-    /// For its user alone: it holds the token, behind a `#`, and browsers send to no server what is behind that.
+pub struct PageAddress<'a> {
+    /// For its user only: it has the token after a `#`, which browsers do not send to servers.
     pub url: &'a str,
-    /// For a browser: a file that only its user can read, and which leads there. It is removed once somebody has come with the
-    /// token, and after a minute. `None` where no browser is to be opened, and where no file could be made.
+    /// For a browser: a private file that leads to the page. It is removed once a client has sent the token, and after a minute.
+    /// `None` without a browser, or if no file could be written.
     pub file: Option<&'a std::path::Path>,
 }
 
-/// Where free ports are looked for first.
+/// The first port to try.
 pub const FIRST_PORT: u16 = 8642;
 /// Time to wait at the end for answers on their way (our choice).
 const FAREWELL: Duration = Duration::from_millis(500);
 /// Lifetime of the file that leads a browser to the page (our choice).
-const DOORWAY: Duration = Duration::from_secs(60);
+const BROWSER_FILE_TIME: Duration = Duration::from_secs(60);
 /// Bytes of an answer that the system buffers for a page that does not read them (our choice). The default is megabytes
 /// for each page.
 const MOST_SENT_AHEAD_BYTES: u32 = 256 << 10;
 /// Largest number of connections that wait to be accepted (our choice).
 const MOST_WAITING: u32 = 1024;
-/// How many ports are tried.
+/// The number of ports to try.
 const PORTS: u16 = 20;
 
 homebody_core::messages! {
@@ -123,14 +121,14 @@ homebody_core::messages! {
             /// The scenario cannot be opened.
             Scenario(Diagnostic);
             /// The file of the address cannot be used.
-            Unkept(Unkept);
+            AddressFile(AddressFileError);
         }
     }
 }
 
-impl From<Unkept> for ServeError {
-    fn from(error: Unkept) -> ServeError {
-        ServeError::Unkept(error)
+impl From<AddressFileError> for ServeError {
+    fn from(error: AddressFileError) -> ServeError {
+        ServeError::AddressFile(error)
     }
 }
 
@@ -141,34 +139,34 @@ impl From<getrandom::Error> for ServeError {
 }
 
 impl Options {
-    /// A scenario or a library on this machine's loopback.
+    /// A scenario or a library on loopback.
     pub fn new(offer: impl Into<Offer>) -> Options {
         Options { offer: offer.into(), ip: Ipv4Addr::LOCALHOST.into(), port: None, browser: false, kept: None }
     }
 }
 
-/// Serves until it is cancelled, then completes the files of the run; `ready` hears where the page is.
-pub fn serve(options: Options, cancel: &Cancel, ready: impl FnOnce(Address)) -> Result<(), ServeError> {
+/// Serves until it is cancelled, then completes the files of the run; `ready` gets the address of the page.
+pub fn serve(options: Options, cancel: &Cancel, ready: impl FnOnce(PageAddress)) -> Result<(), ServeError> {
     let runtime = tokio::runtime::Builder::new_multi_thread().worker_threads(2).enable_all().build();
     let runtime = runtime.map_err(ServeError::Broken)?;
     let served = runtime.block_on(async {
-        let kept = options.kept.as_deref().map(kept_address::read).transpose()?.flatten();
+        let kept = options.kept.as_deref().map(address_file::read).transpose()?.flatten();
         let listener = listen(&options, kept.as_ref().map(|kept| kept.port))?;
         let address = listener.local_addr().map_err(ServeError::Broken)?;
         let guard = Guard::new(address, kept.map(|kept| kept.token))?;
         let pages = Arc::new(Semaphore::new(MOST_PAGES));
-        let offered = Offered::open(options.offer, &guard, pages).map_err(ServeError::Scenario)?;
+        let offered = OpenOffer::open(options.offer, &guard, pages).map_err(ServeError::Scenario)?;
         let url = format!("http://{address}{}#token={}", offered.first_page(), guard.token());
         if let Some(path) = &options.kept {
-            kept_address::write(path, &url)?;
+            address_file::write(path, &url)?;
         }
-        let doorway = if options.browser { Doorway::to(&url).ok() } else { None };
-        ready(Address { url: &url, file: doorway.as_ref().map(Doorway::file) });
+        let browser_file = if options.browser { BrowserFile::to(&url).ok() } else { None };
+        ready(PageAddress { url: &url, file: browser_file.as_ref().map(BrowserFile::file) });
         let entered = guard.clone();
         tokio::spawn(async move {
-            // A cancelled task drops it as well.
-            let _doorway = doorway;
-            let _ = tokio::time::timeout(DOORWAY, entered.entered()).await;
+            // A cancelled task drops it, too.
+            let _browser_file = browser_file;
+            let _ = tokio::time::timeout(BROWSER_FILE_TIME, entered.entered()).await;
         });
         let served = tokio::select! {
             error = connections::serve(listener, guarded(offered.routes(), guard)) => Err(error),
@@ -177,7 +175,7 @@ pub fn serve(options: Options, cancel: &Cancel, ready: impl FnOnce(Address)) -> 
         offered.close().await;
         served.map_err(ServeError::Broken)
     });
-    // Who has asked for a month of days does not keep the program from ending.
+    // A request for a month of days does not keep the program from ending.
     runtime.shutdown_timeout(FAREWELL);
     served
 }
@@ -185,15 +183,15 @@ pub fn serve(options: Options, cancel: &Cancel, ready: impl FnOnce(Address)) -> 
 /// Largest size in bytes of data that is sent uncompressed (our choice): compression would save no packet.
 const LONGEST_PLAIN_BYTES: u64 = 1024;
 
-/// Whether an answer gets shorter when it is packed: text of any kind and MessagePack do; files of runs and pictures are taken as
-/// they are, and their length is told.
+/// Whether compression shortens an answer: it does for text and MessagePack. Files of runs and images are sent uncompressed, with their
+/// length.
 fn is_text(_: StatusCode, _: Version, headers: &HeaderMap, _: &Extensions) -> bool {
     let kind = headers.get(header::CONTENT_TYPE).and_then(|kind| kind.to_str().ok()).unwrap_or_default();
     let texts = ["text/", "application/json", "application/msgpack", "image/svg+xml"];
     texts.iter().any(|text| kind.starts_with(text))
 }
 
-/// Lets through who may ask, and takes no body that does not come.
+/// Adds compression, a timeout for request bodies, and access control.
 fn guarded(routes: Router, guard: Guard) -> Router {
     routes
         .layer(CompressionLayer::new().compress_when(SizeAbove::new(LONGEST_PLAIN_BYTES).and(is_text)))
@@ -201,39 +199,40 @@ fn guarded(routes: Router, guard: Guard) -> Router {
         .layer(axum::middleware::from_fn_with_state(guard, guard::watch))
 }
 
-/// What is served, with what answers for it.
-enum Offered {
-    Scenario(Box<House>),
-    Library(Homes),
+enum OpenOffer {
+    Scenario(Box<OpenHome>),
+    Library(OpenHomes),
 }
 
-impl Offered {
-    fn open(offer: Offer, guard: &Guard, pages: Arc<Semaphore>) -> Result<Offered, Diagnostic> {
+impl OpenOffer {
+    fn open(offer: Offer, guard: &Guard, pages: Arc<Semaphore>) -> Result<OpenOffer, Diagnostic> {
         match offer {
-            Offer::Scenario(shelf) => Ok(Offered::Scenario(Box::new(House::open(shelf, guard.clone(), pages)?))),
-            Offer::Library(library) => Ok(Offered::Library(Homes::new(library, guard.clone(), pages))),
+            Offer::Scenario(folders) => {
+                Ok(OpenOffer::Scenario(Box::new(OpenHome::open(folders, guard.clone(), pages)?)))
+            }
+            Offer::Library(library) => Ok(OpenOffer::Library(OpenHomes::new(library, guard.clone(), pages))),
         }
     }
 
     fn first_page(&self) -> &'static str {
         match self {
-            Offered::Scenario(_) => "/",
-            Offered::Library(_) => FIRST_PAGE,
+            OpenOffer::Scenario(_) => "/",
+            OpenOffer::Library(_) => FIRST_PAGE,
         }
     }
 
     fn routes(&self) -> Router {
         match self {
-            Offered::Scenario(house) => (**house).clone().routes(),
-            Offered::Library(homes) => homes.clone().routes(),
+            OpenOffer::Scenario(home) => (**home).clone().routes(),
+            OpenOffer::Library(homes) => homes.clone().routes(),
         }
     }
 
-    /// Comes back when the files of all runs are complete.
+    /// Returns when the files of all runs are complete.
     async fn close(self) {
         match self {
-            Offered::Scenario(house) => house.close(),
-            Offered::Library(homes) => homes.close().await,
+            OpenOffer::Scenario(home) => home.close(),
+            OpenOffer::Library(homes) => homes.close().await,
         }
     }
 }
@@ -244,9 +243,9 @@ async fn cancelled(cancel: &Cancel) {
     }
 }
 
-/// Listens at the port that was asked for, else at the one that was kept, else at the first that is free.
+/// Listens at the chosen port, else at the kept one, else at the first free one.
 fn listen(options: &Options, kept: Option<u16>) -> Result<TcpListener, ServeError> {
-    // The page has one name: an IPv4 address that is written as an IPv6 one is taken as IPv4.
+    // The page has one name: an IPv4 address written as IPv6 counts as IPv4.
     let ip = options.ip.to_canonical();
     if let Some(port) = options.port.or(kept) {
         let address = SocketAddr::new(ip, port);
@@ -270,10 +269,10 @@ fn listen(options: &Options, kept: Option<u16>) -> Result<TcpListener, ServeErro
 
 pub(crate) fn bind(address: SocketAddr) -> io::Result<TcpListener> {
     let socket = if address.is_ipv4() { TcpSocket::new_v4()? } else { TcpSocket::new_v6()? };
-    // A server that has just ended leaves connections that block its port. Elsewhere than on Unix the option means another thing.
+    // A server that has just ended leaves connections that block its port. Elsewhere than on Unix the option has another meaning.
     #[cfg(unix)]
     socket.set_reuseaddr(true)?;
-    // Connections have what their listener has.
+    // Connections inherit the options of their listener.
     socket.set_send_buffer_size(MOST_SENT_AHEAD_BYTES)?;
     socket.bind(address)?;
     socket.listen(MOST_WAITING)

@@ -1,14 +1,13 @@
-//! One page's socket: what it says goes to the stage, and what there is to be seen comes back.
+//! The socket of a page: commands go to the stage, and frames come back.
 //!
-//! A page that does not read holds up nobody: the next picture is made when the one before has gone out.
+//! A page that does not read delays no other: it gets the next frame once it has read the one before.
 
-use crate::answers::Refused;
+use crate::client::ClientConnection;
 use crate::guard::Guard;
 use crate::messages::{PageMessage, StageMessage};
-use crate::refusal::note;
-use crate::stage::{Seen, Stage, Voice};
-use crate::visit::Visit;
-use crate::wire::Say;
+use crate::request_error::{RequestError, note};
+use crate::stage::{PageCommands, Seen, Stage};
+use crate::wire::PageCommand;
 use axum::extract::ws::{CloseFrame, Message, WebSocket, WebSocketUpgrade};
 use axum::http::{HeaderMap, StatusCode};
 use axum::response::{IntoResponse, Response};
@@ -22,7 +21,7 @@ use tokio::time::{Instant, interval, sleep_until, timeout};
 /// Largest size of a page's message (our choice).
 const LONGEST_MESSAGE_BYTES: usize = 64 << 10;
 
-/// No page sees more pictures than sixty a second.
+/// At most sixty frames a second.
 const FRAME: Duration = Duration::from_micros(16_000);
 
 /// Largest number of rows with a picture (our choice): as many as a table shows.
@@ -31,53 +30,59 @@ const MOST_ROWS: usize = 500;
 /// Time within which a page has to send the token (our choice).
 const LONGEST_HELLO: Duration = Duration::from_secs(10);
 
-/// What a socket is closed with whose token is wrong.
+/// The close code for a wrong token.
 const WRONG_TOKEN: u16 = 4401;
 
-/// What a socket is closed with where too many pages look already: it may try again later.
+/// The close code for too many pages, which may try again later.
 const TOO_MANY: u16 = 1013;
 
-/// What a socket is closed with whose home is not there, or not any more.
+/// The close code for a home that does not exist.
 const NO_HOME: u16 = 4404;
 
 /// Time without reading after which a page is disconnected (our choice).
 const LONGEST_UNREAD: Duration = Duration::from_secs(900);
 
-/// Takes a socket of our own page, which is shown what there is once it has said the token.
+/// Accepts a socket of the own page, and shows it the run once it has sent the token.
 pub fn upgraded<F: Future<Output = ()> + Send>(
     upgrade: WebSocketUpgrade,
     headers: &HeaderMap,
-    visit: Visit,
+    client: ClientConnection,
     guard: Guard,
-    show: impl FnOnce(WebSocket, Visit) -> F + Send + 'static,
+    show: impl FnOnce(WebSocket, ClientConnection) -> F + Send + 'static,
 ) -> Response {
     if !guard.is_socket_from_us(headers) {
-        return Refused::of(StatusCode::FORBIDDEN, PageMessage::ForeignPage).into_response();
+        return RequestError::new(StatusCode::FORBIDDEN, PageMessage::ForeignPage).into_response();
     }
     let upgrade = upgrade.max_message_size(LONGEST_MESSAGE_BYTES).max_frame_size(LONGEST_MESSAGE_BYTES);
     upgrade.on_upgrade(async move |socket| {
         let shown = async {
-            if let Some(socket) = let_in(socket, &visit, &guard).await {
-                show(socket, visit.clone()).await;
+            if let Some(socket) = let_in(socket, &client, &guard).await {
+                show(socket, client.clone()).await;
             }
         };
         tokio::select! {
             () = shown => {}
-            () = visit.sent_away() => {}
+            () = client.closes() => {}
         }
     })
 }
 
-/// Serves a page that was let in until it goes, or its home does. It takes one of `pages`.
-pub async fn serve(socket: WebSocket, visit: Visit, pages: &Semaphore, stage: &Stage, mut gone: watch::Receiver<bool>) {
+/// Serves a page until it or its home closes. It takes one of `pages`.
+pub async fn serve(
+    socket: WebSocket,
+    client: ClientConnection,
+    pages: &Semaphore,
+    stage: &Stage,
+    mut gone: watch::Receiver<bool>,
+) {
     let Ok(_place) = pages.try_acquire() else { return close_for_now(socket).await };
-    visit.mark_page();
-    let held = Held { voice: Some(stage.voice()), keys: false };
+    client.mark_page();
+    let held = PageKeys { commands: Some(stage.page_commands()), keys: false };
     let (mut out, mut heard) = socket.split();
-    // The page is gone when either side of it is.
+    // The page is gone when either direction fails.
     let is_home_gone = tokio::select! {
         _ = talk(&mut out, &mut heard, stage, held) => false,
-        // Who tells lives as long as this.
+        // The sender exists as long as this.
         _ = gone.wait_for(|gone| *gone) => true,
     };
     if let (true, Ok(socket)) = (is_home_gone, out.reunite(heard)) {
@@ -85,22 +90,20 @@ pub async fn serve(socket: WebSocket, visit: Visit, pages: &Semaphore, stage: &S
     }
 }
 
-/// Tells a page that there is no such home, or not any more.
 pub async fn close_without_home(socket: WebSocket) {
     close(socket, NO_HOME, "this home does not exist").await;
 }
 
-/// Tells a page that it may try again later.
 pub async fn close_for_now(socket: WebSocket) {
     close(socket, TOO_MANY, "too many pages are open").await;
 }
 
-/// The socket again once its page has said the token; else it is closed.
-async fn let_in(mut socket: WebSocket, visit: &Visit, guard: &Guard) -> Option<WebSocket> {
+/// The socket once its page has sent the token; otherwise it is closed.
+async fn let_in(mut socket: WebSocket, client: &ClientConnection, guard: &Guard) -> Option<WebSocket> {
     let hello = timeout(LONGEST_HELLO, socket.recv()).await;
     let is_known = match &hello {
         Ok(Some(Ok(Message::Text(text)))) => match serde_json::from_str(text) {
-            Ok(Say::Hello { token }) => guard.knows(&token, visit),
+            Ok(PageCommand::Hello { token }) => guard.knows(&token, client),
             _ => false,
         },
         _ => false,
@@ -108,7 +111,7 @@ async fn let_in(mut socket: WebSocket, visit: &Visit, guard: &Guard) -> Option<W
     if is_known {
         return Some(socket);
     }
-    guard.delay(visit.from()).await;
+    guard.delay(client.from()).await;
     close(socket, WRONG_TOKEN, "the token is missing or wrong").await;
     None
 }
@@ -117,27 +120,27 @@ async fn close(mut socket: WebSocket, code: u16, reason: &'static str) {
     let _ = socket.send(Message::Close(Some(CloseFrame { code, reason: reason.into() }))).await;
 }
 
-/// The voice of a page, and the keys that it holds, which are let go when it goes.
-struct Held {
-    voice: Option<Voice>,
+/// The commands and the held keys of a page. Its drop releases the keys.
+struct PageKeys {
+    commands: Option<PageCommands>,
     keys: bool,
 }
 
-impl Held {
-    /// False where so much of what the page has said waits that this is not heard.
-    fn say(&mut self, say: Say) -> bool {
-        let holds = if let Say::Hold { keys } = &say { Some(!keys.is_empty()) } else { None };
-        let is_heard = self.voice.as_ref().is_some_and(|voice| voice.say(say));
-        // A page that could not let go of a key holds it.
+impl PageKeys {
+    /// False if too many commands of the page wait.
+    fn send(&mut self, say: PageCommand) -> bool {
+        let holds = if let PageCommand::Hold { keys } = &say { Some(!keys.is_empty()) } else { None };
+        let is_heard = self.commands.as_ref().is_some_and(|commands| commands.send(say));
+        // A key stays held if its release was refused.
         self.keys = holds.filter(|&holds| is_heard || holds).unwrap_or(self.keys);
         is_heard
     }
 }
 
-impl Drop for Held {
+impl Drop for PageKeys {
     fn drop(&mut self) {
-        if let (true, Some(voice)) = (self.keys, self.voice.take()) {
-            voice.let_go();
+        if let (true, Some(commands)) = (self.keys, self.commands.take()) {
+            commands.release_keys();
         }
     }
 }
@@ -146,7 +149,7 @@ async fn talk(
     out: &mut SplitSink<WebSocket, Message>,
     heard: &mut SplitStream<WebSocket>,
     stage: &Stage,
-    mut held: Held,
+    mut held: PageKeys,
 ) -> Option<()> {
     let mut is_refused = false;
     let mut changed = stage.changed();
@@ -162,7 +165,7 @@ async fn talk(
         tokio::select! {
             message = heard.next() => match message?.ok()? {
                 Message::Text(text) => match serde_json::from_str(&text) {
-                    Ok(say) => is_refused |= !held.say(say),
+                    Ok(say) => is_refused |= !held.send(say),
                     Err(_) => return None,
                 },
                 Message::Close(_) => return None,
@@ -173,7 +176,7 @@ async fn talk(
                 next = Instant::now() + FRAME;
                 let mut news = stage.news(&mut seen, MOST_ROWS);
                 if std::mem::take(&mut is_refused) {
-                    // It said more than the run can do.
+                    // The page sent more commands than the run can execute.
                     news.tells.push(note(&StageMessage::Busy.diagnostic()));
                 }
                 let sending = async {

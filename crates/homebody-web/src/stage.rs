@@ -4,12 +4,13 @@
 //!
 //! The thread outlives its runs. After an error or a panic it reports the failure and completes the files; another run can start.
 
-use crate::growth::Growth;
+use crate::folders::HomeFolders;
+use crate::live_counts::LiveCounts;
 use crate::messages::StageMessage;
-use crate::refusal::{note, sentence};
-use crate::shelf::Shelf;
+use crate::request_error::{note, sentence};
+use crate::folders::HomeFolders;
 use crate::staged_run::{StagedRun, StartError, StartRequest};
-use crate::wire::{FiringView, Frame, GrowthView, RunView, Say, State, Tell};
+use crate::wire::{FiringView, RunFrame, LiveCountsView, RunView, PageCommand, RunState, RunNotice};
 use homebody_core::problem::{Diagnose, Diagnostic};
 use homebody_core::time::{RunTime, Span};
 use homebody_log::error::no_thread;
@@ -22,8 +23,6 @@ use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::thread;
 use std::time::{Duration, Instant};
 use tokio::sync::watch;
-pub use wishes::Voice;
-use wishes::{Heard, Next, Speakers, Wish, wishes};
 
 /// Interval between steps of the run, and between pictures.
 const FRAME: Duration = Duration::from_micros(16_667);
@@ -43,7 +42,7 @@ const MOST_NOTES: usize = 20;
 /// The run that all pages show. A clone is another handle to it.
 #[derive(Clone)]
 pub struct Stage {
-    speakers: Speakers,
+    queue: CommandQueue,
     board: Arc<Mutex<Board>>,
     changed: watch::Receiver<u64>,
 }
@@ -58,25 +57,25 @@ struct Board {
     shown: Option<ShownRun>,
     rows: VecDeque<FiringView>,
     /// The notes, numbered from 0.
-    notes: VecDeque<(u64, Tell)>,
+    notes: VecDeque<(u64, RunNotice)>,
     next_note: u64,
     /// The failure of the run: pages that open later get it, too.
-    failure: Option<Tell>,
+    failure: Option<RunNotice>,
     /// The error of the last failed start, and the number of failed starts.
-    unbegun: Option<Tell>,
+    unbegun: Option<RunNotice>,
     unbegun_count: u64,
 }
 
 /// The state of a run that pages read.
 struct ShownRun {
     view: Arc<RunView>,
-    growth: Arc<Mutex<Growth>>,
-    frame: Frame,
+    live_counts: Arc<Mutex<LiveCounts>>,
+    frame: RunFrame,
 }
 
 impl ShownRun {
-    fn new(run: &mut StagedRun, state: State, speed: Speed) -> ShownRun {
-        ShownRun { view: Arc::new(run.view()), growth: run.growth(), frame: run.frame(state, times(speed)) }
+    fn new(run: &mut StagedRun, state: RunState, speed: Speed) -> ShownRun {
+        ShownRun { view: Arc::new(run.view()), live_counts: run.live_counts(), frame: run.frame(state, times(speed)) }
     }
 }
 
@@ -92,21 +91,21 @@ pub struct Seen {
 
 /// The part that a page does not have yet.
 pub struct News {
-    pub tells: Vec<Tell>,
+    pub tells: Vec<RunNotice>,
     /// `None` without a run.
-    pub frame: Option<Frame>,
+    pub frame: Option<RunFrame>,
 }
 
 impl Stage {
-    /// Opens the scenario on the shelf, with its run paused at its start. A scenario with problems has no run until a page starts one
+    /// Opens the scenario on the folders, with its run paused at its start. A scenario with problems has no run until a page starts one
     /// without them.
-    pub fn open(shelf: Shelf) -> Result<Stage, Diagnostic> {
-        let run = without_panic(|| StagedRun::new(&shelf, &shelf.entry, StartRequest::default()));
-        Stage::with_run(shelf, run)
+    pub fn open(folders: HomeFolders) -> Result<Stage, Diagnostic> {
+        let run = without_panic(|| StagedRun::new(&folders, &folders.entry, StartRequest::default()));
+        Stage::with_run(folders, run)
     }
 
     /// Keeps this run at its start.
-    fn with_run(shelf: Shelf, run: Result<StagedRun, StartError>) -> Result<Stage, Diagnostic> {
+    fn with_run(folders: HomeFolders, run: Result<StagedRun, StartError>) -> Result<Stage, Diagnostic> {
         let (mut run, unbegun) = match run {
             Ok(run) => (Some(run), None),
             Err(why) => (None, Some(why.tell())),
@@ -114,7 +113,7 @@ impl Stage {
         let board = Board {
             run: 0,
             number: 0,
-            shown: run.as_mut().map(|run| ShownRun::new(run, State::Paused, Speed::Times(1.0))),
+            shown: run.as_mut().map(|run| ShownRun::new(run, RunState::Paused, Speed::Times(1.0))),
             rows: VecDeque::new(),
             notes: VecDeque::new(),
             next_note: 0,
@@ -123,46 +122,46 @@ impl Stage {
             unbegun,
         };
         let board = Arc::new(Mutex::new(board));
-        let (speakers, heard) = wishes();
+        let (queue, receiver) = command_queue();
         let (change, changed) = watch::channel(0);
         let pace = Pace::paused(Speed::Times(1.0));
-        let stage_thread = StageThread { shelf, run, is_broken: false, pace, heard, board: board.clone(), change };
+        let stage_thread = StageThread { folders, run, is_broken: false, pace, heard, board: board.clone(), change };
         let thread = thread::Builder::new().name("stage".into()).spawn(move || stage_thread.run());
         thread.map_err(|error| no_thread("to simulate a run", error).diagnostic())?;
-        Ok(Stage { speakers, board, changed })
+        Ok(Stage { queue, board, changed })
     }
 
-    /// A voice for one more page. The answers are on the board.
-    pub fn voice(&self) -> Voice {
-        self.speakers.voice()
+    /// A page_commands for one more page. The answers are on the board.
+    pub fn page_commands(&self) -> PageCommands {
+        self.queue.page_commands()
     }
 
     /// Ends the run, and returns when its files are complete.
     pub fn close(&self) {
         let (done, is_done) = channel();
-        self.speakers.close(done);
+        self.queue.close(done);
         // The thread only ends with the program.
         let _ = is_done.recv();
     }
 
     /// The counts of the rows of the run so far.
-    pub fn growth(&self) -> GrowthView {
-        let growth = locked(&self.board).shown.as_ref().map(|shown| shown.growth.clone());
-        let Some(growth) = growth else { return GrowthView::default() };
+    pub fn live_counts(&self) -> LiveCountsView {
+        let live_counts = locked(&self.board).shown.as_ref().map(|shown| shown.live_counts.clone());
+        let Some(live_counts) = live_counts else { return LiveCountsView::default() };
         // The run continues meanwhile.
-        let growth = locked(&growth).clone();
-        growth.view()
+        let live_counts = locked(&live_counts).clone();
+        live_counts.view()
     }
 
     /// The run that is being recorded now.
     pub fn recorded(&self) -> Option<String> {
         let board = locked(&self.board);
-        let shown = board.shown.as_ref().filter(|shown| shown.frame.state != State::Over && !shown.view.replay);
+        let shown = board.shown.as_ref().filter(|shown| shown.frame.state != RunState::Over && !shown.view.replay);
         shown.and_then(|shown| shown.view.id.clone())
     }
 
     pub fn is_playing(&self) -> bool {
-        locked(&self.board).shown.as_ref().is_some_and(|shown| shown.frame.state == State::Playing)
+        locked(&self.board).shown.as_ref().is_some_and(|shown| shown.frame.state == RunState::Playing)
     }
 
     /// Changes with each change of the board.
@@ -176,7 +175,7 @@ impl Stage {
         let mut tells = Vec::new();
         if seen.number != Some(board.number) {
             seen.number = Some(board.number);
-            tells.extend(board.shown.as_ref().map(|shown| Tell::Run { run: Box::new((*shown.view).clone()) }));
+            tells.extend(board.shown.as_ref().map(|shown| RunNotice::Run { run: Box::new((*shown.view).clone()) }));
         }
         if seen.unbegun != board.unbegun_count {
             seen.unbegun = board.unbegun_count;
@@ -232,13 +231,13 @@ fn panic_message(broken: &(dyn Any + Send)) -> String {
 
 /// The state of the thread.
 struct StageThread {
-    shelf: Shelf,
+    folders: HomeFolders,
     /// `None` for a scenario with problems at the start of the program.
     run: Option<StagedRun>,
     /// The run panicked: it is neither advanced nor looked at any more.
     is_broken: bool,
     pace: Pace,
-    heard: Heard,
+    receiver: CommandReceiver,
     board: Arc<Mutex<Board>>,
     change: watch::Sender<u64>,
 }
@@ -246,26 +245,26 @@ struct StageThread {
 impl StageThread {
     fn run(mut self) {
         loop {
-            let wish = match self.heard.next(self.wait()) {
-                Next::Wish(wish) => Some(wish),
-                Next::Nothing => None,
-                Next::Over => return,
+            let command = match self.receiver.next(self.wait()) {
+                NextCommand::Command(command) => Some(command),
+                NextCommand::Nothing => None,
+                NextCommand::Over => return,
             };
-            if let Err(broken) = catch_unwind(AssertUnwindSafe(|| self.take_turn(wish))) {
+            if let Err(broken) = catch_unwind(AssertUnwindSafe(|| self.take_turn(command))) {
                 self.give_up(&panic_message(&*broken));
             }
         }
     }
 
-    fn take_turn(&mut self, mut wish: Option<Wish>) {
+    fn take_turn(&mut self, mut command: Option<StageCommand>) {
         // All waiting requests come before the next picture, unless they take long.
         let begun = Instant::now();
-        while let Some(next) = wish.take() {
+        while let Some(next) = command.take() {
             self.fulfil(next);
             if begun.elapsed() < LONGEST_TURN
-                && let Next::Wish(next) = self.heard.next(Duration::ZERO)
+                && let NextCommand::Command(next) = self.receiver.next(Duration::ZERO)
             {
-                wish = Some(next);
+                command = Some(next);
             }
         }
         self.advance();
@@ -297,14 +296,14 @@ impl StageThread {
         self.pace.is_paused(self.now())
     }
 
-    fn state(&self) -> State {
-        if self.is_paused() { State::Paused } else { State::Playing }
+    fn state(&self) -> RunState {
+        if self.is_paused() { RunState::Paused } else { RunState::Playing }
     }
 
-    fn fulfil(&mut self, wish: Wish) {
-        match wish {
-            Wish::Say(say) => self.obey(say),
-            Wish::Close(done) => {
+    fn fulfil(&mut self, command: StageCommand) {
+        match command {
+            StageCommand::PageCommand(say) => self.obey(say),
+            StageCommand::Close(done) => {
                 self.finish();
                 // The sender may be gone.
                 let _ = done.send(());
@@ -312,22 +311,22 @@ impl StageThread {
         }
     }
 
-    fn obey(&mut self, say: Say) {
+    fn obey(&mut self, say: PageCommand) {
         match say {
-            Say::Start { variant, .. } if variant.seed.is_some_and(|seed| seed >= 1 << 53) => {
+            PageCommand::Start { variant, .. } if variant.seed.is_some_and(|seed| seed >= 1 << 53) => {
                 self.warn(&StageMessage::Seed.diagnostic());
             }
-            Say::Start { driven, variant } => {
+            PageCommand::Start { driven, variant } => {
                 let is_driven = driven.is_some();
                 let request = StartRequest { driven, variant, input: Vec::new() };
-                let run = without_panic(|| StagedRun::new(&self.shelf, &self.shelf.entry, request));
+                let run = without_panic(|| StagedRun::new(&self.folders, &self.folders.entry, request));
                 if self.change_run(run) && is_driven {
                     // At any other speed a key that is held for a moment is a walk through the home.
                     self.pace.set_speed(RunTime::START, Speed::Times(1.0));
                 }
             }
-            Say::Replay { run } => {
-                let recording = self.shelf.recording(&run);
+            PageCommand::Replay { run } => {
+                let recording = self.folders.recording(&run);
                 let run = without_panic(|| StagedRun::replay(recording?));
                 if self.change_run(run) {
                     self.pace.resume(RunTime::START);
@@ -338,33 +337,33 @@ impl StageThread {
     }
 
     /// Applies a request to the present run.
-    fn control(&mut self, say: Say) {
+    fn control(&mut self, say: PageCommand) {
         let now = self.now();
         self.pace.count_from(now);
         let Some(run) = &mut self.run else { return };
         match say {
             // A jump that pauses at its end still pauses.
-            Say::Play if self.pace.is_jumping(now) => {}
-            Say::Play => self.pace.resume(now),
-            Say::Pause => self.pace.pause(now),
-            Say::Step { seconds } if seconds.is_finite() && (0.0..=86_400.0).contains(&seconds) => {
+            PageCommand::Play if self.pace.is_jumping(now) => {}
+            PageCommand::Play => self.pace.resume(now),
+            PageCommand::Pause => self.pace.pause(now),
+            PageCommand::Step { seconds } if seconds.is_finite() && (0.0..=86_400.0).contains(&seconds) => {
                 self.pace.jump(now, now + Span::from_seconds(seconds), true);
             }
-            Say::Step { .. } => self.warn(&StageMessage::Step.diagnostic()),
-            Say::Speed { times: None } => self.pace.set_speed(now, Speed::Max),
-            Say::Speed { times: Some(times) } => match Speed::times(times) {
+            PageCommand::Step { .. } => self.warn(&StageMessage::Step.diagnostic()),
+            PageCommand::Speed { times: None } => self.pace.set_speed(now, Speed::Max),
+            PageCommand::Speed { times: Some(times) } => match Speed::times(times) {
                 Some(speed) => self.pace.set_speed(now, speed),
                 None => self.warn(&StageMessage::Speed.diagnostic()),
             },
-            Say::Jump { to_us } => {
+            PageCommand::Jump { to_us } => {
                 let to = RunTime::from_micros(to_us).clamp(RunTime::START, run.end());
                 self.jump(to);
             }
-            Say::Hold { keys } => run.hold(&keys),
-            Say::Be { posture } => run.set_posture(posture),
-            Say::Use { thing, on } => run.use_thing(thing, on),
-            Say::Stop => self.finish(),
-            Say::Hello { .. } | Say::Start { .. } | Say::Replay { .. } => {}
+            PageCommand::Hold { keys } => run.hold(&keys),
+            PageCommand::Be { posture } => run.set_posture(posture),
+            PageCommand::Use { thing, on } => run.use_thing(thing, on),
+            PageCommand::Stop => self.finish(),
+            PageCommand::Hello { .. } | PageCommand::Start { .. } | PageCommand::Replay { .. } => {}
         }
     }
 
@@ -456,7 +455,7 @@ impl StageThread {
         let mut board = locked(&self.board);
         board.failure = Some(note(&message));
         if let Some(shown) = &mut board.shown {
-            shown.frame.state = State::Over;
+            shown.frame.state = RunState::Over;
         }
         drop(board);
         self.warn(&message);
@@ -472,7 +471,7 @@ impl StageThread {
         let begun = Instant::now();
         let due = self.pace.due().min(end);
         while self.now() < due && !self.is_paused() {
-            match self.run.as_mut().map(|run| run.advance(due, &self.shelf)) {
+            match self.run.as_mut().map(|run| run.advance(due, &self.folders)) {
                 Some(Ok(true)) => self.tell_run_again(),
                 Some(Ok(false)) | None => {}
                 Some(Err(why)) => self.fail(&why),
@@ -519,17 +518,17 @@ impl StageThread {
     }
 
     fn tell_run_again(&mut self) {
-        let told = self.run.as_ref().map(|run| (Arc::new(run.view()), run.growth()));
+        let told = self.run.as_ref().map(|run| (Arc::new(run.view()), run.live_counts()));
         let mut board = locked(&self.board);
-        if let (Some(shown), Some((view, growth))) = (&mut board.shown, told) {
-            (shown.view, shown.growth) = (view, growth);
+        if let (Some(shown), Some((view, live_counts))) = (&mut board.shown, told) {
+            (shown.view, shown.live_counts) = (view, live_counts);
             board.number += 1;
         }
     }
 
     /// Sends a note to all pages.
     fn note(&mut self, text: String) {
-        self.tell(Tell::Note { text, bad: false, code: None });
+        self.tell(RunNotice::Note { text, bad: false, code: None });
     }
 
     /// Sends an error to all pages.
@@ -537,7 +536,7 @@ impl StageThread {
         self.tell(note(message));
     }
 
-    fn tell(&mut self, tell: Tell) {
+    fn tell(&mut self, tell: RunNotice) {
         let mut board = locked(&self.board);
         let number = board.next_note;
         board.notes.push_back((number, tell));
@@ -548,7 +547,7 @@ impl StageThread {
     }
 }
 
-mod wishes;
+mod commands;
 
 #[cfg(test)]
 mod tests;

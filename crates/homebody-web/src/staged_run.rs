@@ -1,14 +1,14 @@
 //! The run on the stage: its scenario, the resident who is moved by keys, and its files.
 
-use crate::driven::drive;
-use crate::effort::AT_ONCE;
-use crate::growth::Growth;
-use crate::looks::Looks;
+use crate::budget::AT_ONCE;
+use crate::folders::HomeFolders;
+use crate::live_cameras::LiveCameras;
+use crate::live_counts::LiveCounts;
+use crate::manual_control::drive;
 use crate::messages::StageMessage;
-use crate::refusal::sentence;
-use crate::shelf::Shelf;
-use crate::wire::{FiringView, Frame, Key, Posture, ResidentView, RunView, State, Tell};
-use crate::{dates, desk, draw};
+use crate::request_error::sentence;
+use crate::wire::{FiringView, Key, MapPosture, ResidentView, RunFrame, RunNotice, RunState, RunView};
+use crate::{dates, drafts, draw};
 use homebody_core::drivers::input::{self, KeysFile, UseFile};
 use homebody_core::event::Fact;
 use homebody_core::ids::ResidentId;
@@ -82,18 +82,18 @@ impl From<LogError> for StartError {
 
 impl StartError {
     /// The message to the pages.
-    pub fn tell(&self) -> Tell {
+    pub fn tell(&self) -> RunNotice {
         match self {
             StartError::Other(why) => {
                 let code = (!why.code.is_empty()).then(|| why.code.to_owned());
-                Tell::Unbegun { why: sentence(why), problems: Vec::new(), code }
+                RunNotice::Unbegun { why: sentence(why), problems: Vec::new(), code }
             }
             StartError::Problems(problems) => {
                 let why = match problems.len() {
                     1 => "Cannot start a run: the scenario has a problem.".to_owned(),
                     count => format!("Cannot start a run: the scenario has {count} problems."),
                 };
-                Tell::Unbegun { why, problems: desk::problems(problems), code: None }
+                RunNotice::Unbegun { why, problems: drafts::problems(problems), code: None }
             }
         }
     }
@@ -109,15 +109,15 @@ pub struct StagedRun {
     keys: Option<String>,
     /// The keys that are held.
     held: KeysFile,
-    growth: Arc<Mutex<Growth>>,
+    live_counts: Arc<Mutex<LiveCounts>>,
     /// The rows that no page has yet.
     fresh: Vec<FiringView>,
-    looks: Looks,
+    looks: LiveCameras,
     shown: Shown,
     /// Its files are complete.
     is_over: bool,
     /// The state at the snapshots of the simulation.
-    snapshots: Snapshots<(Shown, Growth)>,
+    snapshots: Snapshots<(Shown, LiveCounts)>,
 }
 
 /// The state that pages see besides the simulation.
@@ -186,11 +186,11 @@ impl StagedRun {
         let sensors: Vec<String> = simulation.sensors().map(str::to_owned).collect();
         let rows = LogRows::new(&scenario.logger, simulation.seed(), &sensors, &scenario.calendar)?;
         let is_motion = simulation.placed_sensors().iter().map(Sensor::senses_motion).collect();
-        let growth = Growth::new(&scenario.calendar, simulation.progress().length, is_motion);
+        let live_counts = LiveCounts::new(&scenario.calendar, simulation.progress().length, is_motion);
         let (counts, activities) = (vec![0; sensors.len()], vec![None; simulation.residents().len()]);
         Ok(StagedRun {
-            growth: Arc::new(Mutex::new(growth)),
-            looks: Looks::of(&scenario.home),
+            live_counts: Arc::new(Mutex::new(live_counts)),
+            looks: LiveCameras::from_home(&scenario.home),
             held: request.input.last().cloned().unwrap_or_else(nothing_held),
             conditions: household.conditions().keys().chain(&request.variant.without).cloned().collect(),
             request,
@@ -234,7 +234,7 @@ impl StagedRun {
             driven: self.request.driven,
             conditions: self.conditions.clone(),
             without: self.request.variant.without.clone(),
-            days: dates::all(&scenario.calendar, length),
+            days: dates::all_days(&scenario.calendar, length),
             nights: dates::nights(|at| home.sun.elevation_sine(at), length),
             length_us: length.micros(),
             seed: simulation.seed(),
@@ -252,7 +252,7 @@ impl StagedRun {
         // The file of a resident who is moved by hand is not in use, so its version does not count.
         let files =
             files.filter(|(name, _)| self.request.driven.is_none_or(|who| residents.get(who as usize) != Some(name)));
-        files.map(|(name, text)| (name.clone(), desk::version(text))).collect()
+        files.map(|(name, text)| (name.clone(), drafts::version(text))).collect()
     }
 
     /// The name of the folder into which it is recorded, until its files are complete.
@@ -262,18 +262,18 @@ impl StagedRun {
     }
 
     /// Simulates a step at most until an instant. True if files were opened for it, so that its view has changed.
-    pub fn advance(&mut self, until: RunTime, shelf: &Shelf) -> Result<bool, Diagnostic> {
+    pub fn advance(&mut self, until: RunTime, folders: &HomeFolders) -> Result<bool, Diagnostic> {
         let until = until.min(self.end());
         if until <= self.now() || self.is_over {
             return Ok(false);
         }
         let opens = self.simulation.places().is_none() && !self.simulation.is_replay();
         if opens {
-            let places = RunPlaces::run(&shelf.runs, self.simulation.scenario())?;
+            let places = RunPlaces::run(&folders.runs, self.simulation.scenario())?;
             self.simulation.open_output(places, WriteMode::Create)?;
         }
         if self.request.driven.is_none() {
-            self.snapshots.keep(self.simulation.now(), || (self.shown.clone(), locked(&self.growth).clone()));
+            self.snapshots.keep(self.simulation.now(), || (self.shown.clone(), locked(&self.live_counts).clone()));
         }
         let step = self.simulation.step(until);
         if let Err(StepError::Log(error)) = step {
@@ -286,7 +286,7 @@ impl StagedRun {
     /// Takes the events of the last step into the state that pages see.
     fn show_step(&mut self) {
         let events = self.simulation.events();
-        locked(&self.growth).add(&events.firings, self.simulation.now());
+        locked(&self.live_counts).add(&events.firings, self.simulation.now());
         self.looks.take(&events.frames);
         for fact in &events.facts {
             if let Fact::Activity { resident, name, .. } = fact {
@@ -303,8 +303,8 @@ impl StagedRun {
     /// moved by hand everything may change from there on, and a stopped run has no open files.
     pub fn rewind(&mut self, to: RunTime) -> bool {
         let Some(now) = self.simulation.rewind((to - SHOWN_BEFORE).max(RunTime::START)) else { return false };
-        let Some((shown, growth)) = self.snapshots.nearest_before(now).cloned() else { return false };
-        (self.shown, self.growth) = (shown, Arc::new(Mutex::new(growth)));
+        let Some((shown, live_counts)) = self.snapshots.nearest_before(now).cloned() else { return false };
+        (self.shown, self.live_counts) = (shown, Arc::new(Mutex::new(live_counts)));
         self.fresh.clear();
         self.is_over = false;
         true
@@ -324,9 +324,9 @@ impl StagedRun {
     /// Sets the posture of the resident who is moved by keys.
     pub fn set_posture(&mut self, posture: Posture) {
         self.held.posture = match posture {
-            Posture::Standing => posture::Posture::Standing,
-            Posture::Sitting => posture::Posture::Sitting,
-            Posture::Lying => posture::Posture::Lying,
+            MapPosture::Standing => posture::Posture::Standing,
+            MapPosture::Sitting => posture::Posture::Sitting,
+            MapPosture::Lying => posture::Posture::Lying,
         };
         self.input(Vec::new());
     }
@@ -391,16 +391,16 @@ impl StagedRun {
     }
 
     /// The present state, without rows.
-    pub fn frame(&mut self, state: State, speed: Option<f64>) -> Frame {
+    pub fn frame(&mut self, state: RunState, speed: Option<f64>) -> RunFrame {
         let scene = self.simulation.opening_scene();
         let body = |(index, seen): (usize, &Option<_>)| {
             seen.as_ref().map(|seen| draw::body(seen, self.shown.activities[index].clone()))
         };
         let sensors = self.shown.counts.len();
-        Frame {
+        RunFrame {
             now_us: scene.now.micros(),
             clock: self.simulation.calendar().wall_clock(scene.now),
-            state: if self.is_over { State::Over } else { state },
+            state: if self.is_over { RunState::Over } else { state },
             speed,
             bodies: scene.bodies.iter().enumerate().map(body).collect(),
             seeing: scene.seeing.iter().filter(|sensor| sensor.index() < sensors).map(|sensor| sensor.0).collect(),
@@ -414,8 +414,8 @@ impl StagedRun {
     }
 
     /// The counts of the rows so far; they grow with the run.
-    pub fn growth(&self) -> Arc<Mutex<Growth>> {
-        self.growth.clone()
+    pub fn live_counts(&self) -> Arc<Mutex<LiveCounts>> {
+        self.live_counts.clone()
     }
 
     /// The rows since the last call.

@@ -1,6 +1,6 @@
-//! The rows of a stored log, as playback has them.
+//! The rows of a stored log, for playback.
 
-use crate::refusal::shortened;
+use crate::request_error::shortened;
 use crate::wire::{DateView, PlaybackView};
 use homebody_core::calendar::Calendar;
 use homebody_core::scenario::logger::LoggerFile;
@@ -15,44 +15,41 @@ use std::path::Path;
 /// Largest number of rows of a log that are stored (our choice): 1.6 GB on disk, forty years of a home's.
 pub const MOST_ROWS: u64 = 100_000_000;
 
-/// The rows of a log by day, on the run's own clock. They are in a file without a name, which is gone with this: a log of ten years
-/// takes no memory.
+/// The rows of a log by day, on the run's own clock. A temporary file holds them, so that a log of ten years takes no memory.
 pub struct StoredRows {
     file: BufWriter<File>,
     days: Vec<SearchDay<RunTime>>,
     calendar: Calendar,
     length: Span,
-    /// What comes later is left out.
+    /// Later rows are left out.
     until: RunTime,
-    /// For each day the places of its first row and behind its last: rows of other days may lie between.
+    /// For each day the first row and the end; rows of other days may lie between.
     spans: Vec<Range<u64>>,
-    /// How many rows there are in each hour of each day's clock.
+    /// The number of rows in each hour of each day's clock.
     pub hours: Vec<Vec<u32>>,
     /// The numbers of sensors in the view, by sensor of the log.
     pub numbers: Vec<u32>,
     count: u64,
-    /// The instant of the last row that came.
     last: RunTime,
 }
 
-/// How a row lies in the file: instant, sensor and value.
+/// Instant, sensor and value.
 const ROW_BYTES: usize = 16;
 
 impl StoredRows {
-    /// No rows yet; their file is to be in this folder, or else where temporary files are.
-    pub fn new(beside: &Path, view: &PlaybackView, calendar: &Calendar, until: RunTime) -> io::Result<StoredRows> {
-        StoredRows::of_days(beside, &view.days, calendar, view.length(), until)
+    /// The file is in this folder, or among temporary files.
+    pub fn new(folder: &Path, view: &PlaybackView, calendar: &Calendar, until: RunTime) -> io::Result<StoredRows> {
+        StoredRows::for_days(folder, &view.days, calendar, view.length(), until)
     }
 
-    /// The same of these days, of a run of some length.
-    pub fn of_days(
-        beside: &Path,
+    pub fn for_days(
+        folder: &Path,
         days: &[DateView],
         calendar: &Calendar,
         length: Span,
         until: RunTime,
     ) -> io::Result<StoredRows> {
-        let file = tempfile::tempfile_in(beside).or_else(|_| tempfile::tempfile())?;
+        let file = tempfile::tempfile_in(folder).or_else(|_| tempfile::tempfile())?;
         Ok(StoredRows {
             file: BufWriter::with_capacity(1 << 20, file),
             spans: vec![0..0; days.len()],
@@ -67,7 +64,7 @@ impl StoredRows {
         })
     }
 
-    /// Reads a log with so many of its rows at most, and remarks if there are more.
+    /// Reads at most `most` rows of a log. A remark says if it has more.
     pub fn read(&mut self, from: impl Into<LogSource>, logger: &LoggerFile, most: u64) -> Result<Log, LogError> {
         let mut scale = None;
         let mut log = homebody_log::stream(from, logger, &mut |part| self.take(part, &mut scale, most).map(drop))?;
@@ -75,7 +72,7 @@ impl StoredRows {
         Ok(log)
     }
 
-    /// Adds a part of a log, with so many rows of the log at most; `scale` is that of the parts before. Returns the instant of its last row.
+    /// Adds a part of a log; `scale` is that of the parts before. Returns the instant of its last row.
     pub fn take(&mut self, part: &Log, scale: &mut Option<TimeScale>, most: u64) -> Result<RunTime, LogError> {
         let scale = scale.get_or_insert_with(|| part.clock.scale(&self.calendar, self.length));
         for row in &part.events {
@@ -88,7 +85,7 @@ impl StoredRows {
         Ok(self.last)
     }
 
-    /// After the last part. A remark says that a log has more rows than were taken.
+    /// Ends the log. A remark says if it has more rows than were read.
     pub fn flush(&mut self, log: &mut Log, most: u64) -> Result<(), LogError> {
         self.file.flush().map_err(unwritten)?;
         if log.rows > self.count && self.count >= most {
@@ -115,16 +112,16 @@ impl StoredRows {
         self.file.write_all(&row.value.to_le_bytes())
     }
 
-    /// What the last instant of a run says belongs to its last day.
+    /// The last instant of a run belongs to its last day.
     fn day_of(&self, at: RunTime) -> usize {
         self.days.partition_point(|day| day.end <= at).min(self.days.len().saturating_sub(1))
     }
 
     /// The rows of a day in the order of time, with the view's sensors.
-    pub fn of(&mut self, day: usize) -> io::Result<Vec<Event<RunTime>>> {
+    pub fn day(&mut self, day: usize) -> io::Result<Vec<Event<RunTime>>> {
         let span = self.spans.get(day).cloned().unwrap_or_default();
         let mut bytes = vec![0; (span.end - span.start) as usize * ROW_BYTES];
-        // More may be on its way to the file, behind what is looked for.
+        // The last rows may not be in the file yet.
         self.file.flush()?;
         let file = self.file.get_mut();
         file.seek(SeekFrom::Start(span.start * ROW_BYTES as u64))?;
@@ -138,20 +135,20 @@ impl StoredRows {
         };
         let mut rows: Vec<Event<RunTime>> = bytes.chunks_exact(ROW_BYTES).map(row).collect();
         rows.retain(|row| self.day_of(row.at) == day);
-        // Where messages overtake each other, the log's order is another.
+        // Delayed messages are out of order in the log.
         rows.sort_by_key(|row| row.at);
         Ok(rows)
     }
 }
 
-/// The number of a sensor that stands nowhere in the home.
-pub fn stranger(id: &str, sensors: &mut Vec<String>) -> u32 {
+/// Adds a sensor that has no place in the home, and returns its number.
+pub fn add_unplaced_sensor(id: &str, sensors: &mut Vec<String>) -> u32 {
     sensors.push(id.to_owned());
     sensors.len() as u32 - 1
 }
 
-/// What else is known of a log, in sentences.
-pub fn told_of(log: &Log) -> Vec<String> {
+/// The remarks and problems of a log, in sentences.
+pub fn log_remarks(log: &Log) -> Vec<String> {
     let mut remarks = log.remarks.clone();
     if let Some(first) = log.problems.first() {
         let why = shortened(&first.why);
@@ -175,7 +172,7 @@ mod tests {
     use std::fs;
 
     #[test]
-    fn of_a_log_that_is_too_long_the_first_rows_are_kept_and_it_is_said() {
+    fn stores_the_first_rows_of_a_long_log_with_a_remark() {
         let folder = tempfile::tempdir().unwrap();
         let texts: BTreeMap<String, String> = Template::named("by-hand")
             .unwrap()
@@ -189,12 +186,12 @@ mod tests {
         fs::write(&file, format!("time,sensor,value\n{rows}")).unwrap();
         let url: Url = format!("csv:{}", file.display()).parse().unwrap();
         for (most, remarks) in [(20, vec![]), (7, vec!["The log has 20 rows. Only the first 7 are shown."])] {
-            let days = crate::dates::all(&scenario.calendar, DAY);
-            let mut all = StoredRows::of_days(folder.path(), &days, &scenario.calendar, DAY, RunTime::MAX).unwrap();
+            let days = crate::dates::all_days(&scenario.calendar, DAY);
+            let mut all = StoredRows::for_days(folder.path(), &days, &scenario.calendar, DAY, RunTime::MAX).unwrap();
             all.numbers = vec![5];
             let log = all.read(&url, &LoggerFile::default(), most).unwrap();
             assert_eq!(log.remarks, remarks);
-            let rows: Vec<Event<RunTime>> = (0..days.len()).flat_map(|day| all.of(day).unwrap()).collect();
+            let rows: Vec<Event<RunTime>> = (0..days.len()).flat_map(|day| all.day(day).unwrap()).collect();
             assert_eq!(rows.len() as u64, most);
             assert!(rows.iter().all(|row| row.sensor == 5) && rows.is_sorted_by_key(|row| row.at));
             assert_eq!(all.hours.iter().flatten().sum::<u32>() as u64, most);

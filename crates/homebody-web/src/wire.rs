@@ -1,24 +1,24 @@
-//! What the page and the server say to each other.
+//! The messages between the page and the server.
 //!
-//! The page's own types in `web/src/wire.ts` are made from these; a test keeps them so. Over the socket, what the page says is
-//! JSON, a `Say` each; what it hears is JSON where it is a `Tell`, and MessagePack where it is a `Frame`. All the rest
-//! is asked for by HTTP, and answered in JSON, or in MessagePack where it is large.
+//! The types of the page in `web/src/wire.ts` are made from these; a test compares them. Over the socket, the page sends a
+//! `PageCommand` as JSON. The server sends a `RunNotice` as JSON and a `RunFrame` as MessagePack. Everything else goes over HTTP, and
+//! large answers are MessagePack.
 //!
-//! Lengths are metres, angles degrees, instants whole microseconds since the run's start, which any number of JSON holds
+//! Lengths are metres, angles degrees, and instants whole microseconds since the start of the run, which a number of JSON holds
 //! exactly for two hundred years. Points are `[x, y]`, with y up on the plan.
 
 mod care;
 mod draft;
-mod finding;
+mod search;
 mod installing;
 mod library;
 mod silhouettes;
 
 pub use care::*;
 pub use draft::*;
-pub use finding::*;
 pub use installing::*;
 pub use library::*;
+pub use search::*;
 pub use silhouettes::*;
 
 use homebody_simulation::VariantOptions;
@@ -27,22 +27,20 @@ use serde_json::{Map, Value};
 use std::collections::BTreeMap;
 use ts_rs::TS;
 
-/// A point on the plan, in metres.
 pub type At = [f64; 2];
 
-/// A home as it is drawn.
-#[derive(Clone, Debug, PartialEq, Serialize, TS)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize, TS)]
 pub struct HomeView {
     pub name: String,
-    /// The lower left and the upper right corner of all there is.
+    /// The lower left and the upper right corner of the plan.
     pub bounds: [At; 2],
     pub rooms: Vec<RoomView>,
-    /// Walls, doors that are closed, and furniture: convex outlines.
+    /// Walls, closed doors and furniture, as convex outlines.
     pub solids: Vec<SolidView>,
     pub doors: Vec<DoorView>,
-    /// What can be used, in the order of [`Frame::on`].
+    /// In the order of [`RunFrame::on`].
     pub things: Vec<ThingView>,
-    /// In the order in which firings count them.
+    /// In the order of the numbers of sensors.
     pub sensors: Vec<SensorView>,
 }
 
@@ -50,19 +48,17 @@ pub struct HomeView {
 pub struct RoomView {
     pub name: String,
     pub outline: Vec<At>,
-    /// Where its name goes.
+    /// The place of its name.
     pub middle: At,
-    /// The floor that it is on, in a home of several.
+    /// In a home of several floors.
     pub floor: Option<String>,
 }
 
 #[derive(Clone, Debug, PartialEq, Serialize, TS)]
 pub struct SolidView {
     pub kind: SolidKind,
-    /// Of furniture.
     pub name: Option<String>,
     pub outline: Vec<At>,
-    /// Whether bodies can be in it: a bed, a chair, a rug.
     pub enterable: bool,
 }
 
@@ -77,11 +73,10 @@ pub enum SolidKind {
 #[derive(Clone, Debug, PartialEq, Serialize, TS)]
 pub struct DoorView {
     pub name: String,
-    /// Its jambs; a door that stands open is hinged at the first.
+    /// The jambs; an open door is hinged at the first.
     pub from: At,
     pub to: At,
     pub open: bool,
-    /// Whether it leads out of the home.
     pub outside: bool,
 }
 
@@ -90,7 +85,7 @@ pub struct ThingView {
     pub name: String,
     pub kind: ThingKind,
     pub at: At,
-    /// What is done to it, and what undoes that: `Turn on`, `Turn off`.
+    /// The verbs that switch it on and off, such as `Turn on` and `Turn off`.
     pub verbs: [String; 2],
 }
 
@@ -99,58 +94,53 @@ pub struct ThingView {
 pub enum ThingKind {
     Door,
     Furniture,
-    /// The lamp of a room, under the room's name.
+    /// The lamp of a room, under the name of the room.
     Lamp,
 }
 
 #[derive(Clone, Debug, PartialEq, Serialize, TS)]
 pub struct SensorView {
     pub name: String,
-    /// As its file says it: `motion`, `bed`, `contact`, ...
+    /// The key of its kind, such as `motion`, `bed` or `contact`.
     pub kind: String,
-    /// The room that it is in.
     pub room: Option<String>,
     pub at: At,
-    /// Where it looks, counted from east against the clock; of sensors on walls.
+    /// Counted from east against the clock; for sensors on walls.
     pub facing_deg: Option<f64>,
-    /// The parts of its beams in which it sees a standing adult, from where to where; of sensors on walls.
+    /// The parts of its beams that detect a standing adult; for sensors on walls.
     pub beams: Vec<[At; 2]>,
-    /// What it sees from the ceiling, or the mat or bed that it feels.
+    /// The area of a ceiling sensor, or the mat or bed.
     pub area: Option<Vec<At>>,
-    /// Of cameras.
     pub camera: Option<CameraView>,
 }
 
-/// A run that is being lived, or about to be.
+/// The run that pages show.
 #[derive(Clone, Debug, PartialEq, Serialize, TS)]
 pub struct RunView {
-    /// The name of its folder, if it is stored in one: what playback knows it by.
+    /// The name of its folder, once it has one.
     pub id: Option<String>,
     pub scenario: String,
     pub home: HomeView,
     /// Residents first, then visitors and pets.
     pub residents: Vec<ResidentView>,
-    /// Who is moved by keys.
+    /// The resident that keys move.
     pub driven: Option<u32>,
     #[ts(type = "number")]
     pub length_us: i64,
-    /// A number below 2^53.
+    /// Below 2^53.
     #[ts(type = "number")]
     pub seed: u64,
-    /// Conditions that its residents show, or would if they were not left out.
+    /// All conditions of its residents, with those that are left out.
     pub conditions: Vec<String>,
-    /// Those that are left out.
     pub without: Vec<String>,
-    /// By the clock on the wall.
     pub days: Vec<DateView>,
-    /// From when to when the sun is down.
+    /// The intervals in which the sun is down.
     #[ts(type = "Array<[number, number]>")]
     pub nights: Vec<(i64, i64)>,
-    /// Where the log goes, as URLs.
+    /// The destinations of the log, as URLs.
     pub log: Vec<String>,
-    /// Whether a recording is being lived again.
     pub replay: bool,
-    /// The versions of the scenario's files that it goes by: what has another one now was saved since. Of a replay there are none.
+    /// The versions of the scenario's files at the start of the run; none for a replay.
     pub files: BTreeMap<String, String>,
 }
 
@@ -160,65 +150,65 @@ pub struct ResidentView {
     pub radius_m: f64,
 }
 
-/// What a run looks like at an instant.
+/// The state of a run at an instant.
 #[derive(Clone, Debug, PartialEq, Serialize, TS)]
-pub struct Frame {
+pub struct RunFrame {
     #[ts(type = "number")]
     pub now_us: i64,
     /// The time on the home's clock, as `2009-03-02 07:12:03`.
     pub clock: String,
-    pub state: State,
-    /// How many seconds go by in a second; nothing where it goes as fast as it can.
+    pub state: RunState,
+    /// In simulated seconds a second; null for as fast as possible.
     pub speed: Option<f64>,
-    /// By resident; nothing for those who are out.
+    /// By resident; null for those who are out.
     pub bodies: Vec<Option<BodyView>>,
-    /// The sensors that see somebody move.
+    /// The sensors that detect movement.
     pub seeing: Vec<u32>,
-    /// The things that are on, or open.
+    /// The things that are on or open.
     pub on: Vec<u32>,
     /// The sine of the sun's height: below 0 it is dark.
     pub sun: f64,
-    /// How many firings there have been.
+    /// The number of rows of the log so far.
     #[ts(type = "number")]
     pub told: u64,
     /// The same by sensor.
     #[ts(type = "Array<number>")]
     pub counts: Vec<u64>,
-    /// The last of those since the frame before, in order.
+    /// The latest rows since the frame before, in order.
     pub firings: Vec<FiringView>,
-    /// The cameras, in the order of sensors.
-    pub looks: Vec<LookView>,
+    /// In the order of sensors.
+    pub looks: Vec<CameraStateView>,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, TS)]
 #[serde(rename_all = "snake_case")]
-pub enum State {
+pub enum RunState {
     Paused,
     Playing,
-    /// It has come to its end, or was stopped; its files are complete.
+    /// At its end or stopped; its files are complete.
     Over,
 }
 
 #[derive(Clone, Debug, PartialEq, Serialize, TS)]
 pub struct BodyView {
     pub at: At,
-    /// Where it faces, counted from east against the clock.
+    /// Counted from east against the clock.
     pub heading_deg: f64,
-    pub posture: Posture,
+    pub posture: MapPosture,
     pub room: Option<u32>,
-    /// What the truth calls what it does.
+    /// The label of the ground truth.
     pub activity: Option<String>,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, TS)]
 #[serde(rename_all = "snake_case")]
-pub enum Posture {
+pub enum MapPosture {
     Standing,
     Sitting,
     Lying,
 }
 
-/// A firing, with the row that the log has of it.
+/// A firing with its row of the log.
 #[derive(Clone, Debug, PartialEq, Serialize, TS)]
 pub struct FiringView {
     #[ts(type = "number")]
@@ -227,136 +217,129 @@ pub struct FiringView {
     pub at_us: i64,
     pub sensor: u32,
     pub value: String,
-    /// Time, sensor and message as they are stored; nothing where no log is looked at.
+    /// Time, sensor and message as they are stored; null without a log.
     pub row: Option<[String; 3]>,
 }
 
-/// A run that is stored, as the list of them tells it.
+/// A stored run in a list.
 #[derive(Clone, Debug, PartialEq, Serialize, TS)]
 pub struct StoredView {
     /// The name of its folder.
     pub name: String,
     pub scenario: String,
-    /// The local date and time of its start.
+    /// Local date and time.
     pub start: String,
     pub days: u32,
     pub has_truth: bool,
-    /// The name of the log that its path was made from by walking it back.
+    /// The name of the log that was located for its path.
     pub walked_back: Option<String>,
-    /// Why it cannot be played back.
+    /// The reason why playback is not possible.
     pub problem: Option<String>,
-    /// The stable code of the problem.
     #[serde(skip_serializing_if = "Option::is_none")]
     #[ts(optional)]
     pub problem_code: Option<String>,
-    /// When its files were begun, in milliseconds since 1970, where that is known.
+    /// The time when its files were created, in milliseconds since 1970.
     #[ts(type = "number | null")]
     pub made_ms: Option<i64>,
-    /// A number below 2^53.
+    /// Below 2^53.
     #[ts(type = "number | null")]
     pub seed: Option<u64>,
-    /// Conditions that are left out of it.
     pub without: Vec<String>,
-    /// What somebody has called it, and noted about it.
     pub about: RunAbout,
 }
 
-/// What somebody calls a stored run, and notes about it.
+/// The title and the note that a person gave a stored run.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize, TS)]
 #[serde(deny_unknown_fields)]
 pub struct RunAbout {
-    /// At most 100 letters; none where it is known by its folder alone.
+    /// At most 100 characters; empty for a run without a title.
     pub title: String,
-    /// At most 2,000 letters.
+    /// At most 2,000 characters.
     pub note: String,
 }
 
-/// A run that was put aside, and can be fetched back.
+/// The key of a deleted run or home, by which it is restored.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, TS)]
-pub struct PutAside {
-    /// The name under which it is fetched back.
+pub struct DeletedKey {
     pub key: String,
 }
 
-/// A stored run as a whole. Of what is told here and in its days, the truth is only there where the run has left one.
-#[derive(Clone, Debug, PartialEq, Serialize, TS)]
+/// A stored run as a whole. Only a run with ground truth has the parts that come from it.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, TS)]
 pub struct PlaybackView {
     pub name: String,
     pub scenario: String,
     pub home: HomeView,
     /// In the order of [`DayView::lives`].
     pub residents: Vec<ResidentView>,
-    /// The local date and time of its start.
+    /// Local date and time.
     pub start: String,
     pub zone: String,
     #[ts(type = "number")]
     pub length_us: i64,
-    /// What the log calls its sensors: those of the home in the home's order, then those that stand nowhere in it.
+    /// The sensors of the log: those of the home in its order, then those without a place in it.
     pub sensors: Vec<String>,
-    /// What sensors say in the log.
+    /// The messages of the sensors.
     pub values: Vec<String>,
     pub days: Vec<DateView>,
-    /// How many rows the log has in each hour of the clock, by day.
+    /// The number of rows in each hour of the clock, by day.
     pub hours: Vec<Vec<u32>>,
-    /// From when to when the sun is down.
+    /// The intervals in which the sun is down.
     #[ts(type = "Array<[number, number]>")]
     pub nights: Vec<(i64, i64)>,
     pub has_truth: bool,
-    /// The names of activities.
     pub activities: Vec<String>,
-    /// What each resident did: begin, end and the activity's number. Of a long run the short ones are left out.
+    /// For each resident begin, end and number of each activity. A long run has only the longest.
     #[ts(type = "Array<Array<[number, number, number]>>")]
     pub spans: Vec<Vec<(i64, i64, u32)>>,
-    /// Of a log that was walked back: then the rows are those of the log as it was given, and instead of the truth there is
-    /// what was made of them.
-    pub walk: Option<WalkView>,
-    /// Whether its cameras have kept silhouettes.
+    /// For a located log: the rows are those of the original log, and the estimates replace the ground truth.
+    pub walk: Option<LocatedView>,
     pub has_silhouettes: bool,
-    /// What is missing or was skipped, in sentences.
+    /// Missing or skipped data, in sentences.
     pub remarks: Vec<String>,
-    /// Up to when the log is read by now; what else is told of it here, its sensors, values and hours, is as far. `None` once all is read.
+    /// The end of the part that is read so far, with its sensors, values and hours; null once all is read.
     #[ts(type = "number | null")]
     pub read_us: Option<i64>,
 }
 
-/// How far the log of a stored run is read that is open already.
+/// The progress of reading the log of an open run.
 #[derive(Clone, Debug, PartialEq, Serialize, TS)]
 pub struct ReadingView {
-    /// `None` once all of it is.
+    /// Null once all is read.
     #[ts(type = "number | null")]
     pub read_us: Option<i64>,
 }
 
-/// How often each sensor of a stored run spoke, in parts of it of equal length.
+/// The number of events of each sensor, in parts of the run of equal length.
 #[derive(Clone, Debug, PartialEq, Serialize, TS)]
 pub struct LanesView {
     #[ts(type = "number")]
     pub bucket_us: i64,
-    /// By sensor, from the run's start on.
+    /// By sensor, from the start of the run.
     pub counts: Vec<Vec<u32>>,
 }
 
-/// What is known of a log that was walked back.
+/// The estimates for a located log.
 #[derive(Clone, Debug, PartialEq, Serialize, TS)]
-pub struct WalkView {
-    /// What the log was called.
+pub struct LocatedView {
+    /// The name of the log.
     pub log: String,
-    /// Where each resident most likely was: begin, end and the place's number, as chances have it. Short stays are left out.
+    /// The most likely place of each resident: begin, end and number as in chances, without short stays.
     #[ts(type = "Array<Array<[number, number, number]>>")]
     pub stays: Vec<Vec<(i64, i64, i32)>>,
 }
 
-/// An instant, a place and how likely somebody is there from then on, from 0 to 1. A place is the number of the home's room, -1
-/// for out, -2 for between the rooms.
+/// An instant, a place and the probability of a person there from then on. A place is the number of the home's room, [`OUT`] or
+/// [`BETWEEN`].
 pub type Chance = (i64, i32, f32);
 
-/// The place of who is out.
+/// The place outside the home.
 pub const OUT: i32 = -1;
 
-/// The place of who is at home between the rooms.
+/// The place between the rooms.
 pub const BETWEEN: i32 = -2;
 
-/// A day by the clock on the wall.
+/// A civil day.
 #[derive(Clone, Debug, PartialEq, Serialize, TS)]
 pub struct DateView {
     /// Such as `2009-03-02`.
@@ -365,61 +348,59 @@ pub struct DateView {
     pub begin_us: i64,
     #[ts(type = "number")]
     pub end_us: i64,
-    /// The time on the clock when the day begins in the run: its first one may begin at noon.
+    /// The time on the clock at `begin_us`: the first day may begin at noon.
     #[ts(type = "number")]
     pub clock_us: i64,
-    /// When clocks are set in it, and by how much.
+    /// The instant at which clocks are set, and by how much.
     #[ts(type = "[number, number] | null")]
     pub turn: Option<(i64, i64)>,
 }
 
-/// All of a day of a stored run. What somebody did may begin before the day and end after it.
+/// A day of a stored run. Its spans may begin before the day and end after it.
 #[derive(Clone, Debug, PartialEq, Serialize, TS)]
 pub struct DayView {
-    /// The log's rows: instant, sensor and value.
+    /// Instant, sensor and value of each row of the log.
     #[ts(type = "Array<[number, number, number]>")]
     pub rows: Vec<(i64, u32, u32)>,
-    /// By resident; of none where there is no truth.
-    pub lives: Vec<LifeView>,
-    /// Up to here movements are told; where that is not the day's end, the rest is asked for next.
+    /// By resident; empty without ground truth.
+    pub lives: Vec<PersonDay>,
+    /// The end of the movements here; if it is before the end of the day, the page requests the rest.
     #[ts(type = "number")]
     pub until_us: i64,
 }
 
-/// Begin, end, what it was, in which posture, from where, to where.
-pub type MovementView = (i64, i64, MotionState, Posture, Option<At>, Option<At>);
+/// Begin, end, kind, posture, from, to.
+pub type MovementView = (i64, i64, MovementKind, MapPosture, Option<At>, Option<At>);
 
-/// What somebody did, in the order of time.
+/// The ground truth about a person, in the order of time.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, TS)]
-pub struct LifeView {
-    /// Begin, end, what it was, in which posture, from where, to where.
-    #[ts(type = "Array<[number, number, MotionState, Posture, [number, number] | null, [number, number] | null]>")]
+pub struct PersonDay {
+    /// Begin, end, kind, posture, from, to.
+    #[ts(type = "Array<[number, number, MovementKind, MapPosture, [number, number] | null, [number, number] | null]>")]
     pub movements: Vec<MovementView>,
-    /// Begin, end and the number of the home's room; between rooms there is none.
+    /// Begin, end and number of the home's room; nothing between rooms.
     #[ts(type = "Array<[number, number, number]>")]
     pub rooms: Vec<(i64, i64, u32)>,
-    /// Begin, end and the activity's number.
+    /// Begin, end and number of the activity.
     #[ts(type = "Array<[number, number, number]>")]
     pub activities: Vec<(i64, i64, u32)>,
-    /// Of a log that was walked back: an instant, a place, and how likely somebody is there from then on. The place is the
-    /// number of the home's room, -1 for out, -2 for between the rooms; those that are not told of have no chance.
+    /// For a located log: instant, place and probability of a person there from then on. The place is the number of the home's room,
+    /// -1 for out, -2 for between the rooms; places that are not listed have none.
     #[ts(type = "Array<[number, number, number]>")]
     pub chances: Vec<Chance>,
 }
 
-/// A log that somebody has opened in the page, on its way to be walked back.
+/// A log that the page has opened and the server locates.
 #[derive(Clone, Debug, PartialEq, Serialize, TS)]
-pub struct WalkingView {
-    /// What it is called.
+pub struct LocatingView {
     pub log: String,
-    pub state: WalkState,
-    /// How much of it is done, from 0 to 1.
+    pub state: LocatingState,
+    /// The completed share, from 0 to 1.
     pub share: f64,
-    /// The run that came of it.
+    /// The resulting run.
     pub run: Option<String>,
-    /// Why none came of it.
+    /// The reason of a failure.
     pub problem: Option<String>,
-    /// The stable code of the problem.
     #[serde(skip_serializing_if = "Option::is_none")]
     #[ts(optional)]
     pub problem_code: Option<String>,
@@ -427,8 +408,8 @@ pub struct WalkingView {
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, TS)]
 #[serde(rename_all = "snake_case")]
-pub enum WalkState {
-    /// Not all of it has reached the server.
+pub enum LocatingState {
+    /// The server is receiving the log.
     Coming,
     Walking,
     Done,
@@ -436,19 +417,10 @@ pub enum WalkState {
     Stopped,
 }
 
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, TS)]
-#[serde(rename_all = "snake_case")]
-pub enum MotionState {
-    Stride,
-    InPlace,
-    Rest,
-    Away,
-}
-
-/// What the page asks of the run. All pages have the same run.
+/// A command of a page to the run. All pages have the same run.
 #[derive(Clone, Debug, PartialEq, Deserialize, TS)]
 #[serde(tag = "say", rename_all = "snake_case", deny_unknown_fields)]
-pub enum Say {
+pub enum PageCommand {
     /// The first message of a page, without which it gets no answer to others.
     Hello {
         token: String,
@@ -474,7 +446,7 @@ pub enum Say {
     },
     /// Let the resident who is moved by keys sit, lie or stand from now on.
     Be {
-        posture: Posture,
+        posture: MapPosture,
     },
     /// Let the resident who is moved by keys turn a thing on or off, or open or close it.
     Use {
@@ -495,7 +467,7 @@ pub enum Say {
     },
 }
 
-/// The keys that move a body.
+/// A key that moves a body.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize, TS)]
 #[serde(rename_all = "snake_case")]
 pub enum Key {
@@ -503,19 +475,19 @@ pub enum Key {
     Down,
     Left,
     Right,
-    /// Twice the pace.
+    /// At twice the pace.
     Fast,
-    /// Half the pace.
+    /// At half the pace.
     Slow,
 }
 
-/// What the page hears besides frames.
+/// A message of the server besides frames.
 #[derive(Clone, Debug, PartialEq, Serialize, TS)]
 #[serde(tag = "tell", rename_all = "snake_case")]
-pub enum Tell {
-    /// A run has begun; frames that follow are of this one.
+pub enum RunNotice {
+    /// A run has started; the following frames are of this one.
     Run { run: Box<RunView> },
-    /// Something to read: what was done, or why it could not be, with the stable code of the message.
+    /// A text for the person at the page.
     Note {
         text: String,
         bad: bool,
@@ -523,7 +495,7 @@ pub enum Tell {
         #[ts(optional)]
         code: Option<String>,
     },
-    /// No run could be begun, and what is wrong with the scenario. The run that there was, if there was one, is there still.
+    /// No run could start because of problems with the scenario. The previous run continues.
     Unbegun {
         why: String,
         problems: Vec<ProblemView>,
@@ -533,16 +505,16 @@ pub enum Tell {
     },
 }
 
-/// The message of a refused request. The status of HTTP has its kind.
+/// The message of a refused request; the status of HTTP has its kind.
 #[derive(Clone, Debug, PartialEq, Serialize, TS)]
 pub struct RefusedView {
     /// The stable code, such as `page::no-run`.
     #[serde(skip_serializing_if = "Option::is_none")]
     #[ts(optional)]
     pub code: Option<String>,
-    /// The message, as sentences.
+    /// In sentences.
     pub what: String,
-    /// The values that the message quotes, by name.
+    /// The values in the message, by name.
     #[ts(type = "Record<string, unknown>")]
     pub data: Map<String, Value>,
 }

@@ -20,7 +20,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
 use std::{fs, thread};
 
-/// The greatest growth that is taken for none.
+/// Growth that counts as none.
 const MOST_KB: u64 = 16 << 10;
 
 fn memory_kb() -> u64 {
@@ -30,7 +30,7 @@ fn memory_kb() -> u64 {
 }
 
 #[test]
-fn neither_huge_bodies_nor_long_logs_nor_late_or_hasty_months_nor_stuck_browsers_take_memory() {
+fn bounds_memory_under_excessive_requests() {
     huge_bodies();
     long_logs();
     late_months();
@@ -38,10 +38,10 @@ fn neither_huge_bodies_nor_long_logs_nor_late_or_hasty_months_nor_stuck_browsers
     stuck_browsers();
 }
 
-/// 100 MB are refused, whether their length is told or not.
+/// 100 MB are refused, with or without an announced length.
 fn huge_bodies() {
     let served = Served::scenario("by-hand");
-    // What one body may take is given back to this program, not to the system: what counts is that others take no more.
+    // The allocator keeps the memory of one body for this program; further bodies must not take more.
     send_huge_bodies(&served);
     let before = memory_kb();
     send_huge_bodies(&served);
@@ -54,7 +54,7 @@ fn send_huge_bodies(served: &Served) {
     let part = vec![b' '; 1 << 20];
     let chunk = [format!("{:x}\r\n", part.len()).as_bytes(), &part, b"\r\n"].concat();
     for route in ["/api/files", "/api/check", "/api/plan", "/api/import"] {
-        // A plan with models and textures may be large: without its length, 64 MB of it are taken in before the rest is refused.
+        // A plan with models and textures may be large: without its length, the server reads 64 MB before it refuses the rest.
         let ways: &[bool] = if route == "/api/import" { &[true] } else { &[true, false] };
         for &is_told in ways {
             let mut stream = TcpStream::connect(served.address).unwrap();
@@ -66,19 +66,19 @@ fn send_huge_bodies(served: &Served) {
             );
             stream.write_all(head.as_bytes()).unwrap();
             let piece = if is_told { &part } else { &chunk };
-            // It has seen enough when it has what it takes, and the sockets hold what they hold.
+            // The rest of the bytes is in the buffers of the sockets.
             let sent = (0..100).take_while(|_| stream.write_all(piece).is_ok()).count();
             assert!(sent < 40, "{route} takes {sent} MB");
             let mut answer = [0; 64];
             let length = stream.read(&mut answer).unwrap_or(0);
             let answer = String::from_utf8_lossy(&answer[..length]);
-            // A server that closes while somebody is still writing may take the answer with it.
+            // A server that closes during a write may lose the answer.
             assert!(answer.starts_with("HTTP/1.1 413") || answer.is_empty() && !is_told, "{route}: {answer:?}");
         }
     }
 }
 
-/// The rows of an open run's log lie on disk, two million as a few: of ten years there are more.
+/// The rows of an open run's log are on disk, so that two million take no more memory than a few.
 fn long_logs() {
     const ROWS: u64 = 2_000_000;
     let served = Served::scenario("tigerplace");
@@ -121,7 +121,7 @@ fn long_logs() {
     assert!(growth < MOST_KB, "{growth} kB");
 }
 
-/// The last days of two hundred are drawn, and those before only lived.
+/// Only the last days of two hundred are in the answer.
 fn late_months() {
     let served = Served::scenario("tigerplace");
     let text = fs::read_to_string(served.folder.path().join("tigerplace/scenario.json")).unwrap();
@@ -145,7 +145,7 @@ fn late_months() {
     assert!(growth < MOST_KB, "{growth} kB");
 }
 
-/// Of somebody who does a million things a second the page shows as much as fits, and says where it ends.
+/// The answer has a part of the actions of a person with a million in a second, and says where it ends.
 fn hasty_months() {
     let served = Served::scenario("by-hand");
     let text = |name: &str| fs::read_to_string(served.folder.path().join("by-hand").join(name)).unwrap();
@@ -170,13 +170,13 @@ fn hasty_months() {
         println!("memory grows by {growth} kB over {path} of a hasty life, in {:?}", begun.elapsed());
         assert_eq!(answer.code, 200, "after {:?}", begun.elapsed());
         let said = String::from_utf8_lossy(&answer.body);
-        // The first rows are lived for three days at most, in which even the hastiest come to an end.
+        // The first rows need three simulated days at most.
         assert!(path == "/api/rows" || said.contains("The simulation stopped here after"), "{said}");
         assert!(growth < 4 * MOST_KB, "{growth} kB");
     }
 }
 
-/// A page that reads a message a second holds up neither the run nor another page, and nothing is kept for it.
+/// A page that reads a message a second delays neither the run nor another page, and takes no memory.
 fn stuck_browsers() {
     let wished = std::env::var("HOMEBODY_STUCK_S").ok().and_then(|text| text.parse().ok());
     let length = Duration::from_secs(wished.unwrap_or(6));
@@ -217,7 +217,7 @@ fn stuck_browsers() {
     assert!(gaps.len() as u64 > 5 * length.as_secs(), "the other page sees {} frames in {length:?}", gaps.len());
     served.close();
 
-    // The log is that of the same run without anybody.
+    // The log equals that of the same run without pages.
     let run = served.only_run();
     let recording: Recording = serde_json::from_str(&fs::read_to_string(run.join("recording.json")).unwrap()).unwrap();
     let (scenario, household) = Household::recorded(&recording).unwrap();

@@ -1,42 +1,45 @@
 //! The page plays stored runs as they were stored.
 
+use axum::http::StatusCode;
 use homebody_core::time::{DAY, HOUR, Interval, RunTime, SECOND, Span};
+use homebody_log::MovementKind;
+use homebody_query::search::SearchSubject;
 use homebody_simulation::Cancel;
-use homebody_web::playback::{Playback, Refusal};
-use homebody_web::shelf::Shelf;
+use homebody_web::playback::{Playback, RequestError};
+use homebody_web::folders::HomeFolders;
 use homebody_web::staged_run::{StagedRun, StartRequest};
-use homebody_web::wire::{DayView, FilmView, Find, FindWhat, FoundView, MotionState, PlaybackView, State};
+use homebody_web::wire::{DayView, FilmView, Find, FindWhat, FoundView, MotionState, PlaybackView, RunState};
 use rusqlite::Connection;
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use tempfile::TempDir;
 
-/// A folder with runs in it, and what plays them back.
+/// A folder with runs, and their playback.
 struct Stored {
     folder: TempDir,
     playback: Playback,
 }
 
 impl Stored {
-    /// A scenario, changed, lived for some time.
+    /// A changed scenario, simulated for some time.
     fn lived(scenario: &str, length: Span, change: impl Fn(&str, String) -> String) -> Stored {
-        let (stored, mut act, shelf) = Stored::begun(scenario, change);
-        live(&mut act, RunTime::START + length, &shelf);
+        let (stored, mut act, folders) = Stored::begun(scenario, change);
+        live(&mut act, RunTime::START + length, &folders);
         act.finish().unwrap();
         stored
     }
 
-    /// A scenario, changed, at its beginning.
-    fn begun(scenario: &str, change: impl Fn(&str, String) -> String) -> (Stored, StagedRun, Shelf) {
+    /// A changed scenario at its start.
+    fn begun(scenario: &str, change: impl Fn(&str, String) -> String) -> (Stored, StagedRun, HomeFolders) {
         let folder = TempDir::new().unwrap();
         let own = folder.path().join("scenario");
         copy(&scenarios().join(scenario), &own, &change);
         copy(&scenarios().join("../conditions"), &folder.path().join("conditions"), &change);
-        let shelf =
-            Shelf { scenario: own, entry: "scenario.json".into(), is_trusted: false, runs: folder.path().join("runs") };
-        let act = StagedRun::new(&shelf, &shelf.entry, StartRequest::default()).unwrap();
-        (Stored { folder, playback: Playback::new(shelf.clone()) }, act, shelf)
+        let folders =
+            HomeFolders { scenario: own, entry: "scenario.json".into(), is_trusted: false, runs: folder.path().join("runs") };
+        let act = StagedRun::new(&folders, &folders.entry, StartRequest::default()).unwrap();
+        (Stored { folder, playback: Playback::new(folders.clone()) }, act, folders)
     }
 
     fn name(&self) -> String {
@@ -51,9 +54,9 @@ impl Stored {
         self.playback.run(&self.name()).unwrap()
     }
 
-    fn film(&self, from_us: i64, to_us: i64, every: Span) -> Result<FilmView, Refusal> {
+    fn film(&self, from_us: i64, to_us: i64, every: Span) -> Result<SilhouettesView, RequestError> {
         let span = Interval::new(RunTime::from_micros(from_us), RunTime::from_micros(to_us));
-        self.playback.film(&self.name(), span, every)
+        self.playback.silhouettes(&self.name(), span, every)
     }
 
     fn days(&self) -> Vec<DayView> {
@@ -62,11 +65,11 @@ impl Stored {
     }
 }
 
-/// Lives until an instant, or to the end.
-fn live(act: &mut StagedRun, until: RunTime, shelf: &Shelf) {
+/// Simulates until an instant, or to the end.
+fn live(act: &mut StagedRun, until: RunTime, folders: &HomeFolders) {
     let until = until.min(act.end());
     while act.now() < until {
-        act.advance(until, shelf).unwrap();
+        act.advance(until, folders).unwrap();
     }
 }
 
@@ -89,14 +92,14 @@ fn as_it_is(_: &str, text: String) -> String {
     text
 }
 
-/// Rows in the words of the log.
+/// Rows with the texts of the log.
 fn words(view: &PlaybackView, days: &[DayView]) -> Vec<(String, String)> {
     let rows = days.iter().flat_map(|day| &day.rows);
     rows.map(|row| (view.sensors[row.1 as usize].clone(), view.values[row.2 as usize].clone())).collect()
 }
 
 #[test]
-fn the_days_rows_are_the_logs() {
+fn plays_rows_of_the_log() {
     let stored = Stored::lived("tigerplace", 30 * HOUR, as_it_is);
     let (view, days) = (stored.view(), stored.days());
     assert_eq!((view.days.len(), view.start.as_str(), view.has_truth), (2, "2009-03-02 00:00:00", true));
@@ -120,7 +123,7 @@ fn the_days_rows_are_the_logs() {
 }
 
 #[test]
-fn the_days_movements_are_the_truths() {
+fn plays_movements_of_the_ground_truth() {
     for (scenario, length) in [("tigerplace", 50 * HOUR), ("couple-with-cat", 30 * HOUR)] {
         let stored = Stored::lived(scenario, length, as_it_is);
         let (view, days) = (stored.view(), stored.days());
@@ -139,23 +142,23 @@ fn the_days_movements_are_the_truths() {
                 assert!(movements.windows(2).all(|pair| pair[0].1 == pair[1].0), "{}: without gaps", resident.name);
                 seen.extend(movements.iter().map(|one| (one.0, one.1, one.2, one.3, one.4.map(|from| from[0]))));
             }
-            // What goes on over midnight is told of both days.
+            // A span over midnight is in both days.
             seen.dedup();
             let seen: Vec<_> = seen.iter().map(|one| (text(&one.2), text(&one.3), one.4)).collect();
             assert_eq!(seen, told, "{scenario}: {}", resident.name);
         }
         assert!(days.iter().all(|day| day.lives.len() == view.residents.len()));
-        assert!(days[0].lives[0].movements.iter().any(|movement| movement.2 == MotionState::Stride));
+        assert!(days[0].lives[0].movements.iter().any(|movement| movement.2 == MovementKind::Stride));
     }
 }
 
-/// What the wire calls something, as the truth has it.
+/// A value as the wire and the ground truth write it.
 fn text(value: &impl serde::Serialize) -> String {
     serde_json::to_value(value).unwrap().as_str().unwrap().into()
 }
 
 #[test]
-fn rooms_and_activities_are_the_truths() {
+fn plays_rooms_and_activities_of_the_ground_truth() {
     let stored = Stored::lived("tigerplace", 30 * HOUR, as_it_is);
     let (view, days) = (stored.view(), stored.days());
     let connection = Connection::open(stored.file("truth.db")).unwrap();
@@ -173,7 +176,7 @@ fn rooms_and_activities_are_the_truths() {
 }
 
 #[test]
-fn every_kind_of_log_tells_the_same_instants() {
+fn every_form_of_log_has_the_same_instants() {
     let told = |logger: &'static str| {
         let change = move |name: &str, text: String| if name == "logger.json" { logger.into() } else { text };
         // Clocks go forward on the second day.
@@ -199,7 +202,7 @@ fn every_kind_of_log_tells_the_same_instants() {
 }
 
 #[test]
-fn without_a_truth_there_are_rows_alone() {
+fn plays_rows_without_ground_truth() {
     let stored = Stored::lived("tigerplace", 3 * HOUR, as_it_is);
     let with = stored.days();
     fs::remove_file(stored.file("truth.db")).unwrap();
@@ -214,16 +217,22 @@ fn unknown_runs_and_days_are_refused() {
     let stored = Stored::lived("by-hand", 20 * SECOND, as_it_is);
     let name = stored.name();
     for unknown in ["", ".", "..", "../runs", "nobody", "by-hand-1/", "/", "by-hand-1\0"] {
-        assert!(matches!(stored.playback.run(unknown), Err(Refusal::Unknown(_))), "{unknown:?}");
+        assert!(
+            matches!(stored.playback.run(unknown), Err(RequestError { status: StatusCode::NOT_FOUND, .. })),
+            "{unknown:?}"
+        );
     }
     for day in [1, 2, usize::MAX] {
-        assert!(matches!(stored.playback.day(&name, day), Err(Refusal::Unknown(_))), "{day}");
+        assert!(
+            matches!(stored.playback.day(&name, day), Err(RequestError { status: StatusCode::NOT_FOUND, .. })),
+            "{day}"
+        );
     }
     assert!(stored.playback.day(&name, 0).is_ok());
 }
 
 #[test]
-fn a_run_may_be_called_anything() {
+fn plays_runs_of_any_name() {
     let stored = Stored::lived("by-hand", 20 * SECOND, as_it_is);
     let first = stored.days();
     let runs = stored.folder.path().join("runs");
@@ -234,7 +243,7 @@ fn a_run_may_be_called_anything() {
 }
 
 #[test]
-fn damaged_files_are_told_and_no_path_leads_out() {
+fn rejects_damaged_files_and_outside_paths() {
     let stored = Stored::lived("by-hand", 20 * SECOND, as_it_is);
     let name = stored.name();
     let damage = |file: &str, text: &str| {
@@ -254,13 +263,22 @@ fn damaged_files_are_told_and_no_path_leads_out() {
             r#"{ "version": "", "entry": "x", "files": {}, "seed": 1, "length_us": 1, "firings": 0, "sha256": "" }"#,
         ),
     ] {
-        assert!(matches!(damage(file, text), Err(Refusal::Damaged(_))), "{file}");
+        assert!(
+            matches!(damage(file, text), Err(RequestError { status: StatusCode::UNPROCESSABLE_ENTITY, .. })),
+            "{file}"
+        );
     }
     let recording = fs::read_to_string(stored.file("recording.json")).unwrap();
     for length in [i64::MAX, i64::MIN, -1] {
         let mut long: serde_json::Value = serde_json::from_str(&recording).unwrap();
         long["length_us"] = length.into();
-        assert!(matches!(damage("recording.json", &long.to_string()), Err(Refusal::Damaged(_))), "{length}");
+        assert!(
+            matches!(
+                damage("recording.json", &long.to_string()),
+                Err(RequestError { status: StatusCode::UNPROCESSABLE_ENTITY, .. })
+            ),
+            "{length}"
+        );
     }
     let secret = stored.folder.path().join("runs/secret.db");
     fs::copy(stored.file("log.db"), &secret).unwrap();
@@ -273,7 +291,7 @@ fn damaged_files_are_told_and_no_path_leads_out() {
         lured["files"]["logger.json"] = serde_json::json!({ "to": [to] }).to_string().into();
         let refused = damage("recording.json", &lured.to_string()).unwrap_err();
         assert!(
-            matches!(&refused, Refusal::Damaged(why) if why.to_string().contains("inside the run's folder")),
+            matches!(&refused, RequestError { status: StatusCode::UNPROCESSABLE_ENTITY, message: why } if why.to_string().contains("inside the run's folder")),
             "{refused:?}"
         );
     }
@@ -281,7 +299,7 @@ fn damaged_files_are_told_and_no_path_leads_out() {
 }
 
 #[test]
-fn members_of_a_cohort_are_played_back_by_their_folders() {
+fn plays_members_of_a_cohort() {
     let stored = Stored::lived("by-hand", 10 * SECOND, as_it_is);
     let runs = stored.folder.path().join("runs");
     let alone = stored.name();
@@ -291,32 +309,32 @@ fn members_of_a_cohort_are_played_back_by_their_folders() {
     assert!(stored.view().remarks.is_empty(), "{:?}", stored.view().remarks);
     assert_eq!(stored.days().len(), 1);
     for name in ["cohort-1", "cohort-1/", "cohort-1/../cohort-1/0001", "/cohort-1/0001"] {
-        assert!(matches!(stored.playback.run(name), Err(Refusal::Unknown(_))), "{name}");
+        assert!(matches!(stored.playback.run(name), Err(RequestError { status: StatusCode::NOT_FOUND, .. })), "{name}");
     }
 }
 
-/// A run that goes back and forth leaves what an undisturbed one leaves.
+/// A run that goes back and forth leaves the files of an undisturbed one.
 #[test]
-fn going_back_is_going_on_from_there_as_it_was() {
+fn continues_from_a_snapshot_like_an_undisturbed_run() {
     let at = |since: Span| RunTime::START + since;
     let stored = |back: &[Span], stop: Span| {
         let folder = TempDir::new().unwrap();
         let own = folder.path().join("scenario");
         copy(&scenarios().join("tigerplace"), &own, &as_it_is);
-        let shelf =
-            Shelf { scenario: own, entry: "scenario.json".into(), is_trusted: false, runs: folder.path().join("runs") };
-        let mut act = StagedRun::new(&shelf, &shelf.entry, StartRequest::default()).unwrap();
-        live(&mut act, at(12 * DAY + 5 * HOUR), &shelf);
+        let folders =
+            HomeFolders { scenario: own, entry: "scenario.json".into(), is_trusted: false, runs: folder.path().join("runs") };
+        let mut act = StagedRun::new(&folders, &folders.entry, StartRequest::default()).unwrap();
+        live(&mut act, at(12 * DAY + 5 * HOUR), &folders);
         for to in back.iter().map(|&to| at(to)) {
             assert!(act.rewind(to));
             assert!(act.now() <= to && act.now() >= to - 5 * DAY, "{} is far from {to}", act.now());
-            live(&mut act, to, &shelf);
+            live(&mut act, to, &folders);
         }
-        live(&mut act, at(stop), &shelf);
-        let frame = act.frame(State::Paused, None);
-        let growth = act.growth().lock().unwrap().view();
+        live(&mut act, at(stop), &folders);
+        let frame = act.frame(RunState::Paused, None);
+        let counts = act.live_counts().lock().unwrap().view();
         act.finish().unwrap();
-        let runs: Vec<PathBuf> = fs::read_dir(&shelf.runs).unwrap().map(|run| run.unwrap().path()).collect();
+        let runs: Vec<PathBuf> = fs::read_dir(&folders.runs).unwrap().map(|run| run.unwrap().path()).collect();
         assert_eq!(runs.len(), 1, "it leaves one folder");
         let rows = |file: &str, select: &str| -> Vec<String> {
             let database = Connection::open(runs[0].join(file)).unwrap();
@@ -331,7 +349,7 @@ fn going_back_is_going_on_from_there_as_it_was() {
         let truth = ["movement", "room", "activity", "act", "cause"]
             .map(|table| rows("truth.db", &format!("SELECT * FROM {table} ORDER BY rowid")));
         let recording = fs::read_to_string(runs[0].join("recording.json")).unwrap();
-        ((log, truth, recording), frame, growth)
+        ((log, truth, recording), frame, counts)
     };
     let undisturbed = stored(&[], 15 * DAY);
     assert!(undisturbed.0.0.len() > 1000 && undisturbed.0.1.iter().all(|rows| rows.len() > 100));
@@ -343,32 +361,32 @@ fn going_back_is_going_on_from_there_as_it_was() {
     );
     assert_eq!(format!("{:?}{:?}", back.1.bodies, back.2), format!("{:?}{:?}", undisturbed.1.bodies, undisturbed.2));
     assert!(back.0 == undisturbed.0, "log, truth or recording differ");
-    // Who stops where they look leaves all that was lived.
+    // A run stopped after a jump back has everything that was simulated.
     let (stopped, frame, _) = stored(&[3 * DAY], 4 * DAY);
     assert_eq!(frame.now_us, 4 * DAY.micros());
     assert!(stopped == stored(&[], Span::ZERO).0, "who stops leaves something else");
-    // The control: one that was lived further is another.
+    // The control: a run that was simulated further differs.
     assert!(stopped != stored(&[], 13 * DAY).0 && stopped != undisturbed.0);
 }
 
-/// Who is driven lives anew from the start, for from then on all may go another way.
+/// A run under manual control starts anew, because everything may change.
 #[test]
 fn a_controlled_run_goes_back_only_to_its_start() {
     let folder = TempDir::new().unwrap();
     let own = folder.path().join("scenario");
     copy(&scenarios().join("by-hand"), &own, &as_it_is);
-    let shelf =
-        Shelf { scenario: own, entry: "scenario.json".into(), is_trusted: false, runs: folder.path().join("runs") };
+    let folders =
+        HomeFolders { scenario: own, entry: "scenario.json".into(), is_trusted: false, runs: folder.path().join("runs") };
     let start = StartRequest { driven: Some(0), ..StartRequest::default() };
-    let mut act = StagedRun::new(&shelf, &shelf.entry, start).unwrap();
+    let mut act = StagedRun::new(&folders, &folders.entry, start).unwrap();
     let at = |since: Span| RunTime::START + since;
-    live(&mut act, at(10 * SECOND), &shelf);
+    live(&mut act, at(10 * SECOND), &folders);
     assert!(!act.rewind(at(SECOND)));
     assert_eq!((act.now(), act.restarted(at(SECOND)).unwrap().now()), (at(10 * SECOND), RunTime::START));
 }
 
-/// What is asked of a run, and what is found.
-fn find(stored: &Stored, what: FindWhat, name: &str, between_min: Option<(u32, u32)>, least_s: f64) -> FoundView {
+/// Searches a run.
+fn find(stored: &Stored, what: SearchSubject, name: &str, between_min: Option<(u32, u32)>, least_s: f64) -> FoundView {
     let name = (!name.is_empty()).then(|| name.to_owned());
     let asked = Find { what, name, between_min, least_s };
     stored.playback.find(&stored.name(), &asked, &Cancel::new(), || Ok(Vec::new())).unwrap()
@@ -380,67 +398,72 @@ fn a_search_agrees_with_log_and_truth() {
     let connection = Connection::open(stored.file("truth.db")).unwrap();
     let count = |sql: &str| connection.query_row(sql, [], |row| row.get::<_, i64>(0)).unwrap() as u64;
     let night = Some((0, 6 * 60));
-    let visits = find(&stored, FindWhat::Room, "bathroom", night, 0.0);
+    let visits = find(&stored, SearchSubject::Room, "bathroom", night, 0.0);
     let told = "SELECT count(*) FROM room WHERE room = 'bathroom' AND resident = 'margaret' AND time(at) < '06:00'";
     assert!(visits.all > 3 && visits.all <= count(told), "{} of {}", visits.all, count(told));
     assert!(visits.hits.iter().all(|hit| hit.begin_us % DAY.micros() < 6 * HOUR.micros() && hit.words == "margaret"));
     assert!(visits.hits.is_sorted_by_key(|hit| hit.begin_us));
-    let long = find(&stored, FindWhat::Room, "bathroom", night, 300.0);
+    let long = find(&stored, SearchSubject::Room, "bathroom", night, 300.0);
     assert!(long.all < visits.all && long.hits.iter().all(|hit| hit.end_us - hit.begin_us >= 300 * SECOND.micros()));
-    // By day alone there is no night.
-    assert_eq!(find(&stored, FindWhat::Doing, "sleeping", Some((600, 720)), 0.0).all, 0);
-    assert_eq!(find(&stored, FindWhat::Fall, "", None, 0.0), FoundView { hits: vec![], all: 0, remarks: vec![] });
+    // By day there is no night.
+    assert_eq!(find(&stored, SearchSubject::Doing, "sleeping", Some((600, 720)), 0.0).all, 0);
+    assert_eq!(find(&stored, SearchSubject::Fall, "", None, 0.0), FoundView { hits: vec![], all: 0, remarks: vec![] });
 
     let view = stored.view();
     let rows: Vec<i64> = stored.days().iter().flat_map(|day| &day.rows).map(|row| row.0).collect();
-    // Readings, such as how restless somebody lies, are no signs of anybody.
+    // Readings, such as restlessness in bed, are not signs of a person.
     let on = view.values.iter().position(|value| value == "ON").unwrap();
     let days = stored.days();
     let signs = days.iter().flat_map(|day| &day.rows).filter(|row| row.2 as usize == on).map(|row| row.0);
     let signs: Vec<i64> = signs.collect();
-    let still = find(&stored, FindWhat::Still, "", None, 1800.0);
+    let still = find(&stored, SearchSubject::Still, "", None, 1800.0);
     assert!(still.all > 0);
     for hit in &still.hits {
         assert!(!signs.iter().any(|at| (hit.begin_us + 1..hit.end_us).contains(at)), "{hit:?}");
     }
     let sensor = view.home.sensors.iter().find(|sensor| sensor.name.contains("stove")).unwrap();
-    let on = find(&stored, FindWhat::On, &sensor.name, None, 60.0);
+    let on = find(&stored, SearchSubject::On, &sensor.name, None, 60.0);
     assert!(on.all > 0 && on.hits.iter().all(|hit| rows.contains(&hit.begin_us)));
-    for (wrong, what) in [("attic", FindWhat::Room), ("attic", FindWhat::On), ("flying", FindWhat::Doing)] {
+    for (wrong, what) in
+        [("attic", SearchSubject::Room), ("attic", SearchSubject::On), ("flying", SearchSubject::Doing)]
+    {
         let asked = Find { what, name: Some(wrong.into()), between_min: None, least_s: 0.0 };
         let refused = stored.playback.find(&stored.name(), &asked, &Cancel::new(), || Ok(Vec::new()));
-        assert!(matches!(refused, Err(Refusal::Unknown(_))), "{wrong}: {refused:?}");
+        assert!(matches!(refused, Err(RequestError { status: StatusCode::NOT_FOUND, .. })), "{wrong}: {refused:?}");
     }
-    let nonsense = Find { what: FindWhat::Still, name: None, between_min: Some((7, 7)), least_s: f64::NAN };
+    let nonsense = Find { what: SearchSubject::Still, name: None, between_min: Some((7, 7)), least_s: f64::NAN };
     assert!(matches!(
         stored.playback.find(&stored.name(), &nonsense, &Cancel::new(), || Ok(Vec::new())),
-        Err(Refusal::Damaged(_))
+        Err(RequestError { status: StatusCode::UNPROCESSABLE_ENTITY, .. })
     ));
 }
 
 #[test]
-fn lost_messages_are_those_of_the_truth_by_their_sensor_and_without_one_nobody_knows_of_any() {
+fn finds_lost_messages_with_ground_truth_only() {
     let stored = Stored::lived("house-two-floors", 30 * HOUR, as_it_is);
-    let lost = find(&stored, FindWhat::Lost, "", None, 0.0);
+    let lost = find(&stored, SearchSubject::Lost, "", None, 0.0);
     let connection = Connection::open(stored.file("truth.db")).unwrap();
     let told: i64 = connection.query_row("SELECT count(*) FROM lost", [], |row| row.get(0)).unwrap();
     assert!(lost.all > 10 && lost.all == told as u64, "{} of {told}", lost.all);
     let sensor = lost.hits[0].words.split(": ").next().unwrap().to_owned();
-    let own = find(&stored, FindWhat::Lost, &sensor, None, 0.0);
+    let own = find(&stored, SearchSubject::Lost, &sensor, None, 0.0);
     assert!(own.all > 0 && own.hits.iter().all(|hit| hit.words.starts_with(&sensor)));
     drop(connection);
     fs::remove_file(stored.file("truth.db")).unwrap();
-    let asked = Find { what: FindWhat::Lost, name: None, between_min: None, least_s: 0.0 };
+    let asked = Find { what: SearchSubject::Lost, name: None, between_min: None, least_s: 0.0 };
     let refused = stored.playback.find(&stored.name(), &asked, &Cancel::new(), || Ok(Vec::new())).unwrap_err();
-    assert!(matches!(&refused, Refusal::Unknown(why) if why.code == "find::needs-truth"), "{refused:?}");
-    // Where somebody is, sensors say as well.
+    assert!(
+        matches!(&refused, RequestError { status: StatusCode::NOT_FOUND, message: why } if why.code == "find::needs-truth"),
+        "{refused:?}"
+    );
+    // Sensors tell the rooms, too.
     let name = stored.view().home.rooms[0].name.clone();
-    let by_sensors = find(&stored, FindWhat::Room, &name, None, 0.0);
+    let by_sensors = find(&stored, SearchSubject::Room, &name, None, 0.0);
     assert_eq!(by_sensors.remarks.len(), 1, "{by_sensors:?}");
 }
 
 #[test]
-fn runs_are_listed_as_their_files_are_now() {
+fn lists_runs_by_their_present_files() {
     let stored = Stored::lived("by-hand", HOUR, as_it_is);
     let listed = || stored.playback.list().into_iter().next().unwrap();
     let before = listed();
@@ -448,7 +471,7 @@ fn runs_are_listed_as_their_files_are_now() {
     assert_eq!(listed(), before);
     fs::remove_file(stored.file("truth.db")).unwrap();
     assert!(!listed().has_truth);
-    // What has become of a recording since it was read is told.
+    // A recording that was damaged since it was read is reported.
     fs::write(stored.file("recording.json"), "{}").unwrap();
     assert!(listed().problem.is_some());
 }
@@ -459,7 +482,7 @@ fn postures() -> Stored {
 }
 
 #[test]
-fn silhouettes_come_in_parts_that_are_those_of_the_file() {
+fn reads_silhouettes_in_parts() {
     let stored = postures();
     let view = stored.view();
     assert!(view.has_silhouettes && view.home.sensors.iter().all(|sensor| sensor.camera.is_some()));
@@ -482,28 +505,31 @@ fn silhouettes_come_in_parts_that_are_those_of_the_file() {
     }
     let expected: Vec<_> = file.iter().filter(|(at, ..)| (begin..end).contains(at)).cloned().collect();
     assert!(expected.len() > 500 && told == expected, "{} of {} in {parts} parts", told.len(), expected.len());
-    // Of instants that are five seconds apart nothing else is told.
+    // Pictures at intervals of five seconds leave out the others.
     let film = stored.film(0, 60 * SECOND.micros(), 5 * SECOND).unwrap();
     assert!(
         film.moments.windows(2).all(|two| two[1].at_us - two[0].at_us >= 5 * SECOND.micros()) && film.moments.len() > 1
     );
-    // Beyond the run there is nothing, and of a run without cameras nobody knows any.
+    // A span after the run is empty, and a run without cameras has no silhouettes.
     let beyond = stored.film(i64::MAX - 1, i64::MAX, Span::ZERO).unwrap();
     assert!(beyond.moments.is_empty());
     let without = Stored::lived("studio", HOUR, as_it_is);
     assert!(!without.view().has_silhouettes);
-    assert!(matches!(without.film(0, HOUR.micros(), Span::ZERO), Err(Refusal::Unknown(_))));
+    assert!(matches!(
+        without.film(0, HOUR.micros(), Span::ZERO),
+        Err(RequestError { status: StatusCode::NOT_FOUND, .. })
+    ));
 }
 
-/// The instant of UTC at which the run begins.
+/// The start of the run in UTC.
 fn stored_start(connection: &Connection) -> i64 {
     let first: i64 = connection.query_row("SELECT min(utc_us) FROM silhouette", [], |row| row.get(0)).unwrap();
-    // It begins on a whole hour, and cameras that never sleep see who is there at once.
+    // The run starts on a whole hour, and cameras that never sleep see a person at once.
     first - first.rem_euclid(HOUR.micros())
 }
 
 #[test]
-fn the_voxel_person_stands_and_lies_where_the_body_does() {
+fn voxel_persons_follow_the_body() {
     let stored = postures();
     let person = |since: Span| {
         let film = stored.film(since.micros(), (since + SECOND / 5).micros(), Span::ZERO).unwrap();
@@ -511,7 +537,7 @@ fn the_voxel_person_stands_and_lies_where_the_body_does() {
     };
     let (standing, corner, edge_m) = person(5 * SECOND);
     assert!(standing.upright > 0.5 && (standing.at[0] - 2.6).abs() < 0.3, "{standing:?}");
-    // The cubes are where it says that somebody is, and the highest at its top.
+    // The cubes are at the person's place, and the highest at the top.
     let cubes: Vec<&[u16]> = standing.cubes.chunks(3).collect();
     assert!(cubes.len() > 100);
     let mean = |axis: usize| cubes.iter().map(|cube| f64::from(cube[axis])).sum::<f64>() / cubes.len() as f64;
@@ -526,11 +552,13 @@ fn the_voxel_person_stands_and_lies_where_the_body_does() {
 #[test]
 fn finds_falls_in_silhouettes_and_stops_a_cancelled_search() {
     let stored = postures();
-    let asked = Find { what: FindWhat::SeenFall, name: None, between_min: None, least_s: 0.0 };
+    let asked = Find { what: SearchSubject::SeenFall, name: None, between_min: None, least_s: 0.0 };
     let cancelled = Cancel::new();
     cancelled.cancel();
     let stopped = stored.playback.find(&stored.name(), &asked, &cancelled, || Ok(Vec::new()));
-    assert!(matches!(stopped, Err(Refusal::Damaged(why)) if why.code == "kit::cancelled"));
+    assert!(
+        matches!(stopped, Err(RequestError { status: StatusCode::UNPROCESSABLE_ENTITY, message: why }) if why.code == "kit::cancelled")
+    );
     let found = stored.playback.find(&stored.name(), &asked, &Cancel::new(), || Ok(Vec::new())).unwrap();
     let fall = found.hits.iter().find(|hit| hit.words.contains("very likely a fall, room")).unwrap();
     // Sam falls after 66 s.
@@ -541,19 +569,19 @@ fn finds_falls_in_silhouettes_and_stops_a_cancelled_search() {
 }
 
 #[test]
-fn cameras_of_a_run_that_is_lived_are_dark_while_they_sleep_and_else_show_what_they_keep() {
-    let (stored, mut act, shelf) = Stored::begun("cameras", as_it_is);
+fn cameras_show_their_stored_silhouettes_while_awake() {
+    let (stored, mut act, folders) = Stored::begun("cameras", as_it_is);
     let view = act.view();
     let cameras: Vec<u32> =
         (0u32..).zip(&view.home.sensors).filter(|(_, of)| of.camera.is_some()).map(|(at, _)| at).collect();
-    // Nobody stirs at midnight.
-    let looks = act.frame(State::Playing, None).looks;
+    // Nobody moves at midnight.
+    let looks = act.frame(RunState::Playing, None).looks;
     assert_eq!(looks.iter().map(|look| look.sensor).collect::<Vec<_>>(), cameras);
     assert!(looks.iter().all(|look| !look.awake && look.packed.is_empty()), "{looks:?}");
     let mut seen = Vec::new();
     for step in 0..300 {
-        live(&mut act, RunTime::START + 8 * HOUR + step * 17 * SECOND, &shelf);
-        for look in act.frame(State::Playing, None).looks {
+        live(&mut act, RunTime::START + 8 * HOUR + step * 17 * SECOND, &folders);
+        for look in act.frame(RunState::Playing, None).looks {
             assert!(look.awake || look.packed.is_empty(), "{look:?}");
             seen.push((act.now(), look));
         }
@@ -562,10 +590,10 @@ fn cameras_of_a_run_that_is_lived_are_dark_while_they_sleep_and_else_show_what_t
     let shown: Vec<_> = seen.iter().filter(|(_, look)| !look.packed.is_empty()).collect();
     let asleep = seen.iter().filter(|(_, look)| !look.awake).count();
     assert!(shown.len() > 10 && asleep > 10, "{} shown, {asleep} asleep", shown.len());
-    // A picture that is shown is the last that was kept.
+    // The page shows the last stored picture.
     let connection = Connection::open(stored.file("silhouettes.db")).unwrap();
     let start: i64 = 1_748_847_600_000_000;
-    // What is due at the very instant to which a run has come has not happened yet.
+    // Events at the present instant are still to come.
     let sql = "SELECT packed FROM silhouette JOIN camera USING (camera) WHERE name = ? AND utc_us < ? \
                ORDER BY silhouette.rowid DESC LIMIT 1";
     for (now, look) in shown {

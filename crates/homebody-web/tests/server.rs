@@ -1,16 +1,16 @@
 //! The server as its page uses it, and as clients without a token do.
 
-mod desk;
-mod desk_plan;
+mod draft_plan;
+mod drafts;
 mod guard;
 mod installing;
 mod library;
 mod limits;
-mod living;
+mod locating;
 mod naming;
 mod served;
 mod slow;
 mod two_servers;
 mod underlay;
-mod walking;
+mod watching;
 mod written_back;

@@ -11,11 +11,11 @@ use homebody_web::wire;
 use serde_json::json;
 use ts_rs::{Config, TS};
 
-/// Every type that crosses the wire, in reading order.
+/// All types of the wire, in reading order.
 fn declarations() -> Vec<String> {
     macro_rules! declare {
         ($($name:ident),* $(,)?) => {
-            vec![$(format!("export {}", wire::$name::decl(&Config::default()))),*]
+            vec![$(format!("export {}", $name::decl(&Config::default()))),*]
         };
     }
     declare!(
@@ -30,18 +30,18 @@ fn declarations() -> Vec<String> {
         CameraView,
         RunView,
         ResidentView,
-        Frame,
-        State,
+        RunFrame,
+        RunState,
         BodyView,
-        Posture,
+        MapPosture,
         FiringView,
-        LookView,
+        CameraStateView,
         StoredView,
         RunAbout,
-        PutAside,
+        DeletedKey,
         LibraryView,
         HomeEntryView,
-        AsideView,
+        DeletedHome,
         TemplateView,
         CardView,
         NewHome,
@@ -50,41 +50,41 @@ fn declarations() -> Vec<String> {
         PlaybackView,
         LanesView,
         ReadingView,
-        FilmView,
+        SilhouettesView,
         MomentView,
         PictureView,
         PersonView,
         CareView,
-        WalksView,
-        CareDayView,
-        KnownView,
-        TodayView,
+        PlaybackContent,
+        CareDay,
+        DayKnowledge,
+        MeasureWords,
         CareSentenceView,
         AlertView,
-        ChartView,
-        CareUnit,
-        PointView,
+        MeasureChart,
+        ValueForm,
+        ChartPoint,
         NoteView,
-        NoteIt,
+        NoteChange,
         KeptLogView,
-        WalkView,
+        LocatedView,
         DateView,
         DayView,
-        LifeView,
+        PersonDay,
         Find,
-        FindWhat,
+        SearchSubject,
         FoundView,
         HitView,
-        WalkingView,
-        WalkState,
-        MotionState,
-        Say,
+        LocatingView,
+        LocatingState,
+        MovementKind,
+        PageCommand,
         Key,
-        Tell,
+        RunNotice,
         RefusedView,
         FilesView,
         UnderlayView,
-        LivesView,
+        ResidentRoutineView,
         FileView,
         Draft,
         Save,
@@ -102,38 +102,38 @@ fn declarations() -> Vec<String> {
         PlanView,
         CoverageView,
         FloorView,
-        SeenView,
+        SensorCoverage,
         DeadZoneView,
         ImportView,
         Explain,
         ExplainView,
         SentenceView,
         ConditionView,
-        WordView,
-        WordKind,
+        Completion,
+        CompletionKind,
         Month,
         MonthView,
         RowsView,
         PlaceRowsView,
         Connect,
         ConnectView,
-        GrowthView,
+        LiveCountsView,
         PartView,
         PartsView,
         Layouts,
         NamedLayout,
         LayoutsView,
         LayoutView,
-        DiffersView,
+        SensorDifference,
         Suggest,
         SuggestionView,
         StepView,
-        ReachedView,
+        Reached,
     )
 }
 
 #[test]
-fn the_page_knows_our_types() {
+fn the_page_has_all_types() {
     is_generated(
         "web/src/wire.ts",
         &format!(
@@ -144,7 +144,7 @@ fn the_page_knows_our_types() {
 }
 
 #[test]
-fn the_page_knows_our_sensors() {
+fn the_page_has_all_kinds_of_sensors() {
     let row = |kind: &&KindRow| {
         let word = |variant: &dyn std::fmt::Debug| format!("{variant:?}").to_lowercase();
         let list = |texts: Vec<String>| serde_json::to_string(&texts).unwrap().replace(',', ", ");
@@ -175,7 +175,7 @@ fn the_page_knows_our_sensors() {
 }
 
 #[test]
-fn the_page_knows_our_devices() {
+fn the_page_has_all_devices() {
     let row = |device: Product| {
         let [across, down] = device.field_deg.value;
         let timing = device.preset.timing();
@@ -207,7 +207,7 @@ fn the_page_knows_our_devices() {
 }
 
 #[test]
-fn the_page_knows_our_activities() {
+fn the_page_has_all_activities() {
     let key = |kind: ActivityKind| serde_json::to_value(kind).unwrap().as_str().unwrap().to_owned();
     let colour = |colour: Colour| format!("'{}'", format!("{colour:?}").to_lowercase());
     let mut text =
@@ -232,7 +232,7 @@ fn the_page_knows_our_activities() {
 }
 
 #[test]
-fn the_page_has_the_rows_of_measures() {
+fn the_page_has_all_measures() {
     let mut text = "// Made from the table in crates/homebody-analysis/src/measures/registry.rs, which has the definitions.\n\n\
          /** Measures of the night before the day, but for parts of the day. */\nexport const OF_NIGHT: ReadonlySet<string> = new Set(["
         .to_owned();

@@ -1,7 +1,7 @@
 import { afterEach, beforeEach, expect, test, vi } from 'vitest';
 import { frame } from '../testing/frames';
 import { madeUpRun } from '../testing/home';
-import type { Frame } from '../wire';
+import type { RunFrame } from '../wire';
 import { usual } from './layers';
 import { light } from './palette';
 import { type Scene, Stage } from './stage';
@@ -45,7 +45,7 @@ function drawn(now_ms: number, counts: number[] = []): { seen: Call[]; kept: Cal
   return { did, seen: calls.filter((call) => call.canvas === canvas), kept: calls.filter((call) => call.canvas !== canvas) };
 }
 
-function take(part: Partial<Frame>, now_ms: number): void {
+function take(part: Partial<RunFrame>, now_ms: number): void {
   stage.take(frame({ bodies: [body(2), null], ...part }), now_ms);
 }
 

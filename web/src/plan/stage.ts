@@ -1,6 +1,6 @@
 // A plan on a canvas: still parts are on a canvas of their own, and only the moving parts are drawn over it.
 
-import type { Frame, HomeView, ResidentView } from '../wire';
+import type { HomeView, ResidentView, RunFrame } from '../wire';
 import { type At, distance } from './geometry';
 import { NAME_HIGH, floorsOf, framed } from './floors';
 import { Eased, Glow, Pulses, Throttle, isFast } from './glow';
@@ -60,7 +60,7 @@ export class Stage {
   /** The counts at the last growth. */
   private shown: number[] = [];
   private readonly counting = new Throttle(400);
-  private frame: Frame | null = null;
+  private frame: RunFrame | null = null;
   private sure: readonly number[] | null = null;
   private dirty = true;
   private paint: ((pen: Pen, view: View) => void) | null = null;
@@ -155,7 +155,7 @@ export class Stage {
   }
 
   /** `sure` is the probability of each body's position, if it is uncertain. */
-  take(frame: Frame, now_ms: number, sure: readonly number[] | null = null): void {
+  take(frame: RunFrame, now_ms: number, sure: readonly number[] | null = null): void {
     const goesBack = this.frame !== null && frame.now_us < this.frame.now_us;
     if (goesBack) this.trails.clear();
     this.frame = frame;
@@ -205,7 +205,7 @@ export class Stage {
     return true;
   }
 
-  private persons(scene: Scene, frame: Frame): Person[] {
+  private persons(scene: Scene, frame: RunFrame): Person[] {
     return scene.residents.flatMap((resident, index) => {
       const body = frame.bodies[index];
       return body ? [{ resident, body: laid(body, this.lain), index, driven: scene.driven === index, sure: this.sure?.[index] ?? 1 }] : [];

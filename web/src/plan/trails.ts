@@ -1,7 +1,7 @@
 // The recent ways of bodies.
 
 import { type At, distance } from './geometry';
-import type { Frame } from '../wire';
+import type { RunFrame } from '../wire';
 
 const KEPT_MS = 9000;
 const LONGEST = 400;
@@ -16,7 +16,7 @@ export class Trails {
   /** By resident, the oldest first. */
   readonly of: Step[][] = [];
 
-  take(frame: Frame, now_ms: number): void {
+  take(frame: RunFrame, now_ms: number): void {
     frame.bodies.forEach((body, index) => {
       const steps = (this.of[index] ??= []);
       if (body === null) {

@@ -5,7 +5,7 @@ import { rowOf } from '../plan/kinds';
 import { encode } from '@msgpack/msgpack';
 import { type At, distance, inside } from '../plan/geometry';
 import type { Wire } from '../socket';
-import type { BodyView, FiringView, Frame, Key, Posture, RunView, Say, State, Tell } from '../wire';
+import type { BodyView, FiringView, Key, MapPosture, PageCommand, RunFrame, RunNotice, RunState, RunView } from '../wire';
 import { DOORWAYS, madeUpRun, spotIn } from './home';
 
 const TICK_MS = 16;
@@ -14,7 +14,7 @@ const START = Date.parse('2009-03-02T06:55:00Z');
 const FASTEST = 20_000;
 const MOST_FIRINGS = 60;
 
-type Walker = { at: At; heading: number; posture: Posture; way: At[]; room: number; rests_s: number };
+type Walker = { at: At; heading: number; posture: MapPosture; way: At[]; room: number; rests_s: number };
 
 /** Set by the page's address: `?residents=10&sensors=100&driven=0&hostile=1`. */
 export function fakeServer(asked: URLSearchParams): () => Wire {
@@ -43,7 +43,7 @@ class FakeServer implements Wire {
   onmessage: ((event: { data: unknown }) => void) | null = null;
   onclose: ((event: { code: number }) => void) | null = null;
   onerror: (() => void) | null = null;
-  private state: State = 'playing';
+  private state: RunState = 'playing';
   private speed: number | null = 1;
   private now_us = 0;
   private told = 0;
@@ -66,14 +66,14 @@ class FakeServer implements Wire {
   }
 
   send(text: string): void {
-    this.hear(JSON.parse(text) as Say);
+    this.hear(JSON.parse(text) as PageCommand);
   }
 
   close(): void {
     clearInterval(this.timer);
   }
 
-  private hear(say: Say): void {
+  private hear(say: PageCommand): void {
     switch (say.say) {
       case 'hello':
         this.begin();
@@ -227,7 +227,7 @@ class FakeServer implements Wire {
       room: walker.room,
       activity: walker.way.length > 0 ? 'walking' : 'resting',
     }));
-    const frame: Frame = {
+    const frame: RunFrame = {
       now_us: this.now_us, clock: clock(this.now_us), state: this.state, speed: this.speed, bodies,
       seeing: this.state === 'playing' ? this.seeing : [],
       on: [...this.on], sun: -Math.cos(((hour - 0.5) / 24) * 2 * Math.PI), told: this.told, counts: this.counts, looks: [], firings,
@@ -235,7 +235,7 @@ class FakeServer implements Wire {
     this.onmessage?.({ data: encode(frame) });
   }
 
-  private tell(tell: Tell): void {
+  private tell(tell: RunNotice): void {
     this.onmessage?.({ data: JSON.stringify(tell) });
   }
 

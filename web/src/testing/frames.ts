@@ -1,8 +1,8 @@
 // Frames and firings for tests.
 
-import type { FiringView, Frame } from '../wire';
+import type { FiringView, RunFrame } from '../wire';
 
-export function frame(with_: Partial<Frame> = {}): Frame {
+export function frame(with_: Partial<RunFrame> = {}): RunFrame {
   return {
     now_us: 0,
     clock: '2009-03-02 07:12:03',

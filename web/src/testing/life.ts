@@ -3,7 +3,7 @@
 
 import { encode } from '@msgpack/msgpack';
 import { Refused, type Fetch } from '../server';
-import type { CheckView, Draft, Explain, ExplainView, FilesView, Month, MonthView, ProblemView, Save, SavedView, WordView } from '../wire';
+import type { CheckView, Completion, Draft, Explain, ExplainView, FilesView, Month, MonthView, ProblemView, Save, SavedView } from '../wire';
 import { date } from './dates';
 
 const HOUR_US = 3_600_000_000;
@@ -19,7 +19,7 @@ Every day
 From week 2, over 1 week, she shows moderate depression.
 `;
 
-export const WORDS: WordView[] = [
+export const WORDS: Completion[] = [
   { text: 'She gets up at about 06:45.', kind: 'sentence', about: 'when' },
   { text: 'She watches television in the evening for about 2 hours.', kind: 'sentence', about: 'how long' },
   { text: 'watches television', kind: 'activity', about: 'activity' },
@@ -31,7 +31,7 @@ export const WORDS: WordView[] = [
   { text: 'often', kind: 'time', about: 'how often' },
   { text: 'living room', kind: 'place', about: 'room' },
   { text: 'armchair', kind: 'place', about: 'place' },
-  ...['depression', 'grief'].flatMap((name) => ['mild', 'moderate', 'severe'].map((how): WordView => ({ text: `${how} ${name}`, kind: 'condition', about: 'condition' }))),
+  ...['depression', 'grief'].flatMap((name) => ['mild', 'moderate', 'severe'].map((how): Completion => ({ text: `${how} ${name}`, kind: 'condition', about: 'condition' }))),
 ];
 
 /** A problem for each word `wtches`. */

@@ -2,7 +2,7 @@
 
 import { encode } from '@msgpack/msgpack';
 import type { Fetch } from '../server';
-import type { DayView, LifeView, PlaybackView, StoredView } from '../wire';
+import type { DayView, PersonDay, PlaybackView, StoredView } from '../wire';
 import { daysFrom } from './dates';
 import { madeUpHome, spotIn } from './home';
 
@@ -43,11 +43,11 @@ export function storedRun(name: string, days = 3, with_: Partial<PlaybackView> =
 export function storedDay(run: PlaybackView, number: number): DayView {
   const { begin_us } = run.days[number]!;
   const rows: DayView['rows'] = [];
-  const lives = run.residents.map((_, who): LifeView => {
+  const lives = run.residents.map((_, who): PersonDay => {
     let random = who * 7 + number * 13 + 1;
     const chance = () => (random = (random * 16_807) % 2_147_483_647) / 2_147_483_647;
     const bed: [number, number] = [1.2, 6.4];
-    const movements: LifeView['movements'] = [[begin_us, begin_us + 7 * HOUR_US, 'rest', 'lying', bed, bed]];
+    const movements: PersonDay['movements'] = [[begin_us, begin_us + 7 * HOUR_US, 'rest', 'lying', bed, bed]];
     let [at, now] = [bed, begin_us + 7 * HOUR_US];
     for (let minute = 0; minute < 16 * 60; minute += 10) {
       const to = spotIn(Math.floor(chance() * 7), chance);
@@ -75,7 +75,7 @@ export function walkedDay(run: PlaybackView, number: number): DayView {
   const day = storedDay(run, number);
   const { begin_us } = run.days[number]!;
   const seven = begin_us + 7 * HOUR_US;
-  const chances: LifeView['chances'] = [[begin_us, 4, 1], [seven - 600e6, 4, 0.6], [seven - 600e6, 2, 0.3], [seven - 600e6, -1, 0.1], [seven, 4, 0], [seven, -1, 0], [seven, 2, 1]];
+  const chances: PersonDay['chances'] = [[begin_us, 4, 1], [seven - 600e6, 4, 0.6], [seven - 600e6, 2, 0.3], [seven - 600e6, -1, 0.1], [seven, 4, 0], [seven, -1, 0], [seven, 2, 1]];
   return { ...day, lives: day.lives.map((life) => ({ ...life, chances })) };
 }
 

@@ -138,7 +138,9 @@ pub struct MeasureUnit {
 }
 
 /// The form of values in sentences.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "snake_case")]
+#[cfg_attr(feature = "wire", derive(ts_rs::TS))]
 pub enum ValueForm {
     Hours,
     /// A time of day, in hours since midnight: 24.5 is half past midnight.
@@ -148,6 +150,8 @@ pub enum ValueForm {
     OfUsual,
     MetresASecond,
     /// Any other amount: sentences give the difference in per cent.
+    #[serde(rename = "times")]
+    #[cfg_attr(feature = "wire", ts(skip))]
     Amount,
 }
 

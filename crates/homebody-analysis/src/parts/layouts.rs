@@ -38,6 +38,7 @@ pub struct LayoutSummary {
 }
 
 #[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(feature = "wire", derive(ts_rs::TS))]
 pub struct SensorDifference {
     pub sensor: String,
     /// The differences in the second layout.

@@ -6,10 +6,10 @@ use crate::mutate::{json, sentences};
 use crate::seeds;
 use crate::target::{self, CaseFiles, ReadVerdict, Target};
 use homebody_simulation::Cancel;
-use homebody_web::desk::Desk;
-use homebody_web::shelf::Shelf;
+use homebody_web::drafts::DraftService;
+use homebody_web::folders::HomeFolders;
 use homebody_web::stage::{Seen, Stage};
-use homebody_web::wire::{Connect, Draft, Explain, Month, ProblemView, Save, Say};
+use homebody_web::wire::{Connect, Draft, Explain, Month, PageCommand, ProblemView, Save};
 use serde_json::Value;
 use std::fs;
 use std::path::Path;
@@ -57,44 +57,44 @@ fn drafted(message: &mut Value, choices: &mut Choices) -> bool {
 }
 
 fn run(files: &CaseFiles, folder: &Path) -> Result<ReadVerdict, String> {
-    let shelf = shelf(folder).map_err(|error| format!("the folder of the case: {error}"))?;
-    let desk = Desk::new(shelf.clone());
+    let folders = folders(folder).map_err(|error| format!("the folder of the case: {error}"))?;
+    let drafts = DraftService::new(folders.clone());
     let text = target::texts(files).remove(FILE).unwrap_or_default();
-    let mut is_understood = ask(&desk, &text)?;
+    let mut is_understood = ask(&drafts, &text)?;
     // One message, or a series.
-    let says: Vec<Say> =
+    let says: Vec<PageCommand> =
         serde_json::from_str(&text).or_else(|_| serde_json::from_str(&text).map(|say| vec![say])).unwrap_or_default();
     if !says.is_empty() {
         is_understood = true;
-        run_on_stage(shelf, says)?;
+        run_on_stage(folders, says)?;
     }
     // A plan of unknown origin, dropped onto the page.
-    if let Err(error) = desk.import(text.as_bytes()) {
+    if let Err(error) = drafts.import(text.as_bytes()) {
         messages::message(&error.to_string())?;
     }
     Ok(if is_understood { ReadVerdict::Accepted } else { ReadVerdict::Refused })
 }
 
-/// Passes a question to the desk; false for other messages.
-fn ask(desk: &Desk, text: &str) -> Result<bool, String> {
+/// Passes a question to the drafts; false for other messages.
+fn ask(drafts: &DraftService, text: &str) -> Result<bool, String> {
     let mut is_understood = true;
     if let Ok(draft) = serde_json::from_str::<Draft>(text) {
-        let checked = desk.check(draft.clone());
+        let checked = drafts.check(draft.clone());
         problems(&checked.problems)?;
-        let planned = desk.plan(draft.clone());
+        let planned = drafts.plan(draft.clone());
         problems(&planned.problems)?;
-        problems(&desk.rows(draft, &Cancel::new()).problems)?;
+        problems(&drafts.rows(draft, &Cancel::new()).problems)?;
     } else if let Ok(explain) = serde_json::from_str::<Explain>(text) {
-        problems(&desk.explain(explain).problems)?;
+        problems(&drafts.explain(explain).problems)?;
     } else if let Ok(month) = serde_json::from_str::<Month>(text) {
-        problems(&desk.month(month, &Cancel::new()).problems)?;
+        problems(&drafts.month(month, &Cancel::new()).problems)?;
     } else if let Ok(save) = serde_json::from_str::<Save>(text) {
-        if let Err(why) = desk.save(save) {
+        if let Err(why) = drafts.save(save) {
             messages::message(&why.to_string())?;
         }
-        let _ = (desk.files(), desk.versions());
+        let _ = (drafts.files(), drafts.versions());
     } else if let Ok(connect) = serde_json::from_str::<Connect>(text) {
-        messages::message(&desk.connect(connect).said)?;
+        messages::message(&drafts.connect(connect).said)?;
     } else {
         is_understood = false;
     }
@@ -110,12 +110,12 @@ fn problems(problems: &[ProblemView]) -> Result<(), String> {
 }
 
 /// Sends messages to a run on a stage of its own.
-fn run_on_stage(shelf: Shelf, says: Vec<Say>) -> Result<(), String> {
-    let stage = Stage::open(shelf).map_err(|error| error.to_string())?;
+fn run_on_stage(folders: HomeFolders, says: Vec<PageCommand>) -> Result<(), String> {
+    let stage = Stage::open(folders).map_err(|error| error.to_string())?;
     let mut seen = Seen::default();
-    let voice = stage.voice();
+    let commands = stage.page_commands();
     for say in says {
-        voice.say(say);
+        commands.send(say);
     }
     let begun = Instant::now();
     while begun.elapsed() < LONGEST {
@@ -127,11 +127,11 @@ fn run_on_stage(shelf: Shelf, says: Vec<Say>) -> Result<(), String> {
     Ok(())
 }
 
-fn shelf(folder: &Path) -> std::io::Result<Shelf> {
+fn folders(folder: &Path) -> std::io::Result<HomeFolders> {
     let scenario = folder.join("flat");
     fs::create_dir_all(&scenario)?;
     for (name, bytes) in seeds::flat() {
         fs::write(scenario.join(name), bytes)?;
     }
-    Ok(Shelf { scenario, entry: "scenario.json".into(), is_trusted: false, runs: folder.join("runs") })
+    Ok(HomeFolders { scenario, entry: "scenario.json".into(), is_trusted: false, runs: folder.join("runs") })
 }

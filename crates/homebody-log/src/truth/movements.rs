@@ -15,6 +15,7 @@ use homebody_core::posture::Posture;
 use homebody_core::time::{HOUR, Interval, RunTime, Span, TimeScale, WallTime};
 use rusqlite::types::ValueRef;
 use rusqlite::{Connection, OptionalExtension, Row};
+use serde::Serialize;
 
 /// Time after the end of a span beyond which a missing item is searched for by its name (our choice).
 const FURTHER: Span = HOUR;
@@ -35,7 +36,9 @@ pub struct Movement {
 }
 
 /// A kind of movement, by the truth's column `kind`.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "snake_case")]
+#[cfg_attr(feature = "wire", derive(ts_rs::TS))]
 pub enum MovementKind {
     /// A straight movement at constant speed.
     Stride,

@@ -1,24 +1,24 @@
-//! How often each sensor of a stored run spoke, over the whole of it: what a time line shows of months.
+//! Events of each sensor over a whole stored run, for a time line of months.
 
-use super::{Opened, Playback, Refusal};
+use super::{OpenRun, Playback, RequestError};
 use crate::wire::LanesView;
 use homebody_core::time::{DAY, HOUR, RunTime, Span};
 
 /// Largest number of counts in an answer (our choice): a hundred sensors by the hour over two years.
 const MOST_COUNTS: i64 = 2_000_000;
 
-/// How long the parts are that are counted, the shortest first.
+/// The lengths of parts, the shortest first.
 const PARTS: [Span; 4] = [HOUR, HOUR.times(6), DAY, DAY.times(7)];
 
 impl Playback {
-    /// How often each sensor spoke in each part of a run. What says that something is over does not count.
-    pub fn lanes(&self, name: &str) -> Result<LanesView, Refusal> {
+    /// The number of events of each sensor in each part of a run, without those that end something.
+    pub fn lanes(&self, name: &str) -> Result<LanesView, RequestError> {
         self.open(name)?.lanes()
     }
 }
 
-impl Opened {
-    fn lanes(&self) -> Result<LanesView, Refusal> {
+impl OpenRun {
+    fn lanes(&self) -> Result<LanesView, RequestError> {
         let Some(reading) = &self.reading else {
             return Ok(LanesView { bucket_us: PARTS[0].micros(), counts: Vec::new() });
         };

@@ -1,8 +1,8 @@
 //! The timelines of residents, of a run whose truth is read while the run is already open, as its log is.
 
-use super::coming::{Coming, Grows, HowFar, read_in};
+use super::background_read::{BackgroundRead, PartlyRead, ReadProgress, read_in};
 use crate::dates::NumberedEpisode;
-use crate::refusal::{Refusal, damaged};
+use crate::request_error::{RequestError, unprocessable};
 use homebody_core::time::{DAY, RunTime, Span, TimeScale};
 use homebody_log::{LogError, Url, each_episode};
 use homebody_timeline::{Episode, EpisodeKind, PersonTimeline};
@@ -33,25 +33,30 @@ impl Lives {
 
 pub(super) struct Known {
     lives: Arc<Lives>,
-    how_far: HowFar,
+    how_far: ReadProgress,
 }
 
-impl Grows for Known {
-    fn how_far(&self) -> &HowFar {
+impl PartlyRead for Known {
+    fn how_far(&self) -> &ReadProgress {
         &self.how_far
     }
 }
 
 pub(super) struct Lived {
-    coming: Coming<Known>,
+    coming: BackgroundRead<Known>,
 }
 
 impl Lived {
     /// Begins to read the truth of a run with these residents and rooms in another thread.
-    pub fn begin(truth: Url, scale: TimeScale, residents: Vec<String>, rooms: &[String]) -> Result<Lived, Refusal> {
+    pub fn begin(
+        truth: Url,
+        scale: TimeScale,
+        residents: Vec<String>,
+        rooms: &[String],
+    ) -> Result<Lived, RequestError> {
         let rooms: HashMap<String, u32> = rooms.iter().cloned().zip(0..).collect();
         let lives = Arc::new(Lives::new(&residents));
-        let coming = Coming::new(Known { lives, how_far: HowFar::begun(LATE) });
+        let coming = BackgroundRead::new(Known { lives, how_far: ReadProgress::begun(LATE) });
         let lived = Lived { coming: coming.clone() };
         read_in("reads a truth", move || {
             let mut taken = Taken { residents, rooms, activities: HashMap::new(), episodes: Vec::new() };
@@ -60,18 +65,18 @@ impl Lived {
                 if taken.episodes.len() >= MOST_AT_ONCE { coming.grow(|known| taken.hand_on(known)) } else { Ok(()) }
             });
             let read = read.and_then(|()| coming.grow(|known| taken.hand_on(known)));
-            coming.end(|known| known.how_far.ended = Some(read.map_err(damaged)));
+            coming.end(|known| known.how_far.ended = Some(read.map_err(unprocessable)));
         })?;
         Ok(lived)
     }
 
     /// The known part, to wait for.
-    pub fn coming(&self) -> &Coming<Known> {
+    pub fn coming(&self) -> &BackgroundRead<Known> {
         &self.coming
     }
 
     /// All of it.
-    pub fn whole(&self) -> Result<Arc<Lives>, Refusal> {
+    pub fn whole(&self) -> Result<Arc<Lives>, RequestError> {
         Ok(self.coming.until(RunTime::MAX)?.lives.clone())
     }
 }
@@ -134,7 +139,7 @@ mod tests {
     fn activities_are_known_once_no_earlier_ones_can_come() {
         let residents = vec!["ann".to_owned()];
         let lives = Arc::new(Lives::new(&residents));
-        let coming = Coming::new(Known { lives, how_far: HowFar::begun(LATE) });
+        let coming = BackgroundRead::new(Known { lives, how_far: ReadProgress::begun(LATE) });
         let lived = Lived { coming: coming.clone() };
         let rooms = HashMap::from([("hall".to_owned(), 7)]);
         let mut taken = Taken { residents, rooms, activities: HashMap::new(), episodes: Vec::new() };

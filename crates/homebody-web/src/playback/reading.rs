@@ -1,9 +1,9 @@
-//! The log of a run that is read while the run is open already: of ten years the first days are seen at once, and the last as soon as they
-//! have come.
+//! The log of a run, read in the background: of ten years the page shows the first days at once, and the last as soon as they are
+//! read.
 
-use super::coming::{Coming, Grows, HowFar, read_in};
-use crate::refusal::{Refusal, damaged, failed};
-use crate::stored_log::{MOST_ROWS, StoredRows, stranger, told_of};
+use super::background_read::{BackgroundRead, PartlyRead, ReadProgress, read_in};
+use crate::request_error::{RequestError, failed, unprocessable};
+use crate::stored_log::{MOST_ROWS, StoredRows, add_unplaced_sensor, log_remarks};
 use crate::wire::PlaybackView;
 use homebody_core::scenario::load::Scenario;
 use homebody_core::time::{DAY, RunTime, Span, TimeScale};
@@ -14,54 +14,53 @@ use std::collections::HashMap;
 /// this far back.
 const LATE: Span = DAY;
 
-/// The rows of a log, as far as they have come.
-pub(super) type Reading = Coming<Known>;
+pub(super) type Reading = BackgroundRead<Known>;
 
-/// What is known of a log so far.
+/// The part of a log that is read.
 pub(super) struct Known {
     pub rows: StoredRows,
-    /// What the log calls its sensors, those of the home first.
+    /// The sensors of the log, those of the home first.
     pub sensors: Vec<String>,
-    /// What they say.
+    /// The messages of the sensors.
     pub values: Vec<String>,
     pub remarks: Vec<String>,
-    how_far: HowFar,
+    how_far: ReadProgress,
 }
 
-impl Coming<Known> {
+impl BackgroundRead<Known> {
     /// A log that is read already.
     pub fn whole(rows: StoredRows, view: &mut PlaybackView) -> Reading {
-        Coming::new(Known {
+        BackgroundRead::new(Known {
             rows,
             sensors: std::mem::take(&mut view.sensors),
             values: std::mem::take(&mut view.values),
             remarks: Vec::new(),
-            how_far: HowFar::whole(),
+            how_far: ReadProgress::whole(),
         })
     }
 
-    /// Begins to read a run's own log in another thread. A run that has not come to its end may have none yet.
+    /// Reads a run's own log in another thread. An incomplete run may have no log yet.
     pub fn begin(
         url: Url,
         scenario: &Scenario,
         is_complete: bool,
         view: &PlaybackView,
         rows: StoredRows,
-    ) -> Result<Reading, Refusal> {
+    ) -> Result<Reading, RequestError> {
         let names: Vec<String> = view.home.sensors.iter().map(|sensor| sensor.name.clone()).collect();
         let sensors = homebody_log::ids(&url, &scenario.logger, &names);
         let mut numbers: HashMap<String, u32> = sensors.iter().cloned().zip(0..).collect();
         let (values, remarks) = (Vec::new(), Vec::new());
-        let reading = Coming::new(Known { rows, sensors, values, remarks, how_far: HowFar::begun(LATE) });
+        let reading = BackgroundRead::new(Known { rows, sensors, values, remarks, how_far: ReadProgress::begun(LATE) });
         let (coming, logger) = (reading.clone(), scenario.logger.clone());
         read_in("reads a log", move || {
             let mut scale = None;
             let mut take = |part: &Log| coming.grow(|known| known.take(part, &mut scale, &mut numbers));
             let read = homebody_log::stream(&url, &logger, &mut take);
             let read = match read {
-                // A run that was killed before its first row, or has only just begun.
+                // The run was killed before its first row, or has just started.
                 Err(LogError::NoTables { .. }) if !is_complete => Ok(Log::default()),
-                read => read.map_err(damaged),
+                read => read.map_err(unprocessable),
             };
             coming.end(|known| known.end(read, is_complete));
         })?;
@@ -69,19 +68,17 @@ impl Coming<Known> {
     }
 }
 
-impl Grows for Known {
-    fn how_far(&self) -> &HowFar {
+impl PartlyRead for Known {
+    fn how_far(&self) -> &ReadProgress {
         &self.how_far
     }
 }
 
 impl Known {
-    /// The rows of a day.
-    pub fn of(&mut self, day: usize) -> Result<Vec<Event<RunTime>>, Refusal> {
-        self.rows.of(day).map_err(failed)
+    pub fn of(&mut self, day: usize) -> Result<Vec<Event<RunTime>>, RequestError> {
+        self.rows.day(day).map_err(failed)
     }
 
-    /// A part of the log has come.
     fn take(
         &mut self,
         part: &Log,
@@ -90,7 +87,7 @@ impl Known {
     ) -> Result<(), LogError> {
         let Known { rows, sensors, values, how_far, .. } = self;
         for id in part.sensors.iter().skip(rows.numbers.len()) {
-            let number = *numbers.entry(id.clone()).or_insert_with(|| stranger(id, sensors));
+            let number = *numbers.entry(id.clone()).or_insert_with(|| add_unplaced_sensor(id, sensors));
             rows.numbers.push(number);
         }
         values.extend_from_slice(part.values.get(values.len()..).unwrap_or_default());
@@ -98,14 +95,13 @@ impl Known {
         Ok(())
     }
 
-    /// No more rows come.
-    fn end(&mut self, read: Result<Log, Refusal>, is_complete: bool) {
+    fn end(&mut self, read: Result<Log, RequestError>, is_complete: bool) {
         let ended = read.and_then(|mut log| {
-            self.rows.flush(&mut log, MOST_ROWS).map_err(damaged)?;
+            self.rows.flush(&mut log, MOST_ROWS).map_err(unprocessable)?;
             if log.rows == 0 && !is_complete {
                 self.remarks.push("The run has no rows yet.".into());
             }
-            self.remarks.extend(told_of(&log));
+            self.remarks.extend(log_remarks(&log));
             Ok(())
         });
         self.how_far.ended = Some(ended);
@@ -123,16 +119,16 @@ mod tests {
     use std::thread;
     use std::time::Duration;
 
-    /// A log of which nothing has come yet, of four days.
+    /// An empty log of four days.
     fn begun() -> Reading {
         let calendar = Calendar::new("2009-03-02T00:00:00", "UTC").unwrap();
-        let days = dates::all(&calendar, 4 * DAY);
-        let rows = StoredRows::of_days(Path::new("."), &days, &calendar, 4 * DAY, RunTime::MAX).unwrap();
+        let days = dates::all_days(&calendar, 4 * DAY);
+        let rows = StoredRows::for_days(Path::new("."), &days, &calendar, 4 * DAY, RunTime::MAX).unwrap();
         let (sensors, values, remarks) = (vec!["hall".into()], Vec::new(), Vec::new());
-        Coming::new(Known { rows, sensors, values, remarks, how_far: HowFar::begun(LATE) })
+        BackgroundRead::new(Known { rows, sensors, values, remarks, how_far: ReadProgress::begun(LATE) })
     }
 
-    /// A part with a row an hour from a day on until another.
+    /// A part with a row each hour, for some days.
     fn part(days: std::ops::Range<i64>) -> Log {
         let start = WallTime::from_micros(1_235_952_000_000_000);
         let hours = days.start * 24..days.end * 24;
@@ -153,7 +149,7 @@ mod tests {
         let start = RunTime::START;
         assert!(reading.wait(start + DAY, Duration::from_millis(20)).read_us().unwrap().unwrap() < start);
         take(0..2).unwrap();
-        // What comes late may be of the second day.
+        // Late rows may be of the second day.
         assert_eq!(reading.known().read_us(), Ok(Some(start + 23 * HOUR)));
         take(2..3).unwrap();
         let first = reading.until(start + DAY).unwrap().of(0).unwrap();
@@ -176,8 +172,8 @@ mod tests {
             let reading = reading.clone();
             move || reading.until(RunTime::MAX).map(drop)
         });
-        reading.end(|known| known.end(Err(damaged(PageMessage::LogIncomplete)), true));
-        assert_eq!(waiting.join().unwrap(), Err(damaged(PageMessage::LogIncomplete)));
+        reading.end(|known| known.end(Err(unprocessable(PageMessage::LogIncomplete)), true));
+        assert_eq!(waiting.join().unwrap(), Err(unprocessable(PageMessage::LogIncomplete)));
         let reading = begun();
         reading.stop();
         let stopped = reading.grow(|known| known.take(&part(0..1), &mut None, &mut HashMap::new()));

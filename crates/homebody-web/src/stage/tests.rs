@@ -54,16 +54,16 @@ impl DriverProvider for AllDoomed<'_> {
     }
 }
 
-fn shelf(folder: &TempDir) -> Shelf {
+fn folders(folder: &TempDir) -> HomeFolders {
     let scenario = folder.path().join("home");
     std::fs::create_dir(&scenario).unwrap();
     for (file, text) in Template::named("tigerplace").unwrap().files() {
         std::fs::write(scenario.join(file), text).unwrap();
     }
-    Shelf { scenario, entry: "scenario.json".into(), is_trusted: false, runs: folder.path().join("runs") }
+    HomeFolders { scenario, entry: "scenario.json".into(), is_trusted: false, runs: folder.path().join("runs") }
 }
 
-/// Looks until there is what is wished.
+/// Waits for news.
 fn look(stage: &Stage, seen: &mut Seen, is_wished: impl Fn(&News) -> bool) -> News {
     let begun = Instant::now();
     loop {
@@ -76,42 +76,42 @@ fn look(stage: &Stage, seen: &mut Seen, is_wished: impl Fn(&News) -> bool) -> Ne
     }
 }
 
-fn frame(news: &News) -> &Frame {
+fn frame(news: &News) -> &RunFrame {
     news.frame.as_ref().expect("a run")
 }
 
 fn told(news: &News) -> Option<&str> {
     news.tells.iter().find_map(|tell| match tell {
-        Tell::Note { text, bad: true, .. } => Some(text.as_str()),
+        RunNotice::Note { text, bad: true, .. } => Some(text.as_str()),
         _ => None,
     })
 }
 
-/// A run whose driver panics, or says what no body can do, is over; what it stored is a whole run up to there, whoever looks
-/// is told, and another begins.
+/// A run whose driver panics or takes an invalid step ends. Its stored part is complete, every page gets the reason, and another run
+/// starts.
 #[test]
-fn a_run_that_dies_is_told_of_and_kept_and_another_begins() {
+fn reports_and_stores_a_failed_run_and_starts_another() {
     for panics in [true, false] {
         let folder = tempfile::tempdir().unwrap();
-        let shelf = shelf(&folder);
-        let run = StagedRun::new(&shelf, &shelf.entry, StartRequest::default()).unwrap();
-        let household = Household::load(&shelf, &shelf.entry, &[]).unwrap().1;
+        let folders = folders(&folder);
+        let run = StagedRun::new(&folders, &folders.entry, StartRequest::default()).unwrap();
+        let household = Household::load(&folders, &folders.entry, &[]).unwrap().1;
         let run = run.driven_by(&AllDoomed { household: &household, panics });
-        let stage = Stage::with_run(shelf.clone(), Ok(run)).unwrap();
+        let stage = Stage::with_run(folders.clone(), Ok(run)).unwrap();
         let mut seen = Seen::default();
-        stage.voice().say(Say::Speed { times: None });
-        stage.voice().say(Say::Play);
+        stage.page_commands().send(PageCommand::Speed { times: None });
+        stage.page_commands().send(PageCommand::Play);
         let news = look(&stage, &mut seen, |news| told(news).is_some());
         let why = told(&news).unwrap().to_owned();
         assert!(why.contains(if panics { "nobody has thought of this" } else { "margaret" }), "{why}");
-        look(&stage, &mut seen, |news| frame(news).state == State::Over);
+        look(&stage, &mut seen, |news| frame(news).state == RunState::Over);
         let late = stage.news(&mut Seen::default(), 10);
         assert_eq!(told(&late), Some(&why[..]), "who comes later is told, too");
         assert!(stage.changed().has_changed().is_ok(), "nobody's socket is closed");
 
-        // What is kept is the run up to there.
-        let run = shelf.runs().pop().unwrap();
-        let recording: Recording = shelf.recording(&run).unwrap();
+        // The stored part is the run up to there.
+        let run = folders.runs().pop().unwrap();
+        let recording: Recording = folders.recording(&run).unwrap();
         assert!(recording.is_complete() && recording.firings > 0, "{recording:?}");
         assert!(recording.length_us <= WELL + HOUR && recording.length_us > WELL / 2);
         let (scenario, household) = Household::recorded(&recording).unwrap();
@@ -120,82 +120,82 @@ fn a_run_that_dies_is_told_of_and_kept_and_another_begins() {
         again.advance(RunTime::START + recording.length_us, &mut events).unwrap();
         digest.add(&events.firings);
         assert_eq!((digest.firings(), digest.hex()), (recording.firings, recording.sha256.clone()));
-        let log = rusqlite::Connection::open(shelf.runs.join(&run).join("log.db")).unwrap();
+        let log = rusqlite::Connection::open(folders.runs.join(&run).join("log.db")).unwrap();
         let rows: i64 = log.query_row("SELECT count(*) FROM event", [], |row| row.get(0)).unwrap();
         assert_eq!(rows as u64, recording.firings);
 
-        stage.voice().say(Say::Start { driven: None, variant: VariantOptions::default() });
-        stage.voice().say(Say::Speed { times: None });
-        stage.voice().say(Say::Play);
+        stage.page_commands().send(PageCommand::Start { driven: None, variant: VariantOptions::default() });
+        stage.page_commands().send(PageCommand::Speed { times: None });
+        stage.page_commands().send(PageCommand::Play);
         look(&stage, &mut seen, |news| {
-            frame(news).state == State::Playing && frame(news).now_us > (WELL + SECOND).micros()
+            frame(news).state == RunState::Playing && frame(news).now_us > (WELL + SECOND).micros()
         });
         assert_eq!(told(&stage.news(&mut Seen::default(), 10)), None, "what was, is over");
         stage.close();
     }
 }
 
-/// A scenario with problems has no run, and says why; one is begun once they are mended, and what is wrong then leaves it.
+/// An invalid scenario has no run until its problems are solved; later problems leave the present run alone.
 #[test]
-fn a_scenario_with_problems_has_no_run_until_they_are_mended() {
+fn starts_no_run_of_an_invalid_scenario() {
     let folder = tempfile::tempdir().unwrap();
-    let shelf = shelf(&folder);
-    let logger = shelf.scenario.join("logger.json");
+    let folders = folders(&folder);
+    let logger = folders.scenario.join("logger.json");
     let whole = std::fs::read_to_string(&logger).unwrap();
     std::fs::write(&logger, whole.replace("hall motion", "corridor motion")).unwrap();
-    let stage = Stage::open(shelf.clone()).unwrap();
+    let stage = Stage::open(folders.clone()).unwrap();
     let unbegun = |news: &News| {
         news.tells
             .iter()
-            .any(|tell| matches!(tell, Tell::Unbegun { problems, .. } if problems[0].file == "logger.json"))
+            .any(|tell| matches!(tell, RunNotice::Unbegun { problems, .. } if problems[0].file == "logger.json"))
     };
     let mut seen = Seen::default();
     let news = stage.news(&mut seen, 10);
     assert!(unbegun(&news) && news.frame.is_none());
-    let start = Say::Start { driven: None, variant: VariantOptions::default() };
-    for say in [Say::Play, Say::Jump { to_us: 5 }, Say::Stop, start.clone()] {
-        stage.voice().say(say);
+    let start = PageCommand::Start { driven: None, variant: VariantOptions::default() };
+    for say in [PageCommand::Play, PageCommand::Jump { to_us: 5 }, PageCommand::Stop, start.clone()] {
+        stage.page_commands().send(say);
     }
     look(&stage, &mut seen, unbegun);
     std::fs::write(&logger, &whole).unwrap();
-    stage.voice().say(start.clone());
-    look(&stage, &mut seen, |news| news.tells.iter().any(|tell| matches!(tell, Tell::Run { .. })));
-    stage.voice().say(Say::Play);
-    look(&stage, &mut seen, |news| frame(news).state == State::Playing && frame(news).now_us > 0);
+    stage.page_commands().send(start.clone());
+    look(&stage, &mut seen, |news| news.tells.iter().any(|tell| matches!(tell, RunNotice::Run { .. })));
+    stage.page_commands().send(PageCommand::Play);
+    look(&stage, &mut seen, |news| frame(news).state == RunState::Playing && frame(news).now_us > 0);
     std::fs::write(&logger, "{").unwrap();
-    stage.voice().say(start);
+    stage.page_commands().send(start);
     let news = look(&stage, &mut seen, unbegun);
-    assert_eq!(frame(&news).state, State::Playing, "the run that goes on is left alone");
+    assert_eq!(frame(&news).state, RunState::Playing, "the run that goes on is left alone");
     stage.close();
 }
 
-/// Whoever takes the keys walks at the speed of the world, however fast the run before was.
+/// Manual control starts at real time, whatever the speed before.
 #[test]
-fn taking_the_keys_sets_the_speed_to_once() {
+fn manual_control_starts_at_real_time() {
     let folder = tempfile::tempdir().unwrap();
-    let stage = Stage::open(shelf(&folder)).unwrap();
+    let stage = Stage::open(folders(&folder)).unwrap();
     let mut seen = Seen::default();
-    stage.voice().say(Say::Speed { times: None });
-    let start = |driven| Say::Start { driven, variant: VariantOptions::default() };
-    stage.voice().say(start(None));
+    stage.page_commands().send(PageCommand::Speed { times: None });
+    let start = |driven| PageCommand::Start { driven, variant: VariantOptions::default() };
+    stage.page_commands().send(start(None));
     look(&stage, &mut seen, |news| frame(news).speed.is_none());
-    stage.voice().say(start(Some(0)));
+    stage.page_commands().send(start(Some(0)));
     look(&stage, &mut seen, |news| frame(news).speed == Some(1.0));
     stage.close();
 }
 
-/// The control of a queue without an end is 20,000 starts, which take minutes.
+/// The control is a queue without a limit: 20,000 starts take minutes.
 #[test]
-fn a_page_that_says_much_keeps_no_other_from_being_heard_nor_the_stage_from_its_end() {
+fn many_commands_of_a_page_delay_neither_others_nor_the_end() {
     let folder = tempfile::tempdir().unwrap();
-    let stage = Stage::open(shelf(&folder)).unwrap();
-    let loud = stage.voice();
-    let start = || Say::Start { driven: None, variant: VariantOptions { seed: Some(1), ..VariantOptions::default() } };
-    let taken = (0..20_000).filter(|_| loud.say(start())).count();
+    let stage = Stage::open(folders(&folder)).unwrap();
+    let loud = stage.page_commands();
+    let start = || PageCommand::Start { driven: None, variant: VariantOptions { seed: Some(1), ..VariantOptions::default() } };
+    let taken = (0..20_000).filter(|_| loud.send(start())).count();
     assert!(taken < 20_000, "it is refused");
-    assert!(stage.voice().say(Say::Play));
-    look(&stage, &mut Seen::default(), |news| frame(news).state == State::Playing);
-    while loud.say(start()) {}
+    assert!(stage.page_commands().send(PageCommand::Play));
+    look(&stage, &mut Seen::default(), |news| frame(news).state == RunState::Playing);
+    while loud.send(start()) {}
     let begun = Instant::now();
     stage.close();
     println!("closed after {:?}", begun.elapsed());

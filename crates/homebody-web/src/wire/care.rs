@@ -1,82 +1,52 @@
-//! How somebody is, for those who care.
+//! The state of a resident, for carers.
 
 use homebody_analysis::alerts::Alert;
-use homebody_analysis::care::{Care, CareDay, ChartPoint, DayKnowledge, MeasureChart, MeasureWords};
-use homebody_analysis::measures::ValueForm;
+use homebody_analysis::care::{Care, CareDay, MeasureChart};
 use homebody_analysis::summaries::SummarySentence;
 use homebody_core::names::capitalised;
 use serde::{Deserialize, Serialize};
 use ts_rs::TS;
 
-/// How somebody is, by a stored run or a log.
+/// The report for carers about a stored run or a log.
 #[derive(Clone, Debug, PartialEq, Serialize, TS)]
 pub struct CareView {
-    /// What the run is called.
+    /// The name of the run.
     pub name: String,
-    /// Whom it is about.
     pub person: String,
-    /// The day that is told of, as `2009-03-02`.
+    /// The reported day, as `2009-03-02`.
     pub day: Option<String>,
-    /// Whether enough days lie before the last two weeks to say what has changed.
+    /// True with enough days before the last two weeks for a comparison.
     pub is_compared: bool,
-    /// What cannot be said.
     pub remarks: Vec<String>,
-    /// Who walks when it is played back.
-    pub walks: WalksView,
-    /// All days in order.
-    pub days: Vec<CareDayView>,
-    /// About the last two weeks, what has changed first.
+    /// The content of its playback.
+    pub walks: PlaybackContent,
+    /// In order.
+    pub days: Vec<CareDay>,
+    /// About the last two weeks, changes first.
     pub sentences: Vec<CareSentenceView>,
     /// The latest first.
     pub alerts: Vec<AlertView>,
-    pub charts: Vec<ChartView>,
+    pub charts: Vec<MeasureChart>,
 }
 
-/// What of a run or a log can be seen in playback.
+/// The content of the playback of a run or a log.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, TS)]
 #[serde(rename_all = "snake_case")]
-pub enum WalksView {
-    /// Everybody as the truth has it.
+pub enum PlaybackContent {
+    /// The movements of the ground truth.
     Lived,
-    /// Everybody as the log was walked back.
+    /// The estimates for a located log.
     WalkedBack,
-    /// What sensors said alone: there is no truth, and the log was not walked back.
+    /// Sensor events only.
     Sensors,
-    /// Nothing: the log is of no home that is known.
+    /// Nothing: the home of the log is not known.
     NoHome,
-}
-
-#[derive(Clone, Debug, PartialEq, Serialize, TS)]
-pub struct CareDayView {
-    pub day: String,
-    pub known: KnownView,
-    /// Nothing of a day that is not whole.
-    pub told: Vec<TodayView>,
-}
-
-/// What is known of a day.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, TS)]
-#[serde(rename_all = "snake_case")]
-pub enum KnownView {
-    Whole,
-    /// Nobody was at home for most of it.
-    NobodyHome,
-    /// More than an hour of it is unknown.
-    Partly,
-}
-
-#[derive(Clone, Debug, PartialEq, Serialize, TS)]
-pub struct TodayView {
-    pub measure: String,
-    pub words: String,
-    /// More than usual, or less; null as usual.
-    pub is_more: Option<bool>,
 }
 
 #[derive(Clone, Debug, PartialEq, Serialize, TS)]
 pub struct CareSentenceView {
     pub words: String,
-    /// On how many days, and what it comes to.
+    /// The number of days, and the result.
     pub numbers: String,
     pub measure: String,
     pub is_change: bool,
@@ -88,38 +58,37 @@ pub struct AlertView {
     pub day: String,
     pub rule: String,
     pub words: String,
-    /// What it came to, and what was usual.
+    /// The value, and the usual value.
     pub numbers: String,
-    /// The measures that it is about.
     pub measures: Vec<String>,
-    /// The days that show it.
+    /// The days with the evidence.
     pub days: Vec<String>,
 }
 
-/// What somebody has noted about an alert, or about a day.
+/// A note about an alert or a day.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, TS)]
 #[serde(deny_unknown_fields)]
 pub struct NoteView {
     /// As `2009-03-02`.
     pub day: String,
-    /// The alert's rule; empty for the day itself.
+    /// The rule of the alert; empty for a note about the day.
     pub rule: String,
-    /// Whether somebody has seen to it.
+    /// True once a person has dealt with it.
     pub seen: bool,
     pub note: String,
 }
 
-/// A note to be kept.
+/// A new or changed note.
 #[derive(Clone, Debug, PartialEq, Eq, Deserialize, TS)]
 #[serde(deny_unknown_fields)]
-pub struct NoteIt {
-    /// What the page has seen there before; null where nothing was noted.
+pub struct NoteChange {
+    /// The note that the page has read; null if there was none.
     pub before: Option<NoteView>,
-    /// With no note, and seen to by nobody, nothing is kept of it.
+    /// An empty note that is not marked as seen is removed.
     pub note: NoteView,
 }
 
-/// A log that is kept for the care view alone.
+/// A log that is stored for the care view only.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, TS)]
 pub struct KeptLogView {
     /// The name of its folder.
@@ -128,38 +97,9 @@ pub struct KeptLogView {
     pub log: String,
 }
 
-#[derive(Clone, Debug, PartialEq, Serialize, TS)]
-pub struct ChartView {
-    pub measure: String,
-    pub title: String,
-    pub unit: CareUnit,
-    /// What is less than this apart is the same.
-    pub little: f64,
-    pub is_guess: bool,
-    pub days: Vec<PointView>,
-}
-
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, TS)]
-#[serde(rename_all = "snake_case")]
-pub enum CareUnit {
-    Hours,
-    Clock,
-    Times,
-    OfUsual,
-    MetresASecond,
-}
-
-#[derive(Clone, Debug, PartialEq, Serialize, TS)]
-pub struct PointView {
-    pub day: String,
-    pub value: Option<f64>,
-    /// From where to where it was usual.
-    pub usual: Option<[f64; 2]>,
-}
-
 impl CareView {
-    pub fn of(care: &Care, (name, person): (&str, &str), walks: WalksView) -> CareView {
-        // The page has no options.
+    pub fn new(care: Care, (name, person): (&str, &str), walks: PlaybackContent) -> CareView {
+        // Hints at options of the command do not apply to the page.
         let remark = |remark: &String| remark.split("; pass --").next().unwrap_or(remark).to_owned();
         CareView {
             name: name.to_owned(),
@@ -168,28 +108,11 @@ impl CareView {
             is_compared: care.is_compared,
             remarks: care.remarks.iter().map(remark).collect(),
             walks,
-            days: care.days.iter().map(CareDayView::from).collect(),
+            days: care.days,
             sentences: care.sentences.iter().map(CareSentenceView::from).collect(),
             alerts: care.alerts.iter().map(AlertView::from).collect(),
-            charts: care.charts.iter().map(ChartView::from).collect(),
+            charts: care.charts,
         }
-    }
-}
-
-impl From<&CareDay> for CareDayView {
-    fn from(day: &CareDay) -> CareDayView {
-        let known = match day.known {
-            DayKnowledge::Whole => KnownView::Whole,
-            DayKnowledge::Away => KnownView::NobodyHome,
-            DayKnowledge::Partly => KnownView::Partly,
-        };
-        CareDayView { day: day.date.to_string(), known, told: day.told.iter().map(TodayView::from).collect() }
-    }
-}
-
-impl From<&MeasureWords> for TodayView {
-    fn from(today: &MeasureWords) -> TodayView {
-        TodayView { measure: today.measure.to_owned(), words: today.words.clone(), is_more: today.is_more }
     }
 }
 
@@ -216,37 +139,5 @@ impl From<&Alert> for AlertView {
             measures: alert.measures.iter().map(|&measure| measure.to_owned()).collect(),
             days: alert.shown_by.iter().map(ToString::to_string).collect(),
         }
-    }
-}
-
-impl From<&MeasureChart> for ChartView {
-    fn from(chart: &MeasureChart) -> ChartView {
-        ChartView {
-            measure: chart.measure.to_owned(),
-            title: chart.title.to_owned(),
-            unit: CareUnit::from(chart.unit),
-            little: chart.little,
-            is_guess: chart.is_guess,
-            days: chart.days.iter().map(PointView::from).collect(),
-        }
-    }
-}
-
-impl From<ValueForm> for CareUnit {
-    fn from(unit: ValueForm) -> CareUnit {
-        match unit {
-            ValueForm::Hours => CareUnit::Hours,
-            ValueForm::Clock => CareUnit::Clock,
-            ValueForm::Times | ValueForm::Amount => CareUnit::Times,
-            ValueForm::OfUsual => CareUnit::OfUsual,
-            ValueForm::MetresASecond => CareUnit::MetresASecond,
-        }
-    }
-}
-
-impl From<&ChartPoint> for PointView {
-    fn from(point: &ChartPoint) -> PointView {
-        let usual = point.usual.map(|(low, high)| [low, high]);
-        PointView { day: point.date.to_string(), value: point.value, usual }
     }
 }

@@ -1,28 +1,30 @@
-//! What is said about files that somebody writes in the page: drafts, until they are saved.
+//! Drafts: files that a person edits in the page and has not saved.
 
 use super::{At, DateView, HomeView};
+use homebody_analysis::coverage::SensorCoverage;
+use homebody_routine::completion::Completion;
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
 use std::collections::BTreeMap;
 use ts_rs::TS;
 
-/// The files of the scenario's folder, as they are on disk.
+/// The files in the folder of the scenario.
 #[derive(Clone, Debug, PartialEq, Serialize, TS)]
 pub struct FilesView {
-    /// The scenario's own file; those that follow are the ones that it links, as far as it can be read.
+    /// The scenario's own file. It names the home, the logger and the routines below.
     pub entry: String,
     pub home: Option<String>,
     pub logger: Option<String>,
-    pub lives: Vec<LivesView>,
+    pub lives: Vec<ResidentRoutineView>,
     pub files: Vec<FileView>,
 }
 
-/// How a picture of the scenario's folder lies below the plan: its file `underlay.json`.
+/// The place of an image below the plan: the file `underlay.json`.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, TS)]
 pub struct UnderlayView {
-    /// The name of the picture's file beside it.
+    /// The name of the image's file in the same folder.
     pub picture: String,
-    /// Where its middle is, in metres.
+    /// Its middle, in metres.
     pub at: [f64; 2],
     pub width_m: f64,
     /// Against the clock.
@@ -30,11 +32,11 @@ pub struct UnderlayView {
     pub turn_deg: f64,
 }
 
-/// A resident who lives by a routine.
+/// A resident with a routine.
 #[derive(Clone, Debug, PartialEq, Serialize, TS)]
-pub struct LivesView {
+pub struct ResidentRoutineView {
     pub name: String,
-    /// The name of the routine's file.
+    /// The name of its file.
     pub routine: String,
 }
 
@@ -42,18 +44,18 @@ pub struct LivesView {
 pub struct FileView {
     pub name: String,
     pub text: String,
-    /// A sign of what is on disk: another text has another version.
+    /// A digest of the text.
     pub version: String,
 }
 
-/// Texts that take the places of files, by name; what is not named is as it is on disk.
+/// Texts in place of files, by name.
 #[derive(Clone, Debug, Default, PartialEq, Deserialize, TS)]
 #[serde(deny_unknown_fields)]
 pub struct Draft {
     pub texts: BTreeMap<String, String>,
 }
 
-/// Texts to be written; none is where one of the files has changed.
+/// Texts to be saved, all or none.
 #[derive(Clone, Debug, PartialEq, Deserialize, TS)]
 #[serde(deny_unknown_fields)]
 pub struct Save {
@@ -65,27 +67,26 @@ pub struct Save {
 pub struct SaveFile {
     pub name: String,
     pub text: String,
-    /// The version that the text was made from; nothing for a file that is not there yet.
+    /// The version that the draft is based on; null for a new file.
     pub version: Option<String>,
 }
 
-/// What came of saving.
+/// The result of saving.
 #[derive(Clone, Debug, PartialEq, Serialize, TS)]
 pub struct SavedView {
-    /// The new versions by name; empty where nothing was written.
+    /// The new versions by name; empty if nothing was saved.
     pub saved: BTreeMap<String, String>,
-    /// What is on disk where it is not what the texts were made from.
+    /// The files that other programs or pages have changed.
     pub changed: Vec<FileView>,
 }
 
-/// What is wrong with a scenario, and what is hardly meant.
 #[derive(Clone, Debug, PartialEq, Serialize, TS)]
 pub struct CheckView {
     pub problems: Vec<ProblemView>,
     pub warnings: Vec<ProblemView>,
 }
 
-/// What has a name in a scenario.
+/// A kind of names in a scenario.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize, TS)]
 #[serde(rename_all = "snake_case")]
 pub enum Named {
@@ -97,7 +98,6 @@ pub enum Named {
     Resident,
 }
 
-/// A thing is to be called otherwise.
 #[derive(Clone, Debug, PartialEq, Deserialize, TS)]
 #[serde(deny_unknown_fields)]
 pub struct Rename {
@@ -107,7 +107,6 @@ pub struct Rename {
     pub to: String,
 }
 
-/// Things that are to go.
 #[derive(Clone, Debug, PartialEq, Deserialize, TS)]
 #[serde(deny_unknown_fields)]
 pub struct Forget {
@@ -116,13 +115,13 @@ pub struct Forget {
     pub names: Vec<String>,
 }
 
-/// Where things are named.
+/// The uses of names, and the texts without the old names.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, TS)]
 pub struct NamesView {
     pub mentions: Vec<MentionView>,
-    /// The texts that change, as they are then.
+    /// The changed texts.
     pub texts: BTreeMap<String, String>,
-    /// Whether another thing of its kind has one of both names: then nothing else is renamed.
+    /// True if another thing of its kind has the old or the new name. Then nothing is renamed.
     pub is_shared: bool,
 }
 
@@ -131,18 +130,18 @@ pub struct MentionView {
     pub file: String,
     /// From 1.
     pub line: u32,
-    /// The line, cut where it is long.
+    /// The line, shortened.
     pub said: String,
-    /// Whether it goes with the thing in `texts`; what does not is left to whoever writes the file.
+    /// True if `texts` removes it; the author of the file removes the others.
     pub goes: bool,
 }
 
-/// A mend of what is wrong and has one answer.
+/// A solution with one click.
 #[derive(Clone, Debug, PartialEq, Serialize, TS)]
 pub struct MendView {
-    /// What is done, as a button says it.
+    /// The label of the button.
     pub what: String,
-    /// The texts that change, as they are then.
+    /// The changed texts.
     pub texts: BTreeMap<String, String>,
 }
 
@@ -153,15 +152,14 @@ pub struct ProblemView {
     #[ts(optional)]
     pub code: Option<String>,
     pub file: String,
-    /// From 1; 0 where the file as a whole is meant.
+    /// From 1; 0 for the whole file.
     pub line: u32,
-    /// In characters, from 1; 0 where the file as a whole is meant.
+    /// In characters, from 1; 0 for the whole file.
     pub column: u32,
-    /// How many characters are meant.
+    /// In characters.
     pub width: u32,
     pub what: String,
     pub hint: Option<String>,
-    /// The change that solves it, where there is one.
     #[serde(skip_serializing_if = "Option::is_none")]
     #[ts(optional)]
     pub fix: Option<FixView>,
@@ -185,17 +183,15 @@ pub enum FixView {
     },
 }
 
-/// A home that is being drawn.
 #[derive(Clone, Debug, PartialEq, Serialize, TS)]
 pub struct PlanView {
-    /// Of the home's file alone.
+    /// Of the home's file only.
     pub problems: Vec<ProblemView>,
-    /// Nothing where there are problems.
     pub home: Option<HomeView>,
     pub coverage: Option<CoverageView>,
 }
 
-/// Where in a home the sensors see a body that stands. Areas are square metres, shares 0 to 1.
+/// The parts of a home in which sensors detect a standing body. Areas are square metres, shares 0 to 1.
 #[derive(Clone, Debug, PartialEq, Serialize, TS)]
 pub struct CoverageView {
     /// The side of a cell.
@@ -203,15 +199,15 @@ pub struct CoverageView {
     /// The south-west corner of the first cell.
     pub corner: At,
     pub columns: u32,
-    /// Row by row from the south-west, a byte each: 255 where no body can stand, else how many sensors see it.
+    /// Row by row from the south-west, a byte each: 255 without room for a body, else the number of sensors.
     #[serde(with = "serde_bytes")]
     #[ts(type = "Uint8Array")]
     pub cells: Vec<u8>,
     pub whole: FloorView,
     pub rooms: Vec<FloorView>,
-    /// Of those that look; in the order of the home's file.
-    pub sensors: Vec<SeenView>,
-    /// Pairs of sensors and the floor that both see, the largest first.
+    /// The sensors with a field, in the order of the home's file.
+    pub sensors: Vec<SensorCoverage>,
+    /// Pairs of sensors and their common floor, the largest first.
     #[ts(type = "Array<[string, string, number]>")]
     pub overlaps: Vec<(String, String, f64)>,
     /// The largest first.
@@ -222,16 +218,8 @@ pub struct CoverageView {
 pub struct FloorView {
     pub name: String,
     pub floor_m2: f64,
-    /// Shares that are seen by none, one, two, and three or more.
+    /// The shares with no, one, two, and three or more sensors.
     pub seen_by: [f64; 4],
-}
-
-#[derive(Clone, Debug, PartialEq, Serialize, TS)]
-pub struct SeenView {
-    pub name: String,
-    pub seen_m2: f64,
-    /// The part of it that no other sensor sees.
-    pub alone_m2: f64,
 }
 
 #[derive(Clone, Debug, PartialEq, Serialize, TS)]
@@ -245,16 +233,15 @@ pub struct DeadZoneView {
     pub holes: Vec<Vec<At>>,
 }
 
-/// A home made from another program's file.
+/// A home from a file of another program.
 #[derive(Clone, Debug, PartialEq, Serialize, TS)]
 pub struct ImportView {
-    /// The text of a home's file.
+    /// As a home's file.
     pub text: String,
-    /// What was left out or guessed, in sentences.
+    /// Omissions and guesses, in sentences.
     pub remarks: Vec<String>,
 }
 
-/// A routine among the files that is asked about.
 #[derive(Clone, Debug, PartialEq, Deserialize, TS)]
 #[serde(deny_unknown_fields)]
 pub struct Explain {
@@ -262,158 +249,131 @@ pub struct Explain {
     pub file: String,
 }
 
-/// How a routine was understood, and what can be said in it.
+/// The meaning of a routine, and completions for its words.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, TS)]
 pub struct ExplainView {
-    /// Of the routine's file and the conditions it shows; empty does not mean that other files are right.
+    /// Of the routine's file and its conditions only.
     pub problems: Vec<ProblemView>,
-    /// The date of the scenario's first day, and how many days it has; none where it cannot be read.
+    /// The date of the scenario's first day, and the number of its days; empty for an invalid scenario.
     pub first: String,
     pub days: u32,
     pub sentences: Vec<SentenceView>,
-    /// What is left unsaid and goes as it usually does.
+    /// The defaults for what the routine does not say.
     pub unsaid: Vec<SentenceView>,
     pub conditions: Vec<ConditionView>,
-    /// What may be written, for completion.
-    pub words: Vec<WordView>,
+    pub words: Vec<Completion>,
 }
 
 #[derive(Clone, Debug, PartialEq, Serialize, TS)]
 pub struct SentenceView {
     /// From 1.
     pub line: u32,
-    /// The words it was understood from.
+    /// The words of the routine.
     pub said: String,
     /// `person`, `habit`, `rule` or `change`.
     pub kind: String,
     pub what: String,
     pub days: String,
     pub when: String,
-    /// When it begins, in seconds since midnight: one in twenty begins before the first, the mean, one in twenty after the last.
+    /// The begin in seconds since midnight: the 5th percentile, the mean, the 95th percentile.
     pub start_s: Option<[f64; 3]>,
-    /// How long it lasts, in the same way.
+    /// The duration in seconds: the same three.
     pub lasts_s: Option<[f64; 3]>,
     pub in_words: String,
 }
 
-/// A condition that a routine shows.
+/// A condition in a routine.
 #[derive(Clone, Debug, PartialEq, Serialize, TS)]
 pub struct ConditionView {
     pub name: String,
-    /// How severe it is on each day of the scenario: 0 where it is not there, 1 at its moderate full strength.
+    /// For each day of the scenario, from 0 without the condition to 1 at moderate strength.
     pub severity: Vec<f64>,
     pub sentences: Vec<SentenceView>,
 }
 
-#[derive(Clone, Debug, PartialEq, Serialize, TS)]
-pub struct WordView {
-    /// What is written.
-    pub text: String,
-    pub kind: WordKind,
-    /// What it says, in a few words.
-    pub about: String,
-}
-
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, TS)]
-#[serde(rename_all = "snake_case")]
-pub enum WordKind {
-    /// A whole sentence, as an example of its form.
-    Sentence,
-    /// What somebody does: `watches television`.
-    Activity,
-    /// When, how long or how often: `in the morning`.
-    Time,
-    Place,
-    Condition,
-}
-
-/// Days of a life that are asked for, without any file.
+/// Days of a draft to be simulated without any file.
 #[derive(Clone, Debug, PartialEq, Deserialize, TS)]
 #[serde(deny_unknown_fields)]
 pub struct Month {
     pub draft: Draft,
-    /// The first day, counted from 0.
+    /// The first day, from 0.
     pub from: u32,
     /// At most 31.
     pub days: u32,
-    /// Conditions that are left out.
+    /// Conditions to leave out.
     pub without: Vec<String>,
 }
 
-/// Some days of a life as a draft has it.
+/// Days of a draft.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, TS)]
 pub struct MonthView {
-    /// Why there is none.
     pub problems: Vec<ProblemView>,
     pub days: Vec<DateView>,
     pub residents: Vec<String>,
-    /// The names of activities.
     pub activities: Vec<String>,
-    /// What each resident did: begin, end and the activity's number.
+    /// For each resident begin, end and number of each activity.
     #[ts(type = "Array<Array<[number, number, number]>>")]
     pub spans: Vec<Vec<(i64, i64, u32)>>,
-    /// The names of rooms.
     pub rooms: Vec<String>,
-    /// Where each resident was: begin, end and the room's number; away or between rooms there is none.
+    /// For each resident begin, end and number of each stay in a room.
     #[ts(type = "Array<Array<[number, number, number]>>")]
     pub stays: Vec<Vec<(i64, i64, u32)>>,
-    /// How often motion sensors fired in each hour of the clock, by day.
+    /// The firings of motion sensors in each hour of the clock, by day.
     pub hours: Vec<Vec<u32>>,
-    /// Where and why it ends before the last day, in sentences.
+    /// The place and reason of an early end, in sentences.
     pub cut: Option<String>,
 }
 
-/// The first rows of a log, as the network that a logger's file describes would have them.
+/// The first rows of a log in the form of a logger's file.
 #[derive(Clone, Debug, PartialEq, Serialize, TS)]
 pub struct RowsView {
     pub problems: Vec<ProblemView>,
-    /// One for each place that the log goes to.
+    /// By destination of the log.
     pub places: Vec<PlaceRowsView>,
-    /// Until when rows were looked for and why no longer, in sentences.
+    /// The end of the simulation and its reason, in sentences.
     pub cut: Option<String>,
-    /// How the URLs of places begin, and what each is.
+    /// The schemes of URLs, with descriptions.
     #[ts(type = "Array<[string, string]>")]
     pub kinds: Vec<(String, String)>,
 }
 
 #[derive(Clone, Debug, PartialEq, Serialize, TS)]
 pub struct PlaceRowsView {
-    /// The URL as the file has it.
+    /// The URL of the file.
     pub to: String,
-    /// Of a database.
+    /// For databases.
     pub table: Option<String>,
     pub columns: Vec<String>,
     pub rows: Vec<Vec<String>>,
 }
 
-/// A place for a log that is to be tried.
+/// A destination to be tried.
 #[derive(Clone, Debug, PartialEq, Deserialize, TS)]
 #[serde(deny_unknown_fields)]
 pub struct Connect {
     pub url: String,
 }
 
-/// Whether a place takes a log.
 #[derive(Clone, Debug, PartialEq, Serialize, TS)]
 pub struct ConnectView {
     pub works: bool,
-    /// What was found there, or why it does not work and what to do.
+    /// The result, or the reason of a failure with a hint.
     pub said: String,
-    /// The stable code of the message, where it does not work.
+    /// The stable code of a failure.
     #[serde(skip_serializing_if = "Option::is_none")]
     #[ts(optional)]
     pub code: Option<String>,
 }
 
-/// What the log of the run that is being lived has got so far.
+/// Figures of the log of the run on the stage.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, TS)]
-pub struct GrowthView {
-    /// How often motion sensors fired in each hour of the clock, by day.
+pub struct LiveCountsView {
+    /// The firings of motion sensors in each hour of the clock, by day.
     pub hours: Vec<Vec<u32>>,
-    /// The firings of the day that is being lived: instant and sensor.
+    /// Instant and sensor of each firing of the last day.
     #[ts(type = "Array<[number, number]>")]
     pub today: Vec<(i64, u32)>,
-    /// How many firings of that day are not in `today`.
+    /// The number of firings of that day that `today` leaves out.
     #[ts(type = "number")]
     pub left_out: u64,
 }

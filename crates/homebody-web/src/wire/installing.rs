@@ -1,37 +1,39 @@
-//! What is put up in a home: parts, layouts side by side, places that are suggested.
+//! Installing sensors: sheets, comparison of layouts, suggested places.
 
 use super::{CoverageView, Draft, HomeView, ProblemView};
+use homebody_analysis::parts::SensorDifference;
+use homebody_placement::search::Reached;
 use serde::{Deserialize, Serialize};
 use ts_rs::TS;
 
-/// A sensor as who puts it up has to know it.
+/// A sensor on an install sheet.
 #[derive(Clone, Debug, PartialEq, Serialize, TS)]
 pub struct PartView {
     pub number: usize,
     pub name: String,
     pub kind: String,
-    /// Make and model, or the kind where any will do.
+    /// Make and model, or the kind if any model will do.
     pub device: String,
     pub network: String,
     /// Floor, room and place in words.
     pub place: String,
-    /// Height, direction and field; null for what has no lens.
+    /// Height, direction and field; null for a sensor without a lens.
     pub aim: Option<String>,
 }
 
-/// Everything that is put up by a draft.
+/// The install sheet of a draft.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, TS)]
 pub struct PartsView {
-    /// Of the home; then there is nothing else.
+    /// Of the home; then the rest is empty.
     pub problems: Vec<ProblemView>,
-    /// How many of which device, the most first.
+    /// The number of each device, the largest first.
     pub devices: Vec<(String, usize)>,
     pub parts: Vec<PartView>,
     /// The same as comma-separated values.
     pub csv: String,
 }
 
-/// Two drafts whose sensors are held against each other.
+/// Two drafts to be compared.
 #[derive(Clone, Debug, PartialEq, Deserialize, TS)]
 #[serde(deny_unknown_fields)]
 pub struct Layouts {
@@ -46,13 +48,12 @@ pub struct NamedLayout {
     pub draft: Draft,
 }
 
-/// Two layouts side by side.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, TS)]
 pub struct LayoutsView {
-    /// Of either home; then there is nothing else.
+    /// Of either home; then the rest is empty.
     pub problems: Vec<ProblemView>,
     pub layouts: Vec<LayoutView>,
-    pub differences: Vec<DiffersView>,
+    pub differences: Vec<SensorDifference>,
 }
 
 #[derive(Clone, Debug, PartialEq, Serialize, TS)]
@@ -63,62 +64,46 @@ pub struct LayoutView {
     pub coverage: CoverageView,
 }
 
-/// A sensor that is not the same in both layouts.
-#[derive(Clone, Debug, PartialEq, Serialize, TS)]
-pub struct DiffersView {
-    pub sensor: String,
-    pub what: String,
-}
-
-/// Where are sensors to go?
+/// A request for suggested sensors.
 #[derive(Clone, Debug, PartialEq, Deserialize, TS)]
 #[serde(deny_unknown_fields)]
 pub struct Suggest {
     pub draft: Draft,
-    /// How many there may be.
+    /// The largest number.
     pub sensors: u16,
-    /// What is to be seen, as `homebody suggest-sensors` has it.
+    /// The goals, as in `homebody suggest-sensors`.
     pub to_see: Vec<String>,
-    /// How many people live there, where that is asked for which somebody has to.
+    /// The number of people to simulate, for goals that need them.
     pub people: u32,
-    /// What motion sensors are to be; null as in Godsey & Skubic 2009.
+    /// The motion sensor to use; null for that of Godsey & Skubic 2009.
     pub device: Option<String>,
 }
 
 #[derive(Clone, Debug, Default, PartialEq, Serialize, TS)]
 pub struct SuggestionView {
-    /// Of the home, or of the lives in it; then there is nothing else.
+    /// Of the home or its routines; then the rest is empty.
     pub problems: Vec<ProblemView>,
-    /// Why there is none, in a sentence.
+    /// The reason of a refusal, in a sentence.
     pub refused: Option<String>,
-    /// The stable code of that message.
     #[serde(skip_serializing_if = "Option::is_none")]
     #[ts(optional)]
     pub code: Option<String>,
-    /// The sensors as `home.json` takes them: a list in JSON.
+    /// The list of sensors for `home.json`.
     pub sensors: String,
     /// With one sensor, two, and so on.
     pub steps: Vec<StepView>,
-    /// All of them, where some went for others in the end.
+    /// The final layout, if exchanges improved the last step.
     pub whole: Option<StepView>,
-    /// The sensors that the home has.
+    /// The sensors of the home.
     pub own: Option<StepView>,
 }
 
-/// How much a layout tells.
+/// The score of a layout.
 #[derive(Clone, Debug, PartialEq, Serialize, TS)]
 pub struct StepView {
-    /// The name of the sensor that came last.
+    /// The name of the last sensor.
     pub sensor: String,
-    /// The mean over all that is to be seen, from 0 to 1.
+    /// The mean over the goals, from 0 to 1.
     pub score: f64,
-    pub reached: Vec<ReachedView>,
-}
-
-#[derive(Clone, Debug, PartialEq, Serialize, TS)]
-pub struct ReachedView {
-    pub goal: String,
-    pub score: f64,
-    pub value: f64,
-    pub unit: String,
+    pub reached: Vec<Reached>,
 }

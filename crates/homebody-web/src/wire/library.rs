@@ -1,24 +1,22 @@
-//! What is said about a folder of homes.
+//! Folders of homes.
 
 use super::StoredView;
 use serde::{Deserialize, Serialize};
 use ts_rs::TS;
 
-/// A folder of homes.
 #[derive(Clone, Debug, PartialEq, Serialize, TS)]
 pub struct LibraryView {
     /// Its path on the server's machine.
     pub folder: String,
-    /// Why nothing can be changed in it, if that is so.
+    /// The reason why homes cannot be changed.
     pub trouble: Option<String>,
-    /// Those that were changed last come first.
+    /// The latest change first.
     pub homes: Vec<HomeEntryView>,
-    /// How many more there are, which are not shown.
+    /// The number of homes that are not listed.
     pub more: u32,
-    /// What was deleted, and can be put back.
-    pub aside: Vec<AsideView>,
+    pub aside: Vec<DeletedHome>,
     pub templates: Vec<TemplateView>,
-    /// How many runs lie beside the homes, and belong to none.
+    /// The number of runs next to the homes, which belong to none.
     pub runs_beside: u32,
 }
 
@@ -26,20 +24,18 @@ pub struct LibraryView {
 pub struct HomeEntryView {
     /// The name of its folder.
     pub name: String,
-    /// What its scenario calls itself; empty where that cannot be read.
+    /// The name in its scenario; empty if that cannot be read.
     pub title: String,
     pub about: String,
-    /// When one of its files was changed last, in milliseconds since 1970, where that is known.
+    /// The last change of one of its files, in milliseconds since 1970.
     #[ts(type = "number | null")]
     pub changed_ms: Option<i64>,
 }
 
-/// A home that was deleted.
 #[derive(Clone, Debug, PartialEq, Serialize, TS)]
-pub struct AsideView {
-    /// The name under which it is put back.
+pub struct DeletedHome {
+    /// The key by which it is restored.
     pub key: String,
-    /// What it is called then.
     pub name: String,
 }
 
@@ -49,23 +45,20 @@ pub struct TemplateView {
     pub about: String,
 }
 
-/// What is shown of a home.
+/// The summary of a home.
 #[derive(Clone, Debug, PartialEq, Serialize, TS)]
 pub struct CardView {
-    /// The text of its plan, right or wrong; nothing where it cannot be read.
+    /// The text of its plan, valid or not.
     pub home: Option<String>,
     pub residents: Vec<String>,
-    /// How much is wrong with it.
     pub problems: u32,
-    /// How many runs it has.
     pub runs: u32,
-    /// Those that were lived last.
     pub latest: Vec<StoredView>,
-    /// The one that is being lived in the page.
+    /// The run that is being recorded.
     pub goes_on: Option<String>,
 }
 
-/// What a new home begins with.
+/// The origin of a new home.
 #[derive(Clone, Debug, PartialEq, Deserialize, TS)]
 #[serde(tag = "from", rename_all = "snake_case", deny_unknown_fields)]
 pub enum NewHome {
@@ -73,15 +66,15 @@ pub enum NewHome {
     Template { name: String },
 }
 
-/// A home that was made.
+/// A new home.
 #[derive(Clone, Debug, PartialEq, Serialize, TS)]
 pub struct MadeView {
     pub name: String,
-    /// What was left out or guessed, and what is missing, in sentences.
+    /// Omissions, guesses and missing parts, in sentences.
     pub remarks: Vec<String>,
 }
 
-/// What a home is to be called.
+/// The new name of a home.
 #[derive(Clone, Debug, PartialEq, Deserialize, TS)]
 #[serde(deny_unknown_fields)]
 pub struct CallHome {

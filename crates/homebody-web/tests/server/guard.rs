@@ -7,12 +7,12 @@ use tungstenite::client::IntoClientRequest;
 
 const SECRET: &str = "nobody outside shall read this";
 
-/// Routes of every kind: the page, its files, the scenario's, the list of runs, a file of one, the socket, and nothing.
+/// Routes of every kind.
 const ROUTES: [&str; 7] =
     ["/", "/favicon.svg", "/api/files", "/api/runs", "/api/runs/a/log", "/api/live", "/api/nothing"];
 
 #[test]
-fn other_names_are_refused_on_every_route() {
+fn rejects_other_host_names_on_every_route() {
     let served = Served::scenario("by-hand");
     let port = served.address.port();
     let mut names: Vec<String> = ["127.0.0.1", "localhost", "LOCALHOST", "[::1]"]
@@ -36,7 +36,7 @@ fn other_names_are_refused_on_every_route() {
         for route in ROUTES {
             let head = format!("Host: {name}\r\nx-homebody-token: {}\r\nConnection: close\r\n", served.token);
             let answer = served.ask(format!("GET {route} HTTP/1.1\r\n{head}\r\n").as_bytes());
-            // What is no name at all is refused even earlier.
+            // An invalid host name is refused even earlier.
             assert!(matches!(answer.code, 400 | 403), "{name:?} may ask for {route}: {}", answer.head);
             asked += 1;
         }
@@ -56,13 +56,13 @@ fn other_names_are_refused_on_every_route() {
     }
 }
 
-/// A server answers under the address that it has, whichever of the machine's it is, and under no other.
+/// A server answers under its own address only.
 #[test]
-fn a_server_knows_its_own_address() {
+fn accepts_only_its_own_host_names() {
     for (ip, name) in [("127.0.0.2", "127.0.0.2"), ("::ffff:127.0.0.3", "127.0.0.3"), ("::ffff:127.0.0.1", "localhost")]
     {
         let ip: IpAddr = ip.parse().unwrap();
-        // Linux has all addresses that begin with 127; others have the first alone.
+        // Linux has all addresses that begin with 127; other systems have the first only.
         if !cfg!(target_os = "linux") && TcpListener::bind((ip, 0)).is_err() {
             continue;
         }
@@ -86,7 +86,7 @@ fn is_ours(name: &str, port: u16) -> bool {
     ["127.0.0.1", "localhost", "[::1]"].iter().any(|ours| name.eq_ignore_ascii_case(&format!("{ours}:{port}")))
 }
 
-/// Whence no page of ours comes.
+/// Origins of other pages.
 fn foreign_origins(port: u16) -> Vec<String> {
     let hosts =
         ["evil.com", "localhost.evil.com", "127.0.0.1.nip.io", "evil.com:8642", "0.0.0.0", "127.0.0.1@evil.com", "a"];
@@ -127,13 +127,13 @@ fn foreign_origins(port: u16) -> Vec<String> {
 }
 
 #[test]
-fn other_pages_are_refused_even_with_the_token() {
+fn rejects_other_pages_even_with_the_token() {
     let served = Served::scenario("by-hand");
     let origins = foreign_origins(served.address.port());
     assert!(origins.len() >= 100, "{}", origins.len());
     for origin in &origins {
         let more = format!("Origin: {origin}\r\nx-homebody-token: {}\r\n", served.token);
-        // White space around a value is no part of it.
+        // Spaces around a value do not count.
         let is_ours = origin.trim().strip_prefix("http://").is_some_and(|host| is_ours(host, served.address.port()));
         let answer = served.get("/api/runs", &more);
         assert_eq!(answer.code, if is_ours { 200 } else { 403 }, "{origin:?} may ask: {}", answer.head);
@@ -149,7 +149,7 @@ fn other_pages_are_refused_even_with_the_token() {
 }
 
 #[test]
-fn nothing_is_told_without_the_token() {
+fn answers_nothing_without_the_token() {
     let served = Served::scenario("by-hand");
     let wrong = "0".repeat(64);
     let short = &served.token[..63];
@@ -176,7 +176,7 @@ fn nothing_is_told_without_the_token() {
 }
 
 #[test]
-fn no_path_leads_out() {
+fn follows_no_path_out_of_the_page() {
     let served = Served::scenario("by-hand");
     let root = served.folder.path();
     fs::write(root.join("secret.txt"), SECRET).unwrap();
@@ -227,7 +227,7 @@ fn no_path_leads_out() {
 }
 
 #[test]
-fn every_answer_is_strict_and_what_is_too_large_is_refused() {
+fn sends_strict_policies_and_rejects_large_requests() {
     let served = Served::scenario("by-hand");
     for route in ROUTES {
         for head in [served.api(route).head, served.get(route, "Origin: http://evil.com\r\n").head] {

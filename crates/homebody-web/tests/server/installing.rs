@@ -10,7 +10,7 @@ fn as_it_is() -> Value {
     json!({ "texts": {} })
 }
 
-/// As much of two layouts as is looked at.
+/// The parts of two layouts that these tests check.
 #[derive(Deserialize)]
 struct Layouts {
     layouts: Vec<Layout>,
@@ -52,7 +52,7 @@ fn home(served: &Served) -> Value {
 }
 
 #[test]
-fn parts_and_a_sheet_are_made_of_a_draft() {
+fn makes_install_sheets_of_drafts() {
     let served = Served::scenario("studio");
     let parts = served.told("/api/parts", &as_it_is());
     let listed = parts["parts"].as_array().unwrap();
@@ -64,14 +64,14 @@ fn parts_and_a_sheet_are_made_of_a_draft() {
 
     let sheet = served.post("/api/sheet", &as_it_is());
     assert!(sheet.code == 200 && sheet.body.starts_with(b"%PDF-") && sheet.head.contains("application/pdf"));
-    // What is drawn is the draft, and what is wrong with it is told instead.
+    // The sheet is that of the draft; a draft with problems has none.
     let wrong = json!({ "texts": { "home.json": "{" } });
     assert_eq!(served.post("/api/sheet", &wrong).code, 422);
     assert_eq!(served.told("/api/parts", &wrong)["problems"].as_array().unwrap().len(), 1);
 }
 
 #[test]
-fn two_layouts_stand_side_by_side() {
+fn compares_two_layouts() {
     let served = Served::scenario("studio");
     let mut fewer = home(&served);
     let gone = fewer["sensors"].as_array_mut().unwrap().remove(0);
@@ -85,13 +85,13 @@ fn two_layouts_stand_side_by_side() {
     assert_eq!(gone, [fewer_by.as_str()]);
     let unseen = |layout: usize| told.layouts[layout].coverage.whole.seen_by[0];
     assert!(unseen(0) <= unseen(1), "fewer sensors see no more");
-    // The control: a layout beside itself.
+    // The control: a layout compared with itself.
     let same = json!({ "one": { "name": "a", "draft": as_it_is() }, "other": { "name": "b", "draft": as_it_is() } });
     assert!(besides(&served, &same).differences.is_empty());
 }
 
 #[test]
-fn places_are_suggested_for_a_number_of_sensors_and_a_device() {
+fn suggests_places_for_a_number_of_sensors_and_a_device() {
     let served = Served::scenario("studio");
     let ask = |sensors: u16, to_see: &[&str], device: Option<&str>| {
         let asked = json!({ "draft": as_it_is(), "sensors": sensors, "to_see": to_see, "people": 4, "device": device });
@@ -106,13 +106,13 @@ fn places_are_suggested_for_a_number_of_sensors_and_a_device() {
     assert!(!motion.is_empty() && motion.iter().all(|sensor| sensor["preset"] == "fibaro"), "{sensors:?}");
     assert!(motion.iter().all(|sensor| sensor["height_m"] == json!(2.4)), "{sensors:?}");
 
-    // Once the whole floor is seen, another sensor adds nothing, and none is suggested.
+    // Once sensors see the whole floor, no further sensor is suggested.
     let many = ask(30, &["falls"], None);
     let scores: Vec<f64> = many["steps"].as_array().unwrap().iter().filter_map(|step| step["score"].as_f64()).collect();
     assert!((1..30).contains(&scores.len()), "{scores:?}");
     assert!(scores.windows(2).all(|two| two[0] < two[1]), "{scores:?}");
 
-    // By what the log would tell: people live there.
+    // By simulated logs.
     let lived = ask(4, &["night-bathroom"], None);
     let last = lived["steps"].as_array().unwrap().last().unwrap();
     assert!(lived["refused"].is_null() && last["score"].as_f64() > Some(0.0), "{lived}");
@@ -127,7 +127,7 @@ fn places_are_suggested_for_a_number_of_sensors_and_a_device() {
 }
 
 #[test]
-fn large_answers_are_packed_for_who_takes_that_and_the_same_bytes_come_out() {
+fn compresses_large_answers_without_loss() {
     let served = Served::scenario("tigerplace");
     let token = format!("x-homebody-token: {}\r\n", served.token);
     for path in ["/api/files", &script(&served)] {
@@ -139,19 +139,19 @@ fn large_answers_are_packed_for_who_takes_that_and_the_same_bytes_come_out() {
         assert!(packed.len() * 2 < plain.len(), "{path}: {} of {} bytes", packed.len(), plain.len());
         assert_eq!(unpacked(&packed), plain, "{path}");
     }
-    // What is short is not worth it.
+    // Short answers are sent uncompressed.
     let short = served.get("/api/growth", &format!("{token}Accept-Encoding: gzip\r\n"));
     assert!(!short.head.to_lowercase().contains("content-encoding"), "{}", short.head);
 }
 
-/// The largest script of the page; without a page that was built, the page that says so.
+/// The largest script of the page, or the substitute page.
 fn script(served: &Served) -> String {
     let page = String::from_utf8(whole(&served.get("/", ""))).unwrap();
     let named = page.split("src=\"").nth(1).and_then(|rest| rest.split('"').next());
     named.map_or("/".into(), |path| format!("/{}", path.trim_start_matches(['.', '/'])))
 }
 
-/// The body of an answer, put together where it comes in chunks.
+/// The body of an answer, joined from its chunks.
 fn whole(answer: &Answer) -> Vec<u8> {
     if !answer.head.to_lowercase().contains("transfer-encoding: chunked") {
         return answer.body.clone();
@@ -168,7 +168,7 @@ fn whole(answer: &Answer) -> Vec<u8> {
     }
 }
 
-/// What gzip has packed, without a name or other extras in its head.
+/// Unpacks gzip without a name or other extras in its head.
 fn unpacked(gzip: &[u8]) -> Vec<u8> {
     const HEAD: usize = 10;
     assert_eq!(gzip[..4], [0x1f, 0x8b, 8, 0], "a head without extras");

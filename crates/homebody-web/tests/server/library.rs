@@ -2,7 +2,7 @@
 
 use super::served::{Heard, LONGEST_WAIT, Page, Served};
 use homebody_web::library::Library;
-use homebody_web::{Options, kept_address};
+use homebody_web::{Options, address_file};
 use serde_json::{Value, json};
 use std::fs;
 use std::io::{Cursor, Write};
@@ -39,10 +39,10 @@ fn text(path: &Path) -> Value {
 }
 
 #[test]
-fn homes_are_begun_copied_renamed_deleted_and_put_back() {
+fn creates_copies_renames_deletes_and_restores_homes() {
     let served = Served::library(&["studio"]);
     let at = |path: &str| served.folder.path().join(path);
-    // What is no home is none.
+    // A file and a hidden folder are not homes.
     fs::create_dir(at("notes")).unwrap();
     fs::create_dir(at(".hidden")).unwrap();
     fs::write(at(".hidden/scenario.json"), "{}").unwrap();
@@ -76,14 +76,14 @@ fn homes_are_begun_copied_renamed_deleted_and_put_back() {
     assert!(at("attic/runs/mine").is_dir());
     assert_eq!(served.refusal("POST", &back, &json!({})).0, 404);
     assert_eq!(served.json("/api/library")["aside"], json!([]));
-    // Nothing hidden is left of what was made.
+    // No hidden folder stays.
     let hidden = fs::read_dir(served.folder.path()).unwrap().flatten();
     let hidden = hidden.filter(|entry| entry.file_name().to_string_lossy().starts_with(".new-")).count();
     assert_eq!(hidden, 0);
 }
 
 #[test]
-fn names_that_are_none_are_refused_with_all_that_is_wrong() {
+fn rejects_invalid_names_with_all_faults() {
     let served = Served::library(&["studio"]);
     let long = "n".repeat(4000);
     let given = fs::read_dir(served.folder.path()).unwrap().count();
@@ -115,7 +115,7 @@ fn names_that_are_none_are_refused_with_all_that_is_wrong() {
 
 #[cfg(unix)]
 #[test]
-fn links_lead_out_of_no_library() {
+fn follows_no_link_out_of_a_library() {
     let elsewhere = tempfile::tempdir().unwrap();
     fs::write(elsewhere.path().join("scenario.json"), "{}").unwrap();
     let served = Served::library(&["studio"]);
@@ -123,7 +123,7 @@ fn links_lead_out_of_no_library() {
     assert_eq!(served.homes(), ["studio"]);
     assert_eq!(served.api("/api/homes/link/files").code, 404);
     assert_eq!(served.api("/api/library/homes/link").code, 404);
-    // A home with a link in it is not copied, and what was copied before is gone.
+    // A home with a link is not copied, and leaves no partial copy.
     std::os::unix::fs::symlink("/etc/hostname", served.folder.path().join("studio/link")).unwrap();
     let (code, why) = served.refusal("POST", "/api/library/homes/studio/copy", &json!({ "name": "copy" }));
     assert_eq!((code, &why["code"]), (422, &json!("library::not-plain")), "{why}");
@@ -132,10 +132,10 @@ fn links_lead_out_of_no_library() {
 
 #[cfg(unix)]
 #[test]
-fn a_home_whose_runs_are_a_link_is_refused() {
+fn rejects_homes_with_linked_runs() {
     let elsewhere = tempfile::tempdir().unwrap();
     let served = Served::library(&["studio", "by-hand"]);
-    // Also of a home that is open already.
+    // The same for a home that is open already.
     assert_eq!(served.api("/api/homes/studio/runs").code, 200);
     std::os::unix::fs::symlink(elsewhere.path(), served.folder.path().join("studio/runs")).unwrap();
     for path in ["/api/homes/studio/runs", "/api/homes/studio/files", "/api/library/homes/studio"] {
@@ -144,12 +144,12 @@ fn a_home_whose_runs_are_a_link_is_refused() {
         assert_eq!((answer.code, &why["code"]), (422, &json!("library::linked-runs")), "{path}: {why}");
     }
     assert_eq!(fs::read_dir(elsewhere.path()).unwrap().count(), 0);
-    // The control: another home has its own.
+    // The control: another home has its own runs.
     assert_eq!(served.api("/api/homes/by-hand/runs").code, 200);
 }
 
 #[test]
-fn a_name_that_nobody_sees_is_no_home_s() {
+fn rejects_invisible_names() {
     let served = Served::library(&[]);
     for name in ["%E2%80%8B", "a%E2%80%AEb", "%EF%BB%BF", "flat%E2%81%A6"] {
         let (code, why) = served.refusal("POST", &format!("/api/library/homes/{name}"), &json!({ "from": "empty" }));
@@ -159,9 +159,9 @@ fn a_name_that_nobody_sees_is_no_home_s() {
     assert_eq!(served.homes(), [""; 0]);
 }
 
-/// Each home has its own run: what one page does is nothing to the other's.
+/// Each home has its own run: a page of one does not affect the other.
 #[test]
-fn two_homes_are_lived_at_once_each_into_its_own_runs() {
+fn two_homes_run_at_once_with_separate_runs() {
     let served = Served::library(&["studio", "by-hand"]);
     let mut pages: Vec<Page> =
         ["studio", "by-hand"].map(|name| served.page_at(&format!("/api/homes/{name}/live"))).into();
@@ -188,7 +188,7 @@ fn two_homes_are_lived_at_once_each_into_its_own_runs() {
     }
 }
 
-/// The code with which a page's socket is closed.
+/// The close code of a page's socket.
 fn closed_with(page: &mut Page) -> u16 {
     let begun = Instant::now();
     loop {
@@ -201,7 +201,7 @@ fn closed_with(page: &mut Page) -> u16 {
 }
 
 #[test]
-fn who_looks_at_a_home_that_is_renamed_hears_so_and_its_run_is_whole() {
+fn pages_of_a_renamed_home_close_and_its_run_is_complete() {
     let served = Served::library(&["by-hand"]);
     let mut page = served.page_at("/api/homes/by-hand/live");
     page.say(r#"{"say":"step","seconds":60}"#);
@@ -211,7 +211,7 @@ fn who_looks_at_a_home_that_is_renamed_hears_so_and_its_run_is_whole() {
     assert_eq!(closed_with(&mut served.page_at("/api/homes/by-hand/live")), 4404, "it is not there any more");
     let runs = served.json("/api/homes/other/runs");
     assert_eq!((runs.as_array().unwrap().len(), &runs[0]["problem"]), (1, &Value::Null), "{runs}");
-    // Who has no token hears nothing of which homes there are.
+    // Without the token a client does not learn the names of homes.
     for name in ["other", "by-hand"] {
         let mut stranger = Page { socket: served.socket_at(&format!("/api/homes/{name}/live")) };
         stranger.say(r#"{"say":"hello","token":"guessed"}"#);
@@ -222,9 +222,9 @@ fn who_looks_at_a_home_that_is_renamed_hears_so_and_its_run_is_whole() {
     assert!(matches!(served.page_at("/api/homes/other/live").hear(), Heard::Tell(_)));
 }
 
-/// A page whose server ends waits for the next one: only of a home that has gone it hears that.
+/// A page whose server ends waits for the next one; only the page of a deleted home closes.
 #[test]
-fn a_server_that_ends_says_of_no_home_that_it_is_gone() {
+fn reports_no_home_as_deleted_at_its_end() {
     let mut served = Served::library(&["by-hand"]);
     let mut page = served.page_at("/api/homes/by-hand/live");
     page.until(|_| true);
@@ -235,9 +235,9 @@ fn a_server_that_ends_says_of_no_home_that_it_is_gone() {
     }
 }
 
-/// The desk of a home of a library is that of a server of it alone: what a page has not seen, another does not replace.
+/// Drafts of a home in a library behave as those of a single home: saving replaces only known versions.
 #[test]
-fn two_pages_of_one_home_do_not_write_over_each_other() {
+fn keeps_changes_of_two_pages_of_one_home() {
     let served = Served::library(&["studio"]);
     let versions = served.json("/api/homes/studio/files/versions");
     let save =
@@ -276,10 +276,10 @@ fn unwatched_homes_close_when_too_many_are_open() {
     assert!((0..100).any(is_free), "the place of a page that is gone becomes free");
 }
 
-/// All of `/proc` is a folder into which nobody writes, root neither.
+/// No user can write into `/proc`, not even root.
 #[cfg(target_os = "linux")]
 #[test]
-fn a_folder_that_cannot_be_written_is_said_so() {
+fn reports_a_read_only_folder() {
     let library = Library::new("/proc".into(), false);
     let served = Served::of(tempfile::tempdir().unwrap(), Options { port: Some(0), ..Options::new(library) });
     let view = served.json("/api/library");
@@ -289,7 +289,7 @@ fn a_folder_that_cannot_be_written_is_said_so() {
 }
 
 #[test]
-fn a_thousand_homes_are_shown_and_more_are_told_of() {
+fn lists_a_thousand_homes_and_counts_the_others() {
     let folder = tempfile::tempdir().unwrap();
     for number in 0..1005 {
         let home = folder.path().join(format!("home {number}"));
@@ -299,12 +299,12 @@ fn a_thousand_homes_are_shown_and_more_are_told_of() {
     let library = Library::new(folder.path().to_owned(), false);
     let view = library.view();
     assert_eq!((view.homes.len(), view.more), (1000, 5));
-    // What is no JSON at all is a home still, and its card says that something is wrong.
+    // A home with an invalid scenario has a card with its problems.
     assert_eq!(library.card(&view.homes[0].name).unwrap().problems, 1);
 }
 
 #[test]
-fn homes_come_from_plans_and_logs() {
+fn creates_homes_from_plans_and_logs() {
     let served = Served::library(&[]);
     let (code, why) = served.refusal("POST", "/api/library/plans/plan", &json!("no plan"));
     assert!(code == 422 && why["code"].as_str().is_some_and(|code| code.starts_with("import::")), "{code} {why}");
@@ -323,7 +323,7 @@ fn homes_come_from_plans_and_logs() {
     let rooms: Vec<&str> =
         home["rooms"].as_array().unwrap().iter().map(|room| room["name"].as_str().unwrap()).collect();
     assert!(rooms.contains(&"bedroom") && rooms.contains(&"kitchen"), "{rooms:?}");
-    // Of names that tell no room, what to do is said as the page does it.
+    // The hint about names without a room fits the page.
     let placeless = rows.replace("bedroom", "M001").replace("kitchen", "M002");
     let answer = served.send("POST", "/api/library/logs/none/week.txt", placeless.as_bytes());
     let why = answer.refusal()["what"].as_str().unwrap().to_owned();
@@ -337,7 +337,7 @@ fn homes_come_from_plans_and_logs() {
     assert_eq!(served.homes(), ["theirs"]);
 }
 
-/// What a plan lacks is a problem as in a home that was begun empty, and somebody lives there as soon as it is put there.
+/// Missing parts of a plan are problems, and the home works as soon as they are added.
 #[test]
 fn the_page_adds_what_a_plan_lacks_for_a_resident() {
     let served = Served::library(&[]);
@@ -366,9 +366,9 @@ fn the_page_adds_what_a_plan_lacks_for_a_resident() {
     assert!(check["problems"].to_string().contains("the home has no place to sleep"), "{check}");
 }
 
-/// The same address and token after a restart; without the file the token is another.
+/// Address and token stay after a restart; without the file the token changes.
 #[test]
-fn an_address_that_is_kept_outlives_the_server() {
+fn keeps_the_address_for_the_next_server() {
     let files = tempfile::tempdir().unwrap();
     let kept = files.path().join("address");
     let serve = |kept: Option<&Path>, port| {
@@ -379,7 +379,7 @@ fn an_address_that_is_kept_outlives_the_server() {
     let first = serve(Some(&kept), Some(0));
     let (address, token) = (first.address, first.token.clone());
     drop(first);
-    assert_eq!(kept_address::read(&kept).unwrap().unwrap().port, address.port());
+    assert_eq!(address_file::read(&kept).unwrap().unwrap().port, address.port());
     let second = serve(Some(&kept), None);
     assert_eq!((second.address, &second.token), (address, &token));
     assert_eq!(second.api("/api/library").code, 200);

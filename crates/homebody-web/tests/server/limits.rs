@@ -9,13 +9,13 @@ use std::time::{Duration, Instant};
 use std::{fs, thread};
 
 #[test]
-fn who_never_ends_a_request_is_sent_away() {
+fn disconnects_endless_requests() {
     let served = Served::scenario("by-hand");
     let slow: Vec<TcpStream> = (0..40)
         .map(|number| {
             let mut stream = TcpStream::connect(served.address).unwrap();
             stream.set_read_timeout(Some(Duration::from_secs(30))).unwrap();
-            // Some say nothing at all.
+            // Some send nothing.
             if number % 2 == 0 {
                 stream.write_all(format!("GET / HTTP/1.1\r\nHost: {}\r\n", served.address).as_bytes()).unwrap();
             }
@@ -25,14 +25,14 @@ fn who_never_ends_a_request_is_sent_away() {
     assert_eq!(served.api("/api/runs").code, 200, "others are heard meanwhile");
     for mut stream in slow {
         let mut answer = Vec::new();
-        // Its end comes by the server's own clock; the time-out of reading would be an error.
+        // The server ends the connection by its own clock; a timeout of reading would be an error.
         stream.read_to_end(&mut answer).unwrap();
         assert!(!String::from_utf8_lossy(&answer).contains("200 OK"));
     }
 }
 
 #[test]
-fn guesses_of_the_token_wait_for_each_other_and_who_knows_it_does_not() {
+fn delays_wrong_tokens_only() {
     let served = Arc::new(Served::scenario("by-hand"));
     let begun = Instant::now();
     let guessing: Vec<_> = (0..8)
@@ -58,7 +58,7 @@ fn guesses_of_the_token_wait_for_each_other_and_who_knows_it_does_not() {
     assert!(known < all / 2, "who knows the token waits {known:?} of {all:?}");
 }
 
-/// A draft that keeps somebody busy with as many things a second as may be.
+/// A draft with as many actions a second as possible.
 fn hasty(served: &Served) -> Value {
     let text = |name: &str| fs::read_to_string(served.file("by-hand", name)).unwrap();
     let path = json!({ "start": [0.6, 0.6], "steps": [{ "repeat": { "steps": [{ "wait": { "for_s": 0.011 } }] } }] });
@@ -73,7 +73,7 @@ fn hasty(served: &Served) -> Value {
     } })
 }
 
-/// Who goes away while a month is lived stops it, so that the next is not waited for.
+/// A client that disconnects cancels its simulation, so that the next one does not wait.
 #[test]
 fn abandoned_requests_are_not_simulated() {
     let served = Served::scenario("by-hand");
@@ -97,7 +97,7 @@ fn abandoned_requests_are_not_simulated() {
         let month = json!({ "draft": { "texts": {} }, "from": 0, "days": 1, "without": [] });
         let known = served.told("/api/month", &month);
         assert!(known["days"].as_array().is_some_and(|days| days.len() == 1), "{known}");
-        // For all twenty together, each of which is given up after five seconds, it would wait a hundred.
+        // Twenty requests of five seconds each would take a hundred.
         assert!(begun.elapsed() < Duration::from_secs(20), "{path}: the next month waits for {:?}", begun.elapsed());
     }
 }

@@ -21,9 +21,9 @@ fn problems(served: &Served, texts: &Value) -> usize {
     check["problems"].as_array().unwrap().len()
 }
 
-/// Each kind of thing is followed into each file that names it, and the scenario is as right as it was.
+/// Each kind of thing is renamed in each file, and the scenario stays valid.
 #[test]
-fn a_thing_that_is_called_otherwise_is_so_in_all_files() {
+fn renames_a_thing_in_all_files() {
     let served = Served::scenario("tigerplace");
     for (kind, from, to, changed) in [
         ("sensor", "stove motion", "cooker \"motion\"", &["home.json", "logger.json"][..]),
@@ -42,11 +42,11 @@ fn a_thing_that_is_called_otherwise_is_so_in_all_files() {
     assert_eq!(routine, text(&served, "margaret.routine").replace("the armchair", "the recliner"));
     let joan = rename(&served, "resident", "margaret", "joan");
     assert!(joan["texts"]["margaret.routine"].as_str().unwrap().contains("\nJoan is 82."));
-    // To go to bed is no piece of furniture.
+    // "To bed" does not mean the piece of furniture.
     let bed = rename(&served, "furniture", "bed", "divan");
     assert_eq!(files(&bed), ["home.json"]);
     assert!(bed["texts"]["home.json"].as_str().unwrap().contains(r#""on": "divan""#));
-    // The control: by the home's file alone the logger is wrong.
+    // The control: with the home's file only, the logger is wrong.
     let alone = text(&served, "home.json").replace("\"stove motion\"", "\"cooker motion\"");
     assert!(problems(&served, &json!({ "home.json": alone })) > 0);
 }
@@ -59,13 +59,13 @@ fn renames_nothing_if_a_name_is_ambiguous() {
     {
         assert_eq!(files(&rename(&served, kind, from, to)), [""; 0], "{kind} {from} {to}");
     }
-    // And back again, as long as both are called so.
+    // And back again, as long as two things have the name.
     let home = text(&served, "home.json").replace("\"name\": \"bathroom\"", "\"name\": \"kitchen\"");
     assert_eq!(home.matches("\"name\": \"kitchen\"").count(), 2);
     let asked =
         json!({ "draft": { "texts": { "home.json": home } }, "kind": "room", "from": "kitchen", "to": "bathroom" });
     assert_eq!(files(&served.told("/api/rename", &asked)), [""; 0]);
-    // Its own name may be written with other letters.
+    // The case of letters may change.
     assert_eq!(files(&rename(&served, "room", "kitchen", "Kitchen"))[0], "home.json");
 }
 
@@ -96,9 +96,9 @@ fn removing_a_thing_lists_and_removes_its_references() {
     assert_eq!(forget("place", &["bedside"])["mentions"], json!([]));
 }
 
-/// Which sensors wake a camera is said by their names.
+/// Cameras name the sensors that wake them.
 #[test]
-fn a_sensor_is_followed_to_the_cameras_that_it_wakes() {
+fn renames_sensors_that_wake_cameras() {
     let served = Served::scenario("cameras");
     let wakers = |texts: &Value| -> Vec<usize> {
         let home: Value = serde_json::from_str(texts["home.json"].as_str().unwrap()).unwrap();
@@ -112,7 +112,7 @@ fn a_sensor_is_followed_to_the_cameras_that_it_wakes() {
     assert_eq!(wakers(&forgotten["texts"]), [4, 4, 0]);
     let said = forgotten["mentions"].as_array().unwrap();
     assert!(said.iter().filter(|mention| mention["goes"] == true).count() >= 3, "{said:?}");
-    // Where the sensor went without its mentions, one button mends that.
+    // Without the other uses of a deleted sensor, one button solves the problem.
     let home = fs::read_to_string(served.file("cameras", "home.json")).unwrap();
     let alone = home.replace(r#""name": "room motion""#, r#""name": "corner motion""#);
     let mends = served.told("/api/mends", &json!({ "texts": { "home.json": alone } }));

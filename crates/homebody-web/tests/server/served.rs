@@ -2,9 +2,9 @@
 
 use homebody_scaffold::{create, from_template, write};
 use homebody_simulation::{Cancel, Template};
+use homebody_web::folders::HomeFolders;
 use homebody_web::library::Library;
 use homebody_web::server::SOCKET;
-use homebody_web::shelf::Shelf;
 use homebody_web::{Options, serve};
 use std::fs;
 use std::io::{Read, Write};
@@ -17,7 +17,7 @@ use tempfile::TempDir;
 use tungstenite::client::IntoClientRequest;
 use tungstenite::{Message, WebSocket};
 
-/// A server that is gone, its files complete, when this is dropped.
+/// Dropping it ends the server, with complete files.
 pub struct Served {
     pub folder: TempDir,
     pub address: SocketAddr,
@@ -26,7 +26,7 @@ pub struct Served {
     thread: Option<JoinHandle<()>>,
 }
 
-/// What a server answered.
+/// An answer of the server.
 #[derive(Debug)]
 pub struct Answer {
     pub code: u16,
@@ -35,7 +35,7 @@ pub struct Answer {
 }
 
 impl Answer {
-    /// The code, the sentences and the data of a refusal; nothing of an answer that has none.
+    /// The code, the sentences and the data of a refusal.
     pub fn refusal(&self) -> serde_json::Value {
         serde_json::from_slice(&self.body).unwrap_or_default()
     }
@@ -43,7 +43,7 @@ impl Answer {
 
 pub type Socket = WebSocket<TcpStream>;
 
-/// How long a page waits for a frame: far longer than any takes on a machine that is busy.
+/// The longest wait for a frame, enough for a busy machine.
 pub const LONGEST_WAIT: Duration = Duration::from_secs(300);
 
 impl Served {
@@ -60,12 +60,16 @@ impl Served {
         for (file, text) in Template::named(name).unwrap().files() {
             fs::write(scenario.join(file), text).unwrap();
         }
-        let shelf =
-            Shelf { scenario, entry: "scenario.json".into(), is_trusted: false, runs: folder.path().join("runs") };
+        let shelf = HomeFolders {
+            scenario,
+            entry: "scenario.json".into(),
+            is_trusted: false,
+            runs: folder.path().join("runs"),
+        };
         Served::of(folder, Options { ip, port: Some(0), ..Options::new(shelf) })
     }
 
-    /// Serves a folder of homes, once each of these has been begun from the template of its name.
+    /// Serves a folder of homes from templates.
     pub fn library(templates: &[&str]) -> Served {
         let folder = tempfile::tempdir().unwrap();
         for name in templates {
@@ -78,7 +82,7 @@ impl Served {
         Served::of(folder, Options { port: Some(0), ..Options::new(library) })
     }
 
-    /// Serves what is in a folder.
+    /// Serves a folder.
     pub fn of(folder: TempDir, options: Options) -> Served {
         let cancel = Cancel::new();
         let (ready, is_ready) = channel();
@@ -104,7 +108,7 @@ impl Served {
     pub fn ask(&self, request: &[u8]) -> Answer {
         let mut stream = TcpStream::connect(self.address).unwrap();
         stream.set_read_timeout(Some(Duration::from_secs(20))).unwrap();
-        // A server that has seen enough may close before all is sent.
+        // A server that refuses a request may close before all is sent.
         let _ = stream.write_all(request);
         let mut answer = Vec::new();
         let _ = stream.read_to_end(&mut answer);
@@ -114,23 +118,23 @@ impl Served {
         Answer { code, head, body: answer.get(end + 4..).unwrap_or_default().to_vec() }
     }
 
-    /// Asks for a path as its own page does, with more lines in the head.
+    /// Requests a path as the own page does, with further headers.
     pub fn get(&self, path: &str, more: &str) -> Answer {
         let address = self.address;
         self.ask(format!("GET {path} HTTP/1.1\r\nHost: {address}\r\nConnection: close\r\n{more}\r\n").as_bytes())
     }
 
-    /// Asks below `/api/` with the token.
+    /// A GET below `/api/` with the token.
     pub fn api(&self, path: &str) -> Answer {
         self.get(path, &format!("x-homebody-token: {}\r\n", self.token))
     }
 
-    /// Sends JSON below `/api/` with the token.
+    /// JSON below `/api/` with the token.
     pub fn post(&self, path: &str, body: &serde_json::Value) -> Answer {
         self.send("POST", path, body.to_string().as_bytes())
     }
 
-    /// Sends a body below `/api/` with the token.
+    /// A body below `/api/` with the token.
     pub fn send(&self, method: &str, path: &str, body: &[u8]) -> Answer {
         let (address, token, length) = (self.address, &self.token, body.len());
         let head = format!(
@@ -140,7 +144,7 @@ impl Served {
         self.ask(&[head.as_bytes(), body].concat())
     }
 
-    /// A socket of its own page that has not said anything yet.
+    /// A socket of the own page before its first message.
     pub fn socket(&self) -> Socket {
         self.socket_at(SOCKET)
     }
@@ -154,7 +158,7 @@ impl Served {
         tungstenite::client(request, stream).unwrap().0
     }
 
-    /// A page that is let in.
+    /// A page that has sent the token.
     pub fn page(&self) -> Page {
         self.page_at(SOCKET)
     }
@@ -181,12 +185,12 @@ impl Drop for Served {
     }
 }
 
-/// A page's side of a socket.
+/// The page's side of a socket.
 pub struct Page {
     pub socket: Socket,
 }
 
-/// What a page hears.
+/// A message to the page.
 #[derive(Debug)]
 pub enum Heard {
     Frame(serde_json::Value),
@@ -208,8 +212,8 @@ impl Page {
         }
     }
 
-    /// Reads until a frame is as wished, and returns it with all rows and notes that came on the way. A run that plays on is only
-    /// waited for so long: a frame that its page was too late for does not come again.
+    /// Reads until a frame fits, and returns it with all rows and notes before it. A running run does not repeat a frame, so the wait
+    /// is limited.
     pub fn until(&mut self, is_wished: impl Fn(&serde_json::Value) -> bool) -> Seen {
         let begun = Instant::now();
         let mut seen = Seen::default();
@@ -231,7 +235,7 @@ impl Page {
 }
 
 impl Page {
-    /// Reads until a note holds the text, and returns all that came before it and the frame after it.
+    /// Reads until a note holds the text, and returns everything before it and the frame after it.
     pub fn until_told(&mut self, text: &str) -> Seen {
         let begun = Instant::now();
         let mut seen = Seen::default();
@@ -246,7 +250,7 @@ impl Page {
     }
 }
 
-/// What a page has seen.
+/// The messages to a page.
 #[derive(Debug, Default)]
 pub struct Seen {
     pub frame: serde_json::Value,

@@ -11,19 +11,19 @@ use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::thread;
 use std::time::{Duration, Instant};
 
-/// So many of a kind at once: more than there are places for strangers.
+/// More connections of a kind than places for strangers.
 const CLIENTS: usize = 300;
 
-/// From a key to the picture of it.
+/// The time from a key to its picture.
 const MOST: Duration = Duration::from_millis(100);
 
-/// How somebody keeps a connection.
+/// A kind of slow client.
 struct Kind {
     name: &'static str,
-    /// What they begin with, and say again each second.
+    /// The first bytes, sent again each second.
     opening: Vec<u8>,
     drip: Vec<u8>,
-    /// Whether they take what they are answered.
+    /// Whether the client reads answers.
     reads: bool,
 }
 
@@ -53,12 +53,12 @@ impl Kind {
     fn connect(&self, address: SocketAddr) -> Option<TcpStream> {
         let mut stream = TcpStream::connect(address).ok()?;
         stream.set_nonblocking(true).ok()?;
-        // What is not taken at once is not needed.
+        // Bytes that are not sent at once are not needed.
         let _ = stream.write(&self.opening);
         Some(stream)
     }
 
-    /// Whether the server still has it.
+    /// Whether the connection is open.
     fn holds(&self, mut stream: &TcpStream, drips: bool) -> bool {
         let is_open = |done: std::io::Result<usize>| match done {
             Ok(length) => length > 0,
@@ -68,7 +68,7 @@ impl Kind {
             && (!self.reads || is_open(stream.read(&mut [0; 4096])))
     }
 
-    /// Keeps all of them there, and comes again with each that is sent away.
+    /// Keeps all connections, and replaces those that the server closes.
     fn keep(&self, address: SocketAddr, is_over: &AtomicBool, connected: &AtomicUsize) {
         let mut clients: Vec<Option<TcpStream>> = (0..CLIENTS).map(|_| None).collect();
         for turn in 0.. {
@@ -86,13 +86,13 @@ impl Kind {
     }
 }
 
-/// Where the driven one is in the next picture.
+/// The place of the resident in the next picture.
 fn next_x(page: &mut Page) -> f64 {
     let x = |frame: &Value| frame["bodies"][0]["at"][0].as_f64();
     x(&page.until(|frame| x(frame).is_some()).frame).unwrap()
 }
 
-/// A page in which the first resident is driven, and the run goes on.
+/// A page with a running run and its first resident under manual control.
 fn driven(served: &Served) -> Page {
     let mut page = served.page();
     page.say(r#"{"say":"start","driven":0,"without":[],"seed":null}"#);
@@ -101,13 +101,13 @@ fn driven(served: &Served) -> Page {
     page
 }
 
-/// How long it takes from each key to the first picture in which it has an effect.
+/// The time from each key to the first picture with its effect.
 fn keys_to_pictures(page: &mut Page, length: Duration) -> Vec<Duration> {
     let begun = Instant::now();
     let mut took = Vec::new();
     while begun.elapsed() < length {
         let mut rest = next_x(page);
-        // A step that is on its way is taken to its end.
+        // A step is completed.
         let mut still = 0;
         while still < 3 {
             let x = next_x(page);
@@ -127,14 +127,14 @@ fn keys_to_pictures(page: &mut Page, length: Duration) -> Vec<Duration> {
     took
 }
 
-/// Whoever holds connections without the token keeps out nobody who has it: pages open, questions are answered, keys move.
+/// Connections without the token do not affect clients with it: pages open, requests are answered, keys move.
 #[test]
-fn slow_clients_of_every_kind_are_in_nobodys_way() {
+fn slow_clients_delay_no_other() {
     let wished = std::env::var("HOMEBODY_SLOW_S").ok().and_then(|text| text.parse().ok());
     let length = Duration::from_secs_f64(wished.unwrap_or(0.6));
     let served = Served::scenario("by-hand");
     let share = |took: &[Duration], share: usize| took[(took.len() - 1) * share / 100];
-    // How long it takes where nobody is in the way, on this machine with what else it does.
+    // The times without slow clients, on this machine under its present load.
     let alone = share(&keys_to_pictures(&mut driven(&served), length), 95);
     for kind in kinds(&served) {
         let (is_over, connected) = (Arc::new(AtomicBool::new(false)), Arc::new(AtomicUsize::new(0)));
@@ -162,9 +162,9 @@ fn slow_clients_of_every_kind_are_in_nobodys_way() {
             page.say(r#"{"say":"stop"}"#);
             is_over.store(true, Ordering::Relaxed);
             keeps.join().unwrap();
-            // Whom the server lets wait for a stranger waits for ten seconds, until that one is sent away.
+            // A client that waits for a stranger's place waits for ten seconds.
             assert!(opened < Duration::from_secs(5), "{}: a page opens after {opened:?}", kind.name);
-            // Of a machine that does other things as well, the one in twenty that takes longest says more of those.
+            // On a busy machine, the slowest one in twenty measures the other load.
             assert!(of(95) < MOST.max(3 * alone), "{}: alone {alone:?}, now {took:?}", kind.name);
         });
     }

@@ -7,10 +7,10 @@ use serde_json::{Value, json};
 use std::collections::BTreeSet;
 use std::{fs, thread};
 
-/// So many saves each page makes.
+/// The number of saves of each page.
 const SAVES: usize = 25;
 
-/// A second server of the same homes, as another program would be.
+/// A second server of the same homes, as in another program.
 fn beside(served: &Served) -> Served {
     let library = Library::new(served.folder.path().to_owned(), false);
     Served::of(tempfile::tempdir().unwrap(), Options { port: Some(0), ..Options::new(library) })
@@ -21,7 +21,7 @@ fn answer(served: &Served, method: &str, path: &str, body: &Value) -> (u16, Valu
     (answer.code, serde_json::from_slice(&answer.body).unwrap_or_default())
 }
 
-/// Adds a word of its own to a list again and again, each time to the list as it sees it; returns the words that were accepted.
+/// Adds words to a list, each time to the list as read; returns the accepted words.
 fn add_words(served: &Served, page: usize) -> Vec<String> {
     let mut accepted = Vec::new();
     for number in 0..SAVES {
@@ -40,7 +40,7 @@ fn add_words(served: &Served, page: usize) -> Vec<String> {
     accepted
 }
 
-/// Notes something on days of its own; returns the days that were accepted.
+/// Adds notes to days of its own; returns the days that were accepted.
 fn add_notes(served: &Served, page: usize) -> Vec<String> {
     let day = |number: usize| format!("2025-{:02}-{:02}", 1 + page, 1 + number);
     let note = |day: &String| json!({ "before": null, "note": { "day": day, "rule": "", "seen": true, "note": "x" } });
@@ -75,7 +75,7 @@ fn two_servers_of_one_folder_lose_no_save() {
     let kept: BTreeSet<String> =
         notes["notes"].as_array().unwrap().iter().map(|note| note["day"].as_str().unwrap().to_owned()).collect();
     assert_eq!(kept, accepted);
-    // No lock and no part stays.
+    // No lock and no partial file stays.
     let names = fs::read_dir(&home).unwrap().map(|entry| entry.unwrap().file_name().into_string().unwrap());
     let left: Vec<String> = names.filter(|name| name.ends_with(".lock") || name.ends_with(".part")).collect();
     assert_eq!(left, [""; 0]);

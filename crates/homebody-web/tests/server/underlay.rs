@@ -5,7 +5,7 @@ use serde_json::{Value, json};
 use std::fs;
 
 #[test]
-fn a_picture_of_the_scenarios_folder_lies_below_its_plan() {
+fn serves_the_image_below_the_plan() {
     let served = Served::scenario("studio");
     assert_eq!(served.api("/api/underlay").body, b"null");
     assert_eq!(served.api("/api/underlay/picture").code, 404);
@@ -15,7 +15,7 @@ fn a_picture_of_the_scenarios_folder_lies_below_its_plan() {
     fs::write(served.file("studio", "plan.png"), b"a picture").unwrap();
     assert_eq!(serde_json::from_slice::<Value>(&served.api("/api/underlay").body).unwrap(), lies);
     assert_eq!(served.api("/api/underlay/picture").body, b"a picture");
-    // Nothing that is no picture, and nothing outside of the folder, is shown.
+    // Only images in the folder are served.
     for name in ["scenario.json", "../secret.png", "/etc/hostname.png"] {
         fs::write(served.folder.path().join("secret.png"), b"secret").unwrap();
         fs::write(served.file("studio", "underlay.json"), lies.to_string().replace("plan.png", name)).unwrap();

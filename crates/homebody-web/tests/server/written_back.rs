@@ -1,13 +1,13 @@
 //! A home whose folder is missing.
 
-use super::desk::all_files;
+use super::drafts::all_files;
 use super::served::Served;
 use serde_json::{Value, json};
 use std::fs;
 
-/// Whoever has read the files of a home that is gone can write them back.
+/// A page that has read the files of a deleted home can save them again.
 #[test]
-fn a_home_whose_folder_is_gone_is_written_back() {
+fn restores_the_folder_of_a_home_on_saving() {
     let served = Served::scenario("studio");
     let folder = served.file("studio", "home.json").parent().unwrap().to_owned();
     let whole = all_files(&folder);
@@ -15,7 +15,7 @@ fn a_home_whose_folder_is_gone_is_written_back() {
     fs::remove_dir_all(&folder).unwrap();
     let fresh = |file: &Value| json!({ "name": file["name"], "text": file["text"], "version": null });
     let all: Vec<Value> = files.as_array().unwrap().iter().map(fresh).collect();
-    // Not of some of them alone, which would be no home, nor with one that has no place there.
+    // Not only some of them, and not with a file without a place there.
     let some: Vec<&Value> = all.iter().filter(|file| file["name"] != "scenario.json").collect();
     let odd = [&all[..], &[json!({ "name": "../out.json", "text": "", "version": null })]].concat();
     for files in [json!(some), json!(odd)] {

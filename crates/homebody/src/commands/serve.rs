@@ -7,10 +7,10 @@ use crate::signals::{Signals, begin_other};
 use homebody_core::scenario::load::{Files, NoText};
 use homebody_log::run::places::RUNS;
 use homebody_simulation::SimulationError;
-use homebody_web::kept_address::Unkept;
+use homebody_web::address_file::AddressFileError;
+use homebody_web::folders::HomeFolders;
 use homebody_web::library::Library;
-use homebody_web::shelf::Shelf;
-use homebody_web::{Address, Offer, Options, ServeError};
+use homebody_web::{Offer, Options, PageAddress, ServeError};
 use serde_json::Value;
 use std::net::{IpAddr, Ipv4Addr};
 use std::path::{Path, PathBuf};
@@ -83,7 +83,7 @@ impl ServeArguments {
         }
         let browser = !self.no_open;
         let options = Options { ip, port: self.port, browser, kept: self.address_file, ..Options::new(offer) };
-        let ready = |address: Address| {
+        let ready = |address: PageAddress| {
             // A closed standard output does not matter.
             let _ = print_text(&format!("{}\n", address.url));
             if browser && !address.file.is_some_and(open) {
@@ -104,14 +104,15 @@ impl ServeArguments {
         }
         let source = self.trust.source(&self.scenario)?;
         let scenario = source.folder().unwrap_or(Path::new("")).to_owned();
-        let shelf = Shelf { scenario, entry: source.entry().to_owned(), is_trusted, runs: Path::new(RUNS).into() };
+        let folders =
+            HomeFolders { scenario, entry: source.entry().to_owned(), is_trusted, runs: Path::new(RUNS).into() };
         match source.open() {
-            Err(SimulationError::Problems(problems)) if can_be_mended(&shelf) => {
+            Err(SimulationError::Problems(problems)) if can_be_mended(&folders) => {
                 warn(ServeMessage::Problems { count: problems.0.len() });
             }
             opened => drop(opened?),
         }
-        Ok(shelf.into())
+        Ok(folders.into())
     }
 }
 
@@ -121,13 +122,13 @@ fn is_library(path: &Path) -> bool {
 }
 
 /// True if the page can show all files with problems. It cannot show unreadable files, and files outside the folder.
-fn can_be_mended(shelf: &Shelf) -> bool {
-    let Ok(text) = shelf.read(&shelf.entry) else { return false };
+fn can_be_mended(folders: &HomeFolders) -> bool {
+    let Ok(text) = folders.read(&folders.entry) else { return false };
     let Ok(root) = serde_json::from_str::<Value>(&text) else { return false };
     let residents = root["residents"].as_array().into_iter().flatten();
     let mut named =
         [&root["home"], &root["logger"], &root["link"]].into_iter().chain(residents).filter_map(Value::as_str);
-    !named.any(|name| matches!(shelf.read(name), Err(NoText::Unreadable { .. })))
+    !named.any(|name| matches!(folders.read(name), Err(NoText::Unreadable { .. })))
 }
 
 /// Opens the browser with the file that leads to the page. All users of the machine can read the arguments of a program, so the
@@ -144,7 +145,9 @@ impl From<ServeError> for Failure {
         match error {
             ServeError::Scenario(_)
             | ServeError::Foreign(_)
-            | ServeError::Unkept(Unkept::Open(_) | Unkept::NoAddress(_)) => Failure::asked(error),
+            | ServeError::AddressFile(AddressFileError::Open(_) | AddressFileError::NoAddress(_)) => {
+                Failure::asked(error)
+            }
             ServeError::NoPort { .. } | ServeError::Port { .. } => {
                 Failure::file(error).advising("choose another port with --port")
             }

@@ -1,11 +1,11 @@
 // The calendar of a log: its months as grids of days, with the marks of each day.
 
-import type { AlertView, CareView, KnownView, NoteView } from '../../wire';
+import type { AlertView, CareView, DayKnowledge, NoteView } from '../../wire';
 import { inFull, monthOf, monthsLater, shifted, weekday } from './dates';
 
 export interface Cell {
   day: string;
-  known: KnownView;
+  known: DayKnowledge;
   /** Alerts that are not handled, and handled ones. */
   open: number;
   seen: number;

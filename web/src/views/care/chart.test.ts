@@ -1,8 +1,8 @@
 import { expect, test } from 'vitest';
-import type { ChartView } from '../../wire';
+import type { MeasureChart } from '../../wire';
 import { described, drawn, said } from './chart';
 
-const chart = (values: (number | null)[], usual: [number, number] | null = null): ChartView => ({
+const chart = (values: (number | null)[], usual: [number, number] | null = null): MeasureChart => ({
   measure: 'sleep',
   title: 'Sleep',
   unit: 'hours',
@@ -22,7 +22,7 @@ test('days that are not known have no dot, and the usual range has gaps', () => 
 });
 
 test('the ends of a chart are round', () => {
-  const texts = (unit: ChartView['unit'], values: number[]) => drawn({ ...chart(values), unit }).values.map(({ text }) => text);
+  const texts = (unit: MeasureChart['unit'], values: number[]) => drawn({ ...chart(values), unit }).values.map(({ text }) => text);
   expect(texts('times', [0.7, 2.4])).toEqual(['3', '0']);
   expect(texts('metres_a_second', [0.63, 0.8])).toEqual(['0.80 m/s', '0.60 m/s']);
   expect(texts('clock', [22.2, 24.4])).toEqual(['00:30', '22:00']);

@@ -1,6 +1,6 @@
 // A small chart: the positions of its days, its usual range and its lines. Lengths are pixels.
 
-import type { CareUnit, ChartView, PointView } from '../../wire';
+import type { ChartPoint, MeasureChart, ValueForm } from '../../wire';
 import { dayAndMonth, inFull } from './dates';
 
 /** Default width, before it is measured. */
@@ -12,13 +12,13 @@ const TOP = 8;
 /** Distance between readable dates. */
 const DATE_APART = 52;
 /** The ends of a chart are multiples of these, in its unit. */
-const STEPS: Record<CareUnit, number> = { hours: 0.5, clock: 0.5, times: 1, of_usual: 0.1, metres_a_second: 0.1 };
+const STEPS: Record<ValueForm, number> = { hours: 0.5, clock: 0.5, times: 1, of_usual: 0.1, metres_a_second: 0.1 };
 
 export interface Drawn {
   /** The usual range, as paths: one for each series of days with a usual value. */
   usual: string[];
   /** The known days. */
-  dots: { x: number; y: number; day: PointView }[];
+  dots: { x: number; y: number; day: ChartPoint }[];
   /** The first day of each month, or of each week of a short log. */
   dates: { x: number; text: string }[];
   /** The position of a day. */
@@ -28,7 +28,7 @@ export interface Drawn {
 }
 
 /** A value in words. */
-export function said(unit: CareUnit, value: number): string {
+export function said(unit: ValueForm, value: number): string {
   switch (unit) {
     case 'clock': {
       const minutes = Math.round(value * 60);
@@ -53,7 +53,7 @@ function floored(value: number, step: number): number {
 }
 
 /** The positions of all parts of a chart. */
-export function drawn(chart: ChartView, width = WIDTH): Drawn {
+export function drawn(chart: MeasureChart, width = WIDTH): Drawn {
   const values = chart.days.flatMap(({ value, usual }) => [...(value === null ? [] : [value]), ...(usual ?? [])]);
   const whole = STEPS[chart.unit];
   const [low, high] = values.length > 0 ? [floored(Math.min(...values), whole), -floored(-Math.max(...values), whole)] : [0, 1];
@@ -88,7 +88,7 @@ export function drawn(chart: ChartView, width = WIDTH): Drawn {
 }
 
 /** A chart in a sentence, for screen readers. */
-export function described(chart: ChartView): string {
+export function described(chart: MeasureChart): string {
   const known = chart.days.filter(({ value }) => value !== null);
   const last = known.at(-1);
   if (!last) return `${chart.title}: no data.`;

@@ -1,7 +1,7 @@
 // Notes on alerts and days. They are stored with the run, so that other users see them.
 
 import { Refused, type Server, notesPath, said } from '../../server';
-import type { AlertView, NoteIt, NoteView } from '../../wire';
+import type { AlertView, NoteChange, NoteView } from '../../wire';
 
 /** The subject of a note: an alert, or with an empty rule a day. */
 export type Of = Pick<AlertView, 'day' | 'rule'>;
@@ -49,7 +49,7 @@ export class Notes {
   }
 
   private async send(run: string, note: NoteView): Promise<void> {
-    const it: NoteIt = { before: find(this.kept, note) ?? null, note };
+    const it: NoteChange = { before: find(this.kept, note) ?? null, note };
     try {
       const kept = await this.server.post<NoteView[]>(notesPath(run), it);
       if (run !== this.run) return;

@@ -1,16 +1,16 @@
 import { expect, test } from 'vitest';
 import { Refused } from '../../server';
-import type { CareDayView, ChartView, NoteIt, NoteView } from '../../wire';
+import type { CareDay, MeasureChart, NoteChange, NoteView } from '../../wire';
 import { described, monthsOf, stepped } from './calendar';
 import { between, inFull, monthsLater, shifted, weekday } from './dates';
 import { momentOf } from './moment';
 import { Notes } from './notes.svelte';
 import { compared, usualSpans } from './spans';
 
-const chart = (measure: string, unit: ChartView['unit'], values: (number | null)[], little = 0.5): ChartView => ({
+const chart = (measure: string, unit: MeasureChart['unit'], values: (number | null)[], little = 0.5): MeasureChart => ({
   measure, title: measure, unit, little, is_guess: false, days: values.map((value, index) => ({ day: shifted('2024-02-26', index), value, usual: null })),
 });
-const days = (count: number, first = '2024-02-26'): CareDayView[] => Array.from({ length: count }, (_, index) => ({ day: shifted(first, index), known: 'whole', told: [] }));
+const days = (count: number, first = '2024-02-26'): CareDay[] => Array.from({ length: count }, (_, index) => ({ day: shifted(first, index), known: 'whole', told: [] }));
 
 test('days are counted over leap days and ends of months', () => {
   expect([shifted('2024-02-28', 2), shifted('2024-01-01', -1), monthsLater('2024-01-31', 1), monthsLater('2024-01-31', -2)]).toEqual(['2024-03-01', '2023-12-31', '2024-02-29', '2023-11-30']);
@@ -49,7 +49,7 @@ test('the last two weeks stand beside the two before, and of a short log its hal
 
 test('what chance may make is about the same, and what is more is said in words', () => {
   const spans = [{ from: '2024-03-02', to: '2024-03-06' }, { from: '2024-02-26', to: '2024-03-01' }] as const;
-  const words = (unit: ChartView['unit'], values: (number | null)[]) => compared({ charts: [chart('m', unit, values)] }, ...spans)[0]!;
+  const words = (unit: MeasureChart['unit'], values: (number | null)[]) => compared({ charts: [chart('m', unit, values)] }, ...spans)[0]!;
   const wild = words('hours', [5, 9, 6, 8, 7, 9, 6, 8, 7, 9]);
   expect([wild.first.words, wild.second.words, wild.words, wild.is_more]).toEqual(['7.8 h', '7.0 h', 'about the same', null]);
   expect(words('hours', [7, 7, 7, 7, 7, 8, 8, 8.5, 8, 8]).words).toBe('1 hour 6 minutes more a day');
@@ -62,13 +62,13 @@ test('what chance may make is about the same, and what is more is said in words'
 
 test('a note that another page has written meanwhile is shown, and nothing is lost', async () => {
   const theirs: NoteView = { day: '2024-03-01', rule: '', seen: false, note: 'theirs' };
-  const posted: NoteIt[] = [];
+  const posted: NoteChange[] = [];
   let kept: NoteView[] = [];
   const noted = new Notes({
     json: <T>() => Promise.resolve(kept as T),
     post: <T>(_: string, body: unknown) => {
-      posted.push(body as NoteIt);
-      return kept.length > 0 ? Promise.reject<T>(new Refused(409, 'Somebody else has.')) : Promise.resolve([(body as NoteIt).note] as T);
+      posted.push(body as NoteChange);
+      return kept.length > 0 ? Promise.reject<T>(new Refused(409, 'Somebody else has.')) : Promise.resolve([(body as NoteChange).note] as T);
     },
   });
   await noted.open('a');

@@ -1,6 +1,6 @@
 // Two intervals of days side by side: the value of each measure in both, and the differences in words.
 
-import type { CareView, CareUnit, ChartView } from '../../wire';
+import type { CareView, MeasureChart, ValueForm } from '../../wire';
 import { said } from './chart';
 import { shifted } from './dates';
 
@@ -54,13 +54,13 @@ export function compared(care: Pick<CareView, 'charts'>, first: Span, second: Sp
   });
 }
 
-function sideOf(chart: ChartView, { from, to }: Span): Side {
+function sideOf(chart: MeasureChart, { from, to }: Span): Side {
   const values = chart.days.flatMap(({ day, value }) => (value !== null && day >= from && day <= to ? [value] : []));
   const mean = values.length === 0 ? null : values.reduce((sum, value) => sum + value, 0) / values.length;
   return { values, mean, words: mean === null ? 'no data' : said(chart.unit, mean) };
 }
 
-function difference(chart: ChartView, one: Side, other: Side): Pick<MeasureComparison, 'words' | 'is_more'> {
+function difference(chart: MeasureChart, one: Side, other: Side): Pick<MeasureComparison, 'words' | 'is_more'> {
   if (one.mean === null || other.mean === null || Math.min(one.values.length, other.values.length) < LEAST_DAYS) {
     return { words: 'too few days', is_more: null };
   }
@@ -75,7 +75,7 @@ function variance(values: readonly number[], mean: number): number {
   return values.reduce((sum, value) => sum + (value - mean) ** 2, 0) / Math.max(values.length - 1, 1);
 }
 
-function inWords(unit: CareUnit, by: number, before: number): string {
+function inWords(unit: ValueForm, by: number, before: number): string {
   const much = Math.abs(by);
   const percent = () => `${Math.round((much / before) * 100)} %`;
   switch (unit) {

@@ -2,7 +2,7 @@ import { flushSync, mount, unmount } from 'svelte';
 import { afterEach, beforeEach, expect, test, vi } from 'vitest';
 import type { Live } from '../../live.svelte';
 import { Server } from '../../server';
-import type { CareView, NoteIt, NoteView, StoredView, WalksView } from '../../wire';
+import type { CareView, NoteChange, NoteView, PlaybackContent, StoredView } from '../../wire';
 import CarePage from './Care.svelte';
 import { shifted } from './dates';
 
@@ -10,7 +10,7 @@ const EVIL = '<img src=x onerror="globalThis.broken=1">';
 const FIRST = '2009-02-20';
 const days = Array.from({ length: 39 }, (_, index) => shifted(FIRST, index));
 
-const care = (name: string, walks: WalksView = 'lived'): CareView => ({
+const care = (name: string, walks: PlaybackContent = 'lived'): CareView => ({
   name,
   person: 'Ada',
   day: '2009-03-30',
@@ -57,7 +57,7 @@ async function begin(hash = '#/care', ongoing: string | null = null) {
       const body: unknown = typeof init.body === 'string' ? JSON.parse(init.body) : init.body;
       sent.push([path, body]);
       if (path.endsWith('/notes')) {
-        const { note } = body as NoteIt;
+        const { note } = body as NoteChange;
         notes = [...notes.filter((other) => other.day !== note.day || other.rule !== note.rule), note];
         return Response.json(notes);
       }

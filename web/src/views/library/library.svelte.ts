@@ -2,7 +2,7 @@
 
 import { type Server, said } from '../../server';
 import { Underlay, carryUnderlay } from '../plan/underlay.svelte';
-import type { AsideView, CallHome, CardView, HomeEntryView, LibraryView, MadeView, NewHome, PutAside } from '../../wire';
+import type { CallHome, CardView, DeletedHome, DeletedKey, HomeEntryView, LibraryView, MadeView, NewHome } from '../../wire';
 
 /** Number of cards that are requested at once (our choice): the server checks a scenario for each. */
 const AT_ONCE = 2;
@@ -10,7 +10,7 @@ const AT_ONCE = 2;
 type Note = { text: string; bad: boolean };
 
 /** A home that was deleted in this page: the name of the next home, the height of its card, and the reason why it could not be restored. */
-export type Deleted = { home: HomeEntryView; aside: AsideView; before: string | null; height_px: number; problem: string };
+export type Deleted = { home: HomeEntryView; aside: DeletedHome; before: string | null; height_px: number; problem: string };
 
 /** An item of the library. */
 type Entry = { key: string; home: HomeEntryView; deleted: Deleted | null };
@@ -139,7 +139,7 @@ export class Library {
     const { entries } = this;
     const before = entries[entries.findIndex(({ key }) => key === `home ${name}`) + 1]?.home.name ?? null;
     try {
-      const { key } = await this.server.remove<PutAside>(`/api/library/homes/${encodeURIComponent(name)}`);
+      const { key } = await this.server.remove<DeletedKey>(`/api/library/homes/${encodeURIComponent(name)}`);
       this.deleted = [...this.deleted, { home, aside: { key, name }, before, height_px, problem: '' }];
       if (this.view) this.view = { ...this.view, homes: this.view.homes.filter((other) => other.name !== name) };
     } catch (error) {
@@ -149,7 +149,7 @@ export class Library {
   }
 
   /** @returns whether it is restored; otherwise its place, if it has one, shows the reason. */
-  async putBack({ key, name }: AsideView): Promise<boolean> {
+  async putBack({ key, name }: DeletedHome): Promise<boolean> {
     const hasPlace = this.deleted.some(({ aside }) => aside.key === key);
     try {
       await this.server.post<string>(`/api/library/put-aside/${encodeURIComponent(key)}`, {});

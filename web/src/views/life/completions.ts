@@ -1,10 +1,10 @@
 // Completions at the cursor. They may be several words long, and begin as far back in the sentence as the text there is
 // the beginning of them.
 
-import type { WordKind, WordView } from '../../wire';
+import type { Completion, CompletionKind } from '../../wire';
 
 type Offer = {
-  word: WordView;
+  word: Completion;
   /** The column of the first replaced character. */
   from: number;
 };
@@ -25,11 +25,11 @@ function sentence(before: string): { begin: number; said: string } | null {
 }
 
 /** Words of this kind may follow the text before them in the sentence. */
-function fits({ text, kind }: WordView, lead: string, subjects: RegExp): boolean {
+function fits({ text, kind }: Completion, lead: string, subjects: RegExp): boolean {
   const place = BEFORE_PLACE.test(lead);
   const shows = SHOWS.test(lead);
   const subject = subjects.test(lead);
-  const fit: Record<WordKind, boolean> = {
+  const fit: Record<CompletionKind, boolean> = {
     sentence: lead === '',
     activity: subject,
     time: !place && !shows && !subject,
@@ -50,7 +50,7 @@ function subjectsOf(names: string[]): RegExp {
  * @param names of the person.
  * @param asked by the user; while typing, fewer are offered.
  */
-export function offers(before: string, words: readonly WordView[], names: string[], asked: boolean): Offer[] {
+export function offers(before: string, words: readonly Completion[], names: string[], asked: boolean): Offer[] {
   const found = sentence(before);
   if (found === null) return [];
   const { begin, said } = found;
@@ -80,7 +80,7 @@ export function offers(before: string, words: readonly WordView[], names: string
 }
 
 /** Replacements for unknown words: those that fit after `lead`, the most similar first. */
-export function replacements(wrong: string, lead: string, words: readonly WordView[], names: string[]): WordView[] {
+export function replacements(wrong: string, lead: string, words: readonly Completion[], names: string[]): Completion[] {
   const found = sentence(lead);
   if (found === null) return [];
   const before = found.said.replace(/[\s,]+$/, '');

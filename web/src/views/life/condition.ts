@@ -1,6 +1,6 @@
 // The course of a condition, and its sentence.
 
-import type { ConditionView, WordView } from '../../wire';
+import type { Completion, ConditionView } from '../../wire';
 
 /** A condition with its severity, such as `moderate depression`, and its start. */
 export type Coming = { shown: string; week: number; over: number };
@@ -12,7 +12,7 @@ export function sentenceOf({ shown, week, over }: Coming, who: string): string {
 }
 
 /** The conditions that a routine does not have yet, each with the words for its severities. */
-export function others(words: readonly WordView[], shown: readonly ConditionView[]): Map<string, string[]> {
+export function others(words: readonly Completion[], shown: readonly ConditionView[]): Map<string, string[]> {
   const known = shown.map(({ name }) => name.replaceAll('-', ' '));
   const all = new Map<string, string[]>();
   for (const { text, kind } of words) {

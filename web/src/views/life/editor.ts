@@ -6,7 +6,7 @@ import { defaultKeymap, history, historyKeymap } from '@codemirror/commands';
 import { type Diagnostic, forEachDiagnostic, lintKeymap, setDiagnostics } from '@codemirror/lint';
 import { Annotation, EditorState, type Extension, type Range, StateEffect, StateField, type Text } from '@codemirror/state';
 import { Decoration, type DecorationSet, EditorView, ViewPlugin, type ViewUpdate, highlightActiveLine, highlightActiveLineGutter, highlightSpecialChars, keymap, lineNumbers } from '@codemirror/view';
-import type { ProblemView, WordView } from '../../wire';
+import type { ProblemView, Completion } from '../../wire';
 import { replacements, offers } from './completions';
 import { placeOf } from './marks';
 import { look } from './look';
@@ -15,7 +15,7 @@ import { MOST_ROWS } from './rows';
 /** Data that the editor requests when it needs them. */
 type Host = {
   /** The possible words, and the names of the person. */
-  words: () => readonly WordView[];
+  words: () => readonly Completion[];
   names: () => string[];
   onwrite: (text: string) => void;
   /** Called when the cursor, the text or the visible part has changed. */
@@ -200,7 +200,7 @@ export class RoutineEditor {
   }
 }
 
-function option(word: WordView, from: number, to: number) {
+function option(word: Completion, from: number, to: number) {
   return {
     label: word.text,
     detail: word.about,

@@ -7,7 +7,7 @@ import { ROUTINE, fakeLives } from '../../testing/life';
 import { frame } from '../../testing/frames';
 import { madeUpRun } from '../../testing/home';
 import { Drafts } from '../../drafts.svelte';
-import type { Month, Say } from '../../wire';
+import type { Month, PageCommand } from '../../wire';
 import { whereOf, withoutLines } from './life.svelte';
 import LifeView from './Life.svelte';
 
@@ -15,7 +15,7 @@ const EVIL = '<img src=x onerror="globalThis.broken=1"><script>globalThis.broken
 
 let view: Record<string, unknown>;
 let live: Live;
-let said: Say[];
+let said: PageCommand[];
 let asked: { path: string; body: unknown }[];
 
 async function settle(ms = 100): Promise<void> {
@@ -31,7 +31,7 @@ async function begin(fetch: Fetch = fakeLives()): Promise<void> {
   });
   live = new Live('token', () => {}, () => ({ binaryType: '', onopen: null, onmessage: null, onclose: null, onerror: null, send: () => {}, close: () => {} }));
   said = [];
-  Object.assign(live, { server, drafts: new Drafts(server, (text, bad) => live.note(text, bad)), say: (say: Say) => said.push(say) > 0, run: madeUpRun(), frame: frame({}) });
+  Object.assign(live, { server, drafts: new Drafts(server, (text, bad) => live.note(text, bad)), say: (say: PageCommand) => said.push(say) > 0, run: madeUpRun(), frame: frame({}) });
   view = mount(LifeView, { target: document.body, props: { live } });
   // The editor is imported, which a fake clock does not hasten.
   await vi.dynamicImportSettled();

@@ -6,7 +6,7 @@ import type { Wire } from '../../socket';
 import { firing, frame } from '../../testing/frames';
 import { date } from '../../testing/dates';
 import { madeUpRun } from '../../testing/home';
-import type { Frame, RunView } from '../../wire';
+import type { RunFrame, RunView } from '../../wire';
 import LiveView from './Live.svelte';
 
 const EVIL = '<img src=x onerror="globalThis.broken=1"><script>globalThis.broken=1</script>';
@@ -28,7 +28,7 @@ function begin(run: RunView): void {
   sent.length = 0;
 }
 
-function show(part: Partial<Frame>): void {
+function show(part: Partial<RunFrame>): void {
   vi.advanceTimersByTime(500);
   wire.onmessage!({ data: encode(frame({ bodies: live.run!.residents.map(() => ({ at: [6.1, 3.9], heading_deg: 0, posture: 'standing', room: 3, activity: 'walking' })), ...part })) });
   vi.advanceTimersByTime(500);

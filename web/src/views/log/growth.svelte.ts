@@ -6,7 +6,7 @@ import type { Live } from '../../live.svelte';
 import { dayAt } from '../../localtime';
 import { kindOf } from '../../plan/kinds';
 import { said } from '../../server';
-import type { GrowthView, RunView, SensorView } from '../../wire';
+import type { LiveCountsView, RunView, SensorView } from '../../wire';
 
 const EVERY_MS = 1000;
 
@@ -45,7 +45,7 @@ export class Growth {
     this.asking = true;
     const asked = { run, now_us: latest.now_us };
     try {
-      const view = await this.live.server.json<GrowthView>('/api/growth');
+      const view = await this.live.server.json<LiveCountsView>('/api/growth');
       // A run that has ended meanwhile is not shown under the name of the next.
       if (this.live.run !== run) return;
       this.now = grown(run, view, this.live.latest?.now_us ?? asked.now_us);
@@ -59,7 +59,7 @@ export class Growth {
   }
 }
 
-export function grown(run: RunView, view: GrowthView, now_us: number): Grown {
+export function grown(run: RunView, view: LiveCountsView, now_us: number): Grown {
   const hours = run.days.map((_, day) => view.hours[day] ?? []);
   const fired: number[][] = run.home.sensors.map(() => []);
   for (const [at, sensor] of view.today) fired[sensor]?.push(at);

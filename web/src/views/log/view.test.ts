@@ -7,7 +7,7 @@ import { FakeFiles } from '../../testing/files';
 import { frame } from '../../testing/frames';
 import { daysFrom } from '../../testing/dates';
 import { madeUpRun } from '../../testing/home';
-import type { Connect, GrowthView, RowsView } from '../../wire';
+import type { Connect, LiveCountsView, RowsView } from '../../wire';
 import LogView from './Log.svelte';
 
 const EVIL = '<img src=x onerror="globalThis.broken=1"><script>globalThis.broken=1</script>';
@@ -23,7 +23,7 @@ const ROWS: RowsView = {
   kinds: [['sqlite:', 'a database file'], ['csv:', 'values'], ['casas:', 'text']],
   cut: null,
 };
-const GROWTH: GrowthView = { hours: [[1, 2, 3]], today: [[5, 0]], left_out: 0 };
+const GROWTH: LiveCountsView = { hours: [[1, 2, 3]], today: [[5, 0]], left_out: 0 };
 
 let live: Live;
 let wire: Wire;

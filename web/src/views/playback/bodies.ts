@@ -1,6 +1,6 @@
 // Positions of people by the truth.
 
-import type { BodyView, LifeView, PlaybackView } from '../../wire';
+import type { BodyView, PersonDay, PlaybackView } from '../../wire';
 import { type Day, movementAt, spanAt } from './day';
 
 /** Number of earlier strides searched for the heading of a person who stands or sits. */
@@ -14,7 +14,7 @@ export function bodiesAt(run: PlaybackView, day: Day, at_us: number): (BodyView 
   });
 }
 
-export function bodyAt(run: PlaybackView, life: LifeView, at_us: number): BodyView | null {
+export function bodyAt(run: PlaybackView, life: PersonDay, at_us: number): BodyView | null {
   const index = movementAt(life, at_us);
   const movement = life.movements[index];
   if (movement === undefined) return null;

@@ -82,7 +82,7 @@ export function spanAt<T extends readonly [number, number, ...unknown[]]>(spans:
   return span !== undefined && at_us < span[1] ? span : null;
 }
 
-export function movementAt(life: LifeView, at_us: number): number {
+export function movementAt(life: PersonDay, at_us: number): number {
   const index = above(life.movements, at_us, ([begin]) => begin) - 1;
   const movement = life.movements[index];
   return movement !== undefined && at_us <= movement[1] ? index : -1;

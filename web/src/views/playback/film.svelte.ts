@@ -4,7 +4,7 @@
 import type { Look } from '../../cameras/silhouette';
 import type { At } from '../../plan/geometry';
 import { type Server, filmPath, said } from '../../server';
-import type { FilmView, MomentView, PersonView, PlaybackView } from '../../wire';
+import type { SilhouettesView, MomentView, PersonView, PlaybackView } from '../../wire';
 import { above } from './sorted-search';
 
 /** Length of a part, in the run's time. */
@@ -91,7 +91,7 @@ export class Film {
   private async whole(from_us: number, to_us: number, every_us: number): Promise<Part> {
     const part: Part = { moments: [], corner: [0, 0], edge_m: 0 };
     for (let next = from_us; next < to_us; ) {
-      const view = await this.server.packed<FilmView>(filmPath(this.run.name, next, to_us, every_us));
+      const view = await this.server.packed<SilhouettesView>(filmPath(this.run.name, next, to_us, every_us));
       part.moments.push(...view.moments);
       [part.corner, part.edge_m] = [view.corner, view.edge_m];
       // Without progress of the server, requests would never end.

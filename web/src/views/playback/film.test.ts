@@ -1,6 +1,6 @@
 import { expect, test, vi } from 'vitest';
 import { storedRun } from '../../testing/stored';
-import type { FilmView, MomentView, PlaybackView } from '../../wire';
+import type { MomentView, PlaybackView, SilhouettesView } from '../../wire';
 import { Film, partOf } from './film.svelte';
 
 const CAMERA = { pixels: [4, 3] as [number, number], period_us: 200_000, always: false, seen: [], hidden: [] };
@@ -20,7 +20,7 @@ function film(moments: MomentView[], most = 100) {
     asked.push(path);
     const [, from, to] = /silhouettes\/(\d+)\/(\d+)\//.exec(path)!.map(Number) as [number, number, number];
     const of = moments.filter(({ at_us }) => at_us >= from && at_us < to);
-    const view: FilmView = { until_us: of.length > most ? of[most]!.at_us : to, corner: [0, 0], edge_m: 0.05, moments: of.slice(0, most) };
+    const view: SilhouettesView = { until_us: of.length > most ? of[most]!.at_us : to, corner: [0, 0], edge_m: 0.05, moments: of.slice(0, most) };
     return view as never;
   });
   return { film: new Film({ packed }, run()), asked };

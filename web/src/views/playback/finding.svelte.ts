@@ -1,10 +1,10 @@
 // A search over the run in playback, and its hits.
 
 import { findPath, said, type Server } from '../../server';
-import type { Find, FindWhat, FoundView, HitView, PlaybackView } from '../../wire';
+import type { Find, FoundView, HitView, PlaybackView, SearchSubject } from '../../wire';
 
 /** Each kind of search, with usual hours and lengths. */
-export const ASKED: Record<FindWhat, { title: string; of: string | null; between: [number, number] | null; least_min: number }> = {
+export const ASKED: Record<SearchSubject, { title: string; of: string | null; between: [number, number] | null; least_min: number }> = {
   room: { title: 'a person is in', of: 'Room', between: [0, 6], least_min: 0 },
   on: { title: 'is on or open', of: 'Sensor', between: null, least_min: 30 },
   still: { title: 'no movement', of: null, between: [8, 20], least_min: 180 },
@@ -19,7 +19,7 @@ export const ASKED: Record<FindWhat, { title: string; of: string | null; between
 const FIRST = { room: /bath|toilet|wc/i, on: /stove|oven|cooker|hob/i, doing: /sleep|nap/i };
 
 export class Finding {
-  what = $state<FindWhat>('room');
+  what = $state<SearchSubject>('room');
   name = $state('');
   /** Hours of the day; null for any time. */
   between = $state<[number, number] | null>(ASKED.room.between);
@@ -62,14 +62,14 @@ export class Finding {
   }
 
   /** The possible names for a kind of search. */
-  names(what: FindWhat = this.what): string[] {
+  names(what: SearchSubject = this.what): string[] {
     const { home, sensors, activities } = this.run;
     if (what === 'room') return home.rooms.map(({ name }) => name);
     if (what === 'on') return sensors.map((id, index) => home.sensors[index]?.name ?? id);
     return what === 'doing' ? [...activities].sort() : [];
   }
 
-  choose(what: FindWhat): void {
+  choose(what: SearchSubject): void {
     const names = this.names(what);
     const first = what === 'room' || what === 'on' || what === 'doing' ? FIRST[what] : null;
     this.what = what;

@@ -1,7 +1,7 @@
 // Locating people from a log: the server does it in the background.
 
 import { type Server, keepPath, said, walkPath } from '../../server';
-import type { WalkingView } from '../../wire';
+import type { LocatingView } from '../../wire';
 
 /** Interval of progress requests. */
 const EVERY_MS = 300;
@@ -10,7 +10,7 @@ const EVERY_MS = 300;
 const LARGEST_BYTES = 64 << 20;
 
 export class Locating {
-  view = $state.raw<WalkingView | null>(null);
+  view = $state.raw<LocatingView | null>(null);
   problem = $state('');
   private asked = 0;
   /** It has been seen in progress: otherwise it was over before anyone looked. */
@@ -70,9 +70,9 @@ export class Locating {
   }
 
   private async look(asked: number): Promise<void> {
-    let view: WalkingView | null;
+    let view: LocatingView | null;
     try {
-      view = await this.server.json<WalkingView | null>('/api/walk');
+      view = await this.server.json<LocatingView | null>('/api/walk');
     } catch (error) {
       if (asked === this.asked) [this.view, this.goes, this.problem] = [null, false, said(error)];
       return;

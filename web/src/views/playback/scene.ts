@@ -1,6 +1,6 @@
 // The scene of a stored run at an instant, in the form of a plan's frame.
 
-import type { BodyView, Frame, HomeView } from '../../wire';
+import type { BodyView, HomeView, RunFrame } from '../../wire';
 import { bodiesAt } from './bodies';
 import { type Day, lit } from './day';
 import type { Stored } from './stored';
@@ -11,7 +11,7 @@ export function doorsOpen(home: HomeView): number[] {
   return home.things.flatMap((thing, index) => (thing.kind === 'door' && open.has(thing.name) ? [index] : []));
 }
 
-export function frameAt(run: Stored, day: Day | null, at_us: number, before_us: number, how: { playing: boolean; speed: number; truth: boolean; on: number[] }): Frame {
+export function frameAt(run: Stored, day: Day | null, at_us: number, before_us: number, how: { playing: boolean; speed: number; truth: boolean; on: number[] }): RunFrame {
   const bodies: (BodyView | null)[] = day && how.truth ? bodiesAt(run.view, day, at_us) : run.view.residents.map(() => null);
   const seeing = day ? lit(day, at_us) : [];
   // A ring begins only around firings since the last picture, not around those that a jump passes over.

@@ -2,7 +2,7 @@ import { expect, test } from 'vitest';
 import { Server } from '../../server';
 import { date } from '../../testing/dates';
 import { fakeRuns, storedDay, storedRun } from '../../testing/stored';
-import type { LifeView, PlaybackView } from '../../wire';
+import type { PersonDay, PlaybackView } from '../../wire';
 import { bodyAt } from './bodies';
 import { counts, gaps, lit, prepare } from './day';
 import { heatOf } from './heat';
@@ -48,7 +48,7 @@ test('two runs follow one clock: the same date where both know it, else the same
 
 test('strides are walked evenly, and who rests faces where the last one led', () => {
   const run = storedRun('one');
-  const life: LifeView = {
+  const life: PersonDay = {
     chances: [],
     movements: [
       [0, 10, 'stride', 'standing', [0, 0], [0, 2]],

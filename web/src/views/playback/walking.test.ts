@@ -1,11 +1,11 @@
 import { afterEach, beforeEach, expect, test, vi } from 'vitest';
 import { Refused } from '../../server';
-import type { WalkingView } from '../../wire';
+import type { LocatingView } from '../../wire';
 import { Locating } from './locating.svelte';
 
-const view = (part: Partial<WalkingView>): WalkingView => ({ log: 'week.csv', state: 'walking', share: 0, run: null, problem: null, ...part });
+const view = (part: Partial<LocatingView>): LocatingView => ({ log: 'week.csv', state: 'walking', share: 0, run: null, problem: null, ...part });
 
-let answers: (WalkingView | null)[];
+let answers: (LocatingView | null)[];
 let sent: string[];
 let done: string[];
 let walking: Locating;

@@ -1,0 +1,104 @@
+//! Routines of drafts: their interpretation, and some simulated days.
+
+use super::draft_run::DraftRun;
+use super::{DraftService, problems};
+use crate::dates;
+use crate::budget::SimulationBudget;
+use crate::messages::DraftMessage;
+use crate::wire::{
+    ConditionView, Explain, ExplainView, Month, MonthView, ProblemView, SentenceView, };
+use homebody_core::problem::{Diagnose, Diagnostic, Problem};
+use homebody_core::scenario::load::{ResidentDriver, Scenario};
+use homebody_routine::explain::{self, ExplanationKind, Spread, explain};
+use homebody_routine::household::{Household, RoutineReading};
+use homebody_routine::routine::Routine;
+use homebody_simulation::{Cancel, SimulationError};
+use std::sync::PoisonError;
+
+/// Largest number of days of a month.
+const LONGEST: u32 = 31;
+
+impl DraftService {
+    /// The interpretation of a routine of a draft.
+    pub fn explain(&self, Explain { draft, file: asked }: Explain) -> ExplainView {
+        let files = self.with(draft);
+        let scenario = match Scenario::load(&files, &self.folders.entry) {
+            Ok(scenario) => scenario,
+            Err(wrong) => return not_understood(problems(&wrong.0)),
+        };
+        let is_asked =
+            |driver: &ResidentDriver| matches!(driver, ResidentDriver::Routine { file, .. } if *file == asked);
+        let resident = scenario.residents.iter().position(|resident| is_asked(&resident.driver));
+        let Some(known) = resident.and_then(|resident| Household::understand(&scenario, &files, resident)) else {
+            let unused = Problem::of_file(&asked, DraftMessage::UnusedRoutine, None);
+            return not_understood(problems(&[unused]));
+        };
+        let length = scenario.calendar.span_of_days(scenario.file.days);
+        let days = dates::last_day(&scenario.calendar, length) + 1;
+        let condition = |(name, routine): (&String, &Routine)| ConditionView {
+            name: name.clone(),
+            severity: (0..days).map(|day| known.severity(name, day as i32)).collect(),
+            sentences: sentences(routine),
+        };
+        let RoutineReading { routine, unsaid, conditions, problems: wrong, words, .. } = &known;
+        ExplainView {
+            problems: problems(wrong),
+            first: dates::date(&scenario.calendar, 0),
+            days,
+            sentences: sentences(routine),
+            unsaid: sentences(unsaid),
+            conditions: conditions.iter().map(condition).collect(),
+            words: words.clone(),
+        }
+    }
+
+    /// Some days of a draft, simulated without files, unless the request is cancelled.
+    pub fn month(&self, Month { draft, from, days, without }: Month, cancel: &Cancel) -> MonthView {
+        let with_problems = |wrong: &[Problem]| MonthView { problems: problems(wrong), ..MonthView::default() };
+        let opened = match self.open(&self.with(draft)) {
+            Ok(opened) => opened,
+            Err(wrong) => return with_problems(&wrong),
+        };
+        let failed = |error: Diagnostic| with_problems(&[Problem::of_file(&self.folders.entry, error, None)]);
+        let mut latest = self.draft_run.lock().unwrap_or_else(PoisonError::into_inner);
+        let same = latest.take().filter(|run| run.is_of(opened.scenario(), &without));
+        let mut run = match same.map_or_else(|| DraftRun::new(&opened, without), Ok) {
+            Ok(run) => run,
+            Err(SimulationError::Problems(wrong)) => return with_problems(&wrong.0),
+            Err(error) => return failed(error.diagnostic()),
+        };
+        let month = run.month(from, days.clamp(1, LONGEST), SimulationBudget::new(cancel));
+        *latest = Some(run);
+        month.unwrap_or_else(|error| failed(error.diagnostic()))
+    }
+}
+
+fn not_understood(problems: Vec<ProblemView>) -> ExplainView {
+    ExplainView { problems, ..ExplainView::default() }
+}
+
+fn sentences(routine: &Routine) -> Vec<SentenceView> {
+    explain(routine).sentences.into_iter().map(sentence).collect()
+}
+
+fn sentence(row: explain::ExplanationRow) -> SentenceView {
+    let kind = match row.kind {
+        ExplanationKind::Person => "person",
+        ExplanationKind::Habit => "habit",
+        ExplanationKind::Rule => "rule",
+        ExplanationKind::Change => "change",
+        ExplanationKind::Remark => "remark",
+    };
+    let span = |spread: Option<Spread>| spread.map(|spread| [spread.p5, spread.mean, spread.p95]);
+    SentenceView {
+        line: row.line,
+        said: row.said,
+        kind: kind.to_owned(),
+        what: row.place.map_or(row.what.clone(), |place| format!("{} ({place})", row.what)),
+        days: row.days,
+        when: row.when,
+        start_s: span(row.start),
+        lasts_s: span(row.lasts),
+        in_words: row.in_words,
+    }
+}
