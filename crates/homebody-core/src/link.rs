@@ -20,10 +20,9 @@ pub(crate) mod radio;
 mod sources;
 mod channel;
 
-use crate::intervention::SensorFailure;
 use crate::event::{Events, Fact, Firing, Loss, Provenance, Trigger, Value};
 use crate::ids::SensorId;
-use crate::intervention::Failure;
+use crate::intervention::SensorFailure;
 use crate::link::form::{FaultFile, LinkFile, MovedFile};
 use crate::numbers::Numbers;
 use crate::random::Stream;

@@ -4,9 +4,8 @@
 //! Each has its instant, and comes before all other events of that instant. A replay gets all of them beforehand, and
 //! is the same run.
 
-use crate::intervention::{Intervention, SensorFailure, TimedIntervention};
 use crate::ids::{ResidentId, SensorId, ThingId};
-use crate::intervention::{Failure, Intervention, TimedIntervention};
+use crate::intervention::{Intervention, SensorFailure, TimedIntervention};
 use crate::nearest::{nearest, some_names, suggestion};
 use crate::numbers::Numbers;
 use crate::plan::Plan;

@@ -85,7 +85,9 @@ impl PythonScenario {
     /// Opens texts by the names of their files.
     #[staticmethod]
     fn from_texts(py: Python<'_>, texts: BTreeMap<String, String>, entry: String) -> PyResult<PythonScenario> {
-        py.detach(|| ScenarioSource::from_texts(texts, entry).open()).map(|opened| PythonScenario { opened }).map_err(raised)
+        py.detach(|| ScenarioSource::from_texts(texts, entry).open())
+            .map(|opened| PythonScenario { opened })
+            .map_err(raised)
     }
 
     #[getter]

@@ -24,7 +24,11 @@ struct ProgressState {
 impl PythonProgress {
     /// `progress` gets the done part and the whole.
     pub fn new(progress: Option<Py<PyAny>>) -> PythonProgress {
-        PythonProgress { progress, cancel: Cancel::new(), state: Mutex::new(ProgressState { last: Instant::now(), raised: None }) }
+        PythonProgress {
+            progress,
+            cancel: Cancel::new(),
+            state: Mutex::new(ProgressState { last: Instant::now(), raised: None }),
+        }
     }
 
     /// Reports progress, from any thread.

@@ -113,7 +113,9 @@ mod built {
                     }
                     OrderedFault::Stuck => SensorFailure::Stuck { every_us: every_s.map(Span::from_seconds) },
                     OrderedFault::FallsOff => SensorFailure::FallsOff,
-                    OrderedFault::BadLink => SensorFailure::BadLink { lost_ppm: (loss.unwrap_or(1.0) * 1e6).round() as u32 },
+                    OrderedFault::BadLink => {
+                        SensorFailure::BadLink { lost_ppm: (loss.unwrap_or(1.0) * 1e6).round() as u32 }
+                    }
                 };
                 OrderedIntervention::Fail { sensor, failure, lasts: lasts.map(minutes) }
             }

@@ -192,7 +192,8 @@ fn a_run_that_was_stopped_changed_and_killed_resumes() {
 #[test]
 fn a_fallen_resident_stays_on_the_floor_and_gets_up() {
     let temporary = TempDir::new().unwrap();
-    let requests: Vec<(i64, OrderedIntervention)> = (1..14 * 24).step_by(5).map(|hour| (hour, fall(hour % 50 + 1))).collect();
+    let requests: Vec<(i64, OrderedIntervention)> =
+        (1..14 * 24).step_by(5).map(|hour| (hour, fall(hour % 50 + 1))).collect();
     let (lived, told) = simulate(temporary.path(), 15.0, &requests, None);
     assert_eq!(told.len(), requests.len());
     let out = told.iter().filter(|told| told.is_err()).count();

@@ -5,7 +5,6 @@ mod draft_run;
 pub(crate) mod entries;
 mod installing;
 mod routines;
-mod draft_run;
 mod log;
 mod naming;
 mod plan;

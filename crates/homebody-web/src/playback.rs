@@ -538,5 +538,5 @@ fn overlapping(episodes: &[NumberedEpisode], time: Interval<RunTime>) -> Vec<(i6
 
 fn movement_view(movement: &Movement) -> MovementView {
     let (from, to) = (movement.from.map(draw::at), movement.to.map(draw::at));
-    (movement.time.begin.micros(), movement.time.end.micros(), doing, draw::posture(movement.posture), from, to)
+    (movement.time.begin.micros(), movement.time.end.micros(), movement.kind, draw::posture(movement.posture), from, to)
 }

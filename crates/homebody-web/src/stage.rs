@@ -8,9 +8,10 @@ use crate::folders::HomeFolders;
 use crate::live_counts::LiveCounts;
 use crate::messages::StageMessage;
 use crate::request_error::{note, sentence};
-use crate::folders::HomeFolders;
 use crate::staged_run::{StagedRun, StartError, StartRequest};
-use crate::wire::{FiringView, RunFrame, LiveCountsView, RunView, PageCommand, RunState, RunNotice};
+use crate::wire::{FiringView, LiveCountsView, PageCommand, RunFrame, RunNotice, RunState, RunView};
+pub use commands::PageCommands;
+use commands::{CommandQueue, CommandReceiver, NextCommand, StageCommand, command_queue};
 use homebody_core::problem::{Diagnose, Diagnostic};
 use homebody_core::time::{RunTime, Span};
 use homebody_log::error::no_thread;
@@ -97,7 +98,7 @@ pub struct News {
 }
 
 impl Stage {
-    /// Opens the scenario on the folders, with its run paused at its start. A scenario with problems has no run until a page starts one
+    /// Opens the scenario of the folder, with its run paused at its start. A scenario with problems has no run until a page starts one
     /// without them.
     pub fn open(folders: HomeFolders) -> Result<Stage, Diagnostic> {
         let run = without_panic(|| StagedRun::new(&folders, &folders.entry, StartRequest::default()));
@@ -125,13 +126,13 @@ impl Stage {
         let (queue, receiver) = command_queue();
         let (change, changed) = watch::channel(0);
         let pace = Pace::paused(Speed::Times(1.0));
-        let stage_thread = StageThread { folders, run, is_broken: false, pace, heard, board: board.clone(), change };
+        let stage_thread = StageThread { folders, run, is_broken: false, pace, receiver, board: board.clone(), change };
         let thread = thread::Builder::new().name("stage".into()).spawn(move || stage_thread.run());
         thread.map_err(|error| no_thread("to simulate a run", error).diagnostic())?;
         Ok(Stage { queue, board, changed })
     }
 
-    /// A page_commands for one more page. The answers are on the board.
+    /// The commands of one more page. The answers are on the board.
     pub fn page_commands(&self) -> PageCommands {
         self.queue.page_commands()
     }

@@ -322,7 +322,7 @@ impl StagedRun {
     }
 
     /// Sets the posture of the resident who is moved by keys.
-    pub fn set_posture(&mut self, posture: Posture) {
+    pub fn set_posture(&mut self, posture: MapPosture) {
         self.held.posture = match posture {
             MapPosture::Standing => posture::Posture::Standing,
             MapPosture::Sitting => posture::Posture::Sitting,

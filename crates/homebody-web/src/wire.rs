@@ -21,6 +21,7 @@ pub use library::*;
 pub use search::*;
 pub use silhouettes::*;
 
+use homebody_log::MovementKind;
 use homebody_simulation::VariantOptions;
 use serde::{Deserialize, Serialize};
 use serde_json::{Map, Value};

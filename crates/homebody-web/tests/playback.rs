@@ -5,10 +5,10 @@ use homebody_core::time::{DAY, HOUR, Interval, RunTime, SECOND, Span};
 use homebody_log::MovementKind;
 use homebody_query::search::SearchSubject;
 use homebody_simulation::Cancel;
-use homebody_web::playback::{Playback, RequestError};
 use homebody_web::folders::HomeFolders;
+use homebody_web::playback::{Playback, RequestError};
 use homebody_web::staged_run::{StagedRun, StartRequest};
-use homebody_web::wire::{DayView, FilmView, Find, FindWhat, FoundView, MotionState, PlaybackView, RunState};
+use homebody_web::wire::{DayView, Find, FoundView, PlaybackView, RunState, SilhouettesView};
 use rusqlite::Connection;
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -36,8 +36,12 @@ impl Stored {
         let own = folder.path().join("scenario");
         copy(&scenarios().join(scenario), &own, &change);
         copy(&scenarios().join("../conditions"), &folder.path().join("conditions"), &change);
-        let folders =
-            HomeFolders { scenario: own, entry: "scenario.json".into(), is_trusted: false, runs: folder.path().join("runs") };
+        let folders = HomeFolders {
+            scenario: own,
+            entry: "scenario.json".into(),
+            is_trusted: false,
+            runs: folder.path().join("runs"),
+        };
         let act = StagedRun::new(&folders, &folders.entry, StartRequest::default()).unwrap();
         (Stored { folder, playback: Playback::new(folders.clone()) }, act, folders)
     }
@@ -321,8 +325,12 @@ fn continues_from_a_snapshot_like_an_undisturbed_run() {
         let folder = TempDir::new().unwrap();
         let own = folder.path().join("scenario");
         copy(&scenarios().join("tigerplace"), &own, &as_it_is);
-        let folders =
-            HomeFolders { scenario: own, entry: "scenario.json".into(), is_trusted: false, runs: folder.path().join("runs") };
+        let folders = HomeFolders {
+            scenario: own,
+            entry: "scenario.json".into(),
+            is_trusted: false,
+            runs: folder.path().join("runs"),
+        };
         let mut act = StagedRun::new(&folders, &folders.entry, StartRequest::default()).unwrap();
         live(&mut act, at(12 * DAY + 5 * HOUR), &folders);
         for to in back.iter().map(|&to| at(to)) {
@@ -375,8 +383,12 @@ fn a_controlled_run_goes_back_only_to_its_start() {
     let folder = TempDir::new().unwrap();
     let own = folder.path().join("scenario");
     copy(&scenarios().join("by-hand"), &own, &as_it_is);
-    let folders =
-        HomeFolders { scenario: own, entry: "scenario.json".into(), is_trusted: false, runs: folder.path().join("runs") };
+    let folders = HomeFolders {
+        scenario: own,
+        entry: "scenario.json".into(),
+        is_trusted: false,
+        runs: folder.path().join("runs"),
+    };
     let start = StartRequest { driven: Some(0), ..StartRequest::default() };
     let mut act = StagedRun::new(&folders, &folders.entry, start).unwrap();
     let at = |since: Span| RunTime::START + since;

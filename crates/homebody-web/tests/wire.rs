@@ -1,13 +1,20 @@
 //! The types of the page agree with the server's, and its kinds of sensors and activities with the core's.
 
 use crate::generated::is_generated;
-use homebody_analysis::measures::MEASURES;
+use homebody_analysis::care::{CareDay, ChartPoint, DayKnowledge, MeasureChart, MeasureWords};
+use homebody_analysis::coverage::SensorCoverage;
+use homebody_analysis::measures::{MEASURES, ValueForm};
+use homebody_analysis::parts::SensorDifference;
 use homebody_core::activity::{ACTIVITIES, AWAY, ActivityKind, KIND_WORDS};
 use homebody_core::sensors::form::{Colour, KindRow, Mount};
 use homebody_core::sensors::kinds::KINDS;
 use homebody_core::sensors::products::Product;
+use homebody_log::MovementKind;
+use homebody_placement::search::Reached;
+use homebody_query::search::SearchSubject;
+use homebody_routine::completion::{Completion, CompletionKind};
 use homebody_simulation::RunOptions;
-use homebody_web::wire;
+use homebody_web::wire::*;
 use serde_json::json;
 use ts_rs::{Config, TS};
 
@@ -120,8 +127,6 @@ fn declarations() -> Vec<String> {
         LiveCountsView,
         PartView,
         PartsView,
-        Layouts,
-        NamedLayout,
         LayoutsView,
         LayoutView,
         SensorDifference,

@@ -2,10 +2,9 @@
 
 use super::clock::SensorClock;
 use super::message::{Draws, IDS, LinkChance};
-use crate::intervention::SensorFailure;
 use crate::event::{Loss, Value};
 use crate::ids::SensorId;
-use crate::intervention::Failure;
+use crate::intervention::SensorFailure;
 use crate::link::form::{FaultFile, LinkFile};
 use crate::random::{SpanRange, Stream};
 use crate::time::{Interval, RunTime, Span};

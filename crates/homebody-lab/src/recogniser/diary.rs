@@ -27,11 +27,7 @@ pub fn known() -> Vec<Activity> {
 
 /// The activities within an interval. A meal is prepared until the last time that a sensor of the kitchen begins or ends in it, and eaten
 /// then.
-pub fn diary_entries(
-    annotations: &[Episode<WallTime>],
-    kitchen: &[On],
-    within: Interval<WallTime>,
-) -> Vec<DiaryEntry> {
+pub fn diary_entries(annotations: &[Episode<WallTime>], kitchen: &[On], within: Interval<WallTime>) -> Vec<DiaryEntry> {
     let mut noted = Vec::new();
     for Episode { label, time: Interval { begin, end } } in annotations {
         let Some((_, what)) = NAMES.iter().find(|(called, _)| called == label) else { continue };

@@ -1,9 +1,9 @@
 //! The simulation of a draft. Its snapshots let a later month start nearby.
 
-use crate::dates::NumberedEpisode;
+use crate::budget::{SimulationBudget, draft_steps};
 use crate::dates;
-use crate::effort::{Effort, draft_steps};
-use crate::growth::Growth;
+use crate::dates::NumberedEpisode;
+use crate::live_counts::LiveCounts;
 use crate::wire::MonthView;
 use homebody_core::event::{Events, Fact};
 use homebody_core::scenario::load::Scenario;
@@ -26,7 +26,7 @@ pub struct DraftRun {
 #[derive(Clone)]
 struct DraftState {
     timeline: TimelineBuilder,
-    growth: Growth,
+    live_counts: LiveCounts,
     /// The names of activities, in the order of their first starts.
     activities: Vec<String>,
 }
@@ -46,7 +46,7 @@ impl DraftRun {
         let residents = simulation.scenario().residents.iter().map(|resident| resident.file.name.clone()).collect();
         let state = DraftState {
             timeline: TimelineBuilder::new(residents, room_names(&simulation)),
-            growth: Growth::new(simulation.calendar(), simulation.progress().length, is_motion),
+            live_counts: LiveCounts::new(simulation.calendar(), simulation.progress().length, is_motion),
             activities: Vec::new(),
         };
         Ok(DraftRun { without, simulation, state, snapshots: Snapshots::new(SNAPSHOTS) })
@@ -58,11 +58,11 @@ impl DraftRun {
     }
 
     /// Some days of the run, unless they exceed the limits of an answer.
-    pub fn month(&mut self, from: u32, days: u32, mut effort: Effort) -> Result<MonthView, StepError> {
+    pub fn month(&mut self, from: u32, days: u32, mut budget: SimulationBudget) -> Result<MonthView, StepError> {
         let (calendar, length) = (self.simulation.calendar().clone(), self.simulation.progress().length);
-        let last = dates::last(&calendar, length);
+        let last = dates::last_day(&calendar, length);
         let from = from.min(last);
-        let days = dates::some(&calendar, length, from..(from + days).min(last + 1));
+        let days = dates::days(&calendar, length, from..(from + days).min(last + 1));
         let begin = days.first().map_or(RunTime::START, |day| day.interval().begin);
         let end = days.last().map_or(RunTime::START, |day| day.interval().end);
         if let Some(state) = self.simulation.rewind(begin).and_then(|now| self.snapshots.nearest_before(now)) {
@@ -72,11 +72,11 @@ impl DraftRun {
         let mut ended = EndedEpisodes { activities: nothing.clone(), rooms: nothing, cut: None };
         // The answer does not contain the days before the first.
         while self.simulation.now() < begin && ended.cut.is_none() {
-            self.simulate(begin.min(self.simulation.now() + DAY), &mut ended, &mut effort)?;
+            self.simulate(begin.min(self.simulation.now() + DAY), &mut ended, &mut budget)?;
             ended.activities.iter_mut().chain(&mut ended.rooms).for_each(Vec::clear);
         }
         if ended.cut.is_none() {
-            self.simulate(end, &mut ended, &mut effort)?;
+            self.simulate(end, &mut ended, &mut budget)?;
         }
         let end = end.min(self.simulation.now());
         let rooms = room_names(&self.simulation);
@@ -86,10 +86,10 @@ impl DraftRun {
         }
         // A stride may reach another room after the end.
         ended.rooms.iter_mut().flatten().for_each(|stay| stay.time.end = stay.end().min(end));
-        let mut hours = self.state.growth.view().hours;
+        let mut hours = self.state.live_counts.view().hours;
         hours.resize(hours.len().max(from as usize + days.len()), vec![0; 24]);
         let spans = |all: Vec<NumberedEpisodes>| {
-            all.iter().map(|episodes| episodes.iter().map(dates::told).collect()).collect()
+            all.iter().map(|episodes| episodes.iter().map(dates::in_micros).collect()).collect()
         };
         Ok(MonthView {
             residents: self.simulation.scenario().residents.iter().map(|resident| resident.file.name.clone()).collect(),
@@ -105,14 +105,19 @@ impl DraftRun {
     }
 
     /// Simulates up to an instant and adds the episodes that have ended. `ended.cut` is the reason for an earlier end.
-    fn simulate(&mut self, until: RunTime, ended: &mut EndedEpisodes, effort: &mut Effort) -> Result<(), StepError> {
+    fn simulate(
+        &mut self,
+        until: RunTime,
+        ended: &mut EndedEpisodes,
+        budget: &mut SimulationBudget,
+    ) -> Result<(), StepError> {
         while self.simulation.now() < until {
-            if let Err(why) = effort.check(ended.activities.iter().chain(&ended.rooms).map(Vec::len).sum()) {
+            if let Err(why) = budget.check(ended.activities.iter().chain(&ended.rooms).map(Vec::len).sum()) {
                 ended.cut = Some(why);
                 return Ok(());
             }
             self.snapshots.keep(self.simulation.now(), || self.state.clone());
-            let stepped = effort.step(&mut self.simulation, until);
+            let stepped = budget.step(&mut self.simulation, until);
             self.state.take(self.simulation.events(), self.simulation.now(), ended, &room_names(&self.simulation));
             stepped?;
         }
@@ -133,7 +138,7 @@ impl DraftState {
         }
         self.timeline.take(&events.facts);
         ended.add(self.timeline.take_ended(), &self.activities, rooms);
-        self.growth.add(&events.firings, now);
+        self.live_counts.add(&events.firings, now);
     }
 }
 

@@ -2,11 +2,10 @@
 
 use super::draft_run::DraftRun;
 use super::{DraftService, problems};
-use crate::dates;
 use crate::budget::SimulationBudget;
+use crate::dates;
 use crate::messages::DraftMessage;
-use crate::wire::{
-    ConditionView, Explain, ExplainView, Month, MonthView, ProblemView, SentenceView, };
+use crate::wire::{ConditionView, Explain, ExplainView, Month, MonthView, ProblemView, SentenceView};
 use homebody_core::problem::{Diagnose, Diagnostic, Problem};
 use homebody_core::scenario::load::{ResidentDriver, Scenario};
 use homebody_routine::explain::{self, ExplanationKind, Spread, explain};

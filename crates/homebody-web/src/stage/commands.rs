@@ -156,10 +156,11 @@ impl CommandReceiver {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use homebody_simulation::VariantOptions;
     use std::sync::mpsc::channel;
 
     fn start() -> PageCommand {
-        PageCommand::Start { driven: None, without: Vec::new(), seed: Some(1) }
+        PageCommand::Start { driven: None, variant: VariantOptions { seed: Some(1), ..VariantOptions::default() } }
     }
 
     fn all(receiver: &CommandReceiver) -> Vec<StageCommand> {

@@ -190,7 +190,8 @@ fn many_commands_of_a_page_delay_neither_others_nor_the_end() {
     let folder = tempfile::tempdir().unwrap();
     let stage = Stage::open(folders(&folder)).unwrap();
     let loud = stage.page_commands();
-    let start = || PageCommand::Start { driven: None, variant: VariantOptions { seed: Some(1), ..VariantOptions::default() } };
+    let start =
+        || PageCommand::Start { driven: None, variant: VariantOptions { seed: Some(1), ..VariantOptions::default() } };
     let taken = (0..20_000).filter(|_| loud.send(start())).count();
     assert!(taken < 20_000, "it is refused");
     assert!(stage.page_commands().send(PageCommand::Play));

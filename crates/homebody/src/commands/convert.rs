@@ -17,7 +17,6 @@ use homebody_log::source::LogForm;
 use homebody_log::table::truth::tables;
 use homebody_log::{LogError, Transfer, Url, read_timeline};
 use homebody_timeline::{Episode, Timeline};
-use indicatif::ProgressBar;
 use std::path::{Path, PathBuf};
 
 /// The forms of logs, for a help text.

@@ -6,7 +6,6 @@ use crate::failure::{EXIT_CODES, Failure};
 use crate::metrics::MetricsArguments;
 use crate::print::tell;
 use crate::signals::Signals;
-use crate::metrics::MetricsArguments;
 use homebody_core::time::{RunTime, UtcTime};
 use homebody_simulation::{LiveHome, RunMetrics, RunOptions, RunStart, Url, VariantOptions};
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};

@@ -8,10 +8,10 @@ use super::run_output::{
 };
 use super::scenario::Trust;
 use crate::failure::Failure;
+use crate::metrics::MetricsArguments;
 use crate::pace::PaceArguments;
 use crate::print::print_text;
 use crate::signals::Signals;
-use crate::metrics::MetricsArguments;
 use clap::builder::UnknownArgumentValueParser;
 use homebody_core::problem::Diagnostic;
 use homebody_core::time::Span;
@@ -166,7 +166,7 @@ impl RunArguments {
                     return Err(Failure::asked(RunMessage::TruthTables));
                 }
                 let run = setup.pace(self.pace.pace()).commands(self.pace.commands()?).start()?;
-                let run = run.metered(&self.watched.begin(opened.name(), self.output.quiet)?);
+                let run = run.metered(&self.metrics.begin(opened.name(), self.output.quiet)?);
                 self.warn(&opened, length);
                 return store(run, self.recording, &self.output, &signals);
             }
