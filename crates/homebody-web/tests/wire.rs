@@ -127,6 +127,8 @@ fn declarations() -> Vec<String> {
         LiveCountsView,
         PartView,
         PartsView,
+        Layouts,
+        NamedLayout,
         LayoutsView,
         LayoutView,
         SensorDifference,
