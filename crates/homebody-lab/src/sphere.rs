@@ -28,7 +28,7 @@ pub use compare::{compare_run, compare_runs, hold};
 pub use comparison::Comparison;
 pub use experiment::{RecordingResult, SphereError, SphereExperiment};
 pub use house::SphereHouse;
-pub use parse::{RecordingTexts, RowError, RowMessage, parse};
+pub use parse::{RecordingTexts, RowMessage, SphereRowError, parse};
 pub use path::{PlacementError, path_of};
 pub use short_stays::{ShortStay, without_short_stays};
 

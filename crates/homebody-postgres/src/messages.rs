@@ -185,7 +185,7 @@ homebody_core::messages! {
 
 homebody_core::messages! {
     /// Tables and rights that do not fit a log.
-    pub(crate) enum SchemaMessage in "postgresql-schema" {
+    pub(crate) enum TableSchemaMessage in "postgresql-schema" {
         /// The server is a standby of another, or the user is set to read-only.
         ReadOnly error "read-only" ("the server takes no changes from this user")
             hint ("name a server that takes changes, or turn default_transaction_read_only off with ALTER ROLE");
@@ -234,5 +234,5 @@ pub const MESSAGES: &[&[homebody_core::messages::CatalogueEntry]] = &[
     <ServerUrlMessage as homebody_core::messages::Catalogue>::ENTRIES,
     <ServerMessage as homebody_core::messages::Catalogue>::ENTRIES,
     <ContinueMessage as homebody_core::messages::Catalogue>::ENTRIES,
-    <SchemaMessage as homebody_core::messages::Catalogue>::ENTRIES,
+    <TableSchemaMessage as homebody_core::messages::Catalogue>::ENTRIES,
 ];

@@ -1,7 +1,7 @@
 //! The tables of a run in the database: made where they are missing, else held against what they should be, all at once.
 
 use crate::connection::DatabaseConnection;
-use crate::messages::{SchemaMessage, ServerMessage};
+use crate::messages::{ServerMessage, TableSchemaMessage};
 use crate::server::{Server, is_plain_name};
 use crate::trouble::wrong;
 use homebody_core::problem::{Problem, readable};
@@ -302,14 +302,14 @@ impl SchemaState {
         let mut problems = Vec::new();
         let user = &self.user;
         if self.is_read_only {
-            problems.push(SchemaMessage::ReadOnly.into());
+            problems.push(TableSchemaMessage::ReadOnly.into());
         }
         match self.schema {
             None if !self.may_make_schemas => {
-                problems.push(SchemaMessage::NoSchema { schema: schema.into(), user: user.clone() }.into());
+                problems.push(TableSchemaMessage::NoSchema { schema: schema.into(), user: user.clone() }.into());
             }
             Some((false, _)) => {
-                problems.push(SchemaMessage::SchemaDenied { schema: schema.into(), user: user.clone() }.into());
+                problems.push(TableSchemaMessage::SchemaDenied { schema: schema.into(), user: user.clone() }.into());
             }
             _ => {}
         }
@@ -324,7 +324,7 @@ impl SchemaState {
         }
         if !unmade.is_empty() {
             let (tables, schema, user) = (listed(&unmade), schema.to_owned(), user.clone());
-            problems.push(SchemaMessage::TablesDenied { tables, schema, user }.into());
+            problems.push(TableSchemaMessage::TablesDenied { tables, schema, user }.into());
         }
         problems.extend(self.rights(schema, wanted, how));
         problems
@@ -364,7 +364,7 @@ impl SchemaState {
         let what: Vec<String> = what.collect();
         let hint = by_tables.iter().map(grant).collect::<Vec<_>>().join("; ");
         let (user, lacking) = (user.clone(), what.join(", and to "));
-        (!what.is_empty()).then(|| SchemaMessage::NoRights { user, lacking, grant: hint }.into())
+        (!what.is_empty()).then(|| TableSchemaMessage::NoRights { user, lacking, grant: hint }.into())
     }
 
     fn missing(&self, schema: &str, wanted: &[TableDefinition]) -> Vec<String> {
@@ -383,19 +383,19 @@ impl FoundTable {
     fn problems(&self, at: &str, wanted: &TableDefinition, problems: &mut Vec<Problem>) {
         let name = &wanted.name;
         if !self.is_table {
-            problems.push(SchemaMessage::NotTable { name: name.clone() }.into());
+            problems.push(TableSchemaMessage::NotTable { name: name.clone() }.into());
             return;
         }
         let table = || name.clone();
-        let mut wants = |message: SchemaMessage| problems.push(message.into());
+        let mut wants = |message: TableSchemaMessage| problems.push(message.into());
         for (column, is) in &wanted.columns {
             match self.columns.get(column) {
-                None => wants(SchemaMessage::NoColumn {
+                None => wants(TableSchemaMessage::NoColumn {
                     table: table(),
                     column: column.clone(),
                     statement: format!("ALTER TABLE {at} ADD {column} {is}"),
                 }),
-                Some(found) if !will_do(is, &found.is) => wants(SchemaMessage::ColumnType {
+                Some(found) if !will_do(is, &found.is) => wants(TableSchemaMessage::ColumnType {
                     table: table(),
                     column: column.clone(),
                     has: found.is.clone(),
@@ -408,7 +408,7 @@ impl FoundTable {
         let is_ours = |column: &String| wanted.columns.iter().any(|(name, _)| name == column);
         for (column, _) in self.columns.iter().filter(|(name, found)| found.must_be_given && !is_ours(name)) {
             let statement = format!("ALTER TABLE {at} ALTER {column} DROP NOT NULL");
-            wants(SchemaMessage::MustBeGiven { table: table(), column: column.clone(), statement });
+            wants(TableSchemaMessage::MustBeGiven { table: table(), column: column.clone(), statement });
         }
         let mut key = wanted.key.clone();
         key.sort();
@@ -420,7 +420,7 @@ impl FoundTable {
         if !key.is_empty() && !has_key {
             let columns = wanted.key.join(", ");
             let statement = format!("ALTER TABLE {at} ADD PRIMARY KEY ({columns})");
-            wants(SchemaMessage::NoKey { table: table(), columns, statement });
+            wants(TableSchemaMessage::NoKey { table: table(), columns, statement });
         }
     }
 }
@@ -443,5 +443,8 @@ fn all(server: &Server, mut problems: Vec<Problem>) -> LogError {
     hints.dedup();
     let codes = problems.iter().map(|problem| problem.code).collect();
     let problems = problems.into_iter().map(|problem| readable(problem.what)).collect();
-    LogError::destination(server.place.as_str(), SchemaMessage::Several { problems, codes, advice: hints.join("; ") })
+    LogError::destination(
+        server.place.as_str(),
+        TableSchemaMessage::Several { problems, codes, advice: hints.join("; ") },
+    )
 }

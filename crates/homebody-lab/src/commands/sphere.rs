@@ -1,7 +1,7 @@
 //! `homebody-lab sphere`.
 
 use crate::messages::ExperimentMessage;
-use crate::sphere::{AnnotatedRun, Interval, RecordingResult, RecordingTexts, RowError, SphereExperiment, parse};
+use crate::sphere::{AnnotatedRun, Interval, RecordingResult, RecordingTexts, SphereExperiment, SphereRowError, parse};
 use homebody::shared::{Failure, ResultOutput};
 use homebody_core::messages::Diagnose;
 use homebody_core::problem::Problem;
@@ -100,7 +100,7 @@ fn recording(folder: &Path) -> Result<Parsed, Failure> {
         pir: &pir,
         second_location: second_location.as_deref(),
     };
-    let problem = |row: &RowError| {
+    let problem = |row: &SphereRowError| {
         let file = folder.join(row.file).display().to_string();
         Problem { line: row.line as u32, column: 1, ..Problem::of_file(&file, row.what.diagnostic(), None) }
     };

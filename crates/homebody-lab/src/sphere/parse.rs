@@ -38,21 +38,21 @@ homebody_core::messages! {
 
 /// A row that cannot be parsed.
 #[derive(Clone, Debug, PartialEq)]
-pub struct RowError {
+pub struct SphereRowError {
     pub file: &'static str,
     /// Counted from 1.
     pub line: usize,
     pub what: RowMessage,
 }
 
-impl fmt::Display for RowError {
+impl fmt::Display for SphereRowError {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
         write!(f, "{}:{}: {}", self.file, self.line, self.what)
     }
 }
 
 /// Parses a recording, or reports all wrong rows.
-pub fn parse(texts: &RecordingTexts) -> Result<AnnotatedRun, Vec<RowError>> {
+pub fn parse(texts: &RecordingTexts) -> Result<AnnotatedRun, Vec<SphereRowError>> {
     let mut bad = Vec::new();
     let (rooms, room_lines) = without_overlaps(rows("location_0.csv", texts.location, &mut bad)).into_iter().unzip();
     let movements = without_overlaps(rows("annotations_0.csv", texts.annotations, &mut bad));
@@ -66,7 +66,7 @@ pub fn parse(texts: &RecordingTexts) -> Result<AnnotatedRun, Vec<RowError>> {
         second_rooms: second.map(intervals),
     };
     if run.rooms.is_empty() && bad.is_empty() {
-        bad.push(RowError { file: "location_0.csv", line: 1, what: RowMessage::NoRoom });
+        bad.push(SphereRowError { file: "location_0.csv", line: 1, what: RowMessage::NoRoom });
     }
     if bad.is_empty() { Ok(run) } else { Err(bad) }
 }
@@ -78,7 +78,7 @@ fn intervals(rows: Vec<(Interval, usize)>) -> Vec<Interval> {
 const COLUMNS: &str = "start,end,name,index";
 
 /// The rows of a file, in order of time, each with its line.
-fn rows(file: &'static str, text: &str, bad: &mut Vec<RowError>) -> Vec<(Interval, usize)> {
+fn rows(file: &'static str, text: &str, bad: &mut Vec<SphereRowError>) -> Vec<(Interval, usize)> {
     let text = text.trim_start_matches('\u{feff}');
     let mut reader =
         ReaderBuilder::new().has_headers(false).flexible(true).trim(Trim::All).from_reader(text.as_bytes());
@@ -95,7 +95,7 @@ fn rows(file: &'static str, text: &str, bad: &mut Vec<RowError>) -> Vec<(Interva
         };
         match parsed {
             Ok(interval) => rows.push((interval, line)),
-            Err(what) => bad.push(RowError { file, line, what }),
+            Err(what) => bad.push(SphereRowError { file, line, what }),
         }
     }
     rows.sort_by(|(a, _), (b, _)| a.start_s.total_cmp(&b.start_s));
@@ -199,7 +199,7 @@ mod tests {
             let location =
                 "\u{feff}start,end,name,index\n\n1,2,hall,3\n  \n\n3,4,living,5\n5,now,hall,3\n".replace('\n', end);
             let bad = parse(&texts(&location, LOCATION)).unwrap_err();
-            let bad: Vec<String> = bad.iter().map(RowError::to_string).collect();
+            let bad: Vec<String> = bad.iter().map(SphereRowError::to_string).collect();
             assert_eq!(bad, ["location_0.csv:7: \"now\" is not a time in seconds"], "{end:?}");
             let right = location.replace("now", "6");
             assert_eq!(parse(&texts(&right, LOCATION)).unwrap().room_lines, [3, 6, 7], "{end:?}");

@@ -31,19 +31,19 @@ impl Lives {
     }
 }
 
-pub(super) struct Known {
+pub(super) struct KnownLives {
     lives: Arc<Lives>,
     how_far: ReadProgress,
 }
 
-impl PartlyRead for Known {
+impl PartlyRead for KnownLives {
     fn how_far(&self) -> &ReadProgress {
         &self.how_far
     }
 }
 
 pub(super) struct Lived {
-    coming: BackgroundRead<Known>,
+    coming: BackgroundRead<KnownLives>,
 }
 
 impl Lived {
@@ -56,7 +56,7 @@ impl Lived {
     ) -> Result<Lived, RequestError> {
         let rooms: HashMap<String, u32> = rooms.iter().cloned().zip(0..).collect();
         let lives = Arc::new(Lives::new(&residents));
-        let coming = BackgroundRead::new(Known { lives, how_far: ReadProgress::begun(LATE) });
+        let coming = BackgroundRead::new(KnownLives { lives, how_far: ReadProgress::begun(LATE) });
         let lived = Lived { coming: coming.clone() };
         read_in("reads a truth", move || {
             let mut taken = Taken { residents, rooms, activities: HashMap::new(), episodes: Vec::new() };
@@ -71,7 +71,7 @@ impl Lived {
     }
 
     /// The known part, to wait for.
-    pub fn coming(&self) -> &BackgroundRead<Known> {
+    pub fn coming(&self) -> &BackgroundRead<KnownLives> {
         &self.coming
     }
 
@@ -81,7 +81,7 @@ impl Lived {
     }
 }
 
-impl Known {
+impl KnownLives {
     /// The known part of lives.
     pub fn lives(&self) -> &Lives {
         &self.lives
@@ -114,7 +114,7 @@ impl Taken {
         self.episodes.extend(number.map(|number| (resident, kind, Episode::new(number, *time))));
     }
 
-    fn hand_on(&mut self, known: &mut Known) -> Result<(), LogError> {
+    fn hand_on(&mut self, known: &mut KnownLives) -> Result<(), LogError> {
         // Nobody else has it before all has come.
         let lives = Arc::make_mut(&mut known.lives);
         if lives.activities.len() < self.activities.len() {
@@ -139,7 +139,7 @@ mod tests {
     fn activities_are_known_once_no_earlier_ones_can_come() {
         let residents = vec!["ann".to_owned()];
         let lives = Arc::new(Lives::new(&residents));
-        let coming = BackgroundRead::new(Known { lives, how_far: ReadProgress::begun(LATE) });
+        let coming = BackgroundRead::new(KnownLives { lives, how_far: ReadProgress::begun(LATE) });
         let lived = Lived { coming: coming.clone() };
         let rooms = HashMap::from([("hall".to_owned(), 7)]);
         let mut taken = Taken { residents, rooms, activities: HashMap::new(), episodes: Vec::new() };

@@ -14,10 +14,10 @@ use std::collections::HashMap;
 /// this far back.
 const LATE: Span = DAY;
 
-pub(super) type Reading = BackgroundRead<Known>;
+pub(super) type Reading = BackgroundRead<KnownRows>;
 
 /// The part of a log that is read.
-pub(super) struct Known {
+pub(super) struct KnownRows {
     pub rows: StoredRows,
     /// The sensors of the log, those of the home first.
     pub sensors: Vec<String>,
@@ -27,10 +27,10 @@ pub(super) struct Known {
     how_far: ReadProgress,
 }
 
-impl BackgroundRead<Known> {
+impl BackgroundRead<KnownRows> {
     /// A log that is read already.
     pub fn whole(rows: StoredRows, view: &mut PlaybackView) -> Reading {
-        BackgroundRead::new(Known {
+        BackgroundRead::new(KnownRows {
             rows,
             sensors: std::mem::take(&mut view.sensors),
             values: std::mem::take(&mut view.values),
@@ -51,7 +51,8 @@ impl BackgroundRead<Known> {
         let sensors = homebody_log::ids(&url, &scenario.logger, &names);
         let mut numbers: HashMap<String, u32> = sensors.iter().cloned().zip(0..).collect();
         let (values, remarks) = (Vec::new(), Vec::new());
-        let reading = BackgroundRead::new(Known { rows, sensors, values, remarks, how_far: ReadProgress::begun(LATE) });
+        let reading =
+            BackgroundRead::new(KnownRows { rows, sensors, values, remarks, how_far: ReadProgress::begun(LATE) });
         let (coming, logger) = (reading.clone(), scenario.logger.clone());
         read_in("reads a log", move || {
             let mut scale = None;
@@ -68,13 +69,13 @@ impl BackgroundRead<Known> {
     }
 }
 
-impl PartlyRead for Known {
+impl PartlyRead for KnownRows {
     fn how_far(&self) -> &ReadProgress {
         &self.how_far
     }
 }
 
-impl Known {
+impl KnownRows {
     pub fn of(&mut self, day: usize) -> Result<Vec<Event<RunTime>>, RequestError> {
         self.rows.day(day).map_err(failed)
     }
@@ -85,7 +86,7 @@ impl Known {
         scale: &mut Option<TimeScale>,
         numbers: &mut HashMap<String, u32>,
     ) -> Result<(), LogError> {
-        let Known { rows, sensors, values, how_far, .. } = self;
+        let KnownRows { rows, sensors, values, how_far, .. } = self;
         for id in part.sensors.iter().skip(rows.numbers.len()) {
             let number = *numbers.entry(id.clone()).or_insert_with(|| add_unplaced_sensor(id, sensors));
             rows.numbers.push(number);
@@ -125,7 +126,7 @@ mod tests {
         let days = dates::all_days(&calendar, 4 * DAY);
         let rows = StoredRows::for_days(Path::new("."), &days, &calendar, 4 * DAY, RunTime::MAX).unwrap();
         let (sensors, values, remarks) = (vec!["hall".into()], Vec::new(), Vec::new());
-        BackgroundRead::new(Known { rows, sensors, values, remarks, how_far: ReadProgress::begun(LATE) })
+        BackgroundRead::new(KnownRows { rows, sensors, values, remarks, how_far: ReadProgress::begun(LATE) })
     }
 
     /// A part with a row each hour, for some days.

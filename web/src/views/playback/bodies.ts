@@ -32,7 +32,7 @@ export function bodyAt(run: PlaybackView, life: PersonDay, at_us: number): BodyV
 }
 
 /** The heading: along the stride, or along the last one. */
-function heading(life: LifeView, index: number): number {
+function heading(life: PersonDay, index: number): number {
   for (let back = index; back >= Math.max(index - BACK, 0); back--) {
     const [, , doing, , from, to] = life.movements[back]!;
     if (doing === 'stride' && from !== null && to !== null && (from[0] !== to[0] || from[1] !== to[1])) {

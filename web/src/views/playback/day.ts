@@ -1,6 +1,6 @@
 // A day of a stored run, prepared for drawing: its rows by sensor, and its quiet intervals.
 
-import type { DayView, LifeView, PlaybackView } from '../../wire';
+import type { DayView, PersonDay, PlaybackView } from '../../wire';
 import { above } from './sorted-search';
 import { type Uncertainty, uncertaintyOf } from './uncertainty';
 

@@ -4,7 +4,7 @@ import type { Chance } from '../../charts/shades';
 import { type Pen, trace } from '../../plan/pen';
 import { colourOf } from '../../plan/moving';
 import type { View } from '../../plan/transform';
-import type { HomeView, LifeView, PlaybackView } from '../../wire';
+import type { HomeView, PersonDay, PlaybackView } from '../../wire';
 import { above } from './sorted-search';
 
 export const OUT = -1;
@@ -19,7 +19,7 @@ const STRONGEST = 0.45;
 /** By instant of a change: the probability of each place, from -2 on. They sum to 1. */
 export type Uncertainty = { at: Float64Array; chances: Float32Array[] };
 
-export function uncertaintyOf(run: PlaybackView, life: LifeView): Uncertainty {
+export function uncertaintyOf(run: PlaybackView, life: PersonDay): Uncertainty {
   const at: number[] = [];
   const chances: Float32Array[] = [];
   let now = new Float32Array(run.home.rooms.length + 2);
