@@ -4,6 +4,7 @@ mod alerts;
 mod claims;
 mod conditions;
 mod daily_life;
+mod evaluation;
 mod falls;
 mod godsey2009;
 mod locate;
@@ -18,8 +19,7 @@ mod sphere;
 use crate::catalogue;
 use clap::Parser;
 use homebody::shared::{self, Failure, LogFormat};
-use homebody_simulation::{SimulationError, VERSION};
-use rayon::prelude::*;
+use homebody_simulation::VERSION;
 use std::ffi::OsString;
 
 /// Repeat an experiment that validates Homebody
@@ -99,21 +99,6 @@ struct ExplainLabArguments {
     /// The code of a message, or the part before `::` (default: list all messages of the experiments)
     #[arg(value_name = "CODE")]
     code: Option<String>,
-}
-
-/// Evaluates each case, on all processors, and shows the progress. The results are in the order of the cases.
-fn evaluate_each<C: Sync, T: Send, E: Into<Failure>>(
-    cases: &[C],
-    noun: &str,
-    ask: impl Fn(&C) -> Result<T, E> + Sync,
-) -> Result<Vec<T>, Failure> {
-    let pool = rayon::ThreadPoolBuilder::new().build();
-    let pool = pool.map_err(|error| SimulationError::Threads { why: error.to_string() })?;
-    let template = format!("{{bar:40}} {{pos}} of {{len}} {noun}  {{eta}} left");
-    shared::show(cases.len() as u64, &template, |progress| {
-        let ask = |case: &C| ask(case).map_err(Into::into).inspect(|_| progress.inc(1));
-        pool.install(|| cases.par_iter().map(ask).collect())
-    })
 }
 
 pub fn command() -> clap::Command {

@@ -6,13 +6,12 @@ use homebody_core::time::RunTime;
 use jiff::Timestamp;
 use jiff::civil::{Date, DateTime, Time};
 use jiff::tz::TimeZone;
-use serde::Deserialize;
+use serde::{Deserialize, Deserializer};
 use std::fmt;
 use std::str::FromStr;
 
 /// The start of a run. In JSON it is a text, and the scenario checks its date and time.
-#[derive(Clone, Debug, PartialEq, Eq, Deserialize)]
-#[serde(from = "String")]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub enum RunStart {
     /// The present second.
     Now,
@@ -22,13 +21,9 @@ pub enum RunStart {
     At(String),
 }
 
-impl From<String> for RunStart {
-    fn from(text: String) -> RunStart {
-        match text.as_str() {
-            "now" => RunStart::Now,
-            "today" => RunStart::Today,
-            _ => RunStart::At(text),
-        }
+impl<'de> Deserialize<'de> for RunStart {
+    fn deserialize<D: Deserializer<'de>>(from: D) -> Result<RunStart, D::Error> {
+        String::deserialize(from).map(RunStart::unchecked)
     }
 }
 
@@ -37,7 +32,7 @@ impl FromStr for RunStart {
     type Err = String;
 
     fn from_str(text: &str) -> Result<RunStart, String> {
-        match RunStart::from(text.to_owned()) {
+        match RunStart::unchecked(text.to_owned()) {
             RunStart::At(_) => {}
             known => return Ok(known),
         }
@@ -62,6 +57,15 @@ impl fmt::Display for RunStart {
 }
 
 impl RunStart {
+    /// An implementation of `From` would make clap use it in place of `FromStr`, which checks the text.
+    fn unchecked(text: String) -> RunStart {
+        match text.as_str() {
+            "now" => RunStart::Now,
+            "today" => RunStart::Today,
+            _ => RunStart::At(text),
+        }
+    }
+
     /// The scenario with this start.
     ///
     /// # Errors

@@ -4,4 +4,5 @@
 mod generated;
 mod playback;
 mod server;
+mod stored;
 mod wire;

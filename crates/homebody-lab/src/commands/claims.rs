@@ -1,6 +1,6 @@
 //! `homebody-lab claims`.
 
-use super::evaluate_each;
+use super::evaluation::evaluate_each;
 use crate::claims::{CLAIMS, ClaimCase, ClaimRow, ClaimsExperiment};
 use crate::messages::ExperimentMessage;
 use homebody::shared::{Failure, JsonOutput};

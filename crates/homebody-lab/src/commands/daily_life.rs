@@ -1,6 +1,6 @@
 //! `homebody-lab daily-life`.
 
-use super::evaluate_each;
+use super::evaluation::evaluate_each;
 use crate::daily_life::{DailyLifeExperiment, PersonFigures, PersonRecord};
 use crate::simulated::all_events;
 use homebody::shared::{Failure, ResultOutput};

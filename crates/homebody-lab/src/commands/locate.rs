@@ -1,6 +1,6 @@
 //! `homebody-lab locate`.
 
-use super::evaluate_each;
+use super::evaluation::evaluate_each;
 use crate::locating::{LocatingCase, SimulatedHome, case};
 use homebody::shared::{Failure, JsonOutput, TextTable};
 use homebody_core::link::form::LinkFile;

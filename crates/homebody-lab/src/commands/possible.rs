@@ -1,6 +1,6 @@
 //! `homebody-lab possible`.
 
-use super::evaluate_each;
+use super::evaluation::evaluate_each;
 use super::locate::is_person;
 use crate::messages::ExperimentMessage;
 use crate::possible::{HouseholdTruth, ImpossibleEvents, ScenarioRow};

@@ -1,6 +1,6 @@
 //! `homebody-lab recogniser`.
 
-use super::evaluate_each;
+use super::evaluation::evaluate_each;
 use crate::messages::ExperimentMessage;
 use crate::recogniser::{Prepared, RecogniserError};
 use homebody::shared::{Failure, LogOptions, json_text, print_json, print_text, read_log, write_file};

@@ -9,8 +9,9 @@ fn a_database_that_was_put_back_misses_no_row() {
     let folder = Folder::new();
     folder.copy_scenario("studio");
     let url = server.url("postgres", &server.database("put_back"), "");
-    let rows =
-        || -> u64 { server.try_psql("homes", "SELECT count(*) FROM firing").map_or(0, |rows| rows.parse().unwrap()) };
+    let rows = || -> u64 {
+        server.try_psql("put_back", "SELECT count(*) FROM firing").map_or(0, |rows| rows.parse().unwrap())
+    };
     let stop_beyond = |words: &str, wanted: u64| {
         let running = folder.start(&format!("{words} --quiet --out {url}"));
         folder.until("rows are there", |_| rows() > wanted);
@@ -19,12 +20,12 @@ fn a_database_that_was_put_back_misses_no_row() {
         rows()
     };
     let first = stop_beyond("run studio --for 3000d", 100);
-    server.psql("postgres", "CREATE DATABASE backup TEMPLATE homes");
+    server.psql("postgres", "CREATE DATABASE put_back_backup TEMPLATE put_back");
     let second = stop_beyond("run --resume runs/studio-1", first + 100);
-    server.psql("postgres", "DROP DATABASE homes");
-    server.psql("postgres", "ALTER DATABASE backup RENAME TO homes");
+    server.psql("postgres", "DROP DATABASE put_back");
+    server.psql("postgres", "ALTER DATABASE put_back_backup RENAME TO put_back");
     assert_eq!(rows(), first, "the control: it was put back");
     let last = stop_beyond("run --resume runs/studio-1", second + 100);
-    let found = server.psql("homes", "SELECT count(DISTINCT seq) || ' ' || max(seq) + 1 FROM firing");
+    let found = server.psql("put_back", "SELECT count(DISTINCT seq) || ' ' || max(seq) + 1 FROM firing");
     assert_eq!(found, format!("{last} {last}"), "a row is missing");
 }
