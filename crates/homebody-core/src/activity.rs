@@ -130,6 +130,7 @@ macro_rules! activities {
         )*
 
         /// All activities, in the order of documents.
+        #[allow(clippy::needless_update, reason = "some rows set all columns")]
         pub const ACTIVITIES: &[KnownActivity] = &[$(KnownActivity {
             label: $name,
             about: $about,
