@@ -21,11 +21,16 @@ use axum::response::{IntoResponse, Redirect, Response};
 use axum::routing::{any, get, post};
 use axum::{Extension, Json, Router};
 use std::sync::Arc;
+use std::time::Duration;
 use tokio::sync::{Mutex, Semaphore};
+use tokio::time::timeout;
 use tower_service::Service;
 
 /// Largest number of open homes (our choice): each has a thread, and a run at its start.
 const MOST_OPEN: usize = 16;
+
+/// Longest time that a card of a home waits for others to be opened or closed (our choice).
+const LONGEST_WAIT_FOR_OTHERS: Duration = Duration::from_secs(3);
 
 #[derive(Clone)]
 pub struct OpenHomes {
@@ -125,9 +130,8 @@ async fn library(State(homes): State<OpenHomes>) -> Response {
 }
 
 async fn card(State(homes): State<OpenHomes>, Path(name): Path<String>) -> Response {
-    // A card waits for no home that is being opened or closed.
-    let goes_on =
-        homes.open.try_lock().ok().and_then(|open| open.iter().find(|opened| opened.name == name)?.home.recorded_run());
+    let open = timeout(LONGEST_WAIT_FOR_OTHERS, homes.open.lock()).await.ok();
+    let goes_on = open.and_then(|open| open.iter().find(|opened| opened.name == name)?.home.recorded_run());
     let card = move || Ok(CardView { goes_on, ..homes.library.card(&name)? });
     json(in_background(card).await.flatten())
 }

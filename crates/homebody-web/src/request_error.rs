@@ -126,7 +126,7 @@ mod tests {
         let folder = Path::new("runs");
         let path = folder.join("a-1").display().to_string();
         let inside = without(folder, PageMessage::NotRead { file: path, why: "it is damaged".into() }.diagnostic());
-        assert_eq!((&inside.what[..], &inside.data["file"]), ("cannot read a-1: it is unprocessable", &"a-1".into()));
+        assert_eq!((&inside.what[..], &inside.data["file"]), ("cannot read a-1: it is damaged", &"a-1".into()));
         let file = Diagnostic::of_file("home.json", PageMessage::NoteChanged, None);
         assert_eq!(sentence(&file), "home.json: this note was changed in another window");
     }
