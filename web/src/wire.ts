@@ -439,27 +439,15 @@ alerts: Array<AlertView>, charts: Array<MeasureChart>, };
 
 export type PlaybackContent = "lived" | "walked_back" | "sensors" | "no_home";
 
-export type CareDay = { 
+export type CareDay = { day: string, known: DayKnowledge, 
 /**
- * The day.
- */
-day: string, 
-/**
- * What is known of it.
- */
-known: DayKnowledge, 
-/**
- * What carers ask about; nothing of a day that does not count, and of what is guessed.
+ * The measures for carers; none on a day that does not count, and none that is a guess.
  */
 told: Array<MeasureWords>, };
 
 export type DayKnowledge = "whole" | "nobody_home" | "partly";
 
-export type MeasureWords = { 
-/**
- * Its name.
- */
-measure: string, 
+export type MeasureWords = { measure: string, 
 /**
  * In words, such as `Slept for 7.2 hours, as usual`.
  */
@@ -485,45 +473,25 @@ numbers: string, measures: Array<string>,
  */
 days: Array<string>, };
 
-export type MeasureChart = { 
+export type MeasureChart = { measure: string, title: string, unit: ValueForm, 
 /**
- * Its name.
- */
-measure: string, 
-/**
- * What it is called.
- */
-title: string, 
-/**
- * How its values are written.
- */
-unit: ValueForm, 
-/**
- * What is less than this apart is the same.
+ * Smaller differences do not count.
  */
 little: number, 
 /**
- * Whether it is guessed.
+ * The measure is a guess.
  */
-is_guess: boolean, 
-/**
- * Its days, in order.
- */
-days: Array<ChartPoint>, };
+is_guess: boolean, days: Array<ChartPoint>, };
 
 export type ValueForm = "hours" | "clock" | "times" | "of_usual" | "metres_a_second";
 
-export type ChartPoint = { 
+export type ChartPoint = { day: string, 
 /**
- * The day.
- */
-day: string, 
-/**
- * The measure; `None` where it is not known, or the day does not count.
+ * The measure; `None` where it is unknown, or the day does not count.
  */
 value: number | null, 
 /**
- * What was usual by then: from a standard deviation below the mean to one above.
+ * The usual range at that time: from a standard deviation below the mean to one above.
  */
 usual: [number, number] | null, };
 
@@ -676,7 +644,7 @@ export type LocatingState = "coming" | "walking" | "done" | "failed" | "stopped"
 
 export type MovementKind = "stride" | "in_place" | "rest" | "away";
 
-export type PageCommand = { "say": "hello", token: string, } | { "say": "play" } | { "say": "pause" } | { "say": "step", seconds: number, } | { "say": "speed", times: number | null, } | { "say": "jump", to_us: number, } | { "say": "hold", keys: Array<Key>, } | { "say": "be", posture: MapPosture, } | { "say": "use", thing: number, on: boolean, } | { "say": "start", driven: number | null, without: Array<string>, 
+export type PageCommand = { "say": "hello", token: string, } | { "say": "play" } | { "say": "pause" } | { "say": "step", seconds: number, } | { "say": "speed", times: number | null, } | { "say": "jump", to_us: number, } | { "say": "hold", keys: Array<Key>, } | { "say": "be", posture: MapPosture, } | { "say": "use", thing: number, on: boolean, } | { "say": "start", driven: number | null, 
 /**
  * Seed of all random numbers (default: that of the scenario)
  */
@@ -862,17 +830,13 @@ export type FloorView = { name: string, floor_m2: number,
  */
 seen_by: [number, number, number, number], };
 
-export type SensorCoverage = { 
+export type SensorCoverage = { name: string, 
 /**
- * The sensor's name in the home.
- */
-name: string, 
-/**
- * How much of the floor it sees, in square metres.
+ * The floor that it sees, in square metres.
  */
 seen_m2: number, 
 /**
- * The part of `seen_m2` that no other sensor sees: what would be lost without it.
+ * The part of `seen_m2` that no other sensor sees.
  */
 alone_m2: number, };
 
@@ -936,11 +900,7 @@ export type ConditionView = { name: string,
  */
 severity: Array<number>, sentences: Array<SentenceView>, };
 
-export type Completion = { text: string, kind: CompletionKind, 
-/**
- * A short description.
- */
-about: string, };
+export type Completion = { text: string, kind: CompletionKind, about: string, };
 
 export type CompletionKind = "sentence" | "activity" | "time" | "place" | "condition";
 
@@ -1066,13 +1026,9 @@ problems: Array<ProblemView>, layouts: Array<LayoutView>, differences: Array<Sen
 
 export type LayoutView = { name: string, devices: Array<[string, number]>, home: HomeView, coverage: CoverageView, };
 
-export type SensorDifference = { 
+export type SensorDifference = { sensor: string, 
 /**
- * The sensor's name.
- */
-sensor: string, 
-/**
- * What is different in the second layout.
+ * The differences in the second layout.
  */
 what: string, };
 
@@ -1130,20 +1086,12 @@ sensor: string,
  */
 score: number, reached: Array<Reached>, };
 
-export type Reached = { 
-/**
- * The name of the goal.
- */
-goal: string, 
+export type Reached = { goal: string, 
 /**
  * From 0 to 1.
  */
 score: number, 
 /**
- * The same in its own unit: days until found, the mean error of a day, the share of the floor.
+ * In `unit`: days until found, the mean error of a day, the share of the floor.
  */
-value: number, 
-/**
- * That unit.
- */
-unit: string, };
+value: number, unit: string, };
