@@ -30,7 +30,7 @@ use std::sync::OnceLock;
 const LABELS: [&str; 5] = ["resident", "room", "activity", "cause", "thing"];
 
 /// A log by its name.
-#[pyclass(frozen, module = "homebody._homebody")]
+#[pyclass(frozen, name = "Log", module = "homebody._homebody")]
 pub struct PythonLog {
     text: String,
     zone: Option<String>,

@@ -11,7 +11,7 @@ use pyo3::types::PyCapsule;
 const NAME: &std::ffi::CStr = c"arrow_array_stream";
 
 /// A table in memory. All its streams share the memory.
-#[pyclass(frozen, module = "homebody._homebody")]
+#[pyclass(frozen, name = "Stream", module = "homebody._homebody")]
 pub struct TableStream {
     schema: SchemaRef,
     batches: Vec<RecordBatch>,
