@@ -27,11 +27,6 @@ impl Problems {
         Problems::first(problems, MOST_PER_FILE)
     }
 
-    /// The first [`MOST_PER_URL`] problems of a URL and a count of the others.
-    pub fn of_url(problems: &[Problem]) -> Problems {
-        Problems::first(problems, MOST_PER_URL)
-    }
-
     fn first(problems: &[Problem], most: usize) -> Problems {
         let mut kept = Vec::new();
         for of_file in problems.chunk_by(|a, b| a.file == b.file) {
@@ -47,6 +42,30 @@ impl Problems {
     /// All problems as plain text, each with its source line and carets under the place.
     pub fn render(&self) -> String {
         self.0.iter().map(Problem::render).collect::<Vec<_>>().join("\n")
+    }
+}
+
+/// The problems of a URL, collected while it is read.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct UrlProblems {
+    /// The URL without a password, as problems quote it; empty where they do not.
+    pub place: String,
+    all: Vec<Problem>,
+}
+
+impl UrlProblems {
+    /// Adds a problem. The message may quote any part of the URL but a password.
+    pub fn add(&mut self, message: impl Into<Diagnostic>) {
+        self.all.push(Problem::of_file(&self.place, message, None));
+    }
+
+    /// Ends the collection.
+    ///
+    /// # Errors
+    ///
+    /// The first [`MOST_PER_URL`] problems and a count of the others.
+    pub fn refuse(self) -> Result<(), Problems> {
+        if self.all.is_empty() { Ok(()) } else { Err(Problems::first(&self.all, MOST_PER_URL)) }
     }
 }
 

@@ -2,7 +2,8 @@
 
 use crate::messages::AddressMessage;
 use crate::names::is_level;
-use homebody_core::problem::{Diagnostic, Problems, readable};
+use homebody_core::problem::Problems;
+use homebody_core::problems::UrlProblems;
 use homebody_core::scenario::scheme::Scheme;
 use homebody_log::files::plain::others_may_read;
 use homebody_log::url::percent_decoded;
@@ -117,16 +118,16 @@ impl BrokerAddress {
         let text = url.path().to_string_lossy();
         let (at, query) = text.split_once('?').map_or((&*text, ""), |(at, query)| (at, query));
         let (server, prefix) = at.split_once('/').unwrap_or((at, ""));
-        let mut wrong = AddressProblems::default();
+        let mut reader = AddressReader::default();
         let tls = url.scheme() == Scheme::Mqtts;
         let (user, host) = match server.rsplit_once('@') {
-            Some((user, host)) => (Some(wrong.user(user)), host),
+            Some((user, host)) => (Some(reader.user(user)), host),
             None => (None, server),
         };
-        let (host, port) = wrong.host(host, if tls { 8883 } else { 1883 });
+        let (host, port) = reader.host(host, if tls { 8883 } else { 1883 });
         let prefix = match prefix.trim_end_matches('/') {
             "" => USUAL_PREFIX.to_owned(),
-            prefix => wrong.levels("the prefix", prefix),
+            prefix => reader.levels("the prefix", prefix),
         };
         let mut address = BrokerAddress {
             tls,
@@ -146,23 +147,23 @@ impl BrokerAddress {
         let mut discovery = None;
         for said in query.split('&').filter(|said| !said.is_empty()) {
             let (key, value) = said.split_once('=').unwrap_or((said, ""));
-            let value = &wrong.plain(key, value);
+            let value = &reader.plain(key, value);
             match key {
-                "style" => address.style = wrong.word(key, value, STYLES).unwrap_or(address.style),
-                "discovery" => discovery = wrong.word(key, value, DISCOVERIES).or(discovery),
-                "discovery-prefix" => address.discovery_prefix = wrong.levels(key, value),
-                "off-delay" => wrong.seconds(&mut address.off_delay_s, value),
-                "allow-fast" => wrong.truth(&mut address.allow_fast, key, value),
-                "public" => wrong.truth(&mut address.public, key, value),
-                "ca" => address.ca = wrong.file(key, value),
-                "password-file" => address.password_file = wrong.file(key, value),
-                key => wrong.unknown(key),
+                "style" => address.style = reader.word(key, value, STYLES).unwrap_or(address.style),
+                "discovery" => discovery = reader.word(key, value, DISCOVERIES).or(discovery),
+                "discovery-prefix" => address.discovery_prefix = reader.levels(key, value),
+                "off-delay" => reader.seconds(&mut address.off_delay_s, value),
+                "allow-fast" => reader.truth(&mut address.allow_fast, key, value),
+                "public" => reader.truth(&mut address.public, key, value),
+                "ca" => address.ca = reader.file(key, value),
+                "password-file" => address.password_file = reader.file(key, value),
+                key => reader.unknown(key),
             }
         }
         let usual = if address.style == Style::HomeAssistant { Discovery::Device } else { Discovery::Off };
         address.discovery = discovery.unwrap_or(usual);
-        wrong.together(&address);
-        wrong.or(address)
+        reader.together(&address);
+        reader.0.refuse().map(|()| address)
     }
 }
 
@@ -184,25 +185,16 @@ impl Style {
     }
 }
 
-/// All problems of a URL.
+/// Reads the parts of a URL, with all of their problems.
 #[derive(Default)]
-struct AddressProblems(Vec<Diagnostic>);
+struct AddressReader(UrlProblems);
 
-impl AddressProblems {
-    fn add(&mut self, message: AddressMessage) {
-        let message: Diagnostic = message.into();
-        self.0.push(Diagnostic { what: readable(message.what), hint: message.hint.map(readable), ..message });
-    }
-
-    fn or(self, address: BrokerAddress) -> Result<BrokerAddress, Problems> {
-        if self.0.is_empty() { Ok(address) } else { Err(Problems::of_url(&self.0)) }
-    }
-
+impl AddressReader {
     /// The name before the `@`. No error repeats a password there.
     fn user(&mut self, text: &str) -> String {
         let (user, password) = text.split_once(':').map_or((text, None), |(user, password)| (user, Some(password)));
         if password.is_some() {
-            self.add(AddressMessage::Password);
+            self.0.add(AddressMessage::Password);
         }
         self.plain("the user", user)
     }
@@ -213,12 +205,12 @@ impl AddressProblems {
             None => text.rsplit_once(':').map_or((text, None), |(host, port)| (host, Some(port))),
         };
         if host.is_empty() || host.contains(|letter: char| letter.is_whitespace() || letter.is_control()) {
-            self.add(AddressMessage::NoHost);
+            self.0.add(AddressMessage::NoHost);
         }
         match port.map(|port| port.parse::<u16>().map_err(|_| port)) {
             Some(Ok(port)) if port > 0 => (host.to_owned(), port),
             Some(_) => {
-                self.add(AddressMessage::Port { usual });
+                self.0.add(AddressMessage::Port { usual });
                 (host.to_owned(), usual)
             }
             None => (host.to_owned(), usual),
@@ -229,7 +221,7 @@ impl AddressProblems {
         let levels: Vec<&str> = text.split('/').collect();
         let fits = |level: &&str| is_level(level) && level.len() <= LONGEST_LEVEL;
         if levels.len() > MOST_LEVELS || !levels.iter().all(fits) {
-            self.add(AddressMessage::Topic {
+            self.0.add(AddressMessage::Topic {
                 name: what.into(),
                 text: text.into(),
                 most_levels: MOST_LEVELS,
@@ -242,7 +234,7 @@ impl AddressProblems {
     /// A text with its `%20` decoded.
     fn plain(&mut self, what: &str, text: &str) -> String {
         let Some(bytes) = percent_decoded(text) else {
-            self.add(AddressMessage::Percent { name: what.into() });
+            self.0.add(AddressMessage::Percent { name: what.into() });
             return text.to_owned();
         };
         String::from_utf8_lossy(&bytes).into_owned()
@@ -254,7 +246,7 @@ impl AddressProblems {
         if found.is_none() {
             let [(first, _), (second, _), (third, _)] = words;
             let known = format!("{first}, {second} or {third}");
-            self.add(AddressMessage::Word { name: key.into(), value: value.into(), known });
+            self.0.add(AddressMessage::Word { name: key.into(), value: value.into(), known });
         }
         found
     }
@@ -263,42 +255,42 @@ impl AddressProblems {
         match value {
             "true" => *to = true,
             "false" => *to = false,
-            _ => self.add(AddressMessage::NotBoolean { name: key.into(), value: value.into() }),
+            _ => self.0.add(AddressMessage::NotBoolean { name: key.into(), value: value.into() }),
         }
     }
 
     fn seconds(&mut self, to: &mut u32, value: &str) {
         match value.parse() {
             Ok(seconds) if (1..=3600).contains(&seconds) => *to = seconds,
-            _ => self.add(AddressMessage::OffDelay { value: value.into() }),
+            _ => self.0.add(AddressMessage::OffDelay { value: value.into() }),
         }
     }
 
     fn file(&mut self, key: &str, value: &str) -> Option<PathBuf> {
         if value.is_empty() {
-            self.add(AddressMessage::NoFile { name: key.into() });
+            self.0.add(AddressMessage::NoFile { name: key.into() });
         }
         Some(value.into())
     }
 
     fn unknown(&mut self, key: &str) {
-        self.add(AddressMessage::Unknown { name: key.into(), known: KEYS.to_vec() });
+        self.0.add(AddressMessage::Unknown { name: key.into(), known: KEYS.to_vec() });
     }
 
     /// Adds the problems of values that do not fit together.
     fn together(&mut self, address: &BrokerAddress) {
         if address.ca.is_some() && !address.tls {
-            self.add(AddressMessage::CaWithoutTls);
+            self.0.add(AddressMessage::CaWithoutTls);
         }
         if address.password_file.is_some() && address.user.is_none() {
-            self.add(AddressMessage::NoUser);
+            self.0.add(AddressMessage::NoUser);
         }
         if address.style == Style::Plain && address.discovery != Discovery::Off {
-            self.add(AddressMessage::PlainDiscovery);
+            self.0.add(AddressMessage::PlainDiscovery);
         }
         let (prefix, found) = (&address.prefix, &address.discovery_prefix);
         if prefix == found || prefix.starts_with(&format!("{found}/")) {
-            self.add(AddressMessage::DiscoveryPrefix { prefix: prefix.clone() });
+            self.0.add(AddressMessage::DiscoveryPrefix { prefix: prefix.clone() });
         }
     }
 }

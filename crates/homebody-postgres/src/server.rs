@@ -5,9 +5,11 @@
 
 use crate::messages::ServerUrlMessage;
 use homebody_core::nearest::nearest;
-use homebody_core::problem::{Problem, readable};
+use homebody_core::problem::readable;
+use homebody_core::problems::UrlProblems;
 use homebody_log::LogError;
 use homebody_log::url::percent_decoded;
+use std::ops::RangeInclusive;
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
@@ -98,12 +100,12 @@ impl Server {
     }
 
     fn parse_with(url: &str, environment: &dyn Fn(&str) -> Option<String>) -> Result<Server, LogError> {
-        let mut problems = ServerUrlProblems::default();
+        let mut problems = UrlProblems::default();
         let parts = UrlParts::read(url, &mut problems);
         let said =
             |name: &str, variable: &str| parts.parameter(name).map(str::to_owned).or_else(|| environment(variable));
         let port = said("port", "PGPORT").or(parts.port.clone());
-        let port = problems.number("port", port, 5432, 1..=65_535) as u16;
+        let port = number("port", port, 5432, 1..=65_535, &mut problems) as u16;
         let host = parts.parameter("host").map(str::to_owned).or(parts.host.clone()).or_else(|| environment("PGHOST"));
         if host.as_ref().is_some_and(|host| host.contains(',')) {
             problems.add(ServerUrlMessage::SeveralHosts);
@@ -120,7 +122,7 @@ impl Server {
             problems.add(ServerUrlMessage::Schema { name: schema.clone() });
         }
         let seconds = said("connect_timeout", "PGCONNECT_TIMEOUT");
-        let seconds = problems.number("connect_timeout", seconds, CONNECT_WITHIN.as_secs(), 1..=3600);
+        let seconds = number("connect_timeout", seconds, CONNECT_WITHIN.as_secs(), 1..=3600, &mut problems);
         let user = parts.parameter("user").map(str::to_owned).or(parts.user.clone());
         let user = user.or_else(|| environment("PGUSER")).or_else(|| environment("USER"));
         let user = user.unwrap_or_else(|| {
@@ -128,7 +130,7 @@ impl Server {
             String::new()
         });
         let database = parts.parameter("dbname").map(str::to_owned).or(parts.database.clone());
-        problems.refuse()?;
+        problems.refuse().map_err(LogError::BadUrl)?;
         Ok(Server {
             place: parts.place.clone(),
             host: host.map_or_else(|| usual_host(port), Host::from_text),
@@ -182,7 +184,7 @@ struct UrlParts {
 }
 
 impl UrlParts {
-    fn read(url: &str, problems: &mut ServerUrlProblems) -> UrlParts {
+    fn read(url: &str, problems: &mut UrlProblems) -> UrlParts {
         let rest = url.split_once("//").map_or(url, |(_, rest)| rest);
         let (main, query) = rest.split_once('?').unwrap_or((rest, ""));
         let (authority, database) = main.split_once('/').unwrap_or((main, ""));
@@ -204,11 +206,11 @@ impl UrlParts {
             problems.add(ServerUrlMessage::Password);
         }
         let mut parts = UrlParts { place, ..UrlParts::default() };
-        let mut decoded = |text: &str| (!text.is_empty()).then(|| problems.decode(text));
-        parts.user = decoded(user);
-        parts.host = decoded(host.strip_prefix('[').and_then(|host| host.strip_suffix(']')).unwrap_or(host));
-        parts.port = decoded(port);
-        parts.database = decoded(database);
+        let mut given = |text: &str| (!text.is_empty()).then(|| decoded(text, problems));
+        parts.user = given(user);
+        parts.host = given(host.strip_prefix('[').and_then(|host| host.strip_suffix(']')).unwrap_or(host));
+        parts.port = given(port);
+        parts.database = given(database);
         for pair in query.split('&').filter(|pair| !pair.is_empty() && !is_secret(pair)) {
             let (name, value) = pair.split_once('=').unwrap_or((pair, ""));
             if !PARAMETERS.contains(&name) {
@@ -220,7 +222,7 @@ impl UrlParts {
             } else if value.is_empty() {
                 problems.add(ServerUrlMessage::NoValue { name: name.into() });
             } else {
-                parts.parameters.push((name.to_owned(), problems.decode(value)));
+                parts.parameters.push((name.to_owned(), decoded(value, problems)));
             }
         }
         parts
@@ -231,51 +233,26 @@ impl UrlParts {
     }
 }
 
-#[derive(Default)]
-struct ServerUrlProblems {
-    place: String,
-    all: Vec<Problem>,
+/// Percent signs and two digits are bytes.
+fn decoded(text: &str, problems: &mut UrlProblems) -> String {
+    // No text of the server's has a NUL.
+    let Some(bytes) = percent_decoded(text).filter(|bytes| !bytes.contains(&0)) else {
+        problems.add(ServerUrlMessage::Percent);
+        return String::new();
+    };
+    String::from_utf8(bytes).unwrap_or_else(|_| {
+        problems.add(ServerUrlMessage::NotUtf8);
+        String::new()
+    })
 }
 
-impl ServerUrlProblems {
-    fn add(&mut self, message: ServerUrlMessage) {
-        self.all.push(message.into());
-    }
-
-    /// Percent signs and two digits are bytes.
-    fn decode(&mut self, text: &str) -> String {
-        // No text of the server's has a NUL.
-        let Some(bytes) = percent_decoded(text).filter(|bytes| !bytes.contains(&0)) else {
-            self.add(ServerUrlMessage::Percent);
-            return String::new();
-        };
-        String::from_utf8(bytes).unwrap_or_else(|_| {
-            self.add(ServerUrlMessage::NotUtf8);
-            String::new()
-        })
-    }
-
-    fn number(&mut self, name: &str, text: Option<String>, usual: u64, range: std::ops::RangeInclusive<u64>) -> u64 {
-        let Some(text) = text else { return usual };
-        text.parse().ok().filter(|number| range.contains(number)).unwrap_or_else(|| {
-            let (least, most) = (*range.start(), *range.end());
-            self.add(ServerUrlMessage::Number { name: name.into(), text: text.clone(), least, most });
-            usual
-        })
-    }
-
-    fn refuse(self) -> Result<(), LogError> {
-        if self.all.is_empty() {
-            return Ok(());
-        }
-        let place = readable(self.place);
-        let of_place = |problem: Problem| {
-            let problem = Problem { what: readable(problem.what), ..problem };
-            Problem::of_file(&place, problem, None)
-        };
-        let all: Vec<Problem> = self.all.into_iter().map(of_place).collect();
-        Err(LogError::BadUrl(homebody_core::problem::Problems::of_url(&all)))
-    }
+fn number(name: &str, text: Option<String>, usual: u64, range: RangeInclusive<u64>, problems: &mut UrlProblems) -> u64 {
+    let Some(text) = text else { return usual };
+    text.parse().ok().filter(|number| range.contains(number)).unwrap_or_else(|| {
+        let (least, most) = (*range.start(), *range.end());
+        problems.add(ServerUrlMessage::Number { name: name.into(), text: text.clone(), least, most });
+        usual
+    })
 }
 
 #[cfg(test)]
