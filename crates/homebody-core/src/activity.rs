@@ -8,54 +8,66 @@ use crate::role::Role;
 use crate::sensors::form::Colour;
 use serde::Serialize;
 
-/// A kind of activity of daily living. Each has one colour in all pictures.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize)]
-#[serde(rename_all = "snake_case")]
-pub enum ActivityKind {
-    /// In bed at night, and naps.
-    Sleep,
-    /// Of the body: toilet, washing, dressing.
-    Care,
-    /// Meals and drinks, their preparation and the dishes.
-    Food,
-    /// Laundry and cleaning.
-    Housework,
-    /// Pleasure and work.
-    Leisure,
-    /// Taking medicine.
-    Medicine,
-    /// Out of the home, leaving and coming back.
-    Out,
-    /// All else.
-    Other,
+crate::worded::worded! {
+    /// A kind of activity of daily living. Each has one colour in all pictures.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize)]
+    #[serde(rename_all = "snake_case")]
+    pub enum ActivityKind {
+        /// In bed at night, and naps.
+        Sleep = "sleep",
+        /// Of the body: toilet, washing, dressing.
+        Care = "toilet, washing, dressing",
+        /// Meals and drinks, their preparation and the dishes.
+        Food = "meals and kitchen",
+        /// Laundry and cleaning.
+        Housework = "housework",
+        /// Pleasure and work.
+        Leisure = "leisure and work",
+        /// Taking medicine.
+        Medicine = "medicine",
+        /// Out of the home, leaving and coming back.
+        Out = "out of the home",
+        /// All else.
+        Other = "other",
+    }
+    /// In the order of the table.
+    ALL
+    /// For people.
+    fn in_words
 }
 
-/// A use of time, as in time-use surveys.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize)]
-#[serde(rename_all = "snake_case")]
-pub enum TimeUse {
-    /// In bed at night, asleep or not, and naps.
-    Sleep,
-    /// Of the body, with medicine.
-    Care,
-    /// Meals, snacks and drinks.
-    Eating,
-    /// Cooking, dishes, laundry, cleaning.
-    Household,
-    /// Watching television.
-    Television,
-    /// Reading.
-    Reading,
-    /// Doing nothing in particular.
-    Relaxing,
-    /// Talking to visitors and on the telephone.
-    Company,
-    /// At the computer.
-    Computer,
-    /// Out of the home, leaving and coming back.
-    Out,
-    /// All else.
-    Other,
+crate::worded::worded! {
+    /// A use of time, as in time-use surveys.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize)]
+    #[serde(rename_all = "snake_case")]
+    pub enum TimeUse {
+        /// In bed at night, asleep or not, and naps.
+        Sleep = "sleep and bed",
+        /// Of the body, with medicine.
+        Care = "care of the body",
+        /// Meals, snacks and drinks.
+        Eating = "eating and drinking",
+        /// Cooking, dishes, laundry, cleaning.
+        Household = "household",
+        /// Watching television.
+        Television = "television",
+        /// Reading.
+        Reading = "reading",
+        /// Doing nothing in particular.
+        Relaxing = "relaxing",
+        /// Talking to visitors and on the telephone.
+        Company = "company",
+        /// At the computer.
+        Computer = "computer",
+        /// Out of the home, leaving and coming back.
+        Out = "out of the home",
+        /// All else.
+        Other = "else",
+    }
+    /// In the order of lists of the hours of a day.
+    ALL
+    /// For people.
+    fn in_words
 }
 
 /// A row of the table of activities.
@@ -280,18 +292,6 @@ pub fn known(label: &str) -> Option<&'static KnownActivity> {
 }
 
 impl ActivityKind {
-    /// In the order of the table.
-    pub const ALL: [ActivityKind; 8] = [
-        ActivityKind::Sleep,
-        ActivityKind::Care,
-        ActivityKind::Food,
-        ActivityKind::Housework,
-        ActivityKind::Leisure,
-        ActivityKind::Medicine,
-        ActivityKind::Out,
-        ActivityKind::Other,
-    ];
-
     /// The kind of a name: that of the row with this label in any spelling, else by the words of the name.
     pub fn from_name(name: &str) -> ActivityKind {
         let label = words(name).join("_");
@@ -318,58 +318,12 @@ impl ActivityKind {
             ActivityKind::Other => Some(Colour::Yellow),
         }
     }
-
-    /// For people.
-    pub fn in_words(self) -> &'static str {
-        match self {
-            ActivityKind::Sleep => "sleep",
-            ActivityKind::Care => "toilet, washing, dressing",
-            ActivityKind::Food => "meals and kitchen",
-            ActivityKind::Housework => "housework",
-            ActivityKind::Leisure => "leisure and work",
-            ActivityKind::Medicine => "medicine",
-            ActivityKind::Out => "out of the home",
-            ActivityKind::Other => "other",
-        }
-    }
 }
 
 impl TimeUse {
-    /// In the order of lists of the hours of a day.
-    pub const ALL: [TimeUse; 11] = [
-        TimeUse::Sleep,
-        TimeUse::Care,
-        TimeUse::Eating,
-        TimeUse::Household,
-        TimeUse::Television,
-        TimeUse::Reading,
-        TimeUse::Relaxing,
-        TimeUse::Company,
-        TimeUse::Computer,
-        TimeUse::Out,
-        TimeUse::Other,
-    ];
-
     /// The category of an activity; `Other` outside the table.
     pub fn from_label(label: &str) -> TimeUse {
         known(label).map_or(TimeUse::Other, |known| known.time_use)
-    }
-
-    /// For people.
-    pub fn in_words(self) -> &'static str {
-        match self {
-            TimeUse::Sleep => "sleep and bed",
-            TimeUse::Care => "care of the body",
-            TimeUse::Eating => "eating and drinking",
-            TimeUse::Household => "household",
-            TimeUse::Television => "television",
-            TimeUse::Reading => "reading",
-            TimeUse::Relaxing => "relaxing",
-            TimeUse::Company => "company",
-            TimeUse::Computer => "computer",
-            TimeUse::Out => "out of the home",
-            TimeUse::Other => "else",
-        }
     }
 }
 
@@ -380,21 +334,13 @@ mod tests {
     #[test]
     fn kinds_of_names_follow_from_their_words() {
         use ActivityKind::*;
-        for (name, kind) in [
-            ("Bed_Toilet_Transition", Care),
-            ("Personal_Hygiene", Care),
-            ("Wash_Dishes", Food),
-            ("drinking_tea", Food),
-            ("Eat", Food),
-            ("television", Leisure),
-            ("telephone", Leisure),
-            ("Work", Leisure),
-            ("Take_Medicine", Medicine),
-            ("Leave_Home", Out),
-            ("Enter_Home", Out),
-            ("strolling", Other),
-            ("", Other),
-        ] {
+        #[rustfmt::skip]
+        let cases = [
+            ("Bed_Toilet_Transition", Care), ("Personal_Hygiene", Care), ("Wash_Dishes", Food), ("drinking_tea", Food),
+            ("Eat", Food), ("television", Leisure), ("telephone", Leisure), ("Work", Leisure),
+            ("Take_Medicine", Medicine), ("Leave_Home", Out), ("Enter_Home", Out), ("strolling", Other), ("", Other),
+        ];
+        for (name, kind) in cases {
             assert_eq!(ActivityKind::from_name(name), kind, "{name}");
         }
     }

@@ -89,41 +89,35 @@ impl Fuzzy {
     }
 }
 
-/// The fuzzy quantifiers of linguistic summaries, such as "often".
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
-#[serde(rename_all = "snake_case")]
-pub enum Quantifier {
-    /// In one case of twenty or fewer.
-    AlmostNever,
-    /// In one case of ten.
-    Rarely,
-    /// In one case of five.
-    Sometimes,
-    /// In one case of two.
-    AboutHalf,
-    /// In two cases of three and more.
-    Often,
-    /// In four cases of five and more.
-    Most,
-    /// In nineteen cases of twenty and more.
-    AlmostAlways,
-    /// In each case.
-    Every,
+crate::worded::worded! {
+    /// The fuzzy quantifiers of linguistic summaries, such as "often".
+    #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+    #[serde(rename_all = "snake_case")]
+    pub enum Quantifier {
+        /// In one case of twenty or fewer.
+        AlmostNever = "almost never",
+        /// In one case of ten.
+        Rarely = "rarely",
+        /// In one case of five.
+        Sometimes = "sometimes",
+        /// In one case of two.
+        AboutHalf = "about half the time",
+        /// In two cases of three and more.
+        Often = "often",
+        /// In four cases of five and more.
+        Most = "most days",
+        /// In nineteen cases of twenty and more.
+        AlmostAlways = "almost always",
+        /// In each case.
+        Every = "every day",
+    }
+    /// From the least to the greatest.
+    ALL
+    /// The word itself.
+    fn word
 }
 
 impl Quantifier {
-    /// From the least to the greatest.
-    pub const ALL: [Quantifier; 8] = [
-        Quantifier::AlmostNever,
-        Quantifier::Rarely,
-        Quantifier::Sometimes,
-        Quantifier::AboutHalf,
-        Quantifier::Often,
-        Quantifier::Most,
-        Quantifier::AlmostAlways,
-        Quantifier::Every,
-    ];
-
     /// Which shares of all occasions the word fits.
     ///
     /// `most` is Zadeh's, as Kacprzyk and Yager use it; the other trapezoids are ours, in their order.
@@ -153,20 +147,6 @@ impl Quantifier {
                 let share = other.share();
                 (share.from + share.to) / 2.0
             }
-        }
-    }
-
-    /// The word itself.
-    pub fn word(self) -> &'static str {
-        match self {
-            Quantifier::AlmostNever => "almost never",
-            Quantifier::Rarely => "rarely",
-            Quantifier::Sometimes => "sometimes",
-            Quantifier::AboutHalf => "about half the time",
-            Quantifier::Often => "often",
-            Quantifier::Most => "most days",
-            Quantifier::AlmostAlways => "almost always",
-            Quantifier::Every => "every day",
         }
     }
 }

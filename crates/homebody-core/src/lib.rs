@@ -5,6 +5,8 @@
 
 #![warn(missing_docs)]
 
+mod worded;
+
 // Instants and spans of time, plane geometry, named random streams.
 pub mod time;
 pub mod geometry;

@@ -8,36 +8,26 @@
 use crate::names::words;
 use serde::Serialize;
 
-/// The kinds that a sensor may be taken for.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
-#[serde(rename_all = "snake_case")]
-pub enum Kind {
-    /// It sees movement.
-    Motion,
-    /// A door, a drawer, a window.
-    Contact,
-    /// A light's switch, a mattress, an item: it is used, but no movement is seen.
-    Used,
-    /// A temperature, a battery, a brightness.
-    Reading,
-    /// It tells of no person: an update, an automation, the sun.
-    Other,
-}
-
-impl Kind {
-    /// All of them.
-    pub const ALL: [Kind; 5] = [Kind::Motion, Kind::Contact, Kind::Used, Kind::Reading, Kind::Other];
-
-    /// In a word.
-    pub fn word(self) -> &'static str {
-        match self {
-            Kind::Motion => "motion",
-            Kind::Contact => "contact",
-            Kind::Used => "used",
-            Kind::Reading => "reading",
-            Kind::Other => "other",
-        }
+crate::worded::worded! {
+    /// The kinds that a sensor may be taken for.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+    #[serde(rename_all = "snake_case")]
+    pub enum Kind {
+        /// It sees movement.
+        Motion = "motion",
+        /// A door, a drawer, a window.
+        Contact = "contact",
+        /// A light's switch, a mattress, an item: it is used, but no movement is seen.
+        Used = "used",
+        /// A temperature, a battery, a brightness.
+        Reading = "reading",
+        /// It tells of no person: an update, an automation, the sun.
+        Other = "other",
     }
+    /// All of them.
+    ALL
+    /// In a word.
+    fn word
 }
 
 /// The meaning of a word for a kind of sensor.
@@ -187,32 +177,17 @@ mod tests {
 
     #[test]
     fn a_kind_means_the_same_in_whatever_way_a_source_writes_it() {
-        for (kind, wanted) in [
-            ("motion", MOTION),
-            ("Control4-Motion", MOTION),
-            ("Control4-MotionArea", MOTION),
-            ("PIR", MOTION),
-            ("ceiling_motion", MOTION),
-            ("binary_sensor motion", MOTION),
-            ("binary_sensor.door", CONTACT),
-            ("Control4-Door", CONTACT),
-            ("Magnetic", CONTACT),
-            ("contact", CONTACT),
-            ("occupancy", Meaning::Somebody),
-            ("Flush", USED),
-            ("Electric", Meaning::Measured),
-            ("Pressure", Meaning::Measured),
-            ("Control4-Temperature", READING),
-            ("Control4-BatteryPercent", READING),
-            ("Control4-LightSensor", READING),
-            ("Control4-Light", Meaning::Measured),
-            ("illuminance_lux", READING),
-            ("co2", READING),
-            ("pm2.5", READING),
-            ("linkquality", READING),
-            ("update_available", OTHER),
-            ("Other", OTHER),
-        ] {
+        #[rustfmt::skip]
+        let cases = [
+            ("motion", MOTION), ("Control4-Motion", MOTION), ("Control4-MotionArea", MOTION), ("PIR", MOTION),
+            ("ceiling_motion", MOTION), ("binary_sensor motion", MOTION), ("binary_sensor.door", CONTACT),
+            ("Control4-Door", CONTACT), ("Magnetic", CONTACT), ("contact", CONTACT), ("occupancy", Meaning::Somebody),
+            ("Flush", USED), ("Electric", Meaning::Measured), ("Pressure", Meaning::Measured),
+            ("Control4-Temperature", READING), ("Control4-BatteryPercent", READING), ("Control4-LightSensor", READING),
+            ("Control4-Light", Meaning::Measured), ("illuminance_lux", READING), ("co2", READING), ("pm2.5", READING),
+            ("linkquality", READING), ("update_available", OTHER), ("Other", OTHER),
+        ];
+        for (kind, wanted) in cases {
             assert_eq!(meaning(kind, "S1"), Some(wanted), "{kind}");
         }
         for unknown in ["", "thing", "sensor 7", "binary_sensor", "Zustand"] {

@@ -165,83 +165,51 @@ impl fmt::Display for Span {
     }
 }
 
-impl Add for Span {
-    type Output = Span;
-    fn add(self, other: Span) -> Span {
-        Span(self.0 + other.0)
-    }
+/// Implements operators.
+macro_rules! operators {
+    ($($operator:ident::$call:ident($one:ty, $other:ty) -> $out:ty: |$a:ident, $b:ident| $value:expr;)*) => {$(
+        impl $operator<$other> for $one {
+            type Output = $out;
+            fn $call(self, other: $other) -> $out {
+                let ($a, $b) = (self, other);
+                $value
+            }
+        }
+    )*};
 }
 
-impl Sub for Span {
-    type Output = Span;
-    fn sub(self, other: Span) -> Span {
-        Span(self.0 - other.0)
-    }
+/// Implements operators that assign.
+macro_rules! assigning_operators {
+    ($($operator:ident::$call:ident($one:ty, $other:ty): $sign:tt;)*) => {$(
+        impl $operator<$other> for $one {
+            fn $call(&mut self, other: $other) {
+                *self = *self $sign other;
+            }
+        }
+    )*};
+}
+
+operators! {
+    Add::add(Span, Span) -> Span: |a, b| Span(a.0 + b.0);
+    Sub::sub(Span, Span) -> Span: |a, b| Span(a.0 - b.0);
+    Mul::mul(Span, i64) -> Span: |span, times| Span(span.0 * times);
+    Mul::mul(i64, Span) -> Span: |times, span| Span(times * span.0);
+    Div::div(Span, i64) -> Span: |span, parts| Span(span.0 / parts);
+    Div::div(Span, Span) -> i64: |a, b| a.0 / b.0;
+    Rem::rem(Span, Span) -> Span: |a, b| Span(a.0 % b.0);
+}
+
+assigning_operators! {
+    AddAssign::add_assign(Span, Span): +;
+    SubAssign::sub_assign(Span, Span): -;
+    MulAssign::mul_assign(Span, i64): *;
+    DivAssign::div_assign(Span, i64): /;
 }
 
 impl Neg for Span {
     type Output = Span;
     fn neg(self) -> Span {
         Span(-self.0)
-    }
-}
-
-impl Mul<i64> for Span {
-    type Output = Span;
-    fn mul(self, times: i64) -> Span {
-        Span(self.0 * times)
-    }
-}
-
-impl Mul<Span> for i64 {
-    type Output = Span;
-    fn mul(self, span: Span) -> Span {
-        Span(self * span.0)
-    }
-}
-
-impl Div<i64> for Span {
-    type Output = Span;
-    fn div(self, parts: i64) -> Span {
-        Span(self.0 / parts)
-    }
-}
-
-impl Div for Span {
-    type Output = i64;
-    fn div(self, other: Span) -> i64 {
-        self.0 / other.0
-    }
-}
-
-impl Rem for Span {
-    type Output = Span;
-    fn rem(self, other: Span) -> Span {
-        Span(self.0 % other.0)
-    }
-}
-
-impl AddAssign for Span {
-    fn add_assign(&mut self, other: Span) {
-        self.0 += other.0;
-    }
-}
-
-impl SubAssign for Span {
-    fn sub_assign(&mut self, other: Span) {
-        self.0 -= other.0;
-    }
-}
-
-impl MulAssign<i64> for Span {
-    fn mul_assign(&mut self, times: i64) {
-        self.0 *= times;
-    }
-}
-
-impl DivAssign<i64> for Span {
-    fn div_assign(&mut self, parts: i64) {
-        self.0 /= parts;
     }
 }
 
@@ -331,37 +299,15 @@ macro_rules! instant {
             const MAX: $name = $name::MAX;
         }
 
-        impl Add<Span> for $name {
-            type Output = $name;
-            fn add(self, span: Span) -> $name {
-                $name(self.0 + span.0)
-            }
+        operators! {
+            Add::add($name, Span) -> $name: |at, span| $name(at.0 + span.0);
+            Sub::sub($name, Span) -> $name: |at, span| $name(at.0 - span.0);
+            Sub::sub($name, $name) -> Span: |at, other| Span(at.0 - other.0);
         }
 
-        impl Sub<Span> for $name {
-            type Output = $name;
-            fn sub(self, span: Span) -> $name {
-                $name(self.0 - span.0)
-            }
-        }
-
-        impl Sub for $name {
-            type Output = Span;
-            fn sub(self, other: $name) -> Span {
-                Span(self.0 - other.0)
-            }
-        }
-
-        impl AddAssign<Span> for $name {
-            fn add_assign(&mut self, span: Span) {
-                self.0 += span.0;
-            }
-        }
-
-        impl SubAssign<Span> for $name {
-            fn sub_assign(&mut self, span: Span) {
-                self.0 -= span.0;
-            }
+        assigning_operators! {
+            AddAssign::add_assign($name, Span): +;
+            SubAssign::sub_assign($name, Span): -;
         }
 
         impl fmt::Display for $name {
@@ -462,7 +408,7 @@ impl WallTime {
 impl From<DateTime> for WallTime {
     fn from(datetime: DateTime) -> WallTime {
         let since = datetime.duration_since(date(1970, 1, 1).at(0, 0, 0, 0));
-        WallTime(i64::try_from(since.as_micros()).expect("the calendar's years fit"))
+        WallTime(since.as_secs() * SECOND.0 + i64::from(since.subsec_micros()))
     }
 }
 

@@ -13,37 +13,32 @@ use schemars::JsonSchema;
 use schemars::generate::SchemaSettings;
 use serde_json::Value;
 
-/// A kind of file of a scenario.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum FileKind {
-    /// `scenario.json`, which links the others.
-    Scenario,
-    /// `home.json`: the building and its sensors.
-    Home,
-    /// `link.json`: the way from the sensors to the logger.
-    Link,
-    /// `logger.json`: where the log goes, and how it looks there.
-    Logger,
-    /// A resident's file: body, pace and driver.
-    Resident,
-    /// A path description: walks, waits, repeats.
-    Path,
-    /// Keys that are held over time.
-    Input,
+crate::worded::worded! {
+    /// A kind of file of a scenario.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+    pub enum FileKind {
+        /// `scenario.json`, which links the others.
+        Scenario = "a scenario",
+        /// `home.json`: the building and its sensors.
+        Home = "a home",
+        /// `link.json`: the way from the sensors to the logger.
+        Link = "a link",
+        /// `logger.json`: where the log goes, and how it looks there.
+        Logger = "a logger",
+        /// A resident's file: body, pace and driver.
+        Resident = "a resident",
+        /// A path description: walks, waits, repeats.
+        Path = "a path",
+        /// Keys that are held over time.
+        Input = "a file of live input",
+    }
+    /// All kinds; the scenario's own file comes first.
+    ALL
+    /// The name of such a file in messages.
+    fn noun
 }
 
 impl FileKind {
-    /// All kinds; the scenario's own file comes first.
-    pub const ALL: [FileKind; 7] = [
-        FileKind::Scenario,
-        FileKind::Home,
-        FileKind::Link,
-        FileKind::Logger,
-        FileKind::Resident,
-        FileKind::Path,
-        FileKind::Input,
-    ];
-
     /// The schema's file name in the folder `schemas`.
     pub fn schema_name(self) -> &'static str {
         match self {
@@ -54,19 +49,6 @@ impl FileKind {
             FileKind::Resident => "resident.schema.json",
             FileKind::Path => "path.schema.json",
             FileKind::Input => "input.schema.json",
-        }
-    }
-
-    /// The name of such a file in messages.
-    pub fn noun(self) -> &'static str {
-        match self {
-            FileKind::Scenario => "a scenario",
-            FileKind::Home => "a home",
-            FileKind::Link => "a link",
-            FileKind::Logger => "a logger",
-            FileKind::Resident => "a resident",
-            FileKind::Path => "a path",
-            FileKind::Input => "a file of live input",
         }
     }
 

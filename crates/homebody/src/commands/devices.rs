@@ -53,7 +53,7 @@ impl DevicesArguments {
 
 pub fn device(name: &str) -> Result<Product, Failure> {
     Product::all().find(|device| device.key() == name).ok_or_else(|| {
-        let known: Vec<String> = Product::all().map(|device| device.key()).collect();
+        let known: Vec<String> = Product::all().map(|device| device.key().to_owned()).collect();
         let nearest = nearest(name, known.iter().map(String::as_str)).map(str::to_owned);
         Failure::asked(DeviceMessage::Unknown { name: name.to_owned(), nearest, known })
     })
