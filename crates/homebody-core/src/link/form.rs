@@ -17,30 +17,9 @@ pub struct LinkFile {
     pub schema: Option<String>,
     /// Network that sets the values of the keys below that are not given.
     pub preset: Network,
-    /// Shortest and longest time from reception to the log.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    #[schemars(inner(range(min = 0, max = 3_600)))]
-    pub delay_s: Option<[f64; 2]>,
-    /// Share of the messages that are lost on the way, each independently.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    #[schemars(range(min = 0, max = 1))]
-    pub loss: Option<f64>,
-    /// Share of the messages that arrive twice.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    #[schemars(range(min = 0, max = 1))]
-    pub duplicates: Option<f64>,
-    /// Share of the messages that arrive with a wrong id or a wrong value.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    #[schemars(range(min = 0, max = 1))]
-    pub corruption: Option<f64>,
-    /// Share of a motion sensor's firings that it misses.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    #[schemars(range(min = 0, max = 1))]
-    pub misses: Option<f64>,
-    /// Rate of a motion sensor's false firings.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    #[schemars(range(min = 0, max = 1_000))]
-    pub false_fires_per_h: Option<f64>,
+    /// The values of all sensors.
+    #[serde(flatten)]
+    pub rates: SensorLinkFile,
     /// A radio channel that all sensors share. No sensor listens before it sends.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub radio: Option<RadioFile>,
@@ -135,7 +114,7 @@ impl Default for RadioFile {
     }
 }
 
-/// Values of one sensor that differ from those of the others.
+/// Effects of the link on the messages of all sensors, or of one that differs from the others.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema, Default)]
 #[serde(deny_unknown_fields, default)]
 #[schemars(title = "sensor's link")]
@@ -144,23 +123,23 @@ pub struct SensorLinkFile {
     #[serde(skip_serializing_if = "Option::is_none")]
     #[schemars(inner(range(min = 0, max = 3_600)))]
     pub delay_s: Option<[f64; 2]>,
-    /// Share of its messages that are lost on the way.
+    /// Share of the messages that are lost on the way, each independently.
     #[serde(skip_serializing_if = "Option::is_none")]
     #[schemars(range(min = 0, max = 1))]
     pub loss: Option<f64>,
-    /// Share of its messages that arrive twice.
+    /// Share of the messages that arrive twice.
     #[serde(skip_serializing_if = "Option::is_none")]
     #[schemars(range(min = 0, max = 1))]
     pub duplicates: Option<f64>,
-    /// Share of its messages that arrive with a wrong id or a wrong value.
+    /// Share of the messages that arrive with a wrong id or a wrong value.
     #[serde(skip_serializing_if = "Option::is_none")]
     #[schemars(range(min = 0, max = 1))]
     pub corruption: Option<f64>,
-    /// Share of its firings that it misses.
+    /// Share of a motion sensor's firings that it misses. Other sensors miss firings only if their own entry says so.
     #[serde(skip_serializing_if = "Option::is_none")]
     #[schemars(range(min = 0, max = 1))]
     pub misses: Option<f64>,
-    /// Rate of its false firings. Only motion sensors have any.
+    /// Rate of a motion sensor's false firings.
     #[serde(skip_serializing_if = "Option::is_none")]
     #[schemars(range(min = 0, max = 1_000))]
     pub false_fires_per_h: Option<f64>,
@@ -173,13 +152,13 @@ impl LinkFile {
         let preset = self.preset.rates();
         let own = self.sensors.get(sensor).cloned().unwrap_or_default();
         let of_all = |given: Option<f64>, preset: f64| if looks { given.unwrap_or(preset) } else { 0.0 };
-        let false_fires = of_all(self.false_fires_per_h, preset.false_fires_per_h);
+        let false_fires = of_all(self.rates.false_fires_per_h, preset.false_fires_per_h);
         LinkRates {
-            delay_s: own.delay_s.or(self.delay_s).unwrap_or(preset.delay_s),
-            loss: own.loss.or(self.loss).unwrap_or(preset.loss),
-            duplicates: own.duplicates.or(self.duplicates).unwrap_or(preset.duplicates),
-            corruption: own.corruption.or(self.corruption).unwrap_or(preset.corruption),
-            misses: own.misses.unwrap_or(of_all(self.misses, preset.misses)),
+            delay_s: own.delay_s.or(self.rates.delay_s).unwrap_or(preset.delay_s),
+            loss: own.loss.or(self.rates.loss).unwrap_or(preset.loss),
+            duplicates: own.duplicates.or(self.rates.duplicates).unwrap_or(preset.duplicates),
+            corruption: own.corruption.or(self.rates.corruption).unwrap_or(preset.corruption),
+            misses: own.misses.unwrap_or(of_all(self.rates.misses, preset.misses)),
             false_fires_per_h: own.false_fires_per_h.unwrap_or(false_fires),
         }
     }

@@ -1,11 +1,11 @@
 //! The timing of sensors and the link of a log, put into a scenario.
 
 use homebody_analysis::timing::{HoldStyle, MotionTiming, SensorTiming};
-use homebody_core::link::form::LinkFile;
+use homebody_core::link::form::{LinkFile, SensorLinkFile};
 use homebody_core::scenario::edit::ScenarioEdit;
 use homebody_core::scenario::logger::{LoggerFile, LumpFile, MessagesFile, OnOffFile};
-use homebody_core::sensors::kinds::{MotionSettings, SensorFile};
-use homebody_core::sensors::preset::Preset;
+use homebody_core::sensors::kinds::SensorFile;
+use homebody_core::sensors::preset::{MotionSettings, Preset};
 
 /// Share of messages that arrive twice or not at all below which it is chance (our choice).
 const CHANCE: f64 = 0.0005;
@@ -32,7 +32,8 @@ pub fn fitted(edit: ScenarioEdit, timing: &MotionTiming, logger: &LoggerFile, li
     let [repeated, missing] = [repeated, timing.missing].map(|share| (share > CHANCE).then_some(rounded(share)));
     if repeated.is_some() || missing.is_some() {
         let link = link.cloned().unwrap_or_default();
-        let link = LinkFile { duplicates: repeated.or(link.duplicates), loss: missing.or(link.loss), ..link };
+        let (duplicates, loss) = (repeated.or(link.rates.duplicates), missing.or(link.rates.loss));
+        let link = LinkFile { rates: SensorLinkFile { duplicates, loss, ..link.rates }, ..link };
         edit = edit.link(&link);
     }
     edit
@@ -98,7 +99,9 @@ mod tests {
     fn after(timing: &MotionTiming) -> (SensorFile, LoggerFile, Option<LinkFile>) {
         let mut home = HomeFile::new("one room");
         let area = vec![[1.0, 1.0], [2.0, 1.0], [2.0, 2.0]];
-        home.sensors.push(SensorFile::CeilingMotion(CeilingMotionFile { preset: Preset::CasasFollow, ..hall(area) }));
+        let mut hall = hall(area);
+        hall.settings.preset = Preset::CasasFollow;
+        home.sensors.push(SensorFile::CeilingMotion(hall));
         let corners = vec![[0.0, 0.0], [4.0, 0.0], [4.0, 3.0], [0.0, 3.0]];
         home.rooms.push(homebody_core::plan::form::RoomFile::new("hall", corners));
         let edit = ScenarioEdit::new(ScenarioFile::new("made", "2009-03-02T00:00:00", 1.0), home);
@@ -125,7 +128,7 @@ mod tests {
         let MessagesFile::OnOff(OnOffFile { hold_s, lumps }) = logger.messages else { panic!("ON and OFF") };
         assert_eq!((hold_s, lumps.len(), lumps[0].parts), (3.0, 4, [0.967, 0.983]));
         let link = link.unwrap();
-        assert_eq!((link.duplicates, link.loss), (None, Some(0.01)));
+        assert_eq!((link.rates.duplicates, link.rates.loss), (None, Some(0.01)));
     }
 
     #[test]
@@ -134,7 +137,7 @@ mod tests {
         let sensor = sensor.settings().expect("a sensor that looks for movement");
         assert_eq!((sensor.preset, sensor.refire_s), (Preset::CasasFollow, Some([5.0, 5.1])));
         assert_eq!(logger, LoggerFile::default());
-        assert_eq!(link.unwrap().duplicates, Some(0.02));
+        assert_eq!(link.unwrap().rates.duplicates, Some(0.02));
         assert_eq!(after(&timing(None, 0.0, 0.0)).2, None);
     }
 }

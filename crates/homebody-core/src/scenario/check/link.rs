@@ -83,7 +83,7 @@ fn together(names: &[String]) -> String {
 
 pub fn check(source: &JsonSource, file: &LinkFile, surroundings: &HomeInCheck, problems: &mut Vec<Problem>) {
     let report = &mut ProblemReport { source, problems };
-    check_delay(report, "/delay_s", file.delay_s);
+    check_delay(report, "/delay_s", file.rates.delay_s);
     for (name, sensor) in &file.sensors {
         check_delay(report, &format!("/sensors/{}/delay_s", pointer_part(name)), sensor.delay_s);
     }
