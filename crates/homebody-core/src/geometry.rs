@@ -13,6 +13,11 @@ pub fn point(at: At) -> Point {
     Point::new(at[0], at[1])
 }
 
+/// The corners of a file as points.
+pub fn points(corners: &[At]) -> Vec<Point> {
+    corners.iter().map(|&at| point(at)).collect()
+}
+
 /// A length rounded to a millimetre.
 pub fn whole_millimetres(length_m: f64) -> f64 {
     (length_m * 1000.0).round() / 1000.0

@@ -5,28 +5,16 @@ use crate::posture::Posture;
 use crate::stride::Stride;
 use crate::time::{Interval, RunTime};
 
-/// A movement of a body over a span.
+/// A movement of a body over a span. Positions are in metres.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[allow(missing_docs, reason = "each variant says what its data are")]
 pub enum MotionState {
     /// A straight movement at constant speed.
-    Stride {
-        /// The start of the stride, in metres.
-        from: Point,
-        /// The end of the stride, in metres.
-        to: Point,
-    },
+    Stride { from: Point, to: Point },
     /// Movement on the spot: `amplitude_m` is how far what moves moves.
-    InPlace {
-        /// The position of the body, in metres.
-        at: Point,
-        /// The amplitude of the moving part, in metres.
-        amplitude_m: f64,
-    },
+    InPlace { at: Point, amplitude_m: f64 },
     /// Keeping still.
-    Rest {
-        /// The position of the body, in metres.
-        at: Point,
-    },
+    Rest { at: Point },
     /// Out of the home.
     Away,
 }

@@ -167,8 +167,8 @@ impl Plan {
             .rooms
             .iter()
             .map(|room| {
-                let outline: Vec<Point> = room.outline.iter().map(|&at| point(at)).collect();
-                Room { name: room.name.clone(), is_convex: is_convex(&outline), outline }
+                let outline = geometry::points(&room.outline);
+                Room { name: room.name.clone(), is_convex: geometry::is_convex(&outline), outline }
             })
             .collect();
         let thing = |name: &str, at, on| Thing { name: name.into(), at, on };
@@ -303,7 +303,7 @@ pub fn span_on_wall(from: Point, to: Point, jamb: Point, other: Point) -> Option
 /// The corners of a piece of furniture, as its file gives them; empty if the file gives neither form.
 pub fn furniture_outline(piece: &FurnitureFile) -> Vec<Point> {
     if let Some(outline) = &piece.outline {
-        return outline.iter().map(|&at| point(at)).collect();
+        return geometry::points(outline);
     }
     let (Some(at), Some([width, depth])) = (piece.at, piece.size_m) else { return Vec::new() };
     let (x, y) = (
@@ -312,14 +312,4 @@ pub fn furniture_outline(piece: &FurnitureFile) -> Vec<Point> {
     );
     let middle = point(at);
     vec![middle - x - y, middle + x - y, middle + x + y, middle - x + y]
-}
-
-fn is_convex(outline: &[Point]) -> bool {
-    let count = outline.len();
-    let turn = |index: usize| {
-        let (a, b, c) = (outline[index], outline[(index + 1) % count], outline[(index + 2) % count]);
-        (b - a).perp_dot(c - b)
-    };
-    let turns: Vec<f64> = (0..count).map(turn).collect();
-    turns.iter().all(|&turn| turn >= 0.0) || turns.iter().all(|&turn| turn <= 0.0)
 }

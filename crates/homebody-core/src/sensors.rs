@@ -27,11 +27,9 @@ use crate::event::Value;
 use crate::geometry::{self, Point};
 use crate::ids::{RoomId, ThingId};
 use crate::plan::Plan;
-use ceiling_motion::CeilingMotion;
 use form::{KindRow, Site, Unit};
-use kinds::{SensorDevice, SensorFile};
-use motion::{DetectionLevel, Motion};
-use notice::{NoticeChance, View};
+use kinds::{SensorFile, SensorKind};
+use notice::NoticeChance;
 use std::sync::Arc;
 use timing::FiringTiming;
 
@@ -73,38 +71,10 @@ pub struct SensorPlacement {
     pub at: Point,
 }
 
-/// The model of a sensor: two kinds look for movement, the others react to use, weight or state.
-#[derive(Clone, Debug, PartialEq)]
-pub enum SensorKind {
-    /// A fan of beams from a wall.
-    Motion(Motion),
-    /// An area below the ceiling.
-    CeilingMotion(CeilingMotion),
-    /// As it is when a run begins.
-    Device(Box<SensorDevice>),
-}
-
 impl Sensor {
     /// The sensor that a file describes; nothing where the plan does not have what it is on, or the room that it is in.
     pub fn new(file: &SensorFile, plan: &Plan) -> Option<Sensor> {
-        let (kind, at) = match file {
-            SensorFile::Motion(file) => {
-                let motion = Motion::new(file);
-                let lens = motion.lens;
-                (SensorKind::Motion(motion), lens)
-            }
-            SensorFile::CeilingMotion(file) => {
-                let area = CeilingMotion::new(file);
-                let middle = area.middle;
-                (SensorKind::CeilingMotion(area), middle)
-            }
-            device => {
-                let site = site(device, plan)?;
-                let device =
-                    SensorDevice::new(device, &site).expect("a sensor that does not look for movement is a device");
-                (SensorKind::Device(Box::new(device)), site.at)
-            }
-        };
+        let (kind, at) = SensorKind::placed(file, || site(file, plan))?;
         Some(Sensor {
             name: file.name().to_owned(),
             timing: FiringTiming::new(file.timing()),
@@ -140,34 +110,6 @@ impl Sensor {
     }
 }
 
-impl SensorKind {
-    /// The changes in its field that count as movement, if it looks for movement.
-    pub fn level(&self) -> Option<DetectionLevel> {
-        match self {
-            SensorKind::Motion(motion) => Some(motion.level),
-            SensorKind::CeilingMotion(_) => Some(DetectionLevel::Paper),
-            SensorKind::Device(_) => None,
-        }
-    }
-
-    /// A body at this point as its lens sees it.
-    pub fn view(&self, at: Point) -> Option<View> {
-        match self {
-            SensorKind::Motion(motion) => Some(motion.view(at)),
-            SensorKind::CeilingMotion(area) => Some(area.view(at)),
-            SensorKind::Device(_) => None,
-        }
-    }
-
-    /// The outline of the area below it, counter-clockwise.
-    pub fn area_below(&self) -> Option<&[Point]> {
-        match self {
-            SensorKind::CeilingMotion(area) => Some(&area.outline),
-            SensorKind::Motion(_) | SensorKind::Device(_) => None,
-        }
-    }
-}
-
 /// The site of a device; `None` if the plan lacks the thing or the room.
 fn site(file: &SensorFile, plan: &Plan) -> Option<Site> {
     if let Some(spot) = file.spot() {
@@ -178,7 +120,7 @@ fn site(file: &SensorFile, plan: &Plan) -> Option<Site> {
         return Some(Site { thing, at, outlook, ..Site::default() });
     }
     if let Some(area) = file.area() {
-        let outline: Vec<Point> = area.iter().map(|&at| geometry::point(at)).collect();
+        let outline = geometry::points(area);
         let at = geometry::inner_point(&outline);
         return Some(Site { thing: ThingId::new(plan.things.len()), is_open: false, at, outline, ..Site::default() });
     }

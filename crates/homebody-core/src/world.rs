@@ -19,13 +19,13 @@ use crate::posture::Posture;
 use crate::random::{Marks, Stream};
 use crate::resident::BodySize;
 use crate::sensor_set::{BLOCK, BLOCKS, Mask, SensorSet, bit, bits, blocks};
-use crate::sensors::kinds::SensorDevice;
+use crate::sensors::Sensor;
+use crate::sensors::kinds::{SensorDevice, SensorKind};
 use crate::sensors::motion::{DetectionLevel, Motion};
 use crate::sensors::notice::{Glance, NoticeChance};
 use crate::sensors::outbox::{Change, DeviceModel, Outbox};
 use crate::sensors::timing::{Machine, Sighting, TimerOutcome};
 use crate::sensors::zones::Pulses;
-use crate::sensors::{Sensor, SensorKind};
 use crate::stride::Stride;
 use crate::time::{RunTime, Span};
 use crate::timers::Timers;
@@ -195,7 +195,7 @@ impl World {
         let BodySize { radius_m, top_m } = self.home.field(resident.index(), Posture::Standing).size;
         let stature = Stature { radius_m, height_m: top_m };
         let chance = self.chances.of(begin.micros() as u64 ^ (u64::from(resident.0) << 56));
-        let change = Change::Body { resident, stature, begin, end, doing, posture, chance };
+        let change = Change::Body { resident, stature, segment: next.clone(), chance };
         // A cat presses no mat, and lies next to the strip.
         if radius_m >= self.light_m {
             self.inform(&change, Listeners::Feeling);

@@ -231,7 +231,7 @@ impl SensorWalk {
         // A name for each activity, so that each draws its own random numbers.
         let mut sensor = MotionFile::new(&format!("PIR at {distance_m} m, {speed_mps} m/s"), [0.05, depth / 2.0], 0.0);
         if !random {
-            (sensor.first_fire_s, sensor.refire_s) = (Some([1.5, 1.5]), Some([7.0, 7.0]));
+            (sensor.settings.first_fire_s, sensor.settings.refire_s) = (Some([1.5, 1.5]), Some([7.0, 7.0]));
         }
         home.sensors.push(SensorFile::Motion(sensor));
         let (start, end) = ([0.05 + distance_m, 1.0], [0.05 + distance_m, 1.0 + walk_m]);

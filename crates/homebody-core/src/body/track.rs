@@ -14,7 +14,7 @@ use super::joints::{Joints, Stance, turn};
 use super::quadruped::{LOWEST_PERSON_M, animal};
 use crate::geometry::Point;
 use crate::ids::ResidentId;
-use crate::motion::MotionState;
+use crate::motion::{MotionSegment, MotionState};
 use crate::numbers::Numbers;
 use crate::posture::Posture;
 use crate::random::DrawnValue;
@@ -111,21 +111,6 @@ impl Durations {
     }
 }
 
-/// A movement of a body over a span, as the world reports it.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Segment {
-    /// When it begins.
-    pub begin: RunTime,
-    /// When it ends, later than it begins.
-    pub end: RunTime,
-    /// The movement.
-    pub doing: MotionState,
-    /// The posture.
-    pub posture: Posture,
-    /// A random number of the segment, for example for the direction of a fall.
-    pub chance: DrawnValue,
-}
-
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum ByWayOf {
     /// It gets up from the floor over its knees.
@@ -140,7 +125,7 @@ pub struct BodyTrack {
     resident: ResidentId,
     stature: Stature,
     durations: Durations,
-    segment: Option<Segment>,
+    segment: Option<MotionSegment>,
     /// The start of the change: joints, instant and duration.
     from: Joints,
     changed_at: RunTime,
@@ -177,22 +162,20 @@ impl BodyTrack {
         }
     }
 
-    /// From `now` on the body does this. Being told again what it does already changes nothing.
-    pub fn begin(&mut self, now: RunTime, next: &Segment, ground: &Ground) {
-        let before = self.segment;
-        if before.is_some_and(|before| is_same(&before, next)) {
-            self.segment = Some(*next);
+    /// From `now` on the body does this, with a random number of the movement, for example for the direction of a fall.
+    /// A movement that is the present one changes nothing.
+    pub fn begin(&mut self, now: RunTime, next: &MotionSegment, chance: DrawnValue, ground: &Ground) {
+        if self.segment.as_ref().is_some_and(|before| is_same(before, next)) {
+            self.segment = Some(next.clone());
             return;
         }
         let was = self.joints_at(now);
-        if let Some(Segment { doing: MotionState::Stride { from, to }, begin, end, .. }) = before {
+        let before = self.segment.replace(next.clone());
+        if let Some(MotionSegment { doing: MotionState::Stride { from, to }, begin, end, .. }) = before {
             let stride = Stride::new(from, to, begin, end);
             self.walked_m += stride.position(now).distance(from);
         }
-        let Some(at) = place(next, now) else {
-            self.segment = Some(*next);
-            return;
-        };
+        let Some(at) = place(next, now) else { return };
         if let MotionState::Stride { from, to } = next.doing {
             let way = to - from;
             if way.length_squared() > 1e-12 {
@@ -200,14 +183,13 @@ impl BodyTrack {
                 self.walks_mps = Stride::new(from, to, next.begin, next.end).speed_mps();
             }
         }
-        self.segment = Some(*next);
         let Some(was) = was else {
             // It comes through the door in its present posture.
-            self.take_stance(next, at, before.map(|before| before.posture), ground);
+            self.take_stance(next, chance, at, before.map(|before| before.posture), ground);
             (self.changed_at, self.takes) = (next.begin.min(now), Span::ZERO);
             return;
         };
-        let posture_before = before.map_or(Posture::Standing, |before| before.posture);
+        let posture_before = before.as_ref().map_or(Posture::Standing, |before| before.posture);
         let left_over = (self.changed_at + self.takes - now).max(Span::ZERO);
         let crawled = before.as_ref().is_some_and(crawls);
         let begins_to_crawl = crawls(next) && !crawled;
@@ -225,7 +207,7 @@ impl BodyTrack {
             None
         };
         if posture_before != next.posture || crawled != crawls(next) {
-            self.take_stance(next, at, Some(posture_before), ground);
+            self.take_stance(next, chance, at, Some(posture_before), ground);
         }
         let takes = if begins_to_crawl {
             self.durations.bends + Span::from_seconds(turn(was.facing_rad, self.facing_rad).abs() / CRAWLER_TURNS_RADPS)
@@ -242,7 +224,14 @@ impl BodyTrack {
         (self.from, self.changed_at, self.takes) = (was, now, takes);
     }
 
-    fn take_stance(&mut self, next: &Segment, at: Point, before: Option<Posture>, ground: &Ground) {
+    fn take_stance(
+        &mut self,
+        next: &MotionSegment,
+        chance: DrawnValue,
+        at: Point,
+        before: Option<Posture>,
+        ground: &Ground,
+    ) {
         self.support_m = match next.posture {
             Posture::Down => 0.0,
             _ => ground.support_m(at),
@@ -262,9 +251,9 @@ impl BodyTrack {
             // A crawler lies down on the spot.
             Posture::Down if before == Some(Posture::Down) => Stance::Prone,
             Posture::Down => {
-                let (turned_rad, stance) = landing(before, next.chance);
+                let (turned_rad, stance) = landing(before, chance);
                 self.facing_rad = ground.free_direction(at, self.facing_rad + turned_rad, length_m);
-                self.sprawl = [1, 2, 3, 4].map(|limb| next.chance.unit(limb));
+                self.sprawl = [1, 2, 3, 4].map(|limb| chance.unit(limb));
                 stance
             }
         };
@@ -339,7 +328,7 @@ impl BodyTrack {
     }
 
     /// The phase of a step of a stride, and the swing of the limbs: less for slow walks and crawls.
-    fn step_at(&self, segment: &Segment, now: RunTime) -> (f64, f64) {
+    fn step_at(&self, segment: &MotionSegment, now: RunTime) -> (f64, f64) {
         let MotionState::Stride { from, to } = segment.doing else { return (0.0, 0.0) };
         let stride = Stride::new(from, to, segment.begin, segment.end);
         let walked_m = self.walked_m + stride.position(now).distance(from);
@@ -352,23 +341,17 @@ impl BodyTrack {
     }
 }
 
-fn crawls(segment: &Segment) -> bool {
+fn crawls(segment: &MotionSegment) -> bool {
     let is_low = matches!(segment.posture, Posture::Down | Posture::Lying | Posture::Kneeling);
     is_low && matches!(segment.doing, MotionState::Stride { .. })
 }
 
-fn is_same(before: &Segment, next: &Segment) -> bool {
+fn is_same(before: &MotionSegment, next: &MotionSegment) -> bool {
     before.posture == next.posture && before.begin == next.begin && before.doing == next.doing
 }
 
-fn place(segment: &Segment, now: RunTime) -> Option<Point> {
-    match segment.doing {
-        MotionState::Stride { from, to } => {
-            Some(Stride::new(from, to, segment.begin, segment.end).position(now.clamp(segment.begin, segment.end)))
-        }
-        MotionState::InPlace { at, .. } | MotionState::Rest { at } => Some(at),
-        MotionState::Away => None,
-    }
+fn place(segment: &MotionSegment, now: RunTime) -> Option<Point> {
+    segment.position(now.clamp(segment.begin, segment.end))
 }
 
 /// Arms and trunk during a movement on the spot: by its amplitude, about once in two seconds.
@@ -403,9 +386,9 @@ mod tests {
         RunTime::START + seconds * SECOND
     }
 
-    fn rests(begin: i64, end: i64, x: f64, posture: Posture) -> Segment {
+    fn rests(begin: i64, end: i64, x: f64, posture: Posture) -> MotionSegment {
         let doing = MotionState::Rest { at: Point::new(x, 2.0) };
-        Segment { begin: at(begin), end: at(end), doing, posture, chance: chance(0) }
+        MotionSegment { begin: at(begin), end: at(end), doing, posture }
     }
 
     fn chance(number: u64) -> DrawnValue {
@@ -418,14 +401,14 @@ mod tests {
         let segments = [
             rests(0, 5, 1.0, Posture::Standing),
             rests(5, 10, 1.0, Posture::Down),
-            Segment { begin: at(10), end: at(20), doing: crawl, posture: Posture::Down, chance: chance(0) },
+            MotionSegment { begin: at(10), end: at(20), doing: crawl, posture: Posture::Down },
             rests(20, 30, 3.0, Posture::Down),
             rests(30, 60, 3.0, Posture::Standing),
         ];
         let mut track = BodyTrack::new(ResidentId(0), BUILD, Durations::new(&Numbers::default()));
         let mut figures = Vec::new();
         for segment in segments {
-            track.begin(segment.begin, &segment, &Ground::floor());
+            track.begin(segment.begin, &segment, chance(0), &Ground::floor());
             let count = (segment.end - segment.begin) / (SECOND / 50);
             let instants = (0..count).map(|index| segment.begin + index * (SECOND / 50));
             figures.extend(instants.map(|at| (at, track.figure_at(at).unwrap())));
@@ -468,9 +451,8 @@ mod tests {
     fn falls_end_in_different_ways() {
         let lies = |number: u64| {
             let mut track = BodyTrack::new(ResidentId(0), BUILD, Durations::new(&Numbers::default()));
-            let falls = Segment { chance: chance(number), ..rests(5, 20, 1.0, Posture::Down) };
-            for segment in [rests(0, 5, 1.0, Posture::Sitting), falls] {
-                track.begin(segment.begin, &segment, &Ground::floor());
+            for segment in [rests(0, 5, 1.0, Posture::Sitting), rests(5, 20, 1.0, Posture::Down)] {
+                track.begin(segment.begin, &segment, chance(number), &Ground::floor());
             }
             track.joints_at(at(15)).unwrap()
         };

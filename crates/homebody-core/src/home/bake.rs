@@ -2,8 +2,9 @@
 
 use crate::geometry::{self, Point};
 use crate::plan::{Plan, Solid};
+use crate::sensors::Sensor;
+use crate::sensors::kinds::SensorKind;
 use crate::sensors::motion::Motion;
-use crate::sensors::{Sensor, SensorKind};
 use crate::stride::Beam;
 use parry2d::math::Vector;
 use parry2d::query::{Ray, RayCast};

@@ -24,7 +24,7 @@ use super::outbox::{Change, DeviceModel, Outbox};
 use crate::event::{Band, Trigger, Value, Vitals};
 use crate::geometry::{self, Point};
 use crate::ids::ResidentId;
-use crate::motion::MotionState;
+use crate::motion::{MotionSegment, MotionState};
 use crate::numbers::Numbers;
 use crate::plan::sun::Sun;
 use crate::posture::Posture;
@@ -216,7 +216,7 @@ impl DeviceModel for Bed {
         let before = self.sleepers[resident];
         let mut after = before;
         match *change {
-            Change::Body { doing, posture, .. } => {
+            Change::Body { segment: MotionSegment { doing, posture, .. }, .. } => {
                 let place = match doing {
                     MotionState::InPlace { at, .. } | MotionState::Rest { at } => Some(at),
                     MotionState::Stride { .. } | MotionState::Away => None,
@@ -330,24 +330,16 @@ impl Limits {
     }
 }
 
-/// Our choice. The patent of Skubic et al., paragraphs 137 to 142, states that the bed sensors at TigerPlace report
-/// restlessness by the persistence of movement; the page of the University of Virginia on ALARM-NET has four levels.
-fn levels() -> Vec<f64> {
-    vec![0.0, 3.0, 6.0, 9.0]
-}
-/// Ours.
-fn vitals_every() -> f64 {
-    900.0
-}
-/// Ours.
-fn pulse() -> [f64; 2] {
-    [30.0, 100.0]
-}
-/// Ours.
-fn respiration() -> [f64; 2] {
-    [6.0, 30.0]
-}
-/// Ours.
-fn still() -> f64 {
-    60.0
+super::form::usual! {
+    /// Our choice. The patent of Skubic et al., paragraphs 137 to 142, states that the bed sensors at TigerPlace report
+    /// restlessness by the persistence of movement; the page of the University of Virginia on ALARM-NET has four levels.
+    fn levels() -> Vec<f64> = vec![0.0, 3.0, 6.0, 9.0];
+    /// Ours.
+    fn vitals_every() -> f64 = 900.0;
+    /// Ours.
+    fn pulse() -> [f64; 2] = [30.0, 100.0];
+    /// Ours.
+    fn respiration() -> [f64; 2] = [6.0, 30.0];
+    /// Ours.
+    fn still() -> f64 = 60.0;
 }

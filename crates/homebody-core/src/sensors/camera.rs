@@ -16,7 +16,7 @@
 use super::messages::SensorMessage;
 use super::outbox::{Change, DeviceModel, Outbox};
 use crate::body::figure::Figure;
-use crate::body::track::{BodyTrack, Durations, Segment};
+use crate::body::track::{BodyTrack, Durations};
 use crate::camera::lens::Lens;
 use crate::camera::noise::{LIGHT_S, Noise};
 use crate::camera::outlook::Outlook;
@@ -99,28 +99,18 @@ pub struct CameraFile {
     pub always: bool,
 }
 
-/// Just below a ceiling of 2.4 m.
-fn mounting_height() -> f64 {
-    2.3
-}
-/// From 2.3 m its axis meets the floor after 4 m.
-fn tilt() -> f64 {
-    30.0
-}
-/// Of a common web camera.
-fn field() -> f64 {
-    75.0
-}
-fn pixels() -> [u32; 2] {
-    [160, 120]
-}
-/// The voxel person of Anderson et al. 2009 was made of about three a second.
-fn frames() -> f64 {
-    5.0
-}
-/// Ours.
-fn sleeps_after() -> f64 {
-    10.0
+super::form::usual! {
+    /// Just below a ceiling of 2.4 m.
+    fn mounting_height() -> f64 = 2.3;
+    /// From 2.3 m its axis meets the floor after 4 m.
+    fn tilt() -> f64 = 30.0;
+    /// Of a common web camera.
+    fn field() -> f64 = 75.0;
+    fn pixels() -> [u32; 2] = [160, 120];
+    /// The voxel person of Anderson et al. 2009 was made of about three a second.
+    fn frames() -> f64 = 5.0;
+    /// Ours.
+    fn sleeps_after() -> f64 = 10.0;
 }
 
 impl CameraFile {
@@ -313,14 +303,13 @@ impl DeviceModel for Camera {
             Change::Fired => self.wake(at, outbox),
             Change::Use { thing, .. } if thing == self.lamp => self.lit_until = at + self.light_lasts,
             Change::Use { .. } | Change::Vitals { .. } => {}
-            Change::Body { resident, stature, begin, end, doing, posture, chance } => {
-                let next = Segment { begin, end, doing, posture, chance };
+            Change::Body { resident, stature, ref segment, chance } => {
                 let known = self.bodies.iter().position(|body| body.resident() == resident);
                 let index = known.unwrap_or_else(|| {
                     self.bodies.push(BodyTrack::new(resident, stature, self.durations));
                     self.bodies.len() - 1
                 });
-                self.bodies[index].begin(at, &next, &self.outlook.ground);
+                self.bodies[index].begin(at, segment, chance, &self.outlook.ground);
             }
         }
     }
@@ -348,7 +337,7 @@ mod tests {
     use super::*;
     use crate::body::figure::Stature;
     use crate::geometry::Point;
-    use crate::motion::MotionState;
+    use crate::motion::{MotionSegment, MotionState};
     use crate::posture::Posture;
     use crate::time::SECOND;
     use serde_json::json;
@@ -370,10 +359,7 @@ mod tests {
         Change::Body {
             resident: ResidentId(0),
             stature: Stature { radius_m: 0.2, height_m: 1.65 },
-            begin: RunTime::START,
-            end: RunTime::NEVER,
-            doing,
-            posture: Posture::Standing,
+            segment: MotionSegment { begin: RunTime::START, end: RunTime::NEVER, doing, posture: Posture::Standing },
             chance: Marks::named(7, "bodies").of(0),
         }
     }

@@ -13,10 +13,10 @@
 //! an area that reaches through one.
 
 use super::form::{Colour, KindRow, Mount, SensorForm, Shape};
-use super::notice::{Notice, View};
+use super::notice::View;
 use crate::event::Value;
-use crate::geometry::{self, At, Point, point};
-use crate::sensors::preset::Preset;
+use crate::geometry::{self, At, Point};
+use crate::sensors::preset::MotionSettings;
 use crate::stride::Beam;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -44,24 +44,9 @@ pub struct CeilingMotionFile {
     /// Convex area of the floor that the sensor sees: its corners in order.
     #[schemars(length(min = 3, max = 64), inner(inner(range(min = -10_000, max = 10_000))))]
     pub area: Vec<At>,
-    /// Device model. It sets the timing of events and which movements the sensor notices.
-    #[serde(default)]
-    pub preset: Preset,
-    /// Overrides the preset: which movements in its field the sensor notices.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub notice: Option<Notice>,
-    /// Overrides the preset: shortest and longest delay from the first movement to the first firing.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    #[schemars(inner(range(min = 0, max = 86_400)))]
-    pub first_fire_s: Option<[f64; 2]>,
-    /// Overrides the preset: shortest and longest wait between firings.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    #[schemars(inner(range(min = 0.01, max = 86_400)))]
-    pub refire_s: Option<[f64; 2]>,
-    /// Overrides the preset: how long before the end of a wait a movement still counts.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    #[schemars(range(min = 0, max = 86_400))]
-    pub persist_s: Option<f64>,
+    /// Its device model and what overrides it.
+    #[serde(flatten)]
+    pub settings: MotionSettings,
 }
 
 impl SensorForm for CeilingMotionFile {
@@ -74,7 +59,7 @@ impl SensorForm for CeilingMotionFile {
     }
 
     fn scale_reach(&mut self, factor: f64) -> bool {
-        let corners: Vec<Point> = self.area.iter().map(|&at| point(at)).collect();
+        let corners = geometry::points(&self.area);
         let middle = geometry::inner_point(&corners);
         let away = |at: f64, from: f64| geometry::whole_millimetres(from + (at - from) * factor);
         self.area = corners.iter().map(|at| [away(at.x, middle.x), away(at.y, middle.y)]).collect();
@@ -97,7 +82,7 @@ pub struct CeilingMotion {
 impl CeilingMotion {
     /// The area of a file that has passed its checks, in whichever order it has the corners.
     pub fn new(file: &CeilingMotionFile) -> CeilingMotion {
-        let mut outline: Vec<Point> = file.area.iter().map(|&at| point(at)).collect();
+        let mut outline = geometry::points(&file.area);
         if geometry::signed_area(&outline) < 0.0 {
             outline.reverse();
         }

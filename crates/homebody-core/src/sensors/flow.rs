@@ -114,6 +114,7 @@ impl DeviceModel for Flow {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::sensors::outbox::testing::says;
     use crate::time::SECOND;
 
     fn at(seconds: i64) -> RunTime {
@@ -123,17 +124,7 @@ mod tests {
     fn outbox(json: serde_json::Value, acts: &[(RunTime, bool)]) -> Vec<(RunTime, Value)> {
         let mut flow =
             Flow::new(&serde_json::from_value(json).unwrap(), &Site { thing: ThingId(7), ..Site::default() });
-        let (mut outbox, mut messages) = (Outbox::default(), Vec::new());
-        for &(at, on) in acts.iter().chain(&[(at(3600), false)]) {
-            if flow.timer() < at {
-                let due = flow.timer();
-                flow.on_timer(due, &mut outbox);
-                messages.extend(outbox.messages.drain(..).map(|(value, _)| (due, value)));
-            }
-            flow.on_event(at, &Change::Use { resident: Some(ResidentId(0)), thing: ThingId(7), on }, &mut outbox);
-            messages.extend(outbox.messages.drain(..).map(|(value, _)| (at, value)));
-        }
-        messages
+        says(&mut flow, ThingId(7), acts, at(3600)).into_iter().map(|(at, value, _)| (at, value)).collect()
     }
 
     #[test]

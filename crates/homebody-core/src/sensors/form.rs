@@ -276,3 +276,12 @@ pub struct Site {
 pub(super) fn is_zero(value: &f64) -> bool {
     *value == 0.0
 }
+
+/// Declares functions that give the usual values of keys, for serde.
+macro_rules! usual {
+    ($($(#[$doc:meta])* $vis:vis fn $name:ident() -> $type:ty = $value:expr;)*) => {
+        $($(#[$doc])* $vis fn $name() -> $type { $value })*
+    };
+}
+
+pub(super) use usual;

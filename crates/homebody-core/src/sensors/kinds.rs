@@ -9,11 +9,14 @@
 //!
 //! Left out: the models, which are in the modules of the kinds.
 
+use super::camera::CameraFile;
+use super::ceiling_motion::{CeilingMotion, CeilingMotionFile};
 use super::form::{KindRow, Mount, SensorForm, Site};
-use super::notice::{Notice, NoticeChance};
+use super::motion::{DetectionLevel, Motion, MotionFile};
+use super::notice::{Notice, NoticeChance, View};
 use super::outbox::{Change, DeviceModel, Outbox};
-use super::preset::{Preset, TimingSeconds};
-use super::{camera::CameraFile, ceiling_motion::CeilingMotionFile, motion::MotionFile};
+use super::preset::{MotionSettings, Preset, TimingSeconds};
+use crate::geometry::Point;
 use crate::numbers::Numbers;
 use crate::plan::sun::Sun;
 use crate::random::Stream;
@@ -43,21 +46,6 @@ macro_rules! sensors {
             }
         }
     };
-}
-
-/// The settings that all sensors that look for movement share.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct MotionSettings {
-    /// The device model.
-    pub preset: Preset,
-    /// Which movements the sensor notices, unless as the preset has it.
-    pub notice: Option<Notice>,
-    /// Shortest and longest delay of the first firing, in seconds, unless as the preset has it.
-    pub first_fire_s: Option<[f64; 2]>,
-    /// Shortest and longest wait between firings, in seconds, unless as the preset has it.
-    pub refire_s: Option<[f64; 2]>,
-    /// Time before the end of a wait in which a movement still counts, in seconds, unless as the preset has it.
-    pub persist_s: Option<f64>,
 }
 
 macro_rules! sensor_file {
@@ -106,23 +94,15 @@ macro_rules! sensor_file {
             /// The settings of a sensor that looks for movement.
             pub fn settings(&self) -> Option<MotionSettings> {
                 match self {
-                    $(SensorFile::$look(sensor) => {
-                        let $look_form { preset, notice, first_fire_s, refire_s, persist_s, .. } = *sensor;
-                        Some(MotionSettings { preset, notice, first_fire_s, refire_s, persist_s })
-                    })*
+                    $(SensorFile::$look(sensor) => Some(sensor.settings),)*
                     $(SensorFile::$kind(_) => None),*
                 }
             }
 
             /// Changes the settings of a sensor that looks for movement. Devices stay the same.
             pub fn change_settings(&mut self, change: impl FnOnce(&mut MotionSettings)) {
-                let Some(mut settings) = self.settings() else { return };
-                change(&mut settings);
-                let MotionSettings { preset, notice, first_fire_s, refire_s, persist_s } = settings;
                 match self {
-                    $(SensorFile::$look(sensor) => {
-                        *sensor = $look_form { preset, notice, first_fire_s, refire_s, persist_s, ..sensor.clone() };
-                    })*
+                    $(SensorFile::$look(sensor) => change(&mut sensor.settings),)*
                     $(SensorFile::$kind(_) => {})*
                 }
             }
@@ -214,13 +194,26 @@ macro_rules! device {
             $($kind(super::$module::$kind)),*
         }
 
-        impl SensorDevice {
-            /// The device of a checked file, at its site; `None` for sensors that look for movement.
-            pub fn new(file: &SensorFile, site: &Site) -> Option<SensorDevice> {
-                match file {
-                    $(SensorFile::$look(_) => None,)*
-                    $(SensorFile::$kind(file) => Some(SensorDevice::$kind(super::$module::$kind::new(file, site)))),*
-                }
+        impl SensorKind {
+            /// The model of a checked file and its position; `None` for a device without a site.
+            pub(super) fn placed(file: &SensorFile, site: impl FnOnce() -> Option<Site>) -> Option<(SensorKind, Point)> {
+                Some(match file {
+                    SensorFile::Motion(file) => {
+                        let motion = Motion::new(file);
+                        let lens = motion.lens;
+                        (SensorKind::Motion(motion), lens)
+                    }
+                    SensorFile::CeilingMotion(file) => {
+                        let area = CeilingMotion::new(file);
+                        let middle = area.middle;
+                        (SensorKind::CeilingMotion(area), middle)
+                    }
+                    $(SensorFile::$kind(file) => {
+                        let site = site()?;
+                        let device = SensorDevice::$kind(super::$module::$kind::new(file, &site));
+                        (SensorKind::Device(Box::new(device)), site.at)
+                    })*
+                })
             }
         }
 
@@ -260,3 +253,42 @@ macro_rules! device {
     };
 }
 sensors!(device);
+
+/// The model of a sensor: two kinds look for movement, the others react to use, weight or state.
+#[derive(Clone, Debug, PartialEq)]
+pub enum SensorKind {
+    /// A fan of beams from a wall.
+    Motion(Motion),
+    /// An area below the ceiling.
+    CeilingMotion(CeilingMotion),
+    /// As it is when a run begins.
+    Device(Box<SensorDevice>),
+}
+
+impl SensorKind {
+    /// The changes in its field that count as movement, if it looks for movement.
+    pub fn level(&self) -> Option<DetectionLevel> {
+        match self {
+            SensorKind::Motion(motion) => Some(motion.level),
+            SensorKind::CeilingMotion(_) => Some(DetectionLevel::Paper),
+            SensorKind::Device(_) => None,
+        }
+    }
+
+    /// A body at this point as its lens sees it.
+    pub fn view(&self, at: Point) -> Option<View> {
+        match self {
+            SensorKind::Motion(motion) => Some(motion.view(at)),
+            SensorKind::CeilingMotion(area) => Some(area.view(at)),
+            SensorKind::Device(_) => None,
+        }
+    }
+
+    /// The outline of the area below it, counter-clockwise.
+    pub fn area_below(&self) -> Option<&[Point]> {
+        match self {
+            SensorKind::CeilingMotion(area) => Some(&area.outline),
+            SensorKind::Motion(_) | SensorKind::Device(_) => None,
+        }
+    }
+}

@@ -93,7 +93,6 @@ pub struct Light {
     power: f64,
     rounds: Rounds,
     said_lux: Option<f64>,
-    measures: RunTime,
 }
 
 impl Light {
@@ -110,7 +109,6 @@ impl Light {
             power: POWER.value,
             rounds: Rounds::new(Span::from_seconds(file.every_s)),
             said_lux: None,
-            measures: RunTime::START,
         }
     }
 }
@@ -118,7 +116,7 @@ impl Light {
 impl DeviceModel for Light {
     fn begin(&self, mut stream: Stream, sun: Sun, numbers: &Numbers) -> Light {
         let rounds = self.rounds.begin(&mut stream);
-        Light { sun, rounds, power: numbers.of(&POWER), measures: rounds.first(), ..self.clone() }
+        Light { sun, rounds, power: numbers.of(&POWER), ..self.clone() }
     }
 
     fn on_event(&mut self, at: RunTime, change: &Change, _outbox: &mut Outbox) {
@@ -126,12 +124,13 @@ impl DeviceModel for Light {
             && thing == self.lamp
             && on != self.lamp_on
         {
-            (self.lamp_on, self.by, self.measures) = (on, Some(resident), at);
+            (self.lamp_on, self.by) = (on, Some(resident));
+            self.rounds.wake(at);
         }
     }
 
     fn timer(&self) -> RunTime {
-        self.measures
+        self.rounds.next()
     }
 
     fn on_timer(&mut self, at: RunTime, outbox: &mut Outbox) {
@@ -142,7 +141,7 @@ impl DeviceModel for Light {
             let why = if by.is_some() { Trigger::Use(self.lamp) } else { Trigger::Reading };
             outbox.send(reading(libm::round(now)), by.flatten(), at, why);
         }
-        self.measures = self.rounds.after(at);
+        self.rounds.advance(at);
     }
 }
 
@@ -153,27 +152,22 @@ impl Light {
     }
 }
 
-/// Ours.
-fn daylight() -> f64 {
-    400.0
-}
-/// Ours.
-fn lamp() -> f64 {
-    150.0
-}
-/// Ours.
-fn change() -> f64 {
-    20.0
-}
-/// Half of the light sensors' messages in a CASAS home (hh111) come 600 s after the one before.
-fn light_every() -> f64 {
-    600.0
+super::form::usual! {
+    /// Ours.
+    fn daylight() -> f64 = 400.0;
+    /// Ours.
+    fn lamp() -> f64 = 150.0;
+    /// Ours.
+    fn change() -> f64 = 20.0;
+    /// Half of the light sensors' messages in a CASAS home (hh111) come 600 s after the one before.
+    fn light_every() -> f64 = 600.0;
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::event::Value;
+    use crate::sensors::outbox::testing::{readings, says};
     use crate::time::{DAY, HOUR, MINUTE};
 
     fn light() -> Light {
@@ -197,34 +191,14 @@ mod tests {
 
     #[test]
     fn it_says_what_has_changed_by_a_fifth_and_the_lamp_at_once() {
-        let mut light = light();
-        let (mut outbox, mut messages) = (Outbox::default(), Vec::new());
         let [start, one, two] =
             [RunTime::START, RunTime::START + HOUR + Span::from_micros(7), RunTime::START + 2 * HOUR];
-        for (at, on) in [(one, true), (one, true), (two, false), (RunTime::START + DAY, false)] {
-            while light.timer() < at {
-                let due = light.timer();
-                light.on_timer(due, &mut outbox);
-                assert!(light.timer() > due);
-                messages.extend(
-                    outbox
-                        .messages
-                        .drain(..)
-                        .map(|(value, provenance)| (due, value, provenance.resident.map(|resident| resident.0))),
-                );
-            }
-            light.on_event(at, &Change::Use { resident: Some(ResidentId(4)), thing: ThingId(3), on }, &mut outbox);
-        }
-        let at_night = [(start, 0, None), (one, 150_000, Some(4)), (two, 0, Some(4))];
+        let uses = [(one, true), (one, true), (two, false)];
+        let messages = says(&mut light(), ThingId(3), &uses, RunTime::START + DAY);
+        let user = Some(ResidentId(0));
+        let at_night = [(start, 0, None), (one, 150_000, user), (two, 0, user)];
         assert_eq!(messages[..3], at_night.map(|(at, lux, by)| (at, Value::Reading(lux), by)));
-        let lux: Vec<f64> = messages[2..]
-            .iter()
-            .filter_map(
-                |(_, value, _)| {
-                    if let Value::Reading(outbox) = value { Some(f64::from(*outbox) / 1000.0) } else { None }
-                },
-            )
-            .collect();
+        let lux = readings(&messages[2..]);
         assert!(lux.windows(2).all(|pair| (pair[1] - pair[0]).abs() > (0.2 * pair[0]).max(1.0) - 0.5), "{lux:?}");
         assert!((15..50).contains(&lux.len()), "{lux:?}");
         assert!(messages.iter().all(|(at, _, by)| by.is_some() || at.since_zero() % (10 * MINUTE) == Span::ZERO));

@@ -20,10 +20,10 @@
 
 use super::form::{Colour, FormProblem, KindRow, Mount, Orientation, SensorForm, Shape};
 use super::messages::SensorMessage;
-use super::notice::{Notice, View};
+use super::notice::View;
 use crate::event::Value;
 use crate::geometry::{self, At, Point, point};
-use crate::sensors::preset::Preset;
+use crate::sensors::preset::MotionSettings;
 use crate::time::Span;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -245,24 +245,9 @@ pub struct MotionFile {
     /// Model of detection: which changes in a beam count as movement.
     #[serde(default)]
     pub level: LevelFile,
-    /// Device model. It sets the timing of events and which movements the sensor notices.
-    #[serde(default)]
-    pub preset: Preset,
-    /// Overrides the preset: which movements in its field the sensor notices.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub notice: Option<Notice>,
-    /// Overrides the preset: shortest and longest delay from the first movement to the first firing.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    #[schemars(inner(range(min = 0, max = 86_400)))]
-    pub first_fire_s: Option<[f64; 2]>,
-    /// Overrides the preset: shortest and longest wait between firings.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    #[schemars(inner(range(min = 0.01, max = 86_400)))]
-    pub refire_s: Option<[f64; 2]>,
-    /// Overrides the preset: how long before the end of a wait a movement still counts.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    #[schemars(range(min = 0, max = 86_400))]
-    pub persist_s: Option<f64>,
+    /// Its device model and what overrides it.
+    #[serde(flatten)]
+    pub settings: MotionSettings,
 }
 
 impl MotionFile {
@@ -278,11 +263,7 @@ impl MotionFile {
             reach_m: reach(),
             beams: beams(),
             level: LevelFile::default(),
-            preset: Preset::default(),
-            notice: None,
-            first_fire_s: None,
-            refire_s: None,
-            persist_s: None,
+            settings: MotionSettings::default(),
         }
     }
 }
@@ -396,29 +377,17 @@ pub(crate) fn reach() -> f64 {
     10.0
 }
 
-/// Ours: at 3 m the middle two beams are 0.04 m apart and the outermost two 0.36 m, less than a body is wide.
-fn beams() -> u32 {
-    32
-}
-
-/// Ours: a stir of 0.3 m is seen to 5.7 m, as "small motion within 6 m" (spaceti.com).
-fn threshold() -> f64 {
-    3.0
-}
-
-/// Ours: 11 far, 6 middle, 5 near. That lenses have three rows of different counts: Sensors 2016, 16(1), 126.
-fn zone_rows() -> [u32; 3] {
-    [11, 6, 5]
-}
-
-/// The simulator antioch (`PirSensorConfig`) asks for two pulses of alternating sign within two seconds.
-fn pulses() -> u32 {
-    2
-}
-
-/// See [`pulses`].
-fn pulse_window() -> f64 {
-    2.0
+super::form::usual! {
+    /// Ours: at 3 m the middle two beams are 0.04 m apart and the outermost two 0.36 m, less than a body is wide.
+    fn beams() -> u32 = 32;
+    /// Ours: a stir of 0.3 m is seen to 5.7 m, as "small motion within 6 m" (spaceti.com).
+    fn threshold() -> f64 = 3.0;
+    /// Ours: 11 far, 6 middle, 5 near. That lenses have three rows of different counts: Sensors 2016, 16(1), 126.
+    fn zone_rows() -> [u32; 3] = [11, 6, 5];
+    /// The simulator antioch (`PirSensorConfig`) asks for two pulses of alternating sign within two seconds.
+    fn pulses() -> u32 = 2;
+    /// See [`pulses`].
+    fn pulse_window() -> f64 = 2.0;
 }
 
 #[cfg(test)]

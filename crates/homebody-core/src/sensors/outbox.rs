@@ -12,51 +12,36 @@ use crate::body::figure::Stature;
 use crate::camera::silhouette::Picture;
 use crate::event::{Provenance, Trigger, Value, Vitals};
 use crate::ids::{ResidentId, ThingId};
-use crate::motion::MotionState;
+use crate::motion::MotionSegment;
 use crate::numbers::Numbers;
 use crate::plan::sun::Sun;
-use crate::posture::Posture;
 use crate::random::{DrawnValue, Stream};
 use crate::time::RunTime;
 
 /// A change that a device hears of.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
+#[allow(missing_docs, reason = "each variant says what its data are")]
 pub enum Change {
     /// A thing was used: index into the home's things.
     Use {
-        /// The user; `None` from outside.
         resident: Option<ResidentId>,
-        /// The thing.
         thing: ThingId,
         /// The state afterwards: on or open, or off or closed.
         on: bool,
     },
-    /// A resident's movement from now until `end`. An earlier movement may come again, with its own `begin`.
+    /// A resident's movement from now on. An earlier one may come again, with its own begin.
     Body {
-        /// The resident.
         resident: ResidentId,
-        /// The size of the body.
         stature: Stature,
-        /// When it began to do this; may be past.
-        begin: RunTime,
-        /// The end, unless another movement comes before.
-        end: RunTime,
-        /// The movement.
-        doing: MotionState,
-        /// The posture.
-        posture: Posture,
+        /// The movement, which lasts until its end unless another one comes before.
+        segment: MotionSegment,
         /// A random number of the movement, the same for all devices: the direction of a fall.
         chance: DrawnValue,
     },
     /// A sensor that it is tied to has spoken.
     Fired,
     /// From now on a resident's heart and lungs are like this.
-    Vitals {
-        /// The resident.
-        resident: ResidentId,
-        /// Pulse and respiration.
-        vitals: Vitals,
-    },
+    Vitals { resident: ResidentId, vitals: Vitals },
 }
 
 /// The behaviour of a device. Many devices need few of these methods.
@@ -118,6 +103,50 @@ impl Outbox {
 /// A number as a reading: in thousandths, within the range of a reading.
 pub fn reading(number: f64) -> Value {
     Value::Reading(libm::round(number * 1000.0) as i32)
+}
+
+/// Devices by themselves, for the tests of their modules.
+#[cfg(test)]
+pub mod testing {
+    use super::*;
+
+    /// A change of a thing by the first resident.
+    pub fn used(thing: ThingId, on: bool) -> Change {
+        Change::Use { resident: Some(ResidentId(0)), thing, on }
+    }
+
+    /// The messages of a device until an instant, while the first resident turns a thing on and off.
+    pub fn says(
+        device: &mut impl DeviceModel,
+        thing: ThingId,
+        uses: &[(RunTime, bool)],
+        until: RunTime,
+    ) -> Vec<(RunTime, Value, Option<ResidentId>)> {
+        let (mut outbox, mut said) = (Outbox::default(), Vec::new());
+        let mut take = |at, outbox: &mut Outbox| {
+            said.extend(outbox.messages.drain(..).map(|(value, provenance)| (at, value, provenance.resident)));
+        };
+        for (at, on) in uses.iter().map(|&(at, on)| (at, Some(on))).chain([(until, None)]) {
+            while device.timer() < at {
+                let due = device.timer();
+                device.on_timer(due, &mut outbox);
+                assert!(device.timer() > due, "the timer stands still");
+                take(due, &mut outbox);
+            }
+            if let Some(on) = on {
+                device.on_event(at, &used(thing, on), &mut outbox);
+                take(at, &mut outbox);
+            }
+        }
+        said
+    }
+
+    /// The readings among messages.
+    pub fn readings(said: &[(RunTime, Value, Option<ResidentId>)]) -> Vec<f64> {
+        let number =
+            |value: &Value| if let Value::Reading(thousandths) = value { Some(f64::from(*thousandths)) } else { None };
+        said.iter().filter_map(|(_, value, _)| Some(number(value)? / 1000.0)).collect()
+    }
 }
 
 #[cfg(test)]

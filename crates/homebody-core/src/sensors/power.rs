@@ -165,6 +165,7 @@ impl Power {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::sensors::outbox::testing::{readings, says};
     use crate::time::SECOND;
 
     fn power(json: serde_json::Value) -> Power {
@@ -175,40 +176,24 @@ mod tests {
         )
     }
 
-    fn act(on: bool) -> Change {
-        Change::Use { resident: Some(ResidentId(0)), thing: ThingId(1), on }
-    }
-
     #[test]
     fn without_watts_it_says_on_and_off() {
         let mut power = power(serde_json::json!({ "name": "p", "on": "TV bench" }));
-        let mut outbox = Outbox::default();
-        for (at, on) in [(0, false), (1, true), (2, true), (3, false)] {
-            power.on_event(RunTime::from_micros(at), &act(on), &mut outbox);
-            assert_eq!(power.timer(), RunTime::NEVER);
-        }
-        assert_eq!(outbox.messages.iter().map(|(value, _)| *value).collect::<Vec<_>>(), [Value::On, Value::Off]);
+        let uses = [(0, false), (1, true), (2, true), (3, false)].map(|(at, on)| (RunTime::from_micros(at), on));
+        let said = says(&mut power, ThingId(1), &uses, RunTime::NEVER);
+        assert_eq!(said.iter().map(|(_, value, _)| *value).collect::<Vec<_>>(), [Value::On, Value::Off]);
     }
 
     #[test]
     fn readings_come_while_it_is_on_and_lie_about_the_watts() {
         let file = serde_json::json!({ "name": "p", "on": "TV bench", "watts": 100, "standby_watts": 0.5, "readings_every_s": 10 });
         let mut power = power(file);
-        let mut outbox = Outbox::default();
-        power.on_event(RunTime::START, &act(true), &mut outbox);
-        for _ in 0..1000 {
-            let due = power.timer();
-            power.on_timer(due, &mut outbox);
-            assert_eq!(power.timer(), due + 10 * SECOND);
-        }
-        power.on_event(power.timer(), &act(false), &mut outbox);
+        let off = RunTime::START + 10_010 * SECOND;
+        let said = says(&mut power, ThingId(1), &[(RunTime::START, true), (off, false)], RunTime::NEVER);
         assert_eq!(power.timer(), RunTime::NEVER);
-        let (last, all) = outbox.messages.split_last().unwrap();
-        assert_eq!((all[0].0, all[all.len() - 1].0, last.0), (Value::On, Value::Off, Value::Reading(500)));
-        let watts: Vec<f64> = all
-            .iter()
-            .filter_map(|(value, _)| if let Value::Reading(mw) = value { Some(f64::from(*mw) / 1000.0) } else { None })
-            .collect();
+        let (last, all) = said.split_last().unwrap();
+        assert_eq!((all[0].1, all[all.len() - 1].1, last.1), (Value::On, Value::Off, Value::Reading(500)));
+        let watts = readings(all);
         // At once, a thousand times, and when it is turned off.
         assert_eq!(watts.len(), 1002);
         let mean = watts.iter().sum::<f64>() / 1002.0;

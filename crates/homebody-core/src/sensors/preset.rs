@@ -12,30 +12,36 @@ use crate::sensors::notice::{ChanceFile, Notice};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-/// A motion sensor with a known timing.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema, Default)]
-#[serde(rename_all = "snake_case")]
-#[schemars(title = "preset")]
-pub enum Preset {
-    /// The sensor of Godsey & Skubic 2009: first firing after 1-2 s, then every 6-8 s.
-    #[default]
-    Paper,
-    /// X10 ActiveEye MS16A: 10 s between detections, by its manual.
-    X10Ms16a,
-    /// CASAS homes with Bosch units: their ON lasts a fixed 4 s.
-    CasasPulse,
-    /// CASAS homes with Control4 units: their ON follows the movement.
-    CasasFollow,
-    /// Aqara RTCGQ11LM: blind for 60 s after a detection.
-    Aqara,
-    /// Philips Hue indoor motion sensor.
-    Hue,
-    /// Aqara P1 RTCGQ14LM: blind for 30 s after a detection, the factory setting.
-    AqaraP1,
-    /// Fibaro FGMS-001: blind for 8 s after a detection, the factory setting.
-    Fibaro,
-    /// Aeotec TriSensor ZWA005: blind for 30 s after a detection, the factory setting.
-    Aeotec,
+crate::worded::worded! {
+    /// A motion sensor with a known timing.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema, Default)]
+    #[serde(rename_all = "snake_case")]
+    #[schemars(title = "preset")]
+    pub enum Preset {
+        /// The sensor of Godsey & Skubic 2009: first firing after 1-2 s, then every 6-8 s.
+        #[default]
+        Paper = "paper",
+        /// X10 ActiveEye MS16A: 10 s between detections, by its manual.
+        X10Ms16a = "x10_ms16a",
+        /// CASAS homes with Bosch units: their ON lasts a fixed 4 s.
+        CasasPulse = "casas_pulse",
+        /// CASAS homes with Control4 units: their ON follows the movement.
+        CasasFollow = "casas_follow",
+        /// Aqara RTCGQ11LM: blind for 60 s after a detection.
+        Aqara = "aqara",
+        /// Philips Hue indoor motion sensor.
+        Hue = "hue",
+        /// Aqara P1 RTCGQ14LM: blind for 30 s after a detection, the factory setting.
+        AqaraP1 = "aqara_p1",
+        /// Fibaro FGMS-001: blind for 8 s after a detection, the factory setting.
+        Fibaro = "fibaro",
+        /// Aeotec TriSensor ZWA005: blind for 30 s after a detection, the factory setting.
+        Aeotec = "aeotec",
+    }
+    /// Every preset, in the order of documents.
+    ALL
+    /// The key in `home.json`.
+    fn key
 }
 
 impl Preset {
@@ -53,6 +59,30 @@ impl Preset {
     }
 }
 
+/// The keys that the forms of all sensors that look for movement share.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[schemars(title = "settings of motion sensors")]
+pub struct MotionSettings {
+    /// Device model. It sets the timing of events and which movements the sensor notices.
+    #[serde(default)]
+    pub preset: Preset,
+    /// Overrides the preset: which movements in its field the sensor notices.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub notice: Option<Notice>,
+    /// Overrides the preset: shortest and longest delay from the first movement to the first firing.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[schemars(inner(range(min = 0, max = 86_400)))]
+    pub first_fire_s: Option<[f64; 2]>,
+    /// Overrides the preset: shortest and longest wait between firings.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[schemars(inner(range(min = 0.01, max = 86_400)))]
+    pub refire_s: Option<[f64; 2]>,
+    /// Overrides the preset: how long before the end of a wait a movement still counts.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[schemars(range(min = 0, max = 86_400))]
+    pub persist_s: Option<f64>,
+}
+
 /// The numbers of the timing state machine, in seconds.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TimingSeconds {
@@ -65,19 +95,6 @@ pub struct TimingSeconds {
 }
 
 impl Preset {
-    /// Every preset, in the order of documents.
-    pub const ALL: [Preset; 9] = [
-        Preset::Paper,
-        Preset::X10Ms16a,
-        Preset::CasasPulse,
-        Preset::CasasFollow,
-        Preset::Aqara,
-        Preset::Hue,
-        Preset::AqaraP1,
-        Preset::Fibaro,
-        Preset::Aeotec,
-    ];
-
     /// The timing of the device. If a maker states one number, the range collapses to it.
     ///
     /// No source gives `persist_s`: 1 s is ours. Of first delays only the paper's are measured: 0.1 to 0.5 s is ours.

@@ -18,7 +18,7 @@ use super::outbox::{Change, DeviceModel, Outbox};
 use crate::event::{Trigger, Value};
 use crate::geometry::{self, At, Point};
 use crate::ids::ResidentId;
-use crate::motion::MotionState;
+use crate::motion::{MotionSegment, MotionState};
 use crate::posture::Posture;
 use crate::sensors::form::{
     Bearer, Colour, FormProblem, KindRow, Mount, ReportedInstant, SensorForm, Shape, Site, is_zero,
@@ -127,7 +127,8 @@ impl DeviceModel for Pressure {
     }
 
     fn on_event(&mut self, at: RunTime, change: &Change, _outbox: &mut Outbox) {
-        let Change::Body { resident, begin, end, doing, posture, .. } = *change else { return };
+        let Change::Body { resident, ref segment, .. } = *change else { return };
+        let MotionSegment { begin, end, doing, posture } = *segment;
         let resident = resident.index();
         if resident >= self.spans.len() {
             self.spans.resize(resident + 1, NOT);

@@ -133,9 +133,8 @@ impl Product {
     }
 
     /// The key in `home.json`.
-    pub fn key(&self) -> String {
-        let key = serde_json::to_value(self.preset).ok();
-        key.as_ref().and_then(serde_json::Value::as_str).unwrap_or_default().to_owned()
+    pub fn key(&self) -> &'static str {
+        self.preset.key()
     }
 
     /// Turns a sensor that looks for movement into this device: one on a wall with its field, reach and height.
@@ -169,6 +168,7 @@ mod tests {
     fn every_preset_is_a_device_with_a_name_of_its_own_and_sources() {
         let names: std::collections::BTreeSet<String> = Product::all().map(|device| device.name()).collect();
         assert_eq!(names.len(), Preset::ALL.len(), "{names:?}");
+        assert!(Preset::ALL.iter().all(|preset| serde_json::to_value(preset).unwrap() == preset.key()));
         for device in Product::all() {
             let sources = [device.height_m.source, device.field_deg.source, device.reach_m.source, device.timing];
             assert!(sources.iter().all(|source| !source.is_empty()), "{device:?}");

@@ -229,22 +229,19 @@ impl StoveTemperature {
     }
 }
 
-/// Our choice, for a sensor next to the burners.
-fn hot() -> f64 {
-    180.0
-}
-/// Ours: above what a summer or the sun gives.
-fn on_above() -> f64 {
-    45.0
-}
-/// Ours: so far below that the air over a pot does not make it speak twice.
-fn off_below() -> f64 {
-    38.0
+super::form::usual! {
+    /// Our choice, for a sensor next to the burners.
+    fn hot() -> f64 = 180.0;
+    /// Ours: above what a summer or the sun gives.
+    fn on_above() -> f64 = 45.0;
+    /// Ours: so far below that the air over a pot does not make it speak twice.
+    fn off_below() -> f64 = 38.0;
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::sensors::outbox::testing::{says, used};
     use crate::time::SECOND;
 
     fn stove(json: serde_json::Value) -> StoveTemperature {
@@ -257,31 +254,9 @@ mod tests {
         RunTime::START + seconds * SECOND
     }
 
-    /// The messages and their times if the stove is turned on and off at these instants.
     fn outbox(mut stove: StoveTemperature, acts: &[(RunTime, bool)], until: RunTime) -> Vec<(RunTime, Value)> {
-        let mut messages = Vec::new();
-        let mut outbox = Outbox::default();
-        for &(at, on) in acts.iter().chain(&[(until, false)]) {
-            while stove.timer() < at {
-                let due = stove.timer();
-                stove.on_timer(due, &mut outbox);
-                assert!(stove.timer() > due);
-                messages.extend(outbox.messages.drain(..).map(|(value, _)| (due, value)));
-            }
-            stove.on_event(at, &Change::Use { resident: Some(ResidentId(0)), thing: ThingId(2), on }, &mut outbox);
-            messages.extend(outbox.messages.drain(..).map(|(value, _)| (at, value)));
-        }
-        messages
-    }
-
-    #[test]
-    fn it_crosses_its_limits_when_the_closed_form_says() {
-        // 240 ln(158 / 135) = 37.757 s. After 600 s it is 180 - 158 exp(-2.5) = 167.031 degrees warm, and after
-        // 1,200 ln(145.031 / 16) = 2645.227 s more it is down to 38.
-        let messages = outbox(stove(serde_json::json!({})), &[(at(0), true), (at(600), false)], at(7200));
-        assert_eq!(messages.iter().map(|&(_, value)| value).collect::<Vec<_>>(), [Value::On, Value::Off]);
-        assert!((messages[0].0.micros() - 37_756_861).abs() <= 1, "{messages:?}");
-        assert!((messages[1].0.micros() - 3_245_226_992).abs() <= 1, "{messages:?}");
+        let said = says(&mut stove, ThingId(2), acts, until);
+        said.into_iter().map(|(at, value, _)| (at, value)).collect()
     }
 
     #[test]
@@ -297,7 +272,7 @@ mod tests {
         let mut told_first = stove(serde_json::json!({}));
         let mut due_first = told_first.clone();
         let (mut a, mut b) = (Outbox::default(), Outbox::default());
-        let act = |on| Change::Use { resident: Some(ResidentId(0)), thing: ThingId(2), on };
+        let act = |on| used(ThingId(2), on);
         told_first.on_event(at(0), &act(true), &mut a);
         due_first.on_event(at(0), &act(true), &mut b);
         due_first.on_timer(crossing, &mut b);

@@ -91,7 +91,6 @@ pub struct Temperature {
     memory_s: f64,
     wander_c: f64,
     said_c: Option<f64>,
-    measures: RunTime,
 }
 
 impl Temperature {
@@ -109,7 +108,6 @@ impl Temperature {
             memory_s: 1.0,
             wander_c: 0.0,
             said_c: None,
-            measures: RunTime::START,
         }
     }
 }
@@ -119,12 +117,11 @@ impl DeviceModel for Temperature {
         let rounds = self.rounds.begin(&mut stream);
         let [spread_c, memory_s] = [&WANDER_C, &MEMORY_S].map(|number| numbers.of(number));
         let (lag, wander_c) = (Span::from_seconds(numbers.of(&LAG_S)), stream.normal(0.0, spread_c));
-        let measures = rounds.first();
-        Temperature { sun, rounds, lag, spread_c, memory_s, wander_c, stream, measures, ..self.clone() }
+        Temperature { sun, rounds, lag, spread_c, memory_s, wander_c, stream, ..self.clone() }
     }
 
     fn timer(&self) -> RunTime {
-        self.measures
+        self.rounds.next()
     }
 
     fn on_timer(&mut self, at: RunTime, outbox: &mut Outbox) {
@@ -136,31 +133,26 @@ impl DeviceModel for Temperature {
         }
         let left = libm::exp(-self.rounds.every().seconds() / self.memory_s);
         self.wander_c = left * self.wander_c + self.stream.normal(0.0, self.spread_c * libm::sqrt(1.0 - left * left));
-        self.measures = self.rounds.after(at);
+        self.rounds.advance(at);
     }
 }
 
-/// Ours.
-fn mean() -> f64 {
-    22.0
-}
-/// Ours. Those of a CASAS home (hh111) swing by 2 to 3 degrees in a week of June.
-fn swing() -> f64 {
-    1.0
-}
-/// Ours. Those of a CASAS home (hh111) tell whole degrees.
-fn step() -> f64 {
-    0.5
-}
-/// Ours.
-fn temperature_every() -> f64 {
-    900.0
+super::form::usual! {
+    /// Ours.
+    fn mean() -> f64 = 22.0;
+    /// Ours. Those of a CASAS home (hh111) swing by 2 to 3 degrees in a week of June.
+    fn swing() -> f64 = 1.0;
+    /// Ours. Those of a CASAS home (hh111) tell whole degrees.
+    fn step() -> f64 = 0.5;
+    /// Ours.
+    fn temperature_every() -> f64 = 900.0;
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::event::Value;
+    use crate::ids::ThingId;
+    use crate::sensors::outbox::testing;
     use crate::time::{DAY, HOUR};
 
     fn thermometer(json: serde_json::Value) -> Temperature {
@@ -175,17 +167,8 @@ mod tests {
     }
 
     fn readings(mut device: Temperature, days: i64) -> Vec<(RunTime, f64)> {
-        let (mut outbox, mut readings) = (Outbox::default(), Vec::new());
-        while device.timer() < RunTime::START + days * DAY {
-            let due = device.timer();
-            device.on_timer(due, &mut outbox);
-            assert!(device.timer() > due);
-            readings.extend(outbox.messages.drain(..).filter_map(|(value, _)| match value {
-                Value::Reading(thousandths) => Some((due, f64::from(thousandths) / 1000.0)),
-                _ => None,
-            }));
-        }
-        readings
+        let said = testing::says(&mut device, ThingId(0), &[], RunTime::START + days * DAY);
+        said.iter().map(|&(at, ..)| at).zip(testing::readings(&said)).collect()
     }
 
     #[test]

@@ -12,7 +12,7 @@ use homebody_core::sensors::ceiling_motion::CeilingMotionFile;
 use homebody_core::sensors::contact::ContactFile;
 use homebody_core::sensors::kinds::SensorFile;
 use homebody_core::sensors::notice::{ChanceFile, Notice};
-use homebody_core::sensors::preset::Preset;
+use homebody_core::sensors::preset::{MotionSettings, Preset};
 
 /// Side of the floor that a narrow sensor sees (our choice): the thing below it, and a person before the thing.
 const NARROW_M: f64 = 1.2;
@@ -133,11 +133,11 @@ fn ceiling(floor: &Rect, is_wide: bool, preset: Preset) -> CeilingMotionFile {
     CeilingMotionFile {
         name: String::new(),
         area: floor.corners().into_iter().map(rounded).collect(),
-        preset,
-        notice: (preset != Preset::Paper).then_some(Notice::Chance(chance)),
-        first_fire_s: None,
-        refire_s: None,
-        persist_s: None,
+        settings: MotionSettings {
+            preset,
+            notice: (preset != Preset::Paper).then_some(Notice::Chance(chance)),
+            ..MotionSettings::default()
+        },
     }
 }
 

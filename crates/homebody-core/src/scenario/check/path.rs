@@ -166,22 +166,13 @@ impl PathCheck<'_> {
                     has_walked = true;
                 }
                 PathStep::Wait(wait) => {
-                    outcome.clock =
-                        self.span(&format!("{place}/wait"), wait.for_s, wait.until.as_deref(), outcome.clock);
+                    self.stay(&format!("{place}/wait"), wait.for_s, wait.until.as_deref(), &mut outcome);
                     if let Some(stir) = &wait.stir {
                         self.stir(&format!("{place}/wait/stir"), stir);
                     }
-                    // Until a time that it is already takes none.
-                    outcome.takes_time |= wait.until.is_none();
-                    outcome.moves += 1.0;
-                    outcome.lasts_s += wait.for_s.unwrap_or(f64::INFINITY);
                 }
                 PathStep::Away(span) => {
-                    outcome.clock =
-                        self.span(&format!("{place}/away"), span.for_s, span.until.as_deref(), outcome.clock);
-                    outcome.takes_time |= span.until.is_none();
-                    outcome.moves += 1.0;
-                    outcome.lasts_s += span.for_s.unwrap_or(f64::INFINITY);
+                    self.stay(&format!("{place}/away"), span.for_s, span.until.as_deref(), &mut outcome);
                 }
                 PathStep::Repeat(repeat) => {
                     let inner = self.repeat(&format!("{place}/repeat"), repeat, before);
@@ -202,6 +193,14 @@ impl PathCheck<'_> {
             }
         }
         outcome
+    }
+
+    fn stay(&mut self, pointer: &str, for_s: Option<f64>, until: Option<&str>, outcome: &mut StepsOutcome) {
+        outcome.clock = self.span(pointer, for_s, until, outcome.clock);
+        // Until a time that it is already takes none.
+        outcome.takes_time |= until.is_none();
+        outcome.moves += 1.0;
+        outcome.lasts_s += for_s.unwrap_or(f64::INFINITY);
     }
 
     fn repeat(&mut self, pointer: &str, repeat: &Repeat, from: Option<Point>) -> StepsOutcome {

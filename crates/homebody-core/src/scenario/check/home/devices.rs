@@ -3,7 +3,7 @@
 use super::ProblemReport;
 use super::areas::{check_convex, is_flat, keeps_within};
 use super::messages::HomeMessage;
-use crate::geometry::{At, Point, point};
+use crate::geometry::points;
 use crate::home::form::HomeFile;
 use crate::plan::Plan;
 use crate::plan::form::FurnitureFile;
@@ -40,13 +40,13 @@ pub fn check_alone(report: &mut ProblemReport, place: &str, sensor: &SensorFile,
         report.add(&format!("{place}{}", wrong.at), wrong.message);
     }
     if let Some(area) = sensor.area().filter(|_| report.count() == before) {
-        check_convex(report, &format!("{place}/area"), &corners(area), &format!("the area of {:?}", sensor.name()));
+        check_convex(report, &format!("{place}/area"), &points(area), &format!("the area of {:?}", sensor.name()));
     }
 }
 
 /// Checks what lies on the floor of a building that is sound.
 pub fn check_within(report: &mut ProblemReport, place: &str, sensor: &SensorFile, plan: &Plan) {
-    let Some(area) = sensor.area().map(corners) else { return };
+    let Some(area) = sensor.area().map(points) else { return };
     if !is_flat(&area) && !keeps_within(plan, &area) {
         let what = format!("the area of {:?}", sensor.name());
         report.add(&format!("{place}/area"), HomeMessage::ReachesOut { what });
@@ -74,8 +74,4 @@ fn enterable(report: &mut ProblemReport, place: &str, piece: Option<&FurnitureFi
     if let Some(piece) = piece.filter(|piece| !piece.enterable) {
         report.add(&format!("{place}/on"), SensorMessage::NotEnterable { furniture: piece.name.clone() });
     }
-}
-
-pub(super) fn corners(area: &[At]) -> Vec<Point> {
-    area.iter().map(|&at| point(at)).collect()
 }

@@ -3,7 +3,7 @@
 use super::ProblemReport;
 use super::areas::is_flat;
 use super::messages::HomeMessage;
-use crate::geometry::{self, Point, overlap, point};
+use crate::geometry::{self, Point, overlap};
 use crate::home::form::HomeFile;
 
 /// Outlines measured from both sides of a wall never agree better than this.
@@ -21,7 +21,7 @@ pub fn check(report: &mut ProblemReport, home: &HomeFile) {
     }
     let mut sound: Vec<(usize, Vec<Point>)> = Vec::new();
     for (index, room) in home.rooms.iter().enumerate() {
-        let outline: Vec<Point> = room.outline.iter().map(|&at| point(at)).collect();
+        let outline = geometry::points(&room.outline);
         let repeated = (0..outline.len()).find(|&i| outline[i] == outline[(i + outline.len() - 1) % outline.len()]);
         let place = format!("/rooms/{index}/outline");
         if let Some(corner) = repeated {

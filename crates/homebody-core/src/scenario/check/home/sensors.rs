@@ -1,10 +1,10 @@
 //! Sensors: possible timing, and a free place.
 
 use super::areas::{check_convex, is_flat, keeps_within};
-use super::devices::{self, corners};
+use super::devices;
 use super::messages::HomeMessage;
 use super::{ProblemReport, TOLERANCE_M, cameras, is_within, solid_name};
-use crate::geometry::{self, Point, point};
+use crate::geometry::{self, Point, point, points};
 use crate::home::form::HomeFile;
 use crate::plan::{Plan, Solid};
 use crate::sensors::form::Orientation;
@@ -32,7 +32,7 @@ pub fn check_alone(report: &mut ProblemReport, home: &HomeFile) {
         beams += of_sensor;
         if let Some(area) = sensor.area_below() {
             let what = format!("the area of {:?}", sensor.name());
-            check_convex(report, &format!("{place}/area"), &corners(area), &what);
+            check_convex(report, &format!("{place}/area"), &points(area), &what);
         }
         devices::check_alone(report, &place, sensor, home);
         cameras::check_alone(report, &place, sensor, home);
@@ -63,7 +63,7 @@ pub fn check_within(report: &mut ProblemReport, home: &HomeFile, plan: &Plan) {
             cameras::check_within(report, &place, camera, home, plan);
         } else if sensor.orientation().is_some() {
             check_mounting(report, &place, sensor, home, plan);
-        } else if let Some(area) = sensor.area_below().map(corners) {
+        } else if let Some(area) = sensor.area_below().map(points) {
             check_view_below(report, &format!("{place}/area"), sensor.name(), &area, home, plan);
         } else {
             devices::check_within(report, &place, sensor, plan);
