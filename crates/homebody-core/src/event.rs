@@ -148,56 +148,39 @@ pub enum Loss {
 
 /// One piece of ground truth.
 #[derive(Clone, Debug, PartialEq)]
+#[allow(missing_docs, reason = "each variant says what its data are")]
 pub enum Fact {
     /// Why a firing came: whose movement the sensor saw, and when it saw it.
     Provenance {
         /// The firing's number in the run.
         seq: u64,
-        /// Why it came.
         provenance: Provenance,
     },
     /// A message that a sensor sent at `at`, or should have sent, and that never reached the logger.
     Lost {
         /// When it said so, or should have.
         at: RunTime,
-        /// The sensor.
         sensor: SensorId,
-        /// The value that it sent, or should have sent.
         value: Value,
         /// Why it would have come.
         provenance: Provenance,
-        /// The cause of the loss.
         loss: Loss,
     },
     /// A resident's movement over a span, reported at its end. The spans of a resident follow each other without gaps,
     /// and no two successive ones are the same rest, in-place motion or absence.
     Movement {
-        /// The resident.
         resident: ResidentId,
-        /// From when.
         begin: RunTime,
         /// Until when; the next span begins at this instant.
         end: RunTime,
-        /// The movement.
         doing: MotionState,
-        /// The posture.
         posture: Posture,
     },
-    /// From `at` on, the resident is in this room, or in none: between
-    /// rooms or away.
-    Room {
-        /// The resident.
-        resident: ResidentId,
-        /// From when on.
-        at: RunTime,
-        /// The room; `None` between rooms and away.
-        room: Option<RoomId>,
-    },
+    /// From `at` on, the resident is in this room, or in none: between rooms or away.
+    Room { resident: ResidentId, at: RunTime, room: Option<RoomId> },
     /// From `at` on, the resident does this; nothing ends what was done before.
     Activity {
-        /// The resident.
         resident: ResidentId,
-        /// From when on.
         at: RunTime,
         /// Its label, such as `sleeping`; `None` where nothing in particular is done.
         name: Option<String>,
@@ -206,40 +189,21 @@ pub enum Fact {
     Use {
         /// The user; `None` if no resident or visitor used it.
         resident: Option<ResidentId>,
-        /// When.
         at: RunTime,
-        /// The thing, and how it is afterwards.
         act: ThingUse,
     },
     /// The strength of a resident's need, from 0 (met) to 1 (pressing).
-    Need {
-        /// The resident.
-        resident: ResidentId,
-        /// When.
-        at: RunTime,
-        /// The need.
-        need: BodilyNeed,
-        /// From 0, met, to 1, pressing.
-        level: f64,
-    },
+    Need { resident: ResidentId, at: RunTime, need: BodilyNeed, level: f64 },
     /// The severity of a resident's condition from `at` until the next report; 1 is a moderate case.
     Condition {
-        /// The resident.
         resident: ResidentId,
-        /// From when on.
         at: RunTime,
         /// The condition, as the routine calls it.
         name: String,
-        /// 1 is a moderate case, 0 none.
         severity: f64,
     },
     /// An intervention from outside. If a resident falls, rooms reported for a later instant do not hold any more.
-    Outside {
-        /// When.
-        at: RunTime,
-        /// What.
-        intervention: Intervention,
-    },
+    Outside { at: RunTime, intervention: Intervention },
 }
 
 /// Using a thing.

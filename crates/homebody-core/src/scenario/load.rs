@@ -164,6 +164,7 @@ pub struct Resident {
 
 /// A resident's driver, read from the linked file.
 #[derive(Clone, Debug, PartialEq)]
+#[allow(missing_docs, reason = "each variant says what its data are")]
 pub enum ResidentDriver {
     /// A path that is acted out.
     Path(ResolvedPath),
@@ -174,20 +175,10 @@ pub enum ResidentDriver {
         /// The position of the body at the start, in metres.
         start: Point,
     },
-    /// The text. Only its language knows the meaning.
-    Routine {
-        /// The name of the routine's file.
-        file: String,
-        /// The text of the file.
-        text: String,
-    },
-    /// The text, as of a routine.
-    Script {
-        /// The name of the script's file.
-        file: String,
-        /// The text of the file.
-        text: String,
-    },
+    /// The file and its text. Only its language knows the meaning.
+    Routine { file: String, text: String },
+    /// The file and its text, as of a routine.
+    Script { file: String, text: String },
 }
 
 /// The languages of routines and of scripts, which this crate reads as plain text.
@@ -381,6 +372,8 @@ impl Loader<'_> {
     ) -> Option<Resident> {
         let Read { source, data: file } = resident;
         let root = source.root.to_json();
+        let text_driver =
+            ["routine", "script"].into_iter().find_map(|noun| Some((noun, root["driver"][noun].as_str()?)));
         let driver = if root.pointer("/driver/path").is_some() {
             let path: Read<PathFile> = self.link(&source, &root, "/driver/path", FileKind::Path)?;
             let data = path.data?;
@@ -389,22 +382,18 @@ impl Loader<'_> {
             let walker = file.clone().unwrap_or_else(unknown);
             check::path::check(&path.source, &data, &walker, surroundings, &mut self.problems);
             ResidentDriver::Path(ResolvedPath::new(data, surroundings.plan?, walker.pace_mps)?)
-        } else if let Some(name) = root.pointer("/driver/routine").and_then(serde_json::Value::as_str) {
-            let text = self.text(&source, "/driver/routine", name, "routine")?;
+        } else if let Some((noun, name)) = text_driver {
+            let (text, is_script) = (self.text(&source, &format!("/driver/{noun}"), name, noun)?, noun == "script");
             if let Some((home, plan)) = surroundings.home.zip(surroundings.plan) {
                 let resident = file.as_ref().map(|file| file.name.as_str());
                 let said = DriverText { of: index, file: name, text: &text, resident, calendar };
-                self.problems.extend(self.language.read(&said, home, plan, self.files));
+                self.problems.extend(match is_script {
+                    true => self.language.read_script(&said, home, plan),
+                    false => self.language.read(&said, home, plan, self.files),
+                });
             }
-            ResidentDriver::Routine { file: name.into(), text }
-        } else if let Some(name) = root.pointer("/driver/script").and_then(serde_json::Value::as_str) {
-            let text = self.text(&source, "/driver/script", name, "script")?;
-            if let Some((home, plan)) = surroundings.home.zip(surroundings.plan) {
-                let resident = file.as_ref().map(|file| file.name.as_str());
-                let said = DriverText { of: index, file: name, text: &text, resident, calendar };
-                self.problems.extend(self.language.read_script(&said, home, plan));
-            }
-            ResidentDriver::Script { file: name.into(), text }
+            let file = name.into();
+            if is_script { ResidentDriver::Script { file, text } } else { ResidentDriver::Routine { file, text } }
         } else {
             let live = match &file {
                 Some(ResidentFile { driver: DriverFile::Live(live), .. }) => Some(live),
@@ -434,36 +423,16 @@ impl Loader<'_> {
 
     /// Reads a linked file that is not JSON: a routine or a script, as `noun` says.
     fn text(&mut self, from: &JsonSource, link: &str, name: &str, noun: &str) -> Option<String> {
-        let used = || self.order.iter().find(|(known, _)| known == name).map(|(_, used)| used.noun().to_owned());
-        let two_uses = |used| FileMessage::TwoUses { name: name.to_owned(), used, wanted: format!("a {noun}") };
-        let problem = match outside_folder(name, "the scenario's folder") {
-            Some(outside) => Some((outside, Some(WHERE.to_string()))),
-            None => used().map(|used| (two_uses(used), None)),
-        };
-        let read = match problem {
-            Some(problem) => Err(problem),
-            None => {
-                let read = self.read(name).map_err(|why| self.unread(name, why));
-                let read = read.and_then(|text| match longer_than_any(&text, noun) {
-                    Some(why) => Err(FileMessage::TooLong { name: name.to_owned(), why }),
-                    None => Ok(text),
-                });
-                read.map_err(|message| (message, None))
-            }
-        };
-        match read.map_err(|(message, hint)| from.problem(link, message, hint)) {
-            Ok(text) => {
-                self.sources.insert(name.into(), text.clone());
-                Some(text)
-            }
-            Err(problem) => {
-                self.problems.push(problem);
-                None
-            }
+        let text = self.text_of_link(from, link, name, (None, &format!("a {noun}")))?;
+        if let Some(why) = longer_than_any(&text, noun) {
+            self.problems.push(from.problem(link, FileMessage::TooLong { name: name.to_owned(), why }, None));
+            return None;
         }
+        self.sources.insert(name.into(), text.clone());
+        Some(text)
     }
 
-    /// Reads a file that another links; a file that is missing is a problem of the link.
+    /// Reads and checks a file that another links.
     fn linked<T: DeserializeOwned>(
         &mut self,
         from: &JsonSource,
@@ -471,31 +440,33 @@ impl Loader<'_> {
         name: &str,
         kind: FileKind,
     ) -> Option<Read<T>> {
-        if let Some(what) = outside_folder(name, "the scenario's folder") {
-            self.problems.push(from.problem(link, what, Some(WHERE.to_string())));
-            return None;
-        }
+        let text = self.text_of_link(from, link, name, (Some(kind), kind.noun()))?;
+        self.parse(name, kind, &text, Some((from, link)))
+    }
+
+    /// The text of a file that another links for this use; a file that is missing is a problem of the link.
+    fn text_of_link(
+        &mut self,
+        from: &JsonSource,
+        link: &str,
+        name: &str,
+        (kind, wanted): (Option<FileKind>, &str),
+    ) -> Option<String> {
         let used = self.order.iter().find(|(known, _)| known == name).map(|(_, used)| *used);
-        match used {
-            Some(used) if used != kind => {
-                let (used, wanted) = (used.noun().to_owned(), kind.noun().to_owned());
-                let message = FileMessage::TwoUses { name: name.to_owned(), used, wanted };
-                self.problems.push(from.problem(link, message, None));
-                return None;
+        let (message, hint) = match (outside_folder(name, "the scenario's folder"), used) {
+            (Some(outside), _) => (outside, Some(WHERE.to_string())),
+            (None, Some(used)) if Some(used) != kind => {
+                let (used, wanted) = (used.noun().to_owned(), wanted.to_owned());
+                (FileMessage::TwoUses { name: name.to_owned(), used, wanted }, None)
             }
-            Some(FileKind::Resident) => {
-                self.problems.push(from.problem(link, FileMessage::LinkedTwice { name: name.to_owned() }, None));
-                return None;
-            }
-            _ => {}
-        }
-        match self.read(name) {
-            Ok(text) => self.parse(name, kind, &text, Some((from, link))),
-            Err(why) => {
-                self.problems.push(from.problem(link, self.unread(name, why), None));
-                None
-            }
-        }
+            (None, Some(FileKind::Resident)) => (FileMessage::LinkedTwice { name: name.to_owned() }, None),
+            _ => match self.read(name) {
+                Ok(text) => return Some(text),
+                Err(why) => (self.unread(name, why), None),
+            },
+        };
+        self.problems.push(from.problem(link, message, hint));
+        None
     }
 
     fn parse<T: DeserializeOwned>(
