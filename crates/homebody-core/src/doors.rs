@@ -21,7 +21,7 @@ pub enum Leads {
 }
 
 /// Beginnings of words that speak of an entrance.
-const ENTRANCES: [&str; 6] = ["entr", "front", "foyer", "vestibule", "exit", "porch"];
+const ENTRANCES: &str = "entr front foyer vestibule exit porch";
 
 /// Words that speak of a way out next to a door, or before it in one word.
 const OUTSIDE: &str = "front main house home outside outdoor outer exterior back rear street entrance entry apartment unit haus wohnung \
@@ -36,27 +36,9 @@ const DOORS: [&str; 14] =
 const JOINTS: [&str; 5] = ["", "s", "n", "en", "es"];
 
 /// Beginnings of English words for rooms inside a home, and for things in them.
-const INNER_ROOMS: [&str; 12] =
-    ["bed", "bath", "toilet", "shower", "kitchen", "living", "dining", "office", "study", "laundry", "room", "pantry"];
-const INNER_THINGS: [&str; 17] = [
-    "closet",
-    "wardrobe",
-    "cabinet",
-    "cupboard",
-    "drawer",
-    "fridge",
-    "refrigerator",
-    "freezer",
-    "oven",
-    "microwave",
-    "stove",
-    "dishwasher",
-    "washer",
-    "medicine",
-    "medication",
-    "pill",
-    "window",
-];
+const INNER_ROOMS: &str = "bed bath toilet shower kitchen living dining office study laundry room pantry";
+const INNER_THINGS: &str = "closet wardrobe cabinet cupboard drawer fridge refrigerator freezer oven microwave \
+    stove dishwasher washer medicine medication pill window";
 
 /// Words for rooms inside a home that the plan importer needs no use of.
 const ROOMS: &str = "-zimmer -kammer büro keller bureau oficina ufficio escritório kantoor -kamer kontor arbetsrum -rum -rom -værelse \
@@ -97,7 +79,7 @@ pub fn leads(name: &str) -> Leads {
         return Leads::Inside;
     }
     let has_door = words.iter().any(is_door) || !stems.is_empty();
-    if begins(&words, &ENTRANCES) || has_any(&words, FRONT_WORDS) || has_door && is_front(&words) {
+    if begins(&words, ENTRANCES) || has_any(&words, FRONT_WORDS) || has_door && is_front(&words) {
         return Leads::Out;
     }
     let is_plain = |word: &String| {
@@ -117,18 +99,18 @@ fn before_a_door(word: &str) -> Vec<String> {
     stems.filter(|stem| stem.chars().count() > 1).map(str::to_owned).collect()
 }
 
-fn begins(words: &[String], with: &[&str]) -> bool {
-    words.iter().any(|word| with.iter().any(|begin| word.starts_with(begin)))
+fn begins(words: &[String], with: &str) -> bool {
+    words.iter().any(|word| with.split_whitespace().any(|begin| word.starts_with(begin)))
 }
 
 fn is_thing(words: &[String]) -> bool {
     let is_role = || ROLE_WORDS.iter().any(|(_, known)| has_any(words, known));
-    begins(words, &INNER_THINGS) || has_any(words, THINGS) || has_any(words, WINDOW_WORDS) || is_role()
+    begins(words, INNER_THINGS) || has_any(words, THINGS) || has_any(words, WINDOW_WORDS) || is_role()
 }
 
 fn is_room(words: &[String]) -> bool {
     let is_use = |word: &String| room_use(word).is_some_and(|room| room != RoomUse::Hall);
-    begins(words, &INNER_ROOMS) || has_any(words, ROOMS) || words.iter().any(is_use)
+    begins(words, INNER_ROOMS) || has_any(words, ROOMS) || words.iter().any(is_use)
 }
 
 #[cfg(test)]

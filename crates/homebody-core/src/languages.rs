@@ -228,28 +228,17 @@ mod tests {
 
     #[test]
     fn knows_rooms_in_many_languages() {
-        for (name, known) in [
-            ("Schlafzimmer", RoomUse::Bedroom),
-            ("Bad", RoomUse::Bathroom),
-            ("Wohnküche", RoomUse::Kitchen),
-            ("camera da letto", RoomUse::Bedroom),
-            ("Salle de bain", RoomUse::Bathroom),
-            ("Séjour", RoomUse::LivingRoom),
-            ("Baño 2", RoomUse::Bathroom),
-            ("Cozinha", RoomUse::Kitchen),
-            ("slaapkamer", RoomUse::Bedroom),
-            ("Badrum", RoomUse::Bathroom),
-            ("Łazienka", RoomUse::Bathroom),
-            ("Ložnice", RoomUse::Bedroom),
-            ("спальня", RoomUse::Bedroom),
-            ("客厅", RoomUse::LivingRoom),
-            ("主卫", RoomUse::Bathroom),
-            ("主卧", RoomUse::Bedroom),
-            ("Phòng ngủ", RoomUse::Bedroom),
-            ("Flur", RoomUse::Hall),
-            ("Cantina", RoomUse::Aside),
-            ("MasterBedroom", RoomUse::Bedroom),
-        ] {
+        #[rustfmt::skip]
+        let cases = [
+            ("Schlafzimmer", RoomUse::Bedroom), ("Bad", RoomUse::Bathroom), ("Wohnküche", RoomUse::Kitchen),
+            ("camera da letto", RoomUse::Bedroom), ("Salle de bain", RoomUse::Bathroom),
+            ("Séjour", RoomUse::LivingRoom), ("Baño 2", RoomUse::Bathroom), ("Cozinha", RoomUse::Kitchen),
+            ("slaapkamer", RoomUse::Bedroom), ("Badrum", RoomUse::Bathroom), ("Łazienka", RoomUse::Bathroom),
+            ("Ložnice", RoomUse::Bedroom), ("спальня", RoomUse::Bedroom), ("客厅", RoomUse::LivingRoom),
+            ("主卫", RoomUse::Bathroom), ("主卧", RoomUse::Bedroom), ("Phòng ngủ", RoomUse::Bedroom),
+            ("Flur", RoomUse::Hall), ("Cantina", RoomUse::Aside), ("MasterBedroom", RoomUse::Bedroom),
+        ];
+        for (name, known) in cases {
             assert_eq!(room_use(name), Some(known), "{name}");
         }
         for name in ["Room", "Zimmer 3", "", "Studio", "Flat"] {

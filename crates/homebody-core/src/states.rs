@@ -176,55 +176,27 @@ mod tests {
 
     #[test]
     fn states_are_known_in_any_language_and_in_whatever_way_they_are_written() {
-        for (on, off) in [
-            ("ON", "Off"),
-            ("true", "FALSE"),
-            ("1", "0"),
-            ("active", "inactive"),
-            ("Movement", "No movement"),
-            ("Motion detected", "No motion"),
-            ("motion", "noMotion"),
-            ("motion", "no_motion"),
-            ("detected", "Not detected"),
-            ("Present", "No present"),
-            ("OCC", "UNOCC"),
-            ("Yes", "no"),
-            ("alarm", "normal"),
-            ("Triggered", "Idle"),
-            ("EIN", "AUS"),
-            ("an", "aus"),
-            ("Bewegung", "keine Bewegung"),
-            ("détection", "repos"),
-            ("mouvement", "aucun mouvement"),
-            ("movimiento", "sin movimiento"),
-            ("movimento", "nessun movimento"),
-            ("beweging", "geen beweging"),
-            ("rörelse", "ingen rörelse"),
-            ("bevegelse", "ingen bevegelse"),
-            ("ruch", "brak ruchu"),
-            ("pohyb", "klid"),
-            ("движение", "нет движения"),
-            ("有人", "无人"),
-            ("开", "关"),
-            ("オン", "オフ"),
-        ] {
+        #[rustfmt::skip]
+        let cases = [
+            ("ON", "Off"), ("true", "FALSE"), ("1", "0"), ("active", "inactive"), ("Movement", "No movement"),
+            ("Motion detected", "No motion"), ("motion", "noMotion"), ("motion", "no_motion"),
+            ("detected", "Not detected"), ("Present", "No present"), ("OCC", "UNOCC"), ("Yes", "no"),
+            ("alarm", "normal"), ("Triggered", "Idle"), ("EIN", "AUS"), ("an", "aus"), ("Bewegung", "keine Bewegung"),
+            ("détection", "repos"), ("mouvement", "aucun mouvement"), ("movimiento", "sin movimiento"),
+            ("movimento", "nessun movimento"), ("beweging", "geen beweging"), ("rörelse", "ingen rörelse"),
+            ("bevegelse", "ingen bevegelse"), ("ruch", "brak ruchu"), ("pohyb", "klid"), ("движение", "нет движения"),
+            ("有人", "无人"), ("开", "关"), ("オン", "オフ"),
+        ];
+        for (on, off) in cases {
             assert_eq!((says(on), says(off)), (Says::Begins, Says::Ends), "{on} {off}");
         }
-        for (open, closed) in [
-            ("Open", "CLOSED"),
-            ("is open", "is closed"),
-            ("auf", "zu"),
-            ("offen", "geschlossen"),
-            ("ouvert", "Fermé"),
-            ("Abierto", "cerrado"),
-            ("aperto", "chiuso"),
-            ("open", "dicht"),
-            ("öppen", "stängd"),
-            ("åpen", "lukket"),
-            ("otwarte", "zamknięte"),
-            ("打开", "关闭"),
-            ("Door open", "not open"),
-        ] {
+        #[rustfmt::skip]
+        let cases = [
+            ("Open", "CLOSED"), ("is open", "is closed"), ("auf", "zu"), ("offen", "geschlossen"), ("ouvert", "Fermé"),
+            ("Abierto", "cerrado"), ("aperto", "chiuso"), ("open", "dicht"), ("öppen", "stängd"), ("åpen", "lukket"),
+            ("otwarte", "zamknięte"), ("打开", "关闭"), ("Door open", "not open"),
+        ];
+        for (open, closed) in cases {
             assert_eq!((says(open), says(closed)), (Says::Opens, Says::Closes), "{open} {closed}");
         }
         assert_eq!((says("Zone Open"), says("Zone Restored")), (Says::Opens, Says::Ends));
@@ -232,48 +204,25 @@ mod tests {
 
     #[test]
     fn a_number_and_another_word_are_no_states() {
-        for value in [
-            "21.5",
-            "01",
-            "-5",
-            "zone",
-            "no zone",
-            "not",
-            "Kitchen",
-            "light",
-            "20:15",
+        #[rustfmt::skip]
+        let cases = [
+            "21.5", "01", "-5", "zone", "no zone", "not", "Kitchen", "light", "20:15",
             "the door was left open all night",
-        ] {
+        ];
+        for value in cases {
             assert_eq!(says(value), Says::Else, "{value}");
         }
     }
 
     #[test]
     fn words_for_no_state_say_that_it_is_unknown() {
-        for value in [
-            "",
-            " ",
-            "-",
-            "--",
-            "unavailable",
-            "N/A",
-            "None",
-            "NULL",
-            "NaN",
-            "offline",
-            "UNDEF",
-            "UNINIT",
-            "undef",
-            "not available",
-            "not_available",
-            "disconnected",
-            "lost",
-            "error",
-            "dead",
-            "No data",
-            "nicht verfügbar",
+        #[rustfmt::skip]
+        let cases = [
+            "", " ", "-", "--", "unavailable", "N/A", "None", "NULL", "NaN", "offline", "UNDEF", "UNINIT", "undef",
+            "not available", "not_available", "disconnected", "lost", "error", "dead", "No data", "nicht verfügbar",
             "离线",
-        ] {
+        ];
+        for value in cases {
             assert_eq!(says(value), Says::Unknown, "{value:?}");
         }
         for value in ["online", "connected", "available", "-1", "errors today"] {

@@ -184,13 +184,8 @@ impl Case {
     /// The position of the body, if it moves.
     fn moving_at(&self, at: RunTime) -> Option<Point> {
         let next = self.life.iter().find(|next| next.begin <= at && at < next.end)?;
-        match next.doing {
-            MotionState::Stride { from, to } => {
-                Some(from + (to - from) * (at - next.begin).ratio(next.end - next.begin))
-            }
-            MotionState::InPlace { at, .. } => Some(at),
-            MotionState::Rest { .. } | MotionState::Away => None,
-        }
+        let moves = matches!(next.doing, MotionState::Stride { .. } | MotionState::InPlace { .. });
+        next.position(at).filter(|_| moves)
     }
 
     /// When the sensor sees the body move, between two instants, to within [`SAMPLE`].

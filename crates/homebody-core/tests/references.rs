@@ -167,23 +167,8 @@ const UNITS: [(&str, &str); 15] = [
 const POINTS: [&str; 3] = ["from", "to", "start"];
 
 /// Keys of counts and shares, and of numbers that each have a unit of their own.
-const COUNTS: [&str; 15] = [
-    "pixels",
-    "beams",
-    "rows",
-    "pulses",
-    "times",
-    "seed",
-    "numbers",
-    "missed",
-    "share",
-    "parts",
-    "goal",
-    "walls",
-    "noise",
-    "people",
-    "open_floor",
-];
+const COUNTS: &str =
+    "pixels beams rows pulses times seed numbers missed share parts goal walls noise people open_floor";
 
 /// Definitions that another page has, and where.
 const ELSEWHERE: [(&str, &str); 1] = [("Role", "[role](activities.md#roles-of-furniture)")];
@@ -374,7 +359,7 @@ fn word(value: &Value) -> &str {
 fn unit(key: &str) -> Option<&'static str> {
     let end = UNITS.iter().find(|(end, _)| key.ends_with(end)).map(|(_, unit)| *unit);
     let point = POINTS.contains(&key).then_some("m");
-    end.or(point).or(COUNTS.contains(&key).then_some(""))
+    end.or(point).or(COUNTS.split(' ').any(|count| count == key).then_some(""))
 }
 
 /// The kind of a value, with a link to its parts.

@@ -295,25 +295,28 @@ mod tests {
         RunTime::START + seconds * SECOND
     }
 
-    /// Holds the keys for a time, and returns what the body did.
-    fn walk(
+    /// Holds the keys for a time among others and doors like these, and returns what the body did.
+    fn hold(
         driver: &mut LiveDriver,
         keys: &[DriveKey],
-        from: RunTime,
-        to: RunTime,
+        (from, to): (i64, i64),
         others: &[(Point, f64)],
+        on: &[bool],
     ) -> Vec<MotionSegment> {
-        driver.input(from, holding(keys));
-        let (mut now, mut spans) = (from, Vec::new());
-        while now < to {
-            let Next::Segment(span) = ask(driver, now, others, &doors_as_planned()) else {
-                panic!("live movement has ended")
-            };
+        driver.input(second(from), holding(keys));
+        let (mut now, mut spans) = (second(from), Vec::new());
+        while now < second(to) {
+            let Next::Segment(span) = ask(driver, now, others, on) else { panic!("live movement has ended") };
             assert!(span.begin == now && span.end > now);
             now = span.end;
             spans.push(span);
         }
         spans
+    }
+
+    /// The same alone, with the doors of the plan.
+    fn walk(driver: &mut LiveDriver, keys: &[DriveKey], span: (i64, i64)) -> Vec<MotionSegment> {
+        hold(driver, keys, span, &[], &doors_as_planned())
     }
 
     /// Steps with keys changed at random every now and then.
@@ -338,7 +341,7 @@ mod tests {
 
     #[test]
     fn steps_do_not_drift() {
-        let spans = walk(&mut standing_at(1.0, 1.0), &[DriveKey::Up], second(0), second(1), &[]);
+        let spans = walk(&mut standing_at(1.0, 1.0), &[DriveKey::Up], (0, 1));
         assert_eq!(spans.len(), 60);
         assert_eq!([0, 1, 2, 59].map(|step: usize| spans[step].end.micros()), [16_666, 33_333, 50_000, 1_000_000]);
         let a_century = RunTime::START + LONGEST;
@@ -351,7 +354,7 @@ mod tests {
     fn keys_set_the_way_and_the_pace() {
         let moved_in_a_second = |keys: &[DriveKey]| {
             let mut driver = standing_at(1.0, 2.0);
-            walk(&mut driver, keys, second(0), second(1), &[]);
+            walk(&mut driver, keys, (0, 1));
             driver.at - point([1.0, 2.0])
         };
         let close =
@@ -411,7 +414,7 @@ mod tests {
     #[test]
     fn a_body_slides_along_a_wall() {
         let mut driver = standing_at(1.0, 0.4);
-        walk(&mut driver, &[DriveKey::Down, DriveKey::Right], second(0), second(2), &[]);
+        walk(&mut driver, &[DriveKey::Down, DriveKey::Right], (0, 2));
         let at = driver.at;
         assert!((at.y - (0.05 + RADIUS_M)).abs() < 0.01);
         assert!((at.x - (1.0 + 2.0 * PACE_MPS / 2_f64.sqrt())).abs() < 0.01, "{at}");
@@ -427,8 +430,8 @@ mod tests {
             &[DriveKey::Down, DriveKey::Left, DriveKey::Slow],
         ] {
             let mut driver = standing_at(0.4, 0.4);
-            walk(&mut driver, keys, second(0), second(2), &[]);
-            let pushes = walk(&mut driver, keys, second(2), second(10), &[]);
+            walk(&mut driver, keys, (0, 2));
+            let pushes = walk(&mut driver, keys, (2, 10));
             assert!(pushes.iter().all(|span| matches!(span.doing, MotionState::Rest { .. })), "{keys:?}");
         }
     }
@@ -436,11 +439,11 @@ mod tests {
     #[test]
     fn closed_doors_stop_a_body_and_open_ones_do_not() {
         let mut at_closed = standing_at(4.5, 1.95);
-        walk(&mut at_closed, &[DriveKey::Right], second(0), second(5), &[]);
+        walk(&mut at_closed, &[DriveKey::Right], (0, 5));
         assert!((at_closed.at.x - (4.95 - RADIUS_M)).abs() < 0.01);
 
         let mut at_open = standing_at(2.45, 3.5);
-        walk(&mut at_open, &[DriveKey::Up], second(0), second(3), &[]);
+        walk(&mut at_open, &[DriveKey::Up], (0, 3));
         assert!((at_open.at.y - 5.3).abs() < 0.01);
     }
 
@@ -448,33 +451,23 @@ mod tests {
     fn a_body_that_leaves_by_the_front_door_is_away_until_the_keys_point_back() {
         let mut open = doors_as_planned();
         open[plan().thing("front door").unwrap()] = true;
-        let hold = |driver: &mut LiveDriver, keys: &[DriveKey], from: RunTime, to: RunTime, on: &[bool]| {
-            driver.input(from, holding(keys));
-            let (mut now, mut spans) = (from, Vec::new());
-            while now < to {
-                let Next::Segment(span) = ask(driver, now, &[], on) else { panic!("live movement has ended") };
-                now = span.end;
-                spans.push(span);
-            }
-            spans
-        };
         let is_away = |span: &MotionSegment| span.doing == MotionState::Away;
         let shut = doors_as_planned();
         let mut stays = standing_at(1.0, 5.05);
-        assert!(!hold(&mut stays, &[DriveKey::Left], second(0), second(5), &shut).iter().any(is_away));
+        assert!(!hold(&mut stays, &[DriveKey::Left], (0, 5), &[], &shut).iter().any(is_away));
         let mut at_front = standing_at(1.0, 5.05);
-        assert!(hold(&mut at_front, &[DriveKey::Left], second(0), second(5), &open).last().is_some_and(is_away));
-        let out = hold(&mut at_front, &[], second(5), second(6), &open);
+        assert!(hold(&mut at_front, &[DriveKey::Left], (0, 5), &[], &open).last().is_some_and(is_away));
+        let out = hold(&mut at_front, &[], (5, 6), &[], &open);
         assert!(out.iter().all(|span| is_away(span) && span.end - span.begin <= SECOND / 60 + Span::MICROSECOND));
         // It was shut meanwhile.
         let mut copy = at_front.clone();
-        assert!(hold(&mut copy, &[DriveKey::Right], second(6), second(7), &shut).iter().all(is_away));
-        let back = hold(&mut at_front, &[DriveKey::Right], second(6), second(8), &open);
+        assert!(hold(&mut copy, &[DriveKey::Right], (6, 7), &[], &shut).iter().all(is_away));
+        let back = hold(&mut at_front, &[DriveKey::Right], (6, 8), &[], &open);
         assert!(matches!(back.last().map(|span| &span.doing), Some(MotionState::Stride { .. })));
         assert!(at_front.at.x > 1.0, "{}", at_front.at);
         // Beside the door there is a wall.
         let mut beside = standing_at(1.0, 4.3);
-        assert!(!hold(&mut beside, &[DriveKey::Left], second(0), second(5), &open).iter().any(is_away));
+        assert!(!hold(&mut beside, &[DriveKey::Left], (0, 5), &[], &open).iter().any(is_away));
     }
 
     #[test]
@@ -486,12 +479,7 @@ mod tests {
             on
         };
         let end = |mut driver: LiveDriver, key: DriveKey, on: &[bool]| {
-            driver.input(second(0), holding(&[key]));
-            let mut now = second(0);
-            while now < second(3) {
-                let Next::Segment(span) = ask(&mut driver, now, &[], on) else { panic!("live movement has ended") };
-                now = span.end;
-            }
+            hold(&mut driver, &[key], (0, 3), &[], on);
             driver.at
         };
         let opened = end(standing_at(4.5, 1.95), DriveKey::Right, &set("closed door", true));
@@ -511,12 +499,12 @@ mod tests {
     fn others_are_run_into_and_slid_round() {
         let other = (point([2.0, 5.0]), 0.25);
         let mut head_on = standing_at(1.0, 5.0);
-        walk(&mut head_on, &[DriveKey::Right], second(0), second(5), &[other]);
+        hold(&mut head_on, &[DriveKey::Right], (0, 5), &[other], &doors_as_planned());
         let gap = head_on.at.distance(other.0) - RADIUS_M - other.1;
         assert!((0.0..0.01).contains(&gap), "{gap}");
 
         let mut aside = standing_at(1.0, 5.1);
-        let spans = walk(&mut aside, &[DriveKey::Right], second(0), second(5), &[other]);
+        let spans = hold(&mut aside, &[DriveKey::Right], (0, 5), &[other], &doors_as_planned());
         let nearest = spans.iter().filter_map(|span| match span.doing {
             MotionState::Stride { to, .. } => Some(to.distance(other.0)),
             _ => None,
@@ -525,7 +513,7 @@ mod tests {
         assert!(aside.at.x > 2.6, "{}", aside.at);
 
         let mut alone = head_on.clone();
-        walk(&mut alone, &[DriveKey::Right], second(5), second(6), &[]);
+        walk(&mut alone, &[DriveKey::Right], (5, 6));
         assert!(alone.at.x > head_on.at.x + 0.5, "who has left is in nobody's way");
     }
 
@@ -587,6 +575,6 @@ mod tests {
         let mut home = plan().clone();
         home.solids.iter_mut().for_each(|solid| solid.outline = tiny.to_vec());
         let mut driver = LiveDriver::new(&home, Point::new(1.0, 2.0), RADIUS_M, PACE_MPS, KeyTrack::live());
-        assert!(!walk(&mut driver, &[DriveKey::Up], second(0), second(1), &[]).is_empty());
+        assert!(!walk(&mut driver, &[DriveKey::Up], (0, 1)).is_empty());
     }
 }

@@ -105,8 +105,7 @@ fn wall_name(home: &HomeFile, piece: &[Point]) -> Option<String> {
     let across = (c - b).normalize_or_zero();
     let rooms = |from: Point, to: Point, off: Point| {
         let probes = (1..8).map(move |part| from.lerp(to, f64::from(part) / 8.0) + off);
-        let holds =
-            |outline: &[At], p: Point| geometry::contains(&outline.iter().map(|&at| point(at)).collect::<Vec<_>>(), p);
+        let holds = |outline: &[At], p: Point| geometry::contains(&geometry::points(outline), p);
         let all: Vec<&str> = (home.rooms.iter())
             .filter(|room| probes.clone().any(|probe| holds(&room.outline, probe)))
             .map(|room| room.name.as_str())

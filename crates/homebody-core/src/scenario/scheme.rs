@@ -444,19 +444,14 @@ mod tests {
 
     #[test]
     fn a_path_alone_has_the_kind_of_its_extension() {
-        for (place, scheme) in [
-            ("log.db", Scheme::Sqlite),
-            ("runs/a.b/log.sqlite3", Scheme::Sqlite),
-            ("a.sqlite", Scheme::Sqlite),
-            ("week.CSV", Scheme::Csv),
-            ("week.csv.gz", Scheme::Csv),
-            ("week.jsonl", Scheme::Jsonl),
-            ("week.jsonl.gz", Scheme::Jsonl),
-            ("week.parquet", Scheme::Parquet),
-            ("week.arrow", Scheme::Arrow),
-            ("C:\\log.db", Scheme::Sqlite),
-            ("./a:b.csv", Scheme::Csv),
-        ] {
+        #[rustfmt::skip]
+        let cases = [
+            ("log.db", Scheme::Sqlite), ("runs/a.b/log.sqlite3", Scheme::Sqlite), ("a.sqlite", Scheme::Sqlite),
+            ("week.CSV", Scheme::Csv), ("week.csv.gz", Scheme::Csv), ("week.jsonl", Scheme::Jsonl),
+            ("week.jsonl.gz", Scheme::Jsonl), ("week.parquet", Scheme::Parquet), ("week.arrow", Scheme::Arrow),
+            ("C:\\log.db", Scheme::Sqlite), ("./a:b.csv", Scheme::Csv),
+        ];
+        for (place, scheme) in cases {
             assert_eq!(Scheme::split(place), Ok((scheme, place)), "{place}");
         }
         assert!(Scheme::split("//ann:s3cr3t@host/log.csv").is_err(), "a server without its kind");

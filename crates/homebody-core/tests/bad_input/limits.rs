@@ -94,12 +94,7 @@ fn finds_a_quadratic_cost() {
 #[test]
 fn rejects_long_texts_lists_and_paths() {
     let (text, values) = (format!("\"{}\"", "x".repeat(10_001)), list(1_000_001, |_| "0".into()));
-    check(&[(
-        "scenario.json",
-        r#""home": "home.json""#,
-        &format!(r#""home": {text}"#),
-        "scenario.json:6:11: json::long-text",
-    )]);
+    check(&[("scenario.json", r#""home": "home.json""#, &format!(r#""home": {text}"#), "6:11: json::long-text")]);
     assert_eq!(reported(&with("home.json", format!("[{values}]"))), "home.json:1:2000001: json::too-many-values");
     let steps = reported(&path(10_001, |_| "{\"wait\":{\"for_s\":1}}".into()));
     assert_eq!(steps, "ann.path.json:1:24: schema::wrong-count");

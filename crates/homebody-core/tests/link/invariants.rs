@@ -211,21 +211,10 @@ fn forgetting_what_is_under_way_does_change_something() {
         let link = Link::new(&file, &sensors, &Numbers::default(), Span::ZERO, case);
         let (mut whole, mut pieces) = (Events::default(), Events::default());
         for firing in &said.firings {
-            let of_one = Events {
-                firings: vec![*firing],
-                frames: Vec::new(),
-                facts: vec![
-                    said.facts
-                        .iter()
-                        .find(|fact| {
-                            matches!(fact,
-                Fact::Provenance { seq, .. } if *seq == firing.seq)
-                        })
-                        .unwrap()
-                        .clone(),
-                ],
-            };
-            link.clone().carry(&mut of_one.clone(), firing.at + SECOND, &mut pieces);
+            let is_its = |fact: &&Fact| matches!(fact, Fact::Provenance { seq, .. } if *seq == firing.seq);
+            let facts = vec![said.facts.iter().find(is_its).unwrap().clone()];
+            let mut of_one = Events { firings: vec![*firing], facts, frames: Vec::new() };
+            link.clone().carry(&mut of_one, firing.at + SECOND, &mut pieces);
         }
         link.clone().carry(&mut said, END + SECOND, &mut whole);
         changed += u32::from(times(&whole) != times(&pieces));
