@@ -10,8 +10,9 @@ mod rule;
 mod wording;
 
 use crate::measures::{DailyMeasure, DayMeasures, Measures, SilentSensor};
-use crate::phrases::{joined, listed};
+use crate::phrases::{joined, listed, write_remarks};
 use homebody_core::problem::counted;
+use homebody_core::statistics::{mean, sd};
 use jiff::civil::Date;
 use serde::Serialize;
 use std::fmt;
@@ -25,15 +26,11 @@ pub struct LogAlerts {
     pub name: String,
     /// The number of days, and of those that count.
     pub days: usize,
-    /// The whole days with a person at home.
     pub days_that_count: usize,
-    /// The limits of the answer, in sentences.
     pub remarks: Vec<String>,
-    /// In order of time.
     pub alerts: Vec<Alert>,
 }
 
-/// A reason to look.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Alert {
     pub date: Date,
@@ -68,7 +65,6 @@ impl Alert {
     }
 }
 
-/// The usual values of a measure on a day.
 #[derive(Clone, Copy)]
 struct Baseline {
     mean: f64,
@@ -112,24 +108,21 @@ pub fn alerts(measures: &Measures, rules: &Rules) -> LogAlerts {
 
 /// The usual of a day by the days before it that count: mean and standard deviation, which is `least_sd` at least.
 pub(crate) fn usual_before(values: &[Option<f64>], day: usize, least_sd: f64) -> Option<(f64, f64)> {
-    of_before(values, day, (rule::fourteen(), rule::seven()), least_sd).map(|usual| (usual.mean, usual.sd))
+    let before = &values[day.saturating_sub(rule::fourteen())..day];
+    Baseline::from_values(before, rule::seven(), least_sd).map(|usual| (usual.mean, usual.sd))
 }
 
 fn usual(rule: &AlertRule, values: &[Option<f64>], day: usize) -> Option<Baseline> {
-    of_before(values, day, (rule.baseline_days, rule.min_days), rule.least_sd)
+    let before = &values[day.saturating_sub(rule.baseline_days)..day];
+    Baseline::from_values(before, rule.min_days, rule.least_sd)
 }
 
-/// Mean and standard deviation of the days before one, if enough count.
-fn of_before(values: &[Option<f64>], day: usize, (baseline, least): (usize, usize), least_sd: f64) -> Option<Baseline> {
-    let before = values[day.saturating_sub(baseline)..day].iter().flatten();
-    let days = before.clone().count();
-    if days < least {
-        return None;
+impl Baseline {
+    fn from_values(values: &[Option<f64>], least: usize, least_sd: f64) -> Option<Baseline> {
+        let known: Vec<f64> = values.iter().copied().flatten().collect();
+        let sd = sd(&known).filter(|_| known.len() >= least)?.max(least_sd);
+        Some(Baseline { mean: mean(&known)?, sd }).filter(|_| sd > 0.0)
     }
-    let mean = before.clone().sum::<f64>() / days as f64;
-    let variance = before.map(|value| (value - mean) * (value - mean)).sum::<f64>() / (days as f64 - 1.0);
-    let sd = variance.sqrt().max(least_sd);
-    (sd > 0.0).then_some(Baseline { mean, sd })
 }
 
 /// By how many standard deviations a value differs in a direction that counts; 0 where it does not.
@@ -179,13 +172,11 @@ const ANEW_AFTER: usize = 3;
 /// Days until the same alert is reported again (our choice).
 const TOLD_AGAIN: usize = 7;
 
-/// A chart that has begun.
 trait ControlChart {
     /// Takes a day: what it comes to by now, and the days that show it, where that is beyond the limits.
     fn take(&mut self, rule: &AlertRule, day: usize, value: f64) -> Option<(f64, Vec<usize>)>;
 }
 
-/// An exponentially weighted moving average.
 struct Average {
     usual: Baseline,
     average: f64,
@@ -261,7 +252,6 @@ impl ControlChart for CumulativeSums {
     }
 }
 
-/// The days on which a chart leaves its limits.
 fn by_chart<C: ControlChart>(
     rule: &AlertRule,
     measure: &'static DailyMeasure,
@@ -279,7 +269,8 @@ fn by_chart<C: ControlChart>(
         let Some((taken, usual, alarms)) = &mut chart else {
             let known = values[begins..day].iter().flatten().count();
             if known >= rule.baseline_days.min(rule.min_days * 2) {
-                chart = usual_of(rule, &values[begins..day]).map(|usual| (begin(usual), usual, 0));
+                let usual = Baseline::from_values(&values[begins..day], rule.min_days, rule.least_sd);
+                chart = usual.map(|usual| (begin(usual), usual, 0));
             }
             continue;
         };
@@ -296,11 +287,6 @@ fn by_chart<C: ControlChart>(
         }
     }
     alerts
-}
-
-fn usual_of(rule: &AlertRule, before: &[Option<f64>]) -> Option<Baseline> {
-    let all = AlertRule { baseline_days: before.len(), ..rule.clone() };
-    usual(&all, before, before.len())
 }
 
 fn alert(
@@ -335,14 +321,11 @@ fn at_once(several: Several, rules: &Rules, measures: &Measures, counts: &[bool]
         let mut differ: Vec<&'static DailyMeasure> = Vec::new();
         for rule in &rules.rules {
             let Some((number, measure)) = rule.measure() else { continue };
-            let values: Vec<Option<f64>> = measures.days[..=day]
-                .iter()
-                .zip(counts)
-                .skip(day.saturating_sub(rule.baseline_days))
-                .map(|(day, counts)| day.values[number].filter(|_| *counts))
-                .collect();
-            let Some((&Some(value), before)) = values.split_last() else { continue };
-            let differs = usual(rule, &values, before.len())
+            let from = day.saturating_sub(rule.baseline_days);
+            let value = |day: usize| measures.days[day].values[number].filter(|_| counts[day]);
+            let before: Vec<Option<f64>> = (from..day).map(value).collect();
+            let Some(value) = value(day) else { continue };
+            let differs = usual(rule, &before, before.len())
                 .is_some_and(|usual| differs(rule, value, usual.mean, usual.sd) > several.k_sd);
             if differs && !differ.iter().any(|known| known.name == measure.name) {
                 differ.push(measure);
@@ -373,13 +356,7 @@ impl fmt::Display for LogAlerts {
         for alert in &self.alerts {
             writeln!(f, "\n{}  {}\n  {}.", alert.date, alert.rule, alert.words)?;
         }
-        for (number, remark) in self.remarks.iter().enumerate() {
-            if number == 0 {
-                writeln!(f)?;
-            }
-            writeln!(f, "{remark}.")?;
-        }
-        Ok(())
+        write_remarks(f, &self.remarks)
     }
 }
 

@@ -9,22 +9,18 @@ use crate::summaries::{SummarySentence, SummarySubject, summarise};
 use jiff::civil::Date;
 use serde::Serialize;
 
-/// The state of a resident, as a report for carers has it.
 #[derive(Clone, Debug)]
 pub struct Care {
     /// The last whole day, which is compared with the usual.
     pub day: Option<Date>,
-    /// The limits of the answer, in sentences.
     pub remarks: Vec<String>,
     /// Enough days lie before the last two weeks to show changes.
     pub is_compared: bool,
-    /// All days in order, each by the measures for carers.
     pub days: Vec<CareDay>,
     /// Sentences about the last two weeks: first those about changes.
     pub sentences: Vec<SummarySentence>,
     /// The alerts, the latest first.
     pub alerts: Vec<Alert>,
-    /// A chart for each measure for carers.
     pub charts: Vec<MeasureChart>,
 }
 
@@ -177,19 +173,7 @@ mod tests {
     use jiff::civil::date;
 
     fn measures(sleep: &[f64]) -> Measures {
-        let number = MEASURES.iter().position(|measure| measure.name == "sleep").unwrap();
-        let day = |(index, &hours): (usize, &f64)| {
-            let mut values = vec![None; MEASURES.len()];
-            values[number] = Some(hours);
-            DayMeasures {
-                date: date(2024, 1, 1).saturating_add(jiff::Span::new().days(index as i64)),
-                is_whole: true,
-                values,
-            }
-        };
-        let days = sleep.iter().enumerate().map(day).collect();
-        let (remarks, guesses, silent) = (Vec::new(), Vec::new(), Vec::new());
-        Measures { name: "log".into(), measures: MEASURES, remarks, guesses, silent, days, ..Measures::default() }
+        crate::sample::days(&[("sleep", sleep.iter().copied().map(Some).collect())])
     }
 
     #[test]

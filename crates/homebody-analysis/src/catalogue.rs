@@ -1,5 +1,3 @@
-//! The messages of this crate, for lists of all messages.
-
 use crate::alerts::AlertRuleMessage;
 use crate::dates::DateMessage;
 use crate::density::NoMap;

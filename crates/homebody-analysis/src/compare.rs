@@ -25,7 +25,6 @@ use serde::Serialize;
 use std::collections::BTreeMap;
 use std::fmt;
 
-/// The agreement of log `a` with log `b`, the reference.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct LogComparison {
     /// The sensors that fired in either log, in the natural order of their names.
@@ -37,7 +36,6 @@ pub struct LogComparison {
     pub dates: [u64; 2],
     /// Agreements are those of firings a day, since the logs have different numbers of dates.
     pub is_by_day: bool,
-    /// The number of sensors that fired in both.
     pub sensors_in_common: usize,
     /// Sensor by sensor, as the table above defines it; `None` where the reference has no firings.
     pub agreement_by_sensor: Option<f64>,
@@ -59,18 +57,14 @@ pub struct SensorComparison {
     pub gaps: Option<f64>,
 }
 
-/// The agreement of the firings during one activity, whenever and how often the resident did it.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct ActivityComparison {
     pub activity: String,
-    /// The firings during the activity, in each log.
     pub firings: AgreementCounts,
 }
 
-/// The numbers of firings in both logs.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct AgreementCounts {
-    /// In the compared log.
     pub a: u64,
     pub b: u64,
     /// The agreement: 1 is equal; `None` where the reference has no firings.
@@ -144,7 +138,6 @@ impl AgreementCounts {
         AgreementCounts { agreement: agreement(counts.apart(days), b as f64 / days[1]), ..counts }
     }
 
-    /// The difference, in firings of so many days each.
     fn apart(&self, [of_a, of_b]: [f64; 2]) -> f64 {
         (self.a as f64 / of_a - self.b as f64 / of_b).abs()
     }
@@ -183,7 +176,6 @@ pub(crate) fn natural(name: &str) -> Vec<(usize, &str)> {
     sized.collect()
 }
 
-/// The value means that something began.
 pub fn begins(value: &str) -> bool {
     says(value).is_on()
 }
@@ -364,15 +356,11 @@ mod tests {
 
     #[test]
     fn random_distances_agree_with_the_definition() {
-        let mut state = 5_u64;
-        let mut random = |below: u64| {
-            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-            (state >> 33) % below
-        };
+        let mut numbers = crate::sample::TestRandom(5);
         for _ in 0..200 {
-            let mut sample = || -> Vec<u64> { (0..1 + random(20)).map(|_| random(15)).collect() };
+            let mut sample = || -> Vec<i64> { (0..1 + numbers.below(20)).map(|_| numbers.below(15)).collect() };
             let samples = [sample(), sample()];
-            let share = |sample: &[u64], x| sample.iter().filter(|&&gap| gap <= x).count() as f64 / sample.len() as f64;
+            let share = |sample: &[i64], x| sample.iter().filter(|&&gap| gap <= x).count() as f64 / sample.len() as f64;
             let apart = (0..15).map(|x| (share(&samples[0], x) - share(&samples[1], x)).abs());
             assert_eq!(distance(samples.clone()), Some(apart.fold(0.0, f64::max)));
         }

@@ -38,11 +38,9 @@ pub const LEAST_DEAD_ZONE_M2: f64 = 0.02;
 /// The coverage of a home's walkable floor. Lengths are metres, areas square metres, shares 0 to 1.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Coverage {
-    /// The side of the cells in which the floor was sampled.
     pub step_m: f64,
     /// The radius of the body that has to fit: its middle stays this far from walls and furniture.
     pub body_radius_m: f64,
-    /// All walkable floor.
     pub whole: SeenFloor,
     /// The rooms, in the order of the home's file.
     pub rooms: Vec<SeenFloor>,
@@ -54,16 +52,13 @@ pub struct Coverage {
     pub overlaps: Vec<Overlap>,
     /// The floor that no sensor sees, the largest piece first.
     pub dead_zones: Vec<DeadZone>,
-    /// The samples, for pictures.
     #[serde(skip)]
     pub grid: CoverageGrid,
 }
 
-/// A piece of floor, with its shares by the number of sensors that see them.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct SeenFloor {
     pub name: String,
-    /// Its walkable area, in square metres.
     pub floor_m2: f64,
     /// `floor_m2` is at most this far from the truth where the floor's borders are straight.
     pub floor_error_m2: f64,
@@ -71,16 +66,11 @@ pub struct SeenFloor {
     pub seen_by: SeenBy,
 }
 
-/// A value for each number of sensors that see a place.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
 pub struct SeenBy {
-    /// Seen by no sensor.
     pub none: f64,
-    /// Seen by exactly one sensor.
     pub one: f64,
-    /// Seen by exactly two sensors.
     pub two: f64,
-    /// Seen by three sensors or more.
     pub three_or_more: f64,
 }
 
@@ -94,23 +84,19 @@ pub struct SensorCoverage {
     pub alone_m2: f64,
 }
 
-/// Walkable floor that two sensors both see.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Overlap {
     /// The names of the two, in the order of the home's file.
     pub sensors: [String; 2],
-    /// The floor that both see, in square metres.
     pub shared_m2: f64,
 }
 
-/// A connected piece of walkable floor that no sensor sees.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct DeadZone {
     /// From 1, the largest first; pictures and tables have these numbers.
     pub number: usize,
     /// The room that holds most of it; `None` if no room holds any, as in a doorway.
     pub room: Option<String>,
-    /// Its area, in square metres.
     pub area_m2: f64,
     /// `area_m2` is about this far from the truth at most: a fan's border is many short straight ones.
     pub area_error_m2: f64,
@@ -122,16 +108,12 @@ pub struct DeadZone {
     pub holes: Vec<Vec<[f64; 2]>>,
 }
 
-/// A home as its sensors see it.
 #[derive(Clone, Debug)]
 pub struct SeenHome {
     /// The home with those of its sensors that look: the others have no field.
     pub home: HomeFile,
-    /// The coverage by the sensors.
     pub coverage: Coverage,
-    /// The sensors that look for movement, in the order of the home's file.
     pub sensors: Vec<Sensor>,
-    /// Their field for a standing body of this build.
     pub field: Field,
 }
 

@@ -39,7 +39,6 @@ pub fn written(at: WallTime) -> String {
     at.datetime().strftime("%Y-%m-%d %H:%M:%S%.6f").to_string()
 }
 
-/// The first and the last date of a log; `None` without rows.
 pub fn dates(log: &Log) -> Option<(Date, Date)> {
     let times = || log.events.iter().map(|event| event.at);
     Some((times().min()?.date(), times().max()?.date()))
@@ -50,7 +49,6 @@ pub fn on_wall(at: WallTime, zone: &TimeZone) -> WallTime {
     at + ahead(at.as_of_utc(), zone)
 }
 
-/// The offset of the clocks of a zone from UTC.
 pub(crate) fn ahead(at: UtcTime, zone: &TimeZone) -> Span {
     i64::from(zone.to_offset(at.timestamp()).seconds()) * SECOND
 }
@@ -124,10 +122,7 @@ homebody_core::messages! {
     #[derive(Clone, PartialEq, Eq)]
     pub enum DateMessage in "date" {
         /// A day of a log is a date of the calendar, or the word `first` or `last`. The date must exist: February has no day 30.
-        Invalid {
-            /// The text.
-            text: String,
-        } error "invalid" ("{text:?} is not a date")
+        Invalid { text: String } error "invalid" ("{text:?} is not a date")
             hint ("write a date such as 2009-03-02, or the word first or last");
     }
 }

@@ -20,7 +20,6 @@ pub struct DayRecord {
     pub date: Date,
     /// The firings of all sensors except those with readings.
     pub firings: u64,
-    /// The first firing, if there is one.
     pub first: Option<DayFiring>,
     pub last: Option<DayFiring>,
     /// The residents in the ground truth; one without a name where the log itself notes activities.
@@ -32,7 +31,6 @@ pub struct DayRecord {
     pub others: usize,
 }
 
-/// A firing of a sensor.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct DayFiring {
     /// The time of day to the second, such as `07:12:03`.
@@ -40,7 +38,6 @@ pub struct DayFiring {
     pub sensor: String,
 }
 
-/// The activities and rooms of a resident on the day.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct ResidentDay {
     /// The resident's name; `None` where the log itself notes activities.
@@ -58,15 +55,12 @@ pub struct DaySpan {
     pub begin_s: f64,
     /// The end, or the end of the day.
     pub end_s: f64,
-    /// The activity's label, or the room's name.
     pub what: String,
 }
 
-/// The firings of a sensor on the day.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct SensorDay {
     pub sensor: String,
-    /// The kind of the sensor.
     pub kind: Kind,
     /// The firings that begin on the day.
     pub firings: u64,
@@ -211,7 +205,6 @@ impl fmt::Display for DayRecord {
 }
 
 impl DayRecord {
-    /// The firings by hour of all sensors that fired.
     fn by_hour(&self, f: &mut fmt::Formatter, width: usize) -> fmt::Result {
         let fired: Vec<&SensorDay> = self.sensors.iter().filter(|sensor| sensor.firings > 0).collect();
         if fired.is_empty() {
@@ -233,23 +226,16 @@ impl DayRecord {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::sample::{at, log};
+    use crate::sample::{at, log, parsed};
     use jiff::civil::date;
 
     const H: i64 = 3600;
 
     fn told() -> DayRecord {
-        let mut log = log(&[
-            (23 * H, "hall", "ON"),
-            (25 * H, "hall", "OFF"),
-            (26 * H, "T1", "21.5"),
-            (30 * H, "door", "OPEN"),
-            (47 * H, "hall", "ON"),
-            (49 * H, "hall", "OFF"),
-            (20 * H, "door", "OPEN"),
-            (24 * H, "door", "CLOSE"),
-            (30 * H + 5, "door", "CLOSE"),
-        ]);
+        let mut log = log(&parsed(
+            "23:00:00 hall ON, 25:00:00 hall OFF, 26:00:00 T1 21.5, 30:00:00 door OPEN, 47:00:00 hall ON, \
+             49:00:00 hall OFF, 20:00:00 door OPEN, 24:00:00 door CLOSE, 30:00:05 door CLOSE",
+        ));
         let activity = |from: i64, to: i64| Episode::new("Cook".to_owned(), Interval::new(at(from), at(to)));
         log.activities = vec![activity(0, 24 * H), activity(24 * H + 60, 25 * H), activity(40 * H, 50 * H)];
         DayRecord::from_log("log", &log, &[], None, date(1970, 1, 2))

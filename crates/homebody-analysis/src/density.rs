@@ -36,31 +36,26 @@ pub use entrance::{Entrance, EntranceSource};
 pub use map::{DensityOptions, Hour, Map, MapDay, Mapping, NoMap, SILENCE, Signs};
 pub use texture::{LEVELS, Texture, level};
 
-/// An answer for people and scripts: a map, and its distance from another.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Density {
     /// The height of one of the eight levels of texture and picture, in firings an hour.
     pub step_per_h: f64,
     #[serde(flatten)]
     pub of: TexturedMap,
-    /// The map that it is compared with, if there is one.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub against: Option<Against>,
 }
 
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct TexturedMap {
-    /// The hours and their density.
     #[serde(flatten)]
     pub map: Map,
     /// The similarity of neighbouring hours; `None` where no two neighbours are known.
     pub texture: Option<Texture>,
 }
 
-/// The map of another log, and its distance.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Against {
-    /// The other log's map, with its texture.
     #[serde(flatten)]
     pub of: TexturedMap,
     /// `None` where one of the two has no texture.
@@ -69,7 +64,6 @@ pub struct Against {
     pub weeks_apart: Option<[f64; 2]>,
 }
 
-/// The map of a log, and its distance from that of another log, if there is one.
 pub fn density(
     log: (&str, &Log, &DensityOptions),
     against: Option<(&str, &Log, &DensityOptions)>,
@@ -79,7 +73,6 @@ pub fn density(
     Ok(density_of(map, other))
 }
 
-/// The figures of a map, and its distance from another if there is one.
 pub fn density_of(map: Map, other: Option<Map>) -> Density {
     let step_per_h = step_per_h([Some(&map), other.as_ref()].into_iter().flatten());
     let of = measured(map, step_per_h);
@@ -121,7 +114,6 @@ fn levels(cells: &[[DensityCell; 24]], step_per_h: f64) -> Vec<[Option<usize>; 2
     cells.iter().map(|day| day.map(|cell| cell.density().map(|density| level(density, step_per_h)))).collect()
 }
 
-/// The features of a map, each from 0 to 1.
 fn features(cells: &[[DensityCell; 24]], step_per_h: f64) -> Option<[f64; 5]> {
     let texture = Texture::from_levels(&levels(cells, step_per_h))?;
     let all = CellSum::from_cells(cells.iter().flatten());

@@ -18,16 +18,12 @@ use std::fmt;
 /// keeps moving.
 pub const NEAR: Span = SECOND.times(10);
 
-/// The explanation of a log by another.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Explained {
-    /// The sensors that fired in either log.
     pub sensors: Vec<SensorExplained>,
-    /// All sensors together.
     pub all: ExplainedCounts,
 }
 
-/// The explanation of one sensor's firings.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct SensorExplained {
     pub sensor: String,
@@ -37,11 +33,8 @@ pub struct SensorExplained {
 
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
 pub struct ExplainedCounts {
-    /// In the log to be explained.
     pub real: u64,
-    /// In the log that explains it.
     pub relived: u64,
-    /// The explained firings among the real ones.
     pub matched: u64,
 }
 
@@ -57,7 +50,6 @@ impl ExplainedCounts {
     }
 }
 
-/// Explains `real` by `relived`.
 pub fn explained(real: &Log, relived: &Log) -> Explained {
     let mut times: BTreeMap<&str, [Vec<WallTime>; 2]> = BTreeMap::new();
     for (number, log) in [real, relived].into_iter().enumerate() {

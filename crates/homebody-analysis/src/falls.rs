@@ -22,22 +22,17 @@ pub mod watch;
 use homebody_core::time::RunTime;
 use serde::Serialize;
 
-/// The shape of a body at an instant, as cameras see it.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct BodyShape {
-    /// The height of its middle above the floor, in metres.
     pub centroid_up_m: f64,
-    /// The height of its top above the floor, in metres.
     pub height_m: f64,
     /// The angle between its longest extent and the vertical, in degrees: 0 upright, 90 level.
     pub tilt_deg: f64,
     /// Its volume, in litres; with one camera, that of a body with its outline.
     pub volume_l: f64,
-    /// Its place, seen from above, in metres.
     pub at_m: [f64; 2],
 }
 
-/// A shape at an instant.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct ShapeAt {
     pub at: RunTime,

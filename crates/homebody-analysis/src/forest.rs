@@ -7,7 +7,6 @@
 
 use homebody_core::random::Stream;
 
-/// Rows to learn from.
 #[derive(Clone, Copy, Debug)]
 pub struct Examples<'a> {
     /// The figures of each row; all rows have the same number.
@@ -17,7 +16,6 @@ pub struct Examples<'a> {
     pub classes: usize,
 }
 
-/// A random forest.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Forest {
     trees: Vec<DecisionTree>,
@@ -47,7 +45,6 @@ impl Forest {
         forest
     }
 
-    /// The probability of each class of a row.
     pub fn judge(&self, row: &[f64]) -> Vec<f64> {
         let mut chances = vec![0.0; self.classes];
         for tree in &self.trees {
@@ -68,7 +65,6 @@ impl Forest {
 struct Growing<'a> {
     examples: Examples<'a>,
     nodes: Vec<DecisionNode>,
-    /// The number of rows of the tree.
     whole: f64,
     stream: &'a mut Stream,
 }

@@ -16,7 +16,6 @@ const SHORTEST: Span = SECOND.times(10);
 /// Longest hold time: a sensor that is always on for longer sees movement all the time (our choice).
 pub const LONGEST: Span = MINUTE.times(5);
 
-/// A movement between the reports of a sensor.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub struct HiddenMovement {
     pub at: WallTime,
@@ -26,15 +25,12 @@ pub struct HiddenMovement {
     pub within: Span,
 }
 
-/// The hold times of the sensors of a log, and the movements that lie between their reports.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub struct HoldTimes {
     sensors: Vec<SensorHold>,
-    /// The sensors that are on.
     on: Vec<u32>,
     /// Instant before which no movement is known that is not yet returned.
     due: WallTime,
-    /// A sensor has had a hold time.
     hides_any: bool,
 }
 
@@ -42,7 +38,6 @@ pub struct HoldTimes {
 struct SensorHold {
     /// The begin of the current ON, and its last movement so far.
     on: Option<(WallTime, WallTime)>,
-    /// Its two shortest times on.
     shortest: [Span; 2],
 }
 
@@ -61,7 +56,6 @@ impl SensorHold {
 }
 
 impl HoldTimes {
-    /// For so many sensors, all off.
     pub fn new(sensors: usize) -> HoldTimes {
         let sensor = SensorHold { on: None, shortest: [Span::MAX; 2] };
         HoldTimes { sensors: vec![sensor; sensors], on: Vec::new(), due: WallTime::MAX, hides_any: false }
@@ -71,7 +65,6 @@ impl HoldTimes {
         self.sensors.get(sensor)?.hold()
     }
 
-    /// A sensor has hidden movements so far.
     pub fn hide_any(&self) -> bool {
         self.hides_any
     }
@@ -119,7 +112,6 @@ impl HoldTimes {
         }
     }
 
-    /// Ends all ONs where an unknown time begins.
     pub fn end_all(&mut self) {
         self.sensors.iter_mut().for_each(|sensor| sensor.on = None);
         self.on.clear();

@@ -48,22 +48,12 @@ pub use ways::{HomeKnowledge, Ways};
 pub(crate) use wording::Earlier;
 
 impl Measures {
-    /// Of a log, with what its home tells.
-    ///
-    /// # Errors
-    ///
-    /// [`NoMap`] where no sensor tells of motion, or the days are too many.
     pub fn from_log(name: &str, log: &Log, known: &HomeKnowledge, asked: &DensityOptions) -> Result<Measures, NoMap> {
         let mut measuring = Measuring::new(log, *known, asked);
         log.in_order().into_iter().try_for_each(|event| measuring.take(event))?;
         Measures::from_rows(name, measuring)
     }
 
-    /// Of the rows of a log that have been taken one by one.
-    ///
-    /// # Errors
-    ///
-    /// As of [`Measures::from_log`].
     pub fn from_rows(name: &str, measuring: Measuring) -> Result<Measures, NoMap> {
         let (log, known, recorded) = (measuring.log, measuring.known, measuring.recorded());
         let measured = measuring.end()?;
@@ -88,12 +78,10 @@ impl Measures {
         Ok(measures)
     }
 
-    /// By a truth, for the days of a log.
     pub fn from_truth(name: &str, person: &PersonTimeline<WallTime>, recorded: Interval<WallTime>) -> Measures {
         Measures::from_timeline(name, &MeasureTimeline::from_truth(person, recorded), Vec::new())
     }
 
-    /// The same, with details.
     pub fn from_detailed_truth(
         name: &str,
         person: &PersonTimeline<WallTime>,

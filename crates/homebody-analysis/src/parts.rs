@@ -22,25 +22,21 @@ use homebody_core::sensors::products::Product;
 use serde::Serialize;
 use std::fmt::{self, Write};
 
-/// The parts of a home's sensors.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct PartsList {
     pub home: String,
     /// The devices with their counts, the most first.
     pub devices: Vec<Count>,
-    /// One for each sensor, in the order of the home's file.
     pub parts: Vec<SensorPart>,
 }
 
-/// The count of a device.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Count {
     pub device: String,
     pub count: usize,
 }
 
-/// A sensor, for its installer.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct SensorPart {
     /// From 1, in the order of the home's file.
     pub number: usize,
@@ -53,10 +49,8 @@ pub struct SensorPart {
     pub network: &'static str,
     /// The room; `None` between rooms, as on a door.
     pub room: Option<String>,
-    /// The floor of the room, in a home of several.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub floor: Option<String>,
-    /// The place in words.
     pub place: String,
     /// The place on the plan, in metres to the east and to the north.
     pub at: [f64; 2],
@@ -64,18 +58,15 @@ pub struct SensorPart {
     pub height_m: Option<f64>,
     /// The direction of its lens: 0 is east, 90 is north.
     pub facing_deg: Option<f64>,
-    /// The direction in words.
     pub looks: Option<String>,
     /// The tilt of its lens downward, in degrees.
     pub tilt_deg: Option<f64>,
     /// Its angle of view, horizontal and vertical, in degrees.
     pub field_deg: Option<[f64; 2]>,
-    /// The reach, in metres.
     pub reach_m: Option<f64>,
 }
 
 impl PartsList {
-    /// The parts of a valid home.
     pub fn from_home(home: &HomeFile) -> PartsList {
         let plan = Plan::new(home);
         let sensors = home.sensors.iter().zip(1..);
@@ -146,14 +137,9 @@ impl SensorPart {
             network: device.map_or("", |device| device.network),
             room: room.map(|room| room.name.clone()),
             floor: room.and_then(|room| room.floor.clone()),
-            place: String::new(),
+            place: words(file, plan, sensor.at),
             at: [rounded(sensor.at.x), rounded(sensor.at.y)],
-            height_m: None,
-            facing_deg: None,
-            looks: None,
-            tilt_deg: None,
-            field_deg: None,
-            reach_m: None,
+            ..SensorPart::default()
         };
         if let Some(Orientation { height_m, facing_deg, tilt_deg, field_deg, reach_m, .. }) = file.orientation() {
             let facing_deg = facing_deg.rem_euclid(360.0);
@@ -161,7 +147,6 @@ impl SensorPart {
             (part.field_deg, part.reach_m) = (Some(field_deg), reach_m);
             part.looks = Some(place::looks(plan, sensor.at, facing_deg));
         }
-        part.place = words(file, plan, sensor.at);
         Some(part)
     }
 }
@@ -209,7 +194,6 @@ impl fmt::Display for PartsList {
 }
 
 impl SensorPart {
-    /// Floor, room and place in one line.
     pub fn whereabouts(&self) -> String {
         let room = self.room.as_deref().filter(|room| !self.place.ends_with(room));
         let parts = [self.floor.as_deref(), room, Some(&*self.place)];

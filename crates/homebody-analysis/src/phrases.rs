@@ -1,12 +1,10 @@
-//! Phrases of sentences: lists, dates, hours and counts.
-
 use jiff::civil::Date;
 use std::borrow::Borrow;
+use std::fmt;
 
 /// Smallest count without decimals.
 const LARGE_COUNT: f64 = 20.0;
 
-/// A headline and the values behind it, if it has any.
 pub(crate) fn joined(headline: String, numbers: &str) -> String {
     if numbers.is_empty() { headline } else { format!("{headline}: {numbers}") }
 }
@@ -23,6 +21,13 @@ pub(crate) fn listed(things: &[impl Borrow<str>]) -> String {
 /// A date such as `20 April 2009`.
 pub(crate) fn in_full(date: Date) -> String {
     date.strftime("%-d %B %Y").to_string()
+}
+
+pub(crate) fn write_remarks(f: &mut fmt::Formatter, remarks: &[String]) -> fmt::Result {
+    if !remarks.is_empty() {
+        writeln!(f)?;
+    }
+    remarks.iter().try_for_each(|remark| writeln!(f, "{remark}."))
 }
 
 pub(crate) fn hours(hours: f64) -> String {

@@ -46,48 +46,33 @@ pub use table::MEASURES;
 #[derive(Clone, Copy, Debug)]
 pub struct ComparedLog<'a> {
     pub name: &'a str,
-    /// Its rows, on the clock on the wall.
     pub log: &'a Log,
     /// From its first row to its last by default.
     pub recorded: Option<Interval<WallTime>>,
 }
 
-/// The comparison of two logs.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Realism {
     /// The log that is taken as real: the floor is its own.
     pub a: LogSummary,
-    /// The log that is judged.
     pub b: LogSummary,
     /// Of the times from any firing to the next.
     pub gaps_ks: RealismMeasure,
     /// Of the times from a sensor's firing to its next.
     pub refires_ks: RealismMeasure,
-    /// Of the lengths of ONs.
     pub on_ks: RealismMeasure,
-    /// Of the firings over the hours of the day.
     pub hours_js: RealismMeasure,
-    /// Of the firings over the sensors.
     pub shares_js: RealismMeasure,
-    /// Of the ways from sensor to sensor.
     pub ways_js: RealismMeasure,
-    /// Of the number of sensors that are ON at once.
     pub at_once_js: RealismMeasure,
-    /// Of the firings of each day.
     pub firings_ks: RealismMeasure,
-    /// Of the motion density maps.
     pub density_distance: RealismMeasure,
-    /// The share of firings together with another sensor's.
     pub together: RealismMeasure,
-    /// The differences between days.
     pub days_differ: RealismMeasure,
     /// The similarity of each day to the one before.
     pub days_follow: RealismMeasure,
-    /// The share of hours without firings.
     pub empty_hours: RealismMeasure,
-    /// The separation of days.
     pub auc_days: RealismMeasure,
-    /// The separation of hours.
     pub auc_hours: RealismMeasure,
     /// The figures that separate days, the best first.
     pub days_told_by: Vec<TellingFigure>,
@@ -98,12 +83,9 @@ pub struct Realism {
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct LogSummary {
     pub name: String,
-    /// The number of whole days.
     pub days: usize,
     pub motion_sensors: usize,
-    /// The firings on an average day.
     pub firings_a_day: f64,
-    /// Firings in each hour of the day, on a day.
     pub hours: [f64; 24],
     /// The percentiles of the gaps from 5 to 95 in steps of 5, in seconds.
     pub gaps_s: Vec<f64>,
@@ -122,13 +104,11 @@ pub struct RealismMeasure {
     pub of: Option<[Option<f64>; 2]>,
 }
 
-/// A figure that separates logs.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct TellingFigure {
     pub figure: String,
     /// Its part in the separation, from 0 to 1.
     pub part: f64,
-    /// Its median in each log.
     pub medians: [f64; 2],
 }
 
@@ -144,12 +124,8 @@ homebody_core::messages! {
         NoDay(log: String) error "no-whole-day" ("{log}: the log has no whole day")
             hint ("record or simulate two days or more");
         /// The comparison has a limit of ten years, so that a wrong date does not exhaust the memory.
-        TooLong {
-            /// The name of the log.
-            log: String,
-            /// The number of days that it covers.
-            days: usize,
-        } error "too-many-days" ("{log}: the log covers {days} days, and the limit is ten years")
+        TooLong { log: String, days: usize } error "too-many-days"
+            ("{log}: the log covers {days} days, and the limit is ten years")
             hint ("compare a shorter log");
     }
 }
@@ -161,7 +137,6 @@ const LEAST_DAYS_OF_HOURS: usize = 2;
 /// Largest number of figures in the report, those that tell the logs apart best.
 const MOST_SIGNS: usize = 8;
 
-/// Compares log `b` with log `a`. It reports all problems at once.
 pub fn realism(a: ComparedLog, b: ComparedLog) -> Result<Realism, Vec<NotComparable>> {
     let logs = [a, b].map(|told| MotionFirings::from_log(told.log, told.recorded));
     let problem = |(told, heard): (&ComparedLog, &MotionFirings)| match () {
@@ -260,7 +235,6 @@ impl LogSummary {
     }
 }
 
-/// The distance of the density maps of the days of two logs.
 fn maps_apart(told: [ComparedLog; 2], heard: &[MotionFirings; 2]) -> Option<f64> {
     let asked = |heard: &MotionFirings| density::DensityOptions {
         recorded: Some(of_days(&heard.days)),

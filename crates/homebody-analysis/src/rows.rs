@@ -14,7 +14,6 @@ pub struct StateRow {
     pub said: RowMeaning,
 }
 
-/// Counts of the rows of each sensor so far, by their values.
 pub struct Tallies {
     meanings: Meanings,
     beforehand: Beforehand,
@@ -40,7 +39,6 @@ impl Tallies {
         (says != Says::Else).then_some(StateRow { at: event.at, sensor: event.sensor, said })
     }
 
-    /// The kinds of the log's sensors, by all that is known of them and by the rows so far.
     pub fn kinds(&self) -> Vec<Kind> {
         let taken = self.beforehand.taken(&self.tallies.iter().collect::<Vec<_>>());
         taken.into_iter().map(|taken| taken.kind).collect()
@@ -72,7 +70,6 @@ impl SensorSpans {
 }
 
 impl Ongoing {
-    /// For so many sensors, all off. It keeps no spans shorter than `least`.
     pub fn new(sensors: usize, least: Span) -> Ongoing {
         Ongoing { sensors: vec![SensorSpans::default(); sensors], least }
     }
@@ -98,7 +95,6 @@ impl Ongoing {
         }
     }
 
-    /// Ends all open spans where a gap begins.
     pub fn end_all(&mut self, at: WallTime) {
         for of in &mut self.sensors {
             if let Some(since) = of.since.take().filter(|&since| of.ends && since <= at) {
@@ -107,7 +103,6 @@ impl Ongoing {
         }
     }
 
-    /// Keeps certain spans only.
     pub fn retain(&mut self, keeps: impl Fn(&Interval<WallTime>) -> bool) {
         self.sensors.iter_mut().for_each(|of| of.spans.retain(&keeps));
     }

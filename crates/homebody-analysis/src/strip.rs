@@ -13,56 +13,43 @@ use serde::Serialize;
 use std::collections::BTreeSet;
 use std::fmt;
 
-/// Moments of a run.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct StoryStrip {
     pub name: String,
-    /// Seconds between two moments.
     pub every_s: f64,
     /// In order of time.
     pub moments: Vec<StripFrame>,
 }
 
-/// An instant of a run, and the events since the one before.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct StripFrame {
     /// By the clock on the wall, such as `2026-01-12 18:20:10`.
     pub at: String,
-    /// Seconds since the run began.
     pub at_s: f64,
-    /// The people of the scenario, in its order.
     pub people: Vec<StripPerson>,
     pub used: Vec<String>,
     /// The sensors that fired, by name.
     pub fired: Vec<String>,
 }
 
-/// A person at a moment.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct StripPerson {
     pub name: String,
     /// The corners of their way, in metres; the last is their place. Empty if they are out, or were not there.
     pub path_m: Vec<[f64; 2]>,
-    /// The posture; `None` for a person who is out.
     pub posture: Option<Posture>,
-    /// The label of the activity.
     pub activity: Option<String>,
 }
 
-/// The names of the numbers in a run's events.
 pub struct RunNames<'a> {
     pub scenario: &'a str,
-    /// Residents, then visitors.
     pub people: Vec<String>,
-    /// Sensors, as firings number them.
     pub sensors: Vec<&'a str>,
-    /// Things, as facts number them.
     pub things: Vec<&'a str>,
     /// The number of these, from the first, that are doors.
     pub doors: usize,
 }
 
-/// Takes a run's events, and keeps those of its strip.
 pub struct StripRecorder {
     first: RunTime,
     every: Span,
@@ -73,7 +60,6 @@ pub struct StripRecorder {
 }
 
 impl StripRecorder {
-    /// So many moments from an instant on, of a run with so many people.
     pub fn new(first: RunTime, every: Span, count: usize, people: usize) -> StripRecorder {
         let every = every.max(Span::MICROSECOND);
         StripRecorder { first, every, count, kept: Events::default(), told: vec![RunTime::START; people] }
@@ -87,7 +73,6 @@ impl StripRecorder {
         self.first.saturating_add(self.every.saturating_mul(self.count as i64 - 1))
     }
 
-    /// Takes the next events of a run.
     pub fn take(&mut self, firings: &[Firing], facts: &[Fact]) {
         let (begin, end) = (self.begin(), self.end());
         self.kept.firings.extend(firings.iter().filter(|firing| (begin..=end).contains(&firing.at)).copied());
@@ -110,12 +95,10 @@ impl StripRecorder {
         }
     }
 
-    /// The strip is complete; the rest of the run adds nothing.
     pub fn is_complete(&self) -> bool {
         self.told.iter().all(|told| *told > self.end())
     }
 
-    /// The strip; `clock` gives the time on the wall.
     pub fn strip(&self, names: &RunNames, clock: impl Fn(RunTime) -> String) -> StoryStrip {
         let moment = |index: usize| {
             let at = self.first + self.every * index as i64;
@@ -201,7 +184,6 @@ impl fmt::Display for StoryStrip {
 }
 
 impl StripPerson {
-    /// The name, the posture and the activity in a few words.
     pub fn caption(&self) -> String {
         let posture = match self.posture {
             Some(Posture::Standing) => "on their feet",

@@ -28,7 +28,6 @@ const LEAST_DAYS: usize = 5;
 const BEFORE: usize = 56;
 const LEAST_BEFORE: usize = 7;
 
-/// Summarises the last days of measures.
 pub fn summarise(measures: &Measures, about: SummarySubject) -> VerbalSummary {
     let from = measures.days.len().saturating_sub(about.last);
     let (before, days) = measures.days.split_at(from);
@@ -71,7 +70,6 @@ pub fn summarise(measures: &Measures, about: SummarySubject) -> VerbalSummary {
     }
 }
 
-/// The known values of a measure, on the days that count.
 fn known(measure: &DailyMeasure, days: &[DayMeasures]) -> Vec<(Date, f64)> {
     let of = |day: &DayMeasures| Some((day.date, day.value(measure.name)?));
     days.iter().filter(|day| day.counts()).filter_map(of).collect()

@@ -31,7 +31,6 @@ const PULSE: f64 = 1.3;
 pub type Quantiles = [f64; 5];
 const SHARES: Quantiles = [0.05, 0.25, 0.5, 0.75, 0.95];
 
-/// The timing of the motion sensors of a log.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct MotionTiming {
     pub all: SensorTiming,
@@ -46,28 +45,22 @@ pub struct MotionTiming {
 pub struct SensorTiming {
     /// Its id in the log; empty for all sensors.
     pub sensor: String,
-    /// The number of ONs.
     pub firings: usize,
     /// The lengths of ONs; `None` where the log has no OFFs, or too few ONs.
     pub on_s: Option<Quantiles>,
-    /// From ON to ON.
     pub refire_s: Option<Quantiles>,
 }
 
-/// The style in which the units of a log hold their ONs.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum HoldStyle {
-    /// The log has no OFFs.
     None,
-    /// Each ON lasts for about this long.
     Pulse(f64),
     /// Each ON lasts as long as movement continues, and so much longer.
     Follow(f64),
 }
 
 impl SensorTiming {
-    /// The style of its ONs.
     pub fn hold(&self) -> HoldStyle {
         match self.on_s {
             None => HoldStyle::None,
@@ -94,7 +87,6 @@ impl fmt::Display for SensorTiming {
     }
 }
 
-/// The samples of one sensor.
 #[derive(Clone, Default)]
 struct Samples {
     firings: usize,
@@ -110,7 +102,6 @@ struct Samples {
 }
 
 impl Samples {
-    /// Takes a row. No length spans an unknown time.
     fn take(&mut self, at: WallTime, RowMeaning { says: said, unknown_from, is_restored }: RowMeaning) {
         if unknown_from.is_some() {
             (self.last, self.last_on, self.is_on) = (None, None, false);
@@ -154,7 +145,6 @@ impl Samples {
     }
 }
 
-/// Measures the timing of the motion sensors of a log.
 pub fn timing(log: &Log) -> MotionTiming {
     let kinds = kinds(log);
     let said = said(log);

@@ -19,16 +19,13 @@ pub const SOON: Span = SECOND.times(15);
 /// Shortest silence of a person who is out, asleep or still (our choice).
 pub const SILENCE: Span = MINUTE.times(30);
 
-/// The sensors of a log, and the ways between them.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct SensorWalks {
-    /// The sensors, in the log's order.
     pub sensors: Vec<WalkSensor>,
     /// The ways between two of them, by their numbers, the lower first.
     pub ways: Vec<SensorWay>,
 }
 
-/// A sensor of a log.
 #[derive(Clone, Debug, PartialEq)]
 pub struct WalkSensor {
     pub id: String,
@@ -42,18 +39,13 @@ pub struct WalkSensor {
     pub at_silence: u64,
 }
 
-/// A way between two sensors.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SensorWay {
-    /// The sensors' numbers, the lower first.
     pub between: [usize; 2],
-    /// The number of times, in either direction.
     pub times: u64,
-    /// The time between the two firings.
     pub soon_s: f64,
 }
 
-/// Finds the ways in the home of a log.
 pub fn walks(log: &Log) -> SensorWalks {
     let kinds = kinds(log);
     let speaks = |sensor: usize, said: &RowMeaning| match kinds[sensor] {
@@ -107,7 +99,6 @@ fn on_lengths(spans: &[Interval<WallTime>]) -> Option<[f64; 3]> {
     Some([decile(1)?, decile(5)?, decile(9)?])
 }
 
-/// Counts for each sensor the activities during its firings.
 fn note_what_was_done(log: &Log, spoken: &[(WallTime, usize)], sensors: &mut [WalkSensor]) {
     let mut activities: Vec<_> = log.activities.iter().collect();
     activities.sort_by_key(|activity| activity.begin());
@@ -127,22 +118,15 @@ fn note_what_was_done(log: &Log, spoken: &[(WallTime, usize)], sensors: &mut [Wa
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::sample::{at, log};
+    use crate::sample::{at, log, parsed};
     use homebody_timeline::Episode;
 
     #[test]
     fn counts_ways_and_their_times() {
-        let mut log = log(&[
-            (0, "hall", "ON"),
-            (1, "hall", "OFF"),
-            (4, "bed", "ON"),
-            (5, "bed", "OFF"),
-            (100, "bed", "ON"),
-            (102, "hall", "ON"),
-            (104, "front door", "OPEN"),
-            (5000, "front door", "CLOSE"),
-            (5001, "T1", "21.5"),
-        ]);
+        let mut log = log(&parsed(
+            "0 hall ON, 1 hall OFF, 4 bed ON, 5 bed OFF, 100 bed ON, 102 hall ON, 104 front door OPEN, \
+             5000 front door CLOSE, 5001 T1 21.5",
+        ));
         log.activities = vec![Episode::new("Sleep".to_owned(), Interval::new(at(4), at(101)))];
         let walks = walks(&log);
         let ids: Vec<&str> = walks.sensors.iter().map(|sensor| sensor.id.as_str()).collect();

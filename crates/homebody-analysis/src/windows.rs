@@ -26,7 +26,6 @@ pub struct Windows {
     pub rows: Vec<LogWindow>,
 }
 
-/// The messages in a window, and the activity of one resident.
 #[derive(Clone, Debug, PartialEq)]
 pub struct LogWindow {
     pub begin: UtcTime,
@@ -47,26 +46,18 @@ homebody_core::messages! {
     #[derive(Clone, PartialEq, Eq)]
     pub enum WindowMessage in "window" {
         /// A window covers a part of the log. Its length is a number of seconds, and at least a microsecond.
-        NoLength {
-            /// The length, in microseconds.
-            length_us: Span,
-        } error "no-length" ("a window cannot be {seconds} s long", seconds = length_us.seconds())
+        NoLength { length_us: Span } error "no-length"
+            ("a window cannot be {seconds} s long", seconds = length_us.seconds())
             hint ("choose a length above 0");
         /// Each window is a row of the answer. The limit of their number protects the memory.
-        TooMany {
-            /// The number of windows.
-            windows: i64,
-        } error "too-many" ("the log has {windows} windows of this length, and the limit is {MOST}")
+        TooMany { windows: i64 } error "too-many"
+            ("the log has {windows} windows of this length, and the limit is {MOST}")
             hint ("choose a longer window");
     }
 }
 
 /// Cuts a log into windows of a length, from its first row to its last. Windows begin by the wall of `zone`; if the zone of the log is
 /// unknown, instants are those of a wall of UTC, and so is the zone.
-///
-/// # Errors
-///
-/// If there would be more than [`MOST`], or the length is not above 0.
 pub fn windows(
     log: &Log<UtcTime>,
     people: &[PersonTimeline<UtcTime>],
@@ -123,12 +114,10 @@ pub fn windows(
 struct ZoneStretch<'z> {
     zone: &'z TimeZone,
     ahead: Span,
-    /// `UtcTime::MAX` if never.
     until: UtcTime,
 }
 
 impl<'z> ZoneStretch<'z> {
-    /// The stretch with an instant in it.
     fn new(zone: &'z TimeZone, at: UtcTime) -> ZoneStretch<'z> {
         let until = zone.following(at.timestamp()).next().map_or(UtcTime::MAX, |set| set.timestamp().into());
         ZoneStretch { zone, ahead: ahead(at, zone), until }
@@ -144,7 +133,6 @@ impl<'z> ZoneStretch<'z> {
         UtcTime::EPOCH.saturating_add(span.saturating_mul(number)).saturating_sub(self.ahead)
     }
 
-    /// The window with an instant in it.
     fn first(&mut self, at: UtcTime, span: Span) -> Interval<UtcTime> {
         let mut begin = self.begin(self.number(at, span), span);
         // As of the beginning of the day, or of what is longer, on which clocks were set before the instant.
@@ -164,7 +152,6 @@ impl<'z> ZoneStretch<'z> {
         Interval::new(begin, self.next(at, span))
     }
 
-    /// The end of the window with an instant in it.
     fn next(&mut self, at: UtcTime, span: Span) -> UtcTime {
         if at >= self.until {
             *self = ZoneStretch::new(self.zone, at);

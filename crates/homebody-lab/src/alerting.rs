@@ -17,7 +17,6 @@ const AFTER: [usize; 4] = [7, 14, 28, 56];
 #[derive(Clone, Debug, Serialize)]
 pub struct AlertQuality {
     pub people: usize,
-    /// Days that are simulated for each person.
     pub days: u32,
     /// A row for each condition and each rule with an alert after the onset; the rule `any` is all rules together.
     pub rows: Vec<AlertsRow>,
@@ -31,7 +30,6 @@ pub struct AlertQuality {
 /// The result if all control charts use one method.
 #[derive(Clone, Debug, Serialize)]
 pub struct MethodQuality {
-    /// The name of the method in rules.
     pub method: &'static str,
     /// The delay until people are found, with at most a given number of false alarms.
     #[serde(flatten)]
@@ -43,7 +41,6 @@ pub struct AlertsRow {
     pub condition: String,
     /// The rule's name, or `any`.
     pub rule: String,
-    /// Number of people with the condition.
     pub people: usize,
     /// The share of people with an alert between the onset and the end; the interval of 95 % is that of Wilson (1927).
     pub sensitivity: f64,
@@ -56,7 +53,6 @@ pub struct AlertsRow {
     pub delay_days: Option<[f64; 3]>,
     /// Median of the days from the first alert to the full effect of the condition.
     pub lead_days: Option<f64>,
-    /// False alarms of one person in a week.
     pub false_alarms_per_week: f64,
     pub false_alarms_95: [f64; 2],
 }
@@ -65,7 +61,6 @@ pub struct AlertsRow {
 pub struct RuleFalseAlarms {
     /// The rule's name, or `any`.
     pub rule: String,
-    /// False alarms of one person in a week.
     pub per_week: f64,
     /// The interval of 95 %.
     pub per_week_95: [f64; 2],
@@ -84,11 +79,9 @@ pub struct CurvePoint {
     pub k_sd: f64,
     /// The share of those with the condition who are found within 28 days.
     pub sensitivity: f64,
-    /// False alarms of one person in a week.
     pub false_alarms_per_week: f64,
 }
 
-/// The quality of the alerts that rules give for people.
 pub fn quality(people: &[Watched], rules: &Rules, days: u32) -> AlertQuality {
     let alerts: Vec<Alerts> = people.iter().map(|watched| alerts_of(watched.measures, rules)).collect();
     let mut names: Vec<&str> = rules.rules.iter().map(|rule| rule.name.as_str()).collect();

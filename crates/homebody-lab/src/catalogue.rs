@@ -1,5 +1,3 @@
-//! The messages of this crate, for lists of all messages.
-
 use crate::locating::LocatingError;
 use crate::messages::ExperimentMessage;
 use crate::{recogniser, sphere};

@@ -42,16 +42,11 @@ pub enum Verdict {
     Neither,
 }
 
-/// The result of one claim.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct ClaimRow {
-    /// The form of sentences, a heading of the table.
     pub form: String,
-    /// The line of the case in the table of claims.
     pub line: usize,
-    /// The sentences of the case.
     pub text: String,
-    /// The claims, as in the table.
     pub claim: String,
     /// The source of the size, if the table names it.
     #[serde(skip_serializing_if = "String::is_empty")]
@@ -61,7 +56,6 @@ pub struct ClaimRow {
     pub verdict: Verdict,
 }
 
-/// The results of all claims.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct ClaimsExperiment {
     pub claims: Vec<ClaimRow>,
@@ -147,7 +141,6 @@ impl ClaimCase {
         SimulatedCase { life: Some(life), who, warnings }
     }
 
-    /// The files of the home with these sentences in the routine.
     fn files(&self, said: &[String]) -> BTreeMap<String, String> {
         let mut files = self.home.files(self.start.as_deref().unwrap_or(START));
         let lines: String = self.both.iter().chain(said).map(|line| format!("{line}\n")).collect();

@@ -41,13 +41,11 @@ pub struct DailyLifeExperiment {
     pub persons: Vec<PersonFigures>,
 }
 
-/// A figure and its published value.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct FigureLine {
     pub of: &'static str,
     pub what: &'static str,
     pub unit: &'static str,
-    /// The words of the source.
     pub published: &'static str,
     pub source: &'static str,
     /// The range that counts as inside; `None` without a norm.
@@ -80,7 +78,6 @@ impl DailyLifeExperiment {
         }
     }
 
-    /// The figures outside their range.
     pub fn outside(&self) -> impl Iterator<Item = &FigureLine> {
         self.lines.iter().filter(|line| line.inside == Some(false))
     }

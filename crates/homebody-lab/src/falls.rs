@@ -69,11 +69,9 @@ pub struct DetectorRow {
 
 #[derive(Clone, Debug, Serialize)]
 pub struct FallsExperiment {
-    /// Cases of each kind.
     pub cases: u32,
     pub seed: u64,
     pub rows: Vec<DetectorRow>,
-    /// Results of simulated weeks.
     pub weeks: Vec<WeeksResult>,
 }
 
@@ -138,7 +136,6 @@ fn row(way: DetectorSetup, cases: u32, outcomes: &[(FallCase, &Outcome)]) -> Det
     }
 }
 
-/// Simulates a case under each condition, and evaluates all detectors.
 fn outcomes_of(case: FallCase, seed: u64, looks: &[FallDetector]) -> Vec<Outcome> {
     let mut outcomes = vec![Vec::new(); looks.len()];
     for condition in Condition::ALL {
@@ -167,7 +164,6 @@ fn simulate(scenario: &Scenario, seed: u64, end: RunTime) -> Events {
 }
 
 impl FallsExperiment {
-    /// Curves of false alarms and detected falls in the usual room, as SVG.
     pub fn picture(&self) -> String {
         let usual = self.rows.iter().filter(|row| row.way.condition == Condition::Usual);
         let line = |row: &DetectorRow| {

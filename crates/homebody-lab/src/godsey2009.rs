@@ -56,7 +56,6 @@ pub struct GodseyExperiment {
     pub assumptions: Assumptions,
     pub seed: u64,
     pub activities: Vec<WalkActivity>,
-    /// All firings of the six activities.
     pub firings: u64,
     /// 1 - |ours - published| / published, of the totals: ours and the 230 real firings.
     pub agreement: f64,
@@ -85,7 +84,6 @@ pub struct PublishedFirings {
     pub firings: u64,
     /// "Difference of 16 in 230 total firings".
     pub difference: u64,
-    /// "Per activity", in the words of the paper.
     pub agreement: f64,
 }
 
@@ -103,7 +101,6 @@ pub struct AtSpeed {
     /// Sums of the missing and of the additional firings of activities: differences of counts, which ignore times.
     pub lost: u64,
     pub gained: u64,
-    /// True if every firing is the same to the microsecond.
     pub identical: bool,
     /// The results of the paper's own loop, whose step grows with its speed.
     pub paper_loop_lost: u64,
@@ -187,7 +184,6 @@ fn at_speed(speed: i64, assumptions: Assumptions) -> Result<AtSpeed, Problems> {
 /// Reason why no step of a walk fails.
 const WALKABLE: &str = "a path that has passed its checks";
 
-/// One activity as a scenario.
 #[derive(Clone, Copy)]
 struct SensorWalk {
     distance_m: f64,

@@ -19,7 +19,6 @@ use truth::{MessagesWithTruth, PersonPlace, second_begins};
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct LocatingCase {
     pub home: String,
-    /// Seed of the simulation.
     pub seed: u64,
     pub residents: usize,
     pub faults: bool,
@@ -49,7 +48,6 @@ const ASKED: Span = SECOND.times(30);
 /// Stay below which a person only passes through a room (our choice).
 const VISIT: Span = SECOND.times(10);
 
-/// Simulates a home for some days, and locates its residents from the log.
 pub fn case(home: &SimulatedHome, seed: u64, days: u32) -> Result<LocatingCase, LocatingError> {
     let scenario = home.scenario;
     let length = i64::from(days) * DAY;
@@ -116,7 +114,6 @@ pub(crate) fn score<'a>(
     judge
 }
 
-/// An instant, and the place of each body by the log.
 type LocatedInstant = (RunTime, Vec<(PersonPlace, Option<Point>)>);
 
 fn located(bodies: &[Senses], simulated: &MessagesWithTruth, end: RunTime) -> Vec<LocatedInstant> {
@@ -146,7 +143,7 @@ fn places(instant: &InstantEstimate) -> LocatedInstant {
     (instant.at, each)
 }
 
-/// Counts of the seconds so far.
+#[derive(Default)]
 pub(crate) struct LocatingScore<'a> {
     people: &'a [usize],
     /// Seconds of all people, and the right ones: by all messages, by those until then, by the last firing, and by rooms alone.
@@ -166,19 +163,7 @@ pub(crate) struct LocatingScore<'a> {
 
 impl<'a> LocatingScore<'a> {
     fn new(people: &'a [usize]) -> LocatingScore<'a> {
-        LocatingScore {
-            people,
-            seconds: 0,
-            right: 0,
-            live_right: 0,
-            last_right: 0,
-            rooms_right: 0,
-            distances_m: Vec::new(),
-            visitors: [[0; 2]; 2],
-            visits: 0,
-            found: 0,
-            stays: vec![None; people.len()],
-        }
+        LocatingScore { people, stays: vec![None; people.len()], ..LocatingScore::default() }
     }
 
     fn add_second(

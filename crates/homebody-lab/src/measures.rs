@@ -1,12 +1,9 @@
-//! Measures of days from logs, compared with the same measures from the ground truth.
-
 use crate::locating::SimulatedHome;
 use homebody_analysis::measures::{MEASURES, Measures, Ways};
 use homebody_placement::simulated::{SimulatedLog, SimulatedLogError};
 use homebody_walk::Mesh;
 use serde::Serialize;
 
-/// The error of a measure from a log.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct MeasureError {
     pub measure: &'static str,
@@ -51,7 +48,6 @@ impl MeasureError {
         })
     }
 
-    /// The errors on the days of several homes.
     pub fn over_homes<'a>(of_homes: impl Iterator<Item = &'a MeasureError> + Clone) -> Vec<MeasureError> {
         let of_measure = |measure: &homebody_analysis::measures::DailyMeasure| {
             let same = of_homes.clone().filter(|error| error.measure == measure.name);
@@ -71,7 +67,6 @@ pub fn case(home: &SimulatedHome, seed: u64, days: u32) -> Result<Vec<MeasureErr
     Ok(errors_between(&log.measures()?, &log.true_measures()))
 }
 
-/// Compares measures with true measures, on the days that both have.
 pub fn errors_between(heard: &Measures, lived: &Measures) -> Vec<MeasureError> {
     let errors = MEASURES.iter().enumerate().filter_map(|(number, measure)| {
         let pairs = heard.days.iter().filter_map(|day| {
@@ -83,7 +78,6 @@ pub fn errors_between(heard: &Measures, lived: &Measures) -> Vec<MeasureError> {
     errors.collect()
 }
 
-/// The distances between the sensors of a home on the paths of its first resident.
 fn ways(home: &SimulatedHome) -> Option<Ways> {
     let scenario = home.scenario;
     let resident = scenario.residents.first()?;

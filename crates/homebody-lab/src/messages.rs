@@ -1,5 +1,3 @@
-//! The messages of `homebody-lab`.
-
 use std::path::PathBuf;
 
 homebody_core::messages! {

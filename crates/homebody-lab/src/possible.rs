@@ -25,7 +25,6 @@ const SERVING: Span = MINUTE;
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
 pub struct ImpossibleCounts {
     pub on_one_spot: u32,
-    /// Duration of all such stays.
     pub on_one_spot_s: f64,
     /// Pairs of people of whom one walks through the other.
     pub through_somebody: u32,
@@ -36,13 +35,11 @@ pub struct ImpossibleCounts {
 }
 
 impl ImpossibleCounts {
-    /// True without an impossible event.
     pub fn is_nothing(&self) -> bool {
         *self == ImpossibleCounts::default()
     }
 }
 
-/// The movements and activities of a household.
 #[derive(Clone, Debug, Default)]
 pub struct HouseholdTruth {
     /// By body, in the order of [`ResidentId`](homebody_core::ids::ResidentId): the residents, then the visitors.
@@ -61,7 +58,6 @@ impl HouseholdTruth {
         HouseholdTruth { moves: vec![Vec::new(); bodies], doing: vec![Vec::new(); bodies], are_people, hosts }
     }
 
-    /// Takes a fact of the truth, in order.
     pub fn take(&mut self, fact: &Fact) {
         match fact {
             Fact::Movement { resident, begin, end, doing, posture } => {
@@ -124,7 +120,6 @@ impl HouseholdTruth {
     }
 }
 
-/// Counts the times at which two people are in one place.
 fn meet(a: &[MotionSegment], b: &[MotionSegment], found: &mut ImpossibleCounts) {
     together(a, b, |a, b, time| {
         let stays = |segment: &MotionSegment| !matches!(segment.doing, MotionState::Stride { .. });
@@ -175,7 +170,6 @@ pub struct ImpossibleEvents {
 #[derive(Clone, Debug, Serialize)]
 pub struct ScenarioRow {
     pub scenario: String,
-    /// Number of residents and visitors.
     pub people: usize,
     pub visits: usize,
     #[serde(flatten)]
@@ -183,7 +177,6 @@ pub struct ScenarioRow {
 }
 
 impl ImpossibleEvents {
-    /// True without an impossible event.
     pub fn is_clean(&self) -> bool {
         self.scenarios.iter().all(|row| row.impossible.is_nothing())
     }

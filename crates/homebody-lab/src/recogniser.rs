@@ -23,6 +23,7 @@ use flat::Flat;
 pub use flat::FlatError;
 use homebody_analysis::forest::{Examples, Forest};
 use homebody_core::random::Stream;
+use homebody_core::statistics::{mean, sd};
 use homebody_core::time::{DAY, Interval, Span, WallTime};
 use homebody_log::Log;
 use homebody_routine::rhythm::sentences;
@@ -70,7 +71,6 @@ pub struct Prepared {
     classes: Vec<usize>,
 }
 
-/// The scores of four recognisers with one seed.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct RecogniserCase {
     pub seed: u64,
@@ -82,7 +82,6 @@ pub struct RecogniserCase {
 
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct RecogniserExperiment {
-    /// Days simulated for each case.
     pub simulated_days: u32,
     /// Real days of each half.
     pub real_days: [usize; 2],
@@ -140,7 +139,6 @@ impl Prepared {
         Ok(Prepared { flat: Flat::new(&routine)?, routine, halves, first: spans[0], classes })
     }
 
-    /// Simulates some days with this seed, trains all recognisers, and tests them.
     pub fn case(&self, seed: u64, days: u32) -> Result<RecogniserCase, RecogniserError> {
         // The first day starts at midnight without a history.
         let log = self.flat.simulate(seed, days + 1, self.first.begin - DAY)?;
@@ -156,12 +154,10 @@ impl Prepared {
     }
 
     pub fn experiment(&self, cases: Vec<RecogniserCase>, simulated_days: u32) -> RecogniserExperiment {
-        let mean =
-            |which: usize| cases.iter().map(|case| case.macro_f1[which]).sum::<f64>() / cases.len().max(1) as f64;
+        let scores = |which: usize| cases.iter().map(|case| case.macro_f1[which]).collect::<Vec<f64>>();
+        let mean_of = |which: usize| mean(&scores(which)).unwrap_or(0.0);
         let score = |which: usize| {
-            let macro_f1 = mean(which);
-            let squares: f64 =
-                cases.iter().map(|case| (case.macro_f1[which] - macro_f1) * (case.macro_f1[which] - macro_f1)).sum();
+            let macro_f1 = mean_of(which);
             let all = Confusion::sum(cases.iter().map(|case| &case.confusion[which]));
             let per_seed = |is: &usize| {
                 self.classes.iter().map(|&class| f64::from(all.0[*is][class]) / cases.len().max(1) as f64).collect()
@@ -169,8 +165,8 @@ impl Prepared {
             Score {
                 learnt_from: LEARNT_FROM[which],
                 macro_f1,
-                spread: (squares / (cases.len().max(2) - 1) as f64).sqrt(),
-                of_real: macro_f1 / mean(1),
+                spread: sd(&scores(which)).unwrap_or(0.0),
+                of_real: macro_f1 / mean_of(1),
                 f1: self.classes.iter().map(|&class| all.f1(class).unwrap_or(0.0)).collect(),
                 confusion: self.classes.iter().map(per_seed).collect(),
             }
@@ -186,7 +182,6 @@ impl Prepared {
     }
 }
 
-/// The windows of a few random days.
 fn few_days(windows: &[Window], seed: u64) -> Vec<&Window> {
     let mut days = days_of(windows);
     let stream = &mut Stream::named(seed, "recogniser/days");
@@ -202,7 +197,6 @@ fn days_of(windows: &[Window]) -> Vec<i64> {
     days
 }
 
-/// Trains on windows, and tests on others.
 fn confusion_of(learnt: &[&Window], judged: &[Window], seed: u64) -> Confusion {
     let figures: Vec<Vec<f64>> = learnt.iter().map(|window| window.figures.clone()).collect();
     let class: Vec<usize> = learnt.iter().map(|window| window.class).collect();

@@ -27,7 +27,6 @@ const HOUR: f64 = 3600.0;
 /// Hours out of bed for a visit to the bathroom (our choice): the median of the activity.
 const VISIT_H: f64 = 0.1;
 
-/// A sentence of a summary, compared with the routine.
 #[derive(Clone, Debug, Serialize)]
 pub struct CheckedSentence {
     pub sentence: String,
@@ -43,7 +42,6 @@ pub struct CheckedSentence {
 }
 
 impl CheckedSentence {
-    /// True if the routine agrees.
     pub fn agrees(&self) -> Option<bool> {
         self.by_routine.map(|truth| truth >= TRUE_ENOUGH)
     }
@@ -53,7 +51,6 @@ impl CheckedSentence {
     }
 }
 
-/// A random routine.
 pub fn drawn_routine(name: &str, seed: u64) -> String {
     let mut stream = Stream::named(seed, "round-trip/routine");
     let mut drawn = |count: usize| (stream.unit() * count as f64) as usize;
@@ -151,7 +148,6 @@ fn check_sentence(
     }
 }
 
-/// The reason why the log differs from the routine.
 fn why(sentence: &SummarySentence, by_life: f64, heard: &Measures, lived: &Measures, said: f64) -> String {
     let mean = |of: &Measures| {
         let values: Vec<f64> =
@@ -168,7 +164,6 @@ fn why(sentence: &SummarySentence, by_life: f64, heard: &Measures, lived: &Measu
     }
 }
 
-/// The statements of a routine about days.
 struct RoutineClaims<'a> {
     life: &'a ResidentRoutine,
 }
@@ -218,7 +213,6 @@ impl RoutineClaims<'_> {
         self.life.habits(day).filter(holds).collect()
     }
 
-    /// The hour of day at which a habit starts.
     fn clock(&self, activity: &Activity, day: i32, stream: &mut Stream) -> Option<f64> {
         let habits = self.habits(day, |habit| habit.activity == *activity);
         let at = habits.iter().find_map(|habit| match &habit.said.when {

@@ -17,27 +17,22 @@ use homebody_core::time::{DAY, Interval, RunTime};
 use homebody_infer::{FaultFinding, Senses, SensorFault, health};
 use serde::Serialize;
 
-/// The result for one home.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct FaultCase {
     pub home: String,
-    /// Seed of the simulation.
     pub seed: u64,
     pub faults: Vec<PlantedFault>,
     /// Findings without a fault.
     pub false_alarms: Vec<FalseAlarm>,
-    /// Number of sensors.
     pub sensors: usize,
     pub days: u32,
 }
 
-/// A planted fault, and the finding about its sensor.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct PlantedFault {
     /// The kind, as in `link.json`; for a stuck sensor also whether it repeats itself.
     pub kind: &'static str,
     pub sensor: String,
-    /// True with a finding about the sensor.
     pub found: bool,
     /// True if the finding names the fault.
     pub named: bool,
@@ -46,7 +41,6 @@ pub struct PlantedFault {
     pub said: Option<SensorFault>,
 }
 
-/// A finding about an intact sensor.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct FalseAlarm {
     pub sensor: String,
@@ -98,7 +92,6 @@ fn fault(scenario: &Scenario, kind: &str, sensor: String, length: f64) -> Option
     })
 }
 
-/// Simulates a home with a faulty link, and diagnoses its sensors from the log.
 pub fn case(home: &SimulatedHome, seed: u64, length: u32) -> Result<FaultCase, LocatingError> {
     let scenario = home.scenario;
     let lasts = i64::from(length) * DAY;
@@ -158,7 +151,6 @@ fn kind(fault: &FaultFile) -> &'static str {
     }
 }
 
-/// True if a finding names a fault.
 fn is_named(fault: &FaultFile, said: SensorFault) -> bool {
     match fault {
         FaultFile::Battery(_) => said == SensorFault::Fading,

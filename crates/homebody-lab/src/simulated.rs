@@ -1,5 +1,3 @@
-//! Simulations to their end.
-
 use homebody_core::drivers::error::DriverError;
 use homebody_core::event::Events;
 use homebody_core::run::Run;
@@ -16,7 +14,6 @@ pub fn each_step(run: &mut Run, step: Span, mut each: impl FnMut(&Events)) -> Re
     Ok(())
 }
 
-/// Advances a run to its end, and returns all events.
 pub fn all_events(run: &mut Run) -> Result<Events, DriverError> {
     let mut events = Events::default();
     run.advance(RunTime::START + run.length(), &mut events)?;

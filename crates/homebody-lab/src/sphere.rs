@@ -42,7 +42,6 @@ pub struct Interval {
     pub name: String,
 }
 
-/// A recording of one person.
 #[derive(Clone, Debug, PartialEq)]
 pub struct AnnotatedRun {
     /// The rooms of the person, in order of time and without overlaps; never empty.

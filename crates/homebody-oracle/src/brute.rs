@@ -18,7 +18,6 @@ pub struct BruteEye<'a> {
 }
 
 impl<'a> BruteEye<'a> {
-    /// For the sensors of a home and its field of one body size.
     pub fn new(home: &Home, field: &'a Field) -> BruteEye<'a> {
         BruteEye { field, sensors: home.sensors.len(), last: Vec::new() }
     }

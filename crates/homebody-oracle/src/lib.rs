@@ -25,9 +25,7 @@ pub trait Eye {
 /// A body at an instant. While it stirs, its radius shrinks by an amplitude and recovers.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Pose {
-    /// The middle, in metres.
     pub at: Point,
-    /// In metres.
     pub radius_m: f64,
 }
 
@@ -148,7 +146,6 @@ impl Counter {
 pub struct Player<'a> {
     moves: &'a [MotionSegment],
     next: usize,
-    /// Number of looks at the present move.
     looks: u32,
     radius_m: f64,
 }

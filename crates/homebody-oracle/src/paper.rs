@@ -45,7 +45,6 @@ const TALL: Group = Group::GROUP_1;
 const LOW: Group = Group::GROUP_2;
 
 impl PaperEye {
-    /// For bodies of one size, in a home with a number of them.
     pub fn new(home: &Home, size: BodySize, bodies: usize) -> PaperEye {
         let mut physics = PhysicsWorld { gravity: Vector::ZERO, ..PhysicsWorld::default() };
         physics.integration_parameters.dt = 1.0 / 60.0;

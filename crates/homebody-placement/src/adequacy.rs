@@ -34,7 +34,6 @@ pub struct Watched<'a> {
     pub measures: &'a Measures,
 }
 
-/// The day and the rule of each alert.
 pub type Alerts = Vec<(usize, String)>;
 
 /// Without alerts about sensors.
@@ -64,7 +63,6 @@ pub struct Adequacy {
     /// The least number of standard deviations with bearable false alarms; the greatest one that was tried, if they
     /// never are.
     pub k_sd: f64,
-    /// Per person.
     pub false_alarms_per_week: f64,
     /// Share of the people with a condition who are found within 28 days.
     pub found: f64,
@@ -104,7 +102,6 @@ pub fn adequacy(people: &[Watched], rules: &Rules) -> Adequacy {
     }
 }
 
-/// Mean; 0 for an empty list.
 pub fn mean(of: &[f64]) -> f64 {
     statistics::mean(of).unwrap_or(0.0)
 }
@@ -129,14 +126,11 @@ pub fn delays(people: &[Watched], alerts: &[Alerts], condition: Option<&str>, ru
 
 #[derive(Clone, Copy, Debug, Default)]
 pub struct FalseAlarmCount {
-    /// Of all people.
     pub count: f64,
-    /// Weeks of all people at risk of a false alarm.
     pub weeks: f64,
 }
 
 impl FalseAlarmCount {
-    /// False alarms a week of one person.
     pub fn per_week(self) -> f64 {
         if self.weeks > 0.0 { self.count / self.weeks } else { 0.0 }
     }

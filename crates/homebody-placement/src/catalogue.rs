@@ -1,5 +1,3 @@
-//! The messages of this crate, for lists of all messages.
-
 use crate::people::PeopleError;
 use crate::simulated::SimulatedLogError;
 use homebody_core::messages::{Catalogue, CatalogueEntry};

@@ -77,7 +77,6 @@ impl LoadedScenario {
     }
 }
 
-/// Variants of the first resident of a scenario.
 pub struct People {
     /// Without a condition first, then with each condition, each in all severities.
     kinds: Vec<(Person, LoadedScenario)>,
@@ -138,7 +137,6 @@ pub struct PersonRun<'a> {
 }
 
 impl PersonRun<'_> {
-    /// Simulates the person's days with a link between sensors and logger.
     pub fn simulate(&self, link: &LinkFile) -> Result<SimulatedLog, PeopleError> {
         let household = self.home.household.one_of_many();
         let scenario = self.home.scenario.edit().link(link).load()?;
@@ -146,7 +144,6 @@ impl PersonRun<'_> {
     }
 }
 
-/// The home, with a condition of its first resident.
 fn with(home: &LoadedScenario, person: Person, severity: &str) -> Result<LoadedScenario, PeopleError> {
     let Some(condition) = person.condition else { return Ok(home.clone()) };
     let grows = if person.height > 0 { format!(", over {} days", person.height) } else { String::new() };

@@ -22,7 +22,6 @@ pub struct Request<'a> {
     pub rules: &'a Rules,
     /// The product of motion sensors; `None` for the sensor of Godsey & Skubic 2009.
     pub device: Option<Product>,
-    /// The body that sensors should detect.
     pub build: Build,
     /// Side of a cell of the grid of the visible floor, in metres.
     pub step_m: f64,
@@ -30,7 +29,6 @@ pub struct Request<'a> {
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Step {
-    /// One more person was simulated.
     Simulated,
     /// The search begins a step, with this number of sensors so far.
     Searching(SearchStep, usize),
@@ -42,12 +40,10 @@ pub struct Proposal {
     pub sensors: Vec<SensorFile>,
     #[serde(flatten)]
     pub found: SuggestedSteps,
-    /// The layout of the home's own sensors.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub own: Option<Layout>,
 }
 
-/// The goals of some names, or all unknown names.
 pub fn goals(names: &[String]) -> Result<Vec<Goal>, Vec<String>> {
     let conditions: Vec<&'static str> = CONDITIONS.iter().map(|(name, _)| *name).collect();
     let of = |name: &String| Goal::from_name(name.trim(), &conditions).ok_or_else(|| name.trim().to_owned());
@@ -98,7 +94,6 @@ pub fn propose(
     Ok(Proposal { sensors, found, own })
 }
 
-/// Simulates people in the home with its own sensors and all candidates.
 fn simulate(
     home: &LoadedScenario,
     candidates: &[SensorFile],

@@ -48,11 +48,9 @@ const MOST_SWAPS: usize = 3;
 
 #[derive(Clone, Copy, Debug)]
 pub enum Goal {
-    /// Finding a condition soon.
     Condition(&'static str),
     /// Measuring days; the index of the measure.
     Measure(usize),
-    /// Seeing falls.
     Falls,
 }
 
@@ -100,14 +98,11 @@ pub struct Layout {
 
 #[derive(Clone, Debug, Serialize)]
 pub struct SuggestedSteps {
-    /// The layouts with one sensor, two, and so on.
     pub steps: Vec<Layout>,
-    /// The exchanges in the last step.
     pub swapped: Vec<Swap>,
 }
 
 impl SuggestedSteps {
-    /// All steps and swaps.
     pub fn layouts_mut(&mut self) -> impl Iterator<Item = &mut Layout> {
         self.steps.iter_mut().chain(self.swapped.iter_mut().map(|swap| &mut swap.layout))
     }
@@ -124,7 +119,6 @@ impl SuggestedSteps {
         }
     }
 
-    /// The suggested layout.
     pub fn last(&self) -> Option<&Layout> {
         self.swapped.last().map(|swap| &swap.layout).or(self.steps.last())
     }
@@ -132,9 +126,7 @@ impl SuggestedSteps {
 
 #[derive(Clone, Debug, Serialize)]
 pub struct Swap {
-    /// The name of the removed sensor.
     pub gone: String,
-    /// The name of the added sensor.
     pub come: String,
     #[serde(flatten)]
     pub layout: Layout,
@@ -142,11 +134,8 @@ pub struct Swap {
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum SearchStep {
-    /// One more sensor.
     OneMore,
-    /// Two more at once.
     TwoMore,
-    /// Another sensor in place of one.
     Another,
 }
 
@@ -160,19 +149,15 @@ fn best_of(layouts: Vec<Layout>) -> Option<Layout> {
 
 pub struct SimulatedPerson {
     pub person: Person,
-    /// The log of all sensors.
     pub log: SimulatedLog,
-    /// The true measures of the days.
     pub truth: Measures,
 }
 
 pub struct Trial<'a> {
-    /// The home with its own sensors and all candidates.
     pub home: &'a HomeFile,
     pub goals: &'a [Goal],
     pub people: &'a [SimulatedPerson],
     pub rules: &'a Rules,
-    /// The body that sensors should detect.
     pub build: Build,
 }
 
@@ -427,7 +412,6 @@ fn corners(outline: &[Point]) -> Vec<(Point, f64)> {
     (0..count).filter_map(looks).collect()
 }
 
-/// The sensor with the best view of the room.
 fn best_in_room(home: &HomeFile, plan: &Plan, room: usize, sensors: Vec<SensorFile>) -> Option<SensorFile> {
     let with = HomeFile { sensors: sensors.clone(), ..home.clone() };
     let seen = coverage::of_home(&with, Build::adult(), STEP_M);

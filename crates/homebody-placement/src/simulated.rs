@@ -45,7 +45,6 @@ impl From<NoMap> for SimulatedLogError {
     }
 }
 
-/// Log and ground truth of the first resident of a simulated home, on the wall clock.
 pub struct SimulatedLog {
     log: Log,
     person: PersonTimeline<WallTime>,
@@ -58,11 +57,6 @@ pub struct SimulatedLog {
 }
 
 impl SimulatedLog {
-    /// Simulates a home for so many days.
-    ///
-    /// # Errors
-    ///
-    /// If a driver gives an impossible step, or the logger has wrong names.
     pub fn simulate(
         scenario: &Scenario,
         drivers: &dyn DriverProvider,
@@ -98,25 +92,14 @@ impl SimulatedLog {
         })
     }
 
-    /// Adds the distances between sensors, for measures of walking.
     pub fn with_ways(self, ways: Option<Ways>) -> SimulatedLog {
         SimulatedLog { ways, ..self }
     }
 
-    /// Measures of the days, from the log.
-    ///
-    /// # Errors
-    ///
-    /// If no sensor detects motion.
     pub fn measures(&self) -> Result<Measures, SimulatedLogError> {
         self.measures_of(&self.log)
     }
 
-    /// Measures of the days, from some of the sensors.
-    ///
-    /// # Errors
-    ///
-    /// If none of them detects motion.
     pub fn measures_by(&self, keep: &dyn Fn(&str) -> bool) -> Result<Measures, SimulatedLogError> {
         let (mut sensors, mut rows): (Vec<String>, Vec<(u32, u32)>) = Default::default();
         for (name, places) in self.log.sensors.iter().zip(&self.of_sensors).filter(|(name, _)| keep(name)) {
@@ -132,7 +115,6 @@ impl SimulatedLog {
         self.measures_of(&log)
     }
 
-    /// Measures of the days, from the ground truth.
     pub fn true_measures(&self) -> Measures {
         Measures::from_detailed_truth("", &self.person, &self.details, self.recorded)
     }
@@ -147,7 +129,6 @@ impl SimulatedLog {
 #[derive(Default)]
 struct Walks {
     walks: Vec<TimedWalk>,
-    /// The last walk, and its length in metres.
     last: (Interval<RunTime>, f64),
 }
 

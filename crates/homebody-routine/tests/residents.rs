@@ -1,13 +1,13 @@
 //! Invariants of runs with routines, and agreement of routines with the ground truth.
 
-use crate::stage::{ORDINARY, activities, day, events, files, hour, household, run};
+use crate::stage::{ORDINARY, activities, day, events, files, hour, household, run, starts};
 use homebody_core::event::{Events, Fact};
 use homebody_core::fuzzy::Quantifier;
 use homebody_core::geometry::Point;
 use homebody_core::ids::{SensorId, ThingId};
 use homebody_core::motion::MotionState;
 use homebody_core::run::Run;
-use homebody_core::time::{DAY, HOUR, Interval, MINUTE, RunTime, SECOND, Span};
+use homebody_core::time::{DAY, HOUR, MINUTE, RunTime, SECOND, Span};
 
 const DECLINE: &str = include_str!("../../../scenarios/tigerplace-decline/margaret.routine");
 /// A link with all faults.
@@ -81,16 +81,13 @@ fn another_resident_changes_no_plans() {
     let scenario = two["scenario.json"].replace("[\"margaret.json\"]", "[\"margaret.json\", \"henry.json\"]");
     two.insert("scenario.json".into(), scenario);
     let (scenario, household) = household(&two, &[]).unwrap();
-    let rises = |events: &Events| -> Vec<RunTime> {
-        let lived = activities(events, 0, 20 * DAY);
-        lived.into_iter().filter(|(_, name)| name == "getting_up").map(|(rising, _)| rising.begin).collect()
-    };
     let both = events(Run::new(&scenario, &household, scenario.file.seed, 20 * DAY), DAY);
     let alone = events(run(ORDINARY, 20), DAY);
+    let rises = [&both, &alone].map(|events| starts(events, 20, "getting_up"));
     // They wait for each other at the basin, and rise independently.
     let near = |(a, b): (&RunTime, &RunTime)| (*a - *b).abs() < 2 * MINUTE;
-    assert_eq!(rises(&both).len(), 20);
-    assert!(rises(&both).iter().zip(&rises(&alone)).all(near), "{:?} {:?}", rises(&both), rises(&alone));
+    assert_eq!(rises[0].len(), 20);
+    assert!(rises[0].iter().zip(&rises[1]).all(near), "{rises:?}");
     assert_ne!(activities(&both, 0, 20 * DAY), activities(&both, 1, 20 * DAY));
 }
 
@@ -107,8 +104,7 @@ fn twins_differ_from_the_onset_on() {
     assert!(before(&with).len() > 10_000);
     assert_eq!(before(&with), before(&without));
     let out_of_bed = |events: &Events| {
-        let ups = activities(events, 0, 16 * DAY).into_iter().filter(|(_, name)| name == "getting_up");
-        let ups = ups.map(|(rising, _)| rising.begin.since_zero()).filter(|&up| up > 12 * DAY);
+        let ups = starts(events, 16, "getting_up").into_iter().map(RunTime::since_zero).filter(|&up| up > 12 * DAY);
         ups.map(|up| up % DAY).sum::<Span>() / 4
     };
     let later = out_of_bed(&with) - out_of_bed(&without);
@@ -122,10 +118,7 @@ fn a_condition_leaves_the_other_random_numbers() {
     let twin = |without: &[&str]| {
         let (scenario, household) = household(&files(&routine, &own), without).unwrap();
         let events = events(Run::new(&scenario, &household, 11, 12 * DAY), DAY);
-        let lived = activities(&events, 0, 12 * DAY);
-        let at = |name: &str| -> Vec<RunTime> {
-            lived.iter().filter(|(_, what)| what == name).map(|(time, _)| time.begin).collect()
-        };
+        let at = |name: &str| starts(&events, 12, name);
         (at("getting_up"), at("eating_lunch"), at("showering").len(), at("eating_dinner").len())
     };
     let ((up, lunches, showers, dinners), (up_without, lunches_without, ..)) = (twin(&["no-lunch"]), twin(&[]));
@@ -185,12 +178,11 @@ fn frequencies_agree_with_the_quantifiers() {
         let agreement = quantifier.share().agreement((share * 100.0).round() / 100.0);
         assert!(agreement >= 0.9, "{name} on {share:.2} of days is {agreement:.2} of {quantifier:?}");
     }
-    let up: Vec<f64> =
-        lived.iter().filter(|(_, name)| name == "getting_up").map(|(rising, _)| hour_of(rising.begin)).collect();
+    let up: Vec<f64> = starts(&events, days, "getting_up").into_iter().map(hour_of).collect();
     assert!((days as usize - 1..=days as usize).contains(&up.len()));
     assert!(up.iter().all(|hour| (5.99..7.7).contains(hour)), "in local time, also after clocks went forward: {up:?}");
-    let outings: Vec<_> = lived.iter().filter(|(_, name)| name == "away").collect();
-    let on = |weekday: i64| outings.iter().filter(|(outing, _)| day_of(outing.begin) % 7 == weekday).count();
+    let outings = starts(&events, days, "away");
+    let on = |weekday: i64| outings.iter().filter(|&&outing| day_of(outing) % 7 == weekday).count();
     // 2 March 2009 was a Monday.
     assert!([1, 3, 4, 6].iter().all(|&weekday| on(weekday) >= 11), "Tuesday, Thursday, Friday, Sunday");
     assert_eq!(on(0) + on(2) + on(5), 0, "the others");
@@ -203,8 +195,8 @@ fn a_leap_day_is_a_day() {
     leap.insert("scenario.json".into(), scenario);
     let (scenario, household) = household(&leap, &[]).unwrap();
     let events = events(Run::new(&scenario, &household, 1, 5 * DAY), DAY);
-    let up = activities(&events, 0, 5 * DAY).into_iter().filter(|(_, name)| name == "getting_up");
-    let dates: Vec<_> = up.map(|(rising, _)| scenario.calendar.date(scenario.calendar.day(rising.begin))).collect();
+    let up = starts(&events, 5, "getting_up").into_iter();
+    let dates: Vec<_> = up.map(|up| scenario.calendar.date(scenario.calendar.day(up))).collect();
     assert_eq!(dates, [(2012, 2, 27), (2012, 2, 28), (2012, 2, 29), (2012, 3, 1), (2012, 3, 2)]);
 }
 
@@ -245,21 +237,23 @@ fn a_rule_turns_off_what_was_forgotten() {
     assert!(with.len() > 10);
 }
 
+/// The time in the home of the only visitor.
+fn visiting(run: Run) -> Span {
+    let moves = run.moves().unwrap();
+    moves[1].iter().filter(|next| next.doing != MotionState::Away).map(|next| next.end - next.begin).sum()
+}
+
 #[test]
 fn visitors_come_stay_and_leave() {
     let run = run("Margaret is 82.\nOn Tuesday her daughter visits at about 15:00 for 1 hour.\n", 9);
     assert_eq!(run.names(), ["margaret", "margaret's daughter"]);
-    let moves = run.moves().unwrap();
-    let here: Span =
-        moves[1].iter().filter(|next| next.doing != MotionState::Away).map(|next| next.end - next.begin).sum();
-    let hours = here.ratio(HOUR);
+    let hours = visiting(run).ratio(HOUR);
     assert!((1.8..2.6).contains(&hours), "two visits take {hours} hours");
 }
 
 /// Hours of the day at which an activity begins.
 fn hours_of(routine: &str, days: i64, name: &str) -> Vec<f64> {
-    let lived = activities(&events(run(routine, days), DAY), 0, days * DAY);
-    lived.iter().filter(|(_, what)| what == name).map(|(time, _)| hour(time.begin)).collect()
+    starts(&events(run(routine, days), DAY), days, name).into_iter().map(hour).collect()
 }
 
 #[test]
@@ -275,13 +269,9 @@ fn then_also_follows_getting_up_and_the_toilet() {
 fn late_risers_wash_and_dress_first() {
     let late = ORDINARY.replace("at about 06:45, give or take 45 minutes", "at about 11:00, give or take 15 minutes");
     assert_ne!(late, ORDINARY);
-    let lived = activities(&events(run(&late, 14), DAY), 0, 14 * DAY);
-    let next = |from: RunTime, name: &str| {
-        lived.iter().find(|(time, what)| time.begin >= from && what == name).map(|(time, _)| time.begin)
-    };
-    let ups: Vec<RunTime> =
-        lived.iter().filter(|(_, name)| name == "getting_up").map(|(rising, _)| rising.begin).collect();
-    for up in &ups[..13] {
+    let events = events(run(&late, 14), DAY);
+    let next = |from: RunTime, name: &str| starts(&events, 14, name).into_iter().find(|&start| start >= from);
+    for up in &starts(&events, 14, "getting_up")[..13] {
         let (washing, dressing) = (next(*up, "washing").unwrap(), next(*up, "dressing").unwrap());
         let first =
             ["preparing_breakfast", "leaving_home"].into_iter().filter_map(|name| next(*up, name)).min().unwrap();
@@ -306,10 +296,8 @@ fn an_outing_ends_as_she_comes_home() {
 fn once_a_week_is_once_in_each_week() {
     let days = 42;
     let routine = "Margaret is 82.\nShe exercises twice a week at about 11:00 for 10 minutes.\n";
-    let lived = activities(&events(run(routine, days), DAY), 0, days * DAY);
     // An activity that a need interrupts continues on the same day.
-    let mut on: Vec<i64> =
-        lived.iter().filter(|(_, name)| name == "exercising").map(|(time, _)| day(time.begin)).collect();
+    let mut on: Vec<i64> = starts(&events(run(routine, days), DAY), days, "exercising").into_iter().map(day).collect();
     on.dedup();
     let mut weeks = vec![0; 6];
     on.iter().for_each(|day| weeks[(day / 7) as usize] += 1);
@@ -331,9 +319,7 @@ fn a_rule_about_the_host_does_not_bring_visitors() {
     let routine = "Margaret is 82.\nOn Tuesday her daughter visits at 15:00 for 1 hour.\n\
         On Wednesday she goes out at 9:00 for 6 hours.\n\
         Whenever she has been out for 4 hours, she rests on the sofa for 20 minutes.\n";
-    let moves = run(routine, 7).moves().unwrap();
-    let here: Span =
-        moves[1].iter().filter(|next| next.doing != MotionState::Away).map(|next| next.end - next.begin).sum();
+    let here = visiting(run(routine, 7));
     assert!((40 * MINUTE..2 * HOUR).contains(&here), "{} minutes", here / MINUTE);
 }
 
@@ -379,11 +365,9 @@ fn a_condition_of_ones_own_needs_no_rust() {
     let own = [("conditions/winter-sleep.routine", "# Ours.\nShe gets up 2 hours later.\n")];
     let (scenario, household) = household(&files("Margaret is 82.\nShe shows winter sleep.\n", &own), &[]).unwrap();
     assert!(scenario.sources.contains_key("conditions/winter-sleep.routine"));
-    let plain = activities(&events(run("Margaret is 82.\n", 3), DAY), 0, 3 * DAY);
-    let late = activities(&events(Run::new(&scenario, &household, scenario.file.seed, 3 * DAY), DAY), 0, 3 * DAY);
-    let up =
-        |lived: &[(Interval<RunTime>, String)]| lived.iter().find(|(_, name)| name == "getting_up").unwrap().0.begin;
-    assert_eq!(up(&late) - up(&plain), 2 * HOUR);
+    let up = |run: Run| starts(&events(run, DAY), 3, "getting_up")[0];
+    let late = Run::new(&scenario, &household, scenario.file.seed, 3 * DAY);
+    assert_eq!(up(late) - up(run("Margaret is 82.\n", 3)), 2 * HOUR);
 }
 
 #[test]

@@ -52,7 +52,6 @@ mod built {
         Ok(Some(Destination::own(url.to_string(), sink.with_orders(takes), policy())))
     }
 
-    /// Takes orders for a run, and passes them on as commands and as interventions.
     fn orders(is_live: bool) -> (TakesOrders, Receiver<RunCommand>, Receiver<InterventionRequest>) {
         let (say, commands) = sync_channel(MOST_WAITING);
         let (request, requests) = sync_channel(MOST_WAITING);

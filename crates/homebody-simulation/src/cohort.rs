@@ -451,7 +451,6 @@ impl Cohort {
         Ok(ended)
     }
 
-    /// Writes the list of the members, and returns it.
     fn write(
         &self,
         place: &CohortPlace,
@@ -480,7 +479,6 @@ impl Cohort {
         Ok(file.list)
     }
 
-    /// A member's run at its beginning.
     fn run(&self, member: &Member, index: usize) -> Result<Simulation, SimulationError> {
         let recording = self.recording_of(member);
         match &self.members {

@@ -68,7 +68,6 @@ impl Destinations {
         Ok(Destinations { log: vec![place], ..Destinations::default() })
     }
 
-    /// The places, and how they are opened.
     fn places(&self, run: &Simulation) -> Result<(RunPlaces, WriteMode), SimulationError> {
         let Destinations { log, truth, recording, runs, replace, .. } = self;
         let how = if *replace { WriteMode::Overwrite } else { WriteMode::Create };

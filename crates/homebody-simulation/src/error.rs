@@ -18,52 +18,27 @@ homebody_core::messages! {
     #[non_exhaustive]
     pub enum SimulationError in "kit" {
         /// A file or folder cannot be read or written.
-        File {
-            /// The file or folder.
-            path: PathBuf,
-            /// The reason.
-            why: String,
-            /// The system's message, where it was asked.
-            source: Option<io::Error>,
-        } error "file" ("{}: {why}", path.display())
+        File { path: PathBuf, why: String, source: Option<io::Error> } error "file" ("{}: {why}", path.display())
             cause (source.as_ref().map(|source| source as _));
         /// Homebody comes with some example scenarios, which are templates of new ones. None has this name.
-        Template {
-            /// The name asked for.
-            name: String,
-            /// The known names.
-            known: Vec<String>,
-        } error "no-template" ("no template is called {name:?}")
+        Template { name: String, known: Vec<String> } error "no-template" ("no template is called {name:?}")
             hint ("the templates are {}", known.join(", "));
         /// The command creates a folder, and something with this name exists.
-        Exists {
-            /// The folder.
-            path: PathBuf,
-        } error "exists" ("{} already exists", path.display())
+        Exists { path: PathBuf } error "exists" ("{} already exists", path.display())
             hint ("choose the name of a new folder");
         /// No recording exists at this path.
-        NoRecording {
-            /// The path.
-            path: PathBuf,
-        } error "no-recording" ("no recording found at {}", path.display())
+        NoRecording { path: PathBuf } error "no-recording" ("no recording found at {}", path.display())
             hint ("name the recording.json of a run, or the run's folder");
         /// The run or cohort was killed in its first moment, before its recording was written.
-        NotBegun {
-            /// Its folder.
-            folder: PathBuf,
-        } error "nothing-to-resume" ("the run in {} ended before Homebody stored any data", folder.display())
+        NotBegun { folder: PathBuf } error "nothing-to-resume"
+            ("the run in {} ended before Homebody stored any data", folder.display())
             hint ("delete the folder, and start the run again");
         /// The file is not the recording of a run.
-        Recording {
-            /// The file.
-            path: PathBuf,
-            /// The reason.
-            why: String,
-        } error "not-a-recording" ("{} is not a recording: {why}", path.display())
+        Recording { path: PathBuf, why: String } error "not-a-recording"
+            ("{} is not a recording: {why}", path.display())
             hint ("name the recording.json of a run");
         /// The run has not ended, or was killed, so its recording has no digest of the whole run.
         Incomplete {
-            /// The recording.
             path: PathBuf,
             /// The folder to resume: the run's own or its cohort's.
             folder: Option<PathBuf>,
@@ -73,112 +48,53 @@ homebody_core::messages! {
                 None => "name the recording of a complete run".into(),
             }));
         /// A driver of another program moved a resident in this run. The recording does not contain that driver.
-        OwnDrivers {
-            /// The recording.
-            path: PathBuf,
-            /// The names of the residents.
-            residents: Vec<String>,
-        } error "own-driver"
+        OwnDrivers { path: PathBuf, residents: Vec<String> } error "own-driver"
             ("cannot replay {}: a driver of another program moved {}", path.display(), residents.join(", "))
             hint ("you can still read, draw and compare the run's files; to replay the run, use the program that contains the driver");
         /// A file has the place of the folder of a run or a cohort.
-        NotFolder {
-            /// The file.
-            path: PathBuf,
-            /// The folder that contains it, where that is the folder of a run or a cohort.
-            folder: Option<PathBuf>,
-        } error "not-a-folder" ("{} is a file, and a folder was expected", path.display())
+        NotFolder { path: PathBuf, folder: Option<PathBuf> } error "not-a-folder"
+            ("{} is a file, and a folder was expected", path.display())
             advice (Some(match folder {
                 Some(folder) => format!("name its folder, {}", folder.display()),
                 None => "name the folder of a run or a cohort".into(),
             }));
         /// The folder of a cohort's member holds something else.
-        Member {
-            /// The member's folder.
-            folder: PathBuf,
-            /// The reason.
-            why: String,
-        } error "foreign-member" ("{why}")
+        Member { folder: PathBuf, why: String } error "foreign-member" ("{why}")
             hint ("move {} away; then Homebody simulates this member again", folder.display());
         /// A cohort starts in an empty folder.
-        NotEmpty {
-            /// The folder, or the URL of an object store.
-            folder: PathBuf,
-            /// The first file in it.
-            file: String,
-            /// Whether it holds a cohort.
-            is_cohort: bool,
-        } error "not-empty" ("{} already contains {file}", folder.display())
+        NotEmpty { folder: PathBuf, file: String, is_cohort: bool } error "not-empty"
+            ("{} already contains {file}", folder.display())
             advice (Some(match is_cohort {
                 true => "resume the cohort that is there, or name a new folder",
                 false => "name a new or an empty folder",
             }));
         /// The number of members is out of range.
-        Members {
-            /// The number asked for.
-            count: u32,
-        } error "cohort-size" ("a cohort cannot have {count} members")
+        Members { count: u32 } error "cohort-size" ("a cohort cannot have {count} members")
             hint ("choose 1 to {MOST_MEMBERS}");
         /// The run or cohort is complete. There is nothing to resume.
-        Complete {
-            /// `run` or `cohort`.
-            what: &'static str,
-            /// Its folder.
-            folder: PathBuf,
-        } error "complete" ("the {what} in {} is complete: there is nothing to resume", folder.display());
+        Complete { what: &'static str, folder: PathBuf } error "complete"
+            ("the {what} in {} is complete: there is nothing to resume", folder.display());
         /// Another version of the program started the run, and may simulate it differently.
-        OtherVersion {
-            /// `run` or `cohort`.
-            what: &'static str,
-            /// Its folder.
-            folder: PathBuf,
-            /// The version that started it.
-            version: String,
-        } error "other-version"
+        OtherVersion { what: &'static str, folder: PathBuf, version: String } error "other-version"
             ("version {version} started the {what} in {}, and this is version {VERSION}", folder.display())
             hint ("resume the {what} with that version, or start a new {what}");
         /// The work was stopped by the caller.
         Cancelled error "cancelled" ("the work was cancelled");
         /// The duration is out of range.
-        Length {
-            /// The duration asked for, in days.
-            days: f64,
-        } error "duration" ("a run cannot last {days} days")
+        Length { days: f64 } error "duration" ("a run cannot last {days} days")
             hint ("choose more than 0 days and at most 100 years");
         /// No resident has this name.
-        Resident {
-            /// The name asked for.
-            name: String,
-            /// The names of the residents.
-            known: Vec<String>,
-        } error "no-resident" ("no resident is called {name:?}")
+        Resident { name: String, known: Vec<String> } error "no-resident" ("no resident is called {name:?}")
             hint ("the residents are {}", known.join(", "));
         /// A driver of the caller's own made a decision that is not possible.
-        Driver {
-            /// The resident that it moves.
-            resident: String,
-            /// The decision, its time and a hint.
-            why: String,
-            /// The time.
-            at_us: RunTime,
-        } error "driver" ("{why}");
+        Driver { resident: String, why: String, at_us: RunTime } error "driver" ("{why}");
         /// The run was stopped while it waited for a destination, so the log there is not complete.
-        StoppedAway {
-            /// The destination and the reason.
-            away: Box<LogError>,
-            /// The folder to resume, where there is one.
-            folder: Option<PathBuf>,
-        } error "stopped-away" ("{away}") cause (Some(away.as_ref()));
+        StoppedAway { away: Box<LogError>, folder: Option<PathBuf> } error "stopped-away"
+            ("{away}") cause (Some(away.as_ref()));
         /// A destination of the caller's own failed.
-        Sink {
-            /// Its error.
-            source: BoxError,
-        } error "sink" ("a destination failed: {source}") cause (Some(source.as_ref()));
+        Sink { source: BoxError } error "sink" ("a destination failed: {source}") cause (Some(source.as_ref()));
         /// The system gives the program no threads.
-        Threads {
-            /// The system's message.
-            why: String,
-        } error "no-threads" ("cannot start threads for the simulation: {why}")
+        Threads { why: String } error "no-threads" ("cannot start threads for the simulation: {why}")
             hint ("raise this user's limits on threads or memory, or run fewer simulations at once");
         => inner {
             /// All problems of all files, each with its place and a hint.

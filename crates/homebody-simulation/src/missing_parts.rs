@@ -20,7 +20,6 @@ const MOST_WALLS: usize = 1_000;
 /// A routine to begin with.
 const ANY_ROUTINE: &str = "Anna is 80.";
 
-/// A remark for each.
 pub(crate) fn remarks(scenario: &Scenario) -> Vec<Problem> {
     let home = &scenario.home;
     let of_home = |message: ScenarioWarning| Problem::of_file(&scenario.file.home, message, None);

@@ -4,12 +4,7 @@ homebody_core::messages! {
     /// Problems with a file that a command names.
     pub enum OpenMessage in "open" {
         /// A scenario is a folder with a file `scenario.json`, or such a file.
-        NoScenario {
-            /// The template with this name.
-            template: Option<String>,
-            /// The scenario in the same folder that has nearly this name.
-            near: Option<String>,
-        } error "no-scenario" ("there is no such scenario")
+        NoScenario { template: Option<String>, near: Option<String> } error "no-scenario" ("there is no such scenario")
             advice (Some(match (template, near) {
                 (Some(name), _) => format!("this is the name of a template: run homebody new {name} --template {name}"),
                 (None, Some(near)) => format!("did you mean {near:?}?"),
@@ -25,16 +20,10 @@ homebody_core::messages! {
         RecordingFolder error "recording-folder" ("this is a folder, and a recording was expected")
             hint ("name the recording.json in the folder");
         /// Homebody reads the tables that it writes itself, with the same columns.
-        BadRow {
-            /// The line of the table.
-            table_line: u64,
-        } error "bad-row" ("line {table_line} is not a row of this table")
+        BadRow { table_line: u64 } error "bad-row" ("line {table_line} is not a row of this table")
             hint ("locate the residents again: the table was changed");
         /// The table is longer than a run of some years can make it.
-        TooManyRows {
-            /// The limit.
-            most: usize,
-        } error "too-many-rows" ("the table of located residents has more than {most} rows")
+        TooManyRows { most: usize } error "too-many-rows" ("the table of located residents has more than {most} rows")
             hint ("locate the residents again, with a shorter log");
     }
 }

@@ -255,7 +255,6 @@ impl OpenScenario {
     }
 }
 
-/// The number of days of a run, with an incomplete last one.
 fn days(length: Span) -> i32 {
     i32::try_from((length + DAY - Span::MICROSECOND).div_euclid(DAY)).unwrap_or(i32::MAX)
 }
@@ -272,14 +271,12 @@ fn unsimulated(routine: &Routine) -> Option<Problem> {
     Some(Problem { line, column, ..Problem::of_file(&routine.file, message, None) })
 }
 
-/// The warning of a sentence without effect.
 fn without_effect(difference: &Difference) -> Problem {
     let Difference { file, line, text, lived, .. } = difference;
     let message = ScenarioWarning::WithoutEffect { sentence: one_line(text), effect: lived.to_string() };
     Problem { line: *line, ..Problem::of_file(file, message, None) }
 }
 
-/// A sentence with single blanks.
 fn one_line(text: &str) -> String {
     text.split_whitespace().collect::<Vec<_>>().join(" ")
 }

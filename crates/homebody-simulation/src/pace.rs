@@ -25,22 +25,13 @@ homebody_core::messages! {
     #[derive(Clone, PartialEq, Eq)]
     pub enum PaceMessage in "pace" {
         /// A run goes so many times as fast as the clock. `max` is as fast as the computer can simulate.
-        Speed {
-            /// The text.
-            text: String,
-        } error "speed" ("{text:?} is not a valid speed")
+        Speed { text: String } error "speed" ("{text:?} is not a valid speed")
             hint ("write a number from 0.1 to 1000, or max");
         /// `step 2.5` continues a paused run by 2.5 seconds of its own time.
-        Seconds {
-            /// The text.
-            text: String,
-        } error "seconds" ("{text:?} is not a number of seconds")
+        Seconds { text: String } error "seconds" ("{text:?} is not a number of seconds")
             hint ("write a number above 0, such as step 10");
         /// With `--control`, the program reads commands from standard input, one a line.
-        RunCommand {
-            /// The line.
-            line: String,
-        } error "command" ("there is no command {line:?}")
+        RunCommand { line: String } error "command" ("there is no command {line:?}")
             hint ("the commands are pause, resume, step [SECONDS], speed X, stop");
     }
 }
@@ -103,7 +94,6 @@ impl FromStr for RunCommand {
 #[derive(Clone, Debug)]
 pub struct Pace {
     speed: Speed,
-    /// The instant of the run and of the clock at the last change of pace.
     from: (RunTime, Instant),
     /// The instant of the next pause.
     pauses_at: Option<RunTime>,
@@ -229,7 +219,6 @@ const BEHIND: Span = SECOND;
 /// Number of commands to a run between two checks of the clock (our choice). The others wait.
 const AT_ONCE: usize = 100;
 
-/// Keeps a run at its pace: waits, and obeys commands meanwhile.
 pub(crate) struct PaceKeeper {
     pace: Pace,
     cancel: Cancel,

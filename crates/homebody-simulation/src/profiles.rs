@@ -22,7 +22,6 @@ use std::io::ErrorKind;
 use std::path::Path;
 use table::ProfileTable;
 
-/// Reads a file of profiles: all of them, or all problems.
 pub(crate) fn read(path: &Path, base: &Base, without: &[String]) -> Result<Vec<Profile>, SimulationError> {
     let file = path.display().to_string();
     let bytes = plain::read(path, LARGEST_OF_SCENARIO_BYTES).map_err(|error| match error.kind() {

@@ -29,7 +29,6 @@ pub fn recording(path: &Path) -> Result<Recording, SimulationError> {
     Ok(recording)
 }
 
-/// A recording names which of its files is the scenario's own.
 pub(crate) fn has_its_scenario(path: &Path, recording: &Recording) -> Result<(), SimulationError> {
     match !recording.entry.is_empty() && recording.files.contains_key(&recording.entry) {
         true => Ok(()),
@@ -40,12 +39,10 @@ pub(crate) fn has_its_scenario(path: &Path, recording: &Recording) -> Result<(),
     }
 }
 
-/// The text of the list of a cohort.
 pub(crate) fn text_of_list(path: &Path) -> Result<String, SimulationError> {
     text(path, LARGEST_LIST_BYTES)
 }
 
-/// The text of a recording, or of the list of a cohort.
 fn text(path: &Path, most_bytes: u64) -> Result<String, SimulationError> {
     let text = plain::read_text(path, most_bytes);
     if text.as_ref().is_ok_and(|text| text.trim().is_empty()) {

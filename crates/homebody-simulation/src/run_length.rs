@@ -78,7 +78,6 @@ pub fn span(text: &str) -> Result<Span, String> {
     is_span.then_some(span).ok_or_else(|| "a duration is longer than 0 and at most 100 years".into())
 }
 
-/// A number and its unit.
 fn parts(text: &str) -> Result<(f64, &str), String> {
     let (number, unit) = text.split_at(text.trim_end_matches(|c: char| c.is_ascii_alphabetic()).len());
     if !["s", "m", "min", "h", "d", "w"].contains(&unit) {

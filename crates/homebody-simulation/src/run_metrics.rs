@@ -55,7 +55,6 @@ impl RunMetrics {
         self.inner.lock().unwrap_or_else(PoisonError::into_inner).done = now.since_zero();
     }
 
-    /// Lets a destination report, if a function was set.
     pub(crate) fn hear(&self, destination: &Destination) {
         if let Some(tell) = self.tell.clone() {
             destination.meter.telling(tell);

@@ -6,10 +6,7 @@ homebody_core::messages! {
     /// Warnings about a scenario.
     pub enum ScenarioWarning in "life" {
         /// A run of this scenario simulates the residents and writes the ground truth, and its log stays empty.
-        NoSensors {
-            /// A sensor to begin with, as JSON.
-            example: String,
-        } warning "no-sensors" ("the home has no sensors, so a run has an empty log")
+        NoSensors { example: String } warning "no-sensors" ("the home has no sensors, so a run has an empty log")
             hint ("add sensors to \"sensors\"{example}; run `homebody suggest-sensors` for positions, or drag sensors in the page's Plan");
         /// Sensors fire when residents move. A home without residents has only the firings of devices and of faults.
         NoResidents warning "no-residents" ("the scenario has no residents, so no sensor fires on movement")
@@ -25,82 +22,38 @@ homebody_core::messages! {
             hint ("write \"outside\": true at the front door in \"doors\"");
         /// The path of this resident has only waits, as a new or imported scenario has it. A routine lets the resident lead an
         /// ordinary life.
-        Waits {
-            /// The resident.
-            resident: String,
-            /// The file of the path.
-            path: String,
-            /// The file of the resident.
-            file: String,
-            /// The driver to write, as JSON.
-            driver: String,
-            /// The file of the routine to write.
-            routine: String,
-            /// The first line of the routine.
-            line: &'static str,
-        } warning "waits" ("{resident} stands still for the whole run: {path} has no walk")
+        Waits { resident: String, path: String, file: String, driver: String, routine: String, line: &'static str }
+            warning "waits" ("{resident} stands still for the whole run: {path} has no walk")
             hint ("for an ordinary life, write \"driver\": {driver} in {file}, and write {routine} with the line: {line}");
         /// The home lacks something that this resident needs for a routine. The text quotes the problem that the routine would have.
-        Lacks {
-            /// The resident.
-            resident: String,
-            /// The problem.
-            problem: String,
-            /// The code of the problem.
-            problem_code: &'static str,
-            /// The hint of the problem.
-            problem_hint: Option<Advice>,
-        } warning "lacks" ("{resident} cannot have a routine: {problem}")
+        Lacks { resident: String, problem: String, problem_code: &'static str, problem_hint: Option<Advice> }
+            warning "lacks" ("{resident} cannot have a routine: {problem}")
             advice (problem_hint.clone());
         /// A body of the residents' size finds no way into these rooms, because they have no door or because a piece of furniture
         /// blocks it.
-        ClosedRooms {
-            /// The names of some of the rooms.
-            rooms: Vec<String>,
-            /// The number of further rooms.
-            more: usize,
-        } warning "closed-rooms" ("no resident can enter {rooms}{more}", rooms = quoted(rooms), more = and_more(*more))
+        ClosedRooms { rooms: Vec<String>, more: usize } warning "closed-rooms"
+            ("no resident can enter {rooms}{more}", rooms = quoted(rooms), more = and_more(*more))
             hint ("add a door to \"doors\", or move the furniture in the way; ignore this if the room should stay closed");
         /// Homebody keeps sentences that it does not simulate as remarks, for example about a resident's character.
-        Unsimulated {
-            /// The first sentences.
-            sentences: Vec<String>,
-            /// The number of further sentences.
-            more: usize,
-        } warning "not-simulated" ("sentences without effect on a run: {sentences}{more}", sentences = quoted(sentences), more = and_more(*more))
+        Unsimulated { sentences: Vec<String>, more: usize } warning "not-simulated"
+            ("sentences without effect on a run: {sentences}{more}", sentences = quoted(sentences), more = and_more(*more))
             hint ("`homebody routine explain` prints the effect of each sentence");
         /// The run is too short for this sentence, or begins too late for it.
-        WithoutEffect {
-            /// The sentence.
-            sentence: String,
-            /// Its effect in this run.
-            effect: String,
-        } warning "partial-effect" ("the effect of {sentence:?} in this run: {effect}")
+        WithoutEffect { sentence: String, effect: String } warning "partial-effect"
+            ("the effect of {sentence:?} in this run: {effect}")
             hint ("write an earlier beginning, or simulate a longer run");
         /// The run is too short for a sentence of this member, or begins too late for it.
-        MemberWithoutEffect {
-            /// The name of the member.
-            member: String,
-            /// The sentence.
-            sentence: String,
-            /// Its effect in this run.
-            effect: String,
-        } warning "partial-effect-of-member" ("{member}: the effect of {sentence:?} in this run: {effect}")
+        MemberWithoutEffect { member: String, sentence: String, effect: String } warning "partial-effect-of-member"
+            ("{member}: the effect of {sentence:?} in this run: {effect}")
             hint ("write an earlier beginning, or simulate a longer run");
         /// The field of view of this sensor of movement covers no floor with room to stand, for example because it points at a wall. It never
         /// fires.
-        Blind {
-            /// The sensor.
-            sensor: String,
-        } warning "blind-sensor" ("the sensor {sensor:?} sees no floor on which a resident can stand")
+        Blind { sensor: String } warning "blind-sensor"
+            ("the sensor {sensor:?} sees no floor on which a resident can stand")
             hint ("turn or move the sensor; `homebody coverage` draws the view of each sensor");
         /// The sensor fires when this thing is used, and no routine of the scenario uses it.
-        Unused {
-            /// The sensor.
-            sensor: String,
-            /// The thing.
-            thing: String,
-        } warning "unused-thing" ("the sensor {sensor:?} never fires: no resident uses {thing:?}")
+        Unused { sensor: String, thing: String } warning "unused-thing"
+            ("the sensor {sensor:?} never fires: no resident uses {thing:?}")
             hint ("attach the sensor to a thing that residents use, such as a fridge, a cupboard or the front door");
     }
 }

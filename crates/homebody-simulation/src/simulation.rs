@@ -42,7 +42,6 @@ pub struct Simulation {
     pub(crate) paced: PaceKeeper,
     step: AdaptiveStep,
     events: Events,
-    /// Start of the last step.
     begin: RunTime,
     metrics: RunMetrics,
     output: Option<RunOutput>,

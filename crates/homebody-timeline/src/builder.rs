@@ -1,5 +1,3 @@
-//! Builds a timeline from the facts of a run.
-
 use crate::{Episode, PersonTimeline, Timeline};
 use homebody_core::event::Fact;
 use homebody_core::run::Run;

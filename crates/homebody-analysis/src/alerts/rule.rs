@@ -11,7 +11,6 @@ pub const USUAL: &str = include_str!("rules.json");
 #[serde(deny_unknown_fields, expecting = "an object with \"rules\", a list of rules")]
 pub struct Rules {
     pub rules: Vec<AlertRule>,
-    /// Several measures at once; without it no alert has several.
     pub several: Option<Several>,
 }
 
@@ -20,9 +19,7 @@ pub struct Rules {
 pub struct AlertRule {
     pub name: String,
     pub measure: String,
-    /// The direction of a difference that is an alert.
     pub when: AlertDirection,
-    /// The method of comparing a day with those before.
     #[serde(default)]
     pub method: AlertMethod,
     /// Number of standard deviations from the mean.
@@ -48,7 +45,6 @@ pub struct AlertRule {
     pub slack_sd: f64,
 }
 
-/// Several measures at once.
 #[derive(Clone, Copy, Debug, Deserialize)]
 #[serde(deny_unknown_fields, expecting = "an object with at_least and k_sd")]
 pub struct Several {
@@ -58,7 +54,6 @@ pub struct Several {
     pub k_sd: f64,
 }
 
-/// Which difference counts.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum AlertDirection {
@@ -117,57 +112,27 @@ homebody_core::messages! {
         /// ```json
         /// { "rules": [{ "name": "nights", "measure": "bathroom_night", "when": "more" }] }
         /// ```
-        Form {
-            /// The reason, with the line and the column.
-            why: String,
-        } error "invalid" ("cannot parse the alert rules: {why}")
+        Form { why: String } error "invalid" ("cannot parse the alert rules: {why}")
             hint ("write only keys that docs/reference/measures.md lists");
         /// An alert names its rule, so each rule has a name of its own.
-        SameName {
-            /// The name.
-            rule: String,
-        } error "same-name" ("two rules have the name {rule:?}")
+        SameName { rule: String } error "same-name" ("two rules have the name {rule:?}")
             hint ("give each rule its own name");
         /// A rule compares one measure of days with those before.
-        UnknownMeasure {
-            /// The name of the rule.
-            rule: String,
-            /// The name of the measure.
-            measure: String,
-            /// The known measures.
-            known: Vec<String>,
-        } error "unknown-measure" ("the rule {rule:?} names an unknown measure, {measure:?}")
+        UnknownMeasure { rule: String, measure: String, known: Vec<String> } error "unknown-measure"
+            ("the rule {rule:?} names an unknown measure, {measure:?}")
             hint ("the measures are {}", known.join(", "));
         /// The keys of a rule have limits: a number outside of them would never raise an alert, or raise one each day.
-        Range {
-            /// The name of the rule.
-            rule: String,
-            /// The key.
-            key: &'static str,
-            /// The allowed numbers, in words.
-            allowed: &'static str,
-            /// A usual number.
-            example: &'static str,
-        } error "out-of-range" ("the rule {rule:?}: {key} must be {allowed}")
+        Range { rule: String, key: &'static str, allowed: &'static str, example: &'static str } error "out-of-range"
+            ("the rule {rule:?}: {key} must be {allowed}")
             hint ("write a number such as {example}");
         /// The part `several` raises an alert when several measures differ on the same day. Its keys have limits.
-        Several {
-            /// The key.
-            key: &'static str,
-            /// The allowed numbers, in words.
-            allowed: &'static str,
-            /// A usual number.
-            example: &'static str,
-        } error "several" ("in \"several\", {key} must be {allowed}")
+        Several { key: &'static str, allowed: &'static str, example: &'static str } error "several"
+            ("in \"several\", {key} must be {allowed}")
             hint ("write a number such as {example}");
     }
 }
 
 impl Rules {
-    /// The rules of a text.
-    ///
-    /// # Errors
-    ///
     pub fn read(text: &str) -> Result<Rules, Problems> {
         let unread =
             |error: serde_json::Error| Problems(vec![AlertRuleMessage::Form { why: error.to_string() }.into()]);
@@ -199,7 +164,6 @@ impl Several {
 }
 
 impl AlertRule {
-    /// The measure of the rule.
     pub fn measure(&self) -> Option<(usize, &'static DailyMeasure)> {
         MEASURES.iter().enumerate().find(|(_, measure)| measure.name == self.measure)
     }

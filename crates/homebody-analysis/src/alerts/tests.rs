@@ -1,27 +1,10 @@
-//! Alerts over days that are made up.
-
 use super::*;
-use crate::measures::{MEASURES, SilentSensor};
+use crate::measures::SilentSensor;
+use crate::sample::days;
 use jiff::civil::date;
 
-/// Days with these values of a measure, and nothing else.
 fn days_of(name: &str, values: &[Option<f64>]) -> Measures {
-    let number = MEASURES.iter().position(|measure| measure.name == name).unwrap();
-    let day = |(day, value): (usize, &Option<f64>)| {
-        let mut of_day = vec![None; MEASURES.len()];
-        of_day[number] = *value;
-        DayMeasures {
-            date: date(2024, 1, 1).saturating_add(jiff::Span::new().days(day as i64)),
-            is_whole: true,
-            values: of_day,
-        }
-    };
-    Measures {
-        name: "log".into(),
-        measures: MEASURES,
-        days: values.iter().enumerate().map(day).collect(),
-        ..Measures::default()
-    }
+    days(&[(name, values.to_vec())])
 }
 
 fn rules(rule: &str) -> Rules {

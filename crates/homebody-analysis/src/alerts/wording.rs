@@ -1,5 +1,3 @@
-//! Alerts in words.
-
 use super::rule::AlertMethod;
 use crate::measures::{DailyMeasure, Earlier};
 use crate::phrases::{in_full, number};
@@ -7,7 +5,6 @@ use homebody_core::names::capitalised;
 use jiff::civil::Date;
 
 impl DailyMeasure {
-    /// The headline of an alert, and the values behind it.
     pub(super) fn alert_words(
         &self,
         method: AlertMethod,
@@ -27,6 +24,7 @@ impl DailyMeasure {
 
 #[cfg(test)]
 mod tests {
+    use super::AlertMethod::{Cusum, Deviation, Ewma};
     use super::*;
     use crate::alerts::{Rules, USUAL};
 
@@ -41,46 +39,34 @@ mod tests {
         for (name, method, values, days, words) in [
             (
                 "meals",
-                AlertMethod::Ewma,
+                Ewma,
                 (2.8, 3.6),
                 1,
                 "Fewer kitchen meals, building up over several days: 2.8 a day on average, usually 3.6",
             ),
             (
                 "rising",
-                AlertMethod::Deviation,
+                Deviation,
                 (9.0, 7.25),
                 3,
                 "Getting up later than usual, three days in a row: at 09:00, usually 07:15",
             ),
             (
                 "density_morning",
-                AlertMethod::Ewma,
+                Ewma,
                 (276.0, 451.0),
                 1,
                 "Less movement in the morning, building up over several days: 39 % lower than usual",
             ),
-            (
-                "sleep",
-                AlertMethod::Deviation,
-                (6.0, 7.25),
-                2,
-                "Less sleep than usual, two nights in a row: 6.0 hours, usually 7.2",
-            ),
+            ("sleep", Deviation, (6.0, 7.25), 2, "Less sleep than usual, two nights in a row: 6.0 hours, usually 7.2"),
             (
                 "bathroom_night",
-                AlertMethod::Deviation,
+                Deviation,
                 (6.0, 1.5),
                 1,
                 "More bathroom visits at night than usual: 6 times, usually 1.5",
             ),
-            (
-                "pace",
-                AlertMethod::Cusum,
-                (0.88, 1.0),
-                4,
-                "Walking more slowly since 1 January 2024: 12 % more slowly than usual",
-            ),
+            ("pace", Cusum, (0.88, 1.0), 4, "Walking more slowly since 1 January 2024: 12 % more slowly than usual"),
         ] {
             assert_eq!(alert(name, method, values, days), words);
         }

@@ -28,7 +28,6 @@ pub type Rectangle = [f64; 4];
 /// The floor before a camera, as rectangles that share no floor.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct CameraFloor {
-    /// The floor that the camera sees.
     pub seen: Vec<Rectangle>,
     /// The floor that the camera would see without furniture.
     pub hidden: Vec<Rectangle>,
@@ -41,7 +40,6 @@ enum FloorCell {
 }
 
 impl CameraFloor {
-    /// The floor of a home before a camera.
     pub fn from_lens(plan: &Plan, lens: &Lens) -> CameraFloor {
         let outlook = Outlook::new(plan);
         let (walls, pieces): (Vec<Prism>, Vec<Prism>) =

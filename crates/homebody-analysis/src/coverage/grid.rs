@@ -14,13 +14,11 @@ use homebody_core::sensor_set::SensorSet;
 /// do the same cut no cell in two, and layouts of one home can be compared cell by cell.
 #[derive(Clone, Debug, PartialEq)]
 pub struct CoverageGrid {
-    /// The side of a cell, in metres.
     pub step_m: f64,
     pub columns: usize,
     pub rows: usize,
     /// Row by row from the south-west: `None` where no body can stand, else the sensors that see the cell.
     pub cells: Vec<Option<SensorSet>>,
-    /// The south-west corner, in steps.
     least: CellCorner,
 }
 
@@ -54,12 +52,10 @@ impl CoverageGrid {
         Point::new(x as f64 + 0.5, y as f64 + 0.5) * self.step_m
     }
 
-    /// The number of sensors that see a cell; `None` where no body can stand.
     pub fn watchers(&self, cell: usize) -> Option<usize> {
         self.cells[cell].as_ref().map(SensorSet::len)
     }
 
-    /// A corner in metres.
     pub fn corner(&self, [x, y]: CellCorner) -> Point {
         // Divided, not multiplied, where the step is one over a whole number: 3 * 0.05 is not 0.15.
         let per_metre = (1.0 / self.step_m).round();
@@ -87,7 +83,6 @@ impl CoverageGrid {
         off.filter_map(move |[dx, dy]| self.around([x + dx * reach, y + dy * reach])[2])
     }
 
-    /// The area of a region's cells, in square metres.
     pub fn area_m2(&self, region: &Region) -> f64 {
         region.cells.len() as f64 * self.step_m * self.step_m
     }

@@ -1,5 +1,3 @@
-//! Coverage as a table that people read.
-
 use std::fmt;
 
 use super::{Coverage, LEAST_DEAD_ZONE_M2, SeenFloor};

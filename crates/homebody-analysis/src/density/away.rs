@@ -41,7 +41,6 @@ const EDGE: Span = MINUTE;
 /// The least absence by default: the upper end of Wang & Skubic's 10 to 30 minutes.
 pub const LEAST: Span = MINUTE.times(30);
 
-/// A time with an empty home.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 pub struct HomeAbsence {
     /// The last sign of the person who leaves, on the clock on the wall.
@@ -56,13 +55,10 @@ pub struct HomeAbsence {
     pub is_guess: bool,
 }
 
-/// A sign of a person: the time, and the entrance.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct PresenceSign {
     pub at: WallTime,
-    /// A sensor at the entrance gives it.
     pub at_entrance: bool,
-    /// A door at the entrance opens.
     pub opens_door: bool,
     /// It is an act: use or opening, which no empty home has.
     pub is_use: bool,
@@ -78,7 +74,7 @@ pub fn absences(signs: &[PresenceSign], taken: &[Interval<WallTime>], least: Spa
 }
 
 /// Looks for absences in signs, in the order of time. It does not know of beds and chairs.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub struct Leaving {
     least: Span,
     /// The last bout that ended and was not stray.
@@ -92,7 +88,7 @@ pub struct Leaving {
 }
 
 /// A bout of signs, and whether the resident leaves after it, or comes with it.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, Default)]
 struct Bout {
     begin: WallTime,
     end: WallTime,
@@ -107,19 +103,6 @@ struct Bout {
 }
 
 impl Bout {
-    fn new(at: WallTime) -> Bout {
-        Bout {
-            begin: at,
-            end: at,
-            firings: 0,
-            is_use: false,
-            comes: false,
-            comes_by_door: false,
-            entrance: None,
-            door: None,
-        }
-    }
-
     fn add(&mut self, sign: &PresenceSign) {
         self.end = self.end.max(sign.at);
         self.firings += 1;
@@ -149,9 +132,8 @@ impl Bout {
 }
 
 impl Leaving {
-    /// A search without any sign yet.
     pub fn new(least: Span) -> Leaving {
-        Leaving { least, before: None, stray: 0, bout: None, firings: 0, span: None }
+        Leaving { least, ..Leaving::default() }
     }
 
     /// Takes a sign; returns the absence that ended with the bout before it, if there is one.
@@ -169,7 +151,7 @@ impl Leaving {
                 false => self.stray += bout.firings,
             }
         }
-        let mut bout = Bout::new(sign.at);
+        let mut bout = Bout { begin: sign.at, end: sign.at, ..Bout::default() };
         bout.add(sign);
         self.bout = Some(bout);
         absence
@@ -196,7 +178,6 @@ impl Leaving {
         leaves.then_some(HomeAbsence { begin: last.end, end: now, stray, is_guess: true })
     }
 
-    /// Begins anew after a gap.
     pub fn forget(&mut self) {
         (self.before, self.bout, self.stray) = (None, None, 0);
     }

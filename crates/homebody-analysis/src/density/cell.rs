@@ -11,9 +11,7 @@ pub const LEAST_RECORDED_H: f64 = 1.0 / 4.0;
 
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
 pub struct CellSum {
-    /// The number of motion events.
     pub events: u64,
-    /// The hours with data.
     pub recorded_h: f64,
     /// The hours with data in which the home was empty.
     pub away_h: f64,
@@ -21,25 +19,20 @@ pub struct CellSum {
     pub density_per_h: Option<f64>,
 }
 
-/// An hour of a day.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct DensityCell {
-    /// The number of motion events.
     pub events: u64,
-    /// The recorded part of the hour, in hours.
     pub recorded_h: f64,
     /// The recorded part in which the home was empty, in hours.
     pub away_h: f64,
 }
 
-/// The knowledge of an hour.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum HourState {
     /// Less than a quarter of the hour was recorded.
     NoData,
     /// A person was at home for less than ten minutes.
     Away,
-    /// Firings an hour at home.
     Density(f64),
 }
 

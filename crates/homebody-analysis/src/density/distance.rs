@@ -1,8 +1,5 @@
-//! The distance between weeks of one log.
-
 use super::{DensityCell, features};
 
-/// The height of a level of density of some days, as maps have it.
 pub(crate) fn step_per_h(cells: &[[DensityCell; 24]]) -> f64 {
     super::step_of(cells.iter().flatten())
 }

@@ -6,25 +6,21 @@ use crate::signs::{Kind, LogSensors};
 use homebody_core::doors::{Leads, leads};
 use homebody_core::names::words;
 
-/// The sensors by which a person leaves and comes home.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct Entrance {
     pub sensors: Vec<String>,
-    /// The reason for this choice.
     pub chosen: EntranceSource,
 }
 
-/// The reason for the choice of an entrance.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum EntranceSource {
-    /// The user names them.
     Asked,
     /// Their names speak of an entrance, or are those of bare doors.
     Known,
     /// They are other contacts, or their names speak of a door or a hall, and the log has none better.
     Guessed,
-    /// The log has no entrance.
+    #[default]
     None,
 }
 
@@ -36,9 +32,8 @@ impl Entrance {
             let taken = ids.iter().enumerate().filter(|(sensor, _)| takes(*sensor)).map(|(_, id)| id.clone());
             Some(Entrance { sensors: taken.collect(), chosen }).filter(|entrance| !entrance.sensors.is_empty())
         };
-        let none = Entrance { sensors: Vec::new(), chosen: EntranceSource::None };
         if !asked.is_empty() {
-            return with(EntranceSource::Asked, &|sensor| asked.contains(&ids[sensor])).unwrap_or(none);
+            return with(EntranceSource::Asked, &|sensor| asked.contains(&ids[sensor])).unwrap_or_default();
         }
         let leads: Vec<Leads> = sensors.called.iter().map(|name| leads(name)).collect();
         let is = |sensor: usize, kind| sensors.kinds[sensor] == kind;
@@ -52,7 +47,7 @@ impl Entrance {
         };
         with(EntranceSource::Known, &|sensor| leads_out(sensor) || is_bare_door(sensor))
             .or_else(|| with(EntranceSource::Guessed, &is_way))
-            .unwrap_or(none)
+            .unwrap_or_default()
     }
 }
 

@@ -59,20 +59,12 @@ homebody_core::messages! {
         /// The density map and the measures of days have a limit of ten years, so that a wrong date does not exhaust the memory.
         TooLong(days: usize) error "too-many-days" ("the log covers {days} days, and the limit is ten years");
         /// The requested first day is before the first row of the log, or after the last.
-        NoDay {
-            /// The requested date.
-            date: Date,
-            /// The first date of the log.
-            first: Date,
-            /// The last date of the log.
-            last: Date,
-        } error "no-such-day" ("the log does not cover {date}")
+        NoDay { date: Date, first: Date, last: Date } error "no-such-day" ("the log does not cover {date}")
             hint ("choose a day from {first} to {last}");
         /// The log is too long for the memory, so Homebody reads it a second time. The second reading failed.
         Unread(why: String) error "unreadable" ("Homebody reads a long log twice, and the second reading failed: {why}");
         /// Homebody sorts a log that fits into the memory. This log is longer, so its rows must be in the order of time.
         Disorder {
-            /// The time of the row, in microseconds.
             at: WallTime,
             /// The time of an earlier row of the file, in microseconds.
             before: WallTime,
@@ -95,29 +87,21 @@ impl NoMap {
     }
 }
 
-/// The hours of some days.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Map {
     pub name: String,
     pub from: Date,
-    /// The number of motion events.
     pub events: u64,
     pub motion_sensors: usize,
     pub left_out: Vec<String>,
     pub entrance: Entrance,
-    /// The hours with data.
     pub recorded_h: f64,
-    /// The hours with data in which the home was empty.
     pub away_h: f64,
     /// Firings an hour at home, if a person was ever at home.
     pub density_per_h: Option<f64>,
-    /// Hours away on a recorded day.
     pub away_h_per_day: f64,
-    /// The sums of the days.
     pub days: Vec<MapDay>,
-    /// The 24 hours of the day over all days.
     pub hours: Vec<Hour>,
-    /// The absences that overlap these days.
     pub absences: Vec<HomeAbsence>,
     /// By day and hour.
     #[serde(skip)]
@@ -127,22 +111,18 @@ pub struct Map {
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct MapDay {
     pub date: Date,
-    /// The sum of its hours.
     #[serde(flatten)]
     pub sum: CellSum,
 }
 
-/// One hour of the day over all days of a map.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Hour {
     pub hour: usize,
-    /// The sum over all days.
     #[serde(flatten)]
     pub sum: CellSum,
 }
 
 impl Map {
-    /// The map of the chosen days.
     pub fn from_log(name: &str, log: &Log, asked: &DensityOptions) -> Result<Map, NoMap> {
         let mut mapping = Mapping::new(log, LogSensors::from_log(log), asked);
         log.in_order().into_iter().for_each(|event| mapping.take(event));
@@ -200,13 +180,11 @@ pub struct Signs {
 }
 
 impl Signs {
-    /// For sensors of these ids.
     pub fn new(ids: &[String], kinds: &[Kind], entrance: &Entrance) -> Signs {
         let at_entrance = ids.iter().map(|name| entrance.sensors.contains(name)).collect();
         Signs { kinds: kinds.to_vec(), at_entrance }
     }
 
-    /// The sign in a row, if there is one.
     pub fn sign(&self, row: &StateRow) -> Option<PresenceSign> {
         let sensor = row.sensor as usize;
         let (kind, at_entrance) = (self.kinds[sensor], self.at_entrance[sensor]);
@@ -215,7 +193,6 @@ impl Signs {
         (is_use || self.is_motion(row)).then_some(PresenceSign { at: row.at, at_entrance, opens_door, is_use })
     }
 
-    /// The sign in a movement between reports.
     pub fn of_movement(&self, movement: &HiddenMovement) -> PresenceSign {
         let at_entrance = self.at_entrance[movement.sensor as usize];
         PresenceSign { at: movement.at, at_entrance, opens_door: false, is_use: false }
@@ -225,12 +202,10 @@ impl Signs {
         self.kinds[sensor as usize]
     }
 
-    /// A motion sensor sees a movement.
     pub fn is_motion(&self, row: &StateRow) -> bool {
         self.kinds[row.sensor as usize] == Kind::Motion && row.said.says == Says::Begins && row.said.begins()
     }
 
-    /// A door at the entrance opens or closes.
     pub fn is_door(&self, row: &StateRow) -> bool {
         let sensor = row.sensor as usize;
         self.kinds[sensor] == Kind::Contact && self.at_entrance[sensor]
@@ -251,13 +226,11 @@ pub struct Mapping<'a> {
     signs: Signs,
     rows: Tallies,
     is_seat: Vec<bool>,
-    /// The times in which a bed or a chair is occupied for long.
     taken: Ongoing,
     leaving: Leaving,
     holds: HoldTimes,
     /// Signs that wait until all before them are known, by their instants.
     waiting: BTreeMap<(WallTime, u64), PresenceSign>,
-    /// The number of signs so far.
     count: u64,
     absences: Vec<HomeAbsence>,
     /// Events of motion by their hour since 1970, of the days that may be in the map.
@@ -266,7 +239,6 @@ pub struct Mapping<'a> {
     /// The first row and the last, and the long silences of all sensors.
     span: Option<(WallTime, WallTime)>,
     silences: Vec<Interval<WallTime>>,
-    /// The number of gaps of the log that have begun.
     gaps: usize,
     unknown: UnknownStates,
 }
@@ -298,7 +270,6 @@ impl<'a> Mapping<'a> {
         }
     }
 
-    /// Takes the next row.
     pub fn take(&mut self, event: &Event) {
         while let Some(gap) = self.log.gaps.get(self.gaps).filter(|gap| gap.begin <= event.at) {
             self.taken.end_all(gap.begin);
@@ -345,18 +316,12 @@ impl<'a> Mapping<'a> {
         self.count += 1;
     }
 
-    /// Looks for absences in the signs up to an instant.
     fn leave_until(&mut self, until: WallTime) {
         while let Some(first) = self.waiting.first_entry().filter(|first| first.key().0 <= until) {
             self.absences.extend(self.leaving.take(&first.remove()));
         }
     }
 
-    /// The map of the rows so far.
-    ///
-    /// # Errors
-    ///
-    /// Those that [`NoMap`] lists.
     pub fn end(mut self, name: &str) -> Result<Map, NoMap> {
         self.leave_until(WallTime::MAX);
         let (first, last) = self.span.ok_or(NoMap::Empty)?;
@@ -438,7 +403,6 @@ impl DayColumns {
         cells.get_mut(hour / 24).map(|day| &mut day[hour % 24])
     }
 
-    /// Gives each hour its part of a span, in hours.
     fn add(&self, cells: &mut [[DensityCell; 24]], span: Interval<WallTime>, add: impl Fn(&mut DensityCell, f64)) {
         let Interval { begin: mut at, end } = span.intersection(self.interval());
         while at < end {

@@ -1,5 +1,3 @@
-//! Density as words and tables that people read.
-
 use std::fmt;
 
 use super::{CellSum, Density, EntranceSource, HomeAbsence, LEVELS, Map, MapDay, Texture, TexturedMap};
@@ -88,7 +86,7 @@ fn tell(f: &mut fmt::Formatter, map: &Map) -> fmt::Result {
     for (days, cells) in map.days.chunks(if is_long { 7 } else { 1 }).zip(map.cells.chunks(if is_long { 7 } else { 1 }))
     {
         let Some(MapDay { date, .. }) = days.first() else { continue };
-        row(f, &date.to_string(), 10, &CellSum::from_cells(cells.iter().flatten()))?;
+        row(f, &date.to_string(), &CellSum::from_cells(cells.iter().flatten()), 0)?;
     }
     Ok(())
 }
@@ -128,22 +126,18 @@ fn by_hour(f: &mut fmt::Formatter, map: &Map) -> fmt::Result {
         let bar =
             hour.sum.density_per_h.filter(|_| most > 0.0).map_or(0, |density| (density / most * 24.0).ceil() as usize);
         let name = format!("{:02}-{:02}", hour.hour, hour.hour + 1);
-        let density = hour.sum.density_per_h.map_or("-".into(), |density| format!("{density:.1}"));
-        let CellSum { events, recorded_h, away_h, .. } = hour.sum;
-        let line =
-            format!("{name:10}  {events:>8}  {recorded_h:>10.1}  {away_h:>6.1}  {density:>18}  {}", "█".repeat(bar));
-        writeln!(f, "{}", line.trim_end())?;
+        row(f, &name, &hour.sum, bar)?;
     }
     Ok(())
 }
 
-fn row(f: &mut fmt::Formatter, name: &str, width: usize, sum: &CellSum) -> fmt::Result {
+fn row(f: &mut fmt::Formatter, name: &str, sum: &CellSum, bar: usize) -> fmt::Result {
     let density = sum.density_per_h.map_or("-".into(), |density| format!("{density:.1}"));
     let CellSum { events, recorded_h, away_h, .. } = sum;
-    writeln!(f, "{name:width$}  {events:>8}  {recorded_h:>10.1}  {away_h:>6.1}  {density:>18}")
+    let line = format!("{name:10}  {events:>8}  {recorded_h:>10.1}  {away_h:>6.1}  {density:>18}  {}", "█".repeat(bar));
+    writeln!(f, "{}", line.trim_end())
 }
 
-/// Hours as text.
 fn hours_and_minutes(hours: f64) -> String {
     let minutes = (hours * 60.0).round() as u64;
     format!("{} h {:02} min", minutes / 60, minutes % 60)

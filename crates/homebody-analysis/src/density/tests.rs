@@ -1,7 +1,5 @@
-//! Density, worked by hand.
-
 use super::*;
-use crate::sample::{at, log};
+use crate::sample::{TestRandom, at, log};
 use homebody_core::time::{DAY, Interval, WallTime};
 use jiff::civil::date;
 
@@ -73,11 +71,8 @@ fn hours_away_do_not_count_as_hours_at_home() {
 
 #[test]
 fn no_event_is_lost_or_doubled() {
-    let mut state = 3_u64;
-    let mut random = |below: i64| {
-        state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        ((state >> 33) % below as u64) as i64
-    };
+    let mut numbers = TestRandom(3);
+    let mut random = |below: i64| numbers.below(below);
     for _ in 0..50 {
         let names = ["entrance", "hall", "bedroom", "D1", "T1"];
         let mut rows: Vec<(i64, &str, &str)> = Vec::new();

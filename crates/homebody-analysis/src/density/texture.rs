@@ -18,7 +18,6 @@ use serde::Serialize;
 /// The number of levels.
 pub const LEVELS: usize = 8;
 
-/// The similarity of neighbours in a map.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Texture {
     /// From 0 to 1, as the table above defines it: 1 where all neighbours are alike.
@@ -27,11 +26,9 @@ pub struct Texture {
     pub contrast: f64,
     /// In nats.
     pub entropy: f64,
-    /// The number of pairs of neighbours.
     pub pairs: u64,
 }
 
-/// The level of a density, steps of `step_per_h` high.
 pub fn level(density: f64, step_per_h: f64) -> usize {
     // The highest level has the densities above the top, too.
     ((density / step_per_h) as usize).min(LEVELS - 1)

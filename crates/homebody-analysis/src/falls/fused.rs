@@ -19,7 +19,6 @@ use super::watch::Fall;
 use homebody_core::time::{RunTime, Span};
 use serde::{Deserialize, Serialize};
 
-/// Parameters of the combination of cameras and passive sensors.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Fusion {
@@ -33,7 +32,6 @@ pub struct Fusion {
     pub floor_s: f64,
     /// Time after the last movement at which a person seen off the floor has not fallen with it, in seconds.
     pub fallen_s: f64,
-    /// The rule of passive sensors alone.
     pub long_lie: LongLieRule,
 }
 
@@ -51,7 +49,6 @@ impl Default for Fusion {
     }
 }
 
-/// The reports of silhouettes and passive sensors.
 #[derive(Clone, Copy, Debug)]
 pub struct FallEvidence<'a> {
     pub falls: &'a [Fall],
@@ -59,11 +56,9 @@ pub struct FallEvidence<'a> {
     pub sightings: &'a [CameraSighting],
     /// The messages of passive sensors, in order of time.
     pub heard: &'a [PassiveMessage],
-    /// The end of the observation.
     pub until: RunTime,
 }
 
-/// The falls by both together, in order of time.
 pub fn fused(fusion: &Fusion, told: &FallEvidence) -> Vec<RunTime> {
     let [still, floor, fallen] = [fusion.still_s, fusion.floor_s, fusion.fallen_s].map(Span::from_seconds);
     let by_silhouettes = told.falls.iter().filter_map(|fall| match fall.confidence {
@@ -97,7 +92,6 @@ pub fn fused(fusion: &Fusion, told: &FallEvidence) -> Vec<RunTime> {
 }
 
 impl FallEvidence<'_> {
-    /// The sightings up to an instant.
     fn seen_by(&self, at: RunTime) -> &[CameraSighting] {
         &self.sightings[..self.sightings.partition_point(|seen| seen.at <= at)]
     }

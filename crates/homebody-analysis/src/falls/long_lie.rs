@@ -29,12 +29,9 @@ impl Default for LongLieRule {
     }
 }
 
-/// A person has kept still for too long.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct LongLie {
-    /// The last movement.
     pub since: RunTime,
-    /// The end of the time without movement.
     pub alarm_at: RunTime,
 }
 

@@ -20,37 +20,27 @@ const RESTING: [Role; 5] = [Role::Bed, Role::Armchair, Role::Sofa, Role::DiningS
 /// Height below which a piece is not a seat, in metres (our choice): rugs, shower trays.
 const LOWEST_SEAT_M: f64 = 0.2;
 
-/// The meaning of a message of a passive sensor.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum PassiveMeaning {
-    /// A person moved.
     Moved {
-        /// The movement was at a place to sit or lie.
         at_rest: bool,
     },
     /// A pad or a bed's sensor becomes occupied.
     Rests,
     /// A pad or a bed's sensor becomes free.
     Rises,
-    /// The door to the outside opened or closed.
     Door,
 }
 
-/// The meanings of a home's sensor.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Ear {
-    /// Movement.
     Motion {
-        /// It looks at a bed or a seat.
         at_rest: bool,
     },
-    /// A bed or a seat is occupied.
     Seat,
-    /// The door to the outside moves.
     Door,
     /// A thing opens or closes, or a person steps on it.
     Use,
-    /// No meaning.
     Deaf,
 }
 
@@ -78,7 +68,6 @@ impl Ear {
         home.sensors.iter().map(ear).collect()
     }
 
-    /// The meaning of its message.
     pub fn hears(self, value: Value) -> Option<PassiveMeaning> {
         match (self, value) {
             // An end means that there was a movement.

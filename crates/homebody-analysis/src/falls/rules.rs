@@ -8,15 +8,12 @@ use homebody_core::problem::{Problem, Problems};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 
-/// The state of a person.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum FallState {
-    /// On the feet.
     Upright,
     /// Sitting, kneeling, bending, or lying on a bed.
     InBetween,
-    /// On the floor.
     OnTheGround,
 }
 
@@ -29,7 +26,6 @@ pub struct Memberships {
 }
 
 impl Memberships {
-    /// The degree of a state.
     pub fn membership(&self, state: FallState) -> f64 {
         match state {
             FallState::Upright => self.upright,
@@ -47,17 +43,13 @@ impl Memberships {
     }
 }
 
-/// A number of a shape in the conditions of rules.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Feature {
-    /// The height of the middle, in metres.
     CentroidUpM,
-    /// The height of the top, in metres.
     HeightM,
     /// The angle to the vertical, in degrees.
     TiltDeg,
-    /// The volume, in litres.
     VolumeL,
 }
 
@@ -76,7 +68,6 @@ impl Feature {
     }
 }
 
-/// A rule of the first level: a shape means a state.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct StateRule {
@@ -86,12 +77,10 @@ pub struct StateRule {
     pub conditions: BTreeMap<Feature, String>,
 }
 
-/// A rule of the second level: a time on the ground means a fall.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct FallRule {
     pub name: String,
-    /// Time on the ground.
     pub lies_s: f64,
     /// The state just before, if it matters.
     #[serde(default, skip_serializing_if = "Option::is_none")]
@@ -133,64 +122,37 @@ homebody_core::messages! {
     pub enum FallRuleMessage in "fall-rule" {
         /// A file of rules is JSON with "terms", "states" and "falls". `homebody falls --show-rules` prints the default rules, which are an
         /// example.
-        Form {
-            /// The reason, with the line and the column.
-            why: String,
-        } error "invalid" ("cannot parse the rules of falls: {why}");
+        Form { why: String } error "invalid" ("cannot parse the rules of falls: {why}");
         /// The four numbers of a term are the value at which it begins to hold, the values between which it holds wholly, and the value at
         /// which it ends:
         ///
         /// ```json
         /// { "terms": { "height_m": { "low": [0, 0, 0.4, 0.7] } } }
         /// ```
-        Unsorted {
-            /// The feature of the term.
-            feature: String,
-            /// The term.
-            term: String,
-        } error "unsorted-term" ("the numbers of the term {term:?} of {feature:?} are not in order")
+        Unsorted { feature: String, term: String } error "unsorted-term"
+            ("the numbers of the term {term:?} of {feature:?} are not in order")
             hint ("write four finite numbers in ascending order; equal numbers are allowed");
         /// A rule of "states" says which terms make a state. Without a term it would hold always.
-        NoCondition {
-            /// The number of the rule, from 1.
-            rule: usize,
-        } error "no-condition" ("rule {rule} of \"states\" has an empty \"if\"")
+        NoCondition { rule: usize } error "no-condition" ("rule {rule} of \"states\" has an empty \"if\"")
             hint ("write a feature and one of its terms into \"if\"");
         /// A rule of "states" names the terms that the file declares under "terms".
-        UnknownTerm {
-            /// The number of the rule, from 1.
-            rule: usize,
-            /// The feature.
-            feature: String,
-            /// The name of the term.
-            term: String,
-            /// The terms of the feature.
-            known: Vec<String>,
-        } error "unknown-term" ("rule {rule} of \"states\" names the term {term:?}, which {feature:?} does not have")
+        UnknownTerm { rule: usize, feature: String, term: String, known: Vec<String> } error "unknown-term"
+            ("rule {rule} of \"states\" names the term {term:?}, which {feature:?} does not have")
             advice (Some(match known.is_empty() {
                 true => format!("declare the term under \"terms\", where {feature:?} has no terms"),
                 false => format!("the terms of {feature:?} are {}", known.join(", ")),
             }));
         /// The times of a rule of "falls" are the least duration on the ground and the longest time since the state before.
-        Times {
-            /// The name of the rule.
-            rule: String,
-        } error "times" ("the rule {rule:?} of \"falls\" has a time out of range")
+        Times { rule: String } error "times" ("the rule {rule:?} of \"falls\" has a time out of range")
             hint ("write times from 0 to 86400 s");
         /// The confidence of a rule of "falls" is a share.
-        Confidence {
-            /// The name of the rule.
-            rule: String,
-        } error "confidence" ("the \"confidence\" of the rule {rule:?} of \"falls\" is out of range")
+        Confidence { rule: String } error "confidence"
+            ("the \"confidence\" of the rule {rule:?} of \"falls\" is out of range")
             hint ("write a number from 0 to 1");
     }
 }
 
 impl FallRules {
-    /// Rules as a file has them.
-    ///
-    /// # Errors
-    ///
     pub fn parse(text: &str) -> Result<FallRules, Problems> {
         let unread = |error: serde_json::Error| Problems(vec![FallRuleMessage::Form { why: error.to_string() }.into()]);
         let rules: FallRules = serde_json::from_str(text).map_err(unread)?;
@@ -238,7 +200,6 @@ impl FallRules {
         wrong
     }
 
-    /// The degree of each state, for this shape.
     pub fn memberships(&self, shape: &BodyShape) -> Memberships {
         let mut memberships = Memberships::default();
         for rule in &self.states {

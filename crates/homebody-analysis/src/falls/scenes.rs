@@ -37,13 +37,11 @@ impl CameraPicture {
 #[derive(Clone, Debug)]
 pub struct SeenPerson {
     pub shape: BodyShape,
-    /// The degrees of the states.
     pub memberships: Memberships,
     /// The middles of the cubes that two cameras or more agree on; empty if one camera alone sees the person.
     pub cubes: Vec<Point3>,
 }
 
-/// The rooms with cameras.
 #[derive(Clone)]
 pub struct Scenes<'r> {
     rules: &'r FallRules,
@@ -53,15 +51,12 @@ pub struct Scenes<'r> {
     pub voxel_persons: u64,
 }
 
-/// A sight of a person.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct CameraSighting {
     pub at: RunTime,
-    /// The state of the person.
     pub state: FallState,
 }
 
-/// The cameras of one room.
 #[derive(Clone)]
 struct RoomScene<'r> {
     /// Their numbers among all cameras.
@@ -73,12 +68,10 @@ struct RoomScene<'r> {
     watch: FallWatch<'r>,
     /// Pictures of the present instant, by camera of the scene.
     now: Vec<Option<CameraPicture>>,
-    /// The last sight of a person.
     seen_at: RunTime,
 }
 
 impl<'r> Scenes<'r> {
-    /// For these cameras in a home.
     pub fn new(plan: &Plan, lenses: &[Lens], rules: &'r FallRules) -> Scenes<'r> {
         let room = |lens: &Lens| plan.room_at(lens.at.truncate());
         let mut groups: Vec<Vec<usize>> = Vec::new();
@@ -137,7 +130,6 @@ impl<'r> Scenes<'r> {
         self.scenes.iter().filter_map(person).collect()
     }
 
-    /// The falls in the pictures of the last instant.
     pub fn look(&mut self) -> Vec<Fall> {
         let persons = &mut self.voxel_persons;
         self.scenes.iter_mut().filter_map(|scene| scene.look(persons)).collect()
@@ -157,7 +149,6 @@ impl RoomScene<'_> {
         self.watch.next(&ShapeAt { at, shape })
     }
 
-    /// The shape of a body in the pictures of an instant, and the cubes of it.
     fn shape(&self, now: &[Option<&CameraPicture>]) -> Option<(BodyShape, Vec<Point3>)> {
         let pictures: Vec<_> = now.iter().map(|seen| seen.map(|seen| &seen.silhouette)).collect();
         if let Some(person) = self.space.person(&pictures) {

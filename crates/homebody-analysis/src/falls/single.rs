@@ -80,7 +80,6 @@ fn tilt_deg(lens: &Lens, features: &Features, foot: Point3) -> f64 {
     apart.min(180.0 - apart)
 }
 
-/// The middle of the shape is over a seat or a bed.
 fn is_on_furniture(lens: &Lens, features: &Features, ground: &Ground) -> bool {
     let way = lens.ray_through(features.centroid_px[0], features.centroid_px[1]);
     let at = lens.at + way * ((lens.at.z - HIGHEST_SUPPORT_M) / -way.z);

@@ -33,7 +33,7 @@ const BELOW_TOP: f64 = 0.98;
 const UNSEEN: u32 = u32::MAX;
 
 /// The cubes of a home that two cameras or more see.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub struct VoxelSpace {
     cameras: usize,
     columns: Vec<u32>,
@@ -46,7 +46,6 @@ pub struct VoxelSpace {
 }
 
 impl VoxelSpace {
-    /// The cubes in the rooms of a home that two of these cameras see.
     pub fn new(plan: &Plan, lenses: &[Lens]) -> VoxelSpace {
         let prisms: Vec<Prism> = Outlook::new(plan).prisms;
         let sceneries: Vec<Scenery> = lenses.iter().map(|lens| Scenery::new(lens, &prisms)).collect();
@@ -55,10 +54,7 @@ impl VoxelSpace {
         let mut space = VoxelSpace {
             cameras: lenses.len(),
             columns: lenses.iter().map(|lens| lens.columns).collect(),
-            middles: Vec::new(),
-            pixels: Vec::new(),
-            begins: Vec::new(),
-            cubes: Vec::new(),
+            ..VoxelSpace::default()
         };
         if lenses.len() < 2 {
             return space;
@@ -88,7 +84,6 @@ impl VoxelSpace {
         space
     }
 
-    /// Finds the cubes of each pixel of a camera.
     fn sort_by_pixel(&mut self, camera: usize, pixels: usize) {
         let of_camera = || self.pixels.iter().skip(camera).step_by(self.cameras).enumerate();
         let seen = || of_camera().filter(|(_, pixel)| **pixel != UNSEEN);

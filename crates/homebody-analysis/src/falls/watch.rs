@@ -21,14 +21,11 @@ const GAP: Span = SECOND.times(2);
 
 const STATES: [FallState; 3] = [FallState::Upright, FallState::InBetween, FallState::OnTheGround];
 
-/// A detected fall.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Fall {
     /// The begin of the time on the ground.
     pub at: RunTime,
-    /// The time at which the rule was met.
     pub alarm_at: RunTime,
-    /// The place, in metres.
     pub at_m: [f64; 2],
     pub rule: String,
     /// The confidence, from 0 to 1.
@@ -36,7 +33,6 @@ pub struct Fall {
 }
 
 impl Fall {
-    /// The confidence in words.
     pub fn words(&self) -> &'static str {
         match self.confidence {
             sure if sure >= 0.8 => "very likely a fall",
@@ -51,9 +47,8 @@ impl Fall {
 pub struct FallWatch<'r> {
     rules: &'r FallRules,
     last: Option<RunTime>,
-    /// The last time of another state, by state.
-    upright_at: Option<RunTime>,
-    in_between_at: Option<RunTime>,
+    /// By state, the last time at which it held.
+    held_at: [Option<RunTime>; 3],
     ground: Option<Lying>,
     state: Option<FallState>,
 }
@@ -64,17 +59,14 @@ struct Lying {
     last: RunTime,
     sum: f64,
     pictures: u32,
-    /// The time since the person was upright, and in between; `None` if they were not, or that is unknown.
-    upright_before: Option<Span>,
-    in_between_before: Option<Span>,
-    /// The confidence of the reported fall.
+    /// By state, the time since it held; `None` if it did not, or that is unknown.
+    before: [Option<Span>; 3],
     told: f64,
 }
 
 impl<'r> FallWatch<'r> {
-    /// A watch by these rules.
     pub fn new(rules: &'r FallRules) -> FallWatch<'r> {
-        FallWatch { rules, last: None, upright_at: None, in_between_at: None, ground: None, state: None }
+        FallWatch { rules, last: None, held_at: [None; 3], ground: None, state: None }
     }
 
     /// The last state of the person; `None` before anything was sure.
@@ -87,36 +79,22 @@ impl<'r> FallWatch<'r> {
         let at = *at;
         let memberships: Memberships = self.rules.memberships(shape);
         if self.last.is_some_and(|last| at - last > GAP) {
-            (self.upright_at, self.in_between_at, self.ground) = (None, None, None);
+            (self.held_at, self.ground) = ([None; 3], None);
         }
         self.last = Some(at);
         let holds = |state: FallState| memberships.membership(state) >= HOLDS;
         let surest =
             STATES.into_iter().max_by(|&a, &b| memberships.membership(a).total_cmp(&memberships.membership(b)));
         self.state = surest.filter(|&state| holds(state)).or(self.state);
-        if holds(FallState::Upright) {
-            self.upright_at = Some(at);
-        }
-        if holds(FallState::InBetween) {
-            self.in_between_at = Some(at);
-        }
+        STATES.into_iter().filter(|&state| holds(state)).for_each(|state| self.held_at[state as usize] = Some(at));
         if !holds(FallState::OnTheGround) {
             if self.ground.as_ref().is_some_and(|lying| at - lying.last > LAPSE) {
                 self.ground = None;
             }
             return None;
         }
-        let before = |then: Option<RunTime>| then.map(|then| at - then);
-        let (upright_before, in_between_before) = (before(self.upright_at), before(self.in_between_at));
-        let lying = self.ground.get_or_insert(Lying {
-            since: at,
-            last: at,
-            sum: 0.0,
-            pictures: 0,
-            upright_before,
-            in_between_before,
-            told: 0.0,
-        });
+        let before = self.held_at.map(|then| then.map(|then| at - then));
+        let lying = self.ground.get_or_insert(Lying { since: at, last: at, sum: 0.0, pictures: 0, before, told: 0.0 });
         lying.last = at;
         lying.sum += memberships.on_the_ground;
         lying.pictures += 1;
@@ -124,12 +102,7 @@ impl<'r> FallWatch<'r> {
         let mean = lying.sum / f64::from(lying.pictures);
         let applies = |rule: &&FallRule| {
             let was = rule.before.is_none_or(|before| {
-                let then = match before.state {
-                    FallState::Upright => lying.upright_before,
-                    FallState::InBetween => lying.in_between_before,
-                    FallState::OnTheGround => Some(Span::ZERO),
-                };
-                then.is_some_and(|then| then <= Span::from_seconds(before.within_s))
+                lying.before[before.state as usize].is_some_and(|then| then <= Span::from_seconds(before.within_s))
             });
             was && lies.seconds() >= rule.lies_s
         };

@@ -1,5 +1,3 @@
-//! The rows of each sensor on each date.
-
 use crate::dates::MOST_DAYS;
 use homebody_core::time::{DAY, WallTime};
 use jiff::civil::Date;
@@ -8,7 +6,6 @@ use std::collections::BTreeMap;
 /// Largest number of stored counts (our choice): a thousand sensors for ten years.
 const MOST_COUNTS: usize = 4_000_000;
 
-/// Counts by sensor and day.
 #[derive(Default)]
 pub(super) struct DayCounts {
     /// Days since 1970.

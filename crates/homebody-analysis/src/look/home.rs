@@ -1,5 +1,3 @@
-//! The fit of the sensors of a log to those of a home.
-
 use super::overview::{HomeSensor, Misfit, OfHome, SensorLook, UnlistedSensor};
 
 /// Compares the sensors of a log, with its number of rows, with those of a home.
@@ -10,14 +8,7 @@ pub(super) fn of_home(name: &str, home: &[HomeSensor], sensors: &[SensorLook], r
         };
         home.iter().find(is_it)
     };
-    let mut of_home = OfHome {
-        name: name.to_owned(),
-        known: 0,
-        known_share: None,
-        unknown: Vec::new(),
-        unheard: Vec::new(),
-        misfits: Vec::new(),
-    };
+    let mut of_home = OfHome { name: name.to_owned(), ..OfHome::default() };
     let mut heard: Vec<&str> = Vec::new();
     let mut known_rows = 0;
     for sensor in sensors {

@@ -26,10 +26,6 @@ const LISTED: usize = 100;
 pub type RowStream<'s, E> = dyn FnMut(&mut dyn FnMut(&Log)) -> Result<Log, E> + 's;
 
 /// Looks at the rows of a log, which come part by part; a second time where that shows more. Returns the log without its rows, too.
-///
-/// # Errors
-///
-/// Those of the stream.
 pub fn looked<E>(mut looker: Looker, stream: &mut RowStream<'_, E>) -> Result<(Looker, Log), E> {
     let mut about = stream(&mut |part| looker.take(part))?;
     if let Some(again) = looker.again(&about) {
@@ -39,11 +35,10 @@ pub fn looked<E>(mut looker: Looker, stream: &mut RowStream<'_, E>) -> Result<(L
     Ok((looker, about))
 }
 
-/// Examines the rows of a log, part by part.
+#[derive(Default)]
 pub struct Looker {
     zone: Option<TimeZone>,
     is_by_own_zone: bool,
-    /// By value: its meaning, and the number that it is.
     values: Vec<(Says, Option<f64>)>,
     sensors: Vec<SensorHistory>,
     by_day: DayCounts,
@@ -56,7 +51,6 @@ pub struct Looker {
     clock: Clock,
     own: OwnWords,
     silences: (Vec<Interval<WallTime>>, u64),
-    /// The gaps of the recorder, on the clock of the instants.
     gaps: Vec<Interval<WallTime>>,
     /// The recorder stores states as it starts.
     restores: bool,
@@ -65,23 +59,7 @@ pub struct Looker {
 impl Looker {
     /// An overview has a log in UTC on the wall of the zone, if there is one.
     pub fn new(zone: Option<TimeZone>) -> Looker {
-        Looker {
-            zone,
-            is_by_own_zone: false,
-            values: Vec::new(),
-            sensors: Vec::new(),
-            by_day: DayCounts::default(),
-            first: WallTime::MAX,
-            latest: WallTime::MIN,
-            before: None,
-            orders: OrderCounts::default(),
-            waiting: None,
-            clock: Clock::Local,
-            own: OwnWords::default(),
-            silences: (Vec::new(), 0),
-            gaps: Vec::new(),
-            restores: false,
-        }
+        Looker { zone, first: WallTime::MAX, latest: WallTime::MIN, ..Looker::default() }
     }
 
     /// Puts instants on the wall of the log's own zone, by its name or by offsets, where no zone is given.

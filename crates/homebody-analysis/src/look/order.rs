@@ -39,7 +39,6 @@ impl RowOrder {
     }
 }
 
-/// Counts that show the order.
 #[derive(Clone, Debug, Default)]
 pub(super) struct OrderCounts {
     last: Option<(WallTime, u32)>,
@@ -77,7 +76,6 @@ impl OrderCounts {
         (self.back, self.most)
     }
 
-    /// The order of rows of so many sensors.
     pub fn order(&self, sensors: usize) -> RowOrder {
         let has_passed = self.last.is_some_and(|(last, _)| last >= self.first);
         match () {
@@ -105,7 +103,6 @@ impl RowBuffer {
         if self.rows.len() as u64 > MOST_WAITING { self.first() } else { None }
     }
 
-    /// The earliest row that waits.
     pub fn first(&mut self) -> Option<Event> {
         let Reverse((at, _, sensor, value)) = self.rows.pop()?;
         Some(Event { at, sensor, value })

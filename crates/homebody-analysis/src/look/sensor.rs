@@ -1,5 +1,3 @@
-//! The course of one sensor through a log.
-
 use super::overview::{SensorLook, SensorTrouble};
 use crate::signs::{Classification, Kind, Says, SensorTally};
 use homebody_core::time::{DAY, HOUR, Interval, Span, WallTime};
@@ -19,15 +17,12 @@ const STUCK_FOR: Span = DAY;
 /// Largest number of values that are counted for a sensor (our choice).
 const VALUES: usize = 8;
 
-/// The recorder of the log, as far as the log has been taken.
 pub(super) struct Recorder<'a> {
-    /// The times without a recorder.
     pub gaps: &'a [Interval<WallTime>],
     /// It stores states as it starts, so that the first row of a sensor may repeat an earlier state.
     pub restores: bool,
 }
 
-/// The rows of a sensor so far.
 #[derive(Clone, Default)]
 pub(super) struct SensorHistory {
     pub tally: SensorTally,
@@ -50,14 +45,12 @@ pub(super) struct SensorHistory {
     /// Rows with an unknown state, and rows that restore a state after that.
     unknown: u64,
     restored: u64,
-    /// The first values, with their counts.
     values: Vec<(u32, u64)>,
     numbers: u64,
     range: Option<[f64; 2]>,
 }
 
 impl SensorHistory {
-    /// Takes a row: its time and value, and their meaning.
     pub fn take(&mut self, (at, value): (WallTime, u32), (says, number): (Says, Option<f64>), recorder: &Recorder) {
         let said = self.tally.take(at, says, number.is_some(), recorder.gaps);
         let is_first = self.rows == 0 && recorder.restores;

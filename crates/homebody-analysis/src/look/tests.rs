@@ -1,5 +1,5 @@
 use super::*;
-use crate::sample::{log, span};
+use crate::sample::{log, parsed, span};
 use crate::signs::Kind;
 use homebody_core::time::{Interval, Span};
 use homebody_log::Log;
@@ -9,11 +9,16 @@ use jiff::tz::TimeZone;
 const H: i64 = 3600;
 
 fn look_of(rows: &[(i64, &str, &str)], home: Option<(&str, &[HomeSensor])>) -> LogOverview {
-    let mut log = log(rows);
-    log.rows = log.events.len() as u64;
-    let mut looker = Looker::new(None);
-    looker.take(&log);
-    looker.look("a log", "csv", &log, &|_| None, home)
+    look_at(&counted(rows), Looker::new(None), home)
+}
+
+fn look_at(log: &Log, mut looker: Looker, home: Option<(&str, &[HomeSensor])>) -> LogOverview {
+    looker.take(log);
+    looker.look("a log", "csv", log, &|_| None, home)
+}
+
+fn counted(rows: &[(i64, &str, &str)]) -> Log {
+    Log { rows: rows.len() as u64, ..log(rows) }
 }
 
 fn sensor<'l>(look: &'l LogOverview, id: &str) -> &'l SensorLook {
@@ -22,39 +27,25 @@ fn sensor<'l>(look: &'l LogOverview, id: &str) -> &'l SensorLook {
 
 #[test]
 fn first_and_last_instants_are_those_of_rows() {
-    let mut log = log(&[(10, "M1", "ON"), (20, "M1", "OFF")]);
-    log.rows = 2;
+    let mut log = counted(&[(10, "M1", "ON"), (20, "M1", "OFF")]);
     let (begin, end) = (log.events[0].at - 5 * Span::MICROSECOND, log.events[1].at + Span::MICROSECOND);
     log.activities.push(homebody_timeline::Episode::new("sleep".to_owned(), Interval::new(begin, end)));
-    let look = |log: &homebody_log::Log| {
-        let mut looker = Looker::new(None);
-        looker.take(log);
-        looker.look("a log", "csv", log, &|_| None, None)
-    };
+    let look = |log: &Log| look_at(log, Looker::new(None), None);
     let rows = look(&log);
     assert_eq!(rows.last.as_ref(), Some(&sensor(&rows, "M1").last));
     assert_eq!(rows.first.as_ref(), Some(&sensor(&rows, "M1").first));
     // A log of activities alone has theirs.
-    let alone = homebody_log::Log { events: Vec::new(), sensors: Vec::new(), rows: 0, ..log };
+    let alone = Log { events: Vec::new(), sensors: Vec::new(), rows: 0, ..log };
     assert_ne!(look(&alone).last, rows.last);
 }
 
 #[test]
 fn counts_oddities() {
     let look = look_of(
-        &[
-            (0, "M1", "OFF"),
-            (1, "M1", "ON"),
-            (2, "M1", "ON"),
-            (2, "M1", "ON"),
-            (1, "M1", "OFF"),
-            (3, "M1", "OFF"),
-            (4, "fire", "FIRE"),
-            (5, "fire", "FIRE"),
-            (6, "T1", "20"),
-            (7, "T1", "1"),
-            (8, "T1", "1"),
-        ],
+        &parsed(
+            "0 M1 OFF, 1 M1 ON, 2 M1 ON, 2 M1 ON, 1 M1 OFF, 3 M1 OFF, 4 fire FIRE, 5 fire FIRE, 6 T1 20, \
+             7 T1 1, 8 T1 1",
+        ),
         None,
     );
     assert_eq!((look.repeated, look.missing, look.doubled), (2, 2, 1));
@@ -127,37 +118,23 @@ fn an_empty_log_and_one_sensor() {
 
 #[test]
 fn shows_utc_on_a_known_wall() {
-    let mut log = log(&[(1_236_499_200, "M1", "ON")]);
-    (log.clock, log.rows) = (Clock::Utc, 1);
-    let told = |zone: Option<TimeZone>| {
-        let mut looker = Looker::new(zone);
-        looker.take(&log);
-        looker.look("a", "csv", &log, &|_| None, None).first.unwrap()
-    };
+    let log = Log { clock: Clock::Utc, ..counted(&[(1_236_499_200, "M1", "ON")]) };
+    let told = |zone: Option<TimeZone>| look_at(&log, Looker::new(zone), None).first.unwrap();
     assert_eq!(told(None), "2009-03-08 08:00:00Z");
     let zone = homebody_core::calendar::Calendar::zone("America/Chicago").unwrap();
     assert_eq!(told(Some(zone.clone())), "2009-03-08 03:00:00");
     // A log may name its own zone, as a run in a database does.
     let log = Log { zone: Some(zone), ..log.clone() };
-    let mut looker = Looker::new(None).by_own_zone();
-    looker.take(&log);
-    assert_eq!(looker.look("a", "csv", &log, &|_| None, None).first.unwrap(), "2009-03-08 03:00:00");
+    assert_eq!(look_at(&log, Looker::new(None).by_own_zone(), None).first.unwrap(), "2009-03-08 03:00:00");
 }
 
 #[test]
 fn unknown_state_is_neither_stuck_nor_missing() {
-    let rows = [
-        (0, "kitchen motion", "on"),
-        (60, "kitchen motion", "off"),
-        (3600, "kitchen motion", "on"),
-        (3620, "kitchen motion", "unavailable"),
-        (9 * H, "kitchen motion", "off"),
-        (9 * H, "hall motion", "off"),
-        (10 * H, "hall motion", "on"),
-        (10 * H + 60, "hall motion", "off"),
-        (11 * H, "hall motion", "unavailable"),
-        (12 * H, "hall motion", "off"),
-    ];
+    let rows = parsed(
+        "0 kitchen motion on, 60 kitchen motion off, 3600 kitchen motion on, 3620 kitchen motion unavailable, \
+         9:00:00 kitchen motion off, 9:00:00 hall motion off, 10:00:00 hall motion on, \
+         10:01:00 hall motion off, 11:00:00 hall motion unavailable, 12:00:00 hall motion off",
+    );
     let look = look_of(&rows, None);
     let (kitchen, hall) = (sensor(&look, "kitchen motion"), sensor(&look, "hall motion"));
     assert_eq!((look.missing, look.repeated), (0, 0));
@@ -170,20 +147,9 @@ fn unknown_state_is_neither_stuck_nor_missing() {
 
 #[test]
 fn gaps_of_the_recorder_are_listed_and_are_no_silences() {
-    let rows = [
-        (0, "M1", "on"),
-        (30, "M1", "off"),
-        (20 * H, "M1", "off"),
-        (20 * H + 5, "M1", "on"),
-        (20 * H + 9, "M1", "off"),
-    ];
-    let mut log = log(&rows);
-    log.rows = log.events.len() as u64;
-    let look = |log: &homebody_log::Log| {
-        let mut looker = Looker::new(None);
-        looker.take(log);
-        looker.look("a log", "csv", log, &|_| None, None)
-    };
+    let rows = parsed("0 M1 on, 30 M1 off, 20:00:00 M1 off, 20:00:05 M1 on, 20:00:09 M1 off");
+    let mut log = counted(&rows);
+    let look = |log: &Log| look_at(log, Looker::new(None), None);
     let without = look(&log);
     assert_eq!((without.silences_in_all, without.gaps_in_all, without.missing), (1, 0, 1));
     log.gaps = vec![span(60, 19 * H), span(21 * H, 23 * H)];
@@ -215,8 +181,7 @@ fn the_order_of_rows_changes_no_count() {
         }
     }
     let looked = |rows: &[(i64, &str, &str)]| {
-        let mut log = log(rows);
-        log.rows = log.events.len() as u64;
+        let log = counted(rows);
         let (looker, _) = looked(Looker::new(None), &mut |take| {
             take(&log);
             Ok::<_, ()>(log.clone())
@@ -253,11 +218,7 @@ fn the_hour_that_a_clock_on_the_wall_tells_twice_sets_no_clock_back() {
         .collect();
     let berlin = homebody_core::calendar::Calendar::zone("Europe/Berlin").unwrap();
     let looked = |clock: Clock, rows: &[(i64, &str, &str)]| {
-        let mut log = log(rows);
-        (log.clock, log.rows) = (clock, rows.len() as u64);
-        let mut looker = Looker::new(Some(berlin.clone()));
-        looker.take(&log);
-        looker.look("a", "csv", &log, &|_| None, None)
+        look_at(&Log { clock, ..counted(rows) }, Looker::new(Some(berlin.clone())), None)
     };
     let look = looked(Clock::Utc, &rows);
     assert_eq!((look.set_back, look.last.as_deref()), (0, Some("2025-10-26 02:59:00")));

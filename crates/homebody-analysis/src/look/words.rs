@@ -1,5 +1,3 @@
-//! The overview of a log in words.
-
 use super::overview::{LogOverview, OfHome, SensorLook, SensorTrouble};
 use crate::signs::Evidence;
 use homebody_core::problem::counted;
@@ -67,7 +65,6 @@ impl fmt::Display for LogOverview {
 }
 
 impl LogOverview {
-    /// No sensor has a row on a date, by its number in the list.
     pub fn is_silent(&self, day: usize) -> bool {
         self.sensors.iter().all(|sensor| sensor.by_day.get(day).is_none_or(|&count| count == 0))
     }
@@ -123,7 +120,6 @@ impl LogOverview {
     }
 }
 
-/// The length of a gap.
 fn lasted(hours: f64) -> String {
     match hours {
         1.0.. => format!("{hours:.1} h"),
@@ -131,7 +127,6 @@ fn lasted(hours: f64) -> String {
     }
 }
 
-/// The role of a column, in a word or two.
 fn role(role: ColumnRole) -> &'static str {
     match role {
         ColumnRole::Time => "time",
@@ -150,7 +145,6 @@ fn role(role: ColumnRole) -> &'static str {
 }
 
 impl SensorLook {
-    /// The evidence for its kind.
     pub fn evidence(&self) -> String {
         match self.by {
             Evidence::Guess => format!("a guess: {}", self.because),
@@ -158,7 +152,6 @@ impl SensorLook {
         }
     }
 
-    /// Its content, and its fault.
     pub fn in_words(&self) -> String {
         let mut parts: Vec<String> = self.values.iter().map(|(value, times)| format!("{value} {times}")).collect();
         parts.extend(self.range.map(|[least, most]| format!("{least} to {most}")));

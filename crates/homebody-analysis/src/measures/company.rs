@@ -78,11 +78,9 @@ fn count(signs: &[RoomSign], span: Interval<WallTime>) -> usize {
     before.end.saturating_sub(before.begin)
 }
 
-/// The signs in each hour of the last days with signs.
 #[derive(Default)]
 pub struct UsualSigns {
     days: VecDeque<[u32; 24]>,
-    /// A door out was used.
     has_door: bool,
 }
 

@@ -17,9 +17,7 @@ use super::values::{DayMeasures, SilentSensor};
 use super::walking::Paces;
 use super::ways::HomeKnowledge;
 use crate::dates::MOST_DAYS;
-use crate::density::{
-    DensityCell, DensityOptions, Entrance, EntranceSource, HomeAbsence, Leaving, NoMap, SEATED, Signs, distance,
-};
+use crate::density::{DensityCell, DensityOptions, Entrance, HomeAbsence, Leaving, NoMap, SEATED, Signs, distance};
 use crate::holds::{HiddenMovement, HoldTimes};
 use crate::rows::{Ongoing, StateRow, Tallies};
 use crate::signs::{Kind, LogSensors, is_seat};
@@ -36,7 +34,6 @@ const MOST_ROWS: usize = 250_000;
 /// Time for which absences are kept: in an empty home no sensor is silent.
 const ABSENCES_KEPT: Span = DAY.times(70);
 
-/// Measures a log row by row, in the order of time.
 pub struct Measuring<'a> {
     pub(super) log: &'a Log,
     pub(super) known: HomeKnowledge<'a>,
@@ -50,7 +47,6 @@ pub struct Measuring<'a> {
     /// The rows of the last days, without numbers, and the number of those before the current day.
     window: Vec<StateRow>,
     of_days_before: usize,
-    /// The day has more rows than are kept.
     is_full: bool,
     /// By sensor, the first and the last of the day's numbers and other words.
     other: Vec<Option<Interval<WallTime>>>,
@@ -60,9 +56,7 @@ pub struct Measuring<'a> {
 
 pub struct MeasuredLog {
     pub days: Vec<DayMeasures>,
-    /// The sensors that fell silent.
     pub silent: Vec<SilentSensor>,
-    /// The sensors at the way out.
     pub entrance: Entrance,
     /// Silence alone shows some absences.
     pub guesses_absences: bool,
@@ -71,17 +65,15 @@ pub struct MeasuredLog {
     /// The number of days with more rows than are kept.
     pub crowded: usize,
     pub has_motion: bool,
-    /// The timeline of the last day.
     pub timeline: MeasureTimeline,
 }
 
+#[derive(Default)]
 struct SoFar {
     time: KnownTime,
     kinds: Vec<Kind>,
-    /// By the kinds of the sensors.
     entrance: Entrance,
     knows_entrance: bool,
-    /// A contact is at the entrance.
     has_door: bool,
     rooms: SensorRooms,
     has_spoken: Vec<bool>,
@@ -107,47 +99,27 @@ struct SoFar {
     /// The cells of the first whole days, until they are enough.
     first_cells: Vec<[DensityCell; 24]>,
     step_per_h: Option<f64>,
-    /// The timeline of the last day.
     last: MeasureTimeline,
     has_motion: bool,
     has_signs: bool,
-    /// The number of days with more rows than are kept.
     crowded: usize,
 }
 
 impl<'a> Measuring<'a> {
-    /// For a log, whose rows come by `take`. `known` describes its home.
     pub fn new(log: &'a Log, known: HomeKnowledge<'a>, asked: &DensityOptions) -> Measuring<'a> {
         let called = log.called();
         let count = log.sensors.len();
         let so_far = SoFar {
             time: KnownTime::new(asked.recorded, &log.gaps),
             kinds: vec![Kind::Reading; count],
-            entrance: Entrance { sensors: Vec::new(), chosen: EntranceSource::None },
-            knows_entrance: false,
-            has_door: false,
-            rooms: SensorRooms::default(),
             has_spoken: vec![false; count],
-            has_bed: false,
-            signs: [0; 2],
             ongoing: Ongoing::new(count, Span::ZERO),
             is_seat: called.iter().map(|name| is_seat(name)).collect(),
             taken: Ongoing::new(count, SEATED),
             leaving: Leaving::new(asked.away_after),
             holds: HoldTimes::new(count),
-            movements: Vec::new(),
-            absences: Vec::new(),
-            guesses_absences: false,
             listening: Listening::new(count),
-            paces: Paces::default(),
-            usual: UsualSigns::default(),
-            history: VecDeque::new(),
-            first_cells: Vec::new(),
-            step_per_h: None,
-            last: MeasureTimeline::default(),
-            has_motion: false,
-            has_signs: false,
-            crowded: 0,
+            ..SoFar::default()
         };
         Measuring {
             log,
@@ -168,10 +140,6 @@ impl<'a> Measuring<'a> {
     }
 
     /// Takes the next row. A row of an earlier day than the last row is left out.
-    ///
-    /// # Errors
-    ///
-    /// [`NoMap::TooLong`] where the days are too many.
     pub fn take(&mut self, event: &Event) -> Result<(), NoMap> {
         let date = event.at - event.at.time_of_day();
         let began = self.asked.recorded.map_or(event.at, |recorded| recorded.begin.min(event.at));
@@ -199,17 +167,11 @@ impl<'a> Measuring<'a> {
         Ok(())
     }
 
-    /// The span of the recording so far, if there is any.
     pub(super) fn recorded(&self) -> Option<Interval<WallTime>> {
         let time = &self.so_far.time;
         self.asked.recorded.or_else(|| Some(Interval::new(time.first()?, time.last()? + Span::MICROSECOND)))
     }
 
-    /// Ends the log, and returns its days.
-    ///
-    /// # Errors
-    ///
-    /// Those that [`NoMap`] lists.
     pub fn end(mut self) -> Result<MeasuredLog, NoMap> {
         let mut last = self.so_far.time.last().ok_or(NoMap::Empty)?;
         last = self.asked.recorded.map_or(last, |recorded| last.max(recorded.end - Span::MICROSECOND));
@@ -302,7 +264,6 @@ impl<'a> Measuring<'a> {
         so_far.kinds = sensors.kinds;
     }
 
-    /// Takes the rows of a day for open spans and for absences.
     fn go_through(&mut self, from: usize, day: Interval<WallTime>) {
         let so_far = &mut self.so_far;
         let signs = Signs::new(&self.log.sensors, &so_far.kinds, &so_far.entrance);
@@ -333,7 +294,6 @@ impl<'a> Measuring<'a> {
         so_far.has_bed |= (0..so_far.kinds.len()).any(|sensor| is_bed(sensor) && lies(sensor));
     }
 
-    /// Takes the times at which sensors reported on a day.
     fn listen(&mut self, from: usize, away: &[Interval<WallTime>]) {
         let mut spoken: Vec<(WallTime, usize)> =
             self.window[from..].iter().map(|row| (row.at, row.sensor as usize)).collect();
@@ -347,7 +307,6 @@ impl<'a> Measuring<'a> {
         }
     }
 
-    /// The timeline of the last days, when one of them ends.
     fn timeline(&mut self, begin: WallTime, away: &[Interval<WallTime>], known: &KnownDay) -> MeasureTimeline {
         let so_far = &mut self.so_far;
         let signs = signs(&self.window, &so_far.kinds, &so_far.rooms, &so_far.holds);
@@ -401,7 +360,6 @@ impl<'a> Measuring<'a> {
 }
 
 impl SoFar {
-    /// The absences, as known at an instant.
     fn away(&self, now: WallTime) -> Vec<Interval<WallTime>> {
         let last = self.leaving.last().into_iter().chain(self.leaving.open(now, self.has_door));
         let taken = self.taken_until(now);
@@ -420,7 +378,6 @@ impl SoFar {
         }
     }
 
-    /// Ends open spans where an unknown time begins.
     fn break_off(&mut self, at: WallTime) {
         self.ongoing.end_all(at);
         self.taken.end_all(at);

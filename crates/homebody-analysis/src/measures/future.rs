@@ -2,6 +2,7 @@
 
 use super::*;
 use crate::alerts::{Rules, SENSOR, USUAL, alerts};
+use crate::sample::TestRandom;
 use homebody_core::home::form::HomeFile;
 use homebody_core::time::{DAY, MINUTE, SECOND};
 use homebody_log::Event;
@@ -9,16 +10,6 @@ use jiff::civil::Date;
 use std::collections::BTreeMap;
 
 const DAYS: usize = 40;
-
-/// Numbers that look random, the same each time.
-struct TestRandom(u64);
-
-impl TestRandom {
-    fn below(&mut self, below: i64) -> i64 {
-        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        ((self.0 >> 33) % below as u64) as i64
-    }
-}
 
 /// A log that is written row by row, in any order.
 struct Writing {
@@ -51,7 +42,6 @@ impl Writing {
         at
     }
 
-    /// The resident is in the view of a sensor for some minutes.
     fn stay(&mut self, from: WallTime, sensor: usize, minutes: i64, every_s: i64) {
         let mut at = from;
         while at < from + minutes * MINUTE {
@@ -149,7 +139,6 @@ fn of_motion(seed: u64) -> Log {
     writing.ended()
 }
 
-/// Days of a home of contacts with a bed's sensor.
 fn of_contacts(seed: u64) -> Log {
     let names = ["bed pressure", "Hall-Toilet door", "ToiletFlush", "Fridge", "Microwave", "Frontdoor", "shower water"];
     let mut writing = Writing::new(&names, seed);

@@ -11,6 +11,7 @@ use homebody_core::time::{DAY, HOUR, Interval, Span, WallTime, union, without};
 const KEPT: Span = DAY.times(16);
 
 /// The times of a log that are known, up to the current day.
+#[derive(Default)]
 pub struct KnownTime {
     recorded: Option<Interval<WallTime>>,
     gaps: Vec<Interval<WallTime>>,
@@ -21,30 +22,24 @@ pub struct KnownTime {
     unknown: Vec<Interval<WallTime>>,
 }
 
-/// The known part of a day.
 pub struct KnownDay {
-    /// The known part of each hour, in hours.
     pub hours: [f64; 24],
-    /// The unknown times, also of the days before.
     pub unknown: Vec<Interval<WallTime>>,
     /// The end of the known part.
     pub until: WallTime,
 }
 
 impl KnownDay {
-    /// Its hours, with no event counted yet.
     pub fn cells(&self) -> [DensityCell; 24] {
         self.hours.map(|recorded_h| DensityCell { recorded_h, ..DensityCell::default() })
     }
 }
 
 impl KnownTime {
-    /// For a log with the span of its recording, if that is known, and with its gaps.
     pub fn new(recorded: Option<Interval<WallTime>>, gaps: &[Interval<WallTime>]) -> KnownTime {
         KnownTime { recorded, gaps: gaps.to_vec(), first: None, last: None, broken: None, unknown: Vec::new() }
     }
 
-    /// Takes the time of a row.
     pub fn take(&mut self, at: WallTime) {
         self.first = self.first.or(Some(at));
         let last = self.last.unwrap_or(at);
@@ -62,13 +57,11 @@ impl KnownTime {
         self.last
     }
 
-    /// Adds an unknown time.
     pub fn forget(&mut self, span: Interval<WallTime>) {
         self.gaps.push(span);
         self.gaps.sort_unstable();
     }
 
-    /// The instants of a day at which unknown times begin.
     pub fn breaks(&self, day: Interval<WallTime>) -> Vec<WallTime> {
         let gaps = self.gaps.iter().map(|gap| gap.begin).filter(|at| day.contains(*at));
         let mut breaks: Vec<WallTime> = gaps.chain(self.broken.map(|silence| silence.begin)).collect();
@@ -125,7 +118,6 @@ mod tests {
     use super::*;
     use crate::sample::span;
 
-    /// From one hour to another.
     fn hours(from: i64, to: i64) -> Interval<WallTime> {
         span(from * 3600, to * 3600)
     }

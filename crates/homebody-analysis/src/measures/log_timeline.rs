@@ -1,5 +1,3 @@
-//! Builds the timeline of measures from a log.
-
 use super::measured_day::VISIT;
 use super::rooms::Purpose;
 use super::signs::{RoomSign, agreed};
@@ -48,19 +46,13 @@ const BRIDGED: Span = MINUTE.times(10);
 pub struct LogExcerpt<'a> {
     pub ids: &'a [String],
     pub kinds: &'a [Kind],
-    /// The times in which a sensor reports that something is on.
     pub spans: &'a dyn Fn(usize) -> Vec<Interval<WallTime>>,
-    /// The lengths of the ways between sensors, if they are known.
     pub ways: Option<&'a Ways>,
-    /// The beds and showers among them, by their names.
     pub named: &'a NamedSensors,
     /// A bed's sensor has been on so far.
     pub has_bed: bool,
-    /// The sensors with a sign so far.
     pub has_spoken: &'a [bool],
-    /// The hold times of sensors.
     pub holds: &'a HoldTimes,
-    /// The end of the known part of the last day.
     pub until: WallTime,
 }
 

@@ -8,14 +8,11 @@ use std::fmt;
 /// A measure of a day. In tables and JSON it has its first five fields.
 #[derive(Clone, Copy, Debug, Serialize)]
 pub struct DailyMeasure {
-    /// The name in tables and JSON.
     pub name: &'static str,
     pub unit: MeasureUnit,
     /// The name in pictures and, with a small letter, in sentences.
     pub title: &'static str,
-    /// The definition for readers of the documentation.
     pub definition: &'static str,
-    /// The source of the definition.
     pub source: &'static str,
     /// `night` for a measure of the night that ends on the day, else `day`.
     #[serde(skip)]
@@ -26,7 +23,6 @@ pub struct DailyMeasure {
     /// A higher value in words, such as `more sleep`.
     #[serde(skip)]
     pub more: &'static str,
-    /// A lower value in words.
     #[serde(skip)]
     pub less: &'static str,
     /// The predicate of a sentence about the resident, with `{}` for the value; empty if no sentence has the value.
@@ -38,7 +34,6 @@ pub struct DailyMeasure {
     /// The sensors without which a day has no value.
     #[serde(skip)]
     pub needs: Needs,
-    /// The notes of activities from which the measure follows, too.
     #[serde(skip)]
     pub noted: Option<NoteMeaning>,
     /// The place in a report for carers, if the report has the measure.
@@ -53,7 +48,6 @@ pub struct DailyMeasure {
     /// Whether the Python environment `DecideVisits` observes the measure. Measures that follow from many days are left out.
     #[serde(skip)]
     pub is_observed: bool,
-    /// The value on a day; `None` if the day has no value.
     #[serde(skip)]
     pub of: fn(&MeasuredDay) -> Option<f64>,
 }
@@ -86,19 +80,14 @@ pub(super) const NIGHT: DailyMeasure = DailyMeasure { occasion: "night", ..DAY }
 /// The sensors that a measure needs. All must work if no place is named.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Needs {
-    /// All sensors of the home.
     AllSensors,
-    /// The sensors of the rooms with a purpose.
     Room(Purpose),
-    /// The sensors at the entrance.
     Entrance,
 }
 
-/// The meaning of a note of an activity.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum NoteMeaning {
     Shower,
-    /// A visit to the bathroom.
     Bathroom,
     Bed,
     Meal,
@@ -119,7 +108,6 @@ pub struct CareUse {
 pub struct SummaryUse {
     /// Of two sentences that say as much, the lower rank comes first.
     pub rank: u8,
-    /// The subject. Of several measures with one subject, a summary has one.
     pub subject: &'static str,
     /// The range of the values; `None` if only changes have sentences.
     pub range: Option<(f64, f64)>,
@@ -133,7 +121,6 @@ pub struct MeasureUnit {
     pub name: &'static str,
     /// The code in the Unified Code for Units of Measure, for FHIR.
     pub ucum: &'static str,
-    /// The form of values in sentences.
     pub form: ValueForm,
 }
 

@@ -96,12 +96,10 @@ impl<'a> MeasuredDay<'a> {
         self.night.filter(|night| self.is_night_known && !is_cut(night))
     }
 
-    /// The parts of the day in bed by night.
     fn nights(&self) -> impl Iterator<Item = Interval<WallTime>> {
         self.night.into_iter().chain(self.evening)
     }
 
-    /// The number of instants within the day.
     fn count(&self, instants: Option<&[WallTime]>) -> Option<f64> {
         let instants = instants.filter(|_| self.is_known)?;
         Some(instants.iter().filter(|&&at| self.day.contains(at)).count() as f64)

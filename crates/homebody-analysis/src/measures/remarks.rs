@@ -9,7 +9,6 @@ use crate::signs::OwnWords;
 use homebody_core::problem::counted;
 use homebody_log::Log;
 
-/// The sentences, and the names of measures that are guessed.
 pub struct Remarks {
     pub remarks: Vec<String>,
     pub guesses: Vec<&'static str>,
@@ -72,7 +71,6 @@ impl Remarks {
         self.guesses.extend(new.copied().collect::<Vec<_>>());
     }
 
-    /// Remarks on rooms, and on measures that need a room without a sensor.
     fn rooms(&mut self, log: &Log, known: &HomeKnowledge, measured: &MeasuredLog) {
         let (rooms, telling) = (&measured.all_rooms, &measured.timeline.rooms);
         // A door out is in no room.

@@ -3,7 +3,6 @@
 use homebody_core::names::words;
 use std::collections::BTreeMap;
 
-/// The purpose of a room in measures.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Purpose {
     Bedroom,
@@ -12,7 +11,6 @@ pub enum Purpose {
     Other,
 }
 
-/// The rooms of a log, and in which of them its sensors are.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct SensorRooms {
     /// By number: the name and the purpose.
@@ -23,45 +21,26 @@ pub struct SensorRooms {
 
 /// A room in names of sensors: its name here, its purpose, and its words (our choice). Of two, the word that stands first in a name
 /// decides: a `KitchenDoor` is the kitchen's. The hall comes last, for a `hall-bathroom door` and a `front bedroom` are of the other.
-const ROOM_WORDS: [(&str, Purpose, &[&str]); 7] = [
-    ("bedroom", Purpose::Bedroom, &["bedroom", "bed", "bedside", "mattress"]),
-    (
-        "bathroom",
-        Purpose::Bathroom,
-        &["bathroom", "bath", "bathtub", "toilet", "shower", "wc", "loo", "restroom", "basin", "flush"],
-    ),
+const ROOM_WORDS: [(&str, Purpose, &str); 7] = [
+    ("bedroom", Purpose::Bedroom, "bedroom bed bedside mattress"),
+    ("bathroom", Purpose::Bathroom, "bathroom bath bathtub toilet shower wc loo restroom basin flush"),
     (
         "kitchen",
         Purpose::Kitchen,
-        &[
-            "kitchen",
-            "stove",
-            "fridge",
-            "refrigerator",
-            "freezer",
-            "microwave",
-            "oven",
-            "dishwasher",
-            "cooktop",
-            "toaster",
-        ],
+        "kitchen stove fridge refrigerator freezer microwave oven dishwasher cooktop toaster",
     ),
-    ("living room", Purpose::Other, &["living", "lounge", "sofa", "couch", "armchair", "recliner", "tv", "television"]),
-    ("dining room", Purpose::Other, &["dining"]),
-    ("study", Purpose::Other, &["study", "office", "work", "desk", "computer"]),
-    (
-        "hall",
-        Purpose::Other,
-        &["hall", "hallway", "corridor", "entry", "entryway", "entrance", "foyer", "front", "main"],
-    ),
+    ("living room", Purpose::Other, "living lounge sofa couch armchair recliner tv television"),
+    ("dining room", Purpose::Other, "dining"),
+    ("study", Purpose::Other, "study office work desk computer"),
+    ("hall", Purpose::Other, "hall hallway corridor entry entryway entrance foyer front main"),
 ];
 
 fn named_room(name: &str) -> Option<(&'static str, Purpose)> {
     let said = words(name);
     let (hall, others) = ROOM_WORDS.split_last()?;
-    let tells = |of: &[(&'static str, Purpose, &[&str])]| {
+    let tells = |of: &[(&'static str, Purpose, &str)]| {
         said.iter().find_map(|word| {
-            let told = of.iter().find(|(.., words)| words.contains(&word.as_str()))?;
+            let told = of.iter().find(|(.., words)| words.split(' ').any(|one| one == word))?;
             Some((told.0, told.1))
         })
     };
@@ -106,7 +85,6 @@ impl SensorRooms {
         })
     }
 
-    /// The name of a sensor's room, if the sensor is in a room.
     pub fn name_of(&self, sensor: usize) -> Option<&str> {
         Some(&self.rooms[self.of_sensors.get(sensor).copied().flatten()?].0)
     }
@@ -115,7 +93,6 @@ impl SensorRooms {
         self.rooms[room].1
     }
 
-    /// A room has this purpose.
     pub fn has(&self, purpose: Purpose) -> bool {
         self.rooms.iter().any(|room| room.1 == purpose)
     }

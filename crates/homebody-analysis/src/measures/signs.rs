@@ -11,7 +11,6 @@ use homebody_core::time::{SECOND, Span, WallTime};
 /// Time within which sensors see the same movement (our choice).
 const TOGETHER: Span = SECOND.times(2);
 
-/// A sign of a person: time, room and sensor.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct RoomSign {
     pub at: WallTime,
@@ -62,7 +61,6 @@ pub fn with_movements(signs: &[RoomSign], movements: &[HiddenMovement], rooms: &
     (0..all.len()).filter(is_sure).map(|index| all[index].0).collect()
 }
 
-/// A row of a sensor of this kind, with this meaning, is a sign of the resident.
 pub fn gives_signs(kind: Kind, said: &RowMeaning) -> bool {
     match kind {
         Kind::Motion => said.says == Says::Begins && said.is_sign(),

@@ -23,6 +23,7 @@ const LEAST_DAYS: i64 = 4;
 const OF_DAYS: (i64, i64) = (3, 4);
 
 /// The reports of sensors so far, and their silences.
+#[derive(Default)]
 pub struct Listening {
     sensors: Vec<SensorReports>,
     over: Vec<SensorSilence>,
@@ -33,7 +34,6 @@ struct SensorReports {
     before: Option<WallTime>,
     /// The longest time without a report that was not a silence.
     longest: Span,
-    /// The first day with a report, and the number of such days.
     first_day: i64,
     days: i64,
     /// The day at whose end the current silence was first known.
@@ -72,12 +72,10 @@ impl SensorReports {
 }
 
 impl Listening {
-    /// For so many sensors without a report.
     pub fn new(sensors: usize) -> Listening {
         Listening { sensors: vec![SensorReports::default(); sensors], over: Vec::new() }
     }
 
-    /// Takes a report of a sensor; `away` has the absences.
     pub fn take(&mut self, at: WallTime, sensor: usize, kind: Kind, away: &[Interval<WallTime>]) {
         let of = &mut self.sensors[sensor];
         match of.silence(sensor, kind, at, away) {
@@ -132,16 +130,13 @@ impl Listening {
     }
 }
 
-/// The missing sensors of a day.
 pub struct MissingSensors {
     silent: Vec<usize>,
     doubted: Vec<usize>,
-    /// By sensor: it has reported on the day.
     spoke: Vec<bool>,
 }
 
 impl MissingSensors {
-    /// A measure needs one of them.
     pub fn hinders(&self, measure: &DailyMeasure, rooms: &SensorRooms, at_entrance: &dyn Fn(usize) -> bool) -> bool {
         let needs = |sensor: usize| {
             needs(measure, rooms.of_sensors[sensor].map(|room| rooms.purpose(room)), at_entrance(sensor))

@@ -1,7 +1,6 @@
-//! Measures as tables, for people and for programs.
-
 use super::registry::MEASURES;
 use super::values::{Measures, SilentSensor};
+use crate::phrases::write_remarks;
 use homebody_core::problem::counted;
 use homebody_core::statistics::quantile;
 use std::fmt;
@@ -19,13 +18,11 @@ impl Measures {
         text
     }
 
-    /// The known values of a measure, in the order of days.
     pub fn known(&self, measure: usize) -> Vec<f64> {
         self.days.iter().filter_map(|day| day.values[measure]).collect()
     }
 }
 
-/// The usual value of each measure, and the last days.
 impl fmt::Display for Measures {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
         const LAST: usize = 7;
@@ -60,18 +57,10 @@ impl fmt::Display for Measures {
         for (_, words) in SilentSensor::sentences(&self.silent) {
             writeln!(f, "\n{words}; measures that need it have no value for that time.")?;
         }
-        for (number, noted) in self.noted.iter().enumerate() {
-            if number == 0 {
-                writeln!(f)?;
-            }
-            writeln!(f, "{noted}")?;
+        if !self.noted.is_empty() {
+            writeln!(f)?;
         }
-        for (number, remark) in self.remarks.iter().enumerate() {
-            if number == 0 {
-                writeln!(f)?;
-            }
-            writeln!(f, "{remark}.")?;
-        }
-        Ok(())
+        self.noted.iter().try_for_each(|noted| writeln!(f, "{noted}"))?;
+        write_remarks(f, &self.remarks)
     }
 }

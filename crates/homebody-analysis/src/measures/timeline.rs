@@ -7,19 +7,16 @@ use homebody_core::time::{DAY, HOUR, Interval, MINUTE, Span, WallTime, joined};
 use homebody_timeline::Episode;
 use jiff::civil::Date;
 
-/// A time in one room, whose number is the label.
 pub type RoomStay = Episode<WallTime, usize>;
 
 /// The way from one sensor to another that fires next.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SensorPassage {
-    /// The time of the second firing.
     pub at: WallTime,
     /// The pace, as multiples of the usual time between the two.
     pub of_usual: f64,
 }
 
-/// A walk whose length is known.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TimedWalk {
     /// The end of the walk.
@@ -38,15 +35,11 @@ pub struct MeasureTimeline {
     pub rooms: SensorRooms,
     /// Most signs come from things that are used, so that rooms and movements in between are unknown.
     pub is_unwatched: bool,
-    /// The unknown times, in order.
     pub unknown: Vec<Interval<WallTime>>,
-    /// The stays of the resident in rooms, in order of time.
     pub stays: Vec<RoomStay>,
-    /// The absences of all people.
     pub away: Option<Vec<Interval<WallTime>>>,
     /// The times in bed, by night and by day.
     pub in_bed: Option<Vec<Interval<WallTime>>>,
-    /// The times asleep in bed.
     pub asleep: Option<Vec<Interval<WallTime>>>,
     /// The movements in bed: the beginnings of bouts.
     pub stirs: Option<Vec<WallTime>>,
@@ -63,12 +56,10 @@ pub struct MeasureTimeline {
     pub showers: Option<Vec<WallTime>>,
     /// The beginnings of meals, or of their cooking where only that is known.
     pub meals: Option<Vec<WallTime>>,
-    /// The passages between sensors.
     pub passages: Option<Vec<SensorPassage>>,
     /// The walks of known length, where the home is known.
     pub walks: Option<Vec<TimedWalk>>,
     pub company: Option<Vec<Interval<WallTime>>>,
-    /// The density of each hour.
     pub cells: Option<Vec<[DensityCell; 24]>>,
 }
 
@@ -87,7 +78,6 @@ impl MeasureTimeline {
         Interval::starting(self.begin + day as i64 * DAY, DAY)
     }
 
-    /// The known hours between two instants, to the hour.
     pub fn known_h(&self, span: Interval<WallTime>) -> f64 {
         let hours = span.map(|at| (at - self.begin).div_euclid(HOUR));
         let known = (hours.begin..hours.end).filter_map(|hour| {
@@ -149,7 +139,6 @@ mod tests {
     use super::*;
     use crate::sample::span;
 
-    /// From one hour to another.
     fn hours(from: i64, to: i64) -> Interval<WallTime> {
         span(from * 3600, to * 3600)
     }

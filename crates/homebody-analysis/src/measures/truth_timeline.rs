@@ -1,5 +1,3 @@
-//! Builds the timeline of measures from the timeline of a person.
-
 use super::rooms::{SensorRooms, purpose};
 use super::timeline::{MeasureTimeline, RoomStay, TimedWalk};
 use homebody_core::activity::{
@@ -11,12 +9,10 @@ use homebody_timeline::{Episode, PersonTimeline};
 /// Longest gap within one activity (our choice): a walk to the toilet does not make a second meal.
 const APART: Span = MINUTE.times(5);
 
-/// Details of a truth besides the timeline of a resident.
 #[derive(Clone, Debug, Default)]
 pub struct TruthDetails {
     /// Walks of the resident, in order of time.
     pub walks: Option<Vec<TimedWalk>>,
-    /// The times with guests in the home.
     pub company: Option<Vec<Interval<WallTime>>>,
 }
 

@@ -1,5 +1,3 @@
-//! The values of measures, as plain data.
-
 use super::measure::DailyMeasure;
 use super::registry::MEASURES;
 use crate::phrases::{in_full, listed};
@@ -13,13 +11,11 @@ use std::fmt;
 /// Smallest number of hours away at which a day does not count (our choice).
 const AWAY_H: f64 = 16.0;
 
-/// The measures of all days of a log.
 #[derive(Clone, Debug, Default, Serialize)]
 pub struct Measures {
     pub name: String,
     /// The measures, in the order of the values.
     pub measures: &'static [DailyMeasure],
-    /// The limits of the measures, in sentences.
     pub remarks: Vec<String>,
     /// The names of measures that are a guess, as no sensor gives them: see the remarks.
     pub guesses: Vec<&'static str>,
@@ -73,7 +69,6 @@ fn by_name<S: Serializer>(values: &[Option<f64>], serializer: S) -> Result<S::Ok
 pub struct NoteComparison {
     pub measure: &'static str,
     pub unit: &'static str,
-    /// The number of days on which both are known.
     pub days: usize,
     pub by_notes: f64,
     pub by_sensors: f64,
@@ -93,13 +88,10 @@ impl fmt::Display for NoteComparison {
     }
 }
 
-/// A sensor that has fallen silent.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct SilentSensor {
     pub sensor: String,
-    /// The day of its last report.
     pub since: Date,
-    /// The day on which the silence is known.
     pub told: Date,
     /// The day of its next report, if there is one.
     pub until: Option<Date>,

@@ -40,7 +40,6 @@ pub struct Paces {
 struct WayTimes(Vec<f64>);
 
 impl WayTimes {
-    /// The usual seconds of the way, once they are known.
     fn usual(&self) -> Option<f64> {
         (self.0.len() >= PASSES_KNOWN).then(|| self.0[self.0.len() / 2])
     }
@@ -74,12 +73,10 @@ impl Paces {
         passages
     }
 
-    /// Forgets the last sensor.
     pub fn forget(&mut self) {
         self.before = None;
     }
 
-    /// The usual time of a way is known.
     pub fn is_known(&self) -> bool {
         self.pairs.values().any(|pair| pair.usual().is_some())
     }

@@ -10,7 +10,6 @@ const PASSING: Span = MINUTE;
 /// Smallest number of returns to the start of a way that is pacing or lapping (our choice).
 const ROUNDS: usize = 3;
 
-/// The beginnings of pacing and of lapping.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct WanderingStarts {
     /// The beginnings of ways back and forth.
@@ -19,7 +18,6 @@ pub struct WanderingStarts {
     pub lapping: Vec<WallTime>,
 }
 
-/// The aimless ways among stays in rooms.
 pub fn wandering(stays: &[RoomStay]) -> WanderingStarts {
     let mut found = WanderingStarts::default();
     for way in stays.split(|stay| stay.length() > PASSING) {

@@ -14,16 +14,13 @@ use std::collections::BTreeMap;
 const CELL_M: f64 = 0.1;
 const STEP_M: f64 = 0.05;
 
-/// The known facts about the home of a log.
 #[derive(Clone, Copy, Debug)]
 pub struct HomeKnowledge<'a> {
     /// The rooms of sensors; empty if only names tell them.
     pub rooms: &'a BTreeMap<String, String>,
-    /// The ways between sensors, if they are known.
     pub ways: Option<&'a Ways>,
 }
 
-/// The ways between the motion sensors of a home.
 #[derive(Clone, Debug, Default)]
 pub struct Ways {
     /// By all names that a sensor may have in a log: its number here.
@@ -68,7 +65,6 @@ impl Ways {
         Ways { numbers, ways }
     }
 
-    /// The number of a sensor by its name in a log.
     pub fn number(&self, name: &str) -> Option<usize> {
         self.numbers.get(name).copied()
     }

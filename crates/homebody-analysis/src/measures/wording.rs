@@ -1,5 +1,3 @@
-//! Values of measures in words.
-
 use super::measure::{DailyMeasure, ValueForm};
 use crate::dates::clock_of_hours;
 use crate::phrases::{count, hours, often};
@@ -8,27 +6,22 @@ use homebody_core::names::capitalised;
 /// Difference of the pace, in percent, below which it is unchanged (our choice).
 const SAME_PACE_PERCENT: f64 = 5.0;
 
-/// The value that another is compared with.
 #[derive(Clone, Copy)]
 pub(crate) enum Earlier {
-    /// The usual value, of an alert.
     Usual(f64),
     /// The mean before, of a change in a summary.
     Before(f64),
 }
 
 impl DailyMeasure {
-    /// Values are times of day, in hours since midnight.
     pub fn is_clock(&self) -> bool {
         self.unit.form == ValueForm::Clock
     }
 
-    /// A value with its unit, or as a time of day.
     pub fn with_unit(&self, value: f64, decimals: usize) -> String {
         if self.is_clock() { clock_of_hours(value) } else { format!("{value:.decimals$} {}", self.unit) }
     }
 
-    /// Its name in the middle of a sentence.
     pub fn noun(&self) -> String {
         self.title.to_lowercase()
     }
@@ -75,7 +68,6 @@ impl DailyMeasure {
         }
     }
 
-    /// A value of a day as a clause.
     fn this_day(&self, value: f64) -> String {
         let said = match self.unit.form {
             ValueForm::Hours => format!("for {}", hours(value)),
@@ -86,7 +78,6 @@ impl DailyMeasure {
         capitalised(&if is_none { self.did_not.to_owned() } else { self.did.replace("{}", &said) })
     }
 
-    /// A value of one day on its own.
     fn said(&self, value: f64) -> Option<String> {
         match self.unit.form {
             ValueForm::Hours => Some(hours(value)),
@@ -117,7 +108,6 @@ impl DailyMeasure {
         }
     }
 
-    /// The word between a value and a lower one, or a higher.
     fn comparative(&self, is_more: bool) -> &'static str {
         match (self.unit.form, is_more) {
             (ValueForm::Clock, true) => "later",

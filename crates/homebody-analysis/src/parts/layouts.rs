@@ -12,25 +12,19 @@ use std::fmt;
 const LEAST: f64 = 0.5;
 const LEAST_M: f64 = 0.01;
 
-/// A home with its sensors.
 #[derive(Clone, Copy, Debug)]
 pub struct SensorLayout<'a> {
-    /// The name of the layout.
     pub name: &'a str,
     pub home: &'a HomeFile,
-    /// The body that the sensors should see.
     pub build: Build,
 }
 
-/// The figures of a layout.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct LayoutSummary {
-    /// The name of the layout.
     pub name: String,
     pub sensors: usize,
     #[serde(flatten)]
     pub parts: PartsList,
-    /// All walkable floor, and the shares of it that sensors see.
     pub whole: SeenFloor,
     /// The same of each room.
     pub rooms: Vec<SeenFloor>,
@@ -51,7 +45,6 @@ pub struct LayoutComparison {
     pub differences: Vec<SensorDifference>,
 }
 
-/// Two layouts side by side.
 pub fn beside(layouts: [SensorLayout; 2]) -> LayoutComparison {
     let layouts = layouts.map(LayoutSummary::from_layout);
     let [one, other] = &layouts;

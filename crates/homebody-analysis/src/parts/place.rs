@@ -11,9 +11,7 @@ const SHORTEST_M: f64 = 0.3;
 /// Angle within which a sensor looks straight out, in degrees (our choice).
 const STRAIGHT_DEG: f64 = 3.0;
 
-/// A wall as seen from a point in a room.
 struct FacingWall {
-    /// The direction straight into the wall.
     towards: Point,
     distance_m: f64,
 }
@@ -37,7 +35,6 @@ pub fn from_walls(plan: &Plan, at: Point) -> String {
     }
 }
 
-/// The place of a sensor on its wall.
 pub fn on_wall(plan: &Plan, at: Point) -> String {
     match &two_walls(plan, at)[..] {
         [one, other] if one.distance_m <= ON_WALL_M && other.distance_m <= ON_WALL_M => {

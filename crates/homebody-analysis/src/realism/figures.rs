@@ -24,7 +24,6 @@ pub struct DayFigures {
 }
 
 impl DayFigures {
-    /// The figures that may separate days, or else hours, of two logs.
     pub fn from_firings(logs: [&MotionFirings; 2], of_days: bool) -> DayFigures {
         let counts = logs.map(MotionFirings::counts);
         let both = counts[0].iter().filter_map(|(name, a)| Some((a + counts[1].get(name)?, (*name).to_owned())));

@@ -55,7 +55,6 @@ impl MotionFirings {
         .within(days)
     }
 
-    /// The part of some of its days.
     pub fn within(&self, days: Range<i64>) -> MotionFirings {
         let span = of_days(&days);
         MotionFirings {
@@ -66,7 +65,6 @@ impl MotionFirings {
         }
     }
 
-    /// Its first and its second half.
     pub fn halves(&self) -> [MotionFirings; 2] {
         let middle = self.days.start + (self.days.end - self.days.start) / 2;
         [self.within(self.days.start..middle), self.within(middle..self.days.end)]
@@ -82,7 +80,6 @@ impl MotionFirings {
         &self.on[before.begin..before.end]
     }
 
-    /// From midnight to midnight.
     pub fn each_day(&self) -> impl Iterator<Item = Interval<WallTime>> {
         self.days.clone().map(|day| of_days(&(day..day + 1)))
     }
@@ -95,7 +92,6 @@ impl MotionFirings {
         (self.days.end - self.days.start).max(0) as usize
     }
 
-    /// The firings of each sensor, by name.
     pub fn counts(&self) -> BTreeMap<&str, f64> {
         let mut counts: BTreeMap<&str, f64> = BTreeMap::new();
         for &(_, sensor) in &self.firings {
@@ -127,7 +123,7 @@ fn whole_days(span: Interval<WallTime>) -> Range<i64> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::sample::{log, span};
+    use crate::sample::{log, parsed, span};
 
     #[test]
     fn days_are_whole_if_all_but_an_hour_was_recorded() {
@@ -141,14 +137,7 @@ mod tests {
 
     #[test]
     fn contacts_and_readings_are_no_motion_and_what_never_ends_has_no_length() {
-        let log = log(&[
-            (60, "hall", "ON"),
-            (64, "hall", "OFF"),
-            (70, "door", "OPEN"),
-            (80, "T1", "21.5"),
-            (90, "bed", "FIRE"),
-            (86_399, "hall", "ON"),
-        ]);
+        let log = log(&parsed("60 hall ON, 64 hall OFF, 70 door OPEN, 80 T1 21.5, 90 bed FIRE, 86399 hall ON"));
         let heard = MotionFirings::from_log(&log, None);
         assert_eq!(heard.sensors, ["hall"], "a bed is used");
         assert_eq!(heard.firings.len(), 2);

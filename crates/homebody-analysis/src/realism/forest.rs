@@ -11,9 +11,7 @@ use homebody_core::random::Stream;
 
 /// Rows of figures, each of one of two logs.
 pub struct FigureRows {
-    /// Each as long as the others.
     pub figures: Vec<Vec<f64>>,
-    /// A row is of the second log.
     pub is_second: Vec<bool>,
     /// The number of the row's day in its log: rows of one day are never on both sides of a turn.
     pub day: Vec<usize>,

@@ -2,6 +2,7 @@
 
 use super::firings::MotionFirings;
 use crate::compare::distance;
+use homebody_core::statistics::{mean, sd};
 use homebody_core::time::{HOUR, Interval, MINUTE, SECOND, Span, WallTime};
 use std::collections::BTreeMap;
 
@@ -11,18 +12,15 @@ pub const TOGETHER: Span = SECOND.times(3);
 /// Longest time of a way from one sensor to another.
 const ON_THE_WAY: Span = MINUTE;
 
-/// The times from each firing in the home to the next.
 pub fn gaps(log: &MotionFirings) -> Vec<Span> {
     log.firings.windows(2).map(|pair| pair[1].0 - pair[0].0).collect()
 }
 
-/// The times from each firing of a sensor to its next.
 pub fn refires(log: &MotionFirings) -> Vec<Span> {
     let mut last = vec![None; log.sensors.len()];
     log.firings.iter().filter_map(|&(at, sensor)| Some(at - last[sensor].replace(at)?)).collect()
 }
 
-/// The lengths of ONs.
 pub fn on_lengths(log: &MotionFirings) -> Vec<Span> {
     log.on.iter().map(|(on, _)| on.length()).collect()
 }
@@ -31,12 +29,10 @@ pub fn firings_a_day(log: &MotionFirings) -> Vec<usize> {
     log.each_day().map(|day| log.firings_in(day).len()).collect()
 }
 
-/// The Kolmogorov-Smirnov distance of a sample of each of two logs.
 pub fn ks<T: Copy + Ord>(of: fn(&MotionFirings) -> Vec<T>, logs: [&MotionFirings; 2]) -> Option<f64> {
     distance(logs.map(of))
 }
 
-/// The distribution of the firings over the hours of the day, in firings an hour.
 pub fn profile(log: &MotionFirings) -> [f64; 24] {
     let mut hours = [0.0; 24];
     for (index, hour) in log.each_hour().enumerate() {
@@ -45,7 +41,6 @@ pub fn profile(log: &MotionFirings) -> [f64; 24] {
     hours
 }
 
-/// The distance of two profiles of the day.
 pub fn hours_apart(logs: [&MotionFirings; 2]) -> Option<f64> {
     let [a, b] = logs.map(profile);
     jensen_shannon(a.into_iter().zip(b))
@@ -62,17 +57,14 @@ pub fn names_agree(logs: [&MotionFirings; 2]) -> bool {
     agrees(0) && agrees(1)
 }
 
-/// The distance of the shares that the sensors have in the firings.
 pub fn shares_apart(logs: [&MotionFirings; 2]) -> Option<f64> {
     names_agree(logs).then(|| jensen_shannon_of(&logs.map(MotionFirings::counts)))?
 }
 
-/// The distance of the shares that each way from sensor to sensor has in all ways.
 pub fn ways_apart(logs: [&MotionFirings; 2]) -> Option<f64> {
     names_agree(logs).then(|| jensen_shannon_of(&logs.map(ways)))?
 }
 
-/// The number of times that one sensor follows another.
 fn ways(log: &MotionFirings) -> BTreeMap<(&str, &str), f64> {
     let mut ways = BTreeMap::new();
     for pair in log.firings.windows(2) {
@@ -117,7 +109,6 @@ pub fn together(log: &MotionFirings) -> Option<f64> {
     (!log.firings.is_empty()).then(|| beside as f64 / log.firings.len() as f64)
 }
 
-/// The share of hours without firings.
 pub fn empty_hours(log: &MotionFirings) -> Option<f64> {
     let empty = log.each_hour().filter(|hour| log.firings_in(*hour).is_empty()).count();
     (log.days_count() > 0).then(|| empty as f64 / (24 * log.days_count()) as f64)
@@ -154,10 +145,8 @@ pub fn days_follow(log: &MotionFirings) -> Option<f64> {
 
 /// The standard deviation over the mean.
 pub fn spread(values: &[f64]) -> Option<f64> {
-    let count = values.len() as f64;
-    let mean = values.iter().sum::<f64>() / count;
-    let squares: f64 = values.iter().map(|value| (value - mean) * (value - mean)).sum();
-    (values.len() > 1 && mean > 0.0).then(|| (squares / (count - 1.0)).sqrt() / mean)
+    let mean = mean(values).filter(|mean| *mean > 0.0)?;
+    Some(sd(values)? / mean)
 }
 
 /// A quantile of a sorted sample: the value at the share, rounded down.
@@ -165,7 +154,6 @@ pub fn quantile(sorted: &[f64], share: f64) -> Option<f64> {
     sorted.get(((sorted.len() as f64 * share) as usize).min(sorted.len().saturating_sub(1))).copied()
 }
 
-/// The Jensen-Shannon distance of the counts of two logs, by key.
 fn jensen_shannon_of<K: Ord>(counts: &[BTreeMap<K, f64>; 2]) -> Option<f64> {
     let of_a = counts[0].iter().map(|(key, &a)| (a, counts[1].get(key).copied().unwrap_or(0.0)));
     let of_b = counts[1].iter().filter(|(key, _)| !counts[0].contains_key(key)).map(|(_, &b)| (0.0, b));

@@ -1,5 +1,3 @@
-//! The measures for people.
-
 use super::{LogSummary, Realism, TellingFigure};
 use std::fmt;
 

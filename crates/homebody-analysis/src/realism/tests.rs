@@ -1,5 +1,3 @@
-//! The measures against figures worked by hand.
-
 use super::firings::MotionFirings;
 use super::measures::*;
 use super::*;

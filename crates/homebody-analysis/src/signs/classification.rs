@@ -1,5 +1,3 @@
-//! The kinds that the sensors of a log are taken for.
-
 use super::evidence::{Classification, Evidence};
 use super::meanings::{Meanings, OwnWords};
 use super::names::{NamedKind, is_of_program, is_room_letter_place, is_seat, known_and_named};
@@ -11,7 +9,6 @@ use homebody_log::{Log, SaidBy, SensorInfo};
 /// In a home with motion sensors, more than one row of so many is theirs.
 const FEWER: u64 = 10;
 
-/// The sensors of a log for other files, in its order.
 pub struct LogSensors {
     pub called: Vec<String>,
     pub kinds: Vec<Kind>,
@@ -23,12 +20,10 @@ impl LogSensors {
     }
 }
 
-/// The kinds of the sensors of a log, in its order.
 pub fn kinds(log: &Log) -> Vec<Kind> {
     taken(log).into_iter().map(|taken| taken.kind).collect()
 }
 
-/// The same with the evidence.
 pub fn taken(log: &Log) -> Vec<Classification> {
     let meanings = Meanings::from_log(log);
     let mut tallies = vec![SensorTally::default(); log.sensors.len()];
@@ -53,7 +48,6 @@ impl Beforehand {
         }
     }
 
-    /// The kinds of the sensors; `tallies` are of their rows, in the order of the log.
     pub fn taken(&self, tallies: &[&SensorTally]) -> Vec<Classification> {
         let sensors: Vec<SensorEvidence> =
             self.sensors.iter().zip(tallies).map(|(known, tally)| SensorEvidence { known, tally }).collect();
@@ -86,7 +80,6 @@ fn taken_by(sensors: &[SensorEvidence], own: &OwnWords) -> Vec<Classification> {
     all
 }
 
-/// The kind that logs show of a sensor in a home, which may give readings.
 pub fn kind_in_home(kind: &str, gives_readings: bool) -> Kind {
     match meaning(kind, "") {
         Some(Meaning::Is(kind)) => kind,
@@ -100,7 +93,6 @@ pub fn kind_in_home(kind: &str, gives_readings: bool) -> Kind {
 struct SensorDescription {
     /// The source's word for its kind, after the evidence that the word is.
     kind: (Evidence, String),
-    /// The meaning of that word, or of its id.
     meaning: Option<Meaning>,
     /// The domain of its id, where only the id tells its kind.
     domain: Option<String>,
@@ -136,7 +128,6 @@ impl SensorDescription {
     }
 }
 
-/// Neither the name of an entity nor its room tells of a person.
 fn tells_of_no_person(known: Option<&SensorInfo>, id: &str, domain: &str) -> bool {
     let name = known.filter(|known| known.name != id).map_or(&id[domain.len() + 1..], |known| &known.name);
     let has_room = known.is_some_and(|known| known.room.is_some()) || room_use(name).is_some();
@@ -154,7 +145,6 @@ impl SensorEvidence<'_> {
         self.by_its_kind().or_else(|| self.by_values()).or_else(|| self.by_name())
     }
 
-    /// Its kind by the kind in a table, the source or a home, by its unit, and by the domain of its id.
     fn by_its_kind(&self) -> Option<Classification> {
         let (by, kind) = (self.known.kind.0, self.known.kind.1.as_str());
         let Some(kind_of) = self.known.meaning.and_then(|meaning| self.kind(meaning)) else {

@@ -5,7 +5,6 @@ use homebody_core::states::Says;
 use homebody_core::time::{Interval, TimePoint, WallTime};
 use homebody_log::Log;
 
-/// The meaning of a row after the rows of its sensor before it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct RowMeaning<T = WallTime> {
     pub says: Says,
@@ -16,7 +15,6 @@ pub struct RowMeaning<T = WallTime> {
 }
 
 impl<T> RowMeaning<T> {
-    /// Something begins or opens at this row.
     pub fn begins(&self) -> bool {
         self.says.is_on() && !self.is_restored
     }
@@ -27,12 +25,9 @@ impl<T> RowMeaning<T> {
     }
 }
 
-/// The state of one sensor by its rows so far.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct SensorCourse<T = WallTime> {
-    /// The last known state.
     state: Option<Says>,
-    /// The last row.
     at: Option<T>,
     /// The begin of the unknown state.
     unknown_from: Option<T>,
@@ -68,7 +63,6 @@ fn gap_between<T: TimePoint>(gaps: &[Interval<T>], before: T, at: T) -> Option<T
     (next.begin < at).then_some(next.begin)
 }
 
-/// The meaning of each row of a log, in the order of its rows.
 pub fn said<T: TimePoint + Default>(log: &Log<T>) -> Vec<RowMeaning<T>> {
     let meanings = Meanings::from_log(log);
     let mut courses = vec![SensorCourse::default(); log.sensors.len()];

@@ -7,26 +7,19 @@ use serde::Serialize;
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Evidence {
-    /// The table of the log's sensors.
     Table,
-    /// The log's source.
     Source,
-    /// The home that the log is of.
     Home,
     /// Values that no other kind has.
     Values,
-    /// Its name or its id.
     Name,
-    /// A guess by the time that it is on.
     Guess,
 }
 
-/// The kind of a sensor, and the evidence.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Classification {
     pub kind: Kind,
     pub by: Evidence,
-    /// The evidence in words.
     pub because: String,
 }
 

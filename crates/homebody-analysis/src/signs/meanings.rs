@@ -21,7 +21,6 @@ pub struct Meanings {
 }
 
 impl Meanings {
-    /// The meanings of a log that has been read.
     pub fn from_log<T>(log: &Log<T>) -> Meanings {
         let values = log.values.iter().map(|value| (says(value), is_number(value))).collect();
         Meanings { values, own: OwnWords::from_log(log) }
@@ -33,7 +32,6 @@ impl Meanings {
         Some(self.own.says(event).map_or(known, |says| (says, false)))
     }
 
-    /// The meaning of a row of the log.
     pub fn says<T>(&self, event: &Event<T>) -> Says {
         self.said(event).map_or(Says::Else, |(says, _)| says)
     }
@@ -42,12 +40,10 @@ impl Meanings {
 /// The words that single sensors of a log have for two states.
 #[derive(Clone, Debug, Default)]
 pub struct OwnWords {
-    /// By sensor, up to the last one with words of its own.
     of_sensors: Vec<Option<TwoWords>>,
     not_understood: Vec<String>,
 }
 
-/// The two words of one sensor.
 #[derive(Clone, Debug)]
 struct TwoWords {
     on: u32,
@@ -57,7 +53,6 @@ struct TwoWords {
 }
 
 impl OwnWords {
-    /// The words of a log that has been read.
     pub fn from_log<T>(log: &Log<T>) -> OwnWords {
         let mut own = OwnWords::default();
         for pair in &log.pairs {
@@ -84,7 +79,6 @@ impl OwnWords {
         own
     }
 
-    /// The meaning of a row whose sensor has words of its own.
     pub fn says<T>(&self, event: &Event<T>) -> Option<Says> {
         let words = self.of_sensors.get(event.sensor as usize)?.as_ref()?;
         let (begins, ends) = if words.is_contact { (Says::Opens, Says::Closes) } else { (Says::Begins, Says::Ends) };
@@ -100,7 +94,6 @@ impl OwnWords {
         Some(&self.of_sensors.get(sensor)?.as_ref()?.because)
     }
 
-    /// No sensor has words of its own.
     pub fn is_empty(&self) -> bool {
         self.of_sensors.is_empty()
     }

@@ -1,5 +1,3 @@
-//! The kind that a sensor has by its name.
-
 use homebody_core::names::words;
 use homebody_core::role::Role;
 use homebody_core::sensed::domain_of;
@@ -14,7 +12,6 @@ use homebody_log::{Log, SensorInfo};
 pub enum NamedKind {
     /// It has a word for motion, or a name that CASAS gives to its motion sensors: `M001`, `MA015`.
     Motion,
-    /// It has a word for a contact.
     Contact,
     /// A thing that is used, though it says `ON`.
     Thing,
@@ -44,7 +41,6 @@ const SEATS_BY_ROLE: [Role; 4] = [Role::Bed, Role::Sofa, Role::Armchair, Role::D
 const PLACES: &str = "cabinet closet computer";
 const SEATS: &str = "bed chair seat";
 
-/// The kind by a name, and the word for it.
 pub fn named(name: &str) -> Option<(NamedKind, String)> {
     let words = words(name);
     let by = |known: &str| words.iter().find(|word| has_any(std::slice::from_ref(word), known)).cloned();
@@ -76,7 +72,6 @@ pub fn named(name: &str) -> Option<(NamedKind, String)> {
         .or_else(|| by(DOOR_WORDS).or_else(|| by(WINDOW_WORDS)).map(|word| (NamedKind::Door, word)))
 }
 
-/// A sensor in the log's list, and the kind by its name.
 pub fn known_and_named<'a, T>(log: &'a Log<T>, id: &str) -> (Option<&'a SensorInfo>, Option<(NamedKind, String)>) {
     let known = log.known.iter().find(|known| known.id == id || one_word(&known.id) == id);
     let name = known.map(|known| known.name.as_str()).filter(|name| *name != id);

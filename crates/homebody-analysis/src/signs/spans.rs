@@ -54,23 +54,18 @@ pub struct UnknownStates {
     last: Option<WallTime>,
 }
 
-/// The same of one sensor.
 #[derive(Clone, Debug, Default)]
 struct UnknownState {
-    /// Its first row.
     first: Option<WallTime>,
-    /// The begin of the unknown state.
     since: Option<WallTime>,
     spans: Vec<Interval<WallTime>>,
 }
 
 impl UnknownStates {
-    /// For so many sensors, before their first rows.
     pub fn new(sensors: usize) -> UnknownStates {
         UnknownStates { sensors: vec![UnknownState::default(); sensors], last: None }
     }
 
-    /// For all rows of a log.
     pub fn from_log(log: &Log) -> UnknownStates {
         let meanings = Meanings::from_log(log);
         let mut states = UnknownStates::new(log.sensors.len());
@@ -80,7 +75,6 @@ impl UnknownStates {
         states
     }
 
-    /// Takes a row.
     pub fn take(&mut self, at: WallTime, sensor: usize, is_unknown: bool) {
         let of = &mut self.sensors[sensor];
         of.first = of.first.or(Some(at));

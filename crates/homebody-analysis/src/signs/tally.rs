@@ -30,7 +30,6 @@ pub struct SensorTally {
 }
 
 impl SensorTally {
-    /// Takes a row; returns its meaning after those before it.
     pub fn take(&mut self, at: WallTime, says: Says, is_number: bool, gaps: &[Interval<WallTime>]) -> RowMeaning {
         let said = self.course.take(at, says, gaps);
         match says {
@@ -90,7 +89,6 @@ impl SensorTally {
         self.motion > 0 && !self.ends
     }
 
-    /// It is on for any time.
     pub(super) fn has_spans(&self) -> bool {
         self.spans > 0
     }

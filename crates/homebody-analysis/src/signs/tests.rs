@@ -1,22 +1,14 @@
 use super::*;
-use crate::sample::{at, log, span};
+use crate::sample::{at, log, parsed, span};
 use homebody_core::time::{HOUR, SECOND, WallTime};
 use homebody_log::{Log, SaidBy, SensorInfo, ValuePair};
 
 #[test]
 fn sensors_are_taken_for_what_most_of_their_rows_look_like() {
-    let log = log(&[
-        (0, "M1", "ON"),
-        (1, "M1", "OFF"),
-        (2, "M1", "ON0"),
-        (3, "D1", "OPEN"),
-        (4, "T1", "21.5"),
-        (5, "T1", "1"),
-        (6, "T1", "0"),
-        (7, "L002", "ON"),
-        (8, "mattress", "true"),
-        (9, "hall", "FIRE"),
-    ]);
+    let log = log(&parsed(
+        "0 M1 ON, 1 M1 OFF, 2 M1 ON0, 3 D1 OPEN, 4 T1 21.5, 5 T1 1, 6 T1 0, 7 L002 ON, 8 mattress true, \
+         9 hall FIRE",
+    ));
     let wanted = [Kind::Motion, Kind::Contact, Kind::Reading, Kind::Used, Kind::Used, Kind::Motion];
     assert_eq!(kinds(&log), wanted);
 }
@@ -78,19 +70,10 @@ fn first_values_of_simulated_sensors_are_beginnings() {
 
 #[test]
 fn on_lasts_until_off() {
-    let log = log(&[
-        (5, "M1", "ON"),
-        (0, "M1", "ON"),
-        (9, "M1", "OFF"),
-        (9, "M1", "OFF"),
-        (20, "M1", "ON"),
-        (3, "hall", "FIRE"),
-        (6, "hall", "FIRE"),
-    ]);
+    let log = log(&parsed("5 M1 ON, 0 M1 ON, 9 M1 OFF, 9 M1 OFF, 20 M1 ON, 3 hall FIRE, 6 hall FIRE"));
     assert_eq!(spans(&log), [vec![span(0, 9), span(20, 20)], vec![span(3, 3), span(6, 6)]]);
 }
 
-/// A sensor with a kind from its source.
 fn of_kind(id: &str, kind: &str) -> SensorInfo {
     SensorInfo::of_kind(id, kind, &[])
 }
@@ -191,17 +174,10 @@ fn motion_sensors_by_their_names_stay_so_however_often_they_speak() {
 
 #[test]
 fn on_ends_where_state_becomes_unknown() {
-    let log = log(&[
-        (0, "M1", "on"),
-        (20, "M1", "unavailable"),
-        (3600, "M1", "off"),
-        (7200, "M1", "on"),
-        (7260, "M1", "off"),
-        (7300, "bed", "on"),
-        (7400, "bed", "unknown"),
-        (7500, "bed", "on"),
-        (7600, "bed", "off"),
-    ]);
+    let log = log(&parsed(
+        "0 M1 on, 20 M1 unavailable, 3600 M1 off, 7200 M1 on, 7260 M1 off, 7300 bed on, 7400 bed unknown, \
+         7500 bed on, 7600 bed off",
+    ));
     assert_eq!(spans(&log), [vec![span(0, 20), span(7200, 7260)], vec![span(7300, 7400), span(7500, 7600)]]);
     assert_eq!(UnknownStates::from_log(&log).spans(&log.gaps), [vec![span(20, 3600)], vec![span(7400, 7500)]]);
     let said = said(&log);
@@ -213,13 +189,7 @@ fn on_ends_where_state_becomes_unknown() {
 
 #[test]
 fn spans_end_at_gaps_of_the_recorder() {
-    let mut log = log(&[
-        (0, "bed", "off"),
-        (0, "bed", "on"),
-        (30, "hall", "FIRE"),
-        (86_400, "bed", "on"),
-        (86_430, "bed", "off"),
-    ]);
+    let mut log = log(&parsed("0 bed off, 0 bed on, 30 hall FIRE, 86400 bed on, 86430 bed off"));
     let whole = spans(&log);
     assert_eq!(whole[0], [span(0, 86_430)], "without a word of a gap");
     log.gaps = vec![span(30, 86_400)];
@@ -234,15 +204,7 @@ fn spans_end_at_gaps_of_the_recorder() {
 
 #[test]
 fn nothing_is_known_where_no_sensor_is() {
-    let log = log(&[
-        (0, "M1", "on"),
-        (1, "M2", "on"),
-        (10, "M1", "unavailable"),
-        (20, "M2", "unavailable"),
-        (30, "M1", "off"),
-        (40, "M2", "off"),
-        (50, "T1", "21"),
-    ]);
+    let log = log(&parsed("0 M1 on, 1 M2 on, 10 M1 unavailable, 20 M2 unavailable, 30 M1 off, 40 M2 off, 50 T1 21"));
     let of = |asks: &dyn Fn(usize) -> bool| UnknownStates::from_log(&log).of_all(&log.gaps, asks);
     assert_eq!(of(&|sensor| sensor < 2), [span(20, 30)]);
     assert_eq!(of(&|sensor| sensor == 0), [span(10, 30)]);
@@ -310,11 +272,7 @@ fn the_name_of_a_motion_sensor_decides_over_open_and_closed() {
 
 #[test]
 fn a_door_is_a_contact_by_its_name_before_its_few_rows_are_looked_at() {
-    let few = [
-        (0, "binary_sensor.hall_motion", "on"),
-        (9, "binary_sensor.hall_motion", "off"),
-        (20, "binary_sensor.front_door", "on"),
-    ];
+    let few = parsed("0 binary_sensor.hall_motion on, 9 binary_sensor.hall_motion off, 20 binary_sensor.front_door on");
     assert_eq!(kinds(&log(&few)), [Kind::Motion, Kind::Contact]);
     assert_eq!(kinds(&log(&few[2..])), [Kind::Contact], "its id is that of a system which says when a state ends");
     assert_eq!(kinds(&log(&[(0, "hall pir", "ON"), (9, "Haustür", "ON")])), [Kind::Motion, Kind::Contact]);

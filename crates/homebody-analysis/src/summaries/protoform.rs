@@ -8,7 +8,6 @@ use homebody_core::fuzzy::Quantifier;
 use homebody_core::names::capitalised;
 use jiff::civil::Date;
 
-/// A measure with its place in summaries.
 type Topic = (&'static DailyMeasure, SummaryUse);
 
 /// The measures of summaries, in order of rank.
@@ -37,7 +36,6 @@ const STRICT: [(Quantifier, f64); 6] = [
 /// Number of days of a change: some days are beyond the past without a change.
 const OF_CHANGES: usize = 4;
 
-/// A possible sentence.
 pub(super) struct Protoform {
     quantifier: Quantifier,
     set: Set,
@@ -79,7 +77,6 @@ pub(super) fn level((measure, summary): Topic, values: &[(Date, f64)]) -> Option
     best
 }
 
-/// The sets that may describe a measure.
 fn sets(unit: ValueForm, (low, high): (f64, f64)) -> Vec<Set> {
     match unit {
         ValueForm::Times => {
@@ -105,7 +102,6 @@ fn covers(set: Set, (low, high): (f64, f64)) -> f64 {
     }
 }
 
-/// The change of a measure, if there is one.
 pub(super) fn change((_, summary): Topic, values: &[(Date, f64)], past: &[(Date, f64)]) -> Option<Protoform> {
     let count = past.len() as f64;
     let mean = past.iter().map(|(_, value)| value).sum::<f64>() / count;

@@ -1,5 +1,3 @@
-//! The sentences of a summary, as plain data.
-
 use super::set::Set;
 use homebody_core::fuzzy::Quantifier;
 use jiff::civil::Date;
@@ -8,28 +6,21 @@ use std::fmt;
 
 /// Smallest truth value of a sentence in the summary (our choice).
 pub const TRUE_ENOUGH: f64 = 0.8;
-/// The days of a log in words.
 #[derive(Clone, Debug, Serialize)]
 pub struct VerbalSummary {
     pub name: String,
-    /// The first of the days.
     pub from: Option<Date>,
     /// The number of days, and of those that count.
     pub days: usize,
-    /// The whole days with a person at home.
     pub days_that_count: usize,
     /// Enough days that count lie before to show changes.
     pub is_compared: bool,
-    /// The limits of the summary, in sentences.
     pub remarks: Vec<String>,
-    /// The sentences, those that say most first.
     pub sentences: Vec<SummarySentence>,
 }
 
-/// A sentence about a measure.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct SummarySentence {
-    /// For carers.
     pub plain: String,
     /// The same with numbers.
     pub expert: String,
@@ -55,7 +46,6 @@ pub struct SummarySentence {
     pub mean: f64,
     /// The mean of the days before, of a change.
     pub before: Option<f64>,
-    /// The days that fit.
     pub shown_by: Vec<Date>,
 }
 
@@ -63,16 +53,11 @@ pub struct SummarySentence {
 pub struct SummarySubject<'a> {
     /// The name: `Margaret`, or `The resident`.
     pub subject: &'a str,
-    /// The number of the last days.
     pub last: usize,
 }
 
 impl VerbalSummary {
     /// Writes the sentences, for experts with truth values, and the remarks after them.
-    ///
-    /// # Errors
-    ///
-    /// Those of the formatter.
     pub fn write(&self, f: &mut fmt::Formatter, is_expert: bool) -> fmt::Result {
         for sentence in &self.sentences {
             writeln!(f, "{}", if is_expert { &sentence.expert } else { &sentence.plain })?;

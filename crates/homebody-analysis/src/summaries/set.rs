@@ -3,14 +3,12 @@
 use homebody_core::fuzzy::Fuzzy;
 use serde::Serialize;
 
-/// The values of a measure in a sentence.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Set {
     /// So many times, or more often.
     AtLeast(u32),
     Exactly(u32),
-    /// Between two values.
     Between(f64, f64),
     /// More than before, or less: from half a standard deviation on a little, from one and a half on fully.
     Beyond {

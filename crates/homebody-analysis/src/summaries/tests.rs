@@ -1,22 +1,9 @@
 use super::*;
-use crate::measures::MEASURES;
-use jiff::civil::date;
 
 /// Days with these visits to the bathroom by night, and bedtimes.
 fn days(visits: &[f64], bedtimes: &[f64]) -> Measures {
-    let number = |name: &str| MEASURES.iter().position(|measure| measure.name == name).unwrap();
-    let (visited, to_bed) = (number("bathroom_night"), number("bedtime"));
-    let day = |(index, (&visits, &bedtime)): (usize, (&f64, &f64))| {
-        let mut values = vec![None; MEASURES.len()];
-        (values[visited], values[to_bed]) = (Some(visits), Some(bedtime));
-        DayMeasures {
-            date: date(2024, 1, 1).saturating_add(jiff::Span::new().days(index as i64)),
-            is_whole: true,
-            values,
-        }
-    };
-    let days = visits.iter().zip(bedtimes).enumerate().map(day).collect();
-    Measures { name: "log".into(), measures: MEASURES, days, ..Measures::default() }
+    let column = |values: &[f64]| values.iter().copied().map(Some).collect();
+    crate::sample::days(&[("bathroom_night", column(visits)), ("bedtime", column(bedtimes))])
 }
 
 const ADA: SummarySubject = SummarySubject { subject: "Ada", last: 14 };

@@ -1,5 +1,3 @@
-//! Sentences of summaries.
-
 use super::sentence::SummarySubject;
 use super::set::Set;
 use crate::dates::clock_of_hours;
@@ -29,7 +27,6 @@ impl DailyMeasure {
     }
 }
 
-/// The days, or nights, of a sentence.
 fn on(quantifier: Quantifier, occasion: &str, days: usize) -> String {
     let many = match quantifier {
         Quantifier::Every => "every",

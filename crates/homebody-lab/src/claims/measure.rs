@@ -31,11 +31,8 @@ pub enum ClaimMeasure {
         share: f64,
         nights: bool,
     },
-    /// Days of each week.
     DaysAWeek(usize),
-    /// Total number.
     Times(Range),
-    /// Number on each day or night.
     TimesADay {
         range: Range,
         nights: bool,
@@ -51,7 +48,6 @@ pub enum ClaimMeasure {
     Lasts(Range),
     Longest(Range),
     Mostly(Range),
-    /// Minutes a day.
     Minutes(Range),
     /// Minutes from the end, to the start, or from the start of another activity, for most of them.
     After(String, Range),
@@ -59,7 +55,6 @@ pub enum ClaimMeasure {
     With(String, Range),
     /// The room, for most of the time.
     In(String),
-    /// Mean of the daily values.
     Is(Range),
 }
 

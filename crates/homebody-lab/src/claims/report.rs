@@ -1,5 +1,3 @@
-//! The report on claims: a table, and the claims that do not hold.
-
 use super::measure::ClaimMeasure;
 use super::subject::Range;
 use super::text::Beside;

@@ -6,35 +6,29 @@ pub enum Subject {
     Activity(String),
     /// A door, a piece of furniture or a lamp, while it is open or on.
     Thing(String),
-    /// The stay in a room.
     Room(String),
     Lamps,
     /// A value of a sensor, such as `OPEN`.
     Says(String),
-    /// Metres walked a day.
     Metres,
     Pace,
     /// Seconds of movement in bed an hour asleep.
     Turning,
     Severity(String),
-    /// All firings of a day, or of some of its hours.
     Firings,
 }
 
 pub type Range = (f64, f64);
 
-/// The days and hours that count.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Filter {
     /// The first and the last day, counted from 1.
     pub days: Option<(i32, i32)>,
     /// Bit 0 is Monday.
     pub weekdays: Option<u8>,
-    /// Every nth day from the first.
     pub every: Option<i32>,
     /// Starts between these minutes of the day; the second may be of the next day.
     pub between: Option<Range>,
-    /// Shortest duration, in minutes.
     pub at_least: Option<f64>,
 }
 
@@ -58,7 +52,6 @@ impl Subject {
 }
 
 impl Filter {
-    /// Splits the filters from a measure.
     pub fn read(text: &str) -> Result<(&str, Filter), String> {
         let mut filter = Filter::default();
         let mut rest = text;

@@ -9,12 +9,10 @@ pub const CLAIMS: &str = include_str!("claims.txt");
 /// The effects of conditions, by their sources.
 pub const CONDITIONS: &str = include_str!("conditions.txt");
 
-/// Sentences, the home and routine that they are added to, and claims.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct ClaimCase {
     /// Counted from 1.
     pub line: usize,
-    /// The form of its sentences.
     pub form: String,
     pub home: ClaimHome,
     /// The resident whose routine gets the sentences; the first resident without it.
@@ -25,26 +23,20 @@ pub struct ClaimCase {
     pub start: Option<String>,
     /// Days to simulate, if the number matters.
     pub days: Option<i32>,
-    /// The sentences of the case.
     pub said: Vec<String>,
-    /// Sentences of the case and of its twin.
     pub both: Vec<String>,
     pub claims: Vec<Claim>,
 }
 
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum ClaimHome {
-    /// One woman alone.
     #[default]
     Apartment,
-    /// A couple with a cat.
     Couple,
 }
 
-/// An expected result of the sentences.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Claim {
-    /// The text in the table.
     pub text: String,
     /// The source of the size, if the table names it.
     pub source: String,
@@ -69,12 +61,10 @@ pub enum Beside {
     Itself,
     /// Divided by the value of the twin, whose routine lacks the sentences.
     ShareOfTwin,
-    /// Less the value of the twin.
     MoreThanTwin,
 }
 
 impl ClaimCase {
-    /// Parses all cases of a text.
     pub fn read(text: &str) -> Result<Vec<ClaimCase>, String> {
         let mut cases: Vec<ClaimCase> = Vec::new();
         let (mut form, mut case) = (String::new(), ClaimCase::default());
@@ -116,7 +106,6 @@ impl ClaimCase {
         Ok(())
     }
 
-    /// The sentences in one line.
     pub fn sentence(&self) -> String {
         let words = self.said.iter().flat_map(|line| line.split_whitespace());
         words.fold(String::new(), |mut text, word| {
@@ -132,7 +121,6 @@ impl ClaimCase {
     }
 }
 
-/// Ends a case at a blank line.
 fn finish(cases: &mut Vec<ClaimCase>, case: &mut ClaimCase) -> Result<(), String> {
     let done = std::mem::take(case);
     match (done.line, done.said.is_empty(), done.claims.is_empty()) {

@@ -43,7 +43,6 @@ const LEAST_M: f64 = 1.0;
 /// An interval of an activity, or of a thing that was on or open; `lasted` omits interruptions.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Occurrence {
-    /// The day, or the night, that counts it.
     pub day: i32,
     pub time: Interval<RunTime>,
     pub lasted: Span,
@@ -102,7 +101,6 @@ impl ClaimTruth {
         }
     }
 
-    /// Takes the events of a part of the run.
     pub fn absorb(&mut self, events: &Events) {
         self.builder.take(&events.facts);
         for fact in &events.facts {
@@ -145,7 +143,6 @@ impl ClaimTruth {
         (0..last).filter(|&day| filter.is_day(day, self.calendar.weekday(day))).collect()
     }
 
-    /// The Mondays of complete weeks.
     pub fn whole_weeks(&self) -> Vec<i32> {
         (0..=self.days - 7).filter(|&day| self.calendar.weekday(day) == 0).collect()
     }

@@ -1,5 +1,3 @@
-//! `homebody-lab alerts`.
-
 use super::locate::every_fault;
 use crate::alerting::{AlertCurve, AlertQuality, AlertsRow, MethodQuality, later, quality};
 use homebody::shared::{Failure, ResultOutput, TextTable, alert_rules, show};

@@ -1,5 +1,3 @@
-//! `homebody-lab claims`.
-
 use super::evaluation::evaluate_each;
 use crate::claims::{CLAIMS, ClaimCase, ClaimRow, ClaimsExperiment};
 use crate::messages::ExperimentMessage;

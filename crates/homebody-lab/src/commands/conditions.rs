@@ -1,5 +1,3 @@
-//! `homebody-lab conditions`.
-
 use super::claims::{cases, simulated};
 use crate::claims::{CONDITIONS, ConditionsExperiment};
 use homebody::shared::{Failure, JsonOutput};

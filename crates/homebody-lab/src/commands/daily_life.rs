@@ -1,5 +1,3 @@
-//! `homebody-lab daily-life`.
-
 use super::evaluation::evaluate_each;
 use crate::daily_life::{DailyLifeExperiment, PersonFigures, PersonRecord};
 use crate::simulated::all_events;

@@ -1,5 +1,3 @@
-//! The evaluation of many cases at the same time.
-
 use homebody::shared::{self, Failure};
 use homebody_simulation::SimulationError;
 use rayon::prelude::*;

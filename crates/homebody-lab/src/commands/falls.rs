@@ -1,5 +1,3 @@
-//! `homebody-lab falls`.
-
 use crate::falls::{CameraHome, FIRST_SEED, experiment};
 use homebody::shared::{Failure, ResultOutput};
 use homebody_analysis::falls::rules::FallRules;

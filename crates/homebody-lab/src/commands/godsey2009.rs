@@ -1,5 +1,3 @@
-//! `homebody-lab godsey2009`.
-
 use crate::godsey2009::{GodseyExperiment, LENGTH_S};
 use homebody::shared::{Failure, ResultOutput};
 use homebody_picture::{FiringLane, Reference, TotalsLine, firing_chart, totals_chart};

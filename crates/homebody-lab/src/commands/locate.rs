@@ -1,5 +1,3 @@
-//! `homebody-lab locate`.
-
 use super::evaluation::evaluate_each;
 use crate::locating::{LocatingCase, SimulatedHome, case};
 use homebody::shared::{Failure, JsonOutput, TextTable};
@@ -83,13 +81,11 @@ pub(super) fn with_and_without_faults<T: Send, E: fmt::Display>(
     each_home(&cases, |&(number, _)| template(number), of_case)
 }
 
-/// True for a person, false for a pet.
 pub(super) fn is_person(household: &Household, resident: usize) -> bool {
     let person = household.routine(resident).and_then(|routine| routine.person.as_ref());
     person.is_none_or(|person| person.kind == ResidentKind::Person)
 }
 
-/// Evaluates a home with this link.
 pub(super) fn with_link<T, E: fmt::Display>(
     opened: &OpenScenario,
     link: &LinkFile,

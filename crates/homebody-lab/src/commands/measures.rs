@@ -1,5 +1,3 @@
-//! `homebody-lab measures`.
-
 use super::locate::{single_home, with_and_without_faults};
 use crate::measures::{MeasureError, case, errors_between};
 use crate::messages::ExperimentMessage;
@@ -35,7 +33,6 @@ pub struct MeasuresLabArguments {
     output: JsonOutput,
 }
 
-/// Measures of real logs, compared with noted activities.
 #[derive(Serialize)]
 struct RealLogsExperiment {
     logs: Vec<RealLogErrors>,
@@ -52,7 +49,6 @@ struct MeasuresExperiment {
     days: u32,
     /// Over all homes, with a perfect link.
     clean: Vec<MeasureError>,
-    /// Over all homes, with every fault.
     faults: Vec<MeasureError>,
 }
 

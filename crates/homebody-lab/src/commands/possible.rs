@@ -1,5 +1,3 @@
-//! `homebody-lab possible`.
-
 use super::evaluation::evaluate_each;
 use super::locate::is_person;
 use crate::messages::ExperimentMessage;

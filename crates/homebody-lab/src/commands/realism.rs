@@ -1,5 +1,3 @@
-//! `homebody-lab realism`.
-
 use crate::messages::ExperimentMessage;
 use homebody::shared::{Failure, LogOptions, ResultOutput, not_comparable, read_log};
 use homebody_analysis::realism::{ComparedLog, Realism, realism};

@@ -1,5 +1,3 @@
-//! `homebody-lab recogniser`.
-
 use super::evaluation::evaluate_each;
 use crate::messages::ExperimentMessage;
 use crate::recogniser::{Prepared, RecogniserError};

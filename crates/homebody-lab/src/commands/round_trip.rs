@@ -1,5 +1,3 @@
-//! `homebody-lab round-trip`.
-
 use super::locate::{each_home, single_home, with_link};
 use crate::round_trip::{CheckedSentence, DAYS, drawn_routine, round_trip};
 use homebody::shared::{Failure, JsonOutput, TextTable};
@@ -35,7 +33,6 @@ pub struct RoundTripLabArguments {
 struct RoundTripExperiment {
     homes: u32,
     days: u32,
-    /// Sentences that the routine determines.
     checkable: usize,
     /// Checkable sentences that are true by the routine, to 0.8 or more.
     agree: usize,
@@ -73,7 +70,6 @@ impl RoundTripLabArguments {
     }
 }
 
-/// The home with a random routine.
 fn with_routine(opened: &OpenScenario, seed: u64) -> Result<OpenScenario, Failure> {
     let scenario = opened.scenario();
     let name = scenario.residents.first().map_or("", |resident| resident.file.name.as_str());

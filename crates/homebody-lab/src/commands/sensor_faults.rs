@@ -1,5 +1,3 @@
-//! `homebody-lab sensor-faults`.
-
 use super::locate::{each_home, with_link};
 use crate::sensor_faults::{FaultCase, PLANTED_KINDS, PlantedFault, case, faulty};
 use homebody::shared::{Failure, JsonOutput, TextTable};
@@ -35,7 +33,6 @@ struct FaultsExperiment {
     cases: Vec<FaultCase>,
 }
 
-/// The result for faults of one kind.
 #[derive(Serialize)]
 struct FaultKindResult {
     kind: &'static str,

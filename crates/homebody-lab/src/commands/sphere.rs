@@ -1,5 +1,3 @@
-//! `homebody-lab sphere`.
-
 use crate::messages::ExperimentMessage;
 use crate::sphere::{AnnotatedRun, Interval, RecordingResult, RecordingTexts, SphereExperiment, SphereRowError, parse};
 use homebody::shared::{Failure, ResultOutput};

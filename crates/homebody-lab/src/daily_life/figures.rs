@@ -1,5 +1,3 @@
-//! Figures as people read them.
-
 /// A number with its unit, as people read it.
 pub fn number(value: f64, unit: &str) -> String {
     match unit {
@@ -13,7 +11,6 @@ pub fn number(value: f64, unit: &str) -> String {
     }
 }
 
-/// Three figures that count.
 fn plain(value: f64) -> String {
     match value.abs() {
         size if size >= 99.95 => format!("{value:.0}"),

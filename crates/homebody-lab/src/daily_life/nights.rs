@@ -74,7 +74,6 @@ fn night(lived: &PersonRecord, activities: &[Episode], moves: &[BodyMovement], d
     })
 }
 
-/// The first instant in an interval at which the body lies.
 fn lies_from(moves: &[BodyMovement], time: Interval<RunTime>) -> Option<RunTime> {
     let from = moves.partition_point(|moved| moved.time.end <= time.begin);
     let mut within = moves[from..].iter().take_while(|moved| moved.time.begin < time.end);

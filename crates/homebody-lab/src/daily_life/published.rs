@@ -18,12 +18,10 @@ pub struct PublishedFigure {
     pub figure: FigureSource,
 }
 
-/// The derivation of a figure from people.
 #[derive(Clone, Copy)]
 pub enum FigureSource {
     Mean(fn(&PersonFigures) -> Option<f64>),
     Spread(fn(&PersonFigures) -> Option<f64>),
-    /// A figure of all people together.
     Whole(fn(&[PersonFigures]) -> Option<f64>),
 }
 

@@ -1,5 +1,3 @@
-//! One person's simulated days, as the measures need them.
-
 use homebody_core::calendar::Calendar;
 use homebody_core::event::{Events, Fact, Value};
 use homebody_core::ids::{ResidentId, SensorId};
@@ -9,7 +7,6 @@ use homebody_core::time::{Interval, MINUTE, RunTime, Span};
 use homebody_timeline::{Episode, PersonTimeline};
 use std::ops::Range;
 
-/// A simulated person and the home.
 #[derive(Clone, Debug)]
 pub struct PersonRecord<'a> {
     pub events: &'a Events,
@@ -49,7 +46,6 @@ impl<'a> PersonRecord<'a> {
         ((day - self.days.start).max(0) as usize, since)
     }
 
-    /// The movements and rests of the body, over the whole run.
     pub fn moves(&self) -> Vec<BodyMovement> {
         let moved = |fact: &Fact| match *fact {
             Fact::Movement { resident, begin, end, doing, posture } if resident == self.resident => {
@@ -92,7 +88,6 @@ impl<'a> PersonRecord<'a> {
     }
 }
 
-/// The speed of a stride that is long enough.
 pub fn speed_mps(moved: &BodyMovement) -> Option<f64> {
     /// Shortest walk with a measured speed, as on a line of sensors (our choice).
     const LEAST_M: f64 = 1.0;

@@ -58,7 +58,6 @@ impl SensingFigures {
     }
 }
 
-/// The shares of one, two, and more sensors in the time with any sensor ON.
 fn at_once(ons: &[(SensorId, Interval<RunTime>)]) -> Option<[f64; 3]> {
     let mut changes: Vec<(RunTime, i32)> = ons.iter().flat_map(|(_, on)| [(on.begin, 1), (on.end, -1)]).collect();
     changes.sort_unstable();

@@ -1,5 +1,3 @@
-//! The cases: falls, and activities that look like falls.
-
 use homebody_core::geometry::point;
 use homebody_core::random::Stream;
 use serde::Serialize;
@@ -15,7 +13,6 @@ const STIRS_S: [f64; 2] = [45.0, 180.0];
 
 macro_rules! cases {
     ($($(#[$doc:meta])* $case:ident $name:literal $per_day:literal,)*) => {
-        /// The cases, falls first.
         #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize)]
         #[serde(rename_all = "snake_case")]
         pub enum FallCase {

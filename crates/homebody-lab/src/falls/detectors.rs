@@ -16,7 +16,6 @@ use homebody_core::time::RunTime;
 use homebody_log::silhouettes::cameras;
 use serde::Serialize;
 
-/// The sensors of a fall detector.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Method {
@@ -25,12 +24,10 @@ pub enum Method {
     Fused,
 }
 
-/// The setup of a fall detector.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 pub struct DetectorSetup {
     pub method: Method,
     pub cameras: usize,
-    /// Indices of the cameras.
     #[serde(skip)]
     of: &'static [usize],
     pub name: &'static str,
@@ -97,7 +94,6 @@ pub(super) fn settings(method: Method) -> Vec<Setting> {
     std::iter::once(usual).chain(others).collect()
 }
 
-/// A fall detector for all cases of a home.
 pub(super) struct FallDetector<'r> {
     pub way: DetectorSetup,
     settings: Vec<Setting>,
@@ -115,7 +111,6 @@ impl<'r> FallDetector<'r> {
         FallDetector { way, settings: settings(way.method), cameras, scenes, ears: Ear::all_of_home(home) }
     }
 
-    /// The alarms of a case, by setting.
     pub fn alarms(&self, events: &Events, until: RunTime) -> Vec<Vec<RunTime>> {
         let (falls, sightings) = match self.way.method {
             Method::Passive => Default::default(),
@@ -139,7 +134,6 @@ impl<'r> FallDetector<'r> {
         self.settings.iter().map(by).collect()
     }
 
-    /// The falls in the pictures, and the sightings of a person.
     fn seen(&self, events: &Events) -> (Vec<Fall>, Vec<CameraSighting>) {
         let mut scenes = self.scenes.clone();
         let (mut found, mut sightings) = (Vec::new(), Vec::<CameraSighting>::new());

@@ -1,5 +1,3 @@
-//! The room of the experiment, as its files.
-
 use super::cases::FallCase;
 use homebody_core::random::Stream;
 use homebody_core::scenario::load::Scenario;
@@ -7,7 +5,6 @@ use serde::Serialize;
 use serde_json::{Value, json};
 use std::collections::BTreeMap;
 
-/// A variant of the room or its cameras.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Condition {
@@ -43,7 +40,6 @@ impl Condition {
     }
 }
 
-/// A case as a scenario, and its duration in seconds.
 pub(super) fn scenario(case: FallCase, seed: u64, condition: Condition) -> (Scenario, f64) {
     let mut stream = Stream::named(seed, &format!("falls/{}", case.name()));
     let story = case.story(&mut stream);

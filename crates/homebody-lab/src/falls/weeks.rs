@@ -26,13 +26,11 @@ const ONE: Span = MINUTE.times(10);
 
 const WEEK: Span = DAY.times(7);
 
-/// A home with cameras and its residents.
 pub struct CameraHome<'a> {
     pub scenario: &'a Scenario,
     pub drivers: &'a (dyn DriverProvider + Sync),
 }
 
-/// Detected falls and false alarms in simulated weeks.
 #[derive(Clone, Debug, Serialize)]
 pub struct WeeksResult {
     #[serde(flatten)]
@@ -90,7 +88,6 @@ pub(super) fn evaluate_weeks(
     Ok(if weeks == 0 { Vec::new() } else { looks.iter().enumerate().map(of).collect() })
 }
 
-/// The falls, the falls that were found, and the false alarms.
 fn count_alarms(lies: &[Interval<RunTime>], alarms: &[RunTime]) -> [u32; 3] {
     let is_of = |lie: &Interval<RunTime>, at: RunTime| (lie.begin..=lie.end + LATE).contains(&at);
     let found = lies.iter().filter(|lie| alarms.iter().any(|&at| is_of(lie, at))).count();

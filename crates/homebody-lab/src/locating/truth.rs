@@ -11,7 +11,6 @@ use homebody_infer::{LogMessage, MessageKind, ResponseError};
 use homebody_log::{LogError, SimulatedRun};
 
 pub struct SimulatedHome<'a> {
-    /// The scenario, with its link.
     pub scenario: &'a Scenario,
     pub drivers: &'a dyn DriverProvider,
     /// The residents that are people, not pets.
@@ -56,7 +55,6 @@ pub(crate) fn second_begins(second: usize) -> RunTime {
     RunTime::START + second as i64 * SECOND
 }
 
-/// The messages of a simulated run, and the truth of each second.
 pub(crate) struct MessagesWithTruth {
     pub messages: Vec<LogMessage>,
     /// By sensor: its room.

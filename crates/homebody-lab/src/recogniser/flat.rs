@@ -50,7 +50,6 @@ homebody_core::messages! {
 from_errors!(FlatError: Log(LogError), Run(DriverError));
 
 impl Flat {
-    /// The flat with this routine of its resident.
     pub fn new(routine: &str) -> Result<Flat, FlatError> {
         let mut files: BTreeMap<String, String> =
             FILES.iter().map(|(name, text)| ((*name).to_owned(), (*text).to_owned())).collect();

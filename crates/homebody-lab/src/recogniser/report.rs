@@ -1,5 +1,3 @@
-//! The report of the experiment.
-
 use super::{RecogniserExperiment, Score};
 use homebody::shared::TextTable;
 use std::fmt;
@@ -37,7 +35,6 @@ impl fmt::Display for RecogniserExperiment {
     }
 }
 
-/// A name, and a cell for each class.
 fn write_row(f: &mut fmt::Formatter, name: &str, cells: impl Iterator<Item = String>) -> fmt::Result {
     write!(f, "{name:<32}")?;
     cells.into_iter().try_for_each(|cell| write!(f, " {cell:>9}"))?;

@@ -1,5 +1,3 @@
-//! The score of a recogniser.
-
 use super::classes::COUNT;
 use serde::Serialize;
 
@@ -8,7 +6,6 @@ use serde::Serialize;
 pub struct Confusion(pub [[u32; COUNT]; COUNT]);
 
 impl Confusion {
-    /// Counts pairs of true and predicted class.
     pub fn from_pairs(judged: impl Iterator<Item = (usize, usize)>) -> Confusion {
         let mut counts = [[0; COUNT]; COUNT];
         judged.for_each(|(is, predicted)| counts[is][predicted] += 1);

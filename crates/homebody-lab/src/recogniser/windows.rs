@@ -25,10 +25,8 @@ pub struct Window {
     pub class: usize,
 }
 
-/// An ON time of a sensor.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct On {
-    /// Index into the sensors that are asked for.
     pub sensor: usize,
     pub time: Interval<WallTime>,
 }

@@ -10,7 +10,6 @@ pub struct Comparison {
     /// named a room.
     pub annotator_agreement: Option<f64>,
     pub rooms: Vec<RoomComparison>,
-    /// All rooms together.
     pub overall: RoomComparison,
     pub findings: Vec<Finding>,
 }
@@ -18,7 +17,6 @@ pub struct Comparison {
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct RoomComparison {
     pub room: String,
-    /// Number and duration of the person's stays.
     pub visits: usize,
     pub in_room_s: f64,
     pub real: SensorFigures,
@@ -31,7 +29,6 @@ pub struct RoomComparison {
 pub struct SensorFigures {
     pub intervals: usize,
     pub on_s: f64,
-    /// Visits with an ON.
     pub visits_seen: usize,
     /// Median from entry to the first ON, of visits with an ON.
     pub latency_s: Option<f64>,
@@ -41,7 +38,6 @@ pub struct SensorFigures {
     pub recall: Option<f64>,
 }
 
-/// A result that agrees or does not agree.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Finding {
     pub agrees: bool,

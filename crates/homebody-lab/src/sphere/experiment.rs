@@ -30,7 +30,6 @@ pub struct SphereExperiment {
     pub by_recording: Vec<RecordingResult>,
 }
 
-/// The result of one recording.
 #[derive(Clone, Debug, Serialize)]
 pub struct RecordingResult {
     pub name: String,
@@ -39,7 +38,6 @@ pub struct RecordingResult {
     pub comparison: Comparison,
     /// Annotated stays that are too short for a person; they count to the room before or after.
     pub short_stays: Vec<ShortStay>,
-    /// The rooms of the person, and the ON times of each sensor.
     pub rooms: Vec<Interval>,
     pub real: Vec<Interval>,
     pub simulated: Vec<Interval>,

@@ -24,7 +24,6 @@ pub struct SphereHouse<'a> {
     seats: Vec<Seat>,
 }
 
-/// An open door within the house.
 struct Door {
     at: Point,
     rooms: [usize; 2],
@@ -63,7 +62,6 @@ impl<'a> SphereHouse<'a> {
         Some(HouseWay { to: way, length_m })
     }
 
-    /// The length of the shortest path; infinite without a path.
     pub(super) fn distance_m(&mut self, from: Point, to: Point) -> f64 {
         self.way(from, to).map_or(f64::INFINITY, |way| way.length_m)
     }

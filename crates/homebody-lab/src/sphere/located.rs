@@ -10,7 +10,6 @@ use serde::Serialize;
 
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct LocatedRecording {
-    /// Share of the annotated time with the right room.
     pub room_right: f64,
     /// The same, by the room of the last firing.
     pub last_firing_right: f64,
@@ -22,7 +21,6 @@ pub struct LocatedRecording {
     pub said_elsewhere: f64,
 }
 
-/// Locates the only person of a recording.
 pub(crate) fn locate_recording(
     run: &AnnotatedRun,
     house: &Scenario,

@@ -36,7 +36,6 @@ homebody_core::messages! {
     }
 }
 
-/// A row that cannot be parsed.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SphereRowError {
     pub file: &'static str,
@@ -51,7 +50,6 @@ impl fmt::Display for SphereRowError {
     }
 }
 
-/// Parses a recording, or reports all wrong rows.
 pub fn parse(texts: &RecordingTexts) -> Result<AnnotatedRun, Vec<SphereRowError>> {
     let mut bad = Vec::new();
     let (rooms, room_lines) = without_overlaps(rows("location_0.csv", texts.location, &mut bad)).into_iter().unzip();

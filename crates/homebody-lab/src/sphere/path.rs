@@ -102,7 +102,6 @@ impl Piece {
         self.end - self.begin
     }
 
-    /// The length of a walk at the usual pace in this time.
     fn walked_m(&self) -> f64 {
         PACE_MPS * self.lasts().seconds()
     }
@@ -111,7 +110,6 @@ impl Piece {
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Annotated {
     Walk,
-    /// One movement on the spot.
     InPlace {
         posture: Posture,
         amplitude_m: f64,
@@ -231,7 +229,6 @@ fn start(stay: &PathStay, exit: Option<Point>, house: &mut SphereHouse) -> Optio
     least_off(floor.len(), off_m).map(|index| floor[index])
 }
 
-/// A walk's waypoints and length.
 #[derive(Debug, Default)]
 struct WalkRoute {
     to: Vec<Point>,

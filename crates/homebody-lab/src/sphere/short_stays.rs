@@ -19,13 +19,11 @@ const LEAST_STAY_S: f64 = 0.2;
 /// Highest walking speed from door to door (our choice: adults begin to run at about this speed).
 const FASTEST_WALK_MPS: f64 = 2.0;
 
-/// A stay that was too short for a person.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct ShortStay {
     /// Its first row in `location_0.csv`, as a line counted from 1.
     pub line: usize,
     pub room: String,
-    /// Annotated duration.
     pub lasts_s: f64,
     /// Length of the path from the entry door to the exit door; `None`: the stay is too short for any path.
     pub way_m: Option<f64>,
@@ -68,7 +66,6 @@ pub fn without_short_stays(
     }
 }
 
-/// A stay in one room, and its rows.
 struct AnnotatedStay {
     room: String,
     rows: Range<usize>,
@@ -144,7 +141,6 @@ mod tests {
         (run.rooms.iter().map(row).collect(), short.iter().map(ShortStay::to_string).collect())
     }
 
-    /// The fastest leg of a path, in metres a second.
     fn fastest_mps(path: &PathFile) -> f64 {
         let at = |spot: &Spot| match spot {
             Spot::At(at) => homebody_core::geometry::point(*at),

@@ -1,5 +1,3 @@
-//! The comparison as a table and as sentences.
-
 use super::comparison::{Comparison, Finding, RoomComparison, SensorFigures};
 use homebody::shared::TextTable;
 use std::fmt;

@@ -63,6 +63,12 @@ pub fn activities(events: &Events, resident: u32, length: Span) -> Vec<(Interval
     all
 }
 
+/// The starts of an activity of the first resident in so many days.
+pub fn starts(events: &Events, days: i64, name: &str) -> Vec<RunTime> {
+    let lived = activities(events, 0, days * DAY);
+    lived.into_iter().filter(|(_, what)| what == name).map(|(time, _)| time.begin).collect()
+}
+
 pub fn day(at: RunTime) -> i64 {
     at.since_zero() / DAY
 }

@@ -56,7 +56,6 @@ pub(crate) struct CohortFile {
     pub recording: Recording,
 }
 
-/// The kept part of a ground truth, as it is written.
 #[derive(Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub(crate) enum KeptTruth {
@@ -89,7 +88,6 @@ impl From<KeptTruth> for TruthKept {
     }
 }
 
-/// The members asked for, as they are written.
 #[derive(Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub(crate) enum AskedMembers {

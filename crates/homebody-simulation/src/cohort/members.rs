@@ -53,22 +53,13 @@ homebody_core::messages! {
     #[derive(Clone, PartialEq, Eq)]
     pub enum CohortMessage in "cohort" {
         /// A server stores each run by its own identifier. It has no folder for the members of a cohort.
-        Server {
-            /// The URL.
-            place: String,
-        } error "server" ("a server cannot store a cohort: {place}")
+        Server { place: String } error "server" ("a server cannot store a cohort: {place}")
             hint ("name a folder for all members, such as parquet:cohort");
         /// The logs of all members in one stream would be one log.
-        Output {
-            /// The name of standard output.
-            place: String,
-        } error "standard-output" ("cannot write a cohort to standard output: {place}")
+        Output { place: String } error "standard-output" ("cannot write a cohort to standard output: {place}")
             hint ("name a folder for all members, such as parquet:cohort");
         /// The part of the program that writes into object stores is the feature `cloud`.
-        Store {
-            /// The URL.
-            place: String,
-        } error "object-store" ("this build of Homebody cannot write into object stores: {place}")
+        Store { place: String } error "object-store" ("this build of Homebody cannot write into object stores: {place}")
             hint ("build Homebody with --features cloud; or name a folder, such as parquet:cohort, and copy the folder");
     }
 }
@@ -99,7 +90,6 @@ impl CohortLayout {
         }
     }
 
-    /// The name of its form, as lists have it.
     pub(crate) fn form(self) -> Option<String> {
         match self {
             CohortLayout::Folders => None,
@@ -114,7 +104,6 @@ impl CohortLayout {
         CohortLayout::at(&place).ok()
     }
 
-    /// The recording of a member.
     pub(crate) fn recording(self, cohort: &Path, member: &str) -> PathBuf {
         match self {
             CohortLayout::Folders => cohort.join(member).join(RECORDING),
@@ -122,7 +111,6 @@ impl CohortLayout {
         }
     }
 
-    /// Whether a complete member has all its files.
     pub(crate) fn is_all_there(self, cohort: &Path, member: &str, scenario: &Scenario, kept: TruthKept) -> bool {
         match self {
             CohortLayout::Folders => is_all_there(&cohort.join(member), &scenario.logger),

@@ -15,7 +15,6 @@ use homebody_log::{LogError, WriteMode};
 use std::fs;
 use std::path::{Path, PathBuf};
 
-/// The place of a cohort.
 pub(crate) enum CohortPlace {
     Folder(PathBuf),
     #[cfg(feature = "cloud")]
@@ -38,7 +37,6 @@ impl LocalFolder {
     }
 }
 
-/// True of the URL of an object store.
 pub(crate) fn is_in_store(path: &Path) -> bool {
     path.to_string_lossy().contains("://")
 }
@@ -192,7 +190,6 @@ impl CohortPlace {
     }
 }
 
-/// The name of a file at the place of the cohort.
 #[cfg(feature = "cloud")]
 fn name_in(here: &LocalFolder, file: &Path) -> String {
     file.strip_prefix(here.path()).unwrap_or(file).to_string_lossy().replace('\\', "/")

@@ -82,12 +82,10 @@ impl Cohort {
         found.run_id() == expected.run_id() && length == expected.length_us
     }
 
-    /// The recording of a member, with the scenario's own texts.
     pub(crate) fn recording_of(&self, member: &Member) -> Recording {
         Recording { seed: member.seed, home: Some(member.name.clone()), ..self.recording.clone() }
     }
 
-    /// The result of a member.
     pub(crate) fn ended(
         &self,
         folder: &Path,

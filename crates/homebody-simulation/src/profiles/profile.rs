@@ -32,14 +32,12 @@ pub struct Profile {
     pub(super) texts: Arc<BTreeMap<String, String>>,
 }
 
-/// Another routine than the scenario's, with its text.
 #[derive(Debug, PartialEq)]
 pub(super) struct OtherRoutine {
     pub routine: Routine,
     pub text: String,
 }
 
-/// Another home than the scenario's, with its text.
 #[derive(Debug, PartialEq)]
 pub(super) struct OtherHome {
     pub file: String,
@@ -48,13 +46,11 @@ pub(super) struct OtherHome {
 
 /// The routine of a member instead of the scenario's.
 struct OwnRoutine {
-    /// Index of the resident.
     resident: usize,
     file: String,
     text: String,
 }
 
-/// A scenario that members differ from.
 pub(crate) struct Base<'a> {
     pub scenario: &'a Scenario,
     pub household: &'a Household,
@@ -139,7 +135,6 @@ impl Base<'_> {
         Ok(OtherRoutine { routine: household.routine(resident).cloned().unwrap_or_default(), text })
     }
 
-    /// The residents with the routine of a person.
     pub(super) fn people(&self) -> Vec<usize> {
         let is_person = |&resident: &usize| {
             let person = self.household.routine(resident).map(|routine| routine.person.as_ref());

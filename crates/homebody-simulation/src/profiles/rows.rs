@@ -39,7 +39,6 @@ const OTHER_COLUMNS: [&str; 3] = ["name", "seed", "home"];
 /// The words before the name of a condition.
 const SHOWS: &str = "the person shows ";
 
-/// The profiles of all rows, and all problems.
 pub(crate) fn read(table: &ProfileTable, base: &Base, without: &[String]) -> (Vec<Profile>, Vec<Problem>) {
     let mut reader = RowReader {
         table,
@@ -53,7 +52,6 @@ pub(crate) fn read(table: &ProfileTable, base: &Base, without: &[String]) -> (Ve
     (profiles, reader.problems)
 }
 
-/// Reads the rows of a table.
 struct RowReader<'a> {
     table: &'a ProfileTable<'a>,
     base: &'a Base<'a>,
@@ -69,15 +67,12 @@ struct RowReader<'a> {
 /// The overrides of a row: home, resident, routine and sentences.
 type RowDifference = (Option<String>, Option<usize>, Option<String>, OwnSentences);
 
-/// The result of the check of rows with the same overrides.
 struct CheckedDifference {
-    /// The conditions that they show.
     conditions: Vec<String>,
     /// The texts that they need, by name, as they were read.
     texts: Arc<BTreeMap<String, String>>,
 }
 
-/// A part of a sentence, with the cell that it is from.
 type SentencePart<'a> = (&'a str, Option<&'a TableCell>);
 
 /// A row's cells by column; those that are empty are missing.
@@ -148,7 +143,6 @@ impl<'a> RowReader<'a> {
         profiles
     }
 
-    /// Checks the members who differ like this from the scenario: their conditions and texts, or all problems.
     fn check(&self, profile: &Profile) -> Result<CheckedDifference, Vec<Problem>> {
         let (scenario, household) = self.base.with(profile, &[]).map_err(|problems| problems.0)?;
         let conditions = household.conditions().keys().cloned().collect();
@@ -157,7 +151,6 @@ impl<'a> RowReader<'a> {
         Ok(CheckedDifference { conditions, texts: Arc::new(texts) })
     }
 
-    /// Which column each cell of a row is in.
     fn columns(&mut self) -> Vec<Option<&'static str>> {
         let table = self.table;
         let mut columns: Vec<Option<&'static str>> = Vec::new();
@@ -192,7 +185,6 @@ impl<'a> RowReader<'a> {
         row
     }
 
-    /// A name that is a folder's, too.
     fn name(&mut self, row: &ProfileRow, cells: &[TableCell], names: &mut BTreeSet<String>) -> String {
         let Some(cell) = row.get("name") else {
             if let Some(first) = cells.iter().find(|cell| !cell.text.is_empty()) {
@@ -246,7 +238,6 @@ impl<'a> RowReader<'a> {
         profile
     }
 
-    /// The resident of a row.
     fn resident(&mut self, row: &ProfileRow) -> Option<usize> {
         let residents = &self.base.scenario.residents;
         let people = self.base.people();
@@ -317,7 +308,6 @@ impl<'a> RowReader<'a> {
         read.map_err(unread).ok()
     }
 
-    /// The sentences for the routine.
     fn sentences(&mut self, row: &ProfileRow) -> OwnSentences {
         let fact = |reader: &mut RowReader, column: &str, words: [&str; 2], what: &'static str| {
             let cell = row.get(column)?;
@@ -466,7 +456,6 @@ impl<'a> RowReader<'a> {
     }
 }
 
-/// The condition of a sentence.
 fn shown_by(sentence: &Routine) -> Option<&str> {
     sentence.changes.iter().find_map(|change| match &change.effect {
         Effect::Shows { condition, .. } => Some(condition.as_str()),
@@ -474,7 +463,6 @@ fn shown_by(sentence: &Routine) -> Option<&str> {
     })
 }
 
-/// The place of a problem.
 fn place(problem: &Problem) -> String {
     match problem.line {
         0 => problem.file.clone(),

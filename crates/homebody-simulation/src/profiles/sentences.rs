@@ -5,7 +5,6 @@ use homebody_routine::routine::{Effect, Routine};
 use std::cmp::Reverse;
 use std::ops::Range;
 
-/// The sentences of a profile about the person.
 #[derive(Clone, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) struct OwnSentences {
     /// Such as "The person is 75".

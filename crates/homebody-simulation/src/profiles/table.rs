@@ -4,7 +4,6 @@ use super::messages::ProfileMessage;
 use csv_core::{ReadFieldResult, ReaderBuilder, Terminator};
 use homebody_core::problem::{Diagnostic, Excerpt, Problem};
 
-/// A file of rows below a header.
 pub(crate) struct ProfileTable<'t> {
     file: &'t str,
     lines: Vec<&'t str>,

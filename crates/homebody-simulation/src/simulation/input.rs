@@ -54,7 +54,6 @@ pub(super) struct InputRecorder {
 
 #[derive(Default)]
 struct WrittenLines {
-    /// The number of lines on disk.
     kept: AtomicUsize,
     failed: Mutex<Option<LogError>>,
 }
@@ -110,7 +109,6 @@ fn write_all(place: &Path, mut recording: Recording, name: &str, given: &Receive
     }
 }
 
-/// The text of a file of keys.
 fn input_text(input: &[KeysFile]) -> String {
     let file = InputFile { schema: None, keys: input.to_vec() };
     serde_json::to_string_pretty(&file).unwrap_or_default() + "\n"

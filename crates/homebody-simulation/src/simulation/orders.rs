@@ -30,10 +30,7 @@ homebody_core::messages! {
         RealTime error "real-time" ("this broker takes events in real time only")
             hint ("choose at most 1 for \"times\", or add ?allow-fast=true to the URL of the broker");
         /// A run has a range of speeds.
-        Speed {
-            /// The factor asked for.
-            times: f64,
-        } error "speed" ("a run cannot go {times} times as fast as the clock")
+        Speed { times: f64 } error "speed" ("a run cannot go {times} times as fast as the clock")
             hint ("choose 0.1 to 1000 for \"times\"");
     }
 }

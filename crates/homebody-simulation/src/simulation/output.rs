@@ -8,7 +8,6 @@ use homebody_core::time::RunTime;
 use homebody_log::{LogError, RunLog, RunPlaces};
 use std::collections::VecDeque;
 
-/// The open files of a run.
 pub(super) struct RunOutput {
     pub places: RunPlaces,
     /// Until the files are complete.
@@ -22,7 +21,6 @@ pub(super) struct RunOutput {
     pub stored_to: RunTime,
 }
 
-/// The events of a part of a run.
 struct WaitingEvents {
     /// The number of lines of input before their end.
     lines: usize,
