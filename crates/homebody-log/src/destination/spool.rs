@@ -66,7 +66,6 @@ pub(crate) struct Spooled {
     meter: Arc<SinkMetrics>,
 }
 
-/// The spool while a destination is away.
 struct Spooling {
     file: BufWriter<File>,
     written_bytes: u64,

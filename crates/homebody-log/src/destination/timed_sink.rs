@@ -29,13 +29,11 @@ impl TimedSink {
         Ok(given.map(|given| self.heard(given)))
     }
 
-    /// As [`Sink::write`]; None where the sink has not answered yet.
     pub fn write_briefly(&mut self, batch: &Batch) -> Result<Option<()>, LogError> {
         let given = self.calls.ask_briefly(Call::Write, || writes(batch))?;
         Ok(given.map(|given| drop(self.heard(given))))
     }
 
-    /// As [`Sink::make_durable`]; None where the sink has not answered yet.
     pub fn make_durable_briefly(&mut self) -> Result<Option<Watermark>, LogError> {
         let given = self.calls.ask_briefly(Call::MakeDurable, makes_durable)?;
         Ok(given.map(|given| self.heard(given)))

@@ -41,7 +41,6 @@ pub(crate) struct Writer {
     asked: u64,
 }
 
-/// The progress of the thread.
 #[derive(Default)]
 struct WriterShared {
     /// The number of answered requests to make rows durable.
@@ -92,12 +91,10 @@ impl Writer {
         }
     }
 
-    /// The name of the destination in errors.
     pub fn place(&self) -> &str {
         &self.place
     }
 
-    /// The place, and what counts what it takes.
     pub fn meter(&self) -> (String, Arc<SinkMetrics>) {
         (self.place.clone(), self.meter.clone())
     }
@@ -107,7 +104,6 @@ impl Writer {
         self.policy.required
     }
 
-    /// The watermark of the destination.
     pub fn durable(&self) -> Watermark {
         self.shared.durable.lock().unwrap_or_else(PoisonError::into_inner).clone()
     }

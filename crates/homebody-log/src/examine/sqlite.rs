@@ -148,7 +148,6 @@ fn look(
     runs(connection, path, has("run"), checks)
 }
 
-/// Whether every page is in order.
 fn integrity(connection: &Connection, checks: &mut Vec<Check>) -> rusqlite::Result<bool> {
     let sql = format!("PRAGMA quick_check({MOST_TOLD})");
     let told: rusqlite::Result<Vec<String>> =

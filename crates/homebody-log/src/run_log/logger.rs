@@ -193,7 +193,6 @@ impl Logger {
         Ok(())
     }
 
-    /// Hands what there is to the writers.
     fn send(&mut self) -> Result<(), LogError> {
         self.sent_at = Instant::now();
         let batch = std::mem::replace(&mut self.batch, Batch::with_capacity(BATCH, COLUMNS)).with(&self.texts);
@@ -240,7 +239,6 @@ impl Logger {
         Ok(())
     }
 
-    /// The places that are written, each with what counts what it takes.
     pub(crate) fn meters(&self) -> impl Iterator<Item = (String, Arc<SinkMetrics>)> {
         self.writers.iter().map(Writer::meter)
     }

@@ -48,7 +48,6 @@ pub struct TruthLog {
     kept: Vec<Option<usize>>,
     batch: Batch,
     sent_at: Instant,
-    /// The number of rows handed over.
     sent: u64,
     /// `None` for instants with their offset or in UTC.
     set_backs: Option<SetBacks>,
@@ -192,7 +191,6 @@ impl TruthLog {
         if self.sent_at.elapsed() >= BATCH_WAITS { self.send() } else { Ok(()) }
     }
 
-    /// Its place, and what counts what goes there.
     pub(crate) fn meter(&self) -> (String, Arc<SinkMetrics>) {
         self.writer.meter()
     }

@@ -14,7 +14,6 @@ use crate::text::one_word;
 use homebody_core::scenario::logger::TimeFormat;
 use homebody_core::scenario::scheme::Scheme;
 
-/// Rows as the CASAS homes write them.
 pub(crate) struct Casas {
     /// Texts as single words.
     cells: CellWriter,

@@ -389,13 +389,11 @@ pub(crate) fn put_aside(path: &Path) -> Result<PathBuf, LogError> {
     Ok(aside.into())
 }
 
-/// Removes a database with its companion files.
 pub(crate) fn remove_database(path: &Path) {
     let _ = fs::remove_file(path);
     remove_companions(path);
 }
 
-/// Removes the companion files of a database.
 fn remove_companions(path: &Path) {
     for companion in companions(path) {
         let _ = fs::remove_file(companion);

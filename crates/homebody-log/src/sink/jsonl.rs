@@ -11,7 +11,6 @@ use crate::table::{BatchRow, Cell, InstantWriter, Stamp, TextId, thousandths};
 use homebody_core::scenario::scheme::Scheme;
 use std::io::Write;
 
-/// Rows as JSON objects.
 pub(crate) struct Jsonl {
     /// By table, the text before the value of each column: a brace or a comma, and its key.
     keys: Vec<Vec<String>>,

@@ -33,7 +33,6 @@ struct OpenSqlite {
     texts: Vec<Arc<str>>,
 }
 
-/// A table, and how far it has come.
 struct SqliteTable {
     name: String,
     columns: Vec<Column>,
@@ -44,7 +43,6 @@ struct SqliteTable {
     waiting: Vec<Cell>,
     /// The number of rows of the file at the beginning. As many rows of the run are compared with them.
     there: u64,
-    /// The number of rows so far.
     come: u64,
     /// The number of rows of one INSERT.
     at_once: usize,
@@ -286,7 +284,6 @@ fn column_type(kind: ColumnKind, time: TimeFormat) -> &'static str {
     }
 }
 
-/// The type of a column of instants.
 fn time_type(time: TimeFormat) -> &'static str {
     match time {
         TimeFormat::Local | TimeFormat::LocalOffset | TimeFormat::Utc => "TEXT",

@@ -101,7 +101,6 @@ impl<F: TextForm> Sink for TextRows<F> {
     }
 }
 
-/// Writes cells as plain text.
 pub(crate) struct CellWriter {
     clock: InstantWriter,
     /// By number, as the form writes them.

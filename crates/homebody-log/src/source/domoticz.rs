@@ -43,7 +43,6 @@ const READINGS: [(&str, &str, &str, &str); 6] = [
     ("Meter", "Value", "", ""),
 ];
 
-/// A device: its name and its kind of switch.
 struct DomoticzDevice {
     name: String,
     switch: i64,
@@ -149,7 +148,6 @@ fn read(path: &Path, _: &LoggerFile, reading: &mut LogReading<'_>) -> Result<(),
     Ok(())
 }
 
-/// The devices that have measured humidity.
 fn humid(connection: &Connection) -> rusqlite::Result<Vec<i64>> {
     let count = "SELECT count(*) FROM pragma_table_info('Temperature') WHERE name = 'Humidity'";
     if connection.query_row(count, [], |row| row.get::<_, i64>(0))? == 0 {

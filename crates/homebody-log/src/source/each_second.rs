@@ -112,7 +112,6 @@ fn pause(last: Option<LogInstant>, at: LogInstant) -> Option<(LogInstant, Interv
     (gap.length() > LONGEST_PAUSE).then_some((begin, gap))
 }
 
-/// The state in a cell, if it has one.
 fn state(cell: &[u8]) -> Option<bool> {
     match cell.trim_ascii() {
         b"0" | b"0.0" => Some(false),

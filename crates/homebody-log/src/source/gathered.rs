@@ -31,7 +31,6 @@ pub(crate) struct Gathered<'r, 't> {
 }
 
 impl<'r, 't> Gathered<'r, 't> {
-    /// Rows that go into the log as they come.
     pub fn as_they_come(path: &Path, reading: &'r mut LogReading<'t>) -> Gathered<'r, 't> {
         Gathered {
             reading,
@@ -45,12 +44,10 @@ impl<'r, 't> Gathered<'r, 't> {
         }
     }
 
-    /// Rows that are put into the order of time.
     pub fn in_order(path: &Path, reading: &'r mut LogReading<'t>) -> Gathered<'r, 't> {
         Gathered { order: Some(InOrder::new()), ..Gathered::as_they_come(path, reading) }
     }
 
-    /// Takes a row with a sensor, a value and perhaps a label.
     pub fn row(
         &mut self,
         line: u64,
@@ -99,7 +96,6 @@ impl<'r, 't> Gathered<'r, 't> {
         }
     }
 
-    /// Whether anything is known of a sensor.
     pub fn knows(&self, sensor: &str) -> bool {
         self.known.contains_key(sensor)
     }
@@ -135,7 +131,6 @@ impl<'r, 't> Gathered<'r, 't> {
         is_of_sensor.then(|| name.to_owned())
     }
 
-    /// Takes note that the recorder of the log stopped.
     pub fn stop(&mut self, at: LogInstant) {
         self.stopped = Some(at);
     }
@@ -150,7 +145,6 @@ impl<'r, 't> Gathered<'r, 't> {
         }
     }
 
-    /// Why the whole text is refused.
     pub fn refused(&self, why: TableMessage) -> LogError {
         LogError::no_log(self.place.as_str(), why)
     }

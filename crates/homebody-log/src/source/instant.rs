@@ -66,7 +66,6 @@ pub(crate) struct InstantReader {
 }
 
 impl InstantReader {
-    /// One that reads dates in numbers in this order.
     pub fn with_order(order: Option<DateOrder>) -> InstantReader {
         InstantReader { order, ..InstantReader::default() }
     }

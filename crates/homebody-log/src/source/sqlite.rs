@@ -25,7 +25,6 @@ fn shows(start: &FileStart) -> Shows {
     Shows::rows_if(start.is_sqlite())
 }
 
-/// A table and where its rows' parts are.
 struct LogTable {
     name: String,
     columns: Vec<String>,
@@ -143,7 +142,6 @@ fn sensors(connection: &Connection) -> rusqlite::Result<Vec<SensorInfo>> {
 /// Largest number of sensors that are read from the table.
 const MOST_SENSORS: usize = 10_000;
 
-/// Whether a database has our table of sensors.
 fn has_sensors(connection: &Connection) -> rusqlite::Result<bool> {
     let columns = columns(connection, SENSOR)?;
     let is_ours = columns.len() == SENSOR_COLUMNS.len() + 1 && columns.ends_with(&SENSOR_COLUMNS.map(str::to_owned));

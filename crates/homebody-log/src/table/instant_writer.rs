@@ -18,7 +18,6 @@ const LONGEST: usize = 32;
 pub struct InstantWriter {
     format: TimeFormat,
     zone: TimeZone,
-    /// The run's start.
     start: UtcTime,
     /// The instant that `text` shows: rows that follow each other often tell of the same.
     last: Option<UtcTime>,
