@@ -200,10 +200,11 @@ impl RunPlaces {
     fn make_numbered(&mut self, parent: &Path, name: &str) -> Result<PathBuf, LogError> {
         self.make(parent)?;
         let name = folder_name(name);
-        for number in 1.. {
+        let mut number = 1;
+        loop {
             let folder = parent.join(format!("{name}-{number}"));
             match fs::create_dir(&folder) {
-                Err(error) if error.kind() == ErrorKind::AlreadyExists => {}
+                Err(error) if error.kind() == ErrorKind::AlreadyExists => number += 1,
                 Err(error) => return Err(no_folder(&folder, error)),
                 Ok(()) => {
                     self.made.push(folder.clone());
@@ -211,7 +212,6 @@ impl RunPlaces {
                 }
             }
         }
-        unreachable!("there is always a next number")
     }
 
     fn make(&mut self, folder: &Path) -> Result<(), LogError> {

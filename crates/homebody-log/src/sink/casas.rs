@@ -30,7 +30,7 @@ impl TextForm for Casas {
     const SCHEME: Scheme = Scheme::Casas;
 
     fn begin(at: &TextTarget, begin: &Begin) -> Result<Casas, LogError> {
-        let [table] = begin.tables else {
+        let [table] = &begin.tables[..] else {
             return Err(LogError::cannot_hold(at.place(), HoldMessage::CasasTruth));
         };
         let ids: Vec<String> = begin.run.sensors.iter().map(|sensor| sensor.id.clone()).collect();

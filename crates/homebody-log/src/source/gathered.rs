@@ -84,16 +84,11 @@ impl<'r, 't> Gathered<'r, 't> {
             self.known.insert(sensor.id.clone(), sensor);
             return;
         };
-        if known.name == known.id {
-            known.name = sensor.name;
-        }
-        known.unit = known.unit.take().or(sensor.unit);
-        known.room = known.room.take().or(sensor.room);
         // A domain of Home Assistant, such as `binary_sensor`, says less than a class of devices.
-        let is_domain = known.id.strip_prefix(&known.kind).is_some_and(|rest| rest.starts_with('.'));
-        if known.kind.is_empty() || is_domain {
-            (known.kind, known.is_motion) = (sensor.kind, sensor.is_motion);
+        if known.id.strip_prefix(&known.kind).is_some_and(|rest| rest.starts_with('.')) {
+            known.kind.clear();
         }
+        known.fill(sensor);
     }
 
     pub fn knows(&self, sensor: &str) -> bool {

@@ -70,6 +70,10 @@ impl InstantWriter {
         }
     }
 
+    pub(crate) fn writes_numbers(&self) -> bool {
+        matches!(self.format, TimeFormat::EpochS | TimeFormat::EpochMs)
+    }
+
     /// The instant for a database.
     pub fn stamp(&mut self, at: RunTime) -> Stamp<'_> {
         let epoch = self.epoch(at);

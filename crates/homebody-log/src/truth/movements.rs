@@ -42,8 +42,11 @@ pub struct Movement {
 pub enum MovementKind {
     /// A straight movement at constant speed.
     Stride,
+    /// Movement on the spot.
     InPlace,
+    /// Keeping still.
     Rest,
+    /// Out of the home.
     Away,
 }
 
