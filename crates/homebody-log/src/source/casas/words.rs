@@ -6,7 +6,6 @@ use std::ops::Range;
 
 /// The time that a line begins with.
 pub(crate) struct CasasTime<'l> {
-    /// The instant itself.
     pub at: LogInstant,
     /// What follows.
     pub behind: &'l [u8],

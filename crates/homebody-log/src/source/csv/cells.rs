@@ -103,7 +103,6 @@ const WORDS_OF_SENTENCE: usize = 4;
 
 #[derive(Default)]
 pub(crate) struct CellCounts {
-    /// The number of filled cells.
     pub filled: usize,
     /// Dates with a time of day.
     pub instants: usize,
@@ -138,7 +137,6 @@ pub(crate) struct CellCounts {
 }
 
 impl CellCounts {
-    /// The cells of a column in the first rows.
     pub fn count<'r>(column: impl Iterator<Item = &'r str>, read: &mut Reads) -> CellCounts {
         let mut cells = CellCounts { is_numbering: true, is_counting: true, ..CellCounts::default() };
         column.map(str::trim).filter(|cell| !is_blank(cell)).for_each(|cell| cells.take(cell, read));

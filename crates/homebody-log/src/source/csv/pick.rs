@@ -17,11 +17,9 @@ pub(crate) struct Pick<'f> {
     taken: Vec<Option<(ColumnRole, String)>>,
     /// A value that the reader supplies where no column has one.
     supplied: Option<String>,
-    /// Remarks on the rows.
     pub remarks: Vec<String>,
 }
 
-/// The place of a row's instant.
 #[derive(Clone, Copy)]
 pub(crate) struct TimeColumns {
     pub column: usize,
@@ -39,7 +37,6 @@ impl TimeColumns {
     }
 }
 
-/// The place of an interval's end.
 #[derive(Clone, Copy)]
 pub(crate) enum EndColumn {
     At(usize),
@@ -206,7 +203,6 @@ impl<'f> Pick<'f> {
         readable(self.first.names.join(", ").chars().take(LONGEST).collect::<String>())
     }
 
-    /// Names the columns that a table lacks.
     pub fn lacks(&self, wanted: &'static str) -> TableMessage {
         TableMessage::NoColumns { wanted, among: self.all_names() }
     }
@@ -321,7 +317,6 @@ impl<'f> Pick<'f> {
         }
     }
 
-    /// Takes the ends of intervals, where the rows have them.
     pub fn end(&mut self, time: &TimeColumns) -> Option<EndColumn> {
         let headed = |pick: &Self, role, is: &dyn Fn(&CellCounts) -> bool| {
             pick.headed(role).into_iter().find(|column| is(pick.cells(*column)))
@@ -375,7 +370,6 @@ impl<'f> Pick<'f> {
         !lengths.is_empty() && 20 * before <= lengths.len() && !is_of_zones && is_near
     }
 
-    /// Passes over columns of other instants.
     pub fn other_instants(&mut self) {
         for column in self.free() {
             let cells = self.cells(column);
@@ -527,7 +521,6 @@ impl<'f> Pick<'f> {
         Some(column)
     }
 
-    /// The use of each column.
     pub fn uses(&self) -> Vec<ColumnUse> {
         let mut uses: Vec<ColumnUse> = Vec::new();
         for (column, taken) in self.first.names.iter().zip(&self.taken) {

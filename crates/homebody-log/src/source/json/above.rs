@@ -20,7 +20,6 @@ pub(crate) struct Above {
 pub(crate) struct JsonLevel {
     /// Under which key it is in the object around it.
     pub key: Option<String>,
-    /// Whether it is a list.
     pub is_list: bool,
     /// Of an object, its members but for long lists.
     pub members: Object,
@@ -107,12 +106,10 @@ impl Above {
         self.levels.len()
     }
 
-    /// The innermost list or object.
     pub fn innermost(&mut self) -> Option<&mut JsonLevel> {
         self.levels.last_mut()
     }
 
-    /// The key under which the innermost list or object is.
     pub fn key(&self) -> Option<&str> {
         self.levels.last()?.key.as_deref()
     }
