@@ -148,7 +148,6 @@ impl Store {
         bytes.map(|bytes| bytes.to_vec())
     }
 
-    /// Brings a file from there.
     pub(crate) fn get(&self, name: &str, to: &Path) -> Result<(), LogError> {
         let bytes = self.read(name).map_err(|error| self.store_error(error))?;
         let made = to.parent().map_or(Ok(()), fs::create_dir_all).and_then(|()| fs::write(to, bytes));

@@ -23,7 +23,6 @@ fn read_at(path: &Path) -> Result<Log, LogError> {
     read(LogSource::recognise(path)?, &LoggerFile::default())
 }
 
-/// Writes three columns as another program would.
 fn write(path: &Path, columns: Vec<(&str, ArrayRef)>) {
     let fields: Vec<Field> =
         columns.iter().map(|(name, array)| Field::new(*name, array.data_type().clone(), true)).collect();

@@ -44,7 +44,6 @@ pub fn run(target: &Target, files: &CaseFiles, is_measured: bool) -> Result<Read
     }
 }
 
-/// Records panics instead of printing them, and ends the process before its memory fills the machine.
 fn guard() {
     panic::set_hook(Box::new(|panic| panics().push(panic.to_string())));
     thread::spawn(|| {

@@ -7,10 +7,8 @@ use std::path::Path;
 
 pub type CaseFiles = BTreeMap<String, Vec<u8>>;
 
-/// The answer of a reader that works.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ReadVerdict {
-    /// It read and used the files.
     Accepted,
     /// It refused them, with place and reason.
     Refused,
@@ -35,7 +33,6 @@ pub struct Target {
 }
 
 impl Target {
-    /// The mutant that bytes select.
     pub fn mutant(&self, seeds: &[CaseFiles], bytes: &[u8]) -> CaseFiles {
         let mut choices = Choices::new(bytes);
         let mut files = choices.one(seeds).clone();

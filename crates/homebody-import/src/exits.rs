@@ -36,7 +36,6 @@ pub struct WallExit {
     /// The way out, of length 1.
     pub out: Point,
     pub thickness_m: f64,
-    /// Distance from the drawn stairs.
     pub away_m: f64,
     /// The room inside of the door.
     pub room: usize,
@@ -90,7 +89,6 @@ fn shares(floor: &BuiltFloor, room: usize, area: &[Point]) -> bool {
     geometry::overlap::area(&floor.rooms[room].outline, area) >= SHARE * whole
 }
 
-/// True if a door or an opening joins two rooms.
 fn are_joined(floor: &BuiltFloor, one: usize, other: usize) -> bool {
     let touches = |room: usize, p: Point| geometry::distance_to_area(&floor.rooms[room].outline, p) <= 0.3;
     let middle = |(from, to): (Point, Point)| (from + to) / 2.0;

@@ -27,9 +27,7 @@ use homebody_core::geometry::Point;
 /// The meaning of a sensor's firing.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Speaks {
-    /// Movement.
     Motion,
-    /// Opening or closing of a door.
     Contact,
 }
 
@@ -53,7 +51,6 @@ pub struct LogSensor {
 }
 
 impl LogSensor {
-    /// A sensor without further information.
     pub fn new(id: &str, speaks: Speaks, firings: u64) -> LogSensor {
         LogSensor {
             id: id.into(),
@@ -69,12 +66,10 @@ impl LogSensor {
     }
 }
 
-/// A way between two sensors.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LogWay {
     /// Indices of sensors.
     pub between: [usize; 2],
-    /// The number of times that people took it.
     pub times: u64,
     /// Time between the two firings.
     pub soon_s: f64,

@@ -95,7 +95,6 @@ impl Furniture {
         [x + y, y - x, -x - y, x - y].map(|corner| self.at + corner)
     }
 
-    /// True if its role or its name fits the role.
     pub fn is_for(&self, role: Role) -> bool {
         self.role.map_or_else(|| role.is_called(&self.name.to_lowercase()), |said| said == role)
     }

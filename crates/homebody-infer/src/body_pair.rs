@@ -97,7 +97,6 @@ impl<'a> BodyPair<'a> {
         self.beliefs.last().unwrap_or(&self.before)
     }
 
-    /// Advances by a step, until just before its message.
     pub fn advance(&mut self, steps: &LogSteps, number: usize) {
         let step = steps.get(number);
         let unusual = steps.unusual(number);

@@ -24,7 +24,6 @@ pub enum SensorFault {
         /// From 0 to 1.
         share: f64,
     },
-    /// It fires without a cause.
     Noisy {
         /// Firings per hour.
         per_h: f64,
@@ -134,7 +133,6 @@ impl<'a> Examination<'a> {
         }
     }
 
-    /// In order of time.
     pub fn findings(&self, passes: &[PassCounts]) -> Vec<FaultFinding> {
         let mut findings: Vec<FaultFinding> = self.faults.iter().map(FaultFinding::from_interval).collect();
         let Some((PassCounts(all), others)) = passes.split_first() else { return findings };

@@ -133,7 +133,6 @@ struct SensorCounts {
     /// In seconds, by sensor and state: time during which it could send ON, and OFF.
     may_begin_s: Vec<Vec<f64>>,
     may_end_s: Vec<Vec<f64>>,
-    /// Transitions, from state to state.
     turns: Vec<Vec<f64>>,
 }
 

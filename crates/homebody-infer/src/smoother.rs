@@ -147,7 +147,6 @@ fn advance(pairs: &mut [BodyPair], steps: &LogSteps, number: usize) {
 
 pub(crate) struct Smoother<'a> {
     pairs: Vec<BodyPair<'a>>,
-    /// A possible visitor of a single resident.
     visits: Option<Visits<'a>>,
     steps: LogSteps<'a>,
     /// Steps that the forward pass has processed.

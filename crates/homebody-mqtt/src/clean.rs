@@ -44,7 +44,6 @@ pub fn clean(url: &Url, only_look: bool) -> Result<Cleaned, LogError> {
     cleaned?.map_err(|trouble| trouble.error(&address.place()))
 }
 
-/// The retained messages of a broker.
 #[derive(Default)]
 pub(crate) struct RetainedTopics {
     pub found: Vec<(String, Vec<u8>)>,

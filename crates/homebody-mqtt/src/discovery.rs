@@ -14,7 +14,6 @@ use serde_json::{Map, Value, json};
 
 const MAKER: &str = "Homebody";
 
-/// One device, with its entities by their ids.
 struct DiscoveredDevice {
     id: String,
     device: Value,
@@ -32,7 +31,6 @@ pub(crate) fn messages(address: &BrokerAddress, place: &HomeTopics, run: &RunInf
     }
 }
 
-/// One message for a device.
 fn whole(
     address: &BrokerAddress,
     run: &RunInfo,
@@ -47,7 +45,6 @@ fn whole(
     Message::kept(format!("{}/device/{id}/config", address.discovery_prefix), payload.to_string())
 }
 
-/// One message for each entity of a device.
 fn single(
     address: &BrokerAddress,
     run: &RunInfo,
@@ -129,7 +126,6 @@ fn discovered(address: &BrokerAddress, place: &HomeTopics, run: &RunInfo, sensor
     DiscoveredDevice { id, device: Value::Object(device), entities }
 }
 
-/// The configuration of one entity, and its kind.
 fn entity_of(
     address: &BrokerAddress,
     place: &HomeTopics,

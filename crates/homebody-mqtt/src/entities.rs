@@ -7,7 +7,6 @@
 use homebody_core::names::words;
 use homebody_log::SensorInfo;
 
-/// One thing that a sensor tells.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Entity {
     /// Its part of topics and ids; empty for what a sensor mainly tells.
@@ -15,7 +14,6 @@ pub(crate) struct Entity {
     /// The name behind that of the sensor; None for the main entity.
     pub name: Option<&'static str>,
     pub says: EntityType,
-    /// Home Assistant's device class.
     pub class: Option<&'static str>,
     /// The key in a device's JSON of Zigbee2MQTT.
     pub property: &'static str,
@@ -59,7 +57,6 @@ pub(crate) struct Device {
 }
 
 impl Device {
-    /// By its kind.
     pub fn for_sensor(sensor: &SensorInfo) -> Device {
         let is_held = sensor.values.iter().any(|value| value == "OFF");
         let truth = [Word::Truth(true), Word::Truth(false)];
@@ -166,7 +163,6 @@ impl Device {
         }
     }
 
-    /// The entity that tells readings.
     pub fn number(&self) -> usize {
         self.entities.iter().position(|entity| matches!(entity.says, EntityType::Number { .. })).unwrap_or(0)
     }

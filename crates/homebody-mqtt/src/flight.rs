@@ -50,7 +50,6 @@ pub(crate) enum Sent {
     Aside,
 }
 
-/// The state of the connection.
 #[derive(Clone, Debug, Default)]
 pub(crate) enum BrokerLink {
     #[default]
@@ -74,7 +73,6 @@ pub(crate) enum FlightGoal {
     GiveUp,
 }
 
-/// See [`Flight`].
 #[derive(Default)]
 pub(crate) struct FlightState {
     /// Not acknowledged, with those before `first` left out; each with whether it is acknowledged out of turn.
@@ -229,7 +227,6 @@ impl FlightState {
         self.waiting.is_empty() && self.asides.is_empty() && self.unanswered.is_none()
     }
 
-    /// The number of acknowledged rows, without gaps.
     pub fn acknowledged(&self) -> u64 {
         self.first
     }

@@ -7,7 +7,6 @@ use homebody_log::RunInfo;
 
 #[derive(Clone, Debug)]
 pub(crate) struct HomeTopics {
-    /// `prefix/home`.
     pub base: String,
     /// The home's id in discovery.
     pub id: String,
@@ -64,7 +63,6 @@ impl HomeTopics {
         }
     }
 
-    /// A topic of the home's own.
     pub fn topic(&self, rest: &str) -> String {
         format!("{}/{rest}", self.base)
     }

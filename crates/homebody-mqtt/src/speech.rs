@@ -17,7 +17,6 @@ use std::sync::Arc;
 pub(crate) struct Message {
     pub topic: Arc<str>,
     pub payload: Arc<str>,
-    /// Whether the broker retains it for later listeners.
     pub retain: bool,
     /// Of what passes by itself, such as a motion sensor's ON: what is true again some seconds later.
     pub then: Option<Arc<str>>,
@@ -29,7 +28,6 @@ impl Message {
     }
 }
 
-/// Turns rows into messages.
 pub(crate) struct Speech {
     run: String,
     clock: InstantWriter,
@@ -80,7 +78,6 @@ impl Speech {
         }
     }
 
-    /// The message of a sensor, by its number.
     pub fn said(&mut self, index: usize, seq: i64, at: RunTime, said: &str) -> Message {
         let place = self.place.clone();
         let placed = &place.sensors[index];

@@ -13,7 +13,6 @@ use sha2::{Digest, Sha256};
 
 const MAKER: &str = "Homebody";
 
-/// The messages of the bridge at the start of a connection.
 pub(crate) fn messages(place: &HomeTopics, run: &RunInfo) -> Vec<Message> {
     let devices: Vec<Value> =
         std::iter::once(coordinator(place)).chain(place.sensors.iter().map(|sensor| device(place, sensor))).collect();

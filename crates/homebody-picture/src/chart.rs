@@ -39,7 +39,6 @@ fn nice_step(range: f64, steps: f64) -> f64 {
     step
 }
 
-/// The multiples of a step in a range.
 fn steps(least: f64, most: f64, step: f64) -> impl Iterator<Item = f64> {
     let (first, last) = ((least / step - 1e-9).ceil() as i64, (most / step + 1e-9).floor() as i64);
     (first..=last).map(move |i| i as f64 * step)

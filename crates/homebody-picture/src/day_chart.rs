@@ -32,10 +32,8 @@ pub struct Ticks {
     pub firings: u64,
 }
 
-/// A row of labelled spans.
 #[derive(Clone, Debug, PartialEq)]
 pub struct DayBand {
-    /// The text left of the band.
     pub name: String,
     /// The kind of its labels.
     pub holds: BandContent,
@@ -100,7 +98,6 @@ const DAY_S: f64 = 86_400.0;
 const NAME: Type = Type::new(13.0, INK);
 const AXIS: Type = Type::new(13.0, MUTED);
 
-/// Draws the day, as SVG.
 pub fn day_chart(day: &DayChart) -> String {
     let words = in_words(day);
     let mut svg = Svg::new(&day.title, &words);

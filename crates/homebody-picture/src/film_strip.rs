@@ -14,12 +14,10 @@ use super::sheet::{Sheet, WIDTH};
 use super::svg::{Svg, Type, polyline};
 
 const MARGIN: f64 = 40.0;
-/// Height of title and subtitle.
 const TOP: f64 = 104.0;
 const COLUMNS: usize = 3;
 const GAP: f64 = 28.0;
 const WIDE: f64 = (WIDTH - 2.0 * MARGIN - GAP * (COLUMNS as f64 - 1.0)) / COLUMNS as f64;
-/// Largest height of a plan.
 const TALLEST: f64 = 420.0;
 const LINE: f64 = 16.0;
 /// Distance of a plan from its words; the arrow at the front door stands there.

@@ -20,7 +20,6 @@ pub struct Labels {
     placed: Vec<PlacedText>,
 }
 
-/// An upright rectangle in pixels.
 #[derive(Clone, Copy)]
 pub struct Block {
     pub least: Point,
@@ -34,7 +33,6 @@ struct PlacedText {
     leader: Option<Point>,
 }
 
-/// A place next to a mark, with its cost.
 struct TextSpot {
     cost: f64,
     lines: Vec<String>,

@@ -199,7 +199,6 @@ pub fn ceiling_areas(sheet: &mut Sheet, home: &HomeFile, fill: &str) {
     }
 }
 
-/// The mats on the floor.
 pub fn mats(sheet: &mut Sheet, home: &HomeFile) {
     for sensor in &home.sensors {
         if let Some(area) = sensor.area() {

@@ -11,7 +11,6 @@ use super::svg::{Anchor, Px, Svg, Type};
 pub const WIDTH: f64 = 1200.0;
 /// The left edge and the width of the legend.
 pub const LEGEND: (f64, f64) = (WIDTH - 290.0, 250.0);
-/// Below the title.
 pub const TOP: f64 = 112.0;
 
 const MARGIN: f64 = 40.0;

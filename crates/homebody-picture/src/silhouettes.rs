@@ -128,10 +128,8 @@ fn unencoded(error: png::EncodingError) -> PngError {
     PngError::Encoding(error.to_string())
 }
 
-/// Moments of several cameras.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SilhouetteStrip {
-    /// The name of the run.
     pub name: String,
     /// Each with its columns and rows.
     pub cameras: Vec<(String, [u32; 2])>,
@@ -139,10 +137,8 @@ pub struct SilhouetteStrip {
     pub moments: Vec<StripMoment>,
 }
 
-/// The pictures of all cameras at a moment.
 #[derive(Clone, Debug, PartialEq)]
 pub struct StripMoment {
-    /// The time on the wall.
     pub at: String,
     /// By camera; `None` without a picture of this moment.
     pub silhouettes: Vec<Option<Silhouette>>,

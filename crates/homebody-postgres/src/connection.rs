@@ -48,7 +48,6 @@ pub(crate) struct DatabaseConnection {
     pub client: Client,
     /// Runs the connection in both directions.
     carrier: JoinHandle<()>,
-    /// Why the connection is lost, once it is.
     ended_by: Arc<Mutex<Option<Error>>>,
     /// The time that the server has for a request.
     deadline: Deadline,

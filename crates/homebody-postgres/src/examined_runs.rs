@@ -56,7 +56,6 @@ pub(crate) fn runs(
     Ok(())
 }
 
-/// Results, before they become checks.
 #[derive(Default)]
 struct RunFindings {
     not_well: Vec<Check>,
@@ -95,7 +94,6 @@ impl RunFindings {
     }
 }
 
-/// The rows of a run in each of its tables, up to the number in its entry.
 fn rows_of(
     connection: &DatabaseConnection,
     schema: &str,
@@ -152,7 +150,6 @@ fn count(
     Ok(connection.wait(connection.client.query_one(&sql, &[&run]))?.get(0))
 }
 
-/// The numbers of the rows of each run in a table.
 fn numbers(
     connection: &DatabaseConnection,
     schema: &str,

@@ -25,7 +25,6 @@ use std::time::Instant;
 /// Largest number of rows in a transaction (our choice).
 const MOST_AT_ONCE: usize = 20_000;
 
-/// A database that many homes tell.
 pub struct PostgresFleet {
     url: String,
     open: Option<OpenDatabaseFleet>,
@@ -51,7 +50,6 @@ struct HomeRowEncoder {
     start: UtcTime,
 }
 
-/// The watermark of a home.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 struct StoredHome {
     /// The number of the next row.
@@ -168,7 +166,6 @@ impl FleetSink for PostgresFleet {
     }
 }
 
-/// By table, the ids of the runs whose rows are in it.
 fn kinds_of(fleet: &Fleet, kinds: &[HomeRowEncoder]) -> Vec<(InTable, Vec<i64>)> {
     let of =
         |layout: usize| fleet.homes.iter().filter(move |home| home.layout == layout).map(|home| home.run).collect();
@@ -258,7 +255,6 @@ impl OpenDatabaseFleet {
         Ok(())
     }
 
-    /// By layout, the encoded rows.
     fn encode(&mut self, rows: &[FleetRow]) -> Result<Vec<CopyRows>, LogError> {
         let OpenDatabaseFleet { server, fleet, kinds, .. } = self;
         let mut all = vec![CopyRows::default(); kinds.len()];

@@ -22,10 +22,8 @@ const TRAILER: &[u8] = &(-1_i16).to_be_bytes();
 /// Bytes that are passed to the connection together (our choice).
 const CHUNK_BYTES: usize = 1 << 16;
 
-/// Turns cells into bytes.
 pub(crate) struct Encoder {
     run: i64,
-    /// The run's start.
     start: UtcTime,
     time: TimeFormat,
     texts: Vec<Arc<str>>,
@@ -55,7 +53,6 @@ impl Encoder {
         })
     }
 
-    /// From now on rows are of this run, which starts then.
     pub fn of_run(&mut self, run: i64, start: UtcTime) {
         (self.run, self.start) = (run, start);
     }
@@ -130,7 +127,6 @@ impl CopyRows {
     }
 }
 
-/// The statement that takes rows of a table.
 pub(crate) fn copy_into(table: &InTable) -> String {
     format!("COPY {} ({}) FROM STDIN (FORMAT binary)", table.quoted, table.columns_quoted)
 }

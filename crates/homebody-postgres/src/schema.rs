@@ -11,10 +11,8 @@ use homebody_log::{Begin, LogError, WriteMode};
 use std::collections::BTreeMap;
 use tokio_postgres::Row;
 
-/// The table of runs and their watermarks.
 pub(crate) const RUNS: &str = "homebody_run";
 
-/// The table of the sensors of runs.
 pub(crate) const SENSORS: &str = "homebody_sensor";
 
 /// The default schema of a truth.
@@ -39,7 +37,6 @@ pub(crate) const RUN_COLUMNS: [(&str, &str); 12] = [
     ("commits", "bigint"),
 ];
 
-/// A table as SQL names it.
 #[derive(Clone, Debug)]
 pub(crate) struct InTable {
     pub name: String,
@@ -49,7 +46,6 @@ pub(crate) struct InTable {
     pub is_numbered: bool,
 }
 
-/// The tables of a run, in a schema.
 pub(crate) struct Schema {
     pub name: String,
     pub tables: Vec<InTable>,
@@ -87,7 +83,6 @@ impl Schema {
         Ok(Schema { name, tables, is_truth })
     }
 
-    /// The table of runs, as SQL names it.
     pub fn runs(&self) -> String {
         quoted(&self.name, RUNS)
     }
@@ -110,7 +105,6 @@ fn written(schema: &str, table: &str) -> String {
     format!("{}.{}", part(schema), part(table))
 }
 
-/// A name as SQL wants it.
 pub(crate) fn ident(name: &str) -> String {
     format!("\"{}\"", name.replace('"', "\"\""))
 }
@@ -168,7 +162,6 @@ fn names_fit(server: &Server, schema: &str, begin: &Begin) -> Result<(), LogErro
 
 struct TableDefinition {
     name: String,
-    /// By name: the type, and what else will do.
     columns: Vec<(String, &'static str)>,
     key: Vec<String>,
     is_runs: bool,
@@ -211,7 +204,6 @@ fn column_type(kind: ColumnKind, time: TimeFormat) -> &'static str {
     }
 }
 
-/// Whether a column of the found type takes the bytes of the wanted type.
 fn will_do(wanted: &str, found: &str) -> bool {
     wanted == found || wanted == "text" && found == "character varying"
 }
@@ -228,7 +220,6 @@ struct SchemaState {
 struct FoundTable {
     is_table: bool,
     columns: BTreeMap<String, FoundColumn>,
-    /// The columns of its unique keys.
     keys: Vec<Vec<String>>,
     may: [bool; 4],
 }

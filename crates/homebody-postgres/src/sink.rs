@@ -46,17 +46,13 @@ struct OpenDatabaseLog {
     schema: Schema,
     run: RunInfo,
     encoder: Encoder,
-    /// The number of transactions that have changed the run.
     commits: i64,
-    /// The number of durable rows of each table.
     durable: Vec<i64>,
     /// Whether the first transaction deletes existing rows of the run.
     replaces: bool,
     /// For a log that is resumed, the column of its instants.
     goes_on_by: Option<(String, TimeFormat)>,
-    /// The rows of the transaction that is under way.
     sealed: Option<Sealed>,
-    /// The rows that have come since.
     waiting: Vec<CopyRows>,
     /// A transaction that takes waiting rows already.
     ahead: Option<Ahead>,
@@ -65,14 +61,12 @@ struct OpenDatabaseLog {
 /// A transaction that takes rows of the only table already.
 struct Ahead {
     copy: Pin<Box<CopyInSink<Bytes>>>,
-    /// The number of chunks that were sent.
     sent: usize,
 }
 
 /// The content of a transaction: it stays the same until the transaction was taken.
 struct Sealed {
     rows: Vec<CopyRows>,
-    /// The number of rows of each table afterwards.
     then: Vec<i64>,
     end: Option<RunTime>,
     /// Whether the server was asked to end the transaction and has not answered.

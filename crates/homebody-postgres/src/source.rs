@@ -17,7 +17,6 @@ use std::path::Path;
 use tokio_postgres::Row;
 use tokio_postgres::types::ToSql;
 
-/// Logs in databases of PostgreSQL.
 pub const FORM: LogForm = LogForm {
     name: "postgresql",
     what: "a table of a database of PostgreSQL that has a time, a sensor and a value, by the names of logger.json or ours",
@@ -135,7 +134,6 @@ fn query_error(server: &Server, error: &tokio_postgres::Error) -> LogError {
     client_error(server, error, None)
 }
 
-/// The kind of instants in a column of this type.
 fn clock_of(is: &str) -> TimeColumnKind {
     match is {
         "timestamp with time zone" | "timestamp without time zone" => TimeColumnKind::Stamp,
@@ -143,7 +141,6 @@ fn clock_of(is: &str) -> TimeColumnKind {
     }
 }
 
-/// A table of rows, and what its columns are.
 struct StoredLogTable {
     schema: String,
     table: String,
@@ -154,7 +151,6 @@ struct StoredLogTable {
     run: Option<String>,
     has_numbers: bool,
     seq: Option<String>,
-    /// The column of activities, if the table has one.
     label: Option<String>,
 }
 
@@ -166,7 +162,6 @@ enum TimeColumnKind {
     Text,
 }
 
-/// Why a row was not taken.
 enum RowError {
     Row(tokio_postgres::Error),
     Log(LogError),
@@ -291,7 +286,6 @@ impl StoredLogTable {
         (sql, parameter)
     }
 
-    /// Hands a row over.
     fn take(&self, line: u64, row: &Row, reading: &mut LogReading) -> Result<(), RowError> {
         let [sensor, value] = [1, 2].map(|column| row.try_get::<_, Option<&str>>(column));
         let (sensor, value) = (sensor?.unwrap_or_default(), value?.unwrap_or_default());

@@ -81,7 +81,6 @@ fn run(connection: &DatabaseConnection, server: &Server, schema: &str) -> Result
 }
 
 struct StoredTruthTable {
-    /// The query of its rows; its parameter is the run.
     sql: String,
     cells: Vec<TruthCellKind>,
 }

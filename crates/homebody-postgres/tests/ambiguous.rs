@@ -5,7 +5,6 @@ use crate::stage::proxy::Proxy;
 use crate::stage::{Server, kills};
 use homebody_log::{Policy, WriteMode};
 
-/// Firings of a life.
 const FIRINGS: u64 = 6_000;
 
 #[test]

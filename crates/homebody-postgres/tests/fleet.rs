@@ -24,7 +24,6 @@ fn fleet() -> Arc<Fleet> {
     Arc::new(Fleet { first: 1, layouts, homes: (1..=HOMES).map(home).collect() })
 }
 
-/// Rows of all homes, one after the other.
 fn rows(numbers: std::ops::Range<u64>) -> Vec<FleetEvent> {
     let firings = firings(numbers.end);
     let row = |home: u32, number: u64| {

@@ -11,7 +11,6 @@ use std::time::{Duration, Instant};
 /// The child's run, its place, and whether it resumes.
 const CHILD: &str = "HOMEBODY_TEST_LIFE";
 const NAIVE: &str = "HOMEBODY_TEST_NAIVE";
-/// Firings of a life.
 const FIRINGS: u64 = 12_000;
 /// The id of the undisturbed run.
 const UNDISTURBED: i64 = 1_000_000;

@@ -9,7 +9,6 @@ use homebody_log::log::Clock;
 use homebody_log::{Log, LogError, Policy, Url, read, stream};
 use homebody_postgres::POSTGRESQL;
 
-/// Reads a log in a database.
 fn log(url: &str, file: &LoggerFile) -> Result<Log, LogError> {
     homebody_log::registry::install(homebody_log::registry::Registry::new(vec![POSTGRESQL]));
     read(&url.parse::<Url>().unwrap(), file)

@@ -9,7 +9,6 @@ use std::fs;
 use std::os::unix::fs::PermissionsExt;
 use std::time::{Duration, Instant};
 
-/// The password that must not appear.
 const CANARY: &str = "s3cr3t-canary";
 
 fn live(url: &str, how: WriteMode) -> Result<(), LogError> {

@@ -24,22 +24,18 @@ pub struct FallReport {
     pub pictures: u64,
     /// The number of instants that two cameras or more agreed on.
     pub voxel_persons: u64,
-    /// The falls, in order of time.
     pub falls: Vec<ReportedFall>,
 }
 
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct ReportedFall {
-    /// The begin, on the clock on the wall.
     pub at: String,
     pub alarm_at: String,
     /// The delay of the alarm in seconds.
     pub seconds_to_alarm: f64,
     pub room: Option<String>,
-    /// The position in metres.
     pub at_m: [f64; 2],
     pub rule: String,
-    /// The confidence from 0 to 1.
     pub confidence: f64,
     pub words: &'static str,
 }
@@ -73,7 +69,6 @@ impl<'a> RunSilhouettes<'a> {
         Ok(RunSilhouettes { silhouettes, scenario })
     }
 
-    /// The lens of each camera.
     pub fn lenses(&self) -> Vec<Lens> {
         self.silhouettes.cameras.iter().map(|camera| camera.file.lens()).collect()
     }
@@ -106,17 +101,14 @@ impl<'a> RunSilhouettes<'a> {
     }
 }
 
-/// The result of a search in silhouettes.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FallSearch {
-    /// The falls, in order of time.
     pub falls: Vec<Fall>,
     pub pictures: u64,
     /// The number of instants that two cameras or more agreed on.
     pub voxel_persons: u64,
 }
 
-/// The file of the silhouettes in the folder of a log, if there is one.
 pub fn silhouettes_of(log: &Path) -> Option<PathBuf> {
     Some(log.with_file_name(SILHOUETTES)).filter(|path| path.is_file())
 }

@@ -12,19 +12,16 @@ homebody_core::messages! {
     pub enum QueryError in "kit" {
         /// The folder contains no log.
         NoLog {
-            /// The folder.
             folder: PathBuf,
         } error "no-log" ("the folder {} contains no log", folder.display())
             hint ("name a log, or the folder of a run that has one");
         /// Silhouettes exist only for runs whose home has cameras.
         NoSilhouettes {
-            /// The log's name.
             log: String,
         } error "no-silhouettes" ("{log} has no silhouettes")
             hint ("name the folder of a run whose home has cameras: sensors of kind \"camera\" in home.json");
         /// The run has not stored a row yet.
         NoRows {
-            /// The run's folder.
             folder: PathBuf,
             /// The folder to resume: the run's own or its cohort's.
             resume: PathBuf,
@@ -32,7 +29,6 @@ homebody_core::messages! {
             hint ("wait for the first row, or resume an interrupted run: homebody run --resume {}", resume.display());
         /// Each member of a cohort has its own log.
         IsCohort {
-            /// The cohort's folder.
             folder: PathBuf,
             /// The first member that was simulated.
             member: Option<PathBuf>,
@@ -43,7 +39,6 @@ homebody_core::messages! {
             }));
         /// Time zones have names as in the IANA database, which comes with the program.
         TimeZone {
-            /// The name asked for.
             zone: String,
         } error "time-zone" ("there is no time zone {zone:?}")
             hint ("write an IANA name, such as America/Chicago");
@@ -57,7 +52,6 @@ homebody_core::messages! {
 }
 
 impl QueryError {
-    /// An unknown time zone.
     pub(crate) fn zone(name: &str) -> QueryError {
         QueryError::TimeZone { zone: readable(name.to_owned()) }
     }

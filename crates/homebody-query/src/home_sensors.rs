@@ -8,7 +8,6 @@ use homebody_log::text::one_word;
 use homebody_log::{Log, SensorInfo};
 use std::collections::BTreeMap;
 
-/// The sensors of a home, by their ids in its logs.
 pub fn home_sensors(scenario: &Scenario) -> Vec<HomeSensor> {
     let one = |sensor: &Sensor| {
         let SensorInfo { id, name, kind, unit, .. } = SensorInfo::in_home(sensor, scenario);

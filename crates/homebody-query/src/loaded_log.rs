@@ -34,7 +34,6 @@ pub struct LoadedLog {
     pub name: String,
     /// Its rows; `log.clock` says whether they could be put on the wall.
     pub log: Log,
-    /// The timeline of the ground truth; empty without a truth.
     pub timeline: Timeline<WallTime>,
     /// The rooms of its sensors, by their names in the log, from the home of its run or from the log itself.
     pub rooms: BTreeMap<String, String>,
@@ -200,7 +199,6 @@ impl LoadedLog {
         self.log.sensors.iter().filter(|sensor| self.rooms.contains_key(*sensor)).count()
     }
 
-    /// The scenario with its home, if that is known.
     pub fn scenario(&self) -> Option<&Scenario> {
         self.home.as_ref()
     }

@@ -16,7 +16,6 @@ use std::path::{Path, PathBuf};
 /// A log whose run was killed or stopped.
 #[derive(Clone, Debug, PartialEq)]
 pub struct IncompleteLog {
-    /// The folder of the run.
     pub folder: PathBuf,
     /// The run was killed, so that its log and its ground truth may end at different instants.
     pub is_killed: bool,
@@ -74,7 +73,6 @@ impl LogRef {
         LogRef { name: called(text), place, mapping, run, scenario }
     }
 
-    /// The scenario of its run, if that is known.
     pub fn scenario(&self) -> Option<&Scenario> {
         self.scenario.as_ref()
     }

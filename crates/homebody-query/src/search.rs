@@ -29,15 +29,11 @@ pub const BY_TRUTH: &str = "by the truth: ";
 #[serde(rename_all = "snake_case")]
 #[cfg_attr(feature = "wire", derive(ts_rs::TS))]
 pub enum SearchSubject {
-    /// A person is in a room.
     Room,
-    /// A sensor is on.
     On,
     /// No sensor says anything but readings while a person is at home.
     Still,
-    /// A person does an activity.
     Doing,
-    /// A person has fallen.
     Fall,
     /// Cameras see a fall; the ground truth has its falls, too.
     SeenFall,
@@ -139,13 +135,11 @@ pub type SearchRows<'a, T> = dyn FnMut(&mut TakeSearchRow<T>) -> Result<(), Stri
 pub struct SearchGround<'a, T> {
     /// The time of the log.
     pub span: Interval<T>,
-    /// Its days, by the clock on the wall.
     pub days: Vec<SearchDay<T>>,
     /// The intervals that are known without a look at the rows; `None` if they are unknown.
     pub told: Option<Vec<KnownStay<'a, T>>>,
     /// The times with a person at home, in order; `None` if they are unknown.
     pub home: Option<Vec<Interval<T>>>,
-    /// The sensors of the rows.
     pub sensors: Vec<Listener>,
     pub values: &'a [String],
     /// The gaps of the recorder, in order.
@@ -153,7 +147,6 @@ pub struct SearchGround<'a, T> {
     pub rows: &'a mut SearchRows<'a, T>,
 }
 
-/// An interval that a search finds.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Hit<T> {
     /// From when to when.
@@ -181,9 +174,7 @@ homebody_core::messages! {
         Unknown {
             /// `room`, `sensor` or `activity`.
             kind: &'static str,
-            /// The name that was asked for.
             name: String,
-            /// The known names.
             hint: String,
         } error "unknown-name" ("no {kind} is called {name:?}") hint ("{hint}");
         /// Activities, falls and lost messages are in the ground truth of a run, and not in a log.

@@ -19,7 +19,6 @@ use jiff::tz::TimeZone;
 
 /// A log in UTC. Without a known zone, its wall clock is taken for UTC.
 pub struct UtcLog {
-    /// The log, its sensors by the names that they have in their home.
     pub log: Log<UtcTime>,
     /// The timeline of the ground truth, or else the activities of the log itself, for a person without a name.
     pub timeline: Timeline<UtcTime>,

@@ -11,7 +11,6 @@ homebody_core::messages! {
     pub enum ScaffoldError in "kit" {
         /// The name of a new folder contains an invisible character.
         UnseenName {
-            /// The folder.
             path: PathBuf,
         } error "invisible-character" ("the name {:?} has an invisible character", path.display().to_string())
             hint ("remove the invisible character");

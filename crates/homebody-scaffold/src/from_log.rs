@@ -18,9 +18,7 @@ use serde_json::json;
 use std::collections::BTreeMap;
 
 pub struct GivenLog<'a> {
-    /// The user's name for the log.
     pub named: &'a str,
-    /// The name of its file.
     pub file: &'a str,
     pub read: &'a LoadedLog,
     /// The home's time zone, if known.

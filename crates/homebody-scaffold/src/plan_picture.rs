@@ -37,7 +37,6 @@ impl FromStr for KnownPoint {
 }
 
 pub struct PlanPicture {
-    /// The bytes of its file.
     pub bytes: Vec<u8>,
     /// Its name in a scenario's folder.
     pub file: &'static str,
@@ -99,7 +98,6 @@ impl PlanPicture {
     }
 }
 
-/// A pixel in coordinates with y upward.
 fn upward(pixel: Point) -> Point {
     Point::new(pixel.x, -pixel.y)
 }

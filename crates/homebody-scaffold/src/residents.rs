@@ -21,9 +21,7 @@ pub struct NewScenario<'a> {
     /// Such as `Europe/Vienna`.
     pub time_zone: &'a str,
     pub days: f64,
-    /// The text of its home file.
     pub home: String,
-    /// The text of its logger file.
     pub logger: Option<String>,
 }
 
@@ -83,7 +81,6 @@ fn with(new: &NewScenario, residents: &str, files: Vec<(String, String)>) -> Sce
     texts
 }
 
-/// The file of the scenario. `residents` is a list in JSON.
 fn scenario(new: &NewScenario, residents: &str) -> String {
     let NewScenario { name, about, start, time_zone, days, .. } = new;
     let about = if about.is_empty() { String::new() } else { format!("  \"about\": {},\n", json!(about)) };
@@ -106,7 +103,6 @@ fn scenario(new: &NewScenario, residents: &str) -> String {
     )
 }
 
-/// The routine of the resident.
 const ROUTINE: &str = "\
 # Anna is invented. What is not said here goes as it usually does; each sentence more is about her.
 Anna is 80. She walks at about 0.65 m/s.

@@ -10,7 +10,6 @@ use std::collections::BTreeMap;
 use std::fs;
 use std::path::Path;
 
-/// A scenario's files by name.
 pub type ScenarioTexts = BTreeMap<String, String>;
 
 /// Creates a folder with the schemas of a scenario's files, and passes the incomplete folder and the scenario's name to

@@ -63,12 +63,9 @@ pub struct Fitted {
     pub firings_an_hour: [FiringRates; 2],
 }
 
-/// The rates of motion sensors.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
 pub struct FiringRates {
-    /// Firings an hour between the usual times of rising and of going to bed.
     pub up: f64,
-    /// Firings an hour between the usual times of going to bed and of rising.
     pub in_bed: f64,
 }
 
@@ -90,7 +87,6 @@ const MOST_DAY_SPREAD: f64 = 2.0;
 const LEAST_DAYS: i64 = 5;
 /// Number of nights below which a rhythm is only approximate (our choice).
 const FEW_NIGHTS: usize = 5;
-/// The routine's file.
 const ROUTINE: &str = "fitted.routine";
 
 homebody_core::messages! {
@@ -98,9 +94,7 @@ homebody_core::messages! {
     pub enum CalibrationMessage in "fit" {
         /// Sensors do not tell several residents apart, so Homebody cannot learn the rhythm of each.
         NotAlone {
-            /// The name of the scenario.
             scenario: String,
-            /// The residents of it.
             residents: usize,
         } error "not-alone" ("{scenario:?} has {residents} residents, and Homebody fits only a resident who lives alone")
             hint ("use a scenario with one resident");
@@ -109,7 +103,6 @@ homebody_core::messages! {
             hint ("use a log with at least two nights, of a home with a sensor at the bed or in the bedroom");
         /// Homebody fits times and counts as averages over nights and days. Averages over a few of them are rough.
         FewNights {
-            /// The nights of the log.
             nights: usize,
         } warning "few-nights" ("the fitted rhythm is rough: the log has {nights} nights")
             hint ("use a log of a week or more");
@@ -174,7 +167,6 @@ impl Fitted {
         (self.nights < FEW_NIGHTS).then_some(CalibrationMessage::FewNights { nights: self.nights })
     }
 
-    /// The routine, with factors on movement and turning.
     fn text(&self) -> String {
         let mut sentences = self.routine.clone();
         let said = |times: f64, less: &str, more: &str| {
@@ -234,7 +226,6 @@ fn day_spread(scenario: &Scenario) -> f64 {
     scenario.file.numbers.get(DAY_SPREAD).copied().or_else(usual).unwrap_or_default()
 }
 
-/// The scenario, as fitted so far.
 fn open(walked: &OpenScenario, fitted: &Fitted) -> Result<OpenScenario, TrackingError> {
     let edit = walked.scenario().edit().routine(0, ROUTINE, fitted.text()).file(|file| {
         // A thousandth more or less is nothing that a few days can tell.

@@ -21,14 +21,12 @@ pub struct FollowedHome {
     sensors: Vec<String>,
 }
 
-/// The place of a person now, and its probability.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct PersonLocation {
-    /// The time on the clock on the wall.
     pub time: String,
     /// The resident, or a guest if there is one resident.
     pub who: String,
-    /// The room; `None` outside and between rooms.
+    /// `None` outside and between rooms.
     pub room: Option<String>,
     /// Their movement there.
     pub doing: &'static str,
@@ -38,7 +36,6 @@ pub struct PersonLocation {
     pub at_m: Option<[f64; 2]>,
 }
 
-/// A follower of a log through the plan of its home.
 pub struct LogFollower<'a> {
     learnt: &'a FollowedHome,
     scenario: &'a Scenario,
@@ -87,7 +84,6 @@ impl FollowedHome {
 }
 
 impl<'a> LogFollower<'a> {
-    /// A follower before the first row.
     pub fn new(learnt: &'a FollowedHome, scenario: &'a Scenario) -> LogFollower<'a> {
         let follower = Follower::new(&learnt.bodies, &learnt.nobody);
         let told = vec![None; learnt.people.len()];

@@ -21,9 +21,7 @@ use std::path::Path;
 
 /// The folder of the run that simulates the paths.
 pub const SIMULATED_RUN: &str = "run";
-/// The folder with a copy of the log.
 pub const GIVEN: &str = "given";
-/// The table of the places of all people.
 pub const WHERE: &str = "where.csv";
 /// The table of the probabilities of the rooms of each person.
 pub const ROOMS: &str = "rooms.csv";
@@ -43,7 +41,6 @@ const WALKING: f64 = 0.7;
 pub struct LocatingReport {
     /// The name of the log, as the user gave it.
     pub log: String,
-    /// The number of rows of the log.
     pub rows: u64,
     /// The number of rows that locate a person.
     pub rows_taken: u64,
@@ -71,11 +68,9 @@ pub struct UnknownSensor {
     pub rows: u64,
 }
 
-/// A sensor that could not be believed for a time.
 #[derive(Clone, Debug, Serialize)]
 pub struct DistrustedSensor {
     pub sensor: String,
-    /// The begin, on the clock on the wall.
     pub from: String,
     pub to: String,
     pub why: FaultIntervalKind,
@@ -87,7 +82,6 @@ pub struct DistrustedSensor {
 pub struct LocatingSummary {
     /// The name of the log, as the user gave it.
     pub log: String,
-    /// The people of the tables.
     pub people: Vec<String>,
     /// The mismatches of the log and the home, in sentences.
     pub remarks: Vec<String>,

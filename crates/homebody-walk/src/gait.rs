@@ -76,7 +76,6 @@ const SHORT_M: f64 = 0.05;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Gait {
     pub speed_mps: f64,
-    /// Of setting off and of stopping.
     pub acceleration_mps2: f64,
     pub half_turn_s: f64,
     pub sharp_turn_rad: f64,

@@ -31,7 +31,6 @@ pub struct Manner {
     pub soon_s: f64,
     /// Median duration of a movement.
     pub bout_s: f64,
-    /// Distance of a movement.
     pub amplitude_m: f64,
 }
 
@@ -62,9 +61,7 @@ impl Manner {
     pub const READING: Manner = manner(READING, [300.0, 1.3], [0.5, 7.5], [1.5, 0.25]);
     /// In company, or on the telephone.
     pub const TALKING: Manner = manner("talking", [40.0, 1.2], [0.75, 5.0], [3.0, 0.3]);
-    /// At a meal.
     pub const EATING: Manner = manner("eating", [50.0, 1.2], [0.3, 6.0], [2.0, 0.3]);
-    /// On the toilet.
     pub const ON_TOILET: Manner = manner("on_toilet", [100.0, 1.2], [0.4, 6.0], [2.7, 0.3]);
     /// Standing and using the hands: at the stove, the sink, the wardrobe.
     pub const BUSY: Manner = manner("busy", [75.0, 1.3], [0.55, 7.0], [4.0, 0.35]);

@@ -184,7 +184,6 @@ impl HomePlaces {
         self.own_spot(&name).or_else(|| self.spot(&name))
     }
 
-    /// Sets the place of sleep at night.
     pub fn sleeping_at(mut self, name: Option<&str>) -> HomePlaces {
         if let Some(spot) = name.and_then(|name| self.named(name)).cloned() {
             self.of_role[Role::Bed as usize].0 = Some(spot);

@@ -32,11 +32,8 @@ use homebody_core::time::{RunTime, Span};
 /// The strength of each schema, as a factor of its usual gain; those whose usual gain is 0 are absolute.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Gains {
-    /// Towards the goal.
     pub goal: f64,
-    /// Away from obstacles.
     pub walls: f64,
-    /// In random directions.
     pub noise: f64,
     /// Away from other people, relative to a goal of 1; usually 0.
     pub people: f64,

@@ -49,7 +49,6 @@ const MARKS: [&[u8]; 40] = [
 /// Largest length of a mutant in bytes: other tests measure readers with large files.
 const LONGEST: usize = 2 << 20;
 
-/// Changes bytes in a few places; `other` is a source of parts.
 pub fn bytes(bytes: &mut Vec<u8>, other: &[u8], choices: &mut Choices) {
     for _ in 0..choices.size(4) {
         once(bytes, other, choices);

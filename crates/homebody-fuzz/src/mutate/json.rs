@@ -190,7 +190,6 @@ impl Tree {
         }
     }
 
-    /// Approximate length in bytes.
     fn length(&self) -> usize {
         match self {
             Tree::Object(entries) => entries.iter().map(|(key, value)| key.len() + value.length() + 4).sum(),

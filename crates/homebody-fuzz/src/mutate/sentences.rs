@@ -67,7 +67,6 @@ pub fn sentence(choices: &mut Choices) -> String {
     }
 }
 
-/// The sentence with other words and numbers.
 fn reworded(sentence: &str, choices: &mut Choices) -> String {
     let mut words: Vec<String> = sentence.split(' ').map(str::to_owned).collect();
     for _ in 0..choices.size(3) {
@@ -100,7 +99,6 @@ fn clause<'t>(sentence: &'t str, is_head: bool, choices: &mut Choices) -> &'t st
     if is_head { &sentence[..cut] } else { &sentence[cut + 1..] }
 }
 
-/// All known sentences.
 fn forms() -> Vec<&'static str> {
     FORMS.lines().filter(|line| !line.is_empty() && !line.starts_with(['#', ' '])).collect()
 }

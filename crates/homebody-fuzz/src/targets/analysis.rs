@@ -66,7 +66,6 @@ pub fn all(from: &LogSource, mapping: &LoggerFile, truth: &Path, folder: &Path) 
     Ok(ReadVerdict::Accepted)
 }
 
-/// Checks the message of a refusal.
 fn check_refusal(error: &LogError) -> Result<(), String> {
     messages::message(&error.to_string())
 }

@@ -47,7 +47,6 @@ fn mutate(files: &mut CaseFiles, seeds: &[CaseFiles], choices: &mut Choices) {
     });
 }
 
-/// A URL with one part replaced.
 fn part(line: &str, choices: &mut Choices) -> String {
     let marks = ['/', '?', '&', '=', ':', '@', '%', '[', ']', ',', '+'];
     let mut letters: Vec<char> = line.chars().collect();

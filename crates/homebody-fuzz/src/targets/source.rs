@@ -126,7 +126,6 @@ fn with_their_record(form: &str, lines: &[&str], some: &[usize]) -> Vec<usize> {
     (0..lines.len()).filter(|&at| some.iter().any(|&other| records[other] == records[at])).collect()
 }
 
-/// Checks that the log has all rows of the rest.
 fn nothing_is_lost(log: &Log, rest: &Log) -> Result<(), String> {
     let (mut there, wanted) = (rows(log), rows(rest));
     for (row, times) in wanted {

@@ -53,7 +53,6 @@ fn run(files: &CaseFiles, folder: &Path) -> Result<ReadVerdict, String> {
     Ok(verdict)
 }
 
-/// Parses a text in all ways; true if one succeeds.
 fn is_valid(text: &str, folder: &Path) -> Result<bool, String> {
     let url = text.parse::<Url>().map_err(LogError::NoPlace);
     if let Ok(url) = &url {

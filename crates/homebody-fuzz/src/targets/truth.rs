@@ -11,7 +11,6 @@ use std::path::Path;
 
 pub const TARGET: Target = Target { name: "truth", cases: 1_000, seeds, mutate, run };
 
-/// A log for the truth.
 const LOG: &str = "seq,time,sensor,value\n\
                    0,2009-03-02 07:12:03.000000,bed motion,ON\n\
                    1,2009-03-02 07:12:05.500000,hall motion,ON\n\

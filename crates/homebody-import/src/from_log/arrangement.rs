@@ -15,7 +15,6 @@ pub struct RoomNeed {
     pub has_way_out: bool,
 }
 
-/// A tree of cuts.
 #[derive(Clone, Debug)]
 enum CutTree {
     Room(usize),

@@ -80,7 +80,6 @@ pub fn between(rects: &[Rect], ways: &[Vec<f64>], is_way: &[bool]) -> Vec<DoorGa
     doors
 }
 
-/// The door out of the first of these rooms with an outer wall.
 pub fn out(rects: &[Rect], candidates: &[usize]) -> Option<DoorGap> {
     let first = rects.first()?;
     let (least, most) = rects

@@ -20,7 +20,6 @@ use std::collections::{BTreeMap, BTreeSet};
 
 #[derive(Clone, Debug, PartialEq)]
 pub struct Schematic {
-    /// The text of a `home.json` that passes the check.
     pub home_json: String,
     /// By sensor of the home, its id in the log.
     pub ids: BTreeMap<String, String>,
@@ -121,7 +120,6 @@ pub fn schematic(name: &str, about: &str, sensors: &[LogSensor], ways: &[LogWay]
     Ok(Schematic { home_json, ids, hold_s, remarks })
 }
 
-/// The places of rooms and their content.
 struct HomeLayout {
     rects: Vec<Rect>,
     walls: Vec<(Point, Point)>,

@@ -23,7 +23,6 @@ pub enum SensorAim {
     Wide,
     /// A thing in it, or the floor before it.
     Thing(&'static RoomThing),
-    /// The door to the room with its strongest tie.
     Door,
     /// The way out of the home.
     FrontDoor,
@@ -35,7 +34,6 @@ pub enum SensorAim {
 #[derive(Debug)]
 pub struct Interpretation {
     pub rooms: Vec<LogRoom>,
-    /// By sensor.
     pub sensors: Vec<(usize, SensorAim)>,
     /// Guesses, a sentence each.
     pub guesses: Vec<String>,

@@ -5,9 +5,7 @@ use homebody_core::role::Role;
 #[derive(Debug, PartialEq)]
 pub struct RoomKind {
     pub name: &'static str,
-    /// Its names, each in one or two words.
     pub words: &'static [&'static str],
-    /// The usual area.
     pub area_m2: f64,
     /// True for a room that people mostly pass through.
     pub is_way: bool,
@@ -129,7 +127,6 @@ pub struct ActivitySite {
     pub words: &'static [&'static str],
     /// The kind of the room; `None` for activities at the way out.
     pub room: Option<&'static str>,
-    /// The thing for it.
     pub at: &'static str,
 }
 

@@ -51,7 +51,6 @@ fn begun(url: &Url, fleet: &Arc<Fleet>) -> MqttFleet {
     sink
 }
 
-/// The received rows, by topic and text.
 fn told(listener: &Listener, below: &str) -> Vec<(String, String)> {
     let is_row = |heard: &Heard| heard.row().is_some() && heard.topic.starts_with(below);
     listener.heard().into_iter().filter(is_row).map(|heard| (heard.topic, heard.payload)).collect()

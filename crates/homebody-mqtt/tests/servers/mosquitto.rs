@@ -61,7 +61,6 @@ impl Broker {
         }
     }
 
-    /// Stops it in order.
     #[allow(dead_code, reason = "one of the programs of tests stops it")]
     pub fn stop(&mut self) {
         if let Some(mut child) = self.child.take() {
@@ -70,7 +69,6 @@ impl Broker {
         }
     }
 
-    /// Sends it a signal.
     pub fn signal(&self, signal: &str) {
         let id = self.child.as_ref().unwrap().id().to_string();
         assert!(Command::new("kill").args([signal, &id]).status().unwrap().success());
@@ -80,7 +78,6 @@ impl Broker {
         format!("mqtt://127.0.0.1:{}/{rest}", self.port).parse().unwrap()
     }
 
-    /// Publishes a message.
     pub fn say(&self, topic: &str, payload: &str, more: &[&str]) {
         let port = self.port.to_string();
         let args = ["-h", "127.0.0.1", "-p", &port, "-q", "1", "-t", topic, "-m", payload];

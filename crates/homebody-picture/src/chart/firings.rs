@@ -13,7 +13,6 @@ pub struct FiringLane {
     pub label: String,
     /// The part of the experiment; activities of one portion stand together.
     pub portion: char,
-    /// The firings, from the activity's start.
     pub firings_s: Vec<f64>,
 }
 

@@ -13,9 +13,7 @@ pub struct RangeFigure {
     pub label: String,
     /// The figure and the published one, in words.
     pub words: String,
-    /// The lower end of the published range, in the figure's own unit.
     pub low: f64,
-    /// The upper end of the published range.
     pub high: f64,
     pub value: f64,
 }

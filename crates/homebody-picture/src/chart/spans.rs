@@ -11,9 +11,7 @@ use super::{AXIS_TEXT, GRID, TOP, WIDTH, heading, nice_step, steps};
 #[derive(Clone, Debug, PartialEq)]
 pub struct Panel {
     pub label: String,
-    /// Its length, in seconds.
     pub duration_s: f64,
-    /// Its lanes, from the top on.
     pub lanes: Vec<Lane>,
 }
 

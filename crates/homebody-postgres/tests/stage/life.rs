@@ -13,7 +13,6 @@ use homebody_postgres::Postgres;
 use std::sync::Arc;
 use std::time::Duration;
 
-/// A run and its speed.
 #[derive(Clone, Copy, Debug)]
 pub struct Life {
     pub run: i64,
@@ -32,7 +31,6 @@ impl Life {
         Life { run, firings, step: 50, settles: 10, rests: Duration::ZERO, how: WriteMode::Create }
     }
 
-    /// Lives it into a log and, where one is wanted, a truth.
     pub fn live(&self, log: &str, truth: Option<&str>, policy: Policy) -> Result<(), LogError> {
         self.live_as(log, truth, policy, &LoggerFile::default())
     }

@@ -34,7 +34,6 @@ pub struct Server {
 }
 
 impl Server {
-    /// A new server, if PostgreSQL is installed here.
     pub fn start() -> Option<Server> {
         Server::start_with(&["fsync=off"])
     }
@@ -146,7 +145,6 @@ impl Server {
         }
     }
 
-    /// Ends the server at once, with its connections.
     pub fn stop(&mut self) {
         if let Some(mut keeper) = self.keeper.take() {
             // It is gone where the server has never begun.
@@ -170,18 +168,15 @@ impl Server {
         self.folder.path().join(".s.PGSQL.5432")
     }
 
-    /// The URL of a database by the server's socket.
     pub fn url(&self, user: &str, database: &str, more: &str) -> String {
         format!("postgresql://{user}@/{database}?host={}{more}", self.folder.path().display())
     }
 
-    /// A new database, by its name.
     pub fn database(&self, name: &str) -> String {
         self.psql("postgres", &format!("CREATE DATABASE {name}"));
         name.to_owned()
     }
 
-    /// The answer of the server's own program to SQL.
     pub fn psql(&self, database: &str, sql: &str) -> String {
         self.try_psql(database, sql).unwrap_or_else(|error| panic!("{sql}: {error}"))
     }

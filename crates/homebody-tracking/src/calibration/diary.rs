@@ -96,7 +96,6 @@ impl UsualNight {
     }
 }
 
-/// A diary read off a log.
 pub struct Rhythm {
     noted: Vec<DiaryEntry>,
 }
@@ -270,7 +269,6 @@ mod tests {
     use super::*;
     use homebody_core::geometry::point;
 
-    /// From one minute to another.
     fn span(from: i64, to: i64) -> Interval<WallTime> {
         Interval::new(WallTime::EPOCH + from * MINUTE, WallTime::EPOCH + to * MINUTE)
     }

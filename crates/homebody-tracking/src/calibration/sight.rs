@@ -104,7 +104,6 @@ pub fn fitted(
 struct Resimulation {
     path: ScenarioEdit,
     length: Span,
-    /// The log by the home's names of its sensors, as far as the path goes.
     log: Log,
 }
 
@@ -199,7 +198,6 @@ fn seeing_as_far(scenario: &Scenario, times: f64) -> Vec<SensorFile> {
     sensors.iter().enumerate().map(changed).collect()
 }
 
-/// A sensor with another reach.
 fn scaled(sensor: &SensorFile, times: f64) -> Option<SensorFile> {
     let mut sensor = sensor.clone();
     sensor.scale_reach(times).then_some(sensor)
