@@ -139,10 +139,6 @@ struct SensorCounts {
 impl Senses {
     ///
     /// Simulates the random walk of one resident, through the link and the logger of the scenario.
-    ///
-    /// # Errors
-    ///
-    /// If the home has no resident, or the resident cannot walk through it.
     pub fn learn(scenario: &Scenario, body: usize) -> Result<Senses, ResponseError> {
         let resident = scenario.residents.get(body).ok_or(ResponseError::Nobody)?;
         // Faults on particular days are unknown in advance.

@@ -28,10 +28,6 @@ pub struct Cleaned {
 }
 
 /// Removes the retained messages of our homes below the prefix of a place. With `only_look` it lists them and keeps them.
-///
-/// # Errors
-///
-/// If the broker cannot be reached, or denies it.
 pub fn clean(url: &Url, only_look: bool) -> Result<Cleaned, LogError> {
     let address = BrokerAddress::from_url(url)?;
     let cleaned = visit(&address, "clean", async |client, events| {

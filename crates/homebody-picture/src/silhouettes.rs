@@ -23,10 +23,6 @@ const BODY: u8 = 3;
 const GAP_PX: u32 = 3;
 
 /// Draws a silhouette as a PNG of black and white in which each pixel is `scale` wide and high.
-///
-/// # Errors
-///
-/// [`PngError::Size`] if it would be too large.
 pub fn silhouette_png(picture: &Silhouette, scale: u32) -> Result<Vec<u8>, PngError> {
     let (columns, rows) = (picture.columns() as u32, picture.rows() as u32);
     let [width, height] = sized([columns, rows], scale)?;
@@ -62,10 +58,6 @@ pub struct FilmFrame {
 
 /// Draws a film as an animated PNG that repeats for ever: pictures of cameras of these sizes, in columns and rows, side by side; each of
 /// their pixels is `scale` wide and high.
-///
-/// # Errors
-///
-/// [`PngError::Size`] if it would be too large, or has no frame.
 pub fn silhouette_film(sizes: &[[u32; 2]], frames: &[FilmFrame], scale: u32) -> Result<Vec<u8>, PngError> {
     let gaps = GAP_PX * (sizes.len() as u32).saturating_sub(1);
     let columns = sizes.iter().map(|[columns, _]| columns).sum::<u32>() + gaps;

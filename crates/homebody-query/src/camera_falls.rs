@@ -48,11 +48,6 @@ pub struct RunSilhouettes<'a> {
 
 impl<'a> RunSilhouettes<'a> {
     /// Opens the silhouettes in the folder of a log.
-    ///
-    /// # Errors
-    ///
-    /// [`QueryError::NoSilhouettes`] if the log does not come from a run with cameras, [`QueryError::Simulation`] if their file cannot be
-    /// read.
     pub fn beside(named: &'a LogRef) -> Result<RunSilhouettes<'a>, QueryError> {
         let missing = || QueryError::NoSilhouettes { log: named.name.clone() };
         let path = silhouettes_of(named.place.path()).ok_or_else(missing)?;
@@ -60,10 +55,6 @@ impl<'a> RunSilhouettes<'a> {
     }
 
     /// Opens a file of the run of a scenario.
-    ///
-    /// # Errors
-    ///
-    /// [`QueryError::Simulation`] if it cannot be read.
     pub fn open(path: &Path, scenario: &'a Scenario) -> Result<RunSilhouettes<'a>, QueryError> {
         let silhouettes = Silhouettes::open(path, scenario.calendar.timestamp(RunTime::START).into())?;
         Ok(RunSilhouettes { silhouettes, scenario })
@@ -74,10 +65,6 @@ impl<'a> RunSilhouettes<'a> {
     }
 
     /// Looks for falls in all of them. `go_on` gets the instant that the search has reached; the search ends if it returns false.
-    ///
-    /// # Errors
-    ///
-    /// [`QueryError::Simulation`] if they cannot be read, [`SimulationError::Cancelled`] if `go_on` returns false.
     pub fn falls(&self, rules: &FallRules, mut go_on: impl FnMut(RunTime) -> bool) -> Result<FallSearch, QueryError> {
         let lenses = self.lenses();
         let mut scenes = Scenes::new(self.scenario.home.plan(), &lenses, rules);
@@ -114,10 +101,6 @@ pub fn silhouettes_of(log: &Path) -> Option<PathBuf> {
 }
 
 /// Looks for falls in the silhouettes in the folder of a log.
-///
-/// # Errors
-///
-/// Those of [`RunSilhouettes::beside`] and [`RunSilhouettes::falls`].
 pub fn falls_in(
     named: &LogRef,
     rules: &FallRules,

@@ -70,20 +70,11 @@ pub struct LostMessage {
 impl LoadedLog {
     /// Reads a log by its URL, by its path alone, or by the folder of its run. A log in UTC is put on the wall of `zone`, of its run's
     /// zone, or of the zone by the offsets of its instants; without any it stays in UTC.
-    ///
-    /// # Errors
-    ///
-    /// [`QueryError::TimeZone`] if no zone has this name, [`QueryError::Simulation`] if the log or the truth in its folder cannot be read,
-    /// and those of [`LogRef::find`] and [`LogRef::read`].
     pub fn read(text: &str, zone: Option<&str>) -> Result<LoadedLog, QueryError> {
         LoadedLog::from_ref(LogRef::find(text)?, zone)
     }
 
     /// Reads a log that was found.
-    ///
-    /// # Errors
-    ///
-    /// Those of [`LoadedLog::read`].
     pub fn from_ref(named: LogRef, zone: Option<&str>) -> Result<LoadedLog, QueryError> {
         let mut log = named.read()?;
         let first = log.events.iter().take(MOST_COMPARED).copied().collect();
@@ -93,10 +84,6 @@ impl LoadedLog {
 
     /// The same of a log of any length. Of one with more than two million rows no rows are in memory: [`LoadedLog::rows`] reads them
     /// again each time.
-    ///
-    /// # Errors
-    ///
-    /// Those of [`LoadedLog::read`].
     pub fn of_any_length(named: LogRef, zone: Option<&str>) -> Result<LoadedLog, QueryError> {
         LoadedLog::of_length(named, zone, MOST_ROWS)
     }
@@ -115,10 +102,6 @@ impl LoadedLog {
     }
 
     /// The log alone, without its truth. Only its first `most` rows are in memory; `log.rows` is the number of all.
-    ///
-    /// # Errors
-    ///
-    /// Those of [`LoadedLog::read`].
     pub fn alone(named: LogRef, zone: Option<&str>, most: usize) -> Result<LoadedLog, QueryError> {
         let mut events = Vec::new();
         let mut log = named.stream(&mut |part| {
@@ -221,10 +204,6 @@ impl LoadedLog {
     }
 
     /// Passes on its rows in the order of time, from memory or from their place.
-    ///
-    /// # Errors
-    ///
-    /// [`NoMap::Unread`] and [`NoMap::Disorder`] of a long log that cannot be read again, or is out of order, and those of `take`.
     pub fn rows(&self, take: TakeEvent) -> Result<(), NoMap> {
         match &self.long {
             Some(long) => long.rows(take),
@@ -238,10 +217,6 @@ impl LoadedLog {
     }
 
     /// The map of its density.
-    ///
-    /// # Errors
-    ///
-    /// If no sensor tells of motion, or the days are too many, and those of [`LoadedLog::rows`].
     pub fn density(&self, asked: &DensityOptions) -> Result<Map, NoMap> {
         let mut tallies = Tallies::new(&self.log);
         self.rows(&mut |row| {
@@ -259,10 +234,6 @@ impl LoadedLog {
     }
 
     /// Measures of its days, with all that its home tells.
-    ///
-    /// # Errors
-    ///
-    /// If no sensor tells of motion, or the days are too many.
     pub fn measures(&self) -> Result<Measures, NoMap> {
         let asked = DensityOptions { recorded: self.recorded, ..DensityOptions::default() };
         let ways = self.ways();
@@ -298,10 +269,6 @@ impl LoadedLog {
     }
 
     /// The messages that never reached the logger, in order, by the ground truth; `None` without one.
-    ///
-    /// # Errors
-    ///
-    /// [`QueryError::Simulation`] if the truth cannot be read.
     pub fn lost(&self) -> Result<Option<Vec<LostMessage>>, QueryError> {
         let Some((truth, zone)) = &self.truth else { return Ok(None) };
         let mut all = Vec::new();

@@ -96,10 +96,6 @@ impl LogRef {
     }
 
     /// Reads it through: `take` gets its rows part by part, as of [`stream`].
-    ///
-    /// # Errors
-    ///
-    /// Those of [`LogRef::read`].
     pub fn stream(&self, take: &mut dyn FnMut(&Log)) -> Result<Log, QueryError> {
         let mut take = |part: &Log| {
             take(part);
@@ -109,19 +105,11 @@ impl LogRef {
     }
 
     /// Reads it into memory.
-    ///
-    /// # Errors
-    ///
-    /// [`QueryError::NoRows`] if its run has not stored any yet, [`QueryError::Simulation`] if it cannot be read.
     pub fn read(&self) -> Result<Log, QueryError> {
         self.with_rows(read(&self.place, &self.mapping))
     }
 
     /// Reads it through and keeps no rows.
-    ///
-    /// # Errors
-    ///
-    /// Those of [`LogRef::read`].
     pub fn survey(&self) -> Result<Log, QueryError> {
         self.with_rows(survey(&self.place, &self.mapping))
     }

@@ -186,10 +186,6 @@ homebody_core::messages! {
 }
 
 /// Looks for it.
-///
-/// # Errors
-///
-/// If a name leads nowhere, if only a truth would tell, or if the rows cannot be read.
 pub fn find<T: TimePoint + Default>(
     query: &Query,
     ground: &mut SearchGround<T>,

@@ -51,10 +51,6 @@ fn wall_around(instants: impl Iterator<Item = WallTime>, zone: &TimeZone) -> Tim
 
 impl LogRef {
     /// Reads it in UTC. `zone` is that of its home, if its run is unknown.
-    ///
-    /// # Errors
-    ///
-    /// [`QueryError::TimeZone`] if there is no such zone, and those of [`LogRef::read`].
     pub fn instants(&self, zone: Option<&str>) -> Result<UtcLog, QueryError> {
         let asked = zone.map(|name| Calendar::zone(name).map_err(|_| QueryError::zone(name))).transpose()?;
         let mut log = self.read()?;
@@ -106,20 +102,12 @@ impl LogRef {
     }
 
     /// The truth in its folder.
-    ///
-    /// # Errors
-    ///
-    /// [`QueryError::Simulation`] without one.
     pub fn truth_that_is_there(&self) -> Result<Url, QueryError> {
         let no_truth = || LogError::no_truth(self.place.to_string(), TruthMessage::NotBeside);
         Ok(self.truth().ok_or_else(no_truth)?)
     }
 
     /// Hands over the rows of a table of the truth in its folder, with instants as in [`UtcLog`].
-    ///
-    /// # Errors
-    ///
-    /// [`QueryError::Simulation`] if there is no such table, or no truth.
     pub fn truth_rows(&self, table: &str, take: &mut dyn FnMut(&[TruthValue<'_>])) -> Result<(), QueryError> {
         let truth = self.truth_that_is_there()?;
         let all = tables();
@@ -148,10 +136,6 @@ impl LogRef {
     /// Reads the log with the activities of its truth, or of the log itself, in the order of their beginnings. A log in UTC, of an unknown
     /// run, is put on the wall of `zone`, where one is given. With a truth, it is on a wall that is never set, so that lengths of time
     /// are right; it shows the time of the home as the run begins.
-    ///
-    /// # Errors
-    ///
-    /// [`QueryError::TimeZone`] if there is no such zone, and those of [`LogRef::read`].
     pub fn with_activities(&self, zone: Option<&str>) -> Result<Log, QueryError> {
         let asked = zone.map(|name| Calendar::zone(name).map_err(|_| QueryError::zone(name))).transpose()?;
         let mut log = self.read()?;

@@ -43,11 +43,6 @@ const ABOUT: &str = "Which rooms and things there are is from names and from wha
 const MOST_DAYS: i64 = 365;
 
 /// A scenario with a schematic home, as far as the log shows rooms, things and places. Its days are those of the log.
-///
-/// # Errors
-///
-/// [`ScaffoldError::Source`] without enough evidence for a home, [`ScaffoldError::Simulation`] if the given words make no valid
-/// scenario.
 pub fn from_log(name: &str, given: &GivenLog) -> Result<ScenarioFromLog, ScaffoldError> {
     let log = &given.read.log;
     let SensorsOfLog { sensors, ways, mut remarks } =

@@ -48,10 +48,6 @@ pub struct PlanPicture {
 
 impl PlanPicture {
     /// Reads a picture with two known points.
-    ///
-    /// # Errors
-    ///
-    /// [`ScaffoldError::Simulation`] for an unreadable file, [`ScaffoldError::Source`] without a picture or two points.
     pub fn read(path: &Path, known: &[KnownPoint]) -> Result<PlanPicture, ScaffoldError> {
         let bytes = plain::read(path, LARGEST_BYTES).map_err(|error| SimulationError::io(path, error))?;
         let (file, size) = size(&bytes).ok_or_else(|| {

@@ -41,10 +41,6 @@ pub struct InhabitedHome {
 
 /// The files of a scenario with a resident: with an ordinary routine, or standing in place if the home lacks something
 /// for it.
-///
-/// # Errors
-///
-/// [`ScaffoldError::Simulation`] with the problems of the home or the logger.
 pub fn inhabited(new: &NewScenario) -> Result<InhabitedHome, ScaffoldError> {
     let texts = inhabited_texts(new);
     if let Ok(scenario) = load(&texts) {

@@ -39,10 +39,6 @@ const COLUMNS: [(&str, &[&str]); 6] = [
 const KINDS: [&str; 2] = ["motion", "contact"];
 
 /// Reads a table, by the ids of sensors.
-///
-/// # Errors
-///
-/// [`ScaffoldError::Simulation`] for an unreadable file, [`ScaffoldError::Source`] with all its problems.
 pub fn read_table(path: &Path) -> Result<BTreeMap<String, SensorRow>, ScaffoldError> {
     let bytes = plain::read(path, LARGEST_BYTES).map_err(|error| SimulationError::io(path, error))?;
     let mut reader = csv::ReaderBuilder::new().flexible(true).trim(csv::Trim::All).from_reader(&bytes[..]);

@@ -36,10 +36,6 @@ pub fn create<T, E: From<ScaffoldError> + From<SimulationError>>(
 }
 
 /// Writes files into the folder of a new scenario.
-///
-/// # Errors
-///
-/// [`ScaffoldError::Simulation`] if a file exists, or the system refuses.
 pub fn write(folder: &Path, texts: &ScenarioTexts) -> Result<(), ScaffoldError> {
     for (file, text) in texts {
         FreshFile::write_whole(&folder.join(file), text.as_bytes(), false)?;

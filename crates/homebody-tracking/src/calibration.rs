@@ -112,10 +112,6 @@ homebody_core::messages! {
 /// Fits a scenario to a log of its home. `progress` gets the share that is done, from 0 to 1.
 ///
 /// Sensors are those whose names the home has, or whose ids its logger says. The log is on the clock on the wall.
-///
-/// # Errors
-///
-/// [`TrackingError::Calibration`] if the home has not one resident, or the log has no night, and those of [`locate`].
 pub fn calibrate(log: &Log, home: &OpenScenario, mut progress: impl FnMut(f64)) -> Result<Calibration, TrackingError> {
     let scenario = home.scenario();
     if scenario.residents.len() != 1 {

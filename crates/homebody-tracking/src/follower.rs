@@ -67,10 +67,6 @@ const BEYOND: f64 = 0.05;
 
 impl FollowedHome {
     /// Of the home of a scenario, which is only read.
-    ///
-    /// # Errors
-    ///
-    /// [`TrackingError::Translation`] if it has no resident.
     pub fn new(scenario: &Scenario) -> Result<FollowedHome, TrackingError> {
         let (bodies, people) = bodies(scenario)?;
         let Some(first) = bodies.first() else {
@@ -92,10 +88,6 @@ impl<'a> LogFollower<'a> {
 
     /// Takes the rows that have come since the log was given last, and tells of everybody whose room, or how sure that is, has
     /// changed. Rows that are older than one that was taken are left out.
-    ///
-    /// # Errors
-    ///
-    /// [`TrackingError::Translation`] where the log has rows, and none of them is of the home's sensors.
     pub fn take(&mut self, log: &Log, mut tell: impl FnMut(PersonLocation)) -> Result<(), TrackingError> {
         if log.events.is_empty() {
             return Ok(());

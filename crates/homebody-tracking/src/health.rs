@@ -35,10 +35,6 @@ pub struct SensorFinding {
 }
 
 /// Asks what is wrong with the sensors of a scenario's home, by a log of it. `progress` gets the share that is done, from 0 to 1.
-///
-/// # Errors
-///
-/// [`TrackingError::Translation`] if the home has no resident, or no sensor of the log.
 pub fn health(log: &Log, scenario: &Scenario, progress: impl FnMut(f64) + Send) -> Result<Health, TrackingError> {
     let names: Vec<String> = scenario.home.placed_sensors().iter().map(|sensor| sensor.name.clone()).collect();
     let heard = HomeMessages::new(log, scenario, &names)?;

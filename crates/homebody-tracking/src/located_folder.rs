@@ -259,10 +259,6 @@ fn rooms(translation: &Translation, plan: &Plan) -> Result<Vec<u8>, SimulationEr
 }
 
 /// Reads the table of rooms in a folder; `clock` reads its instants, and `people` are those of its report.
-///
-/// # Errors
-///
-/// [`SimulationError::File`] or [`SimulationError::Unreadable`] if it cannot be read.
 pub fn doubts(
     table: &Path,
     people: &[String],

@@ -150,10 +150,6 @@ pub(crate) fn bodies(scenario: &Scenario) -> Result<(Vec<Senses>, Vec<String>), 
 /// Walks a log back through the home of a scenario, which is only read. `progress` gets the share that is done, from 0 to 1.
 ///
 /// The log's sensors are those whose names the home has, or whose ids its logger says.
-///
-/// # Errors
-///
-/// [`TrackingError::Translation`] if the home has no resident, or no sensor of the log; [`SimulationError::Cancelled`].
 pub fn locate(
     log: &Log,
     scenario: &Scenario,

@@ -133,10 +133,6 @@ fn with_views(schema: &Schema) -> SchemaRef {
 }
 
 /// All rows of a file of Parquet or Arrow IPC, with its columns.
-///
-/// # Errors
-///
-/// If there is no such file, or it has another form.
 pub fn whole_file(path: &Path) -> Result<(SchemaRef, Vec<RecordBatch>), LogError> {
     let opened = OpenedTable::open(path)?;
     let schema = opened.schema.clone();

@@ -22,10 +22,6 @@ use std::path::Path;
 const ZONE: &str = "America/Chicago";
 
 /// Converts, compares, maps and draws a log, and labels it by a truth.
-///
-/// # Errors
-///
-/// An invariant does not hold.
 pub fn all(from: &LogSource, mapping: &LoggerFile, truth: &Path, folder: &Path) -> Result<ReadVerdict, String> {
     let survey = match survey(from, mapping) {
         Ok(survey) => survey,

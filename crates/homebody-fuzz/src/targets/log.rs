@@ -56,10 +56,6 @@ fn run(files: &CaseFiles, folder: &Path) -> Result<ReadVerdict, String> {
 }
 
 /// Writes the files of a case into a folder, and analyses the log.
-///
-/// # Errors
-///
-/// An invariant does not hold.
 pub fn read_and_analyse(files: &CaseFiles, folder: &Path) -> Result<ReadVerdict, String> {
     let write = |name: &str| {
         let path = folder.join(name);

@@ -80,10 +80,6 @@ fn listed(names: &[String]) -> String {
 }
 
 /// Makes a home with this name from a log. `about` is its description.
-///
-/// # Errors
-///
-/// [`SchematicError`], with all sensors without a room.
 pub fn schematic(name: &str, about: &str, sensors: &[LogSensor], ways: &[LogWay]) -> Result<Schematic, SchematicError> {
     if sensors.is_empty() {
         return Err(SchematicError::NoSensors);
