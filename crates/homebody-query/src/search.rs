@@ -171,12 +171,7 @@ homebody_core::messages! {
         NoName(kind: &'static str) error "no-name" ("the name of the {kind} is missing")
             hint ("write the name after the word {kind}");
         /// No room, sensor or activity of the log has this name.
-        Unknown {
-            /// `room`, `sensor` or `activity`.
-            kind: &'static str,
-            name: String,
-            hint: String,
-        } error "unknown-name" ("no {kind} is called {name:?}") hint ("{hint}");
+        Unknown { kind: &'static str, name: String, hint: String } error "unknown-name" ("no {kind} is called {name:?}") hint ("{hint}");
         /// Activities, falls and lost messages are in the ground truth of a run, and not in a log.
         NoTruth(what: &'static str) error "needs-truth" ("a log alone does not contain {what}")
             hint ("name a run that has its ground truth");

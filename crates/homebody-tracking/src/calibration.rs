@@ -93,18 +93,13 @@ homebody_core::messages! {
     /// Problems with fitting a scenario to a log.
     pub enum CalibrationMessage in "fit" {
         /// Sensors do not tell several residents apart, so Homebody cannot learn the rhythm of each.
-        NotAlone {
-            scenario: String,
-            residents: usize,
-        } error "not-alone" ("{scenario:?} has {residents} residents, and Homebody fits only a resident who lives alone")
+        NotAlone { scenario: String, residents: usize } error "not-alone" ("{scenario:?} has {residents} residents, and Homebody fits only a resident who lives alone")
             hint ("use a scenario with one resident");
         /// The rhythm of a day begins and ends in bed. Homebody finds the night by the sensors of the bed or the bedroom.
         NoNight error "no-night" ("the log contains no night between two days")
             hint ("use a log with at least two nights, of a home with a sensor at the bed or in the bedroom");
         /// Homebody fits times and counts as averages over nights and days. Averages over a few of them are rough.
-        FewNights {
-            nights: usize,
-        } warning "few-nights" ("the fitted rhythm is rough: the log has {nights} nights")
+        FewNights { nights: usize } warning "few-nights" ("the fitted rhythm is rough: the log has {nights} nights")
             hint ("use a log of a week or more");
     }
 }

@@ -99,27 +99,20 @@ homebody_core::messages! {
         NoResidents error "no-residents" ("the scenario has no residents to locate")
             hint ("add a file to \"residents\" in scenario.json");
         /// To locate residents, Homebody first simulates how the sensors of the home answer to a body in each place. That was not possible.
-        Unlearnable {
-            why: String,
-        } error "unlearnable" ("cannot compute how the sensors of the home respond: {why}")
+        Unlearnable { why: String } error "unlearnable" ("cannot compute how the sensors of the home respond: {why}")
             hint ("run homebody check on the scenario");
         /// Residents are located by the rows of their sensors.
         NoRows error "no-rows" ("the log has no rows")
             hint ("name a log with rows of the home's sensors");
         /// The first row of the log is before or after all dates that Homebody can compute with, or the time zone of the scenario is not valid.
-        Calendar {
-            why: String,
-        } error "calendar" ("cannot read the dates of the log: {why}")
+        Calendar { why: String } error "calendar" ("cannot read the dates of the log: {why}")
             hint ("check the dates in the log, and the time zone in scenario.json");
         /// Homebody recognises the sensors of a log by their names in the home, or by the ids in the logger's file:
         ///
         /// ```json
         /// "ids": { "bedroom motion": "M001" }
         /// ```
-        OtherHome {
-            /// Some ids of the log.
-            ids: Vec<String>,
-        } error "other-home" ("no sensor of the log is a sensor of the home")
+        OtherHome { ids: Vec<String> } error "other-home" ("no sensor of the log is a sensor of the home")
             hint ("the log has {ids}; write the id of each sensor of the home into \"ids\" in logger.json", ids = ids.join(", "));
     }
 }
