@@ -1,7 +1,7 @@
 //! Targets, and the files of their cases.
 
 use crate::choices::Choices;
-use crate::mutate::bytes;
+use crate::mutate::{bytes, json};
 use std::collections::BTreeMap;
 use std::path::Path;
 
@@ -79,4 +79,9 @@ pub(crate) fn change(
             }
         }
     }
+}
+
+/// The same with JSON.
+pub(crate) fn change_json(files: &mut CaseFiles, seeds: &[CaseFiles], choices: &mut Choices) {
+    change(files, seeds, choices, |_, text, others, choices| drop(json::json(text, others, choices)));
 }

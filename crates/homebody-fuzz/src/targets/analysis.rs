@@ -26,7 +26,7 @@ pub fn all(from: &LogSource, mapping: &LoggerFile, truth: &Path, folder: &Path) 
     let survey = match survey(from, mapping) {
         Ok(survey) => survey,
         Err(error) => {
-            check_refusal(&error)?;
+            messages::refusal(&error)?;
             if read(from, mapping).is_ok() {
                 return Err("what cannot be surveyed can be read".into());
             }
@@ -44,7 +44,7 @@ pub fn all(from: &LogSource, mapping: &LoggerFile, truth: &Path, folder: &Path) 
     let scale = TimeScale::one();
     match read_timeline(&truth_at(&truth.to_string_lossy()), &scale) {
         Ok(known) => log.activities = known.map(|at| scale.run_to_wall(at)).into_activities(),
-        Err(error) => check_refusal(&error)?,
+        Err(error) => messages::refusal(&error)?,
     }
     let _ = compare(&log, &log).to_string();
     let mut looker = Looker::new(None);
@@ -57,13 +57,9 @@ pub fn all(from: &LogSource, mapping: &LoggerFile, truth: &Path, folder: &Path) 
     // In the wall time of a home, as the commands for days and density read it.
     match LoadedLog::read(&from.to_string(), Some(ZONE)) {
         Ok(given) => drawn(&given)?,
-        Err(error) => messages::message(&error.to_string())?,
+        Err(error) => messages::refusal(&error)?,
     }
     Ok(ReadVerdict::Accepted)
-}
-
-fn check_refusal(error: &LogError) -> Result<(), String> {
-    messages::message(&error.to_string())
 }
 
 /// Converts a log into another form and back: rows keep their number and instants.
@@ -80,7 +76,7 @@ fn carried(
     let rows = match convert(&transfer, survey, |_| ()) {
         Ok(rows) => rows,
         // The form cannot distinguish two sensors.
-        Err(error) => return check_refusal(&error),
+        Err(error) => return messages::refusal(&error),
     };
     if rows != survey.rows {
         return Err(format!("{rows} rows of {} came into {}", survey.rows, scheme.row().name));
@@ -109,7 +105,7 @@ fn labelled(from: &LogSource, mapping: &LoggerFile, survey: &Log, truth: &Path, 
     match label(&transfer, survey, &truth_at(&truth.to_string_lossy()), &TimeScale::one(), |_| ()) {
         Ok(labelled) if labelled.rows != survey.rows => Err(format!("{} rows of {}", labelled.rows, survey.rows)),
         Ok(_) => Ok(()),
-        Err(error) => check_refusal(&error),
+        Err(error) => messages::refusal(&error),
     }
 }
 
@@ -123,7 +119,7 @@ fn drawn(given: &LoadedLog) -> Result<(), String> {
             if svg.len().is_multiple_of(32)
                 && let Err(error) = png(&svg, 400)
             {
-                messages::message(&error.to_string())?;
+                messages::refusal(&error)?;
             }
         }
         let _ = dates::DayChoice::First.within((first, last));
@@ -131,7 +127,7 @@ fn drawn(given: &LoadedLog) -> Result<(), String> {
     let asked = given.density_asked();
     match density((&given.name, &given.log, &asked), Some((&given.name, &given.log, &asked))) {
         Ok(density) => drop((density.to_string(), density_map(&density), density.of.map.csv())),
-        Err(why) => messages::message(&why.to_string())?,
+        Err(why) => messages::refusal(&why)?,
     }
     Ok(())
 }

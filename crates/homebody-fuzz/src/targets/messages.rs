@@ -44,6 +44,11 @@ pub fn problem(problem: &Problem, texts: &BTreeMap<String, String>) -> Result<()
     Ok(())
 }
 
+/// Checks the readability of an error.
+pub fn refusal(error: &impl std::fmt::Display) -> Result<(), String> {
+    message(&error.to_string())
+}
+
 /// Checks the readability of a message.
 pub fn message(text: &str) -> Result<(), String> {
     let beginning: String = text.chars().take(200).collect();

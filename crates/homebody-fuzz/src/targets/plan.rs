@@ -58,7 +58,7 @@ fn run(files: &CaseFiles, _: &Path) -> Result<ReadVerdict, String> {
                 verdict = ReadVerdict::Accepted;
             }
             Err(error) => {
-                messages::message(&error.to_string())?;
+                messages::refusal(&error)?;
                 if !error.to_string().contains("\n  hint: ") {
                     return Err(format!("the error has no hint: {error}"));
                 }

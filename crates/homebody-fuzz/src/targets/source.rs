@@ -83,7 +83,7 @@ fn run(files: &CaseFiles, folder: &Path) -> Result<ReadVerdict, String> {
         Ok(log) => log,
         // A line longer than any log has.
         Err(error @ LogError::TooLong { .. }) => {
-            return messages::message(&error.to_string()).map(|()| ReadVerdict::Refused);
+            return messages::refusal(&error).map(|()| ReadVerdict::Refused);
         }
         Err(error) => return Err(format!("lines that stay are lost with the others: {error}")),
     };

@@ -33,7 +33,7 @@ fn run(files: &CaseFiles, folder: &Path) -> Result<ReadVerdict, String> {
     let (url, scale) = (truth_at(&path.to_string_lossy()), TimeScale::one());
     let read = [read_timeline(&url, &scale).map(drop), movements(&url)];
     for error in read.iter().filter_map(|told| told.as_ref().err()) {
-        messages::message(&error.to_string())?;
+        messages::refusal(&error)?;
     }
     log::read_and_analyse(files, folder)?;
     Ok(if read.iter().all(Result::is_ok) { ReadVerdict::Accepted } else { ReadVerdict::Refused })
