@@ -30,7 +30,6 @@ fn of_run(id: i64, url: &Url, how: WriteMode) -> Result<Logger, LogError> {
     Logger::open(destinations(std::slice::from_ref(url), how)?, &LoggerFile::default(), &run, how)
 }
 
-/// All files in a folder, by their paths in it.
 fn files(folder: &Path) -> BTreeMap<String, Vec<u8>> {
     let mut all = BTreeMap::new();
     collect(folder, folder, &mut all);

@@ -14,7 +14,6 @@ pub enum ReadVerdict {
     Refused,
 }
 
-/// A reader of foreign data that is fuzzed.
 #[derive(Clone, Copy)]
 pub struct Target {
     pub name: &'static str,
@@ -22,7 +21,6 @@ pub struct Target {
     pub cases: u32,
     /// Its seeds: valid files, and files that once failed. Mutants are made of them.
     pub seeds: fn() -> Vec<CaseFiles>,
-    /// Makes a mutant of a seed, with parts of all seeds.
     pub mutate: fn(&mut CaseFiles, &[CaseFiles], &mut Choices),
     /// Exercises the program with the files in an empty folder.
     ///

@@ -19,7 +19,6 @@ pub struct PlanDrawing {
     pub openings: Vec<PlanPiece>,
     pub pieces: Vec<PlanPiece>,
     pub labels: Vec<Label>,
-    /// The latitude of the plan's compass.
     pub latitude_deg: Option<f64>,
     /// The number of things without a usable place or size.
     pub unread: usize,
@@ -28,7 +27,6 @@ pub struct PlanDrawing {
 /// The number of a level's id in a plan: a group passes its level on to its content, and the id may be long.
 pub type LevelId = usize;
 
-/// The ids of the levels, each with its number.
 #[derive(Default)]
 struct LevelIds<'a>(BTreeMap<&'a str, LevelId>);
 

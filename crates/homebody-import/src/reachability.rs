@@ -185,7 +185,6 @@ fn is_apart(home: &HomeFile, index: usize, moved: &[Point]) -> bool {
     })
 }
 
-/// The remark on moved pieces.
 fn moves_remark(home: &HomeFile, drawn: &[Option<At>]) -> Option<String> {
     /// Largest number of names in it.
     const NAMED: usize = 6;

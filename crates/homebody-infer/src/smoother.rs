@@ -82,7 +82,6 @@ pub fn follow(
     }
 }
 
-/// Locates people from messages one by one.
 pub struct Follower<'a> {
     pairs: Vec<BodyPair<'a>>,
     steps: LogSteps<'a>,

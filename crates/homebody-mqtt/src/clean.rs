@@ -21,7 +21,6 @@ const LONGEST: Duration = Duration::from_secs(60);
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Cleaned {
     pub homes: Vec<String>,
-    /// Topics with a retained message.
     pub topics: Vec<String>,
     /// Topics below the prefix that are of no home of ours: they stay.
     pub others: usize,

@@ -15,7 +15,6 @@ pub(crate) struct Entity {
     pub name: Option<&'static str>,
     pub says: EntityType,
     pub class: Option<&'static str>,
-    /// The key in a device's JSON of Zigbee2MQTT.
     pub property: &'static str,
 }
 
@@ -48,7 +47,6 @@ pub(crate) enum EntityValue<'a> {
     Word(&'a str),
 }
 
-/// Bands of a bed sensor.
 const BANDS: &[&str] = &["low", "normal", "high"];
 
 #[derive(Clone, Debug, PartialEq)]

@@ -35,9 +35,7 @@ pub(crate) struct Flight {
     changed: Condvar,
     /// The connection's thread waits for this.
     pub wake: Notify,
-    /// Ends waits early.
     cancel: Cancel,
-    /// The time that a broker has to acknowledge.
     deadline: Deadline,
 }
 
@@ -81,7 +79,6 @@ pub(crate) struct FlightState {
     first: u64,
     /// The number of the next to be sent on this connection.
     next: u64,
-    /// Messages before all rows.
     greeting: VecDeque<Message>,
     /// Of the greeting, how many are not acknowledged.
     greeting_left: usize,

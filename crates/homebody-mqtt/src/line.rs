@@ -41,7 +41,6 @@ impl Line {
         Ok(())
     }
 
-    /// Waits until all has arrived and the connection has ended, as was wished for.
     pub fn ended(&self) -> Result<(), LogError> {
         self.wait(|shared| matches!(shared.link, BrokerLink::Over(None)))
     }

@@ -8,7 +8,6 @@ use homebody_log::RunInfo;
 #[derive(Clone, Debug)]
 pub(crate) struct HomeTopics {
     pub base: String,
-    /// The home's id in discovery.
     pub id: String,
     pub style: Style,
     /// Whether Home Assistant discovers it. A device then sends unknown values too.
@@ -19,7 +18,6 @@ pub(crate) struct HomeTopics {
 
 #[derive(Clone, Debug)]
 pub(crate) struct SensorTopics {
-    /// Its level below the home.
     pub level: String,
     pub name: String,
     pub in_log: String,

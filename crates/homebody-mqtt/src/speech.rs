@@ -32,7 +32,6 @@ pub(crate) struct Speech {
     run: String,
     clock: InstantWriter,
     place: Arc<HomeTopics>,
-    /// Sensors by what the log calls them.
     by_id: HashMap<String, usize>,
     topics: Vec<Vec<Arc<str>>>,
     /// Of Zigbee2MQTT: by sensor, all that it has said last, in its order.

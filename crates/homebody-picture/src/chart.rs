@@ -23,7 +23,6 @@ const TOP: f64 = 104.0;
 const GRID: Paint = Paint::line("#e3e6e9", 1.0);
 const AXIS_TEXT: Type = Type::new(13.0, MUTED);
 
-/// The title of a picture, and below it its result.
 pub(super) fn heading(svg: &mut Svg, title: &str, subtitle: &str) {
     svg.text(title, Point::new(40.0, 42.0), &Type::new(24.0, INK));
     svg.text(subtitle, Point::new(40.0, 72.0), &Type::new(15.0, MUTED));

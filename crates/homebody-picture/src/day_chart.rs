@@ -17,9 +17,7 @@ use super::svg::{Anchor, Px, Svg, Type};
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct DayChart {
     pub title: String,
-    /// Activities and rooms of residents, from the top on.
     pub bands: Vec<DayBand>,
-    /// Firings of sensors, below the bands, from the top on.
     pub ticks: Vec<Ticks>,
 }
 
@@ -37,16 +35,13 @@ pub struct DayBand {
     pub name: String,
     /// The kind of its labels.
     pub holds: BandContent,
-    /// Begin, end and label.
     pub spans: Vec<(f64, f64, String)>,
 }
 
-/// The kind of the labels of a band.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum BandContent {
     /// Labels of activities, which are coloured by their kind.
     Activities,
-    /// Names of rooms, which all have one colour.
     Rooms,
 }
 
@@ -136,7 +131,6 @@ fn in_words(day: &DayChart) -> String {
     activities.into_iter().chain(ticks).collect::<Vec<_>>().join(", ")
 }
 
-/// The colours of the kinds of activities in the chart.
 fn legend(svg: &mut Svg, day: &DayChart) {
     let bands = day.bands.iter().filter(|band| band.holds == BandContent::Activities);
     let there: Vec<ActivityKind> =

@@ -73,7 +73,6 @@ pub fn realism_page(realism: &Realism) -> String {
     page
 }
 
-/// The hours of the day of both logs.
 pub fn realism_chart(realism: &Realism) -> String {
     let line = |log: &LogSummary| TotalsLine {
         label: log.name.clone(),

@@ -61,7 +61,6 @@ impl Sheet {
         Sheet { svg, labels: Labels::default(), px_per_m, bounds, corner }
     }
 
-    /// The pixel of a point of the plan.
     pub fn at(&self, p: Point) -> Point {
         self.corner + Point::new(p.x - self.bounds.0.x, self.bounds.1.y - p.y) * self.px_per_m
     }

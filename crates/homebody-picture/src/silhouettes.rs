@@ -47,7 +47,6 @@ pub fn silhouette_png(picture: &Silhouette, scale: u32) -> Result<Vec<u8>, PngEr
     Ok(bytes)
 }
 
-/// The pictures of all cameras at an instant.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FilmFrame {
     /// By camera; `None` without a picture of this instant.

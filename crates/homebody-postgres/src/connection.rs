@@ -49,7 +49,6 @@ pub(crate) struct DatabaseConnection {
     /// Runs the connection in both directions.
     carrier: JoinHandle<()>,
     ended_by: Arc<Mutex<Option<Error>>>,
-    /// The time that the server has for a request.
     deadline: Deadline,
     /// The server's name of its end, if it tells it.
     pub backend: Option<String>,

@@ -16,13 +16,11 @@ const MOST_TOLD_ALONE: usize = 10;
 
 struct ExaminedRun {
     run: i64,
-    /// The tables that it has rows in, and how far it has come in each.
     tables: Vec<(String, i64)>,
     is_ended: bool,
     is_of_fleet: bool,
 }
 
-/// Looks at all runs of a schema; `there` are the names of its tables.
 pub(crate) fn runs(
     connection: &DatabaseConnection,
     schema: &str,

@@ -33,7 +33,6 @@ pub struct PostgresFleet {
 struct OpenDatabaseFleet {
     server: Server,
     deadline: Deadline,
-    /// None after it was lost, until the next transaction.
     connection: Option<DatabaseConnection>,
     fleet: Arc<Fleet>,
     schema: Schema,
@@ -52,9 +51,7 @@ struct HomeRowEncoder {
 
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 struct StoredHome {
-    /// The number of the next row.
     rows: i64,
-    /// The number of transactions that have changed it.
     commits: i64,
 }
 

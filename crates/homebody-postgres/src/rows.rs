@@ -16,7 +16,6 @@ pub(crate) const EPOCH_2000: Span = Span::from_micros(946_684_800_000_000);
 /// The bytes before the rows: the signature, no flags, no extension.
 const HEADER: &[u8] = b"PGCOPY\n\xff\r\n\0\0\0\0\0\0\0\0\0";
 
-/// The bytes after the rows.
 const TRAILER: &[u8] = &(-1_i16).to_be_bytes();
 
 /// Bytes that are passed to the connection together (our choice).

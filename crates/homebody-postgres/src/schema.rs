@@ -15,13 +15,11 @@ pub(crate) const RUNS: &str = "homebody_run";
 
 pub(crate) const SENSORS: &str = "homebody_sensor";
 
-/// The default schema of a truth.
 pub(crate) const TRUTH_SCHEMA: &str = "truth";
 
 /// The advisory lock of programs that create tables: `homebody`, as a number.
 const TURN: i64 = i64::from_be_bytes(*b"homebody");
 
-/// The columns of the table of runs, and their types.
 pub(crate) const RUN_COLUMNS: [(&str, &str); 12] = [
     ("run_id", "bigint"),
     ("holds", "text"),

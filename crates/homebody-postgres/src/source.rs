@@ -266,7 +266,6 @@ impl StoredLogTable {
         }
     }
 
-    /// The query of the rows, and the parameter for the run.
     fn rows(&self, run: Option<&str>) -> (String, Option<String>) {
         let time = ident(&self.time);
         let told = if self.clock == TimeColumnKind::Text { format!("{time}::text") } else { time.clone() };

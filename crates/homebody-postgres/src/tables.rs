@@ -94,7 +94,6 @@ enum TruthCellKind {
 }
 
 impl StoredTruthTable {
-    /// None, and in words what is missing, where it is not as it should be.
     fn find(
         connection: &DatabaseConnection,
         schema: &str,

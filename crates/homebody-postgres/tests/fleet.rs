@@ -11,7 +11,6 @@ use std::sync::Arc;
 
 const HOMES: u32 = 7;
 
-/// A fleet of two kinds of homes, which have tables of their own.
 fn fleet() -> Arc<Fleet> {
     let other = LoggerFile { table: Some("message".into()), ..LoggerFile::default() };
     let layouts = [LoggerFile::default(), other].map(|file| FleetLayout::new(run(0), &file).unwrap()).into();

@@ -12,7 +12,6 @@ use std::time::{Duration, Instant};
 const CHILD: &str = "HOMEBODY_TEST_LIFE";
 const NAIVE: &str = "HOMEBODY_TEST_NAIVE";
 const FIRINGS: u64 = 12_000;
-/// The id of the undisturbed run.
 const UNDISTURBED: i64 = 1_000_000;
 
 fn life(run: i64, how: WriteMode) -> Life {

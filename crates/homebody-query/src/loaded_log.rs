@@ -28,7 +28,6 @@ use jiff::tz::TimeZone;
 use std::collections::BTreeMap;
 use std::path::PathBuf;
 
-/// A log on the wall clock of its home.
 pub struct LoadedLog {
     /// Its name, with the conditions that its run leaves out.
     pub name: String,
@@ -60,7 +59,6 @@ pub struct LoadedLog {
 pub struct LostMessage {
     /// The time, on the clock of the log.
     pub at: WallTime,
-    /// The sensor's name in its home, or else its id.
     pub sensor: String,
     pub value: String,
     /// The cause, in a word of the ground truth.

@@ -13,7 +13,6 @@ use jiff::tz::TimeZone;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-/// A log whose run was killed or stopped.
 #[derive(Clone, Debug, PartialEq)]
 pub struct IncompleteLog {
     pub folder: PathBuf,

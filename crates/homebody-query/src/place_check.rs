@@ -92,7 +92,6 @@ impl PlaceCheck {
         Ok(checks)
     }
 
-    /// Checks the folder of a run against its recording.
     fn run(&self, folder: &Path) -> Result<Vec<Check>, QueryError> {
         let mut checks = Vec::new();
         if let Err(error) = FolderLock::take(folder) {

@@ -118,7 +118,6 @@ impl<'a, T> KnownStay<'a, T> {
 
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Listener {
-    /// Its name in the home, or else in the log.
     pub name: String,
     /// The room, if it is known.
     pub room: Option<String>,

@@ -23,7 +23,6 @@ impl LogRef {
         Ok(None)
     }
 
-    /// The ground truth next to the log, or on the server of the log.
     pub fn truth(&self) -> Option<Url> {
         truth_of(&self.place)
     }

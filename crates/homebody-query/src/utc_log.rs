@@ -26,7 +26,6 @@ pub struct UtcLog {
     pub zone: Option<String>,
 }
 
-/// Reads successive instants of one file.
 struct UtcReader<'s> {
     scale: &'s TimeScale,
     /// The last instant in the file of a run; `None` if the run is unknown.

@@ -23,7 +23,6 @@ pub struct GivenLog<'a> {
     pub read: &'a LoadedLog,
     /// The home's time zone, if known.
     pub time_zone: Option<&'a str>,
-    /// The rows of a table of its sensors, by id.
     pub table: BTreeMap<String, SensorRow>,
     pub picture: Option<&'a PlanPicture>,
 }
@@ -82,7 +81,6 @@ fn inhabit(name: &str, given: &GivenLog, home: &Schematic) -> Result<InhabitedHo
     })
 }
 
-/// The sensors and ways of a log, with a sentence for each omission.
 struct SensorsOfLog {
     sensors: Vec<LogSensor>,
     ways: Vec<LogWay>,

@@ -38,7 +38,6 @@ impl FromStr for KnownPoint {
 
 pub struct PlanPicture {
     pub bytes: Vec<u8>,
-    /// Its name in a scenario's folder.
     pub file: &'static str,
     size: Point,
     first: KnownPoint,

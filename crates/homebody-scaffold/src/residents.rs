@@ -116,7 +116,6 @@ fn resident(driver: &str, file: &str, text: String) -> Vec<(String, String)> {
     vec![("anna.json".to_owned(), resident), (file.to_owned(), text)]
 }
 
-/// The path of a resident who stands in place and moves a little.
 fn path(at: Point) -> String {
     format!(
         r#"{{

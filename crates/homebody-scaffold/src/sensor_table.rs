@@ -18,7 +18,6 @@ const LARGEST_BYTES: u64 = 1 << 20;
 pub struct SensorRow {
     pub line: u64,
     pub room: Option<String>,
-    /// The thing or place that it watches.
     pub place: Option<String>,
     /// Its kind, if the table has it: `motion`, `contact`, `used`, `reading` or `other`.
     pub kind: Option<String>,

@@ -37,7 +37,6 @@ use std::ops::Range;
 
 pub struct Calibration {
     pub files: BTreeMap<String, String>,
-    /// The name of its own file among them.
     pub entry: String,
     /// By sensor of the log: its name in the home; its id where the home has no such sensor.
     pub names: Vec<String>,

@@ -12,7 +12,6 @@ use std::fmt;
 /// Interval, in the time of the log, between positions without a row (our choice): silence is evidence, too.
 const ASKED: Span = SECOND.times(30);
 
-/// The responses of the sensors of a home to the possible bodies.
 pub struct FollowedHome {
     bodies: Vec<Senses>,
     nobody: Senses,
@@ -28,7 +27,6 @@ pub struct PersonLocation {
     pub who: String,
     /// `None` outside and between rooms.
     pub room: Option<String>,
-    /// Their movement there.
     pub doing: &'static str,
     /// The probability of the room, from 0 to 1.
     pub chance: f64,

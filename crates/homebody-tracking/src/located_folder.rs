@@ -109,7 +109,6 @@ pub fn locate_into(
     }
 }
 
-/// Writes a located log into an existing folder.
 fn write_into(
     to: &Path,
     (name, read): (&str, &LoadedLog),
@@ -135,7 +134,6 @@ fn write_into(
     Ok(report)
 }
 
-/// Copies the files of a log.
 fn keep(given: &Path, read: &LoadedLog) -> Result<(), TrackingError> {
     fs::create_dir_all(given).map_err(|error| SimulationError::io(given, error))?;
     for file in &read.files {
@@ -225,7 +223,6 @@ pub(crate) fn beginning(log: &Log, translation: &Translation) -> Log {
     Log { events, sensors: translation.names.clone(), ..log.clone() }
 }
 
-/// The table of the places of all people.
 fn whereabouts(translation: &Translation, plan: &Plan) -> Result<Vec<u8>, SimulationError> {
     let header = ["time", "who", "room", "chance", "x_m", "y_m", "doing"];
     let row = |one: &PersonStay| {
@@ -244,7 +241,6 @@ fn whereabouts(translation: &Translation, plan: &Plan) -> Result<Vec<u8>, Simula
     table(header, translation.whereabouts.iter().map(row))
 }
 
-/// The table of the probabilities of all rooms.
 fn rooms(translation: &Translation, plan: &Plan) -> Result<Vec<u8>, SimulationError> {
     let row = |one: &PlaceChance| {
         let place = match one.place {

@@ -72,7 +72,6 @@ pub struct PlaceChance {
     pub chance: f32,
 }
 
-/// A place where a person may be.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum PossiblePlace {
     Out,

@@ -55,7 +55,6 @@ impl WalkingBody {
         WalkingBody { routes: self.routes.at_most(ways), ..self }
     }
 
-    /// Sets the place at the start of a run or behind the door.
     pub fn place(&mut self, spot: HomePlace, posture: Posture) {
         (self.at, self.posture, self.spot) = (spot.at, posture, Some(spot));
     }

@@ -72,7 +72,6 @@ const USUAL_PACE_MPS: f64 = 0.65;
 /// happen at it (our choice).
 const SHORT_M: f64 = 0.05;
 
-/// The parameters of one walk; all are above 0.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Gait {
     pub speed_mps: f64,

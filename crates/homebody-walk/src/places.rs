@@ -57,7 +57,6 @@ impl HomePlace {
     }
 }
 
-/// A place of small chores.
 #[derive(Clone, Debug)]
 pub struct ChoreStation {
     pub spot: HomePlace,

@@ -297,7 +297,7 @@ impl Wanderer<'_> {
         self.now >= self.until && self.mesh.is_free(self.at)
     }
 
-    /// Goes to a goal, or as far as the time allows; false without a route.
+    /// False without a route.
     fn leg(&mut self, goal: Point, stream: &mut Stream) -> bool {
         let Some(mut way) = self.mesh.path(self.at, goal) else { return false };
         let length: f64 = [self.at].iter().chain(&way).zip(&way).map(|(a, b)| a.distance(*b)).sum();

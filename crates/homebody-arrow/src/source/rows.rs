@@ -19,7 +19,6 @@ use std::path::Path;
 /// Largest number of characters of unknown names in a message (our choice).
 const LONGEST_TOLD: usize = 200;
 
-/// Reads a file, or a folder of files, row by row.
 pub(super) fn read(path: &Path, mapping: &LoggerFile, reading: &mut LogReading<'_>) -> Result<(), LogError> {
     let (_kept, folder) = here(path)?;
     let mut line = 0;

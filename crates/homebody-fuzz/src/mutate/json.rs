@@ -6,7 +6,6 @@ use super::{numbers, texts};
 use crate::choices::Choices;
 use serde_json::Value;
 
-/// JSON as mutators need it.
 #[derive(Clone, Debug)]
 enum Tree {
     Object(Vec<(String, Tree)>),

@@ -25,7 +25,6 @@ pub struct Schematic {
     pub ids: BTreeMap<String, String>,
     /// Duration of an ON, if the log has OFF.
     pub hold_s: Option<f64>,
-    /// Guesses and omissions, a sentence each.
     pub remarks: Vec<String>,
 }
 

@@ -35,7 +35,6 @@ pub enum SensorAim {
 pub struct Interpretation {
     pub rooms: Vec<LogRoom>,
     pub sensors: Vec<(usize, SensorAim)>,
-    /// Guesses, a sentence each.
     pub guesses: Vec<String>,
 }
 
@@ -85,7 +84,6 @@ const APART: [&str; 14] = [
     "spare",
 ];
 
-/// The room in a name, and the other words.
 struct NameParts {
     room: Option<(&'static RoomKind, String)>,
     rest: Vec<String>,

@@ -50,7 +50,6 @@ pub struct Placement {
     pub sensors: Vec<Option<Point>>,
 }
 
-/// The input of the search for places.
 pub struct PlacementSite<'a> {
     pub sensors: &'a [LogSensor],
     pub ways: &'a [LogWay],

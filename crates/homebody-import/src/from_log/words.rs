@@ -42,14 +42,12 @@ impl RoomKind {
     }
 }
 
-/// A thing at which sensors see people.
 #[derive(Debug, PartialEq)]
 pub struct RoomThing {
     pub name: &'static str,
     pub words: &'static [&'static str],
     /// The rooms for these words; empty for all rooms.
     pub only_in: &'static [&'static str],
-    /// Its usual room.
     pub home: &'static str,
     /// Along the wall, and from the wall.
     pub size_m: [f64; 2],
@@ -121,7 +119,6 @@ impl RoomThing {
     }
 }
 
-/// The place of an activity.
 pub struct ActivitySite {
     /// Beginnings of the words of its label.
     pub words: &'static [&'static str],

@@ -9,7 +9,6 @@ use std::io::{Cursor, Write};
 use zip::write::SimpleFileOptions;
 use zip::{CompressionMethod, ZipWriter};
 
-/// A file as Sweet Home 3D saves it, with these entries.
 pub fn archive(entries: &[(&str, &[u8])]) -> Vec<u8> {
     packed(entries, CompressionMethod::Deflated)
 }

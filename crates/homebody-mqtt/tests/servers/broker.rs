@@ -76,7 +76,6 @@ impl Heard {
     }
 }
 
-/// Somebody who listens, until dropped.
 pub struct Listener {
     child: Child,
     heard: Arc<Mutex<Vec<Heard>>>,
@@ -233,7 +232,6 @@ pub fn firings(count: u64) -> Vec<Firing> {
     (0..count).map(firing).collect()
 }
 
-/// A logger of the run, whose rows go to this sink.
 pub fn logger(sink: MqttSink, how: WriteMode) -> Result<Logger, LogError> {
     logger_with(sink, how, policy())
 }
@@ -247,7 +245,6 @@ pub fn store(logger: &mut Logger, firings: &[Firing]) {
     logger.store(firings, firings.last().map_or(RunTime::START, |last| last.at + Span::MICROSECOND)).unwrap();
 }
 
-/// Lives a run of so many rows into a place.
 pub fn live(url: &Url, rows: u64) {
     let mut logger = logger(MqttSink::in_real_time(url), WriteMode::Create).unwrap();
     store(&mut logger, &firings(rows));

@@ -19,7 +19,6 @@ fn fleet(homes: u32) -> Arc<Fleet> {
     Arc::new(Fleet { first: 1, layouts: vec![layout], homes: (1..=homes).map(home).collect() })
 }
 
-/// So many rows of each home, one after the other.
 fn rows(fleet: &Fleet, numbers: std::ops::Range<usize>) -> Vec<FleetEvent> {
     let firings = firings(numbers.end as u64);
     let row = |home: usize, number: usize| {

@@ -12,7 +12,6 @@ use tempfile::TempDir;
 /// The longest wait of a test, on however slow a machine (our choice).
 pub const SOON: Duration = Duration::from_secs(60);
 
-/// A broker that ends with the test.
 pub struct Broker {
     pub folder: TempDir,
     pub port: u16,
@@ -91,7 +90,7 @@ impl Drop for Broker {
     }
 }
 
-/// The path of mosquitto: Debian puts it outside the usual PATH.
+/// Debian puts it outside the usual PATH.
 fn program() -> Option<PathBuf> {
     let path = std::env::var_os("PATH").unwrap_or_default();
     let folders = std::env::split_paths(&path).chain(["/usr/sbin".into(), "/usr/local/sbin".into()]);

@@ -10,11 +10,9 @@ use super::{AXIS_TEXT, GRID, TOP, WIDTH, heading, nice_step, steps};
 #[derive(Clone, Debug, PartialEq)]
 pub struct TotalsLine {
     pub label: String,
-    /// Assumptions and the totals that they give.
     pub points: Vec<(f64, f64)>,
 }
 
-/// A published total.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Reference {
     pub label: String,

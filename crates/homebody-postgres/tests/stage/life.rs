@@ -17,7 +17,6 @@ use std::time::Duration;
 pub struct Life {
     pub run: i64,
     pub firings: u64,
-    /// Firings of one advance.
     pub step: usize,
     /// Advances after which log and truth make sure of their rows.
     pub settles: usize,
@@ -65,7 +64,6 @@ pub fn destination(url: &str, policy: &Policy) -> Destination {
     Destination::own(url.to_string(), Postgres::new(&url), policy.clone())
 }
 
-/// A policy that waits so long for a server that is away.
 pub fn patient(seconds: u64) -> Policy {
     let retry_after = Duration::from_millis(20);
     Policy { retry_for: Duration::from_secs(seconds), retry_after, ..Policy::default() }

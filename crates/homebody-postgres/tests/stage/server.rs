@@ -20,7 +20,6 @@ const NOBODY: u32 = 65_534;
 const KEEPER: &str = r#"folder=$PWD; "$@" & server=$!; said=$(cat); kill -QUIT $server 2> /dev/null; wait $server
                         [ "$said" = stays ] || { cd /; rm -rf "$folder"; }"#;
 
-/// The rules for logins with and without a password.
 const WHO: &str = "local all ann scram-sha-256\nlocal all all trust\nhost all ann 127.0.0.1/32 scram-sha-256\n\
                    host all all 127.0.0.1/32 trust\n";
 

@@ -44,7 +44,6 @@ const BETTER: f64 = 0.02;
 /// choice).
 const OFTENER: f64 = 1.2;
 
-/// The fitted range of a sensor, and its share of misses.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct SensorSight {
     pub sensor: String,
