@@ -2,6 +2,7 @@
 //!
 //! Sweet Home 3D writes centimetres, y to the south and radians clockwise; only this module converts them.
 
+use crate::outline::rectangle;
 use homebody_core::geometry::{self, Point};
 use homebody_core::names::words;
 use roxmltree::{Document, Node};
@@ -90,6 +91,12 @@ pub struct PlanPiece {
     pub is_visible: bool,
     /// True if it cuts a hole into the floor above.
     pub is_cut_out: bool,
+}
+
+impl PlanPiece {
+    pub fn outline(&self) -> [Point; 4] {
+        rectangle(self.at, [self.width_m, self.depth_m], self.turn_rad.to_degrees())
+    }
 }
 
 pub fn read(document: &Document) -> PlanDrawing {

@@ -47,7 +47,7 @@ pub fn exits(floor: &BuiltFloor, stairs: &PlanPiece) -> Vec<WallExit> {
     if floor.walls.len() > MOST_SEARCHED {
         return Vec::new();
     }
-    let area = corners(stairs);
+    let area = stairs.outline();
     let within: Vec<usize> = (0..floor.rooms.len()).filter(|&room| shares(floor, room, &area)).collect();
     let near_m = stairs.width_m.min(stairs.depth_m) / 2.0 + FREE_M;
     let is_near = |room: &usize| geometry::distance_to_area(&floor.rooms[*room].outline, stairs.at) <= near_m;
@@ -74,12 +74,6 @@ pub fn exits(floor: &BuiltFloor, stairs: &PlanPiece) -> Vec<WallExit> {
     all.sort_by(|a, b| a.away_m.total_cmp(&b.away_m));
     all.truncate(MOST_EXITS);
     all
-}
-
-pub fn corners(piece: &PlanPiece) -> [Point; 4] {
-    let along = geometry::direction(piece.turn_rad.to_degrees());
-    let (x, y) = (along * (piece.width_m / 2.0), along.perp() * (piece.depth_m / 2.0));
-    [x + y, y - x, -x - y, x - y].map(|corner| piece.at + corner)
 }
 
 /// True if a room has at least a fifth of an area.

@@ -25,13 +25,14 @@ pub use home::{Schematic, SchematicError, schematic};
 use homebody_core::geometry::Point;
 
 /// The meaning of a sensor's firing.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Speaks {
+    #[default]
     Motion,
     Contact,
 }
 
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct LogSensor {
     pub id: String,
     pub speaks: Speaks,
@@ -52,17 +53,7 @@ pub struct LogSensor {
 
 impl LogSensor {
     pub fn new(id: &str, speaks: Speaks, firings: u64) -> LogSensor {
-        LogSensor {
-            id: id.into(),
-            speaks,
-            firings,
-            room: None,
-            place: None,
-            at: None,
-            done: Vec::new(),
-            at_silence: 0,
-            on_s: None,
-        }
+        LogSensor { id: id.into(), speaks, firings, ..LogSensor::default() }
     }
 }
 

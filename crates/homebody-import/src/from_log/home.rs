@@ -346,12 +346,10 @@ fn put_together(
         remarks.push(format!("for these sensors there is no place: {}", listed(&left)));
     }
     let ids = hung.iter().map(|(file, id)| (file.name().to_owned(), id.clone())).collect();
-    let outer = rects
-        .iter()
-        .fold((rects[0].least, rects[0].most), |(least, most), rect| (least.min(rect.least), most.max(rect.most)));
+    let outer = Rect::around_all(&rects);
     let is_outer = |(from, to): &(Point, Point)| {
         let side = |a: f64, b: f64, of: [f64; 2]| a == b && of.contains(&a);
-        side(from.x, to.x, [outer.0.x, outer.1.x]) || side(from.y, to.y, [outer.0.y, outer.1.y])
+        side(from.x, to.x, [outer.least.x, outer.most.x]) || side(from.y, to.y, [outer.least.y, outer.most.y])
     };
     let at = |p: Point| rounded(p.into());
     let wall = |ends: (Point, Point)| WallFile {
