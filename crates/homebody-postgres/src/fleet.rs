@@ -6,13 +6,13 @@
 use crate::connection::DatabaseConnection;
 use crate::fleet_runs;
 use crate::messages::{ContinueMessage, ServerMessage, ServerUrlMessage};
-use crate::rows::{CopyRows, Encoder, copy_into};
+use crate::rows::{CopyRows, Encoder};
 use crate::runs::{self, At};
 use crate::schema::{InTable, Schema};
 use crate::sensors;
 use crate::server::Server;
+use crate::sink::copy;
 use crate::trouble::{changed, unheld, wrong};
-use futures_util::SinkExt;
 use homebody_core::event::Value;
 use homebody_core::time::UtcTime;
 use homebody_log::fleet::{Fleet, FleetEvent, FleetRow, FleetSink};
@@ -228,17 +228,7 @@ impl OpenDatabaseFleet {
             connection.wait(connection.client.batch_execute("ROLLBACK"))?;
         } else {
             for (kind, rows) in kinds.iter().zip(&encoded).filter(|(_, rows)| rows.count > 0) {
-                let sql = copy_into(&kind.table);
-                let copied = connection.wait(async {
-                    let mut copy = Box::pin(connection.client.copy_in(&sql).await?);
-                    for chunk in rows.copy().filter(|chunk| !chunk.is_empty()) {
-                        copy.feed(chunk).await?;
-                    }
-                    copy.as_mut().finish().await
-                })?;
-                if copied != rows.count {
-                    return Err(changed(server, ContinueMessage::OtherCount));
-                }
+                copy(connection, server, &kind.table, rows, None)?;
             }
             let rows: Vec<i64> = then.values().copied().collect();
             fleet_runs::mark(connection, schema, &ids, &rows)?;

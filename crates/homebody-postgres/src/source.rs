@@ -1,13 +1,13 @@
 //! A table in a database of PostgreSQL: by the names of a mapping, or ours. It is read row by row, in the order of its numbers,
 //! through a cursor.
 
-use crate::connection::DatabaseConnection;
+use crate::connection::{DatabaseConnection, cell};
 use crate::messages::ServerMessage;
 use crate::runs::ServerInstant;
 use crate::schema::{RUNS, ident, quoted, usual};
 use crate::sensors;
 use crate::server::Server;
-use crate::trouble::{client_error, wrong};
+use crate::trouble::wrong;
 use homebody_core::nearest::nearest;
 use homebody_core::scenario::logger::{ColumnsFile, LoggerFile};
 use homebody_log::LogError;
@@ -23,9 +23,6 @@ pub const FORM: LogForm = LogForm {
     shows: |_| Shows::Nothing,
     read,
 };
-
-/// Rows of one request (our choice).
-pub(crate) const ROWS_AT_ONCE: i32 = 8192;
 
 /// The transaction of a reader: it sees one instant of the table for as long as it lasts.
 pub(crate) const BEGIN: &str = "BEGIN READ ONLY; SET LOCAL idle_in_transaction_session_timeout = 0";
@@ -47,22 +44,12 @@ fn read(path: &Path, file: &LoggerFile, reading: &mut LogReading<'_>) -> Result<
     reading.has_spans = spans(&connection, &server, &table, run.as_deref(), reading)?;
     let (sql, parameter) = table.rows(run.as_deref());
     let parameters: Vec<&(dyn ToSql + Sync)> = parameter.iter().map(|run| run as &(dyn ToSql + Sync)).collect();
-    connection.wait(connection.client.execute(&format!("DECLARE rows NO SCROLL CURSOR FOR {sql}"), &parameters))?;
-    let next = connection.wait(connection.client.prepare(&format!("FETCH {ROWS_AT_ONCE} FROM rows")))?;
     let mut line = 0;
-    loop {
-        let rows = connection.wait(connection.client.query(&next, &[]))?;
-        for row in &rows {
-            line += 1;
-            table.take(line, row, reading).map_err(|failed| match failed {
-                RowError::Row(error) => client_error(&server, &error, None),
-                RowError::Log(error) => error,
-            })?;
-        }
-        if rows.len() < ROWS_AT_ONCE as usize {
-            return connection.wait(connection.client.batch_execute("COMMIT"));
-        }
-    }
+    connection.each_row(&sql, &parameters, |row| {
+        line += 1;
+        table.take(&server, line, row, reading)
+    })?;
+    connection.wait(connection.client.batch_execute("COMMIT"))
 }
 
 /// Reads the activities of a log from the table next to it; whether that table exists.
@@ -97,41 +84,22 @@ fn spans(
         sql += &format!(" WHERE {} = {run}", ident(&columns[0].0));
     }
     sql += &format!(" ORDER BY {begin}, {end}");
-    let failed = |error: tokio_postgres::Error| query_error(server, &error);
-    connection.wait(connection.client.batch_execute(&format!("DECLARE spans NO SCROLL CURSOR FOR {sql}")))?;
-    let next = connection.wait(connection.client.prepare(&format!("FETCH {ROWS_AT_ONCE} FROM spans")))?;
     let mut line = 0;
-    loop {
-        let rows = connection.wait(connection.client.query(&next, &[]))?;
-        for row in &rows {
-            line += 1;
-            let mut at = |place: usize| -> Result<Option<LogInstant>, tokio_postgres::Error> {
-                Ok(match clocks[place] {
-                    TimeColumnKind::Text => {
-                        row.try_get::<_, Option<&str>>(place)?.and_then(|text| reading.instant(text))
-                    }
-                    TimeColumnKind::Stamp => {
-                        row.try_get::<_, Option<ServerInstant>>(place)?.map(|ServerInstant(at)| at)
-                    }
-                })
-            };
-            let (begin, end) = (at(0).map_err(failed)?, at(1).map_err(failed)?);
-            match begin.zip(end) {
-                Some((begin, end)) => {
-                    let name = row.try_get::<_, Option<&str>>(2).map_err(failed)?.unwrap_or_default();
-                    reading.span(line, begin, end, name);
-                }
-                None => reading.skip(line, format!("in the table {SPANS}: an end is no date and time")),
-            }
+    connection.each_row(&sql, &[], |row| {
+        line += 1;
+        let mut at = |place: usize| -> Result<Option<LogInstant>, LogError> {
+            Ok(match clocks[place] {
+                TimeColumnKind::Text => cell(server, row, place)?.and_then(|text| reading.instant(text)),
+                TimeColumnKind::Stamp => cell(server, row, place)?.map(|ServerInstant(at)| at),
+            })
+        };
+        match at(0)?.zip(at(1)?) {
+            Some((begin, end)) => reading.span(line, begin, end, cell(server, row, 2)?.unwrap_or_default()),
+            None => reading.skip(line, format!("in the table {SPANS}: an end is no date and time")),
         }
-        if rows.len() < ROWS_AT_ONCE as usize {
-            return connection.wait(connection.client.batch_execute("CLOSE spans")).map(|()| true);
-        }
-    }
-}
-
-fn query_error(server: &Server, error: &tokio_postgres::Error) -> LogError {
-    client_error(server, error, None)
+        Ok(())
+    })?;
+    Ok(true)
 }
 
 fn clock_of(is: &str) -> TimeColumnKind {
@@ -160,23 +128,6 @@ enum TimeColumnKind {
     Stamp,
     /// A text or a number, as files have them.
     Text,
-}
-
-enum RowError {
-    Row(tokio_postgres::Error),
-    Log(LogError),
-}
-
-impl From<tokio_postgres::Error> for RowError {
-    fn from(error: tokio_postgres::Error) -> RowError {
-        RowError::Row(error)
-    }
-}
-
-impl From<LogError> for RowError {
-    fn from(error: LogError) -> RowError {
-        RowError::Log(error)
-    }
 }
 
 impl StoredLogTable {
@@ -285,14 +236,12 @@ impl StoredLogTable {
         (sql, parameter)
     }
 
-    fn take(&self, line: u64, row: &Row, reading: &mut LogReading) -> Result<(), RowError> {
-        let [sensor, value] = [1, 2].map(|column| row.try_get::<_, Option<&str>>(column));
-        let (sensor, value) = (sensor?.unwrap_or_default(), value?.unwrap_or_default());
+    fn take(&self, server: &Server, line: u64, row: &Row, reading: &mut LogReading) -> Result<(), LogError> {
+        let text = |place: usize| cell::<&str>(server, row, place);
+        let (sensor, value) = (text(1)?.unwrap_or_default(), text(2)?.unwrap_or_default());
         let is_row = match self.clock {
-            TimeColumnKind::Text => {
-                reading.row(line, row.try_get::<_, Option<&str>>(0)?.unwrap_or_default(), sensor, value)?
-            }
-            TimeColumnKind::Stamp => match row.try_get::<_, Option<ServerInstant>>(0)? {
+            TimeColumnKind::Text => reading.row(line, text(0)?.unwrap_or_default(), sensor, value)?,
+            TimeColumnKind::Stamp => match cell(server, row, 0)? {
                 None => {
                     reading.skip(line, "there is no time".into());
                     false
@@ -301,7 +250,7 @@ impl StoredLogTable {
             },
         };
         if is_row && self.label.is_some() {
-            reading.label(row.try_get::<_, Option<&str>>(3)?.filter(|label| !label.is_empty()));
+            reading.label(text(3)?.filter(|label| !label.is_empty()));
         }
         Ok(())
     }
