@@ -4,7 +4,7 @@ use crate::gait::{Gait, rise, sit, walk};
 use crate::mesh::Mesh;
 use crate::places::HomePlace;
 use crate::routes::Routes;
-use crate::schemas::{WanderStyle, Wanderers, wander};
+use crate::schemas::{WanderStyle, Wanderers, Wandering};
 use homebody_core::geometry::Point;
 use homebody_core::home::Home;
 use homebody_core::motion::{MotionSegment, MotionState};
@@ -129,19 +129,10 @@ impl WalkingBody {
         let gait = Gait::for_walk(self.pace_mps * pace, hour, 0.0, &self.home.numbers, stream);
         let from = self.step_out(now, &gait, &mut moves);
         let begin = moves.last().map_or(now, |last| last.end);
-        let mesh = self.routes.mesh();
-        moves.extend(wander(
-            kind,
-            mesh,
-            &self.home.plan,
-            from,
-            begin,
-            lasts.max(10 * SECOND),
-            &gait,
-            &self.home.numbers,
-            who,
-            stream,
-        ));
+        let (mesh, Home { plan, numbers, .. }) = (self.routes.mesh(), &*self.home);
+        let lasting = lasts.max(10 * SECOND);
+        let wandering = Wandering { kind, mesh, plan, from, begin, lasting, gait: &gait, numbers, who };
+        moves.extend(wandering.moves(stream));
         self.spot = None;
         moves
     }

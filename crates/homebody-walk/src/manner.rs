@@ -116,38 +116,26 @@ impl Manner {
 
     pub fn numbers() -> Vec<Number> {
         let of = |manner: &Manner| {
-            let name = manner.name;
+            let Manner { name, gap_s, sigma, more, soon_s, bout_s, amplitude_m } = *manner;
             let number = |column: &str, value, unit, range, what: &str| {
                 let what = format!("{what}, for the manner of staying `{name}`.");
                 Number::of_table([TABLE, name, column], value, unit, range, what, file!())
             };
             [
-                number(
-                    "gap",
-                    manner.gap_s,
-                    "s",
-                    [0.5, 21_600.0],
-                    "Median gap, in seconds, between two clusters of movements",
-                ),
+                number("gap", gap_s, "s", [0.5, 21_600.0], "Median gap, in seconds, between two clusters of movements"),
                 number(
                     "spread",
-                    manner.sigma,
+                    sigma,
                     "1",
                     [0.0, 5.0],
                     "Standard deviation of the logarithm of the gaps between clusters",
                 ),
-                number("more", manner.more, "1", [0.0, 0.99], "Probability that another movement follows soon"),
-                number(
-                    "soon",
-                    manner.soon_s,
-                    "s",
-                    [0.5, 600.0],
-                    "Median gap, in seconds, between the movements of a cluster",
-                ),
-                number("bout", manner.bout_s, "s", [0.5, 30.0], "Median duration, in seconds, of a movement"),
+                number("more", more, "1", [0.0, 0.99], "Probability that another movement follows soon"),
+                number("soon", soon_s, "s", [0.5, 600.0], "Median gap, in seconds, between the movements of a cluster"),
+                number("bout", bout_s, "s", [0.5, 30.0], "Median duration, in seconds, of a movement"),
                 number(
                     "amplitude",
-                    manner.amplitude_m,
+                    amplitude_m,
                     "m",
                     [0.0, 1.0],
                     "Distance, in metres, that the moving part of the body covers",
