@@ -74,9 +74,7 @@ impl LoadedLog {
 
     /// Reads a log that was found.
     pub fn from_ref(named: LogRef, zone: Option<&str>) -> Result<LoadedLog, QueryError> {
-        let mut log = named.read()?;
-        let first = log.events.iter().take(MOST_COMPARED).copied().collect();
-        let truth = named.truth_of_run(&mut log, first)?;
+        let (log, truth) = named.read_with_truth()?;
         LoadedLog::with(named, log, None, truth, zone)
     }
 

@@ -43,16 +43,10 @@ pub enum SearchSubject {
 }
 
 impl SearchSubject {
-    pub const ALL: [SearchSubject; 8] = [
-        SearchSubject::Room,
-        SearchSubject::On,
-        SearchSubject::Still,
-        SearchSubject::Doing,
-        SearchSubject::Fall,
-        SearchSubject::SeenFall,
-        SearchSubject::Lost,
-        SearchSubject::Alert,
-    ];
+    pub const ALL: [SearchSubject; 8] = {
+        use SearchSubject::{Alert, Doing, Fall, Lost, On, Room, SeenFall, Still};
+        [Room, On, Still, Doing, Fall, SeenFall, Lost, Alert]
+    };
 
     /// The word for it in a query.
     pub fn word(self) -> &'static str {
@@ -71,18 +65,6 @@ impl SearchSubject {
     /// A search for it needs a name: of a room, a sensor or an activity.
     pub fn has_name(self) -> bool {
         matches!(self, SearchSubject::Room | SearchSubject::On | SearchSubject::Doing)
-    }
-
-    /// It is known without a look at the rows.
-    fn is_told(self) -> bool {
-        matches!(
-            self,
-            SearchSubject::Doing
-                | SearchSubject::Fall
-                | SearchSubject::SeenFall
-                | SearchSubject::Lost
-                | SearchSubject::Alert
-        )
     }
 }
 
@@ -213,7 +195,6 @@ pub fn find<T: TimePoint + Default>(
             told.into_iter().filter(is_asked).map(|stay| hit(&stay)).collect()
         }
         (what, None) => {
-            debug_assert!(what.is_told());
             return Err(SearchError::NoTruth(match what {
                 SearchSubject::Doing => "activities",
                 SearchSubject::Fall | SearchSubject::SeenFall => "falls",
@@ -278,16 +259,12 @@ fn merged<T: TimePoint>(told: Vec<KnownStay<T>>, name: &str) -> Vec<Hit<T>> {
     let mut all: Vec<Hit<T>> = Vec::new();
     let mut last: Vec<(Option<Cow<str>>, usize)> = Vec::new();
     for stay in told.into_iter().filter(|stay| *stay.name == *name) {
-        let known = last.iter_mut().find(|(who, _)| *who == stay.who);
-        match known {
-            Some((_, at)) if stay.time.begin - all[*at].time.end <= PAUSE => {
-                all[*at].time.end = all[*at].time.end.max(stay.time.end);
-            }
-            Some((_, at)) => {
-                *at = all.len();
-                all.push(hit(&stay));
-            }
+        let known = last.iter().position(|(who, _)| *who == stay.who);
+        let before = known.map(|known| &mut all[last[known].1]);
+        match before.filter(|before| stay.time.begin - before.time.end <= PAUSE) {
+            Some(before) => before.time.end = before.time.end.max(stay.time.end),
             None => {
+                last.retain(|(who, _)| *who != stay.who);
                 last.push((stay.who.clone(), all.len()));
                 all.push(hit(&stay));
             }

@@ -3,7 +3,6 @@
 
 use crate::error::QueryError;
 use crate::log_ref::LogRef;
-use crate::long_log::MOST_COMPARED;
 use homebody_analysis::dates::put_on_wall;
 use homebody_core::calendar::Calendar;
 use homebody_core::time::{DAY, Interval, RunTime, TimeScale, UtcTime, WallTime};
@@ -52,9 +51,7 @@ impl LogRef {
     /// Reads it in UTC. `zone` is that of its home, if its run is unknown.
     pub fn instants(&self, zone: Option<&str>) -> Result<UtcLog, QueryError> {
         let asked = zone.map(|name| Calendar::zone(name).map_err(|_| QueryError::zone(name))).transpose()?;
-        let mut log = self.read()?;
-        let first = log.events.iter().take(MOST_COMPARED).copied().collect();
-        let truth = self.truth_of_run(&mut log, first)?;
+        let (mut log, truth) = self.read_with_truth()?;
         let timeline = truth.map(|truth| read_timeline(&truth, &self.clock())).transpose()?.unwrap_or_default();
         let known = self.zone();
         let is_naive = log.clock == Clock::Local && known.is_none() && asked.is_none();
@@ -137,9 +134,7 @@ impl LogRef {
     /// are right; it shows the time of the home as the run begins.
     pub fn with_activities(&self, zone: Option<&str>) -> Result<Log, QueryError> {
         let asked = zone.map(|name| Calendar::zone(name).map_err(|_| QueryError::zone(name))).transpose()?;
-        let mut log = self.read()?;
-        let first = log.events.iter().take(MOST_COMPARED).copied().collect();
-        let truth = self.truth_of_run(&mut log, first)?;
+        let (mut log, truth) = self.read_with_truth()?;
         if let Some(zone) = asked.filter(|_| self.zone().is_none()) {
             put_on_wall(&mut log, &zone);
         }
