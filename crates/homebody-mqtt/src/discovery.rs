@@ -5,7 +5,7 @@
 //! message.
 
 use crate::address::{BrokerAddress, Discovery, Style};
-use crate::entities::{Entity, EntityType, Word};
+use crate::entities::{Entity, EntityType};
 use crate::place::{HomeTopics, SensorTopics};
 use crate::speech::Message;
 use homebody_core::names::capitalised;
@@ -154,7 +154,7 @@ fn entity_of(
     let platform = match &entity.says {
         EntityType::Binary { on_only, zigbee } => {
             let [on, off] = match place.style {
-                Style::Zigbee2Mqtt => zigbee.map(payload),
+                Style::Zigbee2Mqtt => zigbee.map(Value::from),
                 Style::HomeAssistant | Style::Plain => ["ON".into(), "OFF".into()],
             };
             add("payload_on", on);
@@ -179,13 +179,6 @@ fn entity_of(
         EntityType::Text => "sensor",
     };
     (platform, config)
-}
-
-fn payload(word: Word) -> Value {
-    match word {
-        Word::Truth(truth) => truth.into(),
-        Word::Text(text) => text.into(),
-    }
 }
 
 fn availability(place: &HomeTopics, sensor: Option<&SensorTopics>) -> Map<String, Value> {

@@ -1,7 +1,7 @@
 //! Turns rows into messages.
 
 use crate::address::Style;
-use crate::entities::{EntityType, EntityValue, Word};
+use crate::entities::{EntityType, EntityValue};
 use crate::messages::BrokerMessage;
 use crate::place::{HomeTopics, SensorTopics};
 use homebody_core::scenario::logger::TimeFormat;
@@ -144,10 +144,7 @@ fn on_off(on: bool) -> &'static str {
 
 fn zigbee_value(says: &EntityType, heard: &EntityValue) -> Value {
     match (heard, says) {
-        (EntityValue::Switched(on), EntityType::Binary { zigbee, .. }) => match zigbee[usize::from(!on)] {
-            Word::Truth(truth) => truth.into(),
-            Word::Text(text) => text.into(),
-        },
+        (EntityValue::Switched(on), EntityType::Binary { zigbee, .. }) => zigbee[usize::from(!on)].into(),
         (EntityValue::Switched(on), _) => (*on).into(),
         (EntityValue::Number(number), _) if number.fract() == 0.0 && number.abs() < 1e15 => (*number as i64).into(),
         (EntityValue::Number(number), _) => (*number).into(),
