@@ -106,9 +106,7 @@ fn rows_of_many_homes_survive_killed_servers_once() {
 /// The control: if another program has continued a home, nothing is added.
 #[test]
 fn two_programs_never_run_one_home() {
-    let Some(server) = Server::shared() else { return };
-    let database = server.database("twice");
-    let url = server.url("postgres", &database, "");
+    let Some((server, database, url)) = Server::with_database("twice") else { return };
     let (mut one, _) = begun(&url, WriteMode::Create).unwrap();
     let (mut other, _) = begun(&url, WriteMode::Create).unwrap();
     one.tell(&rows(0..10)).unwrap();

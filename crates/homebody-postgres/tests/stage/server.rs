@@ -82,6 +82,14 @@ impl Server {
         SHARED.get_or_init(Server::start).as_ref()
     }
 
+    /// A new database on that server, and its URL.
+    pub fn with_database(name: &str) -> Option<(&'static Server, String, String)> {
+        let server = Server::shared()?;
+        let database = server.database(name);
+        let url = server.url("postgres", &database, "");
+        Some((server, database, url))
+    }
+
     pub fn folder(&self) -> &Path {
         self.folder.path()
     }
@@ -205,6 +213,11 @@ impl Server {
             digest.update(self.psql(database, &rows));
         }
         digest.finalize().iter().map(|byte| format!("{byte:02x}")).collect()
+    }
+
+    /// Of the log and of the truth.
+    pub fn dumps(&self, database: &str, run: i64) -> [String; 2] {
+        ["public", "truth"].map(|schema| self.dump(database, schema, run))
     }
 }
 
