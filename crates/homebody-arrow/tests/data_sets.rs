@@ -4,6 +4,7 @@ use crate::stage::{self, Folder};
 use homebody_core::event::Firing;
 use homebody_core::scenario::logger::LoggerFile;
 use homebody_core::time::{DAY, HOUR, RunTime, SECOND, Span};
+use homebody_log::fleet::FleetLayout;
 use homebody_log::registry::{Registry, install};
 use homebody_log::run_log::destinations;
 use homebody_log::table::{Batch, Cell, TextPool};
@@ -15,7 +16,8 @@ use std::process::{Command, Stdio};
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 
-fn ready(name: &str) -> Folder {
+/// A folder, with the plugin in place.
+pub fn ready(name: &str) -> Folder {
     install(Registry::new(vec![homebody_arrow::PLUGIN]));
     Folder::new(name)
 }
@@ -291,7 +293,7 @@ fn written(url: &Url, how: WriteMode, is_whole: bool, at: impl Fn(i64) -> Span) 
     let run = stage::run();
     let begin = Begin {
         run: &run,
-        tables: &[log_table()],
+        tables: &[FleetLayout::new(run.clone(), &LoggerFile::default())?.table],
         time: Default::default(),
         run_column: "run_id",
         spreadsheet_safe: false,
@@ -346,21 +348,4 @@ fn a_whole_log_has_its_name_only_once_all_rows_are_in_it() {
     let url = folder.url("parquet:run");
     std::mem::forget(written(&url, WriteMode::Create, false, at).unwrap());
     assert!(!names(url.path()).is_empty());
-}
-
-fn log_table() -> homebody_log::table::Table {
-    use homebody_log::table::{Column, ColumnKind, Table};
-    let column = |name: &str, kind| Column { name: name.into(), kind, unit: "", about: "" };
-    Table {
-        name: "firing".into(),
-        about: "",
-        columns: vec![
-            column("seq", ColumnKind::Integer),
-            column("fired_at", ColumnKind::Instant),
-            column("sensor", ColumnKind::Text),
-            column("value", ColumnKind::Text),
-        ],
-        is_numbered: true,
-        is_frequent: true,
-    }
 }
