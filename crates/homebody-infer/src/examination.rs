@@ -75,7 +75,6 @@ const TOGETHER_M: f64 = 2.0;
 const CLOCK_DAYS: usize = 4;
 const CLOCK_S: f64 = 15.0;
 
-///
 /// Passes over a log, which are independent of each other, and the findings of all passes.
 ///
 /// A sensor's messages move the people whom it is compared with. So the first pass uses all sensors, and each later pass

@@ -42,7 +42,6 @@ pub struct Chances {
     pub rooms: Vec<f32>,
 }
 
-///
 /// Locates each body by messages in order of time, up to `end`, and reports each instant in turn. Messages and silences
 /// within `faults` are ignored.
 ///
@@ -89,7 +88,6 @@ pub struct Follower<'a> {
 }
 
 impl<'a> Follower<'a> {
-    ///
     /// `empty_body` is [`Senses::empty_body`] of the first body.
     ///
     /// # Panics

@@ -136,13 +136,8 @@ impl Device {
             _ => {}
         }
         if let Some((first, rest)) = said.split_once('_') {
-            let key = match first {
-                "RESTLESS" => "restlessness",
-                "PULSE" => "pulse",
-                "RESPIRATION" => "respiration",
-                _ => "",
-            };
-            let entity = at(key);
+            let keys = [("RESTLESS", "restlessness"), ("PULSE", "pulse"), ("RESPIRATION", "respiration")];
+            let entity = at(keys.iter().find(|(word, _)| *word == first).map_or("", |(_, key)| key));
             match (&self.entities[entity].says, rest.parse::<f64>()) {
                 (EntityType::Number { .. }, Ok(number)) if entity > 0 => return (entity, EntityValue::Number(number)),
                 (EntityType::Choice(words), _) => {

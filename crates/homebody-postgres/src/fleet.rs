@@ -109,17 +109,9 @@ impl FleetSink for PostgresFleet {
         sensors::tell(&connection, &schema, &known)?;
         let homes = found(&connection, &server, &schema, fleet)?;
         let there = homes.iter().map(|home| home.rows as u64).collect();
-        let (fleet, connection) = (fleet.clone(), Some(connection));
-        self.open = Some(OpenDatabaseFleet {
-            server,
-            deadline: deadline.clone(),
-            connection,
-            fleet,
-            schema,
-            kinds,
-            homes,
-            is_in_doubt: false,
-        });
+        let (fleet, connection, deadline) = (fleet.clone(), Some(connection), deadline.clone());
+        let open = OpenDatabaseFleet { server, deadline, connection, fleet, schema, kinds, homes, is_in_doubt: false };
+        self.open = Some(open);
         Ok(there)
     }
 

@@ -146,28 +146,14 @@ impl LoadedLog {
         // A recording that lies there by chance is of another time.
         let rows = rows_span(&log, long.as_ref());
         let recorded = span.filter(|span| rows.is_none_or(|rows| span.contains(rows.begin) && span.contains(rows.end)));
-        let told = truth.clone().map(|truth| (truth, of_utc));
         let beside = Some(place.path().with_file_name(RECORDING)).filter(|path| path.is_file());
-        let truth = truth.map(|truth| truth.files(&tables())).unwrap_or_default();
+        let of_truth = truth.as_ref().map(|truth| truth.files(&tables())).unwrap_or_default();
         let files = place.files();
-        let sources = files.iter().cloned().chain(truth).chain(beside).collect();
+        let sources = files.iter().cloned().chain(of_truth).chain(beside).collect();
         let without = run.map(|run| run.without).filter(|without| !without.is_empty());
         let name = name + without.map_or_else(String::new, |names| format!(", without {}", names.join(", "))).as_str();
-        let home = scenario;
-        Ok(LoadedLog {
-            name,
-            log,
-            timeline,
-            rooms,
-            recorded,
-            zone,
-            files,
-            sources,
-            home,
-            long,
-            truth: told,
-            incomplete,
-        })
+        let (home, truth) = (scenario, truth.map(|truth| (truth, of_utc)));
+        Ok(LoadedLog { name, log, timeline, rooms, recorded, zone, files, sources, home, long, truth, incomplete })
     }
 
     /// Gives its sensors the names and rooms that they have in the home of a scenario. Returns the number of them in that home.

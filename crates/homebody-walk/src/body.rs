@@ -41,14 +41,8 @@ homebody_core::numbers! {
 impl WalkingBody {
     /// The body has no place yet; `pace_mps` is the person's usual speed.
     pub fn new(home: Arc<Home>, mesh: Arc<Mesh>, pace_mps: f64) -> WalkingBody {
-        WalkingBody {
-            home,
-            routes: Routes::new(mesh),
-            pace_mps,
-            at: Point::ZERO,
-            posture: Posture::Standing,
-            spot: None,
-        }
+        let (routes, posture) = (Routes::new(mesh), Posture::Standing);
+        WalkingBody { home, routes, pace_mps, at: Point::ZERO, posture, spot: None }
     }
 
     pub fn remembering(self, ways: usize) -> WalkingBody {

@@ -135,22 +135,11 @@ pub fn walk(path: &[Point], from: Point, begin: RunTime, gait: &Gait) -> Vec<Mot
 
 /// Rising where the body sat or lay: 2 to 3 s, up to 5 s at a frailty of 1, unless the parameters differ. Draws one value.
 pub fn rise(at: Point, begin: RunTime, frailty: f64, numbers: &Numbers, stream: &mut Stream) -> MotionSegment {
-    transfer(at, begin, frailty, Posture::Standing, numbers, stream)
+    sit(at, begin, frailty, Posture::Standing, numbers, stream)
 }
 
 /// Sitting or lying down, as long as rising. Draws one value.
 pub fn sit(
-    at: Point,
-    begin: RunTime,
-    frailty: f64,
-    posture: Posture,
-    numbers: &Numbers,
-    stream: &mut Stream,
-) -> MotionSegment {
-    transfer(at, begin, frailty, posture, numbers, stream)
-}
-
-fn transfer(
     at: Point,
     begin: RunTime,
     frailty: f64,

@@ -13,7 +13,7 @@ use crate::error::ImportError;
 use crate::names::{NamePool, clean};
 use crate::{SCHEMA, soundness};
 use homebody_core::geometry::Point;
-use homebody_core::home::form::{HomeFile, latitude};
+use homebody_core::home::form::HomeFile;
 use homebody_core::plan::form::{DoorFile, FurnitureFile, RoomFile, WallFile};
 use homebody_core::problem::counted;
 use std::collections::{BTreeMap, BTreeSet};
@@ -277,18 +277,13 @@ fn measured(
         places[room].extend(sensor.at);
     }
     let mut rects = rectangles(&places);
-    let largest = |rects: &[Option<Rect>]| {
-        let area = |rect: &Rect| rect.size().x * rect.size().y;
-        (0..rects.len()).filter(|&room| rects[room].is_some()).max_by(|&a, &b| {
-            let of = |room: usize| rects[room].map_or(0.0, |rect| area(&rect));
-            of(a).total_cmp(&of(b))
-        })
-    };
+    let area = |rect: Rect| rect.size().x * rect.size().y;
     for room in 0..rects.len() {
         if rects[room].is_none() {
             let needs = pieces.iter().filter(|piece| piece.room == room).count();
-            let Some(from) = largest(&rects) else { continue };
-            let Some(rect) = rects[from] else { continue };
+            let known = rects.iter().enumerate().filter_map(|(room, rect)| Some((room, (*rect)?)));
+            let largest = known.max_by(|a, b| area(a.1).total_cmp(&area(b.1)));
+            let Some((from, rect)) = largest else { continue };
             let is_upright = rect.size().x > rect.size().y;
             // The end of the shared room that is farthest from its own sensors.
             let share = if needs > 1 { 0.4 } else { 0.3 };
@@ -374,19 +369,15 @@ fn put_together(
             role: piece.thing.role,
         })
     });
-    let furniture = furniture.collect();
     let room = |(room, rect): (&LogRoom, &Rect)| RoomFile::new(&room.name, rect.corners());
     let home = HomeFile {
         schema: Some(SCHEMA.to_owned()),
-        name: String::new(),
-        about: String::new(),
-        latitude_deg: latitude(),
         rooms: rooms.iter().zip(&rects).map(room).collect(),
         walls: walls.into_iter().map(wall).collect(),
         doors: doors.into_iter().map(door).collect(),
-        furniture,
-        places: Vec::new(),
+        furniture: furniture.collect(),
         sensors: hung.into_iter().map(|(file, _)| file).collect(),
+        ..HomeFile::new("")
     };
     AssembledHome { home, ids, hold_s: make.hold_s }
 }
