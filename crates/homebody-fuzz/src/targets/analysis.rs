@@ -10,9 +10,7 @@ use homebody_analysis::look::Looker;
 use homebody_core::scenario::logger::LoggerFile;
 use homebody_core::scenario::scheme::Scheme;
 use homebody_core::time::TimeScale;
-use homebody_log::{
-    Log, LogError, LogSource, Transfer, WriteMode, convert, label, read, read_timeline, survey, truth_at,
-};
+use homebody_log::{Log, LogSource, Transfer, WriteMode, convert, label, read, read_timeline, survey, truth_at};
 use homebody_picture::{DayChart, day_chart, density_map, look_page, png};
 use homebody_query::LoadedLog;
 use homebody_simulation::Url;
