@@ -11,7 +11,7 @@ pub fn routine(choices: &mut Choices) -> String {
     let mut text = String::from("Margaret is 82. She walks at about 0.65 m/s.\n");
     for _ in 0..choices.size(30) {
         if choices.is(0.15) {
-            text += choices.one(&["Every day", "On Monday", "From week 6:", "Most nights", "In winter,", "# a"]);
+            text += *choices.one(&["Every day", "On Monday", "From week 6:", "Most nights", "In winter,", "# a"]);
             text += "\n";
         }
         text += *choices.one(&["", "", "  ", "\t", "    "]);
