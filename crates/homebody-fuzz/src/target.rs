@@ -81,5 +81,7 @@ pub(crate) fn change(
 
 /// The same with JSON.
 pub(crate) fn change_json(files: &mut CaseFiles, seeds: &[CaseFiles], choices: &mut Choices) {
-    change(files, seeds, choices, |_, text, others, choices| drop(json::json(text, others, choices)));
+    change(files, seeds, choices, |_, text, others, choices| {
+        json::json(text, others, choices);
+    });
 }
