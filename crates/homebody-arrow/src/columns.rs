@@ -8,7 +8,6 @@ use homebody_log::table::{Cell, TextId, thousandths};
 use std::collections::HashMap;
 use std::sync::Arc;
 
-/// Rows of one table, column by column.
 pub(crate) struct Columns {
     schema: SchemaRef,
     run: Option<i64>,
@@ -25,7 +24,6 @@ enum Values {
     Texts(Dictionary),
 }
 
-/// A column of texts, with their numbers in it.
 #[derive(Default)]
 struct Dictionary {
     column: TextColumn,

@@ -97,7 +97,6 @@ impl TableFile {
         Ok(TableFile { path, columns, at_once: ROWS_AT_ONCE[layout.format as usize], to, rows: 0 })
     }
 
-    /// The name that the file is going to have.
     pub fn path(&self) -> &Path {
         &self.path
     }
@@ -112,7 +111,6 @@ impl TableFile {
         }
     }
 
-    /// Writes the rows that wait.
     fn encode(&mut self) -> Result<(), LogError> {
         let TableFile { path, columns, to, .. } = self;
         match to {

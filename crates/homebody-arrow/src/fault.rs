@@ -9,7 +9,6 @@ use std::error::Error;
 use std::io;
 use std::path::Path;
 
-/// An error in writing a file: mostly that of the system.
 pub(crate) fn unwritten(path: &Path, error: impl Into<Box<dyn Error + Send + Sync>>) -> LogError {
     LogError::file(path, by_system(error.into()))
 }

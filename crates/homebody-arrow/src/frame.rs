@@ -33,7 +33,6 @@ impl ColumnTable {
         self.with(name, Arc::new(values.with_timezone_opt(zone)))
     }
 
-    /// A column of whole numbers.
     pub fn integers(self, name: &str, values: Vec<Option<i64>>) -> ColumnTable {
         self.with(name, Arc::new(values.into_iter().collect::<Int64Array>()))
     }

@@ -15,9 +15,7 @@ mod source;
 #[cfg(feature = "cloud")]
 mod store;
 
-/// The error of columns that do not make a table.
 pub use arrow_schema::ArrowError;
-/// The columns of a table.
 pub use arrow_schema::SchemaRef;
 pub use frame::{ColumnTable, TextColumn};
 use homebody_core::scenario::scheme::Scheme;
@@ -28,7 +26,6 @@ pub use source::whole_file;
 #[cfg(feature = "cloud")]
 pub use store::Store;
 
-/// These kinds of places, for a program that wants them.
 pub const PLUGIN: PlacePlugin = PlacePlugin {
     schemes: &[Scheme::Parquet, Scheme::Arrow],
     open: sink::open,

@@ -13,7 +13,6 @@ use homebody_core::scenario::scheme::Scheme;
 use homebody_log::{Sink, Url};
 use one_file::OneFile;
 
-/// The sink of a place. Nothing is touched before it is begun.
 pub(crate) fn open(url: &Url) -> Box<dyn Sink> {
     match (url.scheme(), url.is_data_set()) {
         (Scheme::Arrow, _) => Box::new(OneFile::new(url.clone(), Format::Arrow)),

@@ -17,7 +17,6 @@ pub(crate) use examine::examine;
 use homebody_log::source::{FileStart, LogForm, Shows};
 pub(crate) use tables::read_tables;
 
-/// The forms of this crate.
 pub(crate) const FORMS: [LogForm; 2] = [
     LogForm {
         name: "parquet",

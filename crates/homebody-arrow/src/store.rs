@@ -37,10 +37,6 @@ pub struct Store {
 
 impl Store {
     /// Opens the store of a URL, such as `s3://bucket/logs`, without a request.
-    ///
-    /// # Errors
-    ///
-    /// [`LogError::NoPlace`] if it is not the URL of a known store.
     pub fn open(url: &Path) -> Result<Store, LogError> {
         let text = url.to_string_lossy();
         let place = format!("parquet:{text}");
@@ -75,10 +71,6 @@ impl Store {
     }
 
     /// The name of a file below it, if there is any.
-    ///
-    /// # Errors
-    ///
-    /// [`LogError::Destination`] if the store does not answer, or does not let us.
     pub fn any(&self) -> Result<Option<String>, LogError> {
         Ok(self.names("", 1, |_| true)?.pop())
     }
@@ -106,19 +98,11 @@ impl Store {
     }
 
     /// Puts a file there, whole or not at all.
-    ///
-    /// # Errors
-    ///
-    /// [`LogError::Destination`] if the store does not take it, and what the system says if the file cannot be read.
     pub fn put(&self, name: &str, file: &Path) -> Result<(), LogError> {
         self.put_bytes(name, fs::read(file).map_err(|error| unwritten(file, error))?)
     }
 
     /// The same of what is in memory.
-    ///
-    /// # Errors
-    ///
-    /// As [`Store::put`].
     pub fn put_bytes(&self, name: &str, bytes: Vec<u8>) -> Result<(), LogError> {
         let key = self.key(name);
         self.runtime
@@ -128,10 +112,6 @@ impl Store {
     }
 
     /// The bytes of a file there; `None` if it is missing.
-    ///
-    /// # Errors
-    ///
-    /// [`LogError::Destination`] if the store does not answer, or denies it.
     pub fn bytes(&self, name: &str) -> Result<Option<Vec<u8>>, LogError> {
         match self.read(name) {
             // Of a bucket that is not there, the client says the same.
@@ -148,7 +128,6 @@ impl Store {
         bytes.map(|bytes| bytes.to_vec())
     }
 
-    /// Brings a file from there.
     pub(crate) fn get(&self, name: &str, to: &Path) -> Result<(), LogError> {
         let bytes = self.read(name).map_err(|error| self.store_error(error))?;
         let made = to.parent().map_or(Ok(()), fs::create_dir_all).and_then(|()| fs::write(to, bytes));

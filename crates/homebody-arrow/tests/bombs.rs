@@ -25,7 +25,6 @@ fn peak_mb() -> Option<usize> {
     Some(line.split_whitespace().nth(1)?.parse::<usize>().ok()? / 1024)
 }
 
-/// Rows of a log whose sensors are these.
 fn rows(sensors: ArrayRef) -> RecordBatch {
     let count = sensors.len();
     let times = TimestampMicrosecondArray::from_iter_values((0..count as i64).map(|row| row * 1_000_000));
@@ -51,7 +50,6 @@ fn write_parquet(
     writer.close().unwrap();
 }
 
-/// The error of reading a file.
 fn refusal(path: &Path) -> String {
     let read = LogSource::recognise(path).and_then(|source| read(&source, &LoggerFile::default()));
     read.expect_err("the file is no log").to_string()

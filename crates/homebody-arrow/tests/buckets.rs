@@ -122,7 +122,6 @@ fn reports_an_absent_store_soon() {
     as_child("away", port);
 }
 
-/// A server that ends with the test.
 struct Server(Child);
 
 impl Drop for Server {

@@ -4,6 +4,7 @@ use crate::stage::{self, Folder};
 use homebody_core::event::Firing;
 use homebody_core::scenario::logger::LoggerFile;
 use homebody_core::time::{DAY, HOUR, RunTime, SECOND, Span};
+use homebody_log::fleet::FleetLayout;
 use homebody_log::registry::{Registry, install};
 use homebody_log::run_log::destinations;
 use homebody_log::table::{Batch, Cell, TextPool};
@@ -15,7 +16,8 @@ use std::process::{Command, Stdio};
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 
-fn ready(name: &str) -> Folder {
+/// A folder, with the plugin in place.
+pub fn ready(name: &str) -> Folder {
     install(Registry::new(vec![homebody_arrow::PLUGIN]));
     Folder::new(name)
 }
@@ -30,7 +32,6 @@ fn of_run(id: i64, url: &Url, how: WriteMode) -> Result<Logger, LogError> {
     Logger::open(destinations(std::slice::from_ref(url), how)?, &LoggerFile::default(), &run, how)
 }
 
-/// All files in a folder, by their paths in it.
 fn files(folder: &Path) -> BTreeMap<String, Vec<u8>> {
     let mut all = BTreeMap::new();
     collect(folder, folder, &mut all);
@@ -290,7 +291,9 @@ fn rows_in_no_order_of_time_keep_their_own_order() {
 /// A sink at a place with 500 rows, which is not finished.
 fn written(url: &Url, how: WriteMode, is_whole: bool, at: impl Fn(i64) -> Span) -> Result<Box<dyn Sink>, LogError> {
     let begin = Begin::new(stage::run().into(), vec![log_table()], Default::default(), how);
-    let begin = Begin { is_whole, ..begin };
+    let run = stage::run();
+    let table = FleetLayout::new(run.clone(), &LoggerFile::default())?.table;
+    let begin = Begin::new(run.into(), vec![table], Default::default(), how);
     let mut sink = homebody_log::registry::sink(url);
     sink.begin(&begin)?;
     let mut texts = TextPool::default();
@@ -337,21 +340,4 @@ fn a_whole_log_has_its_name_only_once_all_rows_are_in_it() {
     let url = folder.url("parquet:run");
     std::mem::forget(written(&url, WriteMode::Create, false, at).unwrap());
     assert!(!names(url.path()).is_empty());
-}
-
-fn log_table() -> homebody_log::table::Table {
-    use homebody_log::table::{Column, ColumnKind, Table};
-    let column = |name: &str, kind| Column { name: name.into(), kind, unit: "", about: "" };
-    Table {
-        name: "firing".into(),
-        about: "",
-        columns: vec![
-            column("seq", ColumnKind::Integer),
-            column("fired_at", ColumnKind::Instant),
-            column("sensor", ColumnKind::Text),
-            column("value", ColumnKind::Text),
-        ],
-        is_numbered: true,
-        is_frequent: true,
-    }
 }

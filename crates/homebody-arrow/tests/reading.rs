@@ -1,29 +1,23 @@
 //! Files of other programs are readable with any column types; errors name what is damaged.
 
-use crate::stage::{self, Folder};
+use crate::data_sets::ready;
+use crate::stage;
 use arrow_array::builder::StringViewBuilder;
 use arrow_array::types::Int8Type;
 use arrow_array::*;
 use arrow_schema::{DataType, Field, Schema, TimeUnit};
 use homebody_core::scenario::logger::LoggerFile;
 use homebody_log::log::Clock;
-use homebody_log::registry::{Registry, install};
 use homebody_log::{Log, LogError, LogSource, read};
 use parquet::arrow::ArrowWriter;
 use std::fs::{self, File};
 use std::path::Path;
 use std::sync::Arc;
 
-fn ready(name: &str) -> Folder {
-    install(Registry::new(vec![homebody_arrow::PLUGIN]));
-    Folder::new(name)
-}
-
 fn read_at(path: &Path) -> Result<Log, LogError> {
     read(LogSource::recognise(path)?, &LoggerFile::default())
 }
 
-/// Writes three columns as another program would.
 fn write(path: &Path, columns: Vec<(&str, ArrayRef)>) {
     let fields: Vec<Field> =
         columns.iter().map(|(name, array)| Field::new(*name, array.data_type().clone(), true)).collect();

@@ -1,20 +1,15 @@
 //! Files hold the stored rows with the documented types, for any sizes of batches.
 
-use crate::stage::{self, Folder};
+use crate::data_sets::ready;
+use crate::stage;
 use arrow_array::cast::AsArray;
 use arrow_schema::{DataType, TimeUnit};
 use homebody_core::scenario::logger::{LoggerFile, TimeFormat};
 use homebody_core::time::{RunTime, WallTime};
 use homebody_log::log::Clock;
-use homebody_log::registry::{Registry, install};
 use homebody_log::{Log, LogError, LogSource, Url, WriteMode, read};
 use parquet::arrow::arrow_reader::ParquetRecordBatchReaderBuilder;
 use std::fs::{self, File};
-
-fn ready(name: &str) -> Folder {
-    install(Registry::new(vec![homebody_arrow::PLUGIN]));
-    Folder::new(name)
-}
 
 fn stored(url: &Url, file: &LoggerFile, firings: u64, step: usize) {
     let logger = stage::open(std::slice::from_ref(url), file, false).unwrap();

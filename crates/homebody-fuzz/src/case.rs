@@ -44,7 +44,6 @@ pub fn run(target: &Target, files: &CaseFiles, is_measured: bool) -> Result<Read
     }
 }
 
-/// Records panics instead of printing them, and ends the process before its memory fills the machine.
 fn guard() {
     panic::set_hook(Box::new(|panic| panics().push(panic.to_string())));
     thread::spawn(|| {
@@ -73,7 +72,7 @@ fn measured(target: &Target, files: &CaseFiles) -> Result<(ReadVerdict, Option<S
     Ok((verdict, (!is_within).then(|| format!("{:.1} s, {} MiB", took.as_secs_f64(), bytes >> 20))))
 }
 
-/// Memory at a moment, by the allocator and by Linux, which also counts that of C libraries.
+/// Linux also counts the memory of C libraries, which the allocator does not know.
 struct Memory {
     allocated: usize,
     resident: Option<usize>,

@@ -16,7 +16,6 @@ impl<'b> Choices<'b> {
         self.0.int_in_range(0..=count.saturating_sub(1)).unwrap_or(0)
     }
 
-    /// An element of a list that is not empty.
     pub fn one<'t, T>(&mut self, of: &'t [T]) -> &'t T {
         &of[self.below(of.len())]
     }

@@ -33,6 +33,6 @@ fn words(list: &str) -> &'static [String] {
     &words[list]
 }
 
-fn word(choices: &mut Choices, list: &str) -> &'static str {
+pub fn word(choices: &mut Choices, list: &str) -> &'static str {
     choices.one::<String>(words(list))
 }

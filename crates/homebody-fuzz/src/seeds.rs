@@ -11,6 +11,18 @@ pub fn named(target: &str) -> Vec<CaseFiles> {
     entries(&folder).iter().map(|path| if path.is_dir() { all_in(path) } else { one(path) }).collect()
 }
 
+/// The same for a target whose cases are one file of this name.
+pub fn files(target: &str, name: &str) -> Vec<CaseFiles> {
+    let texts = named(target).into_iter().flat_map(CaseFiles::into_values);
+    texts.map(|text| CaseFiles::from([(name.to_owned(), text)])).collect()
+}
+
+/// The files with an ending in the cases of a target, and in the scenarios, each as a case with this name.
+pub fn with_ending(target: &str, ending: &str, name: &str) -> Vec<CaseFiles> {
+    let all = named(target).into_iter().chain(scenarios()).flatten().filter(|(own, _)| own.ends_with(ending));
+    all.map(|(_, text)| CaseFiles::from([(name.to_owned(), text)])).collect()
+}
+
 /// The scenarios that come with the program, and the flat that tests share.
 pub fn scenarios() -> Vec<CaseFiles> {
     let files = |template: Template| template.files().map(|(name, text)| (name, text.into_bytes())).collect();

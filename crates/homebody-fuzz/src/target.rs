@@ -1,22 +1,19 @@
 //! Targets, and the files of their cases.
 
 use crate::choices::Choices;
-use crate::mutate::bytes;
+use crate::mutate::{bytes, json};
 use std::collections::BTreeMap;
 use std::path::Path;
 
 pub type CaseFiles = BTreeMap<String, Vec<u8>>;
 
-/// The answer of a reader that works.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ReadVerdict {
-    /// It read and used the files.
     Accepted,
     /// It refused them, with place and reason.
     Refused,
 }
 
-/// A reader of foreign data that is fuzzed.
 #[derive(Clone, Copy)]
 pub struct Target {
     pub name: &'static str,
@@ -24,7 +21,6 @@ pub struct Target {
     pub cases: u32,
     /// Its seeds: valid files, and files that once failed. Mutants are made of them.
     pub seeds: fn() -> Vec<CaseFiles>,
-    /// Makes a mutant of a seed, with parts of all seeds.
     pub mutate: fn(&mut CaseFiles, &[CaseFiles], &mut Choices),
     /// Exercises the program with the files in an empty folder.
     ///
@@ -35,7 +31,6 @@ pub struct Target {
 }
 
 impl Target {
-    /// The mutant that bytes select.
     pub fn mutant(&self, seeds: &[CaseFiles], bytes: &[u8]) -> CaseFiles {
         let mut choices = Choices::new(bytes);
         let mut files = choices.one(seeds).clone();
@@ -82,4 +77,11 @@ pub(crate) fn change(
             }
         }
     }
+}
+
+/// The same with JSON.
+pub(crate) fn change_json(files: &mut CaseFiles, seeds: &[CaseFiles], choices: &mut Choices) {
+    change(files, seeds, choices, |_, text, others, choices| {
+        json::json(text, others, choices);
+    });
 }

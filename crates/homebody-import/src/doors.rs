@@ -43,7 +43,6 @@ const MOST_BESIDE: usize = 2;
 /// walls do.
 const BEHIND_M: [f64; 5] = [0.05, 0.15, 0.25, 0.35, 0.45];
 
-/// The doors among the openings, without windows.
 pub fn without_windows(openings: Vec<PlanPiece>, remarks: &mut Vec<String>) -> Result<Vec<PlanPiece>, ImportError> {
     let (windows, doors): (Vec<PlanPiece>, Vec<PlanPiece>) = openings.into_iter().partition(kinds::is_window);
     if !windows.is_empty() {

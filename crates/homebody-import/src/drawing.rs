@@ -2,6 +2,7 @@
 //!
 //! Sweet Home 3D writes centimetres, y to the south and radians clockwise; only this module converts them.
 
+use crate::outline::rectangle;
 use homebody_core::geometry::{self, Point};
 use homebody_core::names::words;
 use roxmltree::{Document, Node};
@@ -19,7 +20,6 @@ pub struct PlanDrawing {
     pub openings: Vec<PlanPiece>,
     pub pieces: Vec<PlanPiece>,
     pub labels: Vec<Label>,
-    /// The latitude of the plan's compass.
     pub latitude_deg: Option<f64>,
     /// The number of things without a usable place or size.
     pub unread: usize,
@@ -28,7 +28,6 @@ pub struct PlanDrawing {
 /// The number of a level's id in a plan: a group passes its level on to its content, and the id may be long.
 pub type LevelId = usize;
 
-/// The ids of the levels, each with its number.
 #[derive(Default)]
 struct LevelIds<'a>(BTreeMap<&'a str, LevelId>);
 
@@ -92,6 +91,12 @@ pub struct PlanPiece {
     pub is_visible: bool,
     /// True if it cuts a hole into the floor above.
     pub is_cut_out: bool,
+}
+
+impl PlanPiece {
+    pub fn outline(&self) -> [Point; 4] {
+        rectangle(self.at, [self.width_m, self.depth_m], self.turn_rad.to_degrees())
+    }
 }
 
 pub fn read(document: &Document) -> PlanDrawing {

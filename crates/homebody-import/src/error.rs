@@ -8,12 +8,7 @@ homebody_core::messages! {
         NoArchive error "not-an-archive" ("this is not a Sweet Home 3D file: it is not a zip archive")
             hint ("name the .sh3d file that Sweet Home 3D has saved");
         /// Homebody imports plans of Sweet Home 3D. For other forms there are other ways into a home.
-        OtherForm {
-            /// Its form, such as an image in PNG.
-            form: &'static str,
-            /// The command that takes it.
-            hint: &'static str,
-        } error "other-form" ("this is not a Sweet Home 3D file: it is {form}") hint ("{hint}");
+        OtherForm { form: &'static str, hint: &'static str } error "other-form" ("this is not a Sweet Home 3D file: it is {form}") hint ("{hint}");
         /// The archive has no plan in it.
         NoHomeXml error "no-home-xml" ("this is not a Sweet Home 3D file: it has no Home.xml")
             hint ("name the .sh3d file that Sweet Home 3D has saved");
@@ -21,16 +16,7 @@ homebody_core::messages! {
         OnlyJava error "old-version" ("an old version of Sweet Home 3D saved this file, with the plan as Java objects instead of a Home.xml")
             hint ("open it in Sweet Home 3D 5.3 or later (www.sweethome3d.com), choose File > Save as, and name the new file");
         /// A plan of one home is smaller. Large models of furniture make files large.
-        TooLarge {
-            /// The unit, such as bytes.
-            unit: &'static str,
-            /// Their number in the file.
-            found: u64,
-            /// The largest number that is read.
-            most: u64,
-            /// The advice.
-            hint: &'static str,
-        } error "too-large" ("the file is too large: it has {found} {unit}, and Homebody reads at most {most}") hint ("{hint}");
+        TooLarge { unit: &'static str, found: u64, most: u64, hint: &'static str } error "too-large" ("the file is too large: it has {found} {unit}, and Homebody reads at most {most}") hint ("{hint}");
         /// The file was not copied completely, or was changed.
         Damaged(reason: String) error "damaged" ("cannot unpack the Home.xml of the file: {reason}")
             hint ("open it in Sweet Home 3D and save it again");
@@ -53,29 +39,12 @@ homebody_core::messages! {
         Namespace error "namespace" ("the Home.xml of the file declares a namespace, which plans never do")
             hint ("open it in Sweet Home 3D and save it again");
         /// Homebody limits how deep elements are nested.
-        Nested {
-            /// The largest depth.
-            most: usize,
-        } error "nested" ("the elements of Home.xml are nested more than {most} levels deep")
+        Nested { most: usize } error "nested" ("the elements of Home.xml are nested more than {most} levels deep")
             hint ("open it in Sweet Home 3D and save it again");
         /// A level is one floor of a plan, named as in Sweet Home 3D or by its number from the lowest.
-        NoSuchLevel {
-            /// The requested name or number.
-            wanted: String,
-            /// The levels that are there, in words.
-            known: String,
-        } error "no-such-level" ("the plan has no level {wanted:?}") hint ("it has {known}");
+        NoSuchLevel { wanted: String, known: String } error "no-such-level" ("the plan has no level {wanted:?}") hint ("it has {known}");
         /// Homebody limits what a home can have, so that a simulation stays fast.
-        TooMany {
-            /// The kind of thing.
-            what: &'static str,
-            /// Their number in the plan.
-            count: usize,
-            /// The largest number in a home.
-            most: usize,
-            /// The advice.
-            hint: &'static str,
-        } error "too-many" ("the plan has {count} {what}, but a home can have at most {most}") hint ("{hint}");
+        TooMany { what: &'static str, count: usize, most: usize, hint: &'static str } error "too-many" ("the plan has {count} {what}, but a home can have at most {most}") hint ("{hint}");
         /// Residents move through rooms. Without drawn rooms, Homebody takes the areas that walls enclose.
         NoRooms error "no-rooms" ("the plan has no rooms, and no walls that enclose one")
             hint ("draw rooms in Sweet Home 3D: a double click inside walls makes one");

@@ -36,7 +36,6 @@ pub struct WallExit {
     /// The way out, of length 1.
     pub out: Point,
     pub thickness_m: f64,
-    /// Distance from the drawn stairs.
     pub away_m: f64,
     /// The room inside of the door.
     pub room: usize,
@@ -48,7 +47,7 @@ pub fn exits(floor: &BuiltFloor, stairs: &PlanPiece) -> Vec<WallExit> {
     if floor.walls.len() > MOST_SEARCHED {
         return Vec::new();
     }
-    let area = corners(stairs);
+    let area = stairs.outline();
     let within: Vec<usize> = (0..floor.rooms.len()).filter(|&room| shares(floor, room, &area)).collect();
     let near_m = stairs.width_m.min(stairs.depth_m) / 2.0 + FREE_M;
     let is_near = |room: &usize| geometry::distance_to_area(&floor.rooms[*room].outline, stairs.at) <= near_m;
@@ -77,12 +76,6 @@ pub fn exits(floor: &BuiltFloor, stairs: &PlanPiece) -> Vec<WallExit> {
     all
 }
 
-pub fn corners(piece: &PlanPiece) -> [Point; 4] {
-    let along = geometry::direction(piece.turn_rad.to_degrees());
-    let (x, y) = (along * (piece.width_m / 2.0), along.perp() * (piece.depth_m / 2.0));
-    [x + y, y - x, -x - y, x - y].map(|corner| piece.at + corner)
-}
-
 /// True if a room has at least a fifth of an area.
 fn shares(floor: &BuiltFloor, room: usize, area: &[Point]) -> bool {
     const SHARE: f64 = 0.2;
@@ -90,7 +83,6 @@ fn shares(floor: &BuiltFloor, room: usize, area: &[Point]) -> bool {
     geometry::overlap::area(&floor.rooms[room].outline, area) >= SHARE * whole
 }
 
-/// True if a door or an opening joins two rooms.
 fn are_joined(floor: &BuiltFloor, one: usize, other: usize) -> bool {
     let touches = |room: usize, p: Point| geometry::distance_to_area(&floor.rooms[room].outline, p) <= 0.3;
     let middle = |(from, to): (Point, Point)| (from + to) / 2.0;

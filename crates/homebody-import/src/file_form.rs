@@ -43,7 +43,6 @@ const SIGNS: [(&[u8], &str, &str); 14] = [
     (b"Rar!", "packed with RAR", PACKED),
 ];
 
-/// The error for bytes outside of a zip archive.
 pub fn refused(bytes: &[u8]) -> ImportError {
     let looked_at = &bytes[..bytes.len().min(LOOKED_AT)];
     let found = SIGNS.iter().find(|(sign, ..)| looked_at.starts_with(sign));

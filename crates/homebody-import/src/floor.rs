@@ -20,7 +20,6 @@ pub struct BuiltFloor {
     pub walls: Vec<StraightWall>,
     pub doors: Vec<WallDoor>,
     pub furniture: Vec<Furniture>,
-    /// The flights of stairs that begin here.
     pub stairs: Vec<PlanPiece>,
     /// True if its way out leads into an open-air room.
     pub is_open: bool,

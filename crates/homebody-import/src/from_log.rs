@@ -25,15 +25,14 @@ pub use home::{Schematic, SchematicError, schematic};
 use homebody_core::geometry::Point;
 
 /// The meaning of a sensor's firing.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Speaks {
-    /// Movement.
+    #[default]
     Motion,
-    /// Opening or closing of a door.
     Contact,
 }
 
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct LogSensor {
     pub id: String,
     pub speaks: Speaks,
@@ -53,28 +52,15 @@ pub struct LogSensor {
 }
 
 impl LogSensor {
-    /// A sensor without further information.
     pub fn new(id: &str, speaks: Speaks, firings: u64) -> LogSensor {
-        LogSensor {
-            id: id.into(),
-            speaks,
-            firings,
-            room: None,
-            place: None,
-            at: None,
-            done: Vec::new(),
-            at_silence: 0,
-            on_s: None,
-        }
+        LogSensor { id: id.into(), speaks, firings, ..LogSensor::default() }
     }
 }
 
-/// A way between two sensors.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LogWay {
     /// Indices of sensors.
     pub between: [usize; 2],
-    /// The number of times that people took it.
     pub times: u64,
     /// Time between the two firings.
     pub soon_s: f64,

@@ -5,7 +5,7 @@ use crate::error::ImportError;
 use crate::kinds;
 use crate::meaning::{self, PieceMeaning};
 use crate::names::NamePool;
-use crate::outline::NamedRoom;
+use crate::outline::{NamedRoom, rectangle};
 use homebody_core::geometry::{self, Point};
 use homebody_core::home::form::REACH_OUT_M;
 use homebody_core::problem::counted;
@@ -90,12 +90,9 @@ pub fn normalised_turn(turn_deg: f64) -> f64 {
 
 impl Furniture {
     pub fn outline(&self) -> [Point; 4] {
-        let along = geometry::direction(self.turn_deg);
-        let (x, y) = (along * (self.size_m[0] / 2.0), along.perp() * (self.size_m[1] / 2.0));
-        [x + y, y - x, -x - y, x - y].map(|corner| self.at + corner)
+        rectangle(self.at, self.size_m, self.turn_deg)
     }
 
-    /// True if its role or its name fits the role.
     pub fn is_for(&self, role: Role) -> bool {
         self.role.map_or_else(|| role.is_called(&self.name.to_lowercase()), |said| said == role)
     }
@@ -103,9 +100,6 @@ impl Furniture {
 
 /// True for a piece in a room that overlaps nothing but walls.
 fn is_in(piece: &PlanPiece, rooms: &[NamedRoom]) -> bool {
-    let along = geometry::direction(piece.turn_rad.to_degrees());
-    let (x, y) = (along * (piece.width_m / 2.0), along.perp() * (piece.depth_m / 2.0));
-    let corners = [x + y, x - y, -x + y, -x - y].map(|corner| piece.at + corner);
     let near = |p: Point| rooms.iter().any(|room| geometry::distance_to_area(&room.outline, p) < REACH_OUT_M);
-    rooms.iter().any(|room| geometry::contains(&room.outline, piece.at)) && corners.into_iter().all(near)
+    rooms.iter().any(|room| geometry::contains(&room.outline, piece.at)) && piece.outline().into_iter().all(near)
 }

@@ -22,7 +22,6 @@ const STAIRS: &str = "stair stairs staircase stairway treppe -treppe escalier sc
 /// Height of the underside above which furniture blocks no one (our choice): lamps on ceilings, high cupboards.
 const OVERHEAD_M: f64 = 1.5;
 
-/// True for a window that people do not walk through.
 pub fn is_window(opening: &PlanPiece) -> bool {
     opening.elevation_m > SILL_M || is_called_window(opening) && !reaches_floor(opening)
 }

@@ -16,7 +16,6 @@ const MOST_STOREYS: usize = 8;
 /// Height below which a level is a ceiling, a roof or the thickness of a floor (our choice).
 const LEAST_HEIGHT_M: f64 = 1.2;
 
-/// The levels of a plan that may be imported, from below.
 #[derive(Debug)]
 pub struct PlanLevels {
     pub storeys: Vec<Storey>,

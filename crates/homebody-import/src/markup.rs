@@ -84,7 +84,6 @@ enum TagKind {
     Empty,
 }
 
-/// The tag at the beginning of the text, if it is complete.
 fn tag(text: &str) -> Option<Tag> {
     let (mut attributes, mut has_namespace, mut quote) = (0, false, None);
     let bytes = text.as_bytes();

@@ -5,11 +5,9 @@ use std::collections::{BTreeMap, BTreeSet};
 /// Largest number of characters of a name before its number: a home's names have at most 100.
 const LONGEST: usize = 90;
 
-/// The names of one kind of things.
 #[derive(Default)]
 pub struct NamePool {
     taken: BTreeSet<String>,
-    /// The last number given to each name.
     last: BTreeMap<String, usize>,
 }
 

@@ -108,6 +108,13 @@ fn bridge(outline: &[Point]) -> Option<(usize, usize)> {
     (0..sides.len()).find_map(|i| (i + 1..sides.len()).find(|&j| is_bridge(sides[i], sides[j])).map(|j| (i, j)))
 }
 
+/// The corners of a rectangle that is turned counter-clockwise.
+pub fn rectangle(middle: Point, [width_m, depth_m]: [f64; 2], turn_deg: f64) -> [Point; 4] {
+    let along = geometry::direction(turn_deg);
+    let (x, y) = (along * (width_m / 2.0), along.perp() * (depth_m / 2.0));
+    [x + y, y - x, -x - y, x - y].map(|corner| middle + corner)
+}
+
 /// The point in whole millimetres, as in the file.
 pub fn rounded(p: Point) -> Point {
     // Adding zero turns a negative zero into a positive one.

@@ -15,7 +15,6 @@ const MOST_LOST_SHARE: f64 = 0.25;
 /// Largest number of sides that are tried for cutting (our choice): rooms that overlap by accident share one.
 const MOST_TRIED: usize = 8;
 
-/// The rooms without overlaps, in their order.
 pub fn removed(mut rooms: Vec<NamedRoom>, remarks: &mut Vec<String>) -> Vec<NamedRoom> {
     leave_out_around(&mut rooms, remarks);
     let mut parted: Vec<NamedRoom> = Vec::new();
@@ -50,7 +49,6 @@ pub fn removed(mut rooms: Vec<NamedRoom>, remarks: &mut Vec<String>) -> Vec<Name
     parted.into_iter().map(|(_, room)| room).collect()
 }
 
-/// Removes rooms that are drawn around others.
 fn leave_out_around(rooms: &mut Vec<NamedRoom>, remarks: &mut Vec<String>) {
     let covered = |room: &NamedRoom| -> f64 {
         let own = area(&room.outline);

@@ -25,7 +25,6 @@ const CLEAR_M: f64 = 0.3;
 /// Largest number of places tried in a room (our choice). A larger room is a hall.
 const MOST_TRIED: f64 = 10_000.0;
 
-/// Places, by name, for roles without a piece of furniture or a room under a known name.
 pub fn named(floor: &BuiltFloor, names: &mut NamePool) -> Vec<(String, Point)> {
     let mut places = Vec::new();
     for (role, name, used_as) in CALLED {

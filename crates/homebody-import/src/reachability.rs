@@ -28,7 +28,6 @@ const MOST_ALONE: usize = 24;
 const STEP_M: f64 = 0.05;
 /// Longest move of a seat.
 const MOST_SEAT_M: f64 = 1.0;
-/// Longest move of another piece.
 const MOST_OTHER_M: f64 = 0.5;
 
 /// Distance from the edge of a table to a chair that is pulled out.
@@ -106,7 +105,6 @@ fn try_moves(home: &mut HomeFile, moves: &[(usize, Move)], reached: &mut BTreeSe
     is_better
 }
 
-/// The names of the reachable places.
 fn ways(home: &HomeFile, plan: &Plan) -> BTreeSet<String> {
     let places = HomePlaces::new(home, plan, &Mesh::new(plan, BODY_M), "");
     places.all().iter().filter(|spot| spot.is_reachable).map(|spot| spot.name.clone()).collect()
@@ -187,7 +185,6 @@ fn is_apart(home: &HomeFile, index: usize, moved: &[Point]) -> bool {
     })
 }
 
-/// The remark on moved pieces.
 fn moves_remark(home: &HomeFile, drawn: &[Option<At>]) -> Option<String> {
     /// Largest number of names in it.
     const NAMED: usize = 6;

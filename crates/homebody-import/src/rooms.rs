@@ -133,7 +133,6 @@ impl GuideLine {
         self.through + self.along * (p - self.through).dot(self.along)
     }
 
-    /// The crossing of two lines that are not parallel.
     fn meet(&self, other: &GuideLine) -> Option<Point> {
         let turn = self.along.perp_dot(other.along);
         let way = (other.through - self.through).perp_dot(other.along) / turn;

@@ -31,7 +31,6 @@ const HOUSE_M2: f64 = 15.0;
 /// Largest number of spaces on a floor of a home (our choice).
 const MOST_SPACES: usize = 400;
 
-/// The enclosed spaces without a room.
 pub fn without_room(walls: &[StraightWall], rooms: &[NamedRoom]) -> Vec<Vec<Point>> {
     let mut spaces = spaces(walls);
     if spaces.len() > MOST_SPACES {
@@ -117,7 +116,6 @@ fn spaces(walls: &[StraightWall]) -> Vec<Vec<Point>> {
     outlines.filter(|face| is_sound(face) && geometry::signed_area(face) >= LEAST_AREA_M2).collect()
 }
 
-/// The joints of walls, and the walls between them.
 struct Graph {
     places: Vec<Point>,
     joined: Vec<BTreeSet<usize>>,
@@ -170,7 +168,6 @@ impl Graph {
         }
     }
 
-    /// The joint at a point, existing or new.
     fn place(&mut self, p: Point) -> usize {
         let near = (0..self.places.len()).filter(|&place| self.places[place].distance(p) <= JOINED_M);
         let nearest = near.min_by(|&a, &b| self.places[a].distance(p).total_cmp(&self.places[b].distance(p)));

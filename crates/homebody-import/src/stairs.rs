@@ -25,7 +25,6 @@ const LEAST_APART_M: f64 = 0.5;
 /// another angle (our choice): a plan with few turns is easier to read.
 const TURNED_M: [f64; 4] = [0.0, 2.0, 3.0, 6.0];
 
-/// Thickness of the walls of a passage.
 const WALL_M: f64 = 0.1;
 
 /// A turn around the origin, and then a move.

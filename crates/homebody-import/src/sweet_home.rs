@@ -13,7 +13,6 @@ use homebody_core::home::form::{HomeFile, latitude};
 use homebody_core::plan::form::{DoorFile, FurnitureFile, PlaceFile, RoomFile, WallFile};
 use homebody_core::problem::counted;
 
-/// A home, and the omissions from and guesses about the plan.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Imported {
     /// The text of a `home.json` that passes the check; its schemas are expected in a folder next to it.

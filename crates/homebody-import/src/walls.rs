@@ -39,7 +39,6 @@ pub const MOST_SEARCHED: usize = 400;
 /// Largest number of walls of a home.
 const MOST_WALLS: usize = 5_000;
 
-/// The walls as straight ones, in their order.
 pub fn straight(
     walls: &[drawing::PlanWall],
     doors: &[PlanPiece],
@@ -123,7 +122,6 @@ impl StraightWall {
     }
 }
 
-/// A curved wall's middle line.
 struct Arc {
     middle: Point,
     start: Point,

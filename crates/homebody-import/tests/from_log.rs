@@ -14,26 +14,15 @@ impl Dice {
     }
 }
 
-const ROOMS: [&str; 11] = [
-    "Kitchen",
-    "BathroomA",
-    "BathroomB",
-    "BedroomA",
-    "bedroom 2",
-    "living room",
-    "hallway",
-    "MainEntryway",
-    "Office",
-    "dining room",
-    "laundry",
-];
-const PLACES: [&str; 12] =
-    ["", "Area", "Sink", "Toilet", "Bed", "Chair", "Door", "Stove", "Fridge", "Couch", "front door", "Cabinet"];
+const ROOMS: &str =
+    "Kitchen,BathroomA,BathroomB,BedroomA,bedroom 2,living room,hallway,MainEntryway,Office,dining room,laundry";
+const PLACES: &str = ",Area,Sink,Toilet,Bed,Chair,Door,Stove,Fridge,Couch,front door,Cabinet";
 
 fn some(dice: &mut Dice) -> (Vec<LogSensor>, Vec<LogWay>) {
+    let [rooms, places] = [ROOMS, PLACES].map(|names| names.split(',').collect::<Vec<_>>());
     let mut ids = BTreeSet::new();
     for _ in 0..1 + dice.below(28) {
-        ids.insert(format!("{} {}", ROOMS[dice.below(ROOMS.len())], PLACES[dice.below(PLACES.len())]));
+        ids.insert(format!("{} {}", rooms[dice.below(rooms.len())], places[dice.below(places.len())]));
     }
     let sensors: Vec<LogSensor> = ids
         .iter()

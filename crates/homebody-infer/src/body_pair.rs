@@ -41,6 +41,7 @@ pub(crate) struct BodyPair<'a> {
     work: PairBuffers,
 }
 
+#[derive(Default)]
 struct PairBuffers {
     turns: [TransitionStep; 2],
     between: [StateTransitions; 2],
@@ -81,14 +82,7 @@ impl<'a> BodyPair<'a> {
             limits: [limits(senses[0], senses[1]), limits(senses[1], senses[0])],
             work: PairBuffers {
                 turns: senses.map(|senses| TransitionStep::new(senses.states().len())),
-                between: Default::default(),
-                from: Belief::default(),
-                alone: Vec::new(),
-                all: Default::default(),
-                half: Vec::new(),
-                over: Vec::new(),
-                spare: Vec::new(),
-                spare_odd: Vec::new(),
+                ..Default::default()
             },
         }
     }
@@ -97,7 +91,6 @@ impl<'a> BodyPair<'a> {
         self.beliefs.last().unwrap_or(&self.before)
     }
 
-    /// Advances by a step, until just before its message.
     pub fn advance(&mut self, steps: &LogSteps, number: usize) {
         let step = steps.get(number);
         let unusual = steps.unusual(number);

@@ -24,7 +24,6 @@ pub enum SensorFault {
         /// From 0 to 1.
         share: f64,
     },
-    /// It fires without a cause.
     Noisy {
         /// Firings per hour.
         per_h: f64,
@@ -76,7 +75,6 @@ const TOGETHER_M: f64 = 2.0;
 const CLOCK_DAYS: usize = 4;
 const CLOCK_S: f64 = 15.0;
 
-///
 /// Passes over a log, which are independent of each other, and the findings of all passes.
 ///
 /// A sensor's messages move the people whom it is compared with. So the first pass uses all sensors, and each later pass
@@ -134,7 +132,6 @@ impl<'a> Examination<'a> {
         }
     }
 
-    /// In order of time.
     pub fn findings(&self, passes: &[PassCounts]) -> Vec<FaultFinding> {
         let mut findings: Vec<FaultFinding> = self.faults.iter().map(FaultFinding::from_interval).collect();
         let Some((PassCounts(all), others)) = passes.split_first() else { return findings };

@@ -21,7 +21,6 @@ pub struct FaultInterval {
 #[serde(rename_all = "snake_case")]
 pub enum FaultIntervalKind {
     Stuck,
-    /// It sends nothing.
     Dead,
 }
 

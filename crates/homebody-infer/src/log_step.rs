@@ -85,7 +85,6 @@ impl<'a> LogSteps<'a> {
         }
     }
 
-    /// Advances to an instant, with or without a message.
     pub fn advance(&mut self, to: RunTime, said: Option<MessageContent>) {
         let at = to.max(self.now);
         let spans = split((at - self.now).seconds());

@@ -6,7 +6,6 @@ use homebody_core::time::{Interval, RunTime, Span};
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct LogMessage {
     pub at: RunTime,
-    /// Index into the home's sensors.
     pub sensor: usize,
     pub said: MessageKind,
 }

@@ -133,17 +133,11 @@ struct SensorCounts {
     /// In seconds, by sensor and state: time during which it could send ON, and OFF.
     may_begin_s: Vec<Vec<f64>>,
     may_end_s: Vec<Vec<f64>>,
-    /// Transitions, from state to state.
     turns: Vec<Vec<f64>>,
 }
 
 impl Senses {
-    ///
     /// Simulates the random walk of one resident, through the link and the logger of the scenario.
-    ///
-    /// # Errors
-    ///
-    /// If the home has no resident, or the resident cannot walk through it.
     pub fn learn(scenario: &Scenario, body: usize) -> Result<Senses, ResponseError> {
         let resident = scenario.residents.get(body).ok_or(ResponseError::Nobody)?;
         // Faults on particular days are unknown in advance.
@@ -183,19 +177,10 @@ impl Senses {
         let of = |channel: usize| if is_over(channel) { f32::MAX } else { 0.0 };
         let rates: Vec<Vec<f32>> = (0..self.rates.len()).map(|channel| vec![of(channel)]).collect();
         let counted = StateCounts { time_s: Vec::new(), turns: Vec::new() };
-        let (states, timing) = (States::empty(), self.timing.clone());
+        let (states, timing, flow) = (States::empty(), self.timing.clone(), TransitionMatrices::empty());
         let excess_rates = vec![Vec::new(); self.rates.len()];
         let on_rates = on_rates(&rates, 1);
-        Senses {
-            states,
-            timing,
-            rates,
-            on_rates,
-            excess_rates,
-            flow: TransitionMatrices::empty(),
-            counted,
-            visits: false,
-        }
+        Senses { states, timing, rates, on_rates, excess_rates, flow, counted, visits: false }
     }
 
     pub(crate) fn rate(&self, sensor: usize, said: MessageKind) -> &[f32] {

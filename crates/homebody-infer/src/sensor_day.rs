@@ -72,7 +72,6 @@ impl<'a> SensorWatch<'a> {
         self.before = now;
     }
 
-    /// Ends the last day.
     pub fn finish(mut self) -> Vec<Vec<SensorDayCounts>> {
         self.end_day();
         self.days.iter_mut().for_each(|days| {

@@ -42,7 +42,6 @@ pub struct Chances {
     pub rooms: Vec<f32>,
 }
 
-///
 /// Locates each body by messages in order of time, up to `end`, and reports each instant in turn. Messages and silences
 /// within `faults` are ignored.
 ///
@@ -82,7 +81,6 @@ pub fn follow(
     }
 }
 
-/// Locates people from messages one by one.
 pub struct Follower<'a> {
     pairs: Vec<BodyPair<'a>>,
     steps: LogSteps<'a>,
@@ -90,7 +88,6 @@ pub struct Follower<'a> {
 }
 
 impl<'a> Follower<'a> {
-    ///
     /// `empty_body` is [`Senses::empty_body`] of the first body.
     ///
     /// # Panics
@@ -147,7 +144,6 @@ fn advance(pairs: &mut [BodyPair], steps: &LogSteps, number: usize) {
 
 pub(crate) struct Smoother<'a> {
     pairs: Vec<BodyPair<'a>>,
-    /// A possible visitor of a single resident.
     visits: Option<Visits<'a>>,
     steps: LogSteps<'a>,
     /// Steps that the forward pass has processed.

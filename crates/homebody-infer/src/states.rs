@@ -23,7 +23,6 @@ pub enum StateKind {
     Stands,
     /// Active at a place.
     Busy,
-    /// Resting or asleep at a place to sit or lie.
     Still,
     /// Without movement for minutes.
     Motionless,

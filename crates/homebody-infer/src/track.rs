@@ -62,7 +62,6 @@ impl TrackPlace {
 }
 
 impl Track {
-    /// `at` is later than all before; `moved` marks a detected movement.
     pub fn add(&mut self, at: RunTime, guess: &Guess, moved: bool) {
         let place = TrackPlace::from_state(guess.state);
         if self.legs.last().is_none_or(|last| last.place != place) {

@@ -12,7 +12,7 @@ const NOTHING: f32 = 1e-3;
 const RARE: f32 = 1e-6;
 
 /// Set for each step anew, with reused memory.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub(crate) struct TransitionStep {
     span: usize,
     /// States with an unusual span.
@@ -50,15 +50,8 @@ pub(crate) struct StateTransitions {
 
 impl TransitionStep {
     pub fn new(states: usize) -> TransitionStep {
-        TransitionStep {
-            span: 0,
-            odd: Vec::new(),
-            passing: vec![1.0; states],
-            stays: vec![0.0; states],
-            dense: vec![0.0; states],
-            weighed: Vec::new(),
-            powers: Vec::new(),
-        }
+        let zeros = || vec![0.0; states];
+        TransitionStep { passing: vec![1.0; states], stays: zeros(), dense: zeros(), ..Default::default() }
     }
 
     pub fn set(&mut self, senses: &Senses, span: usize, unusual: &[LimitedSensor]) {

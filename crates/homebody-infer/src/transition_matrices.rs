@@ -92,7 +92,6 @@ fn stays(falls: &[f64]) -> Vec<Vec<(f32, f32)>> {
     (0..SPANS).map(|span| falls.iter().map(|&fall| of(span, fall)).collect()).collect()
 }
 
-/// Transitions per second.
 fn rates(states: &States, time_s: &[f64], turns: &[Vec<f64>], out_s: f64) -> Vec<Vec<f64>> {
     let size = states.len();
     let mut rates = vec![vec![0.0; size]; size];

@@ -32,7 +32,6 @@ struct VisitInterval<'a> {
     pair: BodyPair<'a>,
     /// Before the first step and by step: the logarithm of the likelihood ratio of a visitor.
     gains: Vec<f64>,
-    /// By step.
     has_guest: Vec<bool>,
 }
 

@@ -64,7 +64,6 @@ fn ends(certificate: &[u8]) -> Option<Timestamp> {
     time(kind, last)
 }
 
-/// The tag, the content, and what follows.
 fn part(bytes: &[u8]) -> Option<(u8, &[u8], &[u8])> {
     let (&tag, rest) = bytes.split_first()?;
     let (&first, mut rest) = rest.split_first()?;
@@ -100,7 +99,6 @@ fn time(kind: u8, text: &[u8]) -> Option<Timestamp> {
 #[derive(Debug, Default)]
 struct CertificateCapture(OnceLock<CertificateDer<'static>>);
 
-/// The refusal.
 fn has_seen() -> Error {
     Error::General("the certificate was only looked at".into())
 }

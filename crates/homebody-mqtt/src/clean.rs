@@ -21,17 +21,12 @@ const LONGEST: Duration = Duration::from_secs(60);
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Cleaned {
     pub homes: Vec<String>,
-    /// Topics with a retained message.
     pub topics: Vec<String>,
     /// Topics below the prefix that are of no home of ours: they stay.
     pub others: usize,
 }
 
 /// Removes the retained messages of our homes below the prefix of a place. With `only_look` it lists them and keeps them.
-///
-/// # Errors
-///
-/// If the broker cannot be reached, or denies it.
 pub fn clean(url: &Url, only_look: bool) -> Result<Cleaned, LogError> {
     let address = BrokerAddress::from_url(url)?;
     let cleaned = visit(&address, "clean", async |client, events| {
@@ -44,7 +39,6 @@ pub fn clean(url: &Url, only_look: bool) -> Result<Cleaned, LogError> {
     cleaned?.map_err(|trouble| trouble.error(&address.place()))
 }
 
-/// The retained messages of a broker.
 #[derive(Default)]
 pub(crate) struct RetainedTopics {
     pub found: Vec<(String, Vec<u8>)>,

@@ -64,7 +64,6 @@ pub(crate) fn instance() -> String {
     format!("{:x}-{:x}", std::process::id(), now.as_nanos())
 }
 
-/// The options of a connection, with its last will.
 pub(crate) fn options(
     address: &BrokerAddress,
     (topic, offline): (String, &'static str),

@@ -5,7 +5,7 @@
 //! message.
 
 use crate::address::{BrokerAddress, Discovery, Style};
-use crate::entities::{Entity, EntityType, Word};
+use crate::entities::{Entity, EntityType};
 use crate::place::{HomeTopics, SensorTopics};
 use crate::speech::Message;
 use homebody_core::names::capitalised;
@@ -14,7 +14,6 @@ use serde_json::{Map, Value, json};
 
 const MAKER: &str = "Homebody";
 
-/// One device, with its entities by their ids.
 struct DiscoveredDevice {
     id: String,
     device: Value,
@@ -32,7 +31,6 @@ pub(crate) fn messages(address: &BrokerAddress, place: &HomeTopics, run: &RunInf
     }
 }
 
-/// One message for a device.
 fn whole(
     address: &BrokerAddress,
     run: &RunInfo,
@@ -47,7 +45,6 @@ fn whole(
     Message::kept(format!("{}/device/{id}/config", address.discovery_prefix), payload.to_string())
 }
 
-/// One message for each entity of a device.
 fn single(
     address: &BrokerAddress,
     run: &RunInfo,
@@ -129,7 +126,6 @@ fn discovered(address: &BrokerAddress, place: &HomeTopics, run: &RunInfo, sensor
     DiscoveredDevice { id, device: Value::Object(device), entities }
 }
 
-/// The configuration of one entity, and its kind.
 fn entity_of(
     address: &BrokerAddress,
     place: &HomeTopics,
@@ -158,7 +154,7 @@ fn entity_of(
     let platform = match &entity.says {
         EntityType::Binary { on_only, zigbee } => {
             let [on, off] = match place.style {
-                Style::Zigbee2Mqtt => zigbee.map(payload),
+                Style::Zigbee2Mqtt => zigbee.map(Value::from),
                 Style::HomeAssistant | Style::Plain => ["ON".into(), "OFF".into()],
             };
             add("payload_on", on);
@@ -183,13 +179,6 @@ fn entity_of(
         EntityType::Text => "sensor",
     };
     (platform, config)
-}
-
-fn payload(word: Word) -> Value {
-    match word {
-        Word::Truth(truth) => truth.into(),
-        Word::Text(text) => text.into(),
-    }
 }
 
 fn availability(place: &HomeTopics, sensor: Option<&SensorTopics>) -> Map<String, Value> {

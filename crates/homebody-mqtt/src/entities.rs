@@ -6,8 +6,8 @@
 
 use homebody_core::names::words;
 use homebody_log::SensorInfo;
+use serde_json::Value;
 
-/// One thing that a sensor tells.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Entity {
     /// Its part of topics and ids; empty for what a sensor mainly tells.
@@ -15,9 +15,7 @@ pub(crate) struct Entity {
     /// The name behind that of the sensor; None for the main entity.
     pub name: Option<&'static str>,
     pub says: EntityType,
-    /// Home Assistant's device class.
     pub class: Option<&'static str>,
-    /// The key in a device's JSON of Zigbee2MQTT.
     pub property: &'static str,
 }
 
@@ -43,6 +41,15 @@ pub(crate) enum Word {
     Text(&'static str),
 }
 
+impl From<Word> for Value {
+    fn from(word: Word) -> Value {
+        match word {
+            Word::Truth(truth) => truth.into(),
+            Word::Text(text) => text.into(),
+        }
+    }
+}
+
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum EntityValue<'a> {
     Switched(bool),
@@ -50,7 +57,6 @@ pub(crate) enum EntityValue<'a> {
     Word(&'a str),
 }
 
-/// Bands of a bed sensor.
 const BANDS: &[&str] = &["low", "normal", "high"];
 
 #[derive(Clone, Debug, PartialEq)]
@@ -58,33 +64,28 @@ pub(crate) struct Device {
     pub entities: Vec<Entity>,
 }
 
+impl Entity {
+    /// An entity without a class.
+    fn new(key: &'static str, name: Option<&'static str>, says: EntityType, property: &'static str) -> Entity {
+        Entity { key, name, says, class: None, property }
+    }
+}
+
 impl Device {
-    /// By its kind.
     pub fn for_sensor(sensor: &SensorInfo) -> Device {
         let is_held = sensor.values.iter().any(|value| value == "OFF");
         let truth = [Word::Truth(true), Word::Truth(false)];
+        let number = || EntityType::Number { unit: sensor.unit.clone() };
+        // The main entity of a sensor that is on or off, or that tells a number.
         let binary = |class, property, zigbee, on_only| Entity {
-            key: "",
-            name: None,
-            says: EntityType::Binary { on_only, zigbee },
             class: Some(class),
-            property,
+            ..Entity::new("", None, EntityType::Binary { on_only, zigbee }, property)
         };
-        let number = |key, name, class, property| Entity {
-            key,
-            name,
-            says: EntityType::Number { unit: sensor.unit.clone() },
-            class: Some(class),
-            property,
-        };
+        let level = |class| Entity { class: Some(class), ..Entity::new("", None, number(), class) };
+        let second = |class, name| Entity { class: Some(class), ..Entity::new(class, Some(name), number(), class) };
         let reading = |entity| sensor.unit.is_some().then_some(entity);
-        let choice = |key, name, property| Entity {
-            key,
-            name: Some(name),
-            says: EntityType::Choice(BANDS),
-            class: Some("enum"),
-            property,
-        };
+        let choice =
+            |key, name| Entity { class: Some("enum"), ..Entity::new(key, Some(name), EntityType::Choice(BANDS), key) };
         let mut entities = match sensor.kind.as_str() {
             "motion" | "ceiling_motion" => vec![binary("motion", "occupancy", truth, !is_held)],
             "contact" => {
@@ -94,37 +95,29 @@ impl Device {
             }
             "bed" => {
                 let restless = EntityType::Number { unit: None };
-                let restlessness = Entity {
-                    key: "restlessness",
-                    name: Some("Restlessness"),
-                    says: restless,
-                    class: None,
-                    property: "restlessness",
-                };
                 vec![
                     binary("occupancy", "occupancy", truth, false),
-                    restlessness,
-                    choice("pulse", "Pulse", "pulse"),
-                    choice("respiration", "Respiration", "respiration"),
+                    Entity::new("restlessness", Some("Restlessness"), restless, "restlessness"),
+                    choice("pulse", "Pulse"),
+                    choice("respiration", "Respiration"),
                 ]
             }
             "pressure" => vec![binary("occupancy", "occupancy", truth, false)],
             "flow" => vec![binary("running", "water_flow", truth, false)],
             "stove_temperature" => {
-                let temperature = number("temperature", Some("Temperature"), "temperature", "temperature");
-                [Some(binary("heat", "heat", truth, false)), reading(temperature)].into_iter().flatten().collect()
+                let heat = binary("heat", "heat", truth, false);
+                std::iter::once(heat).chain(reading(second("temperature", "Temperature"))).collect()
             }
             "power" => {
-                let watts = number("power", Some("Power"), "power", "power");
-                let on = [Word::Text("ON"), Word::Text("OFF")];
-                [Some(binary("power", "state", on, false)), reading(watts)].into_iter().flatten().collect()
+                let on = binary("power", "state", [Word::Text("ON"), Word::Text("OFF")], false);
+                std::iter::once(on).chain(reading(second("power", "Power"))).collect()
             }
-            "light" => vec![number("", None, "illuminance", "illuminance")],
-            "temperature" => vec![number("", None, "temperature", "temperature")],
+            "light" => vec![level("illuminance")],
+            "temperature" => vec![level("temperature")],
             _ => Vec::new(),
         };
         if entities.is_empty() {
-            entities.push(Entity { key: "", name: None, says: EntityType::Text, class: None, property: "value" });
+            entities.push(Entity::new("", None, EntityType::Text, "value"));
         }
         Device { entities }
     }
@@ -143,13 +136,8 @@ impl Device {
             _ => {}
         }
         if let Some((first, rest)) = said.split_once('_') {
-            let key = match first {
-                "RESTLESS" => "restlessness",
-                "PULSE" => "pulse",
-                "RESPIRATION" => "respiration",
-                _ => "",
-            };
-            let entity = at(key);
+            let keys = [("RESTLESS", "restlessness"), ("PULSE", "pulse"), ("RESPIRATION", "respiration")];
+            let entity = at(keys.iter().find(|(word, _)| *word == first).map_or("", |(_, key)| key));
             match (&self.entities[entity].says, rest.parse::<f64>()) {
                 (EntityType::Number { .. }, Ok(number)) if entity > 0 => return (entity, EntityValue::Number(number)),
                 (EntityType::Choice(words), _) => {
@@ -166,7 +154,6 @@ impl Device {
         }
     }
 
-    /// The entity that tells readings.
     pub fn number(&self) -> usize {
         self.entities.iter().position(|entity| matches!(entity.says, EntityType::Number { .. })).unwrap_or(0)
     }

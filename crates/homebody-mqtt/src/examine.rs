@@ -23,7 +23,6 @@ const SOON_DAYS: i64 = 30;
 /// Largest number of topics that are named (our choice).
 const MOST_NAMED: usize = 5;
 
-/// Looks at a broker.
 pub(crate) fn examine(url: &Url, asked: &CheckOptions) -> Result<Vec<Check>, LogError> {
     let address = BrokerAddress::from_url(url)?;
     let mut checks = Vec::new();
@@ -69,9 +68,7 @@ fn certificate(address: &BrokerAddress, checks: &mut Vec<Check>) {
     }
 }
 
-/// The result of a message that was sent to be received again.
 struct EchoResult {
-    /// Why the broker did not take it.
     refused: Option<PubAckReason>,
     came_back: bool,
 }

@@ -21,7 +21,6 @@ use rumqttc::Publish;
 use serde_json::{Map, Value, json};
 use std::sync::{Arc, Mutex, PoisonError};
 
-/// A broker that many homes tell.
 pub struct MqttFleet {
     url: Url,
     open: Option<OpenBrokerFleet>,
@@ -47,7 +46,6 @@ type There = Arc<Mutex<Vec<bool>>>;
 
 #[derive(Clone, Default)]
 struct FleetHomeState {
-    /// The number of the next row.
     next: u64,
     /// Of Zigbee2MQTT: by sensor, all that it has said last.
     last: Vec<Map<String, Value>>,

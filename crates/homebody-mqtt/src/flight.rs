@@ -35,9 +35,7 @@ pub(crate) struct Flight {
     changed: Condvar,
     /// The connection's thread waits for this.
     pub wake: Notify,
-    /// Ends waits early.
     cancel: Cancel,
-    /// The time that a broker has to acknowledge.
     deadline: Deadline,
 }
 
@@ -50,7 +48,6 @@ pub(crate) enum Sent {
     Aside,
 }
 
-/// The state of the connection.
 #[derive(Clone, Debug, Default)]
 pub(crate) enum BrokerLink {
     #[default]
@@ -74,7 +71,6 @@ pub(crate) enum FlightGoal {
     GiveUp,
 }
 
-/// See [`Flight`].
 #[derive(Default)]
 pub(crate) struct FlightState {
     /// Not acknowledged, with those before `first` left out; each with whether it is acknowledged out of turn.
@@ -83,7 +79,6 @@ pub(crate) struct FlightState {
     first: u64,
     /// The number of the next to be sent on this connection.
     next: u64,
-    /// Messages before all rows.
     greeting: VecDeque<Message>,
     /// Of the greeting, how many are not acknowledged.
     greeting_left: usize,
@@ -229,7 +224,6 @@ impl FlightState {
         self.waiting.is_empty() && self.asides.is_empty() && self.unanswered.is_none()
     }
 
-    /// The number of acknowledged rows, without gaps.
     pub fn acknowledged(&self) -> u64 {
         self.first
     }

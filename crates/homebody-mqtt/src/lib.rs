@@ -40,7 +40,6 @@ use homebody_log::Sink;
 use homebody_log::Url;
 use homebody_log::registry::{OpenFleet, PlacePlugin};
 
-/// The kinds of places of this crate, for a program that installs them.
 pub fn plugin() -> PlacePlugin {
     let open = |url: &Url| -> Box<dyn Sink> { Box::new(MqttSink::new(url)) };
     let fleet: OpenFleet = |url| Box::new(MqttFleet::new(url));

@@ -12,7 +12,6 @@ use std::time::Duration;
 const PATIENCE: Duration = Duration::from_secs(5);
 
 pub(crate) struct Line {
-    /// The broker's name in errors.
     pub place: String,
     pub flight: Arc<Flight>,
     thread: Option<JoinHandle<()>>,
@@ -33,7 +32,6 @@ impl Line {
         self.flight.wait(PATIENCE, is_so).map(drop).map_err(|trouble| trouble.error(&self.place))
     }
 
-    /// Sends a message once there is room for it.
     pub fn take(&self, message: Message) -> Result<(), LogError> {
         if !self.flight.lock().has_room() {
             self.wait(FlightState::has_much_room)?;
@@ -43,7 +41,6 @@ impl Line {
         Ok(())
     }
 
-    /// Waits until all has arrived and the connection has ended, as was wished for.
     pub fn ended(&self) -> Result<(), LogError> {
         self.wait(|shared| matches!(shared.link, BrokerLink::Over(None)))
     }

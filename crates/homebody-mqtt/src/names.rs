@@ -75,29 +75,11 @@ mod tests {
     /// 200 names, most of them made to get out: no topic has a part that MQTT reads as anything but text, and no two are one.
     #[test]
     fn two_hundred_names_stay_inside_and_apart() {
-        let bad = [
-            "+",
-            "#",
-            "/",
-            "\0",
-            "$SYS",
-            "..",
-            "-",
-            "_",
-            " ",
-            "\u{e9}",
-            "\u{1f600}",
-            "a",
-            "A",
-            "1",
-            "--",
-            "-2f-",
-            "\n",
-        ];
+        let bad = "+,#,/,\0,$SYS,..,-,_, ,\u{e9},\u{1f600},a,A,1,--,-2f-,\n".split(',');
         let mut names: BTreeSet<String> = TAKEN.map(String::from).into();
         names.extend(["".into(), "x".repeat(300), "x".repeat(301), "x".repeat(70_000), "\u{e9}".repeat(100)]);
-        for first in bad {
-            for second in bad {
+        for first in bad.clone() {
+            for second in bad.clone() {
                 names.insert(format!("{first}{second}"));
                 names.insert(format!("{first} {second}/"));
             }

@@ -7,9 +7,7 @@ use homebody_log::RunInfo;
 
 #[derive(Clone, Debug)]
 pub(crate) struct HomeTopics {
-    /// `prefix/home`.
     pub base: String,
-    /// The home's id in discovery.
     pub id: String,
     pub style: Style,
     /// Whether Home Assistant discovers it. A device then sends unknown values too.
@@ -20,7 +18,6 @@ pub(crate) struct HomeTopics {
 
 #[derive(Clone, Debug)]
 pub(crate) struct SensorTopics {
-    /// Its level below the home.
     pub level: String,
     pub name: String,
     pub in_log: String,
@@ -64,7 +61,6 @@ impl HomeTopics {
         }
     }
 
-    /// A topic of the home's own.
     pub fn topic(&self, rest: &str) -> String {
         format!("{}/{rest}", self.base)
     }

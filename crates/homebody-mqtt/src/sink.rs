@@ -25,10 +25,8 @@ pub fn policy() -> Policy {
     Policy { retry_for: AWAY_FOR, retries_beginning: false, retry_after: Duration::from_secs(1), ..Policy::of_server() }
 }
 
-/// A broker as a destination.
 pub struct MqttSink {
     url: Url,
-    /// Whether the run is in real time.
     is_live: bool,
     orders: Option<Arc<Mutex<TakesOrders>>>,
     open: Option<OpenBrokerLog>,
@@ -38,7 +36,6 @@ struct OpenBrokerLog {
     line: Line,
     speech: Speech,
     farewell: Arc<HomeTopics>,
-    /// The number of the next row.
     next: u64,
     number: String,
 }

@@ -1,7 +1,7 @@
 //! Turns rows into messages.
 
 use crate::address::Style;
-use crate::entities::{EntityType, EntityValue, Word};
+use crate::entities::{EntityType, EntityValue};
 use crate::messages::BrokerMessage;
 use crate::place::{HomeTopics, SensorTopics};
 use homebody_core::scenario::logger::TimeFormat;
@@ -17,7 +17,6 @@ use std::sync::Arc;
 pub(crate) struct Message {
     pub topic: Arc<str>,
     pub payload: Arc<str>,
-    /// Whether the broker retains it for later listeners.
     pub retain: bool,
     /// Of what passes by itself, such as a motion sensor's ON: what is true again some seconds later.
     pub then: Option<Arc<str>>,
@@ -29,12 +28,10 @@ impl Message {
     }
 }
 
-/// Turns rows into messages.
 pub(crate) struct Speech {
     run: String,
     clock: InstantWriter,
     place: Arc<HomeTopics>,
-    /// Sensors by what the log calls them.
     by_id: HashMap<String, usize>,
     topics: Vec<Vec<Arc<str>>>,
     /// Of Zigbee2MQTT: by sensor, all that it has said last, in its order.
@@ -80,7 +77,6 @@ impl Speech {
         }
     }
 
-    /// The message of a sensor, by its number.
     pub fn said(&mut self, index: usize, seq: i64, at: RunTime, said: &str) -> Message {
         let place = self.place.clone();
         let placed = &place.sensors[index];
@@ -148,10 +144,7 @@ fn on_off(on: bool) -> &'static str {
 
 fn zigbee_value(says: &EntityType, heard: &EntityValue) -> Value {
     match (heard, says) {
-        (EntityValue::Switched(on), EntityType::Binary { zigbee, .. }) => match zigbee[usize::from(!on)] {
-            Word::Truth(truth) => truth.into(),
-            Word::Text(text) => text.into(),
-        },
+        (EntityValue::Switched(on), EntityType::Binary { zigbee, .. }) => zigbee[usize::from(!on)].into(),
         (EntityValue::Switched(on), _) => (*on).into(),
         (EntityValue::Number(number), _) if number.fract() == 0.0 && number.abs() < 1e15 => (*number as i64).into(),
         (EntityValue::Number(number), _) => (*number).into(),

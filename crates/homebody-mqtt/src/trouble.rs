@@ -13,7 +13,6 @@ use std::time::Duration;
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct BrokerError {
     pub message: Box<Diagnostic>,
-    /// Whether another try cannot help.
     pub is_final: bool,
 }
 
@@ -32,7 +31,6 @@ impl BrokerError {
         BrokerError::new(BrokerMessage::Ended).finally()
     }
 
-    /// Another run of the same home.
     pub fn another() -> BrokerError {
         BrokerError::new(BrokerMessage::AnotherRun).finally()
     }

@@ -12,10 +12,6 @@ use tokio::runtime::Builder;
 const IN_CLIENT: usize = 10;
 
 /// Visits a broker, under a name that tells visitors from homes. Retained messages may have any length.
-///
-/// # Errors
-///
-/// If no thread can start; errors of the visit itself are in the result.
 pub(crate) fn visit<T>(
     address: &BrokerAddress,
     name: &str,

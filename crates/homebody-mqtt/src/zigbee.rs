@@ -3,7 +3,7 @@
 //! They follow the documents of Zigbee2MQTT for `bridge/info`, `bridge/devices` and each device's availability, as far as possible without
 //! radio and firmware.
 
-use crate::entities::{Entity, EntityType, Word};
+use crate::entities::{Entity, EntityType};
 use crate::place::{HomeTopics, SensorTopics};
 use crate::speech::Message;
 use homebody_core::names::capitalised;
@@ -13,7 +13,6 @@ use sha2::{Digest, Sha256};
 
 const MAKER: &str = "Homebody";
 
-/// The messages of the bridge at the start of a connection.
 pub(crate) fn messages(place: &HomeTopics, run: &RunInfo) -> Vec<Message> {
     let devices: Vec<Value> =
         std::iter::once(coordinator(place)).chain(place.sensors.iter().map(|sensor| device(place, sensor))).collect();
@@ -96,15 +95,11 @@ fn device(place: &HomeTopics, sensor: &SensorTopics) -> Value {
 
 /// The abilities of a device, in Zigbee2MQTT's words; access 1 means that it reports by itself.
 fn exposed(entity: &Entity) -> Value {
-    let value = |word: Word| match word {
-        Word::Truth(truth) => Value::from(truth),
-        Word::Text(text) => text.into(),
-    };
     let name = entity.property;
     let mut told = json!({ "name": name, "label": label(name), "property": name, "access": 1 });
     match &entity.says {
         EntityType::Binary { zigbee: [on, off], .. } => {
-            (told["type"], told["value_on"], told["value_off"]) = ("binary".into(), value(*on), value(*off));
+            (told["type"], told["value_on"], told["value_off"]) = ("binary".into(), (*on).into(), (*off).into());
         }
         EntityType::Number { unit } => {
             told["type"] = "numeric".into();

@@ -23,7 +23,6 @@ const TOP: f64 = 104.0;
 const GRID: Paint = Paint::line("#e3e6e9", 1.0);
 const AXIS_TEXT: Type = Type::new(13.0, MUTED);
 
-/// The title of a picture, and below it its result.
 pub(super) fn heading(svg: &mut Svg, title: &str, subtitle: &str) {
     svg.text(title, Point::new(40.0, 42.0), &Type::new(24.0, INK));
     svg.text(subtitle, Point::new(40.0, 72.0), &Type::new(15.0, MUTED));
@@ -39,7 +38,6 @@ fn nice_step(range: f64, steps: f64) -> f64 {
     step
 }
 
-/// The multiples of a step in a range.
 fn steps(least: f64, most: f64, step: f64) -> impl Iterator<Item = f64> {
     let (first, last) = ((least / step - 1e-9).ceil() as i64, (most / step + 1e-9).floor() as i64);
     (first..=last).map(move |i| i as f64 * step)

@@ -169,7 +169,6 @@ fn explain(svg: &mut Svg, legend: &mut Legend, coverage: &Coverage, with_beams: 
     }
 }
 
-/// Rooms, sensors and dead zones in numbers.
 fn tables(svg: &mut Svg, legend: &mut Legend, coverage: &Coverage) {
     const COLUMN: f64 = 60.0;
     let head = Type::new(12.0, MUTED);

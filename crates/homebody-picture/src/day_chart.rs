@@ -17,9 +17,7 @@ use super::svg::{Anchor, Px, Svg, Type};
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct DayChart {
     pub title: String,
-    /// Activities and rooms of residents, from the top on.
     pub bands: Vec<DayBand>,
-    /// Firings of sensors, below the bands, from the top on.
     pub ticks: Vec<Ticks>,
 }
 
@@ -32,23 +30,18 @@ pub struct Ticks {
     pub firings: u64,
 }
 
-/// A row of labelled spans.
 #[derive(Clone, Debug, PartialEq)]
 pub struct DayBand {
-    /// The text left of the band.
     pub name: String,
     /// The kind of its labels.
     pub holds: BandContent,
-    /// Begin, end and label.
     pub spans: Vec<(f64, f64, String)>,
 }
 
-/// The kind of the labels of a band.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum BandContent {
     /// Labels of activities, which are coloured by their kind.
     Activities,
-    /// Names of rooms, which all have one colour.
     Rooms,
 }
 
@@ -100,7 +93,6 @@ const DAY_S: f64 = 86_400.0;
 const NAME: Type = Type::new(13.0, INK);
 const AXIS: Type = Type::new(13.0, MUTED);
 
-/// Draws the day, as SVG.
 pub fn day_chart(day: &DayChart) -> String {
     let words = in_words(day);
     let mut svg = Svg::new(&day.title, &words);
@@ -139,7 +131,6 @@ fn in_words(day: &DayChart) -> String {
     activities.into_iter().chain(ticks).collect::<Vec<_>>().join(", ")
 }
 
-/// The colours of the kinds of activities in the chart.
 fn legend(svg: &mut Svg, day: &DayChart) {
     let bands = day.bands.iter().filter(|band| band.holds == BandContent::Activities);
     let there: Vec<ActivityKind> =

@@ -44,7 +44,6 @@ pub fn density_map(density: &Density) -> String {
     svg.finish(WIDTH, top - BETWEEN + 78.0)
 }
 
-/// The subtitle of the map.
 fn in_words(map: &Map) -> String {
     let last = map.days.last().map_or(map.from, |day| day.date);
     let density =
@@ -52,7 +51,6 @@ fn in_words(map: &Map) -> String {
     format!("{}, {} to {last}: {density}, {:.1} h a day away.", map.name, map.from, map.away_h_per_day)
 }
 
-/// The note on hours that are away by a guess.
 fn guesses(map: &Map) -> Option<String> {
     let count = map.absences.iter().filter(|absence| absence.is_guess).count();
     let of = match map.absences.len() {

@@ -14,12 +14,10 @@ use super::sheet::{Sheet, WIDTH};
 use super::svg::{Svg, Type, polyline};
 
 const MARGIN: f64 = 40.0;
-/// Height of title and subtitle.
 const TOP: f64 = 104.0;
 const COLUMNS: usize = 3;
 const GAP: f64 = 28.0;
 const WIDE: f64 = (WIDTH - 2.0 * MARGIN - GAP * (COLUMNS as f64 - 1.0)) / COLUMNS as f64;
-/// Largest height of a plan.
 const TALLEST: f64 = 420.0;
 const LINE: f64 = 16.0;
 /// Distance of a plan from its words; the arrow at the front door stands there.
@@ -29,7 +27,6 @@ const CAPTION: Type = Type::new(12.0, INK);
 /// Largest number of lines of people in a picture (our choice).
 const MOST_PEOPLE: usize = 6;
 
-/// Draws the moments of a run over its home, as SVG.
 pub fn film_strip(home: &HomeFile, strip: &StoryStrip) -> String {
     let plan = Plan::new(home);
     let (least, most) = plan.bounds();
@@ -52,7 +49,6 @@ pub fn film_strip(home: &HomeFile, strip: &StoryStrip) -> String {
     svg.finish(WIDTH, end + 40.0)
 }
 
-/// One moment: its time, the plan, and the activities.
 fn frame(mut svg: Svg, home: &HomeFile, plan: &Plan, moment: &StripFrame, corner: Point, high: f64) -> Svg {
     svg.text(&moment.at, corner + Point::new(0.0, 8.0), &Type::new(14.0, INK).strong());
     let mut sheet = Sheet::in_box(svg, plan.bounds(), corner + Point::new(0.0, 26.0), Point::new(WIDE, high));

@@ -9,7 +9,6 @@ use super::legend::Legend;
 use super::paint::SENSOR;
 use super::sheet::Sheet;
 
-/// Draws a valid home, as SVG.
 pub fn floor_plan(home: &HomeFile) -> String {
     let plan = Plan::new(home);
     let rooms = counted(home.rooms.len(), "room", "rooms");

@@ -31,7 +31,6 @@ pub fn installing(home: &HomeFile, seen: &SeenHome, parts: &PartsList) -> Vec<St
     pages
 }
 
-/// A part as lines of words.
 struct PartEntry<'a> {
     part: &'a SensorPart,
     lines: Vec<(String, Type)>,
@@ -73,7 +72,6 @@ fn list(parts: &PartsList) -> Vec<String> {
     pages
 }
 
-/// A sheet with parts, filled from top to bottom.
 struct PartsSheet {
     svg: Svg,
     y: f64,

@@ -6,7 +6,6 @@ use homebody_core::geometry::{self, Point};
 use super::font;
 use super::svg::{Anchor, Svg, Type};
 
-/// The texts of a picture so far, and the shapes that they keep off.
 #[derive(Default)]
 pub struct Labels {
     /// Never covered: walls, doors and sensors, in pixels.
@@ -20,7 +19,6 @@ pub struct Labels {
     placed: Vec<PlacedText>,
 }
 
-/// An upright rectangle in pixels.
 #[derive(Clone, Copy)]
 pub struct Block {
     pub least: Point,
@@ -34,7 +32,6 @@ struct PlacedText {
     leader: Option<Point>,
 }
 
-/// A place next to a mark, with its cost.
 struct TextSpot {
     cost: f64,
     lines: Vec<String>,
@@ -48,7 +45,6 @@ const LINE_HEIGHT: f64 = 1.15;
 const SPARE_WIDTH: f64 = 1.06;
 
 impl Labels {
-    /// Keeps texts off a block.
     pub fn take(&mut self, block: Block) {
         self.taken.push(block);
     }

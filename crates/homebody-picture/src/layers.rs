@@ -187,7 +187,6 @@ fn way_in(sheet: &mut Sheet, door: &DoorFile, at: Point, inward: Point) {
     sheet.labels.beside_if_free(&door.name, (tip + back) / 2.0, outward_deg, set);
 }
 
-/// The areas that ceiling sensors look down on.
 pub fn ceiling_areas(sheet: &mut Sheet, home: &HomeFile, fill: &str) {
     for sensor in &home.sensors {
         if let Some(area) = sensor.area_below() {
@@ -199,7 +198,6 @@ pub fn ceiling_areas(sheet: &mut Sheet, home: &HomeFile, fill: &str) {
     }
 }
 
-/// The mats on the floor.
 pub fn mats(sheet: &mut Sheet, home: &HomeFile) {
     for sensor in &home.sensors {
         if let Some(area) = sensor.area() {

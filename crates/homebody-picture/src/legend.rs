@@ -7,7 +7,6 @@ use super::paint::{HAIRLINE, INK, MUTED, Paint};
 use super::sheet;
 use super::svg::{Anchor, Svg, Type};
 
-/// A legend being written, from top to bottom.
 pub struct Legend {
     y: f64,
 }
@@ -21,7 +20,6 @@ impl Legend {
         Legend { y: sheet::TOP + 8.0 }
     }
 
-    /// The lower end of the legend so far.
     pub fn end(&self) -> f64 {
         self.y
     }

@@ -53,12 +53,7 @@ homebody_core::messages! {
         /// valid.
         Svg(why: String) error "invalid-svg" ("cannot draw this SVG: {why}");
         /// The limit of a picture protects the memory. The height of a picture follows from its width.
-        Size {
-            /// Pixels from left to right.
-            width: u32,
-            /// Pixels from top to bottom.
-            height: u32,
-        } error "size" ("cannot draw {width} x {height} pixels: each side must have 1 to {MOST_PIXELS} pixels");
+        Size { width: u32, height: u32 } error "size" ("cannot draw {width} x {height} pixels: each side must have 1 to {MOST_PIXELS} pixels");
         /// The encoder of PNG did not accept the pixels.
         Encoding(why: String) error "encoding" ("cannot write the picture as PNG: {why}");
     }

@@ -53,7 +53,6 @@ pub fn look_map(look: &LogOverview) -> String {
     svg.finish(WIDTH, bottom + 64.0)
 }
 
-/// The sensors with the most rows, in their order.
 fn drawn(look: &LogOverview) -> Vec<&SensorLook> {
     let mut rows: Vec<u64> = look.sensors.iter().map(|sensor| sensor.rows).collect();
     rows.sort_unstable_by(|a, b| b.cmp(a));
@@ -61,7 +60,6 @@ fn drawn(look: &LogOverview) -> Vec<&SensorLook> {
     look.sensors.iter().filter(|sensor| sensor.rows >= least).take(MOST_SENSORS).collect()
 }
 
-/// The colours with their least counts.
 fn legend(svg: &mut Svg) {
     const Y: f64 = 96.0;
     const BOX: Point = Point::new(54.0, 16.0);
@@ -127,7 +125,6 @@ fn map(svg: &mut Svg, look: &LogOverview, drawn: &[&SensorLook], bottom: f64) {
     dates(svg, look, column, bottom);
 }
 
-/// The ranges of true values.
 fn runs(list: &[bool]) -> Vec<std::ops::Range<usize>> {
     let mut at = 0;
     let mut runs = Vec::new();

@@ -35,7 +35,6 @@ pub fn table(page: &mut String, header: &[&str], rows: &[Vec<String>]) {
     page.push_str("</table>\n");
 }
 
-/// One HTML page without other files.
 pub fn realism_page(realism: &Realism) -> String {
     let (a, b) = (&realism.a, &realism.b);
     let title = format!("{} beside {}", b.name, a.name);
@@ -74,7 +73,6 @@ pub fn realism_page(realism: &Realism) -> String {
     page
 }
 
-/// The hours of the day of both logs.
 pub fn realism_chart(realism: &Realism) -> String {
     let line = |log: &LogSummary| TotalsLine {
         label: log.name.clone(),

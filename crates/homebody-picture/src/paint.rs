@@ -28,7 +28,6 @@ pub const DENSITY: [&str; 8] = ["#fbf1a9", "#d3e25b", "#8fd14f", "#48c06f", "#22
 /// Okabe & Ito's palette in the order in which lines of a chart take it; instead of the yellow, which is too pale for lines, a grey.
 pub const SERIES: [&str; 8] = ["#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#000000", "#7d7d7d"];
 
-/// The fill and outline of a shape.
 #[derive(Clone, Copy)]
 pub struct Paint<'a> {
     pub fill: &'a str,

@@ -42,7 +42,6 @@ struct Book {
     patterns: Vec<Ref>,
 }
 
-/// A page that was drawn.
 struct PageContent {
     content: Ref,
     size: [f32; 2],
@@ -140,7 +139,6 @@ impl Book {
         Ok(())
     }
 
-    /// Sets colours, lines and opacities.
     fn paint(
         &mut self,
         fill: Option<&usvg::Fill>,

@@ -11,7 +11,6 @@ use super::svg::{Anchor, Px, Svg, Type};
 pub const WIDTH: f64 = 1200.0;
 /// The left edge and the width of the legend.
 pub const LEGEND: (f64, f64) = (WIDTH - 290.0, 250.0);
-/// Below the title.
 pub const TOP: f64 = 112.0;
 
 const MARGIN: f64 = 40.0;
@@ -62,7 +61,6 @@ impl Sheet {
         Sheet { svg, labels: Labels::default(), px_per_m, bounds, corner }
     }
 
-    /// The pixel of a point of the plan.
     pub fn at(&self, p: Point) -> Point {
         self.corner + Point::new(p.x - self.bounds.0.x, self.bounds.1.y - p.y) * self.px_per_m
     }

@@ -23,10 +23,6 @@ const BODY: u8 = 3;
 const GAP_PX: u32 = 3;
 
 /// Draws a silhouette as a PNG of black and white in which each pixel is `scale` wide and high.
-///
-/// # Errors
-///
-/// [`PngError::Size`] if it would be too large.
 pub fn silhouette_png(picture: &Silhouette, scale: u32) -> Result<Vec<u8>, PngError> {
     let (columns, rows) = (picture.columns() as u32, picture.rows() as u32);
     let [width, height] = sized([columns, rows], scale)?;
@@ -51,7 +47,6 @@ pub fn silhouette_png(picture: &Silhouette, scale: u32) -> Result<Vec<u8>, PngEr
     Ok(bytes)
 }
 
-/// The pictures of all cameras at an instant.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FilmFrame {
     /// By camera; `None` without a picture of this instant.
@@ -62,10 +57,6 @@ pub struct FilmFrame {
 
 /// Draws a film as an animated PNG that repeats for ever: pictures of cameras of these sizes, in columns and rows, side by side; each of
 /// their pixels is `scale` wide and high.
-///
-/// # Errors
-///
-/// [`PngError::Size`] if it would be too large, or has no frame.
 pub fn silhouette_film(sizes: &[[u32; 2]], frames: &[FilmFrame], scale: u32) -> Result<Vec<u8>, PngError> {
     let gaps = GAP_PX * (sizes.len() as u32).saturating_sub(1);
     let columns = sizes.iter().map(|[columns, _]| columns).sum::<u32>() + gaps;
@@ -128,10 +119,8 @@ fn unencoded(error: png::EncodingError) -> PngError {
     PngError::Encoding(error.to_string())
 }
 
-/// Moments of several cameras.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SilhouetteStrip {
-    /// The name of the run.
     pub name: String,
     /// Each with its columns and rows.
     pub cameras: Vec<(String, [u32; 2])>,
@@ -139,10 +128,8 @@ pub struct SilhouetteStrip {
     pub moments: Vec<StripMoment>,
 }
 
-/// The pictures of all cameras at a moment.
 #[derive(Clone, Debug, PartialEq)]
 pub struct StripMoment {
-    /// The time on the wall.
     pub at: String,
     /// By camera; `None` without a picture of this moment.
     pub silhouettes: Vec<Option<Silhouette>>,

@@ -16,7 +16,6 @@ pub struct Svg {
     body: String,
 }
 
-/// The setting of a text.
 #[derive(Clone, Copy)]
 pub struct Type {
     pub size: f64,
@@ -38,7 +37,6 @@ pub enum Anchor {
     End,
 }
 
-/// An attribute's name and value.
 pub type Attribute<'a> = (&'a str, &'a dyn Display);
 
 impl Svg {

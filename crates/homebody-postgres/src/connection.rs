@@ -11,7 +11,11 @@ use std::sync::{Arc, Mutex, PoisonError};
 use std::time::Duration;
 use tokio::runtime::{Builder, Runtime};
 use tokio::task::JoinHandle;
-use tokio_postgres::{Client, Config, Error, SimpleQueryMessage};
+use tokio_postgres::types::{FromSql, ToSql};
+use tokio_postgres::{Client, Config, Error, Row, SimpleQueryMessage};
+
+/// Rows of one request (our choice).
+const ROWS_AT_ONCE: usize = 8192;
 
 /// The longest wait for a reader of a log, and for a request that grows with the size of a table.
 const ANSWERS_WITHIN: Duration = Duration::from_secs(100);
@@ -48,9 +52,7 @@ pub(crate) struct DatabaseConnection {
     pub client: Client,
     /// Runs the connection in both directions.
     carrier: JoinHandle<()>,
-    /// Why the connection is lost, once it is.
     ended_by: Arc<Mutex<Option<Error>>>,
-    /// The time that the server has for a request.
     deadline: Deadline,
     /// The server's name of its end, if it tells it.
     pub backend: Option<String>,
@@ -142,6 +144,24 @@ impl DatabaseConnection {
         }
     }
 
+    /// Hands over the rows of a query, some at a time, within a transaction.
+    pub fn each_row(
+        &self,
+        sql: &str,
+        parameters: &[&(dyn ToSql + Sync)],
+        mut take: impl FnMut(&Row) -> Result<(), LogError>,
+    ) -> Result<(), LogError> {
+        self.wait(self.client.execute(&format!("DECLARE rows NO SCROLL CURSOR FOR {sql}"), parameters))?;
+        let next = self.wait(self.client.prepare(&format!("FETCH {ROWS_AT_ONCE} FROM rows")))?;
+        loop {
+            let rows = self.wait(self.client.query(&next, &[]))?;
+            rows.iter().try_for_each(&mut take)?;
+            if rows.len() < ROWS_AT_ONCE {
+                return self.wait(self.client.batch_execute("CLOSE rows"));
+            }
+        }
+    }
+
     /// Ends what the server still does for a connection that this program has given up: it would keep its locks.
     pub fn end(&self, backend: &str) {
         let sql = format!("SELECT pg_terminate_backend(pid) FROM pg_stat_activity WHERE {BACKEND} = $1");
@@ -163,4 +183,9 @@ impl Drop for DatabaseConnection {
     fn drop(&mut self) {
         self.carrier.abort();
     }
+}
+
+/// A cell of a row; an error where it has another type.
+pub(crate) fn cell<'r, T: FromSql<'r>>(server: &Server, row: &'r Row, place: usize) -> Result<Option<T>, LogError> {
+    row.try_get(place).map_err(|error| client_error(server, &error, None))
 }

@@ -14,7 +14,6 @@ use homebody_log::{LogError, Url};
 /// The oldest server that the tests cover (our choice).
 const OLDEST: i32 = 120_000;
 
-/// Looks at a database.
 pub(crate) fn examine(url: &Url, asked: &CheckOptions) -> Result<Vec<Check>, LogError> {
     let server = Server::parse(&url.to_string())?;
     let (log, run_column) = log_table(asked.mapping)?;
@@ -135,7 +134,6 @@ fn holds(connection: &DatabaseConnection, schema: &str, there: &[String]) -> Res
     Ok(connection.wait(connection.client.query_opt(&sql, &[]))?.map(|row| row.get(0)))
 }
 
-/// The tables of a schema, and the runs in it.
 fn schema_of(
     connection: &DatabaseConnection,
     schema: &str,

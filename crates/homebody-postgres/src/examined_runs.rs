@@ -16,13 +16,11 @@ const MOST_TOLD_ALONE: usize = 10;
 
 struct ExaminedRun {
     run: i64,
-    /// The tables that it has rows in, and how far it has come in each.
     tables: Vec<(String, i64)>,
     is_ended: bool,
     is_of_fleet: bool,
 }
 
-/// Looks at all runs of a schema; `there` are the names of its tables.
 pub(crate) fn runs(
     connection: &DatabaseConnection,
     schema: &str,
@@ -56,7 +54,6 @@ pub(crate) fn runs(
     Ok(())
 }
 
-/// Results, before they become checks.
 #[derive(Default)]
 struct RunFindings {
     not_well: Vec<Check>,
@@ -95,7 +92,6 @@ impl RunFindings {
     }
 }
 
-/// The rows of a run in each of its tables, up to the number in its entry.
 fn rows_of(
     connection: &DatabaseConnection,
     schema: &str,
@@ -152,7 +148,6 @@ fn count(
     Ok(connection.wait(connection.client.query_one(&sql, &[&run]))?.get(0))
 }
 
-/// The numbers of the rows of each run in a table.
 fn numbers(
     connection: &DatabaseConnection,
     schema: &str,

@@ -6,13 +6,13 @@
 use crate::connection::DatabaseConnection;
 use crate::fleet_runs;
 use crate::messages::{ContinueMessage, ServerMessage, ServerUrlMessage};
-use crate::rows::{CopyRows, Encoder, copy_into};
+use crate::rows::{CopyRows, Encoder};
 use crate::runs::{self, At};
 use crate::schema::{InTable, Schema};
 use crate::sensors;
 use crate::server::Server;
+use crate::sink::copy;
 use crate::trouble::{changed, unheld, wrong};
-use futures_util::SinkExt;
 use homebody_core::event::Value;
 use homebody_core::time::UtcTime;
 use homebody_log::fleet::{Fleet, FleetEvent, FleetRow, FleetSink};
@@ -25,7 +25,6 @@ use std::time::Instant;
 /// Largest number of rows in a transaction (our choice).
 const MOST_AT_ONCE: usize = 20_000;
 
-/// A database that many homes tell.
 pub struct PostgresFleet {
     url: String,
     open: Option<OpenDatabaseFleet>,
@@ -34,7 +33,6 @@ pub struct PostgresFleet {
 struct OpenDatabaseFleet {
     server: Server,
     deadline: Deadline,
-    /// None after it was lost, until the next transaction.
     connection: Option<DatabaseConnection>,
     fleet: Arc<Fleet>,
     schema: Schema,
@@ -51,12 +49,9 @@ struct HomeRowEncoder {
     start: UtcTime,
 }
 
-/// The watermark of a home.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 struct StoredHome {
-    /// The number of the next row.
     rows: i64,
-    /// The number of transactions that have changed it.
     commits: i64,
 }
 
@@ -106,17 +101,9 @@ impl FleetSink for PostgresFleet {
         sensors::tell(&connection, &schema, &known)?;
         let homes = found(&connection, &server, &schema, fleet)?;
         let there = homes.iter().map(|home| home.rows as u64).collect();
-        let (fleet, connection) = (fleet.clone(), Some(connection));
-        self.open = Some(OpenDatabaseFleet {
-            server,
-            deadline: deadline.clone(),
-            connection,
-            fleet,
-            schema,
-            kinds,
-            homes,
-            is_in_doubt: false,
-        });
+        let (fleet, connection, deadline) = (fleet.clone(), Some(connection), deadline.clone());
+        let open = OpenDatabaseFleet { server, deadline, connection, fleet, schema, kinds, homes, is_in_doubt: false };
+        self.open = Some(open);
         Ok(there)
     }
 
@@ -160,7 +147,6 @@ impl FleetSink for PostgresFleet {
     }
 }
 
-/// By table, the ids of the runs whose rows are in it.
 fn kinds_of(fleet: &Fleet, kinds: &[HomeRowEncoder]) -> Vec<(InTable, Vec<i64>)> {
     let of =
         |layout: usize| fleet.homes.iter().filter(move |home| home.layout == layout).map(|home| home.run).collect();
@@ -226,17 +212,7 @@ impl OpenDatabaseFleet {
             connection.wait(connection.client.batch_execute("ROLLBACK"))?;
         } else {
             for (kind, rows) in kinds.iter().zip(&encoded).filter(|(_, rows)| rows.count > 0) {
-                let sql = copy_into(&kind.table);
-                let copied = connection.wait(async {
-                    let mut copy = Box::pin(connection.client.copy_in(&sql).await?);
-                    for chunk in rows.copy().filter(|chunk| !chunk.is_empty()) {
-                        copy.feed(chunk).await?;
-                    }
-                    copy.as_mut().finish().await
-                })?;
-                if copied != rows.count {
-                    return Err(changed(server, ContinueMessage::OtherCount));
-                }
+                copy(connection, server, &kind.table, rows, None)?;
             }
             let rows: Vec<i64> = then.values().copied().collect();
             fleet_runs::mark(connection, schema, &ids, &rows)?;
@@ -250,7 +226,6 @@ impl OpenDatabaseFleet {
         Ok(())
     }
 
-    /// By layout, the encoded rows.
     fn encode(&mut self, rows: &[FleetRow]) -> Result<Vec<CopyRows>, LogError> {
         let OpenDatabaseFleet { server, fleet, kinds, .. } = self;
         let mut all = vec![CopyRows::default(); kinds.len()];

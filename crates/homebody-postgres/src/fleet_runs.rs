@@ -57,7 +57,6 @@ pub(crate) fn forget(
     connection.wait(connection.client.batch_execute("COMMIT"))
 }
 
-/// The entries of all runs of a fleet, by their ids.
 pub(crate) fn find(
     connection: &DatabaseConnection,
     schema: &Schema,

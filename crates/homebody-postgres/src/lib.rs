@@ -44,7 +44,6 @@ pub fn understood(url: &str) -> Result<(), homebody_log::LogError> {
     server::Server::parse(url).map(drop)
 }
 
-/// PostgreSQL as a kind of place.
 pub const POSTGRESQL: PlacePlugin = PlacePlugin {
     schemes: &[Scheme::Postgresql],
     open: |url| Box::new(Postgres::new(url)),

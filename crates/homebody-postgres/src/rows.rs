@@ -16,16 +16,13 @@ pub(crate) const EPOCH_2000: Span = Span::from_micros(946_684_800_000_000);
 /// The bytes before the rows: the signature, no flags, no extension.
 const HEADER: &[u8] = b"PGCOPY\n\xff\r\n\0\0\0\0\0\0\0\0\0";
 
-/// The bytes after the rows.
 const TRAILER: &[u8] = &(-1_i16).to_be_bytes();
 
 /// Bytes that are passed to the connection together (our choice).
 const CHUNK_BYTES: usize = 1 << 16;
 
-/// Turns cells into bytes.
 pub(crate) struct Encoder {
     run: i64,
-    /// The run's start.
     start: UtcTime,
     time: TimeFormat,
     texts: Vec<Arc<str>>,
@@ -55,7 +52,6 @@ impl Encoder {
         })
     }
 
-    /// From now on rows are of this run, which starts then.
     pub fn of_run(&mut self, run: i64, start: UtcTime) {
         (self.run, self.start) = (run, start);
     }
@@ -130,7 +126,6 @@ impl CopyRows {
     }
 }
 
-/// The statement that takes rows of a table.
 pub(crate) fn copy_into(table: &InTable) -> String {
     format!("COPY {} ({}) FROM STDIN (FORMAT binary)", table.quoted, table.columns_quoted)
 }

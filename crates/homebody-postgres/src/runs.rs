@@ -21,7 +21,6 @@ pub(crate) struct StoredRun {
     pub is_ended: bool,
 }
 
-/// The kind of a run in the table: a log or a truth.
 pub(crate) fn holds(is_truth: bool) -> &'static str {
     if is_truth { "truth" } else { "log" }
 }
@@ -54,7 +53,6 @@ pub(crate) fn has_others(connection: &DatabaseConnection, schema: &Schema) -> Re
     Ok(connection.wait(connection.client.query_one(&sql, &[&holds(schema.is_truth)]))?.get(0))
 }
 
-/// Whether a table has rows of a run, of any origin.
 pub(crate) fn has_rows(connection: &DatabaseConnection, schema: &Schema, run: i64) -> Result<bool, LogError> {
     for table in schema.tables.iter().filter(|table| table.is_numbered) {
         let sql = format!("SELECT EXISTS (SELECT FROM {} WHERE {} = $1)", table.quoted, table.run_column);
@@ -111,7 +109,6 @@ pub(crate) fn mark(
     connection.wait(connection.client.execute(&sql, &values)).map(|_| ())
 }
 
-/// Removes a run without rows.
 pub(crate) fn forget(connection: &DatabaseConnection, schema: &Schema, run: i64) -> Result<(), LogError> {
     /// Longest wait for a clean-up (our choice).
     const LONGEST: std::time::Duration = std::time::Duration::from_secs(2);

@@ -9,21 +9,16 @@ use homebody_core::scenario::logger::TimeFormat;
 use homebody_log::table::{Column, ColumnKind, Table};
 use homebody_log::{Begin, LogError, WriteMode};
 use std::collections::BTreeMap;
-use tokio_postgres::Row;
 
-/// The table of runs and their watermarks.
 pub(crate) const RUNS: &str = "homebody_run";
 
-/// The table of the sensors of runs.
 pub(crate) const SENSORS: &str = "homebody_sensor";
 
-/// The default schema of a truth.
 pub(crate) const TRUTH_SCHEMA: &str = "truth";
 
 /// The advisory lock of programs that create tables: `homebody`, as a number.
 const TURN: i64 = i64::from_be_bytes(*b"homebody");
 
-/// The columns of the table of runs, and their types.
 pub(crate) const RUN_COLUMNS: [(&str, &str); 12] = [
     ("run_id", "bigint"),
     ("holds", "text"),
@@ -39,7 +34,6 @@ pub(crate) const RUN_COLUMNS: [(&str, &str); 12] = [
     ("commits", "bigint"),
 ];
 
-/// A table as SQL names it.
 #[derive(Clone, Debug)]
 pub(crate) struct InTable {
     pub name: String,
@@ -49,7 +43,6 @@ pub(crate) struct InTable {
     pub is_numbered: bool,
 }
 
-/// The tables of a run, in a schema.
 pub(crate) struct Schema {
     pub name: String,
     pub tables: Vec<InTable>,
@@ -67,12 +60,7 @@ impl Schema {
             (None, false) => usual(connection, server)?,
         };
         names_fit(server, &name, begin)?;
-        let wanted: Vec<TableDefinition> = begin
-            .tables
-            .iter()
-            .map(|table| TableDefinition::for_table(table, begin.time, &begin.run_column))
-            .chain([TableDefinition::runs()])
-            .collect();
+        let wanted = TableDefinition::all(&begin.tables, begin.time, &begin.run_column);
         let found = SchemaState::look(connection, &name, &wanted)?;
         let problems = found.problems(&name, &wanted, begin.how);
         if !problems.is_empty() {
@@ -87,7 +75,6 @@ impl Schema {
         Ok(Schema { name, tables, is_truth })
     }
 
-    /// The table of runs, as SQL names it.
     pub fn runs(&self) -> String {
         quoted(&self.name, RUNS)
     }
@@ -110,7 +97,6 @@ fn written(schema: &str, table: &str) -> String {
     format!("{}.{}", part(schema), part(table))
 }
 
-/// A name as SQL wants it.
 pub(crate) fn ident(name: &str) -> String {
     format!("\"{}\"", name.replace('"', "\"\""))
 }
@@ -134,11 +120,7 @@ pub(crate) fn look(
     time: TimeFormat,
     run_column: &str,
 ) -> Result<(Vec<String>, Vec<Problem>), LogError> {
-    let wanted: Vec<TableDefinition> = tables
-        .iter()
-        .map(|table| TableDefinition::for_table(table, time, run_column))
-        .chain([TableDefinition::runs()])
-        .collect();
+    let wanted = TableDefinition::all(tables, time, run_column);
     let found = SchemaState::look(connection, schema, &wanted)?;
     let problems = found.problems(schema, &wanted, WriteMode::Create);
     Ok((found.tables.into_keys().collect(), problems))
@@ -168,13 +150,17 @@ fn names_fit(server: &Server, schema: &str, begin: &Begin) -> Result<(), LogErro
 
 struct TableDefinition {
     name: String,
-    /// By name: the type, and what else will do.
     columns: Vec<(String, &'static str)>,
     key: Vec<String>,
     is_runs: bool,
 }
 
 impl TableDefinition {
+    fn all(tables: &[Table], time: TimeFormat, run_column: &str) -> Vec<TableDefinition> {
+        let own = tables.iter().map(|table| TableDefinition::for_table(table, time, run_column));
+        own.chain([TableDefinition::runs()]).collect()
+    }
+
     fn for_table(table: &Table, time: TimeFormat, run_column: &str) -> TableDefinition {
         let typed = |column: &Column| (column.name.clone(), column_type(column.kind, time));
         let run = run_column.to_owned();
@@ -211,7 +197,6 @@ fn column_type(kind: ColumnKind, time: TimeFormat) -> &'static str {
     }
 }
 
-/// Whether a column of the found type takes the bytes of the wanted type.
 fn will_do(wanted: &str, found: &str) -> bool {
     wanted == found || wanted == "text" && found == "character varying"
 }
@@ -224,13 +209,12 @@ struct SchemaState {
     tables: BTreeMap<String, FoundTable>,
 }
 
-#[derive(Default)]
 struct FoundTable {
     is_table: bool,
     columns: BTreeMap<String, FoundColumn>,
-    /// The columns of its unique keys.
-    keys: Vec<Vec<String>>,
-    may: [bool; 4],
+    /// The columns of each unique key, in the order of their names.
+    keys: Vec<String>,
+    may: Vec<bool>,
 }
 
 struct FoundColumn {
@@ -251,19 +235,17 @@ impl SchemaState {
              has_database_privilege(current_database(), 'CREATE'), \
              (SELECT has_schema_privilege(oid, 'USAGE') FROM pg_namespace WHERE nspname = $1), \
              (SELECT has_schema_privilege(oid, 'CREATE') FROM pg_namespace WHERE nspname = $1)";
-        const TABLES: &str = "SELECT c.relname::text, c.relkind IN ('r', 'p'), has_table_privilege(c.oid, 'INSERT'), \
-             has_table_privilege(c.oid, 'SELECT'), has_table_privilege(c.oid, 'UPDATE'), has_table_privilege(c.oid, 'DELETE') \
-             FROM pg_class c JOIN pg_namespace n ON n.oid = c.relnamespace \
-             WHERE n.nspname = $1 AND c.relname::text = ANY($2) AND c.relkind IN ('r', 'p', 'v', 'm', 'f')";
-        const COLUMNS: &str = "SELECT c.relname::text, a.attname::text, format_type(a.atttypid, a.atttypmod), \
-             a.attnotnull AND NOT a.atthasdef AND a.attidentity = '' \
-             FROM pg_attribute a JOIN pg_class c ON c.oid = a.attrelid JOIN pg_namespace n ON n.oid = c.relnamespace \
-             WHERE n.nspname = $1 AND c.relname::text = ANY($2) AND a.attnum > 0 AND NOT a.attisdropped";
-        const KEYS: &str = "SELECT c.relname::text, array_agg(a.attname::text) \
-             FROM pg_index i JOIN pg_class c ON c.oid = i.indrelid JOIN pg_namespace n ON n.oid = c.relnamespace \
+        const TABLES: &str = "SELECT c.relname::text, c.relkind IN ('r', 'p'), \
+             ARRAY(SELECT has_table_privilege(c.oid, name) FROM unnest($3::text[]) WITH ORDINALITY AS one(name, place) ORDER BY place), \
+             ARRAY(SELECT string_agg(a.attname::text, ', ' ORDER BY a.attname) FROM pg_index i \
              JOIN pg_attribute a ON a.attrelid = c.oid AND a.attnum = ANY(i.indkey) \
-             WHERE n.nspname = $1 AND c.relname::text = ANY($2) AND i.indisunique AND i.indpred IS NULL \
-             GROUP BY c.relname, i.indexrelid";
+             WHERE i.indrelid = c.oid AND i.indisunique AND i.indpred IS NULL GROUP BY i.indexrelid), \
+             columns.names, columns.types, columns.required \
+             FROM pg_class c JOIN pg_namespace n ON n.oid = c.relnamespace, LATERAL (SELECT array_agg(attname::text) AS names, \
+             array_agg(format_type(atttypid, atttypmod)) AS types, \
+             array_agg(attnotnull AND NOT atthasdef AND attidentity = '') AS required \
+             FROM pg_attribute WHERE attrelid = c.oid AND attnum > 0 AND NOT attisdropped) AS columns \
+             WHERE n.nspname = $1 AND c.relname::text = ANY($2) AND c.relkind IN ('r', 'p', 'v', 'm', 'f')";
         let names: Vec<&str> = wanted.iter().map(|wanted| wanted.name.as_str()).collect();
         let about = connection.wait(connection.client.query_one(ABOUT, &[&schema]))?;
         let usage: Option<bool> = about.get(3);
@@ -274,27 +256,15 @@ impl SchemaState {
             schema: usage.zip(about.get(4)),
             tables: BTreeMap::new(),
         };
-        for row in connection.wait(connection.client.query(TABLES, &[&schema, &names]))? {
-            let table = FoundTable {
-                is_table: row.get(1),
-                may: [2, 3, 4, 5].map(|right| row.get(right)),
-                ..Default::default()
-            };
+        for row in connection.wait(connection.client.query(TABLES, &[&schema, &names, &&RIGHTS[..]]))? {
+            let [names, types]: [Option<Vec<String>>; 2] = [4, 5].map(|place| row.get(place));
+            let required = row.get::<_, Option<Vec<bool>>>(6).unwrap_or_default();
+            let found_columns = types.unwrap_or_default().into_iter().zip(required);
+            let found_columns = found_columns.map(|(is, must_be_given)| FoundColumn { is, must_be_given });
+            let columns = names.unwrap_or_default().into_iter().zip(found_columns).collect();
+            let table = FoundTable { is_table: row.get(1), may: row.get(2), keys: row.get(3), columns };
             found.tables.insert(row.get(0), table);
         }
-        let mut each = |sql: &str, take: &dyn Fn(&mut FoundTable, &Row)| -> Result<(), LogError> {
-            for row in connection.wait(connection.client.query(sql, &[&schema, &names]))? {
-                if let Some(table) = found.tables.get_mut(row.get::<_, &str>(0)) {
-                    take(table, &row);
-                }
-            }
-            Ok(())
-        };
-        each(COLUMNS, &|table, row| {
-            let column = FoundColumn { is: row.get(2), must_be_given: row.get(3) };
-            table.columns.insert(row.get(1), column);
-        })?;
-        each(KEYS, &|table, row| table.keys.push(row.get(1)))?;
         Ok(found)
     }
 
@@ -412,12 +382,7 @@ impl FoundTable {
         }
         let mut key = wanted.key.clone();
         key.sort();
-        let has_key = self.keys.iter().any(|found| {
-            let mut found = found.clone();
-            found.sort();
-            found == key
-        });
-        if !key.is_empty() && !has_key {
+        if !key.is_empty() && !self.keys.contains(&key.join(", ")) {
             let columns = wanted.key.join(", ");
             let statement = format!("ALTER TABLE {at} ADD PRIMARY KEY ({columns})");
             wants(TableSchemaMessage::NoKey { table: table(), columns, statement });

@@ -40,7 +40,6 @@ pub(crate) fn tell(
     Ok(())
 }
 
-/// Removes the sensors of runs that are replaced.
 pub(crate) fn forget(connection: &DatabaseConnection, schema: &Schema, runs: &[i64]) -> Result<(), LogError> {
     let table = quoted(&schema.name, SENSORS);
     let may =
@@ -52,7 +51,6 @@ pub(crate) fn forget(connection: &DatabaseConnection, schema: &Schema, runs: &[i
     Ok(())
 }
 
-/// Whether this user may create the table, or write to it.
 fn may_write(connection: &DatabaseConnection, schema: &Schema) -> Result<bool, LogError> {
     let sql = "SELECT CASE WHEN to_regclass($1::text) IS NULL THEN has_schema_privilege($2::text, 'CREATE') \
                ELSE has_table_privilege($1::text, 'INSERT') AND has_table_privilege($1::text, 'SELECT') END";

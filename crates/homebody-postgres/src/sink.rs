@@ -9,7 +9,7 @@ use crate::connection::DatabaseConnection;
 use crate::messages::{ContinueMessage, ServerMessage, ServerUrlMessage};
 use crate::rows::{CopyRows, Encoder, copy_into};
 use crate::runs::{self, At, StoredRun};
-use crate::schema::{Schema, ident};
+use crate::schema::{InTable, Schema, ident};
 use crate::sensors;
 use crate::server::Server;
 use crate::trouble::{changed, unheld, wrong};
@@ -46,33 +46,27 @@ struct OpenDatabaseLog {
     schema: Schema,
     run: RunInfo,
     encoder: Encoder,
-    /// The number of transactions that have changed the run.
     commits: i64,
-    /// The number of durable rows of each table.
     durable: Vec<i64>,
     /// Whether the first transaction deletes existing rows of the run.
     replaces: bool,
     /// For a log that is resumed, the column of its instants.
     goes_on_by: Option<(String, TimeFormat)>,
-    /// The rows of the transaction that is under way.
     sealed: Option<Sealed>,
-    /// The rows that have come since.
     waiting: Vec<CopyRows>,
     /// A transaction that takes waiting rows already.
     ahead: Option<Ahead>,
 }
 
 /// A transaction that takes rows of the only table already.
-struct Ahead {
+pub(crate) struct Ahead {
     copy: Pin<Box<CopyInSink<Bytes>>>,
-    /// The number of chunks that were sent.
     sent: usize,
 }
 
 /// The content of a transaction: it stays the same until the transaction was taken.
 struct Sealed {
     rows: Vec<CopyRows>,
-    /// The number of rows of each table afterwards.
     then: Vec<i64>,
     end: Option<RunTime>,
     /// Whether the server was asked to end the transaction and has not answered.
@@ -351,22 +345,33 @@ impl OpenDatabaseLog {
             return Ok(());
         };
         for (table, rows) in schema.tables.iter().zip(&sealed.rows).filter(|(_, rows)| rows.count > 0) {
-            let sql = copy_into(table);
-            let Ahead { mut copy, sent } = match ahead.take() {
-                Some(ahead) => ahead,
-                None => Ahead { copy: Box::pin(connection.wait(connection.client.copy_in(&sql))?), sent: 0 },
-            };
-            for chunk in rows.copy().skip(sent).filter(|chunk| !chunk.is_empty()) {
-                connection.wait(copy.feed(chunk))?;
-            }
-            let copied = connection.wait(copy.as_mut().finish())?;
-            if copied != rows.count {
-                return Err(changed(server, ContinueMessage::OtherCount));
-            }
+            copy(connection, server, table, rows, ahead.take())?;
         }
         runs::mark(connection, schema, run, &sealed.then, sealed.end)?;
         sealed.is_in_doubt = true;
         connection.wait(connection.client.batch_execute("COMMIT"))
+    }
+}
+
+/// Copies rows into their table, but for those that were sent ahead.
+pub(crate) fn copy(
+    connection: &DatabaseConnection,
+    server: &Server,
+    table: &InTable,
+    rows: &CopyRows,
+    ahead: Option<Ahead>,
+) -> Result<(), LogError> {
+    let begin = || connection.wait(connection.client.copy_in(&copy_into(table)));
+    let Ahead { mut copy, sent } = match ahead {
+        Some(ahead) => ahead,
+        None => Ahead { copy: Box::pin(begin()?), sent: 0 },
+    };
+    for chunk in rows.copy().skip(sent).filter(|chunk| !chunk.is_empty()) {
+        connection.wait(copy.feed(chunk))?;
+    }
+    match connection.wait(copy.as_mut().finish())? == rows.count {
+        true => Ok(()),
+        false => Err(changed(server, ContinueMessage::OtherCount)),
     }
 }
 

@@ -1,13 +1,13 @@
 //! A table in a database of PostgreSQL: by the names of a mapping, or ours. It is read row by row, in the order of its numbers,
 //! through a cursor.
 
-use crate::connection::DatabaseConnection;
+use crate::connection::{DatabaseConnection, cell};
 use crate::messages::ServerMessage;
 use crate::runs::ServerInstant;
 use crate::schema::{RUNS, ident, quoted, usual};
 use crate::sensors;
 use crate::server::Server;
-use crate::trouble::{client_error, wrong};
+use crate::trouble::wrong;
 use homebody_core::nearest::nearest;
 use homebody_core::scenario::logger::{ColumnsFile, LoggerFile};
 use homebody_log::LogError;
@@ -17,16 +17,12 @@ use std::path::Path;
 use tokio_postgres::Row;
 use tokio_postgres::types::ToSql;
 
-/// Logs in databases of PostgreSQL.
 pub const FORM: LogForm = LogForm {
     name: "postgresql",
     what: "a table of a database of PostgreSQL that has a time, a sensor and a value, by the names of logger.json or ours",
     shows: |_| Shows::Nothing,
     read,
 };
-
-/// Rows of one request (our choice).
-pub(crate) const ROWS_AT_ONCE: i32 = 8192;
 
 /// The transaction of a reader: it sees one instant of the table for as long as it lasts.
 pub(crate) const BEGIN: &str = "BEGIN READ ONLY; SET LOCAL idle_in_transaction_session_timeout = 0";
@@ -48,22 +44,12 @@ fn read(path: &Path, file: &LoggerFile, reading: &mut LogReading<'_>) -> Result<
     reading.has_spans = spans(&connection, &server, &table, run.as_deref(), reading)?;
     let (sql, parameter) = table.rows(run.as_deref());
     let parameters: Vec<&(dyn ToSql + Sync)> = parameter.iter().map(|run| run as &(dyn ToSql + Sync)).collect();
-    connection.wait(connection.client.execute(&format!("DECLARE rows NO SCROLL CURSOR FOR {sql}"), &parameters))?;
-    let next = connection.wait(connection.client.prepare(&format!("FETCH {ROWS_AT_ONCE} FROM rows")))?;
     let mut line = 0;
-    loop {
-        let rows = connection.wait(connection.client.query(&next, &[]))?;
-        for row in &rows {
-            line += 1;
-            table.take(line, row, reading).map_err(|failed| match failed {
-                RowError::Row(error) => client_error(&server, &error, None),
-                RowError::Log(error) => error,
-            })?;
-        }
-        if rows.len() < ROWS_AT_ONCE as usize {
-            return connection.wait(connection.client.batch_execute("COMMIT"));
-        }
-    }
+    connection.each_row(&sql, &parameters, |row| {
+        line += 1;
+        table.take(&server, line, row, reading)
+    })?;
+    connection.wait(connection.client.batch_execute("COMMIT"))
 }
 
 /// Reads the activities of a log from the table next to it; whether that table exists.
@@ -98,44 +84,24 @@ fn spans(
         sql += &format!(" WHERE {} = {run}", ident(&columns[0].0));
     }
     sql += &format!(" ORDER BY {begin}, {end}");
-    let failed = |error: tokio_postgres::Error| query_error(server, &error);
-    connection.wait(connection.client.batch_execute(&format!("DECLARE spans NO SCROLL CURSOR FOR {sql}")))?;
-    let next = connection.wait(connection.client.prepare(&format!("FETCH {ROWS_AT_ONCE} FROM spans")))?;
     let mut line = 0;
-    loop {
-        let rows = connection.wait(connection.client.query(&next, &[]))?;
-        for row in &rows {
-            line += 1;
-            let mut at = |place: usize| -> Result<Option<LogInstant>, tokio_postgres::Error> {
-                Ok(match clocks[place] {
-                    TimeColumnKind::Text => {
-                        row.try_get::<_, Option<&str>>(place)?.and_then(|text| reading.instant(text))
-                    }
-                    TimeColumnKind::Stamp => {
-                        row.try_get::<_, Option<ServerInstant>>(place)?.map(|ServerInstant(at)| at)
-                    }
-                })
-            };
-            let (begin, end) = (at(0).map_err(failed)?, at(1).map_err(failed)?);
-            match begin.zip(end) {
-                Some((begin, end)) => {
-                    let name = row.try_get::<_, Option<&str>>(2).map_err(failed)?.unwrap_or_default();
-                    reading.span(line, begin, end, name);
-                }
-                None => reading.skip(line, format!("in the table {SPANS}: an end is no date and time")),
-            }
+    connection.each_row(&sql, &[], |row| {
+        line += 1;
+        let mut at = |place: usize| -> Result<Option<LogInstant>, LogError> {
+            Ok(match clocks[place] {
+                TimeColumnKind::Text => cell(server, row, place)?.and_then(|text| reading.instant(text)),
+                TimeColumnKind::Stamp => cell(server, row, place)?.map(|ServerInstant(at)| at),
+            })
+        };
+        match at(0)?.zip(at(1)?) {
+            Some((begin, end)) => reading.span(line, begin, end, cell(server, row, 2)?.unwrap_or_default()),
+            None => reading.skip(line, format!("in the table {SPANS}: an end is no date and time")),
         }
-        if rows.len() < ROWS_AT_ONCE as usize {
-            return connection.wait(connection.client.batch_execute("CLOSE spans")).map(|()| true);
-        }
-    }
+        Ok(())
+    })?;
+    Ok(true)
 }
 
-fn query_error(server: &Server, error: &tokio_postgres::Error) -> LogError {
-    client_error(server, error, None)
-}
-
-/// The kind of instants in a column of this type.
 fn clock_of(is: &str) -> TimeColumnKind {
     match is {
         "timestamp with time zone" | "timestamp without time zone" => TimeColumnKind::Stamp,
@@ -143,7 +109,6 @@ fn clock_of(is: &str) -> TimeColumnKind {
     }
 }
 
-/// A table of rows, and what its columns are.
 struct StoredLogTable {
     schema: String,
     table: String,
@@ -154,7 +119,6 @@ struct StoredLogTable {
     run: Option<String>,
     has_numbers: bool,
     seq: Option<String>,
-    /// The column of activities, if the table has one.
     label: Option<String>,
 }
 
@@ -164,24 +128,6 @@ enum TimeColumnKind {
     Stamp,
     /// A text or a number, as files have them.
     Text,
-}
-
-/// Why a row was not taken.
-enum RowError {
-    Row(tokio_postgres::Error),
-    Log(LogError),
-}
-
-impl From<tokio_postgres::Error> for RowError {
-    fn from(error: tokio_postgres::Error) -> RowError {
-        RowError::Row(error)
-    }
-}
-
-impl From<LogError> for RowError {
-    fn from(error: LogError) -> RowError {
-        RowError::Log(error)
-    }
 }
 
 impl StoredLogTable {
@@ -271,7 +217,6 @@ impl StoredLogTable {
         }
     }
 
-    /// The query of the rows, and the parameter for the run.
     fn rows(&self, run: Option<&str>) -> (String, Option<String>) {
         let time = ident(&self.time);
         let told = if self.clock == TimeColumnKind::Text { format!("{time}::text") } else { time.clone() };
@@ -291,15 +236,12 @@ impl StoredLogTable {
         (sql, parameter)
     }
 
-    /// Hands a row over.
-    fn take(&self, line: u64, row: &Row, reading: &mut LogReading) -> Result<(), RowError> {
-        let [sensor, value] = [1, 2].map(|column| row.try_get::<_, Option<&str>>(column));
-        let (sensor, value) = (sensor?.unwrap_or_default(), value?.unwrap_or_default());
+    fn take(&self, server: &Server, line: u64, row: &Row, reading: &mut LogReading) -> Result<(), LogError> {
+        let text = |place: usize| cell::<&str>(server, row, place);
+        let (sensor, value) = (text(1)?.unwrap_or_default(), text(2)?.unwrap_or_default());
         let is_row = match self.clock {
-            TimeColumnKind::Text => {
-                reading.row(line, row.try_get::<_, Option<&str>>(0)?.unwrap_or_default(), sensor, value)?
-            }
-            TimeColumnKind::Stamp => match row.try_get::<_, Option<ServerInstant>>(0)? {
+            TimeColumnKind::Text => reading.row(line, text(0)?.unwrap_or_default(), sensor, value)?,
+            TimeColumnKind::Stamp => match cell(server, row, 0)? {
                 None => {
                     reading.skip(line, "there is no time".into());
                     false
@@ -308,7 +250,7 @@ impl StoredLogTable {
             },
         };
         if is_row && self.label.is_some() {
-            reading.label(row.try_get::<_, Option<&str>>(3)?.filter(|label| !label.is_empty()));
+            reading.label(text(3)?.filter(|label| !label.is_empty()));
         }
         Ok(())
     }

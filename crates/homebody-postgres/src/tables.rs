@@ -1,18 +1,16 @@
 //! Reads the tables of a truth from a database of PostgreSQL by their names: the rows of one run, in the order of writing.
 
-use crate::connection::DatabaseConnection;
+use crate::connection::{DatabaseConnection, cell};
 use crate::messages::ServerMessage;
 use crate::runs::ServerInstant;
 use crate::schema::{RUNS, TRUTH_SCHEMA, ident, quoted};
 use crate::server::Server;
-use crate::source::{BEGIN, ROWS_AT_ONCE, columns_of, listed};
-use crate::trouble::{client_error, wrong};
+use crate::source::{BEGIN, columns_of, listed};
+use crate::trouble::wrong;
 use homebody_log::error::TruthMessage;
 use homebody_log::source::{TakeTruthRow, TruthValue};
 use homebody_log::table::{Column, ColumnKind, Table};
 use homebody_log::{LogError, Url};
-use tokio_postgres::Row;
-use tokio_postgres::types::ToSql;
 
 pub(crate) fn read(url: &Url, wanted: &[&Table], take: &mut TakeTruthRow<'_>) -> Result<(), LogError> {
     let server = Server::parse(&url.to_string())?;
@@ -81,7 +79,6 @@ fn run(connection: &DatabaseConnection, server: &Server, schema: &str) -> Result
 }
 
 struct StoredTruthTable {
-    /// The query of its rows; its parameter is the run.
     sql: String,
     cells: Vec<TruthCellKind>,
 }
@@ -95,7 +92,6 @@ enum TruthCellKind {
 }
 
 impl StoredTruthTable {
-    /// None, and in words what is missing, where it is not as it should be.
     fn find(
         connection: &DatabaseConnection,
         schema: &str,
@@ -116,7 +112,7 @@ impl StoredTruthTable {
         }
         let is =
             |column: &Column| there.iter().find(|(name, _)| *name == column.name).map_or("", |(_, is)| is.as_str());
-        let cells: Vec<TruthCellKind> = table.columns.iter().map(|column| cell(column.kind, is(column))).collect();
+        let cells: Vec<TruthCellKind> = table.columns.iter().map(|column| cell_kind(column.kind, is(column))).collect();
         let told = |(column, cell): (&Column, &TruthCellKind)| match cell {
             TruthCellKind::Stamp => ident(&column.name),
             TruthCellKind::Integer => format!("{}::bigint", ident(&column.name)),
@@ -141,40 +137,22 @@ impl StoredTruthTable {
         run: i64,
         take: &mut dyn FnMut(&[TruthValue<'_>]) -> Result<(), LogError>,
     ) -> Result<(), LogError> {
-        let client = &connection.client;
-        let declared = format!("DECLARE rows NO SCROLL CURSOR FOR {}", self.sql);
-        let parameters: [&(dyn ToSql + Sync); 1] = [&run];
-        connection.wait(client.execute(&declared, &parameters))?;
-        let next = connection.wait(client.prepare(&format!("FETCH {ROWS_AT_ONCE} FROM rows")))?;
-        loop {
-            let rows = connection.wait(client.query(&next, &[]))?;
-            for row in &rows {
-                let values = self.values(row).map_err(|error| client_error(server, &error, None))?;
-                take(&values)?;
-            }
-            if rows.len() < ROWS_AT_ONCE as usize {
-                return connection.wait(client.batch_execute("CLOSE rows"));
-            }
-        }
-    }
-
-    fn values<'r>(&self, row: &'r Row) -> Result<Vec<TruthValue<'r>>, tokio_postgres::Error> {
-        let value = |(place, cell): (usize, &TruthCellKind)| {
-            Ok(match cell {
-                TruthCellKind::Stamp => {
-                    row.try_get::<_, Option<ServerInstant>>(place)?.map(|ServerInstant(at)| TruthValue::Instant(at))
+        connection.each_row(&self.sql, &[&run], |row| {
+            let value = |(place, kind): (usize, &TruthCellKind)| {
+                Ok(match kind {
+                    TruthCellKind::Stamp => cell(server, row, place)?.map(|ServerInstant(at)| TruthValue::Instant(at)),
+                    TruthCellKind::Integer => cell(server, row, place)?.map(TruthValue::Integer),
+                    TruthCellKind::Real => cell(server, row, place)?.map(TruthValue::Real),
+                    TruthCellKind::Text => cell(server, row, place)?.map(TruthValue::Text),
                 }
-                TruthCellKind::Integer => row.try_get::<_, Option<i64>>(place)?.map(TruthValue::Integer),
-                TruthCellKind::Real => row.try_get::<_, Option<f64>>(place)?.map(TruthValue::Real),
-                TruthCellKind::Text => row.try_get::<_, Option<&str>>(place)?.map(TruthValue::Text),
-            }
-            .unwrap_or(TruthValue::Null))
-        };
-        self.cells.iter().enumerate().map(value).collect()
+                .unwrap_or(TruthValue::Null))
+            };
+            take(&self.cells.iter().enumerate().map(value).collect::<Result<Vec<_>, LogError>>()?)
+        })
     }
 }
 
-fn cell(kind: ColumnKind, is: &str) -> TruthCellKind {
+fn cell_kind(kind: ColumnKind, is: &str) -> TruthCellKind {
     match (kind, is) {
         (ColumnKind::Instant, "timestamp with time zone" | "timestamp without time zone") => TruthCellKind::Stamp,
         (ColumnKind::Integer, _) => TruthCellKind::Integer,

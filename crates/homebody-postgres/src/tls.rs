@@ -18,7 +18,6 @@ use tokio_postgres_rustls::MakeRustlsConnect;
 /// The value of `sslrootcert` for the certificates that the system trusts.
 const SYSTEM: &str = "system";
 
-/// The encryption that the client asks for.
 pub(crate) fn mode(tls: Tls) -> SslMode {
     match tls {
         Tls::Disable => SslMode::Disable,
@@ -27,7 +26,6 @@ pub(crate) fn mode(tls: Tls) -> SslMode {
     }
 }
 
-/// Makes encrypted connections to a server.
 pub(crate) fn connector(server: &Server) -> Result<MakeRustlsConnect, LogError> {
     let provider = Arc::new(ring::default_provider());
     let said = server.root_certificates.clone().or_else(usual_file);
@@ -87,7 +85,6 @@ struct ServerCertificateCheck {
     /// None where whose certificate it is is not asked.
     trusted: Option<Arc<WebPkiServerVerifier>>,
     provider: Arc<CryptoProvider>,
-    /// Whether the certificate must be for the host's name.
     asks_name: bool,
 }
 

@@ -5,17 +5,14 @@ use crate::stage::proxy::Proxy;
 use crate::stage::{Server, kills};
 use homebody_log::{Policy, WriteMode};
 
-/// Firings of a life.
 const FIRINGS: u64 = 6_000;
 
 #[test]
 fn transactions_without_an_answer_store_rows_once() {
-    let Some(server) = Server::shared() else { return };
-    let database = server.database("ambiguous");
+    let Some((server, database, url)) = Server::with_database("ambiguous") else { return };
     let life = |run| Life { settles: 1, ..Life::new(run, FIRINGS) };
-    let url = server.url("postgres", &database, "");
     life(1_000_000).live(&url, Some(&url), Policy::default()).unwrap();
-    let undisturbed = ["public", "truth"].map(|schema| server.dump(&database, schema, 1_000_000));
+    let undisturbed = server.dumps(&database, 1_000_000);
     let wanted = kills(20);
     let proxy = Proxy::start(&server.socket(), wanted);
     let through = format!("postgresql://postgres@127.0.0.1:{}/{database}?sslmode=disable", proxy.port);
@@ -23,7 +20,7 @@ fn transactions_without_an_answer_store_rows_once() {
     while proxy.cut().iter().sum::<usize>() < wanted {
         run += 1;
         life(run).live(&through, Some(&through), patient(30)).unwrap();
-        let dumps = ["public", "truth"].map(|schema| server.dump(&database, schema, run));
+        let dumps = server.dumps(&database, run);
         assert_eq!(dumps, undisturbed, "run {run}, cut {:?}", proxy.cut());
     }
     let [before, sent, unheard] = proxy.cut();
@@ -36,9 +33,7 @@ fn transactions_without_an_answer_store_rows_once() {
 
 #[test]
 fn rows_that_were_sent_before_their_transaction_ended_are_there_once() {
-    let Some(server) = Server::shared() else { return };
-    let database = server.database("ahead");
-    let url = server.url("postgres", &database, "");
+    let Some((server, database, url)) = Server::with_database("ahead") else { return };
     let life = |run| Life { settles: 60, ..Life::new(run, 12_000) };
     life(1).live(&url, None, Policy::default()).unwrap();
     let undisturbed = server.dump(&database, "public", 1);
@@ -54,18 +49,16 @@ fn rows_that_were_sent_before_their_transaction_ended_are_there_once() {
 
 #[test]
 fn a_replacement_without_an_answer_happens_once() {
-    let Some(server) = Server::shared() else { return };
-    let database = server.database("replaced");
-    let url = server.url("postgres", &database, "");
+    let Some((server, database, url)) = Server::with_database("replaced") else { return };
     let once = Life { settles: usize::MAX, ..Life::new(7, 500) };
     once.live(&url, Some(&url), Policy::default()).unwrap();
-    let before = ["public", "truth"].map(|schema| server.dump(&database, schema, 7));
+    let before = server.dumps(&database, 7);
     let proxy = Proxy::start(&server.socket(), 6);
     let through = format!("postgresql://postgres@127.0.0.1:{}/{database}?sslmode=disable", proxy.port);
     // All rows go in one transaction, so that old and new count alike.
     for _ in 0..12 {
         Life { how: WriteMode::Overwrite, ..once }.live(&through, Some(&through), patient(30)).unwrap();
-        let after = ["public", "truth"].map(|schema| server.dump(&database, schema, 7));
+        let after = server.dumps(&database, 7);
         assert_eq!(after, before);
     }
     assert_eq!(proxy.cut().iter().sum::<usize>(), 6);
@@ -74,9 +67,7 @@ fn a_replacement_without_an_answer_happens_once() {
 /// The wrong way: it writes again what it has not heard of, and keeps how far it has come apart from the rows.
 #[test]
 fn blind_rewrites_double_rows_and_are_caught() {
-    let Some(server) = Server::shared() else { return };
-    let database = server.database("naive");
-    let url = server.url("postgres", &database, "");
+    let Some((server, database, url)) = Server::with_database("naive") else { return };
     Life::new(1, 500).live(&url, None, Policy::default()).unwrap();
     let sound = server.dump(&database, "public", 1);
     let again = |key: &str| {

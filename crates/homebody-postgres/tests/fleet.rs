@@ -11,7 +11,6 @@ use std::sync::Arc;
 
 const HOMES: u32 = 7;
 
-/// A fleet of two kinds of homes, which have tables of their own.
 fn fleet() -> Arc<Fleet> {
     let other = LoggerFile { table: Some("message".into()), ..LoggerFile::default() };
     let layouts = [LoggerFile::default(), other].map(|file| FleetLayout::new(run(0), &file).unwrap()).into();
@@ -24,7 +23,6 @@ fn fleet() -> Arc<Fleet> {
     Arc::new(Fleet { first: 1, layouts, homes: (1..=HOMES).map(home).collect() })
 }
 
-/// Rows of all homes, one after the other.
 fn rows(numbers: std::ops::Range<u64>) -> Vec<FleetEvent> {
     let firings = firings(numbers.end);
     let row = |home: u32, number: u64| {
@@ -108,9 +106,7 @@ fn rows_of_many_homes_survive_killed_servers_once() {
 /// The control: if another program has continued a home, nothing is added.
 #[test]
 fn two_programs_never_run_one_home() {
-    let Some(server) = Server::shared() else { return };
-    let database = server.database("twice");
-    let url = server.url("postgres", &database, "");
+    let Some((server, database, url)) = Server::with_database("twice") else { return };
     let (mut one, _) = begun(&url, WriteMode::Create).unwrap();
     let (mut other, _) = begun(&url, WriteMode::Create).unwrap();
     one.tell(&rows(0..10)).unwrap();

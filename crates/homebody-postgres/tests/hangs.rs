@@ -79,9 +79,7 @@ fn a_stopped_run_does_not_wait_for_a_half_open_connection() {
 /// As where another server takes over, and does not take changes yet.
 #[test]
 fn waits_for_a_read_only_server() {
-    let Some(server) = Server::shared() else { return };
-    let database = server.database("read_only");
-    let url = server.url("postgres", &database, "");
+    let Some((server, database, url)) = Server::with_database("read_only") else { return };
     let life = Life { rests: Duration::from_millis(2), settles: 1, ..Life::new(1, 20_000) };
     let read_only = |is_read_only: bool| {
         let sql = format!("ALTER DATABASE {database} SET default_transaction_read_only = {is_read_only}");

@@ -11,9 +11,7 @@ use std::time::{Duration, Instant};
 /// The child's run, its place, and whether it resumes.
 const CHILD: &str = "HOMEBODY_TEST_LIFE";
 const NAIVE: &str = "HOMEBODY_TEST_NAIVE";
-/// Firings of a life.
 const FIRINGS: u64 = 12_000;
-/// The id of the undisturbed run.
 const UNDISTURBED: i64 = 1_000_000;
 
 fn life(run: i64, how: WriteMode) -> Life {
@@ -37,9 +35,7 @@ fn spawn(run: i64, how: &str, url: &str) -> Child {
 
 #[test]
 fn a_killed_program_loses_and_doubles_no_row() {
-    let Some(server) = Server::shared() else { return };
-    let database = server.database("killed");
-    let url = server.url("postgres", &database, "");
+    let Some((server, database, url)) = Server::with_database("killed") else { return };
     let undisturbed = undisturbed(server, &database, &url);
     let (chance, wanted) = (Chance::new(11), kills(8));
     let (mut killed, mut run, mut begun, mut with_rows, mut lives) = (0, 1, false, 0, 0);
@@ -154,17 +150,13 @@ fn a_killed_server_loses_and_doubles_no_row() {
 fn undisturbed(server: &Server, database: &str, url: &str) -> [String; 2] {
     let life = Life { rests: Duration::ZERO, ..life(UNDISTURBED, WriteMode::Create) };
     life.live(url, Some(url), Policy::default()).unwrap();
-    dumps(server, database, UNDISTURBED)
-}
-
-fn dumps(server: &Server, database: &str, run: i64) -> [String; 2] {
-    ["public", "truth"].map(|schema| server.dump(database, schema, run))
+    server.dumps(database, UNDISTURBED)
 }
 
 fn check(server: &Server, database: &str, run: i64, undisturbed: &[String; 2]) {
     let sql = format!("SELECT count(*), count(DISTINCT seq), max(seq) + 1 FROM firing WHERE run_id = {run}");
     assert_eq!(server.psql(database, &sql), format!("{FIRINGS}|{FIRINGS}|{FIRINGS}"), "run {run}");
-    assert_eq!(&dumps(server, database, run), undisturbed, "run {run} is as if nobody had disturbed it");
+    assert_eq!(&server.dumps(database, run), undisturbed, "run {run} is as if nobody had disturbed it");
 }
 
 fn rows(server: &Server, database: &str, run: i64) -> u64 {

@@ -9,7 +9,6 @@ use homebody_log::log::Clock;
 use homebody_log::{Log, LogError, Policy, Url, read, stream};
 use homebody_postgres::POSTGRESQL;
 
-/// Reads a log in a database.
 fn log(url: &str, file: &LoggerFile) -> Result<Log, LogError> {
     homebody_log::registry::install(homebody_log::registry::Registry::new(vec![POSTGRESQL]));
     read(&url.parse::<Url>().unwrap(), file)
@@ -52,9 +51,7 @@ fn reads_the_same_log_as_from_sqlite() {
 
 #[test]
 fn reads_the_named_one_of_several_runs() {
-    let Some(server) = Server::shared() else { return };
-    let database = server.database("several");
-    let url = server.url("postgres", &database, "");
+    let Some((server, database, url)) = Server::with_database("several") else { return };
     for (run, firings) in [(3, 10), (-4, 20), (12, 30)] {
         Life::new(run, firings).live(&url, None, Policy::default()).unwrap();
     }
@@ -71,9 +68,7 @@ fn reads_the_named_one_of_several_runs() {
 
 #[test]
 fn names_a_missing_run_for_any_table() {
-    let Some(server) = Server::shared() else { return };
-    let database = server.database("absent");
-    let url = server.url("postgres", &database, "");
+    let Some((server, database, url)) = Server::with_database("absent") else { return };
     let said = LoggerFile { table: Some("said".into()), ..Default::default() };
     for run in [3, 7] {
         Life::new(run, 10).live_as(&url, None, Policy::default(), &said).unwrap();
@@ -90,9 +85,7 @@ fn names_a_missing_run_for_any_table() {
 
 #[test]
 fn a_run_tells_the_zone_of_its_home() {
-    let Some(server) = Server::shared() else { return };
-    let database = server.database("zones");
-    let url = server.url("postgres", &database, "");
+    let Some((server, database, url)) = Server::with_database("zones") else { return };
     for run in [1, 2] {
         Life::new(run, 10).live(&url, None, Policy::default()).unwrap();
     }
@@ -110,15 +103,13 @@ fn a_run_tells_the_zone_of_its_home() {
 
 #[test]
 fn reads_foreign_tables_and_reports_missing_columns() {
-    let Some(server) = Server::shared() else { return };
-    let database = server.database("others");
+    let Some((server, database, url)) = Server::with_database("others") else { return };
     server.psql(
         &database,
         "CREATE TABLE event (run text, time timestamp, device varchar(9), message numeric);
          INSERT INTO event VALUES ('b', '2009-03-02 07:12:03.25', 'hall', 21.5), ('b', '2009-03-02 07:12:01', 'bath', 1),
            ('b', NULL, 'bath', 1), ('b', '2009-03-02 07:13', NULL, 2), ('a', '2001-01-01', 'x', 0)",
     );
-    let url = server.url("postgres", &database, "");
     let mut file = LoggerFile { table: Some("event".into()), ..Default::default() };
     let error = log(&url, &file).unwrap_err().to_string();
     for told in [
@@ -144,14 +135,12 @@ fn reads_foreign_tables_and_reports_missing_columns() {
 
 #[test]
 fn the_partition_of_rows_changes_nothing() {
-    let Some(server) = Server::shared() else { return };
-    let database = server.database("parted");
-    let url = server.url("postgres", &database, "");
+    let Some((server, database, url)) = Server::with_database("parted") else { return };
     let mut dumps = Vec::new();
     for (run, (step, settles)) in [(1, 1), (7, 3), (50, 10), (4000, 1), (4000, usize::MAX)].into_iter().enumerate() {
         let run = run as i64 + 1;
         Life { step, settles, ..Life::new(run, 8_000) }.live(&url, Some(&url), Policy::default()).unwrap();
-        dumps.push(["public", "truth"].map(|schema| server.dump(&database, schema, run)));
+        dumps.push(server.dumps(&database, run));
     }
     assert!(dumps.iter().all(|dump| *dump == dumps[0]), "{dumps:?}");
     server.psql(&database, "UPDATE firing SET sensor = sensor || '.' WHERE run_id = 1 AND seq = 4711");

@@ -9,7 +9,6 @@ use std::fs;
 use std::os::unix::fs::PermissionsExt;
 use std::time::{Duration, Instant};
 
-/// The password that must not appear.
 const CANARY: &str = "s3cr3t-canary";
 
 fn live(url: &str, how: WriteMode) -> Result<(), LogError> {
@@ -17,7 +16,11 @@ fn live(url: &str, how: WriteMode) -> Result<(), LogError> {
 }
 
 /// The error of a life, which tells all of this.
-fn refused(url: &str, how: WriteMode, told: &[&str]) -> LogError {
+fn refused(url: &str, told: &[&str]) -> LogError {
+    refused_as(url, WriteMode::Create, told)
+}
+
+fn refused_as(url: &str, how: WriteMode, told: &[&str]) -> LogError {
     let error = live(url, how).expect_err(url);
     let text = error.to_string();
     for told in told {
@@ -40,7 +43,7 @@ fn a_missing_server_is_reported_soon_and_may_pass() {
         ("postgresql://ann@/homes?host=/nowhere".to_owned(), ["no server answers", "start the server"]),
     ] {
         let began = Instant::now();
-        let error = refused(&url, WriteMode::Create, &[told[0], told[1], &url]);
+        let error = refused(&url, &[told[0], told[1], &url]);
         assert!(error.passes() && began.elapsed() < Duration::from_secs(30), "{:?}", began.elapsed());
     }
 }
@@ -58,26 +61,14 @@ fn reports_a_wrong_login_without_the_password() {
         server.url("ann", &database, &format!("&passfile={}", file.display()))
     };
     let right = format!("*:*:*:ann:{CANARY}");
-    refused(
-        &with(&right, 0o644),
-        WriteMode::Create,
-        &["wants a password", "is ignored: others may read it", "chmod 600"],
-    );
-    refused(&with("*:*:*:bob:x", 0o600), WriteMode::Create, &["wants a password", "~/.pgpass", "PGPASSWORD"]);
-    refused(
-        &with(&format!("*:*:*:ann:{CANARY}x"), 0o600),
-        WriteMode::Create,
-        &["password authentication failed", "~/.pgpass"],
-    );
+    refused(&with(&right, 0o644), &["wants a password", "is ignored: others may read it", "chmod 600"]);
+    refused(&with("*:*:*:bob:x", 0o600), &["wants a password", "~/.pgpass", "PGPASSWORD"]);
+    refused(&with(&format!("*:*:*:ann:{CANARY}x"), 0o600), &["password authentication failed", "~/.pgpass"]);
     live(&with(&right, 0o600), WriteMode::Create).unwrap();
     let open: Url = with(&right, 0o600).parse().unwrap();
     assert!(!format!("{open:?} {open}").contains(CANARY));
-    refused(&server.url("nobody", &database, ""), WriteMode::Create, &["\"nobody\" does not exist"]);
-    refused(
-        &server.url("postgres", "nowhere", ""),
-        WriteMode::Create,
-        &["\"nowhere\" does not exist", "createdb nowhere"],
-    );
+    refused(&server.url("nobody", &database, ""), &["\"nobody\" does not exist"]);
+    refused(&server.url("postgres", "nowhere", ""), &["\"nowhere\" does not exist", "createdb nowhere"]);
     let url = format!("postgresql://ann:{CANARY}@host/homes");
     assert!(!url.parse::<Url>().unwrap_err().to_string().contains(CANARY));
     let own = Url::new(homebody_core::scenario::scheme::Scheme::Postgresql, format!("ann:{CANARY}@host/homes"));
@@ -90,16 +81,13 @@ fn reports_a_wrong_login_without_the_password() {
 
 #[test]
 fn reports_all_problems_of_unfit_tables() {
-    let Some(server) = Server::shared() else { return };
-    let database = server.database("misfits");
+    let Some((server, database, url)) = Server::with_database("misfits") else { return };
     server.psql(
         &database,
         "CREATE TABLE firing (run_id bigint, seq bigint, fired_at timestamp, sensor integer, floor text NOT NULL)",
     );
-    let url = server.url("postgres", &database, "");
     refused(
         &url,
-        WriteMode::Create,
         &[
             "the column \"fired_at\" of \"firing\" is timestamp without time zone, and not timestamp with time zone",
             "the column \"sensor\" of \"firing\" is integer, and not text",
@@ -110,7 +98,7 @@ fn reports_all_problems_of_unfit_tables() {
         ],
     );
     server.psql(&database, "DROP TABLE firing; CREATE VIEW firing AS SELECT 1 AS seq");
-    refused(&url, WriteMode::Create, &["\"firing\" is not a table"]);
+    refused(&url, &["\"firing\" is not a table"]);
     let truth = Life::new(1, 20).live(
         &server.url("postgres", &database, "&schema=one"),
         Some(&server.url("postgres", &database, "&schema=one")),
@@ -124,7 +112,7 @@ fn reports_all_problems_of_unfit_tables() {
         Policy::default(),
     )
     .unwrap();
-    refused(&server.url("postgres", &database, "&schema=three"), WriteMode::Create, &["has truths"]);
+    refused(&server.url("postgres", &database, "&schema=three"), &["has truths"]);
 }
 
 #[test]
@@ -140,33 +128,28 @@ fn names_the_right_that_a_user_lacks() {
     let url = |user: &str, more: &str| server.url(user, &database, more);
     refused(
         &url("reader", ""),
-        WriteMode::Create,
         &[
             "no right to INSERT in \"firing\", \"homebody_run\", and to UPDATE in \"homebody_run\"",
             "GRANT INSERT ON public.firing, public.homebody_run TO reader; GRANT UPDATE ON public.homebody_run TO reader",
         ],
     );
-    refused(&url("reader", ""), WriteMode::Overwrite, &["and to DELETE in \"firing\""]);
+    refused_as(&url("reader", ""), WriteMode::Overwrite, &["and to DELETE in \"firing\""]);
     refused(
         &url("bare", "&schema=home9"),
-        WriteMode::Create,
         &["no schema \"home9\"", "\"bare\" may not create one", "CREATE SCHEMA home9"],
     );
     server.psql(&database, "CREATE SCHEMA shut; CREATE SCHEMA seen; GRANT USAGE ON SCHEMA seen TO bare");
-    refused(&url("bare", "&schema=shut"), WriteMode::Create, &["may not use the schema \"shut\""]);
+    refused(&url("bare", "&schema=shut"), &["may not use the schema \"shut\""]);
     refused(
         &url("bare", "&schema=seen"),
-        WriteMode::Create,
         &["lacks \"firing\", \"homebody_run\"", "may not create tables", "GRANT CREATE ON SCHEMA seen TO bare"],
     );
-    refused(&url("idle", ""), WriteMode::Create, &["takes no changes", "default_transaction_read_only"]);
+    refused(&url("idle", ""), &["takes no changes", "default_transaction_read_only"]);
 }
 
 #[test]
 fn names_that_are_sql_never_reach_the_server() {
-    let Some(server) = Server::shared() else { return };
-    let database = server.database("names");
-    let url = server.url("postgres", &database, "");
+    let Some((server, database, url)) = Server::with_database("names") else { return };
     let names = ["a\"; DROP TABLE x; --", "A", "1a", "a b", "", "é", "$1", &"a".repeat(64), "sqlite_x"];
     for name in names {
         for place in 0..5 {
@@ -198,14 +181,11 @@ fn names_that_are_sql_never_reach_the_server() {
 
 #[test]
 fn refuses_replaces_or_resumes_an_existing_run() {
-    let Some(server) = Server::shared() else { return };
-    let database = server.database("again");
-    let url = server.url("postgres", &database, "");
+    let Some((server, database, url)) = Server::with_database("again") else { return };
     live(&url, WriteMode::Create).unwrap();
     let sound = server.dump(&database, "public", 1);
     refused(
         &url,
-        WriteMode::Create,
         &["the run 1 of \"a quiet night\" is already in the schema \"public\"", "--replace-rows", "--resume"],
     );
     server.psql(
@@ -219,8 +199,8 @@ fn refuses_replaces_or_resumes_an_existing_run() {
     assert_eq!(server.dump(&database, "public", 1), sound);
     assert_eq!(server.psql(&database, "SELECT count(*) FROM firing WHERE run_id = 2"), "1", "others stay");
     server.psql(&database, "DELETE FROM homebody_run");
-    refused(&url, WriteMode::Create, &["already"]);
-    refused(&format!("{url}&run=x"), WriteMode::Create, &["run=x is not a whole number"]);
+    refused(&url, &["already"]);
+    refused(&format!("{url}&run=x"), &["run=x is not a whole number"]);
     live(&format!("{url}&run=8"), WriteMode::Create).unwrap();
     assert_eq!(server.psql(&database, "SELECT count(*) FROM firing WHERE run_id = 8"), "200");
     // A run that could not begin leaves nothing that would be in the way.
@@ -232,16 +212,14 @@ fn refuses_replaces_or_resumes_an_existing_run() {
 
 #[test]
 fn only_a_longer_run_resumes_a_stopped_one() {
-    let Some(server) = Server::shared() else { return };
-    let database = server.database("longer");
-    let url = server.url("postgres", &database, "");
+    let Some((server, database, url)) = Server::with_database("longer") else { return };
     let whole = Life::new(1, 900);
     whole.live(&url, Some(&url), Policy::default()).unwrap();
-    let wanted = ["public", "truth"].map(|schema| server.dump(&database, schema, 1));
+    let wanted = server.dumps(&database, 1);
     Life::new(2, 400).live(&url, Some(&url), Policy::default()).unwrap();
     let long = Life { how: WriteMode::Resume, ..Life::new(2, 900) };
     long.live(&url, Some(&url), Policy::default()).unwrap();
-    assert_eq!(["public", "truth"].map(|schema| server.dump(&database, schema, 2)), wanted);
+    assert_eq!(server.dumps(&database, 2), wanted);
     let short = Life { how: WriteMode::Resume, ..Life::new(2, 300) }.live(&url, None, Policy::default());
     assert!(matches!(short, Err(LogError::Changed { .. })), "{short:?}");
     assert_eq!(server.dump(&database, "public", 2), wanted[0]);

@@ -24,7 +24,6 @@ pub fn or_raised(error: SimulationError, by_driver: &Raised) -> PyErr {
     by_driver.lock().unwrap_or_else(PoisonError::into_inner).take().unwrap_or_else(|| raised(error))
 }
 
-/// A driver in Python.
 pub struct PythonDriver {
     /// The wrapper of `homebody.driver`; `None` if the driver could not be made.
     wrapped: Option<Py<PyAny>>,

@@ -24,22 +24,18 @@ pub struct FallReport {
     pub pictures: u64,
     /// The number of instants that two cameras or more agreed on.
     pub voxel_persons: u64,
-    /// The falls, in order of time.
     pub falls: Vec<ReportedFall>,
 }
 
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct ReportedFall {
-    /// The begin, on the clock on the wall.
     pub at: String,
     pub alarm_at: String,
     /// The delay of the alarm in seconds.
     pub seconds_to_alarm: f64,
     pub room: Option<String>,
-    /// The position in metres.
     pub at_m: [f64; 2],
     pub rule: String,
-    /// The confidence from 0 to 1.
     pub confidence: f64,
     pub words: &'static str,
 }
@@ -52,11 +48,6 @@ pub struct RunSilhouettes<'a> {
 
 impl<'a> RunSilhouettes<'a> {
     /// Opens the silhouettes in the folder of a log.
-    ///
-    /// # Errors
-    ///
-    /// [`QueryError::NoSilhouettes`] if the log does not come from a run with cameras, [`QueryError::Simulation`] if their file cannot be
-    /// read.
     pub fn beside(named: &'a LogRef) -> Result<RunSilhouettes<'a>, QueryError> {
         let missing = || QueryError::NoSilhouettes { log: named.name.clone() };
         let path = silhouettes_of(named.place.path()).ok_or_else(missing)?;
@@ -64,25 +55,16 @@ impl<'a> RunSilhouettes<'a> {
     }
 
     /// Opens a file of the run of a scenario.
-    ///
-    /// # Errors
-    ///
-    /// [`QueryError::Simulation`] if it cannot be read.
     pub fn open(path: &Path, scenario: &'a Scenario) -> Result<RunSilhouettes<'a>, QueryError> {
         let silhouettes = Silhouettes::open(path, scenario.calendar.timestamp(RunTime::START).into())?;
         Ok(RunSilhouettes { silhouettes, scenario })
     }
 
-    /// The lens of each camera.
     pub fn lenses(&self) -> Vec<Lens> {
         self.silhouettes.cameras.iter().map(|camera| camera.file.lens()).collect()
     }
 
     /// Looks for falls in all of them. `go_on` gets the instant that the search has reached; the search ends if it returns false.
-    ///
-    /// # Errors
-    ///
-    /// [`QueryError::Simulation`] if they cannot be read, [`SimulationError::Cancelled`] if `go_on` returns false.
     pub fn falls(&self, rules: &FallRules, mut go_on: impl FnMut(RunTime) -> bool) -> Result<FallSearch, QueryError> {
         let lenses = self.lenses();
         let mut scenes = Scenes::new(self.scenario.home.plan(), &lenses, rules);
@@ -106,26 +88,19 @@ impl<'a> RunSilhouettes<'a> {
     }
 }
 
-/// The result of a search in silhouettes.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FallSearch {
-    /// The falls, in order of time.
     pub falls: Vec<Fall>,
     pub pictures: u64,
     /// The number of instants that two cameras or more agreed on.
     pub voxel_persons: u64,
 }
 
-/// The file of the silhouettes in the folder of a log, if there is one.
 pub fn silhouettes_of(log: &Path) -> Option<PathBuf> {
     Some(log.with_file_name(SILHOUETTES)).filter(|path| path.is_file())
 }
 
 /// Looks for falls in the silhouettes in the folder of a log.
-///
-/// # Errors
-///
-/// Those of [`RunSilhouettes::beside`] and [`RunSilhouettes::falls`].
 pub fn falls_in(
     named: &LogRef,
     rules: &FallRules,

@@ -11,41 +11,22 @@ homebody_core::messages! {
     #[non_exhaustive]
     pub enum QueryError in "kit" {
         /// The folder contains no log.
-        NoLog {
-            /// The folder.
-            folder: PathBuf,
-        } error "no-log" ("the folder {} contains no log", folder.display())
+        NoLog { folder: PathBuf } error "no-log" ("the folder {} contains no log", folder.display())
             hint ("name a log, or the folder of a run that has one");
         /// Silhouettes exist only for runs whose home has cameras.
-        NoSilhouettes {
-            /// The log's name.
-            log: String,
-        } error "no-silhouettes" ("{log} has no silhouettes")
+        NoSilhouettes { log: String } error "no-silhouettes" ("{log} has no silhouettes")
             hint ("name the folder of a run whose home has cameras: sensors of kind \"camera\" in home.json");
         /// The run has not stored a row yet.
-        NoRows {
-            /// The run's folder.
-            folder: PathBuf,
-            /// The folder to resume: the run's own or its cohort's.
-            resume: PathBuf,
-        } error "no-rows" ("the run in {} has no rows yet", folder.display())
+        NoRows { folder: PathBuf, resume: PathBuf } error "no-rows" ("the run in {} has no rows yet", folder.display())
             hint ("wait for the first row, or resume an interrupted run: homebody run --resume {}", resume.display());
         /// Each member of a cohort has its own log.
-        IsCohort {
-            /// The cohort's folder.
-            folder: PathBuf,
-            /// The first member that was simulated.
-            member: Option<PathBuf>,
-        } error "is-cohort" ("{} is a cohort: each member has its own log", folder.display())
+        IsCohort { folder: PathBuf, member: Option<PathBuf> } error "is-cohort" ("{} is a cohort: each member has its own log", folder.display())
             advice (Some(match member {
                 Some(member) => format!("name a member, such as {}", member.display()),
                 None => "resume the cohort: it has no member yet".into(),
             }));
         /// Time zones have names as in the IANA database, which comes with the program.
-        TimeZone {
-            /// The name asked for.
-            zone: String,
-        } error "time-zone" ("there is no time zone {zone:?}")
+        TimeZone { zone: String } error "time-zone" ("there is no time zone {zone:?}")
             hint ("write an IANA name, such as America/Chicago");
         => inner {
             /// The search names nothing that the log can contain.
@@ -57,7 +38,6 @@ homebody_core::messages! {
 }
 
 impl QueryError {
-    /// An unknown time zone.
     pub(crate) fn zone(name: &str) -> QueryError {
         QueryError::TimeZone { zone: readable(name.to_owned()) }
     }

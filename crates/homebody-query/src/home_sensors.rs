@@ -8,7 +8,6 @@ use homebody_log::text::one_word;
 use homebody_log::{Log, SensorInfo};
 use std::collections::BTreeMap;
 
-/// The sensors of a home, by their ids in its logs.
 pub fn home_sensors(scenario: &Scenario) -> Vec<HomeSensor> {
     let one = |sensor: &Sensor| {
         let SensorInfo { id, name, kind, unit, .. } = SensorInfo::in_home(sensor, scenario);
@@ -18,7 +17,6 @@ pub fn home_sensors(scenario: &Scenario) -> Vec<HomeSensor> {
     scenario.home.placed_sensors().iter().map(one).collect()
 }
 
-/// The rooms of the sensors of a home, by their names there and by their ids in its logs.
 pub fn sensor_rooms(scenario: &Scenario) -> BTreeMap<String, String> {
     let mut rooms = BTreeMap::new();
     for sensor in scenario.home.placed_sensors() {
@@ -48,7 +46,6 @@ pub(crate) fn name_sensors(log: &mut Log, scenario: &Scenario) {
     know_sensors(log, scenario);
 }
 
-/// Adds the names, kinds and rooms of the log's sensors in a scenario's home.
 pub(crate) fn know_sensors(log: &mut Log, scenario: &Scenario) {
     for sensor in scenario.home.placed_sensors() {
         let info = SensorInfo::in_home(sensor, scenario);

@@ -28,13 +28,11 @@ use jiff::tz::TimeZone;
 use std::collections::BTreeMap;
 use std::path::PathBuf;
 
-/// A log on the wall clock of its home.
 pub struct LoadedLog {
     /// Its name, with the conditions that its run leaves out.
     pub name: String,
     /// Its rows; `log.clock` says whether they could be put on the wall.
     pub log: Log,
-    /// The timeline of the ground truth; empty without a truth.
     pub timeline: Timeline<WallTime>,
     /// The rooms of its sensors, by their names in the log, from the home of its run or from the log itself.
     pub rooms: BTreeMap<String, String>,
@@ -61,7 +59,6 @@ pub struct LoadedLog {
 pub struct LostMessage {
     /// The time, on the clock of the log.
     pub at: WallTime,
-    /// The sensor's name in its home, or else its id.
     pub sensor: String,
     pub value: String,
     /// The cause, in a word of the ground truth.
@@ -71,33 +68,18 @@ pub struct LostMessage {
 impl LoadedLog {
     /// Reads a log by its URL, by its path alone, or by the folder of its run. A log in UTC is put on the wall of `zone`, of its run's
     /// zone, or of the zone by the offsets of its instants; without any it stays in UTC.
-    ///
-    /// # Errors
-    ///
-    /// [`QueryError::TimeZone`] if no zone has this name, [`QueryError::Simulation`] if the log or the truth in its folder cannot be read,
-    /// and those of [`LogRef::find`] and [`LogRef::read`].
     pub fn read(text: &str, zone: Option<&str>) -> Result<LoadedLog, QueryError> {
         LoadedLog::from_ref(LogRef::find(text)?, zone)
     }
 
     /// Reads a log that was found.
-    ///
-    /// # Errors
-    ///
-    /// Those of [`LoadedLog::read`].
     pub fn from_ref(named: LogRef, zone: Option<&str>) -> Result<LoadedLog, QueryError> {
-        let mut log = named.read()?;
-        let first = log.events.iter().take(MOST_COMPARED).copied().collect();
-        let truth = named.truth_of_run(&mut log, first)?;
+        let (log, truth) = named.read_with_truth()?;
         LoadedLog::with(named, log, None, truth, zone)
     }
 
     /// The same of a log of any length. Of one with more than two million rows no rows are in memory: [`LoadedLog::rows`] reads them
     /// again each time.
-    ///
-    /// # Errors
-    ///
-    /// Those of [`LoadedLog::read`].
     pub fn of_any_length(named: LogRef, zone: Option<&str>) -> Result<LoadedLog, QueryError> {
         LoadedLog::of_length(named, zone, MOST_ROWS)
     }
@@ -116,10 +98,6 @@ impl LoadedLog {
     }
 
     /// The log alone, without its truth. Only its first `most` rows are in memory; `log.rows` is the number of all.
-    ///
-    /// # Errors
-    ///
-    /// Those of [`LoadedLog::read`].
     pub fn alone(named: LogRef, zone: Option<&str>, most: usize) -> Result<LoadedLog, QueryError> {
         let mut events = Vec::new();
         let mut log = named.stream(&mut |part| {
@@ -168,28 +146,14 @@ impl LoadedLog {
         // A recording that lies there by chance is of another time.
         let rows = rows_span(&log, long.as_ref());
         let recorded = span.filter(|span| rows.is_none_or(|rows| span.contains(rows.begin) && span.contains(rows.end)));
-        let told = truth.clone().map(|truth| (truth, of_utc));
         let beside = Some(place.path().with_file_name(RECORDING)).filter(|path| path.is_file());
-        let truth = truth.map(|truth| truth.files(&tables())).unwrap_or_default();
+        let of_truth = truth.as_ref().map(|truth| truth.files(&tables())).unwrap_or_default();
         let files = place.files();
-        let sources = files.iter().cloned().chain(truth).chain(beside).collect();
+        let sources = files.iter().cloned().chain(of_truth).chain(beside).collect();
         let without = run.map(|run| run.without).filter(|without| !without.is_empty());
         let name = name + without.map_or_else(String::new, |names| format!(", without {}", names.join(", "))).as_str();
-        let home = scenario;
-        Ok(LoadedLog {
-            name,
-            log,
-            timeline,
-            rooms,
-            recorded,
-            zone,
-            files,
-            sources,
-            home,
-            long,
-            truth: told,
-            incomplete,
-        })
+        let (home, truth) = (scenario, truth.map(|truth| (truth, of_utc)));
+        Ok(LoadedLog { name, log, timeline, rooms, recorded, zone, files, sources, home, long, truth, incomplete })
     }
 
     /// Gives its sensors the names and rooms that they have in the home of a scenario. Returns the number of them in that home.
@@ -200,7 +164,6 @@ impl LoadedLog {
         self.log.sensors.iter().filter(|sensor| self.rooms.contains_key(*sensor)).count()
     }
 
-    /// The scenario with its home, if that is known.
     pub fn scenario(&self) -> Option<&Scenario> {
         self.home.as_ref()
     }
@@ -223,10 +186,6 @@ impl LoadedLog {
     }
 
     /// Passes on its rows in the order of time, from memory or from their place.
-    ///
-    /// # Errors
-    ///
-    /// [`NoMap::Unread`] and [`NoMap::Disorder`] of a long log that cannot be read again, or is out of order, and those of `take`.
     pub fn rows(&self, take: TakeEvent) -> Result<(), NoMap> {
         match &self.long {
             Some(long) => long.rows(take),
@@ -240,10 +199,6 @@ impl LoadedLog {
     }
 
     /// The map of its density.
-    ///
-    /// # Errors
-    ///
-    /// If no sensor tells of motion, or the days are too many, and those of [`LoadedLog::rows`].
     pub fn density(&self, asked: &DensityOptions) -> Result<Map, NoMap> {
         let mut tallies = Tallies::new(&self.log);
         self.rows(&mut |row| {
@@ -261,10 +216,6 @@ impl LoadedLog {
     }
 
     /// Measures of its days, with all that its home tells.
-    ///
-    /// # Errors
-    ///
-    /// If no sensor tells of motion, or the days are too many.
     pub fn measures(&self) -> Result<Measures, NoMap> {
         let asked = DensityOptions { recorded: self.recorded, ..DensityOptions::default() };
         let ways = self.ways();
@@ -300,10 +251,6 @@ impl LoadedLog {
     }
 
     /// The messages that never reached the logger, in order, by the ground truth; `None` without one.
-    ///
-    /// # Errors
-    ///
-    /// [`QueryError::Simulation`] if the truth cannot be read.
     pub fn lost(&self) -> Result<Option<Vec<LostMessage>>, QueryError> {
         let Some((truth, zone)) = &self.truth else { return Ok(None) };
         let mut all = Vec::new();

@@ -13,10 +13,8 @@ use jiff::tz::TimeZone;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-/// A log whose run was killed or stopped.
 #[derive(Clone, Debug, PartialEq)]
 pub struct IncompleteLog {
-    /// The folder of the run.
     pub folder: PathBuf,
     /// The run was killed, so that its log and its ground truth may end at different instants.
     pub is_killed: bool,
@@ -74,7 +72,6 @@ impl LogRef {
         LogRef { name: called(text), place, mapping, run, scenario }
     }
 
-    /// The scenario of its run, if that is known.
     pub fn scenario(&self) -> Option<&Scenario> {
         self.scenario.as_ref()
     }
@@ -98,10 +95,6 @@ impl LogRef {
     }
 
     /// Reads it through: `take` gets its rows part by part, as of [`stream`].
-    ///
-    /// # Errors
-    ///
-    /// Those of [`LogRef::read`].
     pub fn stream(&self, take: &mut dyn FnMut(&Log)) -> Result<Log, QueryError> {
         let mut take = |part: &Log| {
             take(part);
@@ -111,19 +104,11 @@ impl LogRef {
     }
 
     /// Reads it into memory.
-    ///
-    /// # Errors
-    ///
-    /// [`QueryError::NoRows`] if its run has not stored any yet, [`QueryError::Simulation`] if it cannot be read.
     pub fn read(&self) -> Result<Log, QueryError> {
         self.with_rows(read(&self.place, &self.mapping))
     }
 
     /// Reads it through and keeps no rows.
-    ///
-    /// # Errors
-    ///
-    /// Those of [`LogRef::read`].
     pub fn survey(&self) -> Result<Log, QueryError> {
         self.with_rows(survey(&self.place, &self.mapping))
     }

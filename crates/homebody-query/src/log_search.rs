@@ -20,10 +20,6 @@ use std::borrow::Cow;
 const GUESSED: &str = "Rooms are guessed from sensor names; homebody measures --json lists them in guessed_rooms";
 
 /// Looks through a log.
-///
-/// # Errors
-///
-/// [`QueryError::Search`] if a name leads nowhere, or if only a truth would tell; [`QueryError::Simulation`] if that cannot be read.
 pub fn find_in_log(query: &Query, read: &LoadedLog) -> Result<SearchResult<WallTime>, QueryError> {
     let Some((first, last)) = read.dates() else { return Ok(SearchResult::default()) };
     let (begin, end) = (WallTime::midnight(first), WallTime::midnight(last) + DAY);

@@ -23,7 +23,6 @@ const SET_BACK: Span = HOUR.times(3);
 
 pub type TakeEvent<'t> = &'t mut dyn FnMut(&Event) -> Result<(), NoMap>;
 
-/// A long log in its place.
 pub(crate) struct LongLog {
     place: LogSource,
     mapping: LoggerFile,
@@ -31,7 +30,6 @@ pub(crate) struct LongLog {
     zone: Option<TimeZone>,
     /// The time of its rows, on its own clock.
     span: Interval<WallTime>,
-    /// Largest number of waiting rows.
     waiting: usize,
 }
 
@@ -49,7 +47,6 @@ impl KeptRows {
         KeptRows { most, events: Vec::new(), span: None, is_long: false }
     }
 
-    /// Takes a part of the rows.
     pub fn take(&mut self, part: &Log) {
         let times = part.events.iter().map(|event| Interval::instant(event.at));
         self.span = self.span.into_iter().chain(times).reduce(Interval::hull);
@@ -74,7 +71,6 @@ impl LongLog {
         self.zone = Some(zone.clone());
     }
 
-    /// The time of its rows, on the wall.
     pub fn span(&self) -> Interval<WallTime> {
         self.span.map(|at| self.on_wall(at))
     }

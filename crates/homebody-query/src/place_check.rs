@@ -73,7 +73,6 @@ impl PlaceCheck {
         Ok(examine(url, &self.asked(&self.mapping(run)))?)
     }
 
-    /// Checks the folders of a cohort's members.
     fn cohort(&self, folder: &Path) -> Result<Vec<Check>, QueryError> {
         let entries = fs::read_dir(folder).into_iter().flatten().flatten().map(|entry| entry.path());
         let mut members: Vec<PathBuf> = entries.filter(|path| path.is_dir()).collect();
@@ -93,7 +92,6 @@ impl PlaceCheck {
         Ok(checks)
     }
 
-    /// Checks the folder of a run against its recording.
     fn run(&self, folder: &Path) -> Result<Vec<Check>, QueryError> {
         let mut checks = Vec::new();
         if let Err(error) = FolderLock::take(folder) {
@@ -204,7 +202,6 @@ impl PlaceCheck {
     }
 }
 
-/// The last part of a place's name.
 fn short(url: &Url) -> String {
     match url.file().is_some() || url.is_data_set() {
         true => url.path().file_name().unwrap_or_default().to_string_lossy().into_owned(),
@@ -236,7 +233,6 @@ fn replayed(folder: &Path) -> Check {
     }
 }
 
-/// Checks the notes of confirmed rows.
 fn notes(folder: &Path, run: &Recording) -> Vec<Check> {
     let hint = "remove it; Homebody then sends the confirmed rows again, with the same numbers";
     let note = |path: &Path| {
@@ -263,7 +259,6 @@ fn notes(folder: &Path, run: &Recording) -> Vec<Check> {
     files(folder).filter(|path| path.to_string_lossy().ends_with(NOTES)).map(|path| note(&path)).collect()
 }
 
-/// Finds incomplete files of a program that was killed.
 fn left(folder: &Path) -> Vec<Check> {
     let is_left = |path: &PathBuf| [".part", ".anew", ".old"].iter().any(|end| path.to_string_lossy().ends_with(end));
     let left = files(folder).filter(is_left);

@@ -29,15 +29,11 @@ pub const BY_TRUTH: &str = "by the truth: ";
 #[serde(rename_all = "snake_case")]
 #[cfg_attr(feature = "wire", derive(ts_rs::TS))]
 pub enum SearchSubject {
-    /// A person is in a room.
     Room,
-    /// A sensor is on.
     On,
     /// No sensor says anything but readings while a person is at home.
     Still,
-    /// A person does an activity.
     Doing,
-    /// A person has fallen.
     Fall,
     /// Cameras see a fall; the ground truth has its falls, too.
     SeenFall,
@@ -47,16 +43,10 @@ pub enum SearchSubject {
 }
 
 impl SearchSubject {
-    pub const ALL: [SearchSubject; 8] = [
-        SearchSubject::Room,
-        SearchSubject::On,
-        SearchSubject::Still,
-        SearchSubject::Doing,
-        SearchSubject::Fall,
-        SearchSubject::SeenFall,
-        SearchSubject::Lost,
-        SearchSubject::Alert,
-    ];
+    pub const ALL: [SearchSubject; 8] = {
+        use SearchSubject::{Alert, Doing, Fall, Lost, On, Room, SeenFall, Still};
+        [Room, On, Still, Doing, Fall, SeenFall, Lost, Alert]
+    };
 
     /// The word for it in a query.
     pub fn word(self) -> &'static str {
@@ -75,18 +65,6 @@ impl SearchSubject {
     /// A search for it needs a name: of a room, a sensor or an activity.
     pub fn has_name(self) -> bool {
         matches!(self, SearchSubject::Room | SearchSubject::On | SearchSubject::Doing)
-    }
-
-    /// It is known without a look at the rows.
-    fn is_told(self) -> bool {
-        matches!(
-            self,
-            SearchSubject::Doing
-                | SearchSubject::Fall
-                | SearchSubject::SeenFall
-                | SearchSubject::Lost
-                | SearchSubject::Alert
-        )
     }
 }
 
@@ -122,7 +100,6 @@ impl<'a, T> KnownStay<'a, T> {
 
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Listener {
-    /// Its name in the home, or else in the log.
     pub name: String,
     /// The room, if it is known.
     pub room: Option<String>,
@@ -139,13 +116,11 @@ pub type SearchRows<'a, T> = dyn FnMut(&mut TakeSearchRow<T>) -> Result<(), Stri
 pub struct SearchGround<'a, T> {
     /// The time of the log.
     pub span: Interval<T>,
-    /// Its days, by the clock on the wall.
     pub days: Vec<SearchDay<T>>,
     /// The intervals that are known without a look at the rows; `None` if they are unknown.
     pub told: Option<Vec<KnownStay<'a, T>>>,
     /// The times with a person at home, in order; `None` if they are unknown.
     pub home: Option<Vec<Interval<T>>>,
-    /// The sensors of the rows.
     pub sensors: Vec<Listener>,
     pub values: &'a [String],
     /// The gaps of the recorder, in order.
@@ -153,7 +128,6 @@ pub struct SearchGround<'a, T> {
     pub rows: &'a mut SearchRows<'a, T>,
 }
 
-/// An interval that a search finds.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Hit<T> {
     /// From when to when.
@@ -178,14 +152,7 @@ homebody_core::messages! {
         NoName(kind: &'static str) error "no-name" ("the name of the {kind} is missing")
             hint ("write the name after the word {kind}");
         /// No room, sensor or activity of the log has this name.
-        Unknown {
-            /// `room`, `sensor` or `activity`.
-            kind: &'static str,
-            /// The name that was asked for.
-            name: String,
-            /// The known names.
-            hint: String,
-        } error "unknown-name" ("no {kind} is called {name:?}") hint ("{hint}");
+        Unknown { kind: &'static str, name: String, hint: String } error "unknown-name" ("no {kind} is called {name:?}") hint ("{hint}");
         /// Activities, falls and lost messages are in the ground truth of a run, and not in a log.
         NoTruth(what: &'static str) error "needs-truth" ("a log alone does not contain {what}")
             hint ("name a run that has its ground truth");
@@ -195,10 +162,6 @@ homebody_core::messages! {
 }
 
 /// Looks for it.
-///
-/// # Errors
-///
-/// If a name leads nowhere, if only a truth would tell, or if the rows cannot be read.
 pub fn find<T: TimePoint + Default>(
     query: &Query,
     ground: &mut SearchGround<T>,
@@ -232,7 +195,6 @@ pub fn find<T: TimePoint + Default>(
             told.into_iter().filter(is_asked).map(|stay| hit(&stay)).collect()
         }
         (what, None) => {
-            debug_assert!(what.is_told());
             return Err(SearchError::NoTruth(match what {
                 SearchSubject::Doing => "activities",
                 SearchSubject::Fall | SearchSubject::SeenFall => "falls",
@@ -297,16 +259,12 @@ fn merged<T: TimePoint>(told: Vec<KnownStay<T>>, name: &str) -> Vec<Hit<T>> {
     let mut all: Vec<Hit<T>> = Vec::new();
     let mut last: Vec<(Option<Cow<str>>, usize)> = Vec::new();
     for stay in told.into_iter().filter(|stay| *stay.name == *name) {
-        let known = last.iter_mut().find(|(who, _)| *who == stay.who);
-        match known {
-            Some((_, at)) if stay.time.begin - all[*at].time.end <= PAUSE => {
-                all[*at].time.end = all[*at].time.end.max(stay.time.end);
-            }
-            Some((_, at)) => {
-                *at = all.len();
-                all.push(hit(&stay));
-            }
+        let known = last.iter().position(|(who, _)| *who == stay.who);
+        let before = known.map(|known| &mut all[last[known].1]);
+        match before.filter(|before| stay.time.begin - before.time.end <= PAUSE) {
+            Some(before) => before.time.end = before.time.end.max(stay.time.end),
             None => {
+                last.retain(|(who, _)| *who != stay.who);
                 last.push((stay.who.clone(), all.len()));
                 all.push(hit(&stay));
             }

@@ -3,7 +3,6 @@
 
 use crate::error::QueryError;
 use crate::log_ref::LogRef;
-use crate::long_log::MOST_COMPARED;
 use homebody_analysis::dates::put_on_wall;
 use homebody_core::calendar::Calendar;
 use homebody_core::time::{DAY, Interval, RunTime, TimeScale, UtcTime, WallTime};
@@ -19,7 +18,6 @@ use jiff::tz::TimeZone;
 
 /// A log in UTC. Without a known zone, its wall clock is taken for UTC.
 pub struct UtcLog {
-    /// The log, its sensors by the names that they have in their home.
     pub log: Log<UtcTime>,
     /// The timeline of the ground truth, or else the activities of the log itself, for a person without a name.
     pub timeline: Timeline<UtcTime>,
@@ -27,7 +25,6 @@ pub struct UtcLog {
     pub zone: Option<String>,
 }
 
-/// Reads successive instants of one file.
 struct UtcReader<'s> {
     scale: &'s TimeScale,
     /// The last instant in the file of a run; `None` if the run is unknown.
@@ -52,15 +49,9 @@ fn wall_around(instants: impl Iterator<Item = WallTime>, zone: &TimeZone) -> Tim
 
 impl LogRef {
     /// Reads it in UTC. `zone` is that of its home, if its run is unknown.
-    ///
-    /// # Errors
-    ///
-    /// [`QueryError::TimeZone`] if there is no such zone, and those of [`LogRef::read`].
     pub fn instants(&self, zone: Option<&str>) -> Result<UtcLog, QueryError> {
         let asked = zone.map(|name| Calendar::zone(name).map_err(|_| QueryError::zone(name))).transpose()?;
-        let mut log = self.read()?;
-        let first = log.events.iter().take(MOST_COMPARED).copied().collect();
-        let truth = self.truth_of_run(&mut log, first)?;
+        let (mut log, truth) = self.read_with_truth()?;
         let timeline = truth.map(|truth| read_timeline(&truth, &self.clock())).transpose()?.unwrap_or_default();
         let known = self.zone();
         let is_naive = log.clock == Clock::Local && known.is_none() && asked.is_none();
@@ -107,20 +98,12 @@ impl LogRef {
     }
 
     /// The truth in its folder.
-    ///
-    /// # Errors
-    ///
-    /// [`QueryError::Simulation`] without one.
     pub fn truth_that_is_there(&self) -> Result<Url, QueryError> {
         let no_truth = || LogError::no_truth(self.place.to_string(), TruthMessage::NotBeside);
         Ok(self.truth().ok_or_else(no_truth)?)
     }
 
     /// Hands over the rows of a table of the truth in its folder, with instants as in [`UtcLog`].
-    ///
-    /// # Errors
-    ///
-    /// [`QueryError::Simulation`] if there is no such table, or no truth.
     pub fn truth_rows(&self, table: &str, take: &mut dyn FnMut(&[TruthValue<'_>])) -> Result<(), QueryError> {
         let truth = self.truth_that_is_there()?;
         let all = tables();
@@ -149,15 +132,9 @@ impl LogRef {
     /// Reads the log with the activities of its truth, or of the log itself, in the order of their beginnings. A log in UTC, of an unknown
     /// run, is put on the wall of `zone`, where one is given. With a truth, it is on a wall that is never set, so that lengths of time
     /// are right; it shows the time of the home as the run begins.
-    ///
-    /// # Errors
-    ///
-    /// [`QueryError::TimeZone`] if there is no such zone, and those of [`LogRef::read`].
     pub fn with_activities(&self, zone: Option<&str>) -> Result<Log, QueryError> {
         let asked = zone.map(|name| Calendar::zone(name).map_err(|_| QueryError::zone(name))).transpose()?;
-        let mut log = self.read()?;
-        let first = log.events.iter().take(MOST_COMPARED).copied().collect();
-        let truth = self.truth_of_run(&mut log, first)?;
+        let (mut log, truth) = self.read_with_truth()?;
         if let Some(zone) = asked.filter(|_| self.zone().is_none()) {
             put_on_wall(&mut log, &zone);
         }

@@ -10,10 +10,7 @@ homebody_core::messages! {
     #[non_exhaustive]
     pub enum ScaffoldError in "kit" {
         /// The name of a new folder contains an invisible character.
-        UnseenName {
-            /// The folder.
-            path: PathBuf,
-        } error "invisible-character" ("the name {:?} has an invisible character", path.display().to_string())
+        UnseenName { path: PathBuf } error "invisible-character" ("the name {:?} has an invisible character", path.display().to_string())
             hint ("remove the invisible character");
         => inner {
             /// No scenario can be made of the given files.

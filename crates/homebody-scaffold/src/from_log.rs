@@ -18,14 +18,11 @@ use serde_json::json;
 use std::collections::BTreeMap;
 
 pub struct GivenLog<'a> {
-    /// The user's name for the log.
     pub named: &'a str,
-    /// The name of its file.
     pub file: &'a str,
     pub read: &'a LoadedLog,
     /// The home's time zone, if known.
     pub time_zone: Option<&'a str>,
-    /// The rows of a table of its sensors, by id.
     pub table: BTreeMap<String, SensorRow>,
     pub picture: Option<&'a PlanPicture>,
 }
@@ -45,11 +42,6 @@ const ABOUT: &str = "Which rooms and things there are is from names and from wha
 const MOST_DAYS: i64 = 365;
 
 /// A scenario with a schematic home, as far as the log shows rooms, things and places. Its days are those of the log.
-///
-/// # Errors
-///
-/// [`ScaffoldError::Source`] without enough evidence for a home, [`ScaffoldError::Simulation`] if the given words make no valid
-/// scenario.
 pub fn from_log(name: &str, given: &GivenLog) -> Result<ScenarioFromLog, ScaffoldError> {
     let log = &given.read.log;
     let SensorsOfLog { sensors, ways, mut remarks } =
@@ -89,7 +81,6 @@ fn inhabit(name: &str, given: &GivenLog, home: &Schematic) -> Result<InhabitedHo
     })
 }
 
-/// The sensors and ways of a log, with a sentence for each omission.
 struct SensorsOfLog {
     sensors: Vec<LogSensor>,
     ways: Vec<LogWay>,

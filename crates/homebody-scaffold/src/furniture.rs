@@ -16,10 +16,6 @@ const ROUNDS: usize = 4;
 
 /// Adds the furniture of an ordinary routine to the home of a new scenario, as far as there is room. Returns a sentence
 /// for each piece.
-///
-/// # Errors
-///
-/// [`ScaffoldError::Simulation`] with the problems of the home.
 pub fn furnish(new: &mut NewScenario) -> Result<Vec<String>, ScaffoldError> {
     let mut added = Vec::new();
     for _ in 0..ROUNDS {

@@ -9,10 +9,7 @@ homebody_core::messages! {
         /// id,room,place,x,y
         /// M001,bedroom,bed,120,340
         /// ```
-        NoIdColumn {
-            /// The column that has nearly this name.
-            near: Option<String>,
-        } error "no-id-column" ("the table has no column \"id\"")
+        NoIdColumn { near: Option<String> } error "no-id-column" ("the table has no column \"id\"")
             advice (Some(match near {
                 Some(near) => format!("rename the column {near:?} to \"id\""),
                 None => "name the columns in the first line: id, room, place, x, y".into(),
@@ -21,70 +18,38 @@ homebody_core::messages! {
         NoId error "no-id" ("the row has no id")
             hint ("write the id that the log has for the sensor");
         /// A home is drawn from sensors of motion and of doors. Other sensors can be in the log, and the table leaves their kind out.
-        Kind {
-            /// The kind in the table.
-            kind: String,
-            /// The kinds of sensors that a home is made with.
-            known: Vec<String>,
-        } error "kind" ("Homebody cannot draw a home from sensors of the kind {kind:?}")
+        Kind { kind: String, known: Vec<String> } error "kind" ("Homebody cannot draw a home from sensors of the kind {kind:?}")
             hint ("write one of {known}, or leave the cell empty", known = known.join(", "));
         /// Coordinates are numbers: pixels where a picture of the plan is given, and metres otherwise.
-        Coordinate {
-            /// The text of the cell.
-            text: String,
-        } error "coordinate" ("{text:?} is not a number")
+        Coordinate { text: String } error "coordinate" ("{text:?} is not a number")
             hint ("write a number with a decimal point, such as 3.5");
         /// A place needs both coordinates.
-        HalfPlace {
-            /// The id of the sensor.
-            sensor: String,
-        } error "half-place" ("the sensor {sensor:?} has only one of x and y")
+        HalfPlace { sensor: String } error "half-place" ("the sensor {sensor:?} has only one of x and y")
             hint ("write both, or leave both empty");
         /// Each sensor has one row, because it is in one place.
-        SameSensor {
-            /// The id of the sensor.
-            sensor: String,
-            /// The line with the first row.
-            first_line: u64,
-        } error "same-sensor" ("the sensor {sensor:?} is already in line {first_line}")
+        SameSensor { sensor: String, first_line: u64 } error "same-sensor" ("the sensor {sensor:?} is already in line {first_line}")
             hint ("delete one of the two rows");
         /// Homebody reads the size of an image from its first bytes, which PNG and JPEG have in a known form.
         NotAPicture error "not-a-picture" ("the file is not an image in PNG or JPEG")
             hint ("save the plan as PNG");
         /// Two points with known positions decide the scale and the direction of the image. Fewer leave them open, and more could
         /// contradict each other.
-        KnownPoints {
-            /// The points given.
-            points: usize,
-        } error "known-points" ("two known points are needed, not {points}")
+        KnownPoints { points: usize } error "known-points" ("two known points are needed, not {points}")
             hint ("pass the pixels and metres of two points: --known 120,340=0,0 --known 900,340=8.5,0");
         /// The two points have the same pixel or the same position, so that they have no distance to scale the image by.
         SamePoint error "same-point" ("the two known points are the same point")
             hint ("choose two points that are far apart");
         /// A known point is a pixel of the image and its position in the home, in metres.
-        KnownPoint {
-            /// The text.
-            text: String,
-        } error "known-point" ("{text:?} does not give a pixel and a position")
+        KnownPoint { text: String } error "known-point" ("{text:?} does not give a pixel and a position")
             hint ("write the pixel and the position in metres, such as 120,340=0,0");
         /// The coordinates in the table count pixels from the upper left corner of the image.
-        OffPicture {
-            /// The id of the sensor.
-            sensor: String,
-            /// The pixels to the right.
-            x_px: f64,
-            /// The pixels downward.
-            y_px: f64,
-        } error "off-picture" ("the sensor {sensor:?} is outside the image: x is {x_px} and y is {y_px} pixels")
+        OffPicture { sensor: String, x_px: f64, y_px: f64 } error "off-picture" ("the sensor {sensor:?} is outside the image: x is {x_px} and y is {y_px} pixels")
             hint ("correct x and y, in pixels from the upper left corner");
         /// An image of a plan helps only if at least one sensor has coordinates on it.
         NothingOnPicture error "nothing-on-picture" ("no sensor has a place on the image")
             hint ("write x and y of each sensor, in pixels, into a table, and pass --sensors FILE");
         /// The ids in the table and the ids in the log have nothing in common. Probably they belong to different homes.
-        OtherLog {
-            /// Some ids of the log.
-            ids: Vec<String>,
-        } error "other-log" ("no sensor of the table is in the log")
+        OtherLog { ids: Vec<String> } error "other-log" ("no sensor of the table is in the log")
             hint ("write the ids that the log has: {ids}", ids = ids.join(", "));
     }
 }

@@ -37,9 +37,7 @@ impl FromStr for KnownPoint {
 }
 
 pub struct PlanPicture {
-    /// The bytes of its file.
     pub bytes: Vec<u8>,
-    /// Its name in a scenario's folder.
     pub file: &'static str,
     size: Point,
     first: KnownPoint,
@@ -49,10 +47,6 @@ pub struct PlanPicture {
 
 impl PlanPicture {
     /// Reads a picture with two known points.
-    ///
-    /// # Errors
-    ///
-    /// [`ScaffoldError::Simulation`] for an unreadable file, [`ScaffoldError::Source`] without a picture or two points.
     pub fn read(path: &Path, known: &[KnownPoint]) -> Result<PlanPicture, ScaffoldError> {
         let bytes = plain::read(path, LARGEST_BYTES).map_err(|error| SimulationError::io(path, error))?;
         let (file, size) = size(&bytes).ok_or_else(|| {
@@ -99,7 +93,6 @@ impl PlanPicture {
     }
 }
 
-/// A pixel in coordinates with y upward.
 fn upward(pixel: Point) -> Point {
     Point::new(pixel.x, -pixel.y)
 }

@@ -21,9 +21,7 @@ pub struct NewScenario<'a> {
     /// Such as `Europe/Vienna`.
     pub time_zone: &'a str,
     pub days: f64,
-    /// The text of its home file.
     pub home: String,
-    /// The text of its logger file.
     pub logger: Option<String>,
 }
 
@@ -43,10 +41,6 @@ pub struct InhabitedHome {
 
 /// The files of a scenario with a resident: with an ordinary routine, or standing in place if the home lacks something
 /// for it.
-///
-/// # Errors
-///
-/// [`ScaffoldError::Simulation`] with the problems of the home or the logger.
 pub fn inhabited(new: &NewScenario) -> Result<InhabitedHome, ScaffoldError> {
     let texts = inhabited_texts(new);
     if let Ok(scenario) = load(&texts) {
@@ -83,7 +77,6 @@ fn with(new: &NewScenario, residents: &str, files: Vec<(String, String)>) -> Sce
     texts
 }
 
-/// The file of the scenario. `residents` is a list in JSON.
 fn scenario(new: &NewScenario, residents: &str) -> String {
     let NewScenario { name, about, start, time_zone, days, .. } = new;
     let about = if about.is_empty() { String::new() } else { format!("  \"about\": {},\n", json!(about)) };
@@ -106,7 +99,6 @@ fn scenario(new: &NewScenario, residents: &str) -> String {
     )
 }
 
-/// The routine of the resident.
 const ROUTINE: &str = "\
 # Anna is invented. What is not said here goes as it usually does; each sentence more is about her.
 Anna is 80. She walks at about 0.65 m/s.
@@ -124,7 +116,6 @@ fn resident(driver: &str, file: &str, text: String) -> Vec<(String, String)> {
     vec![("anna.json".to_owned(), resident), (file.to_owned(), text)]
 }
 
-/// The path of a resident who stands in place and moves a little.
 fn path(at: Point) -> String {
     format!(
         r#"{{

@@ -18,7 +18,6 @@ const LARGEST_BYTES: u64 = 1 << 20;
 pub struct SensorRow {
     pub line: u64,
     pub room: Option<String>,
-    /// The thing or place that it watches.
     pub place: Option<String>,
     /// Its kind, if the table has it: `motion`, `contact`, `used`, `reading` or `other`.
     pub kind: Option<String>,
@@ -39,10 +38,6 @@ const COLUMNS: [(&str, &[&str]); 6] = [
 const KINDS: [&str; 2] = ["motion", "contact"];
 
 /// Reads a table, by the ids of sensors.
-///
-/// # Errors
-///
-/// [`ScaffoldError::Simulation`] for an unreadable file, [`ScaffoldError::Source`] with all its problems.
 pub fn read_table(path: &Path) -> Result<BTreeMap<String, SensorRow>, ScaffoldError> {
     let bytes = plain::read(path, LARGEST_BYTES).map_err(|error| SimulationError::io(path, error))?;
     let mut reader = csv::ReaderBuilder::new().flexible(true).trim(csv::Trim::All).from_reader(&bytes[..]);

@@ -10,7 +10,6 @@ use std::collections::BTreeMap;
 use std::fs;
 use std::path::Path;
 
-/// A scenario's files by name.
 pub type ScenarioTexts = BTreeMap<String, String>;
 
 /// Creates a folder with the schemas of a scenario's files, and passes the incomplete folder and the scenario's name to
@@ -37,10 +36,6 @@ pub fn create<T, E: From<ScaffoldError> + From<SimulationError>>(
 }
 
 /// Writes files into the folder of a new scenario.
-///
-/// # Errors
-///
-/// [`ScaffoldError::Simulation`] if a file exists, or the system refuses.
 pub fn write(folder: &Path, texts: &ScenarioTexts) -> Result<(), ScaffoldError> {
     for (file, text) in texts {
         FreshFile::write_whole(&folder.join(file), text.as_bytes(), false)?;

@@ -51,7 +51,6 @@ pub struct ScriptMoment {
     pub now: RunTime,
     /// `None` while the resident is out.
     pub body: Option<(Point, Posture)>,
-    /// The last destination.
     pub place: String,
     /// At home.
     pub others: Vec<OtherResident>,

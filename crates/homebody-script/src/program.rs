@@ -19,7 +19,6 @@ pub struct Program {
 }
 
 impl Program {
-    ///
     /// Reads and checks a script.
     ///
     /// # Errors

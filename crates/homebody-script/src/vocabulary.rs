@@ -9,13 +9,10 @@ pub enum ArgumentKind {
     /// A door or a piece of furniture, or a room for its lamp.
     Thing,
     Room,
-    /// In seconds, above 0.
     Seconds,
     /// Metres, degrees or a probability.
     Number,
-    /// A manner of staying.
     Manner,
-    /// Any text.
     Text,
     List,
 }
@@ -145,7 +142,6 @@ pub const SEEN: [(&str, &str); 12] = [
     ("others", "The other people at home: a list of maps with `name`, `room`, `posture`, `x`, `y` and `distance`."),
 ];
 
-/// All words with brackets.
 pub fn words() -> impl Iterator<Item = &'static ScriptWord> {
     STEPS.iter().chain(&CHANCE).chain(&QUESTIONS)
 }

@@ -37,7 +37,6 @@ use std::ops::Range;
 
 pub struct Calibration {
     pub files: BTreeMap<String, String>,
-    /// The name of its own file among them.
     pub entry: String,
     /// By sensor of the log: its name in the home; its id where the home has no such sensor.
     pub names: Vec<String>,
@@ -63,12 +62,9 @@ pub struct Fitted {
     pub firings_an_hour: [FiringRates; 2],
 }
 
-/// The rates of motion sensors.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
 pub struct FiringRates {
-    /// Firings an hour between the usual times of rising and of going to bed.
     pub up: f64,
-    /// Firings an hour between the usual times of going to bed and of rising.
     pub in_bed: f64,
 }
 
@@ -90,28 +86,19 @@ const MOST_DAY_SPREAD: f64 = 2.0;
 const LEAST_DAYS: i64 = 5;
 /// Number of nights below which a rhythm is only approximate (our choice).
 const FEW_NIGHTS: usize = 5;
-/// The routine's file.
 const ROUTINE: &str = "fitted.routine";
 
 homebody_core::messages! {
     /// Problems with fitting a scenario to a log.
     pub enum CalibrationMessage in "fit" {
         /// Sensors do not tell several residents apart, so Homebody cannot learn the rhythm of each.
-        NotAlone {
-            /// The name of the scenario.
-            scenario: String,
-            /// The residents of it.
-            residents: usize,
-        } error "not-alone" ("{scenario:?} has {residents} residents, and Homebody fits only a resident who lives alone")
+        NotAlone { scenario: String, residents: usize } error "not-alone" ("{scenario:?} has {residents} residents, and Homebody fits only a resident who lives alone")
             hint ("use a scenario with one resident");
         /// The rhythm of a day begins and ends in bed. Homebody finds the night by the sensors of the bed or the bedroom.
         NoNight error "no-night" ("the log contains no night between two days")
             hint ("use a log with at least two nights, of a home with a sensor at the bed or in the bedroom");
         /// Homebody fits times and counts as averages over nights and days. Averages over a few of them are rough.
-        FewNights {
-            /// The nights of the log.
-            nights: usize,
-        } warning "few-nights" ("the fitted rhythm is rough: the log has {nights} nights")
+        FewNights { nights: usize } warning "few-nights" ("the fitted rhythm is rough: the log has {nights} nights")
             hint ("use a log of a week or more");
     }
 }
@@ -119,10 +106,6 @@ homebody_core::messages! {
 /// Fits a scenario to a log of its home. `progress` gets the share that is done, from 0 to 1.
 ///
 /// Sensors are those whose names the home has, or whose ids its logger says. The log is on the clock on the wall.
-///
-/// # Errors
-///
-/// [`TrackingError::Calibration`] if the home has not one resident, or the log has no night, and those of [`locate`].
 pub fn calibrate(log: &Log, home: &OpenScenario, mut progress: impl FnMut(f64)) -> Result<Calibration, TrackingError> {
     let scenario = home.scenario();
     if scenario.residents.len() != 1 {
@@ -174,7 +157,6 @@ impl Fitted {
         (self.nights < FEW_NIGHTS).then_some(CalibrationMessage::FewNights { nights: self.nights })
     }
 
-    /// The routine, with factors on movement and turning.
     fn text(&self) -> String {
         let mut sentences = self.routine.clone();
         let said = |times: f64, less: &str, more: &str| {
@@ -234,7 +216,6 @@ fn day_spread(scenario: &Scenario) -> f64 {
     scenario.file.numbers.get(DAY_SPREAD).copied().or_else(usual).unwrap_or_default()
 }
 
-/// The scenario, as fitted so far.
 fn open(walked: &OpenScenario, fitted: &Fitted) -> Result<OpenScenario, TrackingError> {
     let edit = walked.scenario().edit().routine(0, ROUTINE, fitted.text()).file(|file| {
         // A thousandth more or less is nothing that a few days can tell.

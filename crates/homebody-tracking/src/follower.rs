@@ -12,7 +12,6 @@ use std::fmt;
 /// Interval, in the time of the log, between positions without a row (our choice): silence is evidence, too.
 const ASKED: Span = SECOND.times(30);
 
-/// The responses of the sensors of a home to the possible bodies.
 pub struct FollowedHome {
     bodies: Vec<Senses>,
     nobody: Senses,
@@ -21,16 +20,13 @@ pub struct FollowedHome {
     sensors: Vec<String>,
 }
 
-/// The place of a person now, and its probability.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct PersonLocation {
-    /// The time on the clock on the wall.
     pub time: String,
     /// The resident, or a guest if there is one resident.
     pub who: String,
-    /// The room; `None` outside and between rooms.
+    /// `None` outside and between rooms.
     pub room: Option<String>,
-    /// Their movement there.
     pub doing: &'static str,
     /// The probability of the room, from 0 to 1.
     pub chance: f64,
@@ -38,7 +34,6 @@ pub struct PersonLocation {
     pub at_m: Option<[f64; 2]>,
 }
 
-/// A follower of a log through the plan of its home.
 pub struct LogFollower<'a> {
     learnt: &'a FollowedHome,
     scenario: &'a Scenario,
@@ -70,10 +65,6 @@ const BEYOND: f64 = 0.05;
 
 impl FollowedHome {
     /// Of the home of a scenario, which is only read.
-    ///
-    /// # Errors
-    ///
-    /// [`TrackingError::Translation`] if it has no resident.
     pub fn new(scenario: &Scenario) -> Result<FollowedHome, TrackingError> {
         let (bodies, people) = bodies(scenario)?;
         let Some(first) = bodies.first() else {
@@ -87,7 +78,6 @@ impl FollowedHome {
 }
 
 impl<'a> LogFollower<'a> {
-    /// A follower before the first row.
     pub fn new(learnt: &'a FollowedHome, scenario: &'a Scenario) -> LogFollower<'a> {
         let follower = Follower::new(&learnt.bodies, &learnt.nobody);
         let told = vec![None; learnt.people.len()];
@@ -96,10 +86,6 @@ impl<'a> LogFollower<'a> {
 
     /// Takes the rows that have come since the log was given last, and tells of everybody whose room, or how sure that is, has
     /// changed. Rows that are older than one that was taken are left out.
-    ///
-    /// # Errors
-    ///
-    /// [`TrackingError::Translation`] where the log has rows, and none of them is of the home's sensors.
     pub fn take(&mut self, log: &Log, mut tell: impl FnMut(PersonLocation)) -> Result<(), TrackingError> {
         if log.events.is_empty() {
             return Ok(());

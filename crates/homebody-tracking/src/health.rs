@@ -14,13 +14,11 @@ use std::sync::{Mutex, PoisonError};
 
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Health {
-    /// The number of sensors in the log.
     pub sensors: usize,
     /// The begin of the log, on the clock on the wall.
     pub from: String,
     /// The end of its last hour.
     pub to: String,
-    /// The faults, in order of time.
     pub findings: Vec<SensorFinding>,
     /// The mismatches of the log and the home, in sentences.
     pub remarks: Vec<String>,
@@ -30,7 +28,6 @@ pub struct Health {
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct SensorFinding {
     pub sensor: String,
-    /// The begin, on the clock on the wall.
     pub from: String,
     pub to: String,
     #[serde(flatten)]
@@ -38,10 +35,6 @@ pub struct SensorFinding {
 }
 
 /// Asks what is wrong with the sensors of a scenario's home, by a log of it. `progress` gets the share that is done, from 0 to 1.
-///
-/// # Errors
-///
-/// [`TrackingError::Translation`] if the home has no resident, or no sensor of the log.
 pub fn health(log: &Log, scenario: &Scenario, progress: impl FnMut(f64) + Send) -> Result<Health, TrackingError> {
     let names: Vec<String> = scenario.home.placed_sensors().iter().map(|sensor| sensor.name.clone()).collect();
     let heard = HomeMessages::new(log, scenario, &names)?;

@@ -21,9 +21,7 @@ use std::path::Path;
 
 /// The folder of the run that simulates the paths.
 pub const SIMULATED_RUN: &str = "run";
-/// The folder with a copy of the log.
 pub const GIVEN: &str = "given";
-/// The table of the places of all people.
 pub const WHERE: &str = "where.csv";
 /// The table of the probabilities of the rooms of each person.
 pub const ROOMS: &str = "rooms.csv";
@@ -43,7 +41,6 @@ const WALKING: f64 = 0.7;
 pub struct LocatingReport {
     /// The name of the log, as the user gave it.
     pub log: String,
-    /// The number of rows of the log.
     pub rows: u64,
     /// The number of rows that locate a person.
     pub rows_taken: u64,
@@ -71,11 +68,9 @@ pub struct UnknownSensor {
     pub rows: u64,
 }
 
-/// A sensor that could not be believed for a time.
 #[derive(Clone, Debug, Serialize)]
 pub struct DistrustedSensor {
     pub sensor: String,
-    /// The begin, on the clock on the wall.
     pub from: String,
     pub to: String,
     pub why: FaultIntervalKind,
@@ -87,7 +82,6 @@ pub struct DistrustedSensor {
 pub struct LocatingSummary {
     /// The name of the log, as the user gave it.
     pub log: String,
-    /// The people of the tables.
     pub people: Vec<String>,
     /// The mismatches of the log and the home, in sentences.
     pub remarks: Vec<String>,
@@ -115,7 +109,6 @@ pub fn locate_into(
     }
 }
 
-/// Writes a located log into an existing folder.
 fn write_into(
     to: &Path,
     (name, read): (&str, &LoadedLog),
@@ -141,7 +134,6 @@ fn write_into(
     Ok(report)
 }
 
-/// Copies the files of a log.
 fn keep(given: &Path, read: &LoadedLog) -> Result<(), TrackingError> {
     fs::create_dir_all(given).map_err(|error| SimulationError::io(given, error))?;
     for file in &read.files {
@@ -231,7 +223,6 @@ pub(crate) fn beginning(log: &Log, translation: &Translation) -> Log {
     Log { events, sensors: translation.names.clone(), ..log.clone() }
 }
 
-/// The table of the places of all people.
 fn whereabouts(translation: &Translation, plan: &Plan) -> Result<Vec<u8>, SimulationError> {
     let header = ["time", "who", "room", "chance", "x_m", "y_m", "doing"];
     let row = |one: &PersonStay| {
@@ -250,7 +241,6 @@ fn whereabouts(translation: &Translation, plan: &Plan) -> Result<Vec<u8>, Simula
     table(header, translation.whereabouts.iter().map(row))
 }
 
-/// The table of the probabilities of all rooms.
 fn rooms(translation: &Translation, plan: &Plan) -> Result<Vec<u8>, SimulationError> {
     let row = |one: &PlaceChance| {
         let place = match one.place {
@@ -265,10 +255,6 @@ fn rooms(translation: &Translation, plan: &Plan) -> Result<Vec<u8>, SimulationEr
 }
 
 /// Reads the table of rooms in a folder; `clock` reads its instants, and `people` are those of its report.
-///
-/// # Errors
-///
-/// [`SimulationError::File`] or [`SimulationError::Unreadable`] if it cannot be read.
 pub fn doubts(
     table: &Path,
     people: &[String],

@@ -19,7 +19,6 @@ use homebody_simulation::SimulationError;
 use homebody_walk::Mesh;
 use std::collections::BTreeMap;
 
-/// The places of people by a log.
 #[derive(Debug)]
 pub struct Translation {
     /// The calendar of its instants, which begin at midnight before the log's first row.
@@ -30,7 +29,6 @@ pub struct Translation {
     pub whereabouts: Vec<PersonStay>,
     /// The probabilities of the places, in order of time: only changes of [`LEAST_CHANGE`] or more.
     pub doubts: Vec<PlaceChance>,
-    /// A guest was seen.
     pub has_guest: bool,
     /// Sensors and the times in which they could not be believed.
     pub spells: Vec<(String, FaultInterval)>,
@@ -56,20 +54,17 @@ pub struct PersonStay {
     /// The begin, since the translation's start.
     pub at: RunTime,
     pub who: usize,
-    /// Index of the plan's room; `None` between rooms and outside.
+    /// `None` between rooms and outside.
     pub room: Option<usize>,
-    /// The place in metres; `None` outside.
     pub place: Option<Point>,
     /// Their movement there.
     pub kind: StateKind,
-    /// The probability of the room, from 0 to 1.
     pub chance: f64,
 }
 
 /// The probability of a place of a person, from an instant on.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PlaceChance {
-    /// The begin, since the translation's start.
     pub at: RunTime,
     pub who: usize,
     pub place: PossiblePlace,
@@ -77,21 +72,17 @@ pub struct PlaceChance {
     pub chance: f32,
 }
 
-/// A place where a person may be.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum PossiblePlace {
-    /// Outside the home.
     Out,
     /// At home but outside the rooms: in a doorway.
     Between,
-    /// In the plan's room of this index.
     Room(usize),
 }
 
 /// Change of a probability below which it is not reported again (our choice).
 pub const LEAST_CHANGE: f32 = 0.05;
 
-/// The addition to the name of a scenario.
 const WALKED_BACK: &str = ", located";
 
 /// Largest number of characters of a scenario's name, by its schema.
@@ -107,29 +98,20 @@ homebody_core::messages! {
         NoResidents error "no-residents" ("the scenario has no residents to locate")
             hint ("add a file to \"residents\" in scenario.json");
         /// To locate residents, Homebody first simulates how the sensors of the home answer to a body in each place. That was not possible.
-        Unlearnable {
-            /// The reason.
-            why: String,
-        } error "unlearnable" ("cannot compute how the sensors of the home respond: {why}")
+        Unlearnable { why: String } error "unlearnable" ("cannot compute how the sensors of the home respond: {why}")
             hint ("run homebody check on the scenario");
         /// Residents are located by the rows of their sensors.
         NoRows error "no-rows" ("the log has no rows")
             hint ("name a log with rows of the home's sensors");
         /// The first row of the log is before or after all dates that Homebody can compute with, or the time zone of the scenario is not valid.
-        Calendar {
-            /// The reason.
-            why: String,
-        } error "calendar" ("cannot read the dates of the log: {why}")
+        Calendar { why: String } error "calendar" ("cannot read the dates of the log: {why}")
             hint ("check the dates in the log, and the time zone in scenario.json");
         /// Homebody recognises the sensors of a log by their names in the home, or by the ids in the logger's file:
         ///
         /// ```json
         /// "ids": { "bedroom motion": "M001" }
         /// ```
-        OtherHome {
-            /// Some ids of the log.
-            ids: Vec<String>,
-        } error "other-home" ("no sensor of the log is a sensor of the home")
+        OtherHome { ids: Vec<String> } error "other-home" ("no sensor of the log is a sensor of the home")
             hint ("the log has {ids}; write the id of each sensor of the home into \"ids\" in logger.json", ids = ids.join(", "));
     }
 }
@@ -160,10 +142,6 @@ pub(crate) fn bodies(scenario: &Scenario) -> Result<(Vec<Senses>, Vec<String>), 
 /// Walks a log back through the home of a scenario, which is only read. `progress` gets the share that is done, from 0 to 1.
 ///
 /// The log's sensors are those whose names the home has, or whose ids its logger says.
-///
-/// # Errors
-///
-/// [`TrackingError::Translation`] if the home has no resident, or no sensor of the log; [`SimulationError::Cancelled`].
 pub fn locate(
     log: &Log,
     scenario: &Scenario,

@@ -4,7 +4,7 @@ use crate::gait::{Gait, rise, sit, walk};
 use crate::mesh::Mesh;
 use crate::places::HomePlace;
 use crate::routes::Routes;
-use crate::schemas::{WanderStyle, Wanderers, wander};
+use crate::schemas::{WanderStyle, Wanderers, Wandering};
 use homebody_core::geometry::Point;
 use homebody_core::home::Home;
 use homebody_core::motion::{MotionSegment, MotionState};
@@ -41,21 +41,14 @@ homebody_core::numbers! {
 impl WalkingBody {
     /// The body has no place yet; `pace_mps` is the person's usual speed.
     pub fn new(home: Arc<Home>, mesh: Arc<Mesh>, pace_mps: f64) -> WalkingBody {
-        WalkingBody {
-            home,
-            routes: Routes::new(mesh),
-            pace_mps,
-            at: Point::ZERO,
-            posture: Posture::Standing,
-            spot: None,
-        }
+        let (routes, posture) = (Routes::new(mesh), Posture::Standing);
+        WalkingBody { home, routes, pace_mps, at: Point::ZERO, posture, spot: None }
     }
 
     pub fn remembering(self, ways: usize) -> WalkingBody {
         WalkingBody { routes: self.routes.at_most(ways), ..self }
     }
 
-    /// Sets the place at the start of a run or behind the door.
     pub fn place(&mut self, spot: HomePlace, posture: Posture) {
         (self.at, self.posture, self.spot) = (spot.at, posture, Some(spot));
     }
@@ -130,19 +123,10 @@ impl WalkingBody {
         let gait = Gait::for_walk(self.pace_mps * pace, hour, 0.0, &self.home.numbers, stream);
         let from = self.step_out(now, &gait, &mut moves);
         let begin = moves.last().map_or(now, |last| last.end);
-        let mesh = self.routes.mesh();
-        moves.extend(wander(
-            kind,
-            mesh,
-            &self.home.plan,
-            from,
-            begin,
-            lasts.max(10 * SECOND),
-            &gait,
-            &self.home.numbers,
-            who,
-            stream,
-        ));
+        let (mesh, Home { plan, numbers, .. }) = (self.routes.mesh(), &*self.home);
+        let lasting = lasts.max(10 * SECOND);
+        let wandering = Wandering { kind, mesh, plan, from, begin, lasting, gait: &gait, numbers, who };
+        moves.extend(wandering.moves(stream));
         self.spot = None;
         moves
     }

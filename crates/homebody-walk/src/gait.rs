@@ -72,11 +72,9 @@ const USUAL_PACE_MPS: f64 = 0.65;
 /// happen at it (our choice).
 const SHORT_M: f64 = 0.05;
 
-/// The parameters of one walk; all are above 0.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Gait {
     pub speed_mps: f64,
-    /// Of setting off and of stopping.
     pub acceleration_mps2: f64,
     pub half_turn_s: f64,
     pub sharp_turn_rad: f64,
@@ -137,22 +135,11 @@ pub fn walk(path: &[Point], from: Point, begin: RunTime, gait: &Gait) -> Vec<Mot
 
 /// Rising where the body sat or lay: 2 to 3 s, up to 5 s at a frailty of 1, unless the parameters differ. Draws one value.
 pub fn rise(at: Point, begin: RunTime, frailty: f64, numbers: &Numbers, stream: &mut Stream) -> MotionSegment {
-    transfer(at, begin, frailty, Posture::Standing, numbers, stream)
+    sit(at, begin, frailty, Posture::Standing, numbers, stream)
 }
 
 /// Sitting or lying down, as long as rising. Draws one value.
 pub fn sit(
-    at: Point,
-    begin: RunTime,
-    frailty: f64,
-    posture: Posture,
-    numbers: &Numbers,
-    stream: &mut Stream,
-) -> MotionSegment {
-    transfer(at, begin, frailty, posture, numbers, stream)
-}
-
-fn transfer(
     at: Point,
     begin: RunTime,
     frailty: f64,

@@ -61,7 +61,7 @@ pub use gait::{Gait, rise, sit, walk};
 pub use mesh::Mesh;
 pub use pattern::{Pattern, travel_pattern};
 pub use routes::Routes;
-pub use schemas::{Gains, WanderStyle, Wanderers, wander};
+pub use schemas::{Gains, WanderStyle, Wanderers};
 
 pub fn numbers() -> Vec<Number> {
     let own = [gait::NUMBERS, schemas::NUMBERS, mesh::NUMBERS, body::NUMBERS].concat().into_iter().cloned();

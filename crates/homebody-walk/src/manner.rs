@@ -31,7 +31,6 @@ pub struct Manner {
     pub soon_s: f64,
     /// Median duration of a movement.
     pub bout_s: f64,
-    /// Distance of a movement.
     pub amplitude_m: f64,
 }
 
@@ -62,9 +61,7 @@ impl Manner {
     pub const READING: Manner = manner(READING, [300.0, 1.3], [0.5, 7.5], [1.5, 0.25]);
     /// In company, or on the telephone.
     pub const TALKING: Manner = manner("talking", [40.0, 1.2], [0.75, 5.0], [3.0, 0.3]);
-    /// At a meal.
     pub const EATING: Manner = manner("eating", [50.0, 1.2], [0.3, 6.0], [2.0, 0.3]);
-    /// On the toilet.
     pub const ON_TOILET: Manner = manner("on_toilet", [100.0, 1.2], [0.4, 6.0], [2.7, 0.3]);
     /// Standing and using the hands: at the stove, the sink, the wardrobe.
     pub const BUSY: Manner = manner("busy", [75.0, 1.3], [0.55, 7.0], [4.0, 0.35]);
@@ -119,38 +116,26 @@ impl Manner {
 
     pub fn numbers() -> Vec<Number> {
         let of = |manner: &Manner| {
-            let name = manner.name;
+            let Manner { name, gap_s, sigma, more, soon_s, bout_s, amplitude_m } = *manner;
             let number = |column: &str, value, unit, range, what: &str| {
                 let what = format!("{what}, for the manner of staying `{name}`.");
                 Number::of_table([TABLE, name, column], value, unit, range, what, file!())
             };
             [
-                number(
-                    "gap",
-                    manner.gap_s,
-                    "s",
-                    [0.5, 21_600.0],
-                    "Median gap, in seconds, between two clusters of movements",
-                ),
+                number("gap", gap_s, "s", [0.5, 21_600.0], "Median gap, in seconds, between two clusters of movements"),
                 number(
                     "spread",
-                    manner.sigma,
+                    sigma,
                     "1",
                     [0.0, 5.0],
                     "Standard deviation of the logarithm of the gaps between clusters",
                 ),
-                number("more", manner.more, "1", [0.0, 0.99], "Probability that another movement follows soon"),
-                number(
-                    "soon",
-                    manner.soon_s,
-                    "s",
-                    [0.5, 600.0],
-                    "Median gap, in seconds, between the movements of a cluster",
-                ),
-                number("bout", manner.bout_s, "s", [0.5, 30.0], "Median duration, in seconds, of a movement"),
+                number("more", more, "1", [0.0, 0.99], "Probability that another movement follows soon"),
+                number("soon", soon_s, "s", [0.5, 600.0], "Median gap, in seconds, between the movements of a cluster"),
+                number("bout", bout_s, "s", [0.5, 30.0], "Median duration, in seconds, of a movement"),
                 number(
                     "amplitude",
-                    manner.amplitude_m,
+                    amplitude_m,
                     "m",
                     [0.0, 1.0],
                     "Distance, in metres, that the moving part of the body covers",

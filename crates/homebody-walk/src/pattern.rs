@@ -15,7 +15,6 @@ pub enum Pattern {
 /// Number of places after which a return is not a lap (our choice).
 pub(super) const LAP_PLACES: usize = 6;
 
-///
 /// Classifies a sequence of places or rooms.
 ///
 /// Without a repetition it is direct. Otherwise it is cut into cycles, each from the last time in a place to the return

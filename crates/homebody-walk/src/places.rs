@@ -31,17 +31,12 @@ pub struct HomePlace {
 
 impl HomePlace {
     pub fn to_stand(at: Point, room: usize) -> HomePlace {
-        let (name, posture) = (String::new(), Posture::Standing);
-        HomePlace {
-            name,
-            at,
-            posture,
-            room: Some(room),
-            is_room: true,
-            is_reachable: true,
-            said: None,
-            sides: Vec::new(),
-        }
+        HomePlace { is_room: true, ..HomePlace::named(String::new(), at, Some(room)) }
+    }
+
+    fn named(name: String, at: Point, room: Option<usize>) -> HomePlace {
+        let (posture, sides) = (Posture::Standing, Vec::new());
+        HomePlace { name, at, posture, room, is_room: false, is_reachable: true, said: None, sides }
     }
 
     /// The best place first: the middle if it is not shared, else the side of this rank.
@@ -57,7 +52,6 @@ impl HomePlace {
     }
 }
 
-/// A place of small chores.
 #[derive(Clone, Debug)]
 pub struct ChoreStation {
     pub spot: HomePlace,
@@ -103,16 +97,7 @@ impl HomePlaces {
             let name = name.to_lowercase();
             let is_room = home.rooms.iter().any(|room| room.name.to_lowercase() == name);
             let said = said.get(&name).copied().filter(|_| !is_room);
-            HomePlace {
-                name,
-                at,
-                posture,
-                room: plan.room_at(at),
-                is_room,
-                is_reachable: true,
-                said,
-                sides: Vec::new(),
-            }
+            HomePlace { posture, is_room, said, ..HomePlace::named(name, at, plan.room_at(at)) }
         };
         let place = |(name, at): &(String, Point)| {
             let lower = name.to_lowercase();
@@ -184,7 +169,6 @@ impl HomePlaces {
         self.own_spot(&name).or_else(|| self.spot(&name))
     }
 
-    /// Sets the place of sleep at night.
     pub fn sleeping_at(mut self, name: Option<&str>) -> HomePlaces {
         if let Some(spot) = name.and_then(|name| self.named(name)).cloned() {
             self.of_role[Role::Bed as usize].0 = Some(spot);
@@ -353,17 +337,7 @@ impl HomePlaces {
         let at_door = || {
             let door = &plan.things[outside?];
             let at = just_inside(plan, door.at);
-            let (name, room) = (door.name.to_lowercase(), plan.room_at(at));
-            Some(HomePlace {
-                name,
-                at,
-                posture: Posture::Standing,
-                room,
-                is_room: false,
-                is_reachable: true,
-                said: None,
-                sides: Vec::new(),
-            })
+            Some(HomePlace::named(door.name.to_lowercase(), at, plan.room_at(at)))
         };
         place.or_else(at_door).or(room).map(|spot| (spot, thing))
     }

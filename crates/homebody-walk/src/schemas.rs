@@ -32,11 +32,8 @@ use homebody_core::time::{RunTime, Span};
 /// The strength of each schema, as a factor of its usual gain; those whose usual gain is 0 are absolute.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Gains {
-    /// Towards the goal.
     pub goal: f64,
-    /// Away from obstacles.
     pub walls: f64,
-    /// In random directions.
     pub noise: f64,
     /// Away from other people, relative to a goal of 1; usually 0.
     pub people: f64,
@@ -119,136 +116,121 @@ const STEERINGS: u32 = 5;
 /// Number of points that are tried as places to wander between (our choice).
 const TRIES: usize = 24;
 
-///
-/// Wanders for about `lasting`: until then, and on to a free place, at most one leg more.
-///
-/// The segments continue each other from `begin`. Without a goal, the body moves on the spot.
-#[expect(clippy::too_many_arguments, reason = "they are the whole of what wandering depends on")]
-pub fn wander(
-    kind: WanderStyle,
-    mesh: &Mesh,
-    plan: &Plan,
-    from: Point,
-    begin: RunTime,
-    lasting: Span,
-    gait: &Gait,
-    numbers: &Numbers,
-    who: Wanderers,
-    stream: &mut Stream,
-) -> Vec<MotionSegment> {
-    let goals = goals(kind, mesh, plan, from, numbers, stream);
-    between(kind, mesh, &goals, from, begin, lasting, gait, numbers, who, stream).0
+#[derive(Clone, Copy)]
+pub(crate) struct Wandering<'a> {
+    pub kind: WanderStyle,
+    pub mesh: &'a Mesh,
+    pub plan: &'a Plan,
+    pub from: Point,
+    pub begin: RunTime,
+    pub lasting: Span,
+    pub gait: &'a Gait,
+    pub numbers: &'a Numbers,
+    pub who: Wanderers<'a>,
 }
 
-/// Also returns the goals in the order of arrival.
-#[expect(clippy::too_many_arguments, reason = "they are the whole of what wandering depends on")]
-fn between(
-    kind: WanderStyle,
-    mesh: &Mesh,
-    goals: &[Point],
-    from: Point,
-    begin: RunTime,
-    lasting: Span,
-    gait: &Gait,
-    numbers: &Numbers,
-    who: Wanderers,
-    stream: &mut Stream,
-) -> (Vec<MotionSegment>, Vec<usize>) {
-    if goals.len() < 2 {
-        let doing = MotionState::InPlace { at: from, amplitude_m: numbers.of(&LOST_AMPLITUDE_M) };
-        let end = begin.saturating_add(lasting.max(Span::MICROSECOND));
-        return (vec![MotionSegment { begin, end, doing, posture: Posture::Standing }], Vec::new());
+impl Wandering<'_> {
+    /// Wanders for about `lasting`: until then, and on to a free place, at most one leg more.
+    ///
+    /// The segments continue each other from `begin`. Without a goal, the body moves on the spot.
+    pub fn moves(&self, stream: &mut Stream) -> Vec<MotionSegment> {
+        let goals = self.goals(stream);
+        self.between(&goals, stream).0
     }
-    let noise_gain = match kind {
-        WanderStyle::Random => [&RANDOM_NOISE_LEAST, &RANDOM_NOISE_MOST],
-        WanderStyle::Lapping | WanderStyle::Pacing => [&NOISE_LEAST, &NOISE_MOST],
-    };
-    let step_s = numbers.of(&STEP_S);
-    let mut wanderer = Wanderer {
-        mesh,
-        step_s,
-        step_m: gait.speed_mps * step_s,
-        schemas: Schemas {
-            goal_gain: numbers.of(&GOAL_GAIN) * who.gains.goal,
-            avoid_gain: numbers.of(&AVOID_GAIN) * who.gains.walls,
-            open_gain: who.gains.open_floor,
-            open_m: [&OPEN_LEAST_M, &OPEN_FROM_M].map(|number| numbers.of(number)),
-            people_gain: who.gains.people,
-            people_from_m: numbers.of(&PEOPLE_FROM_M),
-            others: who.others.to_vec(),
-            avoid_from_m: numbers.of(&AVOID_FROM_M),
-            avoid_most_m: numbers.of(&AVOID_MOST_M),
-            noise_gain: noise_gain.map(|gain| numbers.of(gain) * who.gains.noise),
-            noise_lasts: [&NOISE_STEPS_LEAST, &NOISE_STEPS_MOST].map(|steps| numbers.of(steps)),
-        },
-        reached_m: numbers.of(&REACHED_M),
-        patience: numbers.of(&PATIENCE),
-        pause_chance: who.gains.pauses * step_s / 60.0,
-        pause_s: numbers.of(&PAUSE_S),
-        noise: Point::ZERO,
-        noise_steps: 0,
-        at: from,
-        now: begin,
-        until: begin.saturating_add(lasting),
-        moves: Vec::new(),
-    };
-    let mut visited: Vec<usize> = Vec::new();
-    while !wanderer.is_over() {
-        let next = match kind {
-            WanderStyle::Random => unvisited(&visited, goals.len(), stream),
-            _ => visited.last().map_or(0, |last| (last + 1) % goals.len()),
+
+    /// Also returns the goals in the order of arrival.
+    fn between(&self, goals: &[Point], stream: &mut Stream) -> (Vec<MotionSegment>, Vec<usize>) {
+        let Wandering { kind, mesh, from, begin, lasting, gait, numbers, who, .. } = *self;
+        if goals.len() < 2 {
+            let doing = MotionState::InPlace { at: from, amplitude_m: numbers.of(&LOST_AMPLITUDE_M) };
+            let end = begin.saturating_add(lasting.max(Span::MICROSECOND));
+            return (vec![MotionSegment { begin, end, doing, posture: Posture::Standing }], Vec::new());
+        }
+        let noise_gain = match kind {
+            WanderStyle::Random => [&RANDOM_NOISE_LEAST, &RANDOM_NOISE_MOST],
+            WanderStyle::Lapping | WanderStyle::Pacing => [&NOISE_LEAST, &NOISE_MOST],
         };
-        if !wanderer.leg(goals[next], stream) {
-            break;
+        let step_s = numbers.of(&STEP_S);
+        let mut wanderer = Wanderer {
+            mesh,
+            step_s,
+            step_m: gait.speed_mps * step_s,
+            schemas: Schemas {
+                goal_gain: numbers.of(&GOAL_GAIN) * who.gains.goal,
+                avoid_gain: numbers.of(&AVOID_GAIN) * who.gains.walls,
+                open_gain: who.gains.open_floor,
+                open_m: [&OPEN_LEAST_M, &OPEN_FROM_M].map(|number| numbers.of(number)),
+                people_gain: who.gains.people,
+                people_from_m: numbers.of(&PEOPLE_FROM_M),
+                others: who.others.to_vec(),
+                avoid_from_m: numbers.of(&AVOID_FROM_M),
+                avoid_most_m: numbers.of(&AVOID_MOST_M),
+                noise_gain: noise_gain.map(|gain| numbers.of(gain) * who.gains.noise),
+                noise_lasts: [&NOISE_STEPS_LEAST, &NOISE_STEPS_MOST].map(|steps| numbers.of(steps)),
+            },
+            reached_m: numbers.of(&REACHED_M),
+            patience: numbers.of(&PATIENCE),
+            pause_chance: who.gains.pauses * step_s / 60.0,
+            pause_s: numbers.of(&PAUSE_S),
+            noise: Point::ZERO,
+            noise_steps: 0,
+            at: from,
+            now: begin,
+            until: begin.saturating_add(lasting),
+            moves: Vec::new(),
+        };
+        let mut visited: Vec<usize> = Vec::new();
+        while !wanderer.is_over() {
+            let next = match kind {
+                WanderStyle::Random => unvisited(&visited, goals.len(), stream),
+                _ => visited.last().map_or(0, |last| (last + 1) % goals.len()),
+            };
+            if !wanderer.leg(goals[next], stream) {
+                break;
+            }
+            visited.push(next);
         }
-        visited.push(next);
+        (wanderer.moves, visited)
     }
-    (wanderer.moves, visited)
-}
 
-/// Reachable places: two for pacing, three to five for laps, and enough for random wandering that one is always unvisited.
-fn goals(
-    kind: WanderStyle,
-    mesh: &Mesh,
-    plan: &Plan,
-    from: Point,
-    numbers: &Numbers,
-    stream: &mut Stream,
-) -> Vec<Point> {
-    let [apart_m, around_m, reached_m] = [&APART_M, &ROOM_AROUND_M, &REACHED_M].map(|number| numbers.of(number));
-    let count = match kind {
-        WanderStyle::Random => LAP_PLACES + 2,
-        WanderStyle::Lapping => 3 + stream.pick(&[1.0; 3]),
-        WanderStyle::Pacing => 2,
-    };
-    let sizes: Vec<f64> = plan.rooms.iter().map(|room| geometry::signed_area(&room.outline).abs()).collect();
-    let mut goals: Vec<Point> = Vec::new();
-    let mut second_best: Vec<Point> = Vec::new();
-    for _ in 0..TRIES {
-        let room = stream.pick(&sizes);
-        if room >= plan.rooms.len() {
-            break;
+    /// Reachable places: two for pacing, three to five for laps, and enough for random wandering that one is always unvisited.
+    fn goals(&self, stream: &mut Stream) -> Vec<Point> {
+        let Wandering { kind, mesh, plan, from, numbers, .. } = *self;
+        let [apart_m, around_m, reached_m] = [&APART_M, &ROOM_AROUND_M, &REACHED_M].map(|number| numbers.of(number));
+        let count = match kind {
+            WanderStyle::Random => LAP_PLACES + 2,
+            WanderStyle::Lapping => 3 + stream.pick(&[1.0; 3]),
+            WanderStyle::Pacing => 2,
+        };
+        let sizes: Vec<f64> = plan.rooms.iter().map(|room| geometry::signed_area(&room.outline).abs()).collect();
+        let mut goals: Vec<Point> = Vec::new();
+        let mut second_best: Vec<Point> = Vec::new();
+        for _ in 0..TRIES {
+            let room = stream.pick(&sizes);
+            if room >= plan.rooms.len() {
+                break;
+            }
+            let p = mesh.free_point(room, stream);
+            if goals.len() == count || !mesh.is_free(p) || !mesh.can_reach(from, p) {
+                continue;
+            }
+            let is_apart = goals.iter().all(|goal| goal.distance(p) >= apart_m);
+            let has_room = nearest(&mesh.sides_near(p, around_m), p).is_none_or(|at| at.distance(p) >= around_m);
+            if is_apart && has_room { goals.push(p) } else { second_best.push(p) }
         }
-        let p = mesh.free_point(room, stream);
-        if goals.len() == count || !mesh.is_free(p) || !mesh.can_reach(from, p) {
-            continue;
+        for p in second_best {
+            if goals.len() < count && goals.iter().all(|goal| goal.distance(p) > 2.0 * reached_m) {
+                goals.push(p);
+            }
         }
-        let is_apart = goals.iter().all(|goal| goal.distance(p) >= apart_m);
-        let has_room = nearest(&mesh.sides_near(p, around_m), p).is_none_or(|at| at.distance(p) >= around_m);
-        if is_apart && has_room { goals.push(p) } else { second_best.push(p) }
-    }
-    for p in second_best {
-        if goals.len() < count && goals.iter().all(|goal| goal.distance(p) > 2.0 * reached_m) {
-            goals.push(p);
+        if kind == WanderStyle::Lapping {
+            // In order around their middle, so that no goal lies on the way between two others if possible.
+            let middle = goals.iter().sum::<Point>() / goals.len().max(1) as f64;
+            let bearing = |goal: &Point| libm::atan2(goal.y - middle.y, goal.x - middle.x);
+            goals.sort_by(|a, b| bearing(a).total_cmp(&bearing(b)));
         }
+        goals
     }
-    if kind == WanderStyle::Lapping {
-        // In order around their middle, so that no goal lies on the way between two others if possible.
-        let middle = goals.iter().sum::<Point>() / goals.len().max(1) as f64;
-        let bearing = |goal: &Point| libm::atan2(goal.y - middle.y, goal.x - middle.x);
-        goals.sort_by(|a, b| bearing(a).total_cmp(&bearing(b)));
-    }
-    goals
 }
 
 /// A place that was not among the last ones.
@@ -300,7 +282,7 @@ impl Wanderer<'_> {
         self.now >= self.until && self.mesh.is_free(self.at)
     }
 
-    /// Goes to a goal, or as far as the time allows; false without a route.
+    /// False without a route.
     fn leg(&mut self, goal: Point, stream: &mut Stream) -> bool {
         let Some(mut way) = self.mesh.path(self.at, goal) else { return false };
         let length: f64 = [self.at].iter().chain(&way).zip(&way).map(|(a, b)| a.distance(*b)).sum();

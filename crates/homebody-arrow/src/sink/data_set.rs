@@ -17,7 +17,6 @@ use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-/// A folder of files by run and day.
 pub(crate) struct DataSet {
     folder: PathBuf,
     open: Option<OpenDataSet>,
@@ -60,7 +59,6 @@ impl Hidden {
         Ok(hidden)
     }
 
-    /// Moves all files to where they belong.
     fn name(&self) -> Result<(), LogError> {
         for file in parquet_files(&self.folder)? {
             let inner = file.strip_prefix(&self.folder).unwrap_or(&file);
@@ -87,7 +85,6 @@ impl DataSet {
         DataSet { folder, open: None }
     }
 
-    /// The folder of a table of the run.
     fn partition(&self, table: &Table, begin: &Begin) -> Vec<PathBuf> {
         let of_table = match begin.tables.len() {
             1 => self.folder.clone(),

@@ -25,7 +25,6 @@ const MOST_OPEN: usize = 4;
 /// Largest number of files of a day (our choice): a log that needs more is not in the order of time.
 const MOST_PARTS: u32 = 1000;
 
-/// One table's files.
 pub(super) struct DayFiles {
     partition: PathBuf,
     layout: FileLayout,
@@ -39,7 +38,6 @@ pub(super) struct DayFiles {
     latest: Option<i64>,
     /// The run's first day: where a table without rows has its file.
     first_day: i64,
-    /// The number of files of each day.
     parts: BTreeMap<i64, u32>,
     named: BTreeSet<PathBuf>,
     come: u64,

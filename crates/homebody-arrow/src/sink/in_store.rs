@@ -13,7 +13,6 @@ use std::path::{Path, PathBuf};
 use std::time::SystemTime;
 use tempfile::TempDir;
 
-/// A data set in an object store.
 pub(crate) struct InStore {
     url: PathBuf,
     open: Option<OpenStore>,

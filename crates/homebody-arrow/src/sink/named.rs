@@ -27,7 +27,6 @@ pub(crate) fn name(file: FreshFile, how: WriteMode) -> Result<(), LogError> {
     file.finish()
 }
 
-/// Compares the bytes of two files.
 fn are_same(one: &Path, other: &Path) -> io::Result<bool> {
     if fs::metadata(one)?.len() != fs::metadata(other)?.len() {
         return Ok(false);
@@ -72,7 +71,6 @@ fn begins_with(there: &Path, written: &Path) -> Result<(), LogError> {
     }
 }
 
-/// The rows of a file, some at a time.
 struct NamedRows {
     batches: Batches,
     now: Option<RecordBatch>,

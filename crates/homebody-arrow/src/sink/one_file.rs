@@ -11,7 +11,6 @@ use homebody_log::table::InstantWriter;
 use homebody_log::{Begin, LogError, Sink, Url, Watermark, WriteMode};
 use std::sync::Arc;
 
-/// A file of Parquet or Arrow IPC, or one for each table.
 pub(crate) struct OneFile {
     url: Url,
     format: Format,

@@ -18,7 +18,6 @@ use std::fs::File;
 use std::io::{ErrorKind, Read, Seek};
 use std::path::{Path, PathBuf};
 
-/// The first bytes of files.
 pub(super) const PARQUET: &[u8] = b"PAR1";
 pub(super) const ARROW: &[u8] = b"ARROW1";
 
@@ -28,7 +27,6 @@ const ROWS_AT_ONCE: usize = 8192;
 /// The same where texts share their beginnings: each of them may be as long as its page.
 const ROWS_THAT_SHARE: usize = 64;
 
-/// The rows of a file.
 pub(crate) struct Batches {
     path: PathBuf,
     rows: BatchReader,
@@ -39,7 +37,6 @@ enum BatchReader {
     Arrow(Box<IpcRows>),
 }
 
-/// A file before its rows are read.
 pub(super) struct OpenedTable {
     path: PathBuf,
     pub schema: SchemaRef,
@@ -136,10 +133,6 @@ fn with_views(schema: &Schema) -> SchemaRef {
 }
 
 /// All rows of a file of Parquet or Arrow IPC, with its columns.
-///
-/// # Errors
-///
-/// If there is no such file, or it has another form.
 pub fn whole_file(path: &Path) -> Result<(SchemaRef, Vec<RecordBatch>), LogError> {
     let opened = OpenedTable::open(path)?;
     let schema = opened.schema.clone();
@@ -149,7 +142,6 @@ pub fn whole_file(path: &Path) -> Result<(SchemaRef, Vec<RecordBatch>), LogError
 }
 
 impl Batches {
-    /// The rows of a file, with these columns.
     pub fn open(path: &Path, columns: Option<&[usize]>) -> Result<Batches, LogError> {
         OpenedTable::open(path)?.rows(columns)
     }

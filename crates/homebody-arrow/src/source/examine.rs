@@ -13,7 +13,6 @@ use homebody_log::{LogError, Url};
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
-/// Looks at a file or a data set.
 pub(crate) fn examine(url: &Url, asked: &CheckOptions) -> Result<Vec<Check>, LogError> {
     let (log, _) = log_table(asked.mapping)?;
     let (_kept, path) = match here(url.path()) {

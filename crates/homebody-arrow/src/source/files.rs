@@ -34,7 +34,6 @@ pub(super) fn files(path: &Path) -> Result<Vec<PathBuf>, LogError> {
     Ok(in_order.into_iter().map(|(_, file)| file).collect())
 }
 
-/// A number that a file tells of itself.
 pub(super) fn about(opened: &OpenedTable, key: &str) -> Option<u64> {
     let about: Value = serde_json::from_str(opened.about.as_ref()?).ok()?;
     about.get(key)?.as_u64()

@@ -23,7 +23,6 @@ const LARGEST_RATIO: u64 = 100;
 /// Largest size of an unpacked record batch.
 const LARGEST_BATCH_BYTES: u64 = 1 << 30;
 
-/// Its record batches, one after the other.
 pub(super) struct IpcRows {
     file: File,
     size: u64,
@@ -33,7 +32,6 @@ pub(super) struct IpcRows {
 }
 
 impl IpcRows {
-    /// Reads footer and dictionaries.
     pub fn open(mut file: File) -> Result<IpcRows, String> {
         let size = file.seek(SeekFrom::End(0)).map_err(io_message)?;
         let trailer: [u8; TRAILER_BYTES as usize] =

@@ -69,14 +69,12 @@ fn check_chunk(file: &mut BufReader<impl Read + Seek>, begin: u64, end: u64, lar
     Ok(())
 }
 
-/// The bytes of a page.
 #[derive(Default)]
 struct Sizes {
     unpacked: u64,
     packed: u64,
 }
 
-/// Reads the header of a page.
 struct Header<'f, F> {
     file: &'f mut BufReader<F>,
     read: u64,

@@ -19,7 +19,6 @@ use std::path::Path;
 /// Largest number of characters of unknown names in a message (our choice).
 const LONGEST_TOLD: usize = 200;
 
-/// Reads a file, or a folder of files, row by row.
 pub(super) fn read(path: &Path, mapping: &LoggerFile, reading: &mut LogReading<'_>) -> Result<(), LogError> {
     let (_kept, folder) = here(path)?;
     let mut line = 0;
@@ -34,7 +33,6 @@ pub(super) fn read(path: &Path, mapping: &LoggerFile, reading: &mut LogReading<'
     Ok(())
 }
 
-/// Whether a file has activities and no sensors.
 pub(super) fn are_activities(path: &Path) -> bool {
     OpenedTable::open(path).is_ok_and(|opened| spans(&opened.schema).is_some())
 }
@@ -43,7 +41,6 @@ fn names(schema: &Schema) -> Vec<String> {
     schema.fields().iter().map(|field| field.name().clone()).collect()
 }
 
-/// The places of begin, end and name in a table of activities.
 fn spans(schema: &Schema) -> Option<[usize; 3]> {
     let place = |wanted: &str| schema.fields().iter().position(|field| field.name() == wanted);
     let [begin, end, activity] = SPAN_COLUMNS.map(place);

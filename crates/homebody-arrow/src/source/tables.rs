@@ -87,7 +87,6 @@ fn places(schema: &Schema, table: &Table) -> Result<Vec<usize>, TruthMessage> {
     }
 }
 
-/// The cells of a column, as its kind has them.
 enum TruthCells<'a> {
     Instants(&'a ArrayRef, Times<'a>),
     Integers(&'a Int64Array),

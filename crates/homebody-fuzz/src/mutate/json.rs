@@ -6,7 +6,6 @@ use super::{numbers, texts};
 use crate::choices::Choices;
 use serde_json::Value;
 
-/// JSON as mutators need it.
 #[derive(Clone, Debug)]
 enum Tree {
     Object(Vec<(String, Tree)>),
@@ -190,7 +189,6 @@ impl Tree {
         }
     }
 
-    /// Approximate length in bytes.
     fn length(&self) -> usize {
         match self {
             Tree::Object(entries) => entries.iter().map(|(key, value)| key.len() + value.length() + 4).sum(),

@@ -21,12 +21,10 @@ pub fn other(number: f64, choices: &mut Choices) -> String {
     }
 }
 
-/// In the form of JSON.
 fn text(number: f64) -> String {
     if number.is_finite() { number.to_string() } else { "1e309".to_owned() }
 }
 
-/// All bounds of numbers in the schemas.
 fn bounds() -> &'static [f64] {
     static BOUNDS: OnceLock<Vec<f64>> = OnceLock::new();
     BOUNDS.get_or_init(|| {

@@ -39,7 +39,10 @@ pub fn outline(corners: &mut Vec<Corner>, choices: &mut Choices) {
             corners.splice(next..next, [[x + reach, y + reach * choices.between(-1.0, 1.0)], [x, y]]);
         }
         // Tiny or huge.
-        8 => scale(corners, *choices.one(&[0.0, 1e-308, 1e-160, 1e-12, 1e-6, 1e-4, 0.01, 100.0, 1e6, 1e160, 1e300])),
+        8 => {
+            let by = *choices.one(&[0.0, 1e-308, 1e-160, 1e-12, 1e-6, 1e-4, 0.01, 100.0, 1e6, 1e160, 1e300]);
+            corners.iter_mut().flatten().for_each(|coordinate| *coordinate *= by);
+        }
         9 => {
             let by = *choices.one(&[1e-308, 5e-324, 1e-17, 1e-9, 1e-6, 1e-4, -1e-4, 1e9, 1e16]);
             corners[at][choices.below(2)] += by;
@@ -50,10 +53,6 @@ pub fn outline(corners: &mut Vec<Corner>, choices: &mut Choices) {
         12 => *corners = comb(corners[at], choices.size(500)),
         _ => drop(corners.remove(at)),
     }
-}
-
-fn scale(corners: &mut [Corner], by: f64) {
-    corners.iter_mut().flatten().for_each(|coordinate| *coordinate *= by);
 }
 
 fn ring([x, y]: Corner, count: usize, radius: f64) -> Vec<Corner> {

@@ -31,7 +31,6 @@ pub fn script(text: &mut String, others: &[&str], choices: &mut Choices) {
     }
 }
 
-/// Inserts a statement at the place of one.
 fn statement(text: &mut String, choices: &mut Choices) {
     let parts = words("script parts").iter().map(String::as_str);
     let statements: Vec<&str> = parts.filter(|part| part.ends_with([';', '}'])).collect();
@@ -56,7 +55,6 @@ fn number(text: &mut String, choices: &mut Choices) {
     text.replace_range(begin..end, &other);
 }
 
-/// Inserts some lines of another script.
 fn part_of_another(text: &mut String, others: &[&str], choices: &mut Choices) {
     if others.is_empty() {
         return;
@@ -69,7 +67,6 @@ fn part_of_another(text: &mut String, others: &[&str], choices: &mut Choices) {
     *text = lines.join("\n");
 }
 
-/// Removes, repeats or moves a line.
 fn lines(text: &mut String, choices: &mut Choices) {
     let mut lines: Vec<String> = text.lines().map(String::from).collect();
     if lines.is_empty() {
@@ -82,7 +79,6 @@ fn lines(text: &mut String, choices: &mut Choices) {
     *text = lines.join("\n");
 }
 
-/// Calls another function.
 fn call_for_call(text: &mut String, choices: &mut Choices) {
     let calls: Vec<usize> = text.match_indices('(').map(|(at, _)| at).collect();
     if calls.is_empty() {

@@ -11,14 +11,8 @@ pub fn routine(choices: &mut Choices) -> String {
     let mut text = String::from("Margaret is 82. She walks at about 0.65 m/s.\n");
     for _ in 0..choices.size(30) {
         if choices.is(0.15) {
-            text += *choices.one(&[
-                "Every day\n",
-                "On Monday\n",
-                "From week 6:\n",
-                "Most nights\n",
-                "In winter,\n",
-                "# a\n",
-            ]);
+            text += *choices.one(&["Every day", "On Monday", "From week 6:", "Most nights", "In winter,", "# a"]);
+            text += "\n";
         }
         text += *choices.one(&["", "", "  ", "\t", "    "]);
         text += &sentence(choices);
@@ -67,7 +61,6 @@ pub fn sentence(choices: &mut Choices) -> String {
     }
 }
 
-/// The sentence with other words and numbers.
 fn reworded(sentence: &str, choices: &mut Choices) -> String {
     let mut words: Vec<String> = sentence.split(' ').map(str::to_owned).collect();
     for _ in 0..choices.size(3) {
@@ -100,7 +93,6 @@ fn clause<'t>(sentence: &'t str, is_head: bool, choices: &mut Choices) -> &'t st
     if is_head { &sentence[..cut] } else { &sentence[cut + 1..] }
 }
 
-/// All known sentences.
 fn forms() -> Vec<&'static str> {
     FORMS.lines().filter(|line| !line.is_empty() && !line.starts_with(['#', ' '])).collect()
 }

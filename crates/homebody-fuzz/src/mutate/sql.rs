@@ -1,6 +1,6 @@
 //! Databases made of hostile SQL: odd types, views, triggers, virtual tables, large values; and corrupt pages.
 
-use super::{numbers, tables, texts, word};
+use super::{numbers, texts, word};
 use crate::choices::Choices;
 use rusqlite::Connection;
 use std::fs;
@@ -107,7 +107,7 @@ fn row(choices: &mut Choices) -> String {
 fn value(choices: &mut Choices) -> String {
     match choices.below(9) {
         0 => "NULL".to_owned(),
-        1 | 2 => format!("'{}'", tables::instant(choices)),
+        1 | 2 => format!("'{}'", word(choices, "instants")),
         3 => format!("'{}'", texts::other("bed motion", choices).replace('\'', "''").replace('\0', "")),
         4 => numbers::other(1_235_977_923.0, choices),
         5 => format!("zeroblob({})", choices.size(20_000_000)),

@@ -62,8 +62,3 @@ fn cell(cell: &str, choices: &mut Choices) -> String {
         _ => format!("\"{}\"", cell.replace('a', "\"\"")),
     }
 }
-
-/// An instant, or an invalid one.
-pub fn instant(choices: &mut Choices) -> &'static str {
-    word(choices, "instants")
-}

@@ -10,9 +10,7 @@ use homebody_analysis::look::Looker;
 use homebody_core::scenario::logger::LoggerFile;
 use homebody_core::scenario::scheme::Scheme;
 use homebody_core::time::TimeScale;
-use homebody_log::{
-    Log, LogError, LogSource, Transfer, WriteMode, convert, label, read, read_timeline, survey, truth_at,
-};
+use homebody_log::{Log, LogSource, Transfer, WriteMode, convert, label, read, read_timeline, survey, truth_at};
 use homebody_picture::{DayChart, day_chart, density_map, look_page, png};
 use homebody_query::LoadedLog;
 use homebody_simulation::Url;
@@ -22,15 +20,11 @@ use std::path::Path;
 const ZONE: &str = "America/Chicago";
 
 /// Converts, compares, maps and draws a log, and labels it by a truth.
-///
-/// # Errors
-///
-/// An invariant does not hold.
 pub fn all(from: &LogSource, mapping: &LoggerFile, truth: &Path, folder: &Path) -> Result<ReadVerdict, String> {
     let survey = match survey(from, mapping) {
         Ok(survey) => survey,
         Err(error) => {
-            check_refusal(&error)?;
+            messages::refusal(&error)?;
             if read(from, mapping).is_ok() {
                 return Err("what cannot be surveyed can be read".into());
             }
@@ -48,7 +42,7 @@ pub fn all(from: &LogSource, mapping: &LoggerFile, truth: &Path, folder: &Path) 
     let scale = TimeScale::one();
     match read_timeline(&truth_at(&truth.to_string_lossy()), &scale) {
         Ok(known) => log.activities = known.map(|at| scale.run_to_wall(at)).into_activities(),
-        Err(error) => check_refusal(&error)?,
+        Err(error) => messages::refusal(&error)?,
     }
     let _ = compare(&log, &log).to_string();
     let mut looker = Looker::new(None);
@@ -61,14 +55,9 @@ pub fn all(from: &LogSource, mapping: &LoggerFile, truth: &Path, folder: &Path) 
     // In the wall time of a home, as the commands for days and density read it.
     match LoadedLog::read(&from.to_string(), Some(ZONE)) {
         Ok(given) => drawn(&given)?,
-        Err(error) => messages::message(&error.to_string())?,
+        Err(error) => messages::refusal(&error)?,
     }
     Ok(ReadVerdict::Accepted)
-}
-
-/// Checks the message of a refusal.
-fn check_refusal(error: &LogError) -> Result<(), String> {
-    messages::message(&error.to_string())
 }
 
 /// Converts a log into another form and back: rows keep their number and instants.
@@ -85,7 +74,7 @@ fn carried(
     let rows = match convert(&transfer, survey, |_| ()) {
         Ok(rows) => rows,
         // The form cannot distinguish two sensors.
-        Err(error) => return check_refusal(&error),
+        Err(error) => return messages::refusal(&error),
     };
     if rows != survey.rows {
         return Err(format!("{rows} rows of {} came into {}", survey.rows, scheme.row().name));
@@ -114,7 +103,7 @@ fn labelled(from: &LogSource, mapping: &LoggerFile, survey: &Log, truth: &Path, 
     match label(&transfer, survey, &truth_at(&truth.to_string_lossy()), &TimeScale::one(), |_| ()) {
         Ok(labelled) if labelled.rows != survey.rows => Err(format!("{} rows of {}", labelled.rows, survey.rows)),
         Ok(_) => Ok(()),
-        Err(error) => check_refusal(&error),
+        Err(error) => messages::refusal(&error),
     }
 }
 
@@ -128,7 +117,7 @@ fn drawn(given: &LoadedLog) -> Result<(), String> {
             if svg.len().is_multiple_of(32)
                 && let Err(error) = png(&svg, 400)
             {
-                messages::message(&error.to_string())?;
+                messages::refusal(&error)?;
             }
         }
         let _ = dates::DayChoice::First.within((first, last));
@@ -136,7 +125,7 @@ fn drawn(given: &LoadedLog) -> Result<(), String> {
     let asked = given.density_asked();
     match density((&given.name, &given.log, &asked), Some((&given.name, &given.log, &asked))) {
         Ok(density) => drop((density.to_string(), density_map(&density), density.of.map.csv())),
-        Err(why) => messages::message(&why.to_string())?,
+        Err(why) => messages::refusal(&why)?,
     }
     Ok(())
 }

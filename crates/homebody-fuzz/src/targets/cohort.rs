@@ -1,8 +1,6 @@
 //! The list of a cohort's members, which resuming a cohort reads.
 
 use super::messages;
-use crate::choices::Choices;
-use crate::mutate::json;
 use crate::seeds;
 use crate::target::{self, CaseFiles, ReadVerdict, Target};
 use homebody_core::time::SECOND;
@@ -11,7 +9,7 @@ use homebody_simulation::{CohortList, IncompleteCohort, LIST, template};
 use std::fs;
 use std::path::Path;
 
-pub const TARGET: Target = Target { name: "cohort", cases: 500, seeds, mutate, run };
+pub const TARGET: Target = Target { name: "cohort", cases: 500, seeds, mutate: target::change_json, run };
 
 fn seeds() -> Vec<CaseFiles> {
     let own = [made(2), made(2).map(unfinished)].into_iter().flatten();
@@ -34,17 +32,11 @@ fn unfinished(mut files: CaseFiles) -> CaseFiles {
     files
 }
 
-fn mutate(files: &mut CaseFiles, seeds: &[CaseFiles], choices: &mut Choices) {
-    target::change(files, seeds, choices, |_, text, others, choices| {
-        json::json(text, others, choices);
-    });
-}
-
 fn run(files: &CaseFiles, folder: &Path) -> Result<ReadVerdict, String> {
     fs::write(folder.join(LIST), files.get(LIST).map(Vec::as_slice).unwrap_or_default())
         .map_err(|error| error.to_string())?;
     if let Err(error) = LogRef::find(&folder.to_string_lossy()) {
-        messages::message(&error.to_string())?;
+        messages::refusal(&error)?;
     }
     let _ = serde_json::from_str::<CohortList>(target::text(files, LIST));
     match IncompleteCohort::open(folder) {

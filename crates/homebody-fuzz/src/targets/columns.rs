@@ -11,8 +11,7 @@ use std::path::Path;
 pub const TARGET: Target = Target { name: "columns", cases: 5_000, seeds, mutate, run };
 
 fn seeds() -> Vec<CaseFiles> {
-    let all = seeds::named(TARGET.name).into_iter().flat_map(CaseFiles::into_values);
-    all.map(|file| CaseFiles::from([(log::FILE.to_owned(), file)])).collect()
+    seeds::files(TARGET.name, log::FILE)
 }
 
 fn mutate(files: &mut CaseFiles, seeds: &[CaseFiles], choices: &mut Choices) {

@@ -4,10 +4,9 @@ use super::log;
 use crate::choices::Choices;
 use crate::mutate::sql;
 use crate::seeds;
-use crate::target::{self, CaseFiles, ReadVerdict, Target};
-use std::path::Path;
+use crate::target::{self, CaseFiles, Target};
 
-pub const TARGET: Target = Target { name: "database", cases: 2_000, seeds, mutate, run };
+pub const TARGET: Target = Target { name: "database", cases: 2_000, seeds, mutate, run: log::read_and_analyse };
 
 const SCRIPT: &str = "script.sql";
 
@@ -37,8 +36,4 @@ fn mutate(files: &mut CaseFiles, _: &[CaseFiles], choices: &mut Choices) {
         log::mapping(&mut mapping, choices);
         files.insert(log::MAPPING.to_owned(), mapping.into_bytes());
     }
-}
-
-fn run(files: &CaseFiles, folder: &Path) -> Result<ReadVerdict, String> {
-    log::read_and_analyse(files, folder)
 }

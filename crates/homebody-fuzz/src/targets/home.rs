@@ -1,8 +1,6 @@
 //! Homes: coverage and pictures.
 
 use super::messages;
-use crate::choices::Choices;
-use crate::mutate::json;
 use crate::seeds;
 use crate::target::{self, CaseFiles, ReadVerdict, Target};
 use homebody_analysis::coverage::{STEP_M, of_home};
@@ -14,7 +12,7 @@ use homebody_simulation::ScenarioSource;
 use homebody_walk::Mesh;
 use std::path::Path;
 
-pub const TARGET: Target = Target { name: "home", cases: 2_000, seeds, mutate, run };
+pub const TARGET: Target = Target { name: "home", cases: 2_000, seeds, mutate: target::change_json, run };
 
 /// A scenario without residents.
 pub const SCENARIO: &str =
@@ -26,12 +24,6 @@ pub const BODY_M: f64 = 0.22;
 fn seeds() -> Vec<CaseFiles> {
     let home = |files: CaseFiles| files.into_iter().filter(|(name, _)| name == "home.json").collect();
     seeds::named(TARGET.name).into_iter().chain(seeds::scenarios().into_iter().map(home)).collect()
-}
-
-fn mutate(files: &mut CaseFiles, seeds: &[CaseFiles], choices: &mut Choices) {
-    target::change(files, seeds, choices, |_, text, others, choices| {
-        json::json(text, others, choices);
-    });
 }
 
 fn run(files: &CaseFiles, _: &Path) -> Result<ReadVerdict, String> {

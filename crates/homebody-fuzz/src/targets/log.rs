@@ -10,7 +10,7 @@ use homebody_log::LogSource;
 use std::fs;
 use std::path::Path;
 
-pub const TARGET: Target = Target { name: "log", cases: 5_000, seeds, mutate, run };
+pub const TARGET: Target = Target { name: "log", cases: 5_000, seeds, mutate, run: read_and_analyse };
 
 pub const FILE: &str = "log";
 
@@ -21,8 +21,9 @@ pub const MAPPING: &str = "logger.json";
 pub const TRUTH: &str = "truth.db";
 
 fn seeds() -> Vec<CaseFiles> {
-    let texts = seeds::named(TARGET.name).into_iter().flat_map(CaseFiles::into_values);
-    texts.map(|text| CaseFiles::from([(FILE.to_owned(), text), (MAPPING.to_owned(), b"{}".to_vec())])).collect()
+    let mut seeds = seeds::files(TARGET.name, FILE);
+    seeds.iter_mut().for_each(|files| drop(files.insert(MAPPING.to_owned(), b"{}".to_vec())));
+    seeds
 }
 
 fn mutate(files: &mut CaseFiles, seeds: &[CaseFiles], choices: &mut Choices) {
@@ -51,15 +52,7 @@ pub fn mapping(text: &mut String, choices: &mut Choices) {
     .to_string();
 }
 
-fn run(files: &CaseFiles, folder: &Path) -> Result<ReadVerdict, String> {
-    read_and_analyse(files, folder)
-}
-
 /// Writes the files of a case into a folder, and analyses the log.
-///
-/// # Errors
-///
-/// An invariant does not hold.
 pub fn read_and_analyse(files: &CaseFiles, folder: &Path) -> Result<ReadVerdict, String> {
     let write = |name: &str| {
         let path = folder.join(name);
@@ -70,6 +63,6 @@ pub fn read_and_analyse(files: &CaseFiles, folder: &Path) -> Result<ReadVerdict,
     let mapping: LoggerFile = serde_json::from_str(target::text(files, MAPPING)).unwrap_or_default();
     match LogSource::recognise(&log) {
         Ok(url) => analysis::all(&url, &mapping, &truth, folder),
-        Err(error) => messages::message(&error.to_string()).map(|()| ReadVerdict::Refused),
+        Err(error) => messages::refusal(&error).map(|()| ReadVerdict::Refused),
     }
 }

@@ -11,10 +11,6 @@ const LONGEST_LINE_BYTES: usize = 2_000;
 const LONGEST_BYTES: usize = 32 << 10;
 
 /// Checks that an error gives place and reason.
-///
-/// # Errors
-///
-/// The missing property.
 pub fn error(error: &SimulationError, texts: &BTreeMap<String, String>) -> Result<(), String> {
     match error {
         SimulationError::Problems(problems) if problems.0.is_empty() => Err("it is refused, without a reason".into()),
@@ -28,10 +24,6 @@ pub fn error(error: &SimulationError, texts: &BTreeMap<String, String>) -> Resul
 }
 
 /// Checks that the place of a problem exists.
-///
-/// # Errors
-///
-/// The missing property.
 pub fn problem(problem: &Problem, texts: &BTreeMap<String, String>) -> Result<(), String> {
     let lacks = |what: &str| Err(format!("a problem {what}: {problem:?}"));
     if problem.file.is_empty() || problem.what.is_empty() {
@@ -52,11 +44,12 @@ pub fn problem(problem: &Problem, texts: &BTreeMap<String, String>) -> Result<()
     Ok(())
 }
 
+/// Checks the readability of an error.
+pub fn refusal(error: &impl std::fmt::Display) -> Result<(), String> {
+    message(&error.to_string())
+}
+
 /// Checks the readability of a message.
-///
-/// # Errors
-///
-/// The missing property.
 pub fn message(text: &str) -> Result<(), String> {
     let beginning: String = text.chars().take(200).collect();
     if text.trim().is_empty() {

@@ -58,7 +58,7 @@ fn run(files: &CaseFiles, _: &Path) -> Result<ReadVerdict, String> {
                 verdict = ReadVerdict::Accepted;
             }
             Err(error) => {
-                messages::message(&error.to_string())?;
+                messages::refusal(&error)?;
                 if !error.to_string().contains("\n  hint: ") {
                     return Err(format!("the error has no hint: {error}"));
                 }
@@ -68,7 +68,6 @@ fn run(files: &CaseFiles, _: &Path) -> Result<ReadVerdict, String> {
     Ok(verdict)
 }
 
-/// Finds ways from each room and piece of furniture to the next, and in by each door.
 fn find_ways(home_json: &str) -> Result<(), String> {
     let files = [("scenario.json", SCENARIO), ("home.json", home_json)];
     let files: BTreeMap<String, String> = files.map(|(name, text)| (name.to_owned(), text.to_owned())).into();

@@ -14,8 +14,7 @@ pub const TARGET: Target = Target { name: "profile", cases: 1_000, seeds, mutate
 const FILE: &str = "people.csv";
 
 fn seeds() -> Vec<CaseFiles> {
-    let texts = seeds::named(TARGET.name).into_iter().flat_map(CaseFiles::into_values);
-    texts.map(|text| CaseFiles::from([(FILE.to_owned(), text)])).collect()
+    seeds::files(TARGET.name, FILE)
 }
 
 fn mutate(files: &mut CaseFiles, seeds: &[CaseFiles], choices: &mut Choices) {

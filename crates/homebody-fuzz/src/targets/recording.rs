@@ -62,9 +62,7 @@ fn mutate(files: &mut CaseFiles, seeds: &[CaseFiles], choices: &mut Choices) {
         files.insert(FILE.to_owned(), text.into_bytes());
         return;
     }
-    target::change(files, seeds, choices, |_, text, others, choices| {
-        json::json(text, others, choices);
-    });
+    target::change_json(files, seeds, choices);
 }
 
 fn run(files: &CaseFiles, folder: &Path) -> Result<ReadVerdict, String> {
@@ -75,7 +73,7 @@ fn run(files: &CaseFiles, folder: &Path) -> Result<ReadVerdict, String> {
     fs::write(folder.join("log.csv"), "time,sensor,value\n2009-03-02 07:12:03,bed motion,ON\n")
         .map_err(|error| error.to_string())?;
     if let Err(error) = LoadedLog::read(&folder.join("log.csv").to_string_lossy(), None) {
-        messages::message(&error.to_string())?;
+        messages::refusal(&error)?;
     }
     // The unfinished work in a folder is reported before it is resumed.
     if let Err(error) = IncompleteRun::open(folder) {

@@ -19,11 +19,9 @@ pub const TARGET: Target = Target { name: "routine", cases: 5_000, seeds, mutate
 const FILE: &str = "margaret.routine";
 
 fn seeds() -> Vec<CaseFiles> {
-    let of = |text: &[u8]| CaseFiles::from([(FILE.to_owned(), text.to_vec())]);
-    let own = seeds::named(TARGET.name).into_iter().chain(seeds::scenarios());
-    let own =
-        own.flat_map(|files| files.into_iter().filter(|(name, _)| name.ends_with(".routine")).collect::<Vec<_>>());
-    own.map(|(_, text)| of(&text)).chain(CONDITIONS.iter().map(|(_, text)| of(text.as_bytes()))).collect()
+    let mut seeds = seeds::with_ending(TARGET.name, ".routine", FILE);
+    seeds.extend(CONDITIONS.iter().map(|(_, text)| CaseFiles::from([(FILE.to_owned(), text.as_bytes().to_vec())])));
+    seeds
 }
 
 fn mutate(files: &mut CaseFiles, seeds: &[CaseFiles], choices: &mut Choices) {

@@ -19,11 +19,7 @@ const FILE: &str = "clara.rhai";
 const SIMULATED: Span = HOUR;
 
 fn seeds() -> Vec<CaseFiles> {
-    let of = |text: &[u8]| CaseFiles::from([(FILE.to_owned(), text.to_vec())]);
-    let all = seeds::named(TARGET.name).into_iter().chain(seeds::scenarios());
-    let scripts =
-        all.flat_map(|files| files.into_iter().filter(|(name, _)| name.ends_with(".rhai")).collect::<Vec<_>>());
-    scripts.map(|(_, text)| of(&text)).collect()
+    seeds::with_ending(TARGET.name, ".rhai", FILE)
 }
 
 fn mutate(files: &mut CaseFiles, seeds: &[CaseFiles], choices: &mut Choices) {

@@ -47,7 +47,6 @@ fn mutate(files: &mut CaseFiles, seeds: &[CaseFiles], choices: &mut Choices) {
     });
 }
 
-/// A URL with one part replaced.
 fn part(line: &str, choices: &mut Choices) -> String {
     let marks = ['/', '?', '&', '=', ':', '@', '%', '[', ']', ',', '+'];
     let mut letters: Vec<char> = line.chars().collect();
@@ -144,7 +143,7 @@ fn check_watermark(note: &[u8], folder: &Path) -> Result<(), String> {
     match simulate(WriteMode::Resume) {
         Ok(()) if taken.load(Ordering::SeqCst) > ROWS => Err("more rows are given than there are".into()),
         Ok(()) => Ok(()),
-        Err(error) => messages::message(&error.to_string()),
+        Err(error) => messages::refusal(&error),
     }
 }
 

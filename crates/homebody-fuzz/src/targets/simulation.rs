@@ -18,10 +18,6 @@ const STORED: Span = MINUTE.times(10);
 const LONGEST: Duration = Duration::from_millis(250);
 
 /// Checks a scenario, and simulates it if it is valid.
-///
-/// # Errors
-///
-/// An invariant does not hold.
 pub fn check_and_simulate(texts: &BTreeMap<String, String>, folder: &Path) -> Result<ReadVerdict, String> {
     let source = ScenarioSource::from_texts(texts.clone(), "scenario.json");
     let opened = source.clone().open();
@@ -36,10 +32,6 @@ pub fn check_and_simulate(texts: &BTreeMap<String, String>, folder: &Path) -> Re
 }
 
 /// Simulates a scenario that has passed the check.
-///
-/// # Errors
-///
-/// An invariant does not hold: the check accepts a scenario that cannot be simulated, or rows are not in order.
 pub fn simulate(opened: &OpenScenario, folder: &Path) -> Result<(), String> {
     let is_whole = batches(opened)?;
     if is_whole { store_and_replay(opened, folder) } else { Ok(()) }

@@ -83,7 +83,7 @@ fn run(files: &CaseFiles, folder: &Path) -> Result<ReadVerdict, String> {
         Ok(log) => log,
         // A line longer than any log has.
         Err(error @ LogError::TooLong { .. }) => {
-            return messages::message(&error.to_string()).map(|()| ReadVerdict::Refused);
+            return messages::refusal(&error).map(|()| ReadVerdict::Refused);
         }
         Err(error) => return Err(format!("lines that stay are lost with the others: {error}")),
     };
@@ -126,7 +126,6 @@ fn with_their_record(form: &str, lines: &[&str], some: &[usize]) -> Vec<usize> {
     (0..lines.len()).filter(|&at| some.iter().any(|&other| records[other] == records[at])).collect()
 }
 
-/// Checks that the log has all rows of the rest.
 fn nothing_is_lost(log: &Log, rest: &Log) -> Result<(), String> {
     let (mut there, wanted) = (rows(log), rows(rest));
     for (row, times) in wanted {

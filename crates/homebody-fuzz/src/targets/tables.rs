@@ -73,7 +73,7 @@ fn run(files: &CaseFiles, folder: &Path) -> Result<ReadVerdict, String> {
     let scale = TimeScale::one();
     let mut verdict = ReadVerdict::Accepted;
     if let Err(error) = read_timeline(&truth, &scale) {
-        messages::message(&error.to_string())?;
+        messages::refusal(&error)?;
         verdict = ReadVerdict::Refused;
     }
     let mapping = LoggerFile::default();
@@ -87,7 +87,7 @@ fn run(files: &CaseFiles, folder: &Path) -> Result<ReadVerdict, String> {
             return Err(format!("of {} rows {} are labelled", about.rows, labelled.rows));
         }
         Ok(_) => {}
-        Err(error) => messages::message(&error.to_string())?,
+        Err(error) => messages::refusal(&error)?,
     }
     // Each table by itself, too.
     for name in files.keys().filter(|name| *name != LOG) {

@@ -2,7 +2,7 @@
 
 use super::messages;
 use crate::choices::Choices;
-use crate::mutate::{numbers, tables, texts};
+use crate::mutate::{numbers, texts, word};
 use crate::seeds;
 use crate::target::{self, CaseFiles, ReadVerdict, Target};
 use homebody_analysis::dates::DayChoice;
@@ -20,8 +20,7 @@ const FILE: &str = "texts";
 const MOST_LINES: usize = 200;
 
 fn seeds() -> Vec<CaseFiles> {
-    let texts = seeds::named(TARGET.name).into_iter().flat_map(CaseFiles::into_values);
-    texts.map(|text| CaseFiles::from([(FILE.to_owned(), text)])).collect()
+    seeds::files(TARGET.name, FILE)
 }
 
 fn mutate(files: &mut CaseFiles, seeds: &[CaseFiles], choices: &mut Choices) {
@@ -31,7 +30,7 @@ fn mutate(files: &mut CaseFiles, seeds: &[CaseFiles], choices: &mut Choices) {
             let at = choices.below(lines.len());
             let Some(line) = lines.get_mut(at) else { break };
             *line = match choices.below(5) {
-                0 => tables::instant(choices).to_owned(),
+                0 => word(choices, "instants").to_owned(),
                 1 => numbers::other(1.0, choices),
                 2 => format!("{}{}", line.split_inclusive(':').next().unwrap_or_default(), texts::other("", choices)),
                 3 => format!("{} {}", line.split(' ').next().unwrap_or_default(), numbers::other(2.0, choices)),
@@ -53,7 +52,6 @@ fn run(files: &CaseFiles, folder: &Path) -> Result<ReadVerdict, String> {
     Ok(verdict)
 }
 
-/// Parses a text in all ways; true if one succeeds.
 fn is_valid(text: &str, folder: &Path) -> Result<bool, String> {
     let url = text.parse::<Url>().map_err(LogError::NoPlace);
     if let Ok(url) = &url {
@@ -87,6 +85,6 @@ fn is_valid(text: &str, folder: &Path) -> Result<bool, String> {
 fn checked<T, E: Display>(read: Result<T, E>) -> Result<bool, String> {
     match read {
         Ok(_) => Ok(true),
-        Err(error) => messages::message(&error.to_string()).map(|()| false),
+        Err(error) => messages::refusal(&error).map(|()| false),
     }
 }

@@ -11,7 +11,6 @@ use std::path::Path;
 
 pub const TARGET: Target = Target { name: "truth", cases: 1_000, seeds, mutate, run };
 
-/// A log for the truth.
 const LOG: &str = "seq,time,sensor,value\n\
                    0,2009-03-02 07:12:03.000000,bed motion,ON\n\
                    1,2009-03-02 07:12:05.500000,hall motion,ON\n\
@@ -34,7 +33,7 @@ fn run(files: &CaseFiles, folder: &Path) -> Result<ReadVerdict, String> {
     let (url, scale) = (truth_at(&path.to_string_lossy()), TimeScale::one());
     let read = [read_timeline(&url, &scale).map(drop), movements(&url)];
     for error in read.iter().filter_map(|told| told.as_ref().err()) {
-        messages::message(&error.to_string())?;
+        messages::refusal(&error)?;
     }
     log::read_and_analyse(files, folder)?;
     Ok(if read.iter().all(Result::is_ok) { ReadVerdict::Accepted } else { ReadVerdict::Refused })

@@ -23,8 +23,7 @@ const FILE: &str = "message.json";
 const LONGEST: Duration = Duration::from_millis(30);
 
 fn seeds() -> Vec<CaseFiles> {
-    let texts = seeds::named(TARGET.name).into_iter().flat_map(CaseFiles::into_values);
-    texts.map(|text| CaseFiles::from([(FILE.to_owned(), text)])).collect()
+    seeds::files(TARGET.name, FILE)
 }
 
 fn mutate(files: &mut CaseFiles, seeds: &[CaseFiles], choices: &mut Choices) {
@@ -35,9 +34,7 @@ fn mutate(files: &mut CaseFiles, seeds: &[CaseFiles], choices: &mut Choices) {
         files.insert(FILE.to_owned(), message.to_string().into_bytes());
         return;
     }
-    target::change(files, seeds, choices, |_, text, others, choices| {
-        json::json(text, others, choices);
-    });
+    target::change_json(files, seeds, choices);
 }
 
 /// Changes a text of a draft, as its user would; false without one.
@@ -70,7 +67,7 @@ fn run(files: &CaseFiles, folder: &Path) -> Result<ReadVerdict, String> {
     }
     // A plan of unknown origin, dropped onto the page.
     if let Err(error) = drafts.import(text.as_bytes()) {
-        messages::message(&error.to_string())?;
+        messages::refusal(&error)?;
     }
     Ok(if is_understood { ReadVerdict::Accepted } else { ReadVerdict::Refused })
 }
@@ -90,7 +87,7 @@ fn ask(drafts: &DraftService, text: &str) -> Result<bool, String> {
         problems(&drafts.month(month, &Cancel::new()).problems)?;
     } else if let Ok(save) = serde_json::from_str::<Save>(text) {
         if let Err(why) = drafts.save(save) {
-            messages::message(&why.to_string())?;
+            messages::refusal(&why)?;
         }
         let _ = (drafts.files(), drafts.versions());
     } else if let Ok(connect) = serde_json::from_str::<Connect>(text) {

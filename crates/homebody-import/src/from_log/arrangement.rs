@@ -6,7 +6,6 @@
 use super::shape::{Rect, cut};
 use homebody_core::geometry::Point;
 
-/// The requirements of a room without a place yet.
 #[derive(Clone, Copy, Debug)]
 pub struct RoomNeed {
     pub area_m2: f64,
@@ -15,7 +14,6 @@ pub struct RoomNeed {
     pub has_way_out: bool,
 }
 
-/// A tree of cuts.
 #[derive(Clone, Debug)]
 enum CutTree {
     Room(usize),

@@ -80,13 +80,8 @@ pub fn between(rects: &[Rect], ways: &[Vec<f64>], is_way: &[bool]) -> Vec<DoorGa
     doors
 }
 
-/// The door out of the first of these rooms with an outer wall.
 pub fn out(rects: &[Rect], candidates: &[usize]) -> Option<DoorGap> {
-    let first = rects.first()?;
-    let (least, most) = rects
-        .iter()
-        .fold((first.least, first.most), |(least, most), rect| (least.min(rect.least), most.max(rect.most)));
-    let whole = Rect { least, most };
+    let whole = Rect::around_all(rects);
     candidates.iter().find_map(|&room| Some(DoorGap::in_wall(outer_side(&rects[room], &whole)?, [Some(room), None])))
 }
 

@@ -13,20 +13,18 @@ use crate::error::ImportError;
 use crate::names::{NamePool, clean};
 use crate::{SCHEMA, soundness};
 use homebody_core::geometry::Point;
-use homebody_core::home::form::{HomeFile, latitude};
+use homebody_core::home::form::HomeFile;
 use homebody_core::plan::form::{DoorFile, FurnitureFile, RoomFile, WallFile};
 use homebody_core::problem::counted;
 use std::collections::{BTreeMap, BTreeSet};
 
 #[derive(Clone, Debug, PartialEq)]
 pub struct Schematic {
-    /// The text of a `home.json` that passes the check.
     pub home_json: String,
     /// By sensor of the home, its id in the log.
     pub ids: BTreeMap<String, String>,
     /// Duration of an ON, if the log has OFF.
     pub hold_s: Option<f64>,
-    /// Guesses and omissions, a sentence each.
     pub remarks: Vec<String>,
 }
 
@@ -81,10 +79,6 @@ fn listed(names: &[String]) -> String {
 }
 
 /// Makes a home with this name from a log. `about` is its description.
-///
-/// # Errors
-///
-/// [`SchematicError`], with all sensors without a room.
 pub fn schematic(name: &str, about: &str, sensors: &[LogSensor], ways: &[LogWay]) -> Result<Schematic, SchematicError> {
     if sensors.is_empty() {
         return Err(SchematicError::NoSensors);
@@ -121,7 +115,6 @@ pub fn schematic(name: &str, about: &str, sensors: &[LogSensor], ways: &[LogWay]
     Ok(Schematic { home_json, ids, hold_s, remarks })
 }
 
-/// The places of rooms and their content.
 struct HomeLayout {
     rects: Vec<Rect>,
     walls: Vec<(Point, Point)>,
@@ -284,18 +277,13 @@ fn measured(
         places[room].extend(sensor.at);
     }
     let mut rects = rectangles(&places);
-    let largest = |rects: &[Option<Rect>]| {
-        let area = |rect: &Rect| rect.size().x * rect.size().y;
-        (0..rects.len()).filter(|&room| rects[room].is_some()).max_by(|&a, &b| {
-            let of = |room: usize| rects[room].map_or(0.0, |rect| area(&rect));
-            of(a).total_cmp(&of(b))
-        })
-    };
+    let area = |rect: Rect| rect.size().x * rect.size().y;
     for room in 0..rects.len() {
         if rects[room].is_none() {
             let needs = pieces.iter().filter(|piece| piece.room == room).count();
-            let Some(from) = largest(&rects) else { continue };
-            let Some(rect) = rects[from] else { continue };
+            let known = rects.iter().enumerate().filter_map(|(room, rect)| Some((room, (*rect)?)));
+            let largest = known.max_by(|a, b| area(a.1).total_cmp(&area(b.1)));
+            let Some((from, rect)) = largest else { continue };
             let is_upright = rect.size().x > rect.size().y;
             // The end of the shared room that is farthest from its own sensors.
             let share = if needs > 1 { 0.4 } else { 0.3 };
@@ -353,12 +341,10 @@ fn put_together(
         remarks.push(format!("for these sensors there is no place: {}", listed(&left)));
     }
     let ids = hung.iter().map(|(file, id)| (file.name().to_owned(), id.clone())).collect();
-    let outer = rects
-        .iter()
-        .fold((rects[0].least, rects[0].most), |(least, most), rect| (least.min(rect.least), most.max(rect.most)));
+    let outer = Rect::around_all(&rects);
     let is_outer = |(from, to): &(Point, Point)| {
         let side = |a: f64, b: f64, of: [f64; 2]| a == b && of.contains(&a);
-        side(from.x, to.x, [outer.0.x, outer.1.x]) || side(from.y, to.y, [outer.0.y, outer.1.y])
+        side(from.x, to.x, [outer.least.x, outer.most.x]) || side(from.y, to.y, [outer.least.y, outer.most.y])
     };
     let at = |p: Point| rounded(p.into());
     let wall = |ends: (Point, Point)| WallFile {
@@ -383,19 +369,15 @@ fn put_together(
             role: piece.thing.role,
         })
     });
-    let furniture = furniture.collect();
     let room = |(room, rect): (&LogRoom, &Rect)| RoomFile::new(&room.name, rect.corners());
     let home = HomeFile {
         schema: Some(SCHEMA.to_owned()),
-        name: String::new(),
-        about: String::new(),
-        latitude_deg: latitude(),
         rooms: rooms.iter().zip(&rects).map(room).collect(),
         walls: walls.into_iter().map(wall).collect(),
         doors: doors.into_iter().map(door).collect(),
-        furniture,
-        places: Vec::new(),
+        furniture: furniture.collect(),
         sensors: hung.into_iter().map(|(file, _)| file).collect(),
+        ..HomeFile::new("")
     };
     AssembledHome { home, ids, hold_s: make.hold_s }
 }

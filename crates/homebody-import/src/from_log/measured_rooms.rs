@@ -1,7 +1,7 @@
 //! Rooms by measured positions of sensors: a rectangle around all of them, cut so that the sensors of each room are together.
 
 use super::shape::{Rect, cut};
-use homebody_core::geometry::Point;
+use homebody_core::geometry::{Point, bounds};
 
 /// Distance from the outermost sensors to the end of the home (our choice).
 const MARGIN_M: f64 = 1.3;
@@ -10,9 +10,7 @@ const LEAST_M: f64 = 1.3;
 
 /// The rectangles of rooms by the places of their sensors; `None` for a room without a sensor.
 pub fn rectangles(places: &[Vec<Point>]) -> Vec<Option<Rect>> {
-    let all = || places.iter().flatten();
-    let Some(&first) = all().next() else { return vec![None; places.len()] };
-    let (least, most) = all().fold((first, first), |(least, most), &at| (least.min(at), most.max(at)));
+    let (least, most) = bounds(places.iter().flatten().copied());
     let whole = Rect { least: least - Point::splat(MARGIN_M), most: most + Point::splat(MARGIN_M) };
     let mut rects = vec![None; places.len()];
     let rooms: Vec<usize> = (0..places.len()).filter(|&room| !places[room].is_empty()).collect();

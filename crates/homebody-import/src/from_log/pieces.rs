@@ -9,7 +9,6 @@ use homebody_core::role::Role;
 pub struct NeededPiece {
     pub room: usize,
     pub thing: &'static RoomThing,
-    /// The sensors over it and on it.
     pub sensors: Vec<usize>,
 }
 

@@ -50,11 +50,9 @@ pub struct Placement {
     pub sensors: Vec<Option<Point>>,
 }
 
-/// The input of the search for places.
 pub struct PlacementSite<'a> {
     pub sensors: &'a [LogSensor],
     pub ways: &'a [LogWay],
-    /// By sensor.
     pub what: &'a [(usize, SensorAim)],
     pub rects: &'a [Rect],
     pub doors: &'a [DoorGap],
@@ -273,7 +271,6 @@ fn leaves_ways(site: &PlacementSite, piece: &NeededPiece, stands: &PieceSpot, pl
     wanted.into_iter().all(|cell| is_reached[cell])
 }
 
-/// The floor on both sides of a door.
 fn clearance(door: &DoorGap) -> Rect {
     let (least, most) = (door.from.min(door.to), door.from.max(door.to));
     let across = if least.x == most.x { Point::new(AT_DOOR_M, BETWEEN_M) } else { Point::new(BETWEEN_M, AT_DOOR_M) };

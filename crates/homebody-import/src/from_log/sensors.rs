@@ -57,7 +57,6 @@ pub fn make(sensors: &[LogSensor]) -> Make {
     }
 }
 
-/// A home with places for its sensors.
 pub struct Furnished<'a> {
     pub rooms: &'a [LogRoom],
     pub rects: &'a [Rect],

@@ -1,6 +1,6 @@
 //! Rectangles along the axes.
 
-use homebody_core::geometry::{At, Point};
+use homebody_core::geometry::{At, Point, bounds};
 
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Rect {
@@ -11,6 +11,11 @@ pub struct Rect {
 impl Rect {
     pub fn around(middle: Point, size: Point) -> Rect {
         Rect { least: middle - size / 2.0, most: middle + size / 2.0 }
+    }
+
+    pub fn around_all(rects: &[Rect]) -> Rect {
+        let (least, most) = bounds(rects.iter().flat_map(|rect| [rect.least, rect.most]));
+        Rect { least, most }
     }
 
     pub fn size(&self) -> Point {

@@ -5,9 +5,7 @@ use homebody_core::role::Role;
 #[derive(Debug, PartialEq)]
 pub struct RoomKind {
     pub name: &'static str,
-    /// Its names, each in one or two words.
     pub words: &'static [&'static str],
-    /// The usual area.
     pub area_m2: f64,
     /// True for a room that people mostly pass through.
     pub is_way: bool,
@@ -44,14 +42,12 @@ impl RoomKind {
     }
 }
 
-/// A thing at which sensors see people.
 #[derive(Debug, PartialEq)]
 pub struct RoomThing {
     pub name: &'static str,
     pub words: &'static [&'static str],
     /// The rooms for these words; empty for all rooms.
     pub only_in: &'static [&'static str],
-    /// Its usual room.
     pub home: &'static str,
     /// Along the wall, and from the wall.
     pub size_m: [f64; 2],
@@ -123,13 +119,11 @@ impl RoomThing {
     }
 }
 
-/// The place of an activity.
 pub struct ActivitySite {
     /// Beginnings of the words of its label.
     pub words: &'static [&'static str],
     /// The kind of the room; `None` for activities at the way out.
     pub room: Option<&'static str>,
-    /// The thing for it.
     pub at: &'static str,
 }
 

@@ -8,7 +8,6 @@ use std::f64::consts::FRAC_PI_2;
 const LIVING: [[f64; 2]; 4] = [[110.0, 110.0], [590.0, 110.0], [590.0, 490.0], [110.0, 490.0]];
 const BEDROOM: [[f64; 2]; 4] = [[610.0, 110.0], [890.0, 110.0], [890.0, 490.0], [610.0, 490.0]];
 
-/// The doors of the flat.
 fn doors() -> String {
     door("Front door", [200.0, 500.0], 0.0, "") + &door("Bedroom door", [600.0, 200.0], FRAC_PI_2, "")
 }

@@ -12,7 +12,6 @@ use zip::CompressionMethod;
 /// Much more than any of it takes, also where the machine is busy with other things: nothing here takes minutes.
 const SOON: Duration = Duration::from_secs(20);
 
-/// Why a file is not imported.
 #[track_caller]
 fn refused(bytes: &[u8]) -> ImportError {
     let begun = Instant::now();

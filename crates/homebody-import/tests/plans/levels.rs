@@ -5,13 +5,6 @@ use homebody_import::{ImportError, sweet_home};
 
 /// A house: a cellar of one room, the flat above it, and an attic without walls.
 fn house() -> String {
-    let on = |level: &str, drawn: &str| {
-        let with = |tag: &str| (format!("<{tag} id="), format!("<{tag} level='{level}' id="));
-        ["wall", "room", "doorOrWindow", "pieceOfFurniture"]
-            .into_iter()
-            .map(with)
-            .fold(drawn.to_owned(), |text, (a, b)| text.replace(&a, &b))
-    };
     let corners = [[0.0, 0.0], [300.0, 0.0], [300.0, 300.0], [0.0, 300.0]];
     let cellar: String = (0..4).map(|side| wall(corners[side], corners[(side + 1) % 4])).collect();
     [

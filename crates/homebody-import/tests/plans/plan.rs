@@ -9,7 +9,6 @@ use std::io::{Cursor, Write};
 use zip::write::SimpleFileOptions;
 use zip::{CompressionMethod, ZipWriter};
 
-/// A file as Sweet Home 3D saves it, with these entries.
 pub fn archive(entries: &[(&str, &[u8])]) -> Vec<u8> {
     packed(entries, CompressionMethod::Deflated)
 }
@@ -30,7 +29,6 @@ pub fn file(drawn: &str) -> Vec<u8> {
     archive(&[("Home", b"\xac\xed\x00\x05"), ("Home.xml", xml.as_bytes()), ("1/chair.obj", b"v 0 0 0")])
 }
 
-/// A wall 20 cm thick.
 pub fn wall(from: [f64; 2], to: [f64; 2]) -> String {
     let ([x1, y1], [x2, y2]) = (from, to);
     format!(

@@ -48,7 +48,6 @@ impl Broker {
         wait_for("the broker's database", || database.exists().then_some(()));
     }
 
-    /// Says each line, as fast as it goes.
     pub fn say_lines(&self, topic: &str, lines: &str) {
         let port = self.port.to_string();
         let args = ["-h", "127.0.0.1", "-p", &port, "-q", "1", "-l", "-t", topic];
@@ -58,7 +57,6 @@ impl Broker {
     }
 }
 
-/// One message that was heard.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Heard {
     pub topic: String,
@@ -78,7 +76,6 @@ impl Heard {
     }
 }
 
-/// Somebody who listens, until dropped.
 pub struct Listener {
     child: Child,
     heard: Arc<Mutex<Vec<Heard>>>,
@@ -87,7 +84,6 @@ pub struct Listener {
 }
 
 impl Listener {
-    /// Listens to all below a topic.
     pub fn to(broker: &Broker, topic: &str) -> Listener {
         let listener = Listener::of(broker.port, topic, &[]);
         // It listens once it hears something.
@@ -155,7 +151,6 @@ impl Listener {
         self.heard.lock().unwrap().len()
     }
 
-    /// Waits until a message of this topic says this.
     pub fn wait(&self, topic: &str, says: &str) -> Heard {
         wait_for(&format!("{says} on {topic}"), || {
             self.heard().into_iter().rev().find(|heard| heard.topic == topic && heard.payload.contains(says))
@@ -229,7 +224,6 @@ const SAID: [(u32, Value); 16] = [
     (2, Value::Out),
 ];
 
-/// Firings of all sensors, 4 s apart.
 pub fn firings(count: u64) -> Vec<Firing> {
     let firing = |seq: u64| {
         let (sensor, value) = SAID[(seq % SAID.len() as u64) as usize];
@@ -238,7 +232,6 @@ pub fn firings(count: u64) -> Vec<Firing> {
     (0..count).map(firing).collect()
 }
 
-/// A logger of the run, whose rows go to this sink.
 pub fn logger(sink: MqttSink, how: WriteMode) -> Result<Logger, LogError> {
     logger_with(sink, how, policy())
 }
@@ -248,12 +241,10 @@ pub fn logger_with(sink: MqttSink, how: WriteMode, policy: Policy) -> Result<Log
     Logger::open(vec![to], &LoggerFile::default(), &Arc::new(run()), how)
 }
 
-/// Stores firings, all at once.
 pub fn store(logger: &mut Logger, firings: &[Firing]) {
     logger.store(firings, firings.last().map_or(RunTime::START, |last| last.at + Span::MICROSECOND)).unwrap();
 }
 
-/// Lives a run of so many rows into a place.
 pub fn live(url: &Url, rows: u64) {
     let mut logger = logger(MqttSink::in_real_time(url), WriteMode::Create).unwrap();
     store(&mut logger, &firings(rows));

@@ -19,7 +19,6 @@ fn fleet(homes: u32) -> Arc<Fleet> {
     Arc::new(Fleet { first: 1, layouts: vec![layout], homes: (1..=homes).map(home).collect() })
 }
 
-/// So many rows of each home, one after the other.
 fn rows(fleet: &Fleet, numbers: std::ops::Range<usize>) -> Vec<FleetEvent> {
     let firings = firings(numbers.end as u64);
     let row = |home: usize, number: usize| {
@@ -51,7 +50,6 @@ fn begun(url: &Url, fleet: &Arc<Fleet>) -> MqttFleet {
     sink
 }
 
-/// The received rows, by topic and text.
 fn told(listener: &Listener, below: &str) -> Vec<(String, String)> {
     let is_row = |heard: &Heard| heard.row().is_some() && heard.topic.starts_with(below);
     listener.heard().into_iter().filter(is_row).map(|heard| (heard.topic, heard.payload)).collect()

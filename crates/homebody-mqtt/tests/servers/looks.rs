@@ -133,22 +133,7 @@ fn names_made_to_get_out_stay_inside() {
     use homebody_log::{Destination, Logger, RunInfo};
     use std::sync::Arc;
     let Some(broker) = Broker::start() else { return };
-    let names = [
-        "#",
-        "+",
-        "../x",
-        "a/b",
-        "$SYS/broker",
-        "\u{0}",
-        "command",
-        "status",
-        "bridge",
-        "\u{e9}",
-        "",
-        "a b",
-        "a_b",
-        "a-b",
-    ];
+    let names: Vec<&str> = "#,+,../x,a/b,$SYS/broker,\0,command,status,bridge,\u{e9},,a b,a_b,a-b".split(',').collect();
     let mut run = crate::servers::broker::run();
     run.home = Some("$SYS/+/#".into());
     let first = run.sensors[1].clone();

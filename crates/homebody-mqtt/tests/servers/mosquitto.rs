@@ -12,7 +12,6 @@ use tempfile::TempDir;
 /// The longest wait of a test, on however slow a machine (our choice).
 pub const SOON: Duration = Duration::from_secs(60);
 
-/// A broker that ends with the test.
 pub struct Broker {
     pub folder: TempDir,
     pub port: u16,
@@ -61,7 +60,6 @@ impl Broker {
         }
     }
 
-    /// Stops it in order.
     #[allow(dead_code, reason = "one of the programs of tests stops it")]
     pub fn stop(&mut self) {
         if let Some(mut child) = self.child.take() {
@@ -70,7 +68,6 @@ impl Broker {
         }
     }
 
-    /// Sends it a signal.
     pub fn signal(&self, signal: &str) {
         let id = self.child.as_ref().unwrap().id().to_string();
         assert!(Command::new("kill").args([signal, &id]).status().unwrap().success());
@@ -80,7 +77,6 @@ impl Broker {
         format!("mqtt://127.0.0.1:{}/{rest}", self.port).parse().unwrap()
     }
 
-    /// Publishes a message.
     pub fn say(&self, topic: &str, payload: &str, more: &[&str]) {
         let port = self.port.to_string();
         let args = ["-h", "127.0.0.1", "-p", &port, "-q", "1", "-t", topic, "-m", payload];
@@ -94,7 +90,7 @@ impl Drop for Broker {
     }
 }
 
-/// The path of mosquitto: Debian puts it outside the usual PATH.
+/// Debian puts it outside the usual PATH.
 fn program() -> Option<PathBuf> {
     let path = std::env::var_os("PATH").unwrap_or_default();
     let folders = std::env::split_paths(&path).chain(["/usr/sbin".into(), "/usr/local/sbin".into()]);

@@ -6,7 +6,6 @@ use serde_json::{Value, json};
 use std::fs;
 use std::process::Command;
 
-/// The retained messages of a home after a row of each sensor.
 fn kept(broker: &Broker) -> Vec<Heard> {
     live(&broker.url("zigbee2mqtt?style=zigbee2mqtt"), firings(16).len() as u64);
     broker.kept()
@@ -14,7 +13,6 @@ fn kept(broker: &Broker) -> Vec<Heard> {
 
 const BASE: &str = "zigbee2mqtt/the_studio";
 
-/// Whether a value fits the device's description.
 fn fits(expose: &Value, said: &Value) -> bool {
     match expose["type"].as_str().unwrap() {
         "binary" => *said == expose["value_on"] || *said == expose["value_off"],

@@ -7,13 +7,11 @@ use super::super::paint::{HAIRLINE, INK, MUTED, Paint, SERIES};
 use super::super::svg::{Anchor, Px, Svg, Type, polyline};
 use super::{AXIS_TEXT, GRID, TOP, WIDTH, heading, nice_step, steps};
 
-/// The firings of one activity, such as walking slowly at five feet.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FiringLane {
     pub label: String,
     /// The part of the experiment; activities of one portion stand together.
     pub portion: char,
-    /// The firings, from the activity's start.
     pub firings_s: Vec<f64>,
 }
 

@@ -10,7 +10,6 @@ use super::{AXIS_TEXT, GRID, TOP, WIDTH, heading};
 /// Bands by name, and for each hour of the day the share of each.
 #[derive(Clone, Debug, PartialEq)]
 pub struct HourShares {
-    /// The names of the bands, from the lowest on.
     pub names: Vec<String>,
     /// By hour of the day, the share of each band: from 0 to 1, together at most 1.
     pub shares: Vec<Vec<f64>>,

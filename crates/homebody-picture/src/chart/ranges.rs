@@ -7,15 +7,11 @@ use super::super::paint::{DEAD, DEAD_TEXT, HAIRLINE, INK, MUTED, Paint, SENSOR, 
 use super::super::svg::{Anchor, Svg, Type};
 use super::{TOP, WIDTH, heading};
 
-/// A figure and the range that was published.
 #[derive(Clone, Debug, PartialEq)]
 pub struct RangeFigure {
     pub label: String,
-    /// The figure and the published one, in words.
     pub words: String,
-    /// The lower end of the published range, in the figure's own unit.
     pub low: f64,
-    /// The upper end of the published range.
     pub high: f64,
     pub value: f64,
 }
@@ -57,7 +53,6 @@ impl RangeFigure {
         (self.low..=self.high).contains(&self.value)
     }
 
-    /// The share of the width.
     fn share(&self) -> f64 {
         let width = (self.high - self.low).max(f64::MIN_POSITIVE);
         (BAR.0 + (self.value - self.low) / width * (BAR.1 - BAR.0)).clamp(0.0, 1.0)

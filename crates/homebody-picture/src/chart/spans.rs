@@ -7,13 +7,10 @@ use super::super::paint::{HAIRLINE, INK, MUTED, Paint, SERIES};
 use super::super::svg::{Anchor, Px, Svg, Type};
 use super::{AXIS_TEXT, GRID, TOP, WIDTH, heading, nice_step, steps};
 
-/// A stretch of time with lanes of its own, such as one recording.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Panel {
     pub label: String,
-    /// Its length, in seconds.
     pub duration_s: f64,
-    /// Its lanes, from the top on.
     pub lanes: Vec<Lane>,
 }
 

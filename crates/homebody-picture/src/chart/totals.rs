@@ -7,19 +7,14 @@ use super::super::paint::{INK, MUTED, Paint, SERIES, WHITE};
 use super::super::svg::{Anchor, Px, Svg, Type, polyline};
 use super::{AXIS_TEXT, GRID, TOP, WIDTH, heading, nice_step, steps};
 
-/// Totals for a row of assumptions, all else equal.
 #[derive(Clone, Debug, PartialEq)]
 pub struct TotalsLine {
-    /// The text at the end of the line.
     pub label: String,
-    /// Assumptions and the totals that they give.
     pub points: Vec<(f64, f64)>,
 }
 
-/// A published total.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Reference {
-    /// The text at the dashed line.
     pub label: String,
     /// The total, in the unit of the totals of the lines.
     pub total: f64,
@@ -64,7 +59,6 @@ pub fn totals_chart(title: &str, axes: [&str; 2], lines: &[TotalsLine], referenc
     svg.finish(WIDTH, BOTTOM + 86.0)
 }
 
-/// The ranges of the axes and the steps between their numbers.
 struct TotalsAxes {
     x: (f64, f64),
     y: (f64, f64),

@@ -10,7 +10,6 @@ use skrifa::{FontRef, GlyphId, MetadataProvider};
 use std::collections::BTreeMap;
 use subsetter::GlyphRemapper;
 
-/// The fonts so far.
 #[derive(Default)]
 pub struct Fonts(Vec<Font>);
 

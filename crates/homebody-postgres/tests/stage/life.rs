@@ -13,12 +13,10 @@ use homebody_postgres::Postgres;
 use std::sync::Arc;
 use std::time::Duration;
 
-/// A run and its speed.
 #[derive(Clone, Copy, Debug)]
 pub struct Life {
     pub run: i64,
     pub firings: u64,
-    /// Firings of one advance.
     pub step: usize,
     /// Advances after which log and truth make sure of their rows.
     pub settles: usize,
@@ -32,7 +30,6 @@ impl Life {
         Life { run, firings, step: 50, settles: 10, rests: Duration::ZERO, how: WriteMode::Create }
     }
 
-    /// Lives it into a log and, where one is wanted, a truth.
     pub fn live(&self, log: &str, truth: Option<&str>, policy: Policy) -> Result<(), LogError> {
         self.live_as(log, truth, policy, &LoggerFile::default())
     }
@@ -67,7 +64,6 @@ pub fn destination(url: &str, policy: &Policy) -> Destination {
     Destination::own(url.to_string(), Postgres::new(&url), policy.clone())
 }
 
-/// A policy that waits so long for a server that is away.
 pub fn patient(seconds: u64) -> Policy {
     let retry_after = Duration::from_millis(20);
     Policy { retry_for: Duration::from_secs(seconds), retry_after, ..Policy::default() }

@@ -20,7 +20,6 @@ const NOBODY: u32 = 65_534;
 const KEEPER: &str = r#"folder=$PWD; "$@" & server=$!; said=$(cat); kill -QUIT $server 2> /dev/null; wait $server
                         [ "$said" = stays ] || { cd /; rm -rf "$folder"; }"#;
 
-/// The rules for logins with and without a password.
 const WHO: &str = "local all ann scram-sha-256\nlocal all all trust\nhost all ann 127.0.0.1/32 scram-sha-256\n\
                    host all all 127.0.0.1/32 trust\n";
 
@@ -34,7 +33,6 @@ pub struct Server {
 }
 
 impl Server {
-    /// A new server, if PostgreSQL is installed here.
     pub fn start() -> Option<Server> {
         Server::start_with(&["fsync=off"])
     }
@@ -82,6 +80,14 @@ impl Server {
     pub fn shared() -> Option<&'static Server> {
         static SHARED: OnceLock<Option<Server>> = OnceLock::new();
         SHARED.get_or_init(Server::start).as_ref()
+    }
+
+    /// A new database on that server, and its URL.
+    pub fn with_database(name: &str) -> Option<(&'static Server, String, String)> {
+        let server = Server::shared()?;
+        let database = server.database(name);
+        let url = server.url("postgres", &database, "");
+        Some((server, database, url))
     }
 
     pub fn folder(&self) -> &Path {
@@ -146,7 +152,6 @@ impl Server {
         }
     }
 
-    /// Ends the server at once, with its connections.
     pub fn stop(&mut self) {
         if let Some(mut keeper) = self.keeper.take() {
             // It is gone where the server has never begun.
@@ -170,18 +175,15 @@ impl Server {
         self.folder.path().join(".s.PGSQL.5432")
     }
 
-    /// The URL of a database by the server's socket.
     pub fn url(&self, user: &str, database: &str, more: &str) -> String {
         format!("postgresql://{user}@/{database}?host={}{more}", self.folder.path().display())
     }
 
-    /// A new database, by its name.
     pub fn database(&self, name: &str) -> String {
         self.psql("postgres", &format!("CREATE DATABASE {name}"));
         name.to_owned()
     }
 
-    /// The answer of the server's own program to SQL.
     pub fn psql(&self, database: &str, sql: &str) -> String {
         self.try_psql(database, sql).unwrap_or_else(|error| panic!("{sql}: {error}"))
     }
@@ -211,6 +213,11 @@ impl Server {
             digest.update(self.psql(database, &rows));
         }
         digest.finalize().iter().map(|byte| format!("{byte:02x}")).collect()
+    }
+
+    /// Of the log and of the truth.
+    pub fn dumps(&self, database: &str, run: i64) -> [String; 2] {
+        ["public", "truth"].map(|schema| self.dump(database, schema, run))
     }
 }
 

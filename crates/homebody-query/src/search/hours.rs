@@ -27,10 +27,7 @@ homebody_core::messages! {
     #[derive(Clone, PartialEq, Eq)]
     pub enum HoursMessage in "hours" {
         /// DayHours are two times of day with a hyphen between, from 0 to 24. The second may be on the next day: `22-6` is the night.
-        NotHours {
-            /// The text.
-            text: String,
-        } error "not-hours" ("{text:?} is not a range of hours")
+        NotHours { text: String } error "not-hours" ("{text:?} is not a range of hours")
             hint ("write two times of day, such as 0-6, 22-6 or 08:30-20:00");
     }
 }

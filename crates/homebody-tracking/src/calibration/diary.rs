@@ -56,23 +56,6 @@ const SEATS: [Role; 3] = [Role::Armchair, Role::Sofa, Role::Desk];
 /// Places of meals: where food is prepared, and where it is eaten.
 const MEAL_PLACES: [Role; 6] = [Role::Stove, Role::Counter, Role::Fridge, Role::Sink, Role::Drawers, Role::DiningSeat];
 
-/// Places of the diary.
-const AT: [Role; 13] = [
-    Role::Bed,
-    Role::Toilet,
-    Role::Shower,
-    Role::Washbasin,
-    Role::Stove,
-    Role::Counter,
-    Role::Fridge,
-    Role::Sink,
-    Role::Drawers,
-    Role::DiningSeat,
-    Role::Armchair,
-    Role::Sofa,
-    Role::Desk,
-];
-
 /// When meals are prepared, as times of day.
 const MEALS: [(Meal, Range<Span>); 3] = [
     (Meal::Breakfast, HOUR.times(4)..MINUTE.times(630)),
@@ -96,7 +79,6 @@ impl UsualNight {
     }
 }
 
-/// A diary read off a log.
 pub struct Rhythm {
     noted: Vec<DiaryEntry>,
 }
@@ -162,7 +144,8 @@ type DiaryStay = Episode<WallTime, DiaryPlace>;
 type Spots = Vec<(Role, Point)>;
 
 fn spots(places: &HomePlaces) -> Spots {
-    let own = AT.into_iter().filter(|role| places.has(*role));
+    let roles = CARE.into_iter().map(|(role, ..)| role).chain(MEAL_PLACES).chain(SEATS);
+    let own = [Role::Bed].into_iter().chain(roles).filter(|role| places.has(*role));
     own.filter_map(|role| Some((role, places.for_role(role)?.at))).collect()
 }
 
@@ -270,7 +253,6 @@ mod tests {
     use super::*;
     use homebody_core::geometry::point;
 
-    /// From one minute to another.
     fn span(from: i64, to: i64) -> Interval<WallTime> {
         Interval::new(WallTime::EPOCH + from * MINUTE, WallTime::EPOCH + to * MINUTE)
     }

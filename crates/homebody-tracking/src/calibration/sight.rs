@@ -44,7 +44,6 @@ const BETTER: f64 = 0.02;
 /// choice).
 const OFTENER: f64 = 1.2;
 
-/// The fitted range of a sensor, and its share of misses.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct SensorSight {
     pub sensor: String,
@@ -104,7 +103,6 @@ pub fn fitted(
 struct Resimulation {
     path: ScenarioEdit,
     length: Span,
-    /// The log by the home's names of its sensors, as far as the path goes.
     log: Log,
 }
 
@@ -199,7 +197,6 @@ fn seeing_as_far(scenario: &Scenario, times: f64) -> Vec<SensorFile> {
     sensors.iter().enumerate().map(changed).collect()
 }
 
-/// A sensor with another reach.
 fn scaled(sensor: &SensorFile, times: f64) -> Option<SensorFile> {
     let mut sensor = sensor.clone();
     sensor.scale_reach(times).then_some(sensor)

@@ -9,10 +9,6 @@ use homebody_simulation::{OpenScenario, SimulationError};
 pub const SEED: u64 = 1;
 
 /// The log of so many simulated days of a scenario, on the wall clock and with the home's names of the sensors.
-///
-/// # Errors
-///
-/// [`TrackingError::Simulation`] if its logger has invalid names, or a driver fails.
 pub fn simulated_log(open: &OpenScenario, seed: u64, days: u32) -> Result<Log, TrackingError> {
     log_for(open, seed, i64::from(days) * DAY)
 }

@@ -2,16 +2,24 @@ use super::*;
 use crate::homes::{random_home, sphere_house, tigerplace};
 use crate::pattern::{Pattern, travel_pattern};
 use homebody_core::time::SECOND;
+use std::sync::LazyLock;
 
 const RADIUS_M: f64 = 0.22;
 const KINDS: [WanderStyle; 3] = [WanderStyle::Random, WanderStyle::Lapping, WanderStyle::Pacing];
-const GAIT: Gait = Gait {
+static GAIT: Gait = Gait {
     speed_mps: 0.65,
     acceleration_mps2: 1.0,
     half_turn_s: 2.0,
     sharp_turn_rad: std::f64::consts::FRAC_PI_3,
     turn_amplitude_m: 0.3,
 };
+
+static NUMBERS: LazyLock<Numbers> = LazyLock::new(Numbers::default);
+
+fn wandering<'a>(kind: WanderStyle, plan: &'a Plan, mesh: &'a Mesh, from: Point, lasting: Span) -> Wandering<'a> {
+    let (begin, who) = (RunTime::START, Wanderers::default());
+    Wandering { kind, mesh, plan, from, begin, lasting, gait: &GAIT, numbers: &NUMBERS, who }
+}
 
 fn start(plan: &Plan, mesh: &Mesh) -> Point {
     let stream = &mut Stream::named(1, "start");
@@ -57,19 +65,9 @@ fn wandering_has_the_requested_pattern() {
             let mut passing_as_meant = 0;
             for case in 0..20 {
                 let mut stream = Stream::named(case, "wandering");
-                let goals = goals(kind, &mesh, &plan, from, &Numbers::default(), &mut stream);
-                let (moves, visited) = between(
-                    kind,
-                    &mesh,
-                    &goals,
-                    from,
-                    RunTime::START,
-                    900 * SECOND,
-                    &GAIT,
-                    &Numbers::default(),
-                    Wanderers::default(),
-                    &mut stream,
-                );
+                let wandering = wandering(kind, &plan, &mesh, from, 900 * SECOND);
+                let goals = wandering.goals(&mut stream);
+                let (moves, visited) = wandering.between(&goals, &mut stream);
                 assert_eq!(travel_pattern(&visited), pattern, "case {case}: {visited:?}");
                 // Passing a goal on the way counts as a visit.
                 let passed = travel_pattern(&visits(&ends(&moves, from, RunTime::START), &goals));
@@ -89,33 +87,9 @@ fn a_wanderer_never_enters_a_solid_and_ends_in_a_free_place() {
         for kind in KINDS {
             let mut stream = Stream::named(case as u64, "wandering");
             let (begin, lasting) = (RunTime::from_micros(7), 130 * SECOND);
-            let moves = wander(
-                kind,
-                &mesh,
-                &plan,
-                from,
-                begin,
-                lasting,
-                &GAIT,
-                &Numbers::default(),
-                Wanderers::default(),
-                &mut stream.clone(),
-            );
-            assert_eq!(
-                moves,
-                wander(
-                    kind,
-                    &mesh,
-                    &plan,
-                    from,
-                    begin,
-                    lasting,
-                    &GAIT,
-                    &Numbers::default(),
-                    Wanderers::default(),
-                    &mut stream
-                )
-            );
+            let wandering = Wandering { begin, ..wandering(kind, &plan, &mesh, from, lasting) };
+            let moves = wandering.moves(&mut stream.clone());
+            assert_eq!(moves, wandering.moves(&mut stream));
             let ends = ends(&moves, from, begin);
             let mut at = from;
             for &to in &ends {
@@ -146,18 +120,7 @@ fn prints_the_patterns_between_rooms_and_the_time() {
             let patterns: Vec<Pattern> = (0..20)
                 .map(|case| {
                     let mut stream = Stream::named(case, "wandering");
-                    let wandering = wander(
-                        kind,
-                        &mesh,
-                        &plan,
-                        from,
-                        RunTime::START,
-                        132 * SECOND,
-                        &GAIT,
-                        &Numbers::default(),
-                        Wanderers::default(),
-                        &mut stream,
-                    );
+                    let wandering = wandering(kind, &plan, &mesh, from, 132 * SECOND).moves(&mut stream);
                     moves += wandering.len();
                     let rooms = ends(&wandering, from, RunTime::START).into_iter().filter_map(|at| plan.room_at(at));
                     travel_pattern(&rooms.collect::<Vec<_>>())
@@ -177,18 +140,7 @@ fn random_wandering_is_more_crooked_than_pacing() {
     let from = start(&plan, &mesh);
     let turns = |kind| {
         let mut stream = Stream::named(1, "wandering");
-        let moves = wander(
-            kind,
-            &mesh,
-            &plan,
-            from,
-            RunTime::START,
-            600 * SECOND,
-            &GAIT,
-            &Numbers::default(),
-            Wanderers::default(),
-            &mut stream,
-        );
+        let moves = wandering(kind, &plan, &mesh, from, 600 * SECOND).moves(&mut stream);
         let mut stops = vec![from];
         stops.extend(ends(&moves, from, RunTime::START));
         let turn = |stops: &[Point]| {
@@ -206,18 +158,9 @@ fn wanderer_without_a_goal_moves_on_the_spot() {
     let plan = tigerplace();
     let mesh = Mesh::new(&plan, RADIUS_M);
     let outside = Point::new(20.0, 20.0);
-    let moves = wander(
-        WanderStyle::Pacing,
-        &mesh,
-        &plan,
-        outside,
-        RunTime::from_micros(5),
-        SECOND,
-        &GAIT,
-        &Numbers::default(),
-        Wanderers::default(),
-        &mut Stream::named(1, "lost"),
-    );
+    let begin = RunTime::from_micros(5);
+    let wandering = Wandering { begin, ..wandering(WanderStyle::Pacing, &plan, &mesh, outside, SECOND) };
+    let moves = wandering.moves(&mut Stream::named(1, "lost"));
     assert!(matches!(moves[..], [MotionSegment { doing: MotionState::InPlace { .. }, .. }]));
     assert_eq!([moves[0].begin, moves[0].end].map(RunTime::micros), [5, 1_000_005]);
 }
@@ -260,19 +203,8 @@ fn each_gain_has_its_effect() {
         for case in 0..12 {
             let mut stream = Stream::named(case, "gains");
             let who = Wanderers { gains, others: &other };
-            let lasting = 600 * SECOND;
-            let moves = wander(
-                WanderStyle::Random,
-                &mesh,
-                &plan,
-                from,
-                RunTime::START,
-                lasting,
-                &GAIT,
-                &Numbers::default(),
-                who,
-                &mut stream,
-            );
+            let wandering = Wandering { who, ..wandering(WanderStyle::Random, &plan, &mesh, from, 600 * SECOND) };
+            let moves = wandering.moves(&mut stream);
             ends(&moves, from, RunTime::START);
             far += far_from_walls(&moves, &mesh, 1.5) / 12.0;
             let is_near = |step: &&MotionSegment| matches!(step.doing, MotionState::Stride { to, .. } if to.distance(other[0]) < 0.8);
