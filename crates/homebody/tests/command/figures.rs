@@ -2,7 +2,7 @@
 
 use crate::flat::flat;
 use crate::folder::{Folder, ROOT};
-use serde_json::{Value, json};
+use serde_json::json;
 
 #[test]
 fn coverage_is_told_and_drawn() {

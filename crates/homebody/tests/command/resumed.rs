@@ -286,14 +286,13 @@ fn a_file_of_something_else_is_not_replaced() {
         }
         for file in ["log.db", "truth.db"] {
             let path = folder.path(&format!("runs/flat-2/{file}"));
-            let aside = folder.path(&format!("runs/{file}"));
-            fs::rename(&path, &aside).unwrap();
-            for ending in ["-wal", "-shm", "-journal", ".lock"] {
-                let _ = fs::rename(
-                    folder.path(&format!("runs/flat-2/{file}{ending}")),
-                    folder.path(&format!("runs/{file}{ending}")),
-                );
-            }
+            let moved = |from: &str, to: &str, endings: &[&str]| {
+                for ending in endings {
+                    let [from, to] = [from, to].map(|place| folder.path(&format!("{place}/{file}{ending}")));
+                    let _ = fs::rename(from, to);
+                }
+            };
+            moved("runs/flat-2", "runs", &["", "-wal", "-shm", "-journal", ".lock"]);
             for (said, make) in &others {
                 make(&path);
                 let before = fs::read(&path).unwrap();
@@ -301,13 +300,7 @@ fn a_file_of_something_else_is_not_replaced() {
                 assert!(fs::read(&path).unwrap() == before, "{file}: {said}");
                 fs::remove_file(&path).unwrap();
             }
-            fs::rename(&aside, &path).unwrap();
-            for ending in ["-wal", "-shm", "-journal"] {
-                let _ = fs::rename(
-                    folder.path(&format!("runs/{file}{ending}")),
-                    folder.path(&format!("runs/flat-2/{file}{ending}")),
-                );
-            }
+            moved("runs", "runs/flat-2", &["", "-wal", "-shm", "-journal"]);
             let _ = fs::remove_file(folder.path(&format!("runs/{file}.lock")));
         }
         // The hint is followed: what was there is put back.
