@@ -4,5 +4,4 @@ use crate::error::FleetError;
 use crate::setup::FleetMessage;
 use homebody_core::messages::{Catalogue, CatalogueEntry};
 
-/// The messages by area.
 pub const MESSAGES: &[&[CatalogueEntry]] = &[FleetError::ENTRIES, FleetMessage::ENTRIES];

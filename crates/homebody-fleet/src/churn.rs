@@ -8,7 +8,6 @@ use homebody_core::time::{RunTime, SECOND, Span};
 pub struct Churn {
     /// Mean time online, in the time of the home; at least one second.
     pub stays: Span,
-    /// Mean time offline.
     pub away: Span,
 }
 
@@ -21,7 +20,6 @@ pub(super) struct HomePresence {
     churn: Churn,
     stream: Stream,
     is_there: bool,
-    /// The next change.
     until: RunTime,
 }
 

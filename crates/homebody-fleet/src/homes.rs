@@ -29,7 +29,6 @@ const LONGEST_STEP: Span = HOUR;
 /// Number of events after which a step ends, whatever drivers decide (our choice).
 const MOST_EVENTS: usize = 100_000;
 
-/// All homes.
 pub(super) struct FleetSimulation {
     homes: Vec<FleetMember>,
     /// The homes by the end of their simulated part.
@@ -47,13 +46,11 @@ pub(super) struct FleetSimulation {
     pub failed: Vec<(u32, DriverError)>,
 }
 
-/// One home.
 struct FleetMember {
     run: Run,
     rows: HomeRows,
     presence: Option<HomePresence>,
     skew: Span,
-    /// The start of its run.
     start: UtcTime,
     is_there: bool,
     /// The latest due time of its messages: no later message is due earlier.
@@ -61,7 +58,6 @@ struct FleetMember {
     order: u64,
 }
 
-/// Converts instants of runs to real time.
 #[derive(Clone, Copy, Debug)]
 struct FleetClock {
     /// The speed from the instant `begin` of real time on; `None` for runs in real time.
@@ -147,18 +143,15 @@ impl FleetSimulation {
         }
     }
 
-    /// The first messages: the connections of the homes that are online at the start.
     pub fn first_messages(&self) -> Vec<FleetEvent> {
         let there = self.homes.iter().zip(0..).filter(|(home, _)| home.is_there);
         there.map(|(_, index)| FleetEvent::Comes(index)).collect()
     }
 
-    /// The end of the part that all homes have simulated.
     pub fn simulated_to(&self) -> UtcTime {
         self.by_time.peek().map_or(UtcTime::MAX, |Reverse((done, _))| *done)
     }
 
-    /// The next instant with a due message.
     pub fn next_due(&self) -> Option<UtcTime> {
         self.pending.peek().map(|Reverse(pending)| self.delivery(pending.due))
     }
@@ -274,7 +267,6 @@ impl FleetMember {
         self.change_presence(now - Span::MICROSECOND, index, clocks, pending);
     }
 
-    /// Connects and disconnects up to an instant.
     fn change_presence(
         &mut self,
         until: RunTime,

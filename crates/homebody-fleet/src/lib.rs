@@ -4,8 +4,6 @@
 //! of the clock, so that slow steps, such as the plan of a day, delay no message. The messages wait until they are due. The delivery of a
 //! row does not change it: the rows of a home are the same in any fleet.
 
-#![warn(missing_docs)]
-
 mod error;
 pub mod catalogue;
 

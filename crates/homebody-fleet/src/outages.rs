@@ -21,7 +21,6 @@ impl Outages {
         self.every
     }
 
-    /// The duration of each.
     pub fn lasts(&self) -> Span {
         self.lasts
     }

@@ -7,7 +7,6 @@ use std::fs;
 /// A report on a fleet since the last report; the last one is on the whole time.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct FleetReport {
-    /// The real time, in UTC.
     pub time: String,
     /// The time since the start of delivery, in seconds.
     pub running_s: f64,
@@ -15,9 +14,7 @@ pub struct FleetReport {
     pub span_s: f64,
     /// True of the last report, which covers the whole time.
     pub is_last: bool,
-    /// Homes that are online.
     pub homes: usize,
-    /// All homes of the fleet.
     pub homes_in_all: usize,
     /// The number of connections of homes since the start.
     pub came: u64,
@@ -27,15 +24,12 @@ pub struct FleetReport {
     pub failed: usize,
     /// Messages that the destinations have accepted, summed over destinations.
     pub messages: u64,
-    /// Messages for each second.
     pub messages_per_s: f64,
     /// The messages among them that were due in this time: their lateness is measured.
     pub timed: u64,
     /// The median lateness in milliseconds: the time from when a message was due until its destination had it.
     pub late_median_ms: f64,
-    /// The 99 % quantile of the lateness.
     pub late_99_ms: f64,
-    /// The largest lateness.
     pub late_most_ms: f64,
     /// The age of the oldest message that is overdue, in seconds.
     pub behind_s: f64,
@@ -53,28 +47,20 @@ pub struct FleetReport {
     pub memory_mb: Option<f64>,
     /// The processor time of this program; 1 is one whole processor.
     pub processors: Option<f64>,
-    /// Each destination.
     pub destinations: Vec<DestinationReport>,
 }
 
-/// The part of a report about one destination.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct DestinationReport {
-    /// The place.
     pub place: String,
-    /// Messages that it has accepted.
     pub messages: u64,
-    /// As in the whole report.
     pub late_median_ms: f64,
-    /// As in the whole report.
     pub late_99_ms: f64,
-    /// As in the whole report.
     pub late_most_ms: f64,
     /// Messages that are due and not delivered yet.
     pub waiting: usize,
     /// The number of retried calls since the start.
     pub retries: u64,
-    /// True of an unavailable destination.
     pub is_away: bool,
 }
 

@@ -36,13 +36,10 @@ pub struct FleetRun {
     sinks: Vec<(String, Box<dyn FleetSink>, WriteMode)>,
     /// The patience with an unavailable destination. Its handle ends the fleet.
     pub patience: Patience,
-    /// The duration; `None` until it is cancelled.
     pub lasts: Option<Duration>,
-    /// The interval of reports.
     pub every: Duration,
 }
 
-/// The status of a running fleet.
 #[derive(Clone, Debug)]
 pub enum FleetStatus<'r> {
     /// It simulates the time before now, and its homes connect.
@@ -52,9 +49,7 @@ pub enum FleetStatus<'r> {
         /// The number of messages on their way.
         waiting: usize,
     },
-    /// Delivery has started.
     Begun,
-    /// A report.
     Report(&'r FleetReport),
 }
 
@@ -190,7 +185,6 @@ impl RunningFleet {
     }
 }
 
-/// The counts for reports.
 struct ReportCounts {
     started: UtcTime,
     reported: UtcTime,
@@ -208,7 +202,6 @@ impl ReportCounts {
         ReportCounts { started, reported: started, processor_s: [processor_s(); 2], totals }
     }
 
-    /// The report since the last one.
     fn report(&mut self, running: &mut RunningFleet) -> FleetReport {
         let counts = self.take(running);
         let (now, processor_s) = ((running.now)(), processor_s());
@@ -217,7 +210,6 @@ impl ReportCounts {
         report
     }
 
-    /// The report on the whole.
     fn last(&mut self, running: &mut RunningFleet) -> FleetReport {
         self.take(running);
         let now = (running.now)();

@@ -51,7 +51,6 @@ pub const MOST_HOMES: u32 = 99_999;
 pub struct FleetSetup {
     /// The scenarios, which the homes use in rotation: home 1 has the first. All have the start of the fleet.
     pub scenarios: Vec<OpenScenario>,
-    /// The number of homes.
     pub homes: u32,
     /// The number of the first home: 1, unless other programs simulate earlier ones.
     pub first: u32,
@@ -59,17 +58,13 @@ pub struct FleetSetup {
     pub variant: VariantOptions,
     /// The speed from the start of the scenarios on; `None` for real time.
     pub speed: Option<f64>,
-    /// The largest error of the clock of a home.
     pub skew: Span,
     /// The times of homes online and offline; `None` for homes that stay online.
     pub churn: Option<Churn>,
-    /// The outages of the network of all homes.
     pub outages: Option<Outages>,
 }
 
-/// The homes of a fleet at their start.
 pub struct FleetHomes {
-    /// The names, seeds and layouts of the homes.
     pub fleet: Arc<Fleet>,
     pub(super) homes: Vec<UnstartedHome>,
     pub(super) speed: Option<f64>,
@@ -78,12 +73,10 @@ pub struct FleetHomes {
     pub(super) starts: Vec<UtcTime>,
 }
 
-/// One home at its start.
 pub(super) struct UnstartedHome {
     pub run: Run,
     pub rows: HomeRows,
     pub presence: Option<HomePresence>,
-    /// The lead of its clock.
     pub skew: Span,
 }
 
@@ -158,7 +151,6 @@ impl FleetHomes {
         self.homes[home as usize].skew
     }
 
-    /// Whether a home is online at the start of the fleet.
     pub fn is_there(&self, home: u32) -> bool {
         self.homes[home as usize].presence.as_ref().is_none_or(HomePresence::is_there)
     }

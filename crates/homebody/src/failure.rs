@@ -16,9 +16,7 @@ use std::path::Path;
 pub const EXIT_CODES: &str =
     "Exit codes: 0 success, 1 a file could not be read or written, 2 an argument or a file is invalid";
 
-/// A failure of a command.
 pub enum Failure {
-    /// Problems with the input of the user.
     Problems(Problems),
     /// A message with a code, and the exit code.
     Coded(Box<Diagnostic>, u8),
@@ -48,13 +46,11 @@ impl Failure {
         }
     }
 
-    /// The problems of a file.
     pub fn in_file(path: &Path, Problems(problems): Problems) -> Failure {
         let name = path.display().to_string();
         Failure::all(problems.into_iter().map(|problem| Problem::of_file(&name, problem, None)).collect())
     }
 
-    /// The same failure with another hint.
     pub fn advising(self, hint: &str) -> Failure {
         match self {
             Failure::Coded(message, code) => {
@@ -64,7 +60,6 @@ impl Failure {
         }
     }
 
-    /// A simulated home that cannot be measured.
     pub fn not_measured(why: impl Display) -> Failure {
         Failure::file(SimulationMessage::NotMeasured { why: why.to_string() })
     }

@@ -115,7 +115,6 @@ pub fn prepare() {
     homebody_simulation::install_sinks();
 }
 
-/// The exit code of a command; a failure is printed.
 pub fn exit_code(result: Result<(), Failure>) -> u8 {
     result.map_or_else(|failure| report(&failure), |()| 0)
 }
@@ -169,7 +168,6 @@ fn refuse(error: &clap::Error, words: &[OsString]) -> u8 {
     2
 }
 
-/// Prints a failure to standard error and returns the exit code.
 fn report(failure: &Failure) -> u8 {
     match failure {
         Failure::Problems(problems) => {

@@ -45,7 +45,6 @@ pub struct PaceArguments {
 }
 
 impl PaceArguments {
-    /// True for any other speed than the default.
     pub fn is_given(&self) -> bool {
         self.control || self.paused || self.speed != Speed::Max
     }

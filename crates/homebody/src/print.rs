@@ -30,7 +30,6 @@ homebody_core::messages! {
     }
 }
 
-/// The failure to turn a result into JSON or CSV.
 pub fn not_written(why: impl std::fmt::Display) -> Failure {
     Failure::asked(ResultMessage::NotWritten { why: why.to_string() })
 }
@@ -148,12 +147,10 @@ pub enum LogFormat {
 
 static IN_JSON: AtomicBool = AtomicBool::new(false);
 
-/// Sets the form of all later messages.
 pub fn tell_as(form: LogFormat) {
     IN_JSON.store(form == LogFormat::Json, Ordering::Relaxed);
 }
 
-/// A note as a JSON object.
 fn as_json(text: &str, now: Timestamp) -> serde_json::Value {
     let levels = [("error", "error"), ("warning", "warning"), ("note", "info")];
     // A code may stand between the level and the text.

@@ -10,7 +10,6 @@ use std::time::{Duration, Instant};
 /// Time before the first line without a terminal: shorter work needs none.
 const FIRST_LINE: Duration = Duration::from_secs(10);
 
-/// Time between two lines without a terminal.
 const NEXT_LINE: Duration = Duration::from_secs(60);
 
 /// Time between two drawings of the bar, even without progress.
@@ -27,13 +26,22 @@ pub fn bar(length: impl Into<Option<u64>>, template: &str) -> ProgressBar {
     };
     let is_terminal = stderr().is_terminal();
     let template = if is_terminal { template.to_owned() } else { without_bar(template) };
-    let style = ProgressStyle::with_template(&template).unwrap_or_else(|_| ProgressStyle::default_bar());
-    let bar = ProgressBar::with_draw_target(length.into(), target).with_style(style);
+    let bar = ProgressBar::with_draw_target(length.into(), target).with_style(style(&template));
     // Without a thread the bar moves only with the work.
     if thread::Builder::new().spawn(|| ()).is_ok() {
         bar.enable_steady_tick(TICK);
     }
     bar
+}
+
+/// A bar that moves only with the work, and is hidden without a terminal and with `--quiet`.
+pub fn on_terminal(is_quiet: bool, length: Option<u64>, template: &str) -> ProgressBar {
+    let target = if is_quiet { ProgressDrawTarget::hidden() } else { ProgressDrawTarget::stderr() };
+    ProgressBar::with_draw_target(length, target).with_style(style(template))
+}
+
+fn style(template: &str) -> ProgressStyle {
+    ProgressStyle::with_template(template).unwrap_or_else(|_| ProgressStyle::default_bar())
 }
 
 /// Shows a bar during work, and clears it afterwards.
@@ -49,7 +57,6 @@ pub fn show_share<T>(work: impl FnOnce(&(dyn Fn(f64) + Sync)) -> T) -> T {
     show(1000, SHARE, |bar| work(&|share| bar.set_position((share * 1000.0) as u64)))
 }
 
-/// A bar that is hidden with `--quiet`.
 pub fn bar_unless(is_quiet: bool, length: impl Into<Option<u64>>, template: &str) -> ProgressBar {
     if is_quiet { ProgressBar::hidden() } else { bar(length, template) }
 }
@@ -77,7 +84,6 @@ fn without_bar(template: &str) -> String {
     ["{bar:40} ", "{spinner} "].iter().fold(template.to_owned(), |text, part| text.replace(part, ""))
 }
 
-/// A terminal that prints some of the drawings as lines.
 struct Lines<T> {
     first: Duration,
     next: Duration,

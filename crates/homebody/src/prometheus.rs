@@ -4,7 +4,6 @@ use homebody_fleet::{DestinationReport, FleetReport};
 use std::fmt::{Display, Write};
 use std::sync::{Arc, Mutex};
 
-/// The last report of a fleet, for other threads.
 pub type LastReport = Arc<Mutex<FleetReport>>;
 
 pub struct PrometheusText {
@@ -39,7 +38,6 @@ pub fn label(name: &str, value: &str) -> String {
     format!(",{name}=\"{}\"", escaped(value))
 }
 
-/// Escapes the value of a label.
 fn escaped(text: &str) -> String {
     text.replace('\\', "\\\\").replace('"', "\\\"").replace('\n', "\\n")
 }

@@ -5,7 +5,6 @@ use clap::error::{ContextKind, ContextValue, ErrorKind};
 use clap::{Command, Error};
 use homebody_core::nearest::nearest;
 
-/// Command names of other programs, each with a tip.
 const GUESSES: [(&[&str], &str); 7] = [
     (
         &["init", "create", "start", "template", "templates"],

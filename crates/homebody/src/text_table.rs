@@ -2,7 +2,6 @@
 
 use std::fmt::Display;
 
-/// The widths and headings of a table's columns.
 pub struct TextTable(Vec<(i8, &'static str)>);
 
 impl TextTable {

@@ -1,55 +1,34 @@
 //! The messages of the commands, for lists of all messages.
 
-use super::alerts::AlertsMessage;
-use super::density::DensityMessage;
-use super::devices::DeviceMessage;
-use super::doctor::DoctorMessage;
-use super::fit::TrainingMessage;
-use super::fleet::fleet_progress::FleetEndMessage;
-use super::follow::FollowMessage;
-use super::live::LiveMessage;
-use super::measures::MeasuresMessage;
-use super::messages::{ExplainMessage, LogContentMessage, MomentMessage, NewHomeMessage, PictureMessage};
-use super::parameters::ParametersMessage;
-use super::routine::messages::RoutinesMessage;
-use super::run_messages::{ReplayMessage, RunMessage};
-use super::serve::ServeMessage;
-use super::silhouettes::messages::SilhouettesMessage;
-use super::suggest_sensors::GoalsMessage;
-use crate::failure::SimulationMessage;
-use crate::metrics::MetricsMessage;
-use crate::old_names::GoneMessage;
-use crate::pace::ControlMessage;
-use crate::print::ResultMessage;
 use homebody_core::messages::{Catalogue, CatalogueEntry};
 
 const MESSAGES: &[&[CatalogueEntry]] = &[
-    RunMessage::ENTRIES,
-    ReplayMessage::ENTRIES,
-    LiveMessage::ENTRIES,
-    FleetEndMessage::ENTRIES,
-    RoutinesMessage::ENTRIES,
-    NewHomeMessage::ENTRIES,
-    ParametersMessage::ENTRIES,
-    DeviceMessage::ENTRIES,
-    ServeMessage::ENTRIES,
-    PictureMessage::ENTRIES,
-    LogContentMessage::ENTRIES,
-    FollowMessage::ENTRIES,
-    TrainingMessage::ENTRIES,
-    DensityMessage::ENTRIES,
-    MeasuresMessage::ENTRIES,
-    AlertsMessage::ENTRIES,
-    MomentMessage::ENTRIES,
-    SilhouettesMessage::ENTRIES,
-    GoalsMessage::ENTRIES,
-    DoctorMessage::ENTRIES,
-    ControlMessage::ENTRIES,
-    MetricsMessage::ENTRIES,
-    ResultMessage::ENTRIES,
-    SimulationMessage::ENTRIES,
-    ExplainMessage::ENTRIES,
-    GoneMessage::ENTRIES,
+    super::run_messages::RunMessage::ENTRIES,
+    super::run_messages::ReplayMessage::ENTRIES,
+    super::live::LiveMessage::ENTRIES,
+    super::fleet::fleet_progress::FleetEndMessage::ENTRIES,
+    super::routine::messages::RoutinesMessage::ENTRIES,
+    super::messages::NewHomeMessage::ENTRIES,
+    super::parameters::ParametersMessage::ENTRIES,
+    super::devices::DeviceMessage::ENTRIES,
+    super::serve::ServeMessage::ENTRIES,
+    super::messages::PictureMessage::ENTRIES,
+    super::messages::LogContentMessage::ENTRIES,
+    super::follow::FollowMessage::ENTRIES,
+    super::fit::TrainingMessage::ENTRIES,
+    super::density::DensityMessage::ENTRIES,
+    super::measures::MeasuresMessage::ENTRIES,
+    super::alerts::AlertsMessage::ENTRIES,
+    super::messages::MomentMessage::ENTRIES,
+    super::silhouettes::messages::SilhouettesMessage::ENTRIES,
+    super::suggest_sensors::GoalsMessage::ENTRIES,
+    super::doctor::DoctorMessage::ENTRIES,
+    crate::pace::ControlMessage::ENTRIES,
+    crate::metrics::MetricsMessage::ENTRIES,
+    crate::print::ResultMessage::ENTRIES,
+    crate::failure::SimulationMessage::ENTRIES,
+    super::messages::ExplainMessage::ENTRIES,
+    crate::old_names::GoneMessage::ENTRIES,
 ];
 
 /// The messages of all crates, by area.

@@ -38,7 +38,6 @@ pub fn announce(cohort: &Cohort, is_chosen: bool) {
     }
 }
 
-/// The size of a cohort's output, by a sample of so many members.
 struct OutputEstimate {
     rows: f64,
     bytes: f64,
@@ -77,14 +76,12 @@ fn size_in_words(bytes: f64) -> String {
     }
 }
 
-/// The size of all files in a folder and its subfolders.
 fn bytes_in(folder: &Path) -> u64 {
     let entries = fs::read_dir(folder).into_iter().flatten().flatten();
     let size = |path: &Path| fs::metadata(path).map_or(0, |found| found.len());
     entries.map(|entry| entry.path()).map(|path| if path.is_dir() { bytes_in(&path) } else { size(&path) }).sum()
 }
 
-/// Prints the result of a cohort.
 pub fn report(output: &Output, summary: &CohortSummary) -> Result<(), Failure> {
     let is_stopped = summary.is_stopped();
     let CohortSummary { folder, list, asked, found, done, took, .. } = summary;

@@ -19,7 +19,6 @@ use homebody_log::{LogError, Transfer, Url, read_timeline};
 use homebody_timeline::{Episode, Timeline};
 use std::path::{Path, PathBuf};
 
-/// The forms of logs, for a help text.
 pub fn forms_of_logs() -> String {
     let form = |row: SchemeRow| format!("  {:<32} {}\n", format!("{}:{}", row.name, row.at), row.what);
     let forms = SCHEMES.map(form).concat();
@@ -29,7 +28,6 @@ pub fn forms_of_logs() -> String {
     )
 }
 
-/// The forms that Homebody reads, for a help text.
 fn forms_of_sources() -> String {
     let form = |form: &LogForm| format!("  {:<15} {}\n", format!("{}:", form.name), form.what);
     forms().map(form).collect()
@@ -133,7 +131,6 @@ fn numbered_activities(mut timeline: Timeline<WallTime>) -> Vec<Episode<WallTime
     timeline.into_activities()
 }
 
-/// Refuses an output that would replace an input.
 pub fn refuse_inputs(to: &Url, sources: &[PathBuf]) -> Result<(), Failure> {
     let is_in = |source: &PathBuf| match to.file() {
         Some(file) => same_file(source, file),

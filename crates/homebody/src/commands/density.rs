@@ -114,12 +114,10 @@ impl DensityArguments {
         output.write_with_table(&density, [&|| density_map(&density)], &|| density.of.map.csv())
     }
 
-    /// The requested doors that a log has.
     fn doors(&self, log: &LoadedLog) -> Vec<String> {
         self.door.iter().filter(|door| log.log.sensors.contains(door)).cloned().collect()
     }
 
-    /// A problem for each door that is in no log.
     fn unknown_doors(&self, logs: &[&LoadedLog]) -> impl Iterator<Item = Diagnostic> {
         let sensors = || logs.iter().flat_map(|log| log.log.sensors.iter().map(String::as_str));
         let unknown = self.door.iter().filter(move |door| !sensors().any(|sensor| sensor == **door));
@@ -173,7 +171,6 @@ fn sorting(name: &str, columns: &[ColumnUse]) -> String {
     }
 }
 
-/// True if the sensors at the entrance were guessed.
 fn is_by_name(of: &TexturedMap) -> bool {
     of.map.entrance.chosen != EntranceSource::Asked
 }

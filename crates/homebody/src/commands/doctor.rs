@@ -78,7 +78,6 @@ impl DoctorArguments {
     }
 }
 
-/// A place, and a line for each check.
 fn text(examined: &PlaceReport) -> String {
     let width = examined.checks.iter().map(|check| check.about.len()).max().unwrap_or(0);
     let line = |check: &Check| {

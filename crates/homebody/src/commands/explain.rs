@@ -47,13 +47,11 @@ pub fn explain(
     Err(Failure::asked(ExplainMessage::UnknownCode { code: code.to_owned(), nearest }))
 }
 
-/// A line for each message.
 fn list<'a>(entries: impl Iterator<Item = &'a CatalogueEntry> + Clone) -> String {
     let width = entries.clone().map(|entry| entry.code.len()).max().unwrap_or_default();
     entries.map(|entry| format!("{:width$}  {}\n", entry.code, entry.text)).collect()
 }
 
-/// The long form of a message.
 fn in_full(entry: &CatalogueEntry) -> String {
     let mut text = format!("{}[{}]: {}\n", entry.severity.word(), entry.code, entry.text);
     if let Some(hint) = entry.hint {

@@ -62,14 +62,12 @@ impl FallsArguments {
     }
 }
 
-/// A bar for the search in silhouettes.
 pub fn looking_bar(named: &LogRef) -> ProgressBar {
     let span = RunSilhouettes::beside(named).and_then(|kept| Ok(kept.silhouettes.span()?));
     let end = span.ok().flatten().map_or(0, |span| position(span.end));
     progress::bar(end, progress::SHARE)
 }
 
-/// The position of an instant on this bar.
 pub fn position(at: RunTime) -> u64 {
     at.micros().max(0) as u64
 }

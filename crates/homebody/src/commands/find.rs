@@ -46,7 +46,6 @@ pub struct FindArguments {
     output: JsonOutput,
 }
 
-/// The subject of a search, as a word of the command line.
 #[derive(Clone, Copy)]
 struct FindSubject(SearchSubject);
 
@@ -126,7 +125,6 @@ struct FoundInterval {
     begin: String,
     end: String,
     lasts_s: f64,
-    /// The room, sensor, activity or rule.
     name: String,
     words: String,
 }

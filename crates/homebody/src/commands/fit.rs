@@ -76,7 +76,6 @@ pub struct FitArguments {
     trust: Trust,
 }
 
-/// Two dates with two dots between them.
 fn days(text: &str) -> Result<(Date, Date), String> {
     let dates = text.split_once("..").map(|(from, to)| (from.trim().parse::<Date>(), to.trim().parse::<Date>()));
     match dates {
@@ -100,16 +99,13 @@ struct FitReport {
     measures: Vec<FitMeasure>,
 }
 
-/// A measure of the test days, compared with three other logs.
 #[derive(Serialize)]
 struct FitMeasure {
     measure: &'static str,
     about: &'static str,
-    /// Distance from the fitted scenario.
     fitted: Option<f64>,
     /// Distance from the training days: the variation of the home.
     seen_days: Option<f64>,
-    /// Distance from the scenario before the fit.
     before: Option<f64>,
 }
 
@@ -148,7 +144,6 @@ impl FitArguments {
         Ok(())
     }
 
-    /// The training days and the test days.
     fn split(&self, log: &Log, recorded: Option<Interval<WallTime>>) -> Result<LogSplit, Failure> {
         let rows = || log.events.iter().map(|event| event.at);
         let of_rows = |(first, last)| Interval::new(first, last + Span::MICROSECOND);
@@ -179,7 +174,6 @@ impl FitArguments {
         Ok(LogSplit { seen: within(seen), unseen: within(unseen) })
     }
 
-    /// The measures of the test days.
     fn measures(
         &self,
         log: &Log,

@@ -8,8 +8,9 @@ use super::scenario::Trust;
 use crate::failure::{EXIT_CODES, Failure};
 use crate::metrics::MetricsArguments;
 use crate::print::{ResultMessage, counted, tell, write_file};
+use crate::progress::on_terminal;
 use crate::signals::Signals;
-use fleet_progress::{FleetProgress, bar, homes_table};
+use fleet_progress::{FleetProgress, homes_table};
 use homebody_core::problem::Problems;
 use homebody_core::time::{MINUTE, RunTime, SECOND, Span, UtcTime};
 use homebody_fleet::{Churn, FleetError, FleetHomes, FleetRun, FleetSetup, MOST_HOMES, Outages, Patience};
@@ -136,7 +137,6 @@ fn churn(text: &str) -> Result<Churn, String> {
     }
 }
 
-/// Two spans of time, each after its word.
 fn two_spans(text: &str, [first, second]: [&str; 2]) -> Option<[Result<Span, String>; 2]> {
     let words: Vec<&str> = text.split_whitespace().collect();
     match words[..] {
@@ -219,10 +219,9 @@ impl FleetArguments {
         Ok(can_be_written(&files, &sources, self.replacing.force)?)
     }
 
-    /// Creates the homes, with a progress bar.
     fn homes(&self, scenarios: Vec<OpenScenario>) -> Result<FleetHomes, Failure> {
         let began = Instant::now();
-        let bar = bar(self.quiet, "homes made", Some(self.homes.into()));
+        let bar = on_terminal(self.quiet, Some(self.homes.into()), "{bar:40} {pos} of {len} homes made");
         let setup = FleetSetup {
             scenarios,
             homes: self.homes,

@@ -33,9 +33,7 @@ pub struct FollowedLog<'a> {
     /// That of standard input ends with [`INPUT`].
     pub log: &'a LogArguments,
     pub zone: &'a str,
-    /// Seconds between two reads of the log.
     pub every_s: u64,
-    /// True for an object per line.
     pub is_json: bool,
 }
 
@@ -63,7 +61,6 @@ impl FollowedLog<'_> {
         done.and_then(|()| signals.ended(cancel.is_cancelled()))
     }
 
-    /// Reads a file or a database repeatedly.
     fn file(&self, following: &mut LogFollower, cancel: &Cancel) -> Result<(), Failure> {
         // The first read must succeed. Later reads may meet a file that is being written.
         let mut looked = Some(self.log.read(Some(self.zone))?);
@@ -137,7 +134,6 @@ impl FollowedLog<'_> {
     }
 }
 
-/// The lines of standard input.
 fn lines() -> Result<Receiver<Vec<u8>>, Failure> {
     let (sender, lines) = sync_channel(MOST_WAITING);
     let read = move || {

@@ -23,7 +23,6 @@ pub fn template(command: &Command) -> String {
     )
 }
 
-/// A heading for each group, and a line for each command.
 fn listed(command: &Command) -> String {
     let width = GROUPS.iter().flat_map(|(_, names)| names.iter()).map(|name| name.len()).max().unwrap_or(0);
     let about = |name: &str| command.find_subcommand(name).and_then(Command::get_about).map(ToString::to_string);
@@ -43,7 +42,6 @@ mod tests {
     use super::*;
     use std::collections::BTreeSet;
 
-    /// The longest summary, in characters.
     const LONGEST_SUMMARY: usize = 72;
 
     #[test]

@@ -42,7 +42,6 @@ pub struct ImportArguments {
     furnish: bool,
 }
 
-/// A scenario from a plan.
 struct ImportedScenario {
     remarks: Vec<String>,
     scenario: Scenario,
@@ -57,7 +56,6 @@ impl ImportArguments {
         Ok(())
     }
 
-    /// Writes the scenario of a plan into a folder.
     fn make(&self, folder: &Path, name: &str, bytes: &[u8]) -> Result<ImportedScenario, Failure> {
         let imported = sweet_home(bytes, name, self.level.as_deref());
         let imported = imported
@@ -94,7 +92,6 @@ impl ImportArguments {
     }
 }
 
-/// The start of a line that proposes furniture.
 const PROPOSED: &str = "add to \"furniture\"";
 
 /// The bytes of a file, up to one more than the limit.

@@ -111,5 +111,4 @@ impl InspectArguments {
     }
 }
 
-/// The end of the density map's file name.
 const DENSITY: &str = "density";

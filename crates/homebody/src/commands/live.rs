@@ -5,10 +5,11 @@ use super::scenario::Trust;
 use crate::failure::{EXIT_CODES, Failure};
 use crate::metrics::MetricsArguments;
 use crate::print::tell;
+use crate::progress::on_terminal;
 use crate::signals::Signals;
 use homebody_core::time::{RunTime, UtcTime};
 use homebody_simulation::{LiveHome, RunMetrics, RunOptions, RunStart, Url, VariantOptions};
-use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+use indicatif::ProgressBar;
 use jiff::Timestamp;
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
@@ -17,30 +18,16 @@ homebody_core::messages! {
     /// Problems with a home in real time.
     pub enum LiveMessage in "live" {
         /// The folder holds the home of another scenario. Each home in real time has a folder of its own.
-        Home {
-            /// The folder.
-            folder: PathBuf,
-            /// The scenario of the home in it.
-            holds: String,
-            /// The scenario asked for.
-            scenario: String,
-        } error "other-home" ("{folder} already contains another home, {holds}", folder = folder.display())
+        Home { folder: PathBuf, holds: String, scenario: String } error "other-home"
+            ("{folder} already contains another home, {holds}", folder = folder.display())
             hint ("name another folder for {scenario} with --folder");
         /// The home of the folder started at another time. Homebody resumes it and cannot change its past.
-        Start {
-            /// The folder.
-            folder: PathBuf,
-            /// The start of the home in it.
-            start: String,
-        } error "other-start" ("the home in {folder} started at {start}, and --start cannot change it", folder = folder.display())
+        Start { folder: PathBuf, start: String } error "other-start"
+            ("the home in {folder} started at {start}, and --start cannot change it", folder = folder.display())
             hint ("leave out --start to resume the home, or name another folder with --folder");
         /// The home of the folder has another seed. Homebody resumes it and cannot change its past.
-        Seed {
-            /// The folder.
-            folder: PathBuf,
-            /// The seed of the home in it.
-            seed: u64,
-        } error "other-seed" ("the home in {folder} has the seed {seed}, and --seed cannot change it", folder = folder.display())
+        Seed { folder: PathBuf, seed: u64 } error "other-seed"
+            ("the home in {folder} has the seed {seed}, and --seed cannot change it", folder = folder.display())
             hint ("leave out --seed to resume the home, or name another folder with --folder");
     }
 }
@@ -88,7 +75,6 @@ pub struct LiveArguments {
     quiet: bool,
 }
 
-/// The default folder of homes.
 const LIVE: &str = "live";
 
 impl LiveArguments {
@@ -163,7 +149,6 @@ fn start_message(home: &LiveHome, folder: &Path) -> String {
     }
 }
 
-/// The progress on a terminal.
 struct LiveProgress<'m> {
     bar: ProgressBar,
     meters: &'m RunMetrics,
@@ -175,10 +160,7 @@ const LOOK: Duration = Duration::from_millis(500);
 
 impl<'m> LiveProgress<'m> {
     fn new(is_quiet: bool, meters: &'m RunMetrics) -> LiveProgress<'m> {
-        let target = if is_quiet { ProgressDrawTarget::hidden() } else { ProgressDrawTarget::stderr() };
-        let style =
-            ProgressStyle::with_template("{spinner} {msg}").unwrap_or_else(|_| ProgressStyle::default_spinner());
-        let bar = ProgressBar::with_draw_target(None, target).with_style(style);
+        let bar = on_terminal(is_quiet, None, "{spinner} {msg}");
         LiveProgress { bar, meters, updated: Instant::now() }
     }
 

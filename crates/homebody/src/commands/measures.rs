@@ -80,7 +80,6 @@ impl MeasuresArguments {
     }
 }
 
-/// A row for each measure of each day.
 fn records(measures: &Measures) -> Records {
     let of_day = |day: &DayMeasures| {
         let known = measures.measures.iter().zip(&day.values).filter_map(|(measure, value)| Some((measure, (*value)?)));
@@ -121,7 +120,6 @@ impl MeasuresSource {
         self.resident.as_deref().map_or_else(|| read.subject(), capitalised)
     }
 
-    /// True if the log exists.
     pub fn is_there(&self) -> bool {
         let file = self.log.text().split_once(':').map_or(self.log.text(), |(_, file)| file);
         Path::new(file).exists() || Path::new(self.log.text()).exists()
@@ -155,7 +153,6 @@ pub fn within(read: &LoadedLog) -> Option<Interval<WallTime>> {
     read.rows_span().map(|rows| Interval::new(rows.begin, rows.end + Span::MICROSECOND))
 }
 
-/// The measures of a resident from the ground truth.
 fn true_measures(read: &LoadedLog, resident: &str) -> Result<Measures, Failure> {
     let Some(person) = read.timeline.people.iter().find(|person| person.name == resident) else {
         let known = read.timeline.people.iter().map(|person| person.name.clone()).collect();

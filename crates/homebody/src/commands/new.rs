@@ -79,7 +79,6 @@ enum StartingPoint {
 /// The name of the empty scenario among the templates.
 const EMPTY: &str = "empty";
 
-/// Its description in the list of templates.
 const EMPTY_ABOUT: &str = "An empty home, to draw on the page";
 
 fn starting_point(name: &str) -> Result<StartingPoint, String> {
@@ -92,7 +91,6 @@ fn starting_point(name: &str) -> Result<StartingPoint, String> {
     })
 }
 
-/// A line for each template, with the description in its scenario.
 fn templates() -> String {
     let width = Template::all().map(|template| template.name().len()).max().unwrap_or(0);
     let row = |name: &str, about: &str| format!("  {name:width$}  {about}\n");
@@ -149,7 +147,6 @@ impl NewArguments {
         Ok(())
     }
 
-    /// The image of the plan, with its known points.
     fn picture(&self) -> Result<Option<PlanPicture>, Failure> {
         Ok(self.image.as_deref().map(|image| PlanPicture::read(image, &self.known)).transpose()?)
     }
@@ -161,7 +158,6 @@ impl NewArguments {
         write_file(&folder.join(UNDERLAY), picture.lies().as_bytes(), false)
     }
 
-    /// Makes a scenario with a schematic home.
     fn make_of(&self, log: &str) -> Result<(), Failure> {
         let folder = &self.folder;
         let picture = self.picture()?;

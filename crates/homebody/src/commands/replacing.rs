@@ -15,7 +15,6 @@ pub struct Replacing {
 }
 
 impl Replacing {
-    /// The mode of writing to a place.
     pub fn how(&self, place: &Url) -> WriteMode {
         let is_said = if place.server().is_some() { self.replace_rows } else { self.force };
         if is_said { WriteMode::Overwrite } else { WriteMode::Create }

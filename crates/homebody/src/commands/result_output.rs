@@ -40,7 +40,6 @@ impl JsonOutput {
         Ok(CheckedOutput { json, replaces: self.force, pictures: None, table: None, is_silent: false })
     }
 
-    /// True without `--json`.
     pub fn is_empty(&self) -> bool {
         self.json.is_none()
     }
@@ -75,7 +74,6 @@ pub struct PictureOutput {
 
 pub type Picture<'a> = &'a dyn Fn() -> String;
 
-/// An output whose files can be written.
 pub struct CheckedOutput<'a, const N: usize> {
     json: Option<&'a Path>,
     replaces: bool,
@@ -154,7 +152,6 @@ impl<const N: usize> CheckedOutput<'_, N> {
 }
 
 impl PictureOutput {
-    /// True without a picture.
     pub fn is_empty(&self) -> bool {
         self.svg.is_none() && self.png.is_none()
     }
@@ -175,7 +172,6 @@ impl PictureOutput {
         Ok(can_be_written(&all, sources, self.force)?)
     }
 
-    /// Draws all pictures, then writes them.
     pub fn draw<const N: usize>(&self, names: [&str; N], pictures: [Picture; N]) -> Result<(), Failure> {
         if self.is_empty() {
             return Ok(());
@@ -208,7 +204,6 @@ fn check_extension(path: &Path, form: &'static str) -> Result<(), Failure> {
     Err(Failure::asked(PictureMessage::Form { form, extension, path: path.to_owned() }))
 }
 
-/// The file of a further picture.
 fn picture_file(path: &Path, name: &str) -> PathBuf {
     if name.is_empty() {
         return path.to_owned();

@@ -86,7 +86,6 @@ impl RowDestination {
     }
 }
 
-/// The fields of a value as a row.
 pub fn row(of: &impl serde::Serialize) -> serde_json::Map<String, Value> {
     match serde_json::to_value(of) {
         Ok(Value::Object(row)) => row,

@@ -114,7 +114,6 @@ enum TruthTables {
     Brief,
 }
 
-/// The options of the speed of a run.
 const PACE_OPTIONS: &str = "--speed, --paused and --control";
 
 /// Refuses two values of one parameter.
@@ -129,7 +128,6 @@ fn check_parameters_differ(numbers: &[(String, f64)]) -> Result<(), Failure> {
     if twice.is_empty() { Ok(()) } else { Err(Failure::all(twice)) }
 }
 
-/// The failure of `--resume`, with a hint.
 fn not_resumed(error: SimulationError) -> Failure {
     match error {
         SimulationError::NoRecording { .. } => Failure::from(error).advising("name the folder of an interrupted run or cohort"),
@@ -175,7 +173,6 @@ impl RunArguments {
         self.run_cohort(&opened, cohort, length, &signals)
     }
 
-    /// Simulates a cohort.
     fn run_cohort(
         &self,
         opened: &OpenScenario,
@@ -203,7 +200,6 @@ impl RunArguments {
         self.report_cohort(&progress, &summary?, signals)
     }
 
-    /// Refuses all options that a cohort does not have.
     fn check_cohort_options(&self) -> Result<(), Failure> {
         const NEW: &str = "a cohort replaces nothing; it needs a new folder";
         const TRUTH: &str =
@@ -232,7 +228,6 @@ impl RunArguments {
         }
     }
 
-    /// Resumes an interrupted run or cohort.
     fn resume(&self, folder: &Path, signals: &Signals) -> Result<(), Failure> {
         // A cohort in a store has a URL; the value of its --out is accepted, too.
         let place = folder.to_str().and_then(|text| text.parse::<Url>().ok()).filter(Url::is_in_store);
@@ -303,7 +298,6 @@ impl RunArguments {
         signals.ended(summary.is_stopped())
     }
 
-    /// Warns of likely mistakes.
     fn warn(&self, opened: &OpenScenario, length: Span) {
         if !self.output.quiet {
             opened.remarks(length).iter().for_each(tell_remark);

@@ -87,7 +87,6 @@ impl DestinationTimeout {
     }
 }
 
-/// A time that an answer may take.
 fn timeout(text: &str) -> Result<Duration, String> {
     const UNITS: [(&str, f64); 4] = [("ms", 0.001), ("s", 1.0), ("m", 60.0), ("h", 3600.0)];
     let hint = || "write a duration from 100ms to 1h, such as 10s".to_owned();
@@ -166,7 +165,6 @@ pub fn show(progress: &ProgressBar, before: Span, RunProgress { done, length }: 
     }
 }
 
-/// Prints the result of a run.
 pub fn report(name: &str, summary: &RunSummary, output: &Output) -> Result<(), Failure> {
     let RunSummary { recording, stored, truth, recorded, progress, agrees, before, took, .. } = summary;
     let Recording { firings, sha256, .. } = recording;
@@ -266,7 +264,6 @@ fn summary_text(name: &str, summary: &RunSummary) -> String {
 /// Most sentences that a result lists (our choice); `homebody routine check` can list all.
 const MOST_DIFFERENCES: usize = 5;
 
-/// A warning for each sentence that the run did not follow.
 fn difference_warnings(differences: &[Difference]) -> String {
     let line = |Difference { file, line, text, expected, lived, .. }: &Difference| {
         let sentence = text.split_whitespace().collect::<Vec<_>>().join(" ");
@@ -301,7 +298,6 @@ pub fn resume_line(folder: &Path) -> String {
     format!("resume     {}\n", resume_command(folder))
 }
 
-/// The command that resumes a run or a cohort.
 pub fn resume_command(folder: &Path) -> String {
     format!("homebody run --resume {}", folder.display())
 }
@@ -358,7 +354,6 @@ pub fn is_unchanged(error: &SimulationError) -> bool {
     matches!(error, SimulationError::Log(LogError::NotYet { .. }))
 }
 
-/// Prints the result of a home in real time.
 pub fn report_live(name: &str, folder: &Path, summary: &RunSummary) {
     let rows = summary.stored.rows;
     tell(format_args!(

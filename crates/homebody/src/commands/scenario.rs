@@ -35,7 +35,6 @@ impl Trust {
         self.trust
     }
 
-    /// The source of a scenario on disk.
     pub fn source(&self, path: &Path) -> Result<ScenarioSource, SimulationError> {
         let source = ScenarioSource::at(path)?;
         Ok(if self.trust { source.trusted() } else { source })

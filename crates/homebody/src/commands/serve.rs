@@ -95,7 +95,6 @@ impl ServeArguments {
 }
 
 impl ServeArguments {
-    /// The scenario, or the folder of scenarios, to serve.
     fn offer(&self) -> Result<Offer, Failure> {
         let is_trusted = self.trust.is_given();
         if is_library(&self.scenario) {

@@ -21,7 +21,6 @@ use serde::Serialize;
 use std::fmt;
 use std::path::PathBuf;
 
-/// Default time between two moments of a strip.
 const STRIP_EVERY: Span = SECOND;
 
 /// Export the silhouettes of a run's cameras: pictures, film or table
@@ -175,7 +174,6 @@ impl Thinned {
     }
 }
 
-/// The moments of a strip so far.
 struct StripMoments {
     moments: Vec<(RunTime, Vec<Option<KeptSilhouettes>>)>,
     /// Time for which a picture is the latest, by camera.
@@ -218,9 +216,7 @@ impl StripMoments {
 #[derive(Serialize)]
 struct SilhouettesAnswer {
     name: String,
-    /// Number of silhouettes.
     pictures: u64,
-    /// Number of their instants.
     instants: u64,
     cameras: Vec<CameraSummary>,
     written: Vec<WrittenOutput>,

@@ -71,7 +71,6 @@ impl SummaryArguments {
     }
 }
 
-/// A row for each sentence.
 fn records(summary: &VerbalSummary) -> Records {
     let of = |sentence: &SummarySentence| {
         let mut row = row(sentence);

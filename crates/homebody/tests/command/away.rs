@@ -5,7 +5,7 @@ use crate::flat::flat;
 use crate::folder::{Ends, Folder};
 use crate::mosquitto::Broker;
 use std::fs::File;
-use std::process::{Command, ExitStatus, Stdio};
+use std::process::Stdio;
 use std::thread;
 use std::time::{Duration, Instant};
 
@@ -14,8 +14,8 @@ const SPAN: &str = "50m";
 /// A run that is stopped ends within this time, on however slow a machine: it waits for the broker for ten minutes, or a day.
 const SOON: Duration = Duration::from_secs(60);
 
-/// Begins a run, has its broker go away, and stops it at once or when it has said that it waits. How it ended, and what it said.
-fn stopped(folder: &Folder, words: &str, broker: &mut Broker, says: Option<&str>) -> (ExitStatus, String) {
+/// Starts a run, kills its broker, and stops the run at once or when it reports that it waits. Returns its exit code and messages.
+fn stopped(folder: &Folder, words: &str, broker: &mut Broker, says: Option<&str>) -> (Option<i32>, String) {
     let mut command = folder.command(words);
     command.stdout(Stdio::null()).stderr(File::create(folder.path("said")).unwrap());
     let mut run = Ends(command.spawn().unwrap());
@@ -29,17 +29,8 @@ fn stopped(folder: &Folder, words: &str, broker: &mut Broker, says: Option<&str>
         thread::sleep(Duration::from_secs(2));
     }
     assert!(run.0.try_wait().unwrap().is_none(), "{}", folder.read("said"));
-    let signalled = Command::new("sh").args(["-c", &format!("kill -INT {}", run.0.id())]).status();
-    assert!(signalled.unwrap().success());
-    let begun = Instant::now();
-    loop {
-        if let Some(status) = run.0.try_wait().unwrap() {
-            println!("ended {} ms after the signal", begun.elapsed().as_millis());
-            return (status, folder.read("said"));
-        }
-        assert!(begun.elapsed() < SOON, "it has not ended:\n{}", folder.read("said"));
-        thread::sleep(Duration::from_millis(10));
-    }
+    let code = run.stop("INT", SOON, || folder.read("said"));
+    (code, folder.read("said"))
 }
 
 #[test]
@@ -55,8 +46,8 @@ fn a_run_that_is_stopped_while_its_broker_is_away_ends_soon_and_is_gone_on_with(
         let Some(mut broker) = Broker::start() else { return };
         let port = broker.port;
         let words = format!("--speed 60 --out mqtt://127.0.0.1:{port}/homebody?allow-fast=true {more}");
-        let (status, said) = stopped(&folder, &format!("run flat --for {SPAN} {words}"), &mut broker, says);
-        assert_eq!(status.code(), Some(130), "{said}");
+        let (code, said) = stopped(&folder, &format!("run flat --for {SPAN} {words}"), &mut broker, says);
+        assert_eq!(code, Some(130), "{said}");
         let [why, hint] =
             [" was unavailable when the run stopped: no broker listens on this host and port;", "--resume runs/flat-1"];
         assert!(said.contains(why) && said.contains(hint), "{said}");
@@ -82,7 +73,7 @@ fn a_run_that_is_stopped_while_its_broker_is_away_ends_soon_and_is_gone_on_with(
 #[test]
 fn a_broker_that_comes_late_is_an_error_or_waited_for_as_is_said() {
     let folder = flat();
-    // Where there is none at all, nothing is to be seen here.
+    // Without mosquitto, there is nothing to test.
     let Some(mut broker) = Broker::start() else { return };
     let port = broker.port;
     broker.kill();

@@ -1,7 +1,8 @@
 //! `homebody fit`: scenarios fitted to the logs of their homes.
 
-use crate::folder::Folder;
+use crate::folder::{Files, Folder};
 use serde_json::Value;
+use std::sync::OnceLock;
 
 /// The end of the line of the sensor in the hallway.
 const HALLWAY: &str = r#"[3.6, 2.4], [2.95, 2.4]], "preset": "casas_pulse" }"#;
@@ -12,7 +13,11 @@ const HALF_AS_FAR: &str = "[[4.425, 1.925], [4.875, 1.925], [4.875, 2.375], [4.4
 /// of the passing people, and one has half the reach. The resident gets up at eight and goes to bed at ten. The folder also has the same
 /// home with other numbers.
 fn known() -> Folder {
-    let folder = Folder::new();
+    static FILES: OnceLock<Files> = OnceLock::new();
+    Folder::filled_once(&FILES, fill)
+}
+
+fn fill(folder: &Folder) {
     folder.run("new known --template older-adult").ok();
     let change = |file: &str, from: &str, to: &str| {
         let text = folder.read(file);
@@ -31,7 +36,6 @@ fn known() -> Folder {
     folder.write("known/home.json", home);
     change("known/logger.json", "\"hold_s\": 3", "\"hold_s\": 9");
     folder.write("known/ada.routine", "She gets up at 5:00.\nShe goes to bed at 20:00.\n");
-    folder
 }
 
 /// The clock time behind some words of a text, in hours.
@@ -44,9 +48,11 @@ fn hour_after(text: &str, words: &str) -> f64 {
 #[test]
 fn the_numbers_of_a_life_that_is_known_are_found_again() {
     let folder = known();
-    let done = folder.run("fit casas:log.txt --home known --training-days 2011-06-06..2011-06-09 --out fitted").ok();
-    assert!(done.out.contains("test days against"), "{}", done.out);
-    let logger: Value = serde_json::from_str(&folder.read("fitted/logger.json")).unwrap();
+    folder
+        .run("fit casas:log.txt --home known --training-days 2011-06-06..2011-06-09 --out fitted")
+        .ok()
+        .prints(&["test days against"]);
+    let logger = folder.json("fitted/logger.json");
     let hold = logger["messages"]["on_off"]["hold_s"].as_f64().unwrap();
     assert!((hold - 3.0).abs() < 0.1, "{hold}");
     let routine = folder.read("fitted/fitted.routine");
@@ -56,7 +62,7 @@ fn the_numbers_of_a_life_that_is_known_are_found_again() {
         (hour_after(&routine, "she leaves the apartment at about ".trim_start_matches("she ")) - 15.0).abs() < 0.75,
         "{routine}"
     );
-    let report: Value = serde_json::from_str(&folder.read("fitted/report.json")).unwrap();
+    let report = folder.json("fitted/report.json");
     let hours = report["measures"].as_array().unwrap().iter().find(|row| row["measure"] == "hours").unwrap();
     let [fitted, before] = ["fitted", "before"].map(|key| hours[key].as_f64().unwrap());
     assert!(fitted < before, "{hours}");

@@ -1,12 +1,11 @@
 //! Silhouettes next to a log, and falls in them.
 
-use crate::folder::Folder;
+use crate::folder::{Folder, says};
 use rusqlite::Connection;
 
 /// Somebody who walks into the middle of the room, and falls there.
 fn fallen() -> Folder {
-    let folder = Folder::new();
-    folder.copy_scenario("cameras");
+    let folder = Folder::with("cameras");
     folder.edit("cameras/edith.json", "\"routine\": \"edith.routine\"", "\"path\": \"falls.path.json\"");
     let path = r#"{ "start": [5.8, 1.4], "steps": [{ "wait": { "for_s": 30 } }, { "go": { "to": [[4.9, 2.9]], "pace_mps": 0.7 } },
         { "activity": "fallen" }, { "wait": { "for_s": 120, "posture": "down" } }, { "activity": "" }, { "go": { "to": [[4.4, 1.4]], "pace_mps": 0.3 } }, { "wait": { "for_s": 60 } }] }"#;
@@ -32,8 +31,7 @@ fn a_fall_before_two_cameras_is_found_and_where_it_was() {
     let at: Vec<f64> = falls[0]["at_m"].as_array().unwrap().iter().map(|number| number.as_f64().unwrap()).collect();
     assert!((at[0] - 4.9).abs() < 1.0 && (at[1] - 2.9).abs() < 1.0, "{at:?}");
     assert!(found["voxel_persons"].as_u64().unwrap() > 20, "{found}");
-    let words = folder.run("falls runs/cameras-1").ok().out;
-    assert!(words.contains("very likely a fall"), "{words}");
+    folder.run("falls runs/cameras-1").ok().prints(&["very likely a fall"]);
     // Beside it stands what the truth tells.
     let found = folder.run("find runs/cameras-1 seen-fall --json").ok().json();
     let hits = found["found"].as_array().unwrap();
@@ -51,8 +49,7 @@ fn a_fall_before_two_cameras_is_found_and_where_it_was() {
     });
     assert!((seen - told).rem_euclid(60.0) < 5.0, "{begins:?}");
     assert_eq!(hits.iter().filter(|hit| hit["name"] == "fallen").count(), 1, "{hits:?}");
-    let told = folder.run("find runs/cameras-1 fall").ok().out;
-    assert!(told.contains("edith: has fallen, room"), "{told}");
+    folder.run("find runs/cameras-1 fall").ok().prints(&["edith: has fallen, room"]);
     let only = folder.run("find runs/cameras-1 seen-fall sudden --json").ok().json();
     assert_eq!(only["found"].as_array().unwrap().len(), 1, "{only}");
 }
@@ -71,8 +68,7 @@ fn silhouettes_are_the_same_however_fast_and_with_another_seed_others() {
 
 #[test]
 fn a_log_without_silhouettes_and_rules_that_are_wrong_are_told() {
-    let folder = Folder::new();
-    folder.copy_scenario("studio");
+    let folder = Folder::with("studio");
     folder.run("run studio --quiet --for 1d").ok();
     folder.run("falls runs/studio-1").fails(2, "kit::no-silhouettes");
     folder.write("rules.json", folder.run("falls --show-rules").ok().out.replace("\"high\" }", "\"tall\" }"));
@@ -84,8 +80,7 @@ fn a_log_without_silhouettes_and_rules_that_are_wrong_are_told() {
 
 /// Three cameras that watch a person for some time.
 fn postures(long: &str) -> Folder {
-    let folder = Folder::new();
-    folder.copy_scenario("postures");
+    let folder = Folder::with("postures");
     folder.run(&format!("run postures --quiet --for {long}")).ok();
     folder
 }
@@ -148,14 +143,15 @@ fn a_strip_of_silhouettes_has_a_row_for_each_camera_that_is_asked_for() {
         .ok()
         .json();
     let svg = folder.read("strip.svg");
-    for words in [
-        "2025-06-02 10:00:05.000",
-        "2025-06-02 10:00:11.000",
-        ">north-east<",
-        "4 moments from 2025-06-02 10:00:05.000 on before 3 cameras",
-    ] {
-        assert!(svg.contains(words), "{words}");
-    }
+    says(
+        &svg,
+        &[
+            "2025-06-02 10:00:05.000",
+            "2025-06-02 10:00:11.000",
+            ">north-east<",
+            "4 moments from 2025-06-02 10:00:05.000 on before 3 cameras",
+        ],
+    );
     assert!(!svg.contains("10:00:13"));
     // Nothing but what lies there is read: six seconds of at most five pictures a second.
     assert!(told["instants"].as_u64().unwrap() <= 31, "{told}");
@@ -171,18 +167,21 @@ fn reports_all_wrong_options_for_silhouettes_at_once() {
     let wrong = folder
         .run("silhouettes runs/postures-1 --camera soth-east --from noon --to 25 --out a.csv")
         .fails(2, "error[silhouettes::no-camera]");
-    for words in [
-        "did you mean \"south-east\"?",
-        "the cameras are north-east",
-        "error[moment::not-a-time]: \"noon\"",
-        "error[moment::not-a-time]: \"25\"",
-        "3 problems",
-    ] {
-        assert!(wrong.err.contains(words), "{words}: {}", wrong.err);
-    }
+    says(
+        &wrong.err,
+        &[
+            "did you mean \"south-east\"?",
+            "the cameras are north-east",
+            "error[moment::not-a-time]: \"noon\"",
+            "error[moment::not-a-time]: \"25\"",
+            "3 problems",
+        ],
+    );
     let nothing = "silhouettes runs/postures-1 --from 2025-06-02T12:00 --to 2025-06-02T13:00 --out a.csv";
-    let none = folder.run(nothing).fails(2, "error[silhouettes::none-in-time]");
-    assert!(none.err.contains("the last one before is at 2025-06-02 10:1"), "{}", none.err);
+    folder
+        .run(nothing)
+        .fails(2, "error[silhouettes::none-in-time]")
+        .says(&["the last one before is at 2025-06-02 10:1"]);
     folder.run("silhouettes runs/postures-1 --from 10:05 --to 10:04").fails(2, "error[moment::no-span]");
     folder.run("silhouettes runs/postures-1 --out a.gif --out b.png").fails(2, "error[silhouettes::form]");
     folder.run("silhouettes runs/postures-1 --out b.csv --out a.apng").fails(2, "error[silhouettes::too-many]");

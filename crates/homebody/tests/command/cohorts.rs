@@ -1,34 +1,30 @@
 //! Cohorts from a list of profiles: their members, and invalid lists.
 
 use crate::flat::flat;
-use crate::folder::Folder;
+use crate::folder::{Folder, says};
 use serde_json::Value;
 use std::process::Stdio;
 
 /// The example's apartment and a list of people.
 fn listed(list: &str) -> Folder {
-    let folder = Folder::new();
-    folder.copy_scenario("tigerplace");
+    let folder = Folder::with("tigerplace");
     folder.write("people.csv", list);
     folder
 }
 
-const LIVE: &str = "run tigerplace --profiles people.csv --for 2d --quiet";
+const LIVE: &str = "run tigerplace --profiles people.csv --for 1d --quiet";
 
-/// Log, truth and recording of a member.
 fn life(folder: &Folder, member: &str) -> [String; 3] {
     let path = |name: &str| format!("runs/{member}/{name}");
     let log = folder.query(&path("log.db"), "SELECT ts_local, sensor_id, event_code FROM event ORDER BY seq");
     [log.join("\n"), folder.truth_sha256(&path("truth.db")), folder.read(&path("recording.json"))]
 }
 
-/// A member's files, as the recording has them.
 fn files(folder: &Folder, member: &str) -> Value {
-    let recording: Value = serde_json::from_str(&folder.read(&format!("runs/{member}/recording.json"))).unwrap();
+    let recording = folder.json(&format!("runs/{member}/recording.json"));
     recording["files"].clone()
 }
 
-/// The routine that a resident of a member's lives by.
 fn routine_of(folder: &Folder, member: &str, resident: &str) -> String {
     let files = files(folder, member);
     let resident: Value = serde_json::from_str(files[format!("{resident}.json")].as_str().unwrap()).unwrap();
@@ -48,13 +44,13 @@ fn every_member_lives_as_the_list_says() {
          carl;;;;;;;;\n",
     );
     folder.run(LIVE).ok();
-    let list: Value = serde_json::from_str(&folder.read("runs/tigerplace-1/cohort.json")).unwrap();
+    let list = folder.json("runs/tigerplace-1/cohort.json");
     let members = list["members"].as_array().unwrap();
     let names: Vec<_> = members.iter().map(|member| member["name"].as_str().unwrap()).collect();
     assert_eq!(names, ["Anna Öz", "bea", "carl"]);
     assert_eq!(members[0]["profile"]["pace_mps"], "0.5");
     assert_eq!((&members[1]["seed"], &members[1]["profile"]["until"]), (&Value::from(7), &Value::from("+ day 40")));
-    assert_eq!((&members[2]["profile"], &members[2]["days"]), (&serde_json::json!({}), &Value::from(2.0)));
+    assert_eq!((&members[2]["profile"], &members[2]["days"]), (&serde_json::json!({}), &Value::from(1.0)));
     let anna = routine(&folder, "tigerplace-1/Anna Öz");
     assert!(anna.contains("\nThe person is 75. The person walks at 0.5 m/s.\n"), "{anna}");
     assert!(!anna.contains("82") && !anna.contains("0.65"), "{anna}");
@@ -64,7 +60,7 @@ fn every_member_lives_as_the_list_says() {
     assert!(bea.ends_with(conditions), "{bea}");
     let given = folder.read("tigerplace/margaret.routine");
     assert_eq!(routine(&folder, "tigerplace-1/carl"), given);
-    // What a row says, its life shows: a pace that is given is that pace, and nobody else's.
+    // A given pace is the pace of that member alone.
     let pace = |member: &str| {
         let steps = "SELECT to_x - from_x, to_y - from_y, (julianday(end_at) - julianday(begin_at)) * 86400 \
                      FROM movement WHERE kind = 'stride'";
@@ -109,12 +105,12 @@ fn a_members_life_depends_on_their_profile_and_seed_alone() {
 
 #[test]
 fn a_twin_is_the_same_until_the_onset() {
-    let folder = listed("name,seed,conditions,severity,onset\nill,1,depression + insomnia,severe,day 3\nwell,1,,,\n");
-    let live = "run tigerplace --profiles people.csv --for 4d --quiet";
+    let folder = listed("name,seed,conditions,severity,onset\nill,1,depression + insomnia,severe,day 2\nwell,1,,,\n");
+    let live = "run tigerplace --profiles people.csv --for 2d --quiet";
     folder.run(live).ok();
     let days = |member: &str| {
         let sql = "SELECT ts_local, sensor_id FROM event WHERE ts_local";
-        let of = |which: &str| folder.query(&format!("runs/{member}/log.db"), &format!("{sql} {which} '2009-03-04'"));
+        let of = |which: &str| folder.query(&format!("runs/{member}/log.db"), &format!("{sql} {which} '2009-03-03'"));
         (of("<"), of(">="))
     };
     let (ill, well) = (days("tigerplace-1/ill"), days("tigerplace-1/well"));
@@ -125,18 +121,18 @@ fn a_twin_is_the_same_until_the_onset() {
     assert!(days("tigerplace-2/ill") == well);
     folder.run("replay runs/tigerplace-2/ill/recording.json --out csv:a.csv").ok();
     let said = folder.run(&format!("{live} --without depresion --without grief")).fails(2, "2 problems").err;
-    for part in [
-        "people.csv: error[members::no-condition]: no member of the list shows \"depresion\"\n  hint: did you mean \"depression\"?",
-        "people.csv: error[members::no-condition]: no member of the list shows \"grief\"\n  hint: name a condition that the members show: depression, insomnia",
-    ] {
-        assert!(said.contains(part), "{part}: {said}");
-    }
+    says(
+        &said,
+        &[
+            "people.csv: error[members::no-condition]: no member of the list shows \"depresion\"\n  hint: did you mean \"depression\"?",
+            "people.csv: error[members::no-condition]: no member of the list shows \"grief\"\n  hint: name a condition that the members show: depression, insomnia",
+        ],
+    );
 }
 
 #[test]
 fn conditions_of_the_scenario_go_where_a_row_has_its_own() {
-    let folder = Folder::new();
-    folder.copy_scenario("tigerplace-depression");
+    let folder = Folder::with("tigerplace-depression");
     folder.write("people.csv", "name,conditions,severity\nas it is,,\nwell,none,\nfrail,frailty,mild\n");
     folder.run("run tigerplace-depression --profiles people.csv --for 1d --quiet").ok();
     let shows = |member: &str| {
@@ -151,8 +147,7 @@ fn conditions_of_the_scenario_go_where_a_row_has_its_own() {
 
 #[test]
 fn another_routine_and_one_of_several_residents_may_be_meant() {
-    let folder = Folder::new();
-    folder.copy_scenario("couple-with-cat");
+    let folder = Folder::with("couple-with-cat");
     folder.write("couple-with-cat/early.routine", "She gets up at 05:00.\n");
     folder.write("people.csv", "name,resident,routine,age\nearly,Ruth,early.routine,70\nold,henry,,99\n");
     folder.run("run couple-with-cat --profiles people.csv --for 1d --quiet").ok();
@@ -162,22 +157,22 @@ fn another_routine_and_one_of_several_residents_may_be_meant() {
     folder.run("replay runs/couple-with-cat-1/early/recording.json --out csv:a.csv").ok();
     folder.write("people.csv", "name,resident,age\na,,70\nb,minka,12\nc,hnery,7x\nd,,\n");
     let said = folder.run("run couple-with-cat --profiles people.csv").fails(2, "4 problems").err;
-    for part in [
-        "people.csv:2:4: error[members::which-resident]",
-        "hint: add a column \"resident\" with the value henry or ruth",
-        "people.csv:3:3: error[members::no-resident]: no resident with a routine is called \"minka\"",
-        "people.csv:4:3: error[members::no-resident]",
-        "did you mean \"henry\"?",
-        "people.csv:4:9: error[members::number]: \"7x\"",
-    ] {
-        assert!(said.contains(part), "{part}: {said}");
-    }
+    says(
+        &said,
+        &[
+            "people.csv:2:4: error[members::which-resident]",
+            "hint: add a column \"resident\" with the value henry or ruth",
+            "people.csv:3:3: error[members::no-resident]: no resident with a routine is called \"minka\"",
+            "people.csv:4:3: error[members::no-resident]",
+            "did you mean \"henry\"?",
+            "people.csv:4:9: error[members::number]: \"7x\"",
+        ],
+    );
 }
 
 #[test]
 fn homes_may_be_mixed_each_with_the_ids_that_it_has() {
-    let folder = Folder::new();
-    folder.copy_scenario("studio");
+    let folder = Folder::with("studio");
     folder.copy_scenario("older-adult");
     let other = folder.read("older-adult/home.json");
     folder.write("studio/other.json", &other);
@@ -200,29 +195,30 @@ fn homes_may_be_mixed_each_with_the_ids_that_it_has() {
     };
     assert!(ids(&others).len() < ids(&own).len());
     assert!(ids(&others).iter().all(|sensor| other.contains(&format!("{sensor:?}"))), "{:?}", ids(&others));
-    let list: Value = serde_json::from_str(&folder.read("runs/studio-1/cohort.json")).unwrap();
+    let list = folder.json("runs/studio-1/cohort.json");
     let homes: Vec<_> = list["members"].as_array().unwrap().iter().map(|member| &member["profile"]["home"]).collect();
     assert_eq!(homes, ["home.json", "other.json", "home.json"]);
     folder.run("replay runs/studio-1/there/recording.json --out csv:a.csv").ok();
-    // One who is missing is lived again, with the home as it was; one of another home is nobody's.
+    // A missing member is simulated again, in the earlier home.
     let left = |name: &str| folder.read(&format!("runs/studio-1/there/{name}"));
     let before = ["log.txt", "recording.json"].map(left);
     folder.write("studio/other.json", folder.read("studio/home.json"));
     std::fs::remove_dir_all(folder.path("runs/studio-1/there")).unwrap();
     folder.run("run --resume runs/studio-1 --quiet").ok();
     assert!(["log.txt", "recording.json"].map(left) == before);
-    // What is wrong with a home is said where the row is.
+    // Problems with a home have the place of the row.
     folder.write("studio/broken.json", other.replacen("\"motion\"", "\"notion\"", 1));
     folder.write("people.csv", "name,home\na,none.json\nb,../home.json\nc,broken.json\n");
     let said = folder.run("run studio --profiles people.csv --for 1d").fails(2, "3 problems").err;
-    for part in [
-        "people.csv:2:3: error[members::unreadable]: cannot read \"none.json\": there is no such file\n",
-        "hint: name the file of a home in the scenario's folder",
-        "people.csv:3:3: error[file::outside-folder]: \"../home.json\"",
-        "people.csv:4:1: error[members::scenario]: the values of this row cause a problem at broken.json:",
-    ] {
-        assert!(said.contains(part), "{part}: {said}");
-    }
+    says(
+        &said,
+        &[
+            "people.csv:2:3: error[members::unreadable]: cannot read \"none.json\": there is no such file\n",
+            "hint: name the file of a home in the scenario's folder",
+            "people.csv:3:3: error[file::outside-folder]: \"../home.json\"",
+            "people.csv:4:1: error[members::scenario]: the values of this row cause a problem at broken.json:",
+        ],
+    );
 }
 
 #[test]
@@ -230,15 +226,16 @@ fn refuses_options_that_a_cohort_does_not_have() {
     let folder = flat();
     let asked = "run flat --members 2 --for 1m --truth t.db --recording r.json --force --speed 60 --metrics 9464";
     let said = folder.run(asked).fails(2, "5 problems").err;
-    for part in [
-        "error[run::cohort-option]: --truth: ",
-        "error[run::cohort-option]: --recording: ",
-        "error[run::cohort-option]: --force: ",
-        "error[run::cohort-option]: --speed, --paused and --control: ",
-        "error[run::cohort-option]: --metrics: ",
-    ] {
-        assert!(said.contains(part), "{part}: {said}");
-    }
+    says(
+        &said,
+        &[
+            "error[run::cohort-option]: --truth: ",
+            "error[run::cohort-option]: --recording: ",
+            "error[run::cohort-option]: --force: ",
+            "error[run::cohort-option]: --speed, --paused and --control: ",
+            "error[run::cohort-option]: --metrics: ",
+        ],
+    );
     folder.run("run flat --for 1m --truth-tables brief").fails(2, "error[run::truth-tables]");
     assert!(!folder.path("runs").exists());
     // It begins where nothing is, but for what is hidden.
@@ -253,8 +250,7 @@ fn refuses_options_that_a_cohort_does_not_have() {
 
 #[test]
 fn a_brief_truth_keeps_small_tables_and_replay_restores_the_others() {
-    let folder = Folder::new();
-    folder.copy_scenario("studio");
+    let folder = Folder::with("studio");
     let run = "run studio --members 1 --for 1d --quiet";
     folder.run(&format!("{run} --truth-tables brief")).ok();
     folder.run(&format!("{run} --truth-tables all")).ok();
@@ -282,8 +278,7 @@ fn a_brief_truth_keeps_small_tables_and_replay_restores_the_others() {
 
 #[test]
 fn a_large_cohort_says_before_what_it_writes_and_leaves_out() {
-    let folder = Folder::new();
-    folder.copy_scenario("studio");
+    let folder = Folder::with("studio");
     let mut command = folder.command("run studio --members 100000 --for 365d --out parquet:cohort");
     let mut running = command.stderr(Stdio::piped()).spawn().unwrap();
     folder.until("a member is lived", |folder| folder.path("cohort/members/000001").exists());
@@ -304,8 +299,7 @@ fn a_large_cohort_says_before_what_it_writes_and_leaves_out() {
 
 #[test]
 fn a_row_of_the_list_changes_only_its_member() {
-    let folder = Folder::new();
-    folder.copy_scenario("couple-with-cat");
+    let folder = Folder::with("couple-with-cat");
     let given = "\u{feff}Henry gets up at 05:00.\nHe is 85.\nHe shows depression. He walks at 0.7 m/s.\n";
     folder.write("couple-with-cat/henry.routine", given);
     let own = folder.read("couple-with-cat/ruth.routine");
@@ -355,44 +349,45 @@ fn all_that_is_wrong_with_a_list_is_said_at_once() {
     folder.write("tigerplace/other.routine", "She reeds.\n");
     let given = folder.files();
     let done = folder.run("run tigerplace --profiles people.csv --for 5000w").fails(2, "problems");
-    for part in [
-        "people.csv:1:15: error[members::unknown-column]: there is no column \"pace\"",
-        "hint: did you mean \"pace_mps\"?",
-        "people.csv:1:59: error[members::same-column]",
-        "people.csv:2:6: error[members::seed]: \"x\"",
-        "people.csv:2:8: error[members::number]: \"abc\" is not a valid age in years",
-        "people.csv:2:13: error[routine::unknown-condition]: \"depresion\"",
-        "hint: did you mean \"depression\"?",
-        "people.csv:2:23: error[members::severity]: \"sever\"",
-        "hint: did you mean \"severe\"?",
-        "people.csv:2:29: ",
-        "people.csv:2:37: error[members::unreadable]: cannot read \"none.routine\"",
-        "people.csv:3:1: error[members::bad-name]: the member name \"a/b\" is not valid as the name of a folder",
-        "people.csv:3:5: error[members::seed]: \"-1\"",
-        "people.csv:3:8: error[routine::age]",
-        "people.csv:3:26: error[routine::no-beginning]",
-        "people.csv:4:1: error[members::same-name]: two members are called \"ANNA\"",
-        "people.csv:4:14: error[members::no-condition-in-row]",
-        "people.csv:5:3: error[members::no-name]",
-        "people.csv:6:24: error[members::value-count]: the cell has 3 values for 2 conditions",
-        "people.csv:7:16: error[members::same-condition]: the condition \"Grief\"",
-        "people.csv:7:23: error[routine::no-date]",
-        "people.csv:7:34: ",
-        "people.csv:7:42: error[file::outside-folder]: \"../a.routine\"",
-        "people.csv:7:56: error[members::no-column]",
-        "people.csv:8:8: error[members::not-plain]: cannot read \"depression. She naps\"",
-        "other.routine:1:5: error[routine::unknown-verb]: \"reeds\"",
-        "people.csv:9:6: error[members::number]: \"0x1f\"",
-        "people.csv:10:34: error[members::same-condition]: the condition \"Urinary-tract-infection\"",
-        "people.csv:11:21: error[members::same-condition]: the condition \"mild depression\"",
-        "people.csv:12:2: error[members::no-name]",
-        "people.csv:12:2: error[members::seed]: \"-1\"",
-        "people.csv:12:5: error[members::number]: \"x\" is not a valid age in years",
-        "people.csv:12:8: error[routine::unknown-condition]: \"depresion\"",
-        "people.csv:12:26: error[members::value-count]: the cell has 3 values for 2 conditions",
-    ] {
-        assert!(done.err.contains(part), "{part}\n{}", done.err);
-    }
+    says(
+        &done.err,
+        &[
+            "people.csv:1:15: error[members::unknown-column]: there is no column \"pace\"",
+            "hint: did you mean \"pace_mps\"?",
+            "people.csv:1:59: error[members::same-column]",
+            "people.csv:2:6: error[members::seed]: \"x\"",
+            "people.csv:2:8: error[members::number]: \"abc\" is not a valid age in years",
+            "people.csv:2:13: error[routine::unknown-condition]: \"depresion\"",
+            "hint: did you mean \"depression\"?",
+            "people.csv:2:23: error[members::severity]: \"sever\"",
+            "hint: did you mean \"severe\"?",
+            "people.csv:2:29: ",
+            "people.csv:2:37: error[members::unreadable]: cannot read \"none.routine\"",
+            "people.csv:3:1: error[members::bad-name]: the member name \"a/b\" is not valid as the name of a folder",
+            "people.csv:3:5: error[members::seed]: \"-1\"",
+            "people.csv:3:8: error[routine::age]",
+            "people.csv:3:26: error[routine::no-beginning]",
+            "people.csv:4:1: error[members::same-name]: two members are called \"ANNA\"",
+            "people.csv:4:14: error[members::no-condition-in-row]",
+            "people.csv:5:3: error[members::no-name]",
+            "people.csv:6:24: error[members::value-count]: the cell has 3 values for 2 conditions",
+            "people.csv:7:16: error[members::same-condition]: the condition \"Grief\"",
+            "people.csv:7:23: error[routine::no-date]",
+            "people.csv:7:34: ",
+            "people.csv:7:42: error[file::outside-folder]: \"../a.routine\"",
+            "people.csv:7:56: error[members::no-column]",
+            "people.csv:8:8: error[members::not-plain]: cannot read \"depression. She naps\"",
+            "other.routine:1:5: error[routine::unknown-verb]: \"reeds\"",
+            "people.csv:9:6: error[members::number]: \"0x1f\"",
+            "people.csv:10:34: error[members::same-condition]: the condition \"Urinary-tract-infection\"",
+            "people.csv:11:21: error[members::same-condition]: the condition \"mild depression\"",
+            "people.csv:12:2: error[members::no-name]",
+            "people.csv:12:2: error[members::seed]: \"-1\"",
+            "people.csv:12:5: error[members::number]: \"x\" is not a valid age in years",
+            "people.csv:12:8: error[routine::unknown-condition]: \"depresion\"",
+            "people.csv:12:26: error[members::value-count]: the cell has 3 values for 2 conditions",
+        ],
+    );
     assert_eq!(folder.files(), given);
 }
 
@@ -427,7 +422,7 @@ fn a_list_that_is_none_is_refused() {
         folder.run("run flat --profiles people.csv").fails(2, said);
     }
     folder.run("run flat --profiles people.csv --members 3").fails(2, "cannot be used with");
-    // Who differs in nothing may be on the list of any scenario.
+    // A member without differences may be on the list of any scenario.
     folder.write("people.csv", "name,seed\nanna,1\n");
     folder.run("run flat --profiles people.csv --for 1m").ok();
     assert!(folder.path("runs/flat-1/anna/log.db").is_file());

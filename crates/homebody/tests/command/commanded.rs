@@ -1,6 +1,6 @@
 //! A home in real time gets commands from a broker: it records them, resumes with them, and replays to the same bytes.
 
-use crate::folder::{Ends, Folder};
+use crate::folder::{Ends, Folder, signal};
 use crate::mosquitto::Broker;
 use serde_json::{Value, json};
 use std::fs;
@@ -68,8 +68,8 @@ fn what_a_broker_orders_is_noted_gone_on_with_and_replayed() {
     let dead = order(&folder, port, 5, json!({ "do": "fault", "sensor": "hall motion", "kind": "dead" }));
     assert_eq!(dead["ok"], true, "{dead}");
     folder.until("the door has said so", |_| says("CLOSE"));
-    let term = Command::new("sh").args(["-c", &format!("kill -TERM {}", home.0.id())]).status();
-    assert!(term.unwrap().success() && home.0.wait().unwrap().code() == Some(143));
+    signal(&home.0, "TERM");
+    assert_eq!(home.0.wait().unwrap().code(), Some(143));
 
     let words = "--out sqlite:again.db --truth sqlite:again-truth.db";
     folder.run(&format!("replay home/recording.json {words}")).ok();
@@ -79,7 +79,7 @@ fn what_a_broker_orders_is_noted_gone_on_with_and_replayed() {
     assert_eq!(done, ["on|front door", "fall|walter", "off|front door", "battery|hall motion"]);
 
     // The control: without the note of what was ordered, the replay is another life.
-    let mut recording: Value = serde_json::from_str(&folder.read("home/recording.json")).unwrap();
+    let mut recording = folder.json("home/recording.json");
     assert!(recording.as_object_mut().unwrap().remove("outside").is_some());
     folder.write("forgotten.json", recording.to_string());
     let forgotten = folder.run("replay forgotten.json --quiet --out sqlite:forgotten.db");

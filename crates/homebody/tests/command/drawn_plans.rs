@@ -4,17 +4,17 @@
 use crate::imports::plan;
 use std::f64::consts::FRAC_PI_2;
 
-fn wall([x, y]: [f64; 2], [to_x, to_y]: [f64; 2], thickness: f64) -> String {
+pub fn wall([x, y]: [f64; 2], [to_x, to_y]: [f64; 2], thickness: f64) -> String {
     format!("<wall xStart='{x}' yStart='{y}' xEnd='{to_x}' yEnd='{to_y}' thickness='{thickness}'/>")
 }
 
-fn room(name: &str, [left, top, right, bottom]: [f64; 4]) -> String {
+pub fn room(name: &str, [left, top, right, bottom]: [f64; 4]) -> String {
     let points = [[left, top], [right, top], [right, bottom], [left, bottom]];
     let points: String = points.iter().map(|[x, y]| format!("<point x='{x}' y='{y}'/>")).collect();
     format!("<room name='{name}'>{points}</room>")
 }
 
-fn door(name: &str, [x, y]: [f64; 2], angle: f64) -> String {
+pub fn door(name: &str, [x, y]: [f64; 2], angle: f64) -> String {
     format!("<doorOrWindow name='{name}' x='{x}' y='{y}' angle='{angle}' width='90' depth='20' height='208'/>")
 }
 
@@ -91,7 +91,6 @@ pub fn house() -> String {
     format!("{levels}{}{}", on("a", &below.concat()), on("b", &above.concat()))
 }
 
-/// The plans, each with its name.
 pub fn whole_plans() -> Vec<(String, Vec<u8>)> {
     let carpets = [
         piece("Box", "texturableBox", [500.0, 450.0], [120.0, 90.0, 0.7]),

@@ -2,18 +2,15 @@
 
 use crate::folder::Folder;
 use crate::resumed::kills;
-use homebody_web::server::SOCKET;
-use serde_json::Value;
+use crate::served::{address_of, page_of};
 use std::fs;
-use std::io::{BufRead, BufReader};
 use std::net::TcpStream;
-use std::process::{Child, Command, Stdio};
+use std::process::{Child, Stdio};
 use std::thread;
 use std::time::{Duration, Instant};
-use tungstenite::client::IntoClientRequest;
 use tungstenite::{Message, WebSocket};
 
-/// How old something has to be to be kept whatever happens.
+/// Acts of this age survive a kill.
 const SECOND: Duration = Duration::from_secs(1);
 
 /// A server of its own, and a page that drives.
@@ -24,17 +21,10 @@ struct Driven {
 
 impl Driven {
     fn begin(folder: &Folder) -> Driven {
-        let mut command = Command::new(env!("CARGO_BIN_EXE_homebody"));
-        command.args(["serve", "by-hand", "--no-open", "--port", "0"]).current_dir(folder.path(""));
+        let mut command = folder.command("serve by-hand --no-open --port 0");
         let mut server = command.stdout(Stdio::piped()).stderr(Stdio::null()).spawn().unwrap();
-        let mut said = String::new();
-        BufReader::new(server.stdout.take().unwrap()).read_line(&mut said).unwrap();
-        let (address, token) = said.trim().strip_prefix("http://").unwrap().split_once("/#token=").unwrap();
-        let mut request = format!("ws://{address}{SOCKET}").into_client_request().unwrap();
-        request.headers_mut().insert("origin", format!("http://{address}").parse().unwrap());
-        let stream = TcpStream::connect(address).unwrap();
-        let mut driven = Driven { server, socket: tungstenite::client(request, stream).unwrap().0 };
-        driven.say(&format!(r#"{{"say":"hello","token":"{token}"}}"#));
+        let (address, token) = address_of(&mut server);
+        let mut driven = Driven { server, socket: page_of(&address, &token) };
         driven.say(r#"{"say":"start","driven":0,"without":[],"seed":null}"#);
         driven.say(r#"{"say":"play"}"#);
         driven
@@ -67,8 +57,7 @@ impl Driven {
 
 #[test]
 fn acts_of_a_second_before_survive_a_kill() {
-    let folder = Folder::new();
-    folder.copy_scenario("by-hand");
+    let folder = Folder::with("by-hand");
     let (mut most_held, kills) = (0, kills());
     for kill in 0..kills {
         let for_so_long = Duration::from_millis(300 + kill * 7919 % 2_500);
@@ -81,7 +70,7 @@ fn acts_of_a_second_before_survive_a_kill() {
             continue;
         }
         let run = "runs/by-hand-1";
-        let recording: Value = serde_json::from_str(&folder.read(&format!("{run}/recording.json"))).unwrap();
+        let recording = folder.json(&format!("{run}/recording.json"));
         let keys = recording["files"]["visitor.keys.json"].as_str().unwrap_or_default();
         let kept = keys.matches("\"held\": [").count();
         assert!(kept >= held, "kill {kill} after {for_so_long:?}: {kept} of {held} are kept");

@@ -2,14 +2,16 @@
 
 use crate::flat::flat;
 use crate::folder::{Folder, ROOT};
-use serde_json::{Value, json};
+use serde_json::json;
 
 #[test]
 fn coverage_is_told_and_drawn() {
     let folder = flat();
-    let done = folder.run("coverage flat --json figures.json --svg map.svg --png map.png --width 400").ok();
-    assert!(done.out.contains("kitchen") && done.out.contains("study"), "{}", done.out);
-    let figures: Value = serde_json::from_str(&folder.read("figures.json")).unwrap();
+    folder
+        .run("coverage flat --json figures.json --svg map.svg --png map.png --width 400")
+        .ok()
+        .prints(&["kitchen", "study"]);
+    let figures = folder.json("figures.json");
     assert_eq!(figures, folder.run("coverage flat --json").ok().json());
     let names = |key: &str| {
         let all = figures[key].as_array().unwrap();
@@ -63,14 +65,15 @@ fn the_shipped_homes_are_covered() {
 
 #[test]
 fn a_log_is_held_against_another() {
-    let folder = Folder::new();
-    folder.copy_scenario("older-adult");
+    let folder = Folder::with("older-adult");
     for (seed, log) in [(1, "a.txt"), (2, "b.txt")] {
         folder.run(&format!("run older-adult --for 9d --seed {seed} --quiet --out casas:{log}")).ok();
     }
-    let done = folder.run("realism a.txt b.txt --json figures.json --html page.html --svg hours.svg").ok();
-    assert!(done.out.contains("gaps ") && done.out.contains("Hours are told apart by"), "{}", done.out);
-    let figures: Value = serde_json::from_str(&folder.read("figures.json")).unwrap();
+    folder
+        .run("realism a.txt b.txt --json figures.json --html page.html --svg hours.svg")
+        .ok()
+        .prints(&["gaps ", "Hours are told apart by"]);
+    let figures = folder.json("figures.json");
     assert_eq!(figures, folder.run("realism a.txt b.txt --json").ok().json(), "the same logs give the same figures");
     for name in ["gaps_ks", "on_ks", "hours_js", "shares_js", "firings_ks", "auc_days", "auc_hours"] {
         let of = |key: &str| figures[name][key].as_f64();

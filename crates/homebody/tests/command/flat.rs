@@ -18,7 +18,6 @@ fn bobs_keys() -> String {
     format!("{{ \"keys\": [\n{}\n] }}\n", changes.collect::<Vec<_>>().join(",\n"))
 }
 
-/// Writes the flat into the folder `flat`.
 pub fn build(folder: &Folder) {
     let keys = bobs_keys();
     for (name, text) in [
@@ -34,7 +33,6 @@ pub fn build(folder: &Folder) {
     }
 }
 
-/// A folder with the flat in it.
 pub fn flat() -> Folder {
     let folder = Folder::new();
     build(&folder);

@@ -1,6 +1,6 @@
 //! Fleets: a home has the same rows as alone, reports count right, and impossible fleets are refused at once.
 
-use crate::folder::Folder;
+use crate::folder::{Folder, says};
 use serde_json::Value;
 use std::collections::BTreeMap;
 
@@ -17,17 +17,16 @@ fn by_home(lines: &str) -> BTreeMap<String, Vec<Value>> {
 
 #[test]
 fn each_home_says_what_it_says_alone_and_the_report_counts_it() {
-    let folder = Folder::new();
-    folder.copy_scenario("studio");
+    let folder = Folder::with("studio");
     folder.copy_scenario("tigerplace");
-    // At 1000 times the pace of life, some hours.
+    // At 1000 times the speed of real time, more than an hour.
     let fast = "--start 2026-11-01T08:00 --speed 1000";
     let all = folder.run(&format!(
-        "fleet studio tigerplace --homes 4 {fast} --for 12s --out jsonl:all.jsonl --report report.jsonl --report-every 1s --list homes.csv --json"
+        "fleet studio tigerplace --homes 4 {fast} --for 6s --out jsonl:all.jsonl --report report.jsonl --report-every 1s --list homes.csv --json"
     ));
     let report: Value = serde_json::from_str(&all.ok().out).unwrap();
     let alone =
-        folder.run(&format!("fleet studio tigerplace --homes 1 --first-home 3 {fast} --for 10s --out jsonl:- --quiet"));
+        folder.run(&format!("fleet studio tigerplace --homes 1 --first-home 3 {fast} --for 5s --out jsonl:- --quiet"));
     let (all, alone) = (by_home(&folder.read("all.jsonl")), by_home(&alone.ok().out));
     assert_eq!(all.keys().collect::<Vec<_>>(), ["home00001", "home00002", "home00003", "home00004"]);
     let (here, there) = (&all["home00003"], &alone["home00003"]);
@@ -52,8 +51,7 @@ fn each_home_says_what_it_says_alone_and_the_report_counts_it() {
 /// The same command completes the file of a killed fleet. Another fleet leaves that file alone.
 #[test]
 fn the_same_command_adds_to_the_rows_of_a_fleet() {
-    let folder = Folder::new();
-    folder.copy_scenario("tigerplace");
+    let folder = Folder::with("tigerplace");
     let fleet = |seconds: u32, more: &str| {
         folder.run(&format!(
             "fleet tigerplace --homes 2 --start 2026-11-01T08:00 --speed 1000 --for {seconds}s --out jsonl:all.jsonl --quiet{more}"
@@ -81,13 +79,10 @@ fn the_same_command_adds_to_the_rows_of_a_fleet() {
 
 #[test]
 fn refuses_impossible_fleets_before_they_begin() {
-    let folder = Folder::new();
-    folder.copy_scenario("studio");
+    let folder = Folder::with("studio");
     let done = folder.run("fleet studio --homes 3 --out csv:a.csv --out sqlite:b.db --out jsonl:c.jsonl");
     assert_eq!(done.code, Some(2));
-    for part in ["csv:a.csv has no room", "sqlite:b.db has no room", "jsonl:FILE", "postgresql://"] {
-        assert!(done.err.contains(part), "{}", done.err);
-    }
+    says(&done.err, &["csv:a.csv has no room", "sqlite:b.db has no room", "jsonl:FILE", "postgresql://"]);
     folder.write("c.jsonl", "mine");
     let done = folder.run("fleet studio --homes 3 --out jsonl:c.jsonl");
     assert!(done.code == Some(1) && done.err.contains("--force"), "{}", done.err);
@@ -111,8 +106,7 @@ fn refuses_impossible_fleets_before_they_begin() {
 
 #[test]
 fn a_signal_ends_a_fleet_with_its_report() {
-    let folder = Folder::new();
-    folder.copy_scenario("studio");
+    let folder = Folder::with("studio");
     let fleet = folder.start("fleet studio --homes 20 --out jsonl:a.jsonl --report report.jsonl --report-every 1s");
     folder.until("it reports", |folder| folder.path("report.jsonl").is_file());
     fleet.signal("INT");

@@ -2,6 +2,7 @@
 
 use rusqlite::types::Value;
 use rusqlite::{Connection, OpenFlags};
+use serde_json::Value as Json;
 use sha2::{Digest, Sha256};
 use std::fs;
 use std::io::Write;
@@ -15,7 +16,6 @@ use tempfile::TempDir;
 /// Longest wait: far longer than necessary, for busy machines.
 const PATIENCE: Duration = Duration::from_secs(120);
 
-/// The repository.
 pub const ROOT: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../..");
 
 /// The program of the package whose tests these are.
@@ -24,7 +24,6 @@ const PROGRAM: &str = match (option_env!("CARGO_BIN_EXE_homebody"), option_env!(
     (None, None) => panic!("a package with a program"),
 };
 
-/// The names and bytes of files.
 pub type Files = Vec<(String, Vec<u8>)>;
 
 /// A folder that vanishes with the test.
@@ -33,6 +32,13 @@ pub struct Folder(TempDir);
 impl Folder {
     pub fn new() -> Folder {
         Folder(tempfile::tempdir().unwrap())
+    }
+
+    /// A folder with a copy of a scenario of the repository.
+    pub fn with(scenario: &str) -> Folder {
+        let folder = Folder::new();
+        folder.copy_scenario(scenario);
+        folder
     }
 
     pub fn path(&self, name: &str) -> PathBuf {
@@ -47,6 +53,24 @@ impl Folder {
 
     pub fn read(&self, name: &str) -> String {
         fs::read_to_string(self.path(name)).unwrap_or_else(|error| panic!("{name}: {error}"))
+    }
+
+    pub fn json(&self, name: &str) -> Json {
+        serde_json::from_str(&self.read(name)).unwrap_or_else(|error| panic!("{name}: {error}"))
+    }
+
+    pub fn edit_json(&self, name: &str, change: impl FnOnce(&mut Json)) {
+        let mut json = self.json(name);
+        change(&mut json);
+        self.write(name, json.to_string());
+    }
+
+    /// Leaves the recording of a run as a kill before the first rows leaves it.
+    pub fn unfinish(&self, run: &str) {
+        self.edit_json(&format!("{run}/recording.json"), |recording| {
+            (recording["sha256"], recording["firings"]) = ("".into(), 0.into());
+            recording.as_object_mut().unwrap().remove("rows");
+        });
     }
 
     /// Replaces a part of a file's text that is in it once.
@@ -107,7 +131,6 @@ impl Folder {
         }
     }
 
-    /// The SHA-256 of a file's bytes.
     pub fn sha256(&self, name: &str) -> String {
         sha256(&fs::read(self.path(name)).unwrap())
     }
@@ -118,7 +141,6 @@ impl Folder {
         sha256(self.dump(name).as_bytes())
     }
 
-    /// All tables of a database with all rows.
     pub fn dump(&self, name: &str) -> String {
         let tables = self.query(name, "SELECT name, sql FROM sqlite_schema WHERE type = 'table' ORDER BY name");
         assert!(!tables.is_empty(), "{name} has no tables");
@@ -129,7 +151,6 @@ impl Folder {
         tables.iter().map(rows).collect()
     }
 
-    /// The rows that a query of a database has, as text.
     pub fn query(&self, name: &str, sql: &str) -> Vec<String> {
         let flags = OpenFlags::SQLITE_OPEN_READ_WRITE | OpenFlags::SQLITE_OPEN_NO_MUTEX;
         let connection = Connection::open_with_flags(self.path(name), flags).unwrap();
@@ -157,14 +178,12 @@ impl Folder {
         self.say(words, "")
     }
 
-    /// Runs the command with something on standard input.
     pub fn say(&self, words: &str, input: &str) -> Done {
         let mut running = self.start(words);
         running.say(input);
         running.finish()
     }
 
-    /// Starts the command.
     pub fn start(&self, words: &str) -> Running {
         let mut command = self.command(words);
         command.stdin(Stdio::piped()).stdout(Stdio::piped()).stderr(Stdio::piped());
@@ -178,7 +197,6 @@ impl Folder {
         command
     }
 
-    /// Waits until something is so.
     pub fn until(&self, what: &str, is_so: impl Fn(&Folder) -> bool) {
         wait_until(|| is_so(self), || what.to_owned());
     }
@@ -203,14 +221,12 @@ fn shown(value: Value) -> String {
     }
 }
 
-/// A command that runs.
 pub struct Running {
     words: String,
     child: Child,
 }
 
 impl Running {
-    /// Says something on standard input.
     pub fn say(&mut self, input: impl AsRef<[u8]>) {
         // The command may have ended, or not listen.
         let _ = self.child.stdin.as_mut().unwrap().write_all(input.as_ref());
@@ -224,13 +240,10 @@ impl Running {
         self.child.id()
     }
 
-    /// Sends a signal by its name, such as INT.
     pub fn signal(&self, name: &str) {
-        let status = Command::new("sh").args(["-c", &format!("kill -{name} {}", self.child.id())]).status();
-        assert!(status.unwrap().success());
+        signal(&self.child, name);
     }
 
-    /// Kills it, and waits until it is dead.
     pub fn kill(mut self) {
         self.child.kill().unwrap();
         self.child.wait().unwrap();
@@ -244,14 +257,35 @@ impl Running {
         done
     }
 
-    /// Ends standard input and waits for the end.
     pub fn finish(self) -> Done {
         Done::new(&self.words, self.child.wait_with_output().unwrap())
     }
 }
 
+/// Sends a signal by its name, such as INT.
+pub fn signal(child: &Child, name: &str) {
+    let status = Command::new("kill").args([&format!("-{name}"), &child.id().to_string()]).status();
+    assert!(status.unwrap().success());
+}
+
 /// A process that is killed at the end of the test.
 pub struct Ends(pub Child);
+
+impl Ends {
+    /// Ends it by a signal within a time, on however slow a machine; its exit code.
+    pub fn stop(&mut self, name: &str, within: Duration, said: impl Fn() -> String) -> Option<i32> {
+        signal(&self.0, name);
+        let begun = Instant::now();
+        loop {
+            if let Some(status) = self.0.try_wait().unwrap() {
+                println!("ended {} ms after the signal", begun.elapsed().as_millis());
+                return status.code();
+            }
+            assert!(begun.elapsed() < within, "it has not ended:\n{}", said());
+            thread::sleep(Duration::from_millis(10));
+        }
+    }
+}
 
 impl Drop for Ends {
     fn drop(&mut self) {
@@ -260,7 +294,6 @@ impl Drop for Ends {
     }
 }
 
-/// A command that has ended.
 pub struct Done {
     words: String,
     pub code: Option<i32>,
@@ -290,13 +323,38 @@ impl Done {
         self
     }
 
+    #[track_caller]
+    pub fn says(self, parts: &[&str]) -> Done {
+        says(&self.err, parts);
+        self
+    }
+
+    #[track_caller]
+    pub fn prints(self, parts: &[&str]) -> Done {
+        says(&self.out, parts);
+        self
+    }
+
     /// The one JSON object on standard output.
-    pub fn json(&self) -> serde_json::Value {
-        let value: serde_json::Value = serde_json::from_str(&self.out)
+    pub fn json(&self) -> Json {
+        let value: Json = serde_json::from_str(&self.out)
             .unwrap_or_else(|error| panic!("homebody {} prints no one value: {error}\n{}", self.words, self.out));
         assert!(value.is_object(), "homebody {} prints {value}", self.words);
         value
     }
+}
+
+#[track_caller]
+pub fn says(text: &str, parts: &[&str]) {
+    for part in parts {
+        assert!(text.contains(part), "{part:?} is not in\n{text}");
+    }
+}
+
+/// The numbers of the rows of a log in lines of JSON, without a last row that a kill has cut short.
+pub fn numbers(rows: &str) -> Vec<u64> {
+    let object = |line: &str| serde_json::from_str::<Json>(line).ok();
+    rows.lines().filter_map(object).map(|row| row["seq"].as_u64().unwrap()).collect()
 }
 
 fn sha256(bytes: &[u8]) -> String {

@@ -37,8 +37,7 @@ fn finds_intervals_and_refuses_invalid_searches() {
 
 #[test]
 fn ignores_a_ground_truth_of_another_run() {
-    let folder = Folder::new();
-    folder.copy_scenario("tigerplace");
+    let folder = Folder::with("tigerplace");
     folder.run("run tigerplace --quiet --for 2d").ok();
     folder.run("run tigerplace --quiet --for 2d --seed 8").ok();
     folder.run("convert runs/tigerplace-1 --out csv:whole.csv").ok();
@@ -54,8 +53,7 @@ fn ignores_a_ground_truth_of_another_run() {
     }
     fs::copy(folder.path("runs/tigerplace-2/log.db"), folder.path("runs/tigerplace-1/other.db")).unwrap();
     for command in ["find runs/tigerplace-1/other.db room bathroom", "day runs/tigerplace-1/other.db first"] {
-        let ignored = folder.run(command).ok();
-        assert!(ignored.err.contains("it is the ground truth of another run"), "{}", ignored.err);
+        folder.run(command).ok().says(&["it is the ground truth of another run"]);
     }
     assert!(own.out.contains("margaret") && !own.err.contains("ignores"), "{}{}", own.out, own.err);
     folder.run("find runs/tigerplace-1/other.db fall").fails(2, "find::needs-truth");

@@ -1,6 +1,6 @@
 //! A schematic home from a log.
 
-use crate::folder::Folder;
+use crate::folder::{Folder, says};
 use serde_json::Value;
 
 /// Two days of a flat, with the sensor names of CASAS: a person sleeps, washes, cooks, sits and goes out.
@@ -22,7 +22,7 @@ fn log() -> String {
 }
 
 fn home(folder: &Folder, scenario: &str) -> Value {
-    serde_json::from_str(&folder.read(&format!("{scenario}/home.json"))).unwrap()
+    folder.json(&format!("{scenario}/home.json"))
 }
 
 fn names<'v>(home: &'v Value, list: &str) -> Vec<&'v str> {
@@ -33,15 +33,11 @@ fn names<'v>(home: &'v Value, list: &str) -> Vec<&'v str> {
 fn a_log_becomes_a_home_in_which_it_is_walked_back() {
     let folder = Folder::new();
     folder.write("week.txt", log());
-    let made = folder.run("new flat --from-log week.txt").ok();
-    assert!(made.err.contains("flat is ready, with a schematic home: 6 rooms"), "{}", made.err);
-    assert!(
-        made.err.contains("things that no sensor tells of, and that a life needs, are added: fridge, dining chair"),
-        "{}",
-        made.err
-    );
-    let checked = folder.run("check flat").ok();
-    assert!(checked.err.contains("no problems"), "{}", checked.err);
+    folder.run("new flat --from-log week.txt").ok().says(&[
+        "flat is ready, with a schematic home: 6 rooms",
+        "things that no sensor tells of, and that a life needs, are added: fridge, dining chair",
+    ]);
+    folder.run("check flat").ok().says(&["no problems"]);
     let home = home(&folder, "flat");
     assert_eq!(names(&home, "rooms"), ["bedroom", "hallway", "bathroom", "kitchen", "living room", "main entryway"]);
     assert!(home["about"].as_str().unwrap().starts_with("Schematic: "), "{home}");
@@ -49,7 +45,7 @@ fn a_log_becomes_a_home_in_which_it_is_walked_back() {
     for thing in ["bed", "toilet", "washbasin", "sink", "stove", "armchair"] {
         assert!(names(&home, "furniture").contains(&thing), "{thing}: {home}");
     }
-    let logger: Value = serde_json::from_str(&folder.read("flat/logger.json")).unwrap();
+    let logger = folder.json("flat/logger.json");
     assert_eq!(
         (&logger["ids"]["bedroom bed"], &logger["ids"]["kitchen stove"]),
         (&"BedroomABed".into(), &"KitchenAStove".into())
@@ -81,12 +77,10 @@ fn sensors_on_a_picture_are_where_they_are_and_the_picture_goes_along() {
     folder.write("plan.png", PICTURE);
     folder.write("sensors.csv", "id,room,place,x,y\nS1,bedroom,bed,100,100\nS2,bathroom,toilet,500,100\nS3,kitchen,stove,900,400\nS4,living room,,300,400\nS9,hall,,0,0\n");
     let known = "--image plan.png --known 0,500=0,0 --known 1000,500=10,0";
-    let made = folder.run(&format!("new flat --from-log week.txt --sensors sensors.csv {known}")).ok();
-    assert!(
-        made.err.contains("the log has nothing of S9") && made.err.contains("walls are drawn half way"),
-        "{}",
-        made.err
-    );
+    folder
+        .run(&format!("new flat --from-log week.txt --sensors sensors.csv {known}"))
+        .ok()
+        .says(&["the log has nothing of S9", "walls are drawn half way"]);
     folder.run("check flat").ok();
     let home = home(&folder, "flat");
     let area = |name: &str| -> Vec<[f64; 2]> {
@@ -96,7 +90,7 @@ fn sensors_on_a_picture_are_where_they_are_and_the_picture_goes_along() {
     let seen = area("bedroom bed");
     let [x, y] = [0, 1].map(|axis| seen.iter().map(|corner| corner[axis]).sum::<f64>() / seen.len() as f64);
     assert!((x - 1.0).abs() < 0.7 && (y - 4.0).abs() < 0.7, "{x}, {y}");
-    let lies: Value = serde_json::from_str(&folder.read("flat/underlay.json")).unwrap();
+    let lies = folder.json("flat/underlay.json");
     assert_eq!((&lies["picture"], &lies["width_m"], &lies["at"][0]), (&"plan.png".into(), &10.0.into(), &5.0.into()));
     assert_eq!(std::fs::read(folder.path("flat/plan.png")).unwrap(), PICTURE);
 }
@@ -105,21 +99,23 @@ fn sensors_on_a_picture_are_where_they_are_and_the_picture_goes_along() {
 fn reports_all_problems_at_once_and_writes_nothing() {
     let folder = Folder::new();
     folder.write("codes.txt", "2016-07-12 08:00:00 M1 ON\n2016-07-12 08:00:05 M2 ON\n2016-07-12 08:00:09 D3 OPEN\n");
-    let said =
-        folder.run("new flat --from-log codes.txt").fails(2, "error[home-from-log::no-rooms-of-sensors]: codes.txt: ");
-    assert!(said.err.contains("--sensors FILE"), "{}", said.err);
+    folder
+        .run("new flat --from-log codes.txt")
+        .fails(2, "error[home-from-log::no-rooms-of-sensors]: codes.txt: ")
+        .says(&["--sensors FILE"]);
     folder.write("wrong.csv", "id,room,x,y,kind\nM1,hall,1,,motion\nM1,hall,,,\n,kitchen,,,\nM2,hall,a,2,laser\n");
     let said = folder
         .run("new flat --from-log codes.txt --sensors wrong.csv")
         .fails(2, "wrong.csv:2:1: error[new::half-place]");
-    for more in [
-        "wrong.csv:3:1: error[new::same-sensor]",
-        "wrong.csv:4:1: error[new::no-id]",
-        "wrong.csv:5:1: error[new::coordinate]: \"a\"",
-        "wrong.csv:5:1: error[new::kind]",
-    ] {
-        assert!(said.err.contains(more), "{more}: {}", said.err);
-    }
+    says(
+        &said.err,
+        &[
+            "wrong.csv:3:1: error[new::same-sensor]",
+            "wrong.csv:4:1: error[new::no-id]",
+            "wrong.csv:5:1: error[new::coordinate]: \"a\"",
+            "wrong.csv:5:1: error[new::kind]",
+        ],
+    );
     folder.write("ids.csv", "what,room\nM1,hall\n");
     folder.run("new flat --from-log codes.txt --sensors ids.csv").fails(2, "error[new::no-id-column]: ids.csv:1:1:");
     folder.write("strange.csv", "id,room\nX1,hall\n");

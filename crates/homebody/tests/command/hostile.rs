@@ -85,10 +85,7 @@ fn only_plain_files_of_a_named_size_are_read() {
 fn resuming_a_strangers_run_writes_only_in_its_folder() {
     let folder = beside_a_secret();
     folder.run("run flat --for 2m --quiet").ok();
-    let recording = folder.read("runs/flat-1/recording.json");
-    let mut unfinished: serde_json::Value = serde_json::from_str(&recording).unwrap();
-    unfinished["sha256"] = "".into();
-    folder.write("runs/flat-1/recording.json", unfinished.to_string());
+    folder.unfinish("runs/flat-1");
     let secret = folder.sha256("secret.json");
     fs::remove_file(folder.path("runs/flat-1/log.db")).unwrap();
     symlink("../../secret.json", folder.path("runs/flat-1/log.db")).unwrap();
@@ -101,14 +98,12 @@ fn resuming_a_strangers_run_writes_only_in_its_folder() {
 fn no_link_beside_a_log_leads_what_is_written_elsewhere() {
     for to in ["csv:log.csv", "casas:log.txt", "jsonl:log.jsonl", "csv:logs/log.csv.gz", "sqlite:log.db"] {
         let log = to.split_once(':').unwrap().1;
+        let folder = flat();
+        folder.write("flat/logger.json", serde_json::json!({ "to": [to] }).to_string());
+        folder.run("run flat --for 2m --quiet").ok();
+        // A resumed run is complete, and is made incomplete again for the next link.
         for beside in [".77-0.part", ".lock", "-journal", "-wal"] {
-            let folder = flat();
-            folder.write("flat/logger.json", serde_json::json!({ "to": [to] }).to_string());
-            folder.run("run flat --for 2m --quiet").ok();
-            let whole = folder.read("runs/flat-1/recording.json");
-            let mut unfinished: serde_json::Value = serde_json::from_str(&whole).unwrap();
-            unfinished["sha256"] = "".into();
-            folder.write("runs/flat-1/recording.json", unfinished.to_string());
+            folder.unfinish("runs/flat-1");
             folder.write("mine", "");
             let link = folder.path(&format!("runs/flat-1/{log}{beside}"));
             fs::remove_file(folder.path(&format!("runs/flat-1/{log}"))).unwrap();
@@ -143,18 +138,9 @@ fn resuming_a_strangers_cohort_writes_only_in_its_folder() {
     let folder = beside_a_secret();
     folder.run("run flat --for 2m --members 2 --quiet").ok();
     let list = folder.read("runs/flat-1/cohort.json");
-    let member = |unfinished: bool| {
-        let mut recording: serde_json::Value =
-            serde_json::from_str(&folder.read("runs/flat-1/0001/recording.json")).unwrap();
-        if unfinished {
-            recording["sha256"] = "".into();
-        }
-        recording.to_string()
-    };
-    let unfinished = member(true);
     let secret = folder.sha256("secret.json");
     // A file of a member that is a link.
-    folder.write("runs/flat-1/0001/recording.json", &unfinished);
+    folder.unfinish("runs/flat-1/0001");
     fs::remove_file(folder.path("runs/flat-1/0001/log.db")).unwrap();
     symlink("../../../secret.json", folder.path("runs/flat-1/0001/log.db")).unwrap();
     folder.run("run --resume runs/flat-1").fails(1, "log::leads-out");
@@ -192,8 +178,7 @@ fn a_log_takes_no_place_of_its_run() {
     ] {
         folder.write("flat/logger.json", serde_json::json!({ "to": to }).to_string());
         for words in ["check flat", "run flat --for 2m --quiet"] {
-            let done = folder.run(words).fails(2, "logger.json:1:");
-            assert!(done.err.contains("error[file::"), "{}", done.err);
+            folder.run(words).fails(2, "logger.json:1:").says(&["error[file::"]);
         }
         assert!(!folder.path("runs").exists());
     }
@@ -205,8 +190,7 @@ fn a_log_takes_no_place_of_its_run() {
 /// A condition of a scenario's own that cannot be read does not give way to the one of its name that the program knows.
 #[test]
 fn a_condition_that_cannot_be_read_is_told() {
-    let folder = Folder::new();
-    folder.copy_scenario("tigerplace-depression");
+    let folder = Folder::with("tigerplace-depression");
     let own = "tigerplace-depression/conditions/depression.routine";
     folder.write("elsewhere.routine", "The person goes to bed 1 hour earlier.\n");
     fs::create_dir(folder.path("tigerplace-depression/conditions")).unwrap();
@@ -222,9 +206,10 @@ fn a_condition_that_cannot_be_read_is_told() {
     ];
     for (why, make) in others {
         make();
-        let done = folder.run("check tigerplace-depression").fails(2, why);
-        assert!(done.err.contains("\"conditions/depression.routine\""), "{}", done.err);
-        assert!(done.err.contains("file, or remove it"), "{}", done.err);
+        folder
+            .run("check tigerplace-depression")
+            .fails(2, why)
+            .says(&["\"conditions/depression.routine\"", "file, or remove it"]);
         fs::remove_file(folder.path(own)).unwrap();
     }
     folder.run("check tigerplace-depression").ok();
@@ -236,10 +221,7 @@ fn a_pipe_is_told_as_a_pipe() {
     let folder = flat();
     let pipe = |name: &str| assert!(Command::new("mkfifo").arg(folder.path(name)).status().unwrap().success());
     folder.run("run flat --for 2m --quiet").ok();
-    let recording = folder.read("runs/flat-1/recording.json");
-    let mut unfinished: serde_json::Value = serde_json::from_str(&recording).unwrap();
-    unfinished["sha256"] = "".into();
-    folder.write("runs/flat-1/recording.json", unfinished.to_string());
+    folder.unfinish("runs/flat-1");
     fs::remove_file(folder.path("runs/flat-1/log.db")).unwrap();
     pipe("runs/flat-1/log.db");
     folder.run("run --resume runs/flat-1").fails(1, "[log::not-regular]: runs/flat-1/log.db");
@@ -269,9 +251,9 @@ fn a_scenario_that_is_too_large_as_a_whole_is_refused_at_once() {
     let scenario = |residents: usize, driver: &dyn Fn(usize) -> serde_json::Value| {
         let _ = fs::remove_dir_all(folder.path("tigerplace"));
         folder.copy_scenario("tigerplace");
-        let mut scenario: serde_json::Value = serde_json::from_str(&folder.read("tigerplace/scenario.json")).unwrap();
-        scenario["residents"] = (0..residents).map(|index| format!("r{index}.json")).collect::<Vec<_>>().into();
-        folder.write("tigerplace/scenario.json", scenario.to_string());
+        folder.edit_json("tigerplace/scenario.json", |scenario| {
+            scenario["residents"] = (0..residents).map(|index| format!("r{index}.json")).collect::<Vec<_>>().into()
+        });
         for index in 0..residents {
             let resident = serde_json::json!({ "name": format!("R{index}"), "driver": driver(index) });
             folder.write(&format!("tigerplace/r{index}.json"), resident.to_string());

@@ -1,6 +1,8 @@
 //! Creating a scenario from a plan of Sweet Home 3D.
 
+use crate::drawn_plans::{door, room, wall};
 use crate::folder::Folder;
+use std::f64::consts::FRAC_PI_2;
 use std::io::{Cursor, Write};
 use zip::ZipWriter;
 use zip::write::SimpleFileOptions;
@@ -56,22 +58,20 @@ fn a_home_that_lacks_something_says_so_until_it_is_there() {
     let lack = "warning[new-home::routine-lacks]: the ordinary routine cannot run yet: the home has no place to sleep\n  hint: add an enterable piece";
     assert!(said.contains(lack) && said.contains("--furnish adds"), "{said}");
     assert!(folder.path("mine/anna.routine").is_file());
-    let lacks = folder.run("check mine").fails(2, "error[need::no-bed]").err;
-    assert!(lacks.contains("error[need::no-toilet]") && lacks.contains("error[need::no-seat]"), "{lacks}");
+    folder.run("check mine").fails(2, "error[need::no-bed]").says(&["error[need::no-toilet]", "error[need::no-seat]"]);
     folder.run("run mine --for 1h --quiet --out csv:log.csv").fails(2, "error[need::no-bed]");
     folder.run("plan mine --svg plan.svg").ok();
     // A room that is all furniture.
     let full = "<pieceOfFurniture name='Block' x='300' y='200' width='580' depth='380' height='90'/>";
     folder.write("full.sh3d", plan(&format!("{ROOM}{full}")));
     for words in ["import full.sh3d full", "import full.sh3d furnished --furnish"] {
-        let said = folder.run(words).ok().err;
-        assert!(said.contains("no room has space to stand"), "{said}");
+        folder.run(words).ok().says(&["no room has space to stand"]);
     }
     folder.run("check full").fails(2, "error[need::no-bed]");
 }
 
 /// Hours asleep, meals and visits to the bathroom on the first day of a run.
-fn day(folder: &Folder, home: &str) -> [f64; 3] {
+pub fn day(folder: &Folder, home: &str) -> [f64; 3] {
     folder.run(&format!("run {home} --for 1d --quiet --out csv:{home}.csv --truth sqlite:{home}.db")).ok();
     let number = |sql: &str| folder.query(&format!("{home}.db"), sql)[0].parse().unwrap_or(0.0);
     [
@@ -83,26 +83,16 @@ fn day(folder: &Folder, home: &str) -> [f64; 3] {
 
 /// Three rooms in a row, each with a door to the next, and a door out of the first. A fourth room has no door.
 fn four_rooms(names: [&str; 4]) -> String {
-    let wall = |[x, y]: [u32; 2], [to_x, to_y]: [u32; 2]| {
-        format!("<wall xStart='{x}' yStart='{y}' xEnd='{to_x}' yEnd='{to_y}' thickness='20'/>")
-    };
-    let outer = [([0, 0], [1600, 0]), ([1600, 0], [1600, 400]), ([1600, 400], [0, 400]), ([0, 400], [0, 0])];
-    let inner = [400, 800, 1200].map(|x| ([x, 0], [x, 400]));
-    let walls: String = outer.iter().chain(&inner).map(|(from, to)| wall(*from, *to)).collect();
-    let rooms: String = (0..4)
-        .map(|index| {
-            let (left, right) = (400 * index + 10, 400 * index + 390);
-            let points = [(left, 10), (right, 10), (right, 390), (left, 390)];
-            let points = points.map(|(x, y)| format!("<point x='{x}' y='{y}'/>")).concat();
-            format!("<room name='{}'>{points}</room>", names[index])
-        })
-        .collect();
-    let door = |name: &str, x: u32, y: u32, angle: f64| {
-        format!("<doorOrWindow name='{name}' x='{x}' y='{y}' angle='{angle}' width='90' depth='20' height='210'/>")
-    };
-    let turn = std::f64::consts::FRAC_PI_2;
-    let doors = [door("Front door", 200, 400, 0.0), door("A", 400, 200, turn), door("B", 800, 200, turn)];
-    [walls, rooms, doors.concat()].concat()
+    let corners = [[0.0, 0.0], [1600.0, 0.0], [1600.0, 400.0], [0.0, 400.0]];
+    let outer = (0..4).map(|side| wall(corners[side], corners[(side + 1) % 4], 20.0));
+    let inner = [400.0, 800.0, 1200.0].map(|x| wall([x, 0.0], [x, 400.0], 20.0));
+    let walls: String = outer.chain(inner).collect();
+    let lefts = [0.0, 400.0, 800.0, 1200.0];
+    let rooms: String =
+        names.iter().zip(lefts).map(|(name, x)| room(name, [x + 10.0, 10.0, x + 390.0, 390.0])).collect();
+    let front = door("Front door", [200.0, 400.0], 0.0);
+    let inside = ["A", "B"].iter().zip([400.0, 800.0]).map(|(name, x)| door(name, [x, 200.0], FRAC_PI_2));
+    [walls, rooms, front].into_iter().chain(inside).collect()
 }
 
 #[test]
@@ -128,8 +118,7 @@ fn adds_what_a_plan_lacks_in_the_rooms_and_the_language_of_the_plan() {
             said.contains(&format!("{armchair:?} in ")) && !said.contains(&format!("{armchair:?} in {:?}", plan_of[3]))
         );
         // The kitchen and the bathroom are known by their names, so that neither fridge nor toilet is needed.
-        let checked = folder.run(&format!("check {name}")).ok().err;
-        assert!(checked.contains(&format!("no resident can enter {:?}", plan_of[3])), "{checked}");
+        folder.run(&format!("check {name}")).ok().says(&[&format!("no resident can enter {:?}", plan_of[3])]);
         let [asleep_h, meals, visits] = day(&folder, &name);
         assert!(asleep_h >= 4.0 && meals >= 2.0 && visits >= 2.0, "{asleep_h} {meals} {visits}");
         // The routine needs these pieces.
@@ -146,10 +135,11 @@ fn adds_reachable_pieces_for_unreachable_ones() {
     let toilet = "<pieceOfFurniture name='Toilet' x='1560' y='350' width='40' depth='60' height='45'/>";
     let drawn = four_rooms(["Kitchen", "Bedroom", "Bathroom", "Guest room"]);
     folder.write("plan.sh3d", plan(&format!("{drawn}{}{toilet}", beds(1400))));
-    let said = folder.run("import plan.sh3d mine").ok().err;
-    assert!(said.contains("ordinary routine cannot run yet: anna cannot get from"), "{said}");
-    let said = folder.run("import plan.sh3d other --furnish").ok().err;
-    assert!(said.contains("\"bed 2\" in \"Bedroom\"") && said.contains("\"toilet 2\" in \"Bathroom\""), "{said}");
+    folder.run("import plan.sh3d mine").ok().says(&["ordinary routine cannot run yet: anna cannot get from"]);
+    folder
+        .run("import plan.sh3d other --furnish")
+        .ok()
+        .says(&["\"bed 2\" in \"Bedroom\"", "\"toilet 2\" in \"Bathroom\""]);
     let [asleep_h, meals, visits] = day(&folder, "other");
     assert!(asleep_h >= 4.0 && meals >= 2.0 && visits >= 2.0, "{asleep_h} {meals} {visits}");
 }
@@ -166,8 +156,7 @@ fn the_check_says_what_keeps_a_life_or_a_log_from_coming() {
     let (sensor, _) = sensor.split_once("}; run `homebody suggest-sensors`").unwrap();
     let home = folder.read("mine/home.json");
     folder.write("mine/home.json", home.replace("\n  ]\n}", &format!("\n  ],\n  \"sensors\": [{{{sensor}}}]\n}}")));
-    let said = folder.run("check mine").ok().err;
-    assert!(said.contains("mine: no problems. 1 room, 1 door, 3 pieces of furniture, 1 sensor"), "{said}");
+    folder.run("check mine").ok().says(&["mine: no problems. 1 room, 1 door, 3 pieces of furniture, 1 sensor"]);
     // The check names a resident that waits forever, with the line that gives it a life.
     let wait = r#"{ "start": [3, 2], "steps": [{ "repeat": { "steps": [{ "wait": { "for_s": 60 } }] } }] }"#;
     folder.write("mine/anna.path.json", wait);
@@ -229,8 +218,7 @@ fn walls_across_each_other_do_not_break_it_down() {
     };
     let star = |count: u32| plan(&format!("{ROOM}{FURNITURE}{}", (0..count).map(across).collect::<String>()));
     folder.write("star.sh3d", star(150));
-    let said = folder.run("import star.sh3d mine").ok().err;
-    assert!(said.contains("the ordinary routine cannot run yet: anna cannot get from"), "{said}");
+    folder.run("import star.sh3d mine").ok().says(&["the ordinary routine cannot run yet: anna cannot get from"]);
     folder.run("check mine").fails(2, "anna cannot get from");
     folder.write("star.sh3d", star(2_000));
     folder.run("import star.sh3d other").fails(2, "meet or cross each other more than 20000 times\n  hint:");
@@ -264,11 +252,10 @@ fn a_level_is_chosen_by_its_name() {
         "<room name='Cellar' level='a'><point x='0' y='0'/><point x='0' y='300'/><point x='300' y='300'/></room>";
     let above = ROOM.replace("<wall ", "<wall level='b' ").replace("<room ", "<room level='b' ");
     folder.write("house.sh3d", plan(&format!("{level}{below}{above}{FURNITURE}")));
-    let said = folder.run("import house.sh3d above").ok().err;
-    assert!(
-        said.contains("of 2 levels, this is 2 \"Above\", by which people come home; left out are 1 \"Below\""),
-        "{said}"
-    );
+    folder
+        .run("import house.sh3d above")
+        .ok()
+        .says(&["of 2 levels, this is 2 \"Above\", by which people come home; left out are 1 \"Below\""]);
     folder.run("import house.sh3d below --level below").ok();
     assert!(folder.read("below/home.json").contains("Cellar") && folder.read("above/home.json").contains("Kitchen"));
     folder.run("check below").fails(2, "error[need::no-bed]");

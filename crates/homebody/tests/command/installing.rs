@@ -7,9 +7,11 @@ use serde_json::json;
 #[test]
 fn parts_are_listed_in_words_in_figures_and_on_sheets() {
     let folder = flat();
-    let done = folder.run("install-sheet flat --json parts.json --csv parts.csv --pdf sheet.pdf --svg map.svg").ok();
-    assert!(done.out.contains("KitchenWall") && done.out.contains("on the west wall"), "{}", done.out);
-    let figures: serde_json::Value = serde_json::from_str(&folder.read("parts.json")).unwrap();
+    folder
+        .run("install-sheet flat --json parts.json --csv parts.csv --pdf sheet.pdf --svg map.svg")
+        .ok()
+        .prints(&["KitchenWall", "on the west wall"]);
+    let figures = folder.json("parts.json");
     assert_eq!(figures, folder.run("install-sheet flat --json").ok().json());
     assert_eq!(figures["parts"].as_array().unwrap().len(), 5);
     assert_eq!(figures["parts"][0]["looks"], json!("east, straight out from the wall"));
@@ -30,8 +32,7 @@ fn two_layouts_are_compared() {
         folder.write(&file.replacen("flat", "other", 1), folder.read(&file));
     }
     folder.edit("other/home.json", "\"at\": [0.05, 1.5]", "\"at\": [0.05, 2.0]");
-    let told = folder.run("install-sheet flat --compare other").ok();
-    assert!(told.out.contains("KitchenWall: hangs 0.50 m away"), "{}", told.out);
+    folder.run("install-sheet flat --compare other").ok().prints(&["KitchenWall: hangs 0.50 m away"]);
     let figures = folder.run("install-sheet flat --compare other --json").ok().json();
     assert_eq!(figures["differences"].as_array().unwrap().len(), 1);
     assert_eq!(figures["layouts"][1]["name"], json!("other"));
@@ -50,8 +51,9 @@ fn devices_are_listed_and_placed() {
     assert!(folder.run("devices fibaro").ok().out.contains("operating manual"));
     folder.run("devices fibro").fails(2, "error[device::unknown]");
 
-    let placed =
-        folder.run(&format!("suggest-sensors {ROOT}/scenarios/studio --goals falls --count 2 --device fibaro --json"));
+    let placed = folder.run(&format!(
+        "suggest-sensors {ROOT}/scenarios/studio --goals falls --count 2 --people 4 --device fibaro --json"
+    ));
     let sensors = placed.ok().json()["sensors"].clone();
     let motion: Vec<_> = sensors.as_array().unwrap().iter().filter(|sensor| sensor["kind"] == "motion").collect();
     assert!(!motion.is_empty() && motion.iter().all(|sensor| sensor["preset"] == "fibaro"), "{sensors}");

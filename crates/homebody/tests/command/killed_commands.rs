@@ -6,13 +6,12 @@ use std::process::Stdio;
 use std::thread;
 use std::time::Duration;
 
-/// So many kills of each command, a little later each time.
+/// Kills of each command, each a little later.
 const KILLS: u32 = 3;
 
-/// How much later.
 const LATER: Duration = Duration::from_millis(25);
 
-/// Kills a command again and again, and gives it again each time: it does what it did, and nothing of the killed one is left.
+/// Kills a command several times, and repeats it each time: it has the same files, without remains of the killed one.
 fn killed_and_given_again(folder: &Folder, words: &str, made: &[&str], signal: &str) -> u32 {
     let before = folder.files();
     let remove = || {
@@ -62,15 +61,4 @@ fn killed_commands_are_given_again() {
         killed += killed_and_given_again(&folder, words, made, signal);
     }
     assert!(killed > 2, "{killed} were killed before their end");
-}
-
-/// The control: what was there before a command was given is not taken for what a killed one has left.
-#[test]
-fn complete_output_is_not_replaced_without_force() {
-    let folder = flat();
-    folder.run("run flat --for 20m --quiet").ok();
-    folder.run("new my-home --template tigerplace").ok();
-    folder.run("convert runs/flat-1 --out sqlite:out.db").ok();
-    folder.run("new my-home --template tigerplace").fails(1, "[kit::exists]: my-home");
-    folder.run("convert runs/flat-1 --out sqlite:out.db").fails(1, "[log::exists]: out.db");
 }

@@ -1,7 +1,7 @@
 //! A link between the sensors and the log, from its file to the rows.
 
 use crate::flat::flat;
-use crate::folder::Folder;
+use crate::folder::{Folder, says};
 use serde_json::json;
 
 /// Everything that can go wrong, within ten minutes from eight in the morning.
@@ -27,7 +27,6 @@ const LINK: &str = r#"{
 }
 "#;
 
-/// The flat with this link.
 fn linked(link: &str) -> Folder {
     let folder = flat();
     folder.edit("flat/scenario.json", "\"logger.json\",", "\"logger.json\", \"link\": \"link.json\",");
@@ -128,13 +127,14 @@ fn faults_that_come_when_the_run_is_over_are_warned_of() {
     let folder = linked(link);
     let said = folder.run("check flat").ok().err;
     // The run is of 0.01 days from eight o'clock.
-    for part in [
-        "warning[link::fault-after-end]: link.json:3:3: ",
-        "warning[link::fault-after-end]: link.json:4:3: ",
-        "no problems",
-    ] {
-        assert!(said.contains(part), "{said}");
-    }
+    says(
+        &said,
+        &[
+            "warning[link::fault-after-end]: link.json:3:3: ",
+            "warning[link::fault-after-end]: link.json:4:3: ",
+            "no problems",
+        ],
+    );
     assert_eq!(said.matches("warning").count(), 2, "{said}");
     let json = folder.run("check flat --json").ok().json();
     assert_eq!(json["problems"], json!([]));

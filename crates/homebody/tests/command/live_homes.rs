@@ -1,10 +1,9 @@
 //! Homes in real time: they resume without a gap after a stop or a kill, and leave the same files as a run.
 
-use crate::folder::{Folder, wait_until};
+use crate::folder::{Folder, numbers, signal, wait_until};
+use crate::served::get;
 use std::fs::File;
-use std::io::{Read, Write};
-use std::net::TcpStream;
-use std::process::{Child, Command};
+use std::process::Child;
 
 /// A home that is lived, what it says going into files: nobody waits for who does not read.
 struct Living<'f> {
@@ -21,9 +20,8 @@ impl<'f> Living<'f> {
     }
 
     /// Ends it by a signal; its exit code, and the numbers of the rows that it has given.
-    fn end(mut self, signal: &str) -> (Option<i32>, Vec<u64>) {
-        let kill = Command::new("sh").args(["-c", &format!("kill -{signal} {}", self.child.id())]).status();
-        assert!(kill.unwrap().success());
+    fn end(mut self, name: &str) -> (Option<i32>, Vec<u64>) {
+        signal(&self.child, name);
         let code = self.child.wait().unwrap().code();
         assert!(!self.told().contains("panicked"), "{}", self.told());
         (code, numbers(&self.folder.read(&format!("{}.out", self.name))))
@@ -34,22 +32,14 @@ impl<'f> Living<'f> {
         wait_until(is_so, || format!("{}: {what}; it has said: {}", self.name, self.told()));
     }
 
-    /// What it has said besides.
     fn told(&self) -> String {
         self.folder.read(&format!("{}.err", self.name))
     }
 }
 
-/// The numbers of rows as they were given; one that a death has cut short is none.
-fn numbers(rows: &str) -> Vec<u64> {
-    let object = |line: &str| serde_json::from_str::<serde_json::Value>(line).ok();
-    rows.lines().filter_map(object).map(|row| row["seq"].as_u64().unwrap()).collect()
-}
-
 #[test]
 fn a_home_goes_on_after_a_stop_and_a_death_without_a_gap() {
-    let folder = Folder::new();
-    folder.copy_scenario("studio");
+    let folder = Folder::with("studio");
     folder.edit("studio/logger.json", "casas:log.txt", "sqlite:log.db");
     let stored = || folder.stored_rows("home/log.db");
 
@@ -62,7 +52,7 @@ fn a_home_goes_on_after_a_stop_and_a_death_without_a_gap() {
     assert_eq!(stored(), first.len() as i64);
     folder.run("replay home/recording.json --out csv:again.csv").ok();
 
-    // What has passed meanwhile is lived, and nothing is given twice.
+    // The home catches up, and repeats no row.
     let home = Living::begin(&folder, "second", "live studio --folder home --out jsonl:-");
     home.until("it has gone on", || stored() > first.len() as i64);
     let (code, second) = home.end("INT");
@@ -81,7 +71,7 @@ fn a_home_goes_on_after_a_stop_and_a_death_without_a_gap() {
     assert!(after.iter().copied().eq(after[0]..killed() as u64));
     folder.run("replay killed/recording.json --out csv:killed.csv").ok();
 
-    // What is asked for otherwise than it is lived is no other home in silence, and a home without an end is not lived to one.
+    // Other options than those of the home are refused, and so is a run to an end.
     folder.run("live studio --folder home --start 2024-11-02").fails(2, "error[live::other-start]");
     folder.run("live studio --folder home --seed 7").fails(2, "error[live::other-seed]");
     folder.run("run --resume home").fails(2, "error[run::home-in-real-time]");
@@ -110,8 +100,7 @@ fn a_home_goes_on_after_a_stop_and_a_death_without_a_gap() {
 #[test]
 fn the_texts_of_a_live_home_can_be_followed() {
     for (place, log, again) in [("casas:log.txt", "log.txt", "casas:again"), ("csv:log.csv", "log.csv", "csv:again")] {
-        let folder = Folder::new();
-        folder.copy_scenario("studio");
+        let folder = Folder::with("studio");
         folder.edit("studio/logger.json", "casas:log.txt", place);
         let file = format!("home/{log}");
         let lines = || std::fs::read_to_string(folder.path(&file)).map_or(0, |text| text.lines().count());
@@ -137,19 +126,12 @@ fn the_texts_of_a_live_home_can_be_followed() {
 
 #[test]
 fn the_numbers_of_a_run_are_served_under_their_own_name_alone() {
-    let folder = Folder::new();
-    folder.copy_scenario("studio");
+    let folder = Folder::with("studio");
     let home = Living::begin(&folder, "watched", "live studio --metrics 127.0.0.1:0");
     home.until("it says where", || home.told().contains("/metrics"));
     let told = home.told();
     let address = told.split("http://").nth(1).unwrap().split('/').next().unwrap().to_owned();
-    let ask = |host: &str| {
-        let mut stream = TcpStream::connect(&address).unwrap();
-        write!(stream, "GET /metrics HTTP/1.1\r\nHost: {host}\r\nConnection: close\r\n\r\n").unwrap();
-        let mut answer = String::new();
-        stream.read_to_string(&mut answer).unwrap();
-        answer
-    };
+    let ask = |host: &str| get(&address, host, "/metrics", "");
     home.until("it has begun", || ask(&address).contains("homebody_lag_seconds"));
     let numbers = ask(&address);
     assert!(

@@ -34,7 +34,7 @@ fn a_couple_and_a_cat_share_a_home() {
         let slept = hours(who, "sleeping");
         assert!((least..most).contains(&slept), "{who} sleeps {slept} h a day");
     }
-    // What was planned takes as long as was said, although naps come of being tired, too.
+    // Planned naps have their length, and tiredness adds few.
     assert!(hours("henry", "napping") < 1.0);
     for meal in ["eating_breakfast", "eating_lunch", "eating_dinner"] {
         let both = format!("SELECT count(*) FROM activity WHERE name = '{meal}' AND resident IN ('henry', 'ruth')");

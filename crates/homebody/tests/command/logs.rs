@@ -33,9 +33,8 @@ fn a_log_goes_round_all_forms_and_stays_the_same() {
 
 #[test]
 fn a_log_with_names_of_its_own_goes_round_too() {
-    let folder = Folder::new();
-    folder.copy_scenario("tigerplace");
-    let words = "run tigerplace --quiet --out csv:log.csv --out sqlite:log.db --out casas:log.txt";
+    let folder = Folder::with("tigerplace");
+    let words = "run tigerplace --for 1d --quiet --out csv:log.csv --out sqlite:log.db --out casas:log.txt";
     folder.run(words).ok();
     assert!(folder.read("log.csv").starts_with("seq,ts_local,sensor_id,event_code\n"));
     for (number, from) in ["log.csv", "log.db", "log.txt", "csv:log.csv"].into_iter().enumerate() {
@@ -48,12 +47,10 @@ fn a_log_with_names_of_its_own_goes_round_too() {
 fn reports_the_rows_left_out_of_a_log() {
     let folder = Folder::new();
     folder.write("dirty.txt", "2009-03-02 07:12:03 M1 ON\nnonsense\n2009-03-02 07:12:09 M1 OFF\n");
-    let said = folder.run("convert dirty.txt --out csv:clean.csv").ok().err;
-    assert!(said.contains("dirty.txt:2: skipped: "), "{said}");
+    folder.run("convert dirty.txt --out csv:clean.csv").ok().says(&["dirty.txt:2: skipped: "]);
     let clean = ["2009-03-02 07:12:03.000000,M1,ON", "2009-03-02 07:12:09.000000,M1,OFF"];
     assert_eq!(rows(&folder, "clean.csv"), clean);
-    let said = folder.run("compare dirty.txt clean.csv").ok().err;
-    assert!(said.contains("dirty.txt: skipped 1 line"), "{said}");
+    folder.run("compare dirty.txt clean.csv").ok().says(&["dirty.txt: skipped 1 line"]);
 }
 
 #[test]
@@ -74,8 +71,8 @@ fn no_file_makes_convert_break_down() {
     folder.run("run flat --for 1m --quiet --out csv:log.csv --out sqlite:log.db --out casas:log.txt").ok();
     for name in ["log.csv", "log.db", "log.txt"] {
         let whole = std::fs::read(folder.path(name)).unwrap();
-        for part in 0..20 {
-            let mut bytes = whole[..whole.len() * part / 20].to_vec();
+        for part in 0..4 {
+            let mut bytes = whole[..whole.len() * part / 4].to_vec();
             folder.write("cut", &bytes);
             let cut = folder.run("convert cut --out csv:new.csv --force");
             bytes.extend(whole[bytes.len()..].iter().map(|byte| byte.wrapping_add(part as u8 * 7)));

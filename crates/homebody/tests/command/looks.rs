@@ -18,10 +18,11 @@ fn folder() -> Folder {
 #[test]
 fn inspects_a_log_in_figures_words_and_pictures() {
     let folder = folder();
-    let said = folder.run("inspect log.txt --json look.json --html look.html --png look.png --svg look.svg").ok();
-    assert!(said.out.contains("7 rows of 3 sensors, 2009-03-02 07:00:00 to 2009-03-03 21:00:05"), "{}", said.out);
-    assert!(said.out.contains("line 3: there are no date, time, sensor and value"), "{}", said.out);
-    let look: serde_json::Value = serde_json::from_str(&folder.read("look.json")).unwrap();
+    folder.run("inspect log.txt --json look.json --html look.html --png look.png --svg look.svg").ok().prints(&[
+        "7 rows of 3 sensors, 2009-03-02 07:00:00 to 2009-03-03 21:00:05",
+        "line 3: there are no date, time, sensor and value",
+    ]);
+    let look = folder.json("look.json");
     assert_eq!((&look["rows"], &look["refused"], &look["set_back"]), (&json!(7), &json!([3]), &json!(1)));
     assert_eq!((&look["first"], &look["last"]), (&json!("2009-03-02 07:00:00"), &json!("2009-03-03 21:00:05")));
     assert_eq!((&look["missing"], look["silences"].as_array().unwrap().len()), (&json!(1), 1));
@@ -91,8 +92,7 @@ fn a_mapping_names_another_networks_table() {
 
 #[test]
 fn the_truth_goes_along_as_notes_where_it_is_asked_for() {
-    let folder = Folder::new();
-    folder.copy_scenario("tigerplace");
+    let folder = Folder::with("tigerplace");
     folder.run("run tigerplace --for 1d --quiet --out csv:log.csv --truth truth.db").ok();
     folder.run("convert log.csv --out casas:plain.txt").ok();
     folder.run("convert log.csv --out casas:noted.txt --activities").ok();

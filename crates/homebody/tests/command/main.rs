@@ -51,6 +51,7 @@ mod replays;
 mod resumed;
 #[cfg(feature = "postgresql")]
 mod server_truths;
+mod served;
 mod serving;
 mod soak;
 mod stalled;

@@ -1,7 +1,7 @@
 //! The destinations of a run, and its report.
 
 use crate::flat::flat;
-use crate::folder::{Folder, ROOT};
+use crate::folder::{Folder, ROOT, says};
 use std::fs::{self, File};
 use std::io::pipe;
 use std::os::unix::fs::{FileTypeExt, symlink};
@@ -12,11 +12,10 @@ use std::thread;
 fn without_an_output_each_run_gets_a_folder_of_its_own() {
     let folder = flat();
     let said = folder.run("run flat --for 1m").ok().out;
-    for place in
-        ["log        sqlite:runs/flat-1/log.db", "truth      runs/flat-1/truth.db", "runs/flat-1/recording.json"]
-    {
-        assert!(said.contains(place), "{said}");
-    }
+    says(
+        &said,
+        &["log        sqlite:runs/flat-1/log.db", "truth      runs/flat-1/truth.db", "runs/flat-1/recording.json"],
+    );
     let in_first = ["log.db", "recording.json", "sensors.csv", "truth.db"].map(|name| format!("runs/flat-1/{name}"));
     let runs = |folder: &Folder| folder.files().into_iter().filter(|name| name.starts_with("runs")).collect::<Vec<_>>();
     assert_eq!(runs(&folder), in_first);

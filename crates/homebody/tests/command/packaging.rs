@@ -1,6 +1,6 @@
 //! The parts of packages: the command accepts the words of the unit and the container, and paths exist.
 
-use crate::folder::{Folder, ROOT};
+use crate::folder::{Folder, ROOT, signal};
 use std::fs;
 use std::path::Path;
 use std::process::Command;
@@ -16,8 +16,7 @@ fn said<'t>(unit: &'t str, key: &str) -> Vec<&'t str> {
 
 /// Has the command understand its words, in a folder with these homes; it ends soon, whatever it would do.
 fn understood(words: &str, home: &str) {
-    let folder = Folder::new();
-    folder.copy_scenario("by-hand");
+    let folder = Folder::with("by-hand");
     fs::rename(folder.path("by-hand"), folder.path("etc-home")).unwrap();
     let words = words.replace(home, &folder.path("etc-home").display().to_string());
     let words = words.replace("/var/lib/homebody", &folder.path("state").display().to_string());
@@ -47,22 +46,17 @@ fn the_words_of_the_unit_are_understood() {
 fn a_home_of_the_unit_lives_stops_in_time_and_goes_on() {
     use std::thread::sleep;
     use std::time::{Duration, Instant};
-    let folder = Folder::new();
-    folder.copy_scenario("by-hand");
+    let folder = Folder::with("by-hand");
     let unit = read("homebody@.service");
     let words = said(&unit, "ExecStart")[0].strip_prefix("/usr/bin/homebody ").unwrap();
     let words = words.replace(" $HOMEBODY_WORDS", "").replace("/etc/homebody/%i", "by-hand");
     let words = words.replace("/var/lib/homebody/%i", "state");
     for _ in 0..2 {
         let mut home = folder.command(&words).spawn().unwrap();
-        let begun = Instant::now();
-        while !folder.path("state/recording.json").exists() {
-            assert!(begun.elapsed() < Duration::from_secs(120), "it begins");
-            sleep(Duration::from_millis(20));
-        }
+        folder.until("it begins", |folder| folder.path("state/recording.json").exists());
         sleep(Duration::from_millis(700));
         let told = Instant::now();
-        assert!(Command::new("kill").args(["-TERM", &home.id().to_string()]).status().unwrap().success());
+        signal(&home, "TERM");
         let ended = home.wait().unwrap();
         assert_eq!(ended.code(), Some(143), "as the unit says");
         assert!(told.elapsed() < Duration::from_secs(30));

@@ -6,8 +6,7 @@ use crate::postgres::Server;
 #[test]
 fn a_database_that_was_put_back_misses_no_row() {
     let Some(server) = Server::start() else { return };
-    let folder = Folder::new();
-    folder.copy_scenario("studio");
+    let folder = Folder::with("studio");
     let url = server.url("postgres", &server.database("put_back"), "");
     let rows = || -> u64 {
         server.try_psql("put_back", "SELECT count(*) FROM firing").map_or(0, |rows| rows.parse().unwrap())

@@ -4,6 +4,7 @@
 
 use crate::drawn_plans::whole_plans;
 use crate::folder::Folder;
+use crate::imports::day;
 use homebody_core::home::form::HomeFile;
 use homebody_core::plan::Plan;
 use homebody_core::role::Role;
@@ -45,7 +46,6 @@ fn plans() -> Vec<(String, Vec<u8>)> {
     files.iter().map(|path| (name(path), fs::read(path).unwrap())).collect()
 }
 
-/// The result for one file.
 fn found(bytes: &[u8]) -> Found {
     let folder = Folder::new();
     folder.write("plan.sh3d", bytes);
@@ -63,7 +63,7 @@ fn found(bytes: &[u8]) -> Found {
         NEEDED.iter().map(|(name, roles)| format!("{name} {}", if has(roles) { "yes" } else { "no" })).collect();
     let reached = places.all().iter().filter(|spot| spot.is_reachable).count();
     let lacks: Vec<&str> = imported.err.lines().filter(|line| line.contains("[new-home::routine-lacks]")).collect();
-    let day = lacks.is_empty().then(|| lived(&folder));
+    let day = lacks.is_empty().then(|| day(&folder, "mine"));
     let is_lived_in = day.is_some_and(|day| day.iter().zip(LEAST).all(|(had, least)| *had >= least));
     let day = match day {
         Some([asleep_h, meals, visits]) => {
@@ -82,17 +82,6 @@ fn found(bytes: &[u8]) -> Found {
         if is_lived_in { "yes" } else { "no" },
     );
     Found { has_all, is_lived_in, told }
-}
-
-/// Hours asleep, meals and visits to the bathroom in the first day.
-fn lived(folder: &Folder) -> [f64; 3] {
-    folder.run("run mine --for 1d --quiet --out csv:log.csv --truth sqlite:truth.db").ok();
-    let number = |sql: &str| folder.query("truth.db", sql)[0].parse().unwrap_or(0.0);
-    [
-        number("SELECT sum(julianday(end_at) - julianday(begin_at)) * 24 FROM activity WHERE name = 'sleeping'"),
-        number("SELECT count(*) FROM activity WHERE name LIKE 'eating_%'"),
-        number("SELECT count(*) FROM activity WHERE name = 'using_bathroom'"),
-    ]
 }
 
 #[test]

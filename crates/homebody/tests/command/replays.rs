@@ -4,7 +4,6 @@ use crate::flat::flat;
 use crate::folder::Folder;
 use serde_json::{Value, json};
 
-/// The flat, recorded.
 fn recorded() -> Folder {
     let folder = flat();
     folder.run("run flat --for 10m --quiet --out csv:log.csv --truth truth.db --recording recording.json").ok();
@@ -14,7 +13,7 @@ fn recorded() -> Folder {
 #[test]
 fn a_recording_replays_to_the_same_bytes() {
     let folder = recorded();
-    let recording: Value = serde_json::from_str(&folder.read("recording.json")).unwrap();
+    let recording = folder.json("recording.json");
     // Keys held by hand are in it.
     assert!(recording["files"]["bob.keys.json"].as_str().unwrap().contains("held"));
     // The scenario is needed no more.
@@ -25,6 +24,13 @@ fn a_recording_replays_to_the_same_bytes() {
     let json = done.json();
     assert_eq!((&json["agrees_with_recording"], &json["sha256"]), (&json!(true), &recording["sha256"]));
     assert!(json["firings"].as_u64().unwrap() > 500, "{json}");
+
+    // Without a destination it goes into a new folder.
+    folder.run("replay recording.json").ok();
+    for name in ["log.db", "truth.db", "recording.json"] {
+        assert!(folder.path("runs/flat-1").join(name).is_file(), "{name}");
+    }
+    assert_eq!(folder.truth_sha256("runs/flat-1/truth.db"), folder.truth_sha256("truth.db"));
 
     // At a pace, too, and into other forms.
     folder.run("replay recording.json --quiet --speed 1000 --out casas:again.txt --out sqlite:log2.db").ok();
@@ -43,19 +49,9 @@ fn a_stopped_run_replays_as_far_as_it_came() {
 }
 
 #[test]
-fn a_replay_goes_into_a_new_folder_too() {
-    let folder = recorded();
-    folder.run("replay recording.json").ok();
-    for name in ["log.db", "truth.db", "recording.json"] {
-        assert!(folder.path("runs/flat-1").join(name).is_file(), "{name}");
-    }
-    assert_eq!(folder.truth_sha256("runs/flat-1/truth.db"), folder.truth_sha256("truth.db"));
-}
-
-#[test]
 fn a_changed_recording_is_refused() {
     let folder = recorded();
-    let recording: Value = serde_json::from_str(&folder.read("recording.json")).unwrap();
+    let recording = folder.json("recording.json");
     let file = |name: &str, old: &str, new: &str| {
         let text = recording["files"][name].as_str().unwrap();
         assert!(text.contains(old), "{old:?} must be in {name}");
@@ -104,7 +100,7 @@ fn a_changed_recording_is_refused() {
 #[test]
 fn a_recording_of_another_version_says_so() {
     let folder = recorded();
-    let mut recording: Value = serde_json::from_str(&folder.read("recording.json")).unwrap();
+    let mut recording = folder.json("recording.json");
     recording["version"] = json!("0.0.1");
     folder.write("old.json", recording.to_string());
     // Equal firings are equal, whatever recorded them.
@@ -150,8 +146,8 @@ fn a_run_with_set_numbers_is_recorded_replayed_and_gone_on_with() {
     let stopped = folder.files().into_iter().find(|name| name.ends_with("recording.json") && name.starts_with("runs/"));
     let stopped = stopped.unwrap().trim_end_matches("/recording.json").to_owned();
     folder.run(&format!("run --resume {stopped} --quiet")).ok();
-    let went_on: Value = serde_json::from_str(&folder.read(&format!("{stopped}/recording.json"))).unwrap();
-    let whole: Value = serde_json::from_str(&folder.read("recording.json")).unwrap();
+    let went_on = folder.json(&format!("{stopped}/recording.json"));
+    let whole = folder.json("recording.json");
     assert_eq!(went_on["sha256"], whole["sha256"]);
 }
 

@@ -9,10 +9,10 @@ use std::fs;
 use std::thread;
 use std::time::{Duration, Instant};
 
-/// How often each kind of log is killed; `HOMEBODY_KILLS` says otherwise.
+/// Number of kills of each kind of log, unless `HOMEBODY_KILLS` sets it.
 const KILLS: u64 = 3;
 
-/// What a run leaves in its folder for one kind of log.
+/// The kinds of logs, each with its name in the folder of a run.
 const KINDS: &[(&str, &str)] = &[
     ("sqlite", "log.db"),
     ("csv", "log.csv"),
@@ -29,21 +29,20 @@ const KINDS: &[(&str, &str)] = &[
     ("arrow", "log.arrow"),
 ];
 
-/// From eight in the morning until after midnight: of a data set there are files of two days.
-const SPAN: &str = "18h";
+/// Until after midnight: a data set has files of two days.
+const SPAN: &str = "3h";
 
 /// A scenario whose log goes to one place, and how long a run of it takes that nothing disturbs: it is `runs/flat-1`.
 fn undisturbed(scheme: &str, log: &str) -> (Folder, Duration) {
     let folder = flat();
-    let mut logger: Value = serde_json::from_str(&folder.read("flat/logger.json")).unwrap();
-    logger["to"] = serde_json::json!([format!("{scheme}:{log}")]);
-    folder.write("flat/logger.json", logger.to_string());
+    folder.edit("flat/scenario.json", "T08:00", "T22:00");
+    folder.edit_json("flat/logger.json", |logger| logger["to"] = serde_json::json!([format!("{scheme}:{log}")]));
     let begun = Instant::now();
     folder.run(&format!("run flat --for {SPAN} --quiet")).ok();
     (folder, begun.elapsed())
 }
 
-/// What is in a run's folder, file by file.
+/// The files in the folder of a run.
 fn left(folder: &Folder, run: &str) -> Vec<(String, Vec<u8>)> {
     let begins = format!("runs/{run}/");
     let names = folder.files().into_iter().filter_map(|name| name.strip_prefix(&begins).map(str::to_owned));
@@ -75,7 +74,7 @@ fn killed(folder: &Folder, after: Duration) -> bool {
 fn stopped(folder: &Folder) {
     let _ = fs::remove_dir_all(folder.path("runs/flat-2"));
     let mut running = folder.start(&format!("run flat --for {SPAN} --quiet --control --paused"));
-    running.say("step 20000\nstop\n");
+    running.say("step 4000\nstop\n");
     running.finish().ok();
 }
 
@@ -85,7 +84,7 @@ fn goes_on_to(folder: &Folder, whole: &[(String, Vec<u8>)], what: &str) {
     assert_eq!(differ(folder, "flat-2", whole), Vec::<String>::new(), "{what}");
 }
 
-/// How often what goes on is killed.
+/// Number of kills.
 pub fn kills() -> u64 {
     std::env::var("HOMEBODY_KILLS").ok().and_then(|kills| kills.parse().ok()).unwrap_or(KILLS)
 }
@@ -120,7 +119,7 @@ fn a_stopped_run_resumes_to_the_same_bytes() {
         let before = left(&folder, "flat-2");
         assert!(!differ(&folder, "flat-2", &whole).is_empty());
         let mut again = folder.start("run --resume runs/flat-2 --quiet --control --paused");
-        again.say("step 2000\nstop\n");
+        again.say("step 1000\nstop\n");
         again.finish().fails(1, "log::not-yet");
         assert_eq!(differ(&folder, "flat-2", &before), Vec::<String>::new(), "{scheme}");
         goes_on_to(&folder, &whole, scheme);
@@ -134,7 +133,7 @@ fn a_stopped_run_resumes_to_the_same_bytes() {
     }
 }
 
-/// Whoever reads what a run has left is told that there is more to come, and how it comes.
+/// Commands that read an incomplete run warn of it, and name the command that resumes it.
 #[test]
 fn a_run_that_has_not_come_to_its_end_is_told_as_such() {
     let (folder, _) = undisturbed("sqlite", "log.db");
@@ -146,9 +145,7 @@ fn a_run_that_has_not_come_to_its_end_is_told_as_such() {
         assert!(said.contains(warning), "{read}: {said}");
     }
     let _ = fs::remove_dir_all(folder.path("runs/flat-2"));
-    let mut recording: Value = serde_json::from_str(&folder.read("runs/flat-1/recording.json")).unwrap();
-    (recording["sha256"], recording["firings"]) = ("".into(), 0.into());
-    folder.write("runs/flat-1/recording.json", recording.to_string());
+    folder.unfinish("runs/flat-1");
     folder.run("label runs/flat-1 --out csv:killed.csv").fails(1, "error[log-content::unequal-ends]");
     folder.run("run --resume runs/flat-1 --quiet").ok();
     for read in ["day runs/flat-1 first", "label runs/flat-1 --out csv:killed.csv"] {
@@ -172,8 +169,7 @@ fn a_cohort_writes_again_what_is_missing_of_a_member() {
 /// Both kinds of cohorts, the listed one with texts that only its rows name.
 #[test]
 fn a_cohort_goes_on_with_the_members_that_are_missing() {
-    let folder = Folder::new();
-    folder.copy_scenario("tigerplace");
+    let folder = Folder::with("tigerplace");
     folder.write("tigerplace/late.routine", "The person gets up at 09:00.\n");
     folder.write("tigerplace/conditions/low-mood.routine", "The person goes to bed 1 hour earlier.\n");
     let list = "name;routine;conditions;seed\nbea;late.routine;;\ncarl, or c;;low mood;7\ndora;;;\nemil;;;\n";
@@ -193,7 +189,7 @@ fn a_cohort_goes_on_with_the_members_that_are_missing() {
             folder.until("the cohort is begun", |folder| folder.path("runs/tigerplace-2/cohort.json").exists());
             thread::sleep(took.mul_f64(share));
             running.kill();
-            let members = serde_json::from_str::<Value>(&folder.read("runs/tigerplace-2/cohort.json")).unwrap();
+            let members = folder.json("runs/tigerplace-2/cohort.json");
             let is_over = !members["members"].as_array().unwrap().is_empty();
             // On a machine that has become faster meanwhile it may be over.
             if !is_over {
@@ -234,7 +230,7 @@ fn one_program_at_a_time_lives_a_run() {
     let mut running = folder.start(&format!("run flat --for {SPAN} --quiet --control --paused"));
     folder.until("the run is begun", |folder| folder.path("runs/flat-2/recording.json").exists());
     folder.run("run --resume runs/flat-2").fails(1, "log::busy");
-    running.say("step 20000\nstop\n");
+    running.say("step 4000\nstop\n");
     running.finish().ok();
     goes_on_to(&folder, &whole, "of two programs");
 }
@@ -263,7 +259,7 @@ fn what_was_changed_is_not_gone_on_with() {
     folder.run("run flat --resume runs/flat-2").fails(2, "cannot be used with");
 }
 
-/// What lies where a log or the truth is to be stays as it is where the run has not made it.
+/// A resumed run does not change files of other origin in the places of its log and its truth.
 #[test]
 fn a_file_of_something_else_is_not_replaced() {
     let (folder, _) = undisturbed("sqlite", "log.db");
@@ -280,7 +276,7 @@ fn a_file_of_something_else_is_not_replaced() {
     // One that was stopped, whose truth is written anew, and one that was killed.
     for is_killed in [false, true] {
         let mut running = folder.start(&format!("run flat --for {SPAN} --quiet --control --paused"));
-        running.say("step 20000\n");
+        running.say("step 4000\n");
         folder.until("rows are stored", |folder| folder.stored_rows("runs/flat-2/log.db") > 100);
         if is_killed {
             running.kill();
@@ -290,29 +286,21 @@ fn a_file_of_something_else_is_not_replaced() {
         }
         for file in ["log.db", "truth.db"] {
             let path = folder.path(&format!("runs/flat-2/{file}"));
-            let aside = folder.path(&format!("runs/{file}"));
-            fs::rename(&path, &aside).unwrap();
-            for ending in ["-wal", "-shm", "-journal", ".lock"] {
-                let _ = fs::rename(
-                    folder.path(&format!("runs/flat-2/{file}{ending}")),
-                    folder.path(&format!("runs/{file}{ending}")),
-                );
-            }
+            let moved = |from: &str, to: &str, endings: &[&str]| {
+                for ending in endings {
+                    let [from, to] = [from, to].map(|place| folder.path(&format!("{place}/{file}{ending}")));
+                    let _ = fs::rename(from, to);
+                }
+            };
+            moved("runs/flat-2", "runs", &["", "-wal", "-shm", "-journal", ".lock"]);
             for (said, make) in &others {
                 make(&path);
                 let before = fs::read(&path).unwrap();
-                let done = folder.run("run --resume runs/flat-2").fails(1, said);
-                assert!(done.err.contains("hint: "), "{}", done.err);
+                folder.run("run --resume runs/flat-2").fails(1, said).says(&["hint: "]);
                 assert!(fs::read(&path).unwrap() == before, "{file}: {said}");
                 fs::remove_file(&path).unwrap();
             }
-            fs::rename(&aside, &path).unwrap();
-            for ending in ["-wal", "-shm", "-journal"] {
-                let _ = fs::rename(
-                    folder.path(&format!("runs/{file}{ending}")),
-                    folder.path(&format!("runs/flat-2/{file}{ending}")),
-                );
-            }
+            moved("runs", "runs/flat-2", &["", "-wal", "-shm", "-journal"]);
             let _ = fs::remove_file(folder.path(&format!("runs/{file}.lock")));
         }
         // The hint is followed: what was there is put back.
@@ -339,7 +327,7 @@ fn a_run_killed_at_once_starts_again() {
         folder.run("run flat --for 1m --quiet").ok();
         fs::remove_dir_all(folder.path("runs/flat-1")).unwrap();
     }
-    // The control: a folder of something else is none of a run.
+    // The control: another folder has no run.
     folder.run("run --resume flat").fails(1, "kit::no-recording");
 }
 
@@ -370,7 +358,7 @@ fn a_run_that_cannot_resume_reports_a_way_out() {
     assert!(done.err.contains("are still readable"));
     folder.run("convert sqlite:runs/flat-2/log.db --out csv:read.csv").ok();
     let mut running = folder.start(&format!("run flat --for {SPAN} --seed 8 --quiet --control --paused"));
-    running.say("step 20000\nstop\n");
+    running.say("step 4000\nstop\n");
     running.finish().ok();
     folder.write("runs/flat-2/recording.json", folder.read("runs/flat-3/recording.json"));
     let before = left(&folder, "flat-2");
@@ -386,7 +374,7 @@ fn a_run_that_cannot_resume_reports_a_way_out() {
 fn a_refused_run_leaves_no_journals() {
     let (folder, _) = undisturbed("sqlite", "log.db");
     let mut running = folder.start(&format!("run flat --for {SPAN} --quiet --control --paused"));
-    running.say("step 20000\n");
+    running.say("step 4000\n");
     folder.until("rows are stored", |folder| folder.stored_rows("runs/flat-2/log.db") > 100);
     folder.until("the truth is stored", |folder| {
         folder.query("runs/flat-2/truth.db", "SELECT count(*) FROM movement") != ["0"]
@@ -406,11 +394,10 @@ fn a_refused_run_leaves_no_journals() {
     assert_eq!(folder.query("runs/flat-2/log.db", "PRAGMA integrity_check"), ["ok"]);
 }
 
-/// What is found in a member's place is moved away, as the hint says; the member is lived anew.
+/// The hint to move a wrong file away works; then the member is simulated again.
 #[test]
 fn a_member_that_is_none_is_moved_away() {
-    let folder = Folder::new();
-    folder.copy_scenario("tigerplace");
+    let folder = Folder::with("tigerplace");
     folder.write("people.csv", "name,age\nanna,75\nbea,88\ncarl,\n");
     for (who, member, other) in [("--members 3", "0002", "0001"), ("--profiles people.csv", "bea", "anna")] {
         folder.run(&format!("run tigerplace {who} --for 1d --quiet")).ok();
@@ -464,16 +451,16 @@ fn cells(rows: Vec<String>) -> Vec<Vec<String>> {
     rows.iter().map(|row| row.split('|').map(str::to_owned).collect()).collect()
 }
 
-/// What SQL tells of an empty cell.
+/// The text of an empty cell.
 const NOTHING: &str = "NULL";
 
-/// What the spans of a table say of a resident at an instant, looked for from the first to the last.
+/// The label of the first span of a resident that contains an instant.
 fn said_at(spans: &[Vec<String>], who: &str, at: &str) -> String {
     let found = spans.iter().find(|span| span[0] == who && span[1].as_str() <= at && at < span[2].as_str());
     found.map_or(NOTHING, |span| &span[3]).to_owned()
 }
 
-/// Labels a run and joins it by hand, row by row. How many rows there are, and how many the truth caused.
+/// Labels a run and joins it by hand, row by row. The numbers of rows, and of rows that a resident caused.
 fn labelled_by_hand(folder: &Folder, run: &str) -> (usize, usize) {
     folder.run(&format!("label runs/{run} --out sqlite:{run}.db")).ok();
     let truth = |sql: &str| cells(folder.query(&format!("runs/{run}/truth.db"), sql));
@@ -515,24 +502,21 @@ fn labelled_by_hand(folder: &Folder, run: &str) -> (usize, usize) {
 #[test]
 fn labels_are_those_of_a_join_by_hand() {
     let modes = [r#"{ "on_off": { "hold_s": 4 } }"#, r#"{ "occupancy": { "timeout_s": 90 } }"#, r#""fire_only""#];
-    // What is lost, delayed, doubled and invented on the way.
+    // A link that loses, delays, doubles and invents messages.
     let link =
         r#"{ "preset": "zigbee", "loss": 0.05, "delay_s": [0, 0.4], "duplicates": 0.05, "false_fires_per_h": 2 }"#;
     for (messages, linked) in modes.into_iter().flat_map(|messages| [(messages, false), (messages, true)]) {
-        let folder = Folder::new();
-        folder.copy_scenario("tigerplace");
-        let mut logger: Value = serde_json::from_str(&folder.read("tigerplace/logger.json")).unwrap();
-        logger["messages"] = serde_json::from_str(messages).unwrap();
-        // Under our own names, which are easier to ask for.
-        for own in ["table", "columns", "ids", "values"] {
-            logger.as_object_mut().unwrap().remove(own);
-        }
-        folder.write("tigerplace/logger.json", logger.to_string());
+        let folder = Folder::with("tigerplace");
+        folder.edit_json("tigerplace/logger.json", |logger| {
+            logger["messages"] = serde_json::from_str(messages).unwrap();
+            // Under our own names, which are easier to ask for.
+            for own in ["table", "columns", "ids", "values"] {
+                logger.as_object_mut().unwrap().remove(own);
+            }
+        });
         if linked {
             folder.write("tigerplace/link.json", link);
-            let mut scenario: Value = serde_json::from_str(&folder.read("tigerplace/scenario.json")).unwrap();
-            scenario["link"] = "link.json".into();
-            folder.write("tigerplace/scenario.json", scenario.to_string());
+            folder.edit_json("tigerplace/scenario.json", |scenario| scenario["link"] = "link.json".into());
         }
         folder.run("run tigerplace --for 2d --quiet").ok();
         let (rows, caused) = labelled_by_hand(&folder, "tigerplace-1");

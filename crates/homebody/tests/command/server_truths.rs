@@ -6,8 +6,7 @@ use crate::postgres::Server;
 #[test]
 fn a_truth_on_a_server_is_completed_after_a_death() {
     let Some(server) = Server::start() else { return };
-    let folder = Folder::new();
-    folder.copy_scenario("studio");
+    let folder = Folder::with("studio");
     let places = |database: &str| {
         let url = server.url("postgres", &server.database(database), "");
         format!("--quiet --out {url} --truth {url}")
@@ -17,13 +16,13 @@ fn a_truth_on_a_server_is_completed_after_a_death() {
         let movements = "SELECT count(*) FROM truth.movement";
         server.try_psql("killed", movements).map_or(0, |rows| rows.parse().unwrap())
     };
-    let running = folder.start(&format!("run studio --for 20d --speed 1000 {killed}"));
+    let running = folder.start(&format!("run studio --for 6d --speed 1000 {killed}"));
     folder.until("the truth has rows", |_| rows() > 20);
     running.signal("KILL");
     running.finish();
     let before = rows();
     folder.run(&format!("run --resume runs/studio-1 {killed}")).ok();
-    folder.run(&format!("run studio --for 20d {whole}")).ok();
+    folder.run(&format!("run studio --for 6d {whole}")).ok();
     let run = server.psql("whole", "SELECT run_id FROM truth.homebody_run").parse().unwrap();
     for schema in ["public", "truth"] {
         assert_eq!(server.dump("killed", schema, run), server.dump("whole", schema, run), "{schema}");

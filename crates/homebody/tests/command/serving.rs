@@ -1,12 +1,12 @@
 //! `homebody serve`, and the browser that it opens.
 
 use crate::folder::Folder;
+use crate::served::{address_of, get};
 use std::fs;
-use std::io::{BufRead, BufReader, Read, Write};
-use std::net::TcpStream;
+use std::io::Read;
 use std::os::unix::fs::PermissionsExt;
 use std::path::{Path, PathBuf};
-use std::process::{Command, Stdio};
+use std::process::Stdio;
 
 /// Stands in for a browser's opener: says what it was started with, and keeps what it was led to.
 const OPENER: &str = "#!/bin/sh\nprintf '%s\\n' \"$@\" > opened.tmp\ncp \"$1\" led.html\nmv opened.tmp opened\n";
@@ -19,8 +19,7 @@ fn mode(path: &Path) -> u32 {
 /// long as necessary.
 #[test]
 fn the_token_is_on_no_command_line() {
-    let folder = Folder::new();
-    folder.copy_scenario("by-hand");
+    let folder = Folder::with("by-hand");
     folder.write("bin/xdg-open", OPENER);
     folder.write("bin/open", OPENER);
     fs::create_dir(folder.path("runtime")).unwrap();
@@ -28,17 +27,14 @@ fn the_token_is_on_no_command_line() {
         fs::set_permissions(folder.path(opener), fs::Permissions::from_mode(0o755)).unwrap();
     }
     let path = format!("{}:{}", folder.path("bin").display(), std::env::var("PATH").unwrap());
-    let mut command = Command::new(env!("CARGO_BIN_EXE_homebody"));
-    command.args(["serve", "by-hand"]).current_dir(folder.path("")).env("PATH", path);
+    let mut command = folder.command("serve by-hand");
+    command.env("PATH", path);
     command.env("XDG_RUNTIME_DIR", folder.path("runtime")).stdout(Stdio::piped()).stderr(Stdio::piped());
     let mut served = command.spawn().unwrap();
-    let mut said = String::new();
-    BufReader::new(served.stdout.take().unwrap()).read_line(&mut said).unwrap();
-    let (address, token) = said.trim().strip_prefix("http://").unwrap().split_once("/#token=").unwrap();
-
+    let (address, token) = address_of(&mut served);
     folder.until("a browser is opened", |folder| folder.path("opened").exists());
     let opened = folder.read("opened");
-    assert!(!opened.contains(token), "{opened}");
+    assert!(!opened.contains(&token), "{opened}");
     let file = PathBuf::from(opened.trim());
     assert!(file.starts_with(folder.path("runtime")) && file.is_absolute(), "{opened}");
     assert_eq!((mode(&file), mode(file.parent().unwrap())), (0o600, 0o700));
@@ -46,64 +42,50 @@ fn the_token_is_on_no_command_line() {
     #[cfg(target_os = "linux")]
     for line in ["cmdline", "environ"] {
         let line = fs::read(format!("/proc/{}/{line}", served.id())).unwrap();
-        assert!(!String::from_utf8_lossy(&line).contains(token));
+        assert!(!String::from_utf8_lossy(&line).contains(&token));
     }
 
     // A stranger does not use it up; the page does.
-    let ask = |token: &str| {
-        let mut stream = TcpStream::connect(address).unwrap();
-        let head = format!(
-            "GET /api/runs HTTP/1.1\r\nHost: {address}\r\nConnection: close\r\nx-homebody-token: {token}\r\n\r\n"
-        );
-        stream.write_all(head.as_bytes()).unwrap();
-        let mut answer = String::new();
-        stream.read_to_string(&mut answer).unwrap();
-        answer[9..12].to_owned()
-    };
+    let ask =
+        |token: &str| get(&address, &address, "/api/runs", &format!("x-homebody-token: {token}\r\n"))[9..12].to_owned();
     assert_eq!(ask("wrong"), "401");
     assert!(file.exists());
-    assert_eq!(ask(token), "200");
+    assert_eq!(ask(&token), "200");
     folder.until("the file is removed", |_| !file.exists() && !file.parent().unwrap().exists());
 
     served.kill().unwrap();
     let mut errors = String::new();
     served.stderr.take().unwrap().read_to_string(&mut errors).unwrap();
-    assert!(!errors.contains(token), "{errors}");
+    assert!(!errors.contains(&token), "{errors}");
     served.wait().unwrap();
 }
 
 /// As with `homebody run`, a scenario can be trusted on request.
 #[test]
 fn a_scenario_of_ones_own_is_served_by_its_links() {
-    let folder = Folder::new();
-    folder.copy_scenario("by-hand");
+    let folder = Folder::with("by-hand");
     fs::rename(folder.path("by-hand/home.json"), folder.path("home.json")).unwrap();
     std::os::unix::fs::symlink("../home.json", folder.path("by-hand/home.json")).unwrap();
     folder.run("serve by-hand --no-open").fails(2, "it is a link to a place outside of the scenario's folder");
     let mut served = folder.command("serve by-hand --no-open --trust").stdout(Stdio::piped()).spawn().unwrap();
-    let mut said = String::new();
-    BufReader::new(served.stdout.take().unwrap()).read_line(&mut said).unwrap();
+    address_of(&mut served);
     served.kill().unwrap();
     served.wait().unwrap();
-    assert!(said.starts_with("http://"), "{said}");
 }
 
 /// A scenario with problems is served, so that the page can mend it; one whose files the page could not show is not.
 #[test]
 fn a_scenario_with_problems_is_served_and_what_cannot_be_shown_is_not() {
-    let folder = Folder::new();
-    folder.copy_scenario("tigerplace");
+    let folder = Folder::with("tigerplace");
     let logger = folder.read("tigerplace/logger.json");
     folder.write("tigerplace/logger.json", logger.replace("hall motion", "corridor motion"));
     let mut command = folder.command("serve tigerplace --no-open --port 0");
     let mut served = command.stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().unwrap();
-    let mut said = String::new();
-    BufReader::new(served.stdout.take().unwrap()).read_line(&mut said).unwrap();
+    address_of(&mut served);
     served.kill().unwrap();
     let mut warned = String::new();
     served.stderr.take().unwrap().read_to_string(&mut warned).unwrap();
     served.wait().unwrap();
-    assert!(said.starts_with("http://"), "{said}");
     assert!(warned.contains("warning[serve::problems]"), "{warned}");
     folder.write("tigerplace/scenario.json", "{");
     folder.run("serve tigerplace --no-open").fails(2, "scenario.json");

@@ -8,16 +8,16 @@ use std::fs;
 use std::thread;
 use std::time::{Duration, Instant};
 
-/// In 12 s some three hours are lived.
-const USUAL_S: u64 = 12;
+/// In 7 s almost two hours are simulated.
+const USUAL_S: u64 = 7;
 const USUAL_HOMES: u64 = 12;
 
-/// What a program may take more, as it goes, in MiB: what memory is divided into is not given back at once.
+/// Largest growth of memory in MiB: allocators do not return memory at once.
 const GROWS_MIB: f64 = 2.0;
-/// And by the minute beyond that, as `docs/explanation/robustness.md` says.
+/// Further growth a minute, as `docs/explanation/robustness.md` says.
 const GROWS_MIB_A_MINUTE: f64 = 1.0;
 
-/// What a program has at an instant.
+/// The memory and the handles of a program at an instant.
 #[derive(Clone, Copy, Debug)]
 struct Has {
     at_s: f64,
@@ -29,7 +29,7 @@ fn asked(name: &str, usual: u64) -> u64 {
     std::env::var(name).ok().and_then(|text| text.parse().ok()).unwrap_or(usual)
 }
 
-/// What a program has, again and again, until it has gone for so long.
+/// The memory and the handles of a program over this time.
 fn watched(running: &mut Running, lasts: Duration) -> Vec<Has> {
     let begun = Instant::now();
     let of = format!("/proc/{}", running.id());
@@ -45,7 +45,7 @@ fn watched(running: &mut Running, lasts: Duration) -> Vec<Has> {
     seen
 }
 
-/// What is wrong with how it goes, once it has been going for a third of the time.
+/// The growth after the first third of the time, if it is too large.
 fn grows(seen: &[Has]) -> Option<String> {
     let (_, seen) = seen.split_at(seen.len() / 3);
     let (earlier, later) = seen.split_at(seen.len() / 2);
@@ -64,8 +64,7 @@ fn grows(seen: &[Has]) -> Option<String> {
 
 #[test]
 fn a_fleet_that_goes_for_long_takes_no_more_as_it_goes() {
-    let folder = Folder::new();
-    folder.copy_scenario("studio");
+    let folder = Folder::with("studio");
     folder.copy_scenario("tigerplace");
     let (lasts_s, homes) = (asked("HOMEBODY_SOAK_S", USUAL_S), asked("HOMEBODY_SOAK_HOMES", USUAL_HOMES));
     let words = format!("--homes {homes} --start 2026-11-01T08:00 --speed 1000 --for {}s", lasts_s + 1);

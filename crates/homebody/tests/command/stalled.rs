@@ -1,10 +1,10 @@
 //! A reader of standard output stops reading. The run notices it, the home's own log grows, and a signal ends the run soon.
 
-use crate::folder::{Ends, Folder};
+use crate::folder::{Ends, Folder, numbers};
+use crate::served::get;
 use std::fs::File;
-use std::io::{Read, Write};
-use std::net::TcpStream;
-use std::process::{ChildStdout, Command, Stdio};
+use std::io::Read;
+use std::process::{ChildStdout, Stdio};
 use std::thread;
 use std::time::{Duration, Instant};
 
@@ -24,44 +24,19 @@ fn unread(folder: &Folder, words: &str) -> (Ends, ChildStdout) {
 
 /// Ends a command by a signal; its exit code.
 fn stop(folder: &Folder, command: &mut Ends) -> Option<i32> {
-    let signalled = Command::new("sh").args(["-c", &format!("kill -TERM {}", command.0.id())]).status();
-    assert!(signalled.unwrap().success());
-    let begun = Instant::now();
-    loop {
-        if let Some(status) = command.0.try_wait().unwrap() {
-            println!("ended {} ms after the signal", begun.elapsed().as_millis());
-            return status.code();
-        }
-        assert!(begun.elapsed() < SOON, "it has not ended:\n{}", folder.read("said"));
-        thread::sleep(Duration::from_millis(10));
-    }
-}
-
-/// The numbers of whole rows, without a last row that was cut short.
-fn numbers(rows: &str) -> Vec<u64> {
-    let object = |line: &str| serde_json::from_str::<serde_json::Value>(line).ok();
-    rows.lines().filter_map(object).map(|row| row["seq"].as_u64().unwrap()).collect()
+    command.stop("TERM", SOON, || folder.read("said"))
 }
 
 fn metrics(folder: &Folder) -> String {
     let said = folder.read("said");
     let address = said.lines().find_map(|line| line.strip_prefix("metrics    http://")).unwrap();
-    let mut stream = TcpStream::connect(address.trim_end_matches("/metrics")).unwrap();
-    write!(
-        stream,
-        "GET /metrics HTTP/1.1\r\nHost: {}\r\nConnection: close\r\n\r\n",
-        address.trim_end_matches("/metrics")
-    )
-    .unwrap();
-    let mut text = String::new();
-    stream.read_to_string(&mut text).unwrap();
-    text
+    let address = address.trim_end_matches("/metrics");
+    get(address, address, "/metrics", "")
 }
 
 #[test]
 fn a_reader_that_stands_still_stops_neither_the_homes_own_log_nor_a_signal() {
-    let folder = Folder::new();
-    folder.copy_scenario("studio");
+    let folder = Folder::with("studio");
     folder.edit("studio/logger.json", "casas:log.txt", "sqlite:log.db");
     let stored = || folder.stored_rows("home/log.db");
     let words = format!("live studio --folder home --start 2024-11-01 --out jsonl:- {TIMEOUT}");
@@ -93,8 +68,7 @@ fn a_reader_that_stands_still_stops_neither_the_homes_own_log_nor_a_signal() {
 
 #[test]
 fn a_signal_ends_a_run_before_it_is_noticed_that_nobody_reads() {
-    let folder = Folder::new();
-    folder.copy_scenario("studio");
+    let folder = Folder::with("studio");
     folder.edit("studio/logger.json", "casas:log.txt", "sqlite:log.db");
     let words = "live studio --folder home --start 2024-11-01 --out jsonl:- --destination-timeout 1h";
     let (mut home, _output) = unread(&folder, words);
@@ -111,8 +85,7 @@ fn a_signal_ends_a_run_before_it_is_noticed_that_nobody_reads() {
 
 #[test]
 fn a_reader_that_stands_still_ends_a_run_that_does_not_wait_and_a_slow_one_does_not() {
-    let folder = Folder::new();
-    folder.copy_scenario("studio");
+    let folder = Folder::with("studio");
     let (mut run, _output) = unread(&folder, &format!("run studio --for 60d --out jsonl:- {TIMEOUT}"));
     let status = run.0.wait().unwrap();
     let said = folder.read("said");
@@ -135,12 +108,4 @@ fn a_reader_that_stands_still_ends_a_run_that_does_not_wait_and_a_slow_one_does_
     assert!(run.0.wait().unwrap().success(), "{}", folder.read("said"));
     let rows = numbers(&String::from_utf8(all).unwrap());
     assert!(rows.iter().copied().eq(0..rows.len() as u64) && begun.elapsed() > Duration::from_secs(2));
-}
-
-#[test]
-fn refuses_invalid_timeouts() {
-    let folder = Folder::new();
-    for wrong in ["0s", "10", "2h", "soon", "NaNs", "50ms"] {
-        folder.run(&format!("run studio --destination-timeout {wrong}")).fails(2, "such as 10s");
-    }
 }

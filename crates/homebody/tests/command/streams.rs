@@ -53,8 +53,7 @@ fn all_commands_read_compressed_logs() {
     let folder = lived();
     folder.run("convert log.csv --out csv:log.csv.gz").ok();
     folder.run("convert log.csv.gz --out jsonl:log.jsonl.gz").ok();
-    let same = folder.run("compare log.csv log.jsonl.gz").ok();
-    assert!(same.out.contains("the same") || !same.out.is_empty(), "{}", same.out);
+    assert!(!folder.run("compare log.csv log.jsonl.gz").ok().out.is_empty());
     let look = |name: &str| folder.run(&format!("inspect {name} --json")).ok().out.replace(name, "LOG");
     let strip = |text: String| text.lines().filter(|line| !line.contains("\"form\"")).collect::<Vec<_>>().join("\n");
     assert_eq!(strip(look("log.csv.gz")), strip(look("log.csv")));
@@ -67,7 +66,8 @@ fn all_commands_read_compressed_logs() {
 #[cfg(feature = "parquet")]
 fn columns_are_written_and_read_by_the_command() {
     let folder = flat();
-    folder.run("run flat --for 3d --quiet --out csv:log.csv --out parquet:log.parquet --out parquet:lives --out arrow:log.arrow --truth parquet:truth").ok();
+    folder.edit("flat/scenario.json", "T08:00", "T23:00");
+    folder.run("run flat --for 2h --quiet --out csv:log.csv --out parquet:log.parquet --out parquet:lives --out arrow:log.arrow --truth parquet:truth").ok();
     for name in ["log.parquet", "lives", "log.arrow"] {
         folder.run(&format!("convert {name} --out csv:back.csv --force")).ok();
         // Instants are in UTC there, or local as the scenario has them.
@@ -81,9 +81,9 @@ fn columns_are_written_and_read_by_the_command() {
     }
     let files = folder.files();
     assert!(files.iter().any(|name| name.starts_with("truth/movement/run=") && name.ends_with("/part-0.parquet")));
-    folder.run("run flat --for 3d --quiet --out parquet:lives").fails(1, "log::exists");
+    folder.run("run flat --for 2h --quiet --out parquet:lives").fails(1, "log::exists");
     folder.run("convert lives --out parquet:lives --force").fails(1, "error[log::is-source]");
-    folder.run("run flat --for 3d --quiet --out parquet:lives --force").ok();
+    folder.run("run flat --for 2h --quiet --out parquet:lives --force").ok();
     assert_eq!(folder.files(), files);
     let whole = std::fs::read(folder.path("log.parquet")).unwrap();
     folder.write("cut.parquet", &whole[..whole.len() / 2]);

@@ -1,6 +1,6 @@
 //! `homebody locate`: locating people by a log and the plan.
 
-use crate::folder::{Files, Folder};
+use crate::folder::{Files, Folder, signal};
 use serde_json::Value;
 use std::sync::OnceLock;
 
@@ -14,7 +14,7 @@ fn studio() -> Folder {
 }
 
 fn report(folder: &Folder) -> Value {
-    serde_json::from_str(&folder.read("walked/report.json")).unwrap()
+    folder.json("walked/report.json")
 }
 
 #[test]
@@ -71,9 +71,10 @@ fn reports_the_share_of_rows_that_do_not_fit() {
     folder.run("convert log.db --out csv:log.csv").ok();
     let log = folder.read("log.csv").replace("M002", "M999");
     folder.write("strange.csv", &log);
-    let done = folder.run("locate strange.csv --home home --out walked").ok();
-    assert!(done.err.contains("% of the rows are of sensors that the home does not have: M999"), "{}", done.err);
-    assert!(done.err.contains("nothing comes from bathroom motion"), "{}", done.err);
+    folder.run("locate strange.csv --home home --out walked").ok().says(&[
+        "% of the rows are of sensors that the home does not have: M999",
+        "nothing comes from bathroom motion",
+    ]);
     let header = log.lines().next().unwrap();
     let of_attic: Vec<&str> = log.lines().filter(|line| line.contains("M999")).collect();
     folder.write("none.csv", format!("{header}\n{}\n", of_attic.join("\n")));
@@ -143,8 +144,7 @@ fn a_file_that_grows_is_followed_until_a_signal_comes() {
     let half = folder.read("told");
     folder.write("grows.csv", &log);
     folder.until("the rest was told", |folder| folder.read("told").len() > half.len());
-    let status = std::process::Command::new("kill").args(["-TERM", &child.id().to_string()]).status();
-    assert!(status.unwrap().success());
+    signal(&child, "TERM");
     assert_eq!(child.wait().unwrap().code(), Some(143));
     let at_once = folder.say("locate csv:- --home home --follow", &log).ok().out;
     assert!(at_once.starts_with(&folder.read("told")) && folder.read("told").starts_with(&half));

@@ -8,7 +8,7 @@
 
 use super::rust::{Import, parted, paths, words};
 use super::source::is_for_tests;
-use super::{File, expect_none, files};
+use super::{File, expect_none, files, reached};
 use std::collections::{BTreeMap, BTreeSet};
 
 #[test]
@@ -122,37 +122,15 @@ fn a_path_without_a_definition_closes_no_circle() {
 /// For what a file needs each of the others.
 type Needs = BTreeMap<usize, BTreeSet<String>>;
 
-fn reached(needs: &[Needs], from: usize) -> BTreeSet<usize> {
-    let mut reached = BTreeSet::new();
-    let mut open = vec![from];
-    while let Some(source) = open.pop() {
-        open.extend(needs[source].keys().filter(|&&other| reached.insert(other)));
-    }
-    reached
-}
-
 /// The modules of one folder that need each other, by name, with the reasons.
 type Neighbours = BTreeMap<String, BTreeMap<String, Vec<String>>>;
 
-/// The modules that a module needs, with those that these need, and so on.
-fn neighbours_reached(neighbours: &Neighbours, from: &str) -> BTreeSet<String> {
-    let mut reached = BTreeSet::new();
-    let mut open = vec![from.to_owned()];
-    while let Some(module) = open.pop() {
-        let needed = neighbours.get(&module).into_iter().flat_map(BTreeMap::keys);
-        open.extend(needed.filter(|other| reached.insert((*other).clone())).cloned());
-    }
-    reached
-}
-
-/// The modules of all crates.
 struct Tree {
     sources: Vec<Source>,
     /// By crate and module, such as `a` and `deep`, `two`.
     modules: BTreeMap<Vec<String>, usize>,
 }
 
-/// A file of a crate.
 struct Source {
     /// Below `crates/`.
     path: String,
@@ -184,7 +162,8 @@ impl Tree {
     /// The circles of all crates, the files of each in order.
     fn circles(&self) -> Vec<Vec<String>> {
         let needs: Vec<Needs> = (0..self.sources.len()).map(|source| self.needs(source)).collect();
-        let reached: Vec<BTreeSet<usize>> = (0..needs.len()).map(|source| reached(&needs, source)).collect();
+        let needed = |source: &usize| needs[*source].keys().copied().collect();
+        let reached: Vec<BTreeSet<usize>> = (0..needs.len()).map(|source| reached(source, needed)).collect();
         let mut circles = BTreeSet::new();
         for source in 0..needs.len() {
             let circle = reached[source].iter().filter(|&&other| reached[other].contains(&source));
@@ -217,8 +196,10 @@ impl Tree {
         }
         let mut circles = Vec::new();
         for (folder, neighbours) in &folders {
+            let needed =
+                |module: &String| neighbours.get(module).into_iter().flat_map(BTreeMap::keys).cloned().collect();
             let reached: BTreeMap<&String, BTreeSet<String>> =
-                neighbours.keys().map(|module| (module, neighbours_reached(neighbours, module))).collect();
+                neighbours.keys().map(|module| (module, reached(module.clone(), needed))).collect();
             let circle = |module: &String| -> BTreeSet<&String> {
                 let is_in = |other: &&String| reached.get(other).is_some_and(|back| back.contains(module));
                 reached[module].iter().filter(is_in).collect()
@@ -243,25 +224,19 @@ impl Tree {
         format!("these need each other: {files}; move what they share into a file below them ({why})")
     }
 
-    /// The dependencies between the files of a circle.
     fn why(&self, circle: &[String]) -> Vec<String> {
         let is_of = |source: &usize| circle.contains(&self.sources[*source].path);
         let mut why = Vec::new();
         for from in (0..self.sources.len()).filter(is_of) {
             for (to, names) in self.needs(from).into_iter().filter(|(to, _)| is_of(to)) {
                 let names: Vec<String> = names.into_iter().collect();
-                why.push(format!(
-                    "{} needs {} for {}",
-                    self.sources[from].path,
-                    self.sources[to].path,
-                    names.join(", ")
-                ));
+                let [from, to] = [from, to].map(|file| self.sources[file].path.as_str());
+                why.push(format!("{from} needs {to} for {}", names.join(", ")));
             }
         }
         why
     }
 
-    /// The other files that a file needs.
     fn needs(&self, from: usize) -> Needs {
         let source = &self.sources[from];
         let is_said = |name: &String| source.body.contains(name);

@@ -16,31 +16,14 @@ const ELSEWHERE: [(&str, &str); 2] = [
     ("my-home", "what examples call the reader's own scenario"),
 ];
 
-#[test]
-fn the_map_of_the_code_names_only_what_is_there() {
-    expect_none(wrong_in("ARCHITECTURE.md"));
-}
+const PROMISES: &str = "docs/explanation/robustness.md";
 
 #[test]
-fn the_readme_names_only_what_is_there() {
-    expect_none(wrong_in("README.md"));
-}
-
-#[test]
-fn the_guide_for_contributors_names_only_what_is_there() {
-    expect_none(wrong_in("CONTRIBUTING.md"));
-}
-
-#[test]
-fn the_changelog_names_only_what_is_there() {
-    expect_none(wrong_in("CHANGELOG.md"));
-}
-
-#[test]
-fn the_table_of_promises_names_only_what_is_there() {
-    expect_none(wrong_in("docs/explanation/robustness.md"));
+fn documents_name_only_what_is_there() {
+    let documents = ["ARCHITECTURE.md", "README.md", "CONTRIBUTING.md", "CHANGELOG.md", PROMISES];
+    expect_none(documents.into_iter().flat_map(wrong_in).collect());
     let all: String = files().into_iter().filter(|file| file.is("rs") || file.is("py")).map(|file| file.text).collect();
-    expect_none(tests_not_in(&fs::read_to_string(repository().join("docs/explanation/robustness.md")).unwrap(), &all));
+    expect_none(tests_not_in(&fs::read_to_string(repository().join(PROMISES)).unwrap(), &all));
 }
 
 #[test]
@@ -114,7 +97,7 @@ fn dead(name: &str, text: &str) -> Vec<String> {
     dead.into_iter().map(|(line, path)| format!("{name}:{line}: {path} is not there")).collect()
 }
 
-/// Whether a span of code is the path of something that the repository ought to have.
+/// True for a span of code that is a path in the repository.
 fn is_path(span: &str, ignored: &[String]) -> bool {
     let is_plain = span.chars().all(|c| c.is_ascii_alphanumeric() || "_-./*".contains(c));
     let first = span.split('/').next().unwrap_or_default();
@@ -131,7 +114,7 @@ fn is_path(span: &str, ignored: &[String]) -> bool {
         && !span.split('/').all(is_number)
 }
 
-/// Whether there is a file or folder of this path, or one whose path ends so; `*` stands for any one name.
+/// True for the path of a file or folder, or the end of one; `*` stands for any one name.
 fn is_there(path: &str, paths: &[String]) -> bool {
     let wanted: Vec<&str> = path.trim_start_matches("./").trim_end_matches('/').split('/').collect();
     paths.iter().filter(|there| !path.ends_with('/') || there.ends_with('/')).any(|there| {

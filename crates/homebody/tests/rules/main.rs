@@ -20,17 +20,16 @@ mod prose;
 mod purity;
 mod reference;
 mod rust;
-mod scenarios;
 mod source;
 mod words;
 
+use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
 
 /// The rules name what they forbid, so those that look for words leave this folder out.
 const RULES: &str = "crates/homebody/tests/rules/";
 
-/// A text file of the repository.
 struct File {
     /// From the repository's folder, with slashes.
     path: String,
@@ -65,7 +64,6 @@ fn paths() -> Vec<String> {
     paths
 }
 
-/// The names in `.gitignore`, without slashes.
 fn ignored() -> Vec<String> {
     let text = fs::read_to_string(repository().join(".gitignore")).expect(".gitignore is there");
     let names = text.lines().map(|line| line.trim().trim_matches('/').to_owned());
@@ -100,6 +98,16 @@ fn expect_none(wrong: Vec<String>) {
 /// The lines of a text with their numbers from 1.
 fn numbered(text: &str) -> impl Iterator<Item = (usize, &str)> {
     (1..).zip(text.lines())
+}
+
+/// All that one needs, with what these need, and so on.
+fn reached<T: Ord + Clone>(from: T, needed: impl Fn(&T) -> Vec<T>) -> BTreeSet<T> {
+    let mut reached = BTreeSet::new();
+    let mut open = vec![from];
+    while let Some(next) = open.pop() {
+        open.extend(needed(&next).into_iter().filter(|other| reached.insert(other.clone())));
+    }
+    reached
 }
 
 /// True if `text` has `word` without a letter, digit or underscore next to it.

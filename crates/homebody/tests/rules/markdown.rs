@@ -52,7 +52,6 @@ impl Document {
         links
     }
 
-    /// The targets of `#...` in this document.
     pub fn anchors(&self) -> Vec<String> {
         let titles = self.prose.iter().filter(|(_, line)| line.starts_with('#'));
         titles.map(|(_, line)| anchor(line.trim_start_matches('#').trim())).collect()

@@ -28,7 +28,6 @@ They also carry the change that solves the problem under `fix`, if one change is
 Made from the code by the test in `crates/homebody/tests/rules/messages.rs`.
 ";
 
-/// The messages of the program and of the experiments.
 fn all() -> impl Iterator<Item = &'static CatalogueEntry> + Clone {
     homebody::messages::all().chain(homebody_lab::catalogue::all())
 }

@@ -59,7 +59,6 @@ const UNITS: [(&str, &str); 16] = [
     ("_BYTES", "bytes"),
 ];
 
-/// The starts of the names of limits.
 const LIMITS: [&str; 4] = ["MOST", "LARGEST", "LONGEST", "GREATEST"];
 
 /// Folder of the files whose fields are keys of a scenario's files, with defaults of ours: they are set there.
@@ -263,7 +262,6 @@ fn unlisted(file: &File, known: &[Number]) -> Vec<String> {
     unlisted.map(|name| format!("{}: {name} is not in the list of its crate", file.path)).collect()
 }
 
-/// The whole document.
 fn document(known: &[Number], files: &[File]) -> String {
     let mut text = format!("{HEAD}\n## Parameters\n");
     let mut group = String::new();

@@ -2,7 +2,7 @@
 
 use super::arrows::{manifests, name, ours};
 use super::generated::is_generated;
-use super::repository;
+use super::{reached, repository};
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 
@@ -47,22 +47,11 @@ fn picture(arrows: &Arrows) -> String {
     let mut text = String::from("```mermaid\nflowchart TD\n");
     for (from, needed) in arrows {
         // The dependencies of a needed crate are drawn there.
-        let by_others: BTreeSet<&String> = needed.iter().flat_map(|other| reached(arrows, other)).collect();
-        for to in needed.iter().filter(|to| !by_others.contains(to)) {
+        let needs = |other: &String| arrows.get(other).into_iter().flatten().cloned().collect();
+        let by_others: BTreeSet<String> = needed.iter().flat_map(|other| reached(other.clone(), needs)).collect();
+        for to in needed.iter().filter(|to| !by_others.contains(*to)) {
             text += &format!("    {} --> {}\n", short(from), short(to));
         }
     }
     text + "```\n"
-}
-
-/// The crates that a crate needs, and those that these need.
-fn reached<'a>(arrows: &'a Arrows, from: &str) -> BTreeSet<&'a String> {
-    let mut reached = BTreeSet::new();
-    let mut open: Vec<&String> = arrows.get(from).into_iter().flatten().collect();
-    while let Some(next) = open.pop() {
-        if reached.insert(next) {
-            open.extend(arrows.get(next).into_iter().flatten());
-        }
-    }
-    reached
 }

@@ -136,7 +136,6 @@ fn texts_and_comments_are_told_apart() {
     assert_eq!(of_page, ["A title of words", "Words of … the page"]);
 }
 
-/// A sentence, and where it begins.
 struct Sentence {
     place: String,
     text: String,
@@ -172,7 +171,6 @@ fn sentences(path: &str, lines: impl Iterator<Item = (usize, String)>) -> Vec<Se
     all
 }
 
-/// The first sentence of a line, and the rest.
 fn first_sentence(line: &str) -> (&str, &str) {
     let ends = line.match_indices(['.', '!', '?', ':']).map(|(at, _)| at + 1);
     let is_end = |at: &usize| {
@@ -186,7 +184,6 @@ fn first_sentence(line: &str) -> (&str, &str) {
     }
 }
 
-/// The habits of sentences, each with its sentence.
 fn found(sentences: &[Sentence]) -> Vec<(&'static str, &Sentence)> {
     let of =
         |sentence| HABITS.iter().filter(move |habit| has(habit, sentence)).map(move |habit| (habit.name, sentence));

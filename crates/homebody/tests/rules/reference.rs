@@ -7,7 +7,6 @@ use super::numbers::cell;
 use clap::{Arg, Command};
 use std::fmt::Write;
 
-/// The page.
 pub const PAGE: &str = "docs/reference/commands.md";
 
 const HEAD: &str = "\

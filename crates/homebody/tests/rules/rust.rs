@@ -1,6 +1,5 @@
 //! Rust files as words: their imports and the names that they use, without comments, texts and code for tests.
 
-/// A name that a file brings in, or passes on.
 pub struct Import {
     /// `*` brings in all.
     pub name: String,
@@ -41,7 +40,6 @@ pub fn words(text: &str) -> Vec<String> {
     words
 }
 
-/// The length of a text in quotes.
 fn quoted(rest: &str) -> usize {
     let mut is_escaped = true;
     for (at, c) in rest.char_indices() {
@@ -73,7 +71,6 @@ fn character(rest: &str) -> usize {
     }
 }
 
-/// The paths of two names and more.
 pub fn paths(body: &[String]) -> Vec<Vec<String>> {
     let mut paths: Vec<Vec<String>> = Vec::new();
     let mut goes_on = false;
@@ -162,7 +159,6 @@ fn item_end(words: &[String], begin: usize) -> usize {
     at
 }
 
-/// The names that a `use` brings in, from its words.
 fn brought_in(tree: &[String], before: &[String], is_public: bool, imports: &mut Vec<Import>) {
     let mut path = before.to_vec();
     let mut at = 0;

@@ -197,12 +197,12 @@ fn is_called_mod(path: &str) -> bool {
     is_code(path) && path.ends_with("/mod.rs")
 }
 
-/// Whether the file is part of a crate, rather than of its tests or benchmarks.
+/// True for a source of a crate, without its tests and benchmarks.
 fn is_code(path: &str) -> bool {
     path.starts_with("crates/") && path.contains("/src/") && path.ends_with(".rs")
 }
 
-/// Whether the module that a file belongs to has it for its tests only.
+/// True for a module that its parent declares for tests only.
 pub fn is_for_tests(path: &str, files: &[File]) -> bool {
     let Some((folder, name)) = path.trim_end_matches(".rs").rsplit_once('/') else { return false };
     let parents = [format!("{folder}.rs"), format!("{folder}/mod.rs"), format!("{folder}/lib.rs")];
@@ -258,7 +258,7 @@ fn tests_turned_off(files: &[File]) -> Vec<String> {
     files.iter().filter(is_off).map(|file| file.path.clone()).collect()
 }
 
-/// Whether doc comments have a block of Rust that runs.
+/// True if doc comments have a block of Rust that runs.
 fn has_example(text: &str) -> bool {
     let docs = text.lines().filter_map(|line| line.trim().strip_prefix("//!").or(line.trim().strip_prefix("///")));
     let fences = docs.filter_map(|line| line.trim().strip_prefix("```"));

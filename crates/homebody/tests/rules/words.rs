@@ -13,44 +13,29 @@ const MACHINE: [&str; 6] = ["/work/", "/tmp/", "/root/", "/home/", "/Users/", "C
 const WRITING: [&str; 3] = ["worktree", "AI assistant", "coding agent"];
 
 #[test]
-fn nothing_is_left_to_be_done() {
-    expect_none(read().iter().flat_map(|file| lines_with(file, is_left_over)).collect());
+fn no_file_has_leftovers_paths_of_a_machine_or_words_on_its_writing() {
+    let files = read();
+    let rules = [is_left_over, names_machine, speaks_of_writing];
+    expect_none(
+        rules.into_iter().flat_map(|is_wrong| files.iter().flat_map(move |file| lines_with(file, is_wrong))).collect(),
+    );
 }
 
 #[test]
-fn a_leftover_is_found() {
+fn finds_leftovers_paths_of_a_machine_and_words_on_the_writing() {
     for line in ["// TODO: later", "let a = todo!();", "    dbg!(a);", "FIXME", "#[ignore]"] {
         assert_eq!(lines_with(&File::new("a.rs", line), is_left_over), [format!("a.rs:1: {}", line.trim())]);
     }
     for line in ["HACK_REGULAR", "mastodon", "#[ignore = \"a measurement\"]", "a to-do list"] {
         assert!(!is_left_over(line), "{line}");
     }
-}
-
-#[test]
-fn no_path_is_of_somebodys_machine() {
-    expect_none(read().iter().flat_map(|file| lines_with(file, names_machine)).collect());
-}
-
-#[test]
-fn a_path_of_somebodys_machine_is_found() {
     for line in ["see /work/notes.md", "\"/tmp/log.csv\"", "(/home/ann/a.rs)", "file:///Users/ann", "C:\\Users\\ann"] {
         assert!(names_machine(line), "{line}");
     }
     for line in ["crates/homebody-core/src/home/mod.rs", "../work/a", "https://a.org/home/", "$HOME/home/"] {
         assert!(!names_machine(line), "{line}");
     }
-}
-
-#[test]
-fn nothing_is_said_of_the_writing() {
-    expect_none(read().iter().flat_map(|file| lines_with(file, speaks_of_writing)).collect());
-}
-
-#[test]
-fn a_word_on_the_writing_is_found() {
-    assert!(speaks_of_writing("as a coding agent wrote"));
-    assert!(speaks_of_writing("in the Worktree"));
+    assert!(speaks_of_writing("as a coding agent wrote") && speaks_of_writing("in the Worktree"));
     assert!(!speaks_of_writing("a session of the live view"));
 }
 

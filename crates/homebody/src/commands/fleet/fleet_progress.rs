@@ -3,12 +3,13 @@
 use crate::commands::run_output::span_in_words;
 use crate::failure::Failure;
 use crate::print::{counted, grouped, not_written, print_json, tell, tell_with, warn};
+use crate::progress::on_terminal;
 use crate::prometheus::LastReport;
 use homebody_core::time::SECOND;
 use homebody_fleet::{FleetHomes, FleetReport, FleetStatus};
 use homebody_log::files::fresh::FreshFile;
 use homebody_log::sink::csv_line;
-use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+use indicatif::ProgressBar;
 use std::fmt::Write;
 use std::sync::PoisonError;
 use std::time::{Duration, Instant};
@@ -18,10 +19,7 @@ homebody_core::messages! {
     pub enum FleetEndMessage in "fleet-end" {
         /// A routine asked a resident to do something impossible, such as to use furniture that no path leads to. The other homes
         /// continued.
-        StoppedHomes {
-            /// The number of homes.
-            homes: usize,
-        } warning "stopped-homes" (
+        StoppedHomes { homes: usize } warning "stopped-homes" (
             "{homes} stopped early: a routine asked for something impossible",
             homes = counted(*homes as u64, "home", "homes")
         )
@@ -29,7 +27,6 @@ homebody_core::messages! {
     }
 }
 
-/// Shows the progress and keeps the reports.
 pub struct FleetProgress {
     is_quiet: bool,
     is_json: bool,
@@ -46,7 +43,7 @@ const BETWEEN_NOTES: Duration = Duration::from_secs(10);
 
 impl FleetProgress {
     pub fn new(is_quiet: bool, is_json: bool, file: Option<FreshFile>, last: LastReport) -> FleetProgress {
-        let bar = bar(is_quiet, "", None);
+        let bar = on_terminal(is_quiet, None, "{spinner} {msg}");
         FleetProgress { is_quiet, is_json, bar, file, last, caught_up_s: 0.0, noted_at: Instant::now() }
     }
 
@@ -79,7 +76,6 @@ impl FleetProgress {
         Ok(())
     }
 
-    /// Shows and keeps the last report.
     pub fn finish(mut self, report: &FleetReport) -> Result<(), Failure> {
         self.bar.finish_and_clear();
         self.keep(report)?;
@@ -114,14 +110,6 @@ impl FleetProgress {
     }
 }
 
-pub fn bar(is_quiet: bool, items: &str, length: Option<u64>) -> ProgressBar {
-    let target = if is_quiet { ProgressDrawTarget::hidden() } else { ProgressDrawTarget::stderr() };
-    let template =
-        if length.is_some() { format!("{{bar:40}} {{pos}} of {{len}} {items}") } else { "{spinner} {msg}".into() };
-    let style = ProgressStyle::with_template(&template).unwrap_or_else(|_| ProgressStyle::default_bar());
-    ProgressBar::with_draw_target(length, target).with_style(style)
-}
-
 /// The lag of a fleet before its delivery starts. A fleet without a lag waits for its destinations.
 fn lag(behind_s: f64, waiting: usize) -> String {
     let waiting = format!("{} in transit", message_count(waiting as u64));
@@ -132,7 +120,6 @@ fn span(s: f64) -> String {
     span_in_words(SECOND.share(s))
 }
 
-/// The line of a report.
 fn line(report: &FleetReport) -> String {
     let FleetReport { late_median_ms, late_99_ms, late_most_ms, behind_s, .. } = report;
     let mut line = format!("{} homes", grouped(report.homes as u64));
@@ -163,7 +150,6 @@ fn line(report: &FleetReport) -> String {
     line
 }
 
-/// The totals, before the line of the last report.
 fn totals(report: &FleetReport) -> String {
     let FleetReport { running_s, messages, homes_in_all, storms: outages, .. } = report;
     let outages = if *outages > 0 { format!(", {}", counted(*outages, "outage", "outages")) } else { String::new() };
@@ -188,7 +174,6 @@ fn seconds(s: f64) -> String {
     if s.abs() < 10.0 { format!("{s:.1} s") } else { format!("{s:.0} s") }
 }
 
-/// The homes of a fleet as a table, with the errors of their clocks.
 pub fn homes_table(fleet: &FleetHomes) -> String {
     let mut text = String::from("home,scenario,seed,run,clock_ahead_s,there_at_begin\n");
     for (home, index) in fleet.fleet.homes.iter().zip(0..) {

@@ -17,18 +17,7 @@ homebody_core::messages! {
             hint ("an unfinished run may have silhouettes later: resume it, or name another run");
         /// The cameras have silhouettes, but none in this time.
         NoneInTime {
-            /// The names of the cameras.
-            cameras: Vec<String>,
-            /// The first moment.
-            begin: String,
-            /// The last moment.
-            end: String,
-            /// The moment of the last silhouette before.
-            before: Option<String>,
-            /// The moment of the first silhouette after.
-            after: Option<String>,
-            /// Whether the home has other cameras, too.
-            has_others: bool,
+            cameras: Vec<String>, begin: String, end: String, before: Option<String>, after: Option<String>, has_others: bool,
         } error "none-in-time" ("{cameras}: no silhouettes from {begin} to {end}", cameras = cameras.join(", "))
             advice ({
                 let before = before.as_ref().map(|at| format!("the last one before is at {at}"));

@@ -32,7 +32,6 @@ const MOST_PICTURES: u64 = 200_000;
 /// Longest time of a frame in a film, whatever the time to the next one.
 const LONGEST_FRAME: Span = SECOND;
 
-/// The form of an output.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum SilhouetteForm {
     Film,
@@ -41,7 +40,6 @@ enum SilhouetteForm {
     Folder,
 }
 
-/// An output that can be written.
 pub struct SilhouetteOutput {
     form: SilhouetteForm,
     path: PathBuf,
@@ -67,7 +65,6 @@ impl SilhouetteOutput {
     }
 }
 
-/// The form of an output, by its extension.
 fn form(path: &Path) -> Result<SilhouetteForm, SilhouettesMessage> {
     let extension = path.extension().unwrap_or_default().to_string_lossy().to_lowercase();
     match extension.as_str() {
@@ -101,7 +98,6 @@ pub struct WrittenOutput {
     pub what: String,
 }
 
-/// All outputs, which one pass writes.
 pub struct SilhouetteOutputs<'a> {
     open: Vec<(PathBuf, OpenOutput)>,
     kept: &'a RunSilhouettes<'a>,
@@ -116,7 +112,6 @@ pub struct SilhouetteOutputs<'a> {
 type Instant = (RunTime, Vec<Option<Vec<u8>>>);
 
 enum OpenOutput {
-    /// The frames so far.
     Film(Vec<Instant>),
     Table(SilhouetteForm, FreshFile, u64),
     /// The temporary folder, and the number of pictures.
@@ -186,7 +181,6 @@ impl<'a> SilhouetteOutputs<'a> {
         if is_taken || name.is_empty() { format!("{name}-{}", camera + 1) } else { name }
     }
 
-    /// Takes the next silhouette of a camera.
     pub fn take(&mut self, camera: usize, kept: &KeptSilhouettes) -> Result<(), Failure> {
         let folder = self.folder_of(camera);
         let local = self.kept.scenario.calendar.local(kept.at);
@@ -219,7 +213,6 @@ impl<'a> SilhouetteOutputs<'a> {
         Ok(())
     }
 
-    /// Completes all outputs.
     pub fn finish(mut self) -> Result<Vec<WrittenOutput>, Failure> {
         let mut written = Vec::new();
         while !self.open.is_empty() {
@@ -268,7 +261,6 @@ impl<'a> SilhouetteOutputs<'a> {
 }
 
 impl Drop for SilhouetteOutputs<'_> {
-    /// Removes incomplete folders.
     fn drop(&mut self) {
         for (_, open) in &self.open {
             if let OpenOutput::Folder(part, _) = open {
@@ -284,7 +276,6 @@ fn part_of(path: &Path) -> PathBuf {
     path.with_file_name(format!("{name}.{}.part", std::process::id()))
 }
 
-/// The features of a silhouette.
 #[derive(Serialize)]
 struct SilhouetteRow<'a> {
     at: String,

@@ -11,7 +11,6 @@ use homebody_log::LogError;
 use homebody_log::silhouettes::KeptSilhouettes;
 use homebody_query::RunSilhouettes;
 
-/// The selected cameras and times.
 pub struct SilhouetteSelection {
     /// Indices of the cameras among all cameras with silhouettes, in the order of the arguments.
     pub cameras: Vec<usize>,

@@ -6,16 +6,17 @@
 use crate::folder::{Folder, ROOT};
 use crate::mosquitto::Broker;
 use crate::postgres::Server;
+use crate::served::{address_of, page_of};
 use homebody_core::scenario::logger::LoggerFile;
 use homebody_log::log::Clock;
 use homebody_log::{LogSource, Url, read};
 use serde_json::{Value, json};
 use sha2::{Digest, Sha256};
 use std::fs;
-use std::io::{BufRead, BufReader};
 use std::path::Path;
 use std::process::{Command, Stdio};
-use std::time::{Duration, Instant};
+use std::time::Instant;
+use tungstenite::Message;
 
 /// A row of a reader: instant in microseconds since 1970, sensor, value.
 type Row = (i64, String, String);
@@ -120,10 +121,13 @@ fn one_digest_whatever_it_goes_to_how_fast_and_whoever_looks() {
             assert!(found.len() <= base.len(), "{name} {what}: {} rows of {}", found.len(), base.len());
             assert_eq!(digest(found), digest(&base[..found.len()]), "{name} {what}");
         };
-        for (speed, spans) in SPEEDS {
+        let paced = SPEEDS.map(|(speed, spans)| {
             let span = spans[usize::from(scenarios() > 3)];
-            folder.run(&format!("run {name} --quiet --force --for {span} --speed {speed} --out csv:paced.csv")).ok();
-            begins(&rows(&place("csv:paced.csv")), &format!("at {speed} times the speed of life"));
+            folder.start(&format!("run {name} --quiet --for {span} --speed {speed} --out csv:paced-{speed}.csv"))
+        });
+        for ((speed, _), run) in SPEEDS.into_iter().zip(paced) {
+            run.finish().ok();
+            begins(&rows(&place(&format!("csv:paced-{speed}.csv"))), &format!("at {speed} times the speed of life"));
             compared += 1;
         }
         if let Some((_, broker)) = &servers {
@@ -186,22 +190,12 @@ fn told(folder: &Folder, name: &str, broker: &Broker, prefix: &str) -> Vec<Row> 
 
 /// A simulated day in the page, at full speed, with the log of its folder.
 fn looked_at(folder: &Folder, name: &str) -> Vec<Row> {
-    use tungstenite::Message;
-    use tungstenite::client::IntoClientRequest;
     let served =
         folder.command(&format!("serve {name} --no-open")).stdout(Stdio::piped()).stderr(Stdio::null()).spawn();
     let mut served = served.unwrap();
-    let mut said = String::new();
-    BufReader::new(served.stdout.take().unwrap()).read_line(&mut said).unwrap();
-    let (address, token) = said.trim().strip_prefix("http://").unwrap().split_once("/#token=").unwrap();
-    let mut request = format!("ws://{address}/api/live").into_client_request().unwrap();
-    request.headers_mut().insert("origin", format!("http://{address}").parse().unwrap());
-    let stream = std::net::TcpStream::connect(address).unwrap();
-    stream.set_read_timeout(Some(Duration::from_secs(60))).unwrap();
-    let (mut page, _) = tungstenite::client(request, stream).unwrap();
-    for say in
-        [&*format!(r#"{{"say":"hello","token":"{token}"}}"#), r#"{"say":"speed","times":null}"#, r#"{"say":"play"}"#]
-    {
+    let (address, token) = address_of(&mut served);
+    let mut page = page_of(&address, &token);
+    for say in [r#"{"say":"speed","times":null}"#, r#"{"say":"play"}"#] {
         page.send(Message::Text(say.into())).unwrap();
     }
     // A run that is over has its rows in its folder, which a note says.

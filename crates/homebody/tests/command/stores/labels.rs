@@ -5,8 +5,10 @@ use crate::folder::Folder;
 use crate::postgres::Server;
 
 /// Kinds of places of a truth that are files: what is written, and by what it is named again.
-const FILES: [(&str, &str); 7] = [
+const FILES: [(&str, &str); 9] = [
     ("csv:texts.csv", "texts.csv"),
+    ("csv:texts.csv", "csv:texts.csv"),
+    ("csv:texts.csv", "texts.cause.csv"),
     ("jsonl:objects.jsonl", "jsonl:objects.jsonl"),
     ("parquet:columns.parquet", "columns.parquet"),
     ("parquet:columns.parquet", "columns.cause.parquet"),
@@ -39,9 +41,10 @@ fn labels_are_the_same_from_whatever_the_truth_was_written_to() {
     // All missing parts are reported.
     std::fs::remove_file(folder.path("columns.off.arrow")).unwrap();
     std::fs::remove_file(folder.path("columns.room.arrow")).unwrap();
-    let said =
-        folder.run("label log.csv arrow:columns.arrow --out csv:x.csv").fails(1, "error[truth::missing-parts]").err;
-    assert!(said.contains("no file columns.off.arrow, no file columns.room.arrow"), "{said}");
+    folder
+        .run("label log.csv arrow:columns.arrow --out csv:x.csv")
+        .fails(1, "error[truth::missing-parts]")
+        .says(&["no file columns.off.arrow, no file columns.room.arrow"]);
     folder.run("label log.csv mqtt://127.0.0.1/homes --out csv:x.csv").fails(1, "error[truth::not-stored]");
 
     let Some(server) = Server::shared() else { return };
@@ -74,13 +77,10 @@ fn labels_are_the_same_from_whatever_the_truth_was_written_to() {
 #[test]
 fn an_hour_that_comes_twice_is_labelled_by_a_truth_on_a_server() {
     let Some(server) = Server::shared() else { return };
-    let folder = Folder::new();
-    folder.copy_scenario("tigerplace");
+    let folder = Folder::with("tigerplace");
     for (name, key, value) in [("scenario", "start", "2009-10-31T18:00:00"), ("logger", "time", "local")] {
         let file = format!("tigerplace/{name}.json");
-        let mut json: serde_json::Value = serde_json::from_str(&folder.read(&file)).unwrap();
-        json[key] = value.into();
-        folder.write(&file, json.to_string());
+        folder.edit_json(&file, |json| json[key] = value.into());
     }
     let url = server.url("postgres", &server.database("twice"), "");
     folder.run("run tigerplace --for 14h --quiet").ok();
