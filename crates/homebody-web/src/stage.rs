@@ -314,12 +314,12 @@ impl StageThread {
 
     fn obey(&mut self, say: PageCommand) {
         match say {
-            PageCommand::Start { variant, .. } if variant.seed.is_some_and(|seed| seed >= 1 << 53) => {
-                self.warn(&StageMessage::Seed.diagnostic());
+            PageCommand::Start { options, .. } if options.variant.seed.is_some_and(|seed| seed >= 1 << 53) => {
+                self.refuse(StartError::Option("seed", StageMessage::Seed.diagnostic()));
             }
-            PageCommand::Start { driven, variant } => {
+            PageCommand::Start { driven, options } => {
                 let is_driven = driven.is_some();
-                let request = StartRequest { driven, variant, input: Vec::new() };
+                let request = StartRequest { driven, options, input: Vec::new() };
                 let run = without_panic(|| StagedRun::new(&self.folders, &self.folders.entry, request));
                 if self.change_run(run) && is_driven {
                     // At any other speed a key that is held for a moment is a walk through the home.
@@ -414,7 +414,7 @@ impl StageThread {
     fn refuse(&mut self, why: StartError) {
         match why {
             StartError::Other(why) => self.warn(&why),
-            StartError::Problems(_) => {
+            StartError::Problems(_) | StartError::Option(..) => {
                 let mut board = locked(&self.board);
                 board.unbegun = Some(why.tell());
                 board.unbegun_count += 1;

@@ -156,11 +156,11 @@ impl CommandReceiver {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use homebody_simulation::VariantOptions;
+    use homebody_simulation::RunOptions;
     use std::sync::mpsc::channel;
 
     fn start() -> PageCommand {
-        PageCommand::Start { driven: None, variant: VariantOptions { seed: Some(1), ..VariantOptions::default() } }
+        PageCommand::Start { driven: None, options: RunOptions::default() }
     }
 
     fn all(receiver: &CommandReceiver) -> Vec<StageCommand> {

@@ -35,7 +35,7 @@ impl Driven {
         let stream = TcpStream::connect(address).unwrap();
         let mut driven = Driven { server, socket: tungstenite::client(request, stream).unwrap().0 };
         driven.say(&format!(r#"{{"say":"hello","token":"{token}"}}"#));
-        driven.say(r#"{"say":"start","driven":0,"without":[],"seed":null}"#);
+        driven.say(r#"{"say":"start","driven":0}"#);
         driven.say(r#"{"say":"play"}"#);
         driven
     }
