@@ -78,7 +78,6 @@ pub fn packed<T: Serialize>(found: Result<T, RequestError>) -> Response {
     found.map_or_else(RequestError::into_response, pack)
 }
 
-/// The announced length of a request's body.
 fn content_length(headers: &HeaderMap) -> Option<u64> {
     headers.get(header::CONTENT_LENGTH)?.to_str().ok()?.parse().ok()
 }
@@ -107,7 +106,6 @@ pub async fn plan_of(headers: &HeaderMap, body: Body) -> Result<PlanBytes, Reque
     Ok(PlanBytes { bytes, _turn: turn })
 }
 
-/// The log that a request brings.
 pub struct LogBody {
     body: Body,
     /// The command for larger logs.

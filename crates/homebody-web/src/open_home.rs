@@ -75,12 +75,10 @@ impl OpenHome {
         self.gone.receiver_count() > 0 || self.stage.is_playing() || self.locating.is_active()
     }
 
-    /// The run that is being recorded.
     pub fn recorded_run(&self) -> Option<String> {
         self.stage.recorded()
     }
 
-    /// Closes the sockets of its pages.
     pub fn disconnect_pages(&self) {
         self.gone.send_replace(true);
     }
@@ -238,7 +236,6 @@ where
     answers::answer(form, find)
 }
 
-/// A number of the request's path.
 fn number<T: FromStr>(text: &str) -> Result<T, RequestError> {
     text.parse().map_err(|_| not_found(PageMessage::Number))
 }
@@ -270,7 +267,6 @@ async fn live(
     socket::upgraded(upgrade, &headers, client, guard, async move |socket, client| home.show(socket, client).await)
 }
 
-/// The image below the plan.
 async fn picture(State(home): State<OpenHome>) -> Result<Response, RequestError> {
     download(move || home.folders.picture(&home.drafts.underlay()?.picture), PageMessage::NoImage).await
 }
@@ -315,7 +311,6 @@ async fn take_log(
     Ok(locating.now())
 }
 
-/// A file of a stored run, as a download.
 async fn file_of_run(
     State(home): State<OpenHome>,
     Path((run, what)): Path<(String, String)>,

@@ -29,7 +29,6 @@ use std::collections::BTreeMap;
 use std::path::Path;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
-/// The request for a run.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct StartRequest {
     /// The resident who is moved by keys.
@@ -39,14 +38,11 @@ pub struct StartRequest {
     pub input: Vec<KeysFile>,
 }
 
-/// The reason why a run cannot start.
 #[derive(Clone, Debug)]
 pub enum StartError {
-    /// The problems of the scenario.
     Problems(Vec<Problem>),
     /// The message about an option of the run, by its name.
     Option(&'static str, Diagnostic),
-    /// Another reason.
     Other(Diagnostic),
 }
 
@@ -95,7 +91,6 @@ impl From<LogError> for StartError {
 }
 
 impl StartError {
-    /// The message to the pages.
     pub fn tell(&self) -> RunNotice {
         let message = |why: &Diagnostic, option: Option<&str>| RunNotice::Unbegun {
             why: sentence(why),
@@ -122,12 +117,10 @@ pub struct StagedRun {
     request: StartRequest,
     /// The versions of its files before the options of the run changed them, as the desk has them.
     files: BTreeMap<String, String>,
-    /// The conditions of its residents.
     conditions: Vec<String>,
     simulation: Simulation,
     /// The file of keys, if a resident is moved by hand.
     keys: Option<String>,
-    /// The keys that are held.
     held: KeysFile,
     live_counts: Arc<Mutex<LiveCounts>>,
     /// The rows that no page has yet.
@@ -136,7 +129,6 @@ pub struct StagedRun {
     shown: Shown,
     /// Its files are complete.
     is_over: bool,
-    /// The state at the snapshots of the simulation.
     snapshots: Snapshots<(Shown, LiveCounts)>,
 }
 
@@ -185,7 +177,6 @@ impl StagedRun {
         Ok(StagedRun { files: run.versions(opened.scenario()), ..run })
     }
 
-    /// The replay of a recording.
     pub fn replay(recording: Recording) -> Result<StagedRun, StartError> {
         if !recording.can_replay() {
             return Err(StageMessage::OwnDrivers { residents: recording.own_drivers }.into());
@@ -242,7 +233,6 @@ impl StagedRun {
         self.simulation.places()?.recording.as_ref()?.parent()
     }
 
-    /// The run as pages show it.
     pub fn view(&self) -> RunView {
         let (simulation, scenario) = (&self.simulation, self.simulation.scenario());
         let (home, length) = (simulation.home(), simulation.progress().length);
@@ -266,7 +256,6 @@ impl StagedRun {
         }
     }
 
-    /// The versions of the files of its scenario.
     fn versions(&self, scenario: &Scenario) -> BTreeMap<String, String> {
         let residents = &scenario.file.residents;
         let files = scenario.sources.iter().filter(|(name, _)| Some(*name) != self.keys.as_ref());
@@ -336,13 +325,11 @@ impl StagedRun {
         Ok(self.simulation.keep_input()?)
     }
 
-    /// Holds these keys from now on.
     pub fn hold(&mut self, keys: &[Key]) {
         self.held.held = keys.iter().map(|&key| key_of(key)).collect();
         self.input(Vec::new());
     }
 
-    /// Sets the posture of the resident who is moved by keys.
     pub fn set_posture(&mut self, posture: MapPosture) {
         self.held.posture = match posture {
             MapPosture::Standing => posture::Posture::Standing,
@@ -352,7 +339,6 @@ impl StagedRun {
         self.input(Vec::new());
     }
 
-    /// Lets the resident who is moved by keys use a thing.
     pub fn use_thing(&mut self, thing: u32, on: bool) {
         if let Some(known) = self.simulation.home().plan.things.get(thing as usize) {
             let thing = known.name.clone();
@@ -360,7 +346,6 @@ impl StagedRun {
         }
     }
 
-    /// Applies input now.
     fn input(&mut self, uses: Vec<UseFile>) {
         if !self.is_over {
             let at_s = self.simulation.now().seconds();
@@ -443,7 +428,6 @@ impl StagedRun {
         self.live_counts.clone()
     }
 
-    /// The rows since the last call.
     pub fn take_rows(&mut self) -> std::vec::Drain<'_, FiringView> {
         self.fresh.drain(..)
     }
@@ -451,7 +435,6 @@ impl StagedRun {
 
 #[cfg(test)]
 impl StagedRun {
-    /// The same with other drivers.
     pub fn driven_by(mut self, drivers: &dyn homebody_core::run::DriverProvider) -> StagedRun {
         self.simulation = self.simulation.driven_by(drivers);
         self

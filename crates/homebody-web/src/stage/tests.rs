@@ -12,7 +12,6 @@ use homebody_routine::household::Household;
 use homebody_simulation::{RunLength, RunOptions, RunStart, Template, VariantOptions};
 use tempfile::TempDir;
 
-/// The time before the failure.
 const WELL: Span = HOUR.times(9);
 
 /// Follows the routine at first, and then takes an impossible step, or panics.
@@ -63,7 +62,6 @@ fn folders(folder: &TempDir) -> HomeFolders {
     HomeFolders { scenario, entry: "scenario.json".into(), is_trusted: false, runs: folder.path().join("runs") }
 }
 
-/// Waits for news.
 fn look(stage: &Stage, seen: &mut Seen, is_wished: impl Fn(&News) -> bool) -> News {
     let begun = Instant::now();
     loop {
