@@ -2,6 +2,7 @@ import { flushSync, mount, unmount } from 'svelte';
 import { afterEach, beforeEach, expect, test, vi } from 'vitest';
 import App from './App.svelte';
 import { WRONG_TOKEN, type Wire } from './socket';
+import { fakeWire, write } from './testing/page';
 
 let app: Record<string, unknown>;
 let wires: Wire[];
@@ -11,7 +12,7 @@ function open(hash: string, withWire: boolean): void {
   [wires, sent] = [[], []];
   window.location.hash = hash;
   const fake = () => {
-    const wire: Wire = { binaryType: '', onopen: null, onmessage: null, onclose: null, onerror: null, send: (text) => sent.push(text), close: () => {} };
+    const wire: Wire = fakeWire((text) => sent.push(text));
     wires.push(wire);
     return wire;
   };
@@ -60,9 +61,7 @@ test('what was asked with the token before, and is refused late, does not send t
   flushSync();
   refuse = [];
   const field = document.querySelector<HTMLInputElement>('#token')!;
-  field.value = 'ab'.repeat(16);
-  field.dispatchEvent(new Event('input', { bubbles: true }));
-  flushSync();
+  write(field, 'ab'.repeat(16));
   form()!.dispatchEvent(new Event('submit', { bubbles: true, cancelable: true }));
   flushSync();
   wires[1]!.onopen!();

@@ -28,8 +28,8 @@ export class Live {
   spoken = $state('');
   /** Grows when `firings` has changed. */
   heard = $state(0);
-  /** The reason why a run could not start, and the problems of the scenario; until a run starts or the user closes the message. */
-  startFailure = $state.raw<{ why: string; problems: ProblemView[] } | null>(null);
+  /** The reason why a run could not start, and the problems of the scenario, or the option; until a run starts or the user closes the message. */
+  startFailure = $state.raw<{ why: string; problems: ProblemView[]; option?: string } | null>(null);
   /** The last run that was stored in a folder and has ended. */
   stored = $state<string | null>(null);
 
@@ -104,7 +104,7 @@ export class Live {
 
   /** Starts a run with the drivers of the scenario. @returns whether it has started. */
   begin(without: string[]): Promise<boolean> {
-    if (!this.say({ say: 'start', driven: null, without, seed: null })) return Promise.resolve(false);
+    if (!this.say({ say: 'start', driven: null, options: { without } })) return Promise.resolve(false);
     this.begun?.(false);
     return new Promise((begun) => (this.begun = begun));
   }
@@ -147,7 +147,7 @@ export class Live {
     if (tell.tell === 'unbegun') {
       this.begun?.(false);
       this.begun = null;
-      this.startFailure = { why: tell.why, problems: tell.problems };
+      this.startFailure = tell;
       return;
     }
     if (tell.tell === 'note') {

@@ -644,7 +644,29 @@ export type LocatingState = "coming" | "walking" | "done" | "failed" | "stopped"
 
 export type MovementKind = "stride" | "in_place" | "rest" | "away";
 
-export type PageCommand = { "say": "hello", token: string, } | { "say": "play" } | { "say": "pause" } | { "say": "step", seconds: number, } | { "say": "speed", times: number | null, } | { "say": "jump", to_us: number, } | { "say": "hold", keys: Array<Key>, } | { "say": "be", posture: MapPosture, } | { "say": "use", thing: number, on: boolean, } | { "say": "start", driven: number | null, 
+export type PageCommand = { "say": "hello", token: string, } | { "say": "play" } | { "say": "pause" } | { "say": "step", seconds: number, } | { "say": "speed", times: number | null, } | { "say": "jump", to_us: number, } | { "say": "hold", keys: Array<Key>, } | { "say": "be", posture: MapPosture, } | { "say": "use", thing: number, on: boolean, } | { "say": "start", driven: number | null, options: Partial<RunOptions>, } | { "say": "stop" } | { "say": "replay", run: string, };
+
+export type RunOptions = { 
+/**
+ * Duration of the run: 90s, 15m, 2h, 7d or 52w (default: that of the scenario)
+ *
+ * Days and weeks follow the calendar: a run of 7d ends at the hour at which it started, even if clocks change in between.
+ */
+days: number | null, 
+/**
+ * Start of the run in the home's local time: now, today, 2026-11-01 or 2026-11-01T08:00 (default: the start in the scenario)
+ */
+start: string | null, 
+/**
+ * Set a parameter of the models; repeatable
+ *
+ * `homebody parameters` lists all parameters with units and ranges. The recording stores the values.
+ */
+numbers: Record<string, number>, 
+/**
+ * Let the residents differ from their routines as people differ, each seed in its own way
+ */
+one_of_many: boolean, 
 /**
  * Seed of all random numbers (default: that of the scenario)
  */
@@ -654,11 +676,15 @@ seed: number | null,
  *
  * Homebody uses the same random numbers with and without the condition, except where the condition has an effect.
  */
-without: Array<string>, } | { "say": "stop" } | { "say": "replay", run: string, };
+without: Array<string>, };
 
 export type Key = "up" | "down" | "left" | "right" | "fast" | "slow";
 
-export type RunNotice = { "tell": "run", run: RunView, } | { "tell": "note", text: string, bad: boolean, code?: string, } | { "tell": "unbegun", why: string, problems: Array<ProblemView>, code?: string, };
+export type RunNotice = { "tell": "run", run: RunView, } | { "tell": "note", text: string, bad: boolean, code?: string, } | { "tell": "unbegun", why: string, problems: Array<ProblemView>, 
+/**
+ * The name of the option.
+ */
+option?: string, code?: string, };
 
 export type RefusedView = { 
 /**

@@ -95,7 +95,7 @@ pub use run_options::{RunOptions, VariantOptions};
 pub use run_start::RunStart;
 pub use run_summary::RunSummary;
 pub use scenario_source::{ScenarioFolder, ScenarioSource, TRUST, Template};
-pub use setup::{PlannedRun, RunSetup};
+pub use setup::{OptionError, PlannedRun, RunSetup};
 pub use simulation::orders::OrderMessage;
 pub use simulation::{BatchSink, EventBatch, Simulation};
 pub use sinks::install_sinks;

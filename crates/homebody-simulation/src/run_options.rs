@@ -1,7 +1,8 @@
 //! The options of a run, each declared once. The command line, the page and Python take names, explanations and ranges from here, and
-//! [`RunOptions::setup`] turns options into a run for all of them.
+//! [`RunOptions::plan`] turns options into a run for all of them.
 //!
-//! A new option is a field here, and its effect in [`RunSetup::plan`](crate::RunSetup::plan).
+//! A new option is a field here, and its effect in [`RunOptions::plan`]. Its `title` is its label in the form of the page, which does
+//! not offer an option without one. `expected` describes the values in errors. A `pattern` restricts a text.
 
 use crate::run_length::RunLength;
 use crate::run_start::RunStart;
@@ -20,36 +21,46 @@ pub struct VariantOptions {
     /// Seed of all random numbers (default: that of the scenario)
     #[cfg_attr(feature = "clap", arg(long, value_name = "N"))]
     #[cfg_attr(feature = "wire", ts(type = "number | null"))]
-    #[schemars(extend("maximum" = u64::MAX))]
+    #[schemars(title = "Seed", extend("maximum" = u64::MAX))]
     pub seed: Option<u64>,
     /// Leave out a condition of the routine; repeatable
     ///
     /// Homebody uses the same random numbers with and without the condition, except where the condition has an effect.
     #[cfg_attr(feature = "clap", arg(long, value_name = "CONDITION"))]
+    // The page offers the conditions of the run on display.
     #[schemars(extend("expected" = "a list of conditions"))]
     pub without: Vec<String>,
 }
 
-/// The options of a run that ends: `homebody run`, its cohorts, and Python.
+/// The options of a run that ends: `homebody run`, its cohorts, the page, and Python.
 #[derive(Clone, Debug, Default, PartialEq, Deserialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
 #[cfg_attr(feature = "clap", derive(clap::Args))]
+#[cfg_attr(feature = "wire", derive(ts_rs::TS))]
 pub struct RunOptions {
     /// Duration of the run: 90s, 15m, 2h, 7d or 52w (default: that of the scenario)
     ///
     /// Days and weeks follow the calendar: a run of 7d ends at the hour at which it started, even if clocks change in between.
     #[cfg_attr(feature = "clap", arg(long = "for", value_name = "DURATION"))]
+    #[cfg_attr(feature = "wire", ts(type = "number | null"))]
     #[serde(rename = "days")]
     #[schemars(
         with = "Option<f64>",
+        title = "Length in days",
+        description = "Duration of the run in days (default: that of the scenario)",
         extend("exclusiveMinimum" = 0, "maximum" = 36_525, "expected" = "more than 0 and at most 36,525 (a hundred years)")
     )]
     pub length: Option<RunLength>,
     /// Start of the run in the home's local time: now, today, 2026-11-01 or 2026-11-01T08:00 (default: the start in the scenario)
     #[cfg_attr(feature = "clap", arg(long, value_name = "TIME"))]
+    #[cfg_attr(feature = "wire", ts(type = "string | null"))]
     #[schemars(
         with = "Option<String>",
-        extend("expected" = "a date, or a date and time, such as '2009-03-02T00:00:00'")
+        title = "Start",
+        extend(
+            "pattern" = r"^(now|today|\d{4}-\d\d-\d\d([T ]\d\d:\d\d(:\d\d)?)?)$",
+            "expected" = "a date, or a date and time, such as '2009-03-02T00:00:00'"
+        )
     )]
     pub start: Option<RunStart>,
     /// The options that runs without an end have, too.
@@ -60,15 +71,19 @@ pub struct RunOptions {
     ///
     /// `homebody parameters` lists all parameters with units and ranges. The recording stores the values.
     #[cfg_attr(feature = "clap", arg(long = "set", value_name = "NAME=VALUE", value_parser = parameter))]
+    #[cfg_attr(feature = "wire", ts(type = "Record<string, number>"))]
     #[serde(deserialize_with = "parameters")]
     #[schemars(
         with = "BTreeMap<String, f64>",
+        title = "Parameters",
+        description = "Parameters of the models by name, such as gait.slowest=0.25; the command homebody parameters lists all",
         extend("expected" = "a mapping of parameters of the models, such as {'life.day_spread': 0.3}")
     )]
     pub numbers: Vec<(String, f64)>,
     /// Let the residents differ from their routines as people differ, each seed in its own way
     // The command has cohorts instead.
     #[cfg_attr(feature = "clap", arg(skip))]
+    #[schemars(title = "Residents differ from their routines")]
     pub one_of_many: bool,
 }
 

@@ -92,12 +92,60 @@ impl RunOptions {
     ///
     /// [`SimulationError::Problems`] if a parameter is unknown or out of range, or the start is not a date and time.
     pub fn setup(mut self, scenario: &OpenScenario) -> Result<RunSetup, SimulationError> {
-        let mut scenario = scenario.with_numbers(std::mem::take(&mut self.numbers))?;
-        if let Some(start) = self.start.take() {
-            scenario = start.in_scenario(&scenario)?;
-        }
+        let scenario = self.change_file(scenario)?;
         Ok(RunSetup::new(scenario, self))
     }
+
+    /// Applies the options to the scenario. All runs get their seed, length, start, conditions and parameters here.
+    ///
+    /// # Errors
+    ///
+    /// [`SimulationError::Problems`] if no routine shows a condition that is to be left out, a parameter is unknown or out of range, or the
+    /// start is not a date and time; [`SimulationError::Length`] if the length is out of range.
+    pub fn plan(mut self, scenario: &OpenScenario) -> Result<PlannedRun, OptionError> {
+        let scenario = self.change_file(scenario)?;
+        let length = self.span(&scenario).map_err(in_option("days"))?;
+        let RunOptions { variant, one_of_many, .. } = self;
+        let mut household = scenario.household_without(&variant.without).map_err(in_option("without"))?;
+        if one_of_many {
+            household = Arc::new(household.one_of_many());
+        }
+        let seed = variant.seed.unwrap_or(scenario.scenario.file.seed);
+        let recording = Recording::new(&scenario.scenario, VERSION, scenario.source.entry(), seed, length);
+        let recording = Recording { without: variant.without, one_of_many, ..recording };
+        Ok(PlannedRun { scenario, household, recording })
+    }
+
+    /// Moves the options that the scenario's own file has into it.
+    fn change_file(&mut self, scenario: &OpenScenario) -> Result<OpenScenario, OptionError> {
+        let scenario = scenario.with_numbers(std::mem::take(&mut self.numbers)).map_err(in_option("numbers"))?;
+        let Some(start) = self.start.take() else { return Ok(scenario) };
+        start.in_scenario(&scenario).map_err(in_option("start"))
+    }
+
+    fn span(&self, scenario: &OpenScenario) -> Result<Span, SimulationError> {
+        let Scenario { file, calendar, .. } = &*scenario.scenario;
+        self.length.unwrap_or(RunLength::Days(file.days)).span(calendar)
+    }
+}
+
+/// An option of a run that the scenario does not allow.
+#[derive(Debug)]
+pub struct OptionError {
+    /// Its name in the schema of [`RunOptions`].
+    pub option: &'static str,
+    /// The reason.
+    pub error: SimulationError,
+}
+
+impl From<OptionError> for SimulationError {
+    fn from(wrong: OptionError) -> SimulationError {
+        wrong.error
+    }
+}
+
+fn in_option(option: &'static str) -> impl Fn(SimulationError) -> OptionError {
+    move |error| OptionError { option, error }
 }
 
 impl RunSetup {
@@ -166,28 +214,16 @@ impl RunSetup {
     ///
     /// [`SimulationError::Length`] if it is out of range.
     pub fn span(&self) -> Result<Span, SimulationError> {
-        let Scenario { file, calendar, .. } = &*self.scenario.scenario;
-        self.options.length.unwrap_or(RunLength::Days(file.days)).span(calendar)
+        self.options.span(&self.scenario)
     }
 
-    /// Applies the options to the scenario. All runs get their seed, length, start, conditions and parameters here.
+    /// The run, as [`RunOptions::plan`] makes it.
     ///
     /// # Errors
     ///
-    /// [`SimulationError::Problems`] if no routine shows a condition that is to be left out, or a parameter is out of range;
-    /// [`SimulationError::Length`] if the length is out of range.
+    /// As [`RunOptions::plan`].
     pub fn plan(&self) -> Result<PlannedRun, SimulationError> {
-        let setup = self.options.clone().setup(&self.scenario)?;
-        let length = setup.span()?;
-        let RunSetup { scenario, options: RunOptions { variant, one_of_many, .. }, .. } = setup;
-        let mut household = scenario.household_without(&variant.without)?;
-        if one_of_many {
-            household = Arc::new(household.one_of_many());
-        }
-        let seed = variant.seed.unwrap_or(scenario.scenario.file.seed);
-        let recording = Recording::new(&scenario.scenario, VERSION, scenario.source.entry(), seed, length);
-        let recording = Recording { without: variant.without, one_of_many, ..recording };
-        Ok(PlannedRun { scenario, household, recording })
+        Ok(self.options.clone().plan(&self.scenario)?)
     }
 
     /// Moves a resident, by name, with the caller's own driver. It is made when the run begins, from the home and the seed; it

@@ -35,7 +35,6 @@ pub fn date(calendar: &Calendar, day: u32) -> String {
     format!("{year:04}-{month:02}-{of_month:02}")
 }
 
-/// The number of a run's last day.
 pub fn last_day(calendar: &Calendar, length: Span) -> u32 {
     let at = RunTime::START + (length - Span::MICROSECOND).max(Span::ZERO);
     u32::try_from(calendar.day(at)).unwrap_or(0)

@@ -180,7 +180,6 @@ fn prepared_file(place: &Path, text: &str) -> Result<FreshFile, Diagnostic> {
     Ok(fresh)
 }
 
-/// A file that does not exist.
 fn missing_file(name: &str) -> FileView {
     FileView { name: name.to_owned(), text: String::new(), version: String::new() }
 }

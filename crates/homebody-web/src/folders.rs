@@ -19,7 +19,6 @@ use std::{fs, io};
 #[derive(Clone, Debug)]
 pub struct HomeFolders {
     pub scenario: PathBuf,
-    /// The name of the scenario's own file.
     pub entry: String,
     /// Whether the scenario is the user's own: then links may lead out of its folder, and its files may have any size.
     pub is_trusted: bool,

@@ -20,13 +20,11 @@ use std::time::Duration;
 use subtle::ConstantTimeEq;
 use tokio::sync::watch;
 
-/// The header for the token.
 pub const TOKEN: HeaderName = HeaderName::from_static("x-homebody-token");
 
 /// In hexadecimal, the token has twice as many digits.
 pub const TOKEN_BYTES: usize = 32;
 
-/// The socket of a page.
 pub const SOCKET: &str = "/api/live";
 
 /// The prefix for homes of a library; the rest is as below `/api/` of a server of that home alone.
@@ -74,7 +72,6 @@ impl Guard {
         is_known
     }
 
-    /// Returns when a client has sent the token.
     pub async fn entered(&self) {
         // The sender exists as long as this.
         let _ = self.has_entered.subscribe().wait_for(|entered| *entered).await;

@@ -31,7 +31,6 @@ use std::time::SystemTime;
 use std::{fs, io};
 use tempfile::TempDir;
 
-/// The scenario's own file.
 const ENTRY: &str = "scenario.json";
 
 /// The lock of a library among servers; hidden in listings.
@@ -94,7 +93,6 @@ impl Library {
         }
     }
 
-    /// The files and runs of a home.
     pub fn home(&self, name: &str) -> Result<HomeFolders, RequestError> {
         let is_there = is_inside(name) && is_folder(&self.folder.join(name)) && self.is_home(name);
         let folders = is_there.then(|| self.folders(name)).ok_or_else(|| no_home(name))?;
@@ -154,7 +152,6 @@ impl Library {
         Ok(hours)
     }
 
-    /// Creates a home, empty or from a template.
     pub fn begin(&self, name: &str, from: &NewHome) -> Result<MadeView, RequestError> {
         let texts = match from {
             NewHome::Empty => homebody_scaffold::empty(name),
@@ -166,7 +163,6 @@ impl Library {
         Ok(MadeView { name: name.to_owned(), remarks: Vec::new() })
     }
 
-    /// Creates a home from a plan of Sweet Home 3D.
     pub fn import(&self, name: &str, bytes: &[u8]) -> Result<MadeView, RequestError> {
         self.is_free(name)?;
         let imported = sweet_home(bytes, name, None).map_err(unprocessable)?;
@@ -207,7 +203,6 @@ impl Library {
         tempfile::Builder::new().prefix(".new-").tempdir_in(&self.folder).map_err(|error| self.unwritten(&error))
     }
 
-    /// Copies a home without its runs.
     pub fn duplicate(&self, name: &str, to: &str) -> Result<MadeView, RequestError> {
         let from = self.home(name)?;
         self.is_free(to)?;
@@ -219,7 +214,6 @@ impl Library {
         Ok(MadeView { name: to.to_owned(), remarks: Vec::new() })
     }
 
-    /// Renames a closed home.
     pub fn rename(&self, name: &str, to: &str) -> Result<(), RequestError> {
         let from = self.home(name)?;
         self.take_name(&from.scenario, to)?;
@@ -238,7 +232,6 @@ impl Library {
         trash::restore(&self.folder, "home", key)
     }
 
-    /// Whether a new home can have this name.
     pub fn is_free(&self, name: &str) -> Result<(), RequestError> {
         let why = wrong_name(name);
         if !why.is_empty() {
@@ -259,7 +252,6 @@ impl Library {
         self.take_name(&fresh, name)
     }
 
-    /// Makes a folder the home of a name.
     fn take_name(&self, folder: &Path, name: &str) -> Result<(), RequestError> {
         let _naming = self.naming()?;
         self.is_free(name)?;
@@ -316,7 +308,6 @@ fn no_home(name: &str) -> RequestError {
     not_found(LibraryMessage::NoHome { name: shortened_name(name) })
 }
 
-/// A name shortened for messages.
 fn shortened_name(name: &str) -> String {
     let short: String = name.chars().take(MOST_LETTERS).collect();
     readable(if short.len() < name.len() { format!("{short}…") } else { short })

@@ -103,7 +103,6 @@ impl LocatedLog {
     }
 }
 
-/// The most likely places of a person.
 fn stays(chances: &[KnownChance], places: usize, end: RunTime) -> Vec<Episode<RunTime, i32>> {
     let mut now = PlaceChances::new(places);
     let mut all: Vec<Episode<RunTime, i32>> = Vec::new();

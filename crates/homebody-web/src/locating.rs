@@ -51,11 +51,9 @@ struct LocateJob {
     folder: PathBuf,
 }
 
-/// The home of a log.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum LogHome {
     Scenario,
-    /// That of a stored run.
     Run(String),
     /// The log is stored unchanged, for the care view.
     Unknown,

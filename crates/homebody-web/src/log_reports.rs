@@ -113,7 +113,6 @@ impl LogReports {
         }
     }
 
-    /// The logs that are stored without a home.
     pub fn kept(&self) -> Vec<KeptLogView> {
         let log = |name: &str| {
             let given = self.folders.kept_log(name)?.join(GIVEN);

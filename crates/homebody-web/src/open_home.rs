@@ -1,10 +1,10 @@
 //! An opened home: the requests of its page, and their answers.
 
-use crate::answers::{cancellable, content_length, in_background, json, packed, plan_of, save_body};
+use crate::answers::{LogBody, in_background, json, packed, plan_of};
 use crate::drafts::DraftService;
 use crate::folders::HomeFolders;
 use crate::guard::{Guard, SOCKET};
-use crate::locating::{LARGEST_LOG_BYTES, LocateService, LogHome};
+use crate::locating::{LocateService, LogHome};
 use crate::log_reports::{LogChoice, LogReports};
 use crate::messages::PageMessage;
 use crate::notes::Notes;
@@ -12,7 +12,7 @@ use crate::playback::Playback;
 use crate::request_error::{RequestError, not_found, unprocessable};
 use crate::stage::Stage;
 use crate::wire::LocatingView;
-use crate::{client::ClientConnection, page, socket, stored_runs};
+use crate::{answers, client::ClientConnection, page, socket, stored_runs};
 use axum::body::Body;
 use axum::extract::ws::{WebSocket, WebSocketUpgrade};
 use axum::extract::{DefaultBodyLimit, FromRequest, Path, State};
@@ -75,12 +75,10 @@ impl OpenHome {
         self.gone.receiver_count() > 0 || self.stage.is_playing() || self.locating.is_active()
     }
 
-    /// The run that is being recorded.
     pub fn recorded_run(&self) -> Option<String> {
         self.stage.recorded()
     }
 
-    /// Closes the sockets of its pages.
     pub fn disconnect_pages(&self) {
         self.gone.send_replace(true);
     }
@@ -115,46 +113,40 @@ fn draft_routes() -> Router<OpenHome> {
     Router::new()
         .route(
             "/api/files",
-            get(answer(json, |home, ()| Ok(home.drafts.files())))
-                .post(answer(json, |home, Json(save)| home.drafts.save(save).map_err(unprocessable))),
+            get(answer(json, |home, (), _| Ok(home.drafts.files())))
+                .post(answer(json, |home, Json(save), _| home.drafts.save(save).map_err(unprocessable))),
         )
-        .route("/api/files/versions", get(answer(json, |home, ()| Ok(home.drafts.versions()))))
-        .route("/api/underlay", get(answer(json, |home, ()| Ok(home.drafts.underlay()))))
-        .route("/api/check", post(answer(json, |home, Json(draft)| Ok(home.drafts.check(draft)))))
-        .route("/api/rename", post(answer(json, |home, Json(rename)| Ok(home.drafts.rename(rename)))))
-        .route("/api/forget", post(answer(json, |home, Json(forget)| Ok(home.drafts.forget(forget)))))
-        .route("/api/mends", post(answer(json, |home, Json(draft)| Ok(home.drafts.mends(draft)))))
-        .route("/api/plan", post(answer(packed, |home, Json(draft)| Ok(home.drafts.plan(draft)))))
-        .route("/api/parts", post(answer(json, |home, Json(draft)| Ok(home.drafts.parts(draft)))))
-        .route("/api/sheet", post(answer(pdf, |home, Json(draft)| home.drafts.sheet(draft).map_err(unprocessable))))
-        .route("/api/beside", post(answer(packed, |home, Json(layouts)| Ok(home.drafts.compare(layouts)))))
+        .route("/api/files/versions", get(answer(json, |home, (), _| Ok(home.drafts.versions()))))
+        .route("/api/underlay", get(answer(json, |home, (), _| Ok(home.drafts.underlay()))))
+        .route("/api/check", post(answer(json, |home, Json(draft), _| Ok(home.drafts.check(draft)))))
+        .route("/api/rename", post(answer(json, |home, Json(rename), _| Ok(home.drafts.rename(rename)))))
+        .route("/api/forget", post(answer(json, |home, Json(forget), _| Ok(home.drafts.forget(forget)))))
+        .route("/api/mends", post(answer(json, |home, Json(draft), _| Ok(home.drafts.mends(draft)))))
+        .route("/api/plan", post(answer(packed, |home, Json(draft), _| Ok(home.drafts.plan(draft)))))
+        .route("/api/parts", post(answer(json, |home, Json(draft), _| Ok(home.drafts.parts(draft)))))
+        .route("/api/sheet", post(answer(pdf, |home, Json(draft), _| home.drafts.sheet(draft).map_err(unprocessable))))
+        .route("/api/beside", post(answer(packed, |home, Json(layouts), _| Ok(home.drafts.compare(layouts)))))
         .route(
             "/api/suggest",
-            get(answer(json, |home, ()| Ok(home.drafts.suggestion_progress())))
-                .post(answer_while_awaited(json, |home, Json(asked), cancel| Ok(home.drafts.suggest(asked, cancel)))),
+            get(answer(json, |home, (), _| Ok(home.drafts.suggestion_progress())))
+                .post(answer(json, |home, Json(asked), cancel| Ok(home.drafts.suggest(asked, cancel)))),
         )
-        .route("/api/explain", post(answer(json, |home, Json(asked)| Ok(home.drafts.explain(asked)))))
-        .route(
-            "/api/month",
-            post(answer_while_awaited(packed, |home, Json(asked), cancel| Ok(home.drafts.month(asked, cancel)))),
-        )
-        .route(
-            "/api/rows",
-            post(answer_while_awaited(json, |home, Json(draft), cancel| Ok(home.drafts.rows(draft, cancel)))),
-        )
-        .route("/api/connect", post(answer(json, |home, Json(asked)| Ok(home.drafts.connect(asked)))))
+        .route("/api/explain", post(answer(json, |home, Json(asked), _| Ok(home.drafts.explain(asked)))))
+        .route("/api/month", post(answer(packed, |home, Json(asked), cancel| Ok(home.drafts.month(asked, cancel)))))
+        .route("/api/rows", post(answer(json, |home, Json(draft), cancel| Ok(home.drafts.rows(draft, cancel)))))
+        .route("/api/connect", post(answer(json, |home, Json(asked), _| Ok(home.drafts.connect(asked)))))
 }
 
 fn run_routes() -> Router<OpenHome> {
     type RunPath = Path<String>;
     Router::new()
-        .route("/api/growth", get(answer(json, |home, ()| Ok(home.stage.live_counts()))))
-        .route("/api/runs", get(answer(json, |home, ()| Ok(home.playback.list()))))
+        .route("/api/growth", get(answer(json, |home, (), _| Ok(home.stage.live_counts()))))
+        .route("/api/runs", get(answer(json, |home, (), _| Ok(home.playback.list()))))
         .route(
             "/api/runs/{run}",
-            get(answer(shared_json, |home, Path(run): RunPath| home.playback.run(&run))).delete(answer(
+            get(answer(shared_json, |home, Path(run): RunPath, _| home.playback.run(&run))).delete(answer(
                 json,
-                |home, Path(run): RunPath| {
+                |home, Path(run): RunPath, _| {
                     if home.stage.recorded().as_ref() == Some(&run) {
                         return Err(RequestError::new(StatusCode::CONFLICT, PageMessage::RunRunning));
                     }
@@ -164,51 +156,51 @@ fn run_routes() -> Router<OpenHome> {
         )
         .route(
             "/api/put-aside/{key}",
-            post(answer(json, |home, Path(key): Path<String>| stored_runs::restore(&home.folders, &key))),
+            post(answer(json, |home, Path(key): Path<String>, _| stored_runs::restore(&home.folders, &key))),
         )
         .route(
             "/api/runs/{run}/about",
-            post(answer(json, |home, (Path(run), Json(about)): (RunPath, _)| {
+            post(answer(json, |home, (Path(run), Json(about)): (RunPath, _), _| {
                 stored_runs::set_about(&home.folders, &run, about)
             })),
         )
         .route(
             "/api/runs/{run}/days/{day}",
-            get(answer(packed, |home, Path((run, day)): Path<(String, String)>| {
+            get(answer(packed, |home, Path((run, day)): Path<(String, String)>, _| {
                 home.playback.day(&run, number(&day)?)
             })),
         )
         .route(
             "/api/runs/{run}/days/{day}/from/{from}",
-            get(answer(packed, |home, Path((run, day, from)): Path<(String, String, String)>| {
+            get(answer(packed, |home, Path((run, day, from)): Path<(String, String, String)>, _| {
                 home.playback.rest_of_day(&run, number(&day)?, RunTime::from_micros(number(&from)?))
             })),
         )
         .route(
             "/api/runs/{run}/find",
-            post(answer_while_awaited(json, |home, (Path(run), Json(asked)): (RunPath, _), cancel| {
+            post(answer(json, |home, (Path(run), Json(asked)): (RunPath, _), cancel| {
                 home.playback.find(&run, &asked, cancel, || home.logs.care(&run).map(|care| care.alerts))
             })),
         )
         .route(
             "/api/runs/{run}/silhouettes/{from}/{to}/{every}",
-            get(answer(packed, |home, Path((run, from, to, every)): Path<(String, String, String, String)>| {
+            get(answer(packed, |home, Path((run, from, to, every)): Path<(String, String, String, String)>, _| {
                 let [from, to] = [number(&from)?, number(&to)?].map(RunTime::from_micros);
                 home.playback.silhouettes(&run, Interval::new(from, to), Span::from_micros(number(&every)?))
             })),
         )
-        .route("/api/runs/{run}/lanes", get(answer(packed, |home, Path(run): RunPath| home.playback.lanes(&run))))
-        .route("/api/runs/{run}/reading", get(answer(json, |home, Path(run): RunPath| home.playback.reading(&run))))
-        .route("/api/runs/{run}/care", get(answer(json, |home, Path(run): RunPath| home.logs.care(&run))))
+        .route("/api/runs/{run}/lanes", get(answer(packed, |home, Path(run): RunPath, _| home.playback.lanes(&run))))
+        .route("/api/runs/{run}/reading", get(answer(json, |home, Path(run): RunPath, _| home.playback.reading(&run))))
+        .route("/api/runs/{run}/care", get(answer(json, |home, Path(run): RunPath, _| home.logs.care(&run))))
         .route(
             "/api/runs/{run}/notes",
-            get(answer(json, |home, Path(run): RunPath| home.notes.all(&run)))
-                .post(answer(json, |home, (Path(run), Json(note)): (RunPath, _)| home.notes.note(&run, note))),
+            get(answer(json, |home, Path(run): RunPath, _| home.notes.all(&run)))
+                .post(answer(json, |home, (Path(run), Json(note)): (RunPath, _), _| home.notes.note(&run, note))),
         )
-        .route("/api/runs/{run}/look", get(answer(page_text, |home, Path(run): RunPath| home.logs.look(&run))))
+        .route("/api/runs/{run}/look", get(answer(page_text, |home, Path(run): RunPath, _| home.logs.look(&run))))
         .route(
             "/api/runs/{run}/realism/{beside}",
-            get(answer(page_text, |home, Path((run, other)): Path<(String, String)>| {
+            get(answer(page_text, |home, Path((run, other)): Path<(String, String)>, _| {
                 // A located log is compared with the run that was simulated from it.
                 let which = if run == other { LogChoice::Own } else { LogChoice::Given };
                 home.logs.realism((&run, LogChoice::Given), (&other, which))
@@ -220,48 +212,30 @@ fn log_routes() -> Router<OpenHome> {
     Router::new()
         .route(
             "/api/walk",
-            get(answer(json, |home, ()| Ok(home.locating.now()))).delete(answer(json, |home, ()| {
+            get(answer(json, |home, (), _| Ok(home.locating.now()))).delete(answer(json, |home, (), _| {
                 home.locating.stop();
                 Ok(home.locating.now())
             })),
         )
-        .route("/api/logs", get(answer(json, |home, ()| Ok(home.logs.kept()))))
+        .route("/api/logs", get(answer(json, |home, (), _| Ok(home.logs.kept()))))
         .route("/api/logs/{log}", post(keep))
         .route("/api/walk/{log}", post(locate))
         .route("/api/walk/{log}/{run}", post(locate_in_home_of))
 }
 
-/// A handler that calls a function in a thread of its own and answers in a form such as [`json`].
+/// As in [`answers`], where this type of the state cannot be inferred.
 fn answer<E, M, T>(
-    form: fn(Result<T, RequestError>) -> Response,
-    find: fn(&OpenHome, E) -> Result<T, RequestError>,
-) -> impl Handler<(M, State<OpenHome>, E), OpenHome>
-where
-    E: FromRequest<OpenHome, M> + Send + 'static,
-    M: Send + 'static,
-    T: Send + 'static,
-{
-    move |State(home): State<OpenHome>, asked: E| async move {
-        form(in_background(move || find(&home, asked)).await.flatten())
-    }
-}
-
-/// The same for a function that stops when the client disconnects.
-fn answer_while_awaited<E, M, T>(
     form: fn(Result<T, RequestError>) -> Response,
     find: fn(&OpenHome, E, &Cancel) -> Result<T, RequestError>,
 ) -> impl Handler<(M, State<OpenHome>, E), OpenHome>
 where
     E: FromRequest<OpenHome, M> + Send + 'static,
     M: Send + 'static,
-    T: Send + 'static,
+    T: 'static,
 {
-    move |State(home): State<OpenHome>, asked: E| async move {
-        form(cancellable(move |cancel| find(&home, asked, cancel)).await.flatten())
-    }
+    answers::answer(form, find)
 }
 
-/// A number of the request's path.
 fn number<T: FromStr>(text: &str) -> Result<T, RequestError> {
     text.parse().map_err(|_| not_found(PageMessage::Number))
 }
@@ -293,7 +267,6 @@ async fn live(
     socket::upgraded(upgrade, &headers, client, guard, async move |socket, client| home.show(socket, client).await)
 }
 
-/// The image below the plan.
 async fn picture(State(home): State<OpenHome>) -> Result<Response, RequestError> {
     download(move || home.folders.picture(&home.drafts.underlay()?.picture), PageMessage::NoImage).await
 }
@@ -330,21 +303,14 @@ async fn take_log(
     headers: &HeaderMap,
     body: Body,
 ) -> Result<Option<LocatingView>, RequestError> {
-    let too_large = || {
-        let (limit_mb, command) = (LARGEST_LOG_BYTES >> 20, "homebody locate");
-        RequestError::new(StatusCode::PAYLOAD_TOO_LARGE, PageMessage::LogTooLarge { limit_mb, command })
-    };
-    if content_length(headers).is_some_and(|length| length > LARGEST_LOG_BYTES) {
-        return Err(too_large());
-    }
+    let body = LogBody::new(headers, body, "homebody locate")?;
     let incoming = locating.begin(&log, home)?;
-    if save_body(body, &incoming.file(), (LARGEST_LOG_BYTES, too_large), || incoming.is_cancelled()).await? {
+    if body.save(&incoming.file(), || incoming.is_cancelled()).await? {
         incoming.locate();
     }
     Ok(locating.now())
 }
 
-/// A file of a stored run, as a download.
 async fn file_of_run(
     State(home): State<OpenHome>,
     Path((run, what)): Path<(String, String)>,

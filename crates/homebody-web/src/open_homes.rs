@@ -2,12 +2,11 @@
 //!
 //! The first request of its page opens a home. If too many homes are open, an idle one without a page is closed.
 
-use crate::answers::{content_length, in_background, json, plan_of, save_body};
+use crate::answers::{LogBody, answer, in_background, json, plan_of};
 use crate::client::ClientConnection;
 use crate::guard::{Guard, HOMES};
 use crate::library::Library;
-use crate::locating::LARGEST_LOG_BYTES;
-use crate::messages::{LibraryMessage, PageMessage};
+use crate::messages::LibraryMessage;
 use crate::open_home::{LARGEST_BODY_BYTES, OpenHome};
 use crate::page::{self, FIRST_PAGE};
 use crate::request_error::RequestError;
@@ -56,14 +55,35 @@ impl OpenHomes {
     pub fn routes(self) -> Router {
         Router::new()
             .route("/", get(async || Redirect::temporary(FIRST_PAGE)))
-            .route("/api/library", get(library))
-            .route("/api/library/homes/{name}", get(card).post(begin).delete(delete))
+            .route("/api/library", get(answer(json, |homes: &OpenHomes, (), _| Ok(homes.library.view()))))
+            .route(
+                "/api/library/homes/{name}",
+                get(card).delete(delete).post(answer(
+                    json,
+                    |homes: &OpenHomes, (Path(name), Json(from)): (Path<String>, Json<NewHome>), _| {
+                        homes.library.begin(&name, &from)
+                    },
+                )),
+            )
             .route("/api/library/homes/{name}/name", post(rename))
-            .route("/api/library/homes/{name}/copy", post(duplicate))
-            .route("/api/library/homes/{name}/runs/{run}", get(picture))
+            .route(
+                "/api/library/homes/{name}/copy",
+                post(answer(json, |homes: &OpenHomes, (Path(name), Json(to)): (Path<String>, Json<CallHome>), _| {
+                    homes.library.duplicate(&name, &to.name)
+                })),
+            )
+            .route(
+                "/api/library/homes/{name}/runs/{run}",
+                get(answer(json, |homes: &OpenHomes, Path((name, run)): Path<(String, String)>, _| {
+                    homes.library.picture(&name, &run)
+                })),
+            )
             .route("/api/library/plans/{name}", post(import))
             .route("/api/library/logs/{name}/{file}", post(from_log))
-            .route("/api/library/put-aside/{key}", post(restore))
+            .route(
+                "/api/library/put-aside/{key}",
+                post(answer(json, |homes: &OpenHomes, Path(key): Path<String>, _| homes.library.restore(&key))),
+            )
             .route("/api/homes/{name}/live", get(live))
             .route("/api/homes/{name}/{*rest}", any(of_home))
             .fallback(get(page::file))
@@ -125,23 +145,11 @@ impl OpenHomes {
     }
 }
 
-async fn library(State(homes): State<OpenHomes>) -> Response {
-    json(in_background(move || homes.library.view()).await)
-}
-
 async fn card(State(homes): State<OpenHomes>, Path(name): Path<String>) -> Response {
     let open = timeout(LONGEST_WAIT_FOR_OTHERS, homes.open.lock()).await.ok();
     let goes_on = open.and_then(|open| open.iter().find(|opened| opened.name == name)?.home.recorded_run());
     let card = move || Ok(CardView { goes_on, ..homes.library.card(&name)? });
     json(in_background(card).await.flatten())
-}
-
-async fn picture(State(homes): State<OpenHomes>, Path((name, run)): Path<(String, String)>) -> Response {
-    json(in_background(move || homes.library.picture(&name, &run)).await.flatten())
-}
-
-async fn begin(State(homes): State<OpenHomes>, Path(name): Path<String>, Json(from): Json<NewHome>) -> Response {
-    json(in_background(move || homes.library.begin(&name, &from)).await.flatten())
 }
 
 async fn import(
@@ -169,13 +177,7 @@ async fn made_of_log(
     headers: &HeaderMap,
     body: Body,
 ) -> Result<MadeView, RequestError> {
-    let too_large = || {
-        let (limit_mb, command) = (LARGEST_LOG_BYTES >> 20, "homebody new --from-log");
-        RequestError::new(StatusCode::PAYLOAD_TOO_LARGE, PageMessage::LogTooLarge { limit_mb, command })
-    };
-    if content_length(headers).is_some_and(|length| length > LARGEST_LOG_BYTES) {
-        return Err(too_large());
-    }
+    let body = LogBody::new(headers, body, "homebody new --from-log")?;
     library.is_free(&name)?;
     let hidden = library.hidden()?;
     // The form of a log also follows from the end of its name.
@@ -183,17 +185,13 @@ async fn made_of_log(
         |ending: &&str| (1..=8).contains(&ending.len()) && ending.bytes().all(|byte| byte.is_ascii_alphanumeric());
     let ending = file.rsplit_once('.').map(|(_, ending)| ending).filter(is_ending).unwrap_or("txt");
     let log = hidden.path().join(format!("log.{ending}"));
-    save_body(body, &log, (LARGEST_LOG_BYTES, too_large), || false).await?;
+    body.save(&log, || false).await?;
     let made = in_background(move || {
         let made = library.from_log(&name, &file, &log);
         drop(hidden);
         made
     });
     made.await?
-}
-
-async fn duplicate(State(homes): State<OpenHomes>, Path(name): Path<String>, Json(to): Json<CallHome>) -> Response {
-    json(in_background(move || homes.library.duplicate(&name, &to.name)).await.flatten())
 }
 
 async fn rename(State(homes): State<OpenHomes>, Path(name): Path<String>, Json(to): Json<CallHome>) -> Response {
@@ -206,10 +204,6 @@ async fn rename(State(homes): State<OpenHomes>, Path(name): Path<String>, Json(t
 
 async fn delete(State(homes): State<OpenHomes>, Path(name): Path<String>) -> Response {
     json(homes.closed(name, Library::delete).await.flatten().map(|key| DeletedKey { key }))
-}
-
-async fn restore(State(homes): State<OpenHomes>, Path(key): Path<String>) -> Response {
-    json(in_background(move || homes.library.restore(&key)).await.flatten())
 }
 
 /// The socket of a page of a home. The home is opened once the page has sent the token.

@@ -64,7 +64,6 @@ const PIECE: Duration = Duration::from_millis(150);
 /// Largest number of movements in an answer, in addition to an hour's (our choice).
 const MOST_MOVEMENTS: usize = 20_000;
 
-/// The name of a run's ground truth in its folder.
 const TRUTH: &str = "truth.db";
 
 #[derive(Clone)]
@@ -101,7 +100,6 @@ struct OpenRun {
     reading: Option<Reading>,
     /// With the whole log.
     whole: OnceLock<Arc<PlaybackView>>,
-    /// The ground truth, if the run has one.
     lived: Option<Lived>,
     /// The whole ground truth, once it was requested.
     lives: OnceLock<Arc<Lives>>,
@@ -115,7 +113,6 @@ struct OpenRun {
     film: Option<StoredSilhouettes>,
 }
 
-/// The time and the size of each file.
 pub type FileStates = Vec<Option<(SystemTime, u64)>>;
 
 impl Playback {
@@ -333,13 +330,11 @@ impl Playback {
         Ok(run)
     }
 
-    /// The file of a run's log in the run's folder.
     pub fn log_of(&self, name: &str) -> Option<PathBuf> {
         let scenario = self.folders.recording(name).ok()?.scenario().ok()?;
         self.log(name, &scenario)?.file().map(Path::to_owned)
     }
 
-    /// The first log in the run's folder.
     fn log(&self, name: &str, scenario: &Scenario) -> Option<Url> {
         let usual = scheme::USUAL.parse().ok();
         let named = scenario.logger.to.iter().filter_map(|url| url.parse().ok()).chain(usual);
@@ -398,7 +393,6 @@ impl OpenRun {
         })
     }
 
-    /// Waits for the whole log and ground truth.
     fn complete_view(&self) -> Result<Arc<PlaybackView>, RequestError> {
         if let Some(reading) = &self.reading {
             drop(reading.until(RunTime::MAX)?);
@@ -407,7 +401,6 @@ impl OpenRun {
         self.current_view()
     }
 
-    /// The whole ground truth, if there is one.
     fn lives(&self) -> Result<Option<&Lives>, RequestError> {
         if self.lives.get().is_none()
             && let Some(lived) = &self.lived

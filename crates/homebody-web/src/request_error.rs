@@ -21,7 +21,6 @@ impl RequestError {
         RequestError { status, message: message.diagnostic() }
     }
 
-    /// An error of the server's system.
     pub fn internal(error: impl Display) -> RequestError {
         RequestError::new(StatusCode::INTERNAL_SERVER_ERROR, PageMessage::System { why: error.to_string() })
     }

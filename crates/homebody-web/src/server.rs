@@ -32,7 +32,6 @@ const MOST_PAGES: usize = 32;
 
 #[derive(Clone, Debug)]
 pub enum Offer {
-    /// One scenario and its runs.
     Scenario(HomeFolders),
     /// A folder of homes, with a first page that lists them.
     Library(Library),
@@ -63,7 +62,6 @@ pub struct Options {
     pub kept: Option<PathBuf>,
 }
 
-/// The address of the page.
 #[derive(Clone, Copy, Debug)]
 pub struct PageAddress<'a> {
     /// For its user only: it has the token after a `#`, which browsers do not send to servers.
@@ -73,7 +71,6 @@ pub struct PageAddress<'a> {
     pub file: Option<&'a std::path::Path>,
 }
 
-/// The first port to try.
 pub const FIRST_PORT: u16 = 8642;
 /// Time to wait at the end for answers on their way (our choice).
 const FAREWELL: Duration = Duration::from_millis(500);
@@ -84,7 +81,6 @@ const BROWSER_FILE_TIME: Duration = Duration::from_secs(60);
 const MOST_SENT_AHEAD_BYTES: u32 = 256 << 10;
 /// Largest number of connections that wait to be accepted (our choice).
 const MOST_WAITING: u32 = 1024;
-/// The number of ports to try.
 const PORTS: u16 = 20;
 
 homebody_core::messages! {

@@ -30,13 +30,11 @@ const MOST_ROWS: usize = 500;
 /// Time within which a page has to send the token (our choice).
 const LONGEST_HELLO: Duration = Duration::from_secs(10);
 
-/// The close code for a wrong token.
 const WRONG_TOKEN: u16 = 4401;
 
 /// The close code for too many pages, which may try again later.
 const TOO_MANY: u16 = 1013;
 
-/// The close code for a home that does not exist.
 const NO_HOME: u16 = 4404;
 
 /// Time without reading after which a page is disconnected (our choice).

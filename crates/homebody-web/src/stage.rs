@@ -154,7 +154,6 @@ impl Stage {
         live_counts.view()
     }
 
-    /// The run that is being recorded now.
     pub fn recorded(&self) -> Option<String> {
         let board = locked(&self.board);
         let shown = board.shown.as_ref().filter(|shown| shown.frame.state != RunState::Over && !shown.view.replay);
@@ -216,7 +215,6 @@ fn locked<T>(held: &Mutex<T>) -> MutexGuard<'_, T> {
     held.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
-/// The result, with a panic as an error.
 fn without_panic<T>(make: impl FnOnce() -> Result<T, StartError>) -> Result<T, StartError> {
     let broken = |broken: Box<dyn Any + Send>| {
         StartError::Other(StageMessage::NotStarted { why: panic_message(&*broken) }.diagnostic())
@@ -224,13 +222,11 @@ fn without_panic<T>(make: impl FnOnce() -> Result<T, StartError>) -> Result<T, S
     catch_unwind(AssertUnwindSafe(make)).unwrap_or_else(|why| Err(broken(why)))
 }
 
-/// The message of a panic.
 fn panic_message(broken: &(dyn Any + Send)) -> String {
     let text = broken.downcast_ref::<&str>().copied().or_else(|| broken.downcast_ref::<String>().map(String::as_str));
     text.unwrap_or("no details").trim_end_matches('.').to_owned()
 }
 
-/// The state of the thread.
 struct StageThread {
     folders: HomeFolders,
     /// `None` for a scenario with problems at the start of the program.
@@ -314,12 +310,12 @@ impl StageThread {
 
     fn obey(&mut self, say: PageCommand) {
         match say {
-            PageCommand::Start { variant, .. } if variant.seed.is_some_and(|seed| seed >= 1 << 53) => {
-                self.warn(&StageMessage::Seed.diagnostic());
+            PageCommand::Start { options, .. } if options.variant.seed.is_some_and(|seed| seed >= 1 << 53) => {
+                self.refuse(StartError::Option("seed", StageMessage::Seed.diagnostic()));
             }
-            PageCommand::Start { driven, variant } => {
+            PageCommand::Start { driven, options } => {
                 let is_driven = driven.is_some();
-                let request = StartRequest { driven, variant, input: Vec::new() };
+                let request = StartRequest { driven, options, input: Vec::new() };
                 let run = without_panic(|| StagedRun::new(&self.folders, &self.folders.entry, request));
                 if self.change_run(run) && is_driven {
                     // At any other speed a key that is held for a moment is a walk through the home.
@@ -414,7 +410,7 @@ impl StageThread {
     fn refuse(&mut self, why: StartError) {
         match why {
             StartError::Other(why) => self.warn(&why),
-            StartError::Problems(_) => {
+            StartError::Problems(_) | StartError::Option(..) => {
                 let mut board = locked(&self.board);
                 board.unbegun = Some(why.tell());
                 board.unbegun_count += 1;
@@ -487,7 +483,6 @@ impl StageThread {
         }
     }
 
-    /// Puts the present state on the board.
     fn show(&mut self) {
         let (state, speed) = (self.state(), times(self.pace.speed()));
         let Some(run) = self.run.as_mut().filter(|_| !self.is_broken) else { return };
@@ -527,12 +522,10 @@ impl StageThread {
         }
     }
 
-    /// Sends a note to all pages.
     fn note(&mut self, text: String) {
         self.tell(RunNotice::Note { text, bad: false, code: None });
     }
 
-    /// Sends an error to all pages.
     fn warn(&mut self, message: &Diagnostic) {
         self.tell(note(message));
     }

@@ -6,7 +6,7 @@ use crate::live_cameras::LiveCameras;
 use crate::live_counts::LiveCounts;
 use crate::manual_control::drive;
 use crate::messages::StageMessage;
-use crate::request_error::sentence;
+use crate::request_error::{code_of, sentence};
 use crate::wire::{FiringView, Key, MapPosture, ResidentView, RunFrame, RunNotice, RunState, RunView};
 use crate::{dates, drafts, draw};
 use homebody_core::drivers::input::{self, KeysFile, UseFile};
@@ -22,28 +22,27 @@ use homebody_core::time::{DAY, HOUR, MINUTE, RunTime, Span};
 use homebody_log::{LogError, LogRows, RowText, RunPlaces, Stored, WriteMode};
 use homebody_routine::household::Household;
 use homebody_simulation::{
-    AdaptiveStep, OpenScenario, PlannedRun, RunOptions, Simulation, SimulationError, StepError, VariantOptions,
+    AdaptiveStep, OpenScenario, OptionError, PlannedRun, RunOptions, Simulation, SimulationError, StepError,
+    VariantOptions,
 };
 use std::collections::BTreeMap;
 use std::path::Path;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
-/// The request for a run.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct StartRequest {
     /// The resident who is moved by keys.
     pub driven: Option<u32>,
-    pub variant: VariantOptions,
+    pub options: RunOptions,
     /// The input of the keys so far, which is repeated.
     pub input: Vec<KeysFile>,
 }
 
-/// The reason why a run cannot start.
 #[derive(Clone, Debug)]
 pub enum StartError {
-    /// The problems of the scenario.
     Problems(Vec<Problem>),
-    /// Another reason.
+    /// The message about an option of the run, by its name.
+    Option(&'static str, Diagnostic),
     Other(Diagnostic),
 }
 
@@ -74,6 +73,17 @@ impl From<SimulationError> for StartError {
     }
 }
 
+impl From<OptionError> for StartError {
+    fn from(OptionError { option, error }: OptionError) -> StartError {
+        // At the field of the option, the place in the file of the scenario says nothing.
+        let message = match error {
+            SimulationError::Problems(problems) => problems.0.into_iter().next().unwrap_or_default(),
+            error => error.diagnostic(),
+        };
+        StartError::Option(option, Diagnostic { file: String::new(), ..message })
+    }
+}
+
 impl From<LogError> for StartError {
     fn from(why: LogError) -> StartError {
         StartError::Other(why.diagnostic())
@@ -81,19 +91,22 @@ impl From<LogError> for StartError {
 }
 
 impl StartError {
-    /// The message to the pages.
     pub fn tell(&self) -> RunNotice {
+        let message = |why: &Diagnostic, option: Option<&str>| RunNotice::Unbegun {
+            why: sentence(why),
+            problems: Vec::new(),
+            option: option.map(str::to_owned),
+            code: code_of(why),
+        };
         match self {
-            StartError::Other(why) => {
-                let code = (!why.code.is_empty()).then(|| why.code.to_owned());
-                RunNotice::Unbegun { why: sentence(why), problems: Vec::new(), code }
-            }
+            StartError::Other(why) => message(why, None),
+            StartError::Option(option, why) => message(why, Some(option)),
             StartError::Problems(problems) => {
                 let why = match problems.len() {
                     1 => "Cannot start a run: the scenario has a problem.".to_owned(),
                     count => format!("Cannot start a run: the scenario has {count} problems."),
                 };
-                RunNotice::Unbegun { why, problems: drafts::problems(problems), code: None }
+                RunNotice::Unbegun { why, problems: drafts::problems(problems), option: None, code: None }
             }
         }
     }
@@ -102,12 +115,12 @@ impl StartError {
 /// The run on the stage, with the state that pages see of it.
 pub struct StagedRun {
     request: StartRequest,
-    /// The conditions of its residents.
+    /// The versions of its files before the options of the run changed them, as the desk has them.
+    files: BTreeMap<String, String>,
     conditions: Vec<String>,
     simulation: Simulation,
     /// The file of keys, if a resident is moved by hand.
     keys: Option<String>,
-    /// The keys that are held.
     held: KeysFile,
     live_counts: Arc<Mutex<LiveCounts>>,
     /// The rows that no page has yet.
@@ -116,7 +129,6 @@ pub struct StagedRun {
     shown: Shown,
     /// Its files are complete.
     is_over: bool,
-    /// The state at the snapshots of the simulation.
     snapshots: Snapshots<(Shown, LiveCounts)>,
 }
 
@@ -152,7 +164,7 @@ impl StagedRun {
                 OpenScenario::from_files(&edit.over(files), entry)?
             }
         };
-        let plan = RunOptions::from(request.variant.clone()).setup(&opened)?.plan()?;
+        let plan = request.options.clone().plan(&opened)?;
         let household = plan.household.clone();
         let simulation = PlannedRun { recording: plan.recording.begun(), ..plan }.simulation();
         let simulation = match (request.driven, &keys) {
@@ -161,17 +173,17 @@ impl StagedRun {
             }
             _ => simulation.with_snapshots(SNAPSHOTS),
         };
-        Ok(StagedRun::from_simulation(simulation, &household, keys, request)?)
+        let run = StagedRun::from_simulation(simulation, &household, keys, request)?;
+        Ok(StagedRun { files: run.versions(opened.scenario()), ..run })
     }
 
-    /// The replay of a recording.
     pub fn replay(recording: Recording) -> Result<StagedRun, StartError> {
         if !recording.can_replay() {
             return Err(StageMessage::OwnDrivers { residents: recording.own_drivers }.into());
         }
         let (scenario, household) = Household::recorded(&recording)?;
         let variant = VariantOptions { without: recording.without.clone(), ..VariantOptions::default() };
-        let request = StartRequest { variant, ..StartRequest::default() };
+        let request = StartRequest { options: variant.into(), ..StartRequest::default() };
         let simulation = Simulation::replay(recording, Arc::new(scenario), &household, Vec::new());
         Ok(StagedRun::from_simulation(simulation.with_snapshots(SNAPSHOTS), &household, None, request)?)
     }
@@ -192,7 +204,8 @@ impl StagedRun {
             live_counts: Arc::new(Mutex::new(live_counts)),
             looks: LiveCameras::from_home(&scenario.home),
             held: request.input.last().cloned().unwrap_or_else(nothing_held),
-            conditions: household.conditions().keys().chain(&request.variant.without).cloned().collect(),
+            files: BTreeMap::new(),
+            conditions: household.conditions().keys().chain(&request.options.variant.without).cloned().collect(),
             request,
             simulation: simulation.stepping(AdaptiveStep::new(LONGEST_STEP).within(AT_ONCE)),
             keys,
@@ -220,7 +233,6 @@ impl StagedRun {
         self.simulation.places()?.recording.as_ref()?.parent()
     }
 
-    /// The run as pages show it.
     pub fn view(&self) -> RunView {
         let (simulation, scenario) = (&self.simulation, self.simulation.scenario());
         let (home, length) = (simulation.home(), simulation.progress().length);
@@ -233,22 +245,20 @@ impl StagedRun {
             residents: names.enumerate().map(|(index, name)| ResidentView { name, radius_m: radius(index) }).collect(),
             driven: self.request.driven,
             conditions: self.conditions.clone(),
-            without: self.request.variant.without.clone(),
+            without: self.request.options.variant.without.clone(),
             days: dates::all_days(&scenario.calendar, length),
             nights: dates::nights(|at| home.sun.elevation_sine(at), length),
             length_us: length.micros(),
             seed: simulation.seed(),
             log: simulation.places().iter().flat_map(|places| &places.log).map(ToString::to_string).collect(),
             replay: simulation.is_replay(),
-            files: self.versions(),
+            files: self.files.clone(),
         }
     }
 
-    /// The versions of its files, as the desk has them.
-    fn versions(&self) -> BTreeMap<String, String> {
-        let is_keys = |name: &String| Some(name) == self.keys.as_ref();
-        let (is_replay, residents) = (self.simulation.is_replay(), &self.simulation.scenario().file.residents);
-        let files = self.simulation.recording().files.iter().filter(|(name, _)| !is_replay && !is_keys(name));
+    fn versions(&self, scenario: &Scenario) -> BTreeMap<String, String> {
+        let residents = &scenario.file.residents;
+        let files = scenario.sources.iter().filter(|(name, _)| Some(*name) != self.keys.as_ref());
         // The file of a resident who is moved by hand is not in use, so its version does not count.
         let files =
             files.filter(|(name, _)| self.request.driven.is_none_or(|who| residents.get(who as usize) != Some(name)));
@@ -315,13 +325,11 @@ impl StagedRun {
         Ok(self.simulation.keep_input()?)
     }
 
-    /// Holds these keys from now on.
     pub fn hold(&mut self, keys: &[Key]) {
         self.held.held = keys.iter().map(|&key| key_of(key)).collect();
         self.input(Vec::new());
     }
 
-    /// Sets the posture of the resident who is moved by keys.
     pub fn set_posture(&mut self, posture: MapPosture) {
         self.held.posture = match posture {
             MapPosture::Standing => posture::Posture::Standing,
@@ -331,7 +339,6 @@ impl StagedRun {
         self.input(Vec::new());
     }
 
-    /// Lets the resident who is moved by keys use a thing.
     pub fn use_thing(&mut self, thing: u32, on: bool) {
         if let Some(known) = self.simulation.home().plan.things.get(thing as usize) {
             let thing = known.name.clone();
@@ -339,7 +346,6 @@ impl StagedRun {
         }
     }
 
-    /// Applies input now.
     fn input(&mut self, uses: Vec<UseFile>) {
         if !self.is_over {
             let at_s = self.simulation.now().seconds();
@@ -359,7 +365,11 @@ impl StagedRun {
         if let Some(last) = input.last().filter(|line| !line.held.is_empty()) {
             input.push(KeysFile { at_s: until.seconds(), held: Vec::new(), uses: Vec::new(), ..last.clone() });
         }
-        StagedRun::new(&recording.files, &recording.entry, StartRequest { input, ..self.request.clone() })
+        let mut request = StartRequest { input, ..self.request.clone() };
+        // The files have them: now would be another start.
+        (request.options.start, request.options.numbers) = (None, Vec::new());
+        let run = StagedRun::new(&recording.files, &recording.entry, request)?;
+        Ok(StagedRun { files: self.files.clone(), ..run })
     }
 
     /// Completes all files. Returns the note about it.
@@ -418,7 +428,6 @@ impl StagedRun {
         self.live_counts.clone()
     }
 
-    /// The rows since the last call.
     pub fn take_rows(&mut self) -> std::vec::Drain<'_, FiringView> {
         self.fresh.drain(..)
     }
@@ -426,7 +435,6 @@ impl StagedRun {
 
 #[cfg(test)]
 impl StagedRun {
-    /// The same with other drivers.
     pub fn driven_by(mut self, drivers: &dyn homebody_core::run::DriverProvider) -> StagedRun {
         self.simulation = self.simulation.driven_by(drivers);
         self

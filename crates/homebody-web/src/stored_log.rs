@@ -147,7 +147,6 @@ pub fn add_unplaced_sensor(id: &str, sensors: &mut Vec<String>) -> u32 {
     sensors.len() as u32 - 1
 }
 
-/// The remarks and problems of a log, in sentences.
 pub fn log_remarks(log: &Log) -> Vec<String> {
     let mut remarks = log.remarks.clone();
     if let Some(first) = log.problems.first() {

@@ -37,7 +37,6 @@ pub fn restore(within: &Path, kind: &'static str, key: &str) -> Result<String, R
     })
 }
 
-/// The keys and names of all deleted folders.
 pub fn deleted(within: &Path) -> Vec<(String, String)> {
     let listed = fs::read_dir(within.join(TRASH)).into_iter().flatten().flatten();
     let folders = listed.filter(|entry| entry.file_type().is_ok_and(|kind| kind.is_dir()));
@@ -47,7 +46,6 @@ pub fn deleted(within: &Path) -> Vec<(String, String)> {
     all
 }
 
-/// The name of a deleted folder, by its key.
 fn name_of(key: &str) -> Option<String> {
     let mut flat = key.rsplit_once('~')?.0.chars().peekable();
     let mut name = String::new();

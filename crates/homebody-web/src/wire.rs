@@ -22,7 +22,7 @@ pub use search::*;
 pub use silhouettes::*;
 
 use homebody_log::MovementKind;
-use homebody_simulation::VariantOptions;
+use homebody_simulation::RunOptions;
 use serde::{Deserialize, Serialize};
 use serde_json::{Map, Value};
 use std::collections::BTreeMap;
@@ -457,8 +457,9 @@ pub enum PageCommand {
     /// Start a new run, in which keys move a resident, or all residents follow the scenario.
     Start {
         driven: Option<u32>,
-        #[serde(flatten)]
-        variant: VariantOptions,
+        #[serde(default)]
+        #[ts(type = "Partial<RunOptions>")]
+        options: RunOptions,
     },
     /// End the run, so that its files are complete.
     Stop,
@@ -496,10 +497,14 @@ pub enum RunNotice {
         #[ts(optional)]
         code: Option<String>,
     },
-    /// No run could start because of problems with the scenario. The previous run continues.
+    /// No run could start because of problems with the scenario, or with an option of the run. The previous run continues.
     Unbegun {
         why: String,
         problems: Vec<ProblemView>,
+        /// The name of the option.
+        #[serde(skip_serializing_if = "Option::is_none")]
+        #[ts(optional)]
+        option: Option<String>,
         #[serde(skip_serializing_if = "Option::is_none")]
         #[ts(optional)]
         code: Option<String>,

@@ -86,6 +86,7 @@ fn declarations() -> Vec<String> {
         LocatingState,
         MovementKind,
         PageCommand,
+        RunOptions,
         Key,
         RunNotice,
         RefusedView,
@@ -262,16 +263,29 @@ fn the_page_has_the_options_of_a_run() {
     const MOST_EXACT: f64 = 9_007_199_254_740_991.0;
     let schema = RunOptions::schema().to_value();
     let mut text = "// Made from RunOptions in crates/homebody-simulation/src/run_options.rs.\n\n\
-         /** The options of a run: the explanation, and the range of a number. */\nexport const RUN_OPTIONS = {\n"
+         import type { RunOptions } from './wire';\n\n\
+         export type RunOption = {\n  \
+         /** A type of JSON Schema. */\n  type: 'array' | 'boolean' | 'integer' | 'number' | 'object' | 'string';\n  \
+         /** Of its field; missing for an option that the form of the page does not offer. */\n  label?: string;\n  \
+         help: string;\n  least?: number;\n  /** In place of the least value. */\n  above?: number;\n  most?: number;\n  \
+         /** A regular expression that the whole text matches. */\n  pattern?: string;\n  \
+         /** The expected values, in words. */\n  expected?: string;\n};\n\n\
+         export const RUN_OPTIONS: Readonly<Record<keyof RunOptions, RunOption>> = {\n"
         .to_owned();
     for (name, option) in schema["properties"].as_object().unwrap() {
-        let help = option["description"].as_str().unwrap().lines().next().unwrap().replace('\'', "\\'");
-        text += &format!("  {name}: {{ help: '{help}'");
-        let least = option["minimum"].as_f64().or(option["exclusiveMinimum"].as_f64());
-        if let (Some(least), Some(most)) = (least, option["maximum"].as_f64()) {
-            text += &format!(", least: {least}, most: {}", most.min(MOST_EXACT));
+        let kind = option["type"].as_str().or(option["type"][0].as_str()).unwrap();
+        text += &format!("  {name}: {{ type: '{kind}'");
+        let words = [("label", "title"), ("help", "description"), ("pattern", "pattern"), ("expected", "expected")];
+        for (field, key) in words.into_iter().filter(|(_, key)| option[key].is_string()) {
+            let words = option[key].as_str().unwrap().lines().next().unwrap();
+            text += &format!(", {field}: {}", json!(words));
+        }
+        for (field, key) in [("least", "minimum"), ("above", "exclusiveMinimum"), ("most", "maximum")] {
+            if let Some(number) = option[key].as_f64() {
+                text += &format!(", {field}: {}", number.min(MOST_EXACT));
+            }
         }
         text += " },\n";
     }
-    is_generated("web/src/run-options.ts", &(text + "} as const;\n"));
+    is_generated("web/src/run-options.ts", &(text + "};\n"));
 }

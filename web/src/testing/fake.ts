@@ -106,7 +106,7 @@ class FakeServer implements Wire {
         else this.on.delete(say.thing);
         break;
       case 'start':
-        this.run = { ...this.run, driven: say.driven, seed: say.seed ?? this.run.seed, replay: false, id: 'cottage-2' };
+        this.run = { ...this.run, driven: say.driven, seed: say.options.seed ?? this.run.seed, replay: false, id: 'cottage-2' };
         this.now_us = 0;
         [this.told, this.counts] = [0, this.run.home.sensors.map(() => 0)];
         this.state = 'playing';

@@ -18,11 +18,9 @@ pub struct DraftRun {
     without: Vec<String>,
     simulation: Simulation,
     state: DraftState,
-    /// The state at the snapshots of the simulation.
     snapshots: Snapshots<DraftState>,
 }
 
-/// The events of a draft so far.
 #[derive(Clone)]
 struct DraftState {
     timeline: TimelineBuilder,
@@ -38,7 +36,6 @@ const SNAPSHOTS: Span = DAY.times(4);
 const LONGEST_STEP: Span = HOUR;
 
 impl DraftRun {
-    /// The run of a draft without these conditions, at its start.
     pub fn new(opened: &OpenScenario, without: Vec<String>) -> Result<DraftRun, SimulationError> {
         let simulation = opened.run().without(&without).plan()?.simulation();
         let simulation = simulation.stepping(draft_steps(LONGEST_STEP)).with_snapshots(SNAPSHOTS);

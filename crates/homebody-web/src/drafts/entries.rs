@@ -11,9 +11,7 @@ pub struct Entry {
     /// With its quotes; items have none.
     key: Option<Range<usize>>,
     value: Range<usize>,
-    /// Key and value.
     pub whole: Range<usize>,
-    /// For strings.
     said: Option<String>,
 }
 
@@ -24,7 +22,6 @@ impl Entry {
             && self.path.iter().zip(path).all(|(part, sought)| *sought == "*" || part == sought)
     }
 
-    /// The value of a string.
     pub fn text(&self) -> Option<&str> {
         self.said.as_deref()
     }

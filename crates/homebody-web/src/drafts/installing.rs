@@ -36,7 +36,6 @@ const SEED: u64 = 1;
 const SHARE_OF_LIVES: f64 = 0.8;
 
 impl DraftService {
-    /// The install sheet of a draft.
     pub fn parts(&self, draft: Draft) -> PartsView {
         match home(&self.with(draft), &self.folders.entry) {
             Err(wrong) => PartsView { problems: problems(&wrong), ..PartsView::default() },

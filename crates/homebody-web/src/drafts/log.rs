@@ -44,7 +44,6 @@ impl DraftService {
         RowsView { problems, places, cut, kinds }
     }
 
-    /// Tries to open a destination.
     pub fn connect(&self, Connect { url }: Connect) -> ConnectView {
         let tried = url.parse().map_err(LogError::NoPlace).and_then(|url: Url| self.try_url(&url));
         match tried {

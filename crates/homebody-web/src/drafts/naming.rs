@@ -213,7 +213,6 @@ impl<'a> LinkedFiles<'a> {
         LinkedFiles { files, kinds, names, even_shared: false }
     }
 
-    /// The first file of a kind.
     fn text_of(&self, kind: LinkedFileKind) -> Option<(String, String)> {
         let (file, _) = self.kinds.iter().find(|(_, of)| *of == kind)?;
         Some((file.clone(), self.files.read(file).ok()?))

@@ -18,7 +18,6 @@ use std::sync::PoisonError;
 const LONGEST: u32 = 31;
 
 impl DraftService {
-    /// The interpretation of a routine of a draft.
     pub fn explain(&self, Explain { draft, file: asked }: Explain) -> ExplainView {
         let files = self.with(draft);
         let scenario = match Scenario::load(&files, &self.folders.entry) {

@@ -26,11 +26,9 @@ pub(super) trait PartlyRead {
 }
 
 pub(super) struct ReadProgress {
-    /// The latest instant so far.
     pub last_us: RunTime,
     /// The largest delay of data after others.
     late: Span,
-    /// The result, at the end.
     pub ended: Option<Result<(), RequestError>>,
 }
 
@@ -79,7 +77,6 @@ impl<T: PartlyRead> BackgroundRead<T> {
         }
     }
 
-    /// Waits at most for `longest`.
     pub fn wait(&self, instant: RunTime, longest: Duration) -> MutexGuard<'_, T> {
         let begun = Instant::now();
         let mut known = self.known();
@@ -107,7 +104,6 @@ impl<T: PartlyRead> BackgroundRead<T> {
         grown
     }
 
-    /// Adds the last data.
     pub fn end(&self, last: impl FnOnce(&mut T)) {
         last(&mut self.known());
         self.0.grown.notify_all();

@@ -70,25 +70,21 @@ impl Lived {
         Ok(lived)
     }
 
-    /// The known part, to wait for.
     pub fn coming(&self) -> &BackgroundRead<KnownLives> {
         &self.coming
     }
 
-    /// All of it.
     pub fn whole(&self) -> Result<Arc<Lives>, RequestError> {
         Ok(self.coming.until(RunTime::MAX)?.lives.clone())
     }
 }
 
 impl KnownLives {
-    /// The known part of lives.
     pub fn lives(&self) -> &Lives {
         &self.lives
     }
 }
 
-/// The episodes that are not handed on yet.
 struct Taken {
     residents: Vec<String>,
     rooms: HashMap<String, u32>,

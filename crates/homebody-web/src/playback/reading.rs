@@ -16,19 +16,16 @@ const LATE: Span = DAY;
 
 pub(super) type Reading = BackgroundRead<KnownRows>;
 
-/// The part of a log that is read.
 pub(super) struct KnownRows {
     pub rows: StoredRows,
     /// The sensors of the log, those of the home first.
     pub sensors: Vec<String>,
-    /// The messages of the sensors.
     pub values: Vec<String>,
     pub remarks: Vec<String>,
     how_far: ReadProgress,
 }
 
 impl BackgroundRead<KnownRows> {
-    /// A log that is read already.
     pub fn whole(rows: StoredRows, view: &mut PlaybackView) -> Reading {
         BackgroundRead::new(KnownRows {
             rows,

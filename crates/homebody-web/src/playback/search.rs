@@ -130,7 +130,6 @@ impl OpenRun {
         Ok(Some(sorted(all)))
     }
 
-    /// The activities of residents, by the ground truth.
     fn activities(&self, is_asked: impl Fn(&str) -> bool) -> Result<Option<Vec<KnownStay<'_, RunTime>>>, RequestError> {
         let Some(lives) = self.lives()?.filter(|_| self.view.walk.is_none()) else { return Ok(None) };
         let mut all = Vec::new();
@@ -161,7 +160,6 @@ impl OpenRun {
         KnownStay::with_person(who, name, span.map(|at| at.clamp(run.begin, run.end)))
     }
 
-    /// The messages that the link lost, by the ground truth.
     fn lost(&self) -> Result<Option<Vec<KnownStay<'_, RunTime>>>, RequestError> {
         let Some(truth) = &self.truth else { return Ok(None) };
         if let Some(known) = self.lost.get() {

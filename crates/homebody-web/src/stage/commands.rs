@@ -25,10 +25,8 @@ pub(super) struct CommandQueue(Arc<QueueEnd>);
 /// Its drop ends the stage.
 struct QueueEnd(Arc<SharedQueue>);
 
-/// The commands of one page.
 pub struct PageCommands {
     queue: CommandQueue,
-    /// The number of its waiting commands.
     waiting: Arc<AtomicUsize>,
 }
 
@@ -44,7 +42,6 @@ struct WaitingCommands {
     is_over: bool,
 }
 
-/// One waiting command of a page.
 struct WaitingCount(Arc<AtomicUsize>);
 
 impl Drop for WaitingCount {
@@ -133,7 +130,6 @@ pub(super) enum NextCommand {
 }
 
 impl CommandReceiver {
-    /// Waits for the next command.
     pub fn next(&self, wait: Duration) -> NextCommand {
         let until = Instant::now() + wait;
         let mut waiting = self.0.lock();
@@ -156,11 +152,11 @@ impl CommandReceiver {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use homebody_simulation::VariantOptions;
+    use homebody_simulation::RunOptions;
     use std::sync::mpsc::channel;
 
     fn start() -> PageCommand {
-        PageCommand::Start { driven: None, variant: VariantOptions { seed: Some(1), ..VariantOptions::default() } }
+        PageCommand::Start { driven: None, options: RunOptions::default() }
     }
 
     fn all(receiver: &CommandReceiver) -> Vec<StageCommand> {

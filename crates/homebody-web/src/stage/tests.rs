@@ -9,10 +9,9 @@ use homebody_core::recording::{Recording, RunDigest};
 use homebody_core::run::{DriverProvider, Guest};
 use homebody_core::time::{HOUR, SECOND};
 use homebody_routine::household::Household;
-use homebody_simulation::{Template, VariantOptions};
+use homebody_simulation::{RunLength, RunOptions, RunStart, Template, VariantOptions};
 use tempfile::TempDir;
 
-/// The time before the failure.
 const WELL: Span = HOUR.times(9);
 
 /// Follows the routine at first, and then takes an impossible step, or panics.
@@ -63,7 +62,6 @@ fn folders(folder: &TempDir) -> HomeFolders {
     HomeFolders { scenario, entry: "scenario.json".into(), is_trusted: false, runs: folder.path().join("runs") }
 }
 
-/// Waits for news.
 fn look(stage: &Stage, seen: &mut Seen, is_wished: impl Fn(&News) -> bool) -> News {
     let begun = Instant::now();
     loop {
@@ -124,7 +122,7 @@ fn reports_and_stores_a_failed_run_and_starts_another() {
         let rows: i64 = log.query_row("SELECT count(*) FROM event", [], |row| row.get(0)).unwrap();
         assert_eq!(rows as u64, recording.firings);
 
-        stage.page_commands().send(PageCommand::Start { driven: None, variant: VariantOptions::default() });
+        stage.page_commands().send(PageCommand::Start { driven: None, options: RunOptions::default() });
         stage.page_commands().send(PageCommand::Speed { times: None });
         stage.page_commands().send(PageCommand::Play);
         look(&stage, &mut seen, |news| {
@@ -152,7 +150,7 @@ fn starts_no_run_of_an_invalid_scenario() {
     let mut seen = Seen::default();
     let news = stage.news(&mut seen, 10);
     assert!(unbegun(&news) && news.frame.is_none());
-    let start = PageCommand::Start { driven: None, variant: VariantOptions::default() };
+    let start = PageCommand::Start { driven: None, options: RunOptions::default() };
     for say in [PageCommand::Play, PageCommand::Jump { to_us: 5 }, PageCommand::Stop, start.clone()] {
         stage.page_commands().send(say);
     }
@@ -169,6 +167,55 @@ fn starts_no_run_of_an_invalid_scenario() {
     stage.close();
 }
 
+/// The page shows the message of an option at its field.
+#[test]
+fn names_the_option_that_prevents_a_run() {
+    let folder = tempfile::tempdir().unwrap();
+    let stage = Stage::open(folders(&folder)).unwrap();
+    let mut seen = Seen::default();
+    let seed = |seed| VariantOptions { seed: Some(seed), ..VariantOptions::default() };
+    for (option, options) in [
+        ("days", RunOptions { length: Some(RunLength::Days(0.0)), ..RunOptions::default() }),
+        ("start", RunOptions { start: Some(RunStart::At("noon".into())), ..RunOptions::default() }),
+        ("seed", seed(1 << 53).into()),
+        ("without", VariantOptions { without: vec!["flu".into()], ..VariantOptions::default() }.into()),
+        ("numbers", RunOptions { numbers: vec![("gait.slowest".into(), -1.0)], ..RunOptions::default() }),
+    ] {
+        stage.page_commands().send(PageCommand::Start { driven: None, options });
+        let news =
+            look(&stage, &mut seen, |news| news.tells.iter().any(|tell| matches!(tell, RunNotice::Unbegun { .. })));
+        let named = news.tells.iter().find_map(|tell| match tell {
+            RunNotice::Unbegun { option, problems, .. } if problems.is_empty() => option.as_deref(),
+            _ => None,
+        });
+        assert_eq!(named, Some(option));
+    }
+    stage.page_commands().send(PageCommand::Start { driven: None, options: seed((1 << 53) - 1).into() });
+    look(&stage, &mut seen, |news| news.tells.iter().any(|tell| matches!(tell, RunNotice::Run { .. })));
+    stage.close();
+}
+
+/// The files of a run that starts again have its start and its parameters already; the page compares the files without them.
+#[test]
+fn a_run_that_starts_again_keeps_its_options() {
+    let folder = tempfile::tempdir().unwrap();
+    let folders = folders(&folder);
+    let options = RunOptions {
+        length: Some(RunLength::Days(2.0)),
+        start: Some(RunStart::Now),
+        variant: VariantOptions { seed: Some(7), ..VariantOptions::default() },
+        numbers: vec![("gait.slowest".into(), 0.25)],
+        one_of_many: true,
+    };
+    let plain = StagedRun::new(&folders, &folders.entry, StartRequest::default()).unwrap().view();
+    let run = StagedRun::new(&folders, &folders.entry, StartRequest { options, ..StartRequest::default() }).unwrap();
+    let (view, again) = (run.view(), run.restarted(RunTime::START).unwrap().view());
+    // Clocks may change on these days.
+    assert!(view.seed == 7 && (47..=49).contains(&(view.length_us / HOUR.micros())));
+    assert_eq!((&view.files, &again), (&plain.files, &view));
+    assert_ne!(view.days, plain.days);
+}
+
 /// Manual control starts at real time, whatever the speed before.
 #[test]
 fn manual_control_starts_at_real_time() {
@@ -176,7 +223,7 @@ fn manual_control_starts_at_real_time() {
     let stage = Stage::open(folders(&folder)).unwrap();
     let mut seen = Seen::default();
     stage.page_commands().send(PageCommand::Speed { times: None });
-    let start = |driven| PageCommand::Start { driven, variant: VariantOptions::default() };
+    let start = |driven| PageCommand::Start { driven, options: RunOptions::default() };
     stage.page_commands().send(start(None));
     look(&stage, &mut seen, |news| frame(news).speed.is_none());
     stage.page_commands().send(start(Some(0)));
@@ -190,8 +237,7 @@ fn many_commands_of_a_page_delay_neither_others_nor_the_end() {
     let folder = tempfile::tempdir().unwrap();
     let stage = Stage::open(folders(&folder)).unwrap();
     let loud = stage.page_commands();
-    let start =
-        || PageCommand::Start { driven: None, variant: VariantOptions { seed: Some(1), ..VariantOptions::default() } };
+    let start = || PageCommand::Start { driven: None, options: RunOptions::default() };
     let taken = (0..20_000).filter(|_| loud.send(start())).count();
     assert!(taken < 20_000, "it is refused");
     assert!(stage.page_commands().send(PageCommand::Play));

@@ -95,7 +95,7 @@ fn next_x(page: &mut Page) -> f64 {
 /// A page with a running run and its first resident under manual control.
 fn driven(served: &Served) -> Page {
     let mut page = served.page();
-    page.say(r#"{"say":"start","driven":0,"without":[],"seed":null}"#);
+    page.say(r#"{"say":"start","driven":0}"#);
     page.say(r#"{"say":"play"}"#);
     page.until(|frame| frame["state"] == "playing");
     page

@@ -27,7 +27,7 @@ fn recording(run: &Path) -> Recording {
 /// A page with a running run and its first resident under manual control.
 fn driven(served: &Served) -> Page {
     let mut page = served.page();
-    page.say(r#"{"say":"start","driven":0,"without":[],"seed":null}"#);
+    page.say(r#"{"say":"start","driven":0}"#);
     page.say(r#"{"say":"play"}"#);
     page
 }
@@ -38,7 +38,7 @@ fn is(state: &'static str) -> impl Fn(&Value) -> bool {
 
 /// The places of a resident while keys are held, at real time.
 fn drive(page: &mut Page, ways: &[(&[&str], f64)]) -> Seen {
-    page.say(r#"{"say":"start","driven":0,"without":[],"seed":null}"#);
+    page.say(r#"{"say":"start","driven":0}"#);
     page.say(r#"{"say":"play"}"#);
     for (keys, s) in ways {
         page.say(&json!({ "say": "hold", "keys": keys }).to_string());
@@ -131,7 +131,7 @@ fn closing_a_page_releases_its_keys() {
     let served = Served::scenario("by-hand");
     let mut page = served.page();
     let mut other = served.page();
-    page.say(r#"{"say":"start","driven":0,"without":[],"seed":null}"#);
+    page.say(r#"{"say":"start","driven":0}"#);
     page.say(r#"{"say":"play"}"#);
     page.say(r#"{"say":"hold","keys":["right"]}"#);
     thread::sleep(Duration::from_millis(500));
@@ -249,7 +249,7 @@ fn reports_a_failed_run_and_starts_another() {
     let late = served.page().until_told("log.db");
     assert_eq!(late.notes, [why]);
     drop(other);
-    page.say(r#"{"say":"start","driven":null,"without":[],"seed":null}"#);
+    page.say(r#"{"say":"start","driven":null}"#);
     page.say(r#"{"say":"play"}"#);
     page.until(|frame| frame["state"] == "playing" && frame["now_us"].as_i64() > Some(3_600_000_000));
 }

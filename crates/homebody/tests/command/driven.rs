@@ -25,7 +25,7 @@ impl Driven {
         let mut server = command.stdout(Stdio::piped()).stderr(Stdio::null()).spawn().unwrap();
         let (address, token) = address_of(&mut server);
         let mut driven = Driven { server, socket: page_of(&address, &token) };
-        driven.say(r#"{"say":"start","driven":0,"without":[],"seed":null}"#);
+        driven.say(r#"{"say":"start","driven":0}"#);
         driven.say(r#"{"say":"play"}"#);
         driven
     }

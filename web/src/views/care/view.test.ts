@@ -5,6 +5,7 @@ import { Server } from '../../server';
 import type { CareView, NoteChange, NoteView, PlaybackContent, StoredView } from '../../wire';
 import CarePage from './Care.svelte';
 import { shifted } from './dates';
+import { write } from '../../testing/page';
 
 const EVIL = '<img src=x onerror="globalThis.broken=1">';
 const FIRST = '2009-02-20';
@@ -135,8 +136,7 @@ test('an alert is seen to with a note, which is kept by the server, and so is on
   const alert = one<HTMLElement>('.opened .alert');
   alert.querySelector<HTMLInputElement>('input[type=checkbox]')!.click();
   const note = alert.querySelector<HTMLInputElement>('input[type=text]')!;
-  note.value = ' a cold ';
-  note.dispatchEvent(new Event('change', { bubbles: true }));
+  write(note, ' a cold ', 'change');
   await settle();
   const seen = { day: '2009-03-29', rule: 'sleep', seen: true, note: '' };
   expect(sent).toEqual([
@@ -146,8 +146,7 @@ test('an alert is seen to with a note, which is kept by the server, and so is on
   expect(text()).toContain('The one alert is acknowledged');
   expect(cell().title).toBe('Sunday 29 March 2009, 1 alert acknowledged, 1 unusual measure, with a note');
   const ofDay = one<HTMLInputElement>('input[placeholder="Note on this day"]');
-  ofDay.value = 'her son came';
-  ofDay.dispatchEvent(new Event('change', { bubbles: true }));
+  write(ofDay, 'her son came', 'change');
   await settle();
   expect(sent.at(-1)).toEqual(['/api/runs/a/notes', { before: null, note: { day: '2009-03-29', rule: '', seen: false, note: 'her son came' } }]);
 });

@@ -2,6 +2,7 @@ import { flushSync, mount, unmount } from 'svelte';
 import { afterEach, beforeEach, expect, test, vi } from 'vitest';
 import { Server } from '../../server';
 import { FakeStore } from '../../testing/store';
+import { write } from '../../testing/page';
 import type { CardView, LibraryView as View, StoredView } from '../../wire';
 import { Library } from './library.svelte';
 import LibraryView from './Library.svelte';
@@ -228,8 +229,6 @@ test('why a name cannot be had goes once another is typed', async () => {
   const problem = dialog.querySelector('[role="alert"]')!;
   expect(problem.textContent).toBe('The name flat 2 is already in use here.');
   const field = dialog.querySelector('input')!;
-  field.value = '';
-  field.dispatchEvent(new Event('input', { bubbles: true }));
-  flushSync();
+  write(field, '');
   expect(problem.textContent).toBe('');
 });

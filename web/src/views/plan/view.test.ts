@@ -7,10 +7,10 @@ import { Live } from '../../live.svelte';
 import { FakeFiles } from '../../testing/files';
 import { FLAT } from '../../testing/flat';
 import { madeUpHome } from '../../testing/home';
+import { button, EVIL, fakeWire, write } from '../../testing/page';
 import type { PlanView, ProblemView } from '../../wire';
 import View from './Plan.svelte';
 
-const EVIL = '<img src=x onerror="globalThis.broken=1"><script>globalThis.broken=1</script>';
 
 let files: FakeFiles;
 let live: Live;
@@ -40,7 +40,7 @@ async function begin(home: string | null, answers: Record<string, (body: never) 
     return path === '/api/plan' ? new Response(encode(PLAN()) as BodyInit) : answer;
   };
   vi.stubGlobal('fetch', fetch);
-  live = new Live('token', () => {}, () => ({ binaryType: '', onopen: null, onmessage: null, onclose: null, onerror: null, send: () => {}, close: () => {} }));
+  live = new Live('token', () => {}, () => fakeWire());
   view = mount(View, { target: document.body, props: { live } });
   await settle();
 }
@@ -63,7 +63,6 @@ afterEach(async () => {
 });
 
 const plan = () => document.querySelector<HTMLElement>('[role="application"]')!;
-const button = (name: string) => [...document.querySelectorAll('button')].find((one) => (one.getAttribute('aria-label') ?? one.textContent!).trim().startsWith(name))!;
 const field = (label: string) => document.querySelector<HTMLInputElement>(`[aria-label="${label}"]`) ?? [...document.querySelectorAll('label')].map((one) => (one.textContent!.trim() === label ? (one.control as HTMLInputElement | null) ?? one.querySelector('input') : null)).find(Boolean)!;
 const text = () => live.drafts.text('home.json')!;
 const value = () => JSON.parse(text());
@@ -83,9 +82,7 @@ function key(key: string, more: KeyboardEventInit = {}): KeyboardEvent {
 
 function type(label: string, typed: string): void {
   const input = field(label);
-  input.value = typed;
-  input.dispatchEvent(new Event('change', { bubbles: true }));
-  flushSync();
+  write(input, typed, 'change');
 }
 
 test('another name is followed into other files, as one step that is undone', async () => {
@@ -192,9 +189,7 @@ test('the sensors that wake a camera are a list of names', async () => {
   const pick = field('Add to: Woken by');
   expect([...pick.querySelectorAll('option')].map(({ textContent }) => textContent)).toEqual(['another sensor', 'bed sensor', 'bath contact', 'room light', 'bath motion']);
   expect(document.querySelector('.names .gone')!.textContent).toContain('old motion');
-  pick.value = 'bath motion';
-  pick.dispatchEvent(new Event('change', { bubbles: true }));
-  flushSync();
+  write(pick, 'bath motion', 'change');
   expect(value().sensors[5].woken_by).toEqual(['room motion', 'old motion', 'bath motion']);
   for (const name of ['old motion', 'room motion', 'bath motion']) click(`Remove ${name} from: Woken by`);
   expect(value().sensors[5]).not.toHaveProperty('woken_by');
@@ -354,9 +349,7 @@ test('numbers are typed in the chosen units, and what cannot be is said', async 
   type('Reach', '20');
   expect(value().sensors[0].reach_m).toBe(6.096);
   const level = field('Sees');
-  level.value = 'zones';
-  level.dispatchEvent(new Event('change', { bubbles: true }));
-  flushSync();
+  write(level, 'zones', 'change');
   type('Rows: middle', '7');
   expect(value().sensors[0].level).toEqual({ zones: { rows: [11, 7, 5] } });
 });
@@ -469,8 +462,7 @@ test('a sensor alone is asked for with a home that has no other', async () => {
   click('room motion');
   click('Coverage');
   const mode = document.querySelector('select')!;
-  mode.value = 'alone';
-  mode.dispatchEvent(new Event('change', { bubbles: true }));
+  write(mode, 'alone', 'change');
   await settle();
   expect(JSON.parse(files.drafts('/api/plan')!['home.json']!).sensors).toEqual([JSON.parse(FLAT).sensors[0]]);
   expect(text()).toBe(FLAT);
