@@ -32,6 +32,7 @@ use form::{KindRow, Site, Unit};
 use kinds::{SensorDevice, SensorFile};
 use motion::{DetectionLevel, Motion};
 use notice::{NoticeChance, View};
+use outbox::DeviceModel;
 use std::sync::Arc;
 use timing::FiringTiming;
 
@@ -137,6 +138,14 @@ impl Sensor {
     /// Whether it looks for movement, unlike a device.
     pub fn senses_motion(&self) -> bool {
         self.row.senses_motion()
+    }
+
+    /// True if its reports mean that a body is there: it looks for movement, or is a device that feels bodies.
+    pub fn detects_presence(&self) -> bool {
+        match &self.kind {
+            SensorKind::Motion(_) | SensorKind::CeilingMotion(_) => true,
+            SensorKind::Device(device) => device.feels_bodies(),
+        }
     }
 }
 
