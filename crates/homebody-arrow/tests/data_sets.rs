@@ -290,7 +290,6 @@ fn rows_in_no_order_of_time_keep_their_own_order() {
 
 /// A sink at a place with 500 rows, which is not finished.
 fn written(url: &Url, how: WriteMode, is_whole: bool, at: impl Fn(i64) -> Span) -> Result<Box<dyn Sink>, LogError> {
-    let begin = Begin::new(stage::run().into(), vec![log_table()], Default::default(), how);
     let run = stage::run();
     let table = FleetLayout::new(run.clone(), &LoggerFile::default())?.table;
     let begin = Begin::new(run.into(), vec![table], Default::default(), how);

@@ -189,6 +189,7 @@ impl Batch {
     }
 
     /// One of its rows.
+    #[inline]
     pub fn row(&self, index: usize) -> BatchRow<'_> {
         let (table, begin) = self.rows[index];
         let end = self.rows.get(index + 1).map_or(self.cells.len(), |&(_, next)| next as usize);

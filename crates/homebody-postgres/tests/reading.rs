@@ -51,7 +51,7 @@ fn reads_the_same_log_as_from_sqlite() {
 
 #[test]
 fn reads_the_named_one_of_several_runs() {
-    let Some((server, database, url)) = Server::with_database("several") else { return };
+    let Some((_, _, url)) = Server::with_database("several") else { return };
     for (run, firings) in [(3, 10), (-4, 20), (12, 30)] {
         Life::new(run, firings).live(&url, None, Policy::default()).unwrap();
     }

@@ -158,6 +158,7 @@ impl FreshFile {
     }
 
     /// Adds bytes at its end. They may wait in memory until [`FreshFile::flush`].
+    #[inline]
     pub fn write(&mut self, bytes: &[u8]) -> Result<(), LogError> {
         self.out.write_all(bytes).map_err(|error| LogError::file(&self.path, error))
     }

@@ -85,6 +85,7 @@ impl InstantReader {
     }
 
     /// The same from bytes; invalid UTF-8 is not an instant.
+    #[inline]
     pub fn read_bytes(&mut self, bytes: &[u8]) -> Option<LogInstant> {
         let Some((at, rest)) = self.leading(bytes.trim_ascii_start()) else {
             let text = str::from_utf8(bytes).ok()?.trim();
