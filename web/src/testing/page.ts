@@ -1,4 +1,4 @@
-// What tests of the views share: a socket without a server, and the hands and eyes of a user.
+// Helpers of the tests of views: a socket without a server, and functions that act and look like a user.
 
 import { flushSync } from 'svelte';
 import { expect } from 'vitest';
