@@ -5,10 +5,11 @@
 //! message.
 
 use crate::address::{BrokerAddress, Discovery, Style};
-use crate::entities::{Entity, EntityType, Word};
+use crate::entities::{Entity, EntityType};
 use crate::place::{HomeTopics, SensorTopics};
 use crate::speech::Message;
 use homebody_core::names::capitalised;
+use homebody_core::sensors::entities::SwitchWord;
 use homebody_log::RunInfo;
 use serde_json::{Map, Value, json};
 
@@ -185,10 +186,10 @@ fn entity_of(
     (platform, config)
 }
 
-fn payload(word: Word) -> Value {
+fn payload(word: SwitchWord) -> Value {
     match word {
-        Word::Truth(truth) => truth.into(),
-        Word::Text(text) => text.into(),
+        SwitchWord::Truth(truth) => truth.into(),
+        SwitchWord::Text(text) => text.into(),
     }
 }
 

@@ -5,6 +5,8 @@
 //! Left out: batteries and the quality of links, which no log has.
 
 use homebody_core::names::words;
+use homebody_core::sensors::entities::{EntityForm, EntityRow, OPENING, SwitchWord};
+use homebody_core::sensors::kinds::KINDS;
 use homebody_log::SensorInfo;
 
 /// One thing that a sensor tells.
@@ -19,6 +21,8 @@ pub(crate) struct Entity {
     pub class: Option<&'static str>,
     /// The key in a device's JSON of Zigbee2MQTT.
     pub property: &'static str,
+    /// The first word of its values in a log; empty if they have none.
+    pub prefix: &'static str,
 }
 
 #[derive(Clone, Debug, PartialEq)]
@@ -27,20 +31,13 @@ pub(crate) enum EntityType {
         /// Whether it sends ON alone, again and again.
         on_only: bool,
         /// The words of Zigbee2MQTT for on and off.
-        zigbee: [Word; 2],
+        zigbee: [SwitchWord; 2],
     },
     Number {
         unit: Option<String>,
     },
     Choice(&'static [&'static str]),
     Text,
-}
-
-/// A word of Zigbee2MQTT's JSON.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Word {
-    Truth(bool),
-    Text(&'static str),
 }
 
 #[derive(Clone, Debug, PartialEq)]
@@ -50,9 +47,6 @@ pub(crate) enum EntityValue<'a> {
     Word(&'a str),
 }
 
-/// Bands of a bed sensor.
-const BANDS: &[&str] = &["low", "normal", "high"];
-
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Device {
     pub entities: Vec<Entity>,
@@ -61,77 +55,31 @@ pub(crate) struct Device {
 impl Device {
     /// By its kind.
     pub fn for_sensor(sensor: &SensorInfo) -> Device {
+        let kind = KINDS.iter().find(|kind| kind.key == sensor.kind);
+        let rows = kind.map_or(&[EntityRow::TEXT][..], |kind| kind.entities);
         let is_held = sensor.values.iter().any(|value| value == "OFF");
-        let truth = [Word::Truth(true), Word::Truth(false)];
-        let binary = |class, property, zigbee, on_only| Entity {
-            key: "",
-            name: None,
-            says: EntityType::Binary { on_only, zigbee },
-            class: Some(class),
-            property,
+        let on_only = kind.is_some_and(|kind| kind.senses_motion()) && !is_held;
+        let is_sent =
+            |row: &&EntityRow| sensor.unit.is_some() || row.key.is_empty() || !matches!(row.form, EntityForm::Reading);
+        let entity = |row: &EntityRow| Entity {
+            key: row.key,
+            name: row.name,
+            says: match row.form {
+                EntityForm::Switch(zigbee) => EntityType::Binary { on_only, zigbee },
+                EntityForm::Reading => EntityType::Number { unit: sensor.unit.clone() },
+                EntityForm::Number => EntityType::Number { unit: None },
+                EntityForm::Choice(words) => EntityType::Choice(words),
+                EntityForm::Text => EntityType::Text,
+            },
+            class: row.class.map(|class| if class == OPENING { opens(sensor) } else { class }),
+            property: row.property,
+            prefix: row.prefix,
         };
-        let number = |key, name, class, property| Entity {
-            key,
-            name,
-            says: EntityType::Number { unit: sensor.unit.clone() },
-            class: Some(class),
-            property,
-        };
-        let reading = |entity| sensor.unit.is_some().then_some(entity);
-        let choice = |key, name, property| Entity {
-            key,
-            name: Some(name),
-            says: EntityType::Choice(BANDS),
-            class: Some("enum"),
-            property,
-        };
-        let mut entities = match sensor.kind.as_str() {
-            "motion" | "ceiling_motion" => vec![binary("motion", "occupancy", truth, !is_held)],
-            "contact" => {
-                // Zigbee2MQTT says whether it is closed.
-                let closed = [Word::Truth(false), Word::Truth(true)];
-                vec![binary(opens(sensor), "contact", closed, false)]
-            }
-            "bed" => {
-                let restless = EntityType::Number { unit: None };
-                let restlessness = Entity {
-                    key: "restlessness",
-                    name: Some("Restlessness"),
-                    says: restless,
-                    class: None,
-                    property: "restlessness",
-                };
-                vec![
-                    binary("occupancy", "occupancy", truth, false),
-                    restlessness,
-                    choice("pulse", "Pulse", "pulse"),
-                    choice("respiration", "Respiration", "respiration"),
-                ]
-            }
-            "pressure" => vec![binary("occupancy", "occupancy", truth, false)],
-            "flow" => vec![binary("running", "water_flow", truth, false)],
-            "stove_temperature" => {
-                let temperature = number("temperature", Some("Temperature"), "temperature", "temperature");
-                [Some(binary("heat", "heat", truth, false)), reading(temperature)].into_iter().flatten().collect()
-            }
-            "power" => {
-                let watts = number("power", Some("Power"), "power", "power");
-                let on = [Word::Text("ON"), Word::Text("OFF")];
-                [Some(binary("power", "state", on, false)), reading(watts)].into_iter().flatten().collect()
-            }
-            "light" => vec![number("", None, "illuminance", "illuminance")],
-            "temperature" => vec![number("", None, "temperature", "temperature")],
-            _ => Vec::new(),
-        };
-        if entities.is_empty() {
-            entities.push(Entity { key: "", name: None, says: EntityType::Text, class: None, property: "value" });
-        }
-        Device { entities }
+        Device { entities: rows.iter().filter(is_sent).map(entity).collect() }
     }
 
     /// The entity and the value that a row's text means. A text that the kind does not know is a value of the main entity.
     pub fn hears<'a>(&self, said: &'a str) -> (usize, EntityValue<'a>) {
-        let at = |key: &str| self.entities.iter().position(|entity| entity.key == key).unwrap_or(0);
         let switched = match said {
             "ON" | "true" | "OPEN" | "IN" => Some(true),
             "OFF" | "false" | "CLOSE" | "OUT" => Some(false),
@@ -143,13 +91,7 @@ impl Device {
             _ => {}
         }
         if let Some((first, rest)) = said.split_once('_') {
-            let key = match first {
-                "RESTLESS" => "restlessness",
-                "PULSE" => "pulse",
-                "RESPIRATION" => "respiration",
-                _ => "",
-            };
-            let entity = at(key);
+            let entity = self.entities.iter().position(|entity| entity.prefix == first).unwrap_or(0);
             match (&self.entities[entity].says, rest.parse::<f64>()) {
                 (EntityType::Number { .. }, Ok(number)) if entity > 0 => return (entity, EntityValue::Number(number)),
                 (EntityType::Choice(words), _) => {
@@ -178,15 +120,17 @@ fn opens(sensor: &SensorInfo) -> &'static str {
     let is = |word: &str| words.iter().any(|known| known == word);
     match () {
         () if is("window") => "window",
-        () if is("fridge") || is("drawer") || is("cabinet") || is("closet") || is("cupboard") => "opening",
+        () if is("fridge") || is("drawer") || is("cabinet") || is("closet") || is("cupboard") => OPENING,
         () if is("door") || sensor.room.is_none() => "door",
-        () => "opening",
+        () => OPENING,
     }
 }
 
 #[cfg(test)]
 pub(crate) mod tests {
     use super::*;
+    use homebody_core::sensors::form::KindRow;
+    use std::path::Path;
 
     pub(crate) fn sensor(name: &str, kind: &str, unit: Option<&str>, values: &[&str]) -> SensorInfo {
         let (unit, room) = (unit.map(Into::into), Some("kitchen".into()));
@@ -222,5 +166,42 @@ pub(crate) mod tests {
             |name: &str| Device::for_sensor(&sensor(name, "contact", None, &["OPEN", "CLOSE"])).entities[0].class;
         let classes = ["front door", "fridge door", "window", "medicine cabinet", "box"].map(class);
         assert_eq!(classes, ["door", "opening", "window", "opening", "opening"].map(Some));
+    }
+
+    /// `HOMEBODY_REWRITE` writes the table anew.
+    #[test]
+    fn the_page_of_mqtt_has_all_entities() {
+        let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../docs/how-to/mqtt-and-home-assistant.md");
+        let page = std::fs::read_to_string(&path).unwrap();
+        let heading =
+            "| sensor | entity | class in Home Assistant | key in Zigbee2MQTT | values |\n|---|---|---|---|---|\n";
+        let (before, rest) = page.split_once(heading).unwrap();
+        let (table, after) = rest.split_once("\n\n").unwrap();
+        let marked = |text: &str| format!("`{text}`");
+        let row = |kind: &KindRow, entity: &EntityRow| {
+            let key = if entity.key.is_empty() { "main".into() } else { marked(entity.key) };
+            let class = entity.class.map_or("none".into(), marked);
+            let values = match entity.form {
+                EntityForm::Switch(words) => {
+                    let [on, off] = words.map(|word| match word {
+                        SwitchWord::Truth(truth) => truth.to_string(),
+                        SwitchWord::Text(text) => text.into(),
+                    });
+                    format!("on or off: `{on}` or `{off}` in Zigbee2MQTT")
+                }
+                EntityForm::Reading => format!("readings in {}", kind.unit.expect("a unit of readings").symbol),
+                EntityForm::Number => "numbers".into(),
+                EntityForm::Choice(words) => words.iter().map(|word| marked(word)).collect::<Vec<_>>().join(", "),
+                EntityForm::Text => "text".into(),
+            };
+            format!("| `{}` | {key} | {class} | `{}` | {values} |", kind.key, entity.property)
+        };
+        let rows: Vec<String> =
+            KINDS.iter().flat_map(|kind| kind.entities.iter().map(move |entity| row(kind, entity))).collect();
+        if std::env::var_os("HOMEBODY_REWRITE").is_some() {
+            std::fs::write(&path, format!("{before}{heading}{}\n\n{after}", rows.join("\n"))).unwrap();
+        } else {
+            assert_eq!(table, rows.join("\n"), "{}: HOMEBODY_REWRITE=1 writes the table anew", path.display());
+        }
     }
 }

@@ -3,10 +3,11 @@
 //! They follow the documents of Zigbee2MQTT for `bridge/info`, `bridge/devices` and each device's availability, as far as possible without
 //! radio and firmware.
 
-use crate::entities::{Entity, EntityType, Word};
+use crate::entities::{Entity, EntityType};
 use crate::place::{HomeTopics, SensorTopics};
 use crate::speech::Message;
 use homebody_core::names::capitalised;
+use homebody_core::sensors::entities::SwitchWord;
 use homebody_log::RunInfo;
 use serde_json::{Value, json};
 use sha2::{Digest, Sha256};
@@ -96,9 +97,9 @@ fn device(place: &HomeTopics, sensor: &SensorTopics) -> Value {
 
 /// The abilities of a device, in Zigbee2MQTT's words; access 1 means that it reports by itself.
 fn exposed(entity: &Entity) -> Value {
-    let value = |word: Word| match word {
-        Word::Truth(truth) => Value::from(truth),
-        Word::Text(text) => text.into(),
+    let value = |word: SwitchWord| match word {
+        SwitchWord::Truth(truth) => Value::from(truth),
+        SwitchWord::Text(text) => text.into(),
     };
     let name = entity.property;
     let mut told = json!({ "name": name, "label": label(name), "property": name, "access": 1 });
