@@ -4,7 +4,6 @@ use crate::plan::Plan;
 use crate::plan::sun::{self, Sun};
 use crate::resident::Build;
 
-pub mod bake;
 pub mod field;
 pub mod form;
 pub mod resolved;

@@ -6,42 +6,8 @@
 //! Left out: sensors without such a word. Their names and their rows are left.
 
 use crate::names::words;
-use serde::Serialize;
-
-crate::worded::worded! {
-    /// The kinds that a sensor may be taken for.
-    #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
-    #[serde(rename_all = "snake_case")]
-    pub enum Kind {
-        /// It sees movement.
-        Motion = "motion",
-        /// A door, a drawer, a window.
-        Contact = "contact",
-        /// A light's switch, a mattress, an item: it is used, but no movement is seen.
-        Used = "used",
-        /// A temperature, a battery, a brightness.
-        Reading = "reading",
-        /// It tells of no person: an update, an automation, the sun.
-        Other = "other",
-    }
-    /// All of them.
-    ALL
-    /// In a word.
-    fn word
-}
-
-/// The meaning of a word for a kind of sensor.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Meaning {
-    /// It is of this kind.
-    Is(Kind),
-    /// A person is seen, or lies or sits on it. The name of a bed or a chair decides.
-    Somebody,
-    /// It is used; where it tells numbers, it is a reading.
-    Measured,
-    /// A reading; where it says that something begins and ends, the word says nothing of it.
-    Readings,
-}
+use crate::sensors::kinds::KINDS;
+pub use crate::sensors::meaning::{Kind, Meaning};
 
 const MOTION: Meaning = Meaning::Is(Kind::Motion);
 const CONTACT: Meaning = Meaning::Is(Kind::Contact);
@@ -49,34 +15,31 @@ const USED: Meaning = Meaning::Is(Kind::Used);
 const READING: Meaning = Meaning::Is(Kind::Reading);
 const OTHER: Meaning = Meaning::Is(Kind::Other);
 
-/// The words for kinds, in small letters and joined by `_`, blanks between.
+/// The words for kinds, in small letters and joined by `_`, blanks between. The keys of our own kinds have their meaning in their rows.
 const WORDS: [(Meaning, &str); 8] = [
     (
         MOTION,
-        "motion ceiling_motion motion_area motion_sensor motion_detected motion_detector pir pir_sensor movement moving_target radar \
+        "motion_area motion_sensor motion_detected motion_detector pir pir_sensor movement moving_target radar \
         mmwave human",
     ),
     (
         CONTACT,
-        "contact door window opening garage_door garage gate magnetic magnet reed door_sensor door_contact window_contact \
+        "door window opening garage_door garage gate magnetic magnet reed door_sensor door_contact window_contact \
         contact_sensor door_window open opened closed drawer",
     ),
     (Meaning::Somebody, "occupancy occupied presence occupancy_sensor presence_sensor person_present"),
     (
         USED,
-        "used bed chair seat sofa couch armchair mattress mat bed_sensor flush item button action click press shake burner faucet tap \
+        "used chair seat sofa couch armchair mattress mat bed_sensor flush item button action click press shake burner faucet tap \
         appliance toilet stove oven microwave dishwasher washer dryer washing_machine fridge freezer tv television media_player fan \
-        lock vibration experimenter_switch switch lamp outlet socket relay dimmer doorbell kettle toaster coffee_maker camera \
+        lock vibration experimenter_switch switch lamp outlet socket relay dimmer doorbell kettle toaster coffee_maker \
         moving pill_box cupboard cabinet",
     ),
-    (
-        Meaning::Measured,
-        "light power pressure flow water electric electricity stove_temperature use usage state current",
-    ),
+    (Meaning::Measured, "water electric electricity use usage state current"),
     (Meaning::Readings, "sensor"),
     (
         READING,
-        "reading temperature temp humidity battery battery_percent battery_level battery_voltage voltage energy illuminance \
+        "reading temp humidity battery battery_percent battery_level battery_voltage voltage energy illuminance \
         illuminance_lux lux luminance light_sensor light_level brightness atmospheric_pressure barometer signal_strength linkquality \
         rssi lqi carbon_dioxide co2 eco2 pm1 pm10 pm25 pm4 nitrogen_dioxide nitrogen_monoxide nitrous_oxide ozone sulphur_dioxide \
         volatile_organic_compounds volatile_organic_compounds_parts voc tvoc aqi air_quality noise sound_pressure speed wind_speed \
@@ -130,14 +93,14 @@ pub fn meaning(kind: &str, id: &str) -> Option<Meaning> {
             binary(class)
         }
         (Some("binary_sensor"), class) => binary(class),
-        (Some("sensor"), class) => Some(match whole(&WORDS, &class.concat()) {
+        (Some("sensor"), class) => Some(match known(&class.concat()) {
             Some(said @ (MOTION | CONTACT | Meaning::Somebody)) => said,
             Some(OTHER) if matches!(class, ["timestamp" | "date"]) => OTHER,
             _ => Meaning::Readings,
         }),
         (Some(_), ["config" | "diagnostic"]) => Some(OTHER),
         (Some(domain), _) => DOMAINS.iter().find(|(_, known)| has(known, domain)).and_then(|(meaning, _)| *meaning),
-        (None, said) => whole(&WORDS, &said.concat()).or_else(|| within(said)),
+        (None, said) => known(&said.concat()).or_else(|| within(said)),
     }
 }
 
@@ -151,10 +114,16 @@ pub fn domain_of(id: &str) -> Option<&str> {
 
 fn binary(class: &[&str]) -> Option<Meaning> {
     let class = class.concat();
-    whole(&BINARY, &class).or_else(|| whole(&WORDS, &class))
+    whole(&BINARY, &class).or_else(|| known(&class))
 }
 
-/// The meaning of all words for a kind together.
+/// The meaning of all words for a kind together: a kind of our own, or one of the words of others.
+fn known(said: &str) -> Option<Meaning> {
+    let own = KINDS.iter().find(|row| has(row.key, said)).map(|row| row.meaning);
+    own.or_else(|| whole(&WORDS, said))
+}
+
+/// The meaning of a word in a table.
 fn whole(table: &[(Meaning, &str)], said: &str) -> Option<Meaning> {
     table.iter().find(|(_, known)| has(known, said)).map(|(meaning, _)| *meaning)
 }
@@ -163,7 +132,7 @@ fn whole(table: &[(Meaning, &str)], said: &str) -> Option<Meaning> {
 fn within(words: &[&str]) -> Option<Meaning> {
     let parts = (1..words.len()).rev().flat_map(|length| words.windows(length));
     let parts: Vec<String> = parts.map(<[&str]>::concat).filter(|part| !has(VAGUE, part)).collect();
-    parts.iter().find_map(|part| whole(&WORDS, part))
+    parts.iter().find_map(|part| known(part))
 }
 
 /// Whether one of some words, separated by blanks, is this one in any spelling.
@@ -229,7 +198,8 @@ mod tests {
 
     #[test]
     fn no_word_has_two_meanings() {
-        for table in [&WORDS[..], &BINARY[..]] {
+        let own: Vec<(Meaning, &str)> = KINDS.iter().map(|row| (row.meaning, row.key)).collect();
+        for table in [[&WORDS[..], &own].concat(), BINARY.to_vec()] {
             let mut words: Vec<&str> = table.iter().flat_map(|(_, known)| known.split_whitespace()).collect();
             let all = words.len();
             words.sort_unstable();
@@ -240,10 +210,9 @@ mod tests {
 
     #[test]
     fn all_kinds_of_our_own_sensors_have_a_meaning() {
-        for row in crate::sensors::kinds::KINDS {
-            let said = meaning(row.key, "");
-            assert_eq!(said == Some(MOTION), row.senses_motion(), "{}", row.key);
-            assert!(said.is_some(), "{}", row.key);
+        for row in KINDS {
+            assert_eq!(meaning(row.key, ""), Some(row.meaning));
+            assert_eq!(row.meaning == MOTION, row.senses_motion(), "{}", row.key);
         }
         assert!(Kind::ALL.iter().all(|kind| meaning(kind.word(), "").is_some()));
     }

@@ -4,10 +4,13 @@ pub mod bed;
 pub mod camera;
 pub mod ceiling_motion;
 pub mod contact;
+pub mod entities;
 pub mod flow;
 pub mod form;
 pub mod kinds;
 pub mod light;
+pub mod looking;
+pub mod meaning;
 pub mod messages;
 pub mod motion;
 pub mod notice;
@@ -16,6 +19,7 @@ pub mod power;
 pub mod preset;
 pub mod pressure;
 pub mod products;
+pub mod rays;
 mod rounds;
 pub mod stove_temperature;
 pub mod temperature;
@@ -27,7 +31,7 @@ use crate::event::Value;
 use crate::geometry::{self, Point};
 use crate::ids::{RoomId, ThingId};
 use crate::plan::Plan;
-use form::{KindRow, Site, Unit};
+use form::{KindRow, Mount, Site, Unit};
 use kinds::{SensorFile, SensorKind};
 use notice::NoticeChance;
 use outbox::DeviceModel;
@@ -102,7 +106,7 @@ impl Sensor {
 
     /// Whether it has a fan of beams, rather than an area below it.
     pub fn is_on_wall(&self) -> bool {
-        matches!(self.kind, SensorKind::Motion(_))
+        self.row.mount == Mount::Wall
     }
 
     /// Whether it looks for movement, unlike a device.

@@ -21,7 +21,8 @@ use crate::resident::BodySize;
 use crate::sensor_set::{BLOCK, BLOCKS, Mask, SensorSet, bit, bits, blocks};
 use crate::sensors::Sensor;
 use crate::sensors::kinds::{SensorDevice, SensorKind};
-use crate::sensors::motion::{DetectionLevel, Motion};
+use crate::sensors::looking::{DetectionLevel, LookingModel};
+use crate::sensors::motion::Motion;
 use crate::sensors::notice::{Glance, NoticeChance};
 use crate::sensors::outbox::{Change, DeviceModel, Outbox};
 use crate::sensors::timing::{Machine, Sighting, TimerOutcome};
@@ -110,12 +111,10 @@ impl World {
         for sensor in (0..machines.len()).filter(|&sensor| home.sensors[sensor].senses_motion()) {
             want[sensor / BLOCK] |= bit(sensor);
         }
-        let device = |sensor: &Sensor| match &sensor.kind {
-            SensorKind::Device(device) => {
-                let stream = Stream::named(seed, &format!("sensor/{}/device", sensor.name));
-                Some((device.begin(stream, home.sun, &home.numbers), Outbox::default()))
-            }
-            SensorKind::Motion(_) | SensorKind::CeilingMotion(_) => None,
+        let device = |sensor: &Sensor| {
+            let SensorKind::Device(device) = &sensor.kind else { return None };
+            let stream = Stream::named(seed, &format!("sensor/{}/device", sensor.name));
+            Some((device.begin(stream, home.sun, &home.numbers), Outbox::default()))
         };
         let devices: Vec<Option<(SensorDevice, Outbox)>> = home.sensors.iter().map(device).collect();
         let mut timers = Timers::new(machines.len());
@@ -132,7 +131,8 @@ impl World {
                 wakes[waker].push(sensor);
             }
         }
-        let levels: Vec<Option<DetectionLevel>> = home.sensors.iter().map(|sensor| sensor.kind.level()).collect();
+        let levels: Vec<Option<DetectionLevel>> =
+            home.sensors.iter().map(|sensor| Some(sensor.kind.looking()?.level())).collect();
         let looks =
             |sensor: &Sensor| Some((sensor.chance?, Marks::named(seed, &format!("sensor/{}/notice", sensor.name))));
         let zoned = (0..levels.len()).filter(|&sensor| matches!(levels[sensor], Some(DetectionLevel::Zones { .. })));
@@ -468,7 +468,7 @@ impl World {
         if self.plain[sensor] {
             return first_touch(field, &mover.cell, sensor, motion, from);
         }
-        let SensorKind::Motion(pir) = &self.home.sensors[sensor].kind else { return None };
+        let pir = self.home.sensors[sensor].kind.fan()?;
         match pir.level {
             DetectionLevel::Paper => None,
             DetectionLevel::Sensitivity { reach_per_m } => {
@@ -502,11 +502,12 @@ impl World {
             BodyMotion::InPlace { amplitude_m, .. } => *amplitude_m,
             BodyMotion::Rest { .. } | BodyMotion::Away => return None,
         };
-        let kind = &self.home.sensors[sensor].kind;
-        let level = kind.level();
+        let looking = self.home.sensors[sensor].kind.looking()?;
+        let level = looking.level();
         let chance_at = |at: Point| {
-            let Some(view) = kind.view(at) else { return 0.0 };
-            let is_too_small = matches!(level, Some(DetectionLevel::Sensitivity { reach_per_m }) if moved_m * reach_per_m < view.distance_m);
+            let view = looking.view(at);
+            let is_too_small =
+                matches!(level, DetectionLevel::Sensitivity { reach_per_m } if moved_m * reach_per_m < view.distance_m);
             if is_too_small { 0.0 } else { chance.of(view, moved_m, field.size.radius_m) }
         };
         // A body that stays is equally likely to be noticed at each look.
@@ -539,7 +540,7 @@ impl World {
     fn count_pulses(&mut self, end: RunTime) {
         for pulses in &mut self.pulses {
             let sensor = pulses.sensor;
-            let SensorKind::Motion(pir) = &self.home.sensors[sensor].kind else { continue };
+            let Some(pir) = self.home.sensors[sensor].kind.fan() else { continue };
             pulses.begin_slice();
             for (index, TrackedBody { posture, motion, .. }) in self.bodies.iter().enumerate() {
                 let mover = self.movers[sensor / BLOCK].iter().find(|mover| mover.body as usize == index);

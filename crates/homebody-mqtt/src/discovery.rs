@@ -9,11 +9,13 @@ use crate::entities::{Entity, EntityType};
 use crate::place::{HomeTopics, SensorTopics};
 use crate::speech::Message;
 use homebody_core::names::capitalised;
+use homebody_core::sensors::entities::SwitchWord;
 use homebody_log::RunInfo;
 use serde_json::{Map, Value, json};
 
 const MAKER: &str = "Homebody";
 
+/// One device, with its entities by their ids.
 struct DiscoveredDevice {
     id: String,
     device: Value,
@@ -31,6 +33,7 @@ pub(crate) fn messages(address: &BrokerAddress, place: &HomeTopics, run: &RunInf
     }
 }
 
+/// One message for a device.
 fn whole(
     address: &BrokerAddress,
     run: &RunInfo,
@@ -45,6 +48,7 @@ fn whole(
     Message::kept(format!("{}/device/{id}/config", address.discovery_prefix), payload.to_string())
 }
 
+/// One message for each entity of a device.
 fn single(
     address: &BrokerAddress,
     run: &RunInfo,
@@ -126,6 +130,7 @@ fn discovered(address: &BrokerAddress, place: &HomeTopics, run: &RunInfo, sensor
     DiscoveredDevice { id, device: Value::Object(device), entities }
 }
 
+/// The configuration of one entity, and its kind.
 fn entity_of(
     address: &BrokerAddress,
     place: &HomeTopics,
@@ -154,7 +159,7 @@ fn entity_of(
     let platform = match &entity.says {
         EntityType::Binary { on_only, zigbee } => {
             let [on, off] = match place.style {
-                Style::Zigbee2Mqtt => zigbee.map(Value::from),
+                Style::Zigbee2Mqtt => zigbee.map(payload),
                 Style::HomeAssistant | Style::Plain => ["ON".into(), "OFF".into()],
             };
             add("payload_on", on);
@@ -179,6 +184,13 @@ fn entity_of(
         EntityType::Text => "sensor",
     };
     (platform, config)
+}
+
+fn payload(word: SwitchWord) -> Value {
+    match word {
+        SwitchWord::Truth(truth) => truth.into(),
+        SwitchWord::Text(text) => text.into(),
+    }
 }
 
 fn availability(place: &HomeTopics, sensor: Option<&SensorTopics>) -> Map<String, Value> {

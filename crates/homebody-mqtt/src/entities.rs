@@ -5,9 +5,11 @@
 //! Left out: batteries and the quality of links, which no log has.
 
 use homebody_core::names::words;
+use homebody_core::sensors::entities::{EntityForm, EntityRow, OPENING, SwitchWord};
+use homebody_core::sensors::kinds::KINDS;
 use homebody_log::SensorInfo;
-use serde_json::Value;
 
+/// One thing that a sensor tells.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Entity {
     /// Its part of topics and ids; empty for what a sensor mainly tells.
@@ -15,8 +17,12 @@ pub(crate) struct Entity {
     /// The name behind that of the sensor; None for the main entity.
     pub name: Option<&'static str>,
     pub says: EntityType,
+    /// Home Assistant's device class.
     pub class: Option<&'static str>,
+    /// The key in a device's JSON of Zigbee2MQTT.
     pub property: &'static str,
+    /// The first word of its values in a log; empty if they have none.
+    pub prefix: &'static str,
 }
 
 #[derive(Clone, Debug, PartialEq)]
@@ -25,29 +31,13 @@ pub(crate) enum EntityType {
         /// Whether it sends ON alone, again and again.
         on_only: bool,
         /// The words of Zigbee2MQTT for on and off.
-        zigbee: [Word; 2],
+        zigbee: [SwitchWord; 2],
     },
     Number {
         unit: Option<String>,
     },
     Choice(&'static [&'static str]),
     Text,
-}
-
-/// A word of Zigbee2MQTT's JSON.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Word {
-    Truth(bool),
-    Text(&'static str),
-}
-
-impl From<Word> for Value {
-    fn from(word: Word) -> Value {
-        match word {
-            Word::Truth(truth) => truth.into(),
-            Word::Text(text) => text.into(),
-        }
-    }
 }
 
 #[derive(Clone, Debug, PartialEq)]
@@ -57,74 +47,39 @@ pub(crate) enum EntityValue<'a> {
     Word(&'a str),
 }
 
-const BANDS: &[&str] = &["low", "normal", "high"];
-
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Device {
     pub entities: Vec<Entity>,
 }
 
-impl Entity {
-    /// An entity without a class.
-    fn new(key: &'static str, name: Option<&'static str>, says: EntityType, property: &'static str) -> Entity {
-        Entity { key, name, says, class: None, property }
-    }
-}
-
 impl Device {
+    /// By its kind.
     pub fn for_sensor(sensor: &SensorInfo) -> Device {
+        let kind = KINDS.iter().find(|kind| kind.key == sensor.kind);
+        let rows = kind.map_or(&[EntityRow::TEXT][..], |kind| kind.entities);
         let is_held = sensor.values.iter().any(|value| value == "OFF");
-        let truth = [Word::Truth(true), Word::Truth(false)];
-        let number = || EntityType::Number { unit: sensor.unit.clone() };
-        // The main entity of a sensor that is on or off, or that tells a number.
-        let binary = |class, property, zigbee, on_only| Entity {
-            class: Some(class),
-            ..Entity::new("", None, EntityType::Binary { on_only, zigbee }, property)
+        let on_only = kind.is_some_and(|kind| kind.senses_motion()) && !is_held;
+        let is_sent =
+            |row: &&EntityRow| sensor.unit.is_some() || row.key.is_empty() || !matches!(row.form, EntityForm::Reading);
+        let entity = |row: &EntityRow| Entity {
+            key: row.key,
+            name: row.name,
+            says: match row.form {
+                EntityForm::Switch(zigbee) => EntityType::Binary { on_only, zigbee },
+                EntityForm::Reading => EntityType::Number { unit: sensor.unit.clone() },
+                EntityForm::Number => EntityType::Number { unit: None },
+                EntityForm::Choice(words) => EntityType::Choice(words),
+                EntityForm::Text => EntityType::Text,
+            },
+            class: row.class.map(|class| if class == OPENING { opens(sensor) } else { class }),
+            property: row.property,
+            prefix: row.prefix,
         };
-        let level = |class| Entity { class: Some(class), ..Entity::new("", None, number(), class) };
-        let second = |class, name| Entity { class: Some(class), ..Entity::new(class, Some(name), number(), class) };
-        let reading = |entity| sensor.unit.is_some().then_some(entity);
-        let choice =
-            |key, name| Entity { class: Some("enum"), ..Entity::new(key, Some(name), EntityType::Choice(BANDS), key) };
-        let mut entities = match sensor.kind.as_str() {
-            "motion" | "ceiling_motion" => vec![binary("motion", "occupancy", truth, !is_held)],
-            "contact" => {
-                // Zigbee2MQTT says whether it is closed.
-                let closed = [Word::Truth(false), Word::Truth(true)];
-                vec![binary(opens(sensor), "contact", closed, false)]
-            }
-            "bed" => {
-                let restless = EntityType::Number { unit: None };
-                vec![
-                    binary("occupancy", "occupancy", truth, false),
-                    Entity::new("restlessness", Some("Restlessness"), restless, "restlessness"),
-                    choice("pulse", "Pulse"),
-                    choice("respiration", "Respiration"),
-                ]
-            }
-            "pressure" => vec![binary("occupancy", "occupancy", truth, false)],
-            "flow" => vec![binary("running", "water_flow", truth, false)],
-            "stove_temperature" => {
-                let heat = binary("heat", "heat", truth, false);
-                std::iter::once(heat).chain(reading(second("temperature", "Temperature"))).collect()
-            }
-            "power" => {
-                let on = binary("power", "state", [Word::Text("ON"), Word::Text("OFF")], false);
-                std::iter::once(on).chain(reading(second("power", "Power"))).collect()
-            }
-            "light" => vec![level("illuminance")],
-            "temperature" => vec![level("temperature")],
-            _ => Vec::new(),
-        };
-        if entities.is_empty() {
-            entities.push(Entity::new("", None, EntityType::Text, "value"));
-        }
-        Device { entities }
+        Device { entities: rows.iter().filter(is_sent).map(entity).collect() }
     }
 
     /// The entity and the value that a row's text means. A text that the kind does not know is a value of the main entity.
     pub fn hears<'a>(&self, said: &'a str) -> (usize, EntityValue<'a>) {
-        let at = |key: &str| self.entities.iter().position(|entity| entity.key == key).unwrap_or(0);
         let switched = match said {
             "ON" | "true" | "OPEN" | "IN" => Some(true),
             "OFF" | "false" | "CLOSE" | "OUT" => Some(false),
@@ -136,8 +91,7 @@ impl Device {
             _ => {}
         }
         if let Some((first, rest)) = said.split_once('_') {
-            let keys = [("RESTLESS", "restlessness"), ("PULSE", "pulse"), ("RESPIRATION", "respiration")];
-            let entity = at(keys.iter().find(|(word, _)| *word == first).map_or("", |(_, key)| key));
+            let entity = self.entities.iter().position(|entity| entity.prefix == first).unwrap_or(0);
             match (&self.entities[entity].says, rest.parse::<f64>()) {
                 (EntityType::Number { .. }, Ok(number)) if entity > 0 => return (entity, EntityValue::Number(number)),
                 (EntityType::Choice(words), _) => {
@@ -154,6 +108,7 @@ impl Device {
         }
     }
 
+    /// The entity that tells readings.
     pub fn number(&self) -> usize {
         self.entities.iter().position(|entity| matches!(entity.says, EntityType::Number { .. })).unwrap_or(0)
     }
@@ -165,16 +120,17 @@ fn opens(sensor: &SensorInfo) -> &'static str {
     let is = |word: &str| words.iter().any(|known| known == word);
     match () {
         () if is("window") => "window",
-        () if is("fridge") || is("drawer") || is("cabinet") || is("closet") || is("cupboard") => "opening",
+        () if is("fridge") || is("drawer") || is("cabinet") || is("closet") || is("cupboard") => OPENING,
         () if is("door") || sensor.room.is_none() => "door",
-        () => "opening",
+        () => OPENING,
     }
 }
 
 #[cfg(test)]
 pub(crate) mod tests {
     use super::*;
-    use homebody_core::sensors::kinds::KINDS;
+    use homebody_core::sensors::form::KindRow;
+    use std::path::Path;
 
     pub(crate) fn sensor(name: &str, kind: &str, unit: Option<&str>, values: &[&str]) -> SensorInfo {
         let (unit, room) = (unit.map(Into::into), Some("kitchen".into()));
@@ -199,21 +155,6 @@ pub(crate) mod tests {
     }
 
     #[test]
-    fn every_kind_but_the_camera_has_entities_of_its_own() {
-        let is_text = |key: &str, values: &[String]| {
-            let values: Vec<&str> = values.iter().map(String::as_str).collect();
-            Device::for_sensor(&sensor("it", key, Some("lx"), &values)).entities[0].says == EntityType::Text
-        };
-        let lacking = KINDS.iter().filter(|row| {
-            let values: Vec<String> = row.values.iter().map(ToString::to_string).collect();
-            is_text(row.key, &values)
-        });
-        assert_eq!(lacking.map(|row| row.key).collect::<Vec<_>>(), ["camera"], "add them to Device::for_sensor");
-        // The control: a kind that is not listed sends text.
-        assert!(is_text("unlisted", &[]));
-    }
-
-    #[test]
     fn motion_without_off_is_on_only_and_openings_have_a_class() {
         let on_only =
             |values: &[&str]| match Device::for_sensor(&sensor("hall", "motion", None, values)).entities[0].says {
@@ -225,5 +166,42 @@ pub(crate) mod tests {
             |name: &str| Device::for_sensor(&sensor(name, "contact", None, &["OPEN", "CLOSE"])).entities[0].class;
         let classes = ["front door", "fridge door", "window", "medicine cabinet", "box"].map(class);
         assert_eq!(classes, ["door", "opening", "window", "opening", "opening"].map(Some));
+    }
+
+    /// `HOMEBODY_REWRITE` writes the table anew.
+    #[test]
+    fn the_page_of_mqtt_has_all_entities() {
+        let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../docs/how-to/mqtt-and-home-assistant.md");
+        let page = std::fs::read_to_string(&path).unwrap();
+        let heading =
+            "| sensor | entity | class in Home Assistant | key in Zigbee2MQTT | values |\n|---|---|---|---|---|\n";
+        let (before, rest) = page.split_once(heading).unwrap();
+        let (table, after) = rest.split_once("\n\n").unwrap();
+        let marked = |text: &str| format!("`{text}`");
+        let row = |kind: &KindRow, entity: &EntityRow| {
+            let key = if entity.key.is_empty() { "main".into() } else { marked(entity.key) };
+            let class = entity.class.map_or("none".into(), marked);
+            let values = match entity.form {
+                EntityForm::Switch(words) => {
+                    let [on, off] = words.map(|word| match word {
+                        SwitchWord::Truth(truth) => truth.to_string(),
+                        SwitchWord::Text(text) => text.into(),
+                    });
+                    format!("on or off: `{on}` or `{off}` in Zigbee2MQTT")
+                }
+                EntityForm::Reading => format!("readings in {}", kind.unit.expect("a unit of readings").symbol),
+                EntityForm::Number => "numbers".into(),
+                EntityForm::Choice(words) => words.iter().map(|word| marked(word)).collect::<Vec<_>>().join(", "),
+                EntityForm::Text => "text".into(),
+            };
+            format!("| `{}` | {key} | {class} | `{}` | {values} |", kind.key, entity.property)
+        };
+        let rows: Vec<String> =
+            KINDS.iter().flat_map(|kind| kind.entities.iter().map(move |entity| row(kind, entity))).collect();
+        if std::env::var_os("HOMEBODY_REWRITE").is_some() {
+            std::fs::write(&path, format!("{before}{heading}{}\n\n{after}", rows.join("\n"))).unwrap();
+        } else {
+            assert_eq!(table, rows.join("\n"), "{}: HOMEBODY_REWRITE=1 writes the table anew", path.display());
+        }
     }
 }

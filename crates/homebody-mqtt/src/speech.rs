@@ -5,6 +5,7 @@ use crate::entities::{EntityType, EntityValue};
 use crate::messages::BrokerMessage;
 use crate::place::{HomeTopics, SensorTopics};
 use homebody_core::scenario::logger::TimeFormat;
+use homebody_core::sensors::entities::SwitchWord;
 use homebody_core::time::RunTime;
 use homebody_log::table::InstantWriter;
 use homebody_log::{LogError, RunInfo};
@@ -17,6 +18,7 @@ use std::sync::Arc;
 pub(crate) struct Message {
     pub topic: Arc<str>,
     pub payload: Arc<str>,
+    /// Whether the broker retains it for later listeners.
     pub retain: bool,
     /// Of what passes by itself, such as a motion sensor's ON: what is true again some seconds later.
     pub then: Option<Arc<str>>,
@@ -28,10 +30,12 @@ impl Message {
     }
 }
 
+/// Turns rows into messages.
 pub(crate) struct Speech {
     run: String,
     clock: InstantWriter,
     place: Arc<HomeTopics>,
+    /// Sensors by what the log calls them.
     by_id: HashMap<String, usize>,
     topics: Vec<Vec<Arc<str>>>,
     /// Of Zigbee2MQTT: by sensor, all that it has said last, in its order.
@@ -77,6 +81,7 @@ impl Speech {
         }
     }
 
+    /// The message of a sensor, by its number.
     pub fn said(&mut self, index: usize, seq: i64, at: RunTime, said: &str) -> Message {
         let place = self.place.clone();
         let placed = &place.sensors[index];
@@ -144,7 +149,10 @@ fn on_off(on: bool) -> &'static str {
 
 fn zigbee_value(says: &EntityType, heard: &EntityValue) -> Value {
     match (heard, says) {
-        (EntityValue::Switched(on), EntityType::Binary { zigbee, .. }) => zigbee[usize::from(!on)].into(),
+        (EntityValue::Switched(on), EntityType::Binary { zigbee, .. }) => match zigbee[usize::from(!on)] {
+            SwitchWord::Truth(truth) => truth.into(),
+            SwitchWord::Text(text) => text.into(),
+        },
         (EntityValue::Switched(on), _) => (*on).into(),
         (EntityValue::Number(number), _) if number.fract() == 0.0 && number.abs() < 1e15 => (*number as i64).into(),
         (EntityValue::Number(number), _) => (*number).into(),

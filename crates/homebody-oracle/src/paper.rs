@@ -13,11 +13,10 @@
 use crate::{Eye, Pose};
 use homebody_core::geometry::Point;
 use homebody_core::home::Home;
-use homebody_core::home::bake::vector;
 use homebody_core::plan::Solid;
 use homebody_core::resident::BodySize;
 use homebody_core::sensors::Sensor;
-use homebody_core::sensors::kinds::SensorKind;
+use homebody_core::sensors::rays::vector;
 use rapier2d::parry::query;
 use rapier2d::parry::shape::{Ball, ConvexPolygon};
 use rapier2d::prelude::*;
@@ -48,10 +47,7 @@ impl PaperEye {
     pub fn new(home: &Home, size: BodySize, bodies: usize) -> PaperEye {
         let mut physics = PhysicsWorld { gravity: Vector::ZERO, ..PhysicsWorld::default() };
         physics.integration_parameters.dt = 1.0 / 60.0;
-        let lens = |sensor: &Sensor| match &sensor.kind {
-            SensorKind::Motion(motion) => motion.height_m,
-            SensorKind::CeilingMotion(_) | SensorKind::Device(_) => 0.0,
-        };
+        let lens = |sensor: &Sensor| sensor.kind.fan().map_or(0.0, |fan| fan.height_m);
         let highest = home.sensors.iter().map(lens).fold(0.0, f64::max);
         for solid in &home.plan.solids {
             let group = if solid.height_m >= highest { TALL } else { LOW };
@@ -113,25 +109,20 @@ fn groups(member: Group) -> InteractionGroups {
 }
 
 fn seeing(sensor: &Sensor, size: BodySize, walls: &PhysicsWorld) -> Seeing {
-    let motion = match &sensor.kind {
-        SensorKind::CeilingMotion(area) => {
-            let corners = area.outline.iter().map(|&corner| vector(corner)).collect();
-            return Seeing::Area(
-                ConvexPolygon::from_convex_polyline_unmodified(corners).expect("an area with corners"),
-            );
-        }
-        SensorKind::Motion(motion) => motion,
-        SensorKind::Device(_) => return Seeing::Rays(Vec::new(), QueryFilter::default()),
-    };
+    if let Some(area) = sensor.kind.area_below() {
+        let corners = area.iter().map(|&corner| vector(corner)).collect();
+        return Seeing::Area(ConvexPolygon::from_convex_polyline_unmodified(corners).expect("an area with corners"));
+    }
+    let Some(fan) = sensor.kind.fan() else { return Seeing::Rays(Vec::new(), QueryFilter::default()) };
     let tall = QueryFilter::default().groups(InteractionGroups::new(Group::ALL, TALL, InteractionTestMode::And));
-    let rays = motion.blades.iter().filter_map(|blade| {
-        let (near, far) = motion.ranges(blade, size.top_m)?;
+    let rays = fan.blades.iter().filter_map(|blade| {
+        let (near, far) = fan.ranges(blade, size.top_m)?;
         // Closer to the lens, the beam passes over bodies, but not over walls.
-        let from_lens = Ray::new(vector(motion.lens), vector(blade.direction));
+        let from_lens = Ray::new(vector(fan.lens), vector(blade.direction));
         if walls.cast_ray(&from_lens, near as f32, false, tall).is_some() {
             return None;
         }
-        let ray = Ray::new(vector(motion.lens + blade.direction * near), vector(blade.direction));
+        let ray = Ray::new(vector(fan.lens + blade.direction * near), vector(blade.direction));
         Some(SensorRay { ray, reach: (far - near) as f32, length: 0.0 })
     });
     Seeing::Rays(rays.collect(), tall)

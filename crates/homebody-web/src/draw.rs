@@ -6,7 +6,6 @@ use crate::wire::{
 };
 use homebody_analysis::coverage::cameras::CameraFloor;
 use homebody_core::geometry::{self, Point};
-use homebody_core::home::bake;
 use homebody_core::home::form::HomeFile;
 use homebody_core::plan::form::FurnitureFile;
 use homebody_core::plan::{Origin, Plan};
@@ -102,7 +101,7 @@ fn verbs(kind: ThingKind, piece: Option<&FurnitureFile>) -> [String; 2] {
 }
 
 fn sensor(sensor: &Sensor, file: &SensorFile, plan: &Plan) -> SensorView {
-    let beams = if sensor.is_on_wall() { bake::beams(sensor, plan, BODY_M) } else { Vec::new() };
+    let beams = if sensor.is_on_wall() { sensor.kind.beams(plan, BODY_M) } else { Vec::new() };
     let on = file.on().and_then(|thing| plan.piece(thing)).map(|piece| outline(&piece.outline));
     let area = match sensor.kind.area_below() {
         Some(below) => Some(outline(below)),

@@ -15,6 +15,17 @@ export function rowOf(kind: string): Row | null {
   return Object.hasOwn(SENSOR_KINDS, kind) ? SENSOR_KINDS[kind as keyof typeof SENSOR_KINDS] : null;
 }
 
+/** The mount of a kind; null for a kind that this page does not know. */
+export function mountOf(kind: unknown): Row['mount'] | null {
+  return typeof kind === 'string' ? (rowOf(kind)?.mount ?? null) : null;
+}
+
+/** Whether a kind looks for movement. */
+export function sensesMotion(kind: unknown): boolean {
+  const mount = mountOf(kind);
+  return mount === 'wall' || mount === 'ceiling';
+}
+
 /** A kind that this page does not know is a grey square with its own name. */
 export function kindOf(kind: string): Kind {
   const row = rowOf(kind);

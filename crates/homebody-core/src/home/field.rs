@@ -5,7 +5,6 @@
 //! masks a cell; beams are looked at only where the masks do not decide. A mask holds a block of
 //! `BLOCK` sensors; a home with more has a layer of cells for each block.
 
-use super::bake;
 use crate::geometry::{self, Point};
 use crate::ids::SensorId;
 use crate::plan::Plan;
@@ -64,7 +63,7 @@ impl Field {
         let mut beams = Vec::new();
         let mut first_beam = vec![0];
         for sensor in sensors {
-            beams.extend(bake::beams(sensor, plan, size.top_m));
+            beams.extend(sensor.kind.beams(plan, size.top_m));
             first_beam.push(beams.len() as u32);
         }
         let areas = sensors.iter().map(|sensor| sensor.kind.area_below().map(<[Point]>::to_vec)).collect();

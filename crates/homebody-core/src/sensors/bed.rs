@@ -19,6 +19,8 @@
 //! Left out: people who lie next to the strip, pets, the strength of a movement, the effect of breathing on the pulse's
 //! signal, drift of the pressure.
 
+use super::entities::{EntityForm, EntityRow};
+use super::meaning::{Kind, Meaning};
 use super::messages::SensorMessage;
 use super::outbox::{Change, DeviceModel, Outbox};
 use crate::event::{Band, Trigger, Value, Vitals};
@@ -33,6 +35,9 @@ use crate::sensors::form::{Bearer, Colour, FormProblem, KindRow, Mount, Reported
 use crate::time::{RunTime, Span};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
+
+/// Bands of pulse and respiration.
+const BANDS: EntityForm = EntityForm::Choice(&["low", "normal", "high"]);
 
 /// The row of the kind.
 pub static ROW: KindRow = KindRow {
@@ -57,6 +62,13 @@ pub static ROW: KindRow = KindRow {
     shape: Shape::Pill,
     colour: Colour::Purple,
     casas: "I",
+    meaning: Meaning::Is(Kind::Used),
+    entities: &[
+        EntityRow::switch("occupancy", "occupancy"),
+        EntityRow::prefixed("RESTLESS", "restlessness", "Restlessness", EntityForm::Number, None),
+        EntityRow::prefixed("PULSE", "pulse", "Pulse", BANDS, Some("enum")),
+        EntityRow::prefixed("RESPIRATION", "respiration", "Respiration", BANDS, Some("enum")),
+    ],
 };
 
 /// A pneumatic strip in a bed. Its events are `IN` and `OUT`, `RESTLESS_1` to `RESTLESS_4`, and low, normal or high

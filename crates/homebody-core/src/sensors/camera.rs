@@ -13,6 +13,8 @@
 //!
 //! Left out: lenses that distort, darkness, moving the camera, what becomes of pictures on their way.
 
+use super::entities::EntityRow;
+use super::meaning::{Kind, Meaning};
 use super::messages::SensorMessage;
 use super::outbox::{Change, DeviceModel, Outbox};
 use crate::body::figure::Figure;
@@ -50,6 +52,8 @@ pub static ROW: KindRow = KindRow {
     shape: Shape::Eye,
     colour: Colour::Purple,
     casas: "C",
+    meaning: Meaning::Is(Kind::Used),
+    entities: &[EntityRow::TEXT],
 };
 
 /// A camera that keeps silhouettes only. Its events are `WOKE`, `SEEN` and `SLEPT`.

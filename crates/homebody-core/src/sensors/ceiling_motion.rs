@@ -12,10 +12,14 @@
 //! Left out: the height of the body (the beam widens downward), furniture above the area, and walls: the checks refuse
 //! an area that reaches through one.
 
+use super::entities::EntityRow;
 use super::form::{Colour, KindRow, Mount, SensorForm, Shape};
+use super::looking::LookingModel;
+use super::meaning::{Kind, Meaning};
 use super::notice::View;
 use crate::event::Value;
 use crate::geometry::{self, At, Point};
+use crate::plan::Plan;
 use crate::sensors::preset::MotionSettings;
 use crate::stride::Beam;
 use schemars::JsonSchema;
@@ -31,6 +35,8 @@ pub static ROW: KindRow = KindRow {
     shape: Shape::Ring,
     colour: Colour::Sky,
     casas: "M",
+    meaning: Meaning::Is(Kind::Motion),
+    entities: &[EntityRow::switch("motion", "occupancy")],
 };
 
 /// A passive infrared sensor on the ceiling that looks straight down on an area.
@@ -88,15 +94,15 @@ impl CeilingMotion {
         }
         CeilingMotion { middle: geometry::inner_point(&outline), outline }
     }
+}
 
-    /// A body as the lens above the middle of the area sees it.
-    pub fn view(&self, at: Point) -> View {
-        let distance_m = libm::hypot(at.distance(self.middle), LENS_ABOVE_M);
-        View { distance_m, depth_m: geometry::depth_in_area(&self.outline, at) }
+impl LookingModel for CeilingMotion {
+    fn lens(&self) -> Point {
+        self.middle
     }
 
-    /// The sides of the area as beams.
-    pub fn beams(&self) -> Vec<Beam> {
+    /// The sides of the area.
+    fn beams(&self, _plan: &Plan, _body_m: f64) -> Vec<Beam> {
         let sides = geometry::sides(&self.outline).enumerate();
         sides
             .map(|(number, (a, b))| Beam {
@@ -106,6 +112,15 @@ impl CeilingMotion {
                 number: number as u32,
             })
             .collect()
+    }
+
+    fn view(&self, at: Point) -> View {
+        let distance_m = libm::hypot(at.distance(self.middle), LENS_ABOVE_M);
+        View { distance_m, depth_m: geometry::depth_in_area(&self.outline, at) }
+    }
+
+    fn area_below(&self) -> Option<&[Point]> {
+        Some(&self.outline)
     }
 }
 

@@ -8,6 +8,8 @@
 //!
 //! Left out: bouncing, doors that stand ajar, magnets out of line.
 
+use super::entities::EntityRow;
+use super::meaning::{Kind, Meaning};
 use super::outbox::{Change, DeviceModel, Outbox};
 use crate::event::{Trigger, Value};
 use crate::ids::ThingId;
@@ -26,6 +28,8 @@ pub static ROW: KindRow = KindRow {
     shape: Shape::Gap,
     colour: Colour::Orange,
     casas: "D",
+    meaning: Meaning::Is(Kind::Contact),
+    entities: &[EntityRow::CONTACT],
 };
 
 /// A contact on a door or a piece of furniture. Its events are `OPEN` and `CLOSE`.

@@ -10,6 +10,8 @@
 //!
 //! Left out: how much flows, whether it is warm, other taps on the same pipe.
 
+use super::entities::EntityRow;
+use super::meaning::Meaning;
 use super::outbox::{Change, DeviceModel, Outbox};
 use crate::event::{Trigger, Value};
 use crate::ids::{ResidentId, ThingId};
@@ -28,6 +30,8 @@ pub static ROW: KindRow = KindRow {
     shape: Shape::Drop,
     colour: Colour::Sky,
     casas: "I",
+    meaning: Meaning::Measured,
+    entities: &[EntityRow::switch("running", "water_flow")],
 };
 
 /// A flow sensor in a water pipe. Its events are `ON` and `OFF`.

@@ -8,6 +8,8 @@
 //!
 //! Left out: what depends on other sensors, which the check and its remarks see to.
 
+use super::entities::EntityRow;
+use super::meaning::Meaning;
 use crate::camera::outlook::Outlook;
 use crate::event::Value;
 use crate::geometry::{At, Point};
@@ -36,6 +38,10 @@ pub struct KindRow {
     pub colour: Colour,
     /// The beginning of its ids in the homes of CASAS: `M` for motion, `D` for doors, `I` for items.
     pub casas: &'static str,
+    /// The meaning of its key as a word in logs of other systems, where it may stand for another sensor.
+    pub meaning: Meaning,
+    /// Its entities in monitoring systems; the main one comes first.
+    pub entities: &'static [EntityRow],
 }
 
 impl KindRow {

@@ -10,16 +10,18 @@
 //! Left out: the models, which are in the modules of the kinds.
 
 use super::camera::CameraFile;
-use super::ceiling_motion::{CeilingMotion, CeilingMotionFile};
 use super::form::{KindRow, Mount, SensorForm, Site};
-use super::motion::{DetectionLevel, Motion, MotionFile};
+use super::looking::{DetectionLevel, LookingModel};
+use super::motion::Motion;
 use super::notice::{Notice, NoticeChance, View};
 use super::outbox::{Change, DeviceModel, Outbox};
 use super::preset::{MotionSettings, Preset, TimingSeconds};
 use crate::geometry::Point;
 use crate::numbers::Numbers;
+use crate::plan::Plan;
 use crate::plan::sun::Sun;
 use crate::random::Stream;
+use crate::stride::Beam;
 use crate::time::RunTime;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -62,7 +64,7 @@ macro_rules! sensor_file {
         #[schemars(title = "sensor")]
         #[allow(missing_docs, reason = "each kind's form says what it is, and the schema takes it from there")]
         pub enum SensorFile {
-            $($look($look_form),)*
+            $($look(crate::sensors::$look_module::$look_form),)*
             $($kind(crate::sensors::$module::$form)),*
         }
 
@@ -182,11 +184,18 @@ impl SensorFile {
     }
 }
 
-macro_rules! device {
+macro_rules! model {
     (
         looking { $($look:ident($look_module:ident, $look_form:ident))* }
         devices { $($kind:ident($module:ident, $form:ident))* }
     ) => {
+        /// A sensor that looks for movement, by kind.
+        #[derive(Clone, Debug, PartialEq)]
+        #[allow(missing_docs, reason = "each kind's model says what it is, in a file of its own")]
+        pub enum LookingSensor {
+            $($look(super::$look_module::$look)),*
+        }
+
         /// A sensor that reacts to use, weight or state, by kind.
         #[derive(Clone, Debug, PartialEq)]
         #[allow(missing_docs, reason = "each kind's model says what it is, in a file of its own")]
@@ -198,22 +207,39 @@ macro_rules! device {
             /// The model of a checked file and its position; `None` for a device without a site.
             pub(super) fn placed(file: &SensorFile, site: impl FnOnce() -> Option<Site>) -> Option<(SensorKind, Point)> {
                 Some(match file {
-                    SensorFile::Motion(file) => {
-                        let motion = Motion::new(file);
-                        let lens = motion.lens;
-                        (SensorKind::Motion(motion), lens)
-                    }
-                    SensorFile::CeilingMotion(file) => {
-                        let area = CeilingMotion::new(file);
-                        let middle = area.middle;
-                        (SensorKind::CeilingMotion(area), middle)
-                    }
+                    $(SensorFile::$look(file) => {
+                        let looking = LookingSensor::$look(super::$look_module::$look::new(file));
+                        let lens = looking.lens();
+                        (SensorKind::Looking(looking), lens)
+                    })*
                     $(SensorFile::$kind(file) => {
                         let site = site()?;
                         let device = SensorDevice::$kind(super::$module::$kind::new(file, &site));
                         (SensorKind::Device(Box::new(device)), site.at)
                     })*
                 })
+            }
+        }
+
+        impl LookingModel for LookingSensor {
+            fn lens(&self) -> Point {
+                match self { $(LookingSensor::$look(looking) => looking.lens()),* }
+            }
+
+            fn beams(&self, plan: &Plan, body_m: f64) -> Vec<Beam> {
+                match self { $(LookingSensor::$look(looking) => looking.beams(plan, body_m)),* }
+            }
+
+            fn view(&self, at: Point) -> View {
+                match self { $(LookingSensor::$look(looking) => looking.view(at)),* }
+            }
+
+            fn level(&self) -> DetectionLevel {
+                match self { $(LookingSensor::$look(looking) => looking.level()),* }
+            }
+
+            fn area_below(&self) -> Option<&[Point]> {
+                match self { $(LookingSensor::$look(looking) => looking.area_below()),* }
             }
         }
 
@@ -252,43 +278,41 @@ macro_rules! device {
         }
     };
 }
-sensors!(device);
+sensors!(model);
 
-/// The model of a sensor: two kinds look for movement, the others react to use, weight or state.
+/// The model of a sensor.
 #[derive(Clone, Debug, PartialEq)]
 pub enum SensorKind {
-    /// A fan of beams from a wall.
-    Motion(Motion),
-    /// An area below the ceiling.
-    CeilingMotion(CeilingMotion),
-    /// As it is when a run begins.
+    /// It looks for movement.
+    Looking(LookingSensor),
+    /// It reacts to use, weight or state; in its state when a run begins.
     Device(Box<SensorDevice>),
 }
 
 impl SensorKind {
-    /// The changes in its field that count as movement, if it looks for movement.
-    pub fn level(&self) -> Option<DetectionLevel> {
+    /// The model, if it looks for movement.
+    pub fn looking(&self) -> Option<&LookingSensor> {
         match self {
-            SensorKind::Motion(motion) => Some(motion.level),
-            SensorKind::CeilingMotion(_) => Some(DetectionLevel::Paper),
+            SensorKind::Looking(looking) => Some(looking),
             SensorKind::Device(_) => None,
         }
     }
 
-    /// A body at this point as its lens sees it.
-    pub fn view(&self, at: Point) -> Option<View> {
+    /// The fan of blades, if it has one. Levels other than `paper` need it.
+    pub fn fan(&self) -> Option<&Motion> {
         match self {
-            SensorKind::Motion(motion) => Some(motion.view(at)),
-            SensorKind::CeilingMotion(area) => Some(area.view(at)),
-            SensorKind::Device(_) => None,
+            SensorKind::Looking(LookingSensor::Motion(fan)) => Some(fan),
+            _ => None,
         }
+    }
+
+    /// Its beams on bodies of this height; a device has none.
+    pub fn beams(&self, plan: &Plan, body_m: f64) -> Vec<Beam> {
+        self.looking().map(|looking| looking.beams(plan, body_m)).unwrap_or_default()
     }
 
     /// The outline of the area below it, counter-clockwise.
     pub fn area_below(&self) -> Option<&[Point]> {
-        match self {
-            SensorKind::CeilingMotion(area) => Some(&area.outline),
-            SensorKind::Motion(_) | SensorKind::Device(_) => None,
-        }
+        self.looking()?.area_below()
     }
 }

@@ -12,6 +12,8 @@
 //!
 //! Left out: clouds, curtains, which way the windows look, light from the next room, twilight, noise.
 
+use super::entities::EntityRow;
+use super::meaning::Meaning;
 use super::outbox::{Change, DeviceModel, Outbox, reading};
 use super::rounds::Rounds;
 use crate::event::Trigger;
@@ -34,6 +36,8 @@ pub static ROW: KindRow = KindRow {
     shape: Shape::Star,
     colour: Colour::Yellow,
     casas: "LS",
+    meaning: Meaning::Measured,
+    entities: &[EntityRow::reading("illuminance")],
 };
 
 /// A light meter in a room. Its events are readings in lux.

@@ -18,12 +18,18 @@
 //! Left out: temperature and its contrast, the lens' gain by angle, mirrors and glass; a blade's
 //! steep lower limit behind low furniture.
 
+use super::entities::EntityRow;
 use super::form::{Colour, FormProblem, KindRow, Mount, Orientation, SensorForm, Shape};
+use super::looking::{DetectionLevel, LookingModel};
+use super::meaning::{Kind, Meaning};
 use super::messages::SensorMessage;
 use super::notice::View;
+use super::rays::Walls;
 use crate::event::Value;
 use crate::geometry::{self, At, Point, point};
+use crate::plan::{Plan, Solid};
 use crate::sensors::preset::MotionSettings;
+use crate::stride::Beam;
 use crate::time::Span;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -38,6 +44,8 @@ pub static ROW: KindRow = KindRow {
     shape: Shape::Arrow,
     colour: Colour::Blue,
     casas: "M",
+    meaning: Meaning::Is(Kind::Motion),
+    entities: &[EntityRow::switch("motion", "occupancy")],
 };
 
 /// Distance of the lens from the wall.
@@ -69,28 +77,6 @@ pub struct Blade {
     pub greatest_depression: f64,
     /// At the `zones` level, whether the zone is the positive one of its pair.
     pub positive: bool,
-}
-
-/// The changes that count as movement.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum DetectionLevel {
-    /// Any change in a beam is a movement.
-    Paper,
-    /// A movement is seen up to `reach_per_m` metres away for each metre that it spans in a second.
-    Sensitivity {
-        /// The greatest distance, in metres, of a visible movement of a metre in a second.
-        reach_per_m: f64,
-    },
-    /// `pulses` of alternating sign within `window` make a detection.
-    Zones {
-        /// The number of pulses of a detection.
-        pulses: u32,
-        /// The longest time that they take.
-        window: Span,
-        /// The angle between two neighbouring zones of the uppermost row, in radians: movement on the spot is seen if
-        /// it spans as much.
-        pitch_rad: f64,
-    },
 }
 
 impl Motion {
@@ -156,22 +142,6 @@ impl Motion {
         (near < far).then_some((near, far))
     }
 
-    /// A body as the lens sees it: its depth is its distance from the end of the fan, at its reach and at its two
-    /// sides.
-    pub fn view(&self, at: Point) -> View {
-        let from_lens = at - self.lens;
-        let distance_m = from_lens.length();
-        let mut depth_m = self.reach_m - distance_m;
-        // A fan of half a turn and more has no sides to speak of. Blades run from right to left.
-        if let (Some(first), Some(last)) = (self.blades.first(), self.blades.last())
-            && first.direction.perp_dot(last.direction) > 0.0
-        {
-            let (right, left) = (first.direction.perp_dot(from_lens), -last.direction.perp_dot(from_lens));
-            depth_m = depth_m.min(right).min(left);
-        }
-        View { distance_m, depth_m }
-    }
-
     /// The ranges at which furniture hides a body of this height: it stands on the blade from
     /// `enter` to `leave` and is lower than the lens. A body is not hidden by what it lies on.
     pub fn shadow(
@@ -186,6 +156,67 @@ impl Motion {
         }
         let start = if enterable { leave } else { enter };
         Some((start, leave * (self.height_m - body_m) / (self.height_m - furniture_m)))
+    }
+}
+
+impl LookingModel for Motion {
+    fn lens(&self) -> Point {
+        self.lens
+    }
+
+    fn beams(&self, plan: &Plan, body_m: f64) -> Vec<Beam> {
+        let (tall, low): (Vec<&Solid>, Vec<&Solid>) =
+            plan.solids.iter().partition(|solid| solid.height_m >= self.height_m);
+        let walls = Walls::around(self.lens, self.reach_m, tall.into_iter());
+        let mut beams = Vec::new();
+        for (number, blade) in self.blades.iter().enumerate() {
+            let Some((near, far)) = self.ranges(blade, body_m) else { continue };
+            let far = far.min(walls.cast(blade.direction, far));
+            let mut shadows: Vec<(f64, f64)> = low
+                .iter()
+                .filter_map(|solid| {
+                    let end = self.lens + blade.direction * self.reach_m;
+                    let (enter, leave) = geometry::segment_inside_convex(&solid.outline, self.lens, end)?;
+                    let span = (enter * self.reach_m, leave * self.reach_m);
+                    self.shadow(solid.height_m, !solid.stops_bodies, span, body_m)
+                })
+                .collect();
+            shadows.sort_by(|a, b| a.0.total_cmp(&b.0));
+            let mut start = near;
+            for (dark, light) in shadows.into_iter().chain([(far, far)]) {
+                let end = dark.min(far);
+                if end > start {
+                    beams.push(Beam {
+                        start: self.lens + blade.direction * start,
+                        direction: blade.direction,
+                        length: end - start,
+                        number: number as u32,
+                    });
+                }
+                start = start.max(light);
+            }
+        }
+        beams
+    }
+
+    /// A body as the lens sees it: its depth is its distance from the end of the fan, at its reach and at its two
+    /// sides.
+    fn view(&self, at: Point) -> View {
+        let from_lens = at - self.lens;
+        let distance_m = from_lens.length();
+        let mut depth_m = self.reach_m - distance_m;
+        // A fan of half a turn and more has no sides to speak of. Blades run from right to left.
+        if let (Some(first), Some(last)) = (self.blades.first(), self.blades.last())
+            && first.direction.perp_dot(last.direction) > 0.0
+        {
+            let (right, left) = (first.direction.perp_dot(from_lens), -last.direction.perp_dot(from_lens));
+            depth_m = depth_m.min(right).min(left);
+        }
+        View { distance_m, depth_m }
+    }
+
+    fn level(&self) -> DetectionLevel {
+        self.level
     }
 }
 

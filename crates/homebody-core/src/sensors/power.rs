@@ -10,6 +10,8 @@
 //!
 //! Left out: the rush of current at first, things that draw more and less by themselves, such as refrigerators.
 
+use super::entities::{EntityForm, EntityRow, SwitchWord};
+use super::meaning::Meaning;
 use super::messages::SensorMessage;
 use super::outbox::{Change, DeviceModel, Outbox, reading};
 use crate::event::{Trigger, Value};
@@ -24,6 +26,9 @@ use crate::time::{RunTime, Span};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
+/// Zigbee2MQTT's words for the state of a plug.
+const STATE: [SwitchWord; 2] = [SwitchWord::Text("ON"), SwitchWord::Text("OFF")];
+
 /// The row of the kind.
 pub static ROW: KindRow = KindRow {
     key: "power",
@@ -34,6 +39,11 @@ pub static ROW: KindRow = KindRow {
     shape: Shape::Bolt,
     colour: Colour::Yellow,
     casas: "P",
+    meaning: Meaning::Measured,
+    entities: &[
+        EntityRow { form: EntityForm::Switch(STATE), ..EntityRow::switch("power", "state") },
+        EntityRow::further_reading("power", "Power"),
+    ],
 };
 
 /// A power meter on an electrical appliance. Its events are `ON` and `OFF`, and watts if `watts` is given.

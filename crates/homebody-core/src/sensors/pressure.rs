@@ -13,6 +13,8 @@
 //!
 //! Left out: weight, feet and their pace, pets, things that are put down.
 
+use super::entities::EntityRow;
+use super::meaning::Meaning;
 use super::messages::SensorMessage;
 use super::outbox::{Change, DeviceModel, Outbox};
 use crate::event::{Trigger, Value};
@@ -37,6 +39,8 @@ pub static ROW: KindRow = KindRow {
     shape: Shape::Hexagon,
     colour: Colour::Green,
     casas: "I",
+    meaning: Meaning::Measured,
+    entities: &[EntityRow::switch("occupancy", "occupancy")],
 };
 
 /// A pressure pad in a chair or a mat on the floor. Its events are `ON` and `OFF`.

@@ -14,6 +14,8 @@
 //!
 //! Left out: several burners, pots, the oven, noise, the room's own temperature.
 
+use super::entities::EntityRow;
+use super::meaning::Meaning;
 use super::messages::SensorMessage;
 use super::outbox::{Change, DeviceModel, Outbox, reading};
 use super::rounds::Rounds;
@@ -37,6 +39,8 @@ pub static ROW: KindRow = KindRow {
     shape: Shape::Flame,
     colour: Colour::Vermillion,
     casas: "T",
+    meaning: Meaning::Measured,
+    entities: &[EntityRow::switch("heat", "heat"), EntityRow::further_reading("temperature", "Temperature")],
 };
 
 /// A temperature sensor on a stove. Its events are `ON` and `OFF` as the temperature crosses two limits, and readings

@@ -11,6 +11,8 @@
 //!
 //! Left out: seasons, heating and its thermostat, cooking, open windows, other rooms.
 
+use super::entities::EntityRow;
+use super::meaning::{Kind, Meaning};
 use super::outbox::{DeviceModel, Outbox, reading};
 use super::rounds::Rounds;
 use crate::event::Trigger;
@@ -32,6 +34,8 @@ pub static ROW: KindRow = KindRow {
     shape: Shape::Cross,
     colour: Colour::Vermillion,
     casas: "T",
+    meaning: Meaning::Is(Kind::Reading),
+    entities: &[EntityRow::reading("temperature")],
 };
 
 /// A thermometer in a room. Its events are temperatures in degrees Celsius.

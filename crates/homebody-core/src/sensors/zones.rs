@@ -16,7 +16,8 @@
 //! slow for the amplifier (0.4 to 10 Hz).
 
 use crate::geometry::Point;
-use crate::sensors::motion::{DetectionLevel, Motion};
+use crate::sensors::looking::DetectionLevel;
+use crate::sensors::motion::Motion;
 use crate::stride::{self, Beam, Stride};
 use crate::time::RunTime;
 

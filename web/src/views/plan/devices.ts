@@ -2,16 +2,18 @@
 
 import { DEVICES, type Product } from '../../devices';
 import type { Change } from '../../json';
+import { sensesMotion } from '../../plan/kinds';
 import type { Element, Value } from './model';
+import { takes } from './schema';
 
-/** The values of a wall sensor that a device sets. */
+/** The values that a device sets, of those that a kind of sensor has. */
 export function madeOf({ key, height_m, field_deg, reach_m }: Product): Value {
   return { height_m, field_deg, reach_m, preset: key };
 }
 
 /** The device of a sensor; null for sensors without motion. */
 export function deviceOf({ list, value }: Element): Product | null {
-  if (list !== 'sensors' || (value.kind !== 'motion' && value.kind !== 'ceiling_motion')) return null;
+  if (list !== 'sensors' || !sensesMotion(value.kind)) return null;
   return DEVICES.find(({ key }) => key === (value.preset ?? 'paper')) ?? null;
 }
 
@@ -19,8 +21,8 @@ export function deviceOf({ list, value }: Element): Product | null {
 export function becomes(elements: Element[], device: Product): Change[] {
   return elements.flatMap((element) => {
     if (deviceOf(element) === null) return [];
-    const made = element.value.kind === 'motion' ? madeOf(device) : { preset: device.key };
-    return Object.entries(made).map(([key, value]) => ({ path: ['sensors', element.index, key], value }));
+    const made = Object.entries(madeOf(device)).filter(([key]) => takes(element, key));
+    return made.map(([key, value]) => ({ path: ['sensors', element.index, key], value }));
   });
 }
 

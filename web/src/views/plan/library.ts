@@ -2,11 +2,12 @@
 
 import type { Product } from '../../devices';
 import { type At, inside } from '../../plan/geometry';
-import { rowOf } from '../../plan/kinds';
+import { rowOf, sensesMotion } from '../../plan/kinds';
 import { spoken } from '../../plan/words';
 import { SENSOR_KINDS } from '../../sensors';
 import { madeOf } from './devices';
 import { type Element, type Home, type List, type Value, formOf, of, spanOf } from './model';
+import { usualOf } from './schema';
 import { exact, toSegment, turnedBox, wrapped } from './shape';
 import { type Targets, mount } from './snap';
 
@@ -110,7 +111,7 @@ export function newSensor(home: Home, kind: SensorKind, at: At, targets: Targets
   switch (SENSORS[kind]) {
     case 'wall': {
       const mounted = mount(at, targets, grid_m, FARTHEST_PUT_UP_M) ?? { at: exact(at), normal_deg: 0 };
-      return { kind, name: named(roomAt(home, mounted.at)?.name ?? ''), at: mounted.at, height_m: 2.1, facing_deg: wrapped(mounted.normal_deg), ...(device && madeOf(device)) };
+      return { kind, name: named(roomAt(home, mounted.at)?.name ?? ''), at: mounted.at, height_m: usualOf(kind, 'height_m'), facing_deg: wrapped(mounted.normal_deg), ...(device && madeOf(device)) };
     }
     case 'ceiling': {
       const area = turnedBox(at, [AREA_M, AREA_M], 0).map(exact);
@@ -121,7 +122,7 @@ export function newSensor(home: Home, kind: SensorKind, at: At, targets: Targets
       const mounted = (grid_m === null ? null : mount(at, targets, grid_m, FARTHEST_PUT_UP_M)) ?? { at: exact(at), normal_deg: 0 };
       const room = roomAt(home, mounted.at);
       // A sleeping camera needs sensors that wake it: the motion sensors of its room.
-      const wakers = of(home, 'sensors').filter(({ value }) => (value.kind === 'motion' || value.kind === 'ceiling_motion') && inRoom(home, value, room));
+      const wakers = of(home, 'sensors').filter(({ value }) => sensesMotion(value.kind) && inRoom(home, value, room));
       const woken = wakers.length > 0 ? { woken_by: wakers.map(({ name }) => name) } : { always: true };
       return room ? { kind, name: named(room.name), at: mounted.at, facing_deg: wrapped(mounted.normal_deg), ...woken } : `Click the room that the ${word} watches.`;
     }

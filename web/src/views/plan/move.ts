@@ -3,7 +3,9 @@
 
 import type { Change } from '../../json';
 import { type At, distance, middle, minus } from '../../plan/geometry';
+import { mountOf } from '../../plan/kinds';
 import { type Element, type Home, IN_WALL_M, atOf, bearerOf, cornersKey, formOf, number, of, point, points, spanOf, wallsOf } from './model';
+import { takes } from './schema';
 import { add, along, angleOf, direction, dot, exact, onLine, rounded, times, toSegment, turn, wrapped } from './shape';
 import { type Guides, type Snapping, mount, snapPoint, snapShift, spanAt, targetsOf } from './snap';
 
@@ -30,7 +32,7 @@ function path(element: Element, ...rest: (string | number)[]): (string | number)
 export function move(home: Home, elements: Element[], by: At, { snapping, alone }: How): Moved {
   const one = elements.length === 1 ? elements[0] : undefined;
   if (one?.list === 'doors') return { changes: moveDoor(home, one, by, snapping), guides: {} };
-  if (one?.value.kind === 'motion' && snapping) return moveLens(home, one, by, snapping);
+  if (one && mountOf(one.value.kind) === 'wall' && snapping) return moveLens(home, one, by, snapping);
   const shifted = snapping ? snapElements(home, elements, by, snapping) : { shift: by, guides: {} };
   const { shift } = shifted;
   const walls = elements.filter(({ list }) => list === 'walls');
@@ -128,7 +130,7 @@ export function moveWalls(home: Home, moved: Map<string, Span>, alone: boolean, 
     });
   }
   for (const sensor of of(home, 'sensors')) {
-    const at = sensor.value.kind === 'motion' && !except.has(sensor.id) ? atOf(sensor) : null;
+    const at = mountOf(sensor.value.kind) === 'wall' && !except.has(sensor.id) ? atOf(sensor) : null;
     const shift = at && shiftOf(at, walls, spans);
     if (at && shift) changes.push({ path: path(sensor, 'at'), value: exact(add(at, shift)) });
   }
@@ -189,7 +191,7 @@ function shiftOf(at: At, walls: Walls, spans: Map<string, Span>): At | null {
 
 /** Counter-clockwise, about its middle. */
 export function turnBy(element: Element, deg: number): Change[] {
-  if (element.value.kind === 'motion' || element.value.kind === 'camera') {
+  if (takes(element, 'facing_deg')) {
     const facing = number(element.value.facing_deg) ?? 0;
     return [{ path: path(element, 'facing_deg'), value: wrapped(facing + deg) }];
   }
@@ -221,7 +223,7 @@ export function handlesOf(element: Element, off_m: number): Handle[] {
   const corners = cornersKey(element);
   if (corners) return points(element.value[corners])!.map((at, index) => ({ key: `${corners}/${index}`, label: `corner ${index + 1}`, shape: 'point', at }));
   const [at, size] = [atOf(element), point(element.value.size_m)];
-  if ((element.value.kind === 'motion' || element.value.kind === 'camera') && at) {
+  if (takes(element, 'facing_deg') && at) {
     return [{ key: 'aim', label: 'direction', shape: 'aim', at: add(at, times(direction(number(element.value.facing_deg) ?? 0), off_m)) }];
   }
   if (element.list !== 'furniture' || !at || !size) return [];

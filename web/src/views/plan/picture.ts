@@ -10,6 +10,7 @@ import { drawNames, drawStill } from '../../plan/still';
 import type { Size, View } from '../../plan/transform';
 import type { HomeView, SensorView, SolidView } from '../../wire';
 import { type Home, IN_WALL_M, type Wall, boundsOf, formOf, number, of, spanOf, spotOf, wallsOf } from './model';
+import { takes } from './schema';
 import { add, along, direction, onLine, thick, times, toSegment } from './shape';
 
 /** Computed parts, the middles of rooms and beams, are those of the last valid draft. */
@@ -32,7 +33,7 @@ export function pictured(home: Home, counted: HomeView | null): HomeView {
     const at = spotOf(home, sensor);
     if (!at) return [];
     const { kind, facing_deg, area } = sensor.value;
-    const facing = kind === 'motion' || kind === 'camera' ? number(facing_deg) : null;
+    const facing = takes(sensor, 'facing_deg') ? number(facing_deg) : null;
     // A short one in the direction of its sign.
     const beams: [At, At][] = facing === null ? [] : [[at, add(at, times(direction(facing), 0.001))]];
     return [{ name: sensor.name, kind: typeof kind === 'string' ? kind : '', room: null, at, facing_deg: facing, beams, area: area === undefined ? null : formOf(sensor), camera: null }];

@@ -153,6 +153,16 @@ export function fieldsOf({ list, index, value }: Element): Field[] {
   return of ? fieldsOfObject(of, [list, index]) : [];
 }
 
+/** Whether elements of this list and kind have a key. */
+export function takes({ list, value }: Pick<Element, 'list' | 'value'>, key: string): boolean {
+  return schemaOf(list, value)?.properties?.[key] !== undefined;
+}
+
+/** The default of a key of a kind of sensor. */
+export function usualOf(kind: string, key: string): unknown {
+  return schemaOf('sensors', { kind })?.properties?.[key]?.default;
+}
+
 export function homeFields(): Field[] {
   const { name, about, latitude_deg } = root.properties!;
   return Object.entries({ name, about, latitude_deg }).flatMap(([key, one]) => (one && field(key, one, [], key === 'name')) ?? []);
