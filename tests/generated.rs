@@ -14,3 +14,12 @@ pub fn is_generated(path: &str, text: &str) {
     let line = 1 + written.lines().zip(text.lines()).take_while(|(written, made)| written == made).count();
     assert!(written == text, "{path}:{line} is not what the code says; HOMEBODY_REWRITE=1 writes it anew");
 }
+
+/// Makes sure that a part of a page, between the line `begin` and the line `<!-- end -->`, is this text.
+#[allow(dead_code, reason = "some crates make whole files only")]
+pub fn is_generated_between(path: &str, begin: &str, made: &str) {
+    let page = fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("../..").join(path)).unwrap();
+    let (before, rest) = page.split_once(begin).expect("the beginning of the part");
+    let (_, after) = rest.split_once("<!-- end -->\n").expect("the end of the part");
+    is_generated(path, &format!("{before}{begin}\n{made}<!-- end -->\n{after}"));
+}

@@ -22,7 +22,7 @@ pub(crate) const ROWS_BEFORE: &str = "rows_before";
 
 /// The columns of a table; `has_run` says whether the first is that of the run's id.
 pub(crate) fn schema(table: &Table, begin: &Begin, has_run: bool) -> Schema {
-    let run = has_run.then(|| Field::new(begin.run_column, DataType::Int64, false));
+    let run = has_run.then(|| Field::new(&begin.run_column, DataType::Int64, false));
     let is_key = |index: usize| table.is_numbered && index == 0;
     let columns = table.columns.iter().enumerate().map(|(index, column)| {
         Field::new(&column.name, data_type(column.kind, begin.time), !is_key(index))
@@ -53,7 +53,7 @@ fn field_metadata(column: &Column) -> HashMap<String, String> {
 
 /// A file's description, without the number of rows before its own.
 pub(crate) fn about(table: &Table, begin: &Begin) -> Map<String, Value> {
-    let run = begin.run;
+    let run = &begin.run;
     let mut about = Map::new();
     about.insert("table".into(), table.name.clone().into());
     about.insert("about".into(), table.about.into());

@@ -7,7 +7,7 @@ use homebody_core::time::{DAY, HOUR, RunTime, SECOND, Span};
 use homebody_log::registry::{Registry, install};
 use homebody_log::run_log::destinations;
 use homebody_log::table::{Batch, Cell, TextPool};
-use homebody_log::{Begin, Cancel, LogError, LogSource, Logger, RunInfo, Sink, TruthLog, Url, WriteMode, read};
+use homebody_log::{Begin, LogError, LogSource, Logger, RunInfo, Sink, TruthLog, Url, WriteMode, read};
 use std::collections::BTreeMap;
 use std::fs;
 use std::path::Path;
@@ -289,18 +289,8 @@ fn rows_in_no_order_of_time_keep_their_own_order() {
 
 /// A sink at a place with 500 rows, which is not finished.
 fn written(url: &Url, how: WriteMode, is_whole: bool, at: impl Fn(i64) -> Span) -> Result<Box<dyn Sink>, LogError> {
-    let run = stage::run();
-    let begin = Begin {
-        run: &run,
-        tables: &[log_table()],
-        time: Default::default(),
-        run_column: "run_id",
-        spreadsheet_safe: false,
-        how,
-        is_whole,
-        cancel: &Cancel::new(),
-        deadline: &homebody_log::Deadline::default(),
-    };
+    let begin = Begin::new(stage::run().into(), vec![log_table()], Default::default(), how);
+    let begin = Begin { is_whole, ..begin };
     let mut sink = homebody_log::registry::sink(url);
     sink.begin(&begin)?;
     let mut texts = TextPool::default();

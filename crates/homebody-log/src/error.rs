@@ -10,7 +10,7 @@ use homebody_core::scenario::scheme::NoPlace;
 use messages::ThreadMessage;
 pub use messages::{ChangedMessage, HoldMessage, TruthMessage};
 pub(crate) use messages::{
-    CountMessage, ENTRIES, FileRefusal, LengthMessage, MappingMessage, OtherRunMessage, OutputMessage, PackedMessage,
+    CountMessage, FileRefusal, LengthMessage, MappingMessage, OtherRunMessage, OutputMessage, PackedMessage,
     SensorTableMessage,
 };
 use reason::ReasonTopic;

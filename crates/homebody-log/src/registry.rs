@@ -79,7 +79,6 @@ pub(crate) fn plugin(url: &Url) -> Result<&'static PlacePlugin, LogError> {
     plugins().iter().find(|plugin| plugin.schemes.contains(&url.scheme())).ok_or_else(|| not_built_in(url))
 }
 
-/// The usual policy of a place.
 pub(crate) fn policy(url: &Url) -> Policy {
     let usual = if url.is_output() { Policy::of_server } else { Policy::default };
     plugin(url).map_or_else(|_| usual(), |plugin| (plugin.policy)())
@@ -116,12 +115,10 @@ struct BuiltIn {
     scheme: Scheme,
     /// The sink of a place; a text file that is followed has its name from its first line on, so that it can be read while it grows.
     open: fn(&Url, bool) -> Box<dyn Sink>,
-    /// The sink of a fleet at a place.
     fleet: Option<OpenFleet>,
     first_rows: ReadFirstRows,
 }
 
-/// The kinds of places that every build can write.
 const BUILT_IN: [BuiltIn; 4] = [
     BuiltIn {
         scheme: Scheme::Sqlite,

@@ -45,7 +45,6 @@ pub struct SilhouetteLog {
     database: Database,
     /// The ids of the sensors in the log.
     ids: Vec<String>,
-    /// The run's start.
     start: UtcTime,
     waiting: Vec<Frame>,
     not_durable: usize,

@@ -59,16 +59,16 @@ pub trait Sink: Send {
 }
 
 /// The parameters of a destination's beginning.
-#[derive(Clone, Copy, Debug)]
-pub struct Begin<'a> {
+#[derive(Clone, Debug)]
+pub struct Begin {
     /// The run, with its sensors.
-    pub run: &'a RunInfo,
+    pub run: Arc<RunInfo>,
     /// The tables that rows will be of: one of a log, several of the truth.
-    pub tables: &'a [Table],
+    pub tables: Arc<Vec<Table>>,
     /// The format of instants, by the run's mapping.
     pub time: TimeFormat,
     /// The name of the column of the run's id, by the run's mapping.
-    pub run_column: &'a str,
+    pub run_column: String,
     /// Whether texts that a spreadsheet would run are escaped in CSV, by the run's mapping.
     pub spreadsheet_safe: bool,
     /// The treatment of existing files.
@@ -76,51 +76,30 @@ pub struct Begin<'a> {
     /// Whether files have their names only once all rows are in them. Otherwise those that others can follow have them earlier.
     pub is_whole: bool,
     /// Once it says so, a destination that is away is not to be waited for any more, in this call and in later ones.
-    pub cancel: &'a Cancel,
-    /// The time for one request. A sink with several requests in a call tells it so.
-    pub deadline: &'a Deadline,
-}
-
-#[derive(Clone, Debug)]
-pub(crate) struct OwnedBegin {
-    pub run: Arc<RunInfo>,
-    pub tables: Arc<Vec<Table>>,
-    pub time: TimeFormat,
-    pub run_column: String,
-    pub spreadsheet_safe: bool,
-    pub how: WriteMode,
-    pub is_whole: bool,
     pub cancel: Cancel,
+    /// The time for one request. A sink with several requests in a call tells it so.
     pub deadline: Deadline,
 }
 
-impl OwnedBegin {
-    pub fn new(begin: &Begin) -> OwnedBegin {
-        OwnedBegin {
-            run: Arc::new(begin.run.clone()),
-            tables: Arc::new(begin.tables.to_vec()),
-            time: begin.time,
-            run_column: begin.run_column.to_owned(),
-            spreadsheet_safe: begin.spreadsheet_safe,
-            how: begin.how,
-            is_whole: begin.is_whole,
-            cancel: begin.cancel.clone(),
-            deadline: begin.deadline.clone(),
+impl Begin {
+    /// A beginning with the usual name of the run's column, and with the usual deadline.
+    pub fn new(run: Arc<RunInfo>, tables: Vec<Table>, time: TimeFormat, how: WriteMode) -> Begin {
+        Begin {
+            run,
+            tables: Arc::new(tables),
+            time,
+            run_column: "run_id".into(),
+            spreadsheet_safe: false,
+            how,
+            is_whole: false,
+            cancel: Cancel::new(),
+            deadline: Deadline::default(),
         }
     }
 
-    pub fn begin(&self) -> Begin<'_> {
-        Begin {
-            run: &self.run,
-            tables: &self.tables,
-            time: self.time,
-            run_column: &self.run_column,
-            spreadsheet_safe: self.spreadsheet_safe,
-            how: self.how,
-            is_whole: self.is_whole,
-            cancel: &self.cancel,
-            deadline: &self.deadline,
-        }
+    /// A clock that writes instants as the run's mapping wants them.
+    pub fn clock(&self) -> InstantWriter {
+        InstantWriter::new(&self.run.calendar, self.time)
     }
 }
 
@@ -137,12 +116,5 @@ impl Watermark {
     /// The number of durable rows of a table.
     pub fn of(&self, table: usize) -> u64 {
         self.0.get(table).copied().unwrap_or(0)
-    }
-}
-
-impl Begin<'_> {
-    /// A clock that writes instants as the run's mapping wants them.
-    pub fn clock(&self) -> InstantWriter {
-        InstantWriter::new(&self.run.calendar, self.time)
     }
 }

@@ -9,7 +9,7 @@ use crate::destination::writer::BATCH;
 use crate::error::LogError;
 use crate::files::{WriteMode, all_can_be_written};
 use crate::log::{Clock, Event, Log, SPAN_COLUMNS, says_more_of, spans};
-use crate::policy::{Cancel, Deadline};
+use crate::policy::Deadline;
 use crate::read::{LogSource, activities_of, activities_of_set, stream};
 use crate::registry;
 use crate::run::{RunInfo, SensorTable, not_of_a_run, sensor_table};
@@ -22,6 +22,7 @@ use homebody_core::scenario::scheme::TablePlacement;
 use homebody_core::time::{RunTime, Span, UtcTime, WallTime};
 use homebody_timeline::Episode;
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 /// A log that is to be written anew, under our own names of table and columns.
 ///
@@ -111,18 +112,17 @@ impl Transfer<'_> {
         if beside.is_none() && !spans.is_empty() {
             tables.push(spans::table());
         }
-        let (run_column, spreadsheet_safe) = (columns.run.as_str(), self.mapping.spreadsheet_safe);
-        let deadline = &Deadline::new(registry::policy(self.to).answers_within);
-        let (how, cancel) = (self.how, &Cancel::new());
-        let is_whole = true;
-        let begin =
-            |tables| Begin { run: &run, tables, time, run_column, spreadsheet_safe, how, is_whole, cancel, deadline };
+        let has_own_spans = tables.len() > 1;
+        let (how, spreadsheet_safe) = (self.how, self.mapping.spreadsheet_safe);
+        let deadline = Deadline::new(registry::policy(self.to).answers_within);
+        let begin = Begin::new(Arc::new(run), tables, time, how);
+        let begin = Begin { run_column: columns.run, spreadsheet_safe, is_whole: true, deadline, ..begin };
         let whole = Whole::begin(self.to, how)?;
         let mut sink = registry::sink(whole.part());
-        sink.begin(&begin(&tables))?;
+        sink.begin(&begin)?;
         if let Some(beside) = &beside {
             let mut sink = registry::sink(beside);
-            sink.begin(&begin(&[spans::table()]))?;
+            sink.begin(&Begin { tables: Arc::new(vec![spans::table()]), ..begin })?;
             sink.write(&spans_as_rows(spans, 0, start, &mut TextPool::default()))?;
             sink.finish(RunTime::START)?;
         }
@@ -151,7 +151,7 @@ impl Transfer<'_> {
             }
             Ok(())
         })?;
-        if tables.len() > 1 {
+        if has_own_spans {
             sink.write(&spans_as_rows(spans, 1, start, &mut texts))?;
         }
         // First, so that a finished log has its sensors. The same command accepts the table that it left.

@@ -1,34 +1,12 @@
 //! A form of log is accepted on evidence, and an error says what another file is.
 
 use crate::stage::Folder;
-use homebody_core::scenario::logger::LoggerFile;
-use homebody_core::time::{DAY, Interval, MINUTE, SECOND, WallTime};
+use crate::stage::texts::{SEVEN, done, from_file, from_text, known, written};
+use homebody_core::time::{DAY, Interval, SECOND, WallTime};
 use homebody_log::log::ColumnRole;
-use homebody_log::source::LogForm;
-use homebody_log::{Log, LogError, LogSource, read};
+use homebody_log::{Log, LogError, LogSource};
 use rusqlite::Connection;
-use std::fs;
 use std::path::Path;
-
-/// 2 March 2009, 07:00.
-const SEVEN: WallTime = WallTime::from_micros(1_235_977_200_000_000);
-
-fn written(folder: &Folder, name: &str, bytes: impl AsRef<[u8]>) -> std::path::PathBuf {
-    let path = folder.path().join(name);
-    fs::write(&path, bytes).unwrap();
-    path
-}
-
-fn log_of(path: &Path) -> (&'static LogForm, Log) {
-    let source = LogSource::recognise(path).unwrap_or_else(|error| panic!("{}: {error}", path.display()));
-    (source.form(), read(&source, &LoggerFile::default()).unwrap())
-}
-
-fn from_text(folder: &Folder, form: &str, name: &str, text: &str) -> Log {
-    let (found, log) = log_of(&written(folder, name, text));
-    assert_eq!(found.name, form, "{text}");
-    log
-}
 
 fn refused(path: &Path) -> LogError {
     match LogSource::recognise(path) {
@@ -39,12 +17,6 @@ fn refused(path: &Path) -> LogError {
 
 fn told(log: &Log) -> Vec<(&str, &str)> {
     log.events.iter().map(|event| (log.sensor(event), log.value(event))).collect()
-}
-
-/// Activities in minutes since seven.
-fn done(log: &Log) -> Vec<(&str, i64, i64)> {
-    let minute = |at: WallTime| (at - SEVEN).div_euclid(MINUTE);
-    log.activities.iter().map(|of| (of.label.as_str(), minute(of.begin()), minute(of.end()))).collect()
 }
 
 fn time(minute: usize) -> String {
@@ -109,7 +81,7 @@ fn a_word_that_belongs_to_the_sensor_is_its_room_and_no_value() {
     });
     let log = from_text(&folder, "casas", "al.txt", &text);
     assert_eq!((log.sensors.len(), &log.values[..]), (3, &["ON".to_owned(), "OFF".into()][..]));
-    assert_eq!(done(&log), [("Relax", 0, 15), ("Sleep", 15, 29)]);
+    assert_eq!(done(&log), [("Relax", 0.0, 15.0), ("Sleep", 15.0, 29.0)]);
     let rooms: Vec<_> = log.known.iter().map(|known| (&*known.id, known.room.as_deref().unwrap())).collect();
     assert_eq!(rooms, sensors);
     let roles: Vec<_> = log.columns.iter().map(|column| (&*column.column, column.used_as)).collect();
@@ -156,11 +128,11 @@ fn rooms_places_and_kinds_in_columns_are_known_of_sensors() {
             ("T1", "Kitchen", "temperature", Some("Kitchen"))
         ]
     );
-    assert_eq!(done(&log), [("Relax", 0, 2), ("Leave", 2, 3)]);
+    assert_eq!(done(&log), [("Relax", 0.0, 2.0), ("Leave", 2.0, 3.0)]);
     assert_eq!(log.columns[2].column, "Translate01");
     // A table of sensors in the same folder outranks it.
     written(&folder, "sensors.csv", "id,name,kind,room,x_m,y_m\nM1,my chair,motion,parlour,0,0\n");
-    let log = log_of(&folder.path().join("ann.txt")).1;
+    let log = from_file(&folder.path().join("ann.txt")).1;
     assert_eq!((log.known[0].room.as_deref(), log.known.len()), (Some("parlour"), 3));
 }
 
@@ -185,12 +157,15 @@ fn notes_of_many_makes_are_activities() {
         });
         let log = from_text(&folder, "casas", &format!("{number}.txt"), &text);
         let [activity] = &done(&log)[..] else { panic!("{begin}: {:?}", log.activities) };
-        assert_eq!((activity.1, activity.2), (3, 9), "{begin}");
+        assert_eq!((activity.1, activity.2), (3.0, 9.0), "{begin}");
         assert!(!activity.0.to_lowercase().contains("begin") && !activity.0.contains("start"), "{}", activity.0);
     }
     // A label on each row is one, whatever it ends in.
     let text = lines(30, |row| format!("M1 {} {}", ["ON", "OFF"][row % 2], ["week-end", "Work"][row / 15]));
-    assert_eq!(done(&from_text(&folder, "casas", "labels.txt", &text)), [("week-end", 0, 15), ("Work", 15, 29)]);
+    assert_eq!(
+        done(&from_text(&folder, "casas", "labels.txt", &text)),
+        [("week-end", 0.0, 15.0), ("Work", 15.0, 29.0)]
+    );
 }
 
 #[test]
@@ -201,7 +176,7 @@ fn people_by_number_do_things_of_their_own() {
         _ => "M2 ON 2 7".into(),
     });
     let log = from_text(&folder, "casas", "log.txt", &text);
-    assert_eq!(done(&log), [("R1 activity 2", 0, 16), ("R2 activity 7", 1, 29), ("R1 activity 3", 16, 29)]);
+    assert_eq!(done(&log), [("R1 activity 2", 0.0, 16.0), ("R2 activity 7", 1.0, 29.0), ("R1 activity 3", 16.0, 29.0)]);
     assert!(log.remarks.is_empty(), "{:?}", log.remarks);
 }
 
@@ -220,7 +195,7 @@ fn an_activity_that_begins_twice_lasts_to_its_second_end() {
     let text = lines(30, |row| format!("M1 {}{}", ["ON", "OFF"][row % 2], note(row)));
     let log = from_text(&folder, "casas", "log.txt", &text);
     // The second lacks one end.
-    assert_eq!(done(&log), [("Cook", 1, 8), ("Eat", 10, 14), ("Eat", 20, 22)]);
+    assert_eq!(done(&log), [("Cook", 1.0, 8.0), ("Eat", 10.0, 14.0), ("Eat", 20.0, 22.0)]);
     assert_eq!(log.remarks, ["1 notes that an activity begins or ends have no other end"]);
 }
 
@@ -263,7 +238,7 @@ fn openhab_tells_of_items() {
     let log = from_text(&folder, "openhab", "events.log", &text);
     assert_eq!((log.sensors.clone(), log.rows, log.skipped), (vec!["Hall".to_owned(), "Heat".into()], 17, 0));
     assert_eq!(told(&log)[4..6], [("Heat", "21.5"), ("Hall", "unavailable")]);
-    assert_eq!(log.known.iter().find(|known| known.id == "Heat").unwrap().unit.as_deref(), Some("°C"));
+    assert_eq!(known(&log, "Heat").unit.as_deref(), Some("°C"));
     assert_eq!(log.remarks.len(), 2, "{:?}", log.remarks);
     let older =
         lines(4, |row| format!("[vent.ItemStateChangedEvent] - Hall changed from A to {}", ["OFF", "ON"][row % 2]));
@@ -323,8 +298,8 @@ fn a_file_a_day_is_one_log() {
         written(&folder, &format!("DAY_{day}.txt"), text);
     }
     written(&folder, "README.txt", "What is in here.\n");
-    let (form, log) = log_of(folder.path());
-    assert_eq!(form.name, "aras");
+    let (source, log) = from_file(folder.path());
+    assert_eq!(source.form().name, "aras");
     let rows: Vec<_> = log.events.iter().map(|event| (event.at.since_zero() / SECOND, log.value(event))).collect();
     let day = DAY / SECOND;
     assert_eq!(rows, [(day - 1, "ON"), (day + 1, "OFF"), (9 * day, "ON"), (9 * day + 1, "OFF")]);
@@ -339,7 +314,7 @@ fn a_file_a_day_is_one_log() {
     for day in [9, 10, 12] {
         written(&folder, &format!("2009-03-{day}.txt"), text(day));
     }
-    let (_, log) = log_of(folder.path());
+    let (_, log) = from_file(folder.path());
     assert_eq!((log.rows, log.skipped, log.gaps.len()), (6, 3, 1));
     assert!(log.problems[1].beside.as_deref().unwrap().ends_with("2009-03-10.txt"), "{:?}", log.problems);
 }
@@ -380,8 +355,8 @@ fn labels_beside_a_log_are_known_by_what_they_hold() {
         let log = written(&folder, "devices.csv", DEVICES);
         written(&folder, name, text);
         for path in [&log, folder.path()] {
-            let log = log_of(path).1;
-            assert_eq!((log.rows, done(&log)[0]), (2, ("eat", 0, 5)), "{name}");
+            let log = from_file(path).1;
+            assert_eq!((log.rows, done(&log)[0]), (2, ("eat", 0.0, 5.0)), "{name}");
             assert_eq!(log.remarks, [format!("its activities are those of {name} beside it")]);
         }
     }
@@ -398,7 +373,7 @@ fn other_tables_beside_a_log_are_no_labels() {
         let folder = Folder::new(&format!("not-beside-{name}"));
         let log = written(&folder, "log.csv", DEVICES);
         written(&folder, name, text);
-        let log = log_of(&log).1;
+        let log = from_file(&log).1;
         assert_eq!((log.rows, done(&log).len(), log.remarks.len()), (2, 0, 0), "{name}");
     }
     // Of another log by its name.
@@ -407,11 +382,11 @@ fn other_tables_beside_a_log_are_no_labels() {
     written(&folder, "other.csv", DEVICES);
     let labels = "start_time,end_time,activity\n2009-03-02 07:00:00,2009-03-02 07:05:00,eat\n";
     written(&folder, "other.activity.csv", labels);
-    assert_eq!(done(&log_of(&log).1), []);
+    assert_eq!(done(&from_file(&log).1), []);
     // If several fit, the remark names them and reads none.
     written(&folder, "a.csv", labels);
     written(&folder, "b.csv", labels);
-    let log = log_of(&log).1;
+    let log = from_file(&log).1;
     assert!(done(&log).is_empty() && log.remarks[0].contains("a.csv and b.csv beside it"), "{:?}", log.remarks);
 }
 
@@ -467,8 +442,8 @@ fn domoticz_names_its_devices() {
         CREATE TABLE Temperature (DeviceRowID INTEGER, Temperature FLOAT, Humidity INTEGER, Date DATETIME);
         INSERT INTO Temperature VALUES (4, 21.5, 0, '2009-03-02 07:04:00');";
     Connection::open(&path).unwrap().execute_batch(sql).unwrap();
-    let (form, log) = log_of(&path);
-    assert_eq!(form.name, "domoticz");
+    let (source, log) = from_file(&path);
+    assert_eq!(source.form().name, "domoticz");
     let rows = [
         ("Hall", "ON"),
         ("Hall", "OFF"),
@@ -484,7 +459,7 @@ fn domoticz_names_its_devices() {
     let path = folder.path().join("other.db");
     let sql = "CREATE TABLE LightingLog (time, sensor, value); INSERT INTO LightingLog VALUES ('2009-03-02 07:00:00', 'M1', 'ON')";
     Connection::open(&path).unwrap().execute_batch(sql).unwrap();
-    assert_eq!(log_of(&path).0.name, "sqlite");
+    assert_eq!(from_file(&path).0.form().name, "sqlite");
 }
 
 /// The columns with their roles.

@@ -3,29 +3,20 @@
 
 use crate::hanging::{DEADLINE, SOON, ended, outlived, stopped};
 use crate::stage;
-use homebody_core::scenario::logger::LoggerFile;
-use homebody_core::time::{RunTime, Span};
-use homebody_log::table::{Batch, Cell};
-use homebody_log::{Begin, Destination, LogError, Logger, Policy, Sink, Watermark, WhenDown, WriteMode};
+use crate::stage::sinks::{Call, Got, sink};
+use homebody_core::time::Span;
+use homebody_log::table::Batch;
+use homebody_log::{Destination, LogError, Policy, WhenDown, WriteMode};
 use std::sync::{Arc, Condvar, Mutex};
 use std::thread;
 use std::time::{Duration, Instant};
 
 const ROWS: u64 = 60_000;
 
-/// The calls that may hang.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Call {
-    Begin,
-    Write,
-    MakeDurable,
-    Finish,
-}
-
 /// A server that does not answer such a call while it is held.
 #[derive(Clone)]
 struct Server {
-    got: Arc<Mutex<Vec<i64>>>,
+    got: Arc<Mutex<Got>>,
     held: Arc<(Mutex<bool>, Condvar)>,
     hangs_in: Call,
     /// Whether a call that has hung is lost with its connection, or done late.
@@ -55,34 +46,16 @@ impl Server {
     }
 
     fn destination(&self) -> Destination {
-        Destination::own("a server", self.clone(), Policy::of_server())
+        let server = self.clone();
+        let answer = move |call, batch: &Batch| {
+            server.answers(call)?;
+            Ok(server.got.lock().unwrap().take(call, batch))
+        };
+        Destination::own("a server", sink(answer), Policy::of_server())
     }
 
     fn has(&self, rows: u64) -> bool {
-        self.got.lock().unwrap().iter().copied().eq(0..rows as i64)
-    }
-}
-
-impl Sink for Server {
-    fn begin(&mut self, _: &Begin) -> Result<Watermark, LogError> {
-        self.answers(Call::Begin)?;
-        Ok(Watermark::none())
-    }
-
-    fn write(&mut self, batch: &Batch) -> Result<(), LogError> {
-        self.answers(Call::Write)?;
-        let number = |cell: &Cell| if let Cell::Integer(number) = *cell { number } else { panic!("a number") };
-        self.got.lock().unwrap().extend(batch.rows().map(|row| number(&row.cells[0])));
-        Ok(())
-    }
-
-    fn make_durable(&mut self) -> Result<Watermark, LogError> {
-        self.answers(Call::MakeDurable)?;
-        Ok(Watermark(vec![self.got.lock().unwrap().len() as u64]))
-    }
-
-    fn finish(&mut self, _: RunTime) -> Result<(), LogError> {
-        self.answers(Call::Finish)
+        self.got.lock().unwrap().has(rows)
     }
 }
 
@@ -128,8 +101,7 @@ fn a_run_with_retries_waits_for_a_late_answer() {
             }
             free.hold(false);
         });
-        let mut logger =
-            Logger::open(vec![to], &LoggerFile::default(), &Arc::new(stage::run()), WriteMode::Create).unwrap();
+        let mut logger = stage::logger(vec![to], WriteMode::Create).unwrap();
         for step in stage::firings(10_000).chunks(1000) {
             logger.store(step, step[step.len() - 1].at + Span::MICROSECOND).unwrap();
             logger.make_durable().unwrap();

@@ -3,10 +3,10 @@
 //! The four tables are those of Home Assistant 0.60, 2022.4, 2023.3 and 2024.3, with the columns that a reader may meet.
 
 use crate::stage::Folder;
-use homebody_core::scenario::logger::LoggerFile;
+use crate::stage::texts::{from_file, known};
 use homebody_core::time::{Interval, SECOND, WallTime};
+use homebody_log::Log;
 use homebody_log::log::Clock;
-use homebody_log::{Log, LogSource, SensorInfo, read};
 use jiff::Timestamp;
 use rusqlite::{Connection, params};
 use std::fs;
@@ -102,13 +102,9 @@ fn run(database: &Connection, start: i64, end: Option<i64>, is_closed: bool) {
 }
 
 fn log_at(path: &Path) -> Log {
-    let source = LogSource::recognise(path).unwrap();
+    let (source, log) = from_file(path);
     assert_eq!(source.form().name, "home-assistant");
-    read(&source, &LoggerFile::default()).unwrap()
-}
-
-fn known<'l>(log: &'l Log, id: &str) -> &'l SensorInfo {
-    log.known.iter().find(|known| known.id == id).unwrap_or_else(|| panic!("{id} is not known"))
+    log
 }
 
 const ENTITIES: [(&str, &str); 4] = [

@@ -4,36 +4,27 @@
 mod gateways;
 
 use crate::stage::Folder;
+use crate::stage::texts::{from_text as log, known, minutes, skipped, written};
 use homebody_core::messages::Diagnose;
 use homebody_core::scenario::logger::LoggerFile;
 use homebody_core::time::{Interval, MINUTE, SECOND, WallTime};
 use homebody_log::log::{Clock, ColumnRole};
 use homebody_log::source::{HomeColumn, TableOptions};
-use homebody_log::{Log, LogError, LogSource, SensorInfo, read};
+use homebody_log::{Log, LogError, LogSource, read};
 use std::fs;
 
 /// 2 February 2026, 06:00.
 const SIX: WallTime = WallTime::from_micros(1_770_012_000_000_000);
 
 fn result(folder: &Folder, form: &str, name: &str, text: &str) -> Result<Log, LogError> {
-    let path = folder.path().join(name);
-    fs::write(&path, text).unwrap();
-    let source = LogSource::recognise(&path).unwrap();
+    let source = LogSource::recognise(&written(folder, name, text)).unwrap();
     assert_eq!(source.form().name, form, "{text}");
     read(&source, &LoggerFile::default())
 }
 
-fn log(folder: &Folder, form: &str, name: &str, text: &str) -> Log {
-    result(folder, form, name, text).unwrap()
-}
-
 /// Rows as minutes since six, sensor, value.
 fn told(log: &Log) -> Vec<(f64, &str, &str)> {
-    log.events.iter().map(|event| ((event.at - SIX).ratio(MINUTE), log.sensor(event), log.value(event))).collect()
-}
-
-fn known<'l>(log: &'l Log, sensor: &str) -> &'l SensorInfo {
-    log.known.iter().find(|known| known.id == sensor).unwrap_or_else(|| panic!("{sensor} of {:?}", log.known))
+    minutes(log, SIX)
 }
 
 /// A sensor as the log describes it: name, kind, unit, room.
@@ -253,8 +244,7 @@ fn a_row_that_is_no_json_costs_no_other_row() {
         let log = log(&folder, "json", "rows.json", &text);
         let values: Vec<&str> = told(&log).into_iter().map(|(.., value)| value).collect();
         assert_eq!(values, ["0", "1", "3", "4", "5"], "{what}");
-        let lines: Vec<u64> = log.problems.iter().map(|problem| problem.line).collect();
-        assert_eq!(lines, [4], "{what}: {:?}", log.problems);
+        assert_eq!(skipped(&log), [4], "{what}: {:?}", log.problems);
     }
     // A text that is cut short says so.
     let cut = format!("[\n{}", good.join("\n"));
@@ -326,7 +316,7 @@ fn line_protocol_is_read_in_any_precision() {
             (3.0, "air hall co2", "401"),
         ];
         assert_eq!((told(&log), log.clock), (rows.to_vec(), Clock::Utc), "{zeros}");
-        assert_eq!(log.problems.iter().map(|problem| problem.line).collect::<Vec<_>>(), [7]);
+        assert_eq!(skipped(&log), [7]);
         assert_eq!(about(&log, HALL), ["The hall", "motion", "", ""]);
         assert_eq!(about(&log, "sensor.warmth")[1..3], ["sensor", "°C"]);
         assert_eq!(about(&log, "air hall co2")[3], "hall");

@@ -5,8 +5,7 @@ use homebody_core::scenario::logger::LoggerFile;
 use homebody_core::time::Span;
 use rusqlite::Connection;
 use std::path::Path;
-use std::process::{Command, Stdio};
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 /// The place for the child; the parent sets it.
 const CHILD: &str = "HOMEBODY_TEST_KILLED";
@@ -35,14 +34,9 @@ fn a_killed_run_loses_and_doubles_no_stored_row() {
     let mut longest = 0;
     for kill in 0..KILLS {
         let base = folder.path().join(format!("log-{kill}"));
-        let mut child = Command::new(std::env::current_exe().unwrap())
-            .args(["killed::child", "--exact", "--test-threads", "1"])
-            .env(CHILD, &base)
-            .stdout(Stdio::null())
-            .spawn()
-            .unwrap();
+        let mut child = stage::child("killed::child", CHILD, &base);
         let database = base.with_extension("sqlite");
-        wait_for(&database);
+        stage::wait_for(|| database.exists());
         std::thread::sleep(Duration::from_millis(kill * 7919 % 1_000));
         child.kill().unwrap();
         assert!(!child.wait().unwrap().success(), "killed before its end");
@@ -50,14 +44,6 @@ fn a_killed_run_loses_and_doubles_no_stored_row() {
         assert!(!base.with_extension("csv").exists(), "a text file has its name only when it is whole");
     }
     assert!(longest > 0, "some were killed with rows stored");
-}
-
-fn wait_for(path: &Path) {
-    let began = Instant::now();
-    while !path.exists() {
-        assert!(began.elapsed() < Duration::from_secs(60), "the child opens its log");
-        std::thread::sleep(Duration::from_millis(1));
-    }
 }
 
 /// Looks at what a killed run has left; the rows.

@@ -1,59 +1,30 @@
 //! Destinations in code: the effect on a run when one of them fails, hangs, is full or returns.
 
 use crate::alone::is_alone;
+use crate::stage::sinks::{Call, Got, sink};
 use crate::stage::{self, Folder};
 use homebody_core::scenario::logger::LoggerFile;
-use homebody_core::time::RunTime;
 use homebody_log::run_log::destinations;
-use homebody_log::table::{Batch, Cell};
-use homebody_log::{Begin, Cancel, Destination, LogError, Logger, Policy, Sink, Stored, Watermark, WriteMode};
+use homebody_log::{Cancel, Destination, LogError, Policy, Sink, Stored, Watermark, WriteMode};
+use std::collections::BTreeSet;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Arc, Mutex};
 use std::thread;
 use std::time::{Duration, Instant};
 
-/// The rows that a destination has, by number, and whether the run has ended.
-#[derive(Default)]
-struct Got {
-    rows: Vec<i64>,
-    ended: bool,
-}
-
 /// The reaction of a destination to its n-th batch, or, for 0, to its beginning.
 type Deed = fn(usize) -> Result<(), LogError>;
 
-struct Own {
-    got: Arc<Mutex<Got>>,
-    batches: usize,
-    deed: Deed,
-}
-
-impl Sink for Own {
-    fn begin(&mut self, begin: &Begin) -> Result<Watermark, LogError> {
-        (self.deed)(0)?;
-        assert_eq!(begin.run.sensor_names(), stage::sensors());
-        Ok(Watermark::none())
-    }
-
-    fn write(&mut self, batch: &Batch) -> Result<(), LogError> {
-        self.batches += 1;
-        (self.deed)(self.batches)?;
-        let numbers = batch.rows().map(|row| match row.cells[0] {
-            Cell::Integer(number) => number,
-            _ => panic!("the number of a row is a number"),
-        });
-        self.got.lock().unwrap().rows.extend(numbers);
-        Ok(())
-    }
-
-    fn make_durable(&mut self) -> Result<Watermark, LogError> {
-        Ok(Watermark(vec![self.got.lock().unwrap().rows.len() as u64]))
-    }
-
-    fn finish(&mut self, _: RunTime) -> Result<(), LogError> {
-        self.got.lock().unwrap().ended = true;
-        Ok(())
-    }
+/// A destination that does so and keeps what it gets.
+fn own(got: Arc<Mutex<Got>>, deed: Deed) -> impl Sink {
+    let mut batches = 0;
+    sink(move |call, batch| {
+        batches += usize::from(call == Call::Write);
+        if matches!(call, Call::Begin | Call::Write) {
+            deed(batches)?;
+        }
+        Ok(got.lock().unwrap().take(call, batch))
+    })
 }
 
 /// Tries again soon, and for longer than any test takes.
@@ -67,10 +38,9 @@ const ROWS: u64 = 60_000;
 fn stored(name: &str, deed: Deed, policy: Policy) -> (Folder, Arc<Mutex<Got>>, Result<Stored, LogError>) {
     let folder = Folder::new(name);
     let got = Arc::new(Mutex::new(Got::default()));
-    let own = Own { got: got.clone(), batches: 0, deed };
     let mut all = destinations(&[folder.url("csv:log.csv")], WriteMode::Create).unwrap();
-    all.push(Destination::own("a broker", own, policy));
-    let logger = Logger::open(all, &LoggerFile::default(), &Arc::new(stage::run()), WriteMode::Create);
+    all.push(Destination::own("a broker", own(got.clone(), deed), policy));
+    let logger = stage::logger(all, WriteMode::Create);
     let stored = logger.and_then(|logger| stage::store(logger, &stage::firings(ROWS), 1000));
     (folder, got, stored)
 }
@@ -81,7 +51,7 @@ fn lines(folder: &Folder) -> u64 {
 
 fn is_whole(got: &Mutex<Got>) -> bool {
     let got = got.lock().unwrap();
-    got.ended && got.rows.iter().copied().eq(0..ROWS as i64)
+    got.ended && got.has(ROWS) && got.sensors == BTreeSet::from_iter(stage::sensors())
 }
 
 /// Fails at its third batch.
@@ -163,14 +133,13 @@ fn an_absent_destination_is_begun_again() {
 #[test]
 fn drops_the_right_one_of_two_destinations_with_one_name() {
     let folder = Folder::new("one-name");
-    let own = |deed: Deed, policy| Destination::own("a broker", Own { got: Arc::default(), batches: 0, deed }, policy);
+    let own = |deed: Deed, policy| Destination::own("a broker", own(Arc::default(), deed), policy);
     let all = vec![
         own(|_| Ok(()), Policy::default()),
         own(full, Policy::optional()),
         Destination::new(&folder.url("csv:log.csv")),
     ];
-    let logger = Logger::open(all, &LoggerFile::default(), &Arc::new(stage::run()), WriteMode::Create).unwrap();
-    let stored = stage::store(logger, &stage::firings(ROWS), 1000).unwrap();
+    let stored = stage::store(stage::logger(all, WriteMode::Create).unwrap(), &stage::firings(ROWS), 1000).unwrap();
     assert_eq!((stored.places.len(), stored.places[0].as_str(), stored.failed.len()), (2, "a broker", 1));
 }
 
@@ -217,14 +186,14 @@ fn a_stopped_run_does_not_wait_for_an_absent_destination() {
     let always = |batch: usize| away(batch.min(3));
     for (name, deed) in [("stopped", always as Deed), ("stopped-slow", away_and_slow_to_say_so)] {
         let (folder, cancel, told) = (Folder::new(name), Cancel::new(), Arc::new(Mutex::new(Vec::new())));
-        let own = Own { got: Arc::default(), batches: 0, deed };
-        let to = Destination { cancel: cancel.clone(), ..Destination::own("a broker", own, patient()) };
+        let to = Destination::own("a broker", own(Arc::default(), deed), patient());
+        let to = Destination { cancel: cancel.clone(), ..to };
         let heard = told.clone();
         to.meter.telling(Arc::new(move |news| heard.lock().unwrap().push(news.to_string())));
         let meter = to.meter.clone();
         let mut all = destinations(&[folder.url("csv:log.csv")], WriteMode::Create).unwrap();
         all.insert(0, to);
-        let logger = Logger::open(all, &LoggerFile::default(), &Arc::new(stage::run()), WriteMode::Create).unwrap();
+        let logger = stage::logger(all, WriteMode::Create).unwrap();
         let stops = thread::spawn(move || {
             while !meter.read().is_away {
                 thread::sleep(Duration::from_millis(5));
@@ -255,33 +224,12 @@ fn reports_that_no_thread_can_be_started() {
     }
 }
 
-/// A destination that says that it has so many rows of the run already, as a note of what was confirmed does.
-struct Ahead(u64);
-
-impl Sink for Ahead {
-    fn begin(&mut self, _: &Begin) -> Result<Watermark, LogError> {
-        Ok(Watermark(vec![self.0]))
-    }
-
-    fn write(&mut self, _: &Batch) -> Result<(), LogError> {
-        Ok(())
-    }
-
-    fn make_durable(&mut self) -> Result<Watermark, LogError> {
-        Ok(Watermark(vec![self.0]))
-    }
-
-    fn finish(&mut self, _: RunTime) -> Result<(), LogError> {
-        Ok(())
-    }
-}
-
 #[test]
 fn reports_a_destination_with_more_rows_than_the_run() {
     let stored = |rows: u64, policy: Policy| {
-        let to = Destination::own("a broker", Ahead(rows), policy);
-        let logger =
-            Logger::open(vec![to], &LoggerFile::default(), &Arc::new(stage::run()), WriteMode::Resume).unwrap();
+        // It has so many rows of the run already, as a note of what was confirmed says.
+        let to = Destination::own("a broker", sink(move |_, _| Ok(Watermark(vec![rows]))), policy);
+        let logger = stage::logger(vec![to], WriteMode::Resume).unwrap();
         stage::store(logger, &stage::firings(1000), 100)
     };
     let error = stored(1007, Policy::default()).unwrap_err();

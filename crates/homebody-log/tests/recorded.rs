@@ -4,44 +4,20 @@
 //! of a few lines of Python.
 
 use crate::stage::Folder;
+use crate::stage::texts::{SEVEN, carry, content, done, from_file, from_text, minutes, skipped, written};
 use homebody_core::scenario::logger::LoggerFile;
-use homebody_core::time::{DAY, MINUTE, SECOND, WallTime};
-use homebody_log::convert;
+use homebody_core::time::{DAY, MINUTE, SECOND};
 use homebody_log::log::Clock;
 use homebody_log::registry::FORMS;
-use homebody_log::{Log, LogError, LogSource, Transfer, WriteMode, read, survey};
+use homebody_log::{Log, LogError, LogSource, WriteMode, read};
 use rusqlite::Connection;
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-/// 2 March 2009, 07:00.
-const SEVEN: WallTime = WallTime::from_micros(1_235_977_200_000_000);
-
-fn from_file(path: &Path) -> (LogSource, Log) {
-    let source = LogSource::recognise(path).unwrap();
-    let log = read(&source, &LoggerFile::default()).unwrap();
-    (source, log)
-}
-
-/// Reads a text that is recognised as of a form.
-fn from_text(folder: &Folder, form: &str, name: &str, text: &str) -> Log {
-    let path = folder.path().join(name);
-    fs::write(&path, text).unwrap();
-    let (source, log) = from_file(&path);
-    assert_eq!(source.form().name, form, "{text}");
-    log
-}
-
 /// Rows as minutes since seven, sensor, value.
 fn told(log: &Log) -> Vec<(f64, &str, &str)> {
-    let minutes = |at: WallTime| (at - SEVEN).ratio(MINUTE);
-    log.events.iter().map(|event| (minutes(event.at), log.sensor(event), log.value(event))).collect()
-}
-
-fn done(log: &Log) -> Vec<(&str, f64, f64)> {
-    let minutes = |at: WallTime| (at - SEVEN).ratio(MINUTE);
-    log.activities.iter().map(|of| (of.label.as_str(), minutes(of.begin()), minutes(of.end()))).collect()
+    minutes(log, SEVEN)
 }
 
 #[test]
@@ -124,7 +100,7 @@ fn records_of_five_lines() {
             ("Toileting", day - 10.0, day + 10.0)
         ]
     );
-    assert_eq!(log.problems.iter().map(|problem| problem.line).collect::<Vec<_>>(), [12, 16]);
+    assert_eq!(skipped(&log), [12, 16]);
     let known: Vec<_> = log.known.iter().map(|one| (&*one.id, &*one.name, one.room.as_deref())).collect();
     assert_eq!(known, [("100", "Toilet Flush", Some("Bathroom")), ("68", "Burner", Some("Kitchen"))]);
 }
@@ -176,7 +152,7 @@ fn rows_of_each_second_become_changes() {
                 0,0,sleep,2009-03-02 07:00:02\n";
     let log = from_text(&folder, "openshs", "clocks.csv", text);
     assert_eq!(told(&log), [(0.0, "wardrobe", "ON"), (2.0 * second, "wardrobe", "OFF")]);
-    assert_eq!(log.problems.iter().map(|problem| problem.line).collect::<Vec<_>>(), [3]);
+    assert_eq!(skipped(&log), [3]);
 
     let row = |first: u8, activity: u8| format!("{first} {}{activity} 2\n", "0 ".repeat(19));
     let text = [row(0, 11), row(1, 11), "0 1\n".to_owned(), row(0, 12)].concat();
@@ -212,9 +188,9 @@ fn an_event_log_has_activities_alone() {
     assert_eq!(done(&log), [("cook & eat", 0.0, 10.0), ("a > b", 1.0, 1.0), ("sleep", 20.0, 20.0)]);
     assert_eq!((log.rows, log.clock, log.problems[0].line, log.skipped), (0, Clock::Utc, 12, 1));
     // Without rows, there is no place for notes; tables hold activities alone.
-    let casas = carry(&LogSource::recognise(&folder.path().join("log.xes")).unwrap(), &folder, "casas:log.txt");
-    assert!(casas.unwrap_err().to_string().contains("cannot hold 3 activities"));
-    carry(&LogSource::recognise(&folder.path().join("log.xes")).unwrap(), &folder, "csv:carried.csv").unwrap();
+    let to = |to: &str| carry(from_file(&folder.path().join("log.xes")).0, &folder.url(to), "UTC", WriteMode::Create);
+    assert!(to("casas:log.txt").unwrap_err().to_string().contains("cannot hold 3 activities"));
+    to("csv:carried.csv").unwrap();
     assert_eq!(from_file(&folder.path().join("carried.csv")).1.activities, log.activities);
 }
 
@@ -345,19 +321,6 @@ fn home_assistants_states_are_read_and_its_database_is_left_as_it_was() {
     }
 }
 
-/// A log without what its form says of its columns.
-fn content(log: Log) -> Log {
-    Log { columns: Vec::new(), ..log }
-}
-
-fn carry(from: &LogSource, folder: &Folder, to: &str) -> Result<u64, LogError> {
-    let mapping = LoggerFile::default();
-    let about = survey(from, &mapping)?;
-    let transfer =
-        Transfer { from, mapping: &mapping, to: &folder.url(to), name: "a log", zone: "UTC", how: WriteMode::Create };
-    convert(&transfer, &about, |_| ())
-}
-
 /// From a text with notes to a table and back, activities are what they were.
 #[test]
 fn activities_go_with_their_log_into_each_form() {
@@ -369,7 +332,7 @@ fn activities_go_with_their_log_into_each_form() {
     assert_eq!(done(&first), [("Cook", 0.0, 3.0), ("R1_Work", 2.0, 4.0)]);
     let mut from = LogSource::recognise(&folder.path().join("first.txt")).unwrap();
     for to in ["csv:second.csv", "sqlite:third.db", "csv:fourth.csv", "casas:last.txt"] {
-        carry(&from, &folder, to).unwrap();
+        carry(from, &folder.url(to), "UTC", WriteMode::Create).unwrap();
         from = LogSource::from(&folder.url(to));
         assert_eq!(content(read(&from, &LoggerFile::default()).unwrap()), content(first.clone()), "{to}");
     }
@@ -381,17 +344,8 @@ fn activities_go_with_their_log_into_each_form() {
     assert!(folder.text("second.activity.csv").starts_with(beside), "{}", folder.text("second.activity.csv"));
     // A log without activities does not get those of another that was there before.
     let plain = from_text(&folder, "casas", "plain.txt", "2009-03-02 07:00:00 M1 ON\n");
-    let from = LogSource::recognise(&folder.path().join("plain.txt")).unwrap();
-    let (about, to) = (survey(&from, &LoggerFile::default()).unwrap(), folder.url("csv:second.csv"));
-    let transfer = Transfer {
-        from: &from,
-        mapping: &LoggerFile::default(),
-        to: &to,
-        name: "a log",
-        zone: "UTC",
-        how: WriteMode::Overwrite,
-    };
-    convert(&transfer, &about, |_| ()).unwrap();
+    let to = folder.url("csv:second.csv");
+    carry(from_file(&folder.path().join("plain.txt")).0, &to, "UTC", WriteMode::Overwrite).unwrap();
     assert_eq!(content(read(&to, &LoggerFile::default()).unwrap()), content(plain));
 }
 
@@ -399,13 +353,11 @@ fn activities_go_with_their_log_into_each_form() {
 fn a_file_without_rows_yet_is_an_empty_log_of_a_form_that_is_named() {
     let folder = Folder::new("empty");
     for text in ["", " \n\n", "\u{feff}"] {
-        let path = folder.path().join("log.txt");
-        fs::write(&path, text).unwrap();
+        let path = written(&folder, "log.txt", text);
         assert_eq!(LogSource::recognise(&path).unwrap_err().code(), "log-form::empty", "{text:?}");
     }
     for form in &FORMS {
-        let path = folder.path().join("nothing");
-        fs::write(&path, "").unwrap();
+        let path = written(&folder, "nothing", "");
         match read(LogSource::new(form, &path), &LoggerFile::default()) {
             Ok(log) => assert_eq!((log.rows, log.activities.len()), (0, 0), "{form:?}"),
             Err(error) => assert!(error.to_string().contains("nothing"), "{form:?}: {error}"),
@@ -505,9 +457,13 @@ fn real_texts_have_as_many_rows_as_python_counts() {
         // A converted log keeps its activities.
         let folder = Folder::new(&format!("real-{form}-{}", log.rows));
         for to in ["csv:log.csv", "sqlite:log.db"] {
-            carry(&source, &folder, to).unwrap();
+            carry(&source, &folder.url(to), "UTC", WriteMode::Create).unwrap();
             let again = read(LogSource::from(&folder.url(to)), &LoggerFile::default()).unwrap();
             assert!(again.rows == log.rows && again.activities == log.activities, "{name} to {to}");
+        }
+        if form == "casas" {
+            carry(&folder.url("sqlite:log.db"), &folder.url("casas:log.txt"), "UTC", WriteMode::Create).unwrap();
+            assert_eq!(from_file(&folder.path().join("log.txt")).1, log);
         }
     }
 }

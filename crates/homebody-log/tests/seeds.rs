@@ -3,13 +3,12 @@
 //! A seed decides how long it is away, how often, whether it hangs or is slow, and which policy there is. `HOMEBODY_SEEDS` says how many
 //! seeds there are.
 
+use crate::stage::sinks::{self, Call, sink};
 use crate::stage::{self, Folder};
 use homebody_core::random::Stream;
-use homebody_core::scenario::logger::LoggerFile;
-use homebody_core::time::RunTime;
 use homebody_log::run_log::destinations;
 use homebody_log::table::{Batch, Cell};
-use homebody_log::{Begin, Destination, LogError, Logger, Policy, Sink, Stored, Watermark, WhenDown, WriteMode};
+use homebody_log::{Destination, LogError, Policy, Stored, Watermark, WhenDown, WriteMode};
 use std::collections::BTreeMap;
 use std::sync::{Arc, Mutex};
 use std::thread;
@@ -45,8 +44,7 @@ struct Place {
 #[derive(Default)]
 struct Got {
     asked: u64,
-    rows: Vec<i64>,
-    ended: bool,
+    kept: sinks::Got,
     is_over: bool,
 }
 
@@ -67,10 +65,16 @@ impl Place {
         }
     }
 
-    /// A call, with what it takes.
-    fn call<T>(&self, take: impl FnOnce(&mut Got) -> T) -> Result<T, LogError> {
+    fn answer(&self, call: Call, batch: &Batch) -> Result<Watermark, LogError> {
         let mut got = self.got.lock().unwrap();
         got.asked += 1;
+        // Rows whose answer was lost are not taken again.
+        let first = match batch.rows().next().map(|row| row.cells[0]) {
+            Some(Cell::Integer(first)) if !self.forgets => first as u64,
+            _ => u64::MAX,
+        };
+        let known = got.kept.rows.len() as u64;
+        let take = |got: &mut Got| got.kept.take(call, &batch.beyond(&mut [known.saturating_sub(first)]));
         let away = || LogError::destination("a place", "it is away").passing();
         match self.fate(got.asked) {
             Fate::Away => Err(away()),
@@ -91,32 +95,6 @@ impl Place {
     }
 }
 
-impl Sink for Place {
-    fn begin(&mut self, _: &Begin) -> Result<Watermark, LogError> {
-        self.call(|got| Watermark(vec![got.rows.len() as u64]))
-    }
-
-    fn write(&mut self, batch: &Batch) -> Result<(), LogError> {
-        let number = |cells: &[Cell]| match cells[0] {
-            Cell::Integer(number) => number,
-            _ => panic!("the number of a row"),
-        };
-        self.call(|got| {
-            // Rows whose answer was lost are not taken again.
-            let known = if self.forgets { 0 } else { got.rows.len() as i64 };
-            got.rows.extend(batch.rows().map(|row| number(row.cells)).filter(|number| *number >= known));
-        })
-    }
-
-    fn make_durable(&mut self) -> Result<Watermark, LogError> {
-        self.call(|got| Watermark(vec![got.rows.len() as u64]))
-    }
-
-    fn finish(&mut self, _: RunTime) -> Result<(), LogError> {
-        self.call(|got| got.ended = true)
-    }
-}
-
 /// The policy of a seed, and what it is called.
 fn policy(seed: u64, folder: &Folder) -> (&'static str, Policy, WhenDown) {
     let patient =
@@ -132,8 +110,10 @@ fn policy(seed: u64, folder: &Folder) -> (&'static str, Policy, WhenDown) {
 fn stored(seed: u64, folder: &Folder, place: &Place) -> (&'static str, Result<Stored, LogError>) {
     let (name, policy, when) = policy(seed, folder);
     let mut all = destinations(&[folder.url("csv:log.csv")], WriteMode::Create).unwrap();
-    all.push(Destination::own("a place", place.clone(), policy).when_down(&when));
-    let logger = Logger::open(all, &LoggerFile::default(), &Arc::new(stage::run()), WriteMode::Create);
+    let place = place.clone();
+    let place = sink(move |call, batch| place.answer(call, batch));
+    all.push(Destination::own("a place", place, policy).when_down(&when));
+    let logger = stage::logger(all, WriteMode::Create);
     let step = 1 + (Stream::named(seed, "steps").unit() * 400.0) as usize;
     (name, logger.and_then(|logger| stage::store(logger, &stage::firings(ROWS), step)))
 }
@@ -149,11 +129,8 @@ fn each_policy_holds_for_every_failure() {
         let got = place.got.lock().unwrap();
         let what =
             format!("seed {seed}, {policy}: {:?}, {} calls", stored.as_ref().map(|stored| stored.rows), got.asked);
-        assert!(
-            got.rows.iter().copied().eq(0..got.rows.len() as i64),
-            "{what}: a row is missing, doubled or out of turn"
-        );
-        let is_whole = got.ended && got.rows.len() as u64 == ROWS;
+        assert!(got.kept.has(got.kept.rows.len() as u64), "{what}: a row is missing, doubled or out of turn");
+        let is_whole = got.kept.ended && got.kept.rows.len() as u64 == ROWS;
         // A run without a success may still have stored all, if the last answer was lost.
         match (policy, &stored) {
             ("optional", Ok(stored)) => {
@@ -181,8 +158,8 @@ fn each_policy_holds_for_every_failure() {
         let folder = Folder::new(&format!("twice-{seed}"));
         let place = Place { seed: *seed, forgets: true, got: Arc::default() };
         let _ = stored(*seed, &folder, &place);
-        let rows = &place.got.lock().unwrap().rows;
-        !rows.iter().copied().eq(0..rows.len() as i64)
+        let kept = &place.got.lock().unwrap().kept;
+        !kept.has(kept.rows.len() as u64)
     });
     assert!(twice.count() > 0, "rows that are there twice are seen");
 }

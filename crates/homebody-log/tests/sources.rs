@@ -1,15 +1,14 @@
 //! Logs of any program are read back.
 
+use crate::stage::texts::{carry, content, skipped};
 use crate::stage::{self, Folder};
 use homebody_core::scenario::logger::{LoggerFile, MessagesFile, OnOffFile, TimeFormat};
 use homebody_core::time::UtcTime;
-use homebody_log::convert;
 use homebody_log::limits::{LONGEST_ID, LONGEST_ROW_BYTES, LONGEST_VALUE, MOST_CELLS};
 use homebody_log::log::Clock;
-use homebody_log::{Log, LogError, LogSource, Transfer, Url, WriteMode, read, stream, survey};
+use homebody_log::{Log, LogError, LogSource, WriteMode, read, stream, survey};
 use rusqlite::Connection;
 use std::fs;
-use std::path::PathBuf;
 
 const ALL: [&str; 3] = ["sqlite:log.db", "csv:log.csv", "casas:log.txt"];
 
@@ -18,14 +17,6 @@ fn from_text(folder: &Folder, url: &str, text: &str) -> Result<Log, LogError> {
     fs::write(url.file().unwrap(), text).unwrap();
     assert_eq!(LogSource::recognise(url.file().unwrap()).unwrap(), LogSource::from(&url));
     read(&url, &LoggerFile::default())
-}
-
-/// Writes a log anew; how many rows it has.
-fn carry(from: impl Into<LogSource>, to: &Url, zone: &str) -> Result<u64, LogError> {
-    let mapping = LoggerFile::default();
-    let from = &from.into();
-    let about = survey(from, &mapping)?;
-    convert(&Transfer { from, mapping: &mapping, to, name: "a log", zone, how: WriteMode::Create }, &about, |_| ())
 }
 
 /// Rows as microseconds, sensor, value.
@@ -71,12 +62,12 @@ fn a_log_goes_from_form_to_form_and_comes_back_the_same() {
     for to in ["sqlite:second.db", "csv:third.csv", "sqlite:fourth.db", "casas:last.txt"] {
         let to = folder.url(to);
         let log = read(&from, &LoggerFile::default()).unwrap();
-        let rows = carry(&from, &to, "UTC").unwrap();
+        let rows = carry(&from, &to, "UTC", WriteMode::Create).unwrap();
         assert_eq!(rows, log.events.len() as u64);
         from = to;
     }
     assert_eq!(folder.text("first.txt"), folder.text("last.txt"));
-    let again = carry(&folder.url("casas:first.txt"), &from, "UTC");
+    let again = carry(&folder.url("casas:first.txt"), &from, "UTC", WriteMode::Create);
     assert!(matches!(again, Err(LogError::Exists { .. })));
 }
 
@@ -111,7 +102,7 @@ fn odd_texts_are_read_back_or_refused() {
         database.execute(sql, [sensor, value]).unwrap();
     }
     drop(database);
-    carry(&folder.url("sqlite:first.db"), &folder.url("csv:second.csv"), "UTC").unwrap();
+    carry(&folder.url("sqlite:first.db"), &folder.url("csv:second.csv"), "UTC", WriteMode::Create).unwrap();
     let texts = |log: &Log| {
         log.events.iter().map(|event| (log.sensor(event).to_owned(), log.value(event).to_owned())).collect::<Vec<_>>()
     };
@@ -122,7 +113,9 @@ fn odd_texts_are_read_back_or_refused() {
     let plain = "seq,fired_at,sensor,value\r\n0,2009-03-07 22:00:05, door ,ON\r\n";
     let log = from_text(&folder, "csv:windows.csv", plain).unwrap();
     assert_eq!(texts(&log), [(" door ".to_owned(), "ON".to_owned())]);
-    let error = carry(&folder.url("sqlite:first.db"), &folder.url("casas:third.txt"), "UTC").unwrap_err().to_string();
+    let error = carry(&folder.url("sqlite:first.db"), &folder.url("casas:third.txt"), "UTC", WriteMode::Create)
+        .unwrap_err()
+        .to_string();
     assert!(error.contains("cannot hold the control characters of ") && error.contains("sqlite:log.db"), "{error}");
     assert!(!folder.files().iter().any(|name| name.starts_with("third")), "{:?}", folder.files());
 }
@@ -227,8 +220,7 @@ fn lines_are_counted_as_people_count_them() {
         ),
     ] {
         let log = from_text(&folder, &format!("csv:{name}.csv"), text).unwrap();
-        let lines: Vec<u64> = log.problems.iter().map(|skipped| skipped.line).collect();
-        assert_eq!(lines, [3, 6], "{name}");
+        assert_eq!(skipped(&log), [3, 6], "{name}");
     }
 }
 
@@ -238,11 +230,11 @@ fn a_log_in_utc_becomes_local_for_casas_alone() {
     let text = "entity_id,state,last_changed\nbinary_sensor.hall,on,2009-03-02T13:12:03.250000Z\n";
     from_text(&folder, "csv:ha.csv", text).unwrap();
     let from = folder.url("csv:ha.csv");
-    carry(&from, &folder.url("casas:log.txt"), "America/Chicago").unwrap();
-    carry(&from, &folder.url("csv:log.csv"), "America/Chicago").unwrap();
+    carry(&from, &folder.url("casas:log.txt"), "America/Chicago", WriteMode::Create).unwrap();
+    carry(&from, &folder.url("csv:log.csv"), "America/Chicago", WriteMode::Create).unwrap();
     assert_eq!(folder.text("log.txt"), "2009-03-02 07:12:03.250000\tbinary_sensor.hall\ton\n");
     assert_eq!(folder.text("log.csv").lines().last(), Some("0,2009-03-02T13:12:03.250000Z,binary_sensor.hall,on"));
-    let nowhere = carry(&from, &folder.url("csv:x.csv"), "Mars/Olympus");
+    let nowhere = carry(&from, &folder.url("csv:x.csv"), "Mars/Olympus", WriteMode::Create);
     assert!(matches!(nowhere, Err(LogError::Zone { .. })));
 }
 
@@ -293,7 +285,7 @@ fn a_mapping_leads_to_its_own_table() {
     file.columns.time = "sensor".into();
     file.columns.sensor = "time".into();
     let url = folder.url("sqlite:log.db");
-    stage::store(stage::open(std::slice::from_ref(&url), &file, false).unwrap(), &stage::firings(10), 3).unwrap();
+    stage::ten_rows(&url, &file);
     let other = "CREATE TABLE firing (run_id, seq, fired_at, sensor, value)";
     Connection::open(url.file().unwrap()).unwrap().execute_batch(other).unwrap();
     let log = read(&url, &file).unwrap();
@@ -309,8 +301,7 @@ fn finds_an_unknown_mapping_by_its_rows() {
         (file.columns.time, file.columns.sensor, file.columns.value) = ("ts_x".into(), "who".into(), "what".into());
         for scheme in ["sqlite", "csv"] {
             let url = folder.url(&format!("{scheme}:log{index}.{scheme}"));
-            stage::store(stage::open(std::slice::from_ref(&url), &file, false).unwrap(), &stage::firings(10), 3)
-                .unwrap();
+            stage::ten_rows(&url, &file);
             let log = read(&url, &LoggerFile::default()).unwrap();
             assert_eq!((log.events.len(), log.skipped), (10, 0), "{url} in {time:?}");
             assert_eq!(log.sensor(&log.events[0]), "bedroom motion");
@@ -322,12 +313,7 @@ fn finds_an_unknown_mapping_by_its_rows() {
 fn reads_one_of_several_runs() {
     let folder = Folder::new("runs");
     let url = folder.url("sqlite:log.db");
-    stage::store(
-        stage::open(std::slice::from_ref(&url), &LoggerFile::default(), false).unwrap(),
-        &stage::firings(10),
-        3,
-    )
-    .unwrap();
+    stage::ten_rows(&url, &LoggerFile::default());
     let more = "INSERT INTO firing SELECT 2, seq, fired_at, sensor, value FROM firing";
     Connection::open(url.file().unwrap()).unwrap().execute_batch(more).unwrap();
     let log = read(&url, &LoggerFile::default()).unwrap();
@@ -379,7 +365,7 @@ fn most_rows_say_which_clock_it_is() {
     let text = "2009-03-02T07:12:03Z M1 ON\n2009-03-02 07:12:04 M1 OFF\nnonsense\n2009-03-02 07:12:05 M1 ON\n";
     let log = from_text(&folder, "casas:log", text).unwrap();
     assert_eq!((log.events.len(), log.rows, log.clock), (2, 2, Clock::Local));
-    assert_eq!(log.problems.iter().map(|problem| problem.line).collect::<Vec<_>>(), [1, 3]);
+    assert_eq!(skipped(&log), [1, 3]);
 }
 
 #[test]
@@ -536,51 +522,8 @@ fn reads_only_tables_of_a_database_and_no_long_cells() {
 fn reading_leaves_a_database_unchanged() {
     let folder = Folder::new("left");
     let url = folder.url("sqlite:log.db");
-    stage::store(
-        stage::open(std::slice::from_ref(&url), &LoggerFile::default(), false).unwrap(),
-        &stage::firings(10),
-        3,
-    )
-    .unwrap();
+    stage::ten_rows(&url, &LoggerFile::default());
     let before = (fs::read(url.file().unwrap()).unwrap(), folder.files());
     assert_eq!(read(&url, &LoggerFile::default()).unwrap().events.len(), 10);
     assert_eq!((fs::read(url.file().unwrap()).unwrap(), folder.files()), before);
-}
-
-/// A file that a real home recorded, where HOMEBODY_DATA names the folder of such; none is in the repository.
-fn real(name: &str) -> Option<PathBuf> {
-    let path = std::env::var_os("HOMEBODY_DATA").map(|data| PathBuf::from(data).join(name));
-    if path.is_none() {
-        eprintln!("skipped: HOMEBODY_DATA does not name a folder that holds {name}");
-    }
-    path
-}
-
-#[test]
-fn a_real_home_s_text_is_read_whole() {
-    let Some(path) = real("casas_tm000/tm000.multiday_absence.txt") else { return };
-    let from = LogSource::recognise(&path).unwrap();
-    let log = read(&from, &LoggerFile::default()).unwrap();
-    assert_eq!((log.events.len(), log.sensors.len(), log.skipped), (21_968, 22, 0));
-    let folder = Folder::new("real");
-    let database = folder.url("sqlite:log.db");
-    carry(&from, &database, "UTC").unwrap();
-    assert_eq!(content(read(&database, &LoggerFile::default()).unwrap()), content(log.clone()));
-    carry(&database, &folder.url("casas:log.txt"), "UTC").unwrap();
-    let ours = read(&folder.url("casas:log.txt"), &LoggerFile::default()).unwrap();
-    assert_eq!(ours, log);
-}
-
-/// A log without what its form says of its columns.
-fn content(log: Log) -> Log {
-    Log { columns: Vec::new(), ..log }
-}
-
-#[test]
-fn a_real_home_s_csv_is_read_whole() {
-    let Some(path) = real("casas_hh111_week1/hh111week1.csv") else { return };
-    let url = LogSource::recognise(&path).unwrap();
-    assert_eq!(url.form().name, "csv");
-    let log = read(&url, &LoggerFile::default()).unwrap();
-    assert_eq!((log.events.len(), log.sensors.len(), log.skipped), (35_064, 84, 0));
 }

@@ -1,15 +1,14 @@
 //! A destination is unavailable while rows go into a spool on disk: later it gets each row once and in order, and no other destination
 //! waits.
 
+use crate::stage::sinks::{Call, Got, sink};
 use crate::stage::{self, Folder};
-use homebody_core::scenario::logger::LoggerFile;
-use homebody_core::time::{RunTime, Span};
+use homebody_core::time::Span;
 use homebody_log::destination::Note;
 use homebody_log::run_log::destinations;
-use homebody_log::table::{Batch, Cell};
-use homebody_log::{
-    Begin, Cancel, Destination, LogError, Logger, Policy, Sink, Stored, Watermark, WhenDown, WriteMode,
-};
+use homebody_log::table::Batch;
+use homebody_log::{Cancel, Destination, LogError, Policy, Sink, Stored, Watermark, WhenDown, WriteMode};
+use std::collections::BTreeSet;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Arc, Mutex};
 
@@ -28,13 +27,6 @@ struct Server {
 /// Whether it is away, by how often it was asked before.
 type IsAway = fn(usize) -> bool;
 
-/// The numbers and texts of its rows, some of them not durable yet, and whether the run has ended.
-#[derive(Default)]
-struct Got {
-    rows: Vec<(i64, String)>,
-    ended: bool,
-}
-
 impl Server {
     fn new(is_away: IsAway) -> Server {
         Server { got: Arc::default(), asked: Arc::default(), is_away }
@@ -49,47 +41,24 @@ impl Server {
 
     fn is_whole(&self) -> bool {
         let got = self.got.lock().unwrap();
-        let sensors = stage::sensors();
-        got.ended
-            && got.rows.iter().map(|(number, _)| *number).eq(0..ROWS as i64)
-            && got.rows.iter().all(|(_, sensor)| sensors.contains(sensor))
-    }
-}
-
-impl Sink for Server {
-    fn begin(&mut self, _: &Begin) -> Result<Watermark, LogError> {
-        self.answers()?;
-        Ok(Watermark(vec![self.got.lock().unwrap().rows.len() as u64]))
+        got.ended && got.has(ROWS) && got.sensors == BTreeSet::from_iter(stage::sensors())
     }
 
-    fn write(&mut self, batch: &Batch) -> Result<(), LogError> {
-        self.answers()?;
-        let row = |cells: &[Cell]| match cells {
-            [Cell::Integer(number), _, Cell::Text(sensor), ..] => (*number, batch.text(*sensor).to_owned()),
-            _ => panic!("a row of a log"),
+    fn destination(&self) -> Destination {
+        let server = self.clone();
+        let answer = move |call, batch: &Batch| {
+            server.answers()?;
+            Ok(server.got.lock().unwrap().take(call, batch))
         };
-        self.got.lock().unwrap().rows.extend(batch.rows().map(|found| row(found.cells)));
-        Ok(())
-    }
-
-    fn make_durable(&mut self) -> Result<Watermark, LogError> {
-        self.answers()?;
-        Ok(Watermark(vec![self.got.lock().unwrap().rows.len() as u64]))
-    }
-
-    fn finish(&mut self, _: RunTime) -> Result<(), LogError> {
-        self.answers()?;
-        self.got.lock().unwrap().ended = true;
-        Ok(())
+        Destination::own("a server", sink(answer), Policy::default())
     }
 }
 
 /// Stores a run into a file and a server, with what becomes of it while the server is away.
 fn stored(folder: &Folder, server: &Server, when: &WhenDown) -> Result<Stored, LogError> {
     let mut all = destinations(&[folder.url("csv:log.csv")], WriteMode::Overwrite)?;
-    all.push(Destination::own("a server", server.clone(), Policy::default()).when_down(when));
-    let logger = Logger::open(all, &LoggerFile::default(), &Arc::new(stage::run()), WriteMode::Overwrite)?;
-    stage::store(logger, &stage::firings(ROWS), 1000)
+    all.push(server.destination().when_down(when));
+    stage::store(stage::logger(all, WriteMode::Overwrite)?, &stage::firings(ROWS), 1000)
 }
 
 fn spool(folder: &Folder, most_bytes: u64) -> WhenDown {
@@ -120,64 +89,44 @@ fn a_returning_destination_gets_every_row_once_and_no_spool_is_left() {
 fn a_destination_with_the_beginning_gets_the_rest() {
     let folder = Folder::new("beginning");
     let server = Server::new(|asked| asked < 2);
-    let sensor = stage::sensors()[0].clone();
-    server.got.lock().unwrap().rows.extend((0..12_345).map(|number| (number, sensor.clone())));
+    server.got.lock().unwrap().rows.extend(0..12_345);
     let stored = stored(&folder, &server, &spool(&folder, PLENTY_BYTES)).unwrap();
     assert_eq!((stored.rows, server.is_whole()), (ROWS, true));
 }
 
 /// A destination that counts what it was given since it was begun, and cannot say what it had before.
-#[derive(Clone, Default)]
-struct Forgetful(Arc<Mutex<Vec<i64>>>, Arc<AtomicUsize>);
-
-impl Sink for Forgetful {
-    fn begin(&mut self, _: &Begin) -> Result<Watermark, LogError> {
-        self.1.store(0, Ordering::Relaxed);
-        Ok(Watermark::none())
-    }
-
-    fn write(&mut self, batch: &Batch) -> Result<(), LogError> {
-        self.1.fetch_add(batch.len(), Ordering::Relaxed);
-        let number = |cell: &Cell| if let Cell::Integer(number) = *cell { number } else { panic!("a number") };
-        self.0.lock().unwrap().extend(batch.rows().map(|row| number(&row.cells[0])));
-        Ok(())
-    }
-
-    fn make_durable(&mut self) -> Result<Watermark, LogError> {
-        Ok(Watermark(vec![self.1.load(Ordering::Relaxed) as u64]))
-    }
-
-    fn finish(&mut self, _: RunTime) -> Result<(), LogError> {
-        Ok(())
-    }
+fn forgetful(got: Arc<Mutex<Got>>) -> impl Sink {
+    let mut given = 0;
+    sink(move |call, batch| {
+        given = if call == Call::Begin { 0 } else { given + batch.len() as u64 };
+        got.lock().unwrap().take(call, batch);
+        Ok(Watermark(vec![given]))
+    })
 }
 
 #[test]
 fn confirmed_rows_do_not_go_to_a_forgetful_destination_again() {
-    let (folder, forgetful) = (Folder::new("forgetful"), Forgetful::default());
+    let (folder, got) = (Folder::new("forgetful"), Arc::<Mutex<Got>>::default());
     let lived = |rows, how| {
-        let own = Destination::own("a pipe", forgetful.clone(), Policy::default()).remembered_in(folder.path());
-        let logger = Logger::open(vec![own], &LoggerFile::default(), &Arc::new(stage::run()), how).unwrap();
-        stage::store(logger, &stage::firings(rows), 1000).unwrap();
+        let own = Destination::own("a pipe", forgetful(got.clone()), Policy::default()).remembered_in(folder.path());
+        stage::store(stage::logger(vec![own], how).unwrap(), &stage::firings(rows), 1000).unwrap();
     };
     lived(ROWS / 3, WriteMode::Create);
     lived(ROWS / 2, WriteMode::Resume);
     lived(ROWS, WriteMode::Resume);
-    assert!(forgetful.0.lock().unwrap().iter().copied().eq(0..ROWS as i64));
+    assert!(got.lock().unwrap().has(ROWS));
     // The control: nothing is left out for a run that begins anew.
     lived(ROWS, WriteMode::Create);
-    assert_eq!(forgetful.0.lock().unwrap().len() as u64, 2 * ROWS);
+    assert_eq!(got.lock().unwrap().rows.len() as u64, 2 * ROWS);
 }
 
 #[test]
 fn confirmed_rows_stay_noted_while_a_destination_is_away() {
     // It begins, takes and confirms three times, takes once more, and is away from then on.
     let (folder, server, cancel) = (Folder::new("noted"), Server::new(|asked| asked >= 8), Cancel::new());
-    let own = Destination::own("a server", server.clone(), Policy::default());
-    let own = own.when_down(&spool(&folder, PLENTY_BYTES)).remembered_in(folder.path());
+    let own = server.destination().when_down(&spool(&folder, PLENTY_BYTES)).remembered_in(folder.path());
     let own = Destination { cancel: cancel.clone(), ..own };
-    let mut logger =
-        Logger::open(vec![own], &LoggerFile::default(), &Arc::new(stage::run()), WriteMode::Create).unwrap();
+    let mut logger = stage::logger(vec![own], WriteMode::Create).unwrap();
     for step in stage::firings(10_000).chunks(1000) {
         logger.store(step, step[step.len() - 1].at + Span::MICROSECOND).unwrap();
         logger.make_durable().unwrap();

@@ -1,16 +1,14 @@
 //! Text files: JSON Lines, which can be followed while they grow, and compressed texts.
 
 use crate::alone::is_alone;
+use crate::stage::texts::{carry, from_text, skipped, written};
 use crate::stage::{self, Folder};
 use homebody_core::scenario::logger::LoggerFile;
 use homebody_core::time::Span;
-use homebody_log::convert;
-use homebody_log::{LogError, LogSource, Logger, Transfer, Url, WriteMode, read, survey};
+use homebody_log::{LogError, LogSource, Logger, Url, WriteMode, read, survey};
 use std::fs;
 use std::io::Write;
-use std::path::Path;
-use std::process::{Command, Stdio};
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 /// Kinds of texts that every build can pack, and those that only some can.
 fn kinds() -> Vec<(&'static str, &'static str)> {
@@ -23,13 +21,6 @@ fn open(url: &Url, how: WriteMode) -> Result<Logger, LogError> {
     stage::open_of(std::slice::from_ref(url), &LoggerFile::default(), &stage::sensors(), how)
 }
 
-fn carry(from: impl Into<LogSource>, to: &Url) -> u64 {
-    let (from, mapping) = (from.into(), LoggerFile::default());
-    let about = survey(&from, &mapping).unwrap();
-    let transfer = Transfer { from: &from, mapping: &mapping, to, name: "test", zone: "UTC", how: WriteMode::Create };
-    convert(&transfer, &about, |_| ()).unwrap()
-}
-
 #[test]
 fn a_log_goes_through_all_texts_and_comes_back_the_same() {
     let folder = Folder::new("texts-round");
@@ -40,7 +31,7 @@ fn a_log_goes_through_all_texts_and_comes_back_the_same() {
     let mut from = LogSource::from(&first);
     for (number, (kind, name)) in kinds().into_iter().enumerate() {
         let to = folder.url(&format!("{kind}:{number}-{name}"));
-        assert_eq!(carry(&from, &to), 3_000, "{to}");
+        assert_eq!(carry(&from, &to, "UTC", WriteMode::Create).unwrap(), 3_000, "{to}");
         // By what is in it, whatever it is called.
         from = LogSource::recognise(to.path()).unwrap();
         assert_eq!(from.form().name, kind, "{to}");
@@ -48,7 +39,7 @@ fn a_log_goes_through_all_texts_and_comes_back_the_same() {
         let bytes = fs::read(to.path()).unwrap();
         assert_eq!(bytes.starts_with(b"\x1f\x8b") || bytes.starts_with(b"\x28\xb5\x2f\xfd"), is_packed);
     }
-    carry(&from, &folder.url("csv:last.csv"));
+    carry(&from, &folder.url("csv:last.csv"), "UTC", WriteMode::Create).unwrap();
     let rows = |name: &str| -> Vec<String> {
         folder.text(name).lines().map(|line| line.replace(' ', "").to_lowercase()).collect()
     };
@@ -60,11 +51,10 @@ fn a_log_goes_through_all_texts_and_comes_back_the_same() {
 fn activities_go_along_with_json_lines() {
     let folder = Folder::new("texts-activities");
     let rows = "time,sensor,value,activity\n2009-03-02 07:00:00,M1,ON,cooking\n2009-03-02 07:10:00,M2,ON,\n";
-    fs::write(folder.path().join("labelled.csv"), rows).unwrap();
-    let from = LogSource::recognise(&folder.path().join("labelled.csv")).unwrap();
+    let from = LogSource::recognise(&written(&folder, "labelled.csv", rows)).unwrap();
     for name in ["week.jsonl", "week.jsonl.gz"] {
         let to = folder.url(&format!("jsonl:{name}"));
-        carry(&from, &to);
+        carry(&from, &to, "UTC", WriteMode::Create).unwrap();
         let back = read(&to, &LoggerFile::default()).unwrap();
         assert_eq!((back.rows, back.activities.len()), (2, 1), "{name}");
         assert_eq!(back.activities, read(&from, &LoggerFile::default()).unwrap().activities);
@@ -132,13 +122,8 @@ fn text_files_of_a_killed_run_resume_to_the_same_bytes() {
         stage::store(open(&whole, WriteMode::Create).unwrap(), &firings, 1_000).unwrap();
         for kill in 0..kills {
             let url = folder.url(&format!("{kind}:{kill}-{name}"));
-            let mut child = Command::new(std::env::current_exe().unwrap())
-                .args(["texts::child", "--exact", "--test-threads", "1"])
-                .env(CHILD, url.to_string())
-                .stdout(Stdio::null())
-                .spawn()
-                .unwrap();
-            wait_for(folder.path(), &format!("{kill}-{name}"));
+            let mut child = stage::child("texts::child", CHILD, url.to_string());
+            stage::wait_for(|| folder.files().iter().any(|file| file.starts_with(&format!("{kill}-{name}"))));
             std::thread::sleep(Duration::from_millis(kill * 7919 % 400));
             child.kill().unwrap();
             child.wait().unwrap();
@@ -162,16 +147,6 @@ fn text_files_of_a_killed_run_resume_to_the_same_bytes() {
         }
     }
     assert!(folder.files().iter().all(|name| !name.contains(".part")), "{:?}", folder.files());
-}
-
-fn wait_for(folder: &Path, begins: &str) {
-    let begun = Instant::now();
-    let there =
-        || fs::read_dir(folder).unwrap().any(|entry| entry.unwrap().file_name().to_string_lossy().starts_with(begins));
-    while !there() {
-        assert!(begun.elapsed() < Duration::from_secs(60), "the child begins");
-        std::thread::sleep(Duration::from_millis(1));
-    }
 }
 
 #[test]
@@ -243,10 +218,8 @@ fn odd_lines_of_json_are_named_and_cost_no_other() {
         r#"{"time": "2009-03-02T07:12:06Z", "sensor": "hall", "value": null}"#,
         r#"{"time": "2009-03-02T07:12:07Z", "sensor": "h\u00e4ll", "value": {"a": [1]}}"#,
     ];
-    fs::write(folder.path().join("log.jsonl"), lines.join("\n")).unwrap();
-    let log = read(LogSource::recognise(&folder.path().join("log.jsonl")).unwrap(), &LoggerFile::default()).unwrap();
+    let log = from_text(&folder, "jsonl", "log.jsonl", &lines.join("\n"));
     let told: Vec<(&str, &str)> = log.events.iter().map(|event| (log.sensor(event), log.value(event))).collect();
     assert_eq!(told, [("hall", "ON"), ("hall", "21.5"), ("7", "true"), ("häll", r#"{"a":[1]}"#)]);
-    let lines: Vec<u64> = log.problems.iter().map(|problem| problem.line).collect();
-    assert_eq!(lines, [3, 4, 6, 7, 8, 10]);
+    assert_eq!(skipped(&log), [3, 4, 6, 7, 8, 10]);
 }

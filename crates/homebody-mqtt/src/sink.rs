@@ -76,22 +76,22 @@ impl Sink for MqttSink {
             return Err(LogError::cannot_hold(place_told, BrokerMessage::RowsOnly));
         }
         not_public(&address)?;
-        let place = Arc::new(HomeTopics::for_run(&address, begin.run));
+        let place = Arc::new(HomeTopics::for_run(&address, &begin.run));
         let instance = instance();
         let (topic, [_, offline]) = place.status();
         let options = options(&address, (topic, offline), &place.id, &instance);
         let options = options.map_err(|trouble| trouble.error(&place_told))?;
-        let flight = Arc::new(Flight::new(begin.cancel, begin.deadline));
+        let flight = Arc::new(Flight::new(&begin.cancel, &begin.deadline));
         flight.change(|shared| at_rest(&place).iter().for_each(|message| shared.keep_in_mind(message)));
         let speaker = HomeSpeaker {
             address,
             place: place.clone(),
-            run: Arc::new(begin.run.clone()),
+            run: begin.run.clone(),
             orders: self.orders.clone(),
             instance,
         };
         let line = Line::begin(BrokerConnection { flight, options, speaker: Box::new(speaker) }, place_told)?;
-        let speech = Speech::new(begin.run, place.clone());
+        let speech = Speech::new(&begin.run, place.clone());
         self.open = Some(OpenBrokerLog { line, speech, farewell: place, next: 0, number: String::new() });
         Ok(Watermark::none())
     }

@@ -13,7 +13,7 @@ use homebody_core::event::Value;
 use homebody_core::scenario::logger::TimeFormat;
 use homebody_core::time::RunTime;
 use homebody_log::table::{Batch, Cell, Column, ColumnKind, Table, TextPool};
-use homebody_log::{Begin, Cancel, Sink, WriteMode};
+use homebody_log::{Begin, Sink, WriteMode};
 use homebody_postgres::Postgres;
 use spread::Spread;
 use stage::{Server, life};
@@ -150,19 +150,8 @@ fn sink(server: &Server, batches: &[Batch]) -> f64 {
         column("value", ColumnKind::Text),
     ];
     let table = Table { name: "firing".into(), about: "", columns, is_numbered: true, is_frequent: true };
-    let tables = [table];
     let mut sink = Postgres::new(&url);
-    let begin = Begin {
-        run: &run,
-        tables: &tables,
-        time: TimeFormat::Utc,
-        run_column: "run_id",
-        spreadsheet_safe: false,
-        how: WriteMode::Create,
-        is_whole: false,
-        cancel: &Cancel::new(),
-        deadline: &homebody_log::Deadline::default(),
-    };
+    let begin = Begin::new(run.into(), vec![table], TimeFormat::Utc, WriteMode::Create);
     sink.begin(&begin).expect("a destination");
     for batch in batches {
         sink.write(batch).expect("taken rows");

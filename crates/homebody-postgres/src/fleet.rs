@@ -17,7 +17,7 @@ use homebody_core::event::Value;
 use homebody_core::time::UtcTime;
 use homebody_log::fleet::{Fleet, FleetEvent, FleetRow, FleetSink};
 use homebody_log::table::{Batch, Cell, TextPool};
-use homebody_log::{Begin, Cancel, Deadline, LogError, Url, WriteMode};
+use homebody_log::{Begin, Deadline, LogError, Url, WriteMode};
 use std::collections::BTreeMap;
 use std::sync::Arc;
 use std::time::Instant;
@@ -86,17 +86,9 @@ impl FleetSink for PostgresFleet {
         let (mut kinds, mut all) = (Vec::new(), None);
         for layout in &fleet.layouts {
             // Existing rows of runs are continued: their ids are those of the very same homes.
-            let begin = Begin {
-                run: &layout.run,
-                tables: std::slice::from_ref(&layout.table),
-                time: layout.time,
-                run_column: &layout.run_column,
-                spreadsheet_safe: false,
-                how: WriteMode::Resume,
-                is_whole: false,
-                cancel: &Cancel::new(),
-                deadline,
-            };
+            let (run, tables) = (Arc::new(layout.run.clone()), vec![layout.table.clone()]);
+            let begin = Begin::new(run, tables, layout.time, WriteMode::Resume);
+            let begin = Begin { run_column: layout.run_column.clone(), deadline: deadline.clone(), ..begin };
             let schema = Schema::make(&connection, &server, &begin)?;
             let start = runs::start_of(&layout.run);
             let encoder = Encoder::new(0, start, layout.time);

@@ -70,7 +70,7 @@ impl Schema {
         let wanted: Vec<TableDefinition> = begin
             .tables
             .iter()
-            .map(|table| TableDefinition::for_table(table, begin.time, begin.run_column))
+            .map(|table| TableDefinition::for_table(table, begin.time, &begin.run_column))
             .chain([TableDefinition::runs()])
             .collect();
         let found = SchemaState::look(connection, &name, &wanted)?;
@@ -83,7 +83,7 @@ impl Schema {
             let sql = format!("BEGIN; SELECT pg_advisory_xact_lock({TURN}); {}; COMMIT", statements.join("; "));
             connection.wait(connection.client.batch_execute(&sql))?;
         }
-        let tables = begin.tables.iter().map(|table| in_table(&name, table, begin.run_column)).collect();
+        let tables = begin.tables.iter().map(|table| in_table(&name, table, &begin.run_column)).collect();
         Ok(Schema { name, tables, is_truth })
     }
 
@@ -151,14 +151,14 @@ fn names_fit(server: &Server, schema: &str, begin: &Begin) -> Result<(), LogErro
     if server.schema.is_some() && !is_plain_name(schema) {
         return refused("schema", schema);
     }
-    for table in begin.tables {
+    for table in begin.tables.iter() {
         if !is_plain_name(&table.name) {
             return refused("table", &table.name);
         }
         if table.name == RUNS || table.name == SENSORS {
             return Err(LogError::SameName { what: "table", name: table.name.clone() });
         }
-        let columns = table.columns.iter().map(|column| column.name.as_str()).chain([begin.run_column]);
+        let columns = table.columns.iter().map(|column| column.name.as_str()).chain([begin.run_column.as_str()]);
         if let Some(name) = columns.into_iter().find(|name| !is_plain_name(name)) {
             return refused("column", name);
         }

@@ -94,12 +94,12 @@ impl Postgres {
 impl Sink for Postgres {
     fn begin(&mut self, begin: &Begin) -> Result<Watermark, LogError> {
         let server = Server::parse(&self.url)?;
-        let mut run = begin.run.clone();
+        let mut run = RunInfo::clone(&begin.run);
         if let Some(id) = &server.run {
             let no_number = || wrong(&server, ServerUrlMessage::Run { run: id.clone() });
             run.id = id.parse().map_err(|_| no_number())?;
         }
-        let connection = DatabaseConnection::open(&server, begin.deadline)?;
+        let connection = DatabaseConnection::open(&server, &begin.deadline)?;
         let schema = Schema::make(&connection, &server, begin)?;
         if runs::has_others(&connection, &schema)? {
             let name = schema.name.clone();

@@ -83,17 +83,7 @@ fn reports_a_wrong_login_without_the_password() {
     let own = Url::new(homebody_core::scenario::scheme::Scheme::Postgresql, format!("ann:{CANARY}@host/homes"));
     let calendar = homebody_core::calendar::Calendar::new("2009-03-02T00:00:00", "UTC").unwrap();
     let run = homebody_log::RunInfo::of_log("flat", calendar, &homebody_log::Log::default());
-    let begin = homebody_log::Begin {
-        run: &run,
-        tables: &[],
-        time: Default::default(),
-        run_column: "run_id",
-        spreadsheet_safe: false,
-        how: WriteMode::Create,
-        is_whole: false,
-        cancel: &homebody_log::Cancel::new(),
-        deadline: &homebody_log::Deadline::default(),
-    };
+    let begin = homebody_log::Begin::new(run.into(), Vec::new(), Default::default(), WriteMode::Create);
     let error = Postgres::new(&own).begin(&begin).unwrap_err();
     assert!(error.to_string().contains("the URL has a password") && !format!("{error} {error:?}").contains(CANARY));
 }

@@ -106,7 +106,7 @@ impl Sink for DataSet {
         }
         let (mut tables, mut hidden, mut replaced) = (Vec::new(), Vec::new(), Vec::new());
         let mut lock = None;
-        for table in begin.tables {
+        for table in begin.tables.iter() {
             let folders = self.partition(table, begin);
             let partition = folders.last().cloned().unwrap_or_default();
             for (depth, folder) in folders.iter().enumerate() {

@@ -47,7 +47,7 @@ impl Sink for InStore {
         let folder =
             tempfile::tempdir().map_err(|error| unwritten(Path::new("a folder for temporary files"), error))?;
         let mut there = Vec::new();
-        for table in begin.tables {
+        for table in begin.tables.iter() {
             let of_table = if begin.tables.len() == 1 { String::new() } else { format!("{}/", table.name) };
             there.extend(store.files(&format!("{of_table}run={}", begin.run.id))?);
         }
@@ -75,7 +75,7 @@ impl Sink for InStore {
                 WriteMode::Create
             }
         };
-        let watermark = open.inner.begin(&Begin { how, ..*begin })?;
+        let watermark = open.inner.begin(&Begin { how, ..begin.clone() })?;
         self.open = Some(open);
         Ok(watermark)
     }

@@ -36,7 +36,7 @@ impl OneFile {
 impl Sink for OneFile {
     fn begin(&mut self, begin: &Begin) -> Result<Watermark, LogError> {
         let (mut files, mut locks) = (Vec::new(), Vec::new());
-        for (table, path) in begin.tables.iter().zip(self.url.files(begin.tables)) {
+        for (table, path) in begin.tables.iter().zip(self.url.files(&begin.tables)) {
             locks.push(FileLock::take(&path)?);
             if begin.how == WriteMode::Resume {
                 remove_parts(&path)?;

@@ -9,7 +9,7 @@ use super::timed_sink::TimedSink;
 use crate::error::{LogError, place_of};
 use crate::files::{OpenMode, open};
 use crate::policy::SinkMetrics;
-use crate::sink::{Begin, OwnedBegin, Sink, Watermark};
+use crate::sink::{Begin, Sink, Watermark};
 use crate::table::Batch;
 use frame::{read_frame, write_frame};
 use homebody_core::time::RunTime;
@@ -55,7 +55,7 @@ pub(crate) struct Spooled {
     inner: TimedSink,
     path: PathBuf,
     most_bytes: u64,
-    beginning: Option<OwnedBegin>,
+    beginning: Option<Begin>,
     has_begun: bool,
     /// Rows that it has already and that are still to come, by table: known where it could not be asked at the beginning.
     there: Vec<u64>,
@@ -66,7 +66,6 @@ pub(crate) struct Spooled {
     meter: Arc<SinkMetrics>,
 }
 
-/// The spool while a destination is away.
 struct Spooling {
     file: BufWriter<File>,
     written_bytes: u64,
@@ -169,7 +168,7 @@ impl Spooled {
     /// Hands over what was put aside. False where the destination has not answered yet: then the same is asked again.
     fn hand_over(&mut self) -> Result<bool, LogError> {
         if let (false, Some(beginning)) = (self.has_begun, &self.beginning) {
-            let Some(there) = self.inner.begin_briefly(&beginning.begin())? else { return Ok(false) };
+            let Some(there) = self.inner.begin_briefly(beginning)? else { return Ok(false) };
             (self.there, self.has_begun) = (there.0, true);
         }
         let Some(away) = &mut self.away else { return Ok(true) };
@@ -206,7 +205,7 @@ impl Sink for Spooled {
         {
             return Err(LogError::file(&self.path, error));
         }
-        self.beginning = Some(OwnedBegin::new(begin));
+        self.beginning = Some(begin.clone());
         match self.inner.begin(begin) {
             Err(error) if error.passes() => {
                 self.goes_away(&error)?;

@@ -2,7 +2,7 @@
 
 use crate::error::LogError;
 use crate::policy::{Call, Job, SinkMetrics, Timed};
-use crate::sink::{Begin, OwnedBegin, Sink, Watermark};
+use crate::sink::{Begin, Sink, Watermark};
 use crate::table::Batch;
 use homebody_core::time::RunTime;
 use std::sync::Arc;
@@ -24,18 +24,16 @@ impl TimedSink {
 
     /// As [`Sink::begin`]; None where the sink has not answered yet.
     pub fn begin_briefly(&mut self, begin: &Begin) -> Result<Option<Watermark>, LogError> {
-        self.calls.keep_to(begin.deadline, begin.cancel);
+        self.calls.keep_to(&begin.deadline, &begin.cancel);
         let given = self.calls.ask_briefly(Call::Begin, || begins(begin))?;
         Ok(given.map(|given| self.heard(given)))
     }
 
-    /// As [`Sink::write`]; None where the sink has not answered yet.
     pub fn write_briefly(&mut self, batch: &Batch) -> Result<Option<()>, LogError> {
         let given = self.calls.ask_briefly(Call::Write, || writes(batch))?;
         Ok(given.map(|given| drop(self.heard(given))))
     }
 
-    /// As [`Sink::make_durable`]; None where the sink has not answered yet.
     pub fn make_durable_briefly(&mut self) -> Result<Option<Watermark>, LogError> {
         let given = self.calls.ask_briefly(Call::MakeDurable, makes_durable)?;
         Ok(given.map(|given| self.heard(given)))
@@ -49,7 +47,7 @@ impl TimedSink {
 
 impl Sink for TimedSink {
     fn begin(&mut self, begin: &Begin) -> Result<Watermark, LogError> {
-        self.calls.keep_to(begin.deadline, begin.cancel);
+        self.calls.keep_to(&begin.deadline, &begin.cancel);
         let given = self.calls.ask(Call::Begin, || begins(begin))?;
         Ok(self.heard(given))
     }
@@ -85,8 +83,8 @@ fn job(ask: impl FnOnce(&mut dyn Sink) -> Result<Watermark, LogError> + Send + '
 }
 
 fn begins(begin: &Begin) -> Job<dyn Sink, SinkAnswer> {
-    let beginning = OwnedBegin::new(begin);
-    job(move |sink| sink.begin(&beginning.begin()))
+    let begin = begin.clone();
+    job(move |sink| sink.begin(&begin))
 }
 
 fn writes(batch: &Batch) -> Job<dyn Sink, SinkAnswer> {

@@ -8,7 +8,7 @@ use super::Destination;
 use crate::error::{ChangedMessage, LogError};
 use crate::files::WriteMode;
 use crate::policy::{Cancel, Deadline, Policy, RetryWait, SinkMetrics};
-use crate::sink::{OwnedBegin, Sink, Watermark};
+use crate::sink::{Begin, Sink, Watermark};
 use crate::table::Batch;
 use homebody_core::time::RunTime;
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
@@ -41,7 +41,6 @@ pub(crate) struct Writer {
     asked: u64,
 }
 
-/// The progress of the thread.
 #[derive(Default)]
 struct WriterShared {
     /// The number of answered requests to make rows durable.
@@ -60,12 +59,12 @@ enum WriterMessage {
 
 impl Writer {
     /// Begins the sink in a thread of its own, and waits until it has begun: an error then comes from this call.
-    pub fn spawn(destination: Destination, beginning: &OwnedBegin) -> Result<Writer, LogError> {
+    pub fn spawn(destination: Destination, beginning: &Begin) -> Result<Writer, LogError> {
         let (place, policy) = (destination.place.clone(), destination.policy.clone());
         let (meter, cancel) = (destination.meter.clone(), destination.cancel.clone());
         let deadline = Deadline::new(policy.answers_within);
         let how = destination.how.filter(|_| beginning.how != WriteMode::Resume).unwrap_or(beginning.how);
-        let beginning = OwnedBegin { how, cancel: cancel.clone(), deadline, ..beginning.clone() };
+        let beginning = Begin { how, cancel: cancel.clone(), deadline, ..beginning.clone() };
         let (messages, incoming) = sync_channel(policy.batches_waiting);
         let (begun, begins) = sync_channel(1);
         let shared = Arc::new(WriterShared::default());
@@ -92,12 +91,10 @@ impl Writer {
         }
     }
 
-    /// The name of the destination in errors.
     pub fn place(&self) -> &str {
         &self.place
     }
 
-    /// The place, and what counts what it takes.
     pub fn meter(&self) -> (String, Arc<SinkMetrics>) {
         (self.place.clone(), self.meter.clone())
     }
@@ -107,7 +104,6 @@ impl Writer {
         self.policy.required
     }
 
-    /// The watermark of the destination.
     pub fn durable(&self) -> Watermark {
         self.shared.durable.lock().unwrap_or_else(PoisonError::into_inner).clone()
     }
@@ -195,12 +191,12 @@ impl WriterWork {
     /// The thread's life: begins the sink, says so, and writes what comes.
     fn run(
         mut self,
-        beginning: &OwnedBegin,
+        beginning: &Begin,
         begun: &SyncSender<()>,
         incoming: Receiver<WriterMessage>,
     ) -> Result<(), LogError> {
         let retry_for = if self.policy.retries_beginning { self.policy.retry_for } else { Duration::ZERO };
-        let there = self.call_for(retry_for, |sink| sink.begin(&beginning.begin()))?;
+        let there = self.call_for(retry_for, |sink| sink.begin(beginning))?;
         let WriterWork { shared, .. } = &mut self;
         *shared.durable.lock().unwrap_or_else(PoisonError::into_inner) = there.clone();
         shared.there.store(there.0.iter().sum(), Ordering::Release);

@@ -273,22 +273,3 @@ impl From<FileRefusal> for io::Error {
         io::Error::new(io::ErrorKind::InvalidInput, refused)
     }
 }
-
-/// The messages of this module.
-pub(crate) const ENTRIES: [&[homebody_core::messages::CatalogueEntry]; 12] = {
-    use homebody_core::messages::Catalogue;
-    [
-        LengthMessage::ENTRIES,
-        TruthMessage::ENTRIES,
-        OtherRunMessage::ENTRIES,
-        ChangedMessage::ENTRIES,
-        HoldMessage::ENTRIES,
-        OutputMessage::ENTRIES,
-        FileRefusal::ENTRIES,
-        CountMessage::ENTRIES,
-        ThreadMessage::ENTRIES,
-        PackedMessage::ENTRIES,
-        SensorTableMessage::ENTRIES,
-        MappingMessage::ENTRIES,
-    ]
-};

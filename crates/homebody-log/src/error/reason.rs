@@ -69,7 +69,7 @@ impl Error for Reason {}
 
 homebody_core::messages! {
     /// The error of a destination that a program brings along.
-    enum OwnMessage in "log" {
+    pub(crate) enum OwnMessage in "log" {
         /// A destination of another program reports an error, in words of its own.
         Destination {
             /// The destination's name.
@@ -78,9 +78,6 @@ homebody_core::messages! {
         } error "destination" ("{place}: {what}");
     }
 }
-
-pub(crate) const ENTRIES: &[homebody_core::messages::CatalogueEntry] =
-    <OwnMessage as homebody_core::messages::Catalogue>::ENTRIES;
 
 /// The error of a destination.
 #[derive(Debug)]

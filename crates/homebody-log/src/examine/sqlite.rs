@@ -1,14 +1,16 @@
 //! A database file of SQLite: whether it is whole, who writes it, whether its tables are those of a log or of a truth, and whether the
 //! rows of each run are there once.
 
-use crate::check::{Check, CheckOptions, found_of, log_table, truth_tables};
+use crate::check::{Check, CheckOptions, RowNumbers, log_table, truth_tables};
 use crate::error::{LogError, place_of};
-use crate::files::database::connect_only;
-use crate::files::is_held;
+use crate::files::database::{connect_only, list};
+use crate::files::{companions, is_held};
 use crate::table::Table;
+use crate::table::truth::Truth;
 use crate::url::Url;
 use homebody_core::problem::counted;
 use rusqlite::Connection;
+use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
 /// Largest number of damaged pages in a report (our choice).
@@ -75,12 +77,9 @@ fn written_by(path: &Path) -> Check {
 
 /// The companion files of a killed program, or of a reader.
 fn left_beside(path: &Path) -> Option<Check> {
-    let size = |ending: &str| {
-        let mut name = path.as_os_str().to_owned();
-        name.push(ending);
-        std::fs::metadata(PathBuf::from(name)).map(|found| found.len()).ok().filter(|bytes| *bytes > 0)
-    };
-    match (size("-wal"), size("-journal")) {
+    let size = |path: &PathBuf| std::fs::metadata(path).map(|found| found.len()).ok().filter(|bytes| *bytes > 0);
+    let [log, _, journal] = &companions(path);
+    match (size(log), size(journal)) {
         (Some(bytes), _) => Some(Check::warning(
             "journal",
             format!("a write-ahead log of {bytes} bytes next to it has rows of the database"),
@@ -106,10 +105,8 @@ fn look(
     if !is_whole {
         return Ok(());
     }
-    let tables: Vec<String> = connection
-        .prepare("SELECT name FROM sqlite_schema WHERE type = 'table'")?
-        .query_map([], |row| row.get(0))?
-        .collect::<rusqlite::Result<_>>()?;
+    let tables: Vec<String> =
+        list(connection, "SELECT name FROM sqlite_schema WHERE type = 'table'", [], |row| row.get(0))?;
     let has = |name: &str| tables.iter().any(|table| table == name);
     let truth = truth_tables(has);
     let is_truth = !has(&log.name) && truth.iter().any(|table| has(&table.name));
@@ -141,19 +138,24 @@ fn look(
         checks.push(Check::ok("tables", format!("they are the tables of {what}, with the expected columns and keys")));
         match is_truth {
             true if is_brief => {}
-            true => firings(connection, run_column, checks)?,
-            false => rows(connection, log, run_column, checks)?,
+            true => checks.extend(rows(connection, &truth[Truth::Cause as usize], run_column, ", its firings")?),
+            false => {
+                let rows = rows(connection, log, run_column, "")?;
+                if rows.is_empty() {
+                    let hint = "a run that has just begun has no rows yet";
+                    checks.push(Check::warning("rows", "the table has no rows", hint));
+                }
+                checks.extend(rows);
+                checks.extend(empty_cells(connection, log)?);
+            }
         }
     }
     runs(connection, path, has("run"), checks)
 }
 
-/// Whether every page is in order.
 fn integrity(connection: &Connection, checks: &mut Vec<Check>) -> rusqlite::Result<bool> {
     let sql = format!("PRAGMA quick_check({MOST_TOLD})");
-    let told: rusqlite::Result<Vec<String>> =
-        connection.prepare(&sql).and_then(|mut ask| ask.query_map([], |row| row.get(0))?.collect());
-    let told = match told {
+    let told: Vec<String> = match list(connection, &sql, [], |row| row.get(0)) {
         Ok(told) => told,
         Err(error) if error.sqlite_error_code() == Some(rusqlite::ErrorCode::DatabaseCorrupt) => {
             vec![error.to_string()]
@@ -174,10 +176,8 @@ fn integrity(connection: &Connection, checks: &mut Vec<Check>) -> rusqlite::Resu
 
 /// Checks that a table has the wanted columns and key, and reports all problems.
 fn schema(connection: &Connection, table: &Table, run_column: &str, checks: &mut Vec<Check>) -> rusqlite::Result<bool> {
-    let found: Vec<(String, i64)> = connection
-        .prepare("SELECT name, pk FROM pragma_table_info(?)")?
-        .query_map([&table.name], |row| Ok((row.get(0)?, row.get(1)?)))?
-        .collect::<rusqlite::Result<_>>()?;
+    let sql = "SELECT name, pk FROM pragma_table_info(?)";
+    let found: Vec<(String, i64)> = list(connection, sql, [&table.name], |row| Ok((row.get(0)?, row.get(1)?)))?;
     let hint = "name the columns with --mapping logger.json; Homebody reads logs of other programs, too";
     let mut wrong = Vec::new();
     if found.is_empty() {
@@ -200,61 +200,26 @@ fn schema(connection: &Connection, table: &Table, run_column: &str, checks: &mut
     Ok(is_well)
 }
 
-/// The numbers of the rows of each run, and cells that say nothing where they should.
-fn rows(connection: &Connection, table: &Table, run_column: &str, checks: &mut Vec<Check>) -> rusqlite::Result<()> {
-    let (name, seq) = (&table.name, &table.columns[0].name);
-    let sql = format!(
-        "SELECT \"{run_column}\", count(*), count(DISTINCT \"{seq}\"), min(\"{seq}\"), max(\"{seq}\") FROM \"{name}\" GROUP BY 1 ORDER BY 1"
-    );
-    type OfRun = (i64, i64, i64, i64, i64);
-    let of = |row: &rusqlite::Row| Ok((row.get(0)?, row.get(1)?, row.get(2)?, row.get(3)?, row.get(4)?));
-    let found: Vec<OfRun> = connection.prepare(&sql)?.query_map([], of)?.collect::<rusqlite::Result<_>>()?;
-    if found.is_empty() {
-        checks.push(Check::warning("rows", "the table has no rows", "a run that has just begun has no rows yet"));
+/// The rows of each run by their numbers, which the first column of a table has.
+fn rows(connection: &Connection, table: &Table, run_column: &str, of: &str) -> rusqlite::Result<Vec<Check>> {
+    let sql = format!("SELECT \"{run_column}\", \"{}\" FROM \"{}\" ORDER BY 1, 2", table.columns[0].name, table.name);
+    let mut statement = connection.prepare(&sql)?;
+    let mut rows = statement.query([])?;
+    let mut runs: BTreeMap<i64, RowNumbers> = BTreeMap::new();
+    while let Some(row) = rows.next()? {
+        runs.entry(row.get(0)?).or_default().push(row.get(1)?);
     }
-    for (run, count, distinct, first, last) in found {
-        let missing = last.saturating_add(1).saturating_sub(distinct).max(0);
-        let first_missing = match (missing, first) {
-            (0, _) => None,
-            (_, 1..) => Some(0),
-            _ => {
-                let sql = format!(
-                    "SELECT \"{seq}\" + 1 FROM \"{name}\" AS one WHERE \"{run_column}\" = ?1 AND NOT EXISTS \
-                     (SELECT 1 FROM \"{name}\" AS other WHERE other.\"{run_column}\" = ?1 AND other.\"{seq}\" = one.\"{seq}\" + 1) \
-                     ORDER BY 1 LIMIT 1"
-                );
-                connection.query_row(&sql, [run], |row| row.get(0))?
-            }
-        };
-        checks.push(found_of(&format!("run {run}"), count, (missing, first_missing), (count - distinct, None)));
-    }
-    let [time, sensor] = [1, 2].map(|column| &table.columns[column].name);
-    let sql = format!("SELECT count(*) FROM \"{name}\" WHERE \"{time}\" IS NULL OR \"{sensor}\" IS NULL");
-    let empty: i64 = connection.query_row(&sql, [], |row| row.get(0))?;
-    if empty > 0 {
-        let says = format!("{} no time or no sensor", counted(empty as usize, "row has", "rows have"));
-        checks.push(Check::wrong(
-            "rows",
-            says,
-            "Homebody never writes such a row: check which other program writes to this file",
-        ));
-    }
-    Ok(())
+    Ok(runs.into_iter().map(|(run, numbers)| numbers.check(&format!("run {run}{of}"))).collect())
 }
 
-/// The firings of a truth, which are numbered, too.
-fn firings(connection: &Connection, run_column: &str, checks: &mut Vec<Check>) -> rusqlite::Result<()> {
-    let sql = format!(
-        "SELECT \"{run_column}\", count(*), count(DISTINCT firing), coalesce(max(firing), -1) FROM cause GROUP BY 1"
-    );
-    type OfRun = (i64, i64, i64, i64);
-    let of = |row: &rusqlite::Row| Ok((row.get(0)?, row.get(1)?, row.get(2)?, row.get(3)?));
-    let found: Vec<OfRun> = connection.prepare(&sql)?.query_map([], of)?.collect::<rusqlite::Result<_>>()?;
-    for (run, count, distinct, last) in found {
-        let missing = last.saturating_add(1).saturating_sub(distinct).max(0);
-        checks.push(found_of(&format!("run {run}, its firings"), count, (missing, None), (count - distinct, None)));
-    }
-    Ok(())
+/// Cells of a log that say nothing where they should.
+fn empty_cells(connection: &Connection, table: &Table) -> rusqlite::Result<Option<Check>> {
+    let [time, sensor] = [1, 2].map(|column| &table.columns[column].name);
+    let sql = format!("SELECT count(*) FROM \"{}\" WHERE \"{time}\" IS NULL OR \"{sensor}\" IS NULL", table.name);
+    let empty: i64 = connection.query_row(&sql, [], |row| row.get(0))?;
+    let says = format!("{} no time or no sensor", counted(empty as usize, "row has", "rows have"));
+    let hint = "Homebody never writes such a row: check which other program writes to this file";
+    Ok((empty > 0).then(|| Check::wrong("rows", says, hint)))
 }
 
 fn runs(connection: &Connection, path: &Path, is_there: bool, checks: &mut Vec<Check>) -> rusqlite::Result<()> {
@@ -266,10 +231,8 @@ fn runs(connection: &Connection, path: &Path, is_there: bool, checks: &mut Vec<C
         ));
         return Ok(());
     }
-    let runs: Vec<(i64, bool)> = connection
-        .prepare("SELECT run_id, ended_at IS NOT NULL FROM run ORDER BY 1")?
-        .query_map([], |row| Ok((row.get(0)?, row.get(1)?)))?
-        .collect::<rusqlite::Result<_>>()?;
+    let sql = "SELECT run_id, ended_at IS NOT NULL FROM run ORDER BY 1";
+    let runs: Vec<(i64, bool)> = list(connection, sql, [], |row| Ok((row.get(0)?, row.get(1)?)))?;
     let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
     for (run, is_ended) in &runs {
         checks.push(match is_ended {

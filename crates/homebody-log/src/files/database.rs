@@ -7,7 +7,7 @@ use super::plain;
 use crate::limits::LONGEST_ROW_BYTES;
 use rusqlite::limits::Limit;
 use rusqlite::types::ValueRef;
-use rusqlite::{Connection, OpenFlags};
+use rusqlite::{Connection, OpenFlags, Params, Row};
 use std::borrow::Cow;
 use std::io::Read;
 use std::path::Path;
@@ -72,7 +72,26 @@ pub(crate) fn tables(connection: &Connection) -> rusqlite::Result<Vec<String>> {
     let sql = "SELECT name FROM sqlite_schema JOIN pragma_table_list USING (name)
                WHERE pragma_table_list.schema = 'main' AND pragma_table_list.type = 'table'
                  AND sqlite_schema.type = 'table' ORDER BY sqlite_schema.rowid";
-    connection.prepare(sql)?.query_map([], |row| row.get(0))?.collect()
+    list(connection, sql, [], |row| row.get(0))
+}
+
+/// The columns of a table in their order; none without the table.
+pub(crate) fn columns(connection: &Connection, table: &str) -> rusqlite::Result<Vec<String>> {
+    list(connection, "SELECT name FROM pragma_table_info(?) ORDER BY cid", [table], |row| row.get(0))
+}
+
+pub(crate) fn has_column(connection: &Connection, table: &str, column: &str) -> rusqlite::Result<bool> {
+    Ok(columns(connection, table)?.iter().any(|name| name == column))
+}
+
+/// All rows of a query.
+pub(crate) fn list<T>(
+    connection: &Connection,
+    sql: &str,
+    values: impl Params,
+    row: impl FnMut(&Row) -> rusqlite::Result<T>,
+) -> rusqlite::Result<Vec<T>> {
+    connection.prepare(sql)?.query_map(values, row)?.collect()
 }
 
 /// The first of a table's row numbers from 1 to `last` that is not before what is looked for, found by halving; `last` + 1 if all are.

@@ -111,7 +111,6 @@ pub fn is_held(path: &Path) -> Option<bool> {
     Some(matches!(file.try_lock_shared(), Err(TryLockError::WouldBlock)))
 }
 
-/// The lock file of a file.
 fn lock_of(path: &Path) -> PathBuf {
     let mut name = path.file_name().unwrap_or_default().to_owned();
     name.push(".lock");

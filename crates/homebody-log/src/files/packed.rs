@@ -2,7 +2,7 @@
 
 use super::fresh::FreshFile;
 use super::plain;
-use crate::error::{LogError, PackedMessage, place_of};
+use crate::error::{LogError, PackedMessage};
 use flate2::Compression;
 use flate2::read::MultiGzDecoder;
 use flate2::write::GzEncoder;
@@ -15,6 +15,7 @@ pub(crate) enum Packing {
     /// Gzip (RFC 1952): `.gz`.
     Gzip,
     /// Zstandard (RFC 8878): `.zst`.
+    #[cfg(feature = "zstd")]
     Zstd,
 }
 
@@ -40,8 +41,12 @@ impl Packing {
     pub fn for_path(path: &Path) -> Result<Option<Packing>, LogError> {
         match path.extension().and_then(|ending| ending.to_str()) {
             Some("gz") => Ok(Some(Packing::Gzip)),
-            Some("zst") if cfg!(feature = "zstd") => Ok(Some(Packing::Zstd)),
-            Some("zst") => Err(LogError::NotBuiltIn { place: place_of(path), name: ".zst", feature: "parquet" }),
+            #[cfg(feature = "zstd")]
+            Some("zst") => Ok(Some(Packing::Zstd)),
+            #[cfg(not(feature = "zstd"))]
+            Some("zst") => {
+                Err(LogError::NotBuiltIn { place: crate::error::place_of(path), name: ".zst", feature: "parquet" })
+            }
             _ => Ok(None),
         }
     }
@@ -57,8 +62,6 @@ impl Packing {
                 let begun = zstd::Encoder::new(file, ZSTD_LEVEL).map_err(|error| LogError::file(&path, error))?;
                 PackedWriter::Zstd(begun)
             }
-            #[cfg(not(feature = "zstd"))]
-            Packing::Zstd => unreachable!("no name is taken for it"),
         };
         Ok(Packer(BufWriter::with_capacity(AT_ONCE_BYTES, inner)))
     }

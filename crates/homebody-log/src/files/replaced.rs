@@ -1,6 +1,6 @@
 //! Files that `--force` may replace. A database is one only if it holds nothing but a run of this program.
 
-use super::database::connect;
+use super::database::{columns, connect, list};
 use super::plain;
 use crate::error::{LogError, place_of};
 use crate::log::SENSOR;
@@ -35,12 +35,10 @@ pub(crate) fn may_be_replaced(path: &Path) -> Result<(), LogError> {
 fn others(path: &Path) -> rusqlite::Result<Option<String>> {
     // It adds no files to the database.
     let connection = connect(path)?;
-    let mut all = connection.prepare("SELECT type, name, coalesce(sql, '') FROM sqlite_schema ORDER BY rowid")?;
-    let found = all.query_map([], |row| Ok((row.get(0)?, row.get(1)?, row.get(2)?)))?;
-    let found: Vec<(String, String, String)> = found.collect::<Result<_, _>>()?;
-    let mut columns = connection.prepare("SELECT name FROM pragma_table_info('run') ORDER BY cid")?;
-    let columns: Vec<String> = columns.query_map([], |row| row.get(0))?.collect::<Result<_, _>>()?;
-    if !found.is_empty() && !columns.iter().take(RUN.len()).eq(&RUN) {
+    let all = "SELECT type, name, coalesce(sql, '') FROM sqlite_schema ORDER BY rowid";
+    let found: Vec<(String, String, String)> =
+        list(&connection, all, [], |row| Ok((row.get(0)?, row.get(1)?, row.get(2)?)))?;
+    if !found.is_empty() && !columns(&connection, "run")?.iter().take(RUN.len()).eq(&RUN) {
         return Ok(Some("no run of this program".into()));
     }
     let truth = TruthKept::All.tables();

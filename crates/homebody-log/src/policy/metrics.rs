@@ -112,13 +112,11 @@ impl SinkMetrics {
         }
     }
 
-    /// So many rows were taken, and are durable.
     pub(crate) fn took_rows(&self, rows: u64) {
         let before = self.rows.fetch_add(rows, Ordering::Relaxed);
         self.made_sure(before + rows);
     }
 
-    /// So many rows are durable.
     pub(crate) fn made_sure(&self, rows: u64) {
         self.durable.fetch_max(rows, Ordering::Relaxed);
     }
@@ -127,7 +125,6 @@ impl SinkMetrics {
         self.retries.fetch_add(1, Ordering::Relaxed);
     }
 
-    /// So many bytes are put aside for the destination.
     pub(crate) fn puts_aside(&self, bytes: u64) {
         self.spooled_bytes.store(bytes, Ordering::Relaxed);
     }
@@ -158,7 +155,6 @@ impl SinkMetrics {
         }
     }
 
-    /// Why the destination is away, while it is.
     pub(crate) fn why_away(&self) -> Option<String> {
         let absence = self.absence.lock().unwrap_or_else(PoisonError::into_inner);
         absence.as_ref().map(|absence| absence.why.clone())

@@ -49,7 +49,6 @@ pub(crate) struct Timed<S: ?Sized, A> {
     has_finished: bool,
 }
 
-/// The thread that holds the destination.
 struct Hand<S: ?Sized, A> {
     jobs: Sender<Job<S, A>>,
     answers: Receiver<Result<A, LogError>>,

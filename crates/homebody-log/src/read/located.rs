@@ -205,7 +205,6 @@ fn form_of(start: &FileStart) -> Result<&'static LogForm, LogError> {
     }
 }
 
-/// The message about a text without a form.
 fn unknown(start: &FileStart) -> FormMessage {
     FormMessage::Unknown { first_line: beginning(&start.lines().next().unwrap_or_default()) }
 }

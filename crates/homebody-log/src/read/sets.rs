@@ -55,20 +55,8 @@ fn numberless(path: &Path) -> String {
 /// Whether the numbers in a name count homes or people: then each file is a log of its own.
 fn is_of_homes(name: &str) -> bool {
     const HOMES: [&str; 14] = [
-        "home",
-        "house",
-        "hh",
-        "csh",
-        "flat",
-        "apartment",
-        "apt",
-        "household",
-        "patient",
-        "subject",
-        "resident",
-        "person",
-        "participant",
-        "tm",
+        "home", "house", "hh", "csh", "flat", "apartment", "apt", "household", "patient", "subject", "resident",
+        "person", "participant", "tm",
     ];
     let before = name.split('#').next().unwrap_or_default();
     let word = before.trim_end_matches(|c: char| !c.is_alphabetic());

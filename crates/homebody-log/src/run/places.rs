@@ -200,10 +200,11 @@ impl RunPlaces {
     fn make_numbered(&mut self, parent: &Path, name: &str) -> Result<PathBuf, LogError> {
         self.make(parent)?;
         let name = folder_name(name);
-        for number in 1.. {
+        let mut number = 1;
+        loop {
             let folder = parent.join(format!("{name}-{number}"));
             match fs::create_dir(&folder) {
-                Err(error) if error.kind() == ErrorKind::AlreadyExists => {}
+                Err(error) if error.kind() == ErrorKind::AlreadyExists => number += 1,
                 Err(error) => return Err(no_folder(&folder, error)),
                 Ok(()) => {
                     self.made.push(folder.clone());
@@ -211,10 +212,8 @@ impl RunPlaces {
                 }
             }
         }
-        unreachable!("there is always a next number")
     }
 
-    /// Makes a folder and its missing parents.
     fn make(&mut self, folder: &Path) -> Result<(), LogError> {
         let is_missing = |folder: &&Path| !folder.as_os_str().is_empty() && !folder.is_dir();
         let missing: Vec<&Path> = folder.ancestors().take_while(is_missing).collect();
@@ -295,7 +294,6 @@ pub fn not_of_a_run(to: &Url) -> Result<(), LogError> {
     Ok(())
 }
 
-/// The places of a logger's rows in a run's folder.
 fn logs_in(folder: &Path, logger: &LoggerFile) -> impl Iterator<Item = Result<Url, NoPlace>> {
     let usual = if logger.to.is_empty() { Some(scheme::USUAL) } else { None };
     logger.to.iter().map(String::as_str).chain(usual).map(move |place| Ok(place.parse::<Url>()?.within(folder)))
@@ -333,7 +331,6 @@ pub fn recording_in(folder: &Path) -> Option<Recording> {
     serde_json::from_str(&plain::read_text(&folder.join(RECORDING), LARGEST_RECORDING_BYTES).ok()?).ok()
 }
 
-/// A scenario's name as that of a folder.
 fn folder_name(name: &str) -> String {
     // No file system takes more than 255 bytes.
     let plain = name.chars().take(50).map(|c| if c.is_alphanumeric() { c.to_ascii_lowercase() } else { '-' });

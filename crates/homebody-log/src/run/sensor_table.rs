@@ -84,12 +84,10 @@ impl SensorTable {
     }
 }
 
-/// Writes the table of a run's sensors.
 pub(crate) fn write(path: &Path, run: &RunInfo, force: bool) -> Result<(), LogError> {
     SensorTable::new(path.to_owned(), run)?.write(force)
 }
 
-/// The contents of a table of sensors.
 #[derive(Default)]
 pub(crate) struct KnownSensors {
     /// The sensors; none where no table of ours lies there.

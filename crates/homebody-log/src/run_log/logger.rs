@@ -4,9 +4,9 @@ use crate::destination::Destination;
 use crate::destination::writer::{BATCH, BATCH_WAITS, Writer};
 use crate::error::LogError;
 use crate::files::{WriteMode, all_can_be_written};
-use crate::policy::{Cancel, Deadline, SinkMetrics};
+use crate::policy::SinkMetrics;
 use crate::run::RunInfo;
-use crate::sink::{OwnedBegin, Watermark};
+use crate::sink::{Begin, Watermark};
 use crate::table::{Batch, Cell, ColumnNames, LogRow, Messages, ShownTexts, TextId, TextPool};
 use crate::url::Url;
 use homebody_core::event::{Firing, Value};
@@ -82,17 +82,8 @@ impl Logger {
         let columns = ColumnNames::new(file)?;
         let sensors = run.sensor_names();
         let shown = ShownTexts::new(file, &sensors)?;
-        let beginning = OwnedBegin {
-            run: run.clone(),
-            tables: Arc::new(vec![columns.log_table()]),
-            time: shown.time,
-            run_column: columns.run,
-            spreadsheet_safe: file.spreadsheet_safe,
-            how,
-            is_whole: false,
-            cancel: Cancel::new(),
-            deadline: Deadline::default(),
-        };
+        let beginning = Begin::new(run.clone(), vec![columns.log_table()], shown.time, how);
+        let beginning = Begin { run_column: columns.run, spreadsheet_safe: file.spreadsheet_safe, ..beginning };
         let mut stored = Stored { by_sensor: vec![0; sensors.len()], ..Stored::default() };
         let mut writers = Vec::new();
         for destination in destinations {
@@ -193,7 +184,6 @@ impl Logger {
         Ok(())
     }
 
-    /// Hands what there is to the writers.
     fn send(&mut self) -> Result<(), LogError> {
         self.sent_at = Instant::now();
         let batch = std::mem::replace(&mut self.batch, Batch::with_capacity(BATCH, COLUMNS)).with(&self.texts);
@@ -240,7 +230,6 @@ impl Logger {
         Ok(())
     }
 
-    /// The places that are written, each with what counts what it takes.
     pub(crate) fn meters(&self) -> impl Iterator<Item = (String, Arc<SinkMetrics>)> {
         self.writers.iter().map(Writer::meter)
     }

@@ -10,9 +10,9 @@ use crate::destination::writer::{BATCH, BATCH_WAITS, Writer};
 use crate::destination::{Destination, Treatment};
 use crate::error::{LogError, place_of};
 use crate::files::{WriteMode, all_can_be_written, same_file};
-use crate::policy::{Cancel, Deadline, SinkMetrics};
+use crate::policy::SinkMetrics;
 use crate::run::RunInfo;
-use crate::sink::{OwnedBegin, Watermark};
+use crate::sink::{Begin, Watermark};
 use crate::table::truth::{Truth, TruthKept, tables};
 use crate::table::{Batch, Cell, ShownTexts, TextId, TextPool};
 use crate::url::Url;
@@ -48,7 +48,6 @@ pub struct TruthLog {
     kept: Vec<Option<usize>>,
     batch: Batch,
     sent_at: Instant,
-    /// The number of rows handed over.
     sent: u64,
     /// `None` for instants with their offset or in UTC.
     set_backs: Option<SetBacks>,
@@ -137,17 +136,8 @@ impl TruthLog {
         how: WriteMode,
     ) -> Result<TruthLog, LogError> {
         let shown = ShownTexts::new(file, &run.sensor_names())?;
-        let beginning = OwnedBegin {
-            run: run.clone(),
-            tables: Arc::new(kept.tables()),
-            time: file.time,
-            run_column: RUN_COLUMN.into(),
-            spreadsheet_safe: file.spreadsheet_safe,
-            how,
-            is_whole: false,
-            cancel: Cancel::new(),
-            deadline: Deadline::default(),
-        };
+        let beginning = Begin::new(run.clone(), kept.tables(), file.time, how);
+        let beginning = Begin { spreadsheet_safe: file.spreadsheet_safe, ..beginning };
         let writer = Writer::spawn(destination, &beginning)?;
         let mut texts = TextPool::default();
         let mut log = TruthLog {
@@ -192,7 +182,6 @@ impl TruthLog {
         if self.sent_at.elapsed() >= BATCH_WAITS { self.send() } else { Ok(()) }
     }
 
-    /// Its place, and what counts what goes there.
     pub(crate) fn meter(&self) -> (String, Arc<SinkMetrics>) {
         self.writer.meter()
     }
@@ -434,9 +423,6 @@ fn places_of(kept: TruthKept) -> Vec<Option<usize>> {
     let mut next = 0..;
     tables().iter().map(|table| kept.has(table).then(|| next.next()).flatten()).collect()
 }
-
-/// The column of the run's id in each table of the truth.
-const RUN_COLUMN: &str = "run_id";
 
 /// Initial number of columns of a batch (our choice): most tables have fewer.
 const COLUMNS: usize = 10;

@@ -14,7 +14,6 @@ use crate::text::one_word;
 use homebody_core::scenario::logger::TimeFormat;
 use homebody_core::scenario::scheme::Scheme;
 
-/// Rows as the CASAS homes write them.
 pub(crate) struct Casas {
     /// Texts as single words.
     cells: CellWriter,
@@ -31,7 +30,7 @@ impl TextForm for Casas {
     const SCHEME: Scheme = Scheme::Casas;
 
     fn begin(at: &TextTarget, begin: &Begin) -> Result<Casas, LogError> {
-        let [table] = begin.tables else {
+        let [table] = &begin.tables[..] else {
             return Err(LogError::cannot_hold(at.place(), HoldMessage::CasasTruth));
         };
         let ids: Vec<String> = begin.run.sensors.iter().map(|sensor| sensor.id.clone()).collect();

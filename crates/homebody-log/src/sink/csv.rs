@@ -10,7 +10,6 @@ use crate::text;
 use csv::{QuoteStyle, Terminator, WriterBuilder};
 use homebody_core::scenario::scheme::Scheme;
 
-/// Rows as comma-separated values.
 pub(crate) struct Csv {
     cells: CellWriter,
     spreadsheet_safe: bool,

@@ -46,17 +46,24 @@ const ROWS_AT_ONCE: usize = 16;
 /// The count of transactions in a closed database: not a real one, so that no reader has cached pages for it.
 const TRANSACTIONS: [u8; 4] = *b"home";
 
-/// A new database; dropped before any row is stored, it leaves behind what was there before.
 pub(crate) struct Database {
-    path: PathBuf,
-    /// None only while the database is being closed.
-    connection: Option<Connection>,
+    /// Closed before the file is looked at, which comes after it for this reason.
+    connection: DatabaseConnection,
+    file: DatabaseFile,
     /// Rows of the open transaction.
     not_durable: usize,
-    has_rows: bool,
     flow: RowFlow,
     /// Whether a reader has been in the way.
     is_watched: bool,
+}
+
+/// Dropped, it undoes open work, and leaves one file if no program is reading it.
+struct DatabaseConnection(Connection);
+
+/// Dropped before any row is stored, it leaves behind what was there before.
+struct DatabaseFile {
+    path: PathBuf,
+    has_rows: bool,
     /// The file that this one replaces, put aside until the first rows are safe.
     replaced: Option<PathBuf>,
     _lock: FileLock,
@@ -96,16 +103,7 @@ impl Database {
             ExistingFile::Replaced => Some(put_aside(path)?),
             ExistingFile::Device => return Err(LogError::NoFile { place: place_of(path) }),
         };
-        let mut database = Database {
-            path: path.into(),
-            connection: None,
-            not_durable: 0,
-            has_rows: false,
-            flow: RowFlow::Trickling,
-            is_watched: false,
-            replaced,
-            _lock: lock,
-        };
+        let file = DatabaseFile { path: path.into(), has_rows: false, replaced, _lock: lock };
         // A new database has no companions: SQLite would write into those that are there.
         remove_companions(path);
         // The database's own way to create a file does not tell why it could not.
@@ -127,8 +125,12 @@ impl Database {
             connection.execute_batch("COMMIT")?;
             Ok(connection)
         });
-        database.connection = Some(opened.map_err(|error| LogError::database(path, error))?);
-        Ok(database)
+        let connection = opened.map_err(|error| LogError::database(path, error))?;
+        Ok(Database::new(connection, file, RowFlow::Trickling))
+    }
+
+    fn new(connection: Connection, file: DatabaseFile, flow: RowFlow) -> Database {
+        Database { connection: DatabaseConnection(connection), file, not_durable: 0, flow, is_watched: false }
     }
 
     /// Opens the database of an unfinished run, to resume it; None for an empty database, which is removed. The caller checks which run it
@@ -170,29 +172,17 @@ impl Database {
             remove_companions(path);
             return Ok(None);
         }
-        Ok(Some(Database {
-            path: path.into(),
-            connection: Some(connection),
-            not_durable: 0,
-            has_rows: true,
-            flow,
-            is_watched: false,
-            replaced: None,
-            _lock: lock,
-        }))
+        let file = DatabaseFile { path: path.into(), has_rows: true, replaced: None, _lock: lock };
+        Ok(Some(Database::new(connection, file, flow)))
     }
 
     pub fn path(&self) -> &Path {
-        &self.path
+        &self.file.path
     }
 
     /// Asks for what is there.
     pub fn ask<T>(&self, ask: impl FnOnce(&Connection) -> rusqlite::Result<T>) -> Result<T, LogError> {
-        ask(self.connection()).map_err(|error| LogError::database(&self.path, error))
-    }
-
-    fn connection(&self) -> &Connection {
-        self.connection.as_ref().expect("open until it is closed")
+        ask(&self.connection.0).map_err(|error| LogError::database(&self.file.path, error))
     }
 
     /// Changes rows within the transaction that the next [`Database::make_durable`] ends.
@@ -201,7 +191,7 @@ impl Database {
         rows: usize,
         change: impl FnOnce(&Connection) -> rusqlite::Result<()>,
     ) -> Result<(), LogError> {
-        let connection = self.connection();
+        let connection = &self.connection.0;
         let begun = match (connection.is_autocommit(), self.flow) {
             // From then on only those who read can be in the way.
             (true, RowFlow::Pouring) => {
@@ -210,7 +200,7 @@ impl Database {
             (true, RowFlow::Trickling) => connection.execute_batch("BEGIN IMMEDIATE"),
             (false, _) => Ok(()),
         };
-        begun.and_then(|()| change(connection)).map_err(|error| LogError::database(&self.path, error))?;
+        begun.and_then(|()| change(connection)).map_err(|error| LogError::database(&self.file.path, error))?;
         self.not_durable += rows;
         Ok(())
     }
@@ -227,7 +217,7 @@ impl Database {
     /// Ends the transaction and leaves one complete file, unless a reader continues.
     pub fn close(mut self) -> Result<(), LogError> {
         self.commit()?;
-        self.keep();
+        self.file.keep();
         let begun = Instant::now();
         // Nothing that SQLite waits for: it asks once.
         let mut is_one_file = self.without_waiting(ONE_FILE);
@@ -235,11 +225,44 @@ impl Database {
             std::thread::sleep(LOOK);
             is_one_file = self.without_waiting(ONE_FILE);
         }
-        let connection = self.connection.take().expect("open until it is closed");
-        connection.close().map_err(|(_, error)| LogError::database(&self.path, error))?;
-        if is_one_file { self.forget_transactions() } else { Ok(()) }
+        drop(self.connection);
+        if is_one_file { self.file.forget_transactions() } else { Ok(()) }
     }
 
+    /// Ends the transaction if there is one.
+    fn commit(&mut self) -> Result<bool, LogError> {
+        let connection = &self.connection.0;
+        if connection.is_autocommit() {
+            return Ok(false);
+        }
+        let begun = Instant::now();
+        let committed = connection.execute_batch("COMMIT").and_then(|()| connection.busy_timeout(BUSY));
+        committed.map_err(|error| LogError::database(&self.file.path, error))?;
+        self.is_watched |= begun.elapsed() > WATCHED && self.flow == RowFlow::Pouring;
+        self.not_durable = 0;
+        self.file.keep();
+        Ok(true)
+    }
+
+    /// Changes the journal, unless a program reads at this moment; whether it did.
+    fn without_waiting(&self, pragma: &str) -> bool {
+        let connection = &self.connection.0;
+        let _ = connection.busy_timeout(Duration::ZERO);
+        let changed = connection.execute_batch(pragma).is_ok();
+        let _ = connection.busy_timeout(BUSY);
+        changed
+    }
+}
+
+impl Drop for DatabaseConnection {
+    fn drop(&mut self) {
+        let _ = self.0.execute_batch("ROLLBACK");
+        let _ = self.0.busy_timeout(Duration::ZERO);
+        let _ = self.0.execute_batch(ONE_FILE);
+    }
+}
+
+impl DatabaseFile {
     /// Sets the count of transactions to a fixed number, so that the same rows of a table are the same bytes, for any number of
     /// transactions; with several tables, the order of pages depends on them all the same. Readers would miss a change of the file between
     /// its closing and this. The file's format keeps the count twice, in the first page's header
@@ -254,21 +277,6 @@ impl Database {
         [24, 92].into_iter().try_for_each(stamp).map_err(|error| LogError::file(&self.path, error))
     }
 
-    /// Ends the transaction if there is one.
-    fn commit(&mut self) -> Result<bool, LogError> {
-        let connection = self.connection();
-        if connection.is_autocommit() {
-            return Ok(false);
-        }
-        let begun = Instant::now();
-        let committed = connection.execute_batch("COMMIT").and_then(|()| connection.busy_timeout(BUSY));
-        committed.map_err(|error| LogError::database(&self.path, error))?;
-        self.is_watched |= begun.elapsed() > WATCHED && self.flow == RowFlow::Pouring;
-        self.not_durable = 0;
-        self.keep();
-        Ok(true)
-    }
-
     /// From now on this is the file, and what it replaces is gone.
     fn keep(&mut self) {
         self.has_rows = true;
@@ -276,25 +284,10 @@ impl Database {
             let _ = fs::remove_file(replaced);
         }
     }
-
-    /// Changes the journal, unless a program reads at this moment; whether it did.
-    fn without_waiting(&self, pragma: &str) -> bool {
-        let connection = self.connection();
-        let _ = connection.busy_timeout(Duration::ZERO);
-        let changed = connection.execute_batch(pragma).is_ok();
-        let _ = connection.busy_timeout(BUSY);
-        changed
-    }
 }
 
-impl Drop for Database {
+impl Drop for DatabaseFile {
     fn drop(&mut self) {
-        if let Some(connection) = self.connection.take().filter(|_| self.has_rows) {
-            // Undoes open work, and leaves one file if no program is reading it.
-            let _ = connection.execute_batch("ROLLBACK");
-            let _ = connection.busy_timeout(Duration::ZERO);
-            let _ = connection.execute_batch(ONE_FILE);
-        }
         if !self.has_rows {
             let _ = fs::remove_file(&self.path);
             remove_companions(&self.path);
@@ -389,13 +382,11 @@ pub(crate) fn put_aside(path: &Path) -> Result<PathBuf, LogError> {
     Ok(aside.into())
 }
 
-/// Removes a database with its companion files.
 pub(crate) fn remove_database(path: &Path) {
     let _ = fs::remove_file(path);
     remove_companions(path);
 }
 
-/// Removes the companion files of a database.
 fn remove_companions(path: &Path) {
     for companion in companions(path) {
         let _ = fs::remove_file(companion);

@@ -1,13 +1,13 @@
 //! The rows of many homes as a JSON object a line: which home, and then as the log of that home alone has it.
 
 use super::fleet::{Fleet, FleetEvent, FleetRow, FleetSink};
-use super::jsonl::in_json;
+use super::jsonl::{in_json, quote};
 use super::text::{TextSink, TextTarget};
 use crate::error::{LogError, OutputMessage, Reason};
 use crate::files::{WriteMode, plain};
 use crate::policy::Deadline;
 use crate::run::sensor_table;
-use crate::table::{InstantWriter, Stamp, thousandths};
+use crate::table::InstantWriter;
 use crate::url::Url;
 use homebody_core::event::Value;
 use homebody_core::time::UtcTime;
@@ -114,26 +114,20 @@ impl OpenFleetJsonl {
         let OpenFleetJsonl { fleet, kinds, line, buffer, .. } = self;
         let home = &fleet.homes[row.home as usize];
         let InKind { clock, home: key, keys, sensors } = &mut kinds[home.layout];
-        let [seq, time, sensor, value] = &keys[..] else { unreachable!("a log has four columns") };
+        let quote = quote(clock);
         line.clear();
         // A vector takes all that is written to it.
-        let _ = write!(line, "{key}\"{}\"{seq}{}{time}", home.name, row.seq);
-        let _ = match clock.stamp(row.at) {
-            Stamp::Text(text) => write!(line, "\"{text}\""),
-            Stamp::Seconds(_) => write!(line, "{}", clock.text(row.at)),
-            Stamp::Milliseconds(number) => write!(line, "{number}"),
-        };
-        let _ = write!(line, "{sensor}{}{value}", sensors[row.sensor.index()]);
-        let _ = match row.value {
-            Value::Reading(number) => {
-                thousandths(number, buffer);
-                line.write_all(buffer.as_bytes())
-            }
-            said => {
-                let text = fleet.layouts[home.layout].value(said, buffer);
-                write!(line, "\"{text}\"")
-            }
-        };
+        let _ = write!(line, "{key}\"{}\"", home.name);
+        for (column, key) in keys.iter().enumerate() {
+            line.extend_from_slice(key.as_bytes());
+            let _ = match (column, row.value) {
+                (0, _) => write!(line, "{}", row.seq),
+                (1, _) => write!(line, "{quote}{}{quote}", clock.text(row.at)),
+                (2, _) => line.write_all(sensors[row.sensor.index()].as_bytes()),
+                (_, Value::Reading(_)) => write!(line, "{}", row.value),
+                (_, said) => write!(line, "\"{}\"", fleet.layouts[home.layout].value(said, buffer)),
+            };
+        }
         line.extend_from_slice(b"}\n");
     }
 }

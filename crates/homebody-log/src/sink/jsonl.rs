@@ -5,20 +5,16 @@
 
 use super::Begin;
 use super::text::TextTarget;
-use super::text_rows::TextForm;
+use super::text_rows::{CellWriter, TextForm};
 use crate::error::LogError;
-use crate::table::{BatchRow, Cell, InstantWriter, Stamp, TextId, thousandths};
+use crate::table::{BatchRow, Cell, InstantWriter};
 use homebody_core::scenario::scheme::Scheme;
-use std::io::Write;
 
-/// Rows as JSON objects.
 pub(crate) struct Jsonl {
     /// By table, the text before the value of each column: a brace or a comma, and its key.
     keys: Vec<Vec<String>>,
-    clock: InstantWriter,
-    /// Texts as JSON has them.
-    texts: Vec<String>,
-    number: String,
+    cells: CellWriter,
+    quote: &'static str,
 }
 
 impl TextForm for Jsonl {
@@ -30,37 +26,31 @@ impl TextForm for Jsonl {
             let names = table.columns.iter().map(|column| in_json(&column.name));
             names.enumerate().map(|(index, name)| format!("{}{name}:", if index == 0 { '{' } else { ',' })).collect()
         });
-        Ok(Jsonl { keys: keys.collect(), clock: begin.clock(), texts: Vec::new(), number: String::new() })
+        let clock = begin.clock();
+        Ok(Jsonl { keys: keys.collect(), quote: quote(&clock), cells: CellWriter::new(clock) })
     }
 
     fn learn(&mut self, _: &TextTarget, text: &str) -> Result<(), LogError> {
-        self.texts.push(in_json(text));
+        self.cells.texts.push(in_json(text));
         Ok(())
     }
 
     fn line(&mut self, row: &BatchRow, line: &mut Vec<u8>) {
-        for (key, cell) in self.keys[row.table].iter().zip(row.cells) {
+        for (key, &cell) in self.keys[row.table].iter().zip(row.cells) {
             line.extend_from_slice(key.as_bytes());
-            // A vector takes all that is written to it.
-            let _ = match *cell {
-                Cell::Null => write!(line, "null"),
-                Cell::Instant(at) => match self.clock.stamp(at) {
-                    Stamp::Text(text) => write!(line, "\"{text}\""),
-                    Stamp::Seconds(_) => write!(line, "{}", self.clock.text(at)),
-                    Stamp::Milliseconds(number) => write!(line, "{number}"),
-                },
-                Cell::Integer(number) => write!(line, "{number}"),
-                Cell::Real(number) if number.is_finite() => write!(line, "{number}"),
-                Cell::Real(_) => write!(line, "null"),
-                Cell::Text(TextId(id)) => line.write_all(self.texts[id as usize].as_bytes()),
-                Cell::Thousandths(value) => {
-                    thousandths(value, &mut self.number);
-                    line.write_all(self.number.as_bytes())
-                }
-            };
+            let quote = if matches!(cell, Cell::Instant(_)) { self.quote } else { "" };
+            // JSON has no other numbers.
+            let cell = if matches!(cell, Cell::Real(number) if !number.is_finite()) { Cell::Null } else { cell };
+            let text = self.cells.text(cell).unwrap_or("null");
+            [quote, text, quote].iter().for_each(|part| line.extend_from_slice(part.as_bytes()));
         }
         line.push(b'}');
     }
+}
+
+/// The mark around an instant, which is a text or a number.
+pub(crate) fn quote(clock: &InstantWriter) -> &'static str {
+    if clock.writes_numbers() { "" } else { "\"" }
 }
 
 pub(crate) fn in_json(text: &str) -> String {

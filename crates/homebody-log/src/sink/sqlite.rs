@@ -4,18 +4,18 @@
 //! compares the rows of the file with those that it makes again.
 
 use super::database::{Binding, Database, Insert};
+use super::text_rows::CellWriter;
 use super::{Begin, Sink, Watermark};
 use crate::error::{ChangedMessage, LogError, place_of};
 use crate::files::WriteMode;
 use crate::log::{SENSOR, SENSOR_COLUMNS, says_more_of, sensor_cells};
 use crate::run::RunInfo;
-use crate::table::{Batch, Cell, Column, ColumnKind, InstantWriter, Stamp, Table, TextId, thousandths};
+use crate::table::{Batch, Cell, Column, ColumnKind, InstantWriter, Stamp, Table};
 use homebody_core::scenario::logger::TimeFormat;
 use homebody_core::time::RunTime;
 use rusqlite::types::{Null, ToSqlOutput, ValueRef};
 use rusqlite::{Connection, ToSql, params};
 use std::path::{Path, PathBuf};
-use std::sync::Arc;
 
 /// A database file with a table for each table of the run.
 pub(crate) struct Sqlite {
@@ -27,13 +27,10 @@ pub(crate) struct Sqlite {
 struct OpenSqlite {
     database: Database,
     tables: Vec<SqliteTable>,
-    clock: InstantWriter,
-    buffer: String,
+    cells: CellWriter,
     run: i64,
-    texts: Vec<Arc<str>>,
 }
 
-/// A table, and how far it has come.
 struct SqliteTable {
     name: String,
     columns: Vec<Column>,
@@ -44,7 +41,6 @@ struct SqliteTable {
     waiting: Vec<Cell>,
     /// The number of rows of the file at the beginning. As many rows of the run are compared with them.
     there: u64,
-    /// The number of rows so far.
     come: u64,
     /// The number of rows of one INSERT.
     at_once: usize,
@@ -74,7 +70,7 @@ impl Sink for Sqlite {
         let left = if begin.how == WriteMode::Resume { Database::reopen(&self.path)? } else { None };
         let database = match left {
             Some(database) => {
-                can_go_on(&database, begin.run)?;
+                can_go_on(&database, &begin.run)?;
                 for table in &mut tables {
                     table.there = database.ask(|connection| table.count(connection))?;
                 }
@@ -83,19 +79,18 @@ impl Sink for Sqlite {
             None => {
                 let created: Vec<String> = begin.tables.iter().map(|table| create(table, begin)).collect();
                 let created: Vec<&str> = created.iter().map(String::as_str).collect();
-                let run = tell_run(begin.run, begin.time, &mut clock);
+                let run = tell_run(&begin.run, begin.time, &mut clock);
                 // A truth has its own tables, and the rows of a log may have taken the name.
                 let is_log = begin.tables.iter().any(|table| table.is_numbered)
                     && begin.tables.iter().all(|table| table.name != SENSOR);
                 let tell = |connection: &Connection| {
                     run(connection)?;
-                    if is_log { tell_sensors(connection, begin.run) } else { Ok(()) }
+                    if is_log { tell_sensors(connection, &begin.run) } else { Ok(()) }
                 };
                 Database::create(&self.path, begin.how == WriteMode::Overwrite, &created, tell)?
             }
         };
-        let run = begin.run.id;
-        self.open = Some(OpenSqlite { database, tables, clock, buffer: String::new(), run, texts: Vec::new() });
+        self.open = Some(OpenSqlite { database, tables, cells: CellWriter::new(clock), run: begin.run.id });
         Ok(Watermark::none())
     }
 
@@ -119,7 +114,7 @@ impl Sink for Sqlite {
         for index in 0..open.tables.len() {
             open.insert_waiting(index)?;
         }
-        let (run, end) = (open.run, open.clock.stamp(end));
+        let (run, end) = (open.run, open.cells.clock.stamp(end));
         open.database.change(0, |connection| {
             connection.execute("UPDATE run SET ended_at = ? WHERE run_id = ?", params![end, run]).map(|_| ())
         })?;
@@ -129,7 +124,8 @@ impl Sink for Sqlite {
 
 impl OpenSqlite {
     fn write(&mut self, batch: &Batch) -> Result<(), LogError> {
-        self.texts.extend(batch.texts_from(self.texts.len()));
+        let texts = &mut self.cells.texts;
+        texts.extend(batch.texts_from(texts.len()).map(|text| text.to_string()));
         let mut known: Vec<Vec<&[Cell]>> = vec![Vec::new(); self.tables.len()];
         let mut new = 0;
         for row in batch.rows() {
@@ -156,20 +152,16 @@ impl OpenSqlite {
     }
 
     fn insert_waiting(&mut self, index: usize) -> Result<(), LogError> {
-        let OpenSqlite { database, tables, clock, buffer, texts, .. } = self;
+        let OpenSqlite { database, tables, cells, .. } = self;
         let table = &mut tables[index];
         let width = table.columns.len();
         let rows = std::mem::take(&mut table.waiting);
         let put = |&cell: &Cell, binding: &mut Binding| match cell {
             Cell::Null => binding.put(Null),
-            Cell::Instant(at) => binding.put(clock.stamp(at)),
+            Cell::Instant(at) => binding.put(cells.clock.stamp(at)),
             Cell::Integer(number) => binding.put(number),
             Cell::Real(number) => binding.put(number),
-            Cell::Text(TextId(id)) => binding.put(&*texts[id as usize]),
-            Cell::Thousandths(number) => {
-                thousandths(number, buffer);
-                binding.put(&*buffer)
-            }
+            Cell::Text(_) | Cell::Thousandths(_) => binding.put(cells.text(cell)),
         };
         database.change(rows.len() / width, |connection| table.insert.insert(connection, &rows, width, put))?;
         table.waiting = rows;
@@ -179,7 +171,7 @@ impl OpenSqlite {
 
     /// Checks that the next rows of a table in the file are these.
     fn compare(&mut self, index: usize, rows: &[&[Cell]]) -> Result<(), LogError> {
-        let OpenSqlite { database, tables, clock, buffer, texts, run, .. } = self;
+        let OpenSqlite { database, tables, cells: writer, run } = self;
         let table = &tables[index];
         let last = table.come.min(table.there);
         let first = last - rows.len() as u64;
@@ -193,7 +185,7 @@ impl OpenSqlite {
             for (number, cells) in (first..).zip(rows) {
                 let Some(row) = found.next()? else { return Ok(Some(number)) };
                 for (column, &cell) in cells.iter().enumerate() {
-                    if !is_same(row.get_ref(column)?, cell, clock, texts, buffer) {
+                    if !is_same(row.get_ref(column)?, cell, writer) {
                         return Ok(Some(number));
                     }
                 }
@@ -217,8 +209,8 @@ impl SqliteTable {
             name: table.name.clone(),
             columns: table.columns.clone(),
             is_numbered: table.is_numbered,
-            run_column: begin.run_column.to_owned(),
-            insert: Insert::new(&table.name, (begin.run_column, begin.run.id), &names),
+            run_column: begin.run_column.clone(),
+            insert: Insert::new(&table.name, (&begin.run_column, begin.run.id), &names),
             waiting: Vec::new(),
             there: 0,
             come: 0,
@@ -262,7 +254,7 @@ impl SqliteTable {
 }
 
 fn create(table: &Table, begin: &Begin) -> String {
-    let run = begin.run_column;
+    let run = &begin.run_column;
     let mut columns = format!("\"{run}\" INTEGER");
     for column in &table.columns {
         columns += &format!(", \"{}\" {}", column.name, column_type(column.kind, begin.time));
@@ -286,7 +278,6 @@ fn column_type(kind: ColumnKind, time: TimeFormat) -> &'static str {
     }
 }
 
-/// The type of a column of instants.
 fn time_type(time: TimeFormat) -> &'static str {
     match time {
         TimeFormat::Local | TimeFormat::LocalOffset | TimeFormat::Utc => "TEXT",
@@ -354,17 +345,15 @@ pub(crate) fn can_be_replaced(path: &Path, run: &RunInfo) -> Result<(), LogError
     Database::reopen(path)?.map_or(Ok(()), |database| can_go_on(&database, run))
 }
 
-fn is_same(found: ValueRef, cell: Cell, clock: &mut InstantWriter, texts: &[Arc<str>], buffer: &mut String) -> bool {
+fn is_same(found: ValueRef, cell: Cell, writer: &mut CellWriter) -> bool {
     match (found, cell) {
         (ValueRef::Null, Cell::Null) => true,
         (ValueRef::Integer(found), Cell::Integer(number)) => found == number,
         (ValueRef::Real(found), Cell::Real(number)) => found == number,
-        (ValueRef::Text(found), Cell::Text(TextId(id))) => found == texts[id as usize].as_bytes(),
-        (ValueRef::Text(found), Cell::Thousandths(number)) => {
-            thousandths(number, buffer);
-            found == buffer.as_bytes()
+        (ValueRef::Text(found), Cell::Text(_) | Cell::Thousandths(_)) => {
+            writer.text(cell).is_some_and(|text| found == text.as_bytes())
         }
-        (found, Cell::Instant(at)) => match (found, clock.stamp(at)) {
+        (found, Cell::Instant(at)) => match (found, writer.clock.stamp(at)) {
             (ValueRef::Text(found), Stamp::Text(text)) => found == text.as_bytes(),
             (ValueRef::Real(found), Stamp::Seconds(seconds)) => found == seconds,
             (ValueRef::Integer(found), Stamp::Milliseconds(milliseconds)) => found == milliseconds,

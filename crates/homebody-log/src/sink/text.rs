@@ -40,7 +40,6 @@ impl TextTarget {
     }
 }
 
-/// Lines on their way.
 pub(crate) enum TextSink {
     File(Box<TextFile>),
     Packed(Box<PackedFile>),

@@ -3,8 +3,9 @@
 use super::text::{TextSink, TextTarget};
 use super::{Begin, Sink, Watermark};
 use crate::error::LogError;
-use crate::table::{Batch, BatchRow, Cell, InstantWriter, Table, TextId, thousandths};
+use crate::table::{Batch, BatchRow, Cell, InstantWriter, Table, TextId};
 use crate::url::Url;
+use homebody_core::event::Value;
 use homebody_core::scenario::scheme::Scheme;
 use homebody_core::time::RunTime;
 use std::fmt::Write;
@@ -60,8 +61,8 @@ impl<F: TextForm> Sink for TextRows<F> {
         let form = F::begin(&self.at, begin)?;
         let is_followed = if F::IS_FOLLOWED { !begin.is_whole } else { self.is_followed };
         let mut files = Vec::new();
-        for (table, at) in begin.tables.iter().zip(self.at.for_tables(F::SCHEME, begin.tables)?) {
-            let mut file = TextSink::begin(&at, begin.how, is_followed, begin.deadline)?;
+        for (table, at) in begin.tables.iter().zip(self.at.for_tables(F::SCHEME, &begin.tables)?) {
+            let mut file = TextSink::begin(&at, begin.how, is_followed, &begin.deadline)?;
             if let Some(header) = F::header(table) {
                 file.line(format!("{header}\n").as_bytes())?;
             }
@@ -101,9 +102,8 @@ impl<F: TextForm> Sink for TextRows<F> {
     }
 }
 
-/// Writes cells as plain text.
 pub(crate) struct CellWriter {
-    clock: InstantWriter,
+    pub clock: InstantWriter,
     /// By number, as the form writes them.
     pub texts: Vec<String>,
     number: String,
@@ -124,10 +124,7 @@ impl CellWriter {
             Cell::Text(TextId(id)) => return Some(&self.texts[id as usize]),
             Cell::Integer(number) => write!(self.number, "{number}"),
             Cell::Real(number) => write!(self.number, "{number}"),
-            Cell::Thousandths(value) => {
-                thousandths(value, &mut self.number);
-                Ok(())
-            }
+            Cell::Thousandths(value) => write!(self.number, "{}", Value::Reading(value)),
         };
         Some(&self.number)
     }

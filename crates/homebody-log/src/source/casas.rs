@@ -62,7 +62,6 @@ pub(crate) fn objection(start: &FileStart) -> Option<FormMessage> {
 /// The number of lines it looks at in a text without a form.
 const LOOKED_AT_LINES: usize = 20;
 
-/// Whether a line has a time of day near its beginning.
 fn has_time(line: &str) -> bool {
     /// A date and perhaps the name of a machine stand before the time.
     const FIRST_BYTES: usize = 60;
@@ -92,7 +91,6 @@ fn read(path: &Path, _: &LoggerFile, reading: &mut LogReading<'_>) -> Result<(),
     Ok(())
 }
 
-/// The rows of a text on their way.
 struct CasasRows {
     layout: CasasLayout,
     /// The sensors whose places are recorded.
@@ -224,7 +222,6 @@ fn damage(layout: &CasasLayout, value: &[u8], note: Option<&str>) -> Option<Stri
     Some(format!("{} looks like a damaged {state}", beginning(&value)))
 }
 
-/// Says why a line without a time cannot be read.
 fn no_time(line: &[u8]) -> String {
     let behind = behind_words_of_time(line).map_or(&b""[..], |(behind, _)| behind);
     match behind.trim_ascii() {

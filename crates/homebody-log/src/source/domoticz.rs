@@ -8,7 +8,7 @@ use super::reading::{LogReading, open};
 use super::start::FileStart;
 use super::{LogForm, Shows};
 use crate::error::{LogError, place_of};
-use crate::files::database::{connect, tables, text};
+use crate::files::database::{connect, has_column, list, tables, text};
 use crate::log::SensorInfo;
 use homebody_core::scenario::logger::LoggerFile;
 use rusqlite::Connection;
@@ -43,20 +43,18 @@ const READINGS: [(&str, &str, &str, &str); 6] = [
     ("Meter", "Value", "", ""),
 ];
 
-/// A device: its name and its kind of switch.
 struct DomoticzDevice {
     name: String,
     switch: i64,
 }
 
 fn devices(connection: &Connection) -> rusqlite::Result<BTreeMap<i64, DomoticzDevice>> {
-    let mut statement = connection.prepare("SELECT ID, Name, SwitchType FROM DeviceStatus ORDER BY ID")?;
     let device = |row: &rusqlite::Row| {
         let (id, name) = (row.get(0)?, text(row.get_ref(1)?).trim().to_owned());
         Ok((id, DomoticzDevice { name, switch: row.get::<_, Option<i64>>(2)?.unwrap_or(0) }))
     };
-    let mut devices: BTreeMap<i64, DomoticzDevice> =
-        statement.query_map([], device)?.collect::<rusqlite::Result<_>>()?;
+    let all = list(connection, "SELECT ID, Name, SwitchType FROM DeviceStatus ORDER BY ID", [], device)?;
+    let mut devices = BTreeMap::from_iter(all);
     let mut counts: BTreeMap<String, usize> = BTreeMap::new();
     devices.values().for_each(|device| *counts.entry(device.name.clone()).or_default() += 1);
     for (id, device) in &mut devices {
@@ -96,9 +94,7 @@ fn rows_of(connection: &Connection) -> rusqlite::Result<String> {
     let tables = tables(connection)?;
     let mut parts = vec!["SELECT -1, Date AS at, DeviceRowID, nValue FROM LightingLog".to_owned()];
     for (number, (table, column, ..)) in READINGS.iter().enumerate() {
-        let count = format!("SELECT count(*) FROM pragma_table_info('{table}') WHERE name = '{column}'");
-        let has_column = connection.query_row(&count, [], |row| row.get::<_, i64>(0))? > 0;
-        if has_column && tables.iter().any(|name| name == table) {
+        if has_column(connection, table, column)? && tables.iter().any(|name| name == table) {
             parts.push(format!("SELECT {number}, Date, DeviceRowID, {column} FROM {table} WHERE {column} IS NOT NULL"));
         }
     }
@@ -149,12 +145,9 @@ fn read(path: &Path, _: &LoggerFile, reading: &mut LogReading<'_>) -> Result<(),
     Ok(())
 }
 
-/// The devices that have measured humidity.
 fn humid(connection: &Connection) -> rusqlite::Result<Vec<i64>> {
-    let count = "SELECT count(*) FROM pragma_table_info('Temperature') WHERE name = 'Humidity'";
-    if connection.query_row(count, [], |row| row.get::<_, i64>(0))? == 0 {
+    if !has_column(connection, "Temperature", "Humidity")? {
         return Ok(Vec::new());
     }
-    let mut statement = connection.prepare("SELECT DISTINCT DeviceRowID FROM Temperature WHERE Humidity > 0")?;
-    statement.query_map([], |row| row.get(0))?.collect()
+    list(connection, "SELECT DISTINCT DeviceRowID FROM Temperature WHERE Humidity > 0", [], |row| row.get(0))
 }

@@ -17,7 +17,7 @@ use super::start::FileStart;
 use super::{LogForm, Shows};
 use crate::error::{LogError, place_of};
 use crate::limits::beginning;
-use crate::log::{Clock, ColumnRole};
+use crate::log::{Clock, ColumnRole, ColumnUse};
 use crate::source::instant::date_parts::no_instant;
 use homebody_core::scenario::logger::LoggerFile;
 use homebody_core::time::{DAY, Interval, MINUTE, SECOND, Span, WallTime};
@@ -107,12 +107,11 @@ const LONGEST_PAUSE: Span = MINUTE;
 
 /// The gap between two rows, if there is one: its beginning as an instant, and on the wall.
 fn pause(last: Option<LogInstant>, at: LogInstant) -> Option<(LogInstant, Interval<WallTime>)> {
-    let begin = later(last.filter(|last| last.clock() == at.clock())?);
+    let begin = last.filter(|last| last.clock() == at.clock())?.after(SECOND);
     let gap = Interval::new(begin.on_wall(), at.on_wall());
     (gap.length() > LONGEST_PAUSE).then_some((begin, gap))
 }
 
-/// The state in a cell, if it has one.
 fn state(cell: &[u8]) -> Option<bool> {
     match cell.trim_ascii() {
         b"0" | b"0.0" => Some(false),
@@ -171,8 +170,8 @@ fn read_openshs(path: &Path, _: &LoggerFile, reading: &mut LogReading<'_>) -> Re
     let header = header.texts();
     let (time, activity, sensors) = places(&header).ok_or_else(no_columns)?;
     let columns = columns_of(&FileStart::read(path)?, &header, &sensors);
-    reading.column(&header[time], ColumnRole::Time, HEADING);
-    reading.column(&header[activity], ColumnRole::Label, HEADING);
+    reading.column(&header[time], ColumnRole::Time, ColumnUse::HEADING);
+    reading.column(&header[activity], ColumnRole::Label, ColumnUse::HEADING);
     for column in &columns {
         let because = if column.is_state { "its cells are 0 and 1" } else { "its cells are readings" };
         reading.column(&column.name, ColumnRole::OneSensor, because);
@@ -209,14 +208,11 @@ fn read_openshs(path: &Path, _: &LoggerFile, reading: &mut LogReading<'_>) -> Re
         last = Some(at);
     }
     if let Some(last) = last {
-        reading.label_of(later(last), None);
+        reading.label_of(last.after(SECOND), None);
     }
     changes.carry(&columns, last, reading);
     Ok(())
 }
-
-/// The evidence for a column whose name says its content.
-const HEADING: &str = "its heading";
 
 fn cell(record: &Record, place: usize) -> String {
     String::from_utf8_lossy(record.get(place).unwrap_or_default().trim_ascii()).into_owned()
@@ -227,14 +223,6 @@ fn said(record: &Record, place: usize, column: &SensorColumn) -> Option<String> 
     match column.is_state {
         true => state(record.get(place)?).map(|is_on| if is_on { ON } else { OFF }.to_owned()),
         false => Some(cell(record, place)).filter(|cell| !cell.is_empty()),
-    }
-}
-
-/// The next second.
-fn later(at: LogInstant) -> LogInstant {
-    match at {
-        LogInstant::Local(at) => LogInstant::Local(at + SECOND),
-        LogInstant::Utc(at) => LogInstant::Utc(at + SECOND),
     }
 }
 

@@ -3,7 +3,6 @@
 use super::messages::FormMessage;
 use super::start::FileStart;
 
-/// The first bytes of a kind of file, and what kind it is.
 struct Foreign {
     begins: &'static [u8],
     is: ForeignKind,
@@ -75,7 +74,6 @@ const PICKLE: ForeignKind = ForeignKind::Other(
 );
 const CSV: &str = "save its table as CSV";
 
-/// By the first bytes.
 const FOREIGN: [Foreign; 42] = [
     foreign(b"version https://git-lfs.github.com/spec/", ForeignKind::Pointer("Git LFS", "git lfs pull")),
     foreign(b"/annex/objects/", ForeignKind::Pointer("git-annex", "git annex get")),

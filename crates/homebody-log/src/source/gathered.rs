@@ -31,7 +31,6 @@ pub(crate) struct Gathered<'r, 't> {
 }
 
 impl<'r, 't> Gathered<'r, 't> {
-    /// Rows that go into the log as they come.
     pub fn as_they_come(path: &Path, reading: &'r mut LogReading<'t>) -> Gathered<'r, 't> {
         Gathered {
             reading,
@@ -45,12 +44,10 @@ impl<'r, 't> Gathered<'r, 't> {
         }
     }
 
-    /// Rows that are put into the order of time.
     pub fn in_order(path: &Path, reading: &'r mut LogReading<'t>) -> Gathered<'r, 't> {
         Gathered { order: Some(InOrder::new()), ..Gathered::as_they_come(path, reading) }
     }
 
-    /// Takes a row with a sensor, a value and perhaps a label.
     pub fn row(
         &mut self,
         line: u64,
@@ -87,19 +84,13 @@ impl<'r, 't> Gathered<'r, 't> {
             self.known.insert(sensor.id.clone(), sensor);
             return;
         };
-        if known.name == known.id {
-            known.name = sensor.name;
-        }
-        known.unit = known.unit.take().or(sensor.unit);
-        known.room = known.room.take().or(sensor.room);
         // A domain of Home Assistant, such as `binary_sensor`, says less than a class of devices.
-        let is_domain = known.id.strip_prefix(&known.kind).is_some_and(|rest| rest.starts_with('.'));
-        if known.kind.is_empty() || is_domain {
-            (known.kind, known.is_motion) = (sensor.kind, sensor.is_motion);
+        if known.id.strip_prefix(&known.kind).is_some_and(|rest| rest.starts_with('.')) {
+            known.kind.clear();
         }
+        known.fill(sensor);
     }
 
-    /// Whether anything is known of a sensor.
     pub fn knows(&self, sensor: &str) -> bool {
         self.known.contains_key(sensor)
     }
@@ -135,7 +126,6 @@ impl<'r, 't> Gathered<'r, 't> {
         is_of_sensor.then(|| name.to_owned())
     }
 
-    /// Takes note that the recorder of the log stopped.
     pub fn stop(&mut self, at: LogInstant) {
         self.stopped = Some(at);
     }
@@ -150,7 +140,6 @@ impl<'r, 't> Gathered<'r, 't> {
         }
     }
 
-    /// Why the whole text is refused.
     pub fn refused(&self, why: TableMessage) -> LogError {
         LogError::no_log(self.place.as_str(), why)
     }

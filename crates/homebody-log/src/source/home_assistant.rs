@@ -17,7 +17,7 @@ use super::reading::{LogReading, open};
 use super::start::FileStart;
 use super::{LogForm, Shows};
 use crate::error::{LogError, place_of};
-use crate::files::database::{connect, tables, text};
+use crate::files::database::{self, connect, tables, text};
 use crate::log::{Clock, ColumnRole, SensorInfo};
 use crate::source::json::said::{Object, entity, member};
 use homebody_core::scenario::logger::LoggerFile;
@@ -62,8 +62,7 @@ impl StateColumns {
 
 fn columns(connection: &Connection) -> rusqlite::Result<Option<StateColumns>> {
     let tables = tables(connection)?;
-    let mut statement = connection.prepare("SELECT name FROM pragma_table_info('states')")?;
-    let names: Vec<String> = statement.query_map([], |row| row.get(0))?.collect::<rusqlite::Result<_>>()?;
+    let names = database::columns(connection, "states")?;
     let has = |name: &str| names.iter().any(|known| known == name);
     let all = |wanted: [&str; 2]| {
         let there: Vec<String> = wanted.into_iter().filter(|name| has(name)).map(|name| format!("s.{name}")).collect();

@@ -24,7 +24,6 @@ pub(crate) struct InOrder {
     handed: WallTime,
     /// Rows that came after a later one had been handed over.
     late: u64,
-    /// Whether a row has come with a label.
     has_labels: bool,
 }
 
@@ -64,7 +63,6 @@ impl InOrder {
         self.row(line, end, [sensor, OFF], None, reading)
     }
 
-    /// Takes a row: its instant, its sensor and its value, and its label if rows have labels.
     pub fn row(
         &mut self,
         line: u64,
@@ -98,7 +96,6 @@ impl InOrder {
         }
     }
 
-    /// Hands over all that still wait.
     pub fn end(mut self, reading: &mut LogReading<'_>) -> Result<(), LogError> {
         while self.first(reading)? {}
         if self.late > 0 {

@@ -75,7 +75,6 @@ impl InfluxPoint {
 }
 
 impl Series {
-    /// Takes the fields of a point as readings.
     pub fn take(
         &mut self,
         line: u64,
@@ -131,7 +130,6 @@ impl Series {
         own
     }
 
-    /// Keeps what tags and attributes report of a sensor.
     fn know(&self, sensor: &str, point: &InfluxPoint, out: &mut Gathered<'_, '_>) {
         let attribute = |name: &str| point.field(&format!("{name}{TEXT}")).or_else(|| point.field(name));
         let domain = point.tag(&["domain"]);

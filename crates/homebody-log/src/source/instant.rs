@@ -38,6 +38,13 @@ impl LogInstant {
         }
     }
 
+    pub(crate) fn after(self, length: Span) -> LogInstant {
+        match self {
+            LogInstant::Local(at) => LogInstant::Local(at.saturating_add(length)),
+            LogInstant::Utc(at) => LogInstant::Utc(at.saturating_add(length)),
+        }
+    }
+
     /// Its time on its clock: local time, or UTC.
     pub fn on_wall(self) -> WallTime {
         match self {
@@ -66,7 +73,6 @@ pub(crate) struct InstantReader {
 }
 
 impl InstantReader {
-    /// One that reads dates in numbers in this order.
     pub fn with_order(order: Option<DateOrder>) -> InstantReader {
         InstantReader { order, ..InstantReader::default() }
     }

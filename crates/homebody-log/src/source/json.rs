@@ -60,7 +60,6 @@ fn shows(start: &FileStart) -> Shows {
     Shows::rows_if(begins_as_json(start) && has_rows(&start.path))
 }
 
-/// Whether the first lines of a text may be JSON.
 pub(crate) fn begins_as_json(start: &FileStart) -> bool {
     let mut letters = start.lines().next().into_iter().flat_map(|line| line.chars().collect::<Vec<_>>());
     let first = letters.next();
@@ -72,7 +71,6 @@ pub(crate) fn begins_as_json(start: &FileStart) -> bool {
     }
 }
 
-/// Whether rows are at the beginning of a text.
 fn has_rows(path: &Path) -> bool {
     let mut is_enough = |_: &Log| Ok(());
     let mut reading = LogReading::new(&mut is_enough);
@@ -97,7 +95,6 @@ fn read(path: &Path, file: &LoggerFile, reading: &mut LogReading<'_>) -> Result<
     Err(LogError::no_log(place_of(path), FormMessage::JsonWithoutRows { command }))
 }
 
-/// A way through a text.
 struct JsonWalk<'w, 'r, 't> {
     text: JsonText,
     file: &'w LoggerFile,
@@ -112,7 +109,6 @@ struct JsonWalk<'w, 'r, 't> {
     no_row: Option<(String, Option<Object>)>,
 }
 
-/// The fate of a value.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Passed {
     Whole,
@@ -143,7 +139,6 @@ impl<'w, 'r, 't> JsonWalk<'w, 'r, 't> {
         })
     }
 
-    /// Goes through all values, one behind the other.
     fn all(&mut self) -> Result<(), LogError> {
         while let Some(byte) = self.text.peek()? {
             let passed = match byte {
@@ -164,7 +159,6 @@ impl<'w, 'r, 't> JsonWalk<'w, 'r, 't> {
         Ok(())
     }
 
-    /// Goes through a value that is under a key, or in a list.
     fn value(&mut self, key: Option<String>) -> Result<Passed, LogError> {
         if self.above.depth() > DEEPEST {
             return Err(self.text.too_long(LengthMessage::Depth { most: DEEPEST }));

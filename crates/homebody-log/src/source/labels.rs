@@ -32,19 +32,8 @@ fn shows(start: &FileStart) -> Shows {
 
 /// Words in headings of labels, and words in headings of sensors, in small letters.
 const OF_LABELS: [&str; 13] = [
-    "activity",
-    "activities",
-    "label",
-    "labels",
-    "annotation",
-    "adl",
-    "behavior",
-    "behaviour",
-    "task",
-    "action",
-    "truth",
-    "actividad",
-    "aktivität",
+    "activity", "activities", "label", "labels", "annotation", "adl", "behavior", "behaviour", "task", "action",
+    "truth", "actividad", "aktivität",
 ];
 const OF_SENSORS: [&str; 12] =
     ["sensor", "sensors", "device", "item", "entity", "val", "value", "state", "location", "message", "pir", "type"];

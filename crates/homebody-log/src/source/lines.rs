@@ -14,7 +14,6 @@ const BUFFER: usize = 1 << 16;
 /// The byte order mark, with which some programs begin a text.
 const MARK: &[u8] = b"\xef\xbb\xbf";
 
-/// A text on its way, line by line.
 pub(crate) struct LineReader {
     path: PathBuf,
     file: BufReader<Box<dyn Read + Send>>,

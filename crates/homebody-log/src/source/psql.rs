@@ -8,7 +8,7 @@ use super::reading::LogReading;
 use super::start::FileStart;
 use super::{LogForm, Shows};
 use crate::error::{LogError, place_of};
-use crate::log::ColumnRole;
+use crate::log::{ColumnRole, ColumnUse};
 use homebody_core::scenario::logger::LoggerFile;
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
@@ -49,9 +49,9 @@ impl LogColumns {
         let mut column = |place: usize, role: ColumnRole, because: &str| reading.column(names[place], role, because);
         match self {
             LogColumns::X10 { time, zone, number, state, level } => {
-                column(*time, ColumnRole::Time, HEADING);
-                column(*zone, ColumnRole::Sensor, HEADING);
-                column(*number, ColumnRole::Sensor, HEADING);
+                column(*time, ColumnRole::Time, ColumnUse::HEADING);
+                column(*zone, ColumnRole::Sensor, ColumnUse::HEADING);
+                column(*number, ColumnRole::Sensor, ColumnUse::HEADING);
                 column(*state, ColumnRole::Value, "the state of sensors that have several");
                 if let Some(level) = level {
                     let zones: Vec<&str> = levels.zones.iter().map(String::as_str).collect();
@@ -63,19 +63,16 @@ impl LogColumns {
                 }
             }
             LogColumns::Usual(places) => {
-                column(places.time, ColumnRole::Time, HEADING);
-                column(places.sensor, ColumnRole::Sensor, HEADING);
-                column(places.value, ColumnRole::Value, HEADING);
+                column(places.time, ColumnRole::Time, ColumnUse::HEADING);
+                column(places.sensor, ColumnRole::Sensor, ColumnUse::HEADING);
+                column(places.value, ColumnRole::Value, ColumnUse::HEADING);
                 if let Some(label) = places.label {
-                    column(label, ColumnRole::Label, HEADING);
+                    column(label, ColumnRole::Label, ColumnUse::HEADING);
                 }
             }
         }
     }
 }
-
-/// The evidence for a column whose name says its content.
-const HEADING: &str = "its heading";
 
 /// The sensors of an X10 network whose level is their reading: it varies while their state is always one.
 #[derive(Default)]

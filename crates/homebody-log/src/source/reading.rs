@@ -46,7 +46,6 @@ pub struct LogReading<'t> {
     first: Option<Vec<(u64, Clock)>>,
     /// Whether whole activities are elsewhere, so that labels on rows only repeat them.
     pub has_spans: bool,
-    /// The instant of the last row.
     last: WallTime,
     pub(crate) options: TableOptions,
     /// The log that is being read, for errors.
@@ -191,7 +190,6 @@ impl<'t> LogReading<'t> {
         self.log.clock = instant.clock();
     }
 
-    /// Hands over the rows that have come since the last time.
     pub(crate) fn hand_over(&mut self) -> Result<(), LogError> {
         if let Some(first) = self.first.take() {
             self.decide_clock(&first);
@@ -379,7 +377,6 @@ impl<'t> LogReading<'t> {
         }
     }
 
-    /// Joins activities across the seam of two files.
     fn join_at_seams(&mut self) {
         if self.seams.is_empty() {
             return;
@@ -397,7 +394,6 @@ impl<'t> LogReading<'t> {
         self.log.activities = joined;
     }
 
-    /// Continues with a file next to the log.
     pub(crate) fn go_beside(&mut self, file: &Path) {
         self.options = TableOptions { dates: self.options.dates, ..TableOptions::default() };
         self.beside = Some(readable(place_of(file)));

@@ -13,7 +13,6 @@ use std::collections::VecDeque;
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 
-/// A file of rows.
 pub(crate) struct RecordReader {
     path: PathBuf,
     lines: LineReader,
@@ -25,7 +24,6 @@ pub(crate) struct RecordReader {
     pub has_other_letters: bool,
 }
 
-/// The cells of a row.
 #[derive(Default)]
 pub(crate) struct Record {
     text: Vec<u8>,
@@ -209,7 +207,6 @@ fn in_utf8<'l>(line: &'l [u8], is_other: &mut bool) -> Cow<'l, [u8]> {
     Cow::Owned(line.iter().map(letter).collect::<String>().into_bytes())
 }
 
-/// A line without its end.
 fn trimmed(line: &[u8]) -> &[u8] {
     let line = line.strip_suffix(b"\n").unwrap_or(line);
     line.strip_suffix(b"\r").unwrap_or(line)

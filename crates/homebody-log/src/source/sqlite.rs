@@ -7,7 +7,7 @@ use super::reading::{LogReading, open};
 use super::start::FileStart;
 use super::{LogForm, Shows};
 use crate::error::{LogError, place_of};
-use crate::files::database::{connect, tables, text};
+use crate::files::database::{columns, connect, has_column, list, tables, text};
 use crate::log::{SENSOR, SENSOR_COLUMNS, SPAN_COLUMNS, SPANS, SensorInfo};
 use homebody_core::scenario::logger::LoggerFile;
 use rusqlite::Connection;
@@ -25,7 +25,6 @@ fn shows(start: &FileStart) -> Shows {
     Shows::rows_if(start.is_sqlite())
 }
 
-/// A table and where its rows' parts are.
 struct LogTable {
     name: String,
     columns: Vec<String>,
@@ -86,11 +85,9 @@ fn read(path: &Path, file: &LoggerFile, reading: &mut LogReading<'_>) -> Result<
 /// Takes the activities of our table next to a log; whether there is one.
 fn spans(connection: &Connection, reading: &mut LogReading<'_>) -> rusqlite::Result<bool> {
     let [begin, end, activity] = SPAN_COLUMNS;
-    let has = tables(connection)?.iter().any(|name| name == SPANS) && {
-        let columns = columns(connection, SPANS)?;
-        SPAN_COLUMNS.iter().all(|wanted| columns.iter().any(|name| name == wanted))
-    };
-    if !has {
+    let columns = columns(connection, SPANS)?;
+    let has_all = SPAN_COLUMNS.iter().all(|wanted| columns.iter().any(|name| name == wanted));
+    if !has_all || !tables(connection)?.iter().any(|name| name == SPANS) {
         return Ok(false);
     }
     let mut statement =
@@ -110,13 +107,11 @@ fn spans(connection: &Connection, reading: &mut LogReading<'_>) -> rusqlite::Res
 
 /// The zone of the homes, as the table of runs that our logs have names it; none where several zones are named.
 fn zone(connection: &Connection) -> rusqlite::Result<Option<String>> {
-    let has = tables(connection)?.iter().any(|name| name == "run")
-        && columns(connection, "run")?.iter().any(|name| name == "zone");
-    if !has {
+    if !has_column(connection, "run", "zone")? || !tables(connection)?.iter().any(|name| name == "run") {
         return Ok(None);
     }
-    let mut statement = connection.prepare("SELECT DISTINCT zone FROM run WHERE typeof(zone) = 'text' LIMIT 2")?;
-    let zones: Vec<String> = statement.query_map([], |row| row.get(0))?.collect::<rusqlite::Result<_>>()?;
+    let sql = "SELECT DISTINCT zone FROM run WHERE typeof(zone) = 'text' LIMIT 2";
+    let zones: Vec<String> = list(connection, sql, [], |row| row.get(0))?;
     Ok(<[String; 1]>::try_from(zones).ok().map(|[zone]| zone))
 }
 
@@ -126,24 +121,18 @@ fn sensors(connection: &Connection) -> rusqlite::Result<Vec<SensorInfo>> {
         return Ok(Vec::new());
     }
     let columns = SENSOR_COLUMNS.join(", ");
-    let mut statement =
-        connection.prepare(&format!("SELECT {columns} FROM {SENSOR} ORDER BY rowid LIMIT {MOST_SENSORS}"))?;
-    let mut rows = statement.query([])?;
-    let mut known = Vec::new();
-    while let Some(row) = rows.next()? {
+    list(connection, &format!("SELECT {columns} FROM {SENSOR} ORDER BY rowid LIMIT {MOST_SENSORS}"), [], |row| {
         let mut cells = [const { String::new() }; SENSOR_COLUMNS.len()];
         for (column, cell) in cells.iter_mut().enumerate() {
             *cell = text(row.get_ref(column)?).into_owned();
         }
-        known.push(SensorInfo::of_cells(cells));
-    }
-    Ok(known)
+        Ok(SensorInfo::of_cells(cells))
+    })
 }
 
 /// Largest number of sensors that are read from the table.
 const MOST_SENSORS: usize = 10_000;
 
-/// Whether a database has our table of sensors.
 fn has_sensors(connection: &Connection) -> rusqlite::Result<bool> {
     let columns = columns(connection, SENSOR)?;
     let is_ours = columns.len() == SENSOR_COLUMNS.len() + 1 && columns.ends_with(&SENSOR_COLUMNS.map(str::to_owned));
@@ -177,11 +166,6 @@ fn find(
     Ok(None)
 }
 
-fn columns(connection: &Connection, table: &str) -> rusqlite::Result<Vec<String>> {
-    let mut statement = connection.prepare("SELECT name FROM pragma_table_info(?) ORDER BY cid")?;
-    statement.query_map([table], |row| row.get(0))?.collect()
-}
-
 /// The first instant, as text or as a number since 1970, is the time; the next two texts are sensor and value. Neither of these is an
 /// instant: a table with two instants is not a log. Numbers of a key, and the ids of our own runs, are not instants either.
 fn by_first_row(
@@ -189,10 +173,8 @@ fn by_first_row(
     table: &str,
     reading: &mut LogReading<'_>,
 ) -> rusqlite::Result<Option<ColumnPlaces>> {
-    let key: Vec<bool> = connection
-        .prepare("SELECT pk > 0 OR name = 'run_id' FROM pragma_table_info(?) ORDER BY cid")?
-        .query_map([table], |row| row.get(0))?
-        .collect::<rusqlite::Result<_>>()?;
+    let keys = "SELECT pk > 0 OR name = 'run_id' FROM pragma_table_info(?) ORDER BY cid";
+    let key: Vec<bool> = list(connection, keys, [table], |row| row.get(0))?;
     let mut statement = connection.prepare(&format!("SELECT * FROM {} LIMIT 1", quoted(table)))?;
     let columns = statement.column_count();
     let mut rows = statement.query([])?;

@@ -180,7 +180,6 @@ fn attribute(tag: &str, wanted: &str) -> Option<String> {
     }
 }
 
-/// A text without the escapes of XML.
 fn unescaped(text: &str) -> String {
     let known = [("&lt;", "<"), ("&gt;", ">"), ("&quot;", "\""), ("&apos;", "'"), ("&amp;", "&")];
     known.iter().fold(text.to_owned(), |text, (escape, letter)| text.replace(escape, letter))

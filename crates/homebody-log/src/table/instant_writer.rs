@@ -18,7 +18,6 @@ const LONGEST: usize = 32;
 pub struct InstantWriter {
     format: TimeFormat,
     zone: TimeZone,
-    /// The run's start.
     start: UtcTime,
     /// The instant that `text` shows: rows that follow each other often tell of the same.
     last: Option<UtcTime>,
@@ -69,6 +68,10 @@ impl InstantWriter {
             seconds_at: 0,
             length: 0,
         }
+    }
+
+    pub(crate) fn writes_numbers(&self) -> bool {
+        matches!(self.format, TimeFormat::EpochS | TimeFormat::EpochMs)
     }
 
     /// The instant for a database.

@@ -12,7 +12,6 @@ use homebody_core::time::{RunTime, Span};
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 
-/// One row of a log.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct LogRow {
     /// The rows of a run are numbered from 0.
@@ -41,7 +40,6 @@ struct MessageHold {
     due: BinaryHeap<Reverse<(RunTime, SensorId)>>,
 }
 
-/// The lengths of holds.
 #[derive(Clone)]
 struct Lengths {
     span: Span,
@@ -62,7 +60,6 @@ impl Lengths {
         Lengths { span, lumps: if whole > 0.0 { up_to.collect() } else { Vec::new() }, marks: marks.collect() }
     }
 
-    /// The length of a firing's hold.
     fn of(&self, firing: &Firing) -> Span {
         let Some((_, last)) = self.lumps.last() else { return self.span };
         let drawn = self.marks[firing.sensor.index()].of(firing.seq);

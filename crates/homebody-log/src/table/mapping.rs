@@ -1,10 +1,11 @@
 //! `logger.json` checked: the names and texts under which rows are stored.
 
-use super::{Cell, Column, ColumnKind, LOG, Table, TextPool, thousandths};
+use super::{Cell, Column, ColumnKind, LOG, Table, TextPool};
 use crate::error::LogError;
 use homebody_core::event::Value;
 use homebody_core::scenario::logger::{LoggerFile, MessagesFile, TimeFormat};
 use std::collections::BTreeMap;
+use std::fmt::Write;
 
 /// The table of runs.
 const RUN_TABLE: &str = "run";
@@ -92,12 +93,10 @@ impl ShownTexts {
         match value {
             Value::Fire | Value::On => &self.values[0],
             Value::Off => &self.values[1],
-            Value::Reading(number) => {
-                thousandths(number, buffer);
-                buffer
-            }
             value => {
-                *buffer = value.to_string();
+                buffer.clear();
+                // A string takes whatever is written to it.
+                let _ = write!(buffer, "{value}");
                 buffer
             }
         }

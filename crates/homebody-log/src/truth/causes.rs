@@ -17,7 +17,6 @@ pub(crate) struct Causes<'t> {
     offs: CauseRows,
 }
 
-/// Reads the instants of causes.
 struct CauseClock {
     instants: InstantReader,
     turns: TruthClock,

@@ -3,7 +3,7 @@
 
 use super::text::{read_csv, read_jsonl};
 use crate::error::{LogError, TruthMessage};
-use crate::files::database::{connect, tables as tables_of};
+use crate::files::database::{columns, connect, tables as tables_of};
 use crate::log::Clock;
 use crate::read::LogSource;
 use crate::registry;
@@ -119,9 +119,7 @@ fn missing(connection: &Connection, wanted: &[&Table]) -> rusqlite::Result<Vec<S
             missing.push(format!("no table {:?}", table.name));
             continue;
         }
-        let mut statement = connection.prepare("SELECT name FROM pragma_table_info(?)")?;
-        let columns: Vec<String> =
-            statement.query_map([&table.name], |row| row.get(0))?.collect::<rusqlite::Result<_>>()?;
+        let columns = columns(connection, &table.name)?;
         let gone = table.columns.iter().filter(|column| !columns.contains(&column.name));
         missing.extend(gone.map(|column| format!("no column {:?} of {:?}", column.name, table.name)));
     }

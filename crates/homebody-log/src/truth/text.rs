@@ -10,13 +10,11 @@ use serde_json::{Map, Value as Json};
 use std::borrow::Cow;
 use std::path::{Path, PathBuf};
 
-/// Reads tables of comma-separated values.
 pub(crate) fn read_csv(url: &Url, wanted: &[&Table], take: &mut TakeTruthRow<'_>) -> Result<(), LogError> {
     let files = files(url, wanted)?;
     files.iter().enumerate().try_for_each(|(index, (table, path))| csv_file(path, table, &mut |row| take(index, row)))
 }
 
-/// Reads tables of JSON Lines.
 pub(crate) fn read_jsonl(url: &Url, wanted: &[&Table], take: &mut TakeTruthRow<'_>) -> Result<(), LogError> {
     let files = files(url, wanted)?;
     files.iter().enumerate().try_for_each(|(index, (table, path))| jsonl_file(path, table, &mut |row| take(index, row)))
@@ -30,7 +28,6 @@ pub(crate) fn read_numbers(url: &Url, table: &Table, take: &mut TakeValues<'_>) 
     }
 }
 
-/// Takes the cells of a row.
 type TakeValues<'t> = dyn FnMut(&[TruthValue<'_>]) -> Result<(), LogError> + 't;
 
 fn csv_file(path: &Path, table: &Table, take: &mut TakeValues<'_>) -> Result<(), LogError> {

@@ -1,6 +1,7 @@
 //! Shared by the tests: folders, and a run to log.
 #![allow(dead_code, reason = "each test file uses a part of it")]
 
+pub mod sinks;
 pub mod texts;
 
 use homebody_core::calendar::Calendar;
@@ -10,10 +11,13 @@ use homebody_core::scenario::logger::LoggerFile;
 use homebody_core::scenario::scheme::Scheme;
 use homebody_core::time::{RunTime, SECOND, Span};
 use homebody_log::run_log::destinations;
-use homebody_log::{Log, LogError, Logger, RunInfo, Stored, TruthLog, Url, WriteMode};
+use homebody_log::{Destination, Log, LogError, Logger, RunInfo, Stored, TruthLog, Url, WriteMode};
+use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
+use std::process::{Child, Command, Stdio};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicUsize, Ordering};
+use std::time::{Duration, Instant};
 
 /// A folder that vanishes with the test.
 pub struct Folder(PathBuf);
@@ -99,9 +103,34 @@ pub fn open_of(urls: &[Url], file: &LoggerFile, sensors: &[String], how: WriteMo
     Logger::open(destinations(urls, how)?, file, &Arc::new(run_of(sensors)), how)
 }
 
+/// Opens a logger of this stage's run with destinations of a test.
+pub fn logger(all: Vec<Destination>, how: WriteMode) -> Result<Logger, LogError> {
+    Logger::open(all, &LoggerFile::default(), &Arc::new(run()), how)
+}
+
+/// Starts this program again for one test alone, which finds `value` in its environment.
+pub fn child(test: &str, key: &str, value: impl AsRef<OsStr>) -> Child {
+    let mut command = Command::new(std::env::current_exe().unwrap());
+    command.args([test, "--exact", "--test-threads", "1"]).env(key, value).stdout(Stdio::null());
+    command.spawn().unwrap()
+}
+
+pub fn wait_for(is_there: impl Fn() -> bool) {
+    let begun = Instant::now();
+    while !is_there() {
+        assert!(begun.elapsed() < Duration::from_secs(60), "the child begins");
+        std::thread::sleep(Duration::from_millis(1));
+    }
+}
+
 /// Opens the truth of this stage's run.
 pub fn open_truth(path: &Path, places: &[Url], file: &LoggerFile) -> Result<TruthLog, LogError> {
     TruthLog::open(&Url::new(Scheme::Sqlite, path), places, file, &Arc::new(run()), WriteMode::Create)
+}
+
+/// A log of ten rows at a place.
+pub fn ten_rows(url: &Url, file: &LoggerFile) {
+    store(open(std::slice::from_ref(url), file, false).unwrap(), &firings(10), 3).unwrap();
 }
 
 /// Stores the firings in advances of `step` firings, as a run of a certain speed does.

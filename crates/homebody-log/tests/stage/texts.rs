@@ -4,10 +4,11 @@ use super::Folder;
 use homebody_core::messages::Diagnose;
 use homebody_core::problem::Diagnostic;
 use homebody_core::scenario::logger::LoggerFile;
-use homebody_core::time::WallTime;
+use homebody_core::time::{MINUTE, WallTime};
 use homebody_log::source::TableOptions;
-use homebody_log::{Log, LogError, LogSource, read};
+use homebody_log::{Log, LogError, LogSource, SensorInfo, Transfer, Url, WriteMode, convert, read, survey};
 use std::fs;
+use std::path::{Path, PathBuf};
 
 /// 2 March 2009, 07:00.
 pub const SEVEN: WallTime = WallTime::from_micros(1_235_977_200_000_000);
@@ -16,11 +17,62 @@ pub fn folder() -> Folder {
     Folder::new("texts")
 }
 
+pub fn written(folder: &Folder, name: &str, bytes: impl AsRef<[u8]>) -> PathBuf {
+    let path = folder.path().join(name);
+    fs::write(&path, bytes).unwrap();
+    path
+}
+
+/// A file as its beginning says, and its rows.
+pub fn from_file(path: &Path) -> (LogSource, Log) {
+    let source = LogSource::recognise(path).unwrap_or_else(|error| panic!("{}: {error}", path.display()));
+    let log = read(&source, &LoggerFile::default()).unwrap();
+    (source, log)
+}
+
+/// Reads a text that is recognised as of a form.
+pub fn from_text(folder: &Folder, form: &str, name: &str, text: &str) -> Log {
+    let (source, log) = from_file(&written(folder, name, text));
+    assert_eq!(source.form().name, form, "{text}");
+    log
+}
+
+/// Writes a log anew; how many rows it has.
+pub fn carry(from: impl Into<LogSource>, to: &Url, zone: &str, how: WriteMode) -> Result<u64, LogError> {
+    let mapping = LoggerFile::default();
+    let from = &from.into();
+    let about = survey(from, &mapping)?;
+    convert(&Transfer { from, mapping: &mapping, to, name: "a log", zone, how }, &about, |_| ())
+}
+
+/// A log without what its form says of its columns.
+pub fn content(log: Log) -> Log {
+    Log { columns: Vec::new(), ..log }
+}
+
+pub fn known<'l>(log: &'l Log, sensor: &str) -> &'l SensorInfo {
+    log.known.iter().find(|known| known.id == sensor).unwrap_or_else(|| panic!("{sensor} of {:?}", log.known))
+}
+
+/// The lines that are not understood.
+pub fn skipped(log: &Log) -> Vec<u64> {
+    log.problems.iter().map(|problem| problem.line).collect()
+}
+
+/// Rows as minutes since an instant, sensor, value.
+pub fn minutes(log: &Log, since: WallTime) -> Vec<(f64, &str, &str)> {
+    log.events.iter().map(|event| ((event.at - since).ratio(MINUTE), log.sensor(event), log.value(event))).collect()
+}
+
+/// Activities in minutes since seven.
+pub fn done(log: &Log) -> Vec<(&str, f64, f64)> {
+    let minutes = |at: WallTime| (at - SEVEN).ratio(MINUTE);
+    log.activities.iter().map(|of| (of.label.as_str(), minutes(of.begin()), minutes(of.end()))).collect()
+}
+
 /// The form and the rows of a file with this text.
 pub fn read_with(folder: &Folder, name: &str, text: &str, options: TableOptions) -> Result<(String, Log), LogError> {
-    let path = folder.path().join(name);
-    fs::write(&path, text).unwrap();
-    let source = LogSource::recognise(&path)?.with_options(options);
+    let source = LogSource::recognise(&written(folder, name, text))?.with_options(options);
     Ok((source.form().name.to_owned(), read(&source, &LoggerFile::default())?))
 }
 

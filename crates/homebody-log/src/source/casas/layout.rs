@@ -61,7 +61,6 @@ pub(crate) struct CasasLayout {
 /// Words behind the time of a row.
 type RowWords = Vec<String>;
 
-/// The rows of a beginning.
 struct FirstLines {
     rows: Vec<RowWords>,
     /// The number of other lines.
@@ -87,7 +86,6 @@ impl CasasLayout {
         FirstLines::read(lines).layout()
     }
 
-    /// Whether a line is the heading.
     pub fn is_heading(&self, line: &[u8]) -> bool {
         !self.heading.is_empty() && heading(&String::from_utf8_lossy(line)) == self.heading
     }
@@ -108,7 +106,6 @@ impl CasasLayout {
         valued * 10 >= rows * 9 && !is_value(value) && !self.usual.contains(value)
     }
 
-    /// Records what each column was taken for.
     pub fn record(&self, reading: &mut LogReading<'_>) {
         let [rows, sensors, valued, behind] = self.counts;
         if rows == 0 {
@@ -372,7 +369,6 @@ fn is_of_program(word: &str) -> bool {
     word.starts_with(['[', '(', '<', '{', '|']) || word.ends_with([':', ']', '|']) || LEVELS.contains(&bare.as_str())
 }
 
-/// The first words of a row.
 fn short(row: &[String]) -> String {
     row.iter().take(4).map(String::as_str).collect::<Vec<_>>().join(" ").chars().take(60).collect()
 }

@@ -6,7 +6,6 @@ use std::ops::Range;
 
 /// The time that a line begins with.
 pub(crate) struct CasasTime<'l> {
-    /// The instant itself.
     pub at: LogInstant,
     /// What follows.
     pub behind: &'l [u8],
@@ -88,44 +87,10 @@ pub(crate) fn part(bytes: &[u8], is_tabbed: bool, words: &mut Vec<Range<usize>>)
 
 /// States of sensors in capitals.
 const STATES: [&str; 38] = [
-    "ON",
-    "OFF",
-    "OPEN",
-    "CLOSE",
-    "OPENED",
-    "CLOSED",
-    "ABSENT",
-    "PRESENT",
-    "START",
-    "STOP",
-    "TRUE",
-    "FALSE",
-    "FIRE",
-    "FIRED",
-    "MOTION",
-    "ACTIVE",
-    "INACTIVE",
-    "DETECTED",
-    "CLEAR",
-    "CLEARED",
-    "OCCUPIED",
-    "VACANT",
-    "PRESSED",
-    "RELEASED",
-    "LOCKED",
-    "UNLOCKED",
-    "HIGH",
-    "LOW",
-    "HOME",
-    "AWAY",
-    "NOT_HOME",
-    "UNAVAILABLE",
-    "UNKNOWN",
-    "STARTED",
-    "STOPPED",
-    "START_INSTRUCT",
-    "STOP_INSTRUCT",
-    "IDLE",
+    "ON", "OFF", "OPEN", "CLOSE", "OPENED", "CLOSED", "ABSENT", "PRESENT", "START", "STOP", "TRUE", "FALSE", "FIRE",
+    "FIRED", "MOTION", "ACTIVE", "INACTIVE", "DETECTED", "CLEAR", "CLEARED", "OCCUPIED", "VACANT", "PRESSED",
+    "RELEASED", "LOCKED", "UNLOCKED", "HIGH", "LOW", "HOME", "AWAY", "NOT_HOME", "UNAVAILABLE", "UNKNOWN", "STARTED",
+    "STOPPED", "START_INSTRUCT", "STOP_INSTRUCT", "IDLE",
 ];
 
 /// Whether a word is a state that sensors have, damaged perhaps, or a number.

@@ -17,85 +17,18 @@ const OFFS: [&str; 4] = ["f", "0.0", "not_home", "dry"];
 
 /// Words for kinds of sensors and of what they measure, in lower case.
 const KINDS: [&str; 61] = [
-    "motion",
-    "pir",
-    "presence",
-    "occupancy",
-    "contact",
-    "door",
-    "window",
-    "magnetic",
-    "reed",
-    "pressure",
-    "bed",
-    "seat",
-    "mat",
-    "flush",
-    "electric",
-    "power",
-    "energy",
-    "voltage",
-    "current",
-    "temperature",
-    "temp",
-    "humidity",
-    "light",
-    "illuminance",
-    "illumination",
-    "lux",
-    "luminance",
-    "battery",
-    "vibration",
-    "acceleration",
-    "tilt",
-    "water",
-    "moisture",
-    "leak",
-    "smoke",
-    "gas",
-    "co2",
-    "co",
-    "tvoc",
-    "sound",
-    "noise",
-    "switch",
-    "button",
-    "plug",
-    "outlet",
-    "item",
-    "float",
-    "photocell",
-    "binary",
-    "numeric",
-    "binary_sensor",
-    "sensor",
-    "bewegung",
-    "kontakt",
-    "temperatur",
-    "feuchte",
-    "helligkeit",
-    "radar",
-    "camera",
-    "rssi",
-    "linkquality",
+    "motion", "pir", "presence", "occupancy", "contact", "door", "window", "magnetic", "reed", "pressure", "bed",
+    "seat", "mat", "flush", "electric", "power", "energy", "voltage", "current", "temperature", "temp", "humidity",
+    "light", "illuminance", "illumination", "lux", "luminance", "battery", "vibration", "acceleration", "tilt",
+    "water", "moisture", "leak", "smoke", "gas", "co2", "co", "tvoc", "sound", "noise", "switch", "button", "plug",
+    "outlet", "item", "float", "photocell", "binary", "numeric", "binary_sensor", "sensor", "bewegung", "kontakt",
+    "temperatur", "feuchte", "helligkeit", "radar", "camera", "rssi", "linkquality",
 ];
 
 /// Words that say how grave a line of a program's log is.
 const SEVERITIES: [&str; 14] = [
-    "trace",
-    "debug",
-    "info",
-    "information",
-    "informational",
-    "notice",
-    "warn",
-    "warning",
-    "error",
-    "err",
-    "critical",
-    "fatal",
-    "crit",
-    "severe",
+    "trace", "debug", "info", "information", "informational", "notice", "warn", "warning", "error", "err", "critical",
+    "fatal", "crit", "severe",
 ];
 
 /// So many words make a sentence: states have fewer.
@@ -103,7 +36,6 @@ const WORDS_OF_SENTENCE: usize = 4;
 
 #[derive(Default)]
 pub(crate) struct CellCounts {
-    /// The number of filled cells.
     pub filled: usize,
     /// Dates with a time of day.
     pub instants: usize,
@@ -138,7 +70,6 @@ pub(crate) struct CellCounts {
 }
 
 impl CellCounts {
-    /// The cells of a column in the first rows.
     pub fn count<'r>(column: impl Iterator<Item = &'r str>, read: &mut Reads) -> CellCounts {
         let mut cells = CellCounts { is_numbering: true, is_counting: true, ..CellCounts::default() };
         column.map(str::trim).filter(|cell| !is_blank(cell)).for_each(|cell| cells.take(cell, read));

@@ -7,7 +7,6 @@ use crate::source::messages::TableMessage;
 use crate::source::options::DecimalMark;
 use std::borrow::Cow;
 
-/// Counts of numbers by their marks.
 #[derive(Default)]
 struct DecimalMarks {
     /// Numbers such as `21,5`, whose comma is before decimals.
@@ -66,7 +65,6 @@ impl NumberForm {
         (!told.is_empty()).then(|| told.join("; "))
     }
 
-    /// The unit in a cell of a column.
     pub fn unit(&self, column: usize, cell: &[u8]) -> Option<String> {
         let cell = str::from_utf8(cell).ok().filter(|_| self.measured.contains(&column))?;
         let (_, unit) = measured(cell.trim())?;

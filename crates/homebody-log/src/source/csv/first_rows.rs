@@ -70,7 +70,6 @@ impl FirstRows {
         FirstRows { names: (0..width).map(name).collect(), has_heading, first_line, cells, rows, longer, remarks }
     }
 
-    /// The cells of a column, row by row.
     pub fn column(&self, place: usize) -> impl Iterator<Item = &str> {
         self.rows.iter().map(move |row| row.get(place).map_or("", String::as_str))
     }

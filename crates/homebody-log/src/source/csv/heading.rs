@@ -14,7 +14,6 @@ pub(crate) type NumberedRow = (u64, Vec<String>);
 const MOST_ABOVE: usize = 60;
 
 pub(crate) struct TableBeginning {
-    /// The names of the columns, if they have some.
     pub names: Option<Vec<String>>,
     /// The first row behind the heading, by its place.
     pub first: usize,

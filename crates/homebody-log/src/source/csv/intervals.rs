@@ -42,7 +42,7 @@ impl<'l> Intervals<'l> {
         let told = text(record.get(column).unwrap_or_default().trim_ascii());
         let to = match *end {
             EndColumn::At(_) => instant(self.layout, &told, reading),
-            EndColumn::After(_, unit) => length(&told, unit).map(|length| later(from, length)),
+            EndColumn::After(_, unit) => length(&told, unit).map(|length| from.after(length)),
         };
         let Some(to) = to else {
             let what = if matches!(end, EndColumn::At(_)) { "date and time" } else { "duration" };
@@ -85,13 +85,6 @@ fn instant(layout: &TableLayout, text: &str, reading: &mut LogReading<'_>) -> Op
 
 fn since_start(seconds: f64) -> LogInstant {
     LogInstant::Local(WallTime::EPOCH + SECOND.scaled(seconds))
-}
-
-fn later(at: LogInstant, length: Span) -> LogInstant {
-    match at {
-        LogInstant::Local(at) => LogInstant::Local(at.saturating_add(length)),
-        LogInstant::Utc(at) => LogInstant::Utc(at.saturating_add(length)),
-    }
 }
 
 /// A duration: a number of units, or `00:00:40` with days before it or not, as in `0 days 00:00:40`.

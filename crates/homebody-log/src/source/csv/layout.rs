@@ -25,7 +25,6 @@ use crate::source::options::{DateOrder, TableOptions};
 use homebody_core::scenario::logger::LoggerFile;
 use std::path::Path;
 
-/// The use of each column of a table.
 pub(crate) struct TableLayout {
     /// The line of the first row: the heading and all above it come before.
     pub first_line: u64,

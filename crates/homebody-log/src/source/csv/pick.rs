@@ -17,11 +17,9 @@ pub(crate) struct Pick<'f> {
     taken: Vec<Option<(ColumnRole, String)>>,
     /// A value that the reader supplies where no column has one.
     supplied: Option<String>,
-    /// Remarks on the rows.
     pub remarks: Vec<String>,
 }
 
-/// The place of a row's instant.
 #[derive(Clone, Copy)]
 pub(crate) struct TimeColumns {
     pub column: usize,
@@ -39,7 +37,6 @@ impl TimeColumns {
     }
 }
 
-/// The place of an interval's end.
 #[derive(Clone, Copy)]
 pub(crate) enum EndColumn {
     At(usize),
@@ -55,39 +52,9 @@ pub(crate) const FIRING: &str = "ON";
 
 /// Words of what people do, as they stand in labels.
 const ACTIVITIES: [&str; 33] = [
-    "sleep",
-    "bath",
-    "toilet",
-    "breakfast",
-    "lunch",
-    "dinner",
-    "snack",
-    "leav",
-    "groom",
-    "shower",
-    "spare",
-    "relax",
-    "cook",
-    "eat",
-    "meal",
-    "work",
-    "dress",
-    "medic",
-    "wash",
-    "clean",
-    "watch",
-    "read",
-    "rest",
-    "nap",
-    "walk",
-    "exercis",
-    "hygiene",
-    "prepar",
-    "drink",
-    "iron",
-    "guest",
-    "phone",
-    "laundr",
+    "sleep", "bath", "toilet", "breakfast", "lunch", "dinner", "snack", "leav", "groom", "shower", "spare", "relax",
+    "cook", "eat", "meal", "work", "dress", "medic", "wash", "clean", "watch", "read", "rest", "nap", "walk",
+    "exercis", "hygiene", "prepar", "drink", "iron", "guest", "phone", "laundr",
 ];
 
 impl<'f> Pick<'f> {
@@ -206,7 +173,6 @@ impl<'f> Pick<'f> {
         readable(self.first.names.join(", ").chars().take(LONGEST).collect::<String>())
     }
 
-    /// Names the columns that a table lacks.
     pub fn lacks(&self, wanted: &'static str) -> TableMessage {
         TableMessage::NoColumns { wanted, among: self.all_names() }
     }
@@ -321,7 +287,6 @@ impl<'f> Pick<'f> {
         }
     }
 
-    /// Takes the ends of intervals, where the rows have them.
     pub fn end(&mut self, time: &TimeColumns) -> Option<EndColumn> {
         let headed = |pick: &Self, role, is: &dyn Fn(&CellCounts) -> bool| {
             pick.headed(role).into_iter().find(|column| is(pick.cells(*column)))
@@ -375,7 +340,6 @@ impl<'f> Pick<'f> {
         !lengths.is_empty() && 20 * before <= lengths.len() && !is_of_zones && is_near
     }
 
-    /// Passes over columns of other instants.
     pub fn other_instants(&mut self) {
         for column in self.free() {
             let cells = self.cells(column);
@@ -527,7 +491,6 @@ impl<'f> Pick<'f> {
         Some(column)
     }
 
-    /// The use of each column.
     pub fn uses(&self) -> Vec<ColumnUse> {
         let mut uses: Vec<ColumnUse> = Vec::new();
         for (column, taken) in self.first.names.iter().zip(&self.taken) {

@@ -112,7 +112,6 @@ impl Pick<'_> {
         Ok(())
     }
 
-    /// Refuses the log of a program.
     pub fn no_program_log(&self) -> Result<(), TableMessage> {
         let columns = 0..self.first.cells.len();
         let is_known = |role| {

@@ -19,7 +19,6 @@ use crate::text::unescaped;
 use homebody_core::problem::counted;
 use std::collections::BTreeMap;
 
-/// Reads a wide table.
 pub(crate) struct Wide<'l> {
     layout: &'l TableLayout,
     prefix: &'l [usize],
@@ -31,7 +30,6 @@ pub(crate) struct Wide<'l> {
     key: Vec<u8>,
 }
 
-/// The name of a sensor, and its last word.
 struct LastReading {
     name: String,
     said: Vec<u8>,

@@ -20,7 +20,6 @@ pub(crate) struct Above {
 pub(crate) struct JsonLevel {
     /// Under which key it is in the object around it.
     pub key: Option<String>,
-    /// Whether it is a list.
     pub is_list: bool,
     /// Of an object, its members but for long lists.
     pub members: Object,
@@ -33,46 +32,10 @@ pub(crate) const LIST: &str = "[]";
 
 /// Keys that name lists of rows and nothing else, in lower case.
 const GENERIC: [&str; 40] = [
-    "daily",
-    "data",
-    "dataarray",
-    "datapoints",
-    "datastream",
-    "datastreams",
-    "entities",
-    "entries",
-    "event",
-    "events",
-    "fields",
-    "history",
-    "hourly",
-    "items",
-    "list",
-    "log",
-    "logs",
-    "measurements",
-    "messages",
-    "objects",
-    "observations",
-    "output",
-    "payload",
-    "points",
-    "readings",
-    "records",
-    "response",
-    "result",
-    "results",
-    "rows",
-    "samples",
-    "sensors",
-    "series",
-    "state",
-    "states",
-    "things",
-    "timeseries",
-    "value",
-    "values",
-    "devices",
+    "daily", "data", "dataarray", "datapoints", "datastream", "datastreams", "entities", "entries", "event", "events",
+    "fields", "history", "hourly", "items", "list", "log", "logs", "measurements", "messages", "objects",
+    "observations", "output", "payload", "points", "readings", "records", "response", "result", "results", "rows",
+    "samples", "sensors", "series", "state", "states", "things", "timeseries", "value", "values", "devices",
 ];
 
 /// Members of an object that name a sensor, and those that tell objects of one name apart.
@@ -107,12 +70,10 @@ impl Above {
         self.levels.len()
     }
 
-    /// The innermost list or object.
     pub fn innermost(&mut self) -> Option<&mut JsonLevel> {
         self.levels.last_mut()
     }
 
-    /// The key under which the innermost list or object is.
     pub fn key(&self) -> Option<&str> {
         self.levels.last()?.key.as_deref()
     }

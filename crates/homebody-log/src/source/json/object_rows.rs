@@ -517,7 +517,6 @@ fn is_id(name: &str) -> bool {
     role_of(name).is_some_and(|(role, _)| role == ColumnRole::Unused) || plain.ends_with("id") && plain.len() < 12
 }
 
-/// Records what the keys were taken for.
 fn tell(shape: ObjectShape, members: &[(String, &Value)], out: &mut Gathered<'_, '_>) {
     let (parts, because): (Vec<(usize, ColumnRole)>, &str) = match shape {
         ObjectShape::Whole(ColumnPlaces { time, sensor, value, label, .. }) => {

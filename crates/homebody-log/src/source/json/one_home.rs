@@ -17,7 +17,6 @@ const NO_HOMES: [&str; 9] = ["user", "username", "client", "clientid", "site", "
 /// So many homes are named.
 const NAMED: usize = 10;
 
-/// The home or person of the rows so far.
 #[derive(Default)]
 pub(crate) struct OneHome {
     first: Option<String>,

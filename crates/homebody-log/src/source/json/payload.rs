@@ -44,7 +44,6 @@ const UNITS: [(&str, &str); 6] = [
 /// The most objects within each other in a payload.
 const DEEPEST: usize = 8;
 
-/// The sensors and readings of the messages so far.
 #[derive(Default)]
 pub(crate) struct Payloads {
     devices: BTreeMap<String, BTreeSet<String>>,
@@ -56,7 +55,6 @@ pub(crate) struct GatewayMessage<'m> {
     pub line: u64,
     pub instant: LogInstant,
     pub topic: &'m str,
-    /// Whether Zigbee2MQTT has sent it.
     pub is_zigbee: bool,
 }
 

@@ -92,7 +92,6 @@ impl JsonText {
         }
     }
 
-    /// So many of the bytes that come.
     pub fn bytes(&self, length: usize) -> &[u8] {
         &self.buffer[self.at..self.at + length]
     }
