@@ -30,6 +30,7 @@ use crate::plan::Plan;
 use form::{KindRow, Site, Unit};
 use kinds::{SensorFile, SensorKind};
 use notice::NoticeChance;
+use outbox::DeviceModel;
 use std::sync::Arc;
 use timing::FiringTiming;
 
@@ -107,6 +108,14 @@ impl Sensor {
     /// Whether it looks for movement, unlike a device.
     pub fn senses_motion(&self) -> bool {
         self.row.senses_motion()
+    }
+
+    /// True if its reports mean that a body is there: it looks for movement, or is a device that feels bodies.
+    pub fn detects_presence(&self) -> bool {
+        match &self.kind {
+            SensorKind::Motion(_) | SensorKind::CeilingMotion(_) => true,
+            SensorKind::Device(device) => device.feels_bodies(),
+        }
     }
 }
 

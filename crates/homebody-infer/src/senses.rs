@@ -13,6 +13,7 @@ use homebody_core::motion::MotionState;
 use homebody_core::posture::Posture;
 use homebody_core::run::{DriverProvider, Guest, Run};
 use homebody_core::scenario::load::Scenario;
+use homebody_core::sensors::Sensor;
 use homebody_core::stride::Stride;
 use homebody_core::time::{DAY, HOUR, Interval, RunTime, SECOND, Span};
 use homebody_log::{LogError, LogRows};
@@ -96,9 +97,6 @@ impl From<LogError> for ResponseError {
         ResponseError::Log(error)
     }
 }
-
-/// Keys of sensor kinds that detect presence.
-const FEELS: [&str; 2] = ["bed", "pressure"];
 
 /// One resident walks at random; all others are out.
 struct SingleResident<'a> {
@@ -323,7 +321,7 @@ fn simulate(scenario: &Scenario, alone: &SingleResident, states: &States) -> Res
         events.clear();
     }
     messages.sort_by_key(|message: &LogMessage| message.at);
-    let feels = all.iter().map(|sensor| sensor.senses_motion() || FEELS.contains(&sensor.row.key)).collect();
+    let feels = all.iter().map(Sensor::detects_presence).collect();
     Ok((track, messages, feels))
 }
 

@@ -187,6 +187,7 @@ fn opens(sensor: &SensorInfo) -> &'static str {
 #[cfg(test)]
 pub(crate) mod tests {
     use super::*;
+    use homebody_core::sensors::kinds::KINDS;
 
     pub(crate) fn sensor(name: &str, kind: &str, unit: Option<&str>, values: &[&str]) -> SensorInfo {
         let (unit, room) = (unit.map(Into::into), Some("kitchen".into()));
@@ -208,6 +209,21 @@ pub(crate) mod tests {
         assert_eq!(cold.entities.len(), 1);
         let unknown = Device::for_sensor(&sensor("T3", "", None, &[]));
         assert_eq!(unknown.hears("ON"), (0, EntityValue::Word("ON")));
+    }
+
+    #[test]
+    fn every_kind_but_the_camera_has_entities_of_its_own() {
+        let is_text = |key: &str, values: &[String]| {
+            let values: Vec<&str> = values.iter().map(String::as_str).collect();
+            Device::for_sensor(&sensor("it", key, Some("lx"), &values)).entities[0].says == EntityType::Text
+        };
+        let lacking = KINDS.iter().filter(|row| {
+            let values: Vec<String> = row.values.iter().map(ToString::to_string).collect();
+            is_text(row.key, &values)
+        });
+        assert_eq!(lacking.map(|row| row.key).collect::<Vec<_>>(), ["camera"], "add them to Device::for_sensor");
+        // The control: a kind that is not listed sends text.
+        assert!(is_text("unlisted", &[]));
     }
 
     #[test]

@@ -86,9 +86,11 @@ fn comments_and_texts_of_the_code_only_get_plainer() {
         code.iter().filter(is_program).flat_map(|file| sentences(&file.path, texts(file).into_iter())).collect();
     let all = [("comments", found(&comments), MOST_IN_COMMENTS), ("texts", found(&texts), MOST_IN_TEXTS)];
     let more = all.into_iter().filter(|(_, found, most)| found.len() > *most);
-    expect_none(
-        more.map(|(of, found, most)| format!("{of} have {} habits, and may have {most}", found.len())).collect(),
-    );
+    let names = HABITS.map(|habit| habit.name).join("; ");
+    let told = |(of, found, most): (&str, Vec<_>, usize)| {
+        format!("{of} have {} habits, and may have {most}. Search the lines that you added for: {names}", found.len())
+    };
+    expect_none(more.map(told).collect());
 }
 
 #[test]
