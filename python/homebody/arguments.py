@@ -44,6 +44,16 @@ def whole(name: str, value: object, least: int, most: int, what: str = "a whole 
     return count
 
 
+def option_type(name: str) -> str:
+    """The type of the values of an option of a run, as JSON Schema names it.
+
+    >>> option_type("seed")
+    'integer'
+    """
+    types = RUN_OPTIONS[name]["type"]
+    return str(types[0] if isinstance(types, list) else types)
+
+
 def option(name: str, value: object) -> Any:
     """The value of an option of a run.
 
@@ -52,7 +62,7 @@ def option(name: str, value: object) -> Any:
     ValueError: days is -1.0; expected more than 0 and at most 36,525 (a hundred years)
     """
     schema = RUN_OPTIONS[name]
-    kind = schema["type"][0] if isinstance(schema["type"], list) else schema["type"]
+    kind = option_type(name)
     if kind == "integer":
         return whole(name, value, schema["minimum"], schema["maximum"])
     if kind == "number":

@@ -3,13 +3,29 @@
 from __future__ import annotations
 
 import argparse
+import re
 import sys
 import warnings
 from collections.abc import Sequence
+from inspect import signature
+from typing import Any
 
 from homebody._cohort import Profiles, cohort
+from homebody.arguments import RUN_OPTIONS, option_type
 from homebody.errors import HomebodyError
 from homebody.profiles import draw
+
+#: The options of a run that a cohort has.
+_OPTIONS = [name for name in RUN_OPTIONS if name in signature(cohort).parameters]
+
+#: The form of an option in the command, by the type of its values.
+_FORMS: dict[str, dict[str, Any]] = {
+    "integer": {"type": int},
+    "number": {"type": float},
+    "string": {},
+    "boolean": {"action": "store_true"},
+    "array": {"action": "append", "default": []},
+}
 
 
 def _arguments() -> argparse.ArgumentParser:
@@ -24,9 +40,10 @@ def _arguments() -> argparse.ArgumentParser:
     who.add_argument("--residents", type=int, metavar="N", help="number of members, who differ as people do")
     who.add_argument("--profiles", metavar="FILE", help="list of members: a CSV file with a row for each")
     who.add_argument("--draw", nargs=2, metavar=("FILE", "N"), help="number of members, drawn from the distributions in a JSON file")
-    parser.add_argument("--days", type=float, help="days to simulate for each member (default: those of the scenario)")
-    parser.add_argument("--seed", type=int, help="seed of all random numbers")
-    parser.add_argument("--without", action="append", default=[], metavar="CONDITION", help="leave a condition out")
+    for name in _OPTIONS:
+        # The examples in the sentence have the units of the command homebody.
+        sentence = re.split(r": | \(|\n", RUN_OPTIONS[name]["description"])[0]
+        parser.add_argument(f"--{name.replace('_', '-')}", help=sentence, **_FORMS[option_type(name)])
     parser.add_argument("--form", default="parquet", help="parquet, csv, jsonl, sqlite or arrow (default: parquet)")
     parser.add_argument("--truth", choices=("all", "brief"), help="tables of the ground truth to keep (default: all; brief for a large cohort)")
     parser.add_argument("--cluster", metavar="ADDRESS", help="tcp://... of a Dask scheduler, or local (default: threads)")
@@ -46,9 +63,7 @@ def main(words: Sequence[str] | None = None) -> int:
             asked.scenario,
             profiles,
             asked.out,
-            days=asked.days,
-            seed=asked.seed,
-            without=asked.without,
+            **{name: getattr(asked, name) for name in _OPTIONS},
             form=asked.form,
             truth=asked.truth,
             cluster=asked.cluster,

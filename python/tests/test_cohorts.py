@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import hashlib
+import inspect
 import json
 import os
 import shutil
@@ -59,6 +60,15 @@ def test_the_command_leaves_the_same_bytes(profiles: Path, by_threads: Path, tmp
     assert bytes_of(tmp_path / "cohort") == bytes_of(by_threads)
     other = hb.cohort("tigerplace", profiles, tmp_path / "other", days=DAYS, seed=10)
     assert bytes_of(Path(other.folder)) != bytes_of(by_threads)
+
+
+def test_the_program_has_each_option_of_a_run_that_the_function_has() -> None:
+    words = [sys.executable, "-m", "homebody.cohort", "--help"]
+    shown = subprocess.run(words, check=True, capture_output=True, text=True).stdout
+    options = [name for name in json.loads(_homebody.RUN_OPTIONS) if name in inspect.signature(hb.cohort).parameters]
+    assert {"days", "seed", "without"} <= set(options)
+    assert all(f"--{name.replace('_', '-')} {name.upper()}" in shown for name in options)
+    assert "--numbers" not in shown
 
 
 @pytest.mark.parametrize("workers", [1, 2, 4])

@@ -10,6 +10,7 @@ use crate::preview::{self, Preview, ReadFirstRows};
 use crate::sink::sqlite::Sqlite;
 use crate::sink::{Begin, Casas, Csv, FleetJsonl, FleetSink, Jsonl, Sink, TextRows, Watermark};
 use crate::source::messages::FormMessage;
+use crate::source::table_files::{ReadTable, read_csv, read_jsonl};
 use crate::source::{
     FileStart, LogForm, LogReading, ReadTables, Shows, casas, csv, domoticz, each_second, esphome, home_assistant,
     influx, intervals, json, jsonl, labels, mit, mosquitto, openhab, psql, sqlite, tasmota, xes, zigbee2mqtt,
@@ -111,34 +112,60 @@ fn not_built_in(url: &Url) -> LogError {
 }
 
 /// A kind of place that every build can write.
-struct BuiltIn {
+pub(crate) struct BuiltIn {
     scheme: Scheme,
     /// The sink of a place; a text file that is followed has its name from its first line on, so that it can be read while it grows.
     open: fn(&Url, bool) -> Box<dyn Sink>,
     fleet: Option<OpenFleet>,
     first_rows: ReadFirstRows,
+    /// The form that reads a log there.
+    form: &'static LogForm,
+    /// Reads the file of one table; None if tables have no files of their own.
+    pub table: Option<ReadTable>,
 }
 
-const BUILT_IN: [BuiltIn; 4] = [
+const BUILT_IN: &[BuiltIn] = &[
     BuiltIn {
         scheme: Scheme::Sqlite,
         open: |url, _| Box::new(Sqlite::new(url.file().map(Into::into).unwrap_or_default())),
         fleet: None,
         first_rows: preview::database,
+        form: &sqlite::FORM,
+        table: None,
     },
-    BuiltIn { scheme: Scheme::Csv, open: TextRows::<Csv>::at, fleet: None, first_rows: preview::values },
-    BuiltIn { scheme: Scheme::Casas, open: TextRows::<Casas>::at, fleet: None, first_rows: preview::lines },
+    BuiltIn {
+        scheme: Scheme::Csv,
+        open: TextRows::<Csv>::at,
+        fleet: None,
+        first_rows: preview::values,
+        form: &csv::FORM,
+        table: Some(read_csv),
+    },
+    BuiltIn {
+        scheme: Scheme::Casas,
+        open: TextRows::<Casas>::at,
+        fleet: None,
+        first_rows: preview::lines,
+        form: &casas::FORM,
+        table: None,
+    },
     BuiltIn {
         scheme: Scheme::Jsonl,
         open: TextRows::<Jsonl>::at,
         fleet: Some(|url| Box::new(FleetJsonl::new(url))),
         first_rows: preview::objects,
+        form: &jsonl::FORM,
+        table: Some(read_jsonl),
     },
 ];
 
-fn built_in(url: &Url) -> Option<&'static BuiltIn> {
-    const ROWS: &[BuiltIn] = &BUILT_IN;
-    ROWS.iter().find(|row| row.scheme == url.scheme())
+pub(crate) fn built_in(scheme: Scheme) -> Option<&'static BuiltIn> {
+    BUILT_IN.iter().find(|row| row.scheme == scheme)
+}
+
+/// The kind of place that every build can write, by the form of its logs.
+pub(crate) fn built_in_with_form(form: &LogForm) -> Option<&'static BuiltIn> {
+    BUILT_IN.iter().find(|row| row.form == form)
 }
 
 /// The sink of a place. Nothing is touched before it is begun.
@@ -148,7 +175,7 @@ pub fn sink(url: &Url) -> Box<dyn Sink> {
 
 /// The same; a text file that `is_followed` has its name from its first line on, so that it can be read while it grows.
 pub(crate) fn sink_as(url: &Url, is_followed: bool) -> Box<dyn Sink> {
-    match (built_in(url), plugin(url)) {
+    match (built_in(url.scheme()), plugin(url)) {
         (Some(row), _) => (row.open)(url, is_followed),
         (None, Ok(plugin)) => (plugin.open)(url),
         (None, Err(_)) => Box::new(MissingSink(url.clone())),
@@ -165,7 +192,7 @@ pub fn fleet_sink(url: &Url) -> Result<Box<dyn FleetSink>, LogError> {
     if !url.scheme().row().takes_fleets {
         return Err(no_fleet(url));
     }
-    let open = match built_in(url) {
+    let open = match built_in(url.scheme()) {
         Some(row) => row.fleet,
         None => plugin(url)?.fleet,
     };
@@ -182,11 +209,11 @@ fn no_fleet(url: &Url) -> LogError {
 /// The first rows of a complete log, which was written with this mapping; none of servers and files that are not text.
 pub fn first_rows(url: &Url, file: &LoggerFile, most: usize) -> Result<Preview, LogError> {
     let path = url.file().unwrap_or(Path::new(""));
-    built_in(url).map_or_else(|| Ok(Preview::default()), |row| (row.first_rows)(path, file, most))
+    built_in(url.scheme()).map_or_else(|| Ok(Preview::default()), |row| (row.first_rows)(path, file, most))
 }
 
 /// The forms of logs that every build has. A file is of the first whose signs it shows.
-pub const FORMS: [LogForm; 23] = [
+pub const FORMS: &[LogForm] = &[
     home_assistant::FORM,
     domoticz::FORM,
     sqlite::FORM,
@@ -214,8 +241,7 @@ pub const FORMS: [LogForm; 23] = [
 
 /// The forms that this build has, with those of plugins.
 pub fn forms() -> impl Iterator<Item = &'static LogForm> + Clone {
-    const OWN: &[LogForm] = &FORMS;
-    OWN.iter().chain(plugins().iter().flat_map(|plugin| plugin.forms))
+    FORMS.iter().chain(plugins().iter().flat_map(|plugin| plugin.forms))
 }
 
 /// The form of this name; also one that this build cannot read.
@@ -225,7 +251,7 @@ pub(crate) fn form_named(name: &str) -> Option<&'static LogForm> {
 
 /// The form of a kind of place. If this build cannot read it, reading it is an error that says so.
 pub(crate) fn form_of_scheme(scheme: Scheme) -> &'static LogForm {
-    form_named(scheme.row().name).unwrap_or(&BROKER)
+    built_in(scheme).map(|row| row.form).or_else(|| form_named(scheme.row().name)).unwrap_or(&BROKER)
 }
 
 pub(crate) fn form_shown(start: &FileStart) -> Option<(&'static LogForm, Shows)> {
@@ -254,3 +280,21 @@ const BROKER: LogForm = LogForm {
     shows: |_| Shows::Nothing,
     read: |path, _, _| Err(LogError::no_log(place_of(path), FormMessage::Broker)),
 };
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use homebody_core::scenario::scheme::{Stands, TablePlacement};
+
+    #[test]
+    fn each_place_of_this_crate_has_a_form_of_its_name_and_a_reader_of_its_tables() {
+        for row in SCHEMES.iter().filter(|row| row.feature.is_none()) {
+            let built_in = built_in(row.scheme).expect("every build has it");
+            assert!(built_in.form.name == row.name && FORMS.contains(built_in.form), "{}", row.name);
+            assert_eq!(built_in.table.is_some(), row.tables == TablePlacement::FileEach, "{}", row.name);
+            assert_eq!(built_in.fleet.is_some(), row.takes_fleets, "{}", row.name);
+            assert_ne!(row.stands, Stands::Server, "{}", row.name);
+        }
+        assert!(BUILT_IN.iter().all(|row| row.scheme.row().feature.is_none()));
+    }
+}

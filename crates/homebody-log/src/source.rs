@@ -25,6 +25,7 @@ pub(crate) mod reading;
 pub(crate) mod records;
 pub(crate) mod sqlite;
 pub(crate) mod start;
+pub(crate) mod table_files;
 pub(crate) mod xes;
 
 use crate::error::LogError;

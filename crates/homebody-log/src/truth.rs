@@ -4,7 +4,6 @@ mod causes;
 mod movements;
 mod recorded;
 mod rows;
-pub(crate) mod text;
 mod timeline;
 mod turns;
 

@@ -356,7 +356,7 @@ fn a_file_without_rows_yet_is_an_empty_log_of_a_form_that_is_named() {
         let path = written(&folder, "log.txt", text);
         assert_eq!(LogSource::recognise(&path).unwrap_err().code(), "log-form::empty", "{text:?}");
     }
-    for form in &FORMS {
+    for form in FORMS {
         let path = written(&folder, "nothing", "");
         match read(LogSource::new(form, &path), &LoggerFile::default()) {
             Ok(log) => assert_eq!((log.rows, log.activities.len()), (0, 0), "{form:?}"),

@@ -211,9 +211,6 @@ schemes! {
 /// The endings of compressed text.
 const PACKED: [&str; 2] = [".gz", ".zst"];
 
-/// The extensions that a path alone may have, for a hint.
-pub const KNOWN_EXTENSIONS: &str = ".csv, .csv.gz, .jsonl, .jsonl.gz, .db, .sqlite, .sqlite3, .parquet or .arrow";
-
 /// The default place of a log.
 pub const USUAL: &str = "sqlite:log.db";
 
@@ -260,8 +257,13 @@ impl SchemeRow {
         SCHEMES.iter().find(|row| row.extensions.contains(&extension))
     }
 
+    /// The rows of places with a file for each of several tables.
+    pub fn with_files_of_tables() -> impl Iterator<Item = &'static SchemeRow> {
+        SCHEMES.iter().filter(|row| row.tables == TablePlacement::FileEach)
+    }
+
     /// The row of a path without a kind before it, such as `week.csv` or `week.csv.gz`, by its extension.
-    fn of_path(path: &str) -> Option<&'static SchemeRow> {
+    pub fn by_path(path: &str) -> Option<&'static SchemeRow> {
         let name = path.rsplit(['/', '\\']).next()?.to_ascii_lowercase();
         let (packed, is_packed) = match PACKED.iter().find_map(|ending| name.strip_suffix(ending)) {
             Some(stem) => (stem, true),
@@ -322,7 +324,7 @@ impl Scheme {
         let Some(row) = SchemeRow::named(scheme) else {
             let at = without_password(at);
             let is_text = place.to_ascii_lowercase().ends_with(".txt");
-            return Err(nowhere(match (nearest(scheme, SCHEMES.map(|row| row.name)), SchemeRow::of_path(place)) {
+            return Err(nowhere(match (nearest(scheme, SCHEMES.map(|row| row.name)), SchemeRow::by_path(place)) {
                 (Some(near), _) if at.is_empty() => {
                     let form = SchemeRow::named(near).map_or("FILE", |row| row.at);
                     format!("did you mean \"{near}:{form}\"?")
@@ -330,7 +332,7 @@ impl Scheme {
                 (Some(near), _) => format!("did you mean \"{near}:{at}\"?"),
                 (None, Some(row)) => format!("did you mean \"{}:{told}\"?", row.name),
                 (None, None) if is_text => format!("did you mean \"casas:{told}\", or \"csv:{told}\"?"),
-                (None, None) => format!("write {}; a path alone ends in {KNOWN_EXTENSIONS}", forms()),
+                (None, None) => format!("write {}; a path alone ends in {}", forms(), known_extensions()),
             }));
         };
         let form = || format!("write {}:{}", row.name, row.at);
@@ -360,7 +362,7 @@ impl Scheme {
     fn of_path_alone(place: &str) -> Option<&'static SchemeRow> {
         let is_kind = |(name, _): (&str, &str)| name.len() > 1 && !name.contains(['/', '\\', '.']);
         let is_path = !place.split_once(':').is_some_and(is_kind) && without_password(place) == place;
-        SchemeRow::of_path(place).filter(|_| is_path)
+        SchemeRow::by_path(place).filter(|_| is_path)
     }
 
     /// The proper place of a password.
@@ -380,7 +382,17 @@ impl Scheme {
     }
 }
 
-/// `csv:-, casas:- or jsonl:-`.
+/// The extensions that a path alone may have, for a hint: `.csv, .csv.gz` and so on. Those of text come first.
+pub fn known_extensions() -> String {
+    let (texts, others): (Vec<&SchemeRow>, Vec<&SchemeRow>) =
+        SCHEMES.iter().partition(|row| row.stands == Stands::Text);
+    let texts =
+        texts.iter().flat_map(|row| row.extensions).flat_map(|text| [format!(".{text}"), format!(".{text}.gz")]);
+    let others = others.iter().flat_map(|row| row.extensions).map(|file| format!(".{file}"));
+    listed(&texts.chain(others).collect::<Vec<_>>())
+}
+
+/// The kinds of text on standard output: `csv:-, casas:-` and so on.
 pub fn texts() -> String {
     let rows = SCHEMES.iter().filter(|row| row.stands == Stands::Text);
     listed(&rows.map(|row| format!("{}:{OUTPUT}", row.name)).collect::<Vec<_>>())
@@ -420,7 +432,7 @@ mod tests {
     #[test]
     fn a_wrong_place_lists_the_known_forms() {
         for (place, told) in [
-            ("log", "write sqlite:FILE, csv:FILE, casas:FILE, jsonl:FILE, parquet:FOLDER"),
+            ("log", "write sqlite:FILE, csv:FILE, casas:FILE, jsonl:FILE, "),
             ("log", "a path alone ends in .csv, .csv.gz"),
             ("week.xyz", "csv:FILE"),
             ("C:\\x", "csv:FILE"),
@@ -435,7 +447,7 @@ mod tests {
             ("postgresql:log", "write postgresql://USER@HOST/DATABASE"),
             ("postgresq://ann@host/homes", "did you mean \"postgresql://ann@host/homes\"?"),
             ("mqtt://", "write mqtt://HOST/PREFIX"),
-            ("sqlite:-", "csv:-, casas:- or jsonl:-"),
+            ("sqlite:-", "csv:-, casas:-"),
         ] {
             let error = Scheme::split(place).unwrap_err().to_string();
             assert!(error.contains(told), "{error}");
@@ -447,16 +459,23 @@ mod tests {
         #[rustfmt::skip]
         let cases = [
             ("log.db", Scheme::Sqlite), ("runs/a.b/log.sqlite3", Scheme::Sqlite), ("a.sqlite", Scheme::Sqlite),
-            ("week.CSV", Scheme::Csv), ("week.csv.gz", Scheme::Csv), ("week.jsonl", Scheme::Jsonl),
-            ("week.jsonl.gz", Scheme::Jsonl), ("week.parquet", Scheme::Parquet), ("week.arrow", Scheme::Arrow),
+            ("week.CSV", Scheme::Csv), ("week.csv.gz", Scheme::Csv), ("week.jsonl.zst", Scheme::Jsonl),
             ("C:\\log.db", Scheme::Sqlite), ("./a:b.csv", Scheme::Csv),
         ];
         for (place, scheme) in cases {
             assert_eq!(Scheme::split(place), Ok((scheme, place)), "{place}");
         }
         assert!(Scheme::split("//ann:s3cr3t@host/log.csv").is_err(), "a server without its kind");
-        for SchemeRow { extensions, .. } in SCHEMES {
-            assert!(extensions.iter().all(|extension| KNOWN_EXTENSIONS.contains(extension)), "{extensions:?}");
+        let known = known_extensions();
+        assert!(known.starts_with(".csv, .csv.gz, ") && known.ends_with(" or .arrow"), "{known}");
+        for (row, extension) in
+            SCHEMES.iter().flat_map(|row| row.extensions.iter().map(move |extension| (row, extension)))
+        {
+            assert_eq!(SchemeRow::by_path(&format!("week.{extension}")), Some(row));
+            let is_text = row.stands == Stands::Text;
+            assert_eq!(SchemeRow::by_path(&format!("week.{extension}.gz")), is_text.then_some(row));
+            assert_eq!(known.contains(&format!(".{extension}.gz")), is_text);
+            assert!(known.contains(&format!(".{extension}")), "{known}");
         }
     }
 

@@ -1,4 +1,4 @@
-//! Truths with tables in files: comma-separated values, JSON Lines, Parquet and Arrow IPC.
+//! Truths with a file for each table, in all forms that have one.
 
 use super::messages;
 use crate::choices::Choices;
@@ -6,6 +6,7 @@ use crate::mutate::bytes;
 use crate::seeds;
 use crate::target::{CaseFiles, ReadVerdict, Target};
 use homebody_core::scenario::logger::LoggerFile;
+use homebody_core::scenario::scheme::{Scheme, SchemeRow};
 use homebody_core::time::{MINUTE, TimeScale};
 use homebody_log::examine::{CheckOptions, examine};
 use homebody_log::label;
@@ -19,26 +20,27 @@ use std::path::Path;
 
 pub const TARGET: Target = Target { name: "tables", cases: 5_000, seeds, mutate, run };
 
-/// Kinds of places with a file for each table, by file extension.
-const ENDINGS: [&str; 4] = ["csv", "jsonl", "parquet", "arrow"];
-
 const LOG: &str = "log.csv";
 
 /// A log, and the tables of its labels, in each of the forms: some minutes in the flat.
 fn seeds() -> Vec<CaseFiles> {
     install(Registry::new(vec![homebody_arrow::PLUGIN]));
-    ENDINGS.iter().filter_map(|ending| tables(ending)).collect()
+    SchemeRow::with_files_of_tables().filter_map(tables).collect()
 }
 
-fn tables(ending: &str) -> Option<CaseFiles> {
+/// A place of this kind for a truth.
+fn truth(row: &SchemeRow, folder: &Path) -> Url {
+    Url::new(row.scheme, folder.join(format!("truth.{}", row.extensions[0])))
+}
+
+fn tables(row: &SchemeRow) -> Option<CaseFiles> {
     let texts: BTreeMap<String, String> =
         seeds::flat().into_iter().filter_map(|(name, bytes)| Some((name, String::from_utf8(bytes).ok()?))).collect();
     let folder = tempfile::tempdir().ok()?;
     let scenario = ScenarioSource::from_texts(texts, "scenario.json").open().ok()?;
-    let at = |name: &str, ending: &str| format!("{ending}:{}", folder.path().join(name).display()).parse::<Url>().ok();
     let destinations = Destinations {
-        log: vec![at(LOG, "csv")?],
-        truth: Some(at(&format!("truth.{ending}"), ending)?),
+        log: vec![Url::new(Scheme::Csv, folder.path().join(LOG))],
+        truth: Some(truth(row, folder.path())),
         ..Destinations::default()
     };
     let run = scenario.run().length(3 * MINUTE).start().ok()?;
@@ -66,10 +68,9 @@ fn run(files: &CaseFiles, folder: &Path) -> Result<ReadVerdict, String> {
     for (name, bytes) in files {
         fs::write(folder.join(name), bytes).map_err(|error| error.to_string())?;
     }
-    let is = |ending: &&&str| files.keys().any(|name| name != LOG && name.ends_with(**ending));
-    let ending = ENDINGS.iter().find(is).ok_or("there is no truth")?;
-    let url = |text: String| text.parse::<Url>().map_err(|error| error.to_string());
-    let truth = url(format!("{ending}:{}", folder.join(format!("truth.{ending}")).display()))?;
+    let is_form = |row: &&SchemeRow| files.keys().any(|name| name != LOG && name.ends_with(row.extensions[0]));
+    let row = SchemeRow::with_files_of_tables().find(is_form).ok_or("there is no truth")?;
+    let truth = truth(row, folder);
     let scale = TimeScale::one();
     let mut verdict = ReadVerdict::Accepted;
     if let Err(error) = read_timeline(&truth, &scale) {
@@ -77,9 +78,9 @@ fn run(files: &CaseFiles, folder: &Path) -> Result<ReadVerdict, String> {
         verdict = ReadVerdict::Refused;
     }
     let mapping = LoggerFile::default();
-    let log = homebody_log::LogSource::from(&url(format!("csv:{}", folder.join(LOG).display()))?);
+    let log = homebody_log::LogSource::from(&Url::new(Scheme::Csv, folder.join(LOG)));
     let about = survey(&log, &mapping).map_err(|error| format!("the log was not changed: {error}"))?;
-    let to = url(format!("csv:{}", folder.join("labelled.csv").display()))?;
+    let to = Url::new(Scheme::Csv, folder.join("labelled.csv"));
     let transfer =
         Transfer { from: &log, mapping: &mapping, to: &to, name: "flat", zone: "UTC", how: WriteMode::Overwrite };
     match label(&transfer, &about, &truth, &scale, |_| ()) {
@@ -91,9 +92,9 @@ fn run(files: &CaseFiles, folder: &Path) -> Result<ReadVerdict, String> {
     }
     // Each table by itself, too.
     for name in files.keys().filter(|name| *name != LOG) {
-        let place = url(format!("{ending}:{}", folder.join(name).display()))?;
-        let checks = examine(&place, &CheckOptions { mapping: &mapping, may_write: false })
-            .map_err(|error| error.to_string())?;
+        let checks =
+            examine(&Url::new(row.scheme, folder.join(name)), &CheckOptions { mapping: &mapping, may_write: false })
+                .map_err(|error| error.to_string())?;
         checks.iter().try_for_each(|check| messages::message(&check.says))?;
     }
     Ok(verdict)

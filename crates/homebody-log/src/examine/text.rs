@@ -3,12 +3,12 @@
 use crate::check::{Check, CheckOptions, RowNumbers};
 use crate::error::LogError;
 use crate::read::{self, LogSource};
+use crate::registry;
 use crate::source::TruthValue;
+use crate::source::table_files::ReadTable;
 use crate::table::{Column, ColumnKind, Table};
-use crate::truth::text::read_numbers;
-use crate::url::Url;
 use homebody_core::problem::counted;
-use homebody_core::scenario::scheme::{NoPlace, OUTPUT, Scheme};
+use homebody_core::scenario::scheme::{NoPlace, OUTPUT};
 use std::path::Path;
 
 pub(crate) fn examine(place: &LogSource, asked: &CheckOptions) -> Result<Vec<Check>, LogError> {
@@ -35,8 +35,8 @@ pub(crate) fn examine(place: &LogSource, asked: &CheckOptions) -> Result<Vec<Che
             "a file that ends in half a line was cut off: homebody run --resume FOLDER completes it",
         ),
     };
-    let scheme = [Scheme::Csv, Scheme::Jsonl].into_iter().find(|scheme| scheme.row().name == place.form().name);
-    let numbers = scheme.and_then(|scheme| numbered(&Url::new(scheme, place.path()), asked));
+    let read = registry::built_in_with_form(place.form()).and_then(|row| row.table);
+    let numbers = read.and_then(|read| numbered(place.path(), read, asked));
     checks.push(Check { rows: Some(log.rows).filter(|_| numbers.is_none()), ..check });
     checks.extend(
         log.remarks.iter().map(|remark| Check::warning("file", remark.clone(), "check the program that wrote it")),
@@ -45,13 +45,13 @@ pub(crate) fn examine(place: &LogSource, asked: &CheckOptions) -> Result<Vec<Che
     Ok(checks)
 }
 
-fn numbered(url: &Url, asked: &CheckOptions) -> Option<Check> {
+fn numbered(path: &Path, read: ReadTable, asked: &CheckOptions) -> Option<Check> {
     let name = asked.mapping.columns.seq.clone();
     let column = Column { name, kind: ColumnKind::Integer, unit: "", about: "the number of the row" };
     let table = Table { name: String::new(), about: "", columns: vec![column], is_numbered: true, is_frequent: true };
     let mut numbers = RowNumbers::default();
     // A line of another table ends this; the first check has reported it.
-    let _ = read_numbers(url, &table, &mut |values| {
+    let _ = read(path, &table, &mut |values| {
         if let [TruthValue::Integer(number)] = values {
             numbers.push(*number);
         }

@@ -7,14 +7,14 @@ use crate::log::SPANS;
 use crate::registry::{form_named, form_of_scheme, form_shown, forms};
 use crate::source::messages::FormMessage;
 use crate::source::{
-    FileStart, LabelTable, LogForm, Shows, TableOptions, casas, csv, foreign_kind, intervals, json, jsonl, labels,
-    no_text, sqlite, xes,
+    FileStart, LabelTable, LogForm, Shows, TableOptions, casas, csv, foreign_kind, intervals, json, labels, no_text,
+    xes,
 };
 use crate::url::{Url, table_file};
 use homebody_core::nearest::nearest;
 use homebody_core::problem::readable;
 use homebody_core::scenario::inside::RECORDING;
-use homebody_core::scenario::scheme::{NoPlace, SCHEMES, Scheme, SchemeRow, Stands, without_password};
+use homebody_core::scenario::scheme::{NoPlace, Scheme, SchemeRow, Stands, TablePlacement, without_password};
 use std::fmt;
 use std::path::{Path, PathBuf};
 use std::str::FromStr;
@@ -46,7 +46,7 @@ impl LogSource {
 
     /// The same log with its table read so, where that is a matter of choice.
     pub fn with_options(self, options: TableOptions) -> LogSource {
-        let is_text = !self.is_server() && *self.form != sqlite::FORM && !self.is_columnar();
+        let is_text = self.row().is_none_or(|row| row.stands == Stands::Text);
         let form = if options.is_wide && is_text { &csv::WIDE } else { self.form };
         LogSource { form, options, ..self }
     }
@@ -78,7 +78,12 @@ impl LogSource {
 
     /// Whether it is on a server.
     pub fn is_server(&self) -> bool {
-        SCHEMES.iter().any(|row| row.stands == Stands::Server && row.name == self.form.name)
+        self.row().is_some_and(|row| row.stands == Stands::Server)
+    }
+
+    /// The kind of place that Homebody writes in its form.
+    fn row(&self) -> Option<&'static SchemeRow> {
+        SchemeRow::named(self.form.name)
     }
 
     /// In which file it is; of a server, what it is reached by.
@@ -111,7 +116,7 @@ impl LogSource {
 
     /// Whether its files are binary tables of columns.
     fn is_columnar(&self) -> bool {
-        [Scheme::Parquet, Scheme::Arrow].iter().any(|scheme| scheme.row().name == self.form.name)
+        self.row().is_some_and(|row| row.stands == Stands::File && row.tables == TablePlacement::FileEach)
     }
 
     /// The file of its activities by the names that data sets and Homebody use.
@@ -129,7 +134,7 @@ impl LogSource {
         let renamed = |(rows, activities): (&str, &str)| {
             name.contains(rows).then(|| self.path.with_file_name(name.replacen(rows, activities, 1)))
         };
-        let has_own = *self.form == csv::FORM || *self.form == jsonl::FORM || self.is_columnar();
+        let has_own = self.row().is_some_and(|row| row.tables == TablePlacement::FileEach);
         let own = has_own.then(|| match self.path.is_dir() {
             true => activities_of_set(&self.path),
             false => activities_of(&self.path),

@@ -1,18 +1,18 @@
 //! A run's truth, opened to be read: a database of SQLite; or, of any other kind of place, a database without a name into which its
 //! tables are put, and which is gone as soon as they have been read.
 
-use super::text::{read_csv, read_jsonl};
 use crate::error::{LogError, TruthMessage};
 use crate::files::database::{columns, connect, tables as tables_of};
 use crate::log::Clock;
 use crate::read::LogSource;
 use crate::registry;
 use crate::run::{RunPlaces, TRUTH};
-use crate::source::{LogInstant, ReadTables, TruthValue, open};
+use crate::source::table_files::read_files;
+use crate::source::{LogInstant, TakeTruthRow, TruthValue, open};
 use crate::table::Table;
 use crate::table::truth::{self, Truth, TruthKept, tables};
 use crate::url::{Url, table_file};
-use homebody_core::scenario::scheme::{Scheme, without_password};
+use homebody_core::scenario::scheme::{Scheme, SchemeRow, TablePlacement, without_password};
 use homebody_core::time::TimeScale;
 use jiff::Timestamp;
 use rusqlite::types::{ToSqlOutput, ValueRef};
@@ -49,15 +49,17 @@ impl RecordedTruth {
             wanted.push(movement);
         }
         let no_truth = |why: TruthMessage| LogError::no_truth(url.to_string(), why);
-        let scheme = url.scheme();
-        let read = match scheme {
-            Scheme::Sqlite => return RecordedTruth::in_place(url, &wanted),
-            Scheme::Csv => read_csv,
-            Scheme::Jsonl => read_jsonl,
-            Scheme::Casas => return Err(no_truth(TruthMessage::CasasForm)),
-            _ => registry::plugin(url)?.tables.ok_or_else(|| no_truth(TruthMessage::Unstored))?,
-        };
-        gathered(url, &wanted, read)
+        match (url.scheme(), registry::built_in(url.scheme())) {
+            (Scheme::Sqlite, _) => RecordedTruth::in_place(url, &wanted),
+            (_, Some(row)) => {
+                let read = row.table.ok_or_else(|| no_truth(TruthMessage::CasasForm))?;
+                gathered(url, &wanted, |take| read_files(url, &wanted, read, take))
+            }
+            (_, None) => {
+                let read = registry::plugin(url)?.tables.ok_or_else(|| no_truth(TruthMessage::Unstored))?;
+                gathered(url, &wanted, |take| read(url, &wanted, take))
+            }
+        }
     }
 
     /// One in a database of SQLite stays where it is.
@@ -127,7 +129,11 @@ fn missing(connection: &Connection, wanted: &[&Table]) -> rusqlite::Result<Vec<S
 }
 
 /// A database of the rows that a place gives. SQLite puts it on disk where it becomes large.
-fn gathered(url: &Url, wanted: &[&Table], read: ReadTables) -> Result<RecordedTruth, LogError> {
+fn gathered(
+    url: &Url,
+    wanted: &[&Table],
+    read: impl FnOnce(&mut TakeTruthRow<'_>) -> Result<(), LogError>,
+) -> Result<RecordedTruth, LogError> {
     let database = |error| LogError::database(url.path(), error);
     let connection = Connection::open("").map_err(database)?;
     let mut made = "BEGIN".to_owned();
@@ -144,7 +150,7 @@ fn gathered(url: &Url, wanted: &[&Table], read: ReadTables) -> Result<RecordedTr
         };
         let mut inserts: Vec<Statement> =
             wanted.iter().map(insert).collect::<rusqlite::Result<_>>().map_err(database)?;
-        read(url, wanted, &mut |table, values| {
+        read(&mut |table, values| {
             for value in values {
                 if let TruthValue::Instant(at) = value {
                     told_by.set(Some(at.clock()));
@@ -214,15 +220,12 @@ pub fn truth_beside(log: &Path) -> Option<Url> {
     if fs::metadata(&database).is_ok_and(|found| found.is_file() && found.len() > 0) {
         return Some(Url::new(Scheme::Sqlite, database));
     }
-    let files = IN_FILES.iter().find_map(|(_, ending)| in_tables(&database.with_extension(ending)));
+    let mut endings = SchemeRow::with_files_of_tables().flat_map(|row| row.extensions);
+    let files = endings.find_map(|ending| in_tables(&database.with_extension(ending)));
     let set = database.with_extension("");
     let files = files.or_else(|| is_truth_set(&set).then(|| Url::new(Scheme::Parquet, set)));
     files.or_else(|| RunPlaces::in_set_at(log)?.truth)
 }
-
-/// Kinds of places that have a file for each table, and how these end.
-const IN_FILES: [(Scheme, &str); 4] =
-    [(Scheme::Csv, "csv"), (Scheme::Jsonl, "jsonl"), (Scheme::Parquet, "parquet"), (Scheme::Arrow, "arrow")];
 
 /// Whether each table of a truth is there, of which an earlier version may have known fewer, and which may be brief.
 fn has_all(is_there: impl Fn(&str) -> bool) -> bool {
@@ -232,9 +235,8 @@ fn has_all(is_there: impl Fn(&str) -> bool) -> bool {
 /// The truth of which each table has a file that is named after a path.
 fn in_tables(path: &Path) -> Option<Url> {
     let are_there = path.file_name().is_some() && has_all(|table| table_file(path, table).is_file());
-    let ending = path.extension().map_or("csv".into(), |ending| ending.to_string_lossy());
-    let scheme = IN_FILES.iter().find(|(_, usual)| *usual == ending).map_or(Scheme::Csv, |(scheme, _)| *scheme);
-    are_there.then(|| Url::new(scheme, path))
+    let row = SchemeRow::by_path(&path.to_string_lossy()).filter(|row| row.tables == TablePlacement::FileEach);
+    are_there.then(|| Url::new(row.map_or(Scheme::Csv, |row| row.scheme), path))
 }
 
 /// Whether a folder is a data set of a truth: one in it for each table.

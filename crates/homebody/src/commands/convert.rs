@@ -8,7 +8,7 @@ use crate::print::{counted, tell};
 use crate::progress;
 use homebody_analysis::look::{Looker, looked};
 use homebody_core::calendar::Calendar;
-use homebody_core::scenario::scheme::{KNOWN_EXTENSIONS, SCHEMES, SchemeRow};
+use homebody_core::scenario::scheme::{SCHEMES, SchemeRow, known_extensions};
 use homebody_core::time::{TimeScale, WallTime};
 use homebody_log::convert;
 use homebody_log::files::fresh::same_file;
@@ -23,8 +23,9 @@ pub fn forms_of_logs() -> String {
     let form = |row: SchemeRow| format!("  {:<32} {}\n", format!("{}:{}", row.name, row.at), row.what);
     let forms = SCHEMES.map(form).concat();
     format!(
-        "Forms of logs:\n{forms}\nIf a destination has no form, its extension decides: {KNOWN_EXTENSIONS}.\n\
-             Homebody recognises the form of an input file by its first lines."
+        "Forms of logs:\n{forms}\nIf a destination has no form, its extension decides: {}.\n\
+             Homebody recognises the form of an input file by its first lines.",
+        known_extensions()
     )
 }
 

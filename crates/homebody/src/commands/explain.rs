@@ -23,8 +23,24 @@ pub struct ExplainArguments {
 
 impl ExplainArguments {
     pub fn run(self) -> Result<(), Failure> {
+        if let Some(code) = self.code.as_deref().map(bare).filter(|code| EXPERIMENTS.contains(&area(code))) {
+            return Err(Failure::asked(ExplainMessage::OfExperiments { code: code.to_owned() }));
+        }
         explain(self.code, catalogue::all())
     }
+}
+
+/// The areas of messages that only the program `homebody-lab` has.
+const EXPERIMENTS: [&str; 4] = ["experiment", "located", "recogniser", "sphere"];
+
+/// A code without the brackets around it.
+fn bare(code: &str) -> &str {
+    code.trim_matches(['[', ']'])
+}
+
+/// The part of a code before `::`.
+fn area(code: &str) -> &str {
+    code.split("::").next().unwrap_or_default()
 }
 
 /// Prints the long form of a message, or a list of the messages of an area or of all areas.
@@ -35,11 +51,11 @@ pub fn explain(
     let Some(code) = code else {
         return print_text(&list(all));
     };
-    let code = code.trim_matches(['[', ']']);
+    let code = bare(&code);
     if let Some(entry) = all.clone().find(|entry| entry.code == code) {
         return print_text(&in_full(entry));
     }
-    let of_area = all.clone().filter(|entry| entry.code.split("::").next() == Some(code));
+    let of_area = all.clone().filter(|entry| area(entry.code) == code);
     if of_area.clone().next().is_some() {
         return print_text(&list(of_area));
     }

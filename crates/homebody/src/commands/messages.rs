@@ -113,5 +113,13 @@ homebody_core::messages! {
                 Some(nearest) => format!("did you mean {nearest}?"),
                 None => "homebody explain lists all codes".to_owned(),
             }));
+        /// The experiments judge the claims of Homebody. They are a program of their own, which explains the codes of its messages:
+        ///
+        /// ```sh
+        /// cargo run --release --package homebody-lab -- explain experiment::no-data
+        /// ```
+        OfExperiments { code: String } error "of-experiments"
+            ("the program of the experiments explains the code {code:?}")
+            hint ("run homebody-lab explain {code}");
     }
 }

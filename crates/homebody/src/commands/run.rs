@@ -12,6 +12,7 @@ use crate::metrics::MetricsArguments;
 use crate::pace::PaceArguments;
 use crate::print::print_text;
 use crate::signals::Signals;
+use clap::Args;
 use clap::builder::UnknownArgumentValueParser;
 use homebody_core::problem::Diagnostic;
 use homebody_core::time::Span;
@@ -80,8 +81,7 @@ pub struct RunArguments {
     /// Homebody simulates the run again from its start, checks the existing files of the folder against it, and writes the missing
     /// rows. The finished log and ground truth are byte for byte those of an uninterrupted run. In a cohort, complete members stay
     /// and all others are resumed.
-    #[arg(long, value_name = "FOLDER",
-          conflicts_with_all = ["scenario", "length", "seed", "without", "numbers", "start", "members", "profiles", "truth_tables", "recording", "force", "replace_rows"])]
+    #[arg(long, value_name = "FOLDER", conflicts_with_all = options_of_new_runs())]
     resume: Option<PathBuf>,
     /// Simulate a cohort from a CSV file with a row for each member
     ///
@@ -104,6 +104,15 @@ pub struct RunArguments {
     pace: PaceArguments,
     #[command(flatten)]
     metrics: MetricsArguments,
+}
+
+/// The options that `--resume` refuses, since the recording has their values or the files exist.
+///
+/// They are listed by name because clap leaves the group of [`RunOptions`] empty: its validation does not know groups within groups.
+fn options_of_new_runs() -> Vec<clap::Id> {
+    const OTHERS: [&str; 7] = ["scenario", "members", "profiles", "truth_tables", "recording", "force", "replace_rows"];
+    let options = RunOptions::augment_args(clap::Command::new("run"));
+    options.get_arguments().map(|option| option.get_id().clone()).chain(OTHERS.map(Into::into)).collect()
 }
 
 #[derive(Clone, Copy, PartialEq, clap::ValueEnum)]
@@ -302,5 +311,30 @@ impl RunArguments {
         if !self.output.quiet {
             opened.remarks(length).iter().for_each(tell_remark);
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use clap::error::ErrorKind;
+
+    #[test]
+    fn resume_refuses_each_option_of_a_run() {
+        let command = RunArguments::augment_args(clap::Command::new("run"));
+        let options = RunOptions::augment_args(clap::Command::new("options"));
+        let names: Vec<&str> = options.get_arguments().filter_map(clap::Arg::get_long).collect();
+        assert!(["for", "set", "seed", "without"].iter().all(|name| names.contains(name)), "{names:?}");
+        for option in options.get_arguments() {
+            let name = option.get_long().expect("an option has a name");
+            let takes_value = option.get_action().takes_values();
+            let with_any_value =
+                |option: clap::Arg| if takes_value { option.value_parser(clap::value_parser!(String)) } else { option };
+            let command = command.clone().mut_arg(option.get_id(), with_any_value);
+            let word = if takes_value { format!("--{name}=1") } else { format!("--{name}") };
+            let error = command.try_get_matches_from(["run", "--resume", "folder", &word]).unwrap_err();
+            assert_eq!(error.kind(), ErrorKind::ArgumentConflict, "{error}");
+        }
+        command.try_get_matches_from(["run", "--resume", "folder", "--quiet"]).unwrap();
     }
 }

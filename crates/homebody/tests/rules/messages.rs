@@ -6,7 +6,8 @@
 use super::generated::is_generated;
 use super::{File, expect_none, files};
 use homebody_core::messages::CatalogueEntry;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
+use std::process::Command;
 
 const SNAPSHOT: &str = "\
 Every message of the program and of the experiments: its code, its text and its hint. Names in braces stand for data.
@@ -45,11 +46,11 @@ fn the_snapshot_is_what_the_code_says() {
 #[test]
 fn the_page_of_diagnostics_is_what_the_code_says() {
     let mut text = PAGE.to_owned();
-    let mut area = "";
+    let mut heading = "";
     for entry in all() {
-        let own = entry.code.split("::").next().unwrap_or_default();
-        if own != area {
-            area = own;
+        let area = area(entry.code);
+        if area != heading {
+            heading = area;
             text += &format!("\n## {area}\n");
         }
         text += &format!("\n### `{}`\n\n{}\n\n```text\n", entry.code, about(entry));
@@ -60,9 +61,32 @@ fn the_page_of_diagnostics_is_what_the_code_says() {
     is_generated("docs/reference/diagnostics.md", &text);
 }
 
+fn area(code: &str) -> &str {
+    code.split("::").next().unwrap_or_default()
+}
+
 fn about(entry: &CatalogueEntry) -> String {
     let lines: Vec<&str> = entry.about.lines().map(|line| line.strip_prefix(' ').unwrap_or(line)).collect();
     lines.join("\n").trim().to_owned()
+}
+
+#[test]
+fn explain_names_the_program_of_the_experiments_for_their_codes() {
+    let explain = |code: &str| {
+        let output = Command::new(env!("CARGO_BIN_EXE_homebody")).args(["explain", code]).output().unwrap();
+        (output.status.code(), String::from_utf8_lossy(&output.stderr).into_owned())
+    };
+    let of_experiments: BTreeSet<&str> = homebody_lab::catalogue::all().map(|entry| area(entry.code)).collect();
+    assert!(of_experiments.contains("sphere"), "{of_experiments:?}");
+    for area in &of_experiments {
+        for code in [area.to_string(), format!("{area}::any")] {
+            let (exit, text) = explain(&format!("[{code}]"));
+            assert!(exit == Some(2) && text.contains("[explain::of-experiments]"), "{code}: {text}");
+            assert!(text.contains(&format!("homebody-lab explain {code}")), "{text}");
+        }
+    }
+    assert!(homebody::messages::all().all(|entry| !of_experiments.contains(area(entry.code))));
+    assert_eq!(explain("log::exists").0, Some(0));
 }
 
 #[test]

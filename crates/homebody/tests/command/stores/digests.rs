@@ -8,6 +8,7 @@ use crate::mosquitto::Broker;
 use crate::postgres::Server;
 use crate::served::{address_of, page_of};
 use homebody_core::scenario::logger::LoggerFile;
+use homebody_core::scenario::scheme::{SCHEMES, Scheme, SchemeRow, Stands};
 use homebody_log::log::Clock;
 use homebody_log::{LogSource, Url, read};
 use serde_json::{Value, json};
@@ -95,16 +96,10 @@ fn one_digest_whatever_it_goes_to_how_fast_and_whoever_looks() {
         let folder = Folder::new();
         let name = scenario(&folder, number);
         let place = |text: &str| text.parse::<Url>().unwrap().within(&folder.path(""));
-        let mut places: Vec<Url> = [
-            "sqlite:log.db",
-            "csv:log.csv",
-            "jsonl:log.jsonl",
-            "parquet:log.parquet",
-            "parquet:lives",
-            "arrow:log.arrow",
-        ]
-        .map(place)
-        .to_vec();
+        // The form of CASAS changes the names of sensors.
+        let is_same = |row: &&SchemeRow| row.stands != Stands::Server && row.scheme != Scheme::Casas;
+        let files = SCHEMES.iter().filter(is_same).map(|row| format!("{}:{}", row.name, row.usual));
+        let mut places: Vec<Url> = files.chain(["parquet:lives".to_owned()]).map(|text| place(&text)).collect();
         if let Some((server, _)) = &servers {
             let database = server.database(&format!("digest{number}"));
             places.push(server.url("postgres", &database, "").parse().unwrap());

@@ -3,13 +3,10 @@
 use crate::flat::flat;
 use crate::folder::Folder;
 use crate::postgres::Server;
+use homebody_core::scenario::scheme::{SchemeRow, Stands};
 
-/// Kinds of places of a truth that are files: what is written, and by what it is named again.
-const FILES: [(&str, &str); 9] = [
-    ("csv:texts.csv", "texts.csv"),
-    ("csv:texts.csv", "csv:texts.csv"),
-    ("csv:texts.csv", "texts.cause.csv"),
-    ("jsonl:objects.jsonl", "jsonl:objects.jsonl"),
+/// Places of a truth in files of columns, and names to read it again.
+const COLUMNS: [(&str, &str); 5] = [
     ("parquet:columns.parquet", "columns.parquet"),
     ("parquet:columns.parquet", "columns.cause.parquet"),
     ("arrow:columns.arrow", "arrow:columns.arrow"),
@@ -29,7 +26,17 @@ fn labels_are_the_same_from_whatever_the_truth_was_written_to() {
         folder.run(&format!("label log.csv {truth} --out csv:found.csv --force")).ok();
         assert!(folder.read("found.csv") == wanted, "{truth} gives other labels");
     };
-    for (to, by) in FILES {
+    for row in SchemeRow::with_files_of_tables().filter(|row| row.stands == Stands::Text) {
+        let name = row.name;
+        for file in [format!("{name}-truth.{}", row.extensions[0]), format!("{name}-packed.{}.gz", row.extensions[0])] {
+            folder.run(&format!("{run} {name}:{file}")).ok();
+            same(&file);
+            same(&format!("{name}:{file}"));
+        }
+        // By the file of one of its tables.
+        same(&format!("{name}-packed.cause.{}.gz", row.extensions[0]));
+    }
+    for (to, by) in COLUMNS {
         folder.run(&format!("{run} {to}")).ok();
         same(by);
     }

@@ -1,36 +1,31 @@
 //! Tables in files of text, one for each: comma-separated values, and JSON Lines.
 
+use super::{LineReader, RecordReader, TakeTruthRow, TruthValue};
 use crate::error::{LogError, TruthMessage, place_of};
-use crate::source::{LineReader, RecordReader, TakeTruthRow, TruthValue};
 use crate::table::{Column, ColumnKind, Table};
 use crate::text::unescaped;
 use crate::url::{Url, table_file};
-use homebody_core::scenario::scheme::Scheme;
 use serde_json::{Map, Value as Json};
 use std::borrow::Cow;
 use std::path::{Path, PathBuf};
 
-pub(crate) fn read_csv(url: &Url, wanted: &[&Table], take: &mut TakeTruthRow<'_>) -> Result<(), LogError> {
-    let files = files(url, wanted)?;
-    files.iter().enumerate().try_for_each(|(index, (table, path))| csv_file(path, table, &mut |row| take(index, row)))
-}
-
-pub(crate) fn read_jsonl(url: &Url, wanted: &[&Table], take: &mut TakeTruthRow<'_>) -> Result<(), LogError> {
-    let files = files(url, wanted)?;
-    files.iter().enumerate().try_for_each(|(index, (table, path))| jsonl_file(path, table, &mut |row| take(index, row)))
-}
-
-/// Reads some columns of a log in a file of text.
-pub(crate) fn read_numbers(url: &Url, table: &Table, take: &mut TakeValues<'_>) -> Result<(), LogError> {
-    match url.scheme() {
-        Scheme::Jsonl => jsonl_file(url.path(), table, take),
-        _ => csv_file(url.path(), table, take),
-    }
-}
-
 type TakeValues<'t> = dyn FnMut(&[TruthValue<'_>]) -> Result<(), LogError> + 't;
 
-fn csv_file(path: &Path, table: &Table, take: &mut TakeValues<'_>) -> Result<(), LogError> {
+/// Reads the columns of a table from a file of text.
+pub(crate) type ReadTable = fn(&Path, &Table, &mut TakeValues<'_>) -> Result<(), LogError>;
+
+/// Reads tables that have a file each.
+pub(crate) fn read_files(
+    url: &Url,
+    wanted: &[&Table],
+    read: ReadTable,
+    take: &mut TakeTruthRow<'_>,
+) -> Result<(), LogError> {
+    let files = files(url, wanted)?;
+    files.iter().enumerate().try_for_each(|(index, (table, path))| read(path, table, &mut |row| take(index, row)))
+}
+
+pub(crate) fn read_csv(path: &Path, table: &Table, take: &mut TakeValues<'_>) -> Result<(), LogError> {
     let mut records = RecordReader::open(path)?;
     let header: Vec<String> = records.next(&mut |_| false)?.map(|(_, names)| names.texts()).unwrap_or_default();
     let mut places = Vec::new();
@@ -49,7 +44,7 @@ fn csv_file(path: &Path, table: &Table, take: &mut TakeValues<'_>) -> Result<(),
     Ok(())
 }
 
-fn jsonl_file(path: &Path, table: &Table, take: &mut TakeValues<'_>) -> Result<(), LogError> {
+pub(crate) fn read_jsonl(path: &Path, table: &Table, take: &mut TakeValues<'_>) -> Result<(), LogError> {
     let mut lines = LineReader::open(path)?;
     while let Some((line, text)) = lines.next()? {
         if text.trim_ascii().is_empty() {
