@@ -292,7 +292,7 @@ fn rows_in_no_order_of_time_keep_their_own_order() {
 fn written(url: &Url, how: WriteMode, is_whole: bool, at: impl Fn(i64) -> Span) -> Result<Box<dyn Sink>, LogError> {
     let run = stage::run();
     let table = FleetLayout::new(run.clone(), &LoggerFile::default())?.table;
-    let begin = Begin::new(run.into(), vec![table], Default::default(), how);
+    let begin = Begin { is_whole, ..Begin::new(run.into(), vec![table], Default::default(), how) };
     let mut sink = homebody_log::registry::sink(url);
     sink.begin(&begin)?;
     let mut texts = TextPool::default();

@@ -117,7 +117,7 @@ impl Sensor {
     /// True if its reports mean that a body is there: it looks for movement, or is a device that feels bodies.
     pub fn detects_presence(&self) -> bool {
         match &self.kind {
-            SensorKind::Motion(_) | SensorKind::CeilingMotion(_) => true,
+            SensorKind::Looking(_) => true,
             SensorKind::Device(device) => device.feels_bodies(),
         }
     }
