@@ -1,4 +1,4 @@
-//! What a word for a kind of sensor means to a reader of logs.
+//! The meaning of a word for a kind of sensor in logs of other systems.
 
 use serde::Serialize;
 
