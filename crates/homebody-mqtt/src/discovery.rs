@@ -9,7 +9,6 @@ use crate::entities::{Entity, EntityType};
 use crate::place::{HomeTopics, SensorTopics};
 use crate::speech::Message;
 use homebody_core::names::capitalised;
-use homebody_core::sensors::entities::SwitchWord;
 use homebody_log::RunInfo;
 use serde_json::{Map, Value, json};
 
@@ -159,7 +158,7 @@ fn entity_of(
     let platform = match &entity.says {
         EntityType::Binary { on_only, zigbee } => {
             let [on, off] = match place.style {
-                Style::Zigbee2Mqtt => zigbee.map(payload),
+                Style::Zigbee2Mqtt => zigbee.map(Value::from),
                 Style::HomeAssistant | Style::Plain => ["ON".into(), "OFF".into()],
             };
             add("payload_on", on);
@@ -184,13 +183,6 @@ fn entity_of(
         EntityType::Text => "sensor",
     };
     (platform, config)
-}
-
-fn payload(word: SwitchWord) -> Value {
-    match word {
-        SwitchWord::Truth(truth) => truth.into(),
-        SwitchWord::Text(text) => text.into(),
-    }
 }
 
 fn availability(place: &HomeTopics, sensor: Option<&SensorTopics>) -> Map<String, Value> {

@@ -129,8 +129,8 @@ fn opens(sensor: &SensorInfo) -> &'static str {
 #[cfg(test)]
 pub(crate) mod tests {
     use super::*;
+    use crate::generated::is_generated_between;
     use homebody_core::sensors::form::KindRow;
-    use std::path::Path;
 
     pub(crate) fn sensor(name: &str, kind: &str, unit: Option<&str>, values: &[&str]) -> SensorInfo {
         let (unit, room) = (unit.map(Into::into), Some("kitchen".into()));
@@ -168,15 +168,8 @@ pub(crate) mod tests {
         assert_eq!(classes, ["door", "opening", "window", "opening", "opening"].map(Some));
     }
 
-    /// `HOMEBODY_REWRITE` writes the table anew.
     #[test]
     fn the_page_of_mqtt_has_all_entities() {
-        let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../docs/how-to/mqtt-and-home-assistant.md");
-        let page = std::fs::read_to_string(&path).unwrap();
-        let heading =
-            "| sensor | entity | class in Home Assistant | key in Zigbee2MQTT | values |\n|---|---|---|---|---|\n";
-        let (before, rest) = page.split_once(heading).unwrap();
-        let (table, after) = rest.split_once("\n\n").unwrap();
         let marked = |text: &str| format!("`{text}`");
         let row = |kind: &KindRow, entity: &EntityRow| {
             let key = if entity.key.is_empty() { "main".into() } else { marked(entity.key) };
@@ -194,14 +187,13 @@ pub(crate) mod tests {
                 EntityForm::Choice(words) => words.iter().map(|word| marked(word)).collect::<Vec<_>>().join(", "),
                 EntityForm::Text => "text".into(),
             };
-            format!("| `{}` | {key} | {class} | `{}` | {values} |", kind.key, entity.property)
+            format!("| `{}` | {key} | {class} | `{}` | {values} |\n", kind.key, entity.property)
         };
-        let rows: Vec<String> =
+        let rows: String =
             KINDS.iter().flat_map(|kind| kind.entities.iter().map(move |entity| row(kind, entity))).collect();
-        if std::env::var_os("HOMEBODY_REWRITE").is_some() {
-            std::fs::write(&path, format!("{before}{heading}{}\n\n{after}", rows.join("\n"))).unwrap();
-        } else {
-            assert_eq!(table, rows.join("\n"), "{}: HOMEBODY_REWRITE=1 writes the table anew", path.display());
-        }
+        let heading =
+            "| sensor | entity | class in Home Assistant | key in Zigbee2MQTT | values |\n|---|---|---|---|---|";
+        let begin = "<!-- made from the kinds of sensors -->";
+        is_generated_between("docs/how-to/mqtt-and-home-assistant.md", begin, &format!("{heading}\n{rows}"));
     }
 }

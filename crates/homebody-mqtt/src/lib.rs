@@ -12,6 +12,9 @@ mod clean;
 mod connection;
 mod discovery;
 mod entities;
+#[cfg(test)]
+#[path = "../../../tests/generated.rs"]
+mod generated;
 mod examine;
 mod fleet;
 mod flight;

@@ -5,7 +5,6 @@ use crate::entities::{EntityType, EntityValue};
 use crate::messages::BrokerMessage;
 use crate::place::{HomeTopics, SensorTopics};
 use homebody_core::scenario::logger::TimeFormat;
-use homebody_core::sensors::entities::SwitchWord;
 use homebody_core::time::RunTime;
 use homebody_log::table::InstantWriter;
 use homebody_log::{LogError, RunInfo};
@@ -149,10 +148,7 @@ fn on_off(on: bool) -> &'static str {
 
 fn zigbee_value(says: &EntityType, heard: &EntityValue) -> Value {
     match (heard, says) {
-        (EntityValue::Switched(on), EntityType::Binary { zigbee, .. }) => match zigbee[usize::from(!on)] {
-            SwitchWord::Truth(truth) => truth.into(),
-            SwitchWord::Text(text) => text.into(),
-        },
+        (EntityValue::Switched(on), EntityType::Binary { zigbee, .. }) => zigbee[usize::from(!on)].into(),
         (EntityValue::Switched(on), _) => (*on).into(),
         (EntityValue::Number(number), _) if number.fract() == 0.0 && number.abs() < 1e15 => (*number as i64).into(),
         (EntityValue::Number(number), _) => (*number).into(),

@@ -7,7 +7,6 @@ use crate::entities::{Entity, EntityType};
 use crate::place::{HomeTopics, SensorTopics};
 use crate::speech::Message;
 use homebody_core::names::capitalised;
-use homebody_core::sensors::entities::SwitchWord;
 use homebody_log::RunInfo;
 use serde_json::{Value, json};
 use sha2::{Digest, Sha256};
@@ -97,15 +96,11 @@ fn device(place: &HomeTopics, sensor: &SensorTopics) -> Value {
 
 /// The abilities of a device, in Zigbee2MQTT's words; access 1 means that it reports by itself.
 fn exposed(entity: &Entity) -> Value {
-    let value = |word: SwitchWord| match word {
-        SwitchWord::Truth(truth) => Value::from(truth),
-        SwitchWord::Text(text) => text.into(),
-    };
     let name = entity.property;
     let mut told = json!({ "name": name, "label": label(name), "property": name, "access": 1 });
     match &entity.says {
         EntityType::Binary { zigbee: [on, off], .. } => {
-            (told["type"], told["value_on"], told["value_off"]) = ("binary".into(), value(*on), value(*off));
+            (told["type"], told["value_on"], told["value_off"]) = ("binary".into(), (*on).into(), (*off).into());
         }
         EntityType::Number { unit } => {
             told["type"] = "numeric".into();

@@ -45,6 +45,15 @@ pub enum SwitchWord {
     Text(&'static str),
 }
 
+impl From<SwitchWord> for serde_json::Value {
+    fn from(word: SwitchWord) -> serde_json::Value {
+        match word {
+            SwitchWord::Truth(truth) => truth.into(),
+            SwitchWord::Text(text) => text.into(),
+        }
+    }
+}
+
 /// Home Assistant's class of doors, windows and lids in general.
 pub const OPENING: &str = "opening";
 

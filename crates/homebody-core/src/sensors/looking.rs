@@ -17,7 +17,7 @@ pub trait LookingModel {
     /// The position of its lens, seen from above.
     fn lens(&self) -> Point;
 
-    /// Its beams on bodies of this height, cut by walls, doors and furniture, in the order of the sensor's own.
+    /// Its beams on bodies of this height, cut by walls, doors and furniture, in the order of the beams of the sensor.
     fn beams(&self, plan: &Plan, body_m: f64) -> Vec<Beam>;
 
     /// A body at this point as its lens sees it.

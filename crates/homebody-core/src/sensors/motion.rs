@@ -24,7 +24,7 @@ use super::looking::{DetectionLevel, LookingModel};
 use super::meaning::{Kind, Meaning};
 use super::messages::SensorMessage;
 use super::notice::View;
-use super::rays::Walls;
+use super::rays::SightObstacles;
 use crate::event::Value;
 use crate::geometry::{self, At, Point, point};
 use crate::plan::{Plan, Solid};
@@ -167,11 +167,11 @@ impl LookingModel for Motion {
     fn beams(&self, plan: &Plan, body_m: f64) -> Vec<Beam> {
         let (tall, low): (Vec<&Solid>, Vec<&Solid>) =
             plan.solids.iter().partition(|solid| solid.height_m >= self.height_m);
-        let walls = Walls::around(self.lens, self.reach_m, tall.into_iter());
+        let obstacles = SightObstacles::around(self.lens, self.reach_m, tall.into_iter());
         let mut beams = Vec::new();
         for (number, blade) in self.blades.iter().enumerate() {
             let Some((near, far)) = self.ranges(blade, body_m) else { continue };
-            let far = far.min(walls.cast(blade.direction, far));
+            let far = far.min(obstacles.cast(blade.direction, far));
             let mut shadows: Vec<(f64, f64)> = low
                 .iter()
                 .filter_map(|solid| {

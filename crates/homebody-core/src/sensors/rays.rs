@@ -9,18 +9,18 @@ use parry2d::shape::Segment;
 /// Bound of the error of the physics engine, which computes in single precision.
 const ENGINE_TOLERANCE_M: f64 = 0.01;
 
-/// The sides of solids that stop rays from a lens with a largest distance.
-pub(super) struct Walls {
+/// The sides of walls, closed doors and furniture within reach of a lens.
+pub(super) struct SightObstacles {
     lens: Point,
     sides: Vec<Segment>,
 }
 
-impl Walls {
-    pub(super) fn around<'a>(lens: Point, reach_m: f64, solids: impl Iterator<Item = &'a Solid>) -> Walls {
+impl SightObstacles {
+    pub(super) fn around<'a>(lens: Point, reach_m: f64, solids: impl Iterator<Item = &'a Solid>) -> SightObstacles {
         let reached =
             |&(a, b): &(Point, Point)| geometry::distance_to_segment(lens, a, b) <= reach_m + ENGINE_TOLERANCE_M;
         let sides = solids.flat_map(|solid| geometry::sides(&solid.outline)).filter(reached);
-        Walls { lens, sides: sides.map(|(a, b)| Segment::new(vector(a), vector(b))).collect() }
+        SightObstacles { lens, sides: sides.map(|(a, b)| Segment::new(vector(a), vector(b))).collect() }
     }
 
     /// The length of a ray from the lens up to the first side, at most `reach_m`.

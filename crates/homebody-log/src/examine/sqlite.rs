@@ -200,16 +200,27 @@ fn schema(connection: &Connection, table: &Table, run_column: &str, checks: &mut
     Ok(is_well)
 }
 
+const FOREIGN_ROWS: &str = "Homebody never writes such a row: check which other program writes to this file";
+
 /// The rows of each run by their numbers, which the first column of a table has.
 fn rows(connection: &Connection, table: &Table, run_column: &str, of: &str) -> rusqlite::Result<Vec<Check>> {
     let sql = format!("SELECT \"{run_column}\", \"{}\" FROM \"{}\" ORDER BY 1, 2", table.columns[0].name, table.name);
     let mut statement = connection.prepare(&sql)?;
     let mut rows = statement.query([])?;
     let mut runs: BTreeMap<i64, RowNumbers> = BTreeMap::new();
+    let mut without_number = 0;
     while let Some(row) = rows.next()? {
-        runs.entry(row.get(0)?).or_default().push(row.get(1)?);
+        match (row.get_ref(0)?.as_i64(), row.get_ref(1)?.as_i64()) {
+            (Ok(run), Ok(number)) => runs.entry(run).or_default().push(number),
+            _ => without_number += 1,
+        }
     }
-    Ok(runs.into_iter().map(|(run, numbers)| numbers.check(&format!("run {run}{of}"))).collect())
+    let says = format!(
+        "{} no integer as the number of the run or of the row",
+        counted(without_number, "row has", "rows have")
+    );
+    let odd = (without_number > 0).then(|| Check::wrong("rows", says, FOREIGN_ROWS));
+    Ok(runs.into_iter().map(|(run, numbers)| numbers.check(&format!("run {run}{of}"))).chain(odd).collect())
 }
 
 /// Cells of a log that say nothing where they should.
@@ -218,8 +229,7 @@ fn empty_cells(connection: &Connection, table: &Table) -> rusqlite::Result<Optio
     let sql = format!("SELECT count(*) FROM \"{}\" WHERE \"{time}\" IS NULL OR \"{sensor}\" IS NULL", table.name);
     let empty: i64 = connection.query_row(&sql, [], |row| row.get(0))?;
     let says = format!("{} no time or no sensor", counted(empty as usize, "row has", "rows have"));
-    let hint = "Homebody never writes such a row: check which other program writes to this file";
-    Ok((empty > 0).then(|| Check::wrong("rows", says, hint)))
+    Ok((empty > 0).then(|| Check::wrong("rows", says, FOREIGN_ROWS)))
 }
 
 fn runs(connection: &Connection, path: &Path, is_there: bool, checks: &mut Vec<Check>) -> rusqlite::Result<()> {

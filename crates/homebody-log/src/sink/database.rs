@@ -47,8 +47,8 @@ const ROWS_AT_ONCE: usize = 16;
 const TRANSACTIONS: [u8; 4] = *b"home";
 
 pub(crate) struct Database {
-    /// Closed before the file is looked at, which comes after it for this reason.
-    connection: DatabaseConnection,
+    /// Fields are dropped in order: the connection closes before `file` decides whether to delete the file.
+    connection: OpenDatabase,
     file: DatabaseFile,
     /// Rows of the open transaction.
     not_durable: usize,
@@ -57,8 +57,11 @@ pub(crate) struct Database {
     is_watched: bool,
 }
 
-/// Dropped, it undoes open work, and leaves one file if no program is reading it.
-struct DatabaseConnection(Connection);
+/// Dropped in the middle of work, it undoes the open transaction, and leaves one file if no program is reading it.
+struct OpenDatabase {
+    connection: Connection,
+    is_complete: bool,
+}
 
 /// Dropped before any row is stored, it leaves behind what was there before.
 struct DatabaseFile {
@@ -130,7 +133,13 @@ impl Database {
     }
 
     fn new(connection: Connection, file: DatabaseFile, flow: RowFlow) -> Database {
-        Database { connection: DatabaseConnection(connection), file, not_durable: 0, flow, is_watched: false }
+        Database {
+            connection: OpenDatabase { connection, is_complete: false },
+            file,
+            not_durable: 0,
+            flow,
+            is_watched: false,
+        }
     }
 
     /// Opens the database of an unfinished run, to resume it; None for an empty database, which is removed. The caller checks which run it
@@ -182,7 +191,7 @@ impl Database {
 
     /// Asks for what is there.
     pub fn ask<T>(&self, ask: impl FnOnce(&Connection) -> rusqlite::Result<T>) -> Result<T, LogError> {
-        ask(&self.connection.0).map_err(|error| LogError::database(&self.file.path, error))
+        ask(&self.connection.connection).map_err(|error| LogError::database(&self.file.path, error))
     }
 
     /// Changes rows within the transaction that the next [`Database::make_durable`] ends.
@@ -191,7 +200,7 @@ impl Database {
         rows: usize,
         change: impl FnOnce(&Connection) -> rusqlite::Result<()>,
     ) -> Result<(), LogError> {
-        let connection = &self.connection.0;
+        let connection = &self.connection.connection;
         let begun = match (connection.is_autocommit(), self.flow) {
             // From then on only those who read can be in the way.
             (true, RowFlow::Pouring) => {
@@ -225,13 +234,14 @@ impl Database {
             std::thread::sleep(LOOK);
             is_one_file = self.without_waiting(ONE_FILE);
         }
+        self.connection.is_complete = true;
         drop(self.connection);
         if is_one_file { self.file.forget_transactions() } else { Ok(()) }
     }
 
     /// Ends the transaction if there is one.
     fn commit(&mut self) -> Result<bool, LogError> {
-        let connection = &self.connection.0;
+        let connection = &self.connection.connection;
         if connection.is_autocommit() {
             return Ok(false);
         }
@@ -246,7 +256,7 @@ impl Database {
 
     /// Changes the journal, unless a program reads at this moment; whether it did.
     fn without_waiting(&self, pragma: &str) -> bool {
-        let connection = &self.connection.0;
+        let connection = &self.connection.connection;
         let _ = connection.busy_timeout(Duration::ZERO);
         let changed = connection.execute_batch(pragma).is_ok();
         let _ = connection.busy_timeout(BUSY);
@@ -254,11 +264,13 @@ impl Database {
     }
 }
 
-impl Drop for DatabaseConnection {
+impl Drop for OpenDatabase {
     fn drop(&mut self) {
-        let _ = self.0.execute_batch("ROLLBACK");
-        let _ = self.0.busy_timeout(Duration::ZERO);
-        let _ = self.0.execute_batch(ONE_FILE);
+        if !self.is_complete {
+            let _ = self.connection.execute_batch("ROLLBACK");
+            let _ = self.connection.busy_timeout(Duration::ZERO);
+            let _ = self.connection.execute_batch(ONE_FILE);
+        }
     }
 }
 
