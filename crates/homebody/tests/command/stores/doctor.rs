@@ -77,6 +77,7 @@ fn finds_the_faults_of_files() {
         ("DELETE FROM firing WHERE seq = 5", "1 number is missing, the first is 5"),
         ("DELETE FROM firing WHERE seq < 3", "3 numbers are missing, the first is 0"),
         ("UPDATE firing SET sensor = NULL WHERE seq = 4", "1 row has no time or no sensor"),
+        ("UPDATE firing SET seq = 'five' WHERE seq = 5", "1 row has no integer as the number of the run or of the row"),
         ("ALTER TABLE firing RENAME TO other", "there is no table \"firing\": it has "),
         ("ALTER TABLE firing RENAME COLUMN value TO said", "has no column \"value\""),
         (
