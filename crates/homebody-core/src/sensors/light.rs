@@ -36,7 +36,7 @@ pub static ROW: KindRow = KindRow {
     shape: Shape::Star,
     colour: Colour::Yellow,
     casas: "LS",
-    meaning: Meaning::Measured,
+    meaning: Meaning::UseOrReading,
     entities: &[EntityRow::reading("illuminance")],
 };
 
