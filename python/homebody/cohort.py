@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import argparse
-import re
 import sys
 import warnings
 from collections.abc import Sequence
@@ -22,10 +21,11 @@ _OPTIONS = [name for name in RUN_OPTIONS if name in signature(cohort).parameters
 _FORMS: dict[str, dict[str, Any]] = {
     "integer": {"type": int},
     "number": {"type": float},
-    "string": {},
-    "boolean": {"action": "store_true"},
     "array": {"action": "append", "default": []},
 }
+
+#: Words for the values in the help. Other options have their own name in capitals.
+_VALUES = {"without": "CONDITION"}
 
 
 def _arguments() -> argparse.ArgumentParser:
@@ -41,9 +41,11 @@ def _arguments() -> argparse.ArgumentParser:
     who.add_argument("--profiles", metavar="FILE", help="list of members: a CSV file with a row for each")
     who.add_argument("--draw", nargs=2, metavar=("FILE", "N"), help="number of members, drawn from the distributions in a JSON file")
     for name in _OPTIONS:
-        # The examples in the sentence have the units of the command homebody.
-        sentence = re.split(r": | \(|\n", RUN_OPTIONS[name]["description"])[0]
-        parser.add_argument(f"--{name.replace('_', '-')}", help=sentence, **_FORMS[option_type(name)])
+        # The help is cut before the examples, which are written for the command line of homebody, but keeps the default.
+        summary, *_ = RUN_OPTIONS[name]["description"].splitlines()
+        sentence, bracket, default = summary.partition(" (default: ")
+        help_text = sentence.split(": ")[0] + bracket + default
+        parser.add_argument(f"--{name.replace('_', '-')}", metavar=_VALUES.get(name), help=help_text, **_FORMS[option_type(name)])
     parser.add_argument("--form", default="parquet", help="parquet, csv, jsonl, sqlite or arrow (default: parquet)")
     parser.add_argument("--truth", choices=("all", "brief"), help="tables of the ground truth to keep (default: all; brief for a large cohort)")
     parser.add_argument("--cluster", metavar="ADDRESS", help="tcp://... of a Dask scheduler, or local (default: threads)")

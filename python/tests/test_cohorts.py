@@ -67,7 +67,10 @@ def test_the_program_has_each_option_of_a_run_that_the_function_has() -> None:
     shown = subprocess.run(words, check=True, capture_output=True, text=True).stdout
     options = [name for name in json.loads(_homebody.RUN_OPTIONS) if name in inspect.signature(hb.cohort).parameters]
     assert {"days", "seed", "without"} <= set(options)
-    assert all(f"--{name.replace('_', '-')} {name.upper()}" in shown for name in options)
+    values = {"without": "CONDITION"}
+    assert all(f"--{name.replace('_', '-')} {values.get(name, name.upper())}" in shown for name in options)
+    # The days and the seed.
+    assert " ".join(shown.split()).count("(default: that of the scenario)") == 2
     assert "--numbers" not in shown
 
 

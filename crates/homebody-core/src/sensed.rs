@@ -27,7 +27,7 @@ const WORDS: [(Meaning, &str); 8] = [
         "door window opening garage_door garage gate magnetic magnet reed door_sensor door_contact window_contact \
         contact_sensor door_window open opened closed drawer",
     ),
-    (Meaning::Somebody, "occupancy occupied presence occupancy_sensor presence_sensor person_present"),
+    (Meaning::PresenceByName, "occupancy occupied presence occupancy_sensor presence_sensor person_present"),
     (
         USED,
         "used chair seat sofa couch armchair mattress mat bed_sensor flush item button action click press shake burner faucet tap \
@@ -35,8 +35,8 @@ const WORDS: [(Meaning, &str); 8] = [
         lock vibration experimenter_switch switch lamp outlet socket relay dimmer doorbell kettle toaster coffee_maker \
         moving pill_box cupboard cabinet",
     ),
-    (Meaning::Measured, "water electric electricity use usage state current"),
-    (Meaning::Readings, "sensor"),
+    (Meaning::UseOrReading, "water electric electricity use usage state current"),
+    (Meaning::ReadingOnly, "sensor"),
     (
         READING,
         "reading temp humidity battery battery_percent battery_level battery_voltage voltage energy illuminance \
@@ -60,7 +60,7 @@ const WORDS: [(Meaning, &str); 8] = [
 /// The domains of Home Assistant's ids, and the meaning of each without a class.
 const DOMAINS: [(Option<Meaning>, &str); 4] = [
     (None, "binary_sensor"),
-    (Some(Meaning::Readings), "sensor"),
+    (Some(Meaning::ReadingOnly), "sensor"),
     (Some(USED), "light switch fan media_player lock"),
     (
         Some(OTHER),
@@ -94,9 +94,9 @@ pub fn meaning(kind: &str, id: &str) -> Option<Meaning> {
         }
         (Some("binary_sensor"), class) => binary(class),
         (Some("sensor"), class) => Some(match known(&class.concat()) {
-            Some(said @ (MOTION | CONTACT | Meaning::Somebody)) => said,
+            Some(said @ (MOTION | CONTACT | Meaning::PresenceByName)) => said,
             Some(OTHER) if matches!(class, ["timestamp" | "date"]) => OTHER,
-            _ => Meaning::Readings,
+            _ => Meaning::ReadingOnly,
         }),
         (Some(_), ["config" | "diagnostic"]) => Some(OTHER),
         (Some(domain), _) => DOMAINS.iter().find(|(_, known)| has(known, domain)).and_then(|(meaning, _)| *meaning),
@@ -150,10 +150,10 @@ mod tests {
         let cases = [
             ("motion", MOTION), ("Control4-Motion", MOTION), ("Control4-MotionArea", MOTION), ("PIR", MOTION),
             ("ceiling_motion", MOTION), ("binary_sensor motion", MOTION), ("binary_sensor.door", CONTACT),
-            ("Control4-Door", CONTACT), ("Magnetic", CONTACT), ("contact", CONTACT), ("occupancy", Meaning::Somebody),
-            ("Flush", USED), ("Electric", Meaning::Measured), ("Pressure", Meaning::Measured),
+            ("Control4-Door", CONTACT), ("Magnetic", CONTACT), ("contact", CONTACT), ("occupancy", Meaning::PresenceByName),
+            ("Flush", USED), ("Electric", Meaning::UseOrReading), ("Pressure", Meaning::UseOrReading),
             ("Control4-Temperature", READING), ("Control4-BatteryPercent", READING), ("Control4-LightSensor", READING),
-            ("Control4-Light", Meaning::Measured), ("illuminance_lux", READING), ("co2", READING), ("pm2.5", READING),
+            ("Control4-Light", Meaning::UseOrReading), ("illuminance_lux", READING), ("co2", READING), ("pm2.5", READING),
             ("linkquality", READING), ("update_available", OTHER), ("Other", OTHER),
         ];
         for (kind, wanted) in cases {
@@ -178,8 +178,8 @@ mod tests {
             ("outlet", "switch.kettle", Some(USED)),
             ("config", "switch.child_lock", Some(OTHER)),
             ("", "media_player.tv", Some(USED)),
-            ("power", "sensor.kettle_power", Some(Meaning::Readings)),
-            ("", "sensor.hall", Some(Meaning::Readings)),
+            ("power", "sensor.kettle_power", Some(Meaning::ReadingOnly)),
+            ("", "sensor.hall", Some(Meaning::ReadingOnly)),
             ("timestamp", "sensor.last_boot", Some(OTHER)),
             ("power", "binary_sensor.kettle", Some(USED)),
             ("battery", "binary_sensor.hall", Some(OTHER)),

@@ -16,15 +16,24 @@ use homebody_core::problem::{Problem, Problems};
 use homebody_core::scenario::load::Scenario;
 use std::collections::BTreeMap;
 
-/// A file of the good scenario, a part of its text, the text in its place, and the problems that this causes: those of the same file
-/// without its name.
+/// A file of the good scenario, a part of its text, the text in its place, and the problems that this causes: a line that begins with a
+/// number is a problem of this file, and other lines name their file.
 type Case<'a> = (&'a str, &'a str, &'a str, &'a str);
 
 fn check(cases: &[Case]) {
     for (file, old, new, expected) in cases {
-        let found = reported(&broken(&[(file, old, new)])).replace(&format!("{file}:"), "");
-        assert_eq!(found, *expected, "after {new:?} for {old:?} in {file}");
+        let found = reported(&broken(&[(file, old, new)]));
+        assert_eq!(found, with_file(file, expected), "after {new:?} for {old:?} in {file}");
     }
+}
+
+/// The problems of a case, each with its file.
+fn with_file(file: &str, expected: &str) -> String {
+    let whole = |line: &str| match line.starts_with(|first: char| first.is_ascii_digit()) {
+        true => format!("{file}:{line}"),
+        false => line.to_owned(),
+    };
+    expected.lines().map(whole).collect::<Vec<_>>().join("\n")
 }
 
 /// The good scenario with some of its text replaced.

@@ -83,9 +83,9 @@ fn taken_by(sensors: &[SensorEvidence], own: &OwnWords) -> Vec<Classification> {
 pub fn kind_in_home(kind: &str, gives_readings: bool) -> Kind {
     match meaning(kind, "") {
         Some(Meaning::Is(kind)) => kind,
-        Some(Meaning::Somebody) => Kind::Motion,
-        Some(Meaning::Measured | Meaning::Readings) if gives_readings => Kind::Reading,
-        Some(Meaning::Measured | Meaning::Readings) | None => Kind::Used,
+        Some(Meaning::PresenceByName) => Kind::Motion,
+        Some(Meaning::UseOrReading | Meaning::ReadingOnly) if gives_readings => Kind::Reading,
+        Some(Meaning::UseOrReading | Meaning::ReadingOnly) | None => Kind::Used,
     }
 }
 
@@ -171,11 +171,11 @@ impl SensorEvidence<'_> {
     fn kind(&self, meaning: Meaning) -> Option<Kind> {
         match meaning {
             Meaning::Is(kind) => Some(kind),
-            Meaning::Somebody if self.known.is_seat => Some(Kind::Used),
-            Meaning::Somebody => Some(Kind::Motion),
-            Meaning::Measured if self.tally.says_numbers() => Some(Kind::Reading),
-            Meaning::Measured => Some(Kind::Used),
-            Meaning::Readings => (self.tally.says_numbers() || self.tally.signs() == 0).then_some(Kind::Reading),
+            Meaning::PresenceByName if self.known.is_seat => Some(Kind::Used),
+            Meaning::PresenceByName => Some(Kind::Motion),
+            Meaning::UseOrReading if self.tally.says_numbers() => Some(Kind::Reading),
+            Meaning::UseOrReading => Some(Kind::Used),
+            Meaning::ReadingOnly => (self.tally.says_numbers() || self.tally.signs() == 0).then_some(Kind::Reading),
         }
     }
 

@@ -114,7 +114,7 @@ fn kind_of_states<T>(log: &Log<T>, id: &str) -> Option<Kind> {
     let is_seat = is_seat(id) || known.is_some_and(|known| is_seat(&known.name) || is_seat(&known.kind));
     match known.and_then(|known| meaning(&known.kind, "")) {
         Some(Meaning::Is(kind @ (Kind::Motion | Kind::Contact))) => return Some(kind),
-        Some(Meaning::Somebody) => return Some(Kind::Motion),
+        Some(Meaning::PresenceByName) => return Some(Kind::Motion),
         _ => {}
     }
     match named {

@@ -135,11 +135,11 @@ pub struct SensorLinkFile {
     #[serde(skip_serializing_if = "Option::is_none")]
     #[schemars(range(min = 0, max = 1))]
     pub corruption: Option<f64>,
-    /// Share of a motion sensor's firings that it misses. Other sensors miss firings only if their own entry says so.
+    /// Share of firings that are missed. The value for all sensors applies to motion sensors only.
     #[serde(skip_serializing_if = "Option::is_none")]
     #[schemars(range(min = 0, max = 1))]
     pub misses: Option<f64>,
-    /// Rate of a motion sensor's false firings.
+    /// Rate of false firings. Only motion sensors have any.
     #[serde(skip_serializing_if = "Option::is_none")]
     #[schemars(range(min = 0, max = 1_000))]
     pub false_fires_per_h: Option<f64>,

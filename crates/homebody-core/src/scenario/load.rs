@@ -372,8 +372,8 @@ impl Loader<'_> {
     ) -> Option<Resident> {
         let Read { source, data: file } = resident;
         let root = source.root.to_json();
-        let text_driver =
-            ["routine", "script"].into_iter().find_map(|noun| Some((noun, root["driver"][noun].as_str()?)));
+        let resident = file.as_ref().map(|file| file.name.as_str());
+        let home_and_plan = surroundings.home.zip(surroundings.plan);
         let driver = if root.pointer("/driver/path").is_some() {
             let path: Read<PathFile> = self.link(&source, &root, "/driver/path", FileKind::Path)?;
             let data = path.data?;
@@ -382,18 +382,20 @@ impl Loader<'_> {
             let walker = file.clone().unwrap_or_else(unknown);
             check::path::check(&path.source, &data, &walker, surroundings, &mut self.problems);
             ResidentDriver::Path(ResolvedPath::new(data, surroundings.plan?, walker.pace_mps)?)
-        } else if let Some((noun, name)) = text_driver {
-            let (text, is_script) = (self.text(&source, &format!("/driver/{noun}"), name, noun)?, noun == "script");
-            if let Some((home, plan)) = surroundings.home.zip(surroundings.plan) {
-                let resident = file.as_ref().map(|file| file.name.as_str());
-                let said = DriverText { of: index, file: name, text: &text, resident, calendar };
-                self.problems.extend(match is_script {
-                    true => self.language.read_script(&said, home, plan),
-                    false => self.language.read(&said, home, plan, self.files),
-                });
+        } else if let Some(name) = root["driver"]["routine"].as_str() {
+            let text = self.text(&source, "/driver/routine", name, "routine")?;
+            if let Some((home, plan)) = home_and_plan {
+                let routine = DriverText { of: index, file: name, text: &text, resident, calendar };
+                self.problems.extend(self.language.read(&routine, home, plan, self.files));
             }
-            let file = name.into();
-            if is_script { ResidentDriver::Script { file, text } } else { ResidentDriver::Routine { file, text } }
+            ResidentDriver::Routine { file: name.into(), text }
+        } else if let Some(name) = root["driver"]["script"].as_str() {
+            let text = self.text(&source, "/driver/script", name, "script")?;
+            if let Some((home, plan)) = home_and_plan {
+                let script = DriverText { of: index, file: name, text: &text, resident, calendar };
+                self.problems.extend(self.language.read_script(&script, home, plan));
+            }
+            ResidentDriver::Script { file: name.into(), text }
         } else {
             let live = match &file {
                 Some(ResidentFile { driver: DriverFile::Live(live), .. }) => Some(live),

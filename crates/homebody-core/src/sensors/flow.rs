@@ -30,7 +30,7 @@ pub static ROW: KindRow = KindRow {
     shape: Shape::Drop,
     colour: Colour::Sky,
     casas: "I",
-    meaning: Meaning::Measured,
+    meaning: Meaning::UseOrReading,
     entities: &[EntityRow::switch("running", "water_flow")],
 };
 

@@ -36,7 +36,7 @@ pub static ROW: KindRow = KindRow {
     shape: Shape::Star,
     colour: Colour::Yellow,
     casas: "LS",
-    meaning: Meaning::Measured,
+    meaning: Meaning::UseOrReading,
     entities: &[EntityRow::reading("illuminance")],
 };
 
@@ -171,7 +171,7 @@ super::form::usual! {
 mod tests {
     use super::*;
     use crate::event::Value;
-    use crate::sensors::outbox::testing::{readings, says};
+    use crate::sensors::outbox::testing::{USER, readings, says};
     use crate::time::{DAY, HOUR, MINUTE};
 
     fn light() -> Light {
@@ -199,8 +199,7 @@ mod tests {
             [RunTime::START, RunTime::START + HOUR + Span::from_micros(7), RunTime::START + 2 * HOUR];
         let uses = [(one, true), (one, true), (two, false)];
         let messages = says(&mut light(), ThingId(3), &uses, RunTime::START + DAY);
-        let user = Some(ResidentId(0));
-        let at_night = [(start, 0, None), (one, 150_000, user), (two, 0, user)];
+        let at_night = [(start, 0, None), (one, 150_000, Some(USER)), (two, 0, Some(USER))];
         assert_eq!(messages[..3], at_night.map(|(at, lux, by)| (at, Value::Reading(lux), by)));
         let lux = readings(&messages[2..]);
         assert!(lux.windows(2).all(|pair| (pair[1] - pair[0]).abs() > (0.2 * pair[0]).max(1.0) - 0.5), "{lux:?}");

@@ -7,15 +7,15 @@ crate::worded::worded! {
     #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
     #[serde(rename_all = "snake_case")]
     pub enum Kind {
-        /// It sees movement.
+        /// A sensor of movement.
         Motion = "motion",
-        /// A door, a drawer, a window.
+        /// A contact of a door, a drawer or a window.
         Contact = "contact",
-        /// A light's switch, a mattress, an item: it is used, but no movement is seen.
+        /// A sensor of use without movement, as of a light's switch, a mattress or an item.
         Used = "used",
-        /// A temperature, a battery, a brightness.
+        /// A source of numbers, such as a temperature, a battery or a brightness.
         Reading = "reading",
-        /// It tells of no person: an update, an automation, the sun.
+        /// A source without signs of people, such as an update, an automation or the sun.
         Other = "other",
     }
     /// All of them.
@@ -27,12 +27,13 @@ crate::worded::worded! {
 /// The meaning of a word for a kind of sensor.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Meaning {
-    /// It is of this kind.
+    /// The word alone decides: the sensor has this kind.
     Is(Kind),
-    /// A person is seen, or lies or sits on it. The name of a bed or a chair decides.
-    Somebody,
-    /// It is used; where it tells numbers, it is a reading.
-    Measured,
-    /// A reading; where it says that something begins and ends, the word says nothing of it.
-    Readings,
+    /// The name decides. A bed or a seat by its name is used; any other sensor detects motion.
+    PresenceByName,
+    /// The values decide. A sensor with numbers gives readings; any other is used.
+    UseOrReading,
+    /// The values decide. A sensor with numbers, or without states that begin and end, gives readings. For any other sensor, the word
+    /// decides nothing.
+    ReadingOnly,
 }

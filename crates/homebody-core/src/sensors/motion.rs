@@ -388,27 +388,15 @@ pub struct ZonesFile {
     pub window_s: f64,
 }
 
-/// Ours, above the 6 ft (1.83 m) that the manual of the X10 HawkEye MS13A asks for.
-pub(crate) fn mounting_height() -> f64 {
-    2.1
-}
-
-/// The axis meets the floor at 2.355 mounting heights (spaceti.com installation guide).
-pub(crate) fn tilt() -> f64 {
-    23.0
-}
-
-/// Godsey & Skubic 2009, section III.D.
-pub(crate) fn field() -> [f64; 2] {
-    [145.0, 50.0]
-}
-
-/// 9.6 m for a walking person in an installation guide (spaceti.com), rounded.
-pub(crate) fn reach() -> f64 {
-    10.0
-}
-
 super::form::usual! {
+    /// Ours, above the 6 ft (1.83 m) that the manual of the X10 HawkEye MS13A asks for.
+    pub(crate) fn mounting_height() -> f64 = 2.1;
+    /// The axis meets the floor at 2.355 mounting heights (spaceti.com installation guide).
+    pub(crate) fn tilt() -> f64 = 23.0;
+    /// Godsey & Skubic 2009, section III.D.
+    pub(crate) fn field() -> [f64; 2] = [145.0, 50.0];
+    /// 9.6 m for a walking person in an installation guide (spaceti.com), rounded.
+    pub(crate) fn reach() -> f64 = 10.0;
     /// Ours: at 3 m the middle two beams are 0.04 m apart and the outermost two 0.36 m, less than a body is wide.
     fn beams() -> u32 = 32;
     /// Ours: a stir of 0.3 m is seen to 5.7 m, as "small motion within 6 m" (spaceti.com).

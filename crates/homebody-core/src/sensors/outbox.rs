@@ -110,12 +110,15 @@ pub fn reading(number: f64) -> Value {
 pub mod testing {
     use super::*;
 
-    /// A change of a thing by the first resident.
+    /// The user of things. A device that names the first resident by mistake names another one.
+    pub const USER: ResidentId = ResidentId(4);
+
+    /// A change of a thing by the user.
     pub fn used(thing: ThingId, on: bool) -> Change {
-        Change::Use { resident: Some(ResidentId(0)), thing, on }
+        Change::Use { resident: Some(USER), thing, on }
     }
 
-    /// The messages of a device until an instant, while the first resident turns a thing on and off.
+    /// The messages of a device until an instant, while the user turns a thing on and off.
     pub fn says(
         device: &mut impl DeviceModel,
         thing: ThingId,

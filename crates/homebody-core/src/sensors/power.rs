@@ -39,7 +39,7 @@ pub static ROW: KindRow = KindRow {
     shape: Shape::Bolt,
     colour: Colour::Yellow,
     casas: "P",
-    meaning: Meaning::Measured,
+    meaning: Meaning::UseOrReading,
     entities: &[
         EntityRow { form: EntityForm::Switch(STATE), ..EntityRow::switch("power", "state") },
         EntityRow::further_reading("power", "Power"),

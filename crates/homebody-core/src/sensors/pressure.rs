@@ -39,7 +39,7 @@ pub static ROW: KindRow = KindRow {
     shape: Shape::Hexagon,
     colour: Colour::Green,
     casas: "I",
-    meaning: Meaning::Measured,
+    meaning: Meaning::UseOrReading,
     entities: &[EntityRow::switch("occupancy", "occupancy")],
 };
 

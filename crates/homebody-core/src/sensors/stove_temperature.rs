@@ -39,7 +39,7 @@ pub static ROW: KindRow = KindRow {
     shape: Shape::Flame,
     colour: Colour::Vermillion,
     casas: "T",
-    meaning: Meaning::Measured,
+    meaning: Meaning::UseOrReading,
     entities: &[EntityRow::switch("heat", "heat"), EntityRow::further_reading("temperature", "Temperature")],
 };
 

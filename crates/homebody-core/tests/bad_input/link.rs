@@ -33,8 +33,7 @@ pub fn linked() -> BTreeMap<String, String> {
 fn check(cases: &[Case]) {
     for (file, old, new, expected) in cases {
         let files = changed(linked(), &[(file, old, new)]);
-        let found = reported(&files).replace(&format!("{file}:"), "");
-        assert_eq!(found, *expected, "after {new:?} for {old:?} in {file}");
+        assert_eq!(reported(&files), with_file(file, expected), "after {new:?} for {old:?} in {file}");
     }
 }
 

@@ -122,7 +122,7 @@ impl<'r, 't> Gathered<'r, 't> {
         let name = Path::new(&self.place).file_name()?.to_str()?;
         let name = name.split(".json").next()?.trim_start_matches("history.");
         let name = name.trim_end_matches(|c: char| c.is_ascii_digit() || "-_. ".contains(c));
-        let is_of_sensor = meaning(name, "").is_some_and(|meaning| meaning != Meaning::Readings);
+        let is_of_sensor = meaning(name, "").is_some_and(|meaning| meaning != Meaning::ReadingOnly);
         is_of_sensor.then(|| name.to_owned())
     }
 

@@ -14,7 +14,7 @@ pub enum Call {
     Finish,
 }
 
-/// A destination with this answer to each call; the rows are those of a write.
+/// A destination of the run of [`super::run`] with this answer to each call; the rows are those of a write.
 pub fn sink(answer: impl FnMut(Call, &Batch) -> Result<Watermark, LogError> + Send + 'static) -> impl Sink {
     Answering(answer)
 }
@@ -22,8 +22,10 @@ pub fn sink(answer: impl FnMut(Call, &Batch) -> Result<Watermark, LogError> + Se
 struct Answering<F>(F);
 
 impl<F: FnMut(Call, &Batch) -> Result<Watermark, LogError> + Send> Sink for Answering<F> {
-    fn begin(&mut self, _: &Begin) -> Result<Watermark, LogError> {
-        (self.0)(Call::Begin, &Batch::default())
+    fn begin(&mut self, begin: &Begin) -> Result<Watermark, LogError> {
+        let watermark = (self.0)(Call::Begin, &Batch::default())?;
+        assert_eq!(begin.run.sensor_names(), super::sensors());
+        Ok(watermark)
     }
 
     fn write(&mut self, batch: &Batch) -> Result<(), LogError> {

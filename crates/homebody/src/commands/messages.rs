@@ -120,6 +120,6 @@ homebody_core::messages! {
         /// ```
         OfExperiments { code: String } error "of-experiments"
             ("the program of the experiments explains the code {code:?}")
-            hint ("run homebody-lab explain {code}");
+            hint ("in a clone of the repository, run `cargo run --release --package homebody-lab -- explain {code}`");
     }
 }

@@ -59,6 +59,7 @@ fn a_truth_of_texts_is_found_next_to_its_log_and_checked() {
     folder.run("run flat --for 20m --quiet --out csv:log.csv --truth csv:texts.csv").ok();
     folder.run("label log.csv csv:texts.csv --out csv:wanted.csv").ok();
     let wanted = folder.read("wanted.csv");
+    assert!(wanted.lines().count() > 300 && wanted.contains(",movement,"));
     folder.run("run flat --for 20m --quiet --out csv:beside/log.csv --truth csv:beside/truth.csv").fails(1, "folder");
     fs::create_dir(folder.path("beside")).unwrap();
     folder.run("run flat --for 20m --quiet --out csv:beside/log.csv --truth csv:beside/truth.csv").ok();

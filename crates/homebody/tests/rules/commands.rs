@@ -71,6 +71,20 @@ fn a_command_that_is_not_understood_is_found() {
     assert_eq!(wrong(over_lines), ["README.md:2: homebody check has no -q"]);
 }
 
+/// The other tests read the help without the program.
+#[test]
+fn the_program_prints_the_rendered_help() {
+    // The width of the terminal may change the line breaks.
+    let words = |text: &str| text.split_whitespace().collect::<Vec<_>>().join(" ");
+    let paths: [&[&str]; 2] = [&[], &["run"]];
+    for path in paths {
+        let output = homebody(&repository(), path.iter().copied().chain(["--help"]));
+        assert!(output.status.success(), "{path:?}: {output:?}");
+        let printed = String::from_utf8_lossy(&output.stdout).replace("homebody.exe", "homebody");
+        assert_eq!(words(&printed), words(&help("homebody", path)), "{path:?}");
+    }
+}
+
 #[test]
 fn the_quick_commands_of_the_readme_run() {
     let folder = copy();

@@ -17,8 +17,9 @@ HOMEBODY_REWRITE=1 cargo test -p homebody --test rules messages writes this file
 const PAGE: &str = "\
 # Diagnostics
 
-This page explains every message by its code. `homebody explain CODE` prints the same text, and `homebody-lab explain CODE` does for the
-messages of [experiments](../explanation/validation.md). Names in braces stand for data, which `--json` and Python carry under `data`.
+This page explains every message by its code. `homebody explain CODE` prints the same text. For messages of
+[experiments](../explanation/validation.md), `cargo run --release --package homebody-lab -- explain CODE` does. Names in braces stand for
+data, which `--json` and Python carry under `data`.
 
 They also carry the change that solves the problem under `fix`, if one change is enough:
 
@@ -82,7 +83,8 @@ fn explain_names_the_program_of_the_experiments_for_their_codes() {
         for code in [area.to_string(), format!("{area}::any")] {
             let (exit, text) = explain(&format!("[{code}]"));
             assert!(exit == Some(2) && text.contains("[explain::of-experiments]"), "{code}: {text}");
-            assert!(text.contains(&format!("homebody-lab explain {code}")), "{text}");
+            let command = format!("`cargo run --release --package homebody-lab -- explain {code}`");
+            assert!(text.contains(&command), "{text}");
         }
     }
     assert!(homebody::messages::all().all(|entry| !of_experiments.contains(area(entry.code))));

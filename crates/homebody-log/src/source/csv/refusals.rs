@@ -178,8 +178,8 @@ fn is_phone(text: &str) -> bool {
 fn is_used(name: &str) -> bool {
     match meaning(name, "") {
         Some(Meaning::Is(kind)) => matches!(kind, Kind::Used | Kind::Contact),
-        Some(Meaning::Measured | Meaning::Readings) => false,
-        Some(Meaning::Somebody) => true,
+        Some(Meaning::UseOrReading | Meaning::ReadingOnly) => false,
+        Some(Meaning::PresenceByName) => true,
         None => {
             let words = words(name);
             has_any(&words, DOOR_WORDS) || ROLE_WORDS.iter().any(|(_, known)| has_any(&words, known))
