@@ -23,7 +23,7 @@ use std::path::PathBuf;
 #[derive(clap::Args)]
 #[command(after_long_help = format!("Examples:
   homebody locate runs/tigerplace-1 --home scenarios/tigerplace --out located
-  homebody locate casas:week.txt --home my-home --out located && homebody day located/run
+  homebody locate casas:week.txt --home my-home --out located && homebody day located/run first
   homebody locate week.csv --home my-home --out located --json
   homebody locate casas:home.txt --home my-home --follow
   tail -n +1 -F home.txt | homebody locate casas:- --home my-home --follow --json
@@ -93,7 +93,7 @@ impl LocateArguments {
             return print_json(&report);
         }
         print_text(&report.explained.to_string())?;
-        tell(format_args!("{} is ready.\n  homebody day {0}/run\n  homebody serve {0}", to.display()));
+        tell(format_args!("{} is ready.\n  homebody day {0}/run first\n  homebody serve {0}", to.display()));
         Ok(())
     }
 }
