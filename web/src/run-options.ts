@@ -20,7 +20,7 @@ export type RunOption = {
 
 export const RUN_OPTIONS: Readonly<Record<keyof RunOptions, RunOption>> = {
   days: { type: 'number', label: "Length in days", help: "Duration of the run in days (default: that of the scenario)", expected: "more than 0 and at most 36,525 (a hundred years)", above: 0, most: 36525 },
-  start: { type: 'string', label: "Start", help: "Start of the run in the home's local time: now, today, 2026-11-01 or 2026-11-01T08:00 (default: the start in the scenario)", pattern: "^(now|today|\\d{4}-\\d\\d-\\d\\d([T ]\\d\\d:\\d\\d(:\\d\\d)?)?)$", expected: "a date, or a date and time, such as '2009-03-02T00:00:00'" },
+  start: { type: 'string', label: "Start", help: "Start of the run in the home's local time: now, today, 2026-11-01 or 2026-11-01T08:00 (default: the start in the scenario)", pattern: "^(now|today|\\d{4}-\\d\\d-\\d\\d([T ]\\d\\d:\\d\\d(:\\d\\d)?)?)$", expected: "now, today, a date, or a date and time, such as '2009-03-02T00:00:00'" },
   seed: { type: 'integer', label: "Seed", help: "Seed of all random numbers (default: that of the scenario)", least: 0, most: 9007199254740991 },
   without: { type: 'array', help: "Leave out a condition of the routine; repeatable", expected: "a list of conditions" },
   numbers: { type: 'object', label: "Parameters", help: "Parameters of the models by name, such as gait.slowest=0.25; the command homebody parameters lists all", expected: "a mapping of parameters of the models, such as {'life.day_spread': 0.3}" },

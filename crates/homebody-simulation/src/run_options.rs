@@ -2,7 +2,7 @@
 //! [`RunOptions::plan`] turns options into a run for all of them.
 //!
 //! A new option is a field here, and its effect in [`RunOptions::plan`]. Its `title` is its label in the form of the page, which does
-//! not offer an option without one. `expected` describes the values in errors. A `pattern` restricts a text.
+//! not offer an option without one. `expected` describes the values in errors. The page checks `pattern`.
 
 use crate::run_length::RunLength;
 use crate::run_start::RunStart;
@@ -59,7 +59,7 @@ pub struct RunOptions {
         title = "Start",
         extend(
             "pattern" = r"^(now|today|\d{4}-\d\d-\d\d([T ]\d\d:\d\d(:\d\d)?)?)$",
-            "expected" = "a date, or a date and time, such as '2009-03-02T00:00:00'"
+            "expected" = "now, today, a date, or a date and time, such as '2009-03-02T00:00:00'"
         )
     )]
     pub start: Option<RunStart>,

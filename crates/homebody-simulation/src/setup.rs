@@ -18,6 +18,8 @@ use homebody_core::time::{RunTime, Span};
 use homebody_log::Cancel;
 use homebody_routine::household::Household;
 use std::collections::BTreeMap;
+use std::error::Error;
+use std::fmt;
 use std::sync::Arc;
 use std::sync::mpsc::Receiver;
 
@@ -100,8 +102,8 @@ impl RunOptions {
     ///
     /// # Errors
     ///
-    /// [`SimulationError::Problems`] if no routine shows a condition that is to be left out, a parameter is unknown or out of range, or the
-    /// start is not a date and time; [`SimulationError::Length`] if the length is out of range.
+    /// [`OptionError`] with the first wrong option: [`SimulationError::Problems`] if no routine shows a condition that is to be left out, a
+    /// parameter is unknown or out of range, or the start is not a date and time; [`SimulationError::Length`] if the length is out of range.
     pub fn plan(mut self, scenario: &OpenScenario) -> Result<PlannedRun, OptionError> {
         let scenario = self.change_file(scenario)?;
         let length = self.span(&scenario).map_err(in_option("days"))?;
@@ -136,6 +138,18 @@ pub struct OptionError {
     pub option: &'static str,
     /// The reason.
     pub error: SimulationError,
+}
+
+impl fmt::Display for OptionError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        fmt::Display::fmt(&self.error, f)
+    }
+}
+
+impl Error for OptionError {
+    fn source(&self) -> Option<&(dyn Error + 'static)> {
+        self.error.source()
+    }
 }
 
 impl From<OptionError> for SimulationError {
@@ -221,7 +235,7 @@ impl RunSetup {
     ///
     /// # Errors
     ///
-    /// As [`RunOptions::plan`].
+    /// The [`OptionError::error`] of [`RunOptions::plan`].
     pub fn plan(&self) -> Result<PlannedRun, SimulationError> {
         Ok(self.options.clone().plan(&self.scenario)?)
     }

@@ -75,11 +75,13 @@ pub async fn serve(
 ) {
     let Ok(_place) = pages.try_acquire() else { return close_for_now(socket).await };
     client.mark_page();
-    let held = PageKeys { commands: Some(stage.page_commands()), keys: false };
+    let commands = stage.page_commands();
+    let seen = commands.seen();
+    let held = PageKeys { commands: Some(commands), keys: false };
     let (mut out, mut heard) = socket.split();
     // The page is gone when either direction fails.
     let is_home_gone = tokio::select! {
-        _ = talk(&mut out, &mut heard, stage, held) => false,
+        _ = talk(&mut out, &mut heard, stage, seen, held) => false,
         // The sender exists as long as this.
         _ = gone.wait_for(|gone| *gone) => true,
     };
@@ -147,11 +149,11 @@ async fn talk(
     out: &mut SplitSink<WebSocket, Message>,
     heard: &mut SplitStream<WebSocket>,
     stage: &Stage,
+    mut seen: Seen,
     mut held: PageKeys,
 ) -> Option<()> {
     let mut is_refused = false;
     let mut changed = stage.changed();
-    let mut seen = Seen::default();
     let mut next = Instant::now();
     let mut alive = interval(Duration::from_secs(20));
     changed.mark_changed();

@@ -57,14 +57,21 @@ struct Board {
     /// `None` until a run has started.
     shown: Option<ShownRun>,
     rows: VecDeque<FiringView>,
-    /// The notes, numbered from 0.
-    notes: VecDeque<(u64, RunNotice)>,
+    notes: VecDeque<BoardNote>,
     next_note: u64,
     /// The failure of the run: pages that open later get it, too.
     failure: Option<RunNotice>,
     /// The error of the last failed start, and the number of failed starts.
     unbegun: Option<RunNotice>,
     unbegun_count: u64,
+}
+
+struct BoardNote {
+    /// Counted from 0.
+    number: u64,
+    /// `None` for all pages.
+    page: Option<u64>,
+    notice: RunNotice,
 }
 
 /// The state of a run that pages read.
@@ -83,6 +90,8 @@ impl ShownRun {
 /// The part that a page has already.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Seen {
+    /// The number of the page.
+    page: Option<u64>,
     run: u64,
     number: Option<u64>,
     unbegun: u64,
@@ -126,7 +135,8 @@ impl Stage {
         let (queue, receiver) = command_queue();
         let (change, changed) = watch::channel(0);
         let pace = Pace::paused(Speed::Times(1.0));
-        let stage_thread = StageThread { folders, run, is_broken: false, pace, receiver, board: board.clone(), change };
+        let stage_thread =
+            StageThread { folders, run, is_broken: false, pace, receiver, asking: 0, board: board.clone(), change };
         let thread = thread::Builder::new().name("stage".into()).spawn(move || stage_thread.run());
         thread.map_err(|error| no_thread("to simulate a run", error).diagnostic())?;
         Ok(Stage { queue, board, changed })
@@ -184,8 +194,10 @@ impl Stage {
         if let (None, Some(failure)) = (seen.note, board.failure.clone()) {
             tells.push(failure);
         }
-        let first = seen.note.unwrap_or(board.next_note);
-        tells.extend(board.notes.iter().filter(|(number, _)| *number >= first).map(|(_, tell)| tell.clone()));
+        let (first, page) = (seen.note.unwrap_or(board.next_note), seen.page);
+        let notes =
+            board.notes.iter().filter(|note| note.number >= first && (note.page.is_none() || note.page == page));
+        tells.extend(notes.map(|note| note.notice.clone()));
         seen.note = Some(board.next_note);
         let Some(mut frame) = board.shown.as_ref().map(|shown| shown.frame.clone()) else {
             return News { tells, frame: None };
@@ -235,6 +247,8 @@ struct StageThread {
     is_broken: bool,
     pace: Pace,
     receiver: CommandReceiver,
+    /// The number of the page whose command is executed.
+    asking: u64,
     board: Arc<Mutex<Board>>,
     change: watch::Sender<u64>,
 }
@@ -299,7 +313,10 @@ impl StageThread {
 
     fn fulfil(&mut self, command: StageCommand) {
         match command {
-            StageCommand::PageCommand(say) => self.obey(say),
+            StageCommand::PageCommand(page, say) => {
+                self.asking = page;
+                self.obey(say);
+            }
             StageCommand::Close(done) => {
                 self.finish();
                 // The sender may be gone.
@@ -311,7 +328,7 @@ impl StageThread {
     fn obey(&mut self, say: PageCommand) {
         match say {
             PageCommand::Start { options, .. } if options.variant.seed.is_some_and(|seed| seed >= 1 << 53) => {
-                self.refuse(StartError::Option("seed", StageMessage::Seed.diagnostic()));
+                self.refuse(StartError::in_option("seed", &StageMessage::Seed.diagnostic(), &[]));
             }
             PageCommand::Start { driven, options } => {
                 let is_driven = driven.is_some();
@@ -410,14 +427,14 @@ impl StageThread {
     fn refuse(&mut self, why: StartError) {
         match why {
             StartError::Other(why) => self.warn(&why),
-            StartError::Problems(_) | StartError::Option(..) => {
+            StartError::Option { .. } => self.tell(Some(self.asking), why.tell()),
+            StartError::Problems(_) => {
                 let mut board = locked(&self.board);
                 board.unbegun = Some(why.tell());
                 board.unbegun_count += 1;
-                drop(board);
-                self.change.send_modify(|change| *change += 1);
             }
         }
+        self.change.send_modify(|change| *change += 1);
     }
 
     fn finish(&mut self) {
@@ -508,6 +525,8 @@ impl StageThread {
         board.number += 1;
         board.rows.clear();
         (board.failure, board.unbegun) = (None, None);
+        // A page gets the run before the notes, so an earlier refusal would look like a later one.
+        board.notes.retain(|note| !matches!(note.notice, RunNotice::Unbegun { .. }));
         board.shown = shown;
         drop(board);
         self.change.send_modify(|change| *change += 1);
@@ -523,17 +542,18 @@ impl StageThread {
     }
 
     fn note(&mut self, text: String) {
-        self.tell(RunNotice::Note { text, bad: false, code: None });
+        self.tell(None, RunNotice::Note { text, bad: false, code: None });
     }
 
     fn warn(&mut self, message: &Diagnostic) {
-        self.tell(note(message));
+        self.tell(None, note(message));
     }
 
-    fn tell(&mut self, tell: RunNotice) {
+    /// Tells a page, or all pages.
+    fn tell(&mut self, page: Option<u64>, notice: RunNotice) {
         let mut board = locked(&self.board);
         let number = board.next_note;
-        board.notes.push_back((number, tell));
+        board.notes.push_back(BoardNote { number, page, notice });
         board.next_note += 1;
         if board.notes.len() > MOST_NOTES {
             board.notes.pop_front();

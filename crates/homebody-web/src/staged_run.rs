@@ -41,8 +41,12 @@ pub struct StartRequest {
 #[derive(Clone, Debug)]
 pub enum StartError {
     Problems(Vec<Problem>),
-    /// The message about an option of the run, by its name.
-    Option(&'static str, Diagnostic),
+    /// The messages about an option of the run, by its name, with a line for each.
+    Option {
+        option: &'static str,
+        why: String,
+        code: Option<String>,
+    },
     Other(Diagnostic),
 }
 
@@ -75,12 +79,10 @@ impl From<SimulationError> for StartError {
 
 impl From<OptionError> for StartError {
     fn from(OptionError { option, error }: OptionError) -> StartError {
-        // At the field of the option, the place in the file of the scenario says nothing.
-        let message = match error {
-            SimulationError::Problems(problems) => problems.0.into_iter().next().unwrap_or_default(),
-            error => error.diagnostic(),
-        };
-        StartError::Option(option, Diagnostic { file: String::new(), ..message })
+        let message = error.diagnostic();
+        let problems = if let SimulationError::Problems(problems) = &error { problems.0.split_first() } else { None };
+        let (first, others) = problems.unwrap_or((&message, &[]));
+        StartError::in_option(option, first, others)
     }
 }
 
@@ -91,16 +93,23 @@ impl From<LogError> for StartError {
 }
 
 impl StartError {
+    pub fn in_option(option: &'static str, first: &Diagnostic, others: &[Diagnostic]) -> StartError {
+        // At the field of the option, the place in the file of the scenario says nothing.
+        let line = |message: &Diagnostic| sentence(&Diagnostic { file: String::new(), ..message.clone() });
+        let lines: Vec<String> = std::iter::once(first).chain(others).map(line).collect();
+        StartError::Option { option, why: lines.join("\n"), code: code_of(first) }
+    }
+
     pub fn tell(&self) -> RunNotice {
-        let message = |why: &Diagnostic, option: Option<&str>| RunNotice::Unbegun {
-            why: sentence(why),
+        let message = |why: String, option: Option<&str>, code: Option<String>| RunNotice::Unbegun {
+            why,
             problems: Vec::new(),
             option: option.map(str::to_owned),
-            code: code_of(why),
+            code,
         };
         match self {
-            StartError::Other(why) => message(why, None),
-            StartError::Option(option, why) => message(why, Some(option)),
+            StartError::Other(why) => message(sentence(why), None, code_of(why)),
+            StartError::Option { option, why, code } => message(why.clone(), Some(option), code.clone()),
             StartError::Problems(problems) => {
                 let why = match problems.len() {
                     1 => "Cannot start a run: the scenario has a problem.".to_owned(),

@@ -1,5 +1,6 @@
 //! The queue of commands from pages. A page with too many waiting commands is refused, so that other pages do not wait for it.
 
+use super::Seen;
 use crate::wire::PageCommand;
 use std::collections::VecDeque;
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -11,7 +12,8 @@ use std::time::{Duration, Instant};
 pub(crate) const MOST_WAITING: usize = 32;
 
 pub(super) enum StageCommand {
-    PageCommand(PageCommand),
+    /// The number of the page, and its command.
+    PageCommand(u64, PageCommand),
     /// Complete all files, then report it.
     Close(Sender<()>),
 }
@@ -27,6 +29,7 @@ struct QueueEnd(Arc<SharedQueue>);
 
 pub struct PageCommands {
     queue: CommandQueue,
+    page: u64,
     waiting: Arc<AtomicUsize>,
 }
 
@@ -40,6 +43,8 @@ struct SharedQueue {
 struct WaitingCommands {
     commands: VecDeque<(StageCommand, WaitingCount)>,
     is_over: bool,
+    /// The number of pages so far.
+    pages: u64,
 }
 
 struct WaitingCount(Arc<AtomicUsize>);
@@ -78,7 +83,9 @@ pub(super) fn command_queue() -> (CommandQueue, CommandReceiver) {
 
 impl CommandQueue {
     pub fn page_commands(&self) -> PageCommands {
-        PageCommands { queue: self.clone(), waiting: Arc::default() }
+        let mut waiting = self.0.0.lock();
+        waiting.pages += 1;
+        PageCommands { queue: self.clone(), page: waiting.pages, waiting: Arc::default() }
     }
 
     /// Discards all waiting commands and ends the stage.
@@ -92,18 +99,23 @@ impl CommandQueue {
 }
 
 impl PageCommands {
+    /// A page that has nothing of the stage yet.
+    pub fn seen(&self) -> Seen {
+        Seen { page: Some(self.page), ..Seen::default() }
+    }
+
     /// Queues a command. False if too many commands of this page wait.
     pub fn send(&self, say: PageCommand) -> bool {
         let queue = &self.queue.0.0;
         let mut waiting = queue.lock();
         if matches!(say, PageCommand::Stop) {
-            waiting
-                .commands
-                .retain(|(command, _)| !matches!(command, StageCommand::PageCommand(waits) if is_ended_by_stop(waits)));
+            let is_ended =
+                |command: &StageCommand| matches!(command, StageCommand::PageCommand(_, say) if is_ended_by_stop(say));
+            waiting.commands.retain(|(command, _)| !is_ended(command));
         } else if self.waiting.load(Ordering::Relaxed) >= MOST_WAITING {
             return false;
         }
-        waiting.commands.push_back((StageCommand::PageCommand(say), WaitingCount::new(&self.waiting)));
+        waiting.commands.push_back((StageCommand::PageCommand(self.page, say), WaitingCount::new(&self.waiting)));
         queue.changed.notify_all();
         true
     }
@@ -111,7 +123,7 @@ impl PageCommands {
     /// Releases all keys after the last command, even if too many wait.
     pub fn release_keys(self) {
         let queue = &self.queue.0.0;
-        let command = StageCommand::PageCommand(PageCommand::Hold { keys: Vec::new() });
+        let command = StageCommand::PageCommand(self.page, PageCommand::Hold { keys: Vec::new() });
         queue.lock().commands.push_back((command, WaitingCount::new(&self.waiting)));
         queue.changed.notify_all();
     }
@@ -178,7 +190,7 @@ mod tests {
         loud.release_keys();
         assert!(matches!(
             all(&receiver)[..],
-            [StageCommand::PageCommand(PageCommand::Play), StageCommand::PageCommand(PageCommand::Hold { .. })]
+            [StageCommand::PageCommand(1, PageCommand::Play), StageCommand::PageCommand(1, PageCommand::Hold { .. })]
         ));
     }
 
@@ -190,7 +202,7 @@ mod tests {
         assert!(loud.send(PageCommand::Stop) && loud.send(PageCommand::Stop) && loud.send(PageCommand::Play));
         assert!(matches!(
             all(&receiver)[..],
-            [StageCommand::PageCommand(PageCommand::Stop), StageCommand::PageCommand(PageCommand::Play)]
+            [StageCommand::PageCommand(_, PageCommand::Stop), StageCommand::PageCommand(_, PageCommand::Play)]
         ));
         while loud.send(start()) {}
         queue.close(channel().0);

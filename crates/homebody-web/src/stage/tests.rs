@@ -167,28 +167,33 @@ fn starts_no_run_of_an_invalid_scenario() {
     stage.close();
 }
 
-/// The page shows the message of an option at its field.
+/// The page that asks shows all messages of an option at its field. Other pages, and pages that open later, get none.
 #[test]
-fn names_the_option_that_prevents_a_run() {
+fn names_the_option_that_prevents_a_run_to_the_page_that_asks() {
     let folder = tempfile::tempdir().unwrap();
     let stage = Stage::open(folders(&folder)).unwrap();
-    let mut seen = Seen::default();
+    let (page, other) = (stage.page_commands(), stage.page_commands());
+    let (mut seen, mut other) = (page.seen(), other.seen());
+    let refused = |news: &News| news.tells.iter().any(|tell| matches!(tell, RunNotice::Unbegun { .. }));
+    assert!(!refused(&stage.news(&mut seen, 10)) && !refused(&stage.news(&mut other, 10)));
     let seed = |seed| VariantOptions { seed: Some(seed), ..VariantOptions::default() };
-    for (option, options) in [
-        ("days", RunOptions { length: Some(RunLength::Days(0.0)), ..RunOptions::default() }),
-        ("start", RunOptions { start: Some(RunStart::At("noon".into())), ..RunOptions::default() }),
-        ("seed", seed(1 << 53).into()),
-        ("without", VariantOptions { without: vec!["flu".into()], ..VariantOptions::default() }.into()),
-        ("numbers", RunOptions { numbers: vec![("gait.slowest".into(), -1.0)], ..RunOptions::default() }),
+    let numbers = vec![("gait.slowest".into(), -1.0), ("gait.fastest_of_all".into(), 1.0)];
+    for (option, words, options) in [
+        ("days", &[][..], RunOptions { length: Some(RunLength::Days(0.0)), ..RunOptions::default() }),
+        ("start", &["noon"], RunOptions { start: Some(RunStart::At("noon".into())), ..RunOptions::default() }),
+        ("seed", &["seed"], seed(1 << 53).into()),
+        ("without", &["flu"], VariantOptions { without: vec!["flu".into()], ..VariantOptions::default() }.into()),
+        ("numbers", &["gait.slowest", "\n", "gait.fastest_of_all"], RunOptions { numbers, ..RunOptions::default() }),
     ] {
-        stage.page_commands().send(PageCommand::Start { driven: None, options });
-        let news =
-            look(&stage, &mut seen, |news| news.tells.iter().any(|tell| matches!(tell, RunNotice::Unbegun { .. })));
+        page.send(PageCommand::Start { driven: None, options });
+        let news = look(&stage, &mut seen, refused);
         let named = news.tells.iter().find_map(|tell| match tell {
-            RunNotice::Unbegun { option, problems, .. } if problems.is_empty() => option.as_deref(),
+            RunNotice::Unbegun { why, option, problems, .. } if problems.is_empty() => Some((option.as_deref()?, why)),
             _ => None,
         });
-        assert_eq!(named, Some(option));
+        let (named, why) = named.unwrap();
+        assert!(named == option && words.iter().all(|word| why.contains(*word)), "{named}: {why}");
+        assert!(!refused(&stage.news(&mut other, 10)) && !refused(&stage.news(&mut stage.page_commands().seen(), 10)));
     }
     stage.page_commands().send(PageCommand::Start { driven: None, options: seed((1 << 53) - 1).into() });
     look(&stage, &mut seen, |news| news.tells.iter().any(|tell| matches!(tell, RunNotice::Run { .. })));

@@ -5,9 +5,8 @@ import { Server } from '../../server';
 import type { CareView, NoteChange, NoteView, PlaybackContent, StoredView } from '../../wire';
 import CarePage from './Care.svelte';
 import { shifted } from './dates';
-import { write } from '../../testing/page';
+import { EVIL, write } from '../../testing/page';
 
-const EVIL = '<img src=x onerror="globalThis.broken=1">';
 const FIRST = '2009-02-20';
 const days = Array.from({ length: 39 }, (_, index) => shifted(FIRST, index));
 

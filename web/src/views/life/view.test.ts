@@ -12,7 +12,6 @@ import type { Month, PageCommand } from '../../wire';
 import { whereOf, withoutLines } from './life.svelte';
 import LifeView from './Life.svelte';
 
-
 let view: Record<string, unknown>;
 let live: Live;
 let said: PageCommand[];
@@ -156,6 +155,11 @@ test('a condition is left out, and both lives are compared', async () => {
   live['hear']({ tell: 'note', text: 'it is wrong', bad: true });
   await settle();
   expect([said.length, window.location.hash]).toEqual([1, '#/life']);
+  button('Watch run').click();
+  for (let turn = 0; turn < 3; turn++) await settle();
+  live['hear']({ tell: 'unbegun', why: 'No routine shows depression.', problems: [], option: 'without' });
+  await settle();
+  expect([said.length, document.querySelector('.generate [role="alert"]')!.textContent]).toEqual([2, 'No routine shows depression.']);
   said.length = 0;
   button('Watch run').click();
   for (let turn = 0; turn < 3; turn++) await settle();

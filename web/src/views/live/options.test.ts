@@ -18,7 +18,7 @@ test('fields become options of their types', () => {
 
 test.each([
   ['days', '0'], ['days', '36526'], ['days', 'ten'], ['seed', '-1'], ['seed', '1.5'], ['seed', '9007199254740992'],
-  ['start', 'tomorrow'], ['start', '8:00'], ['numbers', 'gait.slowest'], ['numbers', '=1'], ['numbers', 'a=b'], ['numbers', 'a=1=2'],
+  ['start', 'tomorrow'], ['start', '8:00'], ['numbers', 'gait.slowest'], ['numbers', '=1'], ['numbers', 'a=b'], ['numbers', 'a=1=2'], ['numbers', 'a=1\na = 2'],
 ] as const)('%s cannot be %s', (name, text) => {
   const { options, wrong } = read({ [name]: text });
   expect(options).toEqual({});

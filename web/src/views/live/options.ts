@@ -31,12 +31,12 @@ function valueOf(text: string, option: RunOption): Value | undefined {
   switch (option.type) {
     case 'boolean':
       return true;
-    case 'array':
-      return lines(text);
     case 'object': {
-      const pairs = lines(text).map((line) => line.split('=').map((part) => part.trim()));
-      const entries = pairs.map(([name = '', value = '']): [string, number] => [name, Number(value)]);
-      return pairs.every((pair) => pair.length === 2 && !pair.includes('')) && entries.every(([, value]) => Number.isFinite(value)) ? Object.fromEntries(entries) : undefined;
+      const lines = text.split(/[\n,]/).map((line) => line.trim()).filter((line) => line !== '');
+      const pairs = lines.map((line) => line.split('=').map((part) => part.trim()));
+      const entries = new Map(pairs.map(([name = '', value = '']) => [name, Number(value)]));
+      const isValid = entries.size === pairs.length && pairs.every((pair) => pair.length === 2 && !pair.includes('')) && [...entries.values()].every(Number.isFinite);
+      return isValid ? Object.fromEntries(entries) : undefined;
     }
     case 'string':
       return option.pattern === undefined || new RegExp(option.pattern).test(text) ? text : undefined;
@@ -48,11 +48,7 @@ function valueOf(text: string, option: RunOption): Value | undefined {
   }
 }
 
-function lines(text: string): string[] {
-  return text.split(/[\n,]/).map((line) => line.trim()).filter((line) => line !== '');
-}
-
 function expected({ type, least = 0, most = 0, expected = '' }: RunOption): string {
-  if (type === 'object') return 'NAME=VALUE on each line, with a number as the value';
+  if (type === 'object') return 'NAME=VALUE on each line, each name once, with a number as the value';
   return type === 'integer' ? `a whole number from ${least.toLocaleString('en')} to ${most.toLocaleString('en')}` : expected;
 }

@@ -10,7 +10,6 @@ import { button, EVIL, expectText, fakeWire, fieldOf, write } from '../../testin
 import type { RunFrame, RunView } from '../../wire';
 import LiveView from './Live.svelte';
 
-
 let sent: { say: string }[];
 let wire: Wire;
 let live: Live;
@@ -390,6 +389,16 @@ test('the message of the server about an option is at its field until the field 
   expect([said(), days.getAttribute('aria-invalid'), document.querySelector('[aria-label="No run"]')]).toEqual(['A run cannot last 40000 days.', 'true', null]);
   write(days, '4');
   expect([said(), days.getAttribute('aria-invalid')]).toEqual(['', 'false']);
+});
+
+test('the message of the server about conditions is shown for a run without conditions, too', () => {
+  expect(live.run!.conditions).toEqual([]);
+  wire.onmessage!({ data: JSON.stringify({ tell: 'unbegun', why: 'No routine shows flu.\nNo routine shows frailty.', problems: [], option: 'without' }) });
+  flushSync();
+  const said = () => document.querySelector('[aria-label="Run"] [role="alert"]')?.textContent;
+  expect([said(), document.querySelector('[aria-label="No run"]')]).toEqual(['No routine shows flu.\nNo routine shows frailty.', null]);
+  write(fieldOf('Seed'), '4');
+  expect(said()).toBeUndefined();
 });
 
 test('things within reach are used, and the others are not listed', () => {
