@@ -28,6 +28,7 @@ const MOST_ALONE: usize = 24;
 const STEP_M: f64 = 0.05;
 /// Longest move of a seat.
 const MOST_SEAT_M: f64 = 1.0;
+/// Longest move of another piece.
 const MOST_OTHER_M: f64 = 0.5;
 
 /// Distance from the edge of a table to a chair that is pulled out.

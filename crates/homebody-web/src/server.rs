@@ -81,6 +81,7 @@ const BROWSER_FILE_TIME: Duration = Duration::from_secs(60);
 const MOST_SENT_AHEAD_BYTES: u32 = 256 << 10;
 /// Largest number of connections that wait to be accepted (our choice).
 const MOST_WAITING: u32 = 1024;
+/// Number of ports tried, one after the other.
 const PORTS: u16 = 20;
 
 homebody_core::messages! {

@@ -10,8 +10,8 @@ use crate::messages::StageMessage;
 use crate::request_error::{note, sentence};
 use crate::staged_run::{StagedRun, StartError, StartRequest};
 use crate::wire::{FiringView, LiveCountsView, PageCommand, RunFrame, RunNotice, RunState, RunView};
-pub use commands::PageCommands;
 use commands::{CommandQueue, CommandReceiver, NextCommand, StageCommand, command_queue};
+pub use commands::{PageCommands, Seen};
 use homebody_core::problem::{Diagnose, Diagnostic};
 use homebody_core::time::{RunTime, Span};
 use homebody_log::error::no_thread;
@@ -85,18 +85,6 @@ impl ShownRun {
     fn new(run: &mut StagedRun, state: RunState, speed: Speed) -> ShownRun {
         ShownRun { view: Arc::new(run.view()), live_counts: run.live_counts(), frame: run.frame(state, times(speed)) }
     }
-}
-
-/// The part that a page has already.
-#[derive(Clone, Copy, Debug, Default)]
-pub struct Seen {
-    /// The number of the page.
-    page: Option<u64>,
-    run: u64,
-    number: Option<u64>,
-    unbegun: u64,
-    row: u64,
-    note: Option<u64>,
 }
 
 /// The part that a page does not have yet.

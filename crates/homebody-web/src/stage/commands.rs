@@ -1,6 +1,5 @@
 //! The queue of commands from pages. A page with too many waiting commands is refused, so that other pages do not wait for it.
 
-use super::Seen;
 use crate::wire::PageCommand;
 use std::collections::VecDeque;
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -26,6 +25,18 @@ pub(super) struct CommandQueue(Arc<QueueEnd>);
 
 /// Its drop ends the stage.
 struct QueueEnd(Arc<SharedQueue>);
+
+/// The part that a page has already.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Seen {
+    /// The number of the page.
+    pub(super) page: Option<u64>,
+    pub(super) run: u64,
+    pub(super) number: Option<u64>,
+    pub(super) unbegun: u64,
+    pub(super) row: u64,
+    pub(super) note: Option<u64>,
+}
 
 pub struct PageCommands {
     queue: CommandQueue,

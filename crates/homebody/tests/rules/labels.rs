@@ -8,11 +8,10 @@ use homebody_core::activity::ACTIVITIES;
 const TABLE: [&str; 2] = ["crates/homebody-core/src/activity.rs", "web/src/activities.ts"];
 
 /// Words that are labels, too, and mean something else where they stand.
-const OTHER_MEANINGS: [(&str, &str, &str); 17] = [
+const OTHER_MEANINGS: [(&str, &str, &str); 16] = [
     ("crates/homebody-analysis/src/measures/registry.rs", "pacing", "a measure"),
-    ("crates/homebody-core/src/doors.rs", "laundry", "a room"),
-    ("crates/homebody-core/src/sensed.rs", "reading", "what a sensor measures"),
     ("crates/homebody-core/src/role.rs", "laundry", "a room"),
+    ("crates/homebody-core/src/sensors/meaning.rs", "reading", "the value of a sensor"),
     ("crates/homebody-lab/src/daily_life/published.rs", "reading", "a line of a table for people"),
     ("crates/homebody-import/src/from_log/words.rs", "laundry", "a room"),
     ("crates/homebody-import/src/from_log/words.rs", "washing", "a word of the names of machines"),
