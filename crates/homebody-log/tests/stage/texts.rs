@@ -64,9 +64,9 @@ pub fn minutes(log: &Log, since: WallTime) -> Vec<(f64, &str, &str)> {
     log.events.iter().map(|event| ((event.at - since).ratio(MINUTE), log.sensor(event), log.value(event))).collect()
 }
 
-/// Activities in minutes since seven.
+/// Activities in minutes since seven, to a thousandth: one that lasts to the last row ends a microsecond after it.
 pub fn done(log: &Log) -> Vec<(&str, f64, f64)> {
-    let minutes = |at: WallTime| (at - SEVEN).ratio(MINUTE);
+    let minutes = |at: WallTime| ((at - SEVEN).ratio(MINUTE) * 1e3).round() / 1e3;
     log.activities.iter().map(|of| (of.label.as_str(), minutes(of.begin()), minutes(of.end()))).collect()
 }
 
