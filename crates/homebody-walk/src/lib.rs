@@ -1,8 +1,8 @@
 //! Movements of a body from place to place in a home.
 //!
 //! [`Mesh`] holds the floor for a body of one radius and finds the shortest ways, [`Routes`] remembers them; [`walk`]
-//! turns a way into strides and turns of a [`Gait`], [`rise`] and [`sit`] lead out of seats and into them. [`wander`]
-//! needs no goal. All of them return [`MotionSegment`]s that follow each other in time and place, for a driver to pass
+//! turns a way into strides and turns of a [`Gait`], [`rise`] and [`sit`] lead out of seats and into them. Patterns of wandering
+//! need no goal. All of them return [`MotionSegment`]s that follow each other in time and place, for a driver to pass
 //! on.
 //!
 //! Lengths are metres in the plane of the home, instants are run time. Functions return `None` without a route. The
