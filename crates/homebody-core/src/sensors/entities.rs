@@ -1,6 +1,10 @@
-//! The entities of a kind of sensor in monitoring systems: one for each sort of value, such as bed occupancy and restlessness.
+//! The entities of a kind of sensor in monitoring systems.
+//!
+//! A sensor has one for each sort of value, such as bed occupancy and restlessness.
 //!
 //! We assume that Home Assistant, Zigbee2MQTT and their like have the same entities, under names of their own.
+//!
+//! The row of each kind lists its entities. A sensor of unknown kind has one entity of text.
 //!
 //! Left out: batteries and the quality of links, which no log has.
 

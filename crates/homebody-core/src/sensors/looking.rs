@@ -1,10 +1,12 @@
-//! The model of a sensor that looks for movement. Each such kind implements it in its own file.
+//! The model of a sensor that looks for movement.
+//!
+//! Each such kind implements it in its own file.
 //!
 //! We assume that a lens sees along straight beams, or everything over an area.
 //!
 //! The home asks for the beams once for each height of bodies; the world asks for the rest while it runs.
 //!
-//! Left out: when the sensor sends, which its timing decides, and which movements it notices by chance.
+//! Left out: the time of messages, which the timing decides, and the chance that a movement is noticed.
 
 use super::notice::View;
 use crate::geometry::Point;

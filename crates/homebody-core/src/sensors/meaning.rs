@@ -1,4 +1,12 @@
 //! The meaning of a word for a kind of sensor in logs of other systems.
+//!
+//! Logs have such words in columns, in topics and in names, such as `occupancy`.
+//!
+//! We assume that a word has the same meaning in all systems.
+//!
+//! The word decides the kind alone, or with the name or the values of the sensor.
+//!
+//! Left out: the words of other systems, which `sensed.rs` lists.
 
 use serde::Serialize;
 

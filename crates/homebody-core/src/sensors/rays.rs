@@ -1,4 +1,12 @@
-//! Rays of the physics engine: how far a lens sees before a wall, a closed door or furniture.
+//! Rays of the physics engine.
+//!
+//! They give the distance from a lens to the first wall, closed door or piece of furniture.
+//!
+//! We assume that each solid stops rays over its whole outline.
+//!
+//! A ray is cast against each side within reach of the lens, in single precision.
+//!
+//! Left out: solids lower than the lens, whose shadows the fan computes.
 
 use crate::geometry::{self, Point};
 use crate::plan::Solid;
