@@ -41,7 +41,7 @@ def run(home: hb.Scenario) -> hb.Run:
     [
         ("home.run(days='10')", "days is '10'; expected a number"),
         ("home.run(seed=True)", "seed is True; expected a whole number"),
-        ("home.run(start=5)", "start is 5; expected a date"),
+        ("home.run(start=5)", "start is 5; expected now, today, a date"),
         ("home.run(without=[3])", r"without\[0\] is 3; expected a text"),
         ("home.run(numbers={'life.day_spread': 'much'})", r"numbers\['life.day_spread'\] is 'much'; expected a number"),
         ("home.run(drivers=[Still])", "drivers is .*; expected a mapping"),

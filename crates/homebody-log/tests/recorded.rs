@@ -144,7 +144,7 @@ fn rows_of_each_second_become_changes() {
         (4.0 * second, "tv", "OFF"),
     ];
     assert_eq!(told(&log), rows);
-    assert_eq!(done(&log), [("sleep", 0.0, 2.0 * second), ("eat", 2.0 * second, 5.0 * second)]);
+    assert_eq!(done(&log), [("sleep", 0.0, 0.033), ("eat", 0.033, 0.083)]);
     assert_eq!((log.skipped, log.problems[0].line), (1, 5));
 
     // A row on another clock says nothing, though which clock it is is not known yet.
