@@ -4,10 +4,12 @@
 //! proportional to that agreement, so the values that fit the words best are the most frequent.
 
 use crate::random::Stream;
-use serde::Serialize;
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
 
 /// A trapezoid: nothing below `low`, full agreement from `from` to `to`, nothing above `high`.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
 pub struct Fuzzy {
     /// Below it nothing agrees.
     pub low: f64,

@@ -6,25 +6,10 @@ use crate::language::amounts::{ABOUT_SHARE, DAY_S, PLAIN_SHARE};
 use crate::language::times::{ABOUT_TIME_S, PLAIN_TIME_S};
 use crate::routine::{
     Activity, Circumstance, DaySelection, Effect, FallEnds, Falling, FallsFrom, Habit, HabitChance, HabitTime,
-    PartOfDay, Phase, PhaseDay, ResidentKind, Response, Routine, RoutineChange, RoutinePerson, RoutineRule,
-    RuleTrigger, Shy, When,
+    PartOfDay, Phase, PhaseDay, ResidentKind, Response, RoutineChange, RoutinePerson, RoutineRule, RuleTrigger, Shy,
+    When,
 };
 use homebody_core::fuzzy::Fuzzy;
-
-/// The sentences of a routine in the order of its text, each with the line of the statement.
-pub fn sentences(routine: &Routine) -> Vec<(u32, String)> {
-    let mut all: Vec<((u32, u32), String)> = Vec::new();
-    let mut add = |said: &crate::routine::Quote, text: String| all.push(((said.line, said.column), text));
-    if let Some(person) = &routine.person {
-        person_sentences(person).into_iter().for_each(|text| add(&person.said, text));
-    }
-    routine.habits.iter().for_each(|habit| add(&habit.said, habit_sentence(habit)));
-    routine.rules.iter().for_each(|rule| add(&rule.said, rule_sentence(rule)));
-    routine.changes.iter().for_each(|change| add(&change.said, change_sentence(change)));
-    routine.remarks.iter().for_each(|remark| add(remark, format!("Note: {}", remark.text.trim())));
-    all.sort_by_key(|(place, _)| *place);
-    all.into_iter().map(|((line, _), text)| (line, text)).collect()
-}
 
 pub fn person_sentences(person: &RoutinePerson) -> Vec<String> {
     let name = &person.name;
@@ -84,10 +69,10 @@ pub fn rule_sentence(rule: &RoutineRule) -> String {
     });
     let chance = match rule.when.chance.probability {
         1.0 => String::new(),
-        probability => format!("{} ", share_words(probability, "occasions")),
+        probability => format!(" {}", share_words(probability, "occasions")),
     };
     let phase = phase_words(&rule.when.phase);
-    sentence(phase, &format!("{trigger}{only_if}, she {chance}{first}{then}{}", lapse.unwrap_or_default()))
+    sentence(phase, &format!("{trigger}{only_if}, she {first}{chance}{then}{}", lapse.unwrap_or_default()))
 }
 
 /// Phase, days and chance, each with a comma of its own.
@@ -108,10 +93,7 @@ pub fn phase_words(phase: &Phase) -> Vec<String> {
 }
 
 fn moment(moment: PhaseDay) -> String {
-    match moment {
-        PhaseDay::Day(day) => format!("day {}", i64::from(day) + 1),
-        PhaseDay::Date(year, month, day) => format!("{year:04}-{month:02}-{day:02}"),
-    }
+    moment.into()
 }
 
 const WEEKDAYS: [&str; 7] = ["Monday", "Tuesday", "Wednesday", "Thursday", "Friday", "Saturday", "Sunday"];
@@ -173,7 +155,7 @@ pub fn days_words(days: &DaySelection) -> Vec<String> {
 
 pub fn chance_words(chance: &HabitChance) -> Option<String> {
     match (chance.days_a_week, chance.becomes) {
-        (Some(days), _) => Some(format!("{days} times a week")),
+        (Some(days), _) => Some(format!("{} a week", count(days.into()))),
         (None, Some((becomes, by))) => Some(format!(
             "{} at first, {} by {}",
             share_words(chance.probability, "days"),
@@ -193,8 +175,16 @@ fn times_words((least, most): (u32, u32), time: &HabitTime) -> Option<String> {
     };
     match (least, most) {
         (1, 1) => None,
-        (least, most) if least == most => Some(format!("{least} times{a}")),
+        (least, most) if least == most => Some(format!("{}{a}", count(least))),
         (least, most) => Some(format!("{least} to {most} times{a}")),
+    }
+}
+
+fn count(times: u32) -> String {
+    match times {
+        1 => "once".to_owned(),
+        2 => "twice".to_owned(),
+        times => format!("{times} times"),
     }
 }
 

@@ -3,12 +3,13 @@
 use crate::language::LAST_WEEK;
 use crate::language::activities::phrase;
 use crate::routine::{
-    Activity, DayKind, DaySelection, Effect, Habit, HabitChance, HabitTime, PartOfDay, Phase, PhaseDay, Quote,
-    Response, Routine, RoutineChange, RoutinePerson, RoutineRule, Shy, USUAL_SHARE,
+    DayKind, DaySelection, Effect, Habit, HabitChance, HabitTime, Phase, Quote, ResidentKind, Response, Routine,
+    RoutineChange, RoutinePerson, RoutineRule, Shy,
 };
+use crate::statement::{Statement, statements};
 use homebody_core::fuzzy::Fuzzy;
 use serde::Serialize;
-use words::{clock, join, lasts_words, number, numbers, sentence, span_words};
+use words::{clock, join, number, numbers, span_words};
 
 mod rules;
 pub(crate) mod words;
@@ -46,8 +47,9 @@ pub struct ExplanationRow {
     #[serde(skip_serializing_if = "Option::is_none")]
     pub lasts: Option<Spread>,
     pub phase: String,
-    /// The meaning as one sentence.
+    /// The canonical sentence.
     pub in_words: String,
+    pub statement: Statement,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
@@ -76,15 +78,69 @@ impl Spread {
 }
 
 pub fn explain(routine: &Routine) -> Explanation {
-    let mut rows: Vec<(u32, ExplanationRow)> = Vec::new();
-    rows.extend(routine.person.iter().map(|person| (person.said.column, person_row(person))));
-    rows.extend(routine.habits.iter().map(|habit| (habit.said.column, habit_row(habit))));
-    rows.extend(routine.rules.iter().map(|rule| (rule.said.column, rule_row(rule))));
-    rows.extend(routine.changes.iter().map(|change| (change.said.column, change_row(change))));
-    rows.extend(routine.remarks.iter().map(|remark| (remark.column, remark_row(remark))));
-    rows.sort_by_key(|(column, row)| (row.line, *column));
-    let sentences = rows.into_iter().map(|(_, row)| row).collect();
+    let mut sentences: Vec<ExplanationRow> = statements(routine).iter().map(explain_statement).collect();
+    sentences.sort_by_key(|row| row.line);
     Explanation { file: routine.file.clone(), sentences, layers: rules::layers(routine) }
+}
+
+fn explain_statement((said, statement): &(Quote, Statement)) -> ExplanationRow {
+    let mut row = ExplanationRow {
+        line: said.line,
+        said: said.text.split_whitespace().collect::<Vec<_>>().join(" "),
+        kind: ExplanationKind::Person,
+        what: String::new(),
+        place: None,
+        days: String::new(),
+        probability: None,
+        when: String::new(),
+        start: None,
+        waits: None,
+        lasts: None,
+        phase: String::new(),
+        in_words: in_the_same_voice(&said.text, statement.sentences().join(" ")),
+        statement: statement.clone(),
+    };
+    match statement {
+        Statement::Person(person) => row.what = person_words(person),
+        Statement::Habit(habit)
+        | Statement::Sleep(habit)
+        | Statement::Away(habit)
+        | Statement::Visit(habit)
+        | Statement::Event(habit) => habit_cells(&mut row, habit),
+        Statement::Change(change) | Statement::Thing(change) => {
+            row.kind = ExplanationKind::Change;
+            row.what = effect_words(change);
+            row.days =
+                if change.when.days == DaySelection::ALL { String::new() } else { which_days(&change.when.days) };
+            row.phase = phase_words(&change.when.phase);
+        }
+        Statement::Rule(rule) => rule_cells(&mut row, rule),
+        Statement::Note { .. } => {
+            (row.kind, row.what) = (ExplanationKind::Remark, "note, without effect".to_owned());
+        }
+    }
+    row
+}
+
+/// A canonical sentence says "she"; of a man, whom the text calls "he", it says "he".
+fn in_the_same_voice(said: &str, sentence: String) -> String {
+    let mut words = said.split(|c: char| !c.is_alphabetic()).map(str::to_lowercase);
+    if !words.any(|word| ["he", "his", "him", "himself"].contains(&word.as_str())) {
+        return sentence;
+    }
+    let as_he = |word: &str| match word {
+        "she" => Some("he"),
+        "She" => Some("He"),
+        "her" => Some("his"),
+        "Her" => Some("His"),
+        "herself" => Some("himself"),
+        _ => None,
+    };
+    let words = sentence.split_inclusive(|c: char| !c.is_alphabetic()).map(|piece| {
+        let word = piece.trim_end_matches(|c: char| !c.is_alphabetic());
+        as_he(word).map_or_else(|| piece.to_owned(), |other| format!("{other}{}", &piece[word.len()..]))
+    });
+    words.collect()
 }
 
 impl Explanation {
@@ -117,133 +173,56 @@ impl Explanation {
     }
 }
 
-fn person_row(person: &RoutinePerson) -> ExplanationRow {
-    let mut facts = Vec::new();
-    if let Some(age) = person.age_years {
-        facts.push(format!("{} years old", number(age)));
-    }
-    match person.kind {
-        crate::routine::ResidentKind::Cat => facts.push("a cat".into()),
-        crate::routine::ResidentKind::Dog => facts.push("a dog".into()),
-        crate::routine::ResidentKind::Person => {}
-    }
-    if let Some(pace) = person.pace_mps {
-        facts.push(format!("walks at {} m/s", numbers(pace.low, pace.high)));
-    }
-    let facts = facts.join(", ");
-    let in_words = format!("{}: {facts}.", person.name);
-    ExplanationRow { in_words, ..row(person.said.line, &person.said.text, ExplanationKind::Person, facts) }
+fn person_words(person: &RoutinePerson) -> String {
+    let age = person.age_years.map(|age| format!("{} years old", number(age)));
+    let kind = match person.kind {
+        ResidentKind::Cat => Some("a cat".to_owned()),
+        ResidentKind::Dog => Some("a dog".to_owned()),
+        ResidentKind::Person => None,
+    };
+    let pace = person.pace_mps.map(|pace| format!("walks at {} m/s", numbers(pace.low, pace.high)));
+    join([age, kind, pace].into_iter().flatten(), ", ")
 }
 
-fn row(line: u32, said: &str, kind: ExplanationKind, what: String) -> ExplanationRow {
-    ExplanationRow {
-        line,
-        said: said.split_whitespace().collect::<Vec<_>>().join(" "),
-        kind,
-        what,
-        place: None,
-        days: String::new(),
-        probability: None,
-        when: String::new(),
-        start: None,
-        waits: None,
-        lasts: None,
-        phase: String::new(),
-        in_words: String::new(),
-    }
-}
-
-fn habit_row(habit: &Habit) -> ExplanationRow {
-    let who = habit.visitor.as_deref().unwrap_or("the person");
+fn habit_cells(row: &mut ExplanationRow, habit: &Habit) {
     let doing = match habit.falling.map(|falling| falling.words()).filter(|words| !words.is_empty()) {
         Some(words) => format!("{}: {words}", phrase(&habit.activity)),
         None => phrase(&habit.activity),
     };
-    let what = match &habit.visitor {
-        Some(visitor) => format!("{visitor} {doing}"),
-        None => doing.clone(),
-    };
-    let start = match &habit.when.time {
+    row.kind = ExplanationKind::Habit;
+    row.what = habit.visitor.as_ref().map_or(doing.clone(), |visitor| format!("{visitor} {doing}"));
+    row.place.clone_from(&habit.place);
+    row.days = short_days(&habit.when.days, &habit.when.chance);
+    row.probability = Some(habit.when.chance.probability);
+    row.start = match &habit.when.time {
         HabitTime::At(at) => Some(Spread::from_fuzzy(at)),
         _ => None,
     };
-    let lasts = habit.when.lasts.as_ref().map(Spread::from_fuzzy);
+    row.lasts = habit.when.lasts.as_ref().map(Spread::from_fuzzy);
+    row.phase = phase_words(&habit.when.phase);
     let times = match habit.when.times {
         (1, 1) => String::new(),
         (least, most) if least == most => format!("{least} times"),
         (least, most) => format!("{least} to {most} times"),
     };
     let mostly = habit.falling.and_then(|falling| falling.mostly);
-    let when = match mostly {
-        Some(part) => {
-            let when = when_words(&HabitTime::Within(part), &habit.activity);
-            format!("{} times out of 4 {}, else at another time", 4.0 * USUAL_SHARE, when.trim_start_matches("start "))
-        }
-        None => when_words(&habit.when.time, &habit.activity),
-    };
-    let place = habit.place.as_ref().map(|place| format!("at the {place}"));
-    let lasting = habit.when.lasts.as_ref().map(|lasts| format!("lasts {}", lasts_words(lasts)));
-    let until = habit.when.until.as_ref().map(|until| format!("until {}", clock_words(until)));
-    let said = [
-        Some(format!("{} {who} {doing}", days_words(&habit.when.days, &habit.when.chance))),
-        place,
-        Some(times.clone()),
-        Some(when.clone()),
-        lasting,
-        until.clone(),
-        Some(phase_words(&habit.when.phase)),
-    ];
-    let short_mostly = mostly.map_or_else(|| short_when(&habit.when.time), |part| format!("mostly {}", part.word()));
-    let short_when = [times, short_mostly, until.unwrap_or_default()];
-    ExplanationRow {
-        place: habit.place.clone(),
-        days: short_days(&habit.when.days, &habit.when.chance),
-        probability: Some(habit.when.chance.probability),
-        when: join(short_when.into_iter(), " "),
-        start,
-        lasts,
-        phase: phase_words(&habit.when.phase),
-        in_words: sentence(said.into_iter().flatten()),
-        ..row(habit.said.line, &habit.said.text, ExplanationKind::Habit, what)
-    }
+    let time = mostly.map_or_else(|| short_when(&habit.when.time), |part| format!("mostly {}", part.word()));
+    let until = habit.when.until.as_ref().map(|until| format!("until {}-{}", clock(until.low), clock(until.high)));
+    row.when = join([times, time, until.unwrap_or_default()].into_iter(), " ");
 }
 
-fn rule_row(rule: &RoutineRule) -> ExplanationRow {
-    let whenever = rules::whenever(rule);
-    let response = rules::answers(rule);
-    let lasts = match &rule.response {
+fn rule_cells(row: &mut ExplanationRow, rule: &RoutineRule) {
+    row.kind = ExplanationKind::Rule;
+    row.what = rules::answers(rule);
+    row.when = rules::whenever(rule);
+    row.probability = Some(rule.when.chance.probability);
+    row.days = format!("p {}", number(rule.when.chance.probability));
+    row.waits = Some(Spread::from_fuzzy(&rule.lasts));
+    row.lasts = match &rule.response {
         Response::Do { lasts, .. } => lasts.as_ref().map(Spread::from_fuzzy),
         Response::Turn { .. } => None,
     };
-    let chance = format!("with probability {}", number(rule.when.chance.probability));
-    let said = [format!("{whenever}, {chance} the person {response}"), phase_words(&rule.when.phase)];
-    ExplanationRow {
-        probability: Some(rule.when.chance.probability),
-        when: whenever,
-        waits: Some(Spread::from_fuzzy(&rule.lasts)),
-        lasts,
-        days: format!("p {}", number(rule.when.chance.probability)),
-        phase: phase_words(&rule.when.phase),
-        in_words: sentence(said.into_iter()),
-        ..row(rule.said.line, &rule.said.text, ExplanationKind::Rule, response)
-    }
-}
-
-fn remark_row(remark: &Quote) -> ExplanationRow {
-    let in_words = format!("Remark, not lived: {}.", remark.text.trim());
-    ExplanationRow { in_words, ..row(remark.line, &remark.text, ExplanationKind::Remark, "remark: not lived".into()) }
-}
-
-fn change_row(change: &RoutineChange) -> ExplanationRow {
-    let what = effect_words(change);
-    let phase = phase_words(&change.when.phase);
-    let on = if change.when.days == DaySelection::ALL { String::new() } else { which_days(&change.when.days) };
-    ExplanationRow {
-        in_words: sentence([what.clone(), on.clone(), phase.clone()].into_iter()),
-        days: on,
-        phase,
-        ..row(change.said.line, &change.said.text, ExplanationKind::Change, what)
-    }
+    row.phase = phase_words(&rule.when.phase);
 }
 
 fn effect_words(change: &RoutineChange) -> String {
@@ -360,15 +339,6 @@ impl DayKind {
     }
 }
 
-fn days_words(days: &DaySelection, chance: &HabitChance) -> String {
-    let mut words = which_days(days);
-    words += &format!(" with probability {}", number(chance.probability));
-    if let Some((becomes, by)) = chance.becomes {
-        words += &format!(" at first and {} by {}", number(becomes), moment_words(by));
-    }
-    words + ","
-}
-
 fn short_days(days: &DaySelection, chance: &HabitChance) -> String {
     let short = |names: String| names.split(", ").map(|name| &name[..3]).collect::<Vec<_>>().join(" ");
     let every = if days.every > 1 { format!("every {} days", days.every) } else { String::new() };
@@ -389,27 +359,6 @@ fn short_days(days: &DaySelection, chance: &HabitChance) -> String {
     join(parts.into_iter(), " ")
 }
 
-fn when_words(when: &HabitTime, of: &Activity) -> String {
-    let gap = |gap: &Option<Fuzzy>, word: &str| match gap {
-        Some(gap) => format!("{} {word}", lasts_words(gap)),
-        None => format!("right {word}"),
-    };
-    match when {
-        HabitTime::AnyTime => "whenever it fits".into(),
-        HabitTime::At(at) => format!("start {}", clock_words(at)),
-        HabitTime::Within(PartOfDay::Night) if of.is_of_the_night() => "at any time of the night, while in bed".into(),
-        HabitTime::Within(PartOfDay::Night) => "in the hours before bed".into(),
-        HabitTime::Within(part) => {
-            let (from, to) = part.hours();
-            format!("start at any time from {} to {}", clock(from), clock(to))
-        }
-        HabitTime::After(activity, by) => format!("{} after the person {}", gap(by, "").trim(), phrase(activity)),
-        HabitTime::Before(activity, by) => format!("{} before the person {}", gap(by, "").trim(), phrase(activity)),
-        HabitTime::With(activity) => format!("as the person begins: {}", phrase(activity)),
-        HabitTime::Then => "once the one before is done, and only then".into(),
-    }
-}
-
 fn short_when(when: &HabitTime) -> String {
     match when {
         HabitTime::AnyTime => String::new(),
@@ -422,29 +371,11 @@ fn short_when(when: &HabitTime) -> String {
     }
 }
 
-fn clock_words(at: &Fuzzy) -> String {
-    let spread = Spread::from_fuzzy(at);
-    let most_often = match at.from == at.to {
-        true => format!("{}, ", clock(at.from)),
-        false => String::new(),
-    };
-    let (low, high, mean) = (clock(at.low), clock(at.high), clock(spread.mean));
-    let (p5, p95) = (clock(spread.p5), clock(spread.p95));
-    format!("{most_often}between {low} and {high} (mean {mean}, 5 % before {p5}, 5 % after {p95})")
-}
-
 fn phase_words(phase: &Phase) -> String {
     let days = |days: f64| format!("{} days", number(days));
     let over = (phase.over_days > 0.0).then(|| format!("fully there after {}", days(phase.over_days)));
     let fading = (phase.fading_days > 0.0).then(|| format!("gone after {} more", days(phase.fading_days)));
-    let from = phase.from.map(|from| format!("from {}", moment_words(from)));
-    let until = phase.until.map(|until| format!("until the beginning of {}", moment_words(until)));
+    let from = phase.from.map(|from| format!("from {}", String::from(from)));
+    let until = phase.until.map(|until| format!("until the beginning of {}", String::from(until)));
     join([from, over, until, fading].into_iter().flatten(), ", ")
-}
-
-fn moment_words(moment: PhaseDay) -> String {
-    match moment {
-        PhaseDay::Day(day) => format!("day {}", i64::from(day) + 1),
-        PhaseDay::Date(year, month, day) => format!("{year:04}-{month:02}-{day:02}"),
-    }
 }

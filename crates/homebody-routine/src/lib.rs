@@ -3,7 +3,8 @@
 pub mod routine;
 
 pub mod language;
-pub mod canonical;
+mod canonical;
+pub mod statement;
 pub mod explain;
 pub mod completion;
 

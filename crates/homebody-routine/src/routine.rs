@@ -6,7 +6,8 @@ pub use activity::{Activity, Meal};
 pub use days::{DayKind, DaySelection, PartOfDay, Phase, PhaseDay};
 pub use falling::{FallEnds, Falling, FallsFrom, USUAL_SHARE};
 use homebody_core::fuzzy::{Fuzzy, Quantifier};
-use serde::Serialize;
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
 
 mod activity;
 mod days;
@@ -27,21 +28,26 @@ pub struct Routine {
     pub remarks: Vec<Quote>,
 }
 
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields, default)]
 pub struct RoutinePerson {
     /// The first sentence about the person.
+    #[serde(skip)]
     pub said: Quote,
     pub name: String,
+    #[serde(rename = "species")]
     pub kind: ResidentKind,
     pub age_years: Option<f64>,
     /// Usual walking speed in metres a second.
     pub pace_mps: Option<Fuzzy>,
     /// The sentences with age and pace.
+    #[serde(skip)]
     pub age_said: Option<Quote>,
+    #[serde(skip)]
     pub pace_said: Option<Quote>,
 }
 
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum ResidentKind {
     #[default]
@@ -51,7 +57,7 @@ pub enum ResidentKind {
 }
 
 /// The sentence that something was read from.
-#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize)]
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 pub struct Quote {
     /// Counted from 1.
     pub line: u32,
@@ -60,32 +66,53 @@ pub struct Quote {
     pub text: String,
 }
 
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
 pub struct Habit {
+    #[serde(skip)]
     pub said: Quote,
     /// `None` for the person, else the visitor's name, such as `daughter`.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub visitor: Option<String>,
     pub activity: Activity,
     /// The name of a place, a piece of furniture or a room, if stated.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub place: Option<String>,
+    #[serde(default)]
     pub when: When,
-    #[serde(skip_serializing_if = "Option::is_none")]
+    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub falling: Option<Falling>,
 }
 
 /// The days, the times of day, the length and the frequency of what a statement says.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields, default)]
 pub struct When {
+    #[serde(skip_serializing_if = "is_usual")]
     pub phase: Phase,
+    #[serde(skip_serializing_if = "is_usual")]
     pub days: DaySelection,
+    #[serde(skip_serializing_if = "is_usual")]
     pub chance: HabitChance,
+    #[serde(skip_serializing_if = "is_usual")]
     pub time: HabitTime,
     /// Duration in seconds, if stated.
+    #[serde(rename = "lasts_s", skip_serializing_if = "Option::is_none")]
     pub lasts: Option<Fuzzy>,
     /// End in seconds since midnight, if stated.
+    #[serde(rename = "until_s", skip_serializing_if = "Option::is_none")]
     pub until: Option<Fuzzy>,
     /// The least and the most repetitions in each span that `time` names.
+    #[serde(skip_serializing_if = "is_once")]
     pub times: (u32, u32),
+}
+
+fn is_usual<T: Default + PartialEq>(value: &T) -> bool {
+    *value == T::default()
+}
+
+fn is_once(times: &(u32, u32)) -> bool {
+    *times == (1, 1)
 }
 
 impl Default for When {
@@ -93,9 +120,9 @@ impl Default for When {
     fn default() -> When {
         When {
             phase: Phase::default(),
-            days: DaySelection::ALL,
-            chance: HabitChance::ALWAYS,
-            time: HabitTime::AnyTime,
+            days: DaySelection::default(),
+            chance: HabitChance::default(),
+            time: HabitTime::default(),
             lasts: None,
             until: None,
             times: (1, 1),
@@ -114,21 +141,26 @@ impl When {
 }
 
 /// The probability of a habit on each day, night or occasion.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields, default)]
 pub struct HabitChance {
     /// The quantifier of the sentence, if any.
+    #[serde(skip)]
     pub quantifier: Option<Quantifier>,
     pub probability: f64,
     /// A later probability, and its day: "rarely at first, often by day 160".
+    #[serde(skip_serializing_if = "Option::is_none")]
     pub becomes: Option<(f64, PhaseDay)>,
     /// Exactly this number of days of each week, whatever the probability.
+    #[serde(skip_serializing_if = "Option::is_none")]
     pub days_a_week: Option<u8>,
 }
 
 /// The time of a habit. Times of day are seconds since local midnight; above 86,400 is after midnight.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum HabitTime {
+    #[default]
     AnyTime,
     At(Fuzzy),
     /// At some time of the part.
@@ -142,20 +174,31 @@ pub enum HabitTime {
     Then,
 }
 
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
 pub struct RoutineRule {
+    #[serde(skip)]
     pub said: Quote,
     pub whenever: RuleTrigger,
     /// Seconds that the trigger must last.
+    #[serde(rename = "lasts_s", default = "at_once")]
     pub lasts: Fuzzy,
     /// Further conditions when it is due.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub only_if: Vec<Circumstance>,
     /// The days and the probability; the trigger gives the time.
+    #[serde(default)]
     pub when: When,
     pub response: Response,
     /// Responses after the first.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub then: Vec<Response>,
+    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub lapse: Option<Lapse>,
+}
+
+fn at_once() -> Fuzzy {
+    Fuzzy::exactly(0.0)
 }
 
 impl RoutineRule {
@@ -165,20 +208,20 @@ impl RoutineRule {
 }
 
 /// A state that has to hold, or must not.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct Circumstance {
     pub holds: bool,
     pub state: RuleTrigger,
 }
 
 /// The probability of forgetting the response, and the delay in seconds until it is remembered; never if `None`.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct Lapse {
     pub probability: f64,
     pub later: Option<Fuzzy>,
 }
 
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum RuleTrigger {
     /// A thing is on or open.
@@ -218,7 +261,7 @@ impl RuleTrigger {
     }
 }
 
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Response {
     /// On or open if true; off or closed if false.
@@ -227,16 +270,19 @@ pub enum Response {
     Do { activity: Activity, place: Option<String>, lasts: Option<Fuzzy> },
 }
 
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
 pub struct RoutineChange {
+    #[serde(skip)]
     pub said: Quote,
     /// The time is a part of the day or none, and the chance is that of each day or occasion.
+    #[serde(default)]
     pub when: When,
     pub effect: Effect,
 }
 
 /// The effect of a change at full strength. A factor of 1 has no effect.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Effect {
     /// The changes of a condition file; 1 is a moderate severity.
@@ -278,7 +324,7 @@ pub enum Effect {
 }
 
 /// Aversions of a person who wanders.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Shy {
     /// The person keeps close to walls.
@@ -349,6 +395,12 @@ impl RoutineChange {
             (Forgets { thing }, Forgets { thing: of }) => thing.to_lowercase() == of.to_lowercase(),
             (effect, of) => std::mem::discriminant(effect) == std::mem::discriminant(of),
         }
+    }
+}
+
+impl Default for HabitChance {
+    fn default() -> HabitChance {
+        HabitChance::ALWAYS
     }
 }
 

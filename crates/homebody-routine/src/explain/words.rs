@@ -42,9 +42,3 @@ pub fn number(value: f64) -> String {
 pub fn join(parts: impl Iterator<Item = String>, between: &str) -> String {
     parts.filter(|part| !part.is_empty()).collect::<Vec<_>>().join(between)
 }
-
-pub fn sentence(parts: impl Iterator<Item = String>) -> String {
-    let text = join(parts, "; ").replace(",;", ",");
-    let mut chars = text.chars();
-    chars.next().map_or_else(String::new, |first| first.to_uppercase().chain(chars).chain(['.']).collect())
-}

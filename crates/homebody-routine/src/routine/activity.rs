@@ -1,10 +1,10 @@
 use homebody_core::activity::{self, ACTIVITIES, KnownActivity, UsualClock, UsualLength};
 use homebody_core::fuzzy::Fuzzy;
 use homebody_core::role::Role;
-use serde::Serialize;
+use schemars::JsonSchema;
+use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize)]
-#[serde(rename_all = "snake_case")]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Meal {
     Breakfast,
     Lunch,
@@ -18,8 +18,8 @@ impl Meal {
 macro_rules! own_ways {
     ($($(#[$doc:meta])* $name:ident $(($meal:ident))?: $($label:ident $($of:ident)?),+;)*) => {
         /// An activity of the table in `homebody-core`, or of the user.
-        #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize)]
-        #[serde(rename_all = "snake_case")]
+        #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, JsonSchema)]
+        #[schemars(with = "String")]
         pub enum Activity {
             $($(#[$doc])* $name $(($meal))?,)*
             /// An activity without own steps: its label in the table.
@@ -82,6 +82,26 @@ own_ways! {
     Fall: FALLEN;
     /// Without a fall.
     Stumble: STUMBLING;
+}
+
+/// As its label.
+impl Serialize for Activity {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.serialize_str(self.label())
+    }
+}
+
+impl<'de> Deserialize<'de> for Activity {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Activity, D::Error> {
+        String::deserialize(deserializer).map(Activity::from)
+    }
+}
+
+impl From<String> for Activity {
+    /// An activity of the table by its label, or one in the words of the user.
+    fn from(label: String) -> Activity {
+        Activity::from_label(&label).unwrap_or(Activity::Other(label))
+    }
 }
 
 impl Activity {

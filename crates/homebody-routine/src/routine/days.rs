@@ -1,9 +1,12 @@
 //! Days, parts of days, and phases.
 
-use serde::Serialize;
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
 
 /// The days of a habit or change.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(into = "DayNames", from = "DayNames")]
+#[schemars(with = "DayNames")]
 pub struct DaySelection {
     /// Bit 0 is Monday, bit 6 Sunday.
     pub weekdays: u8,
@@ -13,19 +16,131 @@ pub struct DaySelection {
     pub every: u32,
     /// First and last day of the month: from 1 to 7 with Mondays selects the first Monday, from 0 to 7 the last week.
     pub of_month: (u8, u8),
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub kind: Option<DayKind>,
 }
 
+impl Default for DaySelection {
+    fn default() -> DaySelection {
+        DaySelection::ALL
+    }
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+enum Weekday {
+    Monday,
+    Tuesday,
+    Wednesday,
+    Thursday,
+    Friday,
+    Saturday,
+    Sunday,
+}
+
+impl Weekday {
+    const ALL: [Weekday; 7] = [
+        Weekday::Monday,
+        Weekday::Tuesday,
+        Weekday::Wednesday,
+        Weekday::Thursday,
+        Weekday::Friday,
+        Weekday::Saturday,
+        Weekday::Sunday,
+    ];
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+enum Month {
+    January,
+    February,
+    March,
+    April,
+    May,
+    June,
+    July,
+    August,
+    September,
+    October,
+    November,
+    December,
+}
+
+impl Month {
+    const ALL: [Month; 12] = [
+        Month::January,
+        Month::February,
+        Month::March,
+        Month::April,
+        Month::May,
+        Month::June,
+        Month::July,
+        Month::August,
+        Month::September,
+        Month::October,
+        Month::November,
+        Month::December,
+    ];
+}
+
+/// A selection of days with names for the bits; what is left out selects all.
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields, default)]
+struct DayNames {
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    weekdays: Vec<Weekday>,
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    months: Vec<Month>,
+    /// Every this many days from the first.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    every: Option<u32>,
+    /// First and last day of the month; from 0 to 7 is the last week.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    of_month: Option<(u8, u8)>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    kind: Option<DayKind>,
+}
+
+impl From<DaySelection> for DayNames {
+    fn from(days: DaySelection) -> DayNames {
+        let all = DaySelection::ALL;
+        let is_set = |bits: u16, index: usize| bits & 1 << index != 0;
+        let weekdays = Weekday::ALL.into_iter().enumerate().filter(|(index, _)| is_set(days.weekdays.into(), *index));
+        let months = Month::ALL.into_iter().enumerate().filter(|(index, _)| is_set(days.months, *index));
+        DayNames {
+            weekdays: weekdays.map(|(_, day)| day).filter(|_| days.weekdays != all.weekdays).collect(),
+            months: months.map(|(_, month)| month).filter(|_| days.months != all.months).collect(),
+            every: Some(days.every).filter(|every| *every != all.every),
+            of_month: Some(days.of_month).filter(|of| *of != all.of_month),
+            kind: days.kind,
+        }
+    }
+}
+
+impl From<DayNames> for DaySelection {
+    fn from(names: DayNames) -> DaySelection {
+        let all = DaySelection::ALL;
+        let weekdays = names.weekdays.iter().fold(0, |bits, day| bits | 1 << *day as u8);
+        let months = names.months.iter().fold(0, |bits, month| bits | 1 << *month as u16);
+        DaySelection {
+            weekdays: if weekdays == 0 { all.weekdays } else { weekdays },
+            months: if months == 0 { all.months } else { months },
+            every: names.every.unwrap_or(all.every),
+            of_month: names.of_month.unwrap_or(all.of_month),
+            kind: names.kind,
+        }
+    }
+}
+
 /// The activity level of a day relative to others.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum DayKind {
     Quiet,
     Busy,
 }
 
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum PartOfDay {
     Morning,
@@ -37,21 +152,31 @@ pub enum PartOfDay {
 }
 
 /// The course of a change: start, growth, end.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields, default)]
 pub struct Phase {
     /// `None` from the beginning.
+    #[serde(skip_serializing_if = "Option::is_none")]
     pub from: Option<PhaseDay>,
     /// Days from the start to full strength.
+    #[serde(skip_serializing_if = "is_zero")]
     pub over_days: f64,
     /// The first day without it, or on which it begins to fade.
+    #[serde(skip_serializing_if = "Option::is_none")]
     pub until: Option<PhaseDay>,
     /// Days from `until` to zero strength.
+    #[serde(skip_serializing_if = "is_zero")]
     pub fading_days: f64,
 }
 
-/// A day.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
-#[serde(rename_all = "snake_case")]
+fn is_zero(days: &f64) -> bool {
+    *days == 0.0
+}
+
+/// A day: "day 40" of the run, which begins with day 1, or a date such as "2009-05-01".
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(into = "String", try_from = "String")]
+#[schemars(with = "String")]
 pub enum PhaseDay {
     /// Since the first, which is 0.
     Day(i32),
@@ -62,4 +187,29 @@ pub enum PhaseDay {
 impl DaySelection {
     pub const ALL: DaySelection =
         DaySelection { weekdays: 0x7f, months: 0xfff, every: 1, of_month: (1, 31), kind: None };
+}
+
+impl From<PhaseDay> for String {
+    fn from(day: PhaseDay) -> String {
+        match day {
+            PhaseDay::Day(day) => format!("day {}", i64::from(day) + 1),
+            PhaseDay::Date(year, month, day) => format!("{year:04}-{month:02}-{day:02}"),
+        }
+    }
+}
+
+impl TryFrom<String> for PhaseDay {
+    type Error = String;
+
+    fn try_from(text: String) -> Result<PhaseDay, String> {
+        let day = text.strip_prefix("day ").and_then(|day| day.parse::<i32>().ok()).filter(|day| *day >= 1);
+        let mut parts = text.splitn(3, '-');
+        let date = (|| {
+            let year = parts.next()?.parse().ok()?;
+            Some(PhaseDay::Date(year, parts.next()?.parse().ok()?, parts.next()?.parse().ok()?))
+        })();
+        day.map(|day| PhaseDay::Day(day - 1))
+            .or(date)
+            .ok_or_else(|| format!("{text:?} is not a day; write \"day 40\" or a date such as \"2009-05-01\""))
+    }
 }

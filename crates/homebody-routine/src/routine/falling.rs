@@ -2,13 +2,14 @@
 
 use super::PartOfDay;
 use homebody_core::role::Role;
-use serde::Serialize;
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
 
 /// The share of "mostly", as in "mostly at night" (our choice).
 pub const USUAL_SHARE: f64 = 0.75;
 
 /// Details of a fall, as far as stated.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 pub struct Falling {
     pub from: FallsFrom,
     /// Sinks to the floor instead of falling.
@@ -20,7 +21,7 @@ pub struct Falling {
 }
 
 /// The activity before a fall.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum FallsFrom {
     #[default]
@@ -32,7 +33,7 @@ pub enum FallsFrom {
 }
 
 /// The end of the time on the floor.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum FallEnds {
     #[default]

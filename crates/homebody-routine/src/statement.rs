@@ -1,0 +1,92 @@
+//! Statements as plain data, one for each sentence of a routine, for programs that write and read lives.
+//!
+//! Their JSON has a kind, the fields of that kind, and `when`: the days, the time, the length and the frequency.
+
+use crate::canonical;
+use crate::routine::{Activity, Effect, Habit, Quote, Routine, RoutineChange, RoutinePerson, RoutineRule};
+use schemars::{JsonSchema, Schema, schema_for};
+use serde::{Deserialize, Serialize};
+
+/// A statement about a life.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(tag = "kind", rename_all = "snake_case")]
+pub enum Statement {
+    /// Age, walking speed, or the kind of an animal.
+    Person(RoutinePerson),
+    /// An activity of the resident.
+    Habit(Habit),
+    /// Getting up, or going to bed; its place is the place of sleep.
+    Sleep(Habit),
+    /// A time outside the home.
+    Away(Habit),
+    /// A visitor comes and stays a while.
+    Visit(Habit),
+    /// A fall or a stumble.
+    Event(Habit),
+    /// A change of other statements or of the resident, or a condition.
+    Change(RoutineChange),
+    /// A thing that stays on or open.
+    Thing(RoutineChange),
+    /// A response to a state or an event.
+    Rule(RoutineRule),
+    /// A remark without effect.
+    Note { text: String },
+}
+
+impl Statement {
+    pub fn from_habit(habit: Habit) -> Statement {
+        match habit.activity {
+            _ if habit.visitor.is_some() => Statement::Visit(habit),
+            Activity::GetUp | Activity::GoToBed => Statement::Sleep(habit),
+            Activity::Leave | Activity::ComeHome => Statement::Away(habit),
+            Activity::Fall | Activity::Stumble => Statement::Event(habit),
+            _ => Statement::Habit(habit),
+        }
+    }
+
+    pub fn from_change(change: RoutineChange) -> Statement {
+        match change.effect {
+            Effect::Forgets { .. } => Statement::Thing(change),
+            _ => Statement::Change(change),
+        }
+    }
+
+    /// The sentences that say it; a person may need several.
+    pub fn sentences(&self) -> Vec<String> {
+        match self {
+            Statement::Person(person) => canonical::person_sentences(person),
+            Statement::Habit(habit)
+            | Statement::Sleep(habit)
+            | Statement::Away(habit)
+            | Statement::Visit(habit)
+            | Statement::Event(habit) => vec![canonical::habit_sentence(habit)],
+            Statement::Change(change) | Statement::Thing(change) => vec![canonical::change_sentence(change)],
+            Statement::Rule(rule) => vec![canonical::rule_sentence(rule)],
+            Statement::Note { text } => vec![format!("Note: {text}")],
+        }
+    }
+
+    /// The JSON Schema of a list of statements.
+    pub fn list_schema() -> Schema {
+        schema_for!(Vec<Statement>)
+    }
+}
+
+/// The statements of a routine in the order of its text, each with the words that it was read from.
+pub fn statements(routine: &Routine) -> Vec<(Quote, Statement)> {
+    let mut all: Vec<(&Quote, Statement)> = Vec::new();
+    all.extend(routine.person.iter().map(|person| (&person.said, Statement::Person(person.clone()))));
+    all.extend(routine.habits.iter().map(|habit| (&habit.said, Statement::from_habit(habit.clone()))));
+    all.extend(routine.rules.iter().map(|rule| (&rule.said, Statement::Rule(rule.clone()))));
+    all.extend(routine.changes.iter().map(|change| (&change.said, Statement::from_change(change.clone()))));
+    let note = |text: &Quote| Statement::Note { text: text.text.trim().to_owned() };
+    all.extend(routine.remarks.iter().map(|remark| (remark, note(remark))));
+    all.sort_by_key(|(said, _)| (said.line, said.column));
+    all.into_iter().map(|(said, statement)| (said.clone(), statement)).collect()
+}
+
+/// The text of statements, a sentence a line, which the language reads back as the same statements.
+pub fn text<'a>(statements: impl IntoIterator<Item = &'a Statement>) -> String {
+    let sentences = statements.into_iter().flat_map(Statement::sentences);
+    sentences.map(|sentence| sentence + "\n").collect()
+}
