@@ -26,6 +26,7 @@ from homebody.log import Comparison, Log, compare, read, translate
 from homebody.picture import Answer, Picture
 from homebody.profiles import draw
 from homebody.scenario import Plan, Run, Scenario, scenario, templates
+from homebody.statements import away, change, habit, life, sleep, visit
 from homebody.table import Table
 
 __all__ = [
@@ -57,11 +58,17 @@ __all__ = [
     "Table",
     "Use",
     "__version__",
+    "away",
+    "change",
     "cohort",
     "compare",
     "draw",
+    "habit",
+    "life",
     "read",
     "scenario",
+    "sleep",
     "templates",
     "translate",
+    "visit",
 ]

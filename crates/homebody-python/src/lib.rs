@@ -41,6 +41,7 @@ fn _homebody(module: &Bound<'_, PyModule>) -> PyResult<()> {
     for function in [
         wrap_pyfunction!(command, module)?,
         wrap_pyfunction!(scenario::templates, module)?,
+        wrap_pyfunction!(scenario::routine_text, module)?,
         wrap_pyfunction!(log::compare, module)?,
         wrap_pyfunction!(log::translate, module)?,
         wrap_pyfunction!(pictures::png, module)?,

@@ -10,6 +10,7 @@ use homebody_core::problem::{Problem, Problems};
 use homebody_core::resident::Build;
 use homebody_core::scenario::load::NoText;
 use homebody_picture::{coverage_map, floor_plan};
+use homebody_simulation::statement::{Statement, text};
 use homebody_simulation::{
     Destinations, OpenScenario, RunOptions, RunSetup, ScenarioSource, SimulationError, Template,
 };
@@ -22,6 +23,14 @@ use std::path::PathBuf;
 #[pyfunction]
 pub fn templates() -> Vec<String> {
     Template::all().map(Template::name).collect()
+}
+
+/// The sentences of statements, which are JSON.
+#[pyfunction]
+pub fn routine_text(statements: &str) -> PyResult<String> {
+    let statements: Vec<Statement> =
+        serde_json::from_str(statements).map_err(|error| PyValueError::new_err(error.to_string()))?;
+    Ok(text(&statements))
 }
 
 /// A scenario that has passed every check.

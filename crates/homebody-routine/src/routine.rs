@@ -292,11 +292,19 @@ pub enum Effect {
     /// Metres per second added to the walking speed per week of the phase.
     PaceEachWeek(Fuzzy),
     /// Seconds later; earlier if negative.
-    Later { activity: Activity, by: Fuzzy },
+    Later {
+        activity: Activity,
+        #[serde(rename = "by_s")]
+        by: Fuzzy,
+    },
     /// Factor on durations.
     Longer { activity: Activity, factor: Fuzzy },
     /// Seconds added to durations; shorter if negative.
-    LongerBy { activity: Activity, by: Fuzzy },
+    LongerBy {
+        activity: Activity,
+        #[serde(rename = "by_s")]
+        by: Fuzzy,
+    },
     /// Factor on frequency, in the part of the day if one is stated.
     Oftener { activity: Activity, factor: Fuzzy },
     /// Skipped on a day, with the stated chance.

@@ -79,6 +79,7 @@ pub use homebody_log::run::places::LIST;
 pub use homebody_log::table::truth::TruthKept;
 pub use homebody_log::{Cancel, Url, WhenDown};
 pub use homebody_routine::behaviour::difference::Difference;
+pub use homebody_routine::statement;
 pub use incomplete_run::{IncompleteRun, has_no_end};
 pub use limits::{LARGE_DAYS, MOST_MEMBERS};
 pub use live_home::LiveHome;
