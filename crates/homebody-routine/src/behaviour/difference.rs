@@ -134,9 +134,9 @@ pub fn predicted_differences(life: &ResidentRoutine, days: i32) -> Vec<Differenc
 
 fn phase(life: &ResidentRoutine, id: SentenceId) -> Option<Phase> {
     match id.kind {
-        SentenceKind::Habit => life.habit(id).map(|habit| habit.phase),
-        SentenceKind::Rule => life.rule(id).map(|rule| rule.phase),
-        SentenceKind::Change => life.change(id).map(|change| change.phase),
+        SentenceKind::Habit => life.habit(id).map(|habit| habit.when.phase),
+        SentenceKind::Rule => life.rule(id).map(|rule| rule.when.phase),
+        SentenceKind::Change => life.change(id).map(|change| change.when.phase),
     }
 }
 
@@ -184,7 +184,8 @@ fn difference(
         });
     }
     let habit = life.habit(id)?;
-    if matches!(habit.when, HabitTime::At(_) | HabitTime::Before(..)) && f64::from(late) > f64::from(begun) * LATE_SHARE
+    if matches!(habit.when.time, HabitTime::At(_) | HabitTime::Before(..))
+        && f64::from(late) > f64::from(begun) * LATE_SHARE
     {
         return Some(Lost {
             expected: "at its time".to_owned(),
@@ -195,7 +196,7 @@ fn difference(
     }
     let SentenceOutcome { begun, done, planned_s, lasted_s, .. } = lengths;
     let (planned_min, lasted_min) = (planned_s / f64::from(begun) / 60.0, lasted_s / f64::from(done) / 60.0);
-    if habit.lasts.is_some() && done > 0 && lasted_min < SHORT * planned_min {
+    if habit.when.lasts.is_some() && done > 0 && lasted_min < SHORT * planned_min {
         return Some(Lost {
             expected: format!("{planned_min:.0} min on average"),
             lived: format!("{lasted_min:.0} min on average"),
